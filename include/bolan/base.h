@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+/// @file base.h
+/// Tier 0. Version, result codes, and the only process-wide state of the library: the hooks for memory, log, assertions
+/// and tasks.
+///
+/// Three kinds of error are never mixed: *misuse* (a NULL that must not be NULL, an index out of range) goes to the
+/// assert hook; *creation and I/O* return a ::bolan_result and log one sentence that says what was wrong, where, and what
+/// was expected; *per-frame calls* cannot fail.
+#ifndef BOLAN_BASE_H
+#define BOLAN_BASE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define BOLAN_VERSION_MAJOR 0
+#define BOLAN_VERSION_MINOR 1
+#define BOLAN_VERSION_PATCH 0
+#define BOLAN_VERSION_STRING "0.1.0"
+
+/// The version of the linked library, "major.minor.patch". Static storage. Thread-safe.
+const char *bolan_version(void);
+
+/// What a creation or I/O call returns. Zero is success; every failure has been logged as one sentence.
+typedef enum bolan_result {
+    BOLAN_OK = 0,
+    BOLAN_ERROR_ARGUMENT,    ///< a field or argument is outside its documented range, or not finite
+    BOLAN_ERROR_MEMORY,      ///< the allocator returned NULL
+    BOLAN_ERROR_IO,          ///< a file could not be opened, read or written
+    BOLAN_ERROR_FORMAT,      ///< a file's content is not what its format demands
+    BOLAN_ERROR_UNSUPPORTED, ///< valid, but not in this build or on this machine
+    BOLAN_ERROR_GL,          ///< OpenGL: no context, a shader did not compile, a target is incomplete
+} bolan_result;
+
+/// A short English name for a result code ("format error"). Static storage. Thread-safe.
+const char *bolan_result_string(bolan_result result);
+
+// ---- log ------------------------------------------------------------------------------------------------------------
+
+typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INFO } bolan_log_level;
+
+/// Every message the library can emit has a stable id, so that a test can assert *which* check fired.
+/// X(id, name). Ids are never reused.
+#define BOLAN_LOG_TABLE(X)                                                                                             \
+    X(100, OUT_OF_MEMORY)                                                                                              \
+    X(101, BAD_ARGUMENT)                                                                                               \
+    X(102, NOT_FINITE)                                                                                                 \
+    X(103, OUT_OF_RANGE)                                                                                               \
+    X(104, UNKNOWN_NAME)                                                                                               \
+    X(105, UNSUPPORTED)                                                                                                \
+    X(200, SPECTRUM_EMPTY)                                                                                             \
+    X(201, SPECTRUM_SYNTAX)                                                                                            \
+    X(202, SPECTRUM_TRUNCATED)                                                                                         \
+    X(203, SPECTRUM_NEGATIVE)                                                                                          \
+    X(204, SPECTRUM_NO_ENERGY)                                                                                         \
+    X(205, SPECTRUM_UNKNOWN_FORMAT)                                                                                    \
+    X(206, SPECTRUM_TIME_INDEX)                                                                                        \
+    X(300, FILE_OPEN)                                                                                                  \
+    X(301, FILE_READ)                                                                                                  \
+    X(302, FILE_WRITE)                                                                                                 \
+    X(303, FILE_TOO_LARGE)                                                                                             \
+    X(310, SCENE_SYNTAX)                                                                                               \
+    X(311, SCENE_UNKNOWN_KEY)                                                                                          \
+    X(312, SCENE_BAD_VALUE)                                                                                            \
+    X(320, RASTER_OPEN)                                                                                                \
+    X(321, RASTER_EMPTY)                                                                                               \
+    X(322, RASTER_PROJECTION)                                                                                          \
+    X(330, IMAGE_FORMAT)                                                                                               \
+    X(331, IMAGE_WRITE)                                                                                                \
+    X(340, VIDEO_PROGRAM)                                                                                              \
+    X(341, VIDEO_WRITE)                                                                                                \
+    X(400, GL_CONTEXT)                                                                                                 \
+    X(401, GL_VERSION)                                                                                                 \
+    X(402, GL_SHADER)                                                                                                  \
+    X(403, GL_TARGET)                                                                                                  \
+    X(404, GL_DEBUG)                                                                                                   \
+    X(500, SEA_CASCADES)                                                                                               \
+    X(501, SEA_INFO)                                                                                                   \
+    X(502, POINTS_SYNTAX)
+
+typedef enum bolan_log_id {
+#define BOLAN_LOG_ENUM(id, name) BOLAN_LOG_##name = id,
+    BOLAN_LOG_TABLE(BOLAN_LOG_ENUM)
+#undef BOLAN_LOG_ENUM
+} bolan_log_id;
+
+// ---- hooks ----------------------------------------------------------------------------------------------------------
+
+/// A slice of a parallel loop: do items [begin, end). @p worker is in [0, workers) and unique among the slices that run
+/// at the same time, so it can index scratch memory.
+typedef void bolan_task_fn(void *context, uint32_t begin, uint32_t end, uint32_t worker);
+
+/// Runs a whole parallel loop of @p count items in slices of at least @p grain, and returns when all are done.
+typedef void bolan_parallel_fn(void *user, uint32_t count, uint32_t grain, bolan_task_fn *task, void *context);
+
+/// Process-wide hooks. A NULL member keeps the built-in behaviour.
+typedef struct bolan_hooks {
+    void *user;                                           ///< handed back to every hook
+    void *(*allocate)(void *user, size_t size, size_t align); ///< @p align is a power of two <= 64; NULL on failure
+    void (*release)(void *user, void *memory, size_t size);   ///< @p size is the size that was asked for
+    void (*log)(void *user, bolan_log_level level, bolan_log_id id, const char *sentence); ///< default: one line on stderr
+    void (*assert_failed)(void *user, const char *expression, const char *file, int line); ///< default: print and abort
+    bolan_parallel_fn *parallel; ///< your task system; NULL: the built-in pool (see bolan_set_threads())
+    uint32_t parallel_workers;   ///< how many workers @ref parallel can use at once, >= 1
+} bolan_hooks;
+
+/// Replaces the hooks. NULL restores the built-in ones. Call it before anything is created and while no other thread is
+/// in the library: memory must be released by the hook that allocated it. Not thread-safe.
+void bolan_set_hooks(const bolan_hooks *hooks);
+
+/// Threads of the built-in pool, the calling thread included: 1 (default: the library starts no thread) to 64.
+/// 0 means one per online processor. Not thread-safe; results never depend on it.
+void bolan_set_threads(uint32_t threads);
+
+/// Workers that a parallel loop may use now, >= 1. Thread-safe.
+uint32_t bolan_threads(void);
+
+/// Runs @p task over [0, count) on the hook or the built-in pool, and waits. Loops do not nest: a loop started inside a
+/// task runs on that task's own thread. Thread-safe.
+void bolan_parallel(uint32_t count, uint32_t grain, bolan_task_fn *task, void *context);
+
+/// Memory through the hooks; @p size 0 gives NULL. Zero-filled, aligned to 64 bytes. Thread-safe if the hook is.
+void *bolan_allocate(size_t size);
+/// Gives memory of bolan_allocate() back; @p size is what was asked for. NULL is ignored.
+void bolan_release(void *memory, size_t size);
+/// Bytes that the library holds now. Thread-safe.
+size_t bolan_memory_in_use(void);
+
+/// Emits one log sentence (printf style). For the library's own modules and tools built on it. Thread-safe.
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+void bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...);
+
+/// Reports misuse to the assert hook. Use the BOLAN_ASSERT() macro.
+void bolan_assert_failed(const char *expression, const char *file, int line);
+#define BOLAN_ASSERT(x) ((x) ? (void)0 : bolan_assert_failed(#x, __FILE__, __LINE__))
+
+// ---- instruction sets -----------------------------------------------------------------------------------------------
+
+/// Which build of the wide kernels runs. Results are the same to the bit for all of them.
+typedef enum bolan_cpu {
+    BOLAN_CPU_AUTO,   ///< the widest this machine has
+    BOLAN_CPU_SCALAR, ///< plain C
+    BOLAN_CPU_SSE2,
+    BOLAN_CPU_AVX2,
+    BOLAN_CPU_AVX512,
+} bolan_cpu;
+
+/// The widest set this machine runs. Thread-safe.
+bolan_cpu bolan_cpu_best(void);
+/// "auto", "scalar", "sse2", "avx2", "avx512". Static storage. Thread-safe.
+const char *bolan_cpu_name(bolan_cpu cpu);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+/// @file spectrum.h
+/// Tier 1. Sea states as directional wave spectra: model spectra (Pierson-Moskowitz, JONSWAP, TMA), directional spreading,
+/// measured spectra (SWAN, NDBC), dispersion, and sea-state tables. Pure functions; every one is thread-safe.
+///
+/// Convention: S(w, th) is the one-sided directional variance density [m2 s/rad per rad]; w = angular frequency [rad/s];
+/// th = mathematical angle where the waves GO [rad]. The integral over w and th is m0 [m2]; Hs = 4 sqrt(m0).
+#ifndef BOLAN_SPECTRUM_H
+#define BOLAN_SPECTRUM_H
+
+#include "bolan/base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// ---- dispersion -----------------------------------------------------------------------------------------------------
+
+#define BOLAN_SURFACE_TENSION_SEA 7.17e-5 ///< sigma / rho of sea water [m3/s2]
+#define BOLAN_DEEP 1.0e4                  ///< a depth [m] that is deep for every wave of the sea
+
+/// w(k): w^2 = (g k + (sigma/rho) k^3) tanh(k h). @p k wave number [rad/m] >= 0, @p depth [m] > 0. [rad/s]
+double bolan_omega_from_k(double k, double depth);
+/// The inverse, to 1e-12 relative (Guo 2002 first guess, then Newton). @p omega [rad/s] >= 0. [rad/m]
+double bolan_k_from_omega(double omega, double depth);
+/// Group speed dw/dk [m/s] at wave number k > 0.
+double bolan_group_speed(double k, double depth);
+
+// ---- model spectra --------------------------------------------------------------------------------------------------
+
+typedef enum bolan_spectrum_kind {
+    BOLAN_SPECTRUM_PIERSON_MOSKOWITZ, ///< fully developed sea (Pierson & Moskowitz 1964)
+    BOLAN_SPECTRUM_JONSWAP,           ///< fetch-limited sea (Hasselmann et al. 1973)
+    BOLAN_SPECTRUM_TMA,               ///< JONSWAP in water of finite depth (Bouws et al. 1985)
+} bolan_spectrum_kind;
+
+typedef enum bolan_spreading_kind {
+    BOLAN_SPREADING_COS2,       ///< (2/pi) cos^2 th on +-90 deg (ITTC)
+    BOLAN_SPREADING_COS2S,      ///< N(s) cos^{2s}(th/2), the same s at all frequencies
+    BOLAN_SPREADING_HASSELMANN, ///< cos-2s with s(w/wp, U/cp) (Hasselmann, Dunckel & Ewing 1980)
+} bolan_spreading_kind;
+
+/// One wind sea or swell. It is fixed by its height and peak; the helpers below derive these from wind and fetch.
+typedef struct bolan_wave_system {
+    bolan_spectrum_kind kind;       ///< shape in frequency; default JONSWAP
+    double hs;                      ///< significant wave height 4 sqrt(m0) [m], 0..40 (TMA: before the depth factor)
+    double peak_omega;              ///< peak angular frequency [rad/s], 0.1..50
+    double gamma;                   ///< JONSWAP peak enhancement, 1..10; default 3.3. Raised: a narrower peak
+    double from_deg;                ///< where the waves come FROM, compass [deg]
+    bolan_spreading_kind spreading; ///< default HASSELMANN
+    double spread_s;                ///< s of COS2S, 0..200; default 10. Raised: longer crests
+    double wind_speed;              ///< U10 [m/s] for HASSELMANN's U/cp; 0: taken as U = cp
+    double swell;                   ///< Horvath's swell parameter xi, 0..1: lengthens the crests; default 0
+} bolan_wave_system;
+
+#define BOLAN_MAX_WAVE_SYSTEMS 8
+
+typedef struct bolan_measured_spectrum bolan_measured_spectrum;
+
+/// A sea: wave systems, or a measured spectrum, over water of one depth, with the local wind that roughens it.
+typedef struct bolan_sea_state {
+    uint32_t system_count; ///< 0..8
+    bolan_wave_system systems[BOLAN_MAX_WAVE_SYSTEMS];
+    const bolan_measured_spectrum *measured; ///< NULL, or a spectrum that is added to the systems; not owned, must live
+                                             ///< until the sea was created
+    double depth;      ///< water depth for dispersion and TMA [m], 0.1..BOLAN_DEEP; default BOLAN_DEEP
+    double wind_speed; ///< U10 [m/s], 0..70: short waves, foam
+    double wind_from_deg; ///< compass degrees the wind comes FROM
+} bolan_sea_state;
+
+/// A flat calm over deep water.
+bolan_sea_state bolan_sea_state_default(void);
+/// A wind sea: JONSWAP by wind and fetch, capped at the fully developed Pierson-Moskowitz sea. @p wind_speed U10 [m/s]
+/// 0..70; @p from_deg compass degrees FROM; @p fetch [m] > 0.
+bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, double fetch);
+/// The wind sea of a Beaufort number 0..12 (v = 0.836 B^1.5), fully developed.
+bolan_sea_state bolan_sea_state_from_beaufort(double beaufort, double from_deg);
+/// The sea of a Douglas / WMO 3700 degree 0..9: Hs in the middle of the class, PM shape, wind to match.
+bolan_sea_state bolan_sea_state_from_douglas(int degree, double from_deg);
+/// Adds a swell of height @p hs [m], peak period @p tp [s], FROM @p from_deg, cos-2s exponent @p spread_s (25..75 usual).
+/// ARGUMENT when the list is full or a value is outside its range.
+bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, double tp, double from_deg, double spread_s);
+/// Checks every field against its range; logs a sentence and returns ARGUMENT at the first that is not.
+bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state);
+
+/// S(w) of one system [m2 s/rad], integrated over direction, in water of @p depth (TMA only).
+double bolan_system_density(const bolan_wave_system *system, double omega, double depth);
+/// D(w, th) [1/rad]: @p theta is the angle from the system's mean direction [rad]. Integrates to 1.
+double bolan_system_spreading(const bolan_wave_system *system, double omega, double theta);
+/// S(w, th) of the whole sea [m2 s/rad per rad], without the wind's short-wave tail beyond a measured spectrum.
+double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta);
+/// Psi(kx, ky) = S(w, th) (dw/dk) / k [m4]: variance density over wave vectors that point where the waves go. Includes the
+/// w^-5 tail that continues a measured spectrum above its last frequency, so that the synthesised sea has short waves.
+double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, double kx, double ky);
+
+/// Integral parameters of a sea state.
+typedef struct bolan_sea_summary {
+    double m0;         ///< variance [m2] (of the requested spectrum: for a measured one, over its own frequencies)
+    double hs;         ///< 4 sqrt(m0) [m]
+    double tp;         ///< period of the spectral peak [s]
+    double tm01, tm02; ///< m0/m1 and sqrt(m0/m2) [s]
+    double te;         ///< m-1/m0 [s]
+    double from_deg;   ///< mean direction FROM [deg]
+    double spread_deg; ///< circular spread sqrt(2 (1 - r1)) [deg]
+} bolan_sea_summary;
+bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state);
+
+/// Cox & Munk (1954) clean-surface slope variance for a wind of @p wind_speed [m/s] at 12.5 m; up- and crosswind parts.
+void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cross);
+/// Whitecap cover fraction of Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41, at most 1.
+double bolan_monahan_cover(double wind_speed);
+
+// ---- sea-state tables -----------------------------------------------------------------------------------------------
+
+typedef struct bolan_douglas_row { int degree; double hs_min, hs_max; const char *name; } bolan_douglas_row;     ///< [m]
+typedef struct bolan_beaufort_row { int force; double wind_min, wind_max, wave_height; const char *name; } bolan_beaufort_row; ///< [m/s, m]
+extern const bolan_douglas_row bolan_douglas_table[10];   ///< WMO code 3700; a bound belongs to the lower class
+extern const bolan_beaufort_row bolan_beaufort_table[13]; ///< WMO; probable wave height
+int bolan_douglas_from_hs(double hs);              ///< 0..9
+int bolan_beaufort_from_wind(double wind_speed);   ///< 0..12
+
+// ---- measured spectra -----------------------------------------------------------------------------------------------
+
+/// A directional spectrum on a frequency x direction grid, read from memory (io.h reads files). Immutable once parsed,
+/// then safe to share between threads.
+///
+/// Text of SWAN ("SWAN 1", 2-D) and of NDBC (history and real-time) is recognised by its content. NDBC's real-time set is
+/// several texts: pass density first; the direction texts are optional, without them the sea is spread by cos-2s.
+typedef struct bolan_spectrum_text {
+    const char *name;  ///< for messages: the file name
+    const char *data;  ///< text, need not end in NUL
+    size_t size;       ///< bytes
+} bolan_spectrum_text;
+
+typedef struct bolan_spectrum_texts {
+    bolan_spectrum_text density;              ///< SWAN, NDBC history, or NDBC real-time .data_spec
+    bolan_spectrum_text swdir, swdir2, swr1, swr2; ///< NDBC directional companions; data NULL where absent
+    double from_deg;  ///< direction FROM [deg] for a spectrum without directions (NDBC history); default 270
+    double spread_s;  ///< its cos-2s exponent; default 10
+} bolan_spectrum_texts;
+
+bolan_spectrum_texts bolan_spectrum_texts_default(void);
+/// Parses record number @p record in time (0 = the earliest in the text; NDBC real-time lists are newest first and are
+/// reversed). On failure nothing is returned, and one sentence with name and line is logged: FORMAT, MEMORY, or ARGUMENT
+/// for a record beyond the last.
+bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, uint32_t record, bolan_measured_spectrum **out);
+/// NULL-safe; NULLs the pointer.
+void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectrum);
+
+/// Read-only view: frequencies [rad/s], directions (mathematical, TO) [rad] ascending with constant step 2 pi / direction_count,
+/// density[frequency * direction_count + direction] [m2 s/rad per rad].
+typedef struct bolan_measured_view {
+    uint32_t frequency_count, direction_count, record_count;
+    const double *omega, *theta, *density;
+    const char *time; ///< ISO 8601, or "" when the file gives none
+} bolan_measured_view;
+bolan_measured_view bolan_measured_spectrum_view(const bolan_measured_spectrum *spectrum);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
