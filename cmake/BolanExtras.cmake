@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+# Examples and benchmarks.
+
+# Links the libraries whose public headers a source includes, so that an example without GL is built without GL.
+function(bolan_link_what_it_includes target file)
+    file(READ ${file} text)
+    if(text MATCHES "bolan/render\\.h" AND TARGET bolan_render)
+        target_link_libraries(${target} PRIVATE bolan_render)
+    endif()
+    if(text MATCHES "bolan/(io|bolan)\\.h" AND TARGET bolan_io)
+        target_link_libraries(${target} PRIVATE bolan_io)
+    endif()
+    target_link_libraries(${target} PRIVATE bolan m)
+endfunction()
+
+file(GLOB example_sources CONFIGURE_DEPENDS examples/*.c)
+if(BOLAN_EXAMPLES AND TARGET bolan)
+    foreach(file IN LISTS example_sources)
+        get_filename_component(stem ${file} NAME_WE)
+        add_executable(example_${stem} ${file})
+        bolan_compile_options(example_${stem})
+        bolan_link_what_it_includes(example_${stem} ${file})
+        set_target_properties(example_${stem} PROPERTIES OUTPUT_NAME ${stem}
+            RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/examples)
+    endforeach()
+endif()
+
+# bench/bench_<name>.c is a program of its own; every other bench/*.c belongs to the one program bolan_bench.
+file(GLOB bench_sources CONFIGURE_DEPENDS bench/*.c)
+if(BOLAN_BENCH AND bench_sources AND fftw_FOUND AND TARGET bolan)
+    function(bolan_add_bench name)
+        add_executable(${name} ${ARGN})
+        bolan_compile_options(${name})
+        target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/bench)
+        target_link_libraries(${name} PRIVATE ${BOLAN_LIBRARIES} PkgConfig::fftw Threads::Threads m)
+        set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+    endfunction()
+    set(bench_single ${bench_sources})
+    list(FILTER bench_single INCLUDE REGEX "/bench_[^/]*\\.c$")
+    list(FILTER bench_sources EXCLUDE REGEX "/bench_[^/]*\\.c$")
+    foreach(file IN LISTS bench_single)
+        get_filename_component(stem ${file} NAME_WE)
+        bolan_add_bench(${stem} ${file})
+    endforeach()
+    if(bench_sources)
+        bolan_add_bench(bolan_bench ${bench_sources})
+    endif()
+endif()

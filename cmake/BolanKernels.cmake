@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+# bolan_add_kernels(target file.kernel.c): compiles one wide kernel file once per instruction set into the target.
+# The file sees BOLAN_KERNEL_SUFFIX (scalar, sse2, avx2, avx512: append it to every name it exports), BOLAN_KERNEL_WIDTH
+# (floats in a register: 1, 4, 8, 16) and BOLAN_KERNEL_<SUFFIX in capitals>. Other sources of the target see
+# BOLAN_KERNELS_X86 where all four exist; elsewhere only the scalar one does.
+# All sets give the same bits: contraction stays off, and fused multiply-add is never asked for.
+
+set(bolan_kernel_flags_scalar "")
+set(bolan_kernel_flags_sse2 -msse2)
+set(bolan_kernel_flags_avx2 -mavx2 -mf16c -mno-fma)
+set(bolan_kernel_flags_avx512 -mavx512f -mavx512dq -mavx512bw -mavx512vl -mf16c -mno-fma -mprefer-vector-width=512)
+set(bolan_kernel_width_scalar 1)
+set(bolan_kernel_width_sse2 4)
+set(bolan_kernel_width_avx2 8)
+set(bolan_kernel_width_avx512 16)
+
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    set(bolan_kernel_sets scalar sse2 avx2 avx512)
+    add_compile_definitions($<$<COMPILE_LANGUAGE:C>:BOLAN_KERNELS_X86=1>)
+else()
+    set(bolan_kernel_sets scalar)
+endif()
+
+function(bolan_add_kernels target file)
+    get_filename_component(path ${file} ABSOLUTE)
+    get_filename_component(stem ${file} NAME_WE)
+    get_filename_component(folder ${path} DIRECTORY)
+    get_filename_component(folder ${folder} NAME)
+    foreach(set IN LISTS bolan_kernel_sets)
+        # One source can be in a target once, so each set compiles a one-line file that includes it.
+        set(unit ${CMAKE_CURRENT_BINARY_DIR}/kernels/${folder}_${stem}_${set}.c)
+        file(CONFIGURE OUTPUT ${unit} CONTENT "#include \"${path}\"\n" @ONLY)
+        string(TOUPPER ${set} capitals)
+        set_source_files_properties(${unit} PROPERTIES
+            COMPILE_DEFINITIONS
+                "BOLAN_KERNEL_SUFFIX=${set};BOLAN_KERNEL_WIDTH=${bolan_kernel_width_${set}};BOLAN_KERNEL_${capitals}=1"
+            COMPILE_OPTIONS "-O3;-fno-trapping-math;${bolan_kernel_flags_${set}}")
+        target_sources(${target} PRIVATE ${unit})
+    endforeach()
+endfunction()

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+/// @file bolan.h
+/// The umbrella of tiers 0 to 3: everything but OpenGL, which is in bolan/render.h.
+#ifndef BOLAN_BOLAN_H
+#define BOLAN_BOLAN_H
+
+#include "bolan/base.h"
+#include "bolan/math.h"
+#include "bolan/spectrum.h"
+#include "bolan/waves.h"
+
+#include "bolan/query.h"
+#include "bolan/shore.h"
+#include "bolan/surface.h"
+
+#endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The named scenes, embedded by cmake/embed_text.cmake. Paths are relative to scenes/ ("island.yaml"), sorted.
+#ifndef BOLAN_IO_SCENE_SOURCE_H
+#define BOLAN_IO_SCENE_SOURCE_H
+
+typedef struct bolan_scene_source {
+    const char *path;
+    const char *text;
+} bolan_scene_source;
+
+extern const bolan_scene_source bolan_scene_sources[];
+extern const unsigned bolan_scene_source_count;
+
+#endif
