@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+/// @file render.h
+/// Tier 4, library bolan_render. Draws a scene with OpenGL 3.3 core or OpenGL ES 3.0 in the caller's context, or in a headless
+/// one made here.
+///
+/// A guest in your frame: bolan_renderer_draw() binds your framebuffer, viewport and the state it needs, and leaves these as
+/// it found them: framebuffer bindings, viewport, scissor, program, vertex array, array and uniform buffers, textures of units
+/// 0-15, active unit, blend, cull, depth (test, mask, function, range, clip control), colour mask, clear values, pixel store.
+/// All calls of one renderer must be made on the thread where its context is current.
+#ifndef BOLAN_RENDER_H
+#define BOLAN_RENDER_H
+
+#include "bolan/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// ---- a headless context ---------------------------------------------------------------------------------------------
+
+typedef enum bolan_gl_api { BOLAN_GL_CORE, BOLAN_GL_ES } bolan_gl_api;
+typedef struct bolan_context bolan_context;
+/// A context without a window (EGL surfaceless), made current on this thread. GL: when there is none.
+bolan_result bolan_context_create(bolan_gl_api api, bolan_context **out);
+void bolan_context_make_current(bolan_context *context);
+void bolan_context_destroy(bolan_context **context);
+/// Name, version and so on of the current context: static strings, "" without one.
+typedef struct bolan_gl_info { const char *renderer, *vendor, *version, *shading_language; bool software, clip_control; } bolan_gl_info;
+bolan_gl_info bolan_gl_get_info(void);
+
+// ---- the renderer ---------------------------------------------------------------------------------------------------
+
+typedef struct bolan_renderer bolan_renderer;
+
+typedef struct bolan_renderer_desc {
+    bolan_quality quality;        ///< default MEDIUM
+    const char *shader_directory; ///< NULL: built-in shaders; else read from there, and re-read by bolan_renderer_reload()
+    bool no_clip_control;         ///< true: take the fallback path even where clip control exists (tests)
+    bool debug;                   ///< true: log the driver's debug messages
+} bolan_renderer_desc;
+
+bolan_renderer_desc bolan_renderer_desc_default(void);
+/// Needs a current context. Errors: GL (sentence in the log), MEMORY.
+bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out);
+/// NULL-safe; NULLs. The context must be current.
+void bolan_renderer_destroy(bolan_renderer **renderer);
+/// Compiles the shaders again from shader_directory; on an error the old ones stay and GL is returned.
+bolan_result bolan_renderer_reload(bolan_renderer *renderer);
+
+/// What to draw, and where.
+typedef struct bolan_frame_desc {
+    const bolan_scene *scene;      ///< camera, sky, water, exposure are read; not NULL
+    const bolan_sea *sea;          ///< stepped by the caller; not NULL
+    const bolan_terrain *terrain;  ///< or NULL
+    uint32_t framebuffer;          ///< GL name; 0 is the window
+    uint32_t width, height;        ///< of the framebuffer [px], 1..16384
+    uint32_t samples;              ///< supersampling: pictures with shifted pixels that are averaged, 1..256
+    bool srgb_framebuffer;         ///< true: the framebuffer encodes sRGB itself
+} bolan_frame_desc;
+bolan_frame_desc bolan_frame_desc_default(void);
+/// Draws one picture. After the first frames nothing is allocated unless the size, the terrain or the sea changes.
+void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame);
+
+/// The colour buffer of the last picture before the tone map, linear radiance relative to a sun irradiance of 1 in space at
+/// normal incidence, and the distance from the eye along the view axis [m] (infinity: sky). Row 0 at the top. Each pointer may be NULL; the buffers hold
+/// width * height * 3 and width * height floats.
+void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, float *distance);
+/// The 8-bit picture of @p framebuffer, row 0 at the top: width * height * 3 bytes.
+void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb);
+
+/// An off-screen colour target of 8-bit sRGB values for callers without one; NULL on failure (logged).
+typedef struct bolan_target bolan_target;
+bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out);
+uint32_t bolan_target_framebuffer(const bolan_target *target);
+void bolan_target_destroy(bolan_target **target);
+
+#define BOLAN_MAX_PASSES 16
+/// Time of each pass of the last finished frame [ms], by GPU timers where they exist, else by glFinish() when
+/// @ref bolan_renderer_measure_passes was switched on.
+typedef struct bolan_frame_statistics {
+    uint32_t pass_count;
+    struct { const char *name; double ms; } passes[BOLAN_MAX_PASSES];
+    uint32_t triangles;       ///< all that were submitted
+    uint32_t water_triangles;
+} bolan_frame_statistics;
+void bolan_renderer_measure_passes(bolan_renderer *renderer, bool on);
+bolan_frame_statistics bolan_renderer_statistics(const bolan_renderer *renderer);
+/// The yardstick of the benchmarks: a full-screen pass of 6 bilinear RGBA16F look-ups at this size, mean of @p repeats [ms].
+double bolan_renderer_yardstick(bolan_renderer *renderer, uint32_t width, uint32_t height, uint32_t repeats);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+/// @file scene.h
+/// Tier 3. A scene as plain data: camera, sun, sky, water, terrain, technique, and the sea. No pointers but the ones the
+/// caller puts in; copy it freely. io.h reads it from YAML; render.h draws it.
+#ifndef BOLAN_SCENE_H
+#define BOLAN_SCENE_H
+
+#include "bolan/shore.h"
+#include "bolan/surface.h"
+#include "bolan/waves.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define BOLAN_NAME_MAX 64
+#define BOLAN_PATH_MAX 1024
+
+// ---- technique ------------------------------------------------------------------------------------------------------
+
+typedef enum bolan_optics_kind {
+    BOLAN_OPTICS_PHYSICAL, ///< filtered slopes, Fresnel, sky, absorption, foam
+} bolan_optics_kind;
+
+/// A way to make water: a wave model x a surface x an optics.
+typedef struct bolan_technique {
+    const char *name;
+    bolan_wave_model waves;
+    bolan_surface_kind surface;
+    bolan_optics_kind optics;
+} bolan_technique;
+extern const bolan_technique bolan_technique_ocean; ///< the default
+/// All techniques, for lists; @p count receives the number.
+const bolan_technique *bolan_techniques(uint32_t *count);
+/// By name; NULL when there is none of that name.
+const bolan_technique *bolan_technique_find(const char *name);
+
+typedef enum bolan_quality { BOLAN_QUALITY_LOW, BOLAN_QUALITY_MEDIUM, BOLAN_QUALITY_HIGH, BOLAN_QUALITY_ULTRA } bolan_quality;
+
+// ---- water optics ---------------------------------------------------------------------------------------------------
+
+typedef enum bolan_jerlov {
+    BOLAN_JERLOV_I, BOLAN_JERLOV_IA, BOLAN_JERLOV_IB, BOLAN_JERLOV_II, BOLAN_JERLOV_III,
+    BOLAN_JERLOV_1C, BOLAN_JERLOV_3C, BOLAN_JERLOV_5C, BOLAN_JERLOV_7C, BOLAN_JERLOV_9C,
+} bolan_jerlov;
+
+/// Optical coefficients at red, green, blue = 650, 550, 450 nm.
+typedef struct bolan_water_optics {
+    bolan_vec3 kd;         ///< diffuse attenuation of downward irradiance [1/m]
+    bolan_vec3 absorption; ///< a [1/m]
+    bolan_vec3 scattering; ///< b [1/m]
+    bolan_vec3 backscatter;///< bb [1/m]
+    bolan_vec3 deep;       ///< radiance leaving deep water (above it) per unit downward irradiance, Rrs [1/sr]
+    float index;           ///< of refraction; 1.34
+} bolan_water_optics;
+/// Jerlov's types by Kd (Austin & Petzold 1986 for I..1C, Jerlov 1976 for 3C..9C), backscatter fitted to them, Rrs by
+/// Gordon et al. 1988.
+bolan_water_optics bolan_water_optics_from_jerlov(bolan_jerlov type);
+/// "I".."9C"; -1 when unknown. And back.
+int bolan_jerlov_from_name(const char *name);
+const char *bolan_jerlov_name(bolan_jerlov type);
+
+/// Fresnel reflectance of unpolarised light, exact dielectric. @p cos_incident 0..1; @p eta = n_transmitted / n_incident
+/// (1.34 from air into the sea, 1/1.34 from below: total reflection included).
+float bolan_fresnel(float cos_incident, float eta);
+
+// ---- the scene ------------------------------------------------------------------------------------------------------
+
+typedef struct bolan_camera {
+    bolan_dvec3 position;  ///< world [m], z above mean sea level
+    double heading_deg;    ///< compass [deg]
+    double pitch_deg;      ///< up [deg], -90..90
+    double roll_deg;       ///< clockwise [deg]
+    double fov_deg;        ///< vertical field of view [deg], 1..150; default 50
+} bolan_camera;
+
+typedef struct bolan_sky {
+    double sun_azimuth_deg;   ///< compass [deg]
+    double sun_elevation_deg; ///< -18..90
+    double visibility;        ///< meteorological range at sea level [m], 500..300000: haze; default 40000
+    double cloud_cover;       ///< 0..1; default 0.3
+    double cloud_base;        ///< [m], default 1200
+    uint64_t cloud_seed;      ///< default 1
+} bolan_sky;
+
+typedef struct bolan_water {
+    bolan_jerlov type;   ///< default IB
+    double level;        ///< mean water level above the terrain's datum [m], -20..20; default 0
+    double foam;         ///< strength of the foam, 0..2; default 1
+} bolan_water;
+
+typedef enum bolan_terrain_kind { BOLAN_TERRAIN_NONE, BOLAN_TERRAIN_ISLAND, BOLAN_TERRAIN_RASTER } bolan_terrain_kind;
+
+typedef struct bolan_terrain_source {
+    bolan_terrain_kind kind;         ///< default NONE: open sea
+    bolan_island_desc island;        ///< for ISLAND
+    char path[BOLAN_PATH_MAX];       ///< for RASTER: any file GDAL reads
+    double latitude, longitude;      ///< for RASTER: where the scene origin lies [deg]; NAN: the raster's centre
+    double radius;                   ///< for RASTER: half side of the square that is read [m]; default 150000
+    double vertical_scale;           ///< metres per raster unit; default 1
+} bolan_terrain_source;
+
+typedef struct bolan_scene {
+    char name[BOLAN_NAME_MAX];
+    char description[256];
+    bolan_technique technique;
+    bolan_sea_desc sea;                    ///< sea.sea_state.measured stays NULL here
+    char spectrum_path[BOLAN_PATH_MAX];    ///< "" or a measured spectrum file
+    uint32_t spectrum_record;
+    bolan_camera camera;
+    bolan_sky sky;
+    bolan_water water;
+    bolan_terrain_source terrain;
+    double time;                           ///< [s]
+    double exposure;                       ///< in stops over the automatic exposure; default 0
+} bolan_scene;
+
+/// A scene with every default: open sea, wind 8 m/s, camera 3 m up, sun 35 degrees high.
+bolan_scene bolan_scene_default(void);
+/// Checks every field against its range; logs a sentence naming the field and returns ARGUMENT at the first that is not.
+bolan_result bolan_scene_validate(const bolan_scene *scene);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

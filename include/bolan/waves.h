@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+/// @file waves.h
+/// Tier 2. The sea: create it from a sea state, step it to a time, read its fields.
+///
+/// The sea is a pure function of (sea state, seed, layout, time): stepping from 0 to 10 s or straight to 10 s gives the same
+/// bits. The one exception is the foam memory, which remembers the last seconds; after a jump in time it is rebuilt.
+///
+/// **Layout.** The wave-number plane is cut into disjoint rings, one per *cascade*: a periodic square tile of side `length`
+/// with `n` x `n` samples. Each tile lies rotated by `angle` about the world origin, so that the repetitions of different
+/// cascades never line up. The fields of the sea at a world point are the sums of the cascades' fields there.
+///
+/// **Fields.** With eta the height, D the horizontal displacement that gathers water at crests (choppiness not applied):
+/// a water parcel at rest at x0 is found at x = x0 + choppiness * D(x0), z = eta(x0). Fields live on x0. Vectors are in
+/// world axes (east, north), whatever the angle of the tile.
+#ifndef BOLAN_WAVES_H
+#define BOLAN_WAVES_H
+
+#include "bolan/base.h"
+#include "bolan/math.h"
+#include "bolan/spectrum.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define BOLAN_MAX_CASCADES 4
+
+typedef enum bolan_wave_model {
+    BOLAN_WAVES_FFT, ///< cascades of inverse FFTs of a random sea
+} bolan_wave_model;
+
+typedef struct bolan_sea_desc {
+    bolan_sea_state sea_state; ///< default: wind 8 m/s from 240 deg, fetch 200 km
+    bolan_wave_model waves;    ///< default FFT
+    uint64_t seed;             ///< which sea of this state; default 1
+    uint32_t resolution;       ///< samples along a cascade's side: 32, 64, .. 1024; default 256. Raised: more waves, slower
+    uint32_t cascade_count;    ///< 1..4; default 4. Raised: shorter waves become geometry instead of roughness
+    double length;             ///< side of the largest cascade [m], 10..1e5; 0 (default): 8 to 16 peak wavelengths
+    double choppiness;         ///< factor on the horizontal displacement, 0..2; default 1 (linear theory)
+    double loop_period;        ///< 0 (default): none; else >= 10 s: every field repeats after this time [s]
+    bolan_cpu cpu;             ///< which kernels; default AUTO. The result does not depend on it
+    double foam_decay;         ///< e-folding time of foam [s], 0.1..60; default 3.5
+} bolan_sea_desc;
+
+typedef struct bolan_sea bolan_sea;
+
+bolan_sea_desc bolan_sea_desc_default(void);
+/// Builds the spectrum tables and all memory; no later call allocates. Errors: ARGUMENT (field named in the log), MEMORY.
+/// The desc is copied; a measured spectrum in it is not needed afterwards. The sea stands at time 0.
+/// Thread-safety: different seas may be used from different threads; one sea is stepped by one thread at a time and may be
+/// read by many between steps.
+bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out);
+/// NULL-safe; NULLs the pointer.
+void bolan_sea_destroy(bolan_sea **sea);
+/// Synthesises all fields at @p time [s], any finite value, backwards too. Uses the task hook. Never fails.
+void bolan_sea_step(bolan_sea *sea, double time);
+/// Like step, and fills the foam memory first by stepping through the last seconds before @p time (about 4 foam_decay) in
+/// fixed ticks, so that a single picture shows the foam that a running sea would.
+void bolan_sea_settle(bolan_sea *sea, double time);
+double bolan_sea_time(const bolan_sea *sea);
+/// The desc the sea was made from, defaults resolved (measured is NULL). Valid while the sea lives.
+const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
+
+/// One cascade, read-only; pointers stay valid while the sea lives, contents change with each step. Sample (i, j) of a field
+/// is at [j * n + i], at tile coordinates (i, j) * length / n. World to tile: rotate by -angle:
+/// u = x cos(angle) + y sin(angle), v = -x sin(angle) + y cos(angle).
+typedef struct bolan_cascade_view {
+    uint32_t n;
+    double length;       ///< side of the tile [m]
+    double angle;        ///< rotation of the tile against the world, counter-clockwise [rad]
+    double k_min, k_max; ///< ring of wave numbers [rad/m]: k_min <= |k| < k_max
+    double variance;     ///< expected variance of the height, the discrete sum over the ring [m2]
+    double mss;          ///< expected slope variance of the ring
+    const float *height;                  ///< eta [m]
+    const float *dx, *dy;                 ///< D, world east and north [m]
+    const float *slope_x, *slope_y;       ///< grad eta
+    const float *dxx, *dyy, *dxy;         ///< dDx/dx, dDy/dy, dDx/dy (= dDy/dx)
+    const float *foam;                    ///< foam memory: recent peak of -(dxx + dyy) * choppiness, decaying; >= 0
+    const uint16_t *displacement_half;    ///< n*n*4 halfs: dx, dy, eta, dxy: ready to upload as RGBA16F
+    const uint16_t *slope_half;           ///< n*n*4 halfs: slope_x, slope_y, dxx, dyy
+    const uint16_t *foam_half;            ///< n*n halfs: foam
+} bolan_cascade_view;
+uint32_t bolan_sea_cascade_count(const bolan_sea *sea);
+bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index);
+
+/// Everything the sea is at one rest point, all cascades summed (bilinear between samples), choppiness applied.
+typedef struct bolan_sea_sample {
+    float height, dx, dy;   ///< displacement of the parcel: (x, y, z) = (x0 + dx, y0 + dy, height) [m]
+    float slope_x, slope_y; ///< surface slope dz/dx, dz/dy *after* displacement
+    float jacobian;         ///< of the horizontal map; < 0 where the surface folds
+    float foam;             ///< sum of the foam memories
+} bolan_sea_sample;
+/// Samples at @p count rest points in world metres. Thread-safe between steps.
+void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
+/// The oracle: the same quantities at one rest point and time by the direct sum over every mode, O(N^2) a point, in double.
+/// The result's foam is 0. Thread-safe.
+bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time);
+
+/// Bounds that the surface does not leave (6 standard deviations, foam-free): vertical and horizontal [m].
+void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal);
+
+/// Slope covariance that a filter removes: what a picture's pixel (or a radar cell) cannot resolve and must treat as
+/// roughness. A Gaussian footprint of standard deviations @p major, @p minor [m] whose major axis points along @p angle
+/// (mathematical, rad) keeps exp(-sigma^2 k^2) of the power of a wave. Above the last cascade the wind's short waves
+/// (Cox & Munk's total less what the cascades hold) are always removed. With major = minor = 0 that rest is what is left.
+/// @p out: xx, xy, yy. Thread-safe. Source: Bruneton, Neyret & Holzschuch 2010, section 4.
+void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double minor, double angle, float out[3]);
+
+#define BOLAN_SLOPE_TABLE_MAJOR 24  ///< log2(major): texel i is major = 2^(i/1.5 - 8) m, from 4 mm to 120 m.. 2^(23/1.5-8)
+#define BOLAN_SLOPE_TABLE_ASPECT 8  ///< minor/major: texel j is 2^-j
+#define BOLAN_SLOPE_TABLE_ANGLE 8   ///< texel l is angle = l pi / 8, periodic
+/// The function above as a table to sample with linear filtering: out[((l * ASPECT) + j) * MAJOR + i][4] = xx, xy, yy, 0.
+/// Computed at creation. Valid while the sea lives.
+const float *bolan_sea_slope_table(const bolan_sea *sea);
+
+/// Foam appears where the Jacobian is below this, so that the covered fraction is Monahan's at this wind (0 where there is
+/// no wind: then it is -1e30). Computed at creation.
+double bolan_sea_foam_threshold(const bolan_sea *sea);
+
+/// Statistics of the fields at the present time: the JSON keys of `bolan measure`.
+typedef struct bolan_sea_statistics {
+    double hs;                       ///< 4 sqrt(variance of the field) [m]
+    double tp, tm02, te;             ///< of the discrete spectrum that is synthesised [s]
+    double direction_from, spread;   ///< from the realised amplitudes [deg]
+    double mss, mss_up, mss_cross;   ///< slope variance; up- and crosswind parts (of the mean direction when calm)
+    double skewness, kurtosis;       ///< of the height at fixed world points (choppiness matters)
+    double jacobian_min, jacobian_mean;
+    double whitecap_fraction;        ///< area fraction with Jacobian below the foam threshold
+    double m0_spectrum, m0_field;    ///< [m2]
+} bolan_sea_statistics;
+bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea);
+/// Digest of every field (foam memory excluded) at the present time, as 16 lower-case hex digits and NUL. Equal for any
+/// thread count and any instruction set.
+void bolan_sea_hash(const bolan_sea *sea, char out[17]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The uniform block that every pass reads; std140 twin of frame_uniforms in src/render/frame.h.
+layout(std140) uniform Frame {
+    mat4 view_projection;         // eye-relative world -> clip
+    mat4 inverse_view_projection; // clip -> eye-relative world
+    vec4 eye;        // xy: eye position modulo 4096 m, z: height above mean water [m], w: water level [m]
+    vec4 sun;        // direction to the sun; w: cosine of its angular radius
+    vec4 sun_light;  // solar irradiance at the eye's height (rgb); w: exposure factor
+    vec4 sky_light;  // irradiance of the sky on a horizontal surface (rgb); w: time [s]
+    vec4 viewport;   // width, height, 1/width, 1/height [px]
+    vec4 lens;       // x: radians per pixel, y: near [m], z: 1 if clip depth is [0,1], w: earth radius [m]
+    vec4 wind;       // xy: unit direction it blows TO, z: U10 [m/s], w: cloud cover
+    vec4 haze;       // x: visibility [m], y: cloud base [m]
+    vec4 water_deep; // remote-sensing reflectance rgb [1/sr]; w: index of refraction
+    vec4 water_kd;   // diffuse attenuation rgb [1/m]; w: foam strength
+    vec4 water_bb;   // backscatter rgb [1/m]
+    vec4 water_a;    // absorption rgb [1/m]
+};
+
+// Eye-relative direction through a point of the picture, uv in [0,1], not normalised. Depth 1 is the near plane.
+vec3 frame_ray(vec2 uv) {
+    vec4 p = inverse_view_projection * vec4(uv * 2.0 - 1.0, 1.0, 1.0);
+    return p.xyz / p.w;
+}
+
+// Distance along the view axis [m] of a window depth (reversed-Z: near / distance).
+float frame_distance(float depth) { return lens.y / max(depth, 1e-12); }
