@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// The distribution of maximum entropy with given Fourier moments: D(th) = exp(l0 + l1 cos th + l2 sin th + l3 cos 2th +
+// l4 sin 2th) (Kobune & Hashimoto, "Estimation of directional spectra from the maximum entropy principle", OMAE 1986; by
+// Newton's method: Kim, Lin & Wang, "Numerical algorithm for the maximum entropy method", 1995). The multipliers minimise
+// the convex function  ln Z(l) - l.m , Z = the sum of the exponentials, whose gradient is (moments of D) - m.
+//
+// The plain Fourier sum is negative in every eighth bin of a real buoy record, and clipping it turns and widens the
+// spread by degrees; this form keeps the reported direction and spread exactly.
+#include "spectrum/directional.h"
+
+#include "bolan/math.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+enum { BINS = DIRECTIONAL_BINS, MOMENTS = 4 };
+
+double directional_angle(uint32_t j) {
+    return 2.0 * BOLAN_PI * j / BINS;
+}
+
+static void normalize(double density[BINS]) {
+    double sum = 0.0;
+    for (uint32_t j = 0; j < BINS; j++)
+        sum += density[j];
+    for (uint32_t j = 0; j < BINS; j++)
+        density[j] /= sum * (2.0 * BOLAN_PI / BINS);
+}
+
+static void basis(uint32_t j, double phi[MOMENTS]) {
+    const double th = directional_angle(j);
+    phi[0] = cos(th);
+    phi[1] = sin(th);
+    phi[2] = cos(2.0 * th);
+    phi[3] = sin(2.0 * th);
+}
+
+// Probabilities of the bins for multipliers l; returns ln Z - l.m.
+static double evaluate(double phi[BINS][MOMENTS], const double *l, const double *m, double p[BINS]) {
+    double largest = -HUGE_VAL, z = 0.0, dot = 0.0;
+    for (uint32_t j = 0; j < BINS; j++) {
+        p[j] = l[0] * phi[j][0] + l[1] * phi[j][1] + l[2] * phi[j][2] + l[3] * phi[j][3];
+        largest = fmax(largest, p[j]);
+    }
+    for (uint32_t j = 0; j < BINS; j++)
+        z += p[j] = exp(p[j] - largest);
+    for (uint32_t j = 0; j < BINS; j++)
+        p[j] /= z;
+    for (int a = 0; a < MOMENTS; a++)
+        dot += l[a] * m[a];
+    return largest + log(z) - dot;
+}
+
+// Gradient and Hessian (the covariance of the basis); returns the largest component of the gradient.
+static double derivatives(double phi[BINS][MOMENTS], const double *p, const double *m, double gradient[MOMENTS],
+                          double hessian[MOMENTS][MOMENTS]) {
+    double mean[MOMENTS] = {0}, worst = 0.0;
+    memset(hessian, 0, sizeof(double[MOMENTS][MOMENTS]));
+    for (uint32_t j = 0; j < BINS; j++)
+        for (int a = 0; a < MOMENTS; a++) {
+            mean[a] += p[j] * phi[j][a];
+            for (int b = 0; b < MOMENTS; b++)
+                hessian[a][b] += p[j] * phi[j][a] * phi[j][b];
+        }
+    for (int a = 0; a < MOMENTS; a++) {
+        for (int b = 0; b < MOMENTS; b++)
+            hessian[a][b] -= mean[a] * mean[b];
+        hessian[a][a] += 1e-12; // a sharp peak leaves the covariance singular
+        gradient[a] = mean[a] - m[a];
+        worst = fmax(worst, fabs(gradient[a]));
+    }
+    return worst;
+}
+
+// x := A^-1 x for a symmetric positive matrix, by elimination.
+static void solve(double a[MOMENTS][MOMENTS], double x[MOMENTS]) {
+    for (int i = 0; i < MOMENTS; i++)
+        for (int r = i + 1; r < MOMENTS; r++) {
+            const double f = a[r][i] / a[i][i];
+            for (int c = i; c < MOMENTS; c++)
+                a[r][c] -= f * a[i][c];
+            x[r] -= f * x[i];
+        }
+    for (int i = MOMENTS - 1; i >= 0; i--) {
+        for (int c = i + 1; c < MOMENTS; c++)
+            x[i] -= a[i][c] * x[c];
+        x[i] /= a[i][i];
+    }
+}
+
+// Newton with halved steps; false when the moments fit no distribution.
+static bool maximum_entropy(const double m[MOMENTS], double p[BINS]) {
+    double phi[BINS][MOMENTS], l[MOMENTS] = {0};
+    for (uint32_t j = 0; j < BINS; j++)
+        basis(j, phi[j]);
+    double value = evaluate(phi, l, m, p);
+    for (int iteration = 0; iteration < 60; iteration++) {
+        double step[MOMENTS], hessian[MOMENTS][MOMENTS], trial[MOMENTS], trial_value = HUGE_VAL;
+        if (derivatives(phi, p, m, step, hessian) < 1e-7) return true;
+        solve(hessian, step);
+        for (double size = 1.0; size > 1e-4 && !(trial_value <= value); size *= 0.5) {
+            for (int a = 0; a < MOMENTS; a++)
+                trial[a] = l[a] - size * step[a];
+            trial_value = evaluate(phi, trial, m, p);
+        }
+        if (!(trial_value <= value)) return false;
+        value = trial_value;
+        memcpy(l, trial, sizeof l);
+    }
+    return false;
+}
+
+static void clipped_fourier(directional_moments d, double density[BINS]) {
+    for (uint32_t j = 0; j < BINS; j++) {
+        const double th = directional_angle(j);
+        density[j] = fmax(0.5 + d.r1 * cos(th - d.a1) + d.r2 * cos(2.0 * (th - d.a2)), 0.0);
+    }
+}
+
+void directional_from_moments(directional_moments d, double density[BINS]) {
+    const double m[MOMENTS] = {d.r1 * cos(d.a1), d.r1 * sin(d.a1), d.r2 * cos(2.0 * d.a2), d.r2 * sin(2.0 * d.a2)};
+    if (!maximum_entropy(m, density)) clipped_fourier(d, density);
+    normalize(density);
+}
+
+void directional_cos2s(double mean, double s, double density[BINS]) {
+    for (uint32_t j = 0; j < BINS; j++)
+        density[j] = pow(fabs(cos(0.5 * (directional_angle(j) - mean))), 2.0 * s);
+    normalize(density);
+}

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Sea states from a wind, a table or a swell, and their validation.
+#include "bolan/math.h"
+#include "bolan/spectrum.h"
+
+#include <math.h>
+
+#define HS_MAX 40.0
+#define PEAK_OMEGA_MIN 0.1
+#define PEAK_OMEGA_MAX 50.0
+#define WIND_MAX 70.0
+
+bolan_sea_state bolan_sea_state_default(void) {
+    const bolan_sea_state calm = {.depth = BOLAN_DEEP};
+    return calm;
+}
+
+static bolan_wave_system wind_sea(double hs, double peak_omega, double gamma, double wind_speed, double from_deg) {
+    const bolan_wave_system system = {
+        .kind = gamma > 1.0 ? BOLAN_SPECTRUM_JONSWAP : BOLAN_SPECTRUM_PIERSON_MOSKOWITZ,
+        .hs = hs > HS_MAX ? HS_MAX : hs,
+        .peak_omega = peak_omega,
+        .gamma = gamma,
+        .from_deg = from_deg,
+        .spreading = BOLAN_SPREADING_HASSELMANN,
+        .spread_s = 10.0,
+        .wind_speed = wind_speed,
+    };
+    return system;
+}
+
+// The fully developed sea: Pierson & Moskowitz (1964) by the wind at 19.5 m, which is 1.026 U10 over the sea.
+#define PM_WIND_RATIO 1.026
+#define PM_PEAK 0.87716   // wp U / g
+#define PM_HEIGHT 0.20925 // Hs g / U^2
+
+// Significant height of JONSWAP by its alpha: alpha g^2 = (5/16) Hs^2 wp^4 C(gamma); C(3.3) = 0.65576.
+static double jonswap_height(double wind_speed, double fetch, double peak_omega) {
+    const double g = BOLAN_GRAVITY;
+    const double alpha = 0.076 * pow(wind_speed * wind_speed / (g * fetch), 0.22);
+    return 4.0 * g / (peak_omega * peak_omega) * sqrt(alpha / (5.0 * 0.65576));
+}
+
+bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, double fetch) {
+    bolan_sea_state sea_state = bolan_sea_state_default();
+    sea_state.wind_speed = wind_speed;
+    sea_state.wind_from_deg = from_deg;
+    if (!(wind_speed > 0.0 && fetch > 0.0)) return sea_state;
+    const double g = BOLAN_GRAVITY, wind_pm = PM_WIND_RATIO * wind_speed;
+    const double peak_pm = PM_PEAK * g / wind_pm;
+    double peak = 22.0 * cbrt(g * g / (wind_speed * fetch)), hs = PM_HEIGHT * wind_pm * wind_pm / g, gamma = 1.0;
+    if (peak > peak_pm) {
+        // Over the last tenth the JONSWAP shape gives way to the fully developed one, so that height has no jump.
+        const double young = fmin((peak / peak_pm - 1.0) / 0.1, 1.0);
+        hs += young * (jonswap_height(wind_speed, fetch, peak) - hs);
+        gamma += young * 2.3;
+    } else {
+        peak = peak_pm;
+    }
+    if (peak <= PEAK_OMEGA_MAX) // shorter peaks are ripples: the sea is calm
+        sea_state.systems[sea_state.system_count++] = wind_sea(hs, peak, gamma, wind_speed, from_deg);
+    return sea_state;
+}
+
+bolan_sea_state bolan_sea_state_from_beaufort(double beaufort, double from_deg) {
+    BOLAN_ASSERT(beaufort >= 0.0 && beaufort <= 12.0);
+    const double force = fmin(fmax(beaufort, 0.0), 12.0);
+    return bolan_sea_state_from_wind(0.836 * force * sqrt(force), from_deg, HUGE_VAL);
+}
+
+bolan_sea_state bolan_sea_state_from_douglas(int degree, double from_deg) {
+    static const double middle[10] = {0.0, 0.05, 0.3, 0.875, 1.875, 3.25, 5.0, 7.5, 11.5, 16.0};
+    BOLAN_ASSERT(degree >= 0 && degree <= 9);
+    const double hs = middle[degree < 0 ? 0 : degree > 9 ? 9 : degree];
+    const double wind_speed = sqrt(hs * BOLAN_GRAVITY / PM_HEIGHT) / PM_WIND_RATIO;
+    return bolan_sea_state_from_wind(wind_speed, from_deg, HUGE_VAL);
+}
+
+// ---- validation -----------------------------------------------------------------------------------------------------
+
+static bolan_result require_range(const char *field, double value, double low, double high, const char *unit) {
+    if (!isfinite(value)) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_NOT_FINITE,
+                  "bolan_sea_state: %s is not a finite number; expected %g to %g%s", field, low, high, unit);
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    if (value < low || value > high) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "bolan_sea_state: %s is %g; expected %g to %g%s", field,
+                  value, low, high, unit);
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    return BOLAN_OK;
+}
+
+static bolan_result validate_system(const bolan_wave_system *s, uint32_t index) {
+    const struct {
+        const char *field[BOLAN_MAX_WAVE_SYSTEMS]; // spelled out, so that no message needs formatting twice
+        double value, low, high;
+        const char *unit;
+    } rules[] = {
+#define FIELD(name)                                                                  \
+    {"systems[0]." name, "systems[1]." name, "systems[2]." name, "systems[3]." name, \
+     "systems[4]." name, "systems[5]." name, "systems[6]." name, "systems[7]." name}
+        {FIELD("kind"), (double)s->kind, 0, BOLAN_SPECTRUM_TMA, " (a bolan_spectrum_kind)"},
+        {FIELD("hs"), s->hs, 0, HS_MAX, " m"},
+        {FIELD("peak_omega"), s->peak_omega, PEAK_OMEGA_MIN, PEAK_OMEGA_MAX, " rad/s"},
+        {FIELD("gamma"), s->gamma, 1, 10, ""},
+        {FIELD("from_deg"), s->from_deg, -360, 360, " degrees"},
+        {FIELD("spreading"), (double)s->spreading, 0, BOLAN_SPREADING_HASSELMANN, " (a bolan_spreading_kind)"},
+        {FIELD("spread_s"), s->spread_s, 0, 200, ""},
+        {FIELD("wind_speed"), s->wind_speed, 0, WIND_MAX, " m/s"},
+        {FIELD("swell"), s->swell, 0, 1, ""},
+#undef FIELD
+    };
+    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++)
+        if (require_range(rules[i].field[index], rules[i].value, rules[i].low, rules[i].high, rules[i].unit))
+            return BOLAN_ERROR_ARGUMENT;
+    return BOLAN_OK;
+}
+
+bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state) {
+    BOLAN_ASSERT(sea_state);
+    if (require_range("system_count", sea_state->system_count, 0, BOLAN_MAX_WAVE_SYSTEMS, "") ||
+        require_range("depth", sea_state->depth, 0.1, BOLAN_DEEP, " m") ||
+        require_range("wind_speed", sea_state->wind_speed, 0, WIND_MAX, " m/s") ||
+        require_range("wind_from_deg", sea_state->wind_from_deg, -360, 360, " degrees"))
+        return BOLAN_ERROR_ARGUMENT;
+    for (uint32_t i = 0; i < sea_state->system_count; i++)
+        if (validate_system(&sea_state->systems[i], i)) return BOLAN_ERROR_ARGUMENT;
+    return BOLAN_OK;
+}
+
+bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, double tp, double from_deg,
+                                       double spread_s) {
+    BOLAN_ASSERT(sea_state);
+    if (sea_state->system_count >= BOLAN_MAX_WAVE_SYSTEMS) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
+                  "bolan_sea_state_add_swell: the sea has %u systems; expected fewer than %d",
+                  (unsigned)sea_state->system_count, BOLAN_MAX_WAVE_SYSTEMS);
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    if (require_range("swell tp", tp, 2.0 * BOLAN_PI / PEAK_OMEGA_MAX, 2.0 * BOLAN_PI / PEAK_OMEGA_MIN, " s"))
+        return BOLAN_ERROR_ARGUMENT;
+    const bolan_wave_system swell = {
+        .kind = BOLAN_SPECTRUM_JONSWAP,
+        .hs = hs,
+        .peak_omega = 2.0 * BOLAN_PI / tp,
+        .gamma = 5.0, // a swell that has travelled is narrower than a wind sea: 3 to 10 (Goda 2010, section 2.3)
+        .from_deg = from_deg,
+        .spreading = BOLAN_SPREADING_COS2S,
+        .spread_s = spread_s,
+    };
+    if (validate_system(&swell, sea_state->system_count)) return BOLAN_ERROR_ARGUMENT;
+    sea_state->systems[sea_state->system_count++] = swell;
+    return BOLAN_OK;
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Frequency spectra by height and peak.
+//   Pierson & Moskowitz, J. Geophys. Res. 69 (1964); Hasselmann et al., "Measurements of wind-wave growth and swell decay
+//   during JONSWAP", Deutsche Hydrogr. Z. A8(12) (1973); Bouws et al., "Similarity of the wind wave spectrum in finite
+//   depth water", J. Geophys. Res. 90 (1985), with the depth factor of Kitaigorodskii (1975).
+#include "bolan/math.h"
+#include "spectrum/portable.h"
+#include "spectrum/spectrum_eval.h"
+
+// Clenshaw's recurrence for a Chebyshev series on t in [-1, 1].
+static double chebyshev(const double *coefficients, int count, double t) {
+    double b1 = 0.0, b2 = 0.0;
+    for (int i = count - 1; i > 0; i--) {
+        const double b0 = coefficients[i] + 2.0 * t * b1 - b2;
+        b2 = b1;
+        b1 = b0;
+    }
+    return coefficients[0] + t * b1 - b2;
+}
+
+double spectrum_peak_integral(double log_gamma) {
+    // The integral is a moment-generating function in ln gamma, hence very smooth: fitted to Gauss-Legendre quadrature.
+    static const double fit[13] = {0.454354892778,     0.504184369265,     0.0507810089733,   0.00061513142298,
+                                   -0.000350868493041, -1.05977506168e-05, 4.11365485825e-06, 1.93428701766e-07,
+                                   -5.47863732414e-08, -3.54478677295e-09, 7.68999884414e-10, 6.47614073818e-11,
+                                   -1.10567481033e-11};
+    const double log_gamma_max = 2.30258509299404568402; // gamma = 10
+    return log_gamma > 0.0 ? portable_exp(chebyshev(fit, 13, 2.0 * log_gamma / log_gamma_max - 1.0)) : 1.0;
+}
+
+double spectrum_cos2_swell_log_norm(double s) {
+    static const double fit[13] = {0.0508712402438,   -0.337307176922,    0.05177098672,     -0.00953588559423,
+                                   0.00175260097392,  -0.000297334790586, 4.31411836554e-05, -4.49676462364e-06,
+                                   3.58177928861e-08, 1.37956892052e-07,  -4.4860571666e-08, 9.41673852462e-09,
+                                   -1.4045012837e-09};
+    return chebyshev(fit, 13, s / 8.0 - 1.0);
+}
+
+double spectrum_cos2s_norm(double s) {
+    // By Legendre's duplication N(s) = Gamma(s+1) / (2 sqrt(pi) Gamma(s+1/2)). The ratio is asymptotic in 1/x; eight
+    // steps of the recurrence bring x = s + 8 where five terms are enough.
+    double up = 1.0, down = 1.0;
+    for (int i = 1; i <= 8; i++) {
+        up *= s + i - 0.5;
+        down *= s + i;
+    }
+    const double x = s + 8.0, y = 1.0 / x;
+    const double ratio =
+        1.0 + y * (1.0 / 8 + y * (1.0 / 128 + y * (-5.0 / 1024 + y * (-21.0 / 32768 + y * 399.0 / 262144))));
+    return up / down * sqrt(x) * ratio * 0.28209479177387814; // 1 / (2 sqrt(pi))
+}
+
+// The horizontal unit vector that the waves follow.
+static void mean_direction(const bolan_wave_system *from, spectrum_system *to) {
+    bolan_sincos(bolan_compass_from_to_math(from->from_deg), &to->to_y, &to->to_x);
+}
+
+spectrum_system spectrum_system_prepare(const bolan_wave_system *system) {
+    spectrum_system p = {.peak_omega = system->peak_omega, .spreading = system->spreading, .s = system->spread_s};
+    const bool peaked = system->kind != BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
+    const double wp2 = system->peak_omega * system->peak_omega;
+    p.log_gamma = peaked && system->gamma > 1.0 ? portable_log(system->gamma) : 0.0;
+    p.level = 5.0 / 16.0 * system->hs * system->hs * wp2 * wp2 / spectrum_peak_integral(p.log_gamma);
+    p.depth_limited = system->kind == BOLAN_SPECTRUM_TMA;
+    // Hasselmann, Dunckel & Ewing, J. Phys. Oceanogr. 10 (1980): U/cp with cp = g / wp.
+    const double wave_age = system->wind_speed > 0.0 ? system->wind_speed * system->peak_omega / BOLAN_GRAVITY : 1.0;
+    p.s_tail_power = -2.33 - 1.45 * (wave_age - 1.17);
+    p.swell_s = 16.0 * system->swell * system->swell;
+    mean_direction(system, &p);
+    return p;
+}
+
+// Kitaigorodskii's factor: the ratio of k^-3 dk/dw in water of the depth to that in deep water.
+static double depth_factor(double kh) {
+    if (kh > 15.0) return 1.0;
+    if (kh < 1e-4) return 0.5 * kh * kh;
+    const double t = portable_tanh(kh), e = portable_exp(2.0 * kh);
+    return t * t / (1.0 + 4.0 * kh / (e - 1.0 / e));
+}
+
+double spectrum_system_density(const spectrum_system *system, double omega, double kh) {
+    const double x = system->peak_omega / omega;
+    const double x4 = x * x * x * x;
+    if (!(x4 < 500.0)) return 0.0;
+    double exponent = -1.25 * x4;
+    if (system->log_gamma > 0.0) {
+        const double width = omega <= system->peak_omega ? 0.07 : 0.09;
+        const double d = (omega / system->peak_omega - 1.0) / width;
+        exponent += system->log_gamma * portable_exp(-0.5 * d * d);
+    }
+    const double w2 = omega * omega;
+    const double density = system->level / (w2 * w2 * omega) * portable_exp(exponent);
+    return system->depth_limited ? density * depth_factor(kh) : density;
+}

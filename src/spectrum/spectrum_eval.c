@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Densities of a whole sea state. See spectrum_eval.h.
+#include "spectrum/spectrum_eval.h"
+
+#include "bolan/math.h"
+#include "spectrum/measured.h"
+#include "spectrum/portable.h"
+
+spectrum_eval spectrum_eval_prepare(const bolan_sea_state *sea_state) {
+    spectrum_eval eval = {.measured = sea_state->measured, .depth = sea_state->depth};
+    for (uint32_t i = 0; i < sea_state->system_count && i < BOLAN_MAX_WAVE_SYSTEMS; i++) {
+        if (!(sea_state->systems[i].hs > 0.0)) continue;
+        const spectrum_system system = spectrum_system_prepare(&sea_state->systems[i]);
+        eval.any_depth_limited |= system.depth_limited;
+        eval.systems[eval.system_count++] = system;
+    }
+    return eval;
+}
+
+// The sum over systems for a wave that goes along the unit vector (ux, uy).
+static double systems_density(const spectrum_eval *eval, double omega, double kh, double ux, double uy) {
+    double sum = 0.0;
+    for (uint32_t i = 0; i < eval->system_count; i++) {
+        const spectrum_system *system = &eval->systems[i];
+        const double density = spectrum_system_density(system, omega, kh);
+        if (density > 0.0)
+            sum += density * spectrum_system_spreading(system, omega, ux * system->to_x + uy * system->to_y);
+    }
+    return sum;
+}
+
+double spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky) {
+    const double k = sqrt(kx * kx + ky * ky);
+    if (!(k > 0.0)) return 0.0;
+    // w and dw/dk as in dispersion.c, sharing the tanh.
+    const double kh = k * eval->depth, t = portable_tanh(kh), tension = BOLAN_SURFACE_TENSION_SEA * k * k;
+    const double omega = sqrt((BOLAN_GRAVITY + tension) * k * t);
+    const double slope = (BOLAN_GRAVITY + 3.0 * tension) * t + (BOLAN_GRAVITY + tension) * kh * (1.0 - t * t);
+    double density = systems_density(eval, omega, kh, kx / k, ky / k);
+    if (eval->measured) density += spectrum_measured_density(eval->measured, omega, portable_angle(ky, kx), true);
+    return density * slope / (2.0 * omega * k);
+}
+
+double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, double kx, double ky) {
+    const spectrum_eval eval = spectrum_eval_prepare(sea_state);
+    return spectrum_eval_psi(&eval, kx, ky);
+}
+
+double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta) {
+    if (!(omega > 0.0)) return 0.0;
+    const spectrum_eval eval = spectrum_eval_prepare(sea_state);
+    const double kh = eval.any_depth_limited ? eval.depth * bolan_k_from_omega(omega, eval.depth) : 0.0;
+    double ux, uy;
+    bolan_sincos(theta, &uy, &ux);
+    double density = systems_density(&eval, omega, kh, ux, uy);
+    if (eval.measured) density += spectrum_measured_density(eval.measured, omega, portable_angle(uy, ux), false);
+    return density;
+}
+
+double bolan_system_density(const bolan_wave_system *system, double omega, double depth) {
+    if (!(omega > 0.0)) return 0.0;
+    const spectrum_system prepared = spectrum_system_prepare(system);
+    return spectrum_system_density(&prepared, omega,
+                                   prepared.depth_limited ? depth * bolan_k_from_omega(omega, depth) : 0.0);
+}
+
+double bolan_system_spreading(const bolan_wave_system *system, double omega, double theta) {
+    if (!(omega > 0.0)) return 0.0;
+    const spectrum_system prepared = spectrum_system_prepare(system);
+    double sine, cosine;
+    bolan_sincos(theta, &sine, &cosine);
+    return spectrum_system_spreading(&prepared, omega, cosine);
+}

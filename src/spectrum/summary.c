@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Integral parameters. The moments of wave systems are integrated over ln w (Simpson), those of a measured spectrum on its
+// own frequencies (trapezoid rule), so that they compare with what the file's maker prints.
+#include "bolan/math.h"
+#include "spectrum/measured.h"
+#include "spectrum/spectrum_eval.h"
+
+#include <math.h>
+
+typedef struct moments {
+    double minus1, m0, m1, m2; // of w
+    double cosine, sine;       // m0 times the mean unit vector
+} moments;
+
+static void add_sample(moments *sum, double density, double omega, double weight) {
+    const double d = density * weight;
+    sum->minus1 += d / omega;
+    sum->m0 += d;
+    sum->m1 += d * omega;
+    sum->m2 += d * omega * omega;
+}
+
+// S(w) of one row of the grid, with its direction sums.
+static double row_density(const bolan_measured_spectrum *measured, uint32_t row, double *cosine, double *sine) {
+    double sum = 0.0, c = 0.0, s = 0.0;
+    for (uint32_t j = 0; j < measured->direction_count; j++) {
+        const double density = measured->density[row * measured->direction_count + j];
+        sum += density;
+        c += density * cos(measured->theta[j]);
+        s += density * sin(measured->theta[j]);
+    }
+    *cosine = c * measured->direction_step;
+    *sine = s * measured->direction_step;
+    return sum * measured->direction_step;
+}
+
+static double trapezoid_weight(const bolan_measured_spectrum *measured, uint32_t row) {
+    const double *w = measured->omega;
+    const uint32_t last = measured->frequency_count - 1;
+    return 0.5 * (w[row < last ? row + 1 : last] - w[row > 0 ? row - 1 : 0]);
+}
+
+static void add_measured(moments *sum, const bolan_measured_spectrum *measured) {
+    for (uint32_t i = 0; i < measured->frequency_count; i++) {
+        double cosine, sine;
+        const double weight = trapezoid_weight(measured, i);
+        add_sample(sum, row_density(measured, i, &cosine, &sine), measured->omega[i], weight);
+        sum->cosine += cosine * weight;
+        sum->sine += sine * weight;
+    }
+}
+
+// ---- wave systems ---------------------------------------------------------------------------------------------------
+
+// Frequencies wp e^u with u from -1.4 (S < e^-300 of the peak) to 7. The kink of JONSWAP at the peak falls on an even node.
+enum { STEPS_BELOW = 280, STEPS = 1680 };
+#define STEP 0.005
+
+static double node_omega(const spectrum_system *system, int node) {
+    return system->peak_omega * exp((node - STEPS_BELOW) * STEP);
+}
+
+static double relative_depth(const spectrum_eval *eval, double omega) {
+    return eval->any_depth_limited ? eval->depth * bolan_k_from_omega(omega, eval->depth) : 0.0;
+}
+
+static void add_system(moments *sum, const spectrum_eval *eval, const spectrum_system *system) {
+    for (int i = 0; i <= STEPS; i++) {
+        const double omega = node_omega(system, i);
+        const double density = spectrum_system_density(system, omega, relative_depth(eval, omega));
+        const double simpson = i == 0 || i == STEPS ? 1.0 : i % 2 ? 4.0 : 2.0;
+        const double weight = simpson * STEP / 3.0 * omega; // dw = w du
+        const double along = density * weight * spectrum_system_mean_cosine(system, omega);
+        add_sample(sum, density, omega, weight);
+        sum->cosine += along * system->to_x;
+        sum->sine += along * system->to_y;
+    }
+}
+
+// ---- the peak -------------------------------------------------------------------------------------------------------
+
+static double measured_density_at(const bolan_measured_spectrum *measured, double omega) {
+    double sum = 0.0;
+    for (uint32_t j = 0; measured && j < measured->direction_count; j++)
+        sum += spectrum_measured_density(measured, omega, measured->theta[j], false) * measured->direction_step;
+    return sum;
+}
+
+static double total_density(const spectrum_eval *eval, double omega) {
+    double sum = measured_density_at(eval->measured, omega);
+    for (uint32_t i = 0; i < eval->system_count; i++)
+        sum += spectrum_system_density(&eval->systems[i], omega, relative_depth(eval, omega));
+    return sum;
+}
+
+static void keep_larger(const spectrum_eval *eval, double omega, double *best_omega, double *best) {
+    const double density = total_density(eval, omega);
+    if (density > *best) {
+        *best = density;
+        *best_omega = omega;
+    }
+}
+
+static double find_peak(const spectrum_eval *eval) {
+    double best_omega = 0.0, best = 0.0;
+    for (uint32_t i = 0; eval->measured && i < eval->measured->frequency_count; i++)
+        keep_larger(eval, eval->measured->omega[i], &best_omega, &best);
+    for (uint32_t s = 0; s < eval->system_count; s++)
+        for (int node = 0; node <= 2 * STEPS_BELOW; node++) // up to four times the peak: TMA moves it upwards
+            keep_larger(eval, node_omega(&eval->systems[s], node), &best_omega, &best);
+    return best_omega;
+}
+
+bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state) {
+    bolan_sea_summary summary = {.from_deg = sea_state->wind_from_deg};
+    const spectrum_eval eval = spectrum_eval_prepare(sea_state);
+    moments sum = {0};
+    if (eval.measured) add_measured(&sum, eval.measured);
+    for (uint32_t i = 0; i < eval.system_count; i++)
+        add_system(&sum, &eval, &eval.systems[i]);
+    if (!(sum.m0 > 0.0)) return summary;
+    const double turn = 2.0 * BOLAN_PI, r1 = fmin(hypot(sum.cosine, sum.sine) / sum.m0, 1.0);
+    summary.m0 = sum.m0;
+    summary.hs = 4.0 * sqrt(sum.m0);
+    summary.tp = turn / find_peak(&eval);
+    summary.tm01 = turn * sum.m0 / sum.m1;
+    summary.tm02 = turn * sqrt(sum.m0 / sum.m2);
+    summary.te = turn * sum.minus1 / sum.m0;
+    summary.from_deg = bolan_math_to_compass_from(atan2(sum.sine, sum.cosine));
+    summary.spread_deg = bolan_degrees(sqrt(2.0 * (1.0 - r1)));
+    return summary;
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+/// @file text.h
+/// Reading words and numbers from text in memory that need not end in NUL. Independent of the locale; knows the line for
+/// messages. Private to src/spectrum.
+#ifndef BOLAN_SPECTRUM_TEXT_H
+#define BOLAN_SPECTRUM_TEXT_H
+
+#include "bolan/spectrum.h"
+
+#include <stdbool.h>
+
+typedef struct text_cursor {
+    const char *name; ///< of the text, for messages
+    const char *next, *end;
+    uint32_t line; ///< of @ref next, from 1
+} text_cursor;
+
+typedef struct text_word {
+    const char *begin;
+    size_t length;
+    uint32_t line;
+} text_word;
+
+text_cursor text_open(const bolan_spectrum_text *text);
+/// The next run of characters that are not white space, on this line or a later one; false at the end of the text.
+bool text_next_word(text_cursor *cursor, text_word *word);
+/// Moves past the end of the current line.
+void text_skip_line(text_cursor *cursor);
+/// The next line that is not blank, as a text of its own.
+bool text_next_line(text_cursor *cursor, text_cursor *line);
+
+/// Equal, but for the case of ASCII letters.
+bool text_equals(text_word word, const char *expected);
+/// A decimal number that fills the word: no "nan", "inf" or hexadecimal, and no overflow.
+bool text_number(text_word word, double *value);
+
+/// Logs "NAME:LINE: expected WHAT, found WORD" (SPECTRUM_SYNTAX), or, when @p word is NULL, that the text ends where WHAT
+/// was expected (SPECTRUM_TRUNCATED). Returns BOLAN_ERROR_FORMAT.
+bolan_result text_unexpected(const text_cursor *cursor, const text_word *word, const char *what);
+
+/// The next word as a number, whole number, or non-negative density; an error is logged as above, and negative
+/// densities as SPECTRUM_NEGATIVE.
+bolan_result text_read_number(text_cursor *cursor, const char *what, double *value);
+bolan_result text_read_count(text_cursor *cursor, const char *what, uint32_t low, uint32_t high, uint32_t *count);
+bolan_result text_negative(const text_cursor *cursor, double value);
+
+#endif
