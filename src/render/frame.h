@@ -64,6 +64,7 @@ typedef struct frame {
     bolan_vec3 sun_direction;
     gl_target hdr;          // RGBA16F colour + depth
     const gl_texture *hdr_depth;
+    const struct shore_map *shore; // set by pass_terrain_prepare's caller
     uint32_t triangles, water_triangles; // counted by the passes
 } frame;
 
@@ -103,5 +104,8 @@ void pass_tonemap_destroy(pass_tonemap **p);
 typedef struct shore_map { gl_texture texture; float level[SHORE_LEVELS][4]; bool present; } shore_map; // level: west, south, size, texel (eye-relative [m])
 const shore_map *pass_terrain_shore(const pass_terrain *p); // uniforms "shore_level[SHORE_LEVELS]" and "shore_present": see common/shore.glsl
 void shore_map_apply(const shore_map *s, const gl_program *program); // sets them
+
+// Tells a program, in use, which unit each shared sampler name means (frame.c has the table), so a pass sets only its own.
+void frame_apply_samplers(const gl_program *program);
 
 #endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The cascades of the sea as textures; twin of bolan_sea_sample_rest() in src/waves. Positions are eye-relative; each
+// cascade's tile coordinates of the eye were reduced in double on the CPU.
+uniform sampler2DArray displacement_map; // dx, dy, height, dxy
+uniform sampler2DArray slope_map;        // slope x, slope y, dxx, dyy
+uniform int cascade_count;
+uniform vec4 cascade_tile[4]; // xy: the eye in the tile [0,1), zw: cos(angle), sin(angle) over the side [1/m]
+uniform vec4 cascade_band[4]; // x: significant height of the band [m], y: texel [m], z: longest wave [m], w: unused
+uniform float choppiness;
+
+vec2 cascade_uv(int c, vec2 rest) {
+    vec4 t = cascade_tile[c];
+    return t.xy + vec2(rest.x * t.z + rest.y * t.w, rest.y * t.z - rest.x * t.w);
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The tiled structure of foam: a lace of bubbles whose values are uniformly distributed over [0, 255], so that the share of
+// texels above 255 (1 - c) is c.
+#ifndef BOLAN_FOAM_TEXTURE_H
+#define BOLAN_FOAM_TEXTURE_H
+
+#include "bolan/base.h"
+
+#define FOAM_TEXTURE_SIZE 512
+
+// Fills size * size bytes. MEMORY when the scratch cannot be had.
+bolan_result foam_texture_fill(uint8_t *out);
+
+#endif

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// One picture, as the list of its passes.
+#include "frame.h"
+
+#include <math.h>
+
+#include "renderer.h"
+
+const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea", "terrain", "sky", "copy", "water", "tone map"};
+
+static const struct { const char *name; int unit; } sampler_table[] = {
+    {"transmittance_table", UNIT_TRANSMITTANCE}, {"sky_view_table", UNIT_SKY_VIEW}, {"environment_map", UNIT_ENVIRONMENT},
+    {"cloud_map", UNIT_CLOUDS}, {"aerial_table", UNIT_AERIAL}, {"scene_color", UNIT_SCENE_COLOR},
+    {"scene_depth", UNIT_SCENE_DEPTH}, {"shore_map", UNIT_SHORE}, {"slope_table", UNIT_SLOPE_TABLE},
+    {"foam_detail", UNIT_FOAM_DETAIL}, {"displacement_map", UNIT_DISPLACEMENT}, {"slope_map", UNIT_SLOPES},
+    {"foam_map", UNIT_FOAM},
+};
+
+void frame_apply_samplers(const gl_program *program) {
+    for (size_t i = 0; i < sizeof sampler_table / sizeof sampler_table[0]; ++i)
+        gl_program_int(program, sampler_table[i].name, sampler_table[i].unit);
+}
+
+static double near_plane(double height, bool clip_control) {
+    // Reversed-Z keeps its precision whatever the near plane; without clip control the depth is a fixed-point number.
+    return fmin(fmax(fabs(height) * 0.04, clip_control ? 0.08 : 0.4), 20.0);
+}
+
+static bolan_vec3 sun_direction(const bolan_sky *sky) {
+    double azimuth = bolan_radians(sky->sun_azimuth_deg), elevation = bolan_radians(sky->sun_elevation_deg);
+    return bolan_v3((float)(sin(azimuth) * cos(elevation)), (float)(cos(azimuth) * cos(elevation)), (float)sin(elevation));
+}
+
+static bolan_vec4 with_w(bolan_vec3 v, float w) { return (bolan_vec4){v.x, v.y, v.z, w}; }
+
+static void fill_water(frame_uniforms *u, const bolan_water *water) {
+    bolan_water_optics optics = bolan_water_optics_from_jerlov(water->type);
+    u->water_deep = with_w(optics.deep, optics.index);
+    u->water_kd = with_w(optics.kd, (float)water->foam);
+    u->water_bb = with_w(optics.backscatter, 0.0f);
+    u->water_a = with_w(optics.absorption, 0.0f);
+}
+
+// Camera of one sub-picture; `shift` moves the picture by parts of a pixel.
+static void fill_camera(frame *f, bool zero_to_one, double near_m, bolan_vec2 shift) {
+    const bolan_camera *c = &f->scene->camera;
+    frame_uniforms *u = &f->uniforms;
+    double fov = bolan_radians(c->fov_deg), width = f->desc->width, height = f->desc->height;
+    f->view = bolan_m4_view(c->heading_deg, c->pitch_deg, c->roll_deg);
+    f->projection = bolan_m4_projection(fov, width / height, near_m, zero_to_one);
+    f->projection.m[8] -= 2.0f * shift.x / (float)width;
+    f->projection.m[9] -= 2.0f * shift.y / (float)height;
+    u->view_projection = bolan_m4_mul(f->projection, f->view);
+    u->inverse_view_projection = bolan_m4_inverse(u->view_projection);
+    u->viewport = (bolan_vec4){(float)width, (float)height, (float)(1.0 / width), (float)(1.0 / height)};
+    u->lens = (bolan_vec4){(float)(2.0 * tan(0.5 * fov) / height), (float)near_m, zero_to_one ? 1.0f : 0.0f,
+                           (float)BOLAN_EARTH_RADIUS};
+}
+
+static void fill_scene(frame *f) {
+    const bolan_scene *s = f->scene;
+    frame_uniforms *u = &f->uniforms;
+    const bolan_sea_state *state = &bolan_sea_get_desc(f->desc->sea)->sea_state;
+    f->time = bolan_sea_time(f->desc->sea);
+    f->eye = s->camera.position;
+    f->sun_direction = sun_direction(&s->sky);
+    double wind_to = bolan_compass_from_to_math(state->wind_from_deg);
+    u->eye = (bolan_vec4){(float)(f->eye.x - 4096.0 * floor(f->eye.x / 4096.0)),
+                          (float)(f->eye.y - 4096.0 * floor(f->eye.y / 4096.0)), (float)(f->eye.z - s->water.level),
+                          (float)s->water.level};
+    u->sun = with_w(f->sun_direction, 0.99998919f); // cos 0.2664 deg
+    u->sky_light.w = (float)fmod(f->time, 3600.0);
+    u->wind = (bolan_vec4){(float)cos(wind_to), (float)sin(wind_to), (float)state->wind_speed, (float)s->sky.cloud_cover};
+    u->haze = (bolan_vec4){(float)s->sky.visibility, (float)s->sky.cloud_base, 0.0f, 0.0f};
+    fill_water(u, &s->water);
+}
+
+// Sub-pixel shifts of a sample: the R2 sequence (Roberts 2018), centred; the first is the pixel's middle.
+static bolan_vec2 sample_shift(uint32_t i) {
+    double x = fmod(0.7548776662466927 * i, 1.0), y = fmod(0.5698402909980532 * i, 1.0);
+    return (bolan_vec2){(float)(x < 0.5 ? x : x - 1.0), (float)(y < 0.5 ? y : y - 1.0)};
+}
+
+static void begin_part(bolan_renderer *r, frame_part part) { gl_timer_begin(&r->timers[part], r->measure && !r->caps.timers); }
+static void end_part(bolan_renderer *r, frame_part part) { gl_timer_end(&r->timers[part], r->measure && !r->caps.timers); }
+
+static void upload_uniforms(bolan_renderer *r, const frame *f) {
+    gl_buffer_update(&r->uniforms, 0, sizeof f->uniforms, &f->uniforms);
+    gl_buffer_bind_uniform(&r->uniforms, 0);
+}
+
+// Everything that does not depend on the sub-pixel shift.
+static void prepare(bolan_renderer *r, frame *f) {
+    upload_uniforms(r, f);
+    begin_part(r, PART_SKY_TABLES);
+    pass_sky_prepare(r->sky, f);
+    end_part(r, PART_SKY_TABLES);
+    upload_uniforms(r, f); // the light is known now
+    begin_part(r, PART_SEA);
+    pass_terrain_prepare(r->terrain, f);
+    f->shore = pass_terrain_shore(r->terrain);
+    pass_water_prepare(r->water, f);
+    end_part(r, PART_SEA);
+}
+
+static void draw_opaque(bolan_renderer *r, frame *f) {
+    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    gl_target_bind(&r->hdr);
+    gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    gl_target_clear_depth(0.0f);
+    begin_part(r, PART_TERRAIN);
+    pass_terrain_draw(r->terrain, f);
+    end_part(r, PART_TERRAIN);
+    begin_part(r, PART_SKY);
+    pass_sky_draw(r->sky, f);
+    end_part(r, PART_SKY);
+}
+
+static void draw_water(bolan_renderer *r, frame *f) {
+    begin_part(r, PART_COPY);
+    gl_target_copy_color(&r->hdr, &r->behind);
+    gl_target_copy_depth(&r->hdr, &r->behind);
+    gl_texture_bind(&r->behind_color, UNIT_SCENE_COLOR);
+    gl_texture_bind(&r->behind_depth, UNIT_SCENE_DEPTH);
+    gl_target_bind(&r->hdr);
+    end_part(r, PART_COPY);
+    begin_part(r, PART_WATER);
+    pass_water_draw(r->water, f);
+    end_part(r, PART_WATER);
+}
+
+static void keep_statistics(bolan_renderer *r, const frame *f) {
+    bolan_frame_statistics *s = &r->statistics;
+    s->triangles = f->triangles;
+    s->water_triangles = f->water_triangles;
+    s->pass_count = PART_COUNT;
+    for (int i = 0; i < PART_COUNT; ++i) {
+        s->passes[i].name = frame_part_names[i];
+        s->passes[i].ms = r->timers[i].ms;
+    }
+}
+
+void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *desc) {
+    BOLAN_ASSERT(r != NULL && desc != NULL && desc->scene != NULL && desc->sea != NULL);
+    BOLAN_ASSERT(desc->width >= 1 && desc->width <= 16384 && desc->height >= 1 && desc->height <= 16384);
+    gl_save(r->saved);
+    frame f = {.desc = desc, .scene = desc->scene, .caps = &r->caps, .quality = r->desc.quality};
+    bool zero_to_one = r->caps.clip_control && !r->desc.no_clip_control;
+    if (renderer_resize(r, desc->width, desc->height) == BOLAN_OK) {
+        r->near_plane = near_plane(desc->scene->camera.position.z - desc->scene->water.level, zero_to_one);
+        if (r->caps.clip_control) gl_set_clip_zero_to_one(zero_to_one);
+        f.hdr = r->hdr;
+        f.hdr_depth = &r->hdr_depth;
+        fill_scene(&f);
+        fill_camera(&f, zero_to_one, r->near_plane, (bolan_vec2){0.0f, 0.0f});
+        prepare(r, &f);
+        uint32_t samples = desc->samples < 1 ? 1 : desc->samples;
+        for (uint32_t s = 0; s < samples; ++s) {
+            f.triangles = f.water_triangles = 0;
+            fill_camera(&f, zero_to_one, r->near_plane, sample_shift(s));
+            upload_uniforms(r, &f);
+            draw_opaque(r, &f);
+            draw_water(r, &f);
+            begin_part(r, PART_TONEMAP);
+            gl_target_bind_external(desc->framebuffer, desc->width, desc->height);
+            pass_tonemap_draw(r->tonemap, &f, &r->hdr_color, s, samples);
+            end_part(r, PART_TONEMAP);
+        }
+        keep_statistics(r, &f);
+    }
+    gl_restore(r->saved);
+}

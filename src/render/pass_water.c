@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// The water: uploads the sea's cascades, builds the surface of this view, and draws it over a copy of what lies behind.
+// Shader: shaders/water.glsl.
+#include "foam_texture.h"
+#include "frame.h"
+
+#include <math.h>
+#include <string.h>
+
+#define SLOPE_ANGLES (BOLAN_SLOPE_TABLE_ANGLE + 1) // the first repeats at the end, so that linear filtering wraps
+
+struct pass_water {
+    const gl_caps *caps;
+    bolan_surface_desc surface;
+    gl_program program;
+    gl_texture displacement, slopes, foam; // arrays, a layer per cascade
+    gl_texture slope_table, foam_detail;
+    gl_buffer vertices, indices;
+    gl_mesh mesh;
+    bolan_surface_vertex *cpu_vertices;
+    uint32_t *cpu_indices;
+    bolan_surface_size size; // of the indices in the buffer
+};
+
+static const struct { double pixels_per_vertex; uint32_t max_vertices; const char *defines; } quality_table[] = {
+    [BOLAN_QUALITY_LOW] = {8.0, 40000, "TAPS 1\n"},
+    [BOLAN_QUALITY_MEDIUM] = {5.0, 100000, "TAPS 2\n"},
+    [BOLAN_QUALITY_HIGH] = {3.0, 300000, "TAPS 4\n"},
+    [BOLAN_QUALITY_ULTRA] = {2.0, 700000, "TAPS 8\n"},
+};
+
+static bolan_result create_foam_detail(pass_water *p) {
+    size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE;
+    uint8_t *pixels = bolan_allocate(bytes);
+    if (pixels == NULL) return BOLAN_ERROR_MEMORY;
+    bolan_result result = foam_texture_fill(pixels);
+    gl_texture_desc desc = {.format = GL_FMT_R8, .width = FOAM_TEXTURE_SIZE, .height = FOAM_TEXTURE_SIZE,
+                            .filter = GL_FILTER_MIPMAP, .wrap = GL_WRAP_REPEAT};
+    if (result == BOLAN_OK) result = gl_texture_create(&desc, &p->foam_detail);
+    if (result == BOLAN_OK) {
+        gl_texture_upload(&p->foam_detail, 0, -1, pixels, false);
+        gl_texture_generate_mipmaps(&p->foam_detail);
+    }
+    bolan_release(pixels, bytes);
+    return result;
+}
+
+static bolan_result create_mesh(pass_water *p) {
+    size_t vertex_bytes = sizeof(bolan_surface_vertex) * p->surface.max_vertices;
+    size_t index_bytes = sizeof(uint32_t) * 6 * p->surface.max_vertices;
+    p->cpu_vertices = bolan_allocate(vertex_bytes);
+    p->cpu_indices = bolan_allocate(index_bytes);
+    if (p->cpu_vertices == NULL || p->cpu_indices == NULL) return BOLAN_ERROR_MEMORY;
+    bolan_result result = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STREAM, vertex_bytes, NULL, &p->vertices);
+    if (result == BOLAN_OK) result = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, index_bytes, NULL, &p->indices);
+    uint8_t components[] = {4};
+    if (result == BOLAN_OK)
+        result = gl_mesh_create(&p->vertices, &p->indices, components, 1, sizeof(bolan_surface_vertex), &p->mesh);
+    return result;
+}
+
+bolan_result pass_water_create(const gl_caps *caps, bolan_quality quality, pass_water **out) {
+    pass_water *p = bolan_allocate(sizeof *p);
+    if (p == NULL) return BOLAN_ERROR_MEMORY;
+    p->caps = caps;
+    p->surface = bolan_surface_desc_default();
+    p->surface.pixels_per_vertex = quality_table[quality].pixels_per_vertex;
+    p->surface.max_vertices = quality_table[quality].max_vertices;
+    bolan_result result = gl_program_create("water", quality_table[quality].defines, &p->program);
+    if (result == BOLAN_OK) result = create_foam_detail(p);
+    if (result == BOLAN_OK) result = create_mesh(p);
+    gl_texture_desc table = {.format = GL_FMT_RGBA16F, .width = BOLAN_SLOPE_TABLE_MAJOR, .height = BOLAN_SLOPE_TABLE_ASPECT,
+                             .depth = SLOPE_ANGLES, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
+    if (result == BOLAN_OK) result = gl_texture_create(&table, &p->slope_table);
+    if (result != BOLAN_OK) {
+        pass_water_destroy(&p);
+        return result;
+    }
+    *out = p;
+    return BOLAN_OK;
+}
+
+void pass_water_destroy(pass_water **pass) {
+    if (pass == NULL || *pass == NULL) return;
+    pass_water *p = *pass;
+    gl_mesh_free(&p->mesh);
+    gl_buffer_free(&p->vertices);
+    gl_buffer_free(&p->indices);
+    gl_texture_free(&p->displacement);
+    gl_texture_free(&p->slopes);
+    gl_texture_free(&p->foam);
+    gl_texture_free(&p->slope_table);
+    gl_texture_free(&p->foam_detail);
+    gl_program_free(&p->program);
+    bolan_release(p->cpu_vertices, sizeof(bolan_surface_vertex) * p->surface.max_vertices);
+    bolan_release(p->cpu_indices, sizeof(uint32_t) * 6 * p->surface.max_vertices);
+    bolan_release(p, sizeof *p);
+    *pass = NULL;
+}
+
+bolan_result pass_water_reload(pass_water *p) { return gl_program_reload(&p->program); }
+
+// Arrays that fit this sea; kept while n and the number of cascades stay.
+static void fit_textures(pass_water *p, uint32_t n, uint32_t count) {
+    if (p->displacement.width == n && p->displacement.depth == count) return;
+    gl_texture_free(&p->displacement);
+    gl_texture_free(&p->slopes);
+    gl_texture_free(&p->foam);
+    gl_texture_desc desc = {.format = GL_FMT_RGBA16F, .width = n, .height = n, .depth = count, .array = true,
+                            .filter = GL_FILTER_MIPMAP, .wrap = GL_WRAP_REPEAT};
+    gl_texture_create(&desc, &p->displacement);
+    gl_texture_create(&desc, &p->slopes);
+    desc.format = GL_FMT_R16F;
+    gl_texture_create(&desc, &p->foam);
+}
+
+static void upload_sea(pass_water *p, const bolan_sea *sea) {
+    uint32_t count = bolan_sea_cascade_count(sea);
+    for (uint32_t c = 0; c < count; ++c) {
+        bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        if (c == 0) fit_textures(p, v.n, count);
+        gl_texture_upload(&p->displacement, 0, (int)c, v.displacement_half, true);
+        gl_texture_upload(&p->slopes, 0, (int)c, v.slope_half, true);
+        gl_texture_upload(&p->foam, 0, (int)c, v.foam_half, true);
+    }
+    gl_texture_generate_mipmaps(&p->displacement);
+    gl_texture_generate_mipmaps(&p->slopes);
+    gl_texture_generate_mipmaps(&p->foam);
+}
+
+static void upload_slope_table(pass_water *p, const bolan_sea *sea) {
+    float table[SLOPE_ANGLES * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_MAJOR * 4];
+    size_t layer = (size_t)BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_MAJOR * 4;
+    const float *from = bolan_sea_slope_table(sea);
+    memcpy(table, from, sizeof(float) * layer * BOLAN_SLOPE_TABLE_ANGLE);
+    memcpy(table + layer * BOLAN_SLOPE_TABLE_ANGLE, from, sizeof(float) * layer);
+    gl_texture_upload(&p->slope_table, 0, -1, table, false);
+}
+
+static void build_surface(pass_water *p, frame *f) {
+    const bolan_camera *camera = &f->scene->camera;
+    bolan_surface_view view = {.eye = f->eye, .heading_deg = camera->heading_deg, .pitch_deg = camera->pitch_deg,
+                               .roll_deg = camera->roll_deg, .fov_y = bolan_radians(camera->fov_deg),
+                               .aspect = (double)f->desc->width / f->desc->height, .pixel_height = f->desc->height,
+                               .water_level = f->scene->water.level};
+    bolan_sea_bounds(f->desc->sea, &view.vertical, &view.horizontal);
+    bolan_surface_size size = bolan_surface_projected(&p->surface, &view, p->cpu_vertices);
+    gl_buffer_update(&p->vertices, 0, sizeof(bolan_surface_vertex) * size.columns * size.rows, p->cpu_vertices);
+    if (size.columns != p->size.columns || size.rows != p->size.rows) {
+        uint32_t count = bolan_surface_grid_indices(size, p->cpu_indices);
+        gl_buffer_update(&p->indices, 0, sizeof(uint32_t) * count, p->cpu_indices);
+        p->size = size;
+    }
+}
+
+void pass_water_prepare(pass_water *p, frame *f) {
+    upload_sea(p, f->desc->sea);
+    upload_slope_table(p, f->desc->sea);
+    build_surface(p, f);
+    gl_texture_bind(&p->displacement, UNIT_DISPLACEMENT);
+    gl_texture_bind(&p->slopes, UNIT_SLOPES);
+    gl_texture_bind(&p->foam, UNIT_FOAM);
+    gl_texture_bind(&p->slope_table, UNIT_SLOPE_TABLE);
+    gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
+}
+
+// Where the eye stands in each tile, reduced in double so that the GPU never sees a large coordinate.
+static void set_cascades(const gl_program *g, const frame *f) {
+    float tile[4 * BOLAN_MAX_CASCADES] = {0}, band[4 * BOLAN_MAX_CASCADES] = {0};
+    uint32_t count = bolan_sea_cascade_count(f->desc->sea);
+    for (uint32_t c = 0; c < count; ++c) {
+        bolan_cascade_view v = bolan_sea_cascade(f->desc->sea, c);
+        double ca = cos(v.angle), sa = sin(v.angle);
+        double u = (f->eye.x * ca + f->eye.y * sa) / v.length, w = (-f->eye.x * sa + f->eye.y * ca) / v.length;
+        double texel = v.length / v.n;
+        // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
+        tile[4 * c] = (float)(u - floor(u) + 0.5 / v.n);
+        tile[4 * c + 1] = (float)(w - floor(w) + 0.5 / v.n);
+        tile[4 * c + 2] = (float)(ca / v.length);
+        tile[4 * c + 3] = (float)(sa / v.length);
+        band[4 * c] = (float)(4.0 * sqrt(v.variance));
+        band[4 * c + 1] = (float)texel;
+        band[4 * c + 2] = (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length);
+    }
+    gl_program_int(g, "cascade_count", (int)count);
+    gl_program_vec4_array(g, "cascade_tile", tile, BOLAN_MAX_CASCADES);
+    gl_program_vec4_array(g, "cascade_band", band, BOLAN_MAX_CASCADES);
+    gl_program_float(g, "choppiness", (float)bolan_sea_get_desc(f->desc->sea)->choppiness);
+}
+
+static void set_foam(const gl_program *g, const frame *f) {
+    const bolan_sea *sea = f->desc->sea;
+    double variance = 0.0;
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) variance += bolan_sea_cascade(sea, c).variance;
+    float rest[3];
+    bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
+    bolan_sea_summary summary = bolan_sea_state_summary(&bolan_sea_get_desc(sea)->sea_state);
+    bolan_vec4 law = {(float)bolan_sea_foam_threshold(sea), rest[0] + rest[2], (float)(4.0 * sqrt(variance)),
+                      (float)(summary.tp > 0.0 ? summary.tp : 8.0)};
+    gl_program_vec4(g, "foam_law", law);
+}
+
+void pass_water_draw(pass_water *p, frame *f) {
+    uint32_t triangles = p->size.columns < 2 ? 0 : 2 * (p->size.columns - 1) * (p->size.rows - 1);
+    if (triangles == 0) return;
+    const gl_program *g = &p->program;
+    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    gl_program_use(g);
+    frame_apply_samplers(g);
+    shore_map_apply(f->shore, g);
+    set_cascades(g, f);
+    set_foam(g, f);
+    gl_mesh_draw(&p->mesh, 0, 3 * triangles);
+    f->triangles += triangles;
+    f->water_triangles += triangles;
+}
