@@ -19,6 +19,7 @@ typedef struct gl_caps {
     int max_texture_size;
 } gl_caps;
 gl_caps gl_get_caps(void);
+bool gl_has_context(void); // on this thread
 
 // ---- textures ----
 typedef enum gl_format { GL_FMT_R8, GL_FMT_RG8, GL_FMT_RGBA8, GL_FMT_R16F, GL_FMT_RG16F, GL_FMT_RGBA16F, GL_FMT_R32F, GL_FMT_RGBA32F, GL_FMT_R11G11B10F, GL_FMT_DEPTH32F } gl_format;
@@ -59,7 +60,7 @@ void gl_target_free(gl_target *t);
 
 // ---- buffers and meshes ----
 typedef enum gl_usage { GL_USAGE_STATIC, GL_USAGE_STREAM } gl_usage;
-typedef struct gl_buffer { uint32_t id; size_t size; uint32_t kind; } gl_buffer;
+typedef struct gl_buffer { uint32_t id; size_t size; uint32_t kind; gl_usage usage; } gl_buffer;
 typedef enum gl_buffer_kind { GL_BUFFER_VERTEX, GL_BUFFER_INDEX, GL_BUFFER_UNIFORM } gl_buffer_kind;
 bolan_result gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, const void *data, gl_buffer *out);
 void gl_buffer_update(gl_buffer *b, size_t offset, size_t size, const void *data); // offset 0 orphans a STREAM buffer
@@ -75,7 +76,8 @@ void gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers: see c
 // ---- programs ----
 // Source is found by stem ("sky" -> shaders/sky.glsl), compiled twice with VERTEX / FRAGMENT defined, "#version 330 core" or
 // "#version 300 es" + precision put before it, and #include "common/x.glsl" resolved. `defines`: "A 1\nB 2\n" or NULL.
-// The uniform block Frame is bound to slot 0.
+// The uniform block Frame is bound to slot 0. A file is included once per shader. "#pragma unit NAME N" in any file sets the
+// sampler NAME to texture unit N, so a pass that includes it need not.
 typedef struct gl_program { uint32_t id; char stem[32]; char defines[128]; } gl_program;
 void gl_program_set_directory(const char *directory); // NULL: the embedded sources
 bolan_result gl_program_create(const char *stem, const char *defines, gl_program *out);
@@ -94,6 +96,7 @@ void gl_program_free(gl_program *p);
 typedef struct gl_state { bool depth_test, depth_write, cull_back, color_write; enum { GL_BLEND_NONE, GL_BLEND_ALPHA, GL_BLEND_ADD, GL_BLEND_PREMULTIPLIED } blend; bool depth_equal; } gl_state; // depth test: greater-or-equal (reversed-Z)
 void gl_set_state(const gl_state *s);
 void gl_set_clip_zero_to_one(bool on); // only where caps.clip_control
+void gl_set_framebuffer_srgb(bool on); // desktop: let an sRGB framebuffer encode what is written; on ES it always does
 typedef struct gl_saved gl_saved; // the caller's state
 size_t gl_saved_size(void);
 void gl_save(gl_saved *s);

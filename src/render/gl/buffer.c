@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Buffers and meshes.
+#include "gl_internal.h"
+
+static GLenum buffer_target(uint32_t kind) {
+    return kind == GL_BUFFER_UNIFORM ? GL_UNIFORM_BUFFER : GL_ARRAY_BUFFER;
+}
+
+// Index data go through the array binding: the element binding belongs to whatever vertex array is bound.
+bolan_result gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, const void *data, gl_buffer *out) {
+    BOLAN_ASSERT(out && size > 0);
+    gl_buffer b = {.size = size, .kind = kind, .usage = usage};
+    const GLenum target = buffer_target(kind);
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    glGenBuffers(1, &b.id);
+    glBindBuffer(target, b.id);
+    glBufferData(target, (GLsizeiptr)size, data, usage == GL_USAGE_STREAM ? GL_STREAM_DRAW : GL_STATIC_DRAW);
+    if (glGetError() != GL_NO_ERROR) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "GL has no memory for a buffer of %zu bytes", size);
+        gl_buffer_free(&b);
+        return BOLAN_ERROR_MEMORY;
+    }
+    *out = b;
+    return BOLAN_OK;
+}
+
+void gl_buffer_update(gl_buffer *b, size_t offset, size_t size, const void *data) {
+    BOLAN_ASSERT(b->id && offset + size <= b->size);
+    const GLenum target = buffer_target(b->kind);
+    glBindBuffer(target, b->id);
+    if (offset == 0 && b->usage == GL_USAGE_STREAM) {
+        glBufferData(target, (GLsizeiptr)b->size, NULL, GL_STREAM_DRAW); // fresh memory: no wait for the last frame
+    }
+    glBufferSubData(target, (GLintptr)offset, (GLsizeiptr)size, data);
+}
+
+void gl_buffer_bind_uniform(const gl_buffer *b, uint32_t slot) { glBindBufferBase(GL_UNIFORM_BUFFER, slot, b->id); }
+
+void gl_buffer_free(gl_buffer *b) {
+    if (b->id) glDeleteBuffers(1, &b->id);
+    *b = (gl_buffer){0};
+}
+
+bolan_result gl_mesh_create(const gl_buffer *vertices, const gl_buffer *indices, const uint8_t *components,
+                            uint32_t attributes, uint32_t stride, gl_mesh *out) {
+    BOLAN_ASSERT(vertices && indices && components && out);
+    glGenVertexArrays(1, &out->vao);
+    glBindVertexArray(out->vao);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices->id);
+    size_t offset = 0;
+    for (uint32_t i = 0; i < attributes; i++) {
+        glEnableVertexAttribArray(i);
+        glVertexAttribPointer(i, components[i], GL_FLOAT, GL_FALSE, (GLsizei)stride, (const void *)offset);
+        offset += components[i] * sizeof(float);
+    }
+    BOLAN_ASSERT(offset <= stride);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices->id);
+    glBindVertexArray(0);
+    return BOLAN_OK;
+}
+
+void gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count) {
+    glBindVertexArray(m->vao);
+    const size_t offset = first_index * sizeof(uint32_t);
+    glDrawElements(GL_TRIANGLES, (GLsizei)index_count, GL_UNSIGNED_INT, (const void *)offset);
+    glBindVertexArray(0);
+}
+
+void gl_mesh_free(gl_mesh *m) {
+    if (m->vao) glDeleteVertexArrays(1, &m->vao);
+    *m = (gl_mesh){0};
+}
+
+// The core profile draws nothing without a vertex array, and one belongs to one context: so it lives for this call only.
+void gl_draw_fullscreen(void) {
+    GLuint vao = 0;
+    glGenVertexArrays(1, &vao);
+    glBindVertexArray(vao);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+    glDeleteVertexArrays(1, &vao);
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Programs: compile, link, and set uniforms by name.
+#include "gl_internal.h"
+#include "source.h"
+#include <stdio.h>
+#include <string.h>
+
+enum { MESSAGES_MAX = 4096 };
+
+static GLuint compile(const shader_text *source, GLenum type, const char *stage) {
+    const GLuint shader = glCreateShader(type);
+    const GLchar *text = source->text;
+    glShaderSource(shader, 1, &text, NULL);
+    glCompileShader(shader);
+    GLint ok = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (ok) return shader;
+    char messages[MESSAGES_MAX] = "";
+    glGetShaderInfoLog(shader, sizeof messages, NULL, messages);
+    shader_text_log(source, stage, messages[0] ? messages : "the driver refused the shader without a message");
+    glDeleteShader(shader);
+    return 0;
+}
+
+static GLuint link(GLuint vertex, GLuint fragment, const char *stem) {
+    const GLuint id = glCreateProgram();
+    glAttachShader(id, vertex);
+    glAttachShader(id, fragment);
+    glLinkProgram(id);
+    GLint ok = GL_FALSE;
+    glGetProgramiv(id, GL_LINK_STATUS, &ok);
+    if (ok) return id;
+    char messages[MESSAGES_MAX] = "";
+    glGetProgramInfoLog(id, sizeof messages, NULL, messages);
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_SHADER, "%s.glsl does not link: %s", stem, messages);
+    glDeleteProgram(id);
+    return 0;
+}
+
+static void set_units(GLuint program, const shader_text *source) {
+    for (uint32_t i = 0; i < source->unit_count; i++) {
+        const GLint location = glGetUniformLocation(program, source->units[i].name);
+        if (location >= 0) glUniform1i(location, source->units[i].unit);
+    }
+}
+
+static void set_defaults(GLuint id, const shader_text *vertex, const shader_text *fragment) {
+    const GLuint block = glGetUniformBlockIndex(id, "Frame");
+    if (block != GL_INVALID_INDEX) glUniformBlockBinding(id, block, 0);
+    GLint current = 0;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &current);
+    glUseProgram(id);
+    set_units(id, vertex);
+    set_units(id, fragment);
+    glUseProgram((GLuint)current);
+}
+
+static GLuint build(const char *stem, const char *defines) {
+    shader_text source[2] = {{0}};
+    GLuint vertex = 0, fragment = 0, id = 0;
+    const bool es = gl_is_es();
+    if (shader_text_build(stem, "VERTEX", defines, es, &source[0]) == BOLAN_OK &&
+        shader_text_build(stem, "FRAGMENT", defines, es, &source[1]) == BOLAN_OK) {
+        vertex = compile(&source[0], GL_VERTEX_SHADER, "vertex");
+        fragment = compile(&source[1], GL_FRAGMENT_SHADER, "fragment");
+    }
+    if (vertex && fragment) id = link(vertex, fragment, stem);
+    if (id) set_defaults(id, &source[0], &source[1]);
+    if (vertex) glDeleteShader(vertex);
+    if (fragment) glDeleteShader(fragment);
+    shader_text_free(&source[0]);
+    shader_text_free(&source[1]);
+    return id;
+}
+
+bolan_result gl_program_create(const char *stem, const char *defines, gl_program *out) {
+    BOLAN_ASSERT(stem && out && strlen(stem) < sizeof out->stem);
+    BOLAN_ASSERT(!defines || strlen(defines) < sizeof out->defines);
+    gl_program p = {0};
+    snprintf(p.stem, sizeof p.stem, "%s", stem);
+    snprintf(p.defines, sizeof p.defines, "%s", defines ? defines : "");
+    p.id = build(p.stem, p.defines);
+    *out = p;
+    return p.id ? BOLAN_OK : BOLAN_ERROR_GL;
+}
+
+bolan_result gl_program_reload(gl_program *p) {
+    const GLuint id = build(p->stem, p->defines);
+    if (!id) return BOLAN_ERROR_GL;
+    glDeleteProgram(p->id);
+    p->id = id;
+    return BOLAN_OK;
+}
+
+void gl_program_use(const gl_program *p) { glUseProgram(p->id); }
+
+// A uniform that the compiler removed has location -1, which GL ignores: so a pass may set what a variant does not use.
+static GLint locate(const gl_program *p, const char *name) {
+    glUseProgram(p->id);
+    return glGetUniformLocation(p->id, name);
+}
+
+void gl_program_int(const gl_program *p, const char *name, int value) { glUniform1i(locate(p, name), value); }
+void gl_program_float(const gl_program *p, const char *name, float value) { glUniform1f(locate(p, name), value); }
+void gl_program_vec2(const gl_program *p, const char *name, float x, float y) { glUniform2f(locate(p, name), x, y); }
+void gl_program_vec3(const gl_program *p, const char *name, bolan_vec3 v) { glUniform3f(locate(p, name), v.x, v.y, v.z); }
+
+void gl_program_vec4(const gl_program *p, const char *name, bolan_vec4 v) {
+    glUniform4f(locate(p, name), v.x, v.y, v.z, v.w);
+}
+
+void gl_program_vec4_array(const gl_program *p, const char *name, const float *xyzw, uint32_t count) {
+    glUniform4fv(locate(p, name), (GLsizei)count, xyzw);
+}
+
+void gl_program_mat4(const gl_program *p, const char *name, bolan_mat4 m) {
+    glUniformMatrix4fv(locate(p, name), 1, GL_FALSE, m.m);
+}
+
+void gl_program_free(gl_program *p) {
+    if (p->id) glDeleteProgram(p->id);
+    *p = (gl_program){0};
+}

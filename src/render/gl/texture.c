@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Textures: 2D, 3D and 2D arrays of the formats that GL 3.3 and ES 3.0 both have.
+#include "gl_internal.h"
+
+static const format_info formats[] = {
+    [GL_FMT_R8] = {GL_R8, GL_RED, GL_UNSIGNED_BYTE, false, false, 1},
+    [GL_FMT_RG8] = {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, false, false, 2},
+    [GL_FMT_RGBA8] = {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, false, false, 4},
+    [GL_FMT_R16F] = {GL_R16F, GL_RED, GL_FLOAT, true, false, 1},
+    [GL_FMT_RG16F] = {GL_RG16F, GL_RG, GL_FLOAT, true, false, 2},
+    [GL_FMT_RGBA16F] = {GL_RGBA16F, GL_RGBA, GL_FLOAT, true, false, 4},
+    [GL_FMT_R32F] = {GL_R32F, GL_RED, GL_FLOAT, false, true, 1},
+    [GL_FMT_RGBA32F] = {GL_RGBA32F, GL_RGBA, GL_FLOAT, false, true, 4},
+    [GL_FMT_R11G11B10F] = {GL_R11F_G11F_B10F, GL_RGB, GL_FLOAT, false, false, 3},
+    [GL_FMT_DEPTH32F] = {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, false, false, 1},
+};
+
+const format_info *gl_format_info(gl_format format) {
+    BOLAN_ASSERT((unsigned)format < sizeof formats / sizeof formats[0]);
+    return &formats[format];
+}
+
+static bool is_mipmapped(gl_filter filter) { return filter == GL_FILTER_MIPMAP || filter == GL_FILTER_MIPMAP_NEAREST; }
+
+static uint32_t full_chain(uint32_t width, uint32_t height, uint32_t depth) {
+    uint32_t largest = width > height ? width : height;
+    if (depth > largest) largest = depth;
+    uint32_t levels = 1;
+    while (largest >>= 1) levels++;
+    return levels;
+}
+
+static uint32_t mip(uint32_t size, uint32_t level) { return size >> level ? size >> level : 1; }
+
+static void bind_scratch(const gl_texture *t) {
+    glActiveTexture(GL_TEXTURE0 + SCRATCH_UNIT);
+    glBindTexture(t->target, t->id);
+}
+
+static void set_filter(const gl_texture *t, const gl_texture_desc *d) {
+    gl_filter filter = d->filter;
+    if (gl_format_info(d->format)->wide && gl_is_es() && !epoxy_has_gl_extension("GL_OES_texture_float_linear")) {
+        filter = GL_FILTER_NEAREST;
+    }
+    if (d->format == GL_FMT_DEPTH32F && gl_is_es()) filter = GL_FILTER_NEAREST; // ES: depth is not filterable
+    const GLint min_filter[] = {GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_NEAREST};
+    glTexParameteri(t->target, GL_TEXTURE_MIN_FILTER, min_filter[filter]);
+    glTexParameteri(t->target, GL_TEXTURE_MAG_FILTER, filter == GL_FILTER_NEAREST ? GL_NEAREST : GL_LINEAR);
+    glTexParameteri(t->target, GL_TEXTURE_BASE_LEVEL, 0);
+    glTexParameteri(t->target, GL_TEXTURE_MAX_LEVEL, (GLint)t->levels - 1);
+    if (d->anisotropy > 1.0f && is_mipmapped(d->filter) && epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) {
+        glTexParameterf(t->target, GL_TEXTURE_MAX_ANISOTROPY_EXT, d->anisotropy);
+    }
+}
+
+static void set_wrap(const gl_texture *t, gl_wrap wrap) {
+    const GLint s = wrap == GL_WRAP_CLAMP ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+    const GLint other = wrap == GL_WRAP_REPEAT ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    glTexParameteri(t->target, GL_TEXTURE_WRAP_S, s);
+    glTexParameteri(t->target, GL_TEXTURE_WRAP_T, other);
+    if (t->target == GL_TEXTURE_3D) glTexParameteri(t->target, GL_TEXTURE_WRAP_R, other);
+}
+
+static void allocate_levels(const gl_texture *t) {
+    const format_info *f = gl_format_info(t->format);
+    const GLint internal_format = (GLint)f->internal_format;
+    for (uint32_t l = 0; l < t->levels; l++) {
+        const GLsizei w = (GLsizei)mip(t->width, l), h = (GLsizei)mip(t->height, l);
+        if (t->target == GL_TEXTURE_2D) {
+            glTexImage2D(t->target, (GLint)l, internal_format, w, h, 0, f->format, f->type, NULL);
+        } else {
+            const GLsizei d = (GLsizei)(t->target == GL_TEXTURE_3D ? mip(t->depth, l) : t->depth);
+            glTexImage3D(t->target, (GLint)l, internal_format, w, h, d, 0, f->format, f->type, NULL);
+        }
+    }
+}
+
+bolan_result gl_texture_create(const gl_texture_desc *d, gl_texture *out) {
+    BOLAN_ASSERT(d && out && d->width > 0 && d->height > 0);
+    gl_texture t = {.width = d->width, .height = d->height, .depth = d->depth ? d->depth : 1, .format = d->format};
+    t.target = d->depth == 0 ? GL_TEXTURE_2D : d->array ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_3D;
+    t.levels = d->levels ? d->levels : 1;
+    if (!d->levels && is_mipmapped(d->filter)) {
+        t.levels = full_chain(t.width, t.height, t.target == GL_TEXTURE_3D ? t.depth : 1);
+    }
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    glGenTextures(1, &t.id);
+    bind_scratch(&t);
+    set_filter(&t, d);
+    set_wrap(&t, d->wrap);
+    allocate_levels(&t);
+    const GLenum error = glGetError();
+    if (error != GL_NO_ERROR) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET, "GL refused a texture of %u x %u x %u texels, format %d (error 0x%x)",
+                  t.width, t.height, t.depth, (int)t.format, error);
+        gl_texture_free(&t);
+        return BOLAN_ERROR_GL;
+    }
+    *out = t;
+    return BOLAN_OK;
+}
+
+void gl_texture_upload(gl_texture *t, uint32_t level, int layer, const void *data, bool half) {
+    BOLAN_ASSERT(t->id && data && level < t->levels);
+    const format_info *f = gl_format_info(t->format);
+    BOLAN_ASSERT(!half || f->half);
+    const GLenum type = half ? GL_HALF_FLOAT : f->type;
+    const GLsizei w = (GLsizei)mip(t->width, level), h = (GLsizei)mip(t->height, level);
+    bind_scratch(t);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (t->target == GL_TEXTURE_2D) {
+        glTexSubImage2D(t->target, (GLint)level, 0, 0, w, h, f->format, type, data);
+        return;
+    }
+    const uint32_t all = t->target == GL_TEXTURE_3D ? mip(t->depth, level) : t->depth;
+    glTexSubImage3D(t->target, (GLint)level, 0, 0, layer < 0 ? 0 : layer, w, h, layer < 0 ? (GLsizei)all : 1, f->format,
+                    type, data);
+}
+
+void gl_texture_generate_mipmaps(gl_texture *t) {
+    bind_scratch(t);
+    glGenerateMipmap(t->target);
+}
+
+void gl_texture_bind(const gl_texture *t, uint32_t unit) {
+    BOLAN_ASSERT(unit < SCRATCH_UNIT);
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(t->target, t->id);
+}
+
+void gl_texture_free(gl_texture *t) {
+    if (t->id) glDeleteTextures(1, &t->id);
+    *t = (gl_texture){0};
+}
