@@ -6,11 +6,17 @@
 
 #include "bolan/base.h"
 #include "bolan/math.h"
+
 #include "bolan/spectrum.h"
+
 #include "bolan/waves.h"
 
 #include "bolan/query.h"
 #include "bolan/shore.h"
 #include "bolan/surface.h"
+
+#include "bolan/scene.h"
+
+#include "bolan/io.h"
 
 #endif

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Which instruction sets this machine runs. The sets and their members are those of cmake/BolanKernels.cmake.
+#include "bolan/base.h"
+
+#ifdef BOLAN_KERNELS_X86
+#include <cpuid.h>
+
+// Half-float conversion, which __builtin_cpu_supports() of older compilers does not know by name.
+static bool has_f16c(void) {
+    unsigned a = 0, b = 0, c = 0, d = 0;
+    return __get_cpuid(1, &a, &b, &c, &d) && (c & bit_F16C);
+}
+
+bolan_cpu bolan_cpu_best(void) {
+    __builtin_cpu_init();
+    if (!__builtin_cpu_supports("avx2") || !has_f16c()) return BOLAN_CPU_SSE2; // part of every x86-64
+    const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                        __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
+    return avx512 ? BOLAN_CPU_AVX512 : BOLAN_CPU_AVX2;
+}
+#else
+bolan_cpu bolan_cpu_best(void) {
+    return BOLAN_CPU_SCALAR;
+}
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The hooks, and log and assertions through them.
+#include "base/hooks.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static bolan_hooks hooks; // with the pool (pool.c) and the byte count (memory.c), all the state that is process-wide
+
+const bolan_hooks *bolan_active_hooks(void) {
+    return &hooks;
+}
+
+void bolan_set_hooks(const bolan_hooks *new_hooks) {
+    static const bolan_hooks built_in;
+    hooks = new_hooks ? *new_hooks : built_in;
+    BOLAN_ASSERT(!hooks.allocate == !hooks.release); // memory goes back to where it came from
+    BOLAN_ASSERT(!hooks.parallel || hooks.parallel_workers >= 1);
+}
+
+static void print_line(bolan_log_level level, const char *sentence) {
+    static const char *const names[] = {"error", "warning", "info"};
+    // One call, so that lines of different threads do not mix.
+    fprintf(stderr, "bolan: %s: %s\n", names[level], sentence);
+}
+
+void bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...) {
+    char sentence[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(sentence, sizeof sentence, format, arguments);
+    va_end(arguments);
+    if (hooks.log) {
+        hooks.log(hooks.user, level, id, sentence);
+    } else {
+        print_line(level, sentence);
+    }
+}
+
+void bolan_assert_failed(const char *expression, const char *file, int line) {
+    if (hooks.assert_failed) {
+        hooks.assert_failed(hooks.user, expression, file, line);
+        return;
+    }
+    fprintf(stderr, "bolan: %s:%d: misuse: %s does not hold\n", file, line, expression);
+    abort();
+}

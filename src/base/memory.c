@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Memory through the hooks, counted.
+#include "base/hooks.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ALIGNMENT = 64 }; // a cache line, and the widest vector register
+
+static atomic_size_t in_use;
+
+static void *built_in_allocate(size_t size) {
+    if (size > SIZE_MAX - ALIGNMENT) return NULL;
+    return aligned_alloc(ALIGNMENT, (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+}
+
+void *bolan_allocate(size_t size) {
+    if (size == 0) return NULL;
+    const bolan_hooks *hooks = bolan_active_hooks();
+    void *memory = hooks->allocate ? hooks->allocate(hooks->user, size, ALIGNMENT) : built_in_allocate(size);
+    if (!memory) return NULL;
+    atomic_fetch_add_explicit(&in_use, size, memory_order_relaxed);
+    return memset(memory, 0, size);
+}
+
+void bolan_release(void *memory, size_t size) {
+    if (!memory) return;
+    const bolan_hooks *hooks = bolan_active_hooks();
+    atomic_fetch_sub_explicit(&in_use, size, memory_order_relaxed);
+    if (hooks->release) {
+        hooks->release(hooks->user, memory, size);
+    } else {
+        free(memory);
+    }
+}
+
+size_t bolan_memory_in_use(void) {
+    return atomic_load_explicit(&in_use, memory_order_relaxed);
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Version, result codes and instruction sets by name.
+#include "bolan/base.h"
+
+const char *bolan_version(void) {
+    return BOLAN_VERSION_STRING;
+}
+
+const char *bolan_result_string(bolan_result result) {
+    switch (result) {
+    case BOLAN_OK: return "ok";
+    case BOLAN_ERROR_ARGUMENT: return "argument error";
+    case BOLAN_ERROR_MEMORY: return "out of memory";
+    case BOLAN_ERROR_IO: return "input/output error";
+    case BOLAN_ERROR_FORMAT: return "format error";
+    case BOLAN_ERROR_UNSUPPORTED: return "unsupported";
+    case BOLAN_ERROR_GL: return "OpenGL error";
+    }
+    return "unknown result";
+}
+
+const char *bolan_cpu_name(bolan_cpu cpu) {
+    switch (cpu) {
+    case BOLAN_CPU_AUTO: return "auto";
+    case BOLAN_CPU_SCALAR: return "scalar";
+    case BOLAN_CPU_SSE2: return "sse2";
+    case BOLAN_CPU_AVX2: return "avx2";
+    case BOLAN_CPU_AVX512: return "avx512";
+    }
+    return "unknown";
+}
