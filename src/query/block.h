@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// A query block: 16 points whose rest points are looked for at once, one lane each.
+//
+// The surface is known on rest points x0: the parcel of x0 is found at x0 + choppiness * sum_c att_c D_c(x0). A question is
+// asked at a world point x, so each lane solves for the offset o = x0 - x that makes
+//
+//     r(o) = o + choppiness * sum_c att_c D_c(x + o) = 0                                                         (1)
+//
+// x is kept only as a cell and a fraction in each cascade, reduced in double precision; all that follows is float on small
+// numbers, so that a point at 1e6 m is answered as well as one at the origin. Lanes never look at one another: what a point
+// gets does not depend on which points share its block, and so not on how a batch is cut over threads.
+#ifndef BOLAN_QUERY_BLOCK_H
+#define BOLAN_QUERY_BLOCK_H
+
+#include "bolan/shore.h"
+#include "bolan/waves.h"
+
+enum { QUERY_LANES = 16 };
+
+// One cascade as the kernels read it.
+typedef struct query_cascade {
+    const float *height, *dx, *dy, *slope_x, *slope_y, *dxx, *dyy, *dxy;
+    uint32_t n;
+    float cells_per_metre;
+    float c, s;                  // cosine and sine of the tile's angle
+    double tile_c, tile_s;       // the same over the tile's length: world [m] -> tiles
+} query_cascade;
+
+typedef struct query_sea {
+    uint32_t count;
+    float choppiness;
+    query_cascade cascade[BOLAN_MAX_CASCADES];
+} query_sea;
+
+typedef struct query_block {
+    double x[QUERY_LANES], y[QUERY_LANES];                                                // asked points [m]
+    int32_t cell_u[BOLAN_MAX_CASCADES][QUERY_LANES], cell_v[BOLAN_MAX_CASCADES][QUERY_LANES]; // their cells
+    float part_u[BOLAN_MAX_CASCADES][QUERY_LANES], part_v[BOLAN_MAX_CASCADES][QUERY_LANES];   // and fractions, 0..1
+    float attenuation[BOLAN_MAX_CASCADES][QUERY_LANES];                                   // by shallow water, 0..1
+    float ox[QUERY_LANES], oy[QUERY_LANES];                                               // rest point - asked point [m]
+    float rx[QUERY_LANES], ry[QUERY_LANES];                                               // residual of (1) [m]
+    float determinant[QUERY_LANES];                                                       // of the last step's matrix
+    float height[QUERY_LANES], slope_x[QUERY_LANES], slope_y[QUERY_LANES];                // at the rest point
+    float jxx[QUERY_LANES], jyy[QUERY_LANES], jxy[QUERY_LANES];                           // Jacobian matrix of x0 -> x
+} query_block;
+
+// The kernels of one instruction set. All sets give the same bits.
+typedef struct query_kernels {
+    // Sets cell and part from x and y. Lanes whose point is not finite get cell 0.
+    void (*locate)(const query_sea *sea, query_block *block);
+    // One Newton step on (1) with the first `cascades` cascades; leaves the residual before the step in rx, ry.
+    void (*step)(const query_sea *sea, uint32_t cascades, query_block *block);
+    // Residual and height at the present offsets; with `full` also slopes and Jacobian matrix.
+    void (*evaluate)(const query_sea *sea, bool full, query_block *block);
+} query_kernels;
+
+// The kernels for a sea made with `cpu`.
+const query_kernels *query_kernels_for(bolan_cpu cpu);
+
+// What all blocks of one batch share.
+typedef struct query {
+    query_sea sea;
+    const query_kernels *kernels;
+    const bolan_terrain *terrain; // or NULL: deep water
+    double water_level;           // [m]
+    float band_hs[BOLAN_MAX_CASCADES]; // significant height of each cascade [m]
+    float reach;                  // how far apart the roots of a fold may lie [m]
+} query;
+
+enum { QUERY_STEPS = 5, QUERY_SEARCH_STEPS = 10 };
+
+// Newton steps, each with the attenuation of the depth at the rest points it starts from. With `graded` step i uses the first
+// i + 1 cascades: the long waves put the rest point where the short ones can be linearised.
+void query_solve(const query *q, uint32_t steps, bool graded, query_block *block);
+// Attenuation at the present offsets, then the evaluate kernel.
+void query_evaluate(const query *q, bool full, query_block *block);
+// Where steps did not converge or the surface is about to fold: looks for every root near lane `lane` and puts the highest into
+// the lane (all members). The block must have been evaluated in full.
+void query_search_folds(const query *q, query_block *block, uint32_t lane);
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Several parcels at one place. Where choppy water folds over itself, equation (1) of block.h has more than one root: the layers
+// of the fold. The one that is seen from above is the highest, so that is the answer. All roots lie near a line along which the
+// map is compressed most; the search starts Newton's method from a ladder of points on it, 16 starts at once in a block of
+// their own, since a fold may be as wide as a long crest or as narrow as a ripple.
+#include "query/block.h"
+
+#include <math.h>
+
+static const float FOUND = 1e-3f; // [m] a residual below this is a root
+
+// Unit vector along which the Jacobian matrix (xx, xy; xy, yy) compresses most: the eigenvector of the smaller eigenvalue.
+static bolan_vec2 compressed_direction(float xx, float yy, float xy) {
+    const float half = 0.5f * (xx - yy);
+    const float root = sqrtf(half * half + xy * xy);
+    // Of the two rows of (M - least I) the larger one, turned by 90 degrees.
+    const float x = half > 0.0f ? -xy : root - half;
+    const float y = half > 0.0f ? half + root : -xy;
+    const float length = sqrtf(x * x + y * y);
+    return length > 0.0f ? (bolan_vec2){x / length, y / length} : (bolan_vec2){1.0f, 0.0f};
+}
+
+// Copies the place of `lane` into every lane of `to`.
+static void spread_place(const query *q, const query_block *from, uint32_t lane, query_block *to) {
+    for (uint32_t l = 0; l < QUERY_LANES; l++) {
+        to->x[l] = from->x[lane];
+        to->y[l] = from->y[lane];
+        for (uint32_t c = 0; c < q->sea.count; c++) {
+            to->cell_u[c][l] = from->cell_u[c][lane];
+            to->cell_v[c][l] = from->cell_v[c][lane];
+            to->part_u[c][l] = from->part_u[c][lane];
+            to->part_v[c][l] = from->part_v[c][lane];
+        }
+        for (uint32_t c = 0; c < BOLAN_MAX_CASCADES; c++) to->attenuation[c][l] = 1.0f;
+    }
+}
+
+// Lane 0 goes on from where it is, lane 1 starts at the point itself, the others at +-reach / 2^i from lane 0.
+static void spread_starts(const query *q, const query_block *from, uint32_t lane, query_block *to) {
+    const bolan_vec2 along = compressed_direction(from->jxx[lane], from->jyy[lane], from->jxy[lane]);
+    float distance = q->reach;
+    to->ox[0] = from->ox[lane];
+    to->oy[0] = from->oy[lane];
+    to->ox[1] = 0.0f;
+    to->oy[1] = 0.0f;
+    for (uint32_t l = 2; l < QUERY_LANES; l += 2) {
+        for (uint32_t side = 0; side < 2; side++) {
+            const float s = side ? -distance : distance;
+            to->ox[l + side] = from->ox[lane] + s * along.x;
+            to->oy[l + side] = from->oy[lane] + s * along.y;
+        }
+        distance *= 0.5f;
+    }
+}
+
+// The highest lane that is a root; if none is, the one that is nearest to being one.
+static uint32_t choose(const query_block *b) {
+    uint32_t best = 0, nearest = 0;
+    float top = -INFINITY, least = INFINITY;
+    for (uint32_t l = 0; l < QUERY_LANES; l++) {
+        const float residual = sqrtf(b->rx[l] * b->rx[l] + b->ry[l] * b->ry[l]);
+        if (residual < least) {
+            least = residual;
+            nearest = l;
+        }
+        if (residual < FOUND && b->height[l] > top) {
+            top = b->height[l];
+            best = l;
+        }
+    }
+    return least < FOUND ? best : nearest;
+}
+
+void query_search_folds(const query *q, query_block *block, uint32_t lane) {
+    query_block starts;
+    spread_place(q, block, lane, &starts);
+    spread_starts(q, block, lane, &starts);
+    query_solve(q, QUERY_SEARCH_STEPS, false, &starts);
+    query_evaluate(q, true, &starts);
+    const uint32_t best = choose(&starts);
+    block->ox[lane] = starts.ox[best];
+    block->oy[lane] = starts.oy[best];
+    block->rx[lane] = starts.rx[best];
+    block->ry[lane] = starts.ry[best];
+    block->height[lane] = starts.height[best];
+    block->slope_x[lane] = starts.slope_x[best];
+    block->slope_y[lane] = starts.slope_y[best];
+    block->jxx[lane] = starts.jxx[best];
+    block->jyy[lane] = starts.jyy[best];
+    block->jxy[lane] = starts.jxy[best];
+}

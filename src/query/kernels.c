@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The table of the query kernels, one row per instruction set.
+#include "query/block.h"
+
+#define QUERY_DECLARE(set)                                                                                             \
+    void query_locate_##set(const query_sea *sea, query_block *block);                                                 \
+    void query_step_##set(const query_sea *sea, uint32_t cascades, query_block *block);                                \
+    void query_evaluate_##set(const query_sea *sea, bool full, query_block *block);
+#define QUERY_ROW(set) {query_locate_##set, query_step_##set, query_evaluate_##set}
+
+QUERY_DECLARE(scalar)
+#ifdef BOLAN_KERNELS_X86
+QUERY_DECLARE(sse2)
+QUERY_DECLARE(avx2)
+QUERY_DECLARE(avx512)
+#endif
+
+static const query_kernels table[] = {
+    [BOLAN_CPU_SCALAR] = QUERY_ROW(scalar),
+#ifdef BOLAN_KERNELS_X86
+    [BOLAN_CPU_SSE2] = QUERY_ROW(sse2),
+    [BOLAN_CPU_AVX2] = QUERY_ROW(avx2),
+    [BOLAN_CPU_AVX512] = QUERY_ROW(avx512),
+#endif
+};
+
+const query_kernels *query_kernels_for(bolan_cpu cpu) {
+    const bolan_cpu best = bolan_cpu_best();
+    return &table[cpu == BOLAN_CPU_AUTO || cpu > best ? best : cpu];
+}

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Questions to the sea. A batch is cut into blocks of 16 points (block.h); a block is solved by a few Newton steps on the choppy
+// map, evaluated, and the few lanes near a fold are searched for more roots (folds.c).
+#include "bolan/query.h"
+
+#include "query/block.h"
+
+#include <math.h>
+
+enum { GRAIN_BLOCKS = 16 };
+static const float CONVERGED = 5e-4f;      // [m] half of the residual that query.h promises
+static const float FOLD_DETERMINANT = 0.25f; // below this a second root may be near
+// What the shore map of the renderer resolves close to the eye [m]: finer ground does not shape the waves.
+static const double GROUND_RESOLUTION = 2.0;
+
+typedef struct batch {
+    query q;
+    const bolan_dvec2 *xy;
+    uint32_t count;
+    float *height;           // one of these two is NULL
+    bolan_query_point *out;
+} batch;
+
+static void attenuate(const query *q, query_block *b) {
+    if (!q->terrain) return;
+    for (uint32_t l = 0; l < QUERY_LANES; l++) {
+        const float ground = bolan_terrain_elevation(q->terrain, b->x[l] + (double)b->ox[l], b->y[l] + (double)b->oy[l],
+                                                     GROUND_RESOLUTION);
+        const float depth = (float)(q->water_level - (double)ground);
+        for (uint32_t c = 0; c < q->sea.count; c++) b->attenuation[c][l] = bolan_shore_attenuation(depth, q->band_hs[c]);
+    }
+}
+
+void query_solve(const query *q, uint32_t steps, bool graded, query_block *block) {
+    for (uint32_t i = 0; i < steps; i++) {
+        attenuate(q, block);
+        q->kernels->step(&q->sea, graded && i + 1 < q->sea.count ? i + 1 : q->sea.count, block);
+    }
+}
+
+void query_evaluate(const query *q, bool full, query_block *block) {
+    attenuate(q, block);
+    q->kernels->evaluate(&q->sea, full, block);
+}
+
+// True if the last step was not small enough, or the map is nearly singular there.
+static bool is_hard(const query_block *b, uint32_t l) {
+    return b->rx[l] * b->rx[l] + b->ry[l] * b->ry[l] > CONVERGED * CONVERGED || b->determinant[l] < FOLD_DETERMINANT;
+}
+
+static void solve_block(const query *q, bool full, uint32_t lanes, query_block *b) {
+    q->kernels->locate(&q->sea, b);
+    query_solve(q, QUERY_STEPS, true, b);
+    query_evaluate(q, full, b);
+    bool evaluated_in_full = full;
+    for (uint32_t l = 0; l < lanes; l++) {
+        if (!is_hard(b, l)) continue;
+        if (!evaluated_in_full) q->kernels->evaluate(&q->sea, true, b);
+        evaluated_in_full = true;
+        query_search_folds(q, b, l);
+    }
+}
+
+// Loads the points [first, first + lanes); the lanes that are left over and points that are not finite stand at the origin.
+static void load_block(const bolan_dvec2 *xy, uint32_t lanes, query_block *b) {
+    for (uint32_t l = 0; l < QUERY_LANES; l++) {
+        const bool valid = l < lanes && isfinite(xy[l].x) && isfinite(xy[l].y);
+        b->x[l] = valid ? xy[l].x : 0.0;
+        b->y[l] = valid ? xy[l].y : 0.0;
+        b->ox[l] = b->oy[l] = 0.0f;
+        for (uint32_t c = 0; c < BOLAN_MAX_CASCADES; c++) b->attenuation[c][l] = 1.0f;
+    }
+}
+
+// Normal of the displaced surface: the cross product of its tangents along the rest axes, with the sign that points up.
+static bolan_vec3 normal_of(const query_block *b, uint32_t l) {
+    const float sign = b->jxx[l] * b->jyy[l] < b->jxy[l] * b->jxy[l] ? -1.0f : 1.0f;
+    const bolan_vec3 n = {-(b->slope_x[l] * b->jyy[l] - b->slope_y[l] * b->jxy[l]) * sign,
+                          -(b->slope_y[l] * b->jxx[l] - b->slope_x[l] * b->jxy[l]) * sign,
+                          (b->jxx[l] * b->jyy[l] - b->jxy[l] * b->jxy[l]) * sign};
+    return bolan_v3_length(n) > 0.0f ? bolan_v3_normalize(n) : bolan_v3(0.0f, 0.0f, 1.0f);
+}
+
+static bolan_query_point point_of(const query *q, const query_block *b, uint32_t l) {
+    bolan_query_point p;
+    p.height = (float)(q->water_level + (double)b->height[l]);
+    p.normal = normal_of(b, l);
+    p.jacobian = b->jxx[l] * b->jyy[l] - b->jxy[l] * b->jxy[l];
+    p.residual = sqrtf(b->rx[l] * b->rx[l] + b->ry[l] * b->ry[l]);
+    return p;
+}
+
+static void write_block(const batch *t, uint32_t first, uint32_t lanes, const query_block *b) {
+    for (uint32_t l = 0; l < lanes; l++) {
+        const uint32_t i = first + l;
+        const bool valid = isfinite(t->xy[i].x) && isfinite(t->xy[i].y);
+        if (t->height) t->height[i] = valid ? b->height[l] : 0.0f;
+        if (!t->out) continue;
+        const bolan_query_point mean = {(float)t->q.water_level, {0.0f, 0.0f, 1.0f}, 1.0f, 0.0f};
+        t->out[i] = valid ? point_of(&t->q, b, l) : mean;
+    }
+}
+
+static void do_blocks(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    (void)worker;
+    const batch *t = context;
+    query_block b;
+    for (uint32_t i = begin; i < end; i++) {
+        const uint32_t first = i * QUERY_LANES;
+        const uint32_t lanes = t->count - first < QUERY_LANES ? t->count - first : QUERY_LANES;
+        load_block(t->xy + first, lanes, &b);
+        solve_block(&t->q, t->out != NULL, lanes, &b);
+        write_block(t, first, lanes, &b);
+    }
+}
+
+static query_cascade cascade_of(const bolan_cascade_view *v) {
+    double s, c;
+    bolan_sincos(v->angle, &s, &c);
+    return (query_cascade){.height = v->height, .dx = v->dx, .dy = v->dy, .slope_x = v->slope_x, .slope_y = v->slope_y,
+                           .dxx = v->dxx, .dyy = v->dyy, .dxy = v->dxy, .n = v->n,
+                           .cells_per_metre = (float)(v->n / v->length), .c = (float)c, .s = (float)s,
+                           .tile_c = c / v->length, .tile_s = s / v->length};
+}
+
+static query query_of(const bolan_sea *sea, const bolan_terrain *terrain, double water_level) {
+    const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
+    query q = {.kernels = query_kernels_for(desc->cpu), .terrain = terrain, .water_level = water_level};
+    q.sea.count = bolan_sea_cascade_count(sea);
+    q.sea.choppiness = (float)desc->choppiness;
+    double variance = 0.0;
+    for (uint32_t i = 0; i < q.sea.count; i++) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, i);
+        q.sea.cascade[i] = cascade_of(&v);
+        q.band_hs[i] = (float)(4.0 * sqrt(v.variance));
+        variance += v.variance;
+    }
+    // Each of two parcels at one place has moved by about a standard deviation, towards the other.
+    q.reach = (float)(4.0 * desc->choppiness * sqrt(variance));
+    return q;
+}
+
+static void run(batch *t) {
+    const uint32_t blocks = t->count / QUERY_LANES + (t->count % QUERY_LANES != 0);
+    if (blocks <= GRAIN_BLOCKS) {
+        do_blocks(t, 0, blocks, 0); // not worth waking anybody
+    } else {
+        bolan_parallel(blocks, GRAIN_BLOCKS, do_blocks, t);
+    }
+}
+
+void bolan_query_heights(const bolan_sea *sea, const bolan_dvec2 *xy, uint32_t count, float *height) {
+    BOLAN_ASSERT(sea && (count == 0 || (xy && height)));
+    batch t = {.q = query_of(sea, NULL, 0.0), .xy = xy, .count = count, .height = height};
+    run(&t);
+}
+
+void bolan_query_surface(const bolan_sea *sea, const bolan_terrain *terrain, double water_level, const bolan_dvec2 *xy,
+                         uint32_t count, bolan_query_point *out) {
+    BOLAN_ASSERT(sea && (count == 0 || (xy && out)));
+    batch t = {.q = query_of(sea, terrain, water_level), .xy = xy, .count = count, .out = out};
+    run(&t);
+}
