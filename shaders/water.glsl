@@ -44,6 +44,11 @@ in vec3 position;
 in vec2 coarse_slope;
 out vec4 color;
 
+#pragma unit scene_color 3
+#pragma unit scene_depth 4
+#pragma unit slope_table 6
+#pragma unit foam_detail 7
+#pragma unit foam_map 10
 uniform sampler2D scene_color;
 uniform sampler2D scene_depth;
 uniform sampler3D slope_table;

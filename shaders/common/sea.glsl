@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The cascades of the sea as textures; twin of bolan_sea_sample_rest() in src/waves. Positions are eye-relative; each
 // cascade's tile coordinates of the eye were reduced in double on the CPU.
+#pragma unit displacement_map 8
+#pragma unit slope_map 9
 uniform sampler2DArray displacement_map; // dx, dy, height, dxy
 uniform sampler2DArray slope_map;        // slope x, slope y, dxx, dyy
 uniform int cascade_count;

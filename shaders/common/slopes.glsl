@@ -22,7 +22,7 @@ visible_facets facets_seen(vec3 v, vec2 m, vec3 c) {
     float horizontal = max(length(v.xy), 1e-4);
     vec2 h = v.xy / horizontal;
     float sigma = sqrt(max(c.x * h.x * h.x + 2.0 * c.y * h.x * h.y + c.z * h.y * h.y, 1e-8));
-    float u = clamp((v.z / horizontal - dot(m, h)) / sigma, -2.5, 20.0);
+    float u = clamp((v.z / horizontal - dot(m, h)) / sigma, -2.5, 1e4);
     float cdf = normal_cdf(u), pdf = normal_pdf(u);
     float norm = max(u * cdf + pdf, 1e-4);
     float mean = cdf / norm;

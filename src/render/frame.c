@@ -8,19 +8,6 @@
 
 const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea", "terrain", "sky", "copy", "water", "tone map"};
 
-static const struct { const char *name; int unit; } sampler_table[] = {
-    {"transmittance_table", UNIT_TRANSMITTANCE}, {"sky_view_table", UNIT_SKY_VIEW}, {"environment_map", UNIT_ENVIRONMENT},
-    {"cloud_map", UNIT_CLOUDS}, {"aerial_table", UNIT_AERIAL}, {"scene_color", UNIT_SCENE_COLOR},
-    {"scene_depth", UNIT_SCENE_DEPTH}, {"shore_map", UNIT_SHORE}, {"slope_table", UNIT_SLOPE_TABLE},
-    {"foam_detail", UNIT_FOAM_DETAIL}, {"displacement_map", UNIT_DISPLACEMENT}, {"slope_map", UNIT_SLOPES},
-    {"foam_map", UNIT_FOAM},
-};
-
-void frame_apply_samplers(const gl_program *program) {
-    for (size_t i = 0; i < sizeof sampler_table / sizeof sampler_table[0]; ++i)
-        gl_program_int(program, sampler_table[i].name, sampler_table[i].unit);
-}
-
 static double near_plane(double height, bool clip_control) {
     // Reversed-Z keeps its precision whatever the near plane; without clip control the depth is a fixed-point number.
     return fmin(fmax(fabs(height) * 0.04, clip_control ? 0.08 : 0.4), 20.0);

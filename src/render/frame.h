@@ -14,7 +14,7 @@
 #include "bolan/render.h"
 #include "gl/gl.h"
 
-// Texture units are fixed, one meaning each, so that no pass binds over another's.
+// Texture units are fixed, one meaning each, so that no pass binds over another's. Shaders name them by `#pragma unit`.
 enum {
     UNIT_TRANSMITTANCE = 0,  // 2D  RGBA16F  atmosphere transmittance, see common/atmosphere.glsl
     UNIT_SKY_VIEW = 1,       // 2D  RGBA16F  sky radiance round the eye
@@ -104,8 +104,5 @@ void pass_tonemap_destroy(pass_tonemap **p);
 typedef struct shore_map { gl_texture texture; float level[SHORE_LEVELS][4]; bool present; } shore_map; // level: west, south, size, texel (eye-relative [m])
 const shore_map *pass_terrain_shore(const pass_terrain *p); // uniforms "shore_level[SHORE_LEVELS]" and "shore_present": see common/shore.glsl
 void shore_map_apply(const shore_map *s, const gl_program *program); // sets them
-
-// Tells a program, in use, which unit each shared sampler name means (frame.c has the table), so a pass sets only its own.
-void frame_apply_samplers(const gl_program *program);
 
 #endif

@@ -206,7 +206,6 @@ void pass_water_draw(pass_water *p, frame *f) {
     const gl_program *g = &p->program;
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     gl_program_use(g);
-    frame_apply_samplers(g);
     shore_map_apply(f->shore, g);
     set_cascades(g, f);
     set_foam(g, f);

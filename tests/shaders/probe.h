@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Runs a piece of GLSL that includes shaders/common and reads what it computes as floats: the shader's own code, tested at its own
+// precision.
+#ifndef BOLAN_TESTS_PROBE_H
+#define BOLAN_TESTS_PROBE_H
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "gl_support.h"
+#include "render/gl/gl.h"
+
+#define PROBE_WIDTH 256
+
+// `body` is GLSL that defines `vec4 probe(vec4 x)`. Evaluates it for `count` <= 256 inputs.
+static inline void probe_run(const char *includes, const char *body, float (*in)[4], uint32_t count, float (*out)[4]) {
+    char folder[] = "probe_XXXXXX", path[512], link_to[512];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/common", folder);
+    snprintf(link_to, sizeof link_to, "%s/shaders/common", BOLAN_SOURCE_DIR);
+    assert_int_equal(symlink(link_to, path), 0);
+    char file_path[512];
+    snprintf(file_path, sizeof file_path, "%s/probe.glsl", folder);
+    FILE *file = fopen(file_path, "w");
+    assert_non_null(file);
+    fprintf(file, "#include \"common/fullscreen.glsl\"\n#ifdef VERTEX\nvoid main() { fullscreen(0.0); }\n#endif\n#ifdef FRAGMENT\n%s\n"
+                  "uniform sampler2D inputs;\nout vec4 result;\n%s\n"
+                  "void main() { result = probe(texelFetch(inputs, ivec2(gl_FragCoord.xy), 0)); }\n#endif\n", includes, body);
+    fclose(file);
+    gl_program_set_directory(folder);
+    gl_program program = {0};
+    assert_int_equal(gl_program_create("probe", NULL, &program), BOLAN_OK);
+    gl_program_set_directory(NULL);
+    unlink(file_path);
+    unlink(path);
+    rmdir(folder);
+    float padded[PROBE_WIDTH][4] = {{0}};
+    memcpy(padded, in, count * sizeof *in);
+    gl_texture_desc desc = {.format = GL_FMT_RGBA32F, .width = PROBE_WIDTH, .height = 1, .filter = GL_FILTER_NEAREST};
+    gl_texture input = {0}, output = {0};
+    assert_int_equal(gl_texture_create(&desc, &input), BOLAN_OK);
+    assert_int_equal(gl_texture_create(&desc, &output), BOLAN_OK);
+    gl_texture_upload(&input, 0, -1, padded, false);
+    gl_target target = {0};
+    const gl_texture *colors[] = {&output};
+    assert_int_equal(gl_target_create(colors, 1, NULL, -1, 0, &target), BOLAN_OK);
+    gl_target_bind(&target);
+    gl_set_state(&(gl_state){.color_write = true});
+    gl_texture_bind(&input, 15);
+    gl_program_use(&program);
+    gl_program_int(&program, "inputs", 15);
+    gl_draw_fullscreen();
+    float result[PROBE_WIDTH][4];
+    gl_target_read_float(&target, 0, &result[0][0]);
+    memcpy(out, result, count * sizeof *out);
+    gl_target_free(&target);
+    gl_texture_free(&input);
+    gl_texture_free(&output);
+    gl_program_free(&program);
+}
+
+#endif
