@@ -18,51 +18,64 @@ typedef struct bolan_heightfield {
     uint32_t width, height;  ///< 2..32768 each
     double west, south;      ///< position of sample (0, 0) [m east, north of the scene origin]
     double step_x, step_y;   ///< [m] > 0
-    const float *elevation;
+    const float *elevation;  ///< width * height finite values
 } bolan_heightfield;
 
 typedef struct bolan_terrain_desc {
     bolan_heightfield field; ///< copied
-    double detail;           ///< strength of the procedural detail below the grid's spacing, 0..2; default 1
-    uint64_t seed;           ///< of the detail
+    double detail;           ///< strength of the procedural detail below the grid's spacing, 0..2; default 1; 0: the data alone
+    uint64_t seed;           ///< of the detail; default 1
     double edge_elevation;   ///< elevation far outside the grid [m]; the grid's rim blends to it; default -4000
 } bolan_terrain_desc;
 
-/// A generated volcanic island with a lagoon side: cliffs and rocks to windward, sandy bays and turquoise shallows to
-/// leeward, reefs, and a deep sea bed beyond.
+/// A generated volcanic island with a lagoon side: a horseshoe of eroded peaks, cliffs and rock stacks to windward, sandy
+/// bays between headlands to leeward, turquoise shallows 1-6 m deep behind a barrier reef with sand islets, and a deep sea
+/// bed beyond. The land is centred on the scene origin.
 typedef struct bolan_island_desc {
     uint64_t seed;      ///< default 7
     double radius;      ///< of the land [m], 200..20000; default 2200
     double peak;        ///< height of the summit [m], 10..3000; default 620
-    double sea_floor;   ///< elevation of the sea bed far out [m], < -20; default -900
-    double lagoon_from_deg; ///< compass side where the sandy shallows lie [deg]; default 225
+    double sea_floor;   ///< elevation of the sea bed far out [m], -11000..-20; default -900
+    double lagoon_from_deg; ///< compass side where the sandy shallows lie [deg], any finite value; default 225
 } bolan_island_desc;
 
+/// Immutable ground: data, interpolated, with procedural detail below their spacing.
+/// Thread-safety: all reads may run at the same time.
 typedef struct bolan_terrain bolan_terrain;
 
 bolan_terrain_desc bolan_terrain_desc_default(void);
 bolan_island_desc bolan_island_desc_default(void);
-/// Errors: ARGUMENT, MEMORY. Immutable afterwards: reads are thread-safe.
+/// Makes a terrain of a grid. Between the nodes the data are interpolated by limited bicubic patches (C1, no overshoot;
+/// Fritsch & Carlson 1980); below twice the spacing the detail adds ridges and gullies that run down the slopes of the data.
+/// @param out receives the terrain, NULL on failure. Errors: ARGUMENT (the sentence names the field), MEMORY.
 bolan_result bolan_terrain_create(const bolan_terrain_desc *desc, bolan_terrain **out);
-/// Generates the island deterministically from its desc (no data, same bits everywhere) and makes a terrain of it.
+/// Generates the island deterministically from its desc (no data, same bits everywhere) and makes a terrain of it. Takes
+/// about a second; uses the task hook. Errors: ARGUMENT, MEMORY.
 bolan_result bolan_terrain_create_island(const bolan_island_desc *desc, bolan_terrain **out);
 /// NULL-safe; NULLs the pointer.
 void bolan_terrain_destroy(bolan_terrain **terrain);
 
-/// Elevation [m above mean sea level] at world (x, y) [m], with the detail whose wavelengths are above @p resolution [m]
-/// (0: all of it). Continuous, finite everywhere.
+/// Elevation [m above mean sea level] at world (x, y) [m] as a grid of spacing @p resolution [m] can carry it: the data are
+/// low-passed where the spacing is coarser than theirs, and detail of a wavelength below twice the spacing is left out (it
+/// fades in up to four times). 0: everything. Continuous in x, y and resolution, finite everywhere. Thread-safe.
 float bolan_terrain_elevation(const bolan_terrain *terrain, double x, double y, double resolution);
-/// The same at a regular grid of @p nx x @p ny points from (@p west, @p south) with @p step [m]: out[j * nx + i]. Uses the
-/// task hook.
+/// The same at a regular grid of @p nx x @p ny points from (@p west, @p south) with @p step [m], which is the resolution
+/// too: out[j * nx + i]. Uses the task hook; equal to single calls for any number of threads. Thread-safe.
 void bolan_terrain_elevations(const bolan_terrain *terrain, double west, double south, double step, uint32_t nx,
                               uint32_t ny, float *out);
-/// Where the data are: west, south, east, north [m], and the lowest and highest elevation [m].
+/// Where the data are: west, south, east, north [m], the lowest and highest elevation of the data [m], and their spacing [m]
+/// (the coarser of the two).
 typedef struct bolan_terrain_extent { double west, south, east, north, lowest, highest, step; } bolan_terrain_extent;
 bolan_terrain_extent bolan_terrain_get_extent(const bolan_terrain *terrain);
+/// Bounds [m] that no elevation, at any resolution, inside the square of side @p size [m] from (@p west, @p south) leaves.
+/// Not tight; costs a few look-ups, for culling. Thread-safe.
+void bolan_terrain_bounds(const bolan_terrain *terrain, double west, double south, double size, float *lowest,
+                          float *highest);
 
 /// How much of its deep-water amplitude a wave band of significant height @p band_hs [m] keeps in @p depth [m] of water:
 /// 1 in deep water, falling to 0 at the waterline so that the local height stays below the breaking limit (about 0.6 of the
 /// depth). tanh form: f = tanh(0.6 depth / band_hs), 0 for depth <= 0. The shader twin is shaders/common/shore.glsl.
+/// Thread-safe.
 float bolan_shore_attenuation(float depth, float band_hs);
 
 #ifdef __cplusplus

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// Terrains: life cycle and queries. Immutable after creation, so every read is thread-safe.
+#include "shore/terrain.h"
+
+#include "shore/noise.h"
+
+bolan_terrain_desc bolan_terrain_desc_default(void) {
+    bolan_terrain_desc d = {{0, 0, 0.0, 0.0, 1.0, 1.0, NULL}, 1.0, 1u, -4000.0};
+    return d;
+}
+
+static bolan_result refuse(bolan_log_id id, const char *field, double value, const char *expected) {
+    bolan_log(BOLAN_LOG_ERROR, id, "bolan_terrain_desc.%s is %g; expected %s", field, value, expected);
+    return BOLAN_ERROR_ARGUMENT;
+}
+
+static bolan_result validate(const bolan_terrain_desc *d) {
+    const bolan_heightfield *f = &d->field;
+    if (f->width < 2 || f->width > 32768) {
+        return refuse(BOLAN_LOG_OUT_OF_RANGE, "field.width", f->width, "2..32768");
+    }
+    if (f->height < 2 || f->height > 32768) {
+        return refuse(BOLAN_LOG_OUT_OF_RANGE, "field.height", f->height, "2..32768");
+    }
+    if (!(f->step_x > 0.0) || !isfinite(f->step_x)) {
+        return refuse(BOLAN_LOG_OUT_OF_RANGE, "field.step_x", f->step_x, "a finite number above 0");
+    }
+    if (!(f->step_y > 0.0) || !isfinite(f->step_y)) {
+        return refuse(BOLAN_LOG_OUT_OF_RANGE, "field.step_y", f->step_y, "a finite number above 0");
+    }
+    if (!isfinite(f->west) || !isfinite(f->south)) {
+        return refuse(BOLAN_LOG_NOT_FINITE, isfinite(f->west) ? "field.south" : "field.west", NAN, "a finite position");
+    }
+    if (!(d->detail >= 0.0 && d->detail <= 2.0)) {
+        return refuse(BOLAN_LOG_OUT_OF_RANGE, "detail", d->detail, "0..2");
+    }
+    if (!isfinite(d->edge_elevation)) {
+        return refuse(BOLAN_LOG_NOT_FINITE, "edge_elevation", d->edge_elevation, "a finite elevation");
+    }
+    if (!f->elevation) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT, "bolan_terrain_desc.field.elevation is NULL; expected %u values",
+                  f->width * f->height);
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    for (size_t n = 0; n < (size_t)f->width * f->height; n++) {
+        if (!isfinite(f->elevation[n])) {
+            return refuse(BOLAN_LOG_NOT_FINITE, "field.elevation[]", f->elevation[n], "finite elevations");
+        }
+    }
+    return BOLAN_OK;
+}
+
+static void set_numbers(bolan_terrain *t, const bolan_terrain_desc *d) {
+    const bolan_heightfield *f = &d->field;
+    t->west = f->west, t->south = f->south;
+    t->east = f->west + (f->width - 1) * f->step_x, t->north = f->south + (f->height - 1) * f->step_y;
+    t->step = fmax(f->step_x, f->step_y);
+    t->margin = fmax(8.0 * t->step, 0.1 * fmax(t->east - t->west, t->north - t->south));
+    t->edge_elevation = (float)d->edge_elevation;
+    t->detail = d->detail;
+    t->detail_wavelength = 2.0 * t->step;
+    t->seed = (uint32_t)(d->seed ^ (d->seed >> 32)) * 0x9e3779b9u + 0x7f4a7c15u;
+}
+
+bolan_result bolan_terrain_create(const bolan_terrain_desc *desc, bolan_terrain **out) {
+    BOLAN_ASSERT(desc && out);
+    *out = NULL;
+    bolan_result r = validate(desc);
+    if (r != BOLAN_OK) {
+        return r;
+    }
+    bolan_terrain *t = bolan_allocate(sizeof *t);
+    if (t) {
+        set_numbers(t, desc);
+        r = heightfield_build(t, &desc->field);
+    }
+    if (!t || r != BOLAN_OK) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for a terrain of %u x %u elevations",
+                  desc->field.width, desc->field.height);
+        bolan_terrain_destroy(&t);
+        return BOLAN_ERROR_MEMORY;
+    }
+    const block_level *top = &t->block[t->block_count - 1];
+    t->lowest = top->low[0], t->highest = top->high[0];
+    for (uint32_t n = 1; n < top->width * top->height; n++) {
+        t->lowest = fminf(t->lowest, top->low[n]);
+        t->highest = fmaxf(t->highest, top->high[n]);
+    }
+    *out = t;
+    return BOLAN_OK;
+}
+
+void bolan_terrain_destroy(bolan_terrain **terrain) {
+    if (terrain && *terrain) {
+        heightfield_free(*terrain);
+        bolan_release(*terrain, sizeof **terrain);
+        *terrain = NULL;
+    }
+}
+
+// ---- queries ---------------------------------------------------------------------------------------------------------
+
+static float elevation_at(height_cursor *c, double x, double y, double resolution) {
+    surface_point p = height_cursor_at(c, x, y, resolution);
+    float inside = terrain_inside(c->terrain, x, y);
+    return inside > 0.0f ? detail_apply(c->terrain, p, x, y, resolution, inside) : p.z;
+}
+
+float bolan_terrain_elevation(const bolan_terrain *terrain, double x, double y, double resolution) {
+    BOLAN_ASSERT(terrain);
+    height_cursor c;
+    height_cursor_start(&c, terrain);
+    return elevation_at(&c, x, y, resolution);
+}
+
+typedef struct grid_job {
+    const bolan_terrain *terrain;
+    double west, south, step;
+    uint32_t nx;
+    float *out;
+} grid_job;
+
+static void grid_rows(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    const grid_job *g = context;
+    (void)worker;
+    height_cursor c;
+    height_cursor_start(&c, g->terrain);
+    for (uint32_t j = begin; j < end; j++) {
+        for (uint32_t i = 0; i < g->nx; i++) {
+            g->out[(size_t)j * g->nx + i] = elevation_at(&c, g->west + i * g->step, g->south + j * g->step, g->step);
+        }
+    }
+}
+
+void bolan_terrain_elevations(const bolan_terrain *terrain, double west, double south, double step, uint32_t nx,
+                              uint32_t ny, float *out) {
+    BOLAN_ASSERT(terrain && out);
+    grid_job g = {terrain, west, south, step, nx, out};
+    bolan_parallel(ny, 8, grid_rows, &g);
+}
+
+bolan_terrain_extent bolan_terrain_get_extent(const bolan_terrain *terrain) {
+    BOLAN_ASSERT(terrain);
+    bolan_terrain_extent e = {terrain->west, terrain->south, terrain->east, terrain->north, terrain->lowest,
+                              terrain->highest, terrain->step};
+    return e;
+}
+
+void bolan_terrain_bounds(const bolan_terrain *terrain, double west, double south, double size, float *lowest, float *highest) {
+    BOLAN_ASSERT(terrain && lowest && highest);
+    const bolan_terrain *t = terrain;
+    // The level on which the square covers few blocks.
+    uint32_t n = 0;
+    double block_x = t->level[0].step_x * TERRAIN_BLOCK, block_y = t->level[0].step_y * TERRAIN_BLOCK;
+    while (n + 1 < t->block_count && size > 4.0 * fmin(block_x, block_y)) {
+        block_x *= 2.0, block_y *= 2.0;
+        n++;
+    }
+    const block_level *b = &t->block[n];
+    // A cell of slack: low-passed levels draw on their neighbours.
+    double slack_x = block_x / TERRAIN_BLOCK, slack_y = block_y / TERRAIN_BLOCK;
+    double u0 = (west - slack_x - t->west) / block_x, u1 = (west + size + slack_x - t->west) / block_x;
+    double v0 = (south - slack_y - t->south) / block_y, v1 = (south + size + slack_y - t->south) / block_y;
+    uint32_t i0 = (uint32_t)fmin(fmax(u0, 0.0), b->width - 1), i1 = (uint32_t)fmin(fmax(u1, 0.0), b->width - 1);
+    uint32_t j0 = (uint32_t)fmin(fmax(v0, 0.0), b->height - 1), j1 = (uint32_t)fmin(fmax(v1, 0.0), b->height - 1);
+    float lo = INFINITY, hi = -INFINITY;
+    for (uint32_t j = j0; j <= j1; j++) {
+        for (uint32_t i = i0; i <= i1; i++) {
+            lo = fminf(lo, b->low[j * b->width + i]);
+            hi = fmaxf(hi, b->high[j * b->width + i]);
+        }
+    }
+    if (west < t->west || south < t->south || west + size > t->east || south + size > t->north) {
+        lo = fminf(lo, t->edge_elevation);
+        hi = fmaxf(hi, t->edge_elevation);
+    }
+    float margin = detail_bound(t);
+    *lowest = lo - margin;
+    *highest = hi + margin;
+}
