@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The ground under the water, for any stage. shore_map holds nested square levels of elevation above the water level
+// around the eye, snapped to their texels so that nothing swims; src/render/terrain_shore.c fills it.
+// shore_attenuation() is the twin of bolan_shore_attenuation() in src/shore/attenuation.c.
+#pragma unit shore_map 5
+uniform highp sampler2DArray shore_map;
+uniform vec4 shore_level[4]; // west, south (eye-relative), side, texel [m]
+uniform int shore_present;
+
+const float SHORE_NONE = -1000.0; // no ground within reach
+
+// Share of level l in the blend at this place: 1 inside, 0 from the border outward. Half a texel of the border cannot be
+// interpolated.
+float shore_share(int l, vec2 position) {
+    vec4 s = shore_level[l];
+    vec2 from_border = min(position - s.xy, s.xy + s.zz - position);
+    return clamp((min(from_border.x, from_border.y) - s.w) / (0.08 * s.z), 0.0, 1.0);
+}
+
+float shore_look_up(int l, vec2 position) {
+    vec4 s = shore_level[l];
+    return textureLod(shore_map, vec3((position - s.xy) / s.z, float(l)), 0.0).x;
+}
+
+// Elevation above the water level [m] at eye-relative xy [m]; SHORE_NONE where there is no terrain.
+float shore_elevation(vec2 position) {
+    if (shore_present == 0) return SHORE_NONE;
+    float elevation = 0.0, rest = 1.0;
+    for (int l = 0; l < 4; ++l) {
+        float share = rest * shore_share(l, position);
+        if (share > 0.0) elevation += share * shore_look_up(l, position);
+        rest -= share;
+        if (rest <= 0.0) return elevation;
+    }
+    return elevation + rest * SHORE_NONE;
+}
+
+// Lambert's continued fraction of tanh; tanh() itself overflows on some drivers.
+float shore_tanh(float x) {
+    float x2 = x * x;
+    float p = x * (135135.0 + x2 * (17325.0 + x2 * (378.0 + x2)));
+    float q = 135135.0 + x2 * (62370.0 + x2 * (3150.0 + x2 * 28.0));
+    return x > 4.9 ? 1.0 : min(p / q, 1.0);
+}
+
+// Share of its deep-water amplitude that a wave band of significant height band_hs [m] keeps in depth [m] of water.
+float shore_attenuation(float depth, float band_hs) {
+    if (!(depth > 0.0)) return 0.0;
+    if (!(band_hs > 0.0)) return 1.0;
+    return shore_tanh(min(0.6 * depth / band_hs, 10.0));
+}
