@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Small pictures for tests: draw a scene, compare two pictures, and write a report with both and their difference.
+#ifndef BOLAN_TESTS_PICTURE_H
+#define BOLAN_TESTS_PICTURE_H
+
+#include "bolan/io.h"
+#include "bolan/render.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+typedef struct picture { uint32_t width, height; uint8_t *rgb; float *distance; } picture;
+
+static inline void picture_free(picture *p) {
+    free(p->rgb);
+    free(p->distance);
+    *p = (picture){0};
+}
+
+// Everything a scene needs to be drawn; the context must be current.
+typedef struct stage { bolan_scene scene; bolan_scene_assets assets; bolan_sea *sea; bolan_renderer *renderer; } stage;
+
+static inline bool stage_open(stage *s, const bolan_scene *scene, bolan_quality quality, bool no_clip_control) {
+    *s = (stage){.scene = *scene};
+    bolan_renderer_desc desc = bolan_renderer_desc_default();
+    desc.quality = quality;
+    desc.no_clip_control = no_clip_control;
+    if (bolan_scene_assets_load(scene, &s->assets) != BOLAN_OK) return false;
+    if (bolan_scene_create_sea(scene, &s->assets, &s->sea) != BOLAN_OK) return false;
+    bolan_sea_settle(s->sea, scene->time);
+    return bolan_renderer_create(&desc, &s->renderer) == BOLAN_OK;
+}
+
+static inline void stage_close(stage *s) {
+    bolan_renderer_destroy(&s->renderer);
+    bolan_sea_destroy(&s->sea);
+    bolan_scene_assets_destroy(&s->assets);
+}
+
+static inline picture stage_draw(stage *s, uint32_t width, uint32_t height, uint32_t samples) {
+    picture p = {width, height, malloc((size_t)width * height * 3), malloc(sizeof(float) * width * height)};
+    bolan_target *target = NULL;
+    if (bolan_target_create(width, height, &target) != BOLAN_OK) return p;
+    bolan_frame_desc frame = bolan_frame_desc_default();
+    frame.scene = &s->scene;
+    frame.sea = s->sea;
+    frame.terrain = s->assets.terrain;
+    frame.framebuffer = bolan_target_framebuffer(target);
+    frame.width = width;
+    frame.height = height;
+    frame.samples = samples;
+    bolan_renderer_draw(s->renderer, &frame);
+    bolan_renderer_read_rgb8(s->renderer, frame.framebuffer, width, height, p.rgb);
+    bolan_renderer_read_linear(s->renderer, NULL, p.distance);
+    bolan_target_destroy(&target);
+    return p;
+}
+
+// Peak signal-to-noise ratio of two pictures after a 2 x 2 average [dB]: one pixel of antialiasing does not count, colour,
+// shape and place do.
+static inline double picture_psnr(const picture *a, const picture *b) {
+    double sum = 0;
+    size_t n = 0;
+    for (uint32_t y = 0; y + 1 < a->height; y += 2)
+        for (uint32_t x = 0; x + 1 < a->width; x += 2)
+            for (uint32_t c = 0; c < 3; ++c, ++n) {
+                double d = 0;
+                for (uint32_t k = 0; k < 4; ++k) {
+                    size_t i = 3 * ((size_t)(y + k / 2) * a->width + x + k % 2) + c;
+                    d += (double)a->rgb[i] - b->rgb[i];
+                }
+                sum += d * d / 16.0;
+            }
+    return 10.0 * log10(255.0 * 255.0 * (double)n / (sum + 1e-9));
+}
+
+// Appends a failed comparison to report/index.html in the working folder.
+static inline void picture_report(const char *name, const picture *expected, const picture *got, double psnr, double wanted) {
+    mkdir("report", 0777);
+    char path[256];
+    size_t bytes = (size_t)got->width * got->height * 3;
+    uint8_t *difference = malloc(bytes);
+    for (size_t i = 0; i < bytes; ++i) {
+        int d = 4 * abs((int)expected->rgb[i] - (int)got->rgb[i]);
+        difference[i] = (uint8_t)(d > 255 ? 255 : d);
+    }
+    const struct { const char *suffix; const uint8_t *rgb; } parts[] = {{"expected", expected->rgb}, {"got", got->rgb}, {"difference", difference}};
+    for (int i = 0; i < 3; ++i) {
+        snprintf(path, sizeof path, "report/%s_%s.png", name, parts[i].suffix);
+        bolan_png_write(path, got->width, got->height, parts[i].rgb);
+    }
+    free(difference);
+    FILE *html = fopen("report/index.html", "a");
+    if (html == NULL) return;
+    fprintf(html, "<h2>%s: %.1f dB, wanted %.1f</h2><table><tr><th>expected<th>got<th>difference x4<tr>", name, psnr, wanted);
+    for (int i = 0; i < 3; ++i) fprintf(html, "<td><img src=\"%s_%s.png\">", name, parts[i].suffix);
+    fprintf(html, "</table>\n");
+    fclose(html);
+    char cwd[512];
+    if (getcwd(cwd, sizeof cwd) != NULL) fprintf(stderr, "%s differs: see %s/report/index.html\n", name, cwd);
+}
+
+#endif
