@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+# A thin front for CMake. Everything lands in build*/ and out/, which git ignores.
+.POSIX:
+.PHONY: help build run test bench install docs format setup
+
+PREFIX = /usr/local
+
+help:
+	@echo 'make run      build, then show the default scene: in a window, or without a display as out/island.png and .mp4'
+	@echo 'make build    build the library and the program build/bolan'
+	@echo 'make test     build and run every test; the last line counts them'
+	@echo 'make bench    build and run the benchmarks'
+	@echo 'make install  install the program, libraries and headers under PREFIX (default /usr/local)'
+	@echo 'make docs     the API reference: build/docs/html/index.html'
+	@echo 'make format   clang-format every C, C++ and header file'
+	@echo 'Each installs missing Debian or Ubuntu packages first (tools/setup.sh).'
+
+setup:
+	@tools/setup.sh
+
+build: setup
+	@tools/build.sh
+
+run: build
+	@tools/run.sh
+
+test: setup
+	@tools/test.sh
+
+bench: build
+	@tools/bench.sh
+
+install: build
+	cmake --install build --prefix '$(PREFIX)'
+
+docs: setup
+	@tools/docs.sh . build/docs && echo 'The reference is at build/docs/html/index.html'
+
+format: setup
+	@tools/format.sh

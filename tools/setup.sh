@@ -1,0 +1,48 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Installs the Debian or Ubuntu packages that the build and the tests need and this machine lacks. Silent when none is.
+# BOLAN_SKIP_SETUP=1 leaves the machine as it is.
+set -eu
+[ -z "${BOLAN_SKIP_SETUP:-}" ] || exit 0
+
+tools='build-essential cmake ninja-build pkg-config glslang-tools doxygen'
+graphics='libegl-dev libgl-dev libgl1-mesa-dri libepoxy-dev libsdl2-dev libimgui-dev'
+files='libstb-dev libcyaml-dev libopenexr-dev libgdal-dev libproj-dev ffmpeg'
+tests='libcmocka-dev libfftw3-dev xvfb xauth'
+packages="$tools $graphics $files $tests"
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    echo 'Bolan sets itself up on Debian and Ubuntu only. Install what these packages hold, then run again with' >&2
+    echo 'BOLAN_SKIP_SETUP=1 in the environment:' >&2
+    echo "  $packages" >&2
+    exit 1
+fi
+
+# One call for all; it fails where one is unknown, and prints the rest.
+# shellcheck disable=SC2086 # the list is words
+installed=$(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' $packages 2>/dev/null | sed -n 's/^ii *//p') || true
+missing=
+for package in $packages; do
+    case "
+$installed
+" in
+    *"
+$package
+"*) ;;
+    *) missing="$missing $package" ;;
+    esac
+done
+[ -n "$missing" ] || exit 0
+
+echo "Installing:$missing"
+as_root=
+if [ "$(id -u)" != 0 ]; then
+    as_root=sudo
+    if ! command -v sudo >/dev/null; then
+        echo "Not root, and there is no sudo. As root, run: apt-get install$missing" >&2
+        exit 1
+    fi
+fi
+$as_root apt-get update -q
+# shellcheck disable=SC2086
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing

@@ -1,0 +1,50 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Every test: the release build, then the GL-free tests again under AddressSanitizer and UndefinedBehaviorSanitizer.
+# Ends with the line "N passed, N failed, N skipped"; the exit status tells whether all that ran passed.
+set -eu
+cd "$(dirname "$0")/.."
+passed=0 failed=0 skipped=0
+
+finish() {
+    echo "$passed passed, $failed failed, $skipped skipped"
+    [ "$failed" = 0 ]
+    exit
+}
+
+# build PRESET TARGETS...: configures and builds; ends the run where that fails.
+build() {
+    preset=$1
+    shift
+    echo "== building: $preset"
+    if ! log=$(cmake --preset "$preset" 2>&1); then
+        printf '%s\n' "$log"
+    elif cmake --build --preset "$preset" --target "$@"; then
+        return
+    fi
+    echo "The $preset build failed"
+    failed=$((failed + 1))
+    finish
+}
+
+# run FOLDER CTEST-ARGUMENTS...: runs the tests and adds up their cases.
+run() {
+    folder=$1 status=0
+    shift
+    echo "== testing: $folder"
+    ctest --test-dir "$folder" -j "${BOLAN_TEST_JOBS:-2}" --output-on-failure --no-tests=error \
+        --output-log "$folder/ctest.log" "$@" || status=$?
+    counts=$(awk -f tools/count_tests.awk "$folder/ctest.log" "$folder/Testing/Temporary/LastTest.log")
+    # shellcheck disable=SC2086 # three numbers
+    set -- $counts
+    # A failure that the log does not show (no test found, ctest itself) counts too.
+    if [ "$status" != 0 ] && [ "$2" = 0 ]; then set -- "$1" 1 "$3"; fi
+    passed=$((passed + $1)) failed=$((failed + $2)) skipped=$((skipped + $3))
+}
+
+build release all
+run build
+export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=print_stacktrace=1
+build asan bolan_tests_core
+run build-asan -L '^(unit|physics|determinism|kernels|fuzz)$'
+finish
