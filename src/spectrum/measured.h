@@ -15,6 +15,9 @@ enum {
     SPECTRUM_MAX_DIRECTIONS = 720,
 };
 
+#define SPECTRUM_MIN_HERTZ 1e-5 ///< of a file's frequencies: a day
+#define SPECTRUM_MAX_HERTZ 100.0
+
 /// One allocation: this header, then the four arrays.
 struct bolan_measured_spectrum {
     size_t bytes; ///< of the allocation

@@ -106,10 +106,10 @@ static bool next_row(ndbc_table *table, text_cursor *line) {
 
 static bolan_result add_frequency(ndbc_row *row, text_cursor *line, text_word word, const char *expected,
                                   double hertz) {
-    const double before = row->count ? row->hertz[row->count - 1] : 0.0;
+    const double before = row->count ? row->hertz[row->count - 1] : SPECTRUM_MIN_HERTZ;
     if (row->count == SPECTRUM_MAX_FREQUENCIES)
         return text_unexpected(line, &word, "the end of the line after 1000 frequencies");
-    if (!(hertz > before && hertz <= 100.0)) return text_unexpected(line, &word, expected);
+    if (!(hertz > before && hertz <= SPECTRUM_MAX_HERTZ)) return text_unexpected(line, &word, expected);
     row->hertz[row->count++] = hertz;
     return BOLAN_OK;
 }

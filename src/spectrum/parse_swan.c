@@ -58,8 +58,9 @@ static bolan_result read_frequencies(swan_reader *r) {
     for (uint32_t i = 0; i < r->frequencies; i++) {
         text_word word;
         if (!text_next_word(&r->text, &word)) return text_unexpected(&r->text, NULL, "a frequency");
-        if (!text_number(word, &r->hertz[i]) || !(r->hertz[i] > (i ? r->hertz[i - 1] : 0.0)) || r->hertz[i] > 100.0)
-            return text_unexpected(&r->text, &word, "an ascending frequency above 0 to 100 Hz");
+        if (!text_number(word, &r->hertz[i]) || !(r->hertz[i] > (i ? r->hertz[i - 1] : SPECTRUM_MIN_HERTZ)) ||
+            r->hertz[i] > SPECTRUM_MAX_HERTZ)
+            return text_unexpected(&r->text, &word, "an ascending frequency, 1e-5 to 100 Hz");
     }
     return BOLAN_OK;
 }
