@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file spectrum.h
 /// Tier 1. Sea states as directional wave spectra: model spectra (Pierson-Moskowitz, JONSWAP, TMA), directional spreading,
-/// measured spectra (SWAN, NDBC), dispersion, and sea-state tables. Pure functions; every one is thread-safe.
+/// measured spectra (SWAN, NDBC), dispersion, and sea-state tables. Pure functions; every one is thread-safe. Densities use
+/// no libm function that differs between machines, so a sea state gives the same bits everywhere.
 ///
 /// Convention: S(w, th) is the one-sided directional variance density [m2 s/rad per rad]; w = angular frequency [rad/s];
 /// th = mathematical angle where the waves GO [rad]. The integral over w and th is m0 [m2]; Hs = 4 sqrt(m0).
@@ -20,8 +21,9 @@ extern "C" {
 #define BOLAN_DEEP 1.0e4                  ///< a depth [m] that is deep for every wave of the sea
 
 /// w(k): w^2 = (g k + (sigma/rho) k^3) tanh(k h). @p k wave number [rad/m] >= 0, @p depth [m] > 0. [rad/s]
+/// Linear theory of gravity-capillary waves over a flat bottom.
 double bolan_omega_from_k(double k, double depth);
-/// The inverse, to 1e-12 relative (Guo 2002 first guess, then Newton). @p omega [rad/s] >= 0. [rad/m]
+/// The inverse, to 1e-12 relative (Guo 2002, eq. 13, as first guess, then Newton). @p omega [rad/s] >= 0. [rad/m]
 double bolan_k_from_omega(double omega, double depth);
 /// Group speed dw/dk [m/s] at wave number k > 0.
 double bolan_group_speed(double k, double depth);
@@ -46,7 +48,7 @@ typedef struct bolan_wave_system {
     double hs;                      ///< significant wave height 4 sqrt(m0) [m], 0..40 (TMA: before the depth factor)
     double peak_omega;              ///< peak angular frequency [rad/s], 0.1..50
     double gamma;                   ///< JONSWAP peak enhancement, 1..10; default 3.3. Raised: a narrower peak
-    double from_deg;                ///< where the waves come FROM, compass [deg]
+    double from_deg;                ///< where the waves come FROM, compass [deg], -360..360
     bolan_spreading_kind spreading; ///< default HASSELMANN
     double spread_s;                ///< s of COS2S, 0..200; default 10. Raised: longer crests
     double wind_speed;              ///< U10 [m/s] for HASSELMANN's U/cp; 0: taken as U = cp
@@ -65,35 +67,45 @@ typedef struct bolan_sea_state {
                                              ///< until the sea was created
     double depth;      ///< water depth for dispersion and TMA [m], 0.1..BOLAN_DEEP; default BOLAN_DEEP
     double wind_speed; ///< U10 [m/s], 0..70: short waves, foam
-    double wind_from_deg; ///< compass degrees the wind comes FROM
+    double wind_from_deg; ///< compass degrees the wind comes FROM, -360..360
 } bolan_sea_state;
 
-/// A flat calm over deep water.
+/// A flat calm over deep water: no systems, no wind.
 bolan_sea_state bolan_sea_state_default(void);
 /// A wind sea: JONSWAP by wind and fetch, capped at the fully developed Pierson-Moskowitz sea. @p wind_speed U10 [m/s]
-/// 0..70; @p from_deg compass degrees FROM; @p fetch [m] > 0.
+/// 0..70; @p from_deg compass degrees FROM; @p fetch [m] > 0, HUGE_VAL for no limit.
+///
+/// alpha = 0.076 (U^2/(g F))^0.22, wp = 22 (g^2/(U F))^(1/3), gamma 3.3 (Hasselmann et al. 1973), until wp falls to the
+/// Pierson-Moskowitz peak 0.877 g / (1.026 U10); within 10 % of it height and gamma pass linearly into that sea. Hs is
+/// kept to 40 m. No wind, and a peak above 50 rad/s (ripples), give no system. A @p wind_speed outside its range is kept
+/// for bolan_sea_state_validate() to refuse.
 bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, double fetch);
-/// The wind sea of a Beaufort number 0..12 (v = 0.836 B^1.5), fully developed.
+/// The wind sea of a Beaufort number 0..12 (v = 0.836 B^1.5), fully developed. Other numbers are misuse.
 bolan_sea_state bolan_sea_state_from_beaufort(double beaufort, double from_deg);
-/// The sea of a Douglas / WMO 3700 degree 0..9: Hs in the middle of the class, PM shape, wind to match.
+/// The sea of a Douglas / WMO 3700 degree 0..9: Hs in the middle of the class (16 m for 9, which has no upper bound), PM
+/// shape, and the wind that raises it. Other degrees are misuse.
 bolan_sea_state bolan_sea_state_from_douglas(int degree, double from_deg);
-/// Adds a swell of height @p hs [m], peak period @p tp [s], FROM @p from_deg, cos-2s exponent @p spread_s (25..75 usual).
-/// ARGUMENT when the list is full or a value is outside its range.
+/// Adds a swell of height @p hs [m], peak period @p tp [s], FROM @p from_deg, cos-2s exponent @p spread_s (25..75 usual):
+/// JONSWAP with gamma 5 (Goda 2010: 3..10 for swell). ARGUMENT, with a sentence, when the list is full or a value is
+/// outside its range; the sea state is then unchanged.
 bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, double tp, double from_deg, double spread_s);
 /// Checks every field against its range; logs a sentence and returns ARGUMENT at the first that is not.
 bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state);
 
-/// S(w) of one system [m2 s/rad], integrated over direction, in water of @p depth (TMA only).
+/// S(w) of one system [m2 s/rad], integrated over direction, in water of @p depth [m] (TMA only); 0 at @p omega <= 0.
+/// S = (5/16) Hs^2 wp^4 C(gamma) w^-5 exp(-1.25 (wp/w)^4) gamma^r, with C by quadrature, so that 4 sqrt(m0) is Hs exactly.
 double bolan_system_density(const bolan_wave_system *system, double omega, double depth);
-/// D(w, th) [1/rad]: @p theta is the angle from the system's mean direction [rad]. Integrates to 1.
+/// D(w, th) [1/rad]: @p theta is the angle from the system's mean direction [rad]. Integrates to 1, swell factor included.
 double bolan_system_spreading(const bolan_wave_system *system, double omega, double theta);
-/// S(w, th) of the whole sea [m2 s/rad per rad], without the wind's short-wave tail beyond a measured spectrum.
+/// S(w, th) of the whole sea [m2 s/rad per rad]. A measured spectrum is interpolated bilinearly, which conserves its m0,
+/// and is 0 outside its frequencies.
 double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta);
 /// Psi(kx, ky) = S(w, th) (dw/dk) / k [m4]: variance density over wave vectors that point where the waves go. Includes the
-/// w^-5 tail that continues a measured spectrum above its last frequency, so that the synthesised sea has short waves.
+/// w^-5 tail that continues a measured spectrum above its last frequency, so that the synthesised sea has short waves:
+/// level of its last band with energy, directions of its last three such bands. 0 at k = 0.
 double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, double kx, double ky);
 
-/// Integral parameters of a sea state.
+/// Integral parameters of a sea state. A calm has zeros, and the wind's direction.
 typedef struct bolan_sea_summary {
     double m0;         ///< variance [m2] (of the requested spectrum: for a measured one, over its own frequencies)
     double hs;         ///< 4 sqrt(m0) [m]
@@ -105,7 +117,8 @@ typedef struct bolan_sea_summary {
 } bolan_sea_summary;
 bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state);
 
-/// Cox & Munk (1954) clean-surface slope variance for a wind of @p wind_speed [m/s] at 12.5 m; up- and crosswind parts.
+/// Cox & Munk (1954) clean-surface slope variance for a wind of @p wind_speed [m/s] at 12.5 m; up- and crosswind parts:
+/// 3.16e-3 U and 0.003 + 1.92e-3 U (+- 0.004 and 0.002).
 void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cross);
 /// Whitecap cover fraction of Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41, at most 1.
 double bolan_monahan_cover(double wind_speed);
@@ -125,7 +138,18 @@ int bolan_beaufort_from_wind(double wind_speed);   ///< 0..12
 /// then safe to share between threads.
 ///
 /// Text of SWAN ("SWAN 1", 2-D) and of NDBC (history and real-time) is recognised by its content. NDBC's real-time set is
-/// several texts: pass density first; the direction texts are optional, without them the sea is spread by cos-2s.
+/// several texts: pass density first; the direction texts are optional. Their rows are matched by time, their bands by
+/// frequency. Per band, by what is known:
+/// - swdir, swdir2, swr1, swr2: the distribution of maximum entropy with these four moments (Kobune & Hashimoto 1986). It
+///   is never negative and keeps the reported direction and spread, where the plain Fourier sum is negative in every
+///   eighth bin. Moments that fit no distribution (noise): that sum, clipped and renormalised;
+/// - swdir, swr1: cos-2s with s = r1 / (1 - r1);
+/// - swdir: cos-2s with @ref bolan_spectrum_texts::spread_s;
+/// - nothing: the same around the direction of the nearest lower band, or @ref bolan_spectrum_texts::from_deg.
+///
+/// 999 (NDBC) and the exception value (SWAN) count as no energy. Of a SWAN file with several locations the first is read;
+/// directions may be in any order, also a sector of the circle. Limits: 2..1000 frequencies of 1e-5..100 Hz, 3..720
+/// directions. Numbers are read independently of the locale; "nan" and "inf" are refused.
 typedef struct bolan_spectrum_text {
     const char *name;  ///< for messages: the file name
     const char *data;  ///< text, need not end in NUL
@@ -135,14 +159,15 @@ typedef struct bolan_spectrum_text {
 typedef struct bolan_spectrum_texts {
     bolan_spectrum_text density;              ///< SWAN, NDBC history, or NDBC real-time .data_spec
     bolan_spectrum_text swdir, swdir2, swr1, swr2; ///< NDBC directional companions; data NULL where absent
-    double from_deg;  ///< direction FROM [deg] for a spectrum without directions (NDBC history); default 270
-    double spread_s;  ///< its cos-2s exponent; default 10
+    double from_deg;  ///< direction FROM [deg] for a spectrum without directions (NDBC history), -360..360; default 270
+    double spread_s;  ///< its cos-2s exponent, 0..200; default 10
 } bolan_spectrum_texts;
 
 bolan_spectrum_texts bolan_spectrum_texts_default(void);
-/// Parses record number @p record in time (0 = the earliest in the text; NDBC real-time lists are newest first and are
-/// reversed). On failure nothing is returned, and one sentence with name and line is logged: FORMAT, MEMORY, or ARGUMENT
-/// for a record beyond the last.
+/// Parses record number @p record in time. 0 is the earliest; the newest is record_count - 1 (NDBC real-time texts list
+/// it first: they are reversed). The texts are not kept. On failure @p out is NULL and one sentence with name and line is
+/// logged: FORMAT (also for a record without energy), MEMORY, or ARGUMENT for a record beyond the last or a from_deg or
+/// spread_s outside its range.
 bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, uint32_t record, bolan_measured_spectrum **out);
 /// NULL-safe; NULLs the pointer.
 void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectrum);
@@ -152,7 +177,7 @@ void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectrum);
 typedef struct bolan_measured_view {
     uint32_t frequency_count, direction_count, record_count;
     const double *omega, *theta, *density;
-    const char *time; ///< ISO 8601, or "" when the file gives none
+    const char *time; ///< ISO 8601 ("2020-06-08T03:50Z"), or "" when the file gives none
 } bolan_measured_view;
 bolan_measured_view bolan_measured_spectrum_view(const bolan_measured_spectrum *spectrum);
 
