@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file scene.h
 /// Tier 3. A scene as plain data: camera, sun, sky, water, terrain, technique, and the sea. No pointers but the ones the
-/// caller puts in; copy it freely. io.h reads it from YAML; render.h draws it.
+/// caller puts in; copy it freely. io.h reads it from YAML; render.h draws it. Every function here is pure and thread-safe.
 #ifndef BOLAN_SCENE_H
 #define BOLAN_SCENE_H
 
@@ -30,7 +30,7 @@ typedef struct bolan_technique {
     bolan_optics_kind optics;
 } bolan_technique;
 extern const bolan_technique bolan_technique_ocean; ///< the default
-/// All techniques, for lists; @p count receives the number.
+/// All techniques, for lists, the default first; @p count receives the number. Static storage.
 const bolan_technique *bolan_techniques(uint32_t *count);
 /// By name; NULL when there is none of that name.
 const bolan_technique *bolan_technique_find(const char *name);
@@ -44,7 +44,8 @@ typedef enum bolan_jerlov {
     BOLAN_JERLOV_1C, BOLAN_JERLOV_3C, BOLAN_JERLOV_5C, BOLAN_JERLOV_7C, BOLAN_JERLOV_9C,
 } bolan_jerlov;
 
-/// Optical coefficients at red, green, blue = 650, 550, 450 nm.
+/// Optical coefficients at red, green, blue = 650, 550, 450 nm. They fit together: kd = (absorption + backscatter) / 0.9
+/// within 7 %, and absorption is never below that of pure water.
 typedef struct bolan_water_optics {
     bolan_vec3 kd;         ///< diffuse attenuation of downward irradiance [1/m]
     bolan_vec3 absorption; ///< a [1/m]
@@ -53,10 +54,10 @@ typedef struct bolan_water_optics {
     bolan_vec3 deep;       ///< radiance leaving deep water (above it) per unit downward irradiance, Rrs [1/sr]
     float index;           ///< of refraction; 1.34
 } bolan_water_optics;
-/// Jerlov's types by Kd (Austin & Petzold 1986 for I..1C, Jerlov 1976 for 3C..9C), backscatter fitted to them, Rrs by
-/// Gordon et al. 1988.
+/// Jerlov's types by Kd (Austin & Petzold 1986 for I..1C, Jerlov 1976 for 3C..9C), pure water by Pope & Fry 1997 and Morel
+/// 1974, particles after Gordon & Morel 1983, Rrs by Gordon et al. 1988. I is the clearest ocean, 9C a muddy estuary.
 bolan_water_optics bolan_water_optics_from_jerlov(bolan_jerlov type);
-/// "I".."9C"; -1 when unknown. And back.
+/// "I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C", in any case; -1 when unknown. And back; static storage.
 int bolan_jerlov_from_name(const char *name);
 const char *bolan_jerlov_name(bolan_jerlov type);
 
@@ -67,21 +68,26 @@ float bolan_fresnel(float cos_incident, float eta);
 // ---- the scene ------------------------------------------------------------------------------------------------------
 
 typedef struct bolan_camera {
-    bolan_dvec3 position;  ///< world [m], z above mean sea level
-    double heading_deg;    ///< compass [deg]
-    double pitch_deg;      ///< up [deg], -90..90
-    double roll_deg;       ///< clockwise [deg]
+    bolan_dvec3 position;  ///< world [m], z above mean sea level; x, y +-1e7, z -1000..1e6; default (0, 0, 3)
+    double heading_deg;    ///< compass [deg], -360..360; default 0: north
+    double pitch_deg;      ///< up [deg], -90..90; default 0
+    double roll_deg;       ///< clockwise [deg], -180..180; default 0
     double fov_deg;        ///< vertical field of view [deg], 1..150; default 50
 } bolan_camera;
 
 typedef struct bolan_sky {
-    double sun_azimuth_deg;   ///< compass [deg]
-    double sun_elevation_deg; ///< -18..90
+    double sun_azimuth_deg;   ///< compass [deg], -360..360; default 220
+    double sun_elevation_deg; ///< [deg], -90..90; default 35. Below -18 it is night
     double visibility;        ///< meteorological range at sea level [m], 500..300000: haze; default 40000
-    double cloud_cover;       ///< 0..1; default 0.3
-    double cloud_base;        ///< [m], default 1200
-    uint64_t cloud_seed;      ///< default 1
+    double cloud_cover;       ///< share of the sky with clouds, 0..1; default 0.3
+    double cloud_base;        ///< [m], 100..12000; default 1200
+    uint64_t cloud_seed;      ///< which clouds; default 1
 } bolan_sky;
+
+/// Where the sun stands at @p unix_time [s since 1970-01-01 UTC] seen from @p latitude, @p longitude [deg, north and east
+/// positive]: compass azimuth and elevation [deg] without refraction, within 0.02 deg for the years 1950 to 2050.
+/// Source: the Astronomical Almanac's low-precision sun (Michalsky, Solar Energy 40, 1988).
+void bolan_sun_position(double unix_time, double latitude, double longitude, double *azimuth, double *elevation);
 
 typedef struct bolan_water {
     bolan_jerlov type;   ///< default IB
@@ -95,28 +101,35 @@ typedef struct bolan_terrain_source {
     bolan_terrain_kind kind;         ///< default NONE: open sea
     bolan_island_desc island;        ///< for ISLAND
     char path[BOLAN_PATH_MAX];       ///< for RASTER: any file GDAL reads
-    double latitude, longitude;      ///< for RASTER: where the scene origin lies [deg]; NAN: the raster's centre
-    double radius;                   ///< for RASTER: half side of the square that is read [m]; default 150000
-    double vertical_scale;           ///< metres per raster unit; default 1
+    double latitude, longitude;      ///< for RASTER: where the scene origin lies [deg]; NAN (default): the raster's centre
+    double radius;                   ///< for RASTER: half side of the square that is read [m], 100..5e6; default 150000
+    double vertical_scale;           ///< metres per raster unit, 1e-3..1e3; default 1
 } bolan_terrain_source;
 
 typedef struct bolan_scene {
-    char name[BOLAN_NAME_MAX];
-    char description[256];
-    bolan_technique technique;
+    char name[BOLAN_NAME_MAX];             ///< of a built-in scene, or the file it was read from
+    char description[256];                 ///< one sentence, "" for none
+    bolan_technique technique;             ///< default bolan_technique_ocean
     bolan_sea_desc sea;                    ///< sea.sea_state.measured stays NULL here
+    double fetch;                          ///< of the wind sea [m], 100..1e7; default 200000. See bolan_scene_set_wind()
+    bolan_spectrum_kind wind_spectrum;     ///< shape of the wind sea; default JONSWAP. See bolan_scene_set_wind()
     char spectrum_path[BOLAN_PATH_MAX];    ///< "" or a measured spectrum file
-    uint32_t spectrum_record;
+    uint32_t spectrum_record;              ///< which record in time, from 0, the earliest; default 0
     bolan_camera camera;
     bolan_sky sky;
     bolan_water water;
     bolan_terrain_source terrain;
-    double time;                           ///< [s]
-    double exposure;                       ///< in stops over the automatic exposure; default 0
+    double time;                           ///< [s], +-1e9; default 0
+    double exposure;                       ///< in stops over the automatic exposure, -10..10; default 0
 } bolan_scene;
 
 /// A scene with every default: open sea, wind 8 m/s, camera 3 m up, sun 35 degrees high.
 bolan_scene bolan_scene_default(void);
+/// Gives the scene another wind of @p wind_speed [m/s] FROM @p from_deg [deg]: the wind sea is built anew from it, from
+/// scene->fetch and scene->wind_spectrum (Pierson-Moskowitz: fully developed, whatever the fetch; TMA: at the sea's depth);
+/// swells stay. With a spectrum file the waves are the file's, and the wind only roughens them. The wind sea is told from
+/// swells by its system's wind_speed, which is above 0. Values are checked by bolan_scene_validate().
+void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg);
 /// Checks every field against its range; logs a sentence naming the field and returns ARGUMENT at the first that is not.
 bolan_result bolan_scene_validate(const bolan_scene *scene);
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Every field of a scene against its range.
+#include "bolan/scene.h"
+
+#include <string.h>
+
+static bolan_result check(const char *field, double value, double low, double high, const char *unit) {
+    if (value >= low && value <= high) return BOLAN_OK;
+    const bool finite = isfinite(value);
+    bolan_log(BOLAN_LOG_ERROR, finite ? BOLAN_LOG_OUT_OF_RANGE : BOLAN_LOG_NOT_FINITE,
+              "scene: %s is %g; expected %g to %g%s%s", field, value, low, high, *unit ? " " : "", unit);
+    return BOLAN_ERROR_ARGUMENT;
+}
+
+// Longer than its buffer: not a string.
+static bolan_result check_text(const char *field, const char *text, size_t capacity) {
+    if (memchr(text, '\0', capacity)) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT, "scene: %s is not ended; expected fewer than %u characters",
+              field, (unsigned)capacity);
+    return BOLAN_ERROR_ARGUMENT;
+}
+
+static bolan_result check_resolution(uint32_t n) {
+    if (n >= 32 && n <= 1024 && (n & (n - 1)) == 0) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
+              "scene: sea.resolution is %u; expected a power of two, 32 to 1024", (unsigned)n);
+    return BOLAN_ERROR_ARGUMENT;
+}
+
+static bolan_result check_sea(const bolan_scene *s) {
+    const bolan_sea_desc *d = &s->sea;
+    const bool ok =
+        !bolan_sea_state_validate(&d->sea_state) && !check_resolution(d->resolution) &&
+        !check("sea.cascade_count", d->cascade_count, 1, BOLAN_MAX_CASCADES, "") &&
+        !(d->length != 0.0 && check("sea.length", d->length, 10, 1e5, "m")) &&
+        !check("sea.choppiness", d->choppiness, 0, 2, "") &&
+        !(d->loop_period != 0.0 && check("sea.loop_period", d->loop_period, 10, 1e6, "s")) &&
+        !check("sea.cpu", (double)d->cpu, 0, BOLAN_CPU_AVX512, "(a bolan_cpu)") &&
+        !check("sea.foam_decay", d->foam_decay, 0.1, 60, "s") && !check("fetch", s->fetch, 100, 1e7, "m") &&
+        !check("wind_spectrum", (double)s->wind_spectrum, 0, BOLAN_SPECTRUM_TMA, "(a bolan_spectrum_kind)") &&
+        !check_text("spectrum_path", s->spectrum_path, sizeof s->spectrum_path);
+    return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
+}
+
+static bolan_result check_camera(const bolan_camera *c) {
+    const bool ok = !check("camera.position.x", c->position.x, -1e7, 1e7, "m") &&
+                    !check("camera.position.y", c->position.y, -1e7, 1e7, "m") &&
+                    !check("camera.position.z", c->position.z, -1000, 1e6, "m") &&
+                    !check("camera.heading_deg", c->heading_deg, -360, 360, "degrees") &&
+                    !check("camera.pitch_deg", c->pitch_deg, -90, 90, "degrees") &&
+                    !check("camera.roll_deg", c->roll_deg, -180, 180, "degrees") &&
+                    !check("camera.fov_deg", c->fov_deg, 1, 150, "degrees");
+    return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
+}
+
+static bolan_result check_sky_and_water(const bolan_sky *k, const bolan_water *w) {
+    const bool ok = !check("sky.sun_azimuth_deg", k->sun_azimuth_deg, -360, 360, "degrees") &&
+                    !check("sky.sun_elevation_deg", k->sun_elevation_deg, -90, 90, "degrees") &&
+                    !check("sky.visibility", k->visibility, 500, 300e3, "m") &&
+                    !check("sky.cloud_cover", k->cloud_cover, 0, 1, "") &&
+                    !check("sky.cloud_base", k->cloud_base, 100, 12000, "m") &&
+                    !check("water.type", (double)w->type, 0, BOLAN_JERLOV_9C, "(a bolan_jerlov)") &&
+                    !check("water.level", w->level, -20, 20, "m") && !check("water.foam", w->foam, 0, 2, "");
+    return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
+}
+
+static bolan_result check_island(const bolan_island_desc *d) {
+    const bool ok = !check("terrain.island.radius", d->radius, 200, 20000, "m") &&
+                    !check("terrain.island.peak", d->peak, 10, 3000, "m") &&
+                    !check("terrain.island.sea_floor", d->sea_floor, -11000, -20, "m") &&
+                    !check("terrain.island.lagoon_from_deg", d->lagoon_from_deg, -360, 360, "degrees");
+    return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
+}
+
+static bolan_result check_raster(const bolan_terrain_source *t) {
+    const bool ok = !check_text("terrain.path", t->path, sizeof t->path) &&
+                    !(!isnan(t->latitude) && check("terrain.latitude", t->latitude, -90, 90, "degrees")) &&
+                    !(!isnan(t->longitude) && check("terrain.longitude", t->longitude, -360, 360, "degrees")) &&
+                    !check("terrain.radius", t->radius, 100, 5e6, "m") &&
+                    !check("terrain.vertical_scale", t->vertical_scale, 1e-3, 1e3, "");
+    return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
+}
+
+static bolan_result check_terrain(const bolan_terrain_source *t) {
+    if (check("terrain.kind", (double)t->kind, 0, BOLAN_TERRAIN_RASTER, "(a bolan_terrain_kind)"))
+        return BOLAN_ERROR_ARGUMENT;
+    if (t->kind == BOLAN_TERRAIN_ISLAND) return check_island(&t->island);
+    return t->kind == BOLAN_TERRAIN_RASTER ? check_raster(t) : BOLAN_OK;
+}
+
+bolan_result bolan_scene_validate(const bolan_scene *s) {
+    BOLAN_ASSERT(s);
+    const bool ok = !check_text("name", s->name, sizeof s->name) &&
+                    !check_text("description", s->description, sizeof s->description) && !check_sea(s) &&
+                    !check_camera(&s->camera) && !check_sky_and_water(&s->sky, &s->water) &&
+                    !check_terrain(&s->terrain) && !check("time", s->time, -1e9, 1e9, "s") &&
+                    !check("exposure", s->exposure, -10, 10, "stops");
+    return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
+}

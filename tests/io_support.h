@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+/// @file io_support.h
+/// What the tests of scenes and files share: closeness in double, a log that remembers its last sentence, and files.
+#ifndef BOLAN_TESTS_IO_SUPPORT_H
+#define BOLAN_TESTS_IO_SUPPORT_H
+
+#include "bolan/base.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#ifndef BOLAN_SHARED_DATA
+#define BOLAN_SHARED_DATA ""
+#endif
+
+/// |actual - expected| <= tolerance, shown when not. (cmocka's own compares floats.)
+#define assert_near(actual, expected, tolerance) \
+    assert_near_at((actual), (expected), (tolerance), #actual, __FILE__, __LINE__)
+static inline void assert_near_at(double actual, double expected, double tolerance, const char *what, const char *file,
+                                  int line) {
+    if (fabs(actual - expected) <= tolerance) return;
+    print_error("%s is %.10g, expected %.10g +- %g\n", what, actual, expected, tolerance);
+    _assert_true(0, what, file, line);
+}
+
+static bolan_log_id last_id;
+static char last_sentence[1024];
+static unsigned error_count; ///< sentences of level ERROR since the last assert_refusal()
+
+static inline void remember(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
+    (void)user;
+    if (level != BOLAN_LOG_ERROR) return;
+    last_id = id;
+    error_count++;
+    snprintf(last_sentence, sizeof last_sentence, "%s", sentence);
+}
+
+/// Group fixture: messages go to last_id and last_sentence.
+static inline int listen_to_log(void **state) {
+    (void)state;
+    bolan_hooks hooks = {0};
+    hooks.log = remember;
+    bolan_set_hooks(&hooks);
+    return 0;
+}
+
+/// The call failed as it should: this result, one sentence with this id and these words, on one line.
+#define assert_refusal(actual, result, id, words)                             \
+    do {                                                                      \
+        error_count = 0;                                                      \
+        last_sentence[0] = '\0';                                              \
+        const bolan_result refusal_result = (actual);                         \
+        check_refusal(refusal_result, result, id, words, __FILE__, __LINE__); \
+    } while (0)
+static inline void check_refusal(bolan_result actual, bolan_result expected, bolan_log_id id, const char *words,
+                                 const char *file, int line) {
+    const bool good = actual == expected && error_count == 1 && last_id == id && strstr(last_sentence, words) &&
+                      !strchr(last_sentence, '\n');
+    if (!good)
+        print_error("result %d (%u errors), id %d, \"%s\"; expected result %d, id %d, \"%s\"\n", (int)actual,
+                    error_count, (int)last_id, last_sentence, (int)expected, (int)id, words);
+    _assert_true(good, words, file, line);
+}
+
+/// A path below the folder of shared data; skips the test where it is not there.
+static inline const char *shared_file(const char *name) {
+    static char path[1024];
+    const char *folder = getenv("BOLAN_SHARED_DATA");
+    snprintf(path, sizeof path, "%s/%s", folder ? folder : BOLAN_SHARED_DATA, name);
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        print_message("skipped: %s is not there\n", path);
+        skip();
+    }
+    fclose(file);
+    return path;
+}
+
+static inline bool file_exists(const char *path) {
+    FILE *file = fopen(path, "rb");
+    if (file) fclose(file);
+    return file != NULL;
+}
+
+static inline void write_text(const char *path, const char *text) {
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    fwrite(text, 1, strlen(text), file);
+    fclose(file);
+}
+
+#endif
