@@ -72,6 +72,9 @@ void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, ui
 typedef struct bolan_target bolan_target;
 bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out);
 uint32_t bolan_target_framebuffer(const bolan_target *target);
+/// Copies the picture into the whole of @p framebuffer (GL name; 0 is the window), which is @p width x @p height pixels,
+/// scaled with bilinear filtering where the sizes differ. Leaves the framebuffer bindings and the scissor as they were.
+void bolan_target_show(const bolan_target *target, uint32_t framebuffer, uint32_t width, uint32_t height);
 void bolan_target_destroy(bolan_target **target);
 
 #define BOLAN_MAX_PASSES 16

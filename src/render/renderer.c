@@ -202,6 +202,11 @@ bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target *
 
 uint32_t bolan_target_framebuffer(const bolan_target *target) { return target->target.id; }
 
+void bolan_target_show(const bolan_target *target, uint32_t framebuffer, uint32_t width, uint32_t height) {
+    BOLAN_ASSERT(target != NULL && width > 0 && height > 0);
+    gl_target_show(&target->target, framebuffer, width, height);
+}
+
 void bolan_target_destroy(bolan_target **target) {
     if (target == NULL || *target == NULL) return;
     gl_target_free(&(*target)->target);

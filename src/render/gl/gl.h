@@ -53,6 +53,7 @@ void gl_target_clear_color(float r, float g, float b, float a);
 void gl_target_clear_depth(float depth);
 void gl_target_copy_color(const gl_target *from, const gl_target *to);
 void gl_target_copy_depth(const gl_target *from, const gl_target *to); // same size and format
+void gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width, uint32_t height); // the caller's, scaled; keeps bindings
 void gl_target_read_float(const gl_target *t, uint32_t attachment, float *rgba); // bottom row first
 void gl_target_read_depth(const gl_target *t, const gl_texture *depth, float *out); // bottom row first; works on ES too
 void gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb); // top row first

@@ -77,6 +77,21 @@ static void blit(const gl_target *from, const gl_target *to, GLbitfield what) {
 void gl_target_copy_color(const gl_target *from, const gl_target *to) { blit(from, to, GL_COLOR_BUFFER_BIT); }
 void gl_target_copy_depth(const gl_target *from, const gl_target *to) { blit(from, to, GL_DEPTH_BUFFER_BIT); }
 
+void gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width, uint32_t height) {
+    GLint draw = 0, read = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+    const GLboolean scissor = glIsEnabled(GL_SCISSOR_TEST); // it would cut the copy
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from->id);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glBlitFramebuffer(0, 0, (GLint)from->width, (GLint)from->height, 0, 0, (GLint)width, (GLint)height,
+                      GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, (GLuint)read);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)draw);
+    if (scissor) glEnable(GL_SCISSOR_TEST);
+}
+
 void gl_target_read_float(const gl_target *t, uint32_t attachment, float *rgba) {
     GLint read = 0;
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);

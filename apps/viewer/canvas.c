@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// The renderer and its pictures.
+#include "canvas.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#define PICTURE_SAMPLES 4 // a picture that is kept may take longer than one that passes
+
+bolan_result canvas_open(canvas *c, bolan_quality quality, const char *shader_directory) {
+    *c = (canvas){.desc = bolan_renderer_desc_default()};
+    c->desc.quality = quality;
+    c->desc.shader_directory = shader_directory;
+    return bolan_renderer_create(&c->desc, &c->renderer);
+}
+
+void canvas_close(canvas *c) {
+    bolan_target_destroy(&c->target);
+    bolan_renderer_destroy(&c->renderer);
+}
+
+bolan_result canvas_set_quality(canvas *c, bolan_quality quality) {
+    bolan_renderer_desc desc = c->desc;
+    desc.quality = quality;
+    bolan_renderer *fresh = NULL;
+    bolan_result result = bolan_renderer_create(&desc, &fresh);
+    if (result != BOLAN_OK) return result;
+    bolan_renderer_destroy(&c->renderer);
+    c->renderer = fresh;
+    c->desc = desc;
+    return BOLAN_OK;
+}
+
+static bool need_target(canvas *c, uint32_t width, uint32_t height) {
+    if (c->target != NULL && c->target_width == width && c->target_height == height) return true;
+    bolan_target_destroy(&c->target);
+    c->target_width = width;
+    c->target_height = height;
+    return bolan_target_create(width, height, &c->target) == BOLAN_OK;
+}
+
+static void draw(canvas *c, const world *w, uint32_t framebuffer, uint32_t width, uint32_t height, uint32_t samples) {
+    bolan_frame_desc frame = bolan_frame_desc_default();
+    frame.scene = &w->scene;
+    frame.sea = w->sea;
+    frame.terrain = w->assets.terrain;
+    frame.framebuffer = framebuffer;
+    frame.width = width;
+    frame.height = height;
+    frame.samples = samples;
+    bolan_renderer_draw(c->renderer, &frame);
+}
+
+static uint32_t scaled(uint32_t pixels, double scale) { return (uint32_t)fmax(round(pixels * scale), 1.0); }
+
+void canvas_draw(canvas *c, const world *w, uint32_t width, uint32_t height, double scale) {
+    c->width = scaled(width, scale);
+    c->height = scaled(height, scale);
+    if ((c->width == width && c->height == height) || !need_target(c, c->width, c->height)) {
+        draw(c, w, 0, width, height, 1);
+        return;
+    }
+    draw(c, w, bolan_target_framebuffer(c->target), c->width, c->height, 1);
+    bolan_target_show(c->target, 0, width, height);
+}
+
+static bolan_result save(canvas *c, uint32_t framebuffer, uint32_t width, uint32_t height, const char *path) {
+    size_t size = (size_t)width * height * 3;
+    uint8_t *rgb = bolan_allocate(size);
+    if (rgb == NULL) return BOLAN_ERROR_MEMORY;
+    bolan_renderer_read_rgb8(c->renderer, framebuffer, width, height, rgb);
+    bolan_result result = bolan_png_write(path, width, height, rgb);
+    bolan_release(rgb, size);
+    return result;
+}
+
+bolan_result canvas_save_window(canvas *c, uint32_t width, uint32_t height, const char *path) {
+    return save(c, 0, width, height, path);
+}
+
+bolan_result canvas_save_picture(canvas *c, const world *w, uint32_t width, uint32_t height, const char *path) {
+    bolan_target *target = NULL;
+    bolan_result result = bolan_target_create(width, height, &target);
+    if (result != BOLAN_OK) return result;
+    draw(c, w, bolan_target_framebuffer(target), width, height, PICTURE_SAMPLES);
+    result = save(c, bolan_target_framebuffer(target), width, height, path);
+    bolan_target_destroy(&target);
+    return result;
+}
+
+void canvas_free_name(char *name, size_t size) {
+    for (unsigned i = 1; i <= 9999; ++i) {
+        snprintf(name, size, "bolan-%04u.png", i);
+        if (access(name, F_OK) != 0) return;
+    }
+}

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+// The viewer's loop: events, movement, sea, picture, panel, and what was asked for.
+#include "viewer.h"
+
+#include "canvas.h"
+#include "input.h"
+#include "messages.h"
+#include "pace.h"
+#include "panel.h"
+#include "reload.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+#define TEST_TICK (1.0 / 30.0) // [s] time of a frame when their number is given
+#define LONGEST_TICK 0.1       // [s] after a stall the sea goes on from where it was
+#define NOTICE_TIME 4.0        // [s]
+
+typedef struct viewer {
+    const viewer_options *options;
+    window window;
+    input input;
+    world world;
+    sea_knobs knobs;
+    canvas canvas;
+    pace pace;
+    reload_watch watch;
+    bolan_quality quality;
+    double time, time_scale, render_scale;
+    bool paused, panel_visible, running;
+    uint32_t width, height, frame;
+    double last_frame, notice_until;
+    char notice[128], device[192];
+    const char *pending_scene; // loaded after the notice has been on screen
+    int status;
+} viewer;
+
+viewer_options viewer_options_default(void) {
+    return (viewer_options){.width = 1280, .height = 720, .quality = BOLAN_QUALITY_MEDIUM};
+}
+
+// ---- doing what was asked for ---------------------------------------------------------------------------------------
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+static void notice(viewer *v, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(v->notice, sizeof v->notice, format, arguments);
+    va_end(arguments);
+    v->notice_until = seconds_now() + NOTICE_TIME;
+}
+
+static void take_screenshot(viewer *v) {
+    char name[32];
+    canvas_free_name(name, sizeof name);
+    if (canvas_save_picture(&v->canvas, &v->world, v->width, v->height, name) != BOLAN_OK) {
+        notice(v, "the screenshot failed");
+        return;
+    }
+    printf("%s\n", name);
+    fflush(stdout);
+    notice(v, "saved %s", name);
+}
+
+static void reload_shaders(viewer *v) {
+    if (v->options->shader_directory == NULL) {
+        notice(v, "shaders are built in: a debug build reads them from disk");
+        return;
+    }
+    messages_clear();
+    bool ok = bolan_renderer_reload(v->canvas.renderer) == BOLAN_OK;
+    notice(v, ok ? "shaders reloaded" : "shaders not reloaded: see the messages");
+}
+
+static void rebuild_sea(viewer *v, unsigned changed) {
+    bolan_sea_desc old = v->world.scene.sea;
+    sea_knobs_write(&v->knobs, changed, &v->world.scene.sea);
+    if (world_rebuild_sea(&v->world) == BOLAN_OK) return;
+    v->world.scene.sea = old;
+    v->knobs = sea_knobs_read(&old, v->world.scene.spectrum_path[0] != '\0');
+}
+
+static void set_title(viewer *v) {
+    char title[BOLAN_NAME_MAX + 16];
+    snprintf(title, sizeof title, "%s - Bolan", v->world.scene.name);
+    SDL_SetWindowTitle(v->window.handle, title);
+}
+
+static void show_world(viewer *v) {
+    v->time = v->world.scene.time;
+    v->knobs = sea_knobs_read(&v->world.scene.sea, v->world.scene.spectrum_path[0] != '\0');
+    set_title(v);
+}
+
+static void load_scene(viewer *v, const char *name) {
+    bolan_scene scene;
+    world fresh;
+    if (bolan_scene_load(name, &scene) != BOLAN_OK || world_open(&fresh, &scene) != BOLAN_OK) {
+        notice(v, "%s was not loaded: see the messages", name);
+        return;
+    }
+    world_close(&v->world);
+    v->world = fresh;
+    show_world(v);
+    notice(v, "%s", fresh.scene.description);
+}
+
+static void set_quality(viewer *v) {
+    if (canvas_set_quality(&v->canvas, v->quality) != BOLAN_OK) v->quality = v->canvas.desc.quality;
+}
+
+static void obey_panel(viewer *v, const panel_wishes *wishes) {
+    bolan_renderer_measure_passes(v->canvas.renderer, wishes->measuring);
+    if (wishes->sea != 0) rebuild_sea(v, wishes->sea);
+    if (wishes->quality) set_quality(v);
+    if (wishes->screenshot) take_screenshot(v);
+    if (wishes->reload) reload_shaders(v);
+    if (wishes->home) v->world.scene.camera = v->world.home;
+    if (wishes->scene != NULL) {
+        v->pending_scene = wishes->scene;
+        notice(v, "loading %s ...", wishes->scene);
+    }
+}
+
+static void obey_commands(viewer *v, unsigned commands) {
+    if (commands & COMMAND_QUIT) v->running = false;
+    if (commands & COMMAND_PAUSE) v->paused = !v->paused;
+    if (commands & COMMAND_SLOWER) v->time_scale = fmax(v->time_scale * 0.5, 0.0625);
+    if (commands & COMMAND_FASTER) v->time_scale = fmin(v->time_scale * 2.0, 16.0);
+    if (commands & (COMMAND_SLOWER | COMMAND_FASTER)) notice(v, "time x %g", v->time_scale);
+    if (commands & COMMAND_PANEL) v->panel_visible = !v->panel_visible;
+    if (commands & COMMAND_FULLSCREEN) window_toggle_fullscreen(&v->window);
+    if (commands & COMMAND_SCREENSHOT) take_screenshot(v);
+    if (commands & COMMAND_RELOAD) reload_shaders(v);
+    if (commands & COMMAND_HOME) v->world.scene.camera = v->world.home;
+}
+
+// ---- one frame ------------------------------------------------------------------------------------------------------
+
+static void take_events(viewer *v, double seconds, panel_facts *facts) {
+    SDL_Event event;
+    unsigned commands = 0;
+    int units = 0;
+    input_taken taken;
+    bolan_camera *camera = &v->world.scene.camera;
+    SDL_GetWindowSize(v->window.handle, NULL, &units);
+    panel_taken(&taken.mouse, &taken.keyboard);
+    while (SDL_PollEvent(&event)) {
+        panel_event(&event);
+        commands |= input_event(&v->input, &v->window, &event, taken, camera->fov_deg / fmax(units, 1.0));
+    }
+    obey_commands(v, commands);
+    double surface = world_surface(&v->world, camera->position.x, camera->position.y, &facts->over_land);
+    double speed = fly_speed(camera->position.z - surface);
+    fly_input movement = input_movement(&v->input, taken, seconds);
+    fly_step(camera, &movement, speed, -INFINITY, seconds);
+    fly_keep_above(camera, world_floor(&v->world, camera->position.x, camera->position.y));
+    facts->camera_height = camera->position.z - surface;
+    facts->camera_speed = speed * movement.faster;
+    facts->gamepad = v->input.gamepad != NULL;
+}
+
+static void advance(viewer *v, double seconds) {
+    if (v->paused) {
+        v->world.synthesis_ms = 0.0;
+        return;
+    }
+    v->time += seconds * v->time_scale;
+    world_step(&v->world, v->time);
+}
+
+static void draw_panel(viewer *v, panel_facts *facts) {
+    panel_edits edits = {.scene = &v->world.scene,
+                         .knobs = &v->knobs,
+                         .quality = &v->quality,
+                         .time_scale = &v->time_scale,
+                         .paused = &v->paused,
+                         .render_scale = &v->render_scale,
+                         .speed = &v->input.speed,
+                         .visible = &v->panel_visible};
+    facts->window_width = v->width;
+    facts->window_height = v->height;
+    facts->picture_width = v->canvas.width;
+    facts->picture_height = v->canvas.height;
+    facts->frame_ms = v->pace.frame_ms;
+    facts->synthesis_ms = v->world.synthesis_ms;
+    facts->statistics = bolan_renderer_statistics(v->canvas.renderer);
+    facts->sea = v->world.statistics;
+    facts->time = v->time;
+    facts->device = v->device;
+    facts->shader_directory = v->options->shader_directory;
+    facts->notice = seconds_now() < v->notice_until ? v->notice : NULL;
+    panel_wishes wishes = panel_draw(&edits, facts);
+    obey_panel(v, &wishes);
+}
+
+static void load_pending(viewer *v, const char *loading) {
+    if (loading == NULL) return;
+    v->pending_scene = NULL;
+    load_scene(v, loading);
+}
+
+static void finish_test(viewer *v) {
+    if (v->options->frames == 0 || v->frame < v->options->frames) return;
+    v->running = false;
+    const char *path = v->options->screenshot;
+    if (path != NULL && canvas_save_window(&v->canvas, v->width, v->height, path) != BOLAN_OK) v->status = 1;
+}
+
+static void one_frame(viewer *v) {
+    double now = seconds_now(), elapsed = now - v->last_frame;
+    v->last_frame = now;
+    double seconds = v->options->frames > 0 ? TEST_TICK : fmin(elapsed, LONGEST_TICK);
+    const char *loading = v->pending_scene;
+    panel_facts facts = {0};
+    take_events(v, seconds, &facts);
+    if (reload_due(&v->watch, now)) reload_shaders(v);
+    window_pixels(&v->window, &v->width, &v->height);
+    if (v->width == 0 || v->height == 0) { // minimised: time goes on, nothing is drawn
+        SDL_Delay(50);
+        return;
+    }
+    bool automatic = v->render_scale == 0.0 && v->options->frames == 0;
+    if (v->frame > 0) pace_frame(&v->pace, elapsed * 1e3, automatic);
+    advance(v, seconds);
+    canvas_draw(&v->canvas, &v->world, v->width, v->height, v->render_scale > 0.0 ? v->render_scale : v->pace.scale);
+    draw_panel(v, &facts);
+    v->frame++;
+    finish_test(v);
+    window_present(&v->window);
+    load_pending(v, loading);
+}
+
+// ---- from start to end ----------------------------------------------------------------------------------------------
+
+static bool start(viewer *v, const bolan_scene *scene) {
+    const viewer_options *o = v->options;
+    if (!window_open(&v->window, "Bolan", o->width, o->height)) return false;
+    if (canvas_open(&v->canvas, o->quality, o->shader_directory) != BOLAN_OK) return false;
+    if (world_open(&v->world, scene) != BOLAN_OK || !panel_open(&v->window)) return false;
+    input_open(&v->input);
+    bolan_gl_info info = bolan_gl_get_info();
+    snprintf(v->device, sizeof v->device, "%s, OpenGL %s", info.renderer, info.version);
+    v->quality = o->quality;
+    v->time_scale = 1.0;
+    v->render_scale = o->render_scale;
+    v->panel_visible = v->running = true;
+    pace_start(&v->pace);
+    v->last_frame = seconds_now();
+    reload_start(&v->watch, o->shader_directory, v->last_frame);
+    window_pixels(&v->window, &v->width, &v->height);
+    show_world(v);
+    return true;
+}
+
+static void stop(viewer *v) {
+    if (v->window.handle == NULL) return;
+    input_close(&v->input);
+    panel_close();
+    canvas_close(&v->canvas);
+    world_close(&v->world);
+    window_close(&v->window);
+}
+
+int viewer_run(const bolan_scene *scene, const viewer_options *options) {
+    viewer v = {.options = options};
+    messages_start();
+    if (start(&v, scene)) {
+        while (v.running) one_frame(&v);
+    } else {
+        v.status = 1;
+    }
+    stop(&v);
+    messages_stop();
+    return v.status;
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The window of `bolan view`: shows a scene, lets a person fly through it and change the sea.
+#ifndef VIEWER_H
+#define VIEWER_H
+
+#include "bolan/scene.h"
+
+typedef struct viewer_options {
+    uint32_t width, height;       // of the window [screen units]; default 1280 x 720
+    bolan_quality quality;        // default medium
+    const char *shader_directory; // NULL: the built-in shaders; else read from there, and again when a file changes
+    const char *screenshot;       // NULL, or the PNG that receives the last frame
+    uint32_t frames;              // quit after so many, time running at 30 frames a second; 0: when the user does
+    double render_scale;          // internal resolution, 0.25..1 of the window's; 0: chosen to stay interactive
+} viewer_options;
+
+viewer_options viewer_options_default(void);
+
+// Shows the scene until the user quits. Returns the exit status: 0, or 1 after one sentence on stderr.
+int viewer_run(const bolan_scene *scene, const viewer_options *options);
+
+#endif
