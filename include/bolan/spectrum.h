@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// @file spectrum.h
-/// Tier 1. Sea states as directional wave spectra: model spectra (Pierson-Moskowitz, JONSWAP, TMA), directional spreading,
-/// measured spectra (SWAN, NDBC), dispersion, and sea-state tables. Pure functions; every one is thread-safe. Densities use
-/// no libm function that differs between machines, so a sea state gives the same bits everywhere.
+/// Tier 1. Sea states as directional wave spectra: model spectra (Pierson-Moskowitz, JONSWAP, TMA), directional
+/// spreading, measured spectra (SWAN, NDBC), dispersion, and sea-state tables. Pure functions; every one is
+/// thread-safe. Densities use no libm function that differs between machines, so a sea state gives the same bits
+/// everywhere.
 ///
-/// Convention: S(w, th) is the one-sided directional variance density [m2 s/rad per rad]; w = angular frequency [rad/s];
-/// th = mathematical angle where the waves GO [rad]. The integral over w and th is m0 [m2]; Hs = 4 sqrt(m0).
+/// Convention: S(w, th) is the one-sided directional variance density [m2 s/rad per rad]; w = angular frequency
+/// [rad/s]; th = mathematical angle where the waves GO [rad]. The integral over w and th is m0 [m2]; Hs = 4 sqrt(m0).
 #ifndef BOLAN_SPECTRUM_H
 #define BOLAN_SPECTRUM_H
 
@@ -75,34 +76,37 @@ bolan_sea_state bolan_sea_state_default(void);
 /// A wind sea: JONSWAP by wind and fetch, capped at the fully developed Pierson-Moskowitz sea. @p wind_speed U10 [m/s]
 /// 0..70; @p from_deg compass degrees FROM; @p fetch [m] > 0, HUGE_VAL for no limit.
 ///
-/// alpha = 0.076 (U^2/(g F))^0.22, wp = 22 (g^2/(U F))^(1/3), gamma 3.3 (Hasselmann et al. 1973), until wp falls to the
-/// Pierson-Moskowitz peak 0.877 g / (1.026 U10); within 10 % of it height and gamma pass linearly into that sea. Hs is
-/// kept to 40 m. No wind, and a peak above 50 rad/s (ripples), give no system. A @p wind_speed outside its range is kept
-/// for bolan_sea_state_validate() to refuse.
+/// alpha = 0.076 (U^2/(g F))^0.22, wp = 22 (g^2/(U F))^(1/3), gamma 3.3 (Hasselmann et al. 1973), until wp falls to
+/// the Pierson-Moskowitz peak 0.877 g / (1.026 U10); within 10 % of it height and gamma pass linearly into that sea.
+/// Hs is kept to 40 m. No wind, no fetch, or a peak above 50 rad/s (ripples) give no system. A @p wind_speed outside
+/// its range is kept for bolan_sea_state_validate() to refuse.
 bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, double fetch);
 /// The wind sea of a Beaufort number 0..12 (v = 0.836 B^1.5), fully developed. Other numbers are misuse.
 bolan_sea_state bolan_sea_state_from_beaufort(double beaufort, double from_deg);
-/// The sea of a Douglas / WMO 3700 degree 0..9: Hs in the middle of the class (16 m for 9, which has no upper bound), PM
-/// shape, and the wind that raises it. Other degrees are misuse.
+/// The sea of a Douglas / WMO 3700 degree 0..9: Hs in the middle of the class (16 m for 9, which has no upper bound),
+/// PM shape, and the wind that raises it. Other degrees are misuse.
 bolan_sea_state bolan_sea_state_from_douglas(int degree, double from_deg);
-/// Adds a swell of height @p hs [m], peak period @p tp [s], FROM @p from_deg, cos-2s exponent @p spread_s (25..75 usual):
-/// JONSWAP with gamma 5 (Goda 2010: 3..10 for swell). ARGUMENT, with a sentence, when the list is full or a value is
-/// outside its range; the sea state is then unchanged.
-bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, double tp, double from_deg, double spread_s);
+/// Adds a swell of height @p hs [m], peak period @p tp [s], FROM @p from_deg, cos-2s exponent @p spread_s (25..75
+/// usual): JONSWAP with gamma 5 (Goda 2010: 3..10 for swell). ARGUMENT, with a sentence, when the list is full or a
+/// value is outside its range; the sea state is then unchanged.
+bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, double tp, double from_deg,
+                                       double spread_s);
 /// Checks every field against its range; logs a sentence and returns ARGUMENT at the first that is not.
 bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state);
 
 /// S(w) of one system [m2 s/rad], integrated over direction, in water of @p depth [m] (TMA only); 0 at @p omega <= 0.
-/// S = (5/16) Hs^2 wp^4 C(gamma) w^-5 exp(-1.25 (wp/w)^4) gamma^r, with C by quadrature, so that 4 sqrt(m0) is Hs exactly.
+/// S = (5/16) Hs^2 wp^4 C(gamma) w^-5 exp(-1.25 (wp/w)^4) gamma^r, with C by quadrature, so that 4 sqrt(m0) is Hs
+/// exactly.
 double bolan_system_density(const bolan_wave_system *system, double omega, double depth);
-/// D(w, th) [1/rad]: @p theta is the angle from the system's mean direction [rad]. Integrates to 1, swell factor included.
+/// D(w, th) [1/rad]: @p theta is the angle from the system's mean direction [rad]. Integrates to 1, swell factor
+/// included.
 double bolan_system_spreading(const bolan_wave_system *system, double omega, double theta);
-/// S(w, th) of the whole sea [m2 s/rad per rad]. A measured spectrum is interpolated bilinearly, which conserves its m0,
-/// and is 0 outside its frequencies.
+/// S(w, th) of the whole sea [m2 s/rad per rad]. A measured spectrum is interpolated bilinearly, which conserves its
+/// m0, and is 0 outside its frequencies.
 double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta);
-/// Psi(kx, ky) = S(w, th) (dw/dk) / k [m4]: variance density over wave vectors that point where the waves go. Includes the
-/// w^-5 tail that continues a measured spectrum above its last frequency, so that the synthesised sea has short waves:
-/// level of its last band with energy, directions of its last three such bands. 0 at k = 0.
+/// Psi(kx, ky) = S(w, th) (dw/dk) / k [m4]: variance density over wave vectors that point where the waves go.
+/// Includes the w^-5 tail that continues a measured spectrum above its last frequency, so that the synthesised sea
+/// has short waves: level of its last band with energy, directions of its last three such bands. 0 at k = 0.
 double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, double kx, double ky);
 
 /// Integral parameters of a sea state. A calm has zeros, and the wind's direction.
@@ -125,8 +129,17 @@ double bolan_monahan_cover(double wind_speed);
 
 // ---- sea-state tables -----------------------------------------------------------------------------------------------
 
-typedef struct bolan_douglas_row { int degree; double hs_min, hs_max; const char *name; } bolan_douglas_row;     ///< [m]
-typedef struct bolan_beaufort_row { int force; double wind_min, wind_max, wave_height; const char *name; } bolan_beaufort_row; ///< [m/s, m]
+typedef struct bolan_douglas_row {
+    int degree;
+    double hs_min, hs_max; ///< [m]; the last has no upper bound: HUGE_VAL
+    const char *name;
+} bolan_douglas_row;
+typedef struct bolan_beaufort_row {
+    int force;
+    double wind_min, wind_max; ///< at 10 m [m/s]; the last has no upper bound: HUGE_VAL
+    double wave_height;        ///< probable, open sea [m]
+    const char *name;
+} bolan_beaufort_row;
 extern const bolan_douglas_row bolan_douglas_table[10];   ///< WMO code 3700; a bound belongs to the lower class
 extern const bolan_beaufort_row bolan_beaufort_table[13]; ///< WMO; probable wave height
 int bolan_douglas_from_hs(double hs);              ///< 0..9
@@ -137,19 +150,20 @@ int bolan_beaufort_from_wind(double wind_speed);   ///< 0..12
 /// A directional spectrum on a frequency x direction grid, read from memory (io.h reads files). Immutable once parsed,
 /// then safe to share between threads.
 ///
-/// Text of SWAN ("SWAN 1", 2-D) and of NDBC (history and real-time) is recognised by its content. NDBC's real-time set is
-/// several texts: pass density first; the direction texts are optional. Their rows are matched by time, their bands by
-/// frequency. Per band, by what is known:
-/// - swdir, swdir2, swr1, swr2: the distribution of maximum entropy with these four moments (Kobune & Hashimoto 1986). It
+/// Text of SWAN ("SWAN 1", 2-D) and of NDBC (history and real-time) is recognised by its content. NDBC's real-time
+/// set is several texts: pass density first; the direction texts are optional. Their rows are matched by time, their
+/// bands by frequency. Per band, by what is known:
+/// - swdir, swdir2, swr1, swr2: the distribution of maximum entropy with these four moments (Kobune & Hashimoto
+/// 1986). It
 ///   is never negative and keeps the reported direction and spread, where the plain Fourier sum is negative in every
 ///   eighth bin. Moments that fit no distribution (noise): that sum, clipped and renormalised;
 /// - swdir, swr1: cos-2s with s = r1 / (1 - r1);
 /// - swdir: cos-2s with @ref bolan_spectrum_texts::spread_s;
 /// - nothing: the same around the direction of the nearest lower band, or @ref bolan_spectrum_texts::from_deg.
 ///
-/// 999 (NDBC) and the exception value (SWAN) count as no energy. Of a SWAN file with several locations the first is read;
-/// directions may be in any order, also a sector of the circle. Limits: 2..1000 frequencies of 1e-5..100 Hz, 3..720
-/// directions. Numbers are read independently of the locale; "nan" and "inf" are refused.
+/// 999 (NDBC) and the exception value (SWAN) count as no energy. Of a SWAN file with several locations the first is
+/// read; directions may be in any order, also a sector of the circle. Limits: 2..1000 frequencies of 1e-5..100 Hz,
+/// 3..720 directions. Numbers are read independently of the locale; "nan" and "inf" are refused.
 typedef struct bolan_spectrum_text {
     const char *name;  ///< for messages: the file name
     const char *data;  ///< text, need not end in NUL
@@ -164,16 +178,17 @@ typedef struct bolan_spectrum_texts {
 } bolan_spectrum_texts;
 
 bolan_spectrum_texts bolan_spectrum_texts_default(void);
-/// Parses record number @p record in time. 0 is the earliest; the newest is record_count - 1 (NDBC real-time texts list
-/// it first: they are reversed). The texts are not kept. On failure @p out is NULL and one sentence with name and line is
-/// logged: FORMAT (also for a record without energy), MEMORY, or ARGUMENT for a record beyond the last or a from_deg or
-/// spread_s outside its range.
-bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, uint32_t record, bolan_measured_spectrum **out);
+/// Parses record number @p record in time. 0 is the earliest; the newest is record_count - 1 (NDBC real-time texts
+/// list it first: they are reversed). The texts are not kept. On failure @p out is NULL and one sentence with name
+/// and line is logged: FORMAT (also for a record without energy), MEMORY, or ARGUMENT for a record beyond the last or
+/// a from_deg or spread_s outside its range.
+bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, uint32_t record,
+                                           bolan_measured_spectrum **out);
 /// NULL-safe; NULLs the pointer.
 void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectrum);
 
-/// Read-only view: frequencies [rad/s], directions (mathematical, TO) [rad] ascending with constant step 2 pi / direction_count,
-/// density[frequency * direction_count + direction] [m2 s/rad per rad].
+/// Read-only view: frequencies [rad/s], directions (mathematical, TO) [rad] ascending with constant step 2 pi /
+/// direction_count, density[frequency * direction_count + direction] [m2 s/rad per rad].
 typedef struct bolan_measured_view {
     uint32_t frequency_count, direction_count, record_count;
     const double *omega, *theta, *density;

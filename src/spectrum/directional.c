@@ -1,14 +1,15 @@
-// SPDX-License-Identifier: MIT
-// The distribution of maximum entropy with given Fourier moments: D(th) = exp(l0 + l1 cos th + l2 sin th + l3 cos 2th +
-// l4 sin 2th) (Kobune & Hashimoto, "Estimation of directional spectra from the maximum entropy principle", OMAE 1986; by
-// Newton's method: Kim, Lin & Wang, "Numerical algorithm for the maximum entropy method", 1995). The multipliers minimise
-// the convex function  ln Z(l) - l.m , Z = the sum of the exponentials, whose gradient is (moments of D) - m.
+// SPDX-License-Identifier: MIT The distribution of maximum entropy with given Fourier moments: D(th) = exp(l0 + l1
+// cos th + l2 sin th + l3 cos 2th + l4 sin 2th) (Kobune & Hashimoto, "Estimation of directional spectra from the
+// maximum entropy principle", OMAE 1986; by Newton's method: Kim, Lin & Wang, "Numerical algorithm for the maximum
+// entropy method", 1995). The multipliers minimise the convex function  ln Z(l) - l.m , Z = the sum of the
+// exponentials, whose gradient is (moments of D) - m.
 //
 // The plain Fourier sum is negative in every eighth bin of a real buoy record, and clipping it turns and widens the
 // spread by degrees; this form keeps the reported direction and spread exactly.
 #include "spectrum/directional.h"
 
 #include "bolan/math.h"
+#include "spectrum/portable.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -30,10 +31,8 @@ static void normalize(double density[BINS]) {
 
 static void basis(uint32_t j, double phi[MOMENTS]) {
     const double th = directional_angle(j);
-    phi[0] = cos(th);
-    phi[1] = sin(th);
-    phi[2] = cos(2.0 * th);
-    phi[3] = sin(2.0 * th);
+    bolan_sincos(th, &phi[1], &phi[0]);
+    bolan_sincos(2.0 * th, &phi[3], &phi[2]);
 }
 
 // Probabilities of the bins for multipliers l; returns ln Z - l.m.
@@ -44,12 +43,12 @@ static double evaluate(double phi[BINS][MOMENTS], const double *l, const double 
         largest = fmax(largest, p[j]);
     }
     for (uint32_t j = 0; j < BINS; j++)
-        z += p[j] = exp(p[j] - largest);
+        z += p[j] = portable_exp(p[j] - largest);
     for (uint32_t j = 0; j < BINS; j++)
         p[j] /= z;
     for (int a = 0; a < MOMENTS; a++)
         dot += l[a] * m[a];
-    return largest + log(z) - dot;
+    return largest + portable_log(z) - dot;
 }
 
 // Gradient and Hessian (the covariance of the basis); returns the largest component of the gradient.
@@ -111,21 +110,31 @@ static bool maximum_entropy(const double m[MOMENTS], double p[BINS]) {
     return false;
 }
 
-static void clipped_fourier(directional_moments d, double density[BINS]) {
+static void clipped_fourier(const double m[MOMENTS], double density[BINS]) {
     for (uint32_t j = 0; j < BINS; j++) {
-        const double th = directional_angle(j);
-        density[j] = fmax(0.5 + d.r1 * cos(th - d.a1) + d.r2 * cos(2.0 * (th - d.a2)), 0.0);
+        double phi[MOMENTS];
+        basis(j, phi);
+        density[j] = fmax(0.5 + m[0] * phi[0] + m[1] * phi[1] + m[2] * phi[2] + m[3] * phi[3], 0.0);
     }
 }
 
 void directional_from_moments(directional_moments d, double density[BINS]) {
-    const double m[MOMENTS] = {d.r1 * cos(d.a1), d.r1 * sin(d.a1), d.r2 * cos(2.0 * d.a2), d.r2 * sin(2.0 * d.a2)};
-    if (!maximum_entropy(m, density)) clipped_fourier(d, density);
+    double m[MOMENTS];
+    bolan_sincos(d.a1, &m[1], &m[0]);
+    bolan_sincos(2.0 * d.a2, &m[3], &m[2]);
+    m[0] *= d.r1;
+    m[1] *= d.r1;
+    m[2] *= d.r2;
+    m[3] *= d.r2;
+    if (!maximum_entropy(m, density)) clipped_fourier(m, density);
     normalize(density);
 }
 
 void directional_cos2s(double mean, double s, double density[BINS]) {
-    for (uint32_t j = 0; j < BINS; j++)
-        density[j] = pow(fabs(cos(0.5 * (directional_angle(j) - mean))), 2.0 * s);
+    for (uint32_t j = 0; j < BINS; j++) {
+        double sine, cosine;
+        bolan_sincos(directional_angle(j) - mean, &sine, &cosine);
+        density[j] = portable_pow(fmax(0.5 * (1.0 + cosine), 1e-300), s); // cos^2(th/2) = (1 + cos th) / 2
+    }
     normalize(density);
 }

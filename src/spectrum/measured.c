@@ -122,8 +122,8 @@ static double row_sum(const bolan_measured_spectrum *m, uint32_t row) {
     return sum;
 }
 
-// The tail S(w, th) = T(th) w^-5 above the last frequency. Its level is that of the last band with energy; its directions
-// are the mean of the last three such bands, because a single one is often a few rounded counts.
+// The tail S(w, th) = T(th) w^-5 above the last frequency. Its level is that of the last band with energy; its
+// directions are the mean of the last three such bands, because a single one is often a few rounded counts.
 static void add_tail(bolan_measured_spectrum *m) {
     double level = 0.0, total = 0.0;
     for (uint32_t row = m->frequency_count, used = 0; row-- > 0 && used < 3;) {

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Spectral wave density tables of the US National Data Buoy Center (NDBC, "Measurement descriptions and units"), in both
-// of their layouts, and the four tables of directions that may come with them:
+// SPDX-License-Identifier: MIT Spectral wave density tables of the US National Data Buoy Center (NDBC, "Measurement
+// descriptions and units"), in both of their layouts, and the four tables of directions that may come with them:
 //
 //   history     YYYY MM DD hh [mm]  .030  .040 ...            frequencies in the header; r1, r2 in hundredths
 //               2000 01 01 00        .00   .12 ...            oldest first

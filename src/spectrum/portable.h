@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file portable.h
-/// Elementary functions from IEEE additions, products, quotients and roots alone, so that a sea state gives the same bits
-/// on every machine: the system's libm picks fused kernels by processor. Relative error below 4e-16 * (1 + |result's
-/// conditioning|), about as fast as libm, and inlined. Private to the library.
+/// Elementary functions from IEEE additions, products, quotients and roots alone, so that a sea state gives the same
+/// bits on every machine: the system's libm picks fused kernels by processor. Relative error below 4e-16 * (1 +
+/// |result's conditioning|), about as fast as libm, and inlined. Private to the library.
 #ifndef BOLAN_SPECTRUM_PORTABLE_H
 #define BOLAN_SPECTRUM_PORTABLE_H
 

@@ -2,6 +2,7 @@
 // Sea states from a wind, a table or a swell, and their validation.
 #include "bolan/math.h"
 #include "bolan/spectrum.h"
+#include "spectrum/portable.h"
 
 #include <math.h>
 
@@ -37,7 +38,7 @@ static bolan_wave_system wind_sea(double hs, double peak_omega, double gamma, do
 // Significant height of JONSWAP by its alpha: alpha g^2 = (5/16) Hs^2 wp^4 C(gamma); C(3.3) = 0.65576.
 static double jonswap_height(double wind_speed, double fetch, double peak_omega) {
     const double g = BOLAN_GRAVITY;
-    const double alpha = 0.076 * pow(wind_speed * wind_speed / (g * fetch), 0.22);
+    const double alpha = 0.076 * portable_pow(wind_speed * wind_speed / (g * fetch), 0.22);
     return 4.0 * g / (peak_omega * peak_omega) * sqrt(alpha / (5.0 * 0.65576));
 }
 
@@ -48,7 +49,8 @@ bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, do
     if (!(wind_speed > 0.0 && fetch > 0.0)) return sea_state;
     const double g = BOLAN_GRAVITY, wind_pm = PM_WIND_RATIO * wind_speed;
     const double peak_pm = PM_PEAK * g / wind_pm;
-    double peak = 22.0 * cbrt(g * g / (wind_speed * fetch)), hs = PM_HEIGHT * wind_pm * wind_pm / g, gamma = 1.0;
+    double peak = 22.0 * portable_pow(g * g / (wind_speed * fetch), 1.0 / 3.0), hs = PM_HEIGHT * wind_pm * wind_pm / g,
+           gamma = 1.0;
     if (peak > peak_pm) {
         // Over the last tenth the JONSWAP shape gives way to the fully developed one, so that height has no jump.
         const double young = fmin((peak / peak_pm - 1.0) / 0.1, 1.0);

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: MIT
-// Integral parameters. The moments of wave systems are integrated over ln w (Simpson), those of a measured spectrum on its
-// own frequencies (trapezoid rule), so that they compare with what the file's maker prints.
+// SPDX-License-Identifier: MIT Integral parameters. The moments of wave systems are integrated over ln w (Simpson),
+// those of a measured spectrum on its own frequencies (trapezoid rule), so that they compare with what the file's
+// maker prints.
 #include "bolan/math.h"
 #include "spectrum/measured.h"
 #include "spectrum/spectrum_eval.h"
@@ -52,7 +52,8 @@ static void add_measured(moments *sum, const bolan_measured_spectrum *measured) 
 
 // ---- wave systems ---------------------------------------------------------------------------------------------------
 
-// Frequencies wp e^u with u from -1.4 (S < e^-300 of the peak) to 7. The kink of JONSWAP at the peak falls on an even node.
+// Frequencies wp e^u with u from -1.4 (S < e^-300 of the peak) to 7. The kink of JONSWAP at the peak falls on an even
+// node.
 enum { STEPS_BELOW = 280, STEPS = 1680 };
 #define STEP 0.005
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file text.h
-/// Reading words and numbers from text in memory that need not end in NUL. Independent of the locale; knows the line for
-/// messages. Private to src/spectrum.
+/// Reading words and numbers from text in memory that need not end in NUL. Independent of the locale; knows the line
+/// for messages. Private to src/spectrum.
 #ifndef BOLAN_SPECTRUM_TEXT_H
 #define BOLAN_SPECTRUM_TEXT_H
 
@@ -34,8 +34,8 @@ bool text_equals(text_word word, const char *expected);
 /// A decimal number that fills the word: no "nan", "inf" or hexadecimal, and no overflow.
 bool text_number(text_word word, double *value);
 
-/// Logs "NAME:LINE: expected WHAT, found WORD" (SPECTRUM_SYNTAX), or, when @p word is NULL, that the text ends where WHAT
-/// was expected (SPECTRUM_TRUNCATED). Returns BOLAN_ERROR_FORMAT.
+/// Logs "NAME:LINE: expected WHAT, found WORD" (SPECTRUM_SYNTAX), or, when @p word is NULL, that the text ends where
+/// WHAT was expected (SPECTRUM_TRUNCATED). Returns BOLAN_ERROR_FORMAT.
 bolan_result text_unexpected(const text_cursor *cursor, const text_word *word, const char *what);
 
 /// The next word as a number, whole number, or non-negative density; an error is logged as above, and negative
