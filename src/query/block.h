@@ -37,6 +37,7 @@ typedef struct query_block {
     int32_t cell_u[BOLAN_MAX_CASCADES][QUERY_LANES], cell_v[BOLAN_MAX_CASCADES][QUERY_LANES]; // their cells
     float part_u[BOLAN_MAX_CASCADES][QUERY_LANES], part_v[BOLAN_MAX_CASCADES][QUERY_LANES];   // and fractions, 0..1
     float attenuation[BOLAN_MAX_CASCADES][QUERY_LANES];                                   // by shallow water, 0..1
+    bool settled[QUERY_LANES];                                                            // it is the same all around
     float ox[QUERY_LANES], oy[QUERY_LANES];                                               // rest point - asked point [m]
     float rx[QUERY_LANES], ry[QUERY_LANES];                                               // residual of (1) [m]
     float determinant[QUERY_LANES];                                                       // of the last step's matrix
@@ -64,6 +65,7 @@ typedef struct query {
     const bolan_terrain *terrain; // or NULL: deep water
     double water_level;           // [m]
     float band_hs[BOLAN_MAX_CASCADES]; // significant height of each cascade [m]
+    float hs;                     // of all cascades [m]
     float reach;                  // how far apart the roots of a fold may lie [m]
 } query;
 

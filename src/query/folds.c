@@ -31,7 +31,8 @@ static void spread_place(const query *q, const query_block *from, uint32_t lane,
             to->part_u[c][l] = from->part_u[c][lane];
             to->part_v[c][l] = from->part_v[c][lane];
         }
-        for (uint32_t c = 0; c < BOLAN_MAX_CASCADES; c++) to->attenuation[c][l] = 1.0f;
+        to->settled[l] = from->settled[lane];
+        for (uint32_t c = 0; c < BOLAN_MAX_CASCADES; c++) to->attenuation[c][l] = from->attenuation[c][lane];
     }
 }
 

@@ -21,13 +21,31 @@ typedef struct batch {
     bolan_query_point *out;
 } batch;
 
-static void attenuate(const query *q, query_block *b) {
-    if (!q->terrain) return;
+// Depth [m] under the rest point of a lane.
+static float depth_at(const query *q, const query_block *b, uint32_t l) {
+    const double x = b->x[l] + (double)b->ox[l], y = b->y[l] + (double)b->oy[l];
+    return (float)(q->water_level - (double)bolan_terrain_elevation(q->terrain, x, y, GROUND_RESOLUTION));
+}
+
+static void attenuate_lane(const query *q, float depth, query_block *b, uint32_t l) {
+    for (uint32_t c = 0; c < q->sea.count; c++) b->attenuation[c][l] = bolan_shore_attenuation(depth, q->band_hs[c]);
+}
+
+// Ground is dear to evaluate. Beyond 8 Hs of depth the attenuation is 1, on land it is 0, and a rest point is about Hs away at
+// most: twice that depth, or half of it on land, settles the lane for all its steps.
+static void settle(const query *q, query_block *b) {
     for (uint32_t l = 0; l < QUERY_LANES; l++) {
-        const float ground = bolan_terrain_elevation(q->terrain, b->x[l] + (double)b->ox[l], b->y[l] + (double)b->oy[l],
-                                                     GROUND_RESOLUTION);
-        const float depth = (float)(q->water_level - (double)ground);
-        for (uint32_t c = 0; c < q->sea.count; c++) b->attenuation[c][l] = bolan_shore_attenuation(depth, q->band_hs[c]);
+        b->settled[l] = true;
+        if (!q->terrain) continue;
+        const float depth = depth_at(q, b, l);
+        attenuate_lane(q, depth, b, l);
+        b->settled[l] = depth > 16.0f * q->hs || depth < -4.0f * q->hs;
+    }
+}
+
+static void attenuate(const query *q, query_block *b) {
+    for (uint32_t l = 0; l < QUERY_LANES; l++) {
+        if (!b->settled[l]) attenuate_lane(q, depth_at(q, b, l), b, l);
     }
 }
 
@@ -50,6 +68,7 @@ static bool is_hard(const query_block *b, uint32_t l) {
 
 static void solve_block(const query *q, bool full, uint32_t lanes, query_block *b) {
     q->kernels->locate(&q->sea, b);
+    settle(q, b);
     query_solve(q, QUERY_STEPS, true, b);
     query_evaluate(q, full, b);
     bool evaluated_in_full = full;
@@ -135,6 +154,7 @@ static query query_of(const bolan_sea *sea, const bolan_terrain *terrain, double
         q.band_hs[i] = (float)(4.0 * sqrt(v.variance));
         variance += v.variance;
     }
+    q.hs = (float)(4.0 * sqrt(variance));
     // Each of two parcels at one place has moved by about a standard deviation, towards the other.
     q.reach = (float)(4.0 * desc->choppiness * sqrt(variance));
     return q;
