@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Clear air over a round earth: geometry, what it holds, how it scatters. Heights and distances in metres, coefficients in
+// 1/m at 650, 550 and 450 nm. After Hillaire 2020, "A scalable and production ready sky and atmosphere rendering technique";
+// needs common/frame.glsl. tests/shaders/test_atmosphere.c holds the CPU twin.
+#include "common/frame.glsl"
+
+const float AIR_PI = 3.14159265;
+const float AIR_TOP = 100000.0;          // above it, nothing
+const float RAYLEIGH_SCALE = 8000.0;     // scale height
+// Vertical Rayleigh optical depth at sea level, Bodhaine et al. 1999 eq. 30, over the scale height.
+const vec3 RAYLEIGH = vec3(0.049184, 0.097070, 0.221110) / RAYLEIGH_SCALE;
+// 300 Dobson units in a tent 10..40 km: Chappuis absorption, 2.4, 3.4 and 0.17e-21 cm2 (Gorshelev et al. 2014).
+const vec3 OZONE = vec3(0.01934, 0.02740, 0.00137) / 15000.0;
+const float MIE_ALBEDO = 0.97;           // sea salt absorbs little
+const float MIE_G = 0.78;
+const vec3 MIE_COLOR = vec3(0.8896, 1.0, 1.1508); // Angstrom exponent 0.7
+// The sun above the air in linear sRGB (chromaticity of ASTM E490), luminance 1.
+const vec3 SUN_COLOR = vec3(1.0809, 0.9814, 0.9463);
+const float SUN_RADIUS = 0.00465;        // angular [rad]
+const float SEA_ALBEDO = 0.07;
+
+float earth_radius() { return lens.w; }
+
+// ---- geometry; h above the sea, mu = cosine of the zenith angle. Differences of squares are written as products: the radius
+// has an ulp of half a metre.
+
+float air_height(float h, float mu, float d) {
+    float r = earth_radius();
+    float q = h * (2.0 * r + h) + d * (d + 2.0 * (r + h) * mu);
+    return q / (r + sqrt(max(r * r + q, 0.0)));
+}
+
+float horizon_dip(float h) { return atan(sqrt(h * (2.0 * earth_radius() + h)) / earth_radius()); }
+float horizon_mu(float h) { return -sqrt(h * (2.0 * earth_radius() + h)) / (earth_radius() + h); }
+
+float distance_to_top(float h, float mu) {
+    float r = earth_radius(), b = (r + h) * mu;
+    float e = (AIR_TOP - h) * (2.0 * r + AIR_TOP + h), s = sqrt(b * b + e);
+    return b > 0.0 ? e / (b + s) : s - b;
+}
+
+// Negative: the ray misses the sea.
+float distance_to_sea(float h, float mu) {
+    float r = earth_radius(), b = (r + h) * mu, c = h * (2.0 * r + h), q = b * b - c;
+    if (mu >= 0.0 || q < 0.0) return -1.0;
+    return c / (sqrt(q) - b);
+}
+
+// ---- content
+
+vec3 air_density(float h) { // of air, haze and ozone, relative to their reference
+    float haze_scale = 1200.0 * clamp(haze.x / 5000.0, 0.25, 1.0); // fog lies lower than haze
+    h = max(h, 0.0);
+    return vec3(exp(-h / RAYLEIGH_SCALE), exp(-h / haze_scale), max(0.0, 1.0 - abs(h - 25000.0) / 15000.0));
+}
+
+// Koschmieder: the visibility is where contrast falls to 2 %, by air and haze together.
+vec3 mie_extinction() { return MIE_COLOR * max(3.912 / haze.x - RAYLEIGH.g, 2e-6); }
+
+vec3 air_extinction(vec3 density) { return RAYLEIGH * density.x + mie_extinction() * density.y + OZONE * density.z; }
+
+float rayleigh_phase(float c) { return 3.0 / (16.0 * AIR_PI) * (1.0 + c * c); }
+
+float mie_phase(float c) { // Cornette & Shanks 1992
+    float g2 = MIE_G * MIE_G, k = 1.0 + g2 - 2.0 * MIE_G * c;
+    return 3.0 / (8.0 * AIR_PI) * (1.0 - g2) * (1.0 + c * c) / ((2.0 + g2) * k * sqrt(k));
+}
+
+// ---- optical depth from a height to the top of the air: a table over (distance to the top, height), Bruneton & Neyret 2008
+
+uniform sampler2D transmittance_table;
+#pragma unit transmittance_table 0
+const vec2 TRANSMITTANCE_SIZE = vec2(256.0, 64.0);
+
+vec2 transmittance_uv(float h, float mu) {
+    float r = earth_radius();
+    float longest = sqrt(AIR_TOP * (2.0 * r + AIR_TOP)), rho = sqrt(h * (2.0 * r + h));
+    float shortest = AIR_TOP - h;
+    vec2 x = vec2((distance_to_top(h, mu) - shortest) / max(rho + longest - shortest, 1.0), rho / longest);
+    return (clamp(x, 0.0, 1.0) * (TRANSMITTANCE_SIZE - 1.0) + 0.5) / TRANSMITTANCE_SIZE;
+}
+
+void transmittance_ray(vec2 uv, out float h, out float mu) { // the inverse
+    float r = earth_radius();
+    vec2 x = (uv * TRANSMITTANCE_SIZE - 0.5) / (TRANSMITTANCE_SIZE - 1.0);
+    float longest = sqrt(AIR_TOP * (2.0 * r + AIR_TOP)), rho = x.y * longest;
+    h = rho * rho / (r + sqrt(r * r + rho * rho));
+    float shortest = AIR_TOP - h, d = shortest + x.x * (rho + longest - shortest);
+    mu = d < 1.0 ? 1.0 : clamp(((AIR_TOP - h) * (2.0 * r + AIR_TOP + h) - d * d) / (2.0 * (r + h) * d), -1.0, 1.0);
+}
+
+// To space along mu, as if the earth were not in the way; at most what is left above the local horizon.
+vec3 transmittance_to_space(float h, float mu) {
+    h = clamp(h, 0.0, AIR_TOP);
+    return exp(-textureLod(transmittance_table, transmittance_uv(h, max(mu, horizon_mu(h))), 0.0).rgb);
+}
+
+// How much of the sun's disc stands above the horizon.
+float sun_above_horizon(float h, float mu) {
+    float above = (mu - horizon_mu(h)) / SUN_RADIUS; // near the horizon a cosine difference is an angle
+    return smoothstep(-1.0, 1.0, above);
+}
+
+vec3 sun_transmittance_at(float h, float mu) { return transmittance_to_space(h, mu) * sun_above_horizon(h, mu); }
+
+// Solar irradiance above the air, in the unit of every stored radiance: haze.w is 1 by day and grows in twilight, so that half
+// floats hold it.
+vec3 solar_irradiance() { return SUN_COLOR * haze.w; }

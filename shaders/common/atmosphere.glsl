@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The sky for the passes that draw something under it: radiance towards a direction, mirrored sky, haze between the eye and
+// a point, sunlight and cloud shadow. Reads tables that the sky pass keeps; all of it is in the unit of common/air.glsl.
+#include "common/sky_table.glsl"
+
+uniform sampler2D sky_view_table;
+uniform sampler2D environment_map;
+uniform sampler2DArray cloud_map; // layer 0: panorama of the clouds, premultiplied; layer 1: their shadow on the sea
+uniform sampler3D aerial_table;
+#pragma unit sky_view_table 1
+#pragma unit environment_map 2
+#pragma unit cloud_map 13
+#pragma unit aerial_table 14
+
+// Clear sky without the sun's disc; below the horizon, the horizon's.
+vec3 sky_radiance(vec3 dir) { return textureLod(sky_view_table, sky_view_uv(dir, max(eye.z, 0.0)), 0.0).rgb; }
+
+// ---- the environment map: the upper hemisphere as seen from the sea, folded onto a square so that the horizon is its rim
+
+const float ENVIRONMENT_SIZE = 512.0;
+
+vec2 environment_uv(vec3 dir) {
+    vec2 p = dir.xy / max(abs(dir.x) + abs(dir.y) + max(dir.z, 0.0), 1e-6);
+    return vec2(p.x + p.y, p.x - p.y) * 0.5 + 0.5;
+}
+
+vec3 environment_direction(vec2 square) {
+    vec2 t = square * 2.0 - 1.0, p = vec2(t.x + t.y, t.x - t.y) * 0.5;
+    return normalize(vec3(p, 1.0 - abs(p.x) - abs(p.y)));
+}
+
+// Sky and clouds towards a mirrored direction, blurred as facets of that rms slope blur it: the ray turns by twice the slope,
+// and a look-up in a level averages over about one of its texels. Below the horizon, the horizon's.
+vec3 environment_radiance(vec3 dir, float roughness) {
+    float texel = 2.0 / ENVIRONMENT_SIZE; // [rad] on the rim
+    float level = clamp(log2(max(3.0 * roughness / texel, 1.0)), 0.0, 7.0);
+    return textureLod(environment_map, environment_uv(dir), level).rgb;
+}
+
+// ---- the sun
+
+vec3 sun_transmittance(float height_m) { return sun_transmittance_at(max(height_m, 0.0), sun.z); }
+
+// ---- clouds
+
+const float CLOUD_SHADOW_SIZE = 120000.0; // side of the square round the eye [m]
+
+// Share of the sun that passes the clouds to a point of the sea, eye-relative xy [m].
+float cloud_shadow(vec2 position) {
+    vec2 p = (position + vec2(water_bb.w, water_a.w)) / CLOUD_SHADOW_SIZE;
+    float inside = 1.0 - smoothstep(0.42, 0.5, max(abs(p.x), abs(p.y)));
+    float average = 1.0 - 0.85 * wind.w;
+    return mix(average, textureLod(cloud_map, vec3(clamp(p + 0.5, 0.001, 0.999), 1.0), 0.0).r, inside);
+}
+
+// The panorama of the clouds round the eye. Below the clouds it covers the sky (haze.z = 0), above them the whole sphere.
+vec2 cloud_uv(vec3 dir) {
+    float h = max(eye.z, 0.0), above = angle_above_horizon(dir, h), dip = horizon_dip(h);
+    float range = above > 0.0 ? 0.5 * AIR_PI + dip : 0.5 * AIR_PI - dip;
+    float y = sign(above) * sqrt(abs(above) / range);
+    return vec2(atan(dir.y, dir.x) / (2.0 * AIR_PI), haze.z > 0.5 ? 0.5 + 0.5 * y : max(y, 0.0));
+}
+
+vec4 cloud_radiance(vec3 dir) { return textureLod(cloud_map, vec3(cloud_uv(dir), 0.0), 0.0); }
+
+// ---- the air between the eye and a point
+
+// Share of the light that passes, along a ray of length d: five-point Gauss-Legendre of the density on the round earth.
+vec3 air_transmittance(float h, float mu, float d) {
+    const vec3 at = vec3(0.5, 0.7692346551, 0.9530899230), weight = vec3(0.2844444444, 0.2393143352, 0.1184634425);
+    vec2 sum = weight.x * air_density(air_height(h, mu, d * at.x)).xy;
+    sum += weight.y * (air_density(air_height(h, mu, d * at.y)).xy + air_density(air_height(h, mu, d * (1.0 - at.y))).xy);
+    sum += weight.z * (air_density(air_height(h, mu, d * at.z)).xy + air_density(air_height(h, mu, d * (1.0 - at.z))).xy);
+    return exp(-d * (RAYLEIGH * sum.x + mie_extinction() * sum.y));
+}
+
+// What the air, and clouds below the eye, do to light from an eye-relative position: color * transmittance + inscatter.
+void aerial_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
+    float d = max(length(position), 1e-3), h = max(eye.z, 0.0);
+    vec3 dir = position / d;
+    transmittance = air_transmittance(h, dir.z, d);
+    inscatter = textureLod(aerial_table, aerial_uv(dir, h, d), 0.0).rgb;
+    if (haze.z > 0.5 && position.z < haze.y - eye.z) {
+        vec4 clouds = cloud_radiance(dir);
+        transmittance *= 1.0 - clouds.a;
+        inscatter = inscatter * (1.0 - clouds.a) + clouds.rgb;
+    }
+}

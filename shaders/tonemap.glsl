@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Exposure, glow, film curve, display encoding, dither. With RESOLVE: writes out the mean of accumulated samples.
+#include "common/fullscreen.glsl"
+#ifdef VERTEX
+void main() { fullscreen(0.5); }
+#endif
+#ifdef FRAGMENT
+#include "common/frame.glsl"
+#include "common/tonemap.glsl"
+uniform sampler2D source;
+#pragma unit source 15
+uniform sampler2D glow;
+#pragma unit glow 3
+uniform vec4 settings; // x: glow strength, y: 1 encode sRGB, z: dither [1/255], w: weight
+out vec4 color;
+
+// Interleaved gradient noise (Jimenez 2014), triangular over two draws.
+float dither_noise(vec2 p) {
+    float a = fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715))));
+    float b = fract(52.9829189 * fract(dot(p + vec2(47.0, 17.0), vec2(0.06711056, 0.00583715))));
+    return a + b - 1.0;
+}
+
+void main() {
+    vec3 c = texelFetch(source, ivec2(gl_FragCoord.xy), 0).rgb;
+#ifdef RESOLVE
+    vec3 display = c * settings.w;
+#else
+    if (settings.x > 0.0) c = mix(c, textureLod(glow, uv, 0.0).rgb, settings.x);
+    vec3 display = tonemap(c * sun_light.w) * settings.w;
+#endif
+    if (settings.y > 0.5) display = srgb_encode(display);
+    color = vec4(display + settings.z / 255.0 * dither_noise(gl_FragCoord.xy), 1.0);
+}
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The tables of clear air: transmittance, multiple scattering, sky radiance from the eye and from the sea, aerial perspective.
+// Shaders: sky_transmittance, sky_multiple, sky_view, sky_aerial.
+#ifndef BOLAN_RENDER_ATMOSPHERE_H
+#define BOLAN_RENDER_ATMOSPHERE_H
+
+#include "frame.h"
+
+enum {
+    TRANSMITTANCE_WIDTH = 256, TRANSMITTANCE_HEIGHT = 64, // sizes stand in common/air.glsl, scatter.glsl, sky_table.glsl too
+    MULTIPLE_WIDTH = 64, MULTIPLE_HEIGHT = 32,
+    SKY_VIEW_WIDTH = 192, SKY_VIEW_HEIGHT = 128,
+    AERIAL_AZIMUTHS = 32, AERIAL_ELEVATIONS = 65, AERIAL_SLICES = 32,
+};
+
+typedef struct atmosphere {
+    gl_program transmittance_program, multiple_program, view_program, aerial_program;
+    gl_texture transmittance, multiple, eye_view, sea_view, aerial;
+    gl_target transmittance_target, multiple_target, eye_view_target, sea_view_target, aerial_target[AERIAL_SLICES];
+    bool filled;
+    float visibility, cover, cloud_base, sun_height, eye_height, unit; // what the tables were made for
+} atmosphere;
+
+bolan_result atmosphere_create(atmosphere *a);
+bolan_result atmosphere_reload(atmosphere *a);
+// Refills what no longer fits the frame's uniforms, which must be bound in slot 0. True when something changed.
+bool atmosphere_update(atmosphere *a, const frame_uniforms *u);
+// Binds what common/atmosphere.glsl reads.
+void atmosphere_bind(const atmosphere *a);
+void atmosphere_free(atmosphere *a);
+
+#endif
