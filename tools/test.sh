@@ -44,7 +44,8 @@ run() {
 
 build release all
 run build
-export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=print_stacktrace=1
+export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:allocator_may_return_null=1
+export UBSAN_OPTIONS=print_stacktrace=1
 build asan bolan_tests_core
 run build-asan -L '^(unit|physics|determinism|kernels|fuzz)$'
 finish

@@ -6,6 +6,7 @@
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <time.h>
 
 enum { MAX_ITEMS = 100000, MAX_WORKERS = 64 };
 
@@ -68,6 +69,23 @@ static void many_short_loops_in_a_row_lose_nothing(void **state) {
     reset(ITEMS, 1);
     for (int i = 0; i < LOOPS; i++) bolan_parallel(ITEMS, 1, count_visits, &t);
     assert_each_once(ITEMS, LOOPS);
+    bolan_set_threads(1);
+}
+
+static void dawdle(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    const struct timespec two_ms = {0, 2000000};
+    if (worker != 0) nanosleep(&two_ms, NULL);
+    count_visits(context, begin, end, worker);
+}
+
+static void the_caller_waits_for_slow_helpers(void **state) {
+    (void)state;
+    bolan_set_threads(4);
+    for (int i = 0; i < 50; i++) { // a helper is not sure to wake in time for any one loop
+        reset(64, 1);
+        bolan_parallel(64, 1, dawdle, &t);
+        assert_each_once(64, 1);
+    }
     bolan_set_threads(1);
 }
 
@@ -181,6 +199,6 @@ static void zero_threads_means_one_per_processor(void **state) {
 }
 
 RUN_TESTS(cmocka_unit_test(every_item_is_done_once), cmocka_unit_test(many_short_loops_in_a_row_lose_nothing),
-          cmocka_unit_test(no_item_is_no_work), cmocka_unit_test(the_largest_count_does_not_wrap_round),
+          cmocka_unit_test(the_caller_waits_for_slow_helpers), cmocka_unit_test(no_item_is_no_work), cmocka_unit_test(the_largest_count_does_not_wrap_round),
           cmocka_unit_test(a_nested_loop_runs_on_its_own_thread), cmocka_unit_test(several_threads_may_loop_at_once),
           cmocka_unit_test(the_callers_task_system_is_used), cmocka_unit_test(zero_threads_means_one_per_processor))
