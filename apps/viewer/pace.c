@@ -6,12 +6,12 @@
 
 #define SLOW_MS 42.0 // above this a step down
 #define FAST_MS 30.0 // a step up if it is expected to stay below this
-#define PATIENCE 12  // frames after a change before the next: new targets and caches disturb the first ones
+#define PATIENCE 5   // frames after a change before the next: new targets and caches disturb the first ones
 
 static const double steps[] = {1.0, 0.75, 0.6, 0.5, 0.4, 0.33, 0.25};
 #define STEPS (sizeof steps / sizeof steps[0])
 
-void pace_start(pace *p) { *p = (pace){.scale = 1.0}; }
+void pace_start(pace *p, bool software) { *p = (pace){.scale = software ? 0.6 : 1.0}; }
 
 static size_t step_of(double scale) {
     size_t i = 0;
@@ -26,13 +26,14 @@ static void change(pace *p, double scale) {
 }
 
 void pace_frame(pace *p, double ms, bool automatic) {
-    p->frame_ms = p->frame_ms > 0.0 ? p->frame_ms + 0.15 * (ms - p->frame_ms) : ms;
+    p->frame_ms = p->frame_ms > 0.0 ? p->frame_ms + 0.2 * (ms - p->frame_ms) : ms;
     if (p->settled == 1) p->frame_ms = ms; // the first frame after a change was not typical
     p->settled++;
     if (!automatic || p->settled < PATIENCE) return;
     size_t i = step_of(p->scale);
     if (p->frame_ms > SLOW_MS && i + 1 < STEPS) {
-        change(p, steps[i + 1]);
+        size_t down = p->frame_ms > 2.0 * SLOW_MS && i + 2 < STEPS ? 2 : 1; // far off: quicker
+        change(p, steps[i + down]);
     } else if (i > 0) {
         double growth = steps[i - 1] * steps[i - 1] / (p->scale * p->scale);
         if (p->frame_ms * growth < FAST_MS) change(p, steps[i - 1]);

@@ -11,7 +11,8 @@ typedef struct pace {
     unsigned settled; // frames since the scale changed
 } pace;
 
-void pace_start(pace *p);
+// A processor that draws starts below the window's resolution.
+void pace_start(pace *p, bool software);
 // Takes the time of one frame; with @p automatic it may change the scale.
 void pace_frame(pace *p, double ms, bool automatic);
 

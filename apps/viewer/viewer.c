@@ -248,7 +248,7 @@ static bool start(viewer *v, const bolan_scene *scene) {
     v->time_scale = 1.0;
     v->render_scale = o->render_scale;
     v->panel_visible = v->running = true;
-    pace_start(&v->pace);
+    pace_start(&v->pace, info.software && o->frames == 0);
     v->last_frame = seconds_now();
     reload_start(&v->watch, o->shader_directory, v->last_frame);
     window_pixels(&v->window, &v->width, &v->height);

@@ -3,6 +3,7 @@
 #include "window.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static bool complain(const char *what) {
@@ -12,6 +13,10 @@ static bool complain(const char *what) {
 
 // Without a display SDL falls back to drivers that show nothing; a window that nobody sees is an error.
 static bool start_video(void) {
+#if defined(__linux__)
+    // Wayland's library would print its own complaint about a folder that it cannot do without.
+    if (getenv("XDG_RUNTIME_DIR") == NULL) SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11,KMSDRM");
+#endif
     bool started = SDL_Init(SDL_INIT_VIDEO) == 0;
     const char *driver = started ? SDL_GetCurrentVideoDriver() : NULL;
     if (driver != NULL && strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0) return true;

@@ -7,6 +7,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct window {
     SDL_Window *handle;
     SDL_GLContext context;
@@ -25,4 +29,7 @@ float window_density(const window *w);
 // How much larger than at 96 dots an inch letters must be, in window units: above 1 where the desktop leaves that to programs.
 float window_text_scale(const window *w);
 
+#ifdef __cplusplus
+}
+#endif
 #endif
