@@ -17,10 +17,10 @@
 extern "C" {
 #endif
 
-#define BOLAN_VERSION_MAJOR 0
-#define BOLAN_VERSION_MINOR 1
-#define BOLAN_VERSION_PATCH 0
-#define BOLAN_VERSION_STRING "0.1.0"
+#define BOLAN_VERSION_MAJOR 0         ///< raised when a caller must change
+#define BOLAN_VERSION_MINOR 1         ///< raised when a caller may use more
+#define BOLAN_VERSION_PATCH 0         ///< raised when only defects went
+#define BOLAN_VERSION_STRING "0.1.0" ///< of the headers; bolan_version() is that of the library
 
 /// The version of the linked library, "major.minor.patch". Static storage. Thread-safe.
 const char *bolan_version(void);
@@ -41,6 +41,7 @@ const char *bolan_result_string(bolan_result result);
 
 // ---- log ------------------------------------------------------------------------------------------------------------
 
+/// How much a message matters: the call failed; it went on with less; for your information.
 typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INFO } bolan_log_level;
 
 /// Every message the library can emit has a stable id, so that a test can assert *which* check fired.
@@ -82,6 +83,7 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(501, SEA_INFO)                                                                                                   \
     X(502, POINTS_SYNTAX)
 
+/// The ids of ::BOLAN_LOG_TABLE as BOLAN_LOG_&lt;NAME&gt;, their value the id.
 typedef enum bolan_log_id {
 #define BOLAN_LOG_ENUM(id, name) BOLAN_LOG_##name = id,
     BOLAN_LOG_TABLE(BOLAN_LOG_ENUM)
@@ -113,7 +115,8 @@ typedef struct bolan_hooks {
 void bolan_set_hooks(const bolan_hooks *hooks);
 
 /// Threads of the built-in pool, the calling thread included: 1 (default: the library starts no thread) to 64.
-/// 0 means one per online processor. Not thread-safe; results never depend on it.
+/// 0 means one per online processor. The threads sleep between loops; setting 1 ends them. Not thread-safe; results never
+/// depend on it.
 void bolan_set_threads(uint32_t threads);
 
 /// Workers that a parallel loop may use now, >= 1. Thread-safe.
@@ -138,6 +141,7 @@ void bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...);
 
 /// Reports misuse to the assert hook. Use the BOLAN_ASSERT() macro.
 void bolan_assert_failed(const char *expression, const char *file, int line);
+/// Reports misuse where @p x does not hold; in every build, and execution goes on if the hook returns.
 #define BOLAN_ASSERT(x) ((x) ? (void)0 : bolan_assert_failed(#x, __FILE__, __LINE__))
 
 // ---- instruction sets -----------------------------------------------------------------------------------------------

@@ -21,14 +21,19 @@
 extern "C" {
 #endif
 
-#define BOLAN_PI 3.14159265358979323846
-#define BOLAN_GRAVITY 9.81           ///< [m/s2]
-#define BOLAN_EARTH_RADIUS 6371000.0 ///< mean radius [m]
+#define BOLAN_PI 3.14159265358979323846 ///< half a turn [rad]
+#define BOLAN_GRAVITY 9.81              ///< [m/s2]
+#define BOLAN_EARTH_RADIUS 6371000.0    ///< mean radius [m]
 
+/// Two floats.
 typedef struct bolan_vec2 { float x, y; } bolan_vec2;
+/// Three floats: a direction, a colour, or a position near the eye.
 typedef struct bolan_vec3 { float x, y, z; } bolan_vec3;
+/// Four floats; a homogeneous position where w is one.
 typedef struct bolan_vec4 { float x, y, z, w; } bolan_vec4;
+/// A place on the map: x east, y north [m].
 typedef struct bolan_dvec2 { double x, y; } bolan_dvec2;
+/// A place in the world: x east, y north, z up [m].
 typedef struct bolan_dvec3 { double x, y, z; } bolan_dvec3;
 /// Column-major: m[4 * column + row].
 typedef struct bolan_mat4 { float m[16]; } bolan_mat4;
@@ -60,11 +65,11 @@ static inline bolan_vec3 bolan_v3_cross(bolan_vec3 a, bolan_vec3 b) {
 static inline float bolan_v3_length(bolan_vec3 a) { return sqrtf(bolan_v3_dot(a, a)); }
 static inline bolan_vec3 bolan_v3_normalize(bolan_vec3 a) { return bolan_v3_scale(a, 1.0f / bolan_v3_length(a)); }
 
-bolan_mat4 bolan_m4_identity(void);
+bolan_mat4 bolan_m4_identity(void); ///< ones on the diagonal
 bolan_mat4 bolan_m4_mul(bolan_mat4 a, bolan_mat4 b); ///< a * b: b is applied first
-bolan_mat4 bolan_m4_transpose(bolan_mat4 a);
-bolan_mat4 bolan_m4_inverse(bolan_mat4 a); ///< of a regular matrix
-bolan_vec4 bolan_m4_mul_v4(bolan_mat4 a, bolan_vec4 v);
+bolan_mat4 bolan_m4_transpose(bolan_mat4 a);         ///< rows become columns; the inverse of a rotation
+bolan_mat4 bolan_m4_inverse(bolan_mat4 a);           ///< of a regular matrix, computed in double
+bolan_vec4 bolan_m4_mul_v4(bolan_mat4 a, bolan_vec4 v); ///< a * v
 /// Rotation from world axes (camera-relative) to camera axes. Heading compass [deg], pitch up [deg], roll clockwise [deg].
 bolan_mat4 bolan_m4_view(double heading_deg, double pitch_deg, double roll_deg);
 /// Reversed-Z projection with an infinite far plane: depth is near / distance: 1 at the near plane, 0 at infinity.
