@@ -30,7 +30,7 @@ typedef struct viewer {
     double time, time_scale, render_scale;
     bool paused, panel_visible, running;
     uint32_t width, height, frame;
-    double last_frame, notice_until;
+    double first_frame, last_frame, notice_until;
     char notice[128], device[192];
     const char *pending_scene; // loaded after the notice has been on screen
     int status;
@@ -249,11 +249,19 @@ static bool start(viewer *v, const bolan_scene *scene) {
     v->render_scale = o->render_scale;
     v->panel_visible = v->running = true;
     pace_start(&v->pace, info.software && o->frames == 0);
-    v->last_frame = seconds_now();
+    v->first_frame = v->last_frame = seconds_now();
     reload_start(&v->watch, o->shader_directory, v->last_frame);
     window_pixels(&v->window, &v->width, &v->height);
     show_world(v);
     return true;
+}
+
+// With a given number of frames: where they were drawn, for tests and for people who measure.
+static void report(const viewer *v) {
+    if (v->options->frames == 0) return;
+    double ms = (seconds_now() - v->first_frame) * 1e3 / fmax(v->frame, 1.0);
+    printf("%u frames of %u x %u on %s, %s, %.1f ms each\n", v->frame, v->width, v->height, SDL_GetCurrentVideoDriver(),
+           v->device, ms);
 }
 
 static void stop(viewer *v) {
@@ -270,6 +278,7 @@ int viewer_run(const bolan_scene *scene, const viewer_options *options) {
     messages_start();
     if (start(&v, scene)) {
         while (v.running) one_frame(&v);
+        report(&v);
     } else {
         v.status = 1;
     }
