@@ -9,13 +9,13 @@ const float AIR_TOP = 100000.0;          // above it, nothing
 const float RAYLEIGH_SCALE = 8000.0;     // scale height
 // Vertical Rayleigh optical depth at sea level, Bodhaine et al. 1999 eq. 30, over the scale height.
 const vec3 RAYLEIGH = vec3(0.049184, 0.097070, 0.221110) / RAYLEIGH_SCALE;
-// 300 Dobson units in a tent 10..40 km: Chappuis absorption, 2.4, 3.4 and 0.17e-21 cm2 (Gorshelev et al. 2014).
-const vec3 OZONE = vec3(0.01934, 0.02740, 0.00137) / 15000.0;
+// 300 Dobson units in a tent 10..40 km. The Chappuis band peaks at 600 nm, between the sample wavelengths, so its cross-section
+// (Gorshelev et al. 2014) is averaged over the display's primaries: 4.2, 3.2 and 0.25e-21 cm2. It makes the blue hour blue.
+const vec3 OZONE = vec3(0.03384, 0.02578, 0.00201) / 15000.0;
 const float MIE_ALBEDO = 0.97;           // sea salt absorbs little
-const float MIE_G = 0.78;
 const vec3 MIE_COLOR = vec3(0.8896, 1.0, 1.1508); // Angstrom exponent 0.7
-// The sun above the air in linear sRGB (chromaticity of ASTM E490), luminance 1.
-const vec3 SUN_COLOR = vec3(1.0809, 0.9814, 0.9463);
+// The picture is balanced, as a camera's daylight setting is, for the sun above the air: its colour is white, luminance 1.
+const vec3 SUN_COLOR = vec3(1.0);
 const float SUN_RADIUS = 0.00465;        // angular [rad]
 const float SEA_ALBEDO = 0.07;
 
@@ -49,7 +49,7 @@ float distance_to_sea(float h, float mu) {
 // ---- content
 
 vec3 air_density(float h) { // of air, haze and ozone, relative to their reference
-    float haze_scale = 1200.0 * clamp(haze.x / 5000.0, 0.25, 1.0); // fog lies lower than haze
+    float haze_scale = 1000.0 * clamp(haze.x / 5000.0, 0.25, 1.0); // fog lies lower than haze
     h = max(h, 0.0);
     return vec3(exp(-h / RAYLEIGH_SCALE), exp(-h / haze_scale), max(0.0, 1.0 - abs(h - 25000.0) / 15000.0));
 }
@@ -61,10 +61,13 @@ vec3 air_extinction(vec3 density) { return RAYLEIGH * density.x + mie_extinction
 
 float rayleigh_phase(float c) { return 3.0 / (16.0 * AIR_PI) * (1.0 + c * c); }
 
-float mie_phase(float c) { // Cornette & Shanks 1992
-    float g2 = MIE_G * MIE_G, k = 1.0 + g2 - 2.0 * MIE_G * c;
-    return 3.0 / (8.0 * AIR_PI) * (1.0 - g2) * (1.0 + c * c) / ((2.0 + g2) * k * sqrt(k));
+float henyey_greenstein(float c, float g) {
+    float k = 1.0 + g * g - 2.0 * g * c;
+    return (1.0 - g * g) / (4.0 * AIR_PI * k * sqrt(k));
 }
+
+// Sea salt: a narrow forward lobe and a wide one, mean cosine 0.71 as of maritime haze.
+float mie_phase(float c) { return 0.7 * henyey_greenstein(c, 0.88) + 0.3 * henyey_greenstein(c, 0.3); }
 
 // ---- optical depth from a height to the top of the air: a table over (distance to the top, height), Bruneton & Neyret 2008
 

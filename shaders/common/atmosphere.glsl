@@ -30,10 +30,10 @@ vec3 environment_direction(vec2 square) {
 }
 
 // Sky and clouds towards a mirrored direction, blurred as facets of that rms slope blur it: the ray turns by twice the slope,
-// and a look-up in a level averages over about one of its texels. Below the horizon, the horizon's.
+// and level n is blurred by two of its texels (sky_prefilter.glsl). Below the horizon, the horizon's.
 vec3 environment_radiance(vec3 dir, float roughness) {
     float texel = 2.0 / ENVIRONMENT_SIZE; // [rad] on the rim
-    float level = clamp(log2(max(3.0 * roughness / texel, 1.0)), 0.0, 7.0);
+    float level = clamp(log2(max(roughness / texel, 1.0)), 0.0, 7.0);
     return textureLod(environment_map, environment_uv(dir), level).rgb;
 }
 
@@ -43,7 +43,7 @@ vec3 sun_transmittance(float height_m) { return sun_transmittance_at(max(height_
 
 // ---- clouds
 
-const float CLOUD_SHADOW_SIZE = 120000.0; // side of the square round the eye [m]
+const float CLOUD_SHADOW_SIZE = 100000.0; // side of the square round the eye [m]
 
 // Share of the sun that passes the clouds to a point of the sea, eye-relative xy [m].
 float cloud_shadow(vec2 position) {
@@ -74,14 +74,19 @@ vec3 air_transmittance(float h, float mu, float d) {
     return exp(-d * (RAYLEIGH * sum.x + mie_extinction() * sum.y));
 }
 
-// What the air, and clouds below the eye, do to light from an eye-relative position: color * transmittance + inscatter.
-void aerial_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
+// What the air does to light from an eye-relative position: color * transmittance + inscatter.
+void air_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
     float d = max(length(position), 1e-3), h = max(eye.z, 0.0);
     vec3 dir = position / d;
     transmittance = air_transmittance(h, dir.z, d);
     inscatter = textureLod(aerial_table, aerial_uv(dir, h, d), 0.0).rgb;
+}
+
+// The same with the clouds that lie below a high eye.
+void aerial_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
+    air_perspective(position, transmittance, inscatter);
     if (haze.z > 0.5 && position.z < haze.y - eye.z) {
-        vec4 clouds = cloud_radiance(dir);
+        vec4 clouds = cloud_radiance(normalize(position));
         transmittance *= 1.0 - clouds.a;
         inscatter = inscatter * (1.0 - clouds.a) + clouds.rgb;
     }

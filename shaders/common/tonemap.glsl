@@ -2,13 +2,11 @@
 // From exposed linear radiance to display values. The curve works on each channel of a slightly desaturated mix, so that a
 // bright colour runs to white the way film does, and keeps a hue that a curve per channel would twist.
 
-// Smooth shoulder: slope 1 near black with a soft toe, 0.5 at `x` about 0.5, 1 at infinity. Monotone; own fit to the shape of
-// the Academy's reference rendering (toe below 0.02, shoulder from 0.3).
+// The response of film and of photoreceptors (Naka & Rushton 1966): x^n / (x^n + s^n), straight in the middle of a logarithmic
+// scale, with a toe and a long shoulder. Middle grey 0.18 maps to itself.
 float film_curve(float x) {
-    x = max(x, 0.0);
-    float shoulder = x * (1.0 + x * 0.18) / (0.62 + x * (0.80 + x * 0.18));
-    float toe = x / (x + 0.012);
-    return shoulder * mix(toe, 1.0, 0.55);
+    float y = pow(max(x, 0.0), 1.3);
+    return y / (y + 0.4903);
 }
 
 vec3 tonemap(vec3 c) {

@@ -14,7 +14,9 @@ typedef struct clouds {
     bolan_dvec3 eye;       // where the panorama was made
     uint64_t seed;
     bolan_vec3 sun;
-    float cover, base, unit;
+    float cover, base, visibility, unit;
+    bool above;            // the eye stood above the base
+    bolan_quality quality; // of the panorama
 } clouds;
 
 bolan_result clouds_create(clouds *c);

@@ -6,25 +6,30 @@
 
 #include <math.h>
 
-enum { ENVIRONMENT_SIZE = 512, LIGHT_PIXELS = 4 };
+enum { ENVIRONMENT_SIZE = 512, ENVIRONMENT_LEVELS = 8, LIGHT_PIXELS = 4 };
 
 struct pass_sky {
     atmosphere air;
     clouds clouds;
-    gl_program sky_program, environment_program, light_program;
-    gl_texture environment, light;
-    gl_target environment_target, light_target;
+    gl_program sky_program, environment_program, prefilter_program, light_program;
+    gl_texture plain, environment, light; // the environment before and after its levels are blurred
+    gl_target plain_target, environment_target[ENVIRONMENT_LEVELS], light_target;
     gl_buffer uniforms;            // Frame, while tables are drawn
     float measured[4 * LIGHT_PIXELS]; // the last read-back of sky_light.glsl
 };
 
 static bolan_result create_targets(pass_sky *p) {
     const gl_texture_desc environment = {.format = GL_FMT_RGBA16F, .width = ENVIRONMENT_SIZE, .height = ENVIRONMENT_SIZE,
-                                         .levels = 8, .filter = GL_FILTER_MIPMAP};
+                                         .levels = ENVIRONMENT_LEVELS, .filter = GL_FILTER_MIPMAP};
     const gl_texture_desc light = {.format = GL_FMT_RGBA32F, .width = LIGHT_PIXELS, .height = 1};
-    const gl_texture *color = &p->environment;
-    bolan_result result = gl_texture_create(&environment, &p->environment);
-    if (result == BOLAN_OK) result = gl_target_create(&color, 1, NULL, -1, 0, &p->environment_target);
+    const gl_texture *color = &p->plain;
+    bolan_result result = gl_texture_create(&environment, &p->plain);
+    if (result == BOLAN_OK) result = gl_target_create(&color, 1, NULL, -1, 0, &p->plain_target);
+    if (result == BOLAN_OK) result = gl_texture_create(&environment, &p->environment);
+    color = &p->environment;
+    for (uint32_t l = 0; l < ENVIRONMENT_LEVELS && result == BOLAN_OK; l++) {
+        result = gl_target_create(&color, 1, NULL, -1, l, &p->environment_target[l]);
+    }
     if (result == BOLAN_OK) result = gl_texture_create(&light, &p->light);
     color = &p->light;
     if (result == BOLAN_OK) result = gl_target_create(&color, 1, NULL, -1, 0, &p->light_target);
@@ -46,6 +51,7 @@ bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out) {
     if (result == BOLAN_OK) result = clouds_create(&p->clouds);
     if (result == BOLAN_OK) result = gl_program_create("sky", NULL, &p->sky_program);
     if (result == BOLAN_OK) result = gl_program_create("sky_environment", NULL, &p->environment_program);
+    if (result == BOLAN_OK) result = gl_program_create("sky_prefilter", NULL, &p->prefilter_program);
     if (result == BOLAN_OK) result = gl_program_create("sky_light", NULL, &p->light_program);
     if (result == BOLAN_OK) result = create_targets(p);
     if (result != BOLAN_OK) {
@@ -61,6 +67,7 @@ bolan_result pass_sky_reload(pass_sky *p) {
     if (result == BOLAN_OK) result = clouds_reload(&p->clouds);
     if (result == BOLAN_OK) result = gl_program_reload(&p->sky_program);
     if (result == BOLAN_OK) result = gl_program_reload(&p->environment_program);
+    if (result == BOLAN_OK) result = gl_program_reload(&p->prefilter_program);
     if (result == BOLAN_OK) result = gl_program_reload(&p->light_program);
     return result;
 }
@@ -73,10 +80,19 @@ static float radiance_unit(float sun_height) {
 
 static void draw_environment(pass_sky *p) {
     gl_texture_bind(&p->air.sea_view, UNIT_PASS);
-    gl_target_bind(&p->environment_target);
+    gl_target_bind(&p->plain_target);
     gl_program_use(&p->environment_program);
     gl_draw_fullscreen();
-    gl_texture_generate_mipmaps(&p->environment);
+    gl_texture_generate_mipmaps(&p->plain);
+    gl_texture_bind(&p->plain, UNIT_PASS);
+    for (int l = 0; l < ENVIRONMENT_LEVELS; l++) {
+        gl_target_bind(&p->environment_target[l]);
+        gl_program_float(&p->prefilter_program, "level", (float)l);
+        gl_draw_fullscreen();
+    }
+}
+
+static void measure_light(pass_sky *p) {
     gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
     gl_target_bind(&p->light_target);
     gl_program_use(&p->light_program);
@@ -86,14 +102,16 @@ static void draw_environment(pass_sky *p) {
 
 static float luminance(const float *c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
 
-// Automatic exposure: what makes the illuminance of the scene a middle grey, but not wholly: a dusk should look darker than a
-// noon. E in units of the sun above the air; at noon, E about 0.9, the factor is EXPOSURE_NOON.
+// Automatic exposure, from the light that falls on the sea: as a photographer does, who opens up as the day fades, at first
+// by less than half a stop for each stop of light (the sky about a low sun stays bright), then by nearly all of it, so that
+// dusk is seen but looks darker than noon.
 static float exposure(const pass_sky *p, const frame *f, float unit) {
-    const float exposure_noon = 3.6f, adaptation = 0.86f;
-    const float shadow = p->measured[12], sun_height = fmaxf(f->uniforms.sun.z, 0.0f);
-    const float sky = luminance(p->measured), direct = luminance(p->measured + 4) * (0.25f + 0.75f * sun_height) * shadow;
-    const float illuminance = fmaxf((sky + direct) / unit, 1e-10f);
-    return exposure_noon * powf(illuminance / 0.9f, -adaptation) * exp2f((float)f->scene->exposure) / unit;
+    const float noon_light = 0.25f, noon_exposure = 9.0f;
+    const float direct = 0.18f * luminance(p->measured + 4) * p->measured[12];
+    const float light = fmaxf((luminance(p->measured) + direct) / unit, 1e-10f);
+    const float darker = fmaxf(log2f(noon_light / light), -1.0f); // in stops
+    const float stops = 0.9f * darker - 2.6f * (1.0f - expf(-darker / 5.0f));
+    return noon_exposure * exp2f(stops + (float)f->scene->exposure) / unit;
 }
 
 static void set_light(const pass_sky *p, frame *f) {
@@ -119,6 +137,7 @@ void pass_sky_prepare(pass_sky *p, frame *f) {
         if (cloudy) clouds_march(&p->clouds, f);
         gl_texture_bind(&p->clouds.map, UNIT_CLOUDS);
         draw_environment(p);
+        measure_light(p);
     }
     gl_texture_bind(&p->clouds.map, UNIT_CLOUDS);
     gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
@@ -138,12 +157,15 @@ void pass_sky_destroy(pass_sky **pp) {
     pass_sky *p = *pp;
     atmosphere_free(&p->air);
     clouds_free(&p->clouds);
-    gl_target_free(&p->environment_target);
+    for (int l = 0; l < ENVIRONMENT_LEVELS; l++) gl_target_free(&p->environment_target[l]);
+    gl_target_free(&p->plain_target);
     gl_target_free(&p->light_target);
+    gl_texture_free(&p->plain);
     gl_texture_free(&p->environment);
     gl_texture_free(&p->light);
     gl_program_free(&p->sky_program);
     gl_program_free(&p->environment_program);
+    gl_program_free(&p->prefilter_program);
     gl_program_free(&p->light_program);
     gl_buffer_free(&p->uniforms);
     bolan_release(p, sizeof *p);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// The clouds all round the eye, marched: premultiplied radiance and cover, air before them included. Low clouds by ray
+// marching with a rational law for light scattered many times; cirrus as a thin sheet.
+#include "common/fullscreen.glsl"
+#ifdef VERTEX
+void main() { fullscreen(0.5); }
+#endif
+#ifdef FRAGMENT
+#include "common/atmosphere.glsl"
+#include "common/clouds.glsl"
+uniform sampler2D sea_view_table;
+#pragma unit sea_view_table 15
+out vec4 color;
+
+const int STEPS = 72, LIGHT_STEPS = 5;
+const float FARTHEST = 120000.0;
+
+vec3 panorama_direction() { // inverse of cloud_uv()
+    float h = max(eye.z, 0.0), dip = horizon_dip(h), y = haze.z > 0.5 ? uv.y * 2.0 - 1.0 : uv.y;
+    float range = y > 0.0 ? 0.5 * AIR_PI + dip : 0.5 * AIR_PI - dip;
+    float elevation = sign(y) * y * y * range - dip, azimuth = 2.0 * AIR_PI * uv.x;
+    return vec3(cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation));
+}
+
+// Where the ray meets the shell of height H: near and far root, or x > y.
+vec2 shell(float h, float mu, float shell_height) {
+    float r = earth_radius(), b = (r + h) * mu, c = (h - shell_height) * (2.0 * r + h + shell_height), q = b * b - c;
+    if (q < 0.0) return vec2(1.0, -1.0);
+    return vec2(-b - sqrt(q), -b + sqrt(q));
+}
+
+vec2 layer_interval(float h, float mu) {
+    vec2 base = shell(h, mu, cloud_base()), top = shell(h, mu, cloud_top());
+    float sea = distance_to_sea(h, mu);
+    vec2 span;
+    if (h < cloud_base()) {
+        span = sea >= 0.0 ? vec2(1.0, -1.0) : vec2(base.y, top.y);
+    } else if (top.x > top.y || top.y < 0.0) {
+        span = vec2(1.0, -1.0);
+    } else {
+        span = vec2(max(top.x, 0.0), base.x < base.y && base.x > 0.0 ? base.x : top.y);
+    }
+    return vec2(span.x, min(span.y, span.x + 60000.0));
+}
+
+float depth_towards_sun(vec2 position, float h) {
+    float sum = 0.0, step_length = 70.0, d = 0.0, up = max(sun.z, 0.04);
+    for (int i = 0; i < LIGHT_STEPS; ++i) {
+        float at = d + 0.5 * step_length;
+        sum += cloud_extinction(position + sun.xy * at, h + up * at, i < 2) * step_length;
+        d += step_length;
+        step_length *= 1.8;
+    }
+    return sum;
+}
+
+// Light of the whole sky on the clouds, as a radiance.
+vec3 ambient_radiance() {
+    vec3 sum = 2.0 * textureLod(sea_view_table, sky_view_uv(vec3(0.0, 0.0, 1.0), 2.0), 0.0).rgb;
+    for (int i = 0; i < 4; ++i) {
+        float azimuth = 0.5 * AIR_PI * (float(i) + 0.5);
+        sum += textureLod(sea_view_table, sky_view_uv(vec3(cos(azimuth) * 0.8, sin(azimuth) * 0.8, 0.6), 2.0), 0.0).rgb;
+    }
+    return sum / 6.0;
+}
+
+float hash_pixel() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
+
+// Premultiplied radiance and cover; mean distance.
+vec4 march(vec3 dir, vec2 span, out float mean_distance) {
+    float c = dot(dir, sun.xyz), h0 = max(eye.z, 0.0);
+    vec3 sun_above = solar_irradiance() * sun_transmittance(cloud_base() + 0.7 * cloud_origin.z), ambient = ambient_radiance();
+    float forward = 0.6 * henyey_greenstein(c, 0.85) + 0.4 * henyey_greenstein(c, 0.1);
+    vec3 light = vec3(0.0);
+    float left = 1.0, step_length = (span.y - span.x) / float(STEPS), weight = 0.0;
+    mean_distance = 0.0;
+    for (int i = 0; i < STEPS; ++i) {
+        float d = span.x + (float(i) + hash_pixel()) * step_length, h = air_height(h0, dir.z, d);
+        vec2 position = dir.xy * d;
+        float extinction = cloud_extinction(position, h, true);
+        if (extinction <= 0.0) continue;
+        float depth = depth_towards_sun(position, h), level = clamp((h - cloud_base()) / cloud_origin.z, 0.0, 1.0);
+        float many = 2.1 / (4.0 * AIR_PI * (1.0 + 0.16 * depth)) * (1.0 - 0.35 * exp(-2.0 * depth)); // thin edges scatter once
+        vec3 source = sun_above * (0.55 * forward * exp(-depth) + many) + ambient * mix(0.45, 0.95, level);
+        float through = exp(-extinction * step_length), gained = left * (1.0 - through);
+        light += gained * source;
+        mean_distance += gained * d;
+        weight += gained;
+        left *= through;
+        if (left < 0.01) break;
+    }
+    mean_distance = weight > 0.0 ? mean_distance / weight : span.x;
+    return vec4(light, 1.0 - left);
+}
+
+// A thin sheet of ice at 9 km, in streaks.
+vec4 cirrus(vec3 dir, out float d) {
+    float h = max(eye.z, 0.0);
+    vec2 roots = shell(h, dir.z, 9000.0);
+    d = h < 9000.0 ? roots.y : -1.0;
+    if (d < 0.0 || distance_to_sea(h, dir.z) >= 0.0) return vec4(0.0);
+    vec2 p = dir.xy * d + cloud_origin.xy, along = normalize(wind.xy + vec2(1e-4, 0.3));
+    vec2 q = vec2(dot(p, along), dot(p, vec2(-along.y, along.x)));
+    vec2 warp = vec2(textureLod(cloud_noise, vec3(q / 90000.0, 0.2), 0.0).b, textureLod(cloud_noise, vec3(q / 90000.0, 0.7), 0.0).b);
+    q += (warp - 0.5) * 26000.0;
+    float streak = textureLod(cloud_noise, vec3(q / vec2(88000.0, 15000.0), 0.5), 0.0).b;
+    float fibre = textureLod(cloud_noise, vec3(q / vec2(26000.0, 2600.0), 0.1), 0.0).a;
+    float patches = textureLod(cloud_noise, vec3(p / 160000.0, 0.85), 0.0).b;
+    float amount = clamp((streak + 0.5 * (patches - 0.5) - 0.52) * 3.2, 0.0, 1.0) * (0.35 + 0.65 * fibre);
+    amount *= smoothstep(0.0, 0.15, wind.w) * 0.42;
+    float slant = min(1.0 / max(dir.z, 0.08), 5.0), cover = 1.0 - exp(-amount * slant);
+    float phase = 0.7 * henyey_greenstein(dot(dir, sun.xyz), 0.7) + 0.5 * henyey_greenstein(dot(dir, sun.xyz), 0.0);
+    vec3 light = solar_irradiance() * sun_transmittance(9000.0) * phase + ambient_radiance() * 0.5;
+    return vec4(light * cover, cover);
+}
+
+vec4 behind_air(vec4 clouds, vec3 dir, float d) {
+    vec3 transmittance, inscatter;
+    air_perspective(dir * d, transmittance, inscatter);
+    float fade = 1.0 - smoothstep(0.5 * FARTHEST, FARTHEST, d);
+    return vec4(clouds.rgb * transmittance + inscatter * clouds.a, clouds.a) * fade;
+}
+
+void main() {
+    vec3 dir = panorama_direction();
+    color = vec4(0.0);
+    float d;
+    vec4 high = cirrus(dir, d);
+    if (high.a > 0.0) color = vec4(high.rgb * air_transmittance(max(eye.z, 0.0), dir.z, d), high.a);
+    if (high.a > 0.0) { // the air before it, not the sky's whole
+        vec3 transmittance, inscatter;
+        air_perspective(dir * d, transmittance, inscatter);
+        color.rgb += inscatter * high.a;
+    }
+    vec2 span = layer_interval(max(eye.z, 0.0), dir.z);
+    if (span.y <= span.x || span.x > FARTHEST) return;
+    vec4 low = behind_air(march(dir, span, d), dir, d);
+    color = color * (1.0 - low.a) + low;
+}
+#endif
