@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Float pictures: OpenEXR, through its C library.
+//
+// The file is a single part of scan lines in blocks of 16 lines, each compressed by itself (ZIP). The encoder takes, for
+// each channel of the header, a pointer to the block's first line.
+#include "io/file.h"
+
+#include <errno.h>
+#include <openexr.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LARGEST_SIDE = 16384, MOST_CHANNELS = 64 };
+
+typedef struct picture {
+    uint32_t width, height;
+    const bolan_exr_channel *channels;
+    uint32_t count;
+} picture;
+
+// Errors are reported once, by bolan_exr_write().
+static void ignore_message(exr_const_context_t context, exr_result_t code, const char *message) {
+    (void)context, (void)code, (void)message;
+}
+
+static const float *find_plane(const picture *p, const char *name) {
+    for (uint32_t i = 0; i < p->count; i++)
+        if (strcmp(p->channels[i].name, name) == 0) return p->channels[i].pixels;
+    return NULL;
+}
+
+static exr_result_t write_header(exr_context_t file, const picture *p) {
+    int part = 0;
+    exr_result_t result = exr_add_part(file, "", EXR_STORAGE_SCANLINE, &part);
+    if (result == EXR_ERR_SUCCESS)
+        result =
+            exr_initialize_required_attr_simple(file, part, (int32_t)p->width, (int32_t)p->height, EXR_COMPRESSION_ZIP);
+    for (uint32_t i = 0; i < p->count && result == EXR_ERR_SUCCESS; i++)
+        result = exr_add_channel(file, part, p->channels[i].name, EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
+    return result == EXR_ERR_SUCCESS ? exr_write_header(file) : result;
+}
+
+static void point_at_line(exr_encode_pipeline_t *encoder, const picture *p, uint32_t y) {
+    for (int c = 0; c < encoder->channel_count; c++) {
+        exr_coding_channel_info_t *channel = &encoder->channels[c];
+        const float *plane = find_plane(p, channel->channel_name);
+        channel->encode_from_ptr = (const uint8_t *)(plane + (size_t)y * p->width);
+        channel->user_pixel_stride = (int32_t)sizeof(float);
+        channel->user_line_stride = (int32_t)(p->width * sizeof(float));
+        channel->user_bytes_per_element = (int16_t)sizeof(float);
+        channel->user_data_type = EXR_PIXEL_FLOAT;
+    }
+}
+
+static exr_result_t write_blocks(exr_context_t file, const picture *p, exr_encode_pipeline_t *encoder) {
+    int32_t lines = 0;
+    exr_result_t result = exr_get_scanlines_per_chunk(file, 0, &lines);
+    bool first = true;
+    for (uint32_t y = 0; y < p->height && result == EXR_ERR_SUCCESS; y += (uint32_t)lines) {
+        exr_chunk_info_t block;
+        result = exr_write_scanline_chunk_info(file, 0, (int)y, &block);
+        if (result != EXR_ERR_SUCCESS) break;
+        result =
+            first ? exr_encoding_initialize(file, 0, &block, encoder) : exr_encoding_update(file, 0, &block, encoder);
+        if (result != EXR_ERR_SUCCESS) break;
+        point_at_line(encoder, p, y);
+        if (first) result = exr_encoding_choose_default_routines(file, 0, encoder);
+        if (result == EXR_ERR_SUCCESS) result = exr_encoding_run(file, 0, encoder);
+        first = false;
+    }
+    return result;
+}
+
+static exr_result_t write_picture(const char *path, const picture *p) {
+    exr_context_initializer_t initializer = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    initializer.error_handler_fn = ignore_message;
+    exr_context_t file = NULL;
+    exr_result_t result = exr_start_write(&file, path, EXR_WRITE_FILE_DIRECTLY, &initializer);
+    if (result != EXR_ERR_SUCCESS) return result;
+    exr_encode_pipeline_t encoder = EXR_ENCODE_PIPELINE_INITIALIZER;
+    result = write_header(file, p);
+    if (result == EXR_ERR_SUCCESS) {
+        result = write_blocks(file, p, &encoder);
+        exr_encoding_destroy(file, &encoder);
+    }
+    const exr_result_t closed = exr_finish(&file);
+    return result == EXR_ERR_SUCCESS ? closed : result;
+}
+
+static bolan_result check(const char *path, const picture *p) {
+    bool good = p->width >= 1 && p->width <= LARGEST_SIDE && p->height >= 1 && p->height <= LARGEST_SIDE &&
+                p->count >= 1 && p->count <= MOST_CHANNELS;
+    for (uint32_t i = 0; i < p->count && good; i++)
+        good = p->channels[i].name && p->channels[i].pixels && p->channels[i].name[0] != '\0' &&
+               find_plane(p, p->channels[i].name) == p->channels[i].pixels;
+    if (good) return BOLAN_OK;
+    bolan_log(
+        BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT,
+        "%s: a picture of %ux%u with %u channels; expected 1 to %d each way, and 1 to %d channels with different names",
+        path, (unsigned)p->width, (unsigned)p->height, (unsigned)p->count, LARGEST_SIDE, MOST_CHANNELS);
+    return BOLAN_ERROR_ARGUMENT;
+}
+
+bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height, const bolan_exr_channel *channels,
+                             uint32_t count) {
+    BOLAN_ASSERT(path && channels);
+    const picture p = {width, height, channels, count};
+    char temporary[FILE_NAME_CAPACITY];
+    if (check(path, &p)) return BOLAN_ERROR_ARGUMENT;
+    if (file_temporary_name(path, temporary)) return BOLAN_ERROR_IO;
+    errno = 0;
+    const exr_result_t result = write_picture(temporary, &p);
+    if (result == EXR_ERR_SUCCESS) return file_finish(temporary, path, true);
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_IMAGE_WRITE, "%s: cannot be written: %s", path,
+              errno ? strerror(errno) : exr_get_default_error_message(result));
+    return file_finish(temporary, path, false), BOLAN_ERROR_IO;
+}

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// From a scene as it is written to a scene as it is used: defaults, units, and keys that exclude or need each other.
+#include "io/scene_file.h"
+
+#include <stdio.h>
+#include <string.h>
+
+void scene_file_clear(scene_file *file) {
+    const double absent = (double)NAN;
+    const bolan_scene d = bolan_scene_default();
+    memset(file, 0, sizeof *file);
+    file->technique = file->sea.spectrum.shape = file->water.type = -1;
+    double *const numbers[] = {
+        &file->time,
+        &file->exposure,
+        &file->sea.wind.speed,
+        &file->sea.wind.from,
+        &file->sea.fetch_km,
+        &file->sea.beaufort,
+        &file->sea.douglas,
+        &file->sea.depth,
+        &file->sea.length,
+        &file->sea.choppiness,
+        &file->sea.loop,
+        &file->sea.foam_decay,
+        &file->water.level,
+        &file->water.foam,
+        &file->sky.sun.azimuth,
+        &file->sky.sun.elevation,
+        &file->sky.sun.place[0],
+        &file->sky.sun.place[1],
+        &file->sky.visibility_km,
+        &file->sky.clouds.cover,
+        &file->sky.clouds.base,
+        &file->terrain.island.radius,
+        &file->terrain.island.peak,
+        &file->terrain.island.sea_floor,
+        &file->terrain.island.lagoon_from,
+        &file->terrain.raster.at[0],
+        &file->terrain.raster.at[1],
+        &file->terrain.raster.radius_km,
+        &file->terrain.raster.vertical_scale,
+        &file->camera.position[0],
+        &file->camera.position[1],
+        &file->camera.position[2],
+        &file->camera.heading,
+        &file->camera.pitch,
+        &file->camera.roll,
+        &file->camera.fov,
+    };
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        *numbers[i] = absent;
+    for (int i = 0; i < BOLAN_MAX_WAVE_SYSTEMS; i++)
+        file->sea.swell[i] = (struct scene_file_swell){0, absent, absent, absent, absent};
+    file->sea.seed = d.sea.seed;
+    file->sea.resolution = d.sea.resolution;
+    file->sea.cascades = d.sea.cascade_count;
+    file->sky.clouds.seed = d.sky.cloud_seed;
+    file->terrain.island.seed = d.terrain.island.seed;
+}
+
+static void set(double *value, double given, double factor) {
+    if (!isnan(given)) *value = given * factor;
+}
+
+static bolan_result refuse(const char *name, uint32_t line, const char *what) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_BAD_VALUE, "%s:%u: %s", name, (unsigned)line, what);
+    return BOLAN_ERROR_FORMAT;
+}
+
+// ---- the sea --------------------------------------------------------------------------------------------------------
+
+static bolan_result check_sea(const struct scene_file_sea *sea, const char *name) {
+    const int winds = !isnan(sea->wind.speed) + !isnan(sea->beaufort) + !isnan(sea->douglas);
+    if (winds > 1)
+        return refuse(name, sea->line, "sea has more than one of wind.speed, beaufort and douglas; expected one");
+    if (!isnan(sea->douglas) && sea->douglas != floor(sea->douglas))
+        return refuse(name, sea->line, "sea.douglas is not a whole number; expected 0 to 9");
+    if (!isnan(sea->fetch_km) && (!isnan(sea->beaufort) || !isnan(sea->douglas)))
+        return refuse(name, sea->line,
+                      "sea.fetch_km does not go with beaufort or douglas, whose seas are fully developed");
+    const uint64_t n = sea->resolution;
+    if ((n & (n - 1)) != 0)
+        return refuse(name, sea->line, "sea.resolution is not a power of two; expected 32, 64, 128, 256, 512 or 1024");
+    if (sea->spectrum.shape == BOLAN_SPECTRUM_TMA && isnan(sea->depth))
+        return refuse(name, sea->spectrum.line, "sea.spectrum.shape tma needs sea.depth, the depth in metres");
+    return BOLAN_OK;
+}
+
+static bolan_result add_swells(const struct scene_file_sea *sea, const char *name, bolan_sea_state *state) {
+    for (uint32_t i = 0; i < sea->swell_count; i++) {
+        const struct scene_file_swell *s = &sea->swell[i];
+        if (isnan(s->hs) || isnan(s->tp))
+            return refuse(name, s->line, "a swell needs hs, its height in metres, and tp, its period in seconds");
+        if (state->system_count >= BOLAN_MAX_WAVE_SYSTEMS)
+            return refuse(name, s->line, "sea.swell is too long; expected at most 7 swells beside a wind sea");
+        if (bolan_sea_state_add_swell(state, s->hs, s->tp, isnan(s->from) ? state->wind_from_deg : s->from,
+                                      isnan(s->spread) ? 30.0 : s->spread))
+            return BOLAN_ERROR_FORMAT;
+    }
+    return BOLAN_OK;
+}
+
+static void set_wind(const struct scene_file_sea *sea, bolan_scene *scene) {
+    const bolan_sea_state *old = &scene->sea.sea_state;
+    double from = old->wind_from_deg, speed = old->wind_speed;
+    set(&from, sea->wind.from, 1.0);
+    set(&speed, sea->wind.speed, 1.0);
+    if (!isnan(sea->beaufort) || !isnan(sea->douglas)) {
+        speed = isnan(sea->beaufort) ? bolan_sea_state_from_douglas((int)sea->douglas, from).wind_speed
+                                     : bolan_sea_state_from_beaufort(sea->beaufort, from).wind_speed;
+        scene->wind_spectrum = BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
+    }
+    if (sea->spectrum.shape >= 0) scene->wind_spectrum = (bolan_spectrum_kind)sea->spectrum.shape;
+    bolan_scene_set_wind(scene, speed, from);
+}
+
+static bolan_result build_sea(const struct scene_file_sea *sea, const char *name, bolan_scene *scene) {
+    if (check_sea(sea, name)) return BOLAN_ERROR_FORMAT;
+    bolan_sea_desc *d = &scene->sea;
+    snprintf(scene->spectrum_path, sizeof scene->spectrum_path, "%s", sea->spectrum.file);
+    scene->spectrum_record = (uint32_t)sea->spectrum.record;
+    set(&scene->fetch, sea->fetch_km, 1000.0);
+    set(&d->sea_state.depth, sea->depth, 1.0);
+    set_wind(sea, scene);
+    d->seed = sea->seed;
+    d->resolution = (uint32_t)sea->resolution;
+    d->cascade_count = (uint32_t)sea->cascades;
+    set(&d->length, sea->length, 1.0);
+    set(&d->choppiness, sea->choppiness, 1.0);
+    set(&d->loop_period, sea->loop, 1.0);
+    set(&d->foam_decay, sea->foam_decay, 1.0);
+    return add_swells(sea, name, &d->sea_state);
+}
+
+// ---- sky, terrain, camera -------------------------------------------------------------------------------------------
+
+// Days from 1970-01-01 to a date of the Gregorian calendar (Fliegel & Van Flandern, Comm. ACM 11, 1968).
+static int days_since_1970(int year, int month, int day) {
+    const int a = (month - 14) / 12;
+    const int julian = day - 32075 + 1461 * (year + 4800 + a) / 4 + 367 * (month - 2 - a * 12) / 12 -
+                       3 * ((year + 4900 + a) / 100) / 4;
+    return julian - 2440588;
+}
+
+bool scene_file_date(const char *text, double *unix_time) {
+    int year, month, day, hour, minute, second = 0, used = 0, zone_hour = 0, zone_minute = 0, end = 0;
+    char sign = 'Z';
+    if (sscanf(text, "%4d-%2d-%2dT%2d:%2d%n", &year, &month, &day, &hour, &minute, &used) != 5) return false;
+    text += used;
+    if (*text == ':') {
+        if (sscanf(text, ":%2d%n", &second, &used) != 1) return false;
+        text += used;
+    }
+    if (strcmp(text, "Z") != 0 && (sscanf(text, "%c%2d:%2d%n", &sign, &zone_hour, &zone_minute, &end) != 3 ||
+                                   text[end] != '\0' || (sign != '+' && sign != '-')))
+        return false;
+    if (year < 1900 || year > 2100 || month < 1 || month > 12 || day < 1 || day > 31 || hour < 0 || hour > 23 ||
+        minute < 0 || minute > 59 || second < 0 || second > 60 || zone_hour < 0 || zone_hour > 14 || zone_minute < 0 ||
+        zone_minute > 59)
+        return false;
+    const double zone = (zone_hour * 60.0 + zone_minute) * 60.0 * (sign == '-' ? -1.0 : 1.0);
+    *unix_time = days_since_1970(year, month, day) * 86400.0 + (hour * 60.0 + minute) * 60.0 + second - zone;
+    return true;
+}
+
+static bolan_result build_sun(const struct scene_file_sun *sun, const char *name, bolan_sky *sky) {
+    const bool dated = sun->date[0] != '\0';
+    if (dated != !isnan(sun->place[0]))
+        return refuse(name, sun->line, "sky.sun needs date and place [latitude, longitude] together");
+    if (dated && (!isnan(sun->azimuth) || !isnan(sun->elevation)))
+        return refuse(name, sun->line,
+                      "sky.sun has date and angles; expected date and place, or azimuth and elevation");
+    if (dated) {
+        double unix_time = 0.0;
+        if (!scene_file_date(sun->date, &unix_time))
+            return refuse(name, sun->line,
+                          "sky.sun.date is no date; expected one like 2026-06-21T18:00:00Z or ...+02:00");
+        if (fabs(sun->place[0]) > 90.0)
+            return refuse(name, sun->line, "sky.sun.place has a latitude beyond 90; expected [latitude, longitude]");
+        bolan_sun_position(unix_time, sun->place[0], sun->place[1], &sky->sun_azimuth_deg, &sky->sun_elevation_deg);
+    }
+    set(&sky->sun_azimuth_deg, sun->azimuth, 1.0);
+    set(&sky->sun_elevation_deg, sun->elevation, 1.0);
+    return BOLAN_OK;
+}
+
+static bolan_result build_sky(const scene_file *file, const char *name, bolan_sky *sky) {
+    set(&sky->visibility, file->sky.visibility_km, 1000.0);
+    set(&sky->cloud_cover, file->sky.clouds.cover, 1.0);
+    set(&sky->cloud_base, file->sky.clouds.base, 1.0);
+    sky->cloud_seed = file->sky.clouds.seed;
+    return build_sun(&file->sky.sun, name, sky);
+}
+
+static bolan_result build_terrain(const struct scene_file_terrain *t, const char *name, bolan_terrain_source *out) {
+    if (t->island.line && t->raster.line)
+        return refuse(name, t->line, "terrain has both island and raster; expected one");
+    if (t->raster.line && !isnan(t->raster.at[0]) && fabs(t->raster.at[0]) > 90.0)
+        return refuse(name, t->raster.line,
+                      "terrain.raster.at has a latitude beyond 90; expected [latitude, longitude]");
+    out->kind = t->island.line ? BOLAN_TERRAIN_ISLAND : t->raster.line ? BOLAN_TERRAIN_RASTER : BOLAN_TERRAIN_NONE;
+    out->island.seed = t->island.seed;
+    set(&out->island.radius, t->island.radius, 1.0);
+    set(&out->island.peak, t->island.peak, 1.0);
+    set(&out->island.sea_floor, t->island.sea_floor, 1.0);
+    set(&out->island.lagoon_from_deg, t->island.lagoon_from, 1.0);
+    snprintf(out->path, sizeof out->path, "%s", t->raster.file);
+    out->latitude = t->raster.at[0];
+    out->longitude = t->raster.at[1];
+    set(&out->radius, t->raster.radius_km, 1000.0);
+    set(&out->vertical_scale, t->raster.vertical_scale, 1.0);
+    return BOLAN_OK;
+}
+
+static void build_camera(const struct scene_file_camera *c, bolan_camera *out) {
+    set(&out->position.x, c->position[0], 1.0);
+    set(&out->position.y, c->position[1], 1.0);
+    set(&out->position.z, c->position[2], 1.0);
+    set(&out->heading_deg, c->heading, 1.0);
+    set(&out->pitch_deg, c->pitch, 1.0);
+    set(&out->roll_deg, c->roll, 1.0);
+    set(&out->fov_deg, c->fov, 1.0);
+}
+
+bolan_result scene_file_build(const scene_file *file, const char *name, bolan_scene *scene) {
+    *scene = bolan_scene_default();
+    snprintf(scene->description, sizeof scene->description, "%s", file->description);
+    if (file->technique >= 0) {
+        uint32_t count = 0;
+        scene->technique = bolan_techniques(&count)[file->technique];
+    }
+    if (file->water.type >= 0) scene->water.type = (bolan_jerlov)file->water.type;
+    set(&scene->water.level, file->water.level, 1.0);
+    set(&scene->water.foam, file->water.foam, 1.0);
+    set(&scene->time, file->time, 1.0);
+    set(&scene->exposure, file->exposure, 1.0);
+    build_camera(&file->camera, &scene->camera);
+    if (build_sea(&file->sea, name, scene) || build_sky(file, name, &scene->sky) ||
+        build_terrain(&file->terrain, name, &scene->terrain))
+        return BOLAN_ERROR_FORMAT;
+    return BOLAN_OK;
+}
