@@ -10,7 +10,7 @@ layout(std140) uniform Frame {
     vec4 viewport;   // width, height, 1/width, 1/height [px]
     vec4 lens;       // x: radians per pixel, y: near [m], z: 1 if clip depth is [0,1], w: earth radius [m]
     vec4 wind;       // xy: unit direction it blows TO, z: U10 [m/s], w: cloud cover
-    vec4 haze;       // x: visibility [m], y: cloud base [m]
+    vec4 haze;       // x: visibility [m], y: cloud base [m], zw: eye position modulo 131072 m
     vec4 water_deep; // remote-sensing reflectance rgb [1/sr]; w: index of refraction
     vec4 water_kd;   // diffuse attenuation rgb [1/m]; w: foam strength
     vec4 water_bb;   // backscatter rgb [1/m]

@@ -44,6 +44,8 @@ static void fill_camera(frame *f, bool zero_to_one, double near_m, bolan_vec2 sh
                            (float)BOLAN_EARTH_RADIUS};
 }
 
+static float reduced(double x, double period) { return (float)(x - period * floor(x / period)); }
+
 static void fill_scene(frame *f) {
     const bolan_scene *s = f->scene;
     frame_uniforms *u = &f->uniforms;
@@ -52,13 +54,13 @@ static void fill_scene(frame *f) {
     f->eye = s->camera.position;
     f->sun_direction = sun_direction(&s->sky);
     double wind_to = bolan_compass_from_to_math(state->wind_from_deg);
-    u->eye = (bolan_vec4){(float)(f->eye.x - 4096.0 * floor(f->eye.x / 4096.0)),
-                          (float)(f->eye.y - 4096.0 * floor(f->eye.y / 4096.0)), (float)(f->eye.z - s->water.level),
+    u->eye = (bolan_vec4){reduced(f->eye.x, 4096.0), reduced(f->eye.y, 4096.0), (float)(f->eye.z - s->water.level),
                           (float)s->water.level};
     u->sun = with_w(f->sun_direction, 0.99998919f); // cos 0.2664 deg
     u->sky_light.w = (float)fmod(f->time, 3600.0);
     u->wind = (bolan_vec4){(float)cos(wind_to), (float)sin(wind_to), (float)state->wind_speed, (float)s->sky.cloud_cover};
-    u->haze = (bolan_vec4){(float)s->sky.visibility, (float)s->sky.cloud_base, 0.0f, 0.0f};
+    u->haze = (bolan_vec4){(float)s->sky.visibility, (float)s->sky.cloud_base, reduced(f->eye.x, 131072.0),
+                           reduced(f->eye.y, 131072.0)};
     fill_water(u, &s->water);
 }
 

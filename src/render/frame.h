@@ -45,7 +45,7 @@ typedef struct frame_uniforms {
     bolan_vec4 viewport;   // width, height, 1/width, 1/height [px]
     bolan_vec4 lens;       // x: radians per pixel, y: near [m], z: 1 if clip depth is [0,1], w: earth radius [m]
     bolan_vec4 wind;       // x, y: unit direction it blows TO, z: U10 [m/s], w: cloud cover
-    bolan_vec4 haze;       // x: visibility [m], y: cloud base [m], z, w: spare
+    bolan_vec4 haze;       // x: visibility [m], y: cloud base [m], zw: eye position modulo 131072 m (for large noise)
     bolan_vec4 water_deep; // Rrs rgb; w: index of refraction
     bolan_vec4 water_kd;   // Kd rgb; w: foam strength
     bolan_vec4 water_bb;   // backscatter rgb; w: spare
