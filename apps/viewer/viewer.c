@@ -142,7 +142,6 @@ static void obey_commands(viewer *v, unsigned commands) {
 
 static void take_events(viewer *v, double seconds, panel_facts *facts) {
     SDL_Event event;
-    unsigned commands = 0;
     int units = 0;
     input_taken taken;
     bolan_camera *camera = &v->world.scene.camera;
@@ -150,9 +149,8 @@ static void take_events(viewer *v, double seconds, panel_facts *facts) {
     panel_taken(&taken.mouse, &taken.keyboard);
     while (SDL_PollEvent(&event)) {
         panel_event(&event);
-        commands |= input_event(&v->input, &v->window, &event, taken, camera->fov_deg / fmax(units, 1.0));
+        obey_commands(v, input_event(&v->input, &v->window, &event, taken, camera->fov_deg / fmax(units, 1.0)));
     }
-    obey_commands(v, commands);
     double surface = world_surface(&v->world, camera->position.x, camera->position.y, &facts->over_land);
     double speed = fly_speed(camera->position.z - surface);
     fly_input movement = input_movement(&v->input, taken, seconds);
@@ -228,7 +226,7 @@ static void one_frame(viewer *v) {
     advance(v, seconds);
     canvas_draw(&v->canvas, &v->world, v->width, v->height, v->render_scale > 0.0 ? v->render_scale : v->pace.scale);
     draw_panel(v, &facts);
-    v->frame++;
+    if (v->frame++ == 0) v->first_frame = seconds_now();
     finish_test(v);
     window_present(&v->window);
     load_pending(v, loading);
@@ -243,13 +241,13 @@ static bool start(viewer *v, const bolan_scene *scene) {
     if (world_open(&v->world, scene) != BOLAN_OK || !panel_open(&v->window)) return false;
     input_open(&v->input);
     bolan_gl_info info = bolan_gl_get_info();
-    snprintf(v->device, sizeof v->device, "%s, OpenGL %s", info.renderer, info.version);
+    snprintf(v->device, sizeof v->device, "%s, %s%s", info.renderer, v->window.es ? "" : "OpenGL ", info.version);
     v->quality = o->quality;
     v->time_scale = 1.0;
     v->render_scale = o->render_scale;
     v->panel_visible = v->running = true;
     pace_start(&v->pace, info.software && o->frames == 0);
-    v->first_frame = v->last_frame = seconds_now();
+    v->last_frame = seconds_now();
     reload_start(&v->watch, o->shader_directory, v->last_frame);
     window_pixels(&v->window, &v->width, &v->height);
     show_world(v);
@@ -259,7 +257,7 @@ static bool start(viewer *v, const bolan_scene *scene) {
 // With a given number of frames: where they were drawn, for tests and for people who measure.
 static void report(const viewer *v) {
     if (v->options->frames == 0) return;
-    double ms = (seconds_now() - v->first_frame) * 1e3 / fmax(v->frame, 1.0);
+    double ms = (seconds_now() - v->first_frame) * 1e3 / fmax(v->frame - 1.0, 1.0); // the first compiles shaders
     printf("%u frames of %u x %u on %s, %s, %.1f ms each\n", v->frame, v->width, v->height, SDL_GetCurrentVideoDriver(),
            v->device, ms);
 }
