@@ -15,14 +15,15 @@
 #include <stdlib.h>
 
 /// A whole test program: RUN_TESTS(cmocka_unit_test(it_does_this), ...).
-#define RUN_TESTS(...)                                                                                                 \
-    int main(void) {                                                                                                   \
-        const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \
-        return cmocka_run_group_tests(tests, NULL, NULL);                                                              \
+#define RUN_TESTS(...)                                    \
+    int main(void) {                                      \
+        const struct CMUnitTest tests[] = {__VA_ARGS__};  \
+        return cmocka_run_group_tests(tests, NULL, NULL); \
     }
 
 /// |a - b| <= tolerance, saying all three where it is not so (cmocka's own is for float alone, and is silent).
-#define assert_near(a, b, tolerance) assert_near_at((double)(a), (double)(b), (double)(tolerance), #a, __FILE__, __LINE__)
+#define assert_near(a, b, tolerance) \
+    assert_near_at((double)(a), (double)(b), (double)(tolerance), #a, __FILE__, __LINE__)
 
 static inline void assert_near_at(double a, double b, double tolerance, const char *what, const char *file, int line) {
     if (fabs(a - b) <= tolerance) return;

@@ -19,7 +19,5 @@ bolan_cpu bolan_cpu_best(void) {
     return avx512 ? BOLAN_CPU_AVX512 : BOLAN_CPU_AVX2;
 }
 #else
-bolan_cpu bolan_cpu_best(void) {
-    return BOLAN_CPU_SCALAR;
-}
+bolan_cpu bolan_cpu_best(void) { return BOLAN_CPU_SCALAR; }
 #endif

@@ -8,9 +8,7 @@
 
 static bolan_hooks hooks; // with the pool (pool.c) and the byte count (memory.c), all the state that is process-wide
 
-const bolan_hooks *bolan_active_hooks(void) {
-    return &hooks;
-}
+const bolan_hooks *bolan_active_hooks(void) { return &hooks; }
 
 void bolan_set_hooks(const bolan_hooks *new_hooks) {
     static const bolan_hooks built_in;

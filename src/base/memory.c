@@ -35,6 +35,4 @@ void bolan_release(void *memory, size_t size) {
     }
 }
 
-size_t bolan_memory_in_use(void) {
-    return atomic_load_explicit(&in_use, memory_order_relaxed);
-}
+size_t bolan_memory_in_use(void) { return atomic_load_explicit(&in_use, memory_order_relaxed); }

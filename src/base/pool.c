@@ -21,7 +21,7 @@ typedef struct loop {
     bolan_task_fn *task;
     void *context;
     uint32_t count;
-    uint32_t slice;       // items taken at once
+    uint32_t slice;             // items taken at once
     atomic_uint_least64_t next; // first item not taken; 64 bits, because every worker overshoots by a slice
 } loop;
 
@@ -44,7 +44,7 @@ static struct {
           .left = PTHREAD_COND_INITIALIZER,
           .threads = 1};
 
-static _Thread_local bool inside;     // this thread runs a task
+static _Thread_local bool inside;            // this thread runs a task
 static _Thread_local uint32_t worker_number; // and this is its number
 
 static void run_task(bolan_task_fn *task, void *context, uint32_t begin, uint32_t end, uint32_t worker) {

@@ -2,9 +2,7 @@
 // Version, result codes and instruction sets by name.
 #include "bolan/base.h"
 
-const char *bolan_version(void) {
-    return BOLAN_VERSION_STRING;
-}
+const char *bolan_version(void) { return BOLAN_VERSION_STRING; }
 
 const char *bolan_result_string(bolan_result result) {
     switch (result) {

@@ -57,7 +57,8 @@ bolan_mat4 bolan_m4_inverse(bolan_mat4 a) {
     row_pair_minors(&a, 2, c);
     for (int i = 0; i < 16; i++) e[i] = (double)a.m[i];
     const double det = s[0] * c[5] - s[1] * c[4] + s[2] * c[3] + s[3] * c[2] - s[4] * c[1] + s[5] * c[0];
-    const double adjugate[16] = { // column-major, as the matrices
+    const double adjugate[16] = {
+        // column-major, as the matrices
         +e[5] * c[5] - e[9] * c[4] + e[13] * c[3],  -e[1] * c[5] + e[9] * c[2] - e[13] * c[1],
         +e[1] * c[4] - e[5] * c[2] + e[13] * c[0],  -e[1] * c[3] + e[5] * c[1] - e[9] * c[0],
         -e[4] * c[5] + e[8] * c[4] - e[12] * c[3],  +e[0] * c[5] - e[8] * c[2] + e[12] * c[1],

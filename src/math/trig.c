@@ -15,14 +15,8 @@ double bolan_compass_from_to_math(double from_degrees) {
     return to < 2.0 * BOLAN_PI ? to : 0.0;
 }
 
-double bolan_math_to_compass_from(double to_radians) {
-    return bolan_wrap_degrees(270.0 - bolan_degrees(to_radians));
-}
+double bolan_math_to_compass_from(double to_radians) { return bolan_wrap_degrees(270.0 - bolan_degrees(to_radians)); }
 
-void bolan_sincos(double x, double *sine, double *cosine) {
-    bolan_sincos_inline(x, sine, cosine);
-}
+void bolan_sincos(double x, double *sine, double *cosine) { bolan_sincos_inline(x, sine, cosine); }
 
-void bolan_sincosf(float x, float *sine, float *cosine) {
-    bolan_sincosf_inline(x, sine, cosine);
-}
+void bolan_sincosf(float x, float *sine, float *cosine) { bolan_sincosf_inline(x, sine, cosine); }

@@ -28,9 +28,7 @@ static uint64_t random_bits(void) {
     return state;
 }
 
-static size_t random_below(size_t n) {
-    return n ? (size_t)(random_bits() % n) : 0;
-}
+static size_t random_below(size_t n) { return n ? (size_t)(random_bits() % n) : 0; }
 
 static void add_seed(const char *path) {
     FILE *file = fopen(path, "rb");
@@ -42,9 +40,7 @@ static void add_seed(const char *path) {
     if (file) fclose(file);
 }
 
-static int by_name(const struct dirent **a, const struct dirent **b) {
-    return strcmp((*a)->d_name, (*b)->d_name);
-}
+static int by_name(const struct dirent **a, const struct dirent **b) { return strcmp((*a)->d_name, (*b)->d_name); }
 
 static void read_corpus(const char *folder) {
     struct dirent **entries = NULL;

@@ -186,8 +186,7 @@ static void half_a_pair_of_memory_hooks_is_misuse(void **state) {
 }
 
 RUN_TESTS(cmocka_unit_test(every_result_and_set_has_a_name), cmocka_unit_test(log_ids_are_unique),
-          cmocka_unit_test(this_machine_runs_a_set_it_names),
-          cmocka_unit_test(the_log_hook_gets_level_id_and_sentence),
+          cmocka_unit_test(this_machine_runs_a_set_it_names), cmocka_unit_test(the_log_hook_gets_level_id_and_sentence),
           cmocka_unit_test(a_sentence_that_is_too_long_is_cut_not_overrun),
           cmocka_unit_test(misuse_reaches_the_assert_hook), cmocka_unit_test(memory_is_aligned_zero_and_counted),
           cmocka_unit_test(nothing_comes_of_nothing), cmocka_unit_test(an_impossible_size_gives_null),

@@ -199,6 +199,7 @@ static void zero_threads_means_one_per_processor(void **state) {
 }
 
 RUN_TESTS(cmocka_unit_test(every_item_is_done_once), cmocka_unit_test(many_short_loops_in_a_row_lose_nothing),
-          cmocka_unit_test(the_caller_waits_for_slow_helpers), cmocka_unit_test(no_item_is_no_work), cmocka_unit_test(the_largest_count_does_not_wrap_round),
+          cmocka_unit_test(the_caller_waits_for_slow_helpers), cmocka_unit_test(no_item_is_no_work),
+          cmocka_unit_test(the_largest_count_does_not_wrap_round),
           cmocka_unit_test(a_nested_loop_runs_on_its_own_thread), cmocka_unit_test(several_threads_may_loop_at_once),
           cmocka_unit_test(the_callers_task_system_is_used), cmocka_unit_test(zero_threads_means_one_per_processor))

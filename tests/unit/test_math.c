@@ -16,10 +16,10 @@ static void a_wind_from_the_west_sends_waves_east(void **state) {
     (void)state;
     const double tolerance = 1e-15; // one rounding of an angle below 2 pi
     assert_near(bolan_compass_from_to_math(270.0), 0.0, tolerance);
-    assert_near(bolan_compass_from_to_math(180.0), BOLAN_PI / 2.0, tolerance);       // from the south: north
-    assert_near(bolan_compass_from_to_math(90.0), BOLAN_PI, tolerance);              // from the east: west
-    assert_near(bolan_compass_from_to_math(0.0), 1.5 * BOLAN_PI, tolerance);         // from the north: south
-    assert_near(bolan_compass_from_to_math(225.0), BOLAN_PI / 4.0, tolerance);       // from the south-west: north-east
+    assert_near(bolan_compass_from_to_math(180.0), BOLAN_PI / 2.0, tolerance); // from the south: north
+    assert_near(bolan_compass_from_to_math(90.0), BOLAN_PI, tolerance);        // from the east: west
+    assert_near(bolan_compass_from_to_math(0.0), 1.5 * BOLAN_PI, tolerance);   // from the north: south
+    assert_near(bolan_compass_from_to_math(225.0), BOLAN_PI / 4.0, tolerance); // from the south-west: north-east
 }
 
 static void compass_and_mathematical_angles_are_inverse(void **state) {

@@ -7,9 +7,7 @@
 
 #include <string.h>
 
-static double largest(double a, double b) {
-    return a > b ? a : b;
-}
+static double largest(double a, double b) { return a > b ? a : b; }
 
 static void the_double_pair_is_within_two_ulp_of_one(void **state) {
     (void)state;
