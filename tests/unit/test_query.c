@@ -268,13 +268,13 @@ static void test_a_query_allocates_nothing(void **state) {
     bolan_set_hooks(NULL);
 }
 
-// A level ground.
-static bolan_terrain *make_ground(float elevation) {
-    const float grid[4] = {elevation, elevation, elevation, elevation};
+// A plane ground, from west to east over 10 km.
+static bolan_terrain *make_ground(float west, float east) {
+    const float grid[4] = {west, east, west, east};
     bolan_terrain_desc d = bolan_terrain_desc_default();
     d.field = (bolan_heightfield){2, 2, -5000.0, -5000.0, 10000.0, 10000.0, grid};
     d.detail = 0.0;
-    d.edge_elevation = (double)elevation;
+    d.edge_elevation = (double)west;
     bolan_terrain *terrain = NULL;
     assert_int_equal(bolan_terrain_create(&d, &terrain), BOLAN_OK);
     return terrain;
@@ -293,17 +293,19 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
     scatter(points, POINTS);
     bolan_query_surface(sea, NULL, 1.0, points, POINTS, deep);
 
-    bolan_terrain *terrain = make_ground(-999.0f);
+    bolan_terrain *terrain = make_ground(-999.0f, -999.0f);
     bolan_query_surface(sea, terrain, 1.0, points, POINTS, answers);
     assert_memory_equal(answers, deep, sizeof deep); // a kilometre is deep for a sea of 2 m
     bolan_terrain_destroy(&terrain);
 
-    terrain = make_ground(3.0f);
-    bolan_query_surface(sea, terrain, 1.0, points, POINTS, answers);
-    for (uint32_t i = 0; i < POINTS; i++) {
-        assert_true(answers[i].height == 1.0f && answers[i].normal.z == 1.0f && answers[i].jacobian == 1.0f);
+    for (float land = 1.5f; land < 100.0f; land *= 8.0f) {
+        terrain = make_ground(land, land);
+        bolan_query_surface(sea, terrain, 1.0, points, POINTS, answers);
+        for (uint32_t i = 0; i < POINTS; i++) {
+            assert_true(answers[i].height == 1.0f && answers[i].normal.z == 1.0f && answers[i].jacobian == 1.0f);
+        }
+        bolan_terrain_destroy(&terrain);
     }
-    bolan_terrain_destroy(&terrain);
 
     // 1 m of water over a level bed: band c keeps the fraction f_c of its amplitude, so the variance is sum f_c^2 var_c. Choppy
     // water gathers at crests, which changes the variance at fixed points by a few percent; 3000 points know theirs to about
@@ -316,11 +318,36 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
         unattenuated += v.variance;
     }
     assert_true(expected < 0.5 * unattenuated);
-    terrain = make_ground(0.0f);
+    terrain = make_ground(0.0f, 0.0f);
     bolan_query_surface(sea, terrain, 1.0, points, POINTS, answers);
     const double ratio = mean_square(answers, 1.0) / mean_square(deep, 1.0);
     assert_float_equal(ratio, expected / unattenuated, 0.15 * expected / unattenuated);
     bolan_terrain_destroy(&terrain);
+    bolan_sea_destroy(&sea);
+}
+
+static void test_a_parcel_over_a_sloping_bed_is_found_where_it_went(void **state) {
+    (void)state;
+    static bolan_sea_sample parcel[POINTS];
+    static bolan_dvec2 moved[POINTS];
+    bolan_sea *sea = make_sea(10.0, 1.0, 1, BOLAN_CPU_AUTO); // one cascade: one attenuation for all of a parcel's motion
+    const float band_hs = (float)(4.0 * sqrt(bolan_sea_cascade(sea, 0).variance));
+    bolan_terrain *bed = make_ground(-2000.0f, 2000.0f); // rises by 0.4, a shore in the middle
+    scatter(points, POINTS);
+    bolan_sea_sample_rest(sea, points, POINTS, parcel);
+    for (int i = 0; i < POINTS; i++) {
+        const float depth = 0.5f - bolan_terrain_elevation(bed, points[i].x, points[i].y, 2.0);
+        const float keep = bolan_shore_attenuation(depth, band_hs);
+        parcel[i].height *= keep;
+        moved[i] = (bolan_dvec2){points[i].x + (double)(keep * parcel[i].dx), points[i].y + (double)(keep * parcel[i].dy)};
+    }
+    bolan_query_surface(sea, bed, 0.5, moved, POINTS, answers);
+    for (int i = 0; i < POINTS; i++) {
+        if (parcel[i].jacobian < 0.3f) continue;
+        assert_true(answers[i].residual < 1e-3f);
+        assert_float_equal(answers[i].height, 0.5f + parcel[i].height, 1e-3); // as over deep water
+    }
+    bolan_terrain_destroy(&bed);
     bolan_sea_destroy(&sea);
 }
 
@@ -337,6 +364,7 @@ int main(void) {
         cmocka_unit_test(test_points_that_are_not_finite_give_the_mean_level),
         cmocka_unit_test(test_a_query_allocates_nothing),
         cmocka_unit_test(test_shallow_water_lowers_the_waves_and_land_has_none),
+        cmocka_unit_test(test_a_parcel_over_a_sloping_bed_is_found_where_it_went),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
