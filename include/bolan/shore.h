@@ -67,6 +67,9 @@ void bolan_terrain_elevations(const bolan_terrain *terrain, double west, double 
 /// (the coarser of the two).
 typedef struct bolan_terrain_extent { double west, south, east, north, lowest, highest, step; } bolan_terrain_extent;
 bolan_terrain_extent bolan_terrain_get_extent(const bolan_terrain *terrain);
+/// A number made of everything the terrain was created from: equal for equal terrains, different for others (64-bit hash).
+/// Thread-safe.
+uint64_t bolan_terrain_id(const bolan_terrain *terrain);
 /// Bounds [m] that no elevation, at any resolution, inside the square of side @p size [m] from (@p west, @p south) leaves.
 /// Not tight; costs a few look-ups, for culling. Thread-safe.
 void bolan_terrain_bounds(const bolan_terrain *terrain, double west, double south, double size, float *lowest,

@@ -4,6 +4,8 @@
 
 #include "shore/noise.h"
 
+#include <string.h>
+
 bolan_terrain_desc bolan_terrain_desc_default(void) {
     bolan_terrain_desc d = {{0, 0, 0.0, 0.0, 1.0, 1.0, NULL}, 1.0, 1u, -4000.0};
     return d;
@@ -62,6 +64,24 @@ static void set_numbers(bolan_terrain *t, const bolan_terrain_desc *d) {
     t->seed = (uint32_t)(d->seed ^ (d->seed >> 32)) * 0x9e3779b9u + 0x7f4a7c15u;
 }
 
+// FNV-1a over 32-bit words (Fowler, Noll & Vo), of the data and of the numbers that shape them.
+static uint64_t hash_words(uint64_t h, const void *data, size_t bytes) {
+    const unsigned char *p = data;
+    for (size_t n = 0; n + 4 <= bytes; n += 4) {
+        uint32_t word;
+        memcpy(&word, p + n, sizeof word);
+        h = (h ^ word) * 0x100000001b3u;
+    }
+    return h;
+}
+
+static uint64_t identify(const bolan_terrain *t) {
+    const double numbers[6] = {t->west, t->south, t->level[0].step_x, t->level[0].step_y, t->detail, t->edge_elevation};
+    uint64_t h = hash_words(0xcbf29ce484222325u, numbers, sizeof numbers);
+    h = hash_words(h, &t->seed, sizeof t->seed);
+    return hash_words(h, t->level[0].z, (size_t)t->level[0].width * t->level[0].height * sizeof(float));
+}
+
 bolan_result bolan_terrain_create(const bolan_terrain_desc *desc, bolan_terrain **out) {
     BOLAN_ASSERT(desc && out);
     *out = NULL;
@@ -86,6 +106,7 @@ bolan_result bolan_terrain_create(const bolan_terrain_desc *desc, bolan_terrain 
         t->lowest = fminf(t->lowest, top->low[n]);
         t->highest = fmaxf(t->highest, top->high[n]);
     }
+    t->id = identify(t);
     *out = t;
     return BOLAN_OK;
 }
@@ -137,6 +158,11 @@ void bolan_terrain_elevations(const bolan_terrain *terrain, double west, double 
     BOLAN_ASSERT(terrain && out);
     grid_job g = {terrain, west, south, step, nx, out};
     bolan_parallel(ny, 8, grid_rows, &g);
+}
+
+uint64_t bolan_terrain_id(const bolan_terrain *terrain) {
+    BOLAN_ASSERT(terrain);
+    return terrain->id;
 }
 
 bolan_terrain_extent bolan_terrain_get_extent(const bolan_terrain *terrain) {

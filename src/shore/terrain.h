@@ -34,6 +34,7 @@ struct bolan_terrain {
     double detail;
     double detail_wavelength; // longest wavelength of the detail [m]
     uint32_t seed;
+    uint64_t id;
     uint32_t level_count, block_count;
     height_level level[TERRAIN_LEVELS];
     block_level block[TERRAIN_LEVELS];

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+// Land and sea bed: chooses and builds the chunks of this view (terrain_tree.c, terrain_chunk.c), keeps their meshes and
+// maps on the GPU, draws them, and fills the shore map (terrain_shore.c). Shader: shaders/terrain.glsl.
+#include "frame.h"
+
+#include "terrain_shore.h"
+#include "terrain_texture.h"
+#include "terrain_tree.h"
+
+// Chunks with smaller texels [m] show the grain of 16 m period.
+#define FINEST_GRAIN 0.8
+
+// A slot's twin on the GPU; made when the slot is first used.
+typedef struct gpu_chunk {
+    gl_buffer vertices;
+    gl_mesh mesh;
+    gl_texture map;
+} gpu_chunk;
+
+struct pass_terrain {
+    gl_program program, near_program; // the second for chunks whose texels resolve the finest grain
+    gl_buffer indices;
+    gl_texture noise;
+    shore_builder shore;
+    terrain_tree *tree;
+    gpu_chunk *gpu;      // one per slot
+    uint32_t slots;
+    float *vertices;     // staging
+    const bolan_terrain *terrain;
+    uint64_t terrain_id;
+    bool settled;        // the view before this one was complete, so that work may be spread over frames
+    bolan_dvec3 eye;
+};
+
+static const struct { float texel_pixels, error_pixels; uint32_t slots, budget; } quality_table[] = {
+    [BOLAN_QUALITY_LOW] = {6.0f, 3.0f, 192, 8},
+    [BOLAN_QUALITY_MEDIUM] = {4.0f, 2.2f, 288, 12},
+    [BOLAN_QUALITY_HIGH] = {2.6f, 1.3f, 512, 24},
+    [BOLAN_QUALITY_ULTRA] = {1.6f, 0.7f, 896, 48},
+};
+
+static bolan_result create_indices(pass_terrain *p) {
+    const size_t bytes = chunk_first_index(CHUNK_MESHES) * sizeof(uint32_t);
+    uint32_t *indices = bolan_allocate(bytes);
+    if (!indices) {
+        return BOLAN_ERROR_MEMORY;
+    }
+    chunk_indices(indices);
+    bolan_result r = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, bytes, indices, &p->indices);
+    bolan_release(indices, bytes);
+    return r;
+}
+
+static bolan_result create_noise(pass_terrain *p) {
+    const size_t bytes = (size_t)TERRAIN_TEXTURE_SIZE * TERRAIN_TEXTURE_SIZE * 4;
+    uint8_t *texels = bolan_allocate(bytes);
+    bolan_result r = texels ? terrain_texture_fill(texels) : BOLAN_ERROR_MEMORY;
+    gl_texture_desc d = {.format = GL_FMT_RGBA8, .width = TERRAIN_TEXTURE_SIZE, .height = TERRAIN_TEXTURE_SIZE,
+                         .filter = GL_FILTER_MIPMAP_NEAREST, .wrap = GL_WRAP_REPEAT};
+    r = r == BOLAN_OK ? gl_texture_create(&d, &p->noise) : r;
+    if (r == BOLAN_OK) {
+        gl_texture_upload(&p->noise, 0, -1, texels, false);
+        gl_texture_generate_mipmaps(&p->noise);
+    }
+    bolan_release(texels, bytes);
+    return r;
+}
+
+bolan_result pass_terrain_create(const gl_caps *caps, pass_terrain **out) {
+    (void)caps;
+    *out = NULL;
+    pass_terrain *p = bolan_allocate(sizeof *p);
+    if (!p) {
+        return BOLAN_ERROR_MEMORY;
+    }
+    bolan_result r = gl_program_create("terrain", NULL, &p->program);
+    r = r == BOLAN_OK ? gl_program_create("terrain", "NEAR 1\n", &p->near_program) : r;
+    r = r == BOLAN_OK ? create_indices(p) : r;
+    r = r == BOLAN_OK ? create_noise(p) : r;
+    r = r == BOLAN_OK ? shore_builder_create(&p->shore) : r;
+    p->vertices = bolan_allocate(CHUNK_VERTICES * 3 * sizeof(float));
+    if (r == BOLAN_OK && !p->vertices) {
+        r = BOLAN_ERROR_MEMORY;
+    }
+    if (r != BOLAN_OK) {
+        pass_terrain_destroy(&p);
+        return r;
+    }
+    *out = p;
+    return BOLAN_OK;
+}
+
+static void free_chunks(pass_terrain *p) {
+    for (uint32_t n = 0; p->gpu && n < p->slots; n++) {
+        gl_mesh_free(&p->gpu[n].mesh);
+        gl_buffer_free(&p->gpu[n].vertices);
+        gl_texture_free(&p->gpu[n].map);
+    }
+    bolan_release(p->gpu, p->slots * sizeof *p->gpu);
+    p->gpu = NULL;
+    terrain_tree_destroy(&p->tree);
+}
+
+void pass_terrain_destroy(pass_terrain **pass) {
+    if (!pass || !*pass) {
+        return;
+    }
+    pass_terrain *p = *pass;
+    free_chunks(p);
+    shore_builder_free(&p->shore);
+    gl_texture_free(&p->noise);
+    gl_buffer_free(&p->indices);
+    gl_program_free(&p->program);
+    gl_program_free(&p->near_program);
+    bolan_release(p->vertices, CHUNK_VERTICES * 3 * sizeof(float));
+    bolan_release(p, sizeof *p);
+    *pass = NULL;
+}
+
+bolan_result pass_terrain_reload(pass_terrain *p) {
+    bolan_result r = gl_program_reload(&p->program);
+    return r == BOLAN_OK ? gl_program_reload(&p->near_program) : r;
+}
+
+const shore_map *pass_terrain_shore(const pass_terrain *p) { return &p->shore.map; }
+
+// ---- chunks ----------------------------------------------------------------------------------------------------------
+
+// The pool of this quality, on this terrain; false when there is no memory or no terrain.
+static bool fit_pool(pass_terrain *p, const frame *f) {
+    const bolan_terrain *terrain = f->desc->terrain;
+    uint32_t slots = quality_table[f->quality].slots;
+    if (terrain && (!p->tree || p->slots != slots)) {
+        free_chunks(p);
+        p->slots = slots;
+        p->gpu = bolan_allocate(slots * sizeof *p->gpu);
+        if (!p->gpu || terrain_tree_create(slots, &p->tree) != BOLAN_OK) {
+            free_chunks(p);
+            return false;
+        }
+        p->terrain = NULL;
+    }
+    uint64_t id = terrain ? bolan_terrain_id(terrain) : 0;
+    if (terrain && (terrain != p->terrain || id != p->terrain_id)) {
+        terrain_tree_reset(p->tree, terrain);
+        p->settled = false;
+    }
+    p->terrain = terrain;
+    p->terrain_id = id;
+    return terrain != NULL;
+}
+
+static bool create_gpu_chunk(pass_terrain *p, gpu_chunk *g) {
+    static const uint8_t components[] = {3};
+    gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = CHUNK_MAP, .height = CHUNK_MAP, .filter = GL_FILTER_MIPMAP,
+                         .wrap = GL_WRAP_CLAMP};
+    return gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, CHUNK_VERTICES * 3 * sizeof(float), NULL, &g->vertices) ==
+               BOLAN_OK &&
+           gl_mesh_create(&g->vertices, &p->indices, components, 1, 3 * sizeof(float), &g->mesh) == BOLAN_OK &&
+           gl_texture_create(&d, &g->map) == BOLAN_OK;
+}
+
+static void upload_chunk(pass_terrain *p, uint32_t index) {
+    chunk_slot *s = terrain_tree_slot(p->tree, index);
+    gpu_chunk *g = &p->gpu[index];
+    if (!g->map.id && !create_gpu_chunk(p, g)) {
+        return;
+    }
+    if (s->fresh_mesh) {
+        chunk_vertices(&s->chunk, p->vertices);
+        gl_buffer_update(&g->vertices, 0, CHUNK_VERTICES * 3 * sizeof(float), p->vertices);
+    }
+    if (s->fresh_map) {
+        gl_texture_upload(&g->map, 0, -1, s->chunk.map, true);
+        gl_texture_generate_mipmaps(&g->map);
+    }
+    s->fresh_mesh = s->fresh_map = false;
+}
+
+static tree_view view_of(const pass_terrain *p, const frame *f) {
+    bolan_dvec3 moved = bolan_dv3(f->eye.x - p->eye.x, f->eye.y - p->eye.y, f->eye.z - p->eye.z);
+    double leap = sqrt(moved.x * moved.x + moved.y * moved.y + moved.z * moved.z);
+    tree_view v = {
+        .eye = f->eye,
+        .view_projection = f->uniforms.view_projection,
+        .pixel = f->uniforms.lens.x,
+        .water_level = f->scene->water.level,
+        .sun = chunk_sun_from(f->sun_direction),
+        // A jump of the eye is a new picture, and a picture is complete; a flight spreads the work.
+        .complete = !p->settled || leap > 0.1 * fabs(f->eye.z - f->scene->water.level) + 20.0,
+        .budget = quality_table[f->quality].budget,
+        .texel_pixels = quality_table[f->quality].texel_pixels,
+        .error_pixels = quality_table[f->quality].error_pixels,
+    };
+    return v;
+}
+
+void pass_terrain_prepare(pass_terrain *p, frame *f) {
+    gl_texture_bind(&p->noise, UNIT_TERRAIN2);
+    shore_builder_update(&p->shore, f);
+    gl_texture_bind(&p->shore.map.texture, UNIT_SHORE);
+    if (!fit_pool(p, f)) {
+        return;
+    }
+    tree_view view = view_of(p, f);
+    terrain_tree_select(p->tree, &view);
+    p->settled = true;
+    p->eye = f->eye;
+    uint32_t count;
+    const uint32_t *list = terrain_tree_draw_list(p->tree, &count);
+    for (uint32_t n = 0; n < count; n++) {
+        chunk_slot *s = terrain_tree_slot(p->tree, list[n]);
+        if (s->fresh_mesh || s->fresh_map) {
+            upload_chunk(p, list[n]);
+        }
+    }
+}
+
+static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program *program, const frame *f) {
+    const terrain_chunk *c = &s->chunk;
+    // The one place where doubles become eye-relative floats.
+    gl_program_vec4(program, "chunk", (bolan_vec4){(float)(c->west - f->eye.x), (float)(c->south - f->eye.y),
+                                                   (float)-f->eye.z, (float)c->size});
+    // A shadow's edge is as soft as the map's own grain.
+    float slope = chunk_sun_from(f->sun_direction).slope, texel = (float)(c->size / CHUNK_TEXELS);
+    gl_program_float(program, "shadow_softness", 0.15f + 1.2f * texel * fminf(slope, 4.0f));
+    gl_texture_bind(&g->map, UNIT_TERRAIN);
+    gl_mesh_draw(&g->mesh, chunk_first_index(s->mesh), chunk_index_count(s->mesh));
+}
+
+void pass_terrain_draw(pass_terrain *p, frame *f) {
+    if (!p->terrain || !p->tree) {
+        return;
+    }
+    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    uint32_t count;
+    const uint32_t *list = terrain_tree_draw_list(p->tree, &count);
+    for (uint32_t n = 0; n < count; n++) {
+        const chunk_slot *s = terrain_tree_slot(p->tree, list[n]);
+        if (p->gpu[list[n]].map.id) {
+            bool near_ground = s->chunk.size / CHUNK_TEXELS < FINEST_GRAIN;
+            draw_chunk(&p->gpu[list[n]], s, near_ground ? &p->near_program : &p->program, f);
+            f->triangles += chunk_index_count(s->mesh) / 3;
+        }
+    }
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// A square piece of ground at one level of detail: heights, and what shading needs of them. No GL here, so that chunks can
+// be built on any thread.
+//
+//   |<-- border -->|<-------- 128 texels = 32 cells -------->|<-- border -->|
+//    8 nodes        129 nodes: heights, normals, shadow, ambient light        8 nodes
+//                   every fourth one is a vertex of the mesh; a skirt hangs from the rim
+#ifndef BOLAN_RENDER_TERRAIN_CHUNK_H
+#define BOLAN_RENDER_TERRAIN_CHUNK_H
+
+#include "bolan/shore.h"
+
+enum {
+    CHUNK_CELLS = 32,                 // of the mesh, per side
+    CHUNK_RATIO = 4,                  // texels per cell
+    CHUNK_TEXELS = CHUNK_CELLS * CHUNK_RATIO,
+    CHUNK_MAP = CHUNK_TEXELS + 1,     // nodes of the map, per side
+    CHUNK_BORDER = 8,
+    CHUNK_GRID = CHUNK_MAP + 2 * CHUNK_BORDER,
+    CHUNK_RIM = 4 * CHUNK_CELLS,      // vertices of the skirt
+    CHUNK_VERTICES = (CHUNK_CELLS + 1) * (CHUNK_CELLS + 1) + CHUNK_RIM,
+    CHUNK_MESHES = 4,                 // index lists: every vertex, every second, fourth, eighth
+};
+
+// Where the sun stands, for cast shadows.
+typedef struct chunk_sun {
+    float x, y;   // unit horizontal direction to it
+    float slope;  // tangent of its elevation
+} chunk_sun;
+chunk_sun chunk_sun_from(bolan_vec3 direction);
+
+typedef struct terrain_chunk {
+    double west, south, size;          // [m]
+    float lowest, highest;             // [m]
+    float error[CHUNK_MESHES];         // each mesh departs this far from the heights [m], not falling
+    float skirt;                       // depth of the skirt [m]
+    const struct terrain_chunk *parent; // NULL for the root; must hold its data while this chunk is built or lit
+    float *heights;                    // CHUNK_GRID^2, with the border
+    uint16_t *map;                     // CHUNK_MAP^2 x 4 halfs: normal x, y; shadow clearance [m], > 0 in shadow; open sky 0..1
+} terrain_chunk;
+
+bolan_result chunk_allocate(terrain_chunk *c);
+void chunk_free(terrain_chunk *c);
+// Evaluates the heights of the square that west, south, size name, and the normals.
+void chunk_build(terrain_chunk *c, const bolan_terrain *terrain);
+// Shadows and open sky from its heights and its ancestors'.
+void chunk_light(terrain_chunk *c, const chunk_sun *sun);
+// CHUNK_VERTICES x (east, north of the south-west corner, elevation) [m].
+void chunk_vertices(const terrain_chunk *c, float *xyz);
+// The meshes' index lists, the same for every chunk, one after the other.
+uint32_t chunk_index_count(uint32_t mesh);
+uint32_t chunk_first_index(uint32_t mesh);
+void chunk_indices(uint32_t *indices); // chunk_first_index(CHUNK_MESHES) of them
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Which chunks a view needs: a quadtree over the terrain, refined until a texel and the mesh's error are small on the
+// picture, and a fixed pool of chunks kept by last use.
+#ifndef BOLAN_RENDER_TERRAIN_TREE_H
+#define BOLAN_RENDER_TERRAIN_TREE_H
+
+#include "terrain_chunk.h"
+
+typedef struct chunk_slot {
+    terrain_chunk chunk;
+    uint32_t level, x, y;  // place in the tree
+    uint64_t used;         // frame of the last use; 0: never filled
+    uint64_t lit;          // light number of its shadows
+    uint32_t mesh;         // the coarsest mesh that is good enough for the view
+    bool fresh_mesh, fresh_map; // must be uploaded
+    uint32_t next;         // in its hash chain
+} chunk_slot;
+
+typedef struct tree_view {
+    bolan_dvec3 eye;            // world [m]
+    bolan_mat4 view_projection; // eye-relative world -> clip
+    float pixel;                // radians
+    double water_level;         // [m]
+    chunk_sun sun;
+    bool complete;              // build all that is missing now; else at most `budget` chunks
+    uint32_t budget;
+    float texel_pixels;         // a texel of the map may be this large on the picture [px]
+    float error_pixels;         // the mesh may depart this far from the ground [px]; its finest, twice as far
+} tree_view;
+
+typedef struct terrain_tree terrain_tree;
+
+bolan_result terrain_tree_create(uint32_t slots, terrain_tree **out);
+void terrain_tree_destroy(terrain_tree **tree);
+// Forgets every chunk and starts on another terrain.
+void terrain_tree_reset(terrain_tree *t, const bolan_terrain *terrain);
+// Chooses the chunks of a view, builds and lights what is missing (on the task hook). Afterwards the slots of
+// terrain_tree_draw_list() hold their data, nearest first; fresh ones are to be uploaded by the caller.
+void terrain_tree_select(terrain_tree *t, const tree_view *view);
+const uint32_t *terrain_tree_draw_list(const terrain_tree *t, uint32_t *count);
+chunk_slot *terrain_tree_slot(terrain_tree *t, uint32_t index);
+// Chunks built or lit again by the last call.
+uint32_t terrain_tree_work(const terrain_tree *t);
+
+#endif
