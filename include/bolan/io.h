@@ -64,7 +64,9 @@ typedef struct bolan_points { uint32_t count; bolan_dvec3 *points; size_t capaci
 /// CSV of x,y[,z] [m] with an optional header line; blank lines and # comments are skipped, numbers may be separated by
 /// commas, semicolons or white space. A number that is missing, not finite or beyond 1e8 m is refused with its line.
 bolan_result bolan_points_parse(const char *name, const char *text, size_t size, bolan_points *out);
+/// The same from a file. IO where it cannot be read.
 bolan_result bolan_points_load(const char *path, bolan_points *out);
+/// Releases the points; NULL-safe, and leaves an empty list.
 void bolan_points_destroy(bolan_points *points);
 
 // ---- images and video -----------------------------------------------------------------------------------------------
@@ -78,6 +80,7 @@ typedef struct bolan_exr_channel { const char *name; const float *pixels; } bola
 /// Multi-channel 32-bit float EXR, ZIP compressed. Channels may come in any order; 1..64 of them, with different names.
 bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height, const bolan_exr_channel *channels, uint32_t count);
 
+/// A film that is being written.
 typedef struct bolan_video bolan_video;
 /// Starts the `ffmpeg` program: .mp4 (H.264, yuv420p) or .webm (VP9) by the suffix. Width and height must be even, @p fps
 /// 1..240. UNSUPPORTED where ffmpeg is not installed; ARGUMENT; IO with ffmpeg's own words.

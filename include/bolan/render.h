@@ -18,20 +18,27 @@ extern "C" {
 
 // ---- a headless context ---------------------------------------------------------------------------------------------
 
+/// Desktop OpenGL (core profile) or OpenGL ES.
 typedef enum bolan_gl_api { BOLAN_GL_CORE, BOLAN_GL_ES } bolan_gl_api;
+/// An OpenGL context of our own, without a window. Belongs to one thread at a time.
 typedef struct bolan_context bolan_context;
 /// A context without a window (EGL surfaceless), made current on this thread. GL: when there is none.
 bolan_result bolan_context_create(bolan_gl_api api, bolan_context **out);
+/// Makes it current on this thread.
 void bolan_context_make_current(bolan_context *context);
+/// NULL-safe; NULLs. Whatever was made in it must be gone before.
 void bolan_context_destroy(bolan_context **context);
 /// Name, version and so on of the current context: static strings, "" without one.
 typedef struct bolan_gl_info { const char *renderer, *vendor, *version, *shading_language; bool software, clip_control; } bolan_gl_info;
+/// Asks the context that is current on this thread.
 bolan_gl_info bolan_gl_get_info(void);
 
 // ---- the renderer ---------------------------------------------------------------------------------------------------
 
+/// The programs, tables and targets that draw scenes in one context.
 typedef struct bolan_renderer bolan_renderer;
 
+/// How a renderer is made.
 typedef struct bolan_renderer_desc {
     bolan_quality quality;        ///< default MEDIUM
     const char *shader_directory; ///< NULL: built-in shaders; else read from there, and re-read by bolan_renderer_reload()
@@ -39,6 +46,7 @@ typedef struct bolan_renderer_desc {
     bool debug;                   ///< true: log the driver's debug messages
 } bolan_renderer_desc;
 
+/// The defaults named beside the fields.
 bolan_renderer_desc bolan_renderer_desc_default(void);
 /// Needs a current context. Errors: GL (sentence in the log), MEMORY.
 bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out);
@@ -57,6 +65,7 @@ typedef struct bolan_frame_desc {
     uint32_t samples;              ///< supersampling: pictures with shifted pixels that are averaged, 1..256
     bool srgb_framebuffer;         ///< true: the framebuffer encodes sRGB itself
 } bolan_frame_desc;
+/// One sample, everything else 0 or NULL: set scene, sea, width and height.
 bolan_frame_desc bolan_frame_desc_default(void);
 /// Draws one picture. After the first frames nothing is allocated unless the size, the terrain or the sea changes.
 void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame);
@@ -70,14 +79,17 @@ void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, ui
 
 /// An off-screen colour target of 8-bit sRGB values for callers without one; NULL on failure (logged).
 typedef struct bolan_target bolan_target;
+/// Makes a target of @p width x @p height pixels, 1..16384 each, in the current context. Errors: GL, MEMORY.
 bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out);
+/// Its GL framebuffer name, for bolan_frame_desc::framebuffer.
 uint32_t bolan_target_framebuffer(const bolan_target *target);
 /// Copies the picture into the whole of @p framebuffer (GL name; 0 is the window), which is @p width x @p height pixels,
 /// scaled with bilinear filtering where the sizes differ. Leaves the framebuffer bindings and the scissor as they were.
 void bolan_target_show(const bolan_target *target, uint32_t framebuffer, uint32_t width, uint32_t height);
+/// NULL-safe; NULLs. The context must be current.
 void bolan_target_destroy(bolan_target **target);
 
-#define BOLAN_MAX_PASSES 16
+#define BOLAN_MAX_PASSES 16 ///< of a frame
 /// Time of each pass of the last finished frame [ms], by GPU timers where they exist, else by glFinish() when
 /// @ref bolan_renderer_measure_passes was switched on.
 typedef struct bolan_frame_statistics {
@@ -86,7 +98,9 @@ typedef struct bolan_frame_statistics {
     uint32_t triangles;       ///< all that were submitted
     uint32_t water_triangles;
 } bolan_frame_statistics;
+/// Without GPU timers: wait for the GPU after each pass, so that it can be timed. Slows the frame; default off.
 void bolan_renderer_measure_passes(bolan_renderer *renderer, bool on);
+/// Of the last finished frame.
 bolan_frame_statistics bolan_renderer_statistics(const bolan_renderer *renderer);
 /// The yardstick of the benchmarks: a full-screen pass of 6 bilinear RGBA16F look-ups at this size, mean of @p repeats [ms].
 double bolan_renderer_yardstick(bolan_renderer *renderer, uint32_t width, uint32_t height, uint32_t repeats);

@@ -13,11 +13,12 @@
 extern "C" {
 #endif
 
-#define BOLAN_NAME_MAX 64
-#define BOLAN_PATH_MAX 1024
+#define BOLAN_NAME_MAX 64   ///< bytes of a scene's name, NUL included
+#define BOLAN_PATH_MAX 1024 ///< bytes of a path, NUL included
 
 // ---- technique ------------------------------------------------------------------------------------------------------
 
+/// What becomes of light at the water.
 typedef enum bolan_optics_kind {
     BOLAN_OPTICS_PHYSICAL, ///< filtered slopes, Fresnel, sky, absorption, foam
 } bolan_optics_kind;
@@ -35,10 +36,12 @@ const bolan_technique *bolan_techniques(uint32_t *count);
 /// By name; NULL when there is none of that name.
 const bolan_technique *bolan_technique_find(const char *name);
 
+/// How much a picture may cost: steps of the grid, look-ups and target sizes. Raised: finer and slower.
 typedef enum bolan_quality { BOLAN_QUALITY_LOW, BOLAN_QUALITY_MEDIUM, BOLAN_QUALITY_HIGH, BOLAN_QUALITY_ULTRA } bolan_quality;
 
 // ---- water optics ---------------------------------------------------------------------------------------------------
 
+/// Jerlov's water types: five of the ocean, from the clearest, and five of the coast, to the most turbid.
 typedef enum bolan_jerlov {
     BOLAN_JERLOV_I, BOLAN_JERLOV_IA, BOLAN_JERLOV_IB, BOLAN_JERLOV_II, BOLAN_JERLOV_III,
     BOLAN_JERLOV_1C, BOLAN_JERLOV_3C, BOLAN_JERLOV_5C, BOLAN_JERLOV_7C, BOLAN_JERLOV_9C,
@@ -59,6 +62,7 @@ typedef struct bolan_water_optics {
 bolan_water_optics bolan_water_optics_from_jerlov(bolan_jerlov type);
 /// "I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C", in any case; -1 when unknown. And back; static storage.
 int bolan_jerlov_from_name(const char *name);
+/// The name of a type, "IB". Static storage.
 const char *bolan_jerlov_name(bolan_jerlov type);
 
 /// Fresnel reflectance of unpolarised light, exact dielectric. @p cos_incident 0..1; @p eta = n_transmitted / n_incident
@@ -67,6 +71,7 @@ float bolan_fresnel(float cos_incident, float eta);
 
 // ---- the scene ------------------------------------------------------------------------------------------------------
 
+/// Where the picture is taken from.
 typedef struct bolan_camera {
     bolan_dvec3 position;  ///< world [m], z above mean sea level; x, y +-1e7, z -1000..1e6; default (0, 0, 3)
     double heading_deg;    ///< compass [deg], -360..360; default 0: north
@@ -75,6 +80,7 @@ typedef struct bolan_camera {
     double fov_deg;        ///< vertical field of view [deg], 1..150; default 50
 } bolan_camera;
 
+/// The sun, the air and the clouds.
 typedef struct bolan_sky {
     double sun_azimuth_deg;   ///< compass [deg], -360..360; default 220
     double sun_elevation_deg; ///< [deg], -90..90; default 35. Below -18 it is night
@@ -89,14 +95,17 @@ typedef struct bolan_sky {
 /// Source: the Astronomical Almanac's low-precision sun (Michalsky, Solar Energy 40, 1988).
 void bolan_sun_position(double unix_time, double latitude, double longitude, double *azimuth, double *elevation);
 
+/// The water as light meets it, and its level.
 typedef struct bolan_water {
     bolan_jerlov type;   ///< default IB
     double level;        ///< mean water level above the terrain's datum [m], -20..20; default 0
     double foam;         ///< strength of the foam, 0..2; default 1
 } bolan_water;
 
+/// Where the ground comes from.
 typedef enum bolan_terrain_kind { BOLAN_TERRAIN_NONE, BOLAN_TERRAIN_ISLAND, BOLAN_TERRAIN_RASTER } bolan_terrain_kind;
 
+/// The ground, by description; loaded by bolan_scene_assets_load().
 typedef struct bolan_terrain_source {
     bolan_terrain_kind kind;         ///< default NONE: open sea
     bolan_island_desc island;        ///< for ISLAND
@@ -106,6 +115,7 @@ typedef struct bolan_terrain_source {
     double vertical_scale;           ///< metres per raster unit, 1e-3..1e3; default 1
 } bolan_terrain_source;
 
+/// Everything that is drawn, except what lies in files: see bolan_scene_assets.
 typedef struct bolan_scene {
     char name[BOLAN_NAME_MAX];             ///< of a built-in scene, or the file it was read from
     char description[256];                 ///< one sentence, "" for none

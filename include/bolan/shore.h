@@ -21,6 +21,7 @@ typedef struct bolan_heightfield {
     const float *elevation;  ///< width * height finite values
 } bolan_heightfield;
 
+/// How a terrain is made of a grid.
 typedef struct bolan_terrain_desc {
     bolan_heightfield field; ///< copied
     double detail;           ///< strength of the procedural detail below the grid's spacing, 0..2; default 1; 0: the data alone
@@ -43,7 +44,9 @@ typedef struct bolan_island_desc {
 /// Thread-safety: all reads may run at the same time.
 typedef struct bolan_terrain bolan_terrain;
 
+/// The defaults named beside the fields, and no grid.
 bolan_terrain_desc bolan_terrain_desc_default(void);
+/// The defaults named beside the fields.
 bolan_island_desc bolan_island_desc_default(void);
 /// Makes a terrain of a grid. Between the nodes the data are interpolated by limited bicubic patches (C1, no overshoot;
 /// Fritsch & Carlson 1980); below twice the spacing the detail adds ridges and gullies that run down the slopes of the data.
@@ -66,6 +69,7 @@ void bolan_terrain_elevations(const bolan_terrain *terrain, double west, double 
 /// Where the data are: west, south, east, north [m], the lowest and highest elevation of the data [m], and their spacing [m]
 /// (the coarser of the two).
 typedef struct bolan_terrain_extent { double west, south, east, north, lowest, highest, step; } bolan_terrain_extent;
+/// Of the data the terrain was made from. Thread-safe.
 bolan_terrain_extent bolan_terrain_get_extent(const bolan_terrain *terrain);
 /// A number made of everything the terrain was created from: equal for equal terrains, different for others (64-bit hash).
 /// Thread-safe.

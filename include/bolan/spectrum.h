@@ -31,12 +31,14 @@ double bolan_group_speed(double k, double depth);
 
 // ---- model spectra --------------------------------------------------------------------------------------------------
 
+/// The shape of a spectrum in frequency.
 typedef enum bolan_spectrum_kind {
     BOLAN_SPECTRUM_PIERSON_MOSKOWITZ, ///< fully developed sea (Pierson & Moskowitz 1964)
     BOLAN_SPECTRUM_JONSWAP,           ///< fetch-limited sea (Hasselmann et al. 1973)
     BOLAN_SPECTRUM_TMA,               ///< JONSWAP in water of finite depth (Bouws et al. 1985)
 } bolan_spectrum_kind;
 
+/// The shape of a spectrum in direction.
 typedef enum bolan_spreading_kind {
     BOLAN_SPREADING_COS2,       ///< (2/pi) cos^2 th on +-90 deg (ITTC)
     BOLAN_SPREADING_COS2S,      ///< N(s) cos^{2s}(th/2), the same s at all frequencies
@@ -56,8 +58,9 @@ typedef struct bolan_wave_system {
     double swell;                   ///< Horvath's swell parameter xi, 0..1: lengthens the crests; default 0
 } bolan_wave_system;
 
-#define BOLAN_MAX_WAVE_SYSTEMS 8
+#define BOLAN_MAX_WAVE_SYSTEMS 8 ///< of a sea state
 
+/// A spectrum that was measured or forecast: see bolan_spectrum_text for what is read.
 typedef struct bolan_measured_spectrum bolan_measured_spectrum;
 
 /// A sea: wave systems, or a measured spectrum, over water of one depth, with the local wind that roughens it.
@@ -119,6 +122,7 @@ typedef struct bolan_sea_summary {
     double from_deg;   ///< mean direction FROM [deg]
     double spread_deg; ///< circular spread sqrt(2 (1 - r1)) [deg]
 } bolan_sea_summary;
+/// Integrates the whole spectrum: milliseconds. Thread-safe.
 bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state);
 
 /// Cox & Munk (1954) clean-surface slope variance for a wind of @p wind_speed [m/s] at 12.5 m; up- and crosswind parts:
@@ -129,11 +133,13 @@ double bolan_monahan_cover(double wind_speed);
 
 // ---- sea-state tables -----------------------------------------------------------------------------------------------
 
+/// A class of the Douglas sea scale.
 typedef struct bolan_douglas_row {
     int degree;
     double hs_min, hs_max; ///< [m]; the last has no upper bound: HUGE_VAL
     const char *name;
 } bolan_douglas_row;
+/// A class of the Beaufort wind scale.
 typedef struct bolan_beaufort_row {
     int force;
     double wind_min, wind_max; ///< at 10 m [m/s]; the last has no upper bound: HUGE_VAL
@@ -170,6 +176,7 @@ typedef struct bolan_spectrum_text {
     size_t size;       ///< bytes
 } bolan_spectrum_text;
 
+/// The texts of one measurement.
 typedef struct bolan_spectrum_texts {
     bolan_spectrum_text density;              ///< SWAN, NDBC history, or NDBC real-time .data_spec
     bolan_spectrum_text swdir, swdir2, swr1, swr2; ///< NDBC directional companions; data NULL where absent
@@ -177,6 +184,7 @@ typedef struct bolan_spectrum_texts {
     double spread_s;  ///< its cos-2s exponent, 0..200; default 10
 } bolan_spectrum_texts;
 
+/// No text, and the defaults named beside the fields.
 bolan_spectrum_texts bolan_spectrum_texts_default(void);
 /// Parses record number @p record in time. 0 is the earliest; the newest is record_count - 1 (NDBC real-time texts
 /// list it first: they are reversed). The texts are not kept. On failure @p out is NULL and one sentence with name
@@ -194,6 +202,7 @@ typedef struct bolan_measured_view {
     const double *omega, *theta, *density;
     const char *time; ///< ISO 8601 ("2020-06-08T03:50Z"), or "" when the file gives none
 } bolan_measured_view;
+/// Valid while the spectrum lives. Thread-safe.
 bolan_measured_view bolan_measured_spectrum_view(const bolan_measured_spectrum *spectrum);
 
 #ifdef __cplusplus

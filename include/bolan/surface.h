@@ -11,6 +11,7 @@
 extern "C" {
 #endif
 
+/// How the undisplaced water is cut into triangles.
 typedef enum bolan_surface_kind {
     BOLAN_SURFACE_PROJECTED, ///< a grid of constant angular steps seen from the eye: cost independent of distance
 } bolan_surface_kind;
@@ -33,12 +34,14 @@ typedef struct bolan_surface_vertex {
                    ///< leave the geometry
 } bolan_surface_vertex;
 
+/// How fine the surface is.
 typedef struct bolan_surface_desc {
     bolan_surface_kind kind;
     double pixels_per_vertex; ///< 1..32; default 3. Raised: fewer triangles
     uint32_t max_vertices;    ///< capacity of the caller's vertex buffer, >= 1024; the grid is coarsened to fit; default 200000
 } bolan_surface_desc;
 
+/// The defaults named beside the fields.
 bolan_surface_desc bolan_surface_desc_default(void);
 
 /// Number of columns and rows written: vertices[row * columns + column], rows run from near to far, columns clockwise.

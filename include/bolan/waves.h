@@ -23,12 +23,14 @@
 extern "C" {
 #endif
 
-#define BOLAN_MAX_CASCADES 4
+#define BOLAN_MAX_CASCADES 4 ///< of a sea
 
+/// How waves are made of a sea state.
 typedef enum bolan_wave_model {
     BOLAN_WAVES_FFT, ///< cascades of inverse FFTs of a random sea
 } bolan_wave_model;
 
+/// How a sea is made.
 typedef struct bolan_sea_desc {
     bolan_sea_state sea_state; ///< default: wind 8 m/s from 240 deg, fetch 200 km
     bolan_wave_model waves;    ///< default FFT
@@ -42,8 +44,10 @@ typedef struct bolan_sea_desc {
     double foam_decay;         ///< e-folding time of foam [s], 0.1..60; default 3.5
 } bolan_sea_desc;
 
+/// A sea: spectrum tables, and the fields of one time.
 typedef struct bolan_sea bolan_sea;
 
+/// The defaults named beside the fields.
 bolan_sea_desc bolan_sea_desc_default(void);
 /// Builds the spectrum tables and all memory; no later call allocates. Errors: ARGUMENT (field named in the log), MEMORY.
 /// The desc is copied; a measured spectrum in it is not needed afterwards. The sea stands at time 0.
@@ -57,6 +61,7 @@ void bolan_sea_step(bolan_sea *sea, double time);
 /// Like step, and fills the foam memory first by stepping through the last seconds before @p time (about 4 foam_decay) in
 /// fixed ticks, so that a single picture shows the foam that a running sea would.
 void bolan_sea_settle(bolan_sea *sea, double time);
+/// The time that the fields show [s].
 double bolan_sea_time(const bolan_sea *sea);
 /// The desc the sea was made from, defaults resolved (measured is NULL). Valid while the sea lives.
 const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
@@ -80,7 +85,9 @@ typedef struct bolan_cascade_view {
     const uint16_t *slope_half;           ///< n*n*4 halfs: slope_x, slope_y, dxx, dyy
     const uint16_t *foam_half;            ///< n*n halfs: foam
 } bolan_cascade_view;
+/// 1..BOLAN_MAX_CASCADES.
 uint32_t bolan_sea_cascade_count(const bolan_sea *sea);
+/// Cascade @p index, 0 the one of the longest waves.
 bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index);
 
 /// Everything the sea is at one rest point, all cascades summed (bilinear between samples), choppiness applied.
@@ -128,6 +135,7 @@ typedef struct bolan_sea_statistics {
     double whitecap_fraction;        ///< area fraction with Jacobian below the foam threshold
     double m0_spectrum, m0_field;    ///< [m2]
 } bolan_sea_statistics;
+/// Measures every field of every cascade; as slow as several steps. Thread-safe between steps.
 bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea);
 /// Digest of every field (foam memory excluded) at the present time, as 16 lower-case hex digits and NUL. Equal for any
 /// thread count and any instruction set.
