@@ -51,9 +51,7 @@ static bolan_result refuse(const char *name, uint32_t line, const text_word *fie
     return BOLAN_ERROR_FORMAT;
 }
 
-static bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '"';
-}
+static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '"'; }
 
 // A line of column names: it begins with x. "nan" and "inf" are no names.
 static bool is_header(const field_list *list) {

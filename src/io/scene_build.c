@@ -48,8 +48,7 @@ void scene_file_clear(scene_file *file) {
         &file->camera.roll,
         &file->camera.fov,
     };
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        *numbers[i] = absent;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) *numbers[i] = absent;
     for (int i = 0; i < BOLAN_MAX_WAVE_SYSTEMS; i++)
         file->sea.swell[i] = (struct scene_file_swell){0, absent, absent, absent, absent};
     file->sea.seed = d.sea.seed;

@@ -16,9 +16,7 @@ typedef struct reader {
     yaml_document_t document;
 } reader;
 
-static unsigned line_of(const yaml_node_t *node) {
-    return (unsigned)node->start_mark.line + 1;
-}
+static unsigned line_of(const yaml_node_t *node) { return (unsigned)node->start_mark.line + 1; }
 
 // The scalar of a node for a message: short, on one line.
 static void describe(const yaml_node_t *node, char out[48]) {
@@ -111,9 +109,7 @@ static bolan_result text(const reader *r, const yaml_node_t *node, const schema_
 
 static bolan_result map(reader *r, yaml_node_t *node, const schema_key *keys, const char *path, char *out);
 
-static yaml_node_t *node_at(reader *r, int index) {
-    return yaml_document_get_node(&r->document, index);
-}
+static yaml_node_t *node_at(reader *r, int index) { return yaml_document_get_node(&r->document, index); }
 
 static uint32_t list_length(const yaml_node_t *node) {
     if (node->type != YAML_SEQUENCE_NODE) return UINT32_MAX;
@@ -152,20 +148,13 @@ static bolan_result list(reader *r, yaml_node_t *node, const schema_key *key, co
 static bolan_result value(reader *r, yaml_node_t *node, const schema_key *key, const char *path, char *out) {
     void *member = out + key->offset;
     switch (key->kind) {
-    case SCHEMA_NUMBER:
-        return number(r, node, key, path, member);
-    case SCHEMA_COUNT:
-        return count(r, node, key, path, member);
-    case SCHEMA_NAME:
-        return name(r, node, key, path, member);
-    case SCHEMA_TEXT:
-        return text(r, node, key, path, member);
-    case SCHEMA_VECTOR:
-        return vector(r, node, key, path, member);
-    case SCHEMA_MAP:
-        return map(r, node, key->keys, path, member);
-    case SCHEMA_LIST:
-        return list(r, node, key, path, out);
+    case SCHEMA_NUMBER: return number(r, node, key, path, member);
+    case SCHEMA_COUNT: return count(r, node, key, path, member);
+    case SCHEMA_NAME: return name(r, node, key, path, member);
+    case SCHEMA_TEXT: return text(r, node, key, path, member);
+    case SCHEMA_VECTOR: return vector(r, node, key, path, member);
+    case SCHEMA_MAP: return map(r, node, key->keys, path, member);
+    case SCHEMA_LIST: return list(r, node, key, path, out);
     }
     return BOLAN_ERROR_FORMAT;
 }
@@ -175,8 +164,7 @@ static bolan_result value(reader *r, yaml_node_t *node, const schema_key *key, c
 static bolan_result unknown_key(const reader *r, const yaml_node_t *node, const schema_key *keys, const char *path) {
     char found[48], expected[LIST_MAX_LENGTH] = "";
     describe(node, found);
-    for (; keys->name; keys++)
-        append(expected, sizeof expected, keys->name);
+    for (; keys->name; keys++) append(expected, sizeof expected, keys->name);
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_UNKNOWN_KEY, "%s:%u: unknown key %s%s%s; expected one of %s", r->name,
               line_of(node), path, *path ? "." : "", found, expected);
     return BOLAN_ERROR_FORMAT;
@@ -208,9 +196,7 @@ static bolan_result entry(reader *r, const yaml_node_pair_t *pair, const schema_
     return value(r, node_at(r, pair->value), key, inner, out);
 }
 
-static bool is_null(const yaml_node_t *node) {
-    return node->type == YAML_SCALAR_NODE && node->data.scalar.length == 0;
-}
+static bool is_null(const yaml_node_t *node) { return node->type == YAML_SCALAR_NODE && node->data.scalar.length == 0; }
 
 static bolan_result map(reader *r, yaml_node_t *node, const schema_key *keys, const char *path, char *out) {
     const uint32_t line = line_of(node);

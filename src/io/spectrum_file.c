@@ -53,8 +53,7 @@ bolan_result bolan_spectrum_load(const char *path, uint32_t record, bolan_measur
         *companions[i] = (bolan_spectrum_text){names[i], files[i].data, files[i].size};
     }
     if (!result) result = bolan_measured_spectrum_parse(&texts, record, out);
-    for (int i = 0; i < COMPANIONS; i++)
-        file_release(&files[i]);
+    for (int i = 0; i < COMPANIONS; i++) file_release(&files[i]);
     file_release(&density);
     return result;
 }

@@ -38,10 +38,8 @@ typedef struct command {
 
 static void add(command *c, const char *const *words) {
     size_t n = 0;
-    while (c->arguments[n])
-        n++;
-    for (; *words; words++)
-        c->arguments[n++] = *words;
+    while (c->arguments[n]) n++;
+    for (; *words; words++) c->arguments[n++] = *words;
 }
 
 static void make_command(command *c, const bolan_video *video, uint32_t width, uint32_t height, double fps, bool webm) {
@@ -116,8 +114,7 @@ static bolan_result report_exit(bolan_video *video, int status) {
 
 static int wait_for(pid_t process) {
     int status = 0;
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR)
-        continue;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
     return status;
 }
 
@@ -138,8 +135,7 @@ static bool write_quietly(int file, const uint8_t *data, size_t size) {
     }
     if (!ok) {
         const struct timespec now = {0, 0};
-        while (sigtimedwait(&pipe_signal, NULL, &now) < 0 && errno == EINTR)
-            continue;
+        while (sigtimedwait(&pipe_signal, NULL, &now) < 0 && errno == EINTR) continue;
     }
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     return ok;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What a scene refers to: its spectrum and its terrain.
+#include "bolan/io.h"
+
+#include <string.h>
+#include <unistd.h>
+
+// Global relief of Debian's package ferret-datasets (ETOPO5, US National Geophysical Data Center, 5 minutes of arc).
+static const char *const global_relief = "/usr/share/ferret-vis/data/etopo5.cdf";
+
+static bolan_result no_raster(const bolan_scene *scene) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_RASTER_OPEN,
+              "%s: the scene needs a raster of elevations; give one with --terrain FILE [--at LAT,LON], or install the "
+              "package ferret-datasets",
+              scene->name);
+    return BOLAN_ERROR_IO;
+}
+
+static bolan_result load_terrain(const bolan_scene *scene, bolan_terrain **out) {
+    const bolan_terrain_source *t = &scene->terrain;
+    if (t->kind == BOLAN_TERRAIN_NONE) return BOLAN_OK;
+    if (t->kind == BOLAN_TERRAIN_ISLAND) return bolan_terrain_create_island(&t->island, out);
+    const char *path = t->path[0] ? t->path : global_relief;
+    if (!t->path[0] && access(path, R_OK) != 0) return no_raster(scene);
+    return bolan_raster_load(path, t->latitude, t->longitude, t->radius, t->vertical_scale, out);
+}
+
+bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_assets *out) {
+    BOLAN_ASSERT(scene && out);
+    *out = (bolan_scene_assets){NULL, NULL};
+    bolan_result result = BOLAN_OK;
+    if (scene->spectrum_path[0])
+        result = bolan_spectrum_load(scene->spectrum_path, scene->spectrum_record, &out->spectrum);
+    if (!result) result = load_terrain(scene, &out->terrain);
+    if (result) bolan_scene_assets_destroy(out);
+    return result;
+}
+
+void bolan_scene_assets_destroy(bolan_scene_assets *assets) {
+    if (!assets) return;
+    bolan_measured_spectrum_destroy(&assets->spectrum);
+    bolan_terrain_destroy(&assets->terrain);
+}
+
+bolan_result bolan_scene_create_sea(const bolan_scene *scene, const bolan_scene_assets *assets, bolan_sea **out) {
+    BOLAN_ASSERT(scene && out);
+    bolan_sea_desc desc = scene->sea;
+    desc.sea_state.measured = assets ? assets->spectrum : NULL;
+    return bolan_sea_create(&desc, out);
+}
