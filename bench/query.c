@@ -98,8 +98,8 @@ static void ask(const bolan_sea *sea, const query_case *what, const buffers *b, 
     }
 }
 
-static query_row measure(const bolan_sea *sea, const query_case *what, const buffers *b, uint32_t points, uint32_t threads,
-                         double bytes_per_second) {
+static query_row measure(const bolan_sea *sea, const query_case *what, const buffers *b, uint32_t points,
+                         uint32_t threads, double bytes_per_second) {
     double times[REPEATS];
     ask(sea, what, b, points);
     for (int i = 0; i < REPEATS; i++) {
@@ -113,9 +113,11 @@ static query_row measure(const bolan_sea *sea, const query_case *what, const buf
 }
 
 static void print_table(const query_row *rows, uint32_t count, const double *bytes_per_second) {
-    printf("Queries: 4 cascades of 256 x 256. ratio: time over the time in which memory streams the samples that are read\n");
+    printf("Queries: 4 cascades of 256 x 256. ratio: time over the time in which memory streams the samples that are "
+           "read\n");
     for (int t = 0; t < THREADS; t++)
-        printf("memory, %u thread%s: %.1f GB/s\n", thread_counts[t], thread_counts[t] > 1 ? "s" : "", bytes_per_second[t] * 1e-9);
+        printf("memory, %u thread%s: %.1f GB/s\n", thread_counts[t], thread_counts[t] > 1 ? "s" : "",
+               bytes_per_second[t] * 1e-9);
     printf("%-32s %9s %8s %10s %14s %7s\n", "", "points", "threads", "ms", "points/s", "ratio");
     for (uint32_t i = 0; i < count; i++)
         printf("%-32s %9u %8u %10.3f %14.3g %7.2f\n", rows[i].what->name, rows[i].points, rows[i].threads, rows[i].ms,
@@ -123,10 +125,11 @@ static void print_table(const query_row *rows, uint32_t count, const double *byt
 }
 
 static void print_json(const query_row *rows, uint32_t count, const double *bytes_per_second) {
-    printf("{\"cpu\": \"%s\", \"yardstick_bytes_per_second\": [%.4g, %.4g], \"query\": [", bolan_cpu_name(bolan_cpu_best()),
-           bytes_per_second[0], bytes_per_second[1]);
+    printf("{\"cpu\": \"%s\", \"yardstick_bytes_per_second\": [%.4g, %.4g], \"query\": [",
+           bolan_cpu_name(bolan_cpu_best()), bytes_per_second[0], bytes_per_second[1]);
     for (uint32_t i = 0; i < count; i++)
-        printf("%s\n  {\"what\": \"%s\", \"points\": %u, \"threads\": %u, \"ms\": %.4f, \"points_per_second\": %.4g, \"ratio\": %.3f}",
+        printf("%s\n  {\"what\": \"%s\", \"points\": %u, \"threads\": %u, \"ms\": %.4f, \"points_per_second\": %.4g, "
+               "\"ratio\": %.3f}",
                i ? "," : "", rows[i].what->name, rows[i].points, rows[i].threads, rows[i].ms,
                1e3 * rows[i].points / rows[i].ms, rows[i].ratio);
     printf("\n]}\n");

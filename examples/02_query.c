@@ -9,8 +9,8 @@
 #include <stdio.h>
 
 enum { ALONG = 21, ACROSS = 7, POINTS = ALONG * ACROSS };
-static const double LENGTH = 60.0, BEAM = 12.0;    // of the hull [m]
-static const double SPEED = 6.0, HEADING = 45.0;   // [m/s], compass [deg]
+static const double LENGTH = 60.0, BEAM = 12.0;  // of the hull [m]
+static const double SPEED = 6.0, HEADING = 45.0; // [m/s], compass [deg]
 
 typedef struct hull_water {
     double height;      // mean [m]

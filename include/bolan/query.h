@@ -15,10 +15,10 @@ extern "C" {
 /// The surface at one world point. Where choppy water folds, several parcels stand at the point: the answer is the highest of
 /// those that are found.
 typedef struct bolan_query_point {
-    float height;       ///< of the surface above the scene's datum [m]
-    bolan_vec3 normal;  ///< unit, z >= 0
-    float jacobian;     ///< of the horizontal map at the parcel found; below 0 the surface is folded
-    float residual;     ///< horizontal distance between the point and the parcel [m]: < 1e-3 where the Jacobian > 0.2
+    float height;      ///< of the surface above the scene's datum [m]
+    bolan_vec3 normal; ///< unit, z >= 0
+    float jacobian;    ///< of the horizontal map at the parcel found; below 0 the surface is folded
+    float residual;    ///< horizontal distance between the point and the parcel [m]: < 1e-3 where the Jacobian > 0.2
 } bolan_query_point;
 
 /// Heights [m] of the surface above mean water over @p count world points @p xy [m] into @p height (count floats). The fields

@@ -22,8 +22,8 @@ typedef struct query_cascade {
     const float *height, *dx, *dy, *slope_x, *slope_y, *dxx, *dyy, *dxy;
     uint32_t n;
     float cells_per_metre;
-    float c, s;                  // cosine and sine of the tile's angle
-    double tile_c, tile_s;       // the same over the tile's length: world [m] -> tiles
+    float c, s;            // cosine and sine of the tile's angle
+    double tile_c, tile_s; // the same over the tile's length: world [m] -> tiles
 } query_cascade;
 
 typedef struct query_sea {
@@ -33,16 +33,16 @@ typedef struct query_sea {
 } query_sea;
 
 typedef struct query_block {
-    double x[QUERY_LANES], y[QUERY_LANES];                                                // asked points [m]
+    double x[QUERY_LANES], y[QUERY_LANES];                                                    // asked points [m]
     int32_t cell_u[BOLAN_MAX_CASCADES][QUERY_LANES], cell_v[BOLAN_MAX_CASCADES][QUERY_LANES]; // their cells
     float part_u[BOLAN_MAX_CASCADES][QUERY_LANES], part_v[BOLAN_MAX_CASCADES][QUERY_LANES];   // and fractions, 0..1
-    float attenuation[BOLAN_MAX_CASCADES][QUERY_LANES];                                   // by shallow water, 0..1
-    bool settled[QUERY_LANES];                                                            // it is the same all around
-    float ox[QUERY_LANES], oy[QUERY_LANES];                                               // rest point - asked point [m]
-    float rx[QUERY_LANES], ry[QUERY_LANES];                                               // residual of (1) [m]
-    float determinant[QUERY_LANES];                                                       // of the last step's matrix
-    float height[QUERY_LANES], slope_x[QUERY_LANES], slope_y[QUERY_LANES];                // at the rest point
-    float jxx[QUERY_LANES], jyy[QUERY_LANES], jxy[QUERY_LANES];                           // Jacobian matrix of x0 -> x
+    float attenuation[BOLAN_MAX_CASCADES][QUERY_LANES];                                       // by shallow water, 0..1
+    bool settled[QUERY_LANES];                                             // it is the same all around
+    float ox[QUERY_LANES], oy[QUERY_LANES];                                // rest point - asked point [m]
+    float rx[QUERY_LANES], ry[QUERY_LANES];                                // residual of (1) [m]
+    float determinant[QUERY_LANES];                                        // of the last step's matrix
+    float height[QUERY_LANES], slope_x[QUERY_LANES], slope_y[QUERY_LANES]; // at the rest point
+    float jxx[QUERY_LANES], jyy[QUERY_LANES], jxy[QUERY_LANES];            // Jacobian matrix of x0 -> x
 } query_block;
 
 // The kernels of one instruction set. All sets give the same bits.
@@ -62,11 +62,11 @@ const query_kernels *query_kernels_for(bolan_cpu cpu);
 typedef struct query {
     query_sea sea;
     const query_kernels *kernels;
-    const bolan_terrain *terrain; // or NULL: deep water
-    double water_level;           // [m]
+    const bolan_terrain *terrain;      // or NULL: deep water
+    double water_level;                // [m]
     float band_hs[BOLAN_MAX_CASCADES]; // significant height of each cascade [m]
-    float hs;                     // of all cascades [m]
-    float reach;                  // how far apart the roots of a fold may lie [m]
+    float hs;                          // of all cascades [m]
+    float reach;                       // how far apart the roots of a fold may lie [m]
 } query;
 
 enum { QUERY_STEPS = 5, QUERY_SEARCH_STEPS = 10 };

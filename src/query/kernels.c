@@ -2,11 +2,12 @@
 // The table of the query kernels, one row per instruction set.
 #include "query/block.h"
 
-#define QUERY_DECLARE(set)                                                                                             \
-    void query_locate_##set(const query_sea *sea, query_block *block);                                                 \
-    void query_step_##set(const query_sea *sea, uint32_t cascades, query_block *block);                                \
+#define QUERY_DECLARE(set)                                                              \
+    void query_locate_##set(const query_sea *sea, query_block *block);                  \
+    void query_step_##set(const query_sea *sea, uint32_t cascades, query_block *block); \
     void query_evaluate_##set(const query_sea *sea, bool full, query_block *block);
-#define QUERY_ROW(set) {query_locate_##set, query_step_##set, query_evaluate_##set}
+#define QUERY_ROW(set) \
+    { query_locate_##set, query_step_##set, query_evaluate_##set }
 
 QUERY_DECLARE(scalar)
 #ifdef BOLAN_KERNELS_X86

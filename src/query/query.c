@@ -8,7 +8,7 @@
 #include <math.h>
 
 enum { GRAIN_BLOCKS = 16 };
-static const float CONVERGED = 5e-4f;      // [m] half of the residual that query.h promises
+static const float CONVERGED = 5e-4f;        // [m] half of the residual that query.h promises
 static const float FOLD_DETERMINANT = 0.25f; // below this a second root may be near
 // What the shore map of the renderer resolves close to the eye [m]: finer ground does not shape the waves.
 static const double GROUND_RESOLUTION = 2.0;
@@ -17,7 +17,7 @@ typedef struct batch {
     query q;
     const bolan_dvec2 *xy;
     uint32_t count;
-    float *height;           // one of these two is NULL
+    float *height; // one of these two is NULL
     bolan_query_point *out;
 } batch;
 
@@ -136,10 +136,20 @@ static void do_blocks(void *context, uint32_t begin, uint32_t end, uint32_t work
 static query_cascade cascade_of(const bolan_cascade_view *v) {
     double s, c;
     bolan_sincos(v->angle, &s, &c);
-    return (query_cascade){.height = v->height, .dx = v->dx, .dy = v->dy, .slope_x = v->slope_x, .slope_y = v->slope_y,
-                           .dxx = v->dxx, .dyy = v->dyy, .dxy = v->dxy, .n = v->n,
-                           .cells_per_metre = (float)(v->n / v->length), .c = (float)c, .s = (float)s,
-                           .tile_c = c / v->length, .tile_s = s / v->length};
+    return (query_cascade){.height = v->height,
+                           .dx = v->dx,
+                           .dy = v->dy,
+                           .slope_x = v->slope_x,
+                           .slope_y = v->slope_y,
+                           .dxx = v->dxx,
+                           .dyy = v->dyy,
+                           .dxy = v->dxy,
+                           .n = v->n,
+                           .cells_per_metre = (float)(v->n / v->length),
+                           .c = (float)c,
+                           .s = (float)s,
+                           .tile_c = c / v->length,
+                           .tile_s = s / v->length};
 }
 
 static query query_of(const bolan_sea *sea, const bolan_terrain *terrain, double water_level) {

@@ -63,7 +63,8 @@ static void check(double wind, double choppiness, double x0, double y0) {
 
     bolan_dvec2 xy[POINTS];
     bolan_query_point answer[POINTS];
-    for (int i = 0; i < POINTS; i++) xy[i] = (bolan_dvec2){x0 + 17.31 * (i % 7) + 0.37 * i, y0 + 23.77 * (i / 7) - 0.53 * i};
+    for (int i = 0; i < POINTS; i++)
+        xy[i] = (bolan_dvec2){x0 + 17.31 * (i % 7) + 0.37 * i, y0 + 23.77 * (i / 7) - 0.53 * i};
     bolan_query_surface(sea, NULL, 0.0, xy, POINTS, answer);
 
     double height = 0.0, slope = 0.0, variance = 0.0;
@@ -80,7 +81,8 @@ static void check(double wind, double choppiness, double x0, double y0) {
     assert_true(used > POINTS * 3 / 4);
     height = sqrt(height / used), slope = sqrt(slope / used), variance = sqrt(variance / used);
     const bounds b = interpolation_bounds(sea);
-    print_message("wind %g m/s, choppiness %g, at %g m: height rms %.3f m, error %.5f m (bound %.5f); slope error %.4f (bound %.4f)\n",
+    print_message("wind %g m/s, choppiness %g, at %g m: height rms %.3f m, error %.5f m (bound %.5f); slope error %.4f "
+                  "(bound %.4f)\n",
                   wind, choppiness, hypot(x0, y0), variance, height, b.height, slope, b.slope);
     // The displaced slope divides by J, on the average by 1: choppiness adds its own share.
     assert_true(height < b.height);

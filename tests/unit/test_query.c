@@ -165,7 +165,8 @@ static void test_no_parcel_lies_above_the_answer_in_a_fold(void **state) {
         bool above = false;
         for (int k = 0; k < SIDE * SIDE; k++) {
             const bolan_dvec2 at = place_of(k);
-            above |= hypot(at.x - place[i].x, at.y - place[i].y) < 0.01 && parcels[k].height > answers[i].height + 0.02f;
+            above |=
+                hypot(at.x - place[i].x, at.y - place[i].y) < 0.01 && parcels[k].height > answers[i].height + 0.02f;
         }
         covered += above;
     }
@@ -330,7 +331,8 @@ static void test_a_parcel_over_a_sloping_bed_is_found_where_it_went(void **state
     (void)state;
     static bolan_sea_sample parcel[POINTS];
     static bolan_dvec2 moved[POINTS];
-    bolan_sea *sea = make_sea(10.0, 1.0, 1, BOLAN_CPU_AUTO); // one cascade: one attenuation for all of a parcel's motion
+    bolan_sea *sea =
+        make_sea(10.0, 1.0, 1, BOLAN_CPU_AUTO); // one cascade: one attenuation for all of a parcel's motion
     const float band_hs = (float)(4.0 * sqrt(bolan_sea_cascade(sea, 0).variance));
     bolan_terrain *bed = make_ground(-2000.0f, 2000.0f); // rises by 0.4, a shore in the middle
     scatter(points, POINTS);
@@ -339,7 +341,8 @@ static void test_a_parcel_over_a_sloping_bed_is_found_where_it_went(void **state
         const float depth = 0.5f - bolan_terrain_elevation(bed, points[i].x, points[i].y, 2.0);
         const float keep = bolan_shore_attenuation(depth, band_hs);
         parcel[i].height *= keep;
-        moved[i] = (bolan_dvec2){points[i].x + (double)(keep * parcel[i].dx), points[i].y + (double)(keep * parcel[i].dy)};
+        moved[i] =
+            (bolan_dvec2){points[i].x + (double)(keep * parcel[i].dx), points[i].y + (double)(keep * parcel[i].dy)};
     }
     bolan_query_surface(sea, bed, 0.5, moved, POINTS, answers);
     for (int i = 0; i < POINTS; i++) {
