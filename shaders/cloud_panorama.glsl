@@ -16,7 +16,7 @@ const int STEPS = 72, LIGHT_STEPS = 5;
 const float FARTHEST = 120000.0;
 
 vec3 panorama_direction() { // inverse of cloud_uv()
-    float h = max(eye.z, 0.0), dip = horizon_dip(h), y = haze.z > 0.5 ? uv.y * 2.0 - 1.0 : uv.y;
+    float h = max(eye.z, 0.0), dip = horizon_dip(h), y = air.y > 0.5 ? uv.y * 2.0 - 1.0 : uv.y;
     float range = y > 0.0 ? 0.5 * AIR_PI + dip : 0.5 * AIR_PI - dip;
     float elevation = sign(y) * y * y * range - dip, azimuth = 2.0 * AIR_PI * uv.x;
     return vec3(cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation));

@@ -15,7 +15,7 @@ out vec4 color;
 void main() {
     vec3 dir = environment_direction(uv);
     vec3 sky = textureLod(sea_view_table, sky_view_uv(dir, 2.0), 0.0).rgb;
-    vec4 clouds = haze.z > 0.5 ? cloud_mean * smoothstep(0.0, 0.1, dir.z) : cloud_radiance(dir);
+    vec4 clouds = air.y > 0.5 ? cloud_mean * smoothstep(0.0, 0.1, dir.z) : cloud_radiance(dir);
     color = vec4(sky * (1.0 - clouds.a) + clouds.rgb, 1.0);
 }
 #endif

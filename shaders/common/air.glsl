@@ -106,6 +106,6 @@ float sun_above_horizon(float h, float mu) {
 
 vec3 sun_transmittance_at(float h, float mu) { return transmittance_to_space(h, mu) * sun_above_horizon(h, mu); }
 
-// Solar irradiance above the air, in the unit of every stored radiance: haze.w is 1 by day and grows in twilight, so that half
+// Solar irradiance above the air, in the unit of every stored radiance: air.x is 1 by day and grows in twilight, so that half
 // floats hold it.
-vec3 solar_irradiance() { return SUN_COLOR * haze.w; }
+vec3 solar_irradiance() { return SUN_COLOR * air.x; }

@@ -47,18 +47,18 @@ const float CLOUD_SHADOW_SIZE = 100000.0; // side of the square round the eye [m
 
 // Share of the sun that passes the clouds to a point of the sea, eye-relative xy [m].
 float cloud_shadow(vec2 position) {
-    vec2 p = (position + vec2(water_bb.w, water_a.w)) / CLOUD_SHADOW_SIZE;
+    vec2 p = (position + air.zw) / CLOUD_SHADOW_SIZE;
     float inside = 1.0 - smoothstep(0.42, 0.5, max(abs(p.x), abs(p.y)));
     float average = 1.0 - 0.85 * wind.w;
     return mix(average, textureLod(cloud_map, vec3(clamp(p + 0.5, 0.001, 0.999), 1.0), 0.0).r, inside);
 }
 
-// The panorama of the clouds round the eye. Below the clouds it covers the sky (haze.z = 0), above them the whole sphere.
+// The panorama of the clouds round the eye. Below the clouds it covers the sky (air.y = 0), above them the whole sphere.
 vec2 cloud_uv(vec3 dir) {
     float h = max(eye.z, 0.0), above = angle_above_horizon(dir, h), dip = horizon_dip(h);
     float range = above > 0.0 ? 0.5 * AIR_PI + dip : 0.5 * AIR_PI - dip;
     float y = sign(above) * sqrt(abs(above) / range);
-    return vec2(atan(dir.y, dir.x) / (2.0 * AIR_PI), haze.z > 0.5 ? 0.5 + 0.5 * y : max(y, 0.0));
+    return vec2(atan(dir.y, dir.x) / (2.0 * AIR_PI), air.y > 0.5 ? 0.5 + 0.5 * y : max(y, 0.0));
 }
 
 vec4 cloud_radiance(vec3 dir) { return textureLod(cloud_map, vec3(cloud_uv(dir), 0.0), 0.0); }
@@ -85,7 +85,7 @@ void air_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) 
 // The same with the clouds that lie below a high eye.
 void aerial_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
     air_perspective(position, transmittance, inscatter);
-    if (haze.z > 0.5 && position.z < haze.y - eye.z) {
+    if (air.y > 0.5 && position.z < haze.y - eye.z) {
         vec4 clouds = cloud_radiance(normalize(position));
         transmittance *= 1.0 - clouds.a;
         inscatter = inscatter * (1.0 - clouds.a) + clouds.rgb;

@@ -7,7 +7,7 @@ uniform sampler3D cloud_noise;
 uniform vec4 cloud_origin; // xy: eye in the clouds' pattern [m], z: thickness of the layer [m], w: threshold of the billows
 
 const float CLOUD_EXTINCTION = 0.035;   // in their middle [1/m]
-const float BILLOW_TILE = 7200.0, DETAIL_TILE = 1300.0, WEATHER_TILE = 57600.0;
+const float BILLOW_TILE = 5760.0, DETAIL_TILE = 1152.0, WEATHER_TILE = 57600.0;
 
 float cloud_base() { return haze.y; }
 float cloud_top() { return haze.y + cloud_origin.z; }

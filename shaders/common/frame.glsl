@@ -15,6 +15,7 @@ layout(std140) uniform Frame {
     vec4 water_kd;   // diffuse attenuation rgb [1/m]; w: foam strength
     vec4 water_bb;   // backscatter rgb [1/m]
     vec4 water_a;    // absorption rgb [1/m]
+    vec4 air;        // x: radiance unit, y: 1 when the eye is above the clouds, zw: eye from the cloud maps' centre [m]
 };
 
 // Eye-relative direction through a point of the picture, uv in [0,1], not normalised. Depth 1 is the near plane.

@@ -83,7 +83,7 @@ static bool air_is_stale(const atmosphere *a, const frame_uniforms *u) {
 static bool views_are_stale(const atmosphere *a, const frame_uniforms *u) {
     const float step = fmaxf(0.5f, 0.02f * fabsf(a->eye_height));
     return fabsf(u->sun.z - a->sun_height) > 0.002f || fabsf(u->eye.z - a->eye_height) > step ||
-           u->wind.w != a->cover || u->haze.y != a->cloud_base || u->haze.w != a->unit;
+           u->wind.w != a->cover || u->haze.y != a->cloud_base || u->air.x != a->unit;
 }
 
 bool atmosphere_update(atmosphere *a, const frame_uniforms *u) {
@@ -99,7 +99,7 @@ bool atmosphere_update(atmosphere *a, const frame_uniforms *u) {
     a->cloud_base = u->haze.y;
     a->sun_height = u->sun.z;
     a->eye_height = u->eye.z;
-    a->unit = u->haze.w;
+    a->unit = u->air.x;
     return true;
 }
 

@@ -50,13 +50,13 @@ bolan_result clouds_reload(clouds *c) {
 }
 
 // A deck of stratocumulus is thinner than heaped cumulus.
-static float layer_thickness(float cover) { return 1300.0f - 650.0f * cover * cover; }
+static float layer_thickness(float cover) { return 1000.0f - 400.0f * cover * cover; }
 
 // Value that the billows exceed over the share `cover` of the sky: their distribution, measured, is near normal.
 static float billow_threshold(float cover) {
     const double p = fmin(fmax(1.0 - (double)cover, 0.001), 0.999);
-    const double logit = log(p / (1.0 - p)) / 1.702; // of the normal quantile, within 0.1
-    return (float)(0.44 + 0.115 * logit);
+    const double quantile = log(p / (1.0 - p)) / 1.702; // of the normal distribution, within 0.1
+    return (float)(0.488 + (quantile > 0.0 ? 0.100 : 0.112) * quantile);
 }
 
 // How far the eye may move before the panorama is wrong by more than one sees: a part of the distance to the clouds.
@@ -69,7 +69,7 @@ static bool is_stale(const clouds *c, const frame *f, const frame_uniforms *u) {
     const bolan_vec3 turned = bolan_v3_sub(f->sun_direction, c->sun);
     const bool moved = dx * dx + dy * dy + dz * dz > pow(allowed_shift(c, f), 2.0);
     if (c->cover <= 0.0f) return false;
-    return moved || bolan_v3_dot(turned, turned) > 0.01f * 0.01f || fabsf(u->haze.w / c->unit - 1.0f) > 0.05f;
+    return moved || bolan_v3_dot(turned, turned) > 0.01f * 0.01f || fabsf(u->air.x / c->unit - 1.0f) > 0.05f;
 }
 
 bool clouds_place(clouds *c, const frame *f, frame_uniforms *u) {
@@ -81,13 +81,13 @@ bool clouds_place(clouds *c, const frame *f, frame_uniforms *u) {
         c->cover = u->wind.w;
         c->base = u->haze.y;
         c->visibility = u->haze.x;
-        c->unit = u->haze.w;
+        c->unit = u->air.x;
         c->above = u->eye.z > u->haze.y;
     }
-    u->haze.w = c->cover > 0.0f ? c->unit : u->haze.w;
-    u->haze.z = c->above ? 1.0f : 0.0f;
-    u->water_bb.w = (float)(f->eye.x - c->eye.x);
-    u->water_a.w = (float)(f->eye.y - c->eye.y);
+    u->air.x = c->cover > 0.0f ? c->unit : u->air.x;
+    u->air.y = c->above ? 1.0f : 0.0f;
+    u->air.z = (float)(f->eye.x - c->eye.x);
+    u->air.w = (float)(f->eye.y - c->eye.y);
     return stale;
 }
 

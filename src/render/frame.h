@@ -50,6 +50,8 @@ typedef struct frame_uniforms {
     bolan_vec4 water_kd;   // Kd rgb; w: foam strength
     bolan_vec4 water_bb;   // backscatter rgb; w: spare
     bolan_vec4 water_a;    // absorption rgb; w: spare
+    bolan_vec4 air;        // set by pass_sky_prepare. x: unit of every radiance (true radiance = stored / x), y: 1 when the eye is
+                           // above the clouds, z, w: eye from the cloud maps' centre [m]
 } frame_uniforms;
 
 typedef struct frame {

@@ -119,12 +119,12 @@ static void set_light(const pass_sky *p, frame *f) {
     const float *sky = p->measured, *sun = p->measured + 4;
     u->sky_light.x = sky[0], u->sky_light.y = sky[1], u->sky_light.z = sky[2];
     u->sun_light.x = sun[0], u->sun_light.y = sun[1], u->sun_light.z = sun[2];
-    u->sun_light.w = exposure(p, f, u->haze.w);
+    u->sun_light.w = exposure(p, f, u->air.x);
 }
 
 void pass_sky_prepare(pass_sky *p, frame *f) {
     frame_uniforms *u = &f->uniforms;
-    u->haze.w = radiance_unit(u->sun.z);
+    u->air.x = radiance_unit(u->sun.z);
     const bool cloudy = clouds_place(&p->clouds, f, u);
     gl_buffer_update(&p->uniforms, 0, sizeof *u, u);
     gl_buffer_bind_uniform(&p->uniforms, 0);
