@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "fft/plan.h"
+
+#include "bolan/math.h"
+
+#include <string.h>
+
+// Radix 4 until what is left is a power of 8; so the last stage, which needs no twiddles, is the widest.
+static void choose_radices(fft_plan *plan) {
+    uint32_t bits = 0;
+    while ((1u << bits) < plan->n) bits++;
+    while (bits > 0) {
+        const uint32_t step = bits % 3 == 0 ? 3 : 2;
+        plan->radix[plan->stages++] = 1u << step;
+        bits -= step;
+    }
+}
+
+static void fill_stage(float *out, uint32_t m, uint32_t r) {
+    for (uint32_t j = 0; j < m / r; j++) {
+        for (uint32_t q = 1; q < r; q++) {
+            double s, c;
+            bolan_sincos(2.0 * BOLAN_PI * (double)(j * q % m) / (double)m, &s, &c);
+            *out++ = (float)c;
+            *out++ = (float)s;
+        }
+    }
+}
+
+// Position of output y: its least significant digit chooses the block of the first stage, and so on.
+static uint32_t reversed(const fft_plan *plan, uint32_t y) {
+    uint32_t row = 0, m = plan->n;
+    for (uint32_t s = 0; s < plan->stages; s++) {
+        const uint32_t r = plan->radix[s];
+        m /= r;
+        row += y % r * m;
+        y /= r;
+    }
+    return row;
+}
+
+bool fft_plan_create(uint32_t n, fft_plan *plan) {
+    memset(plan, 0, sizeof *plan);
+    plan->n = n;
+    choose_radices(plan);
+    plan->bytes = 4 * n * sizeof(float); // 2 (r - 1) m / r < 2 m, and the blocks shrink at least fourfold
+    plan->memory = bolan_allocate(plan->bytes);
+    if (!plan->memory) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for the tables of an FFT of %u points", n);
+        return false;
+    }
+    float *next = plan->memory;
+    uint32_t m = n;
+    for (uint32_t s = 0; s + 1 < plan->stages; s++) {
+        const uint32_t r = plan->radix[s];
+        plan->twiddle[s] = next;
+        fill_stage(next, m, r);
+        next += 2 * (r - 1) * (m / r);
+        m /= r;
+    }
+    for (uint32_t y = 0; y < n; y++) plan->order[y] = (uint16_t)reversed(plan, y);
+    return true;
+}
+
+void fft_plan_destroy(fft_plan *plan) {
+    bolan_release(plan->memory, plan->bytes);
+    memset(plan, 0, sizeof *plan);
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The plan of an in-place inverse FFT of n = 32 .. 1024 points, by decimation in frequency with radices 4 and 8.
+//
+//     X[y] = sum_k x[k] e^{+2 pi i k y / n},   not normalised
+//
+// A stage of radix r cuts each block of m rows into r blocks of m / r. Outputs come in digit-reversed order: X[y] stands
+// in row order[y]. Whoever reads the result anyway (to transpose it or to unpack it) reads it through `order`, so that no
+// pass is spent on sorting. Source: Gentleman & Sande 1966.
+#ifndef BOLAN_FFT_PLAN_H
+#define BOLAN_FFT_PLAN_H
+
+#include "bolan/base.h"
+
+enum {
+    FFT_MIN = 32,
+    FFT_MAX = 1024,
+    FFT_STAGES = 4,
+    FFT_LANES = 16,               // transforms done side by side: a strip
+    FFT_ROW = 2 * FFT_LANES,      // floats in a row of a strip: 16 real parts, then 16 imaginary parts
+};
+
+typedef struct fft_plan {
+    uint32_t n;
+    uint32_t stages;
+    uint32_t radix[FFT_STAGES];          // the last is 8
+    const float *twiddle[FFT_STAGES];    // [m / r][r - 1][2]: e^{2 pi i j q / m} for q = 1 .. r - 1; none for the last
+    uint16_t order[FFT_MAX];             // output y is in row order[y]
+    float *memory;                       // of the twiddles
+    size_t bytes;
+} fft_plan;
+
+// `n` is a power of two in 32 .. 1024. False when memory is short (logged).
+bool fft_plan_create(uint32_t n, fft_plan *plan);
+void fft_plan_destroy(fft_plan *plan);
+
+#endif

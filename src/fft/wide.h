@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The wide type that the kernels are written in: BOLAN_KERNEL_WIDTH floats, by GCC's vector extension. Included by kernels
+// only. An operation on it is that operation on each lane, rounded once, so all widths give the same bits.
+#ifndef BOLAN_FFT_WIDE_H
+#define BOLAN_FFT_WIDE_H
+
+#include <stdint.h>
+
+#define WIDE BOLAN_KERNEL_WIDTH
+#define WIDE_JOIN2(a, b) a##_##b
+#define WIDE_JOIN(a, b) WIDE_JOIN2(a, b)
+#define KERNEL(name) WIDE_JOIN(name, BOLAN_KERNEL_SUFFIX)
+
+#if WIDE == 1
+typedef float wide;
+typedef int32_t wide_int;
+#else
+typedef float wide __attribute__((vector_size(4 * WIDE), may_alias));
+typedef int32_t wide_int __attribute__((vector_size(4 * WIDE), may_alias));
+#endif
+
+static inline wide wide_load(const float *p) { return *(const wide *)p; }
+static inline void wide_store(float *p, wide v) { *(wide *)p = v; }
+
+static inline wide_int wide_bits(wide v) {
+    union { wide f; wide_int i; } u = {.f = v};
+    return u.i;
+}
+static inline wide wide_from_bits(wide_int v) {
+    union { wide_int i; wide f; } u = {.i = v};
+    return u.f;
+}
+static inline wide_int wide_to_int(wide v) {
+#if WIDE == 1
+    return (int32_t)v;
+#else
+    return __builtin_convertvector(v, wide_int);
+#endif
+}
+
+// The larger of each lane; b where they are equal.
+static inline wide wide_max(wide a, wide b) {
+#if WIDE == 1
+    return a > b ? a : b;
+#else
+    const wide_int m = a > b;
+    return wide_from_bits((m & wide_bits(a)) | (~m & wide_bits(b)));
+#endif
+}
+
+#if WIDE == 16
+#define WIDE_LOW 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23
+#define WIDE_HIGH 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31
+#define WIDE_LEVELS 4
+#elif WIDE == 8
+#define WIDE_LOW 0, 8, 1, 9, 2, 10, 3, 11
+#define WIDE_HIGH 4, 12, 5, 13, 6, 14, 7, 15
+#define WIDE_LEVELS 3
+#elif WIDE == 4
+#define WIDE_LOW 0, 4, 1, 5
+#define WIDE_HIGH 2, 6, 3, 7
+#define WIDE_LEVELS 2
+#endif
+
+// Transposes the WIDE x WIDE block v: log2(WIDE) rounds of interleaving vector i with vector i + WIDE / 2.
+static inline void wide_transpose(wide v[WIDE]) {
+#if WIDE > 1
+    wide u[WIDE];
+#pragma GCC unroll 4
+    for (int level = 0; level < WIDE_LEVELS; level++) {
+#pragma GCC unroll 16
+        for (int i = 0; i < WIDE / 2; i++) {
+            u[2 * i] = __builtin_shuffle(v[i], v[i + WIDE / 2], (wide_int){WIDE_LOW});
+            u[2 * i + 1] = __builtin_shuffle(v[i], v[i + WIDE / 2], (wide_int){WIDE_HIGH});
+        }
+#pragma GCC unroll 16
+        for (int i = 0; i < WIDE; i++) v[i] = u[i];
+    }
+#else
+    (void)v;
+#endif
+}
+
+#endif

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// The random modes of each cascade, from the spectrum.
+//
+//     h0(k) = 1/2 (xr + i xi) sqrt(E(k)),   E(k) = integral of Psi over the cell of k,   xr, xi ~ N(0, 1)
+//     h(k, t) = h0(k) e^{-i w t} + conj(h0(-k)) e^{+i w t},   eta(x, t) = sum_k h(k, t) e^{i k.x}
+//
+// so that waves run toward +k and the variance of eta is the sum of E (Tessendorf 2001, section 3, with the signs and the
+// factor put right for one-sided spectra). xr and xi depend on nothing but the seed, the tile's length and the lattice index: a finer
+// grid holds the same waves and some more.
+#include "spectrum/portable.h"
+#include "waves/sea.h"
+
+#include <string.h>
+
+typedef struct gaussians { double re, im; } gaussians;
+
+// The finaliser of SplitMix64 (Steele, Lea & Flood 2014): a bijection that leaves no visible relation of input and output.
+static uint64_t mix(uint64_t x) {
+    x += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+static uint64_t tile_key(uint64_t seed, double length) {
+    uint64_t bits;
+    memcpy(&bits, &length, sizeof bits);
+    return mix(mix(seed) ^ bits);
+}
+
+// Two normal numbers for lattice index (i, j) (Box & Muller 1958).
+static gaussians random_pair(uint64_t key, int32_t i, int32_t j) {
+    const uint64_t index = (uint64_t)(uint32_t)i << 32 | (uint32_t)j;
+    const uint64_t a = mix(key ^ mix(index)), b = mix(a ^ 0xd1b54a32d192ed03u);
+    const double u = ((double)(a >> 11) + 0.5) * 0x1p-53, angle = (double)(b >> 11) * (2.0 * BOLAN_PI * 0x1p-53);
+    const double radius = sqrt(-2.0 * portable_log(u));
+    double s, c;
+    bolan_sincos(angle, &s, &c);
+    return (gaussians){radius * c, radius * s};
+}
+
+typedef struct fill {
+    bolan_sea *sea;
+    sea_cascade *cascade;
+    const spectrum_eval *eval;
+    const sea_radial *radial;
+    uint64_t key;
+} fill;
+
+// Samples along a side of a cell: many where the spectrum changes within a cell, near the origin of the lattice.
+static int cell_samples(int32_t i, int32_t j) {
+    const int32_t a = i < 0 ? -i : i, m = a > j ? a : j;
+    return m <= 6 ? 8 : m <= 20 ? 4 : m <= 40 ? 2 : 1;
+}
+
+// E(k) and E(-k) [m2] of lattice index (i, j).
+static void cell_energy(const fill *f, int32_t i, int32_t j, double out[2]) {
+    const sea_cascade *c = f->cascade;
+    const double dk = 2.0 * BOLAN_PI / c->length;
+    const int samples = cell_samples(i, j);
+    double forth = 0.0, back = 0.0;
+    for (int b = 0; b < samples; b++) {
+        for (int a = 0; a < samples; a++) {
+            const double u = (i + (a + 0.5) / samples - 0.5) * dk, v = (j + (b + 0.5) / samples - 0.5) * dk;
+            const double kx = u * c->cosine - v * c->sine, ky = u * c->sine + v * c->cosine;
+            forth += spectrum_eval_psi(f->eval, kx, ky);
+            back += spectrum_eval_psi(f->eval, -kx, -ky);
+        }
+    }
+    const double k = dk * sqrt((double)i * i + (double)j * j);
+    const double scale = dk * dk / (samples * samples) * sea_radial_keep(f->radial, k);
+    out[0] = forth * scale;
+    out[1] = back * scale;
+}
+
+// Frequency in turns a second; with a loop, the nearest multiple of 1 / period, but never standing still.
+static double turns_of(const bolan_sea *sea, double k) {
+    const double turns = bolan_omega_from_k(k, sea->desc.sea_state.depth) / (2.0 * BOLAN_PI);
+    const double period = sea->desc.loop_period;
+    return period > 0.0 ? fmax(floor(turns * period + 0.5), 1.0) / period : turns;
+}
+
+static void fill_mode(const fill *f, int32_t i, int32_t j, size_t row, uint32_t lane) {
+    sea_cascade *c = f->cascade;
+    const double k = 2.0 * BOLAN_PI / c->length * sqrt((double)i * i + (double)j * j);
+    if (k < c->k_min || k >= c->k_max || k == 0.0) return;
+    double energy[2];
+    cell_energy(f, i, j, energy);
+    if (energy[0] + energy[1] < 1e-24) return; // less than a picometre, and out of the denormal numbers
+    const gaussians forth = random_pair(f->key, i, j), back = random_pair(f->key, -i, -j);
+    const double ef = 0.5 * sqrt(energy[0]), eb = 0.5 * sqrt(energy[1]);
+    const double a = forth.re * ef, b = forth.im * ef, p = back.re * eb, q = -back.im * eb;
+    float *amplitude = c->amplitude + row * 4 * FFT_LANES + lane;
+    amplitude[0] = (float)(a + p);
+    amplitude[FFT_LANES] = (float)(b - q);
+    amplitude[2 * FFT_LANES] = (float)(b + q);
+    amplitude[3 * FFT_LANES] = (float)(p - a);
+    c->turns[row * FFT_LANES + lane] = turns_of(f->sea, k);
+    c->inverse_k[row * FFT_LANES + lane] = (float)(1.0 / (k * portable_tanh(k * f->sea->desc.sea_state.depth)));
+    c->expected[row * 2 * FFT_LANES + lane] = (float)energy[0];
+    c->expected[row * 2 * FFT_LANES + FFT_LANES + lane] = (float)energy[1];
+}
+
+// Task: the strips [begin, end) of one cascade.
+static void fill_strips(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    (void)worker;
+    const fill *f = context;
+    const int32_t n = (int32_t)f->cascade->n;
+    for (uint32_t strip = begin; strip < end; strip++) {
+        for (int32_t row = 0; row < n; row++) {
+            const int32_t i = row < n / 2 ? row : row - n;
+            if (i == -n / 2) continue; // the Nyquist column is its own mirror image
+            for (int32_t lane = 0; lane < FFT_LANES; lane++)
+                fill_mode(f, i, (int32_t)strip * FFT_LANES + lane, (size_t)strip * (uint32_t)n + (uint32_t)row, (uint32_t)lane);
+        }
+    }
+}
+
+static void set_reach(sea_cascade *c) {
+    const double dk = 2.0 * BOLAN_PI / c->length, outer = c->k_max / dk;
+    const double rows = fmin(ceil(outer), 0.5 * c->n); // j < outer
+    c->strips = ((uint32_t)rows + FFT_LANES - 1) / FFT_LANES;
+    for (uint32_t strip = 0; strip < c->strips; strip++) {
+        const double j = strip * FFT_LANES, left = outer * outer - j * j;
+        c->reach[strip] = (uint32_t)fmin(ceil(sqrt(fmax(left, 0.0))), 0.5 * c->n);
+    }
+}
+
+static bool reserve_cascade(bolan_sea *sea, sea_cascade *c) {
+    const size_t n = c->n, modes = n * c->strips * FFT_LANES, points = n * n;
+    const size_t floats = modes * 7 + 2 * n + modes * SEA_PARTS * 2 + points * (SEA_FIELDS + 1);
+    float *next = sea_reserve(sea, floats * sizeof(float) + modes * sizeof(double) + points * 9 * sizeof(uint16_t));
+    if (!next) return false;
+    c->turns = (double *)(void *)next;
+    next += 2 * modes;
+    c->amplitude = next;
+    c->inverse_k = c->amplitude + 4 * modes;
+    c->expected = c->inverse_k + modes;
+    c->k = c->expected + 2 * modes;
+    c->k2 = c->k + n;
+    c->middle = c->k2 + n;
+    next = c->middle + 2 * SEA_PARTS * modes;
+    for (int f = 0; f < SEA_FIELDS; f++, next += points) c->field[f] = next;
+    c->foam = next;
+    c->displacement_half = (uint16_t *)(void *)(c->foam + points);
+    c->slope_half = c->displacement_half + 4 * points;
+    c->foam_half = c->slope_half + 4 * points;
+    return true;
+}
+
+static void fill_wave_numbers(sea_cascade *c) {
+    const double dk = 2.0 * BOLAN_PI / c->length;
+    for (uint32_t i = 0; i < c->n; i++) {
+        const double k = dk * (i < c->n / 2 ? (double)i : (double)i - c->n);
+        c->k[i] = (float)k;
+        c->k2[i] = (float)(k * k);
+    }
+}
+
+void sea_each_mode(const sea_cascade *c, void (*visit)(void *context, const sea_mode *mode), void *context) {
+    const double dk = 2.0 * BOLAN_PI / c->length;
+    for (size_t row = 0; row < (size_t)c->strips * c->n; row++) {
+        const double index = (double)(row % c->n), u = dk * (index < 0.5 * c->n ? index : index - c->n);
+        for (uint32_t lane = 0; lane < FFT_LANES; lane++) {
+            const size_t at = row * FFT_LANES + lane;
+            if (c->turns[at] == 0.0) continue;
+            const uint32_t j = (uint32_t)(row / c->n) * FFT_LANES + lane;
+            const double v = dk * j;
+            const float *a = c->amplitude + row * 4 * FFT_LANES + lane, *e = c->expected + row * 2 * FFT_LANES + lane;
+            const double a0 = a[0], a1 = a[FFT_LANES], a2 = a[2 * FFT_LANES], a3 = a[3 * FFT_LANES];
+            const sea_mode mode = {
+                .kx = u * c->cosine - v * c->sine, .ky = u * c->sine + v * c->cosine,
+                .turns = c->turns[at], .inverse_k = c->inverse_k[at],
+                .re = 0.5 * (a0 - a3), .im = 0.5 * (a1 + a2), .back_re = 0.5 * (a0 + a3), .back_im = 0.5 * (a2 - a1),
+                .expected = e[0], .expected_back = e[FFT_LANES], .paired = j > 0};
+            visit(context, &mode);
+        }
+    }
+}
+
+// On j = 0 both k and -k are entries, each with both directions: count the forward one of each.
+static void add_expected(void *context, const sea_mode *m) {
+    sea_cascade *c = context;
+    const double e = m->expected + (m->paired ? m->expected_back : 0.0);
+    const double k2 = m->kx * m->kx + m->ky * m->ky, g = k2 * m->inverse_k * m->inverse_k;
+    c->variance += e;
+    c->slope[0] += e * m->kx * m->kx;
+    c->slope[1] += e * m->kx * m->ky;
+    c->slope[2] += e * m->ky * m->ky;
+    c->displacement += e * g;
+}
+
+bool sea_modes_create(bolan_sea *sea, const spectrum_eval *eval, const sea_radial *radial) {
+    for (uint32_t i = 0; i < sea->count; i++) {
+        sea_cascade *c = &sea->cascade[i];
+        set_reach(c);
+        if (!reserve_cascade(sea, c)) return false;
+        fill_wave_numbers(c);
+        fill f = {sea, c, eval, radial, tile_key(sea->desc.seed, c->length)};
+        bolan_parallel(c->strips, 1, fill_strips, &f);
+        sea_each_mode(c, add_expected, c);
+    }
+    return true;
+}

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// A sea from creation to destruction, and its step through time.
+#include "spectrum/portable.h"
+#include "waves/synth.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+#define LONGEST_TICK 0.5   // [s] a step forward that the foam memory survives
+#define SETTLE_TICK 0.25   // [s]
+#define LARGEST_TIME 0x1p36 // [s]: 2000 years; beyond, phases would lose their meaning in double
+
+bolan_sea_desc bolan_sea_desc_default(void) {
+    return (bolan_sea_desc){
+        .sea_state = bolan_sea_state_from_wind(8.0, 240.0, 200e3),
+        .waves = BOLAN_WAVES_FFT,
+        .seed = 1,
+        .resolution = 256,
+        .cascade_count = 4,
+        .choppiness = 1.0,
+        .cpu = BOLAN_CPU_AUTO,
+        .foam_decay = 3.5,
+    };
+}
+
+void *sea_reserve(bolan_sea *sea, size_t bytes) {
+    void *memory = sea->block_count < SEA_MAX_BLOCKS ? bolan_allocate(bytes) : NULL;
+    if (!memory) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for a sea: %zu bytes were refused", bytes);
+        return NULL;
+    }
+    sea->block[sea->block_count++] = (sea_block){memory, bytes};
+    return memory;
+}
+
+// Everything that needs memory. A worker that a later bolan_set_threads() adds finds no scratch and stays idle.
+static bool build(bolan_sea *sea) {
+    const spectrum_eval eval = spectrum_eval_prepare(&sea->desc.sea_state);
+    double up, cross;
+    bolan_cox_munk(sea->desc.sea_state.wind_speed, &up, &cross);
+    sea_radial radial;
+    sea_radial_prepare(&eval, sea_wind_peak(&sea->desc.sea_state, &sea->summary), up + cross, &radial);
+    sea_layout(sea, &radial);
+    sea->slots = bolan_threads();
+    sea->scratch_floats = (size_t)SEA_SCRATCH_ROWS * sea->desc.resolution * FFT_ROW;
+    sea->scratch = sea_reserve(sea, sea->slots * sea->scratch_floats * sizeof(float));
+    return sea->scratch && fft_plan_create(sea->desc.resolution, &sea->plan) && sea_modes_create(sea, &eval, &radial) &&
+           sea_slopes_create(sea);
+}
+
+bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {
+    BOLAN_ASSERT(desc && out);
+    *out = NULL;
+    const bolan_result valid = sea_validate(desc);
+    if (valid != BOLAN_OK) return valid;
+    bolan_sea *sea = bolan_allocate(sizeof *sea);
+    if (!sea) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for a sea: %zu bytes were refused", sizeof *sea);
+        return BOLAN_ERROR_MEMORY;
+    }
+    sea->desc = *desc;
+    sea->kernels = sea_kernels_for(desc->cpu);
+    sea->summary = bolan_sea_state_summary(&desc->sea_state);
+    if (!build(sea)) {
+        bolan_sea_destroy(&sea);
+        return BOLAN_ERROR_MEMORY;
+    }
+    sea->desc.sea_state.measured = NULL;
+    sea_whitecaps_create(sea);
+    *out = sea;
+    return BOLAN_OK;
+}
+
+void bolan_sea_destroy(bolan_sea **sea) {
+    if (!sea || !*sea) return;
+    for (uint32_t i = 0; i < (*sea)->block_count; i++) bolan_release((*sea)->block[i].memory, (*sea)->block[i].bytes);
+    fft_plan_destroy(&(*sea)->plan);
+    bolan_release(*sea, sizeof **sea);
+    *sea = NULL;
+}
+
+// ---- stepping -------------------------------------------------------------------------------------------------------
+
+typedef struct step {
+    bolan_sea *sea;
+    sea_moment moment;
+    bool columns;      // the second pass
+    uint32_t items;    // strips of all cascades
+    atomic_uint next;
+} step;
+
+static uint32_t strips_of(const step *s, const sea_cascade *c) {
+    return s->columns ? c->n / FFT_LANES : c->strips;
+}
+
+static void do_item(const step *s, uint32_t item, float *scratch) {
+    const bolan_sea *sea = s->sea;
+    const sea_cascade *c = sea->cascade;
+    while (item >= strips_of(s, c)) item -= strips_of(s, c++);
+    (s->columns ? sea->kernels->columns : sea->kernels->rows)(&sea->plan, c, &s->moment, item, scratch);
+}
+
+// Task: slots [begin, end). Each slot owns scratch memory and takes strips until none is left.
+static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    (void)worker;
+    step *s = context;
+    float *scratch = s->sea->scratch + begin * s->sea->scratch_floats;
+    (void)end; // a slice of several slots does its work with the first one's scratch
+    for (;;) {
+        const uint32_t item = atomic_fetch_add_explicit(&s->next, 1, memory_order_relaxed);
+        if (item >= s->items) return;
+        do_item(s, item, scratch);
+    }
+}
+
+static void run_pass(step *s, bool columns) {
+    s->columns = columns;
+    s->items = 0;
+    for (uint32_t i = 0; i < s->sea->count; i++) s->items += strips_of(s, &s->sea->cascade[i]);
+    atomic_store(&s->next, 0);
+    bolan_parallel(s->sea->slots, 1, run_slots, s);
+}
+
+static void synthesise(bolan_sea *sea, double time, float decay) {
+    const double period = sea->desc.loop_period;
+    step s = {.sea = sea};
+    s.moment.time = fmod(time, period > 0.0 ? period : LARGEST_TIME);
+    s.moment.decay = decay;
+    s.moment.choppiness = (float)sea->desc.choppiness;
+    run_pass(&s, false);
+    run_pass(&s, true);
+    sea->time = time;
+    sea->foam_holds = true;
+}
+
+void bolan_sea_step(bolan_sea *sea, double time) {
+    BOLAN_ASSERT(sea && isfinite(time));
+    const double dt = time - sea->time;
+    const bool continues = sea->foam_holds && dt >= 0.0 && dt <= LONGEST_TICK;
+    synthesise(sea, time, continues ? (float)portable_exp(-dt / sea->desc.foam_decay) : 0.0f);
+}
+
+void bolan_sea_settle(bolan_sea *sea, double time) {
+    BOLAN_ASSERT(sea && isfinite(time));
+    const double first = floor((time - 4.0 * sea->desc.foam_decay) / SETTLE_TICK);
+    sea->foam_holds = false;
+    for (double tick = first; tick * SETTLE_TICK < time; tick += 1.0) {
+        bolan_sea_step(sea, tick * SETTLE_TICK);
+        if (tick + 1.0 == tick) break; // a time so large that ticks cannot be told apart
+    }
+    bolan_sea_step(sea, time);
+}
+
+// ---- reading --------------------------------------------------------------------------------------------------------
+
+double bolan_sea_time(const bolan_sea *sea) {
+    return sea->time;
+}
+
+const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea) {
+    return &sea->desc;
+}
+
+uint32_t bolan_sea_cascade_count(const bolan_sea *sea) {
+    return sea->count;
+}
+
+bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index) {
+    BOLAN_ASSERT(sea && index < sea->count);
+    const sea_cascade *c = &sea->cascade[index];
+    return (bolan_cascade_view){
+        .n = c->n, .length = c->length, .angle = c->angle, .k_min = c->k_min, .k_max = c->k_max,
+        .variance = c->variance, .mss = c->slope[0] + c->slope[2],
+        .height = c->field[FIELD_HEIGHT], .dx = c->field[FIELD_DX], .dy = c->field[FIELD_DY],
+        .slope_x = c->field[FIELD_SLOPE_X], .slope_y = c->field[FIELD_SLOPE_Y],
+        .dxx = c->field[FIELD_DXX], .dyy = c->field[FIELD_DYY], .dxy = c->field[FIELD_DXY],
+        .foam = c->foam, .displacement_half = c->displacement_half, .slope_half = c->slope_half, .foam_half = c->foam_half};
+}
+
+void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal) {
+    double variance = 0.0, displacement = 0.0;
+    for (uint32_t i = 0; i < sea->count; i++) {
+        variance += sea->cascade[i].variance;
+        displacement += sea->cascade[i].displacement;
+    }
+    *vertical = 6.0 * sqrt(variance);
+    *horizontal = 6.0 * sqrt(displacement) * sea->desc.choppiness;
+}

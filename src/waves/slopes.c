@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Slope variance that a footprint cannot resolve (Bruneton, Neyret & Holzschuch 2010, section 4): the modes' slope covariance,
+// gathered over wave number and direction, times what a Gaussian footprint removes, 1 - exp(-sigma^2 k^2).
+#include "spectrum/portable.h"
+#include "waves/sea.h"
+
+#include <string.h>
+
+enum { BINS = 112, DIRECTIONS = 16 }; // 4 bins an octave from 1e-4 rad/m; directions over half a turn, as k and -k count alike
+#define BINS_PER_OCTAVE 4.0
+
+typedef struct bin { double power, k2, xx, xy, yy; } bin; // k2: first the sum of power k^2, then its mean
+
+// Only the bins that hold waves are kept.
+struct slope_map {
+    uint32_t count;
+    struct { double kx, ky, xx, xy, yy; } at[BINS * DIRECTIONS];
+};
+
+typedef struct gathering { bin bins[BINS][DIRECTIONS]; } gathering;
+
+static void gather_mode(void *context, const sea_mode *m) {
+    gathering *g = context;
+    const double k2 = m->kx * m->kx + m->ky * m->ky, power = m->expected + (m->paired ? m->expected_back : 0.0);
+    const double octave = 0.5 * portable_log(k2 * 1e8) / 0.69314718055994531;
+    const int row = (int)fmin(fmax(octave * BINS_PER_OCTAVE, 0.0), BINS - 1.0);
+    const int column = (int)(portable_angle(m->ky, m->kx) / BOLAN_PI * DIRECTIONS + 0.5) % DIRECTIONS;
+    bin *b = &g->bins[row][column];
+    b->power += power;
+    b->k2 += power * k2;
+    b->xx += power * m->kx * m->kx;
+    b->xy += power * m->kx * m->ky;
+    b->yy += power * m->ky * m->ky;
+}
+
+static void compact(const gathering *g, struct slope_map *map) {
+    for (int row = 0; row < BINS; row++) {
+        for (int column = 0; column < DIRECTIONS; column++) {
+            const bin *b = &g->bins[row][column];
+            if (!(b->power > 0.0)) continue;
+            double s, c;
+            bolan_sincos(BOLAN_PI * column / DIRECTIONS, &s, &c);
+            const double k = sqrt(b->k2 / b->power);
+            map->at[map->count].kx = k * c;
+            map->at[map->count].ky = k * s;
+            map->at[map->count].xx = b->xx;
+            map->at[map->count].xy = b->xy;
+            map->at[map->count++].yy = b->yy;
+        }
+    }
+}
+
+static void unresolved(const bolan_sea *sea, double major, double minor, double angle, double out[3]) {
+    const struct slope_map *map = sea->slope_map;
+    double s, c;
+    bolan_sincos(angle, &s, &c);
+    const double ax = major * c, ay = major * s, bx = -minor * s, by = minor * c;
+    memcpy(out, sea->rest_slope, 3 * sizeof(double));
+    for (uint32_t i = 0; i < map->count; i++) {
+        const double a = ax * map->at[i].kx + ay * map->at[i].ky, b = bx * map->at[i].kx + by * map->at[i].ky;
+        const double x = a * a + b * b, removed = x < 40.0 ? 1.0 - portable_exp(-x) : 1.0;
+        out[0] += removed * map->at[i].xx;
+        out[1] += removed * map->at[i].xy;
+        out[2] += removed * map->at[i].yy;
+    }
+}
+
+void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double minor, double angle, float out[3]) {
+    double covariance[3];
+    const double turned = isfinite(angle) ? fmod(angle, 2.0 * BOLAN_PI) : 0.0;
+    unresolved(sea, major, minor, turned, covariance);
+    for (int i = 0; i < 3; i++) out[i] = (float)covariance[i];
+}
+
+const float *bolan_sea_slope_table(const bolan_sea *sea) {
+    return sea->slope_table;
+}
+
+// Task: rows [begin, end) of the table, one for each (angle, aspect).
+static void fill_table(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    (void)worker;
+    const bolan_sea *sea = context;
+    for (uint32_t row = begin; row < end; row++) {
+        const uint32_t l = row / BOLAN_SLOPE_TABLE_ASPECT, j = row % BOLAN_SLOPE_TABLE_ASPECT;
+        for (uint32_t i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; i++) {
+            const double major = portable_pow(2.0, i / 1.5 - 8.0);
+            float *texel = sea->slope_table + ((size_t)row * BOLAN_SLOPE_TABLE_MAJOR + i) * 4;
+            bolan_sea_unresolved_slopes(sea, major, ldexp(major, -(int)j), l * BOLAN_PI / BOLAN_SLOPE_TABLE_ANGLE, texel);
+        }
+    }
+}
+
+// Cox & Munk's up- and crosswind variance less what the cascades hold; where one is exceeded, the other gives way, so that
+// the total is Cox & Munk's as long as the cascades hold less.
+static void set_rest(bolan_sea *sea) {
+    double xx = 0.0, xy = 0.0, yy = 0.0, up, cross, s, c;
+    for (uint32_t i = 0; i < sea->count; i++) {
+        xx += sea->cascade[i].slope[0];
+        xy += sea->cascade[i].slope[1];
+        yy += sea->cascade[i].slope[2];
+    }
+    bolan_cox_munk(sea->desc.sea_state.wind_speed, &up, &cross);
+    bolan_sincos(bolan_compass_from_to_math(sea->desc.sea_state.wind_from_deg), &s, &c);
+    up -= c * c * xx + 2.0 * c * s * xy + s * s * yy;
+    cross -= s * s * xx - 2.0 * c * s * xy + c * c * yy;
+    const double total = fmax(up + cross, 0.0);
+    up = fmin(fmax(up, 0.0), total);
+    cross = total - up;
+    sea->rest_slope[0] = c * c * up + s * s * cross;
+    sea->rest_slope[1] = c * s * (up - cross);
+    sea->rest_slope[2] = s * s * up + c * c * cross;
+}
+
+bool sea_slopes_create(bolan_sea *sea) {
+    set_rest(sea);
+    sea->slope_map = sea_reserve(sea, sizeof *sea->slope_map);
+    const size_t texels = (size_t)BOLAN_SLOPE_TABLE_MAJOR * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_ANGLE;
+    sea->slope_table = sea_reserve(sea, texels * 4 * sizeof(float));
+    gathering *g = bolan_allocate(sizeof *g);
+    if (g && sea->slope_map && sea->slope_table) {
+        for (uint32_t i = 0; i < sea->count; i++) sea_each_mode(&sea->cascade[i], gather_mode, g);
+        compact(g, sea->slope_map);
+        bolan_parallel(BOLAN_SLOPE_TABLE_ANGLE * BOLAN_SLOPE_TABLE_ASPECT, 1, fill_table, sea);
+    }
+    const bool done = g != NULL;
+    bolan_release(g, sizeof *g);
+    return done && sea->slope_map && sea->slope_table;
+}

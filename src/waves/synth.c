@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "waves/synth.h"
+
+#define SEA_DECLARE(set)                                                                                               \
+    void sea_rows_##set(const fft_plan *, const sea_cascade *, const sea_moment *, uint32_t, float *);                 \
+    void sea_columns_##set(const fft_plan *, const sea_cascade *, const sea_moment *, uint32_t, float *);
+
+SEA_DECLARE(scalar)
+#ifdef BOLAN_KERNELS_X86
+SEA_DECLARE(sse2)
+SEA_DECLARE(avx2)
+SEA_DECLARE(avx512)
+#endif
+
+static const sea_kernels table[] = {
+    [BOLAN_CPU_SCALAR] = {sea_rows_scalar, sea_columns_scalar},
+#ifdef BOLAN_KERNELS_X86
+    [BOLAN_CPU_SSE2] = {sea_rows_sse2, sea_columns_sse2},
+    [BOLAN_CPU_AVX2] = {sea_rows_avx2, sea_columns_avx2},
+    [BOLAN_CPU_AVX512] = {sea_rows_avx512, sea_columns_avx512},
+#endif
+};
+
+const sea_kernels *sea_kernels_for(bolan_cpu cpu) {
+    const bolan_cpu best = bolan_cpu_best();
+    return &table[cpu == BOLAN_CPU_AUTO || cpu > best ? best : cpu];
+}
