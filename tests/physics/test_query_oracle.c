@@ -55,7 +55,6 @@ static void check(double wind, double choppiness, double x0, double y0) {
     bolan_sea_desc d = bolan_sea_desc_default();
     d.sea_state = bolan_sea_state_from_wind(wind, 200.0, 200e3);
     d.resolution = 256;
-    d.cascade_count = 3;
     d.choppiness = choppiness;
     bolan_sea *sea = NULL;
     assert_int_equal(bolan_sea_create(&d, &sea), BOLAN_OK);

@@ -16,6 +16,13 @@ static bolan_dvec2 points[POINTS];
 static bolan_query_point answers[POINTS];
 static float heights[POINTS];
 
+static bolan_sea *make(const bolan_sea_desc *desc) {
+    bolan_sea *sea = NULL;
+    assert_int_equal(bolan_sea_create(desc, &sea), BOLAN_OK);
+    bolan_sea_step(sea, 12.5);
+    return sea;
+}
+
 static bolan_sea *make_sea(double wind, double choppiness, uint32_t cascades, bolan_cpu cpu) {
     bolan_sea_desc d = bolan_sea_desc_default();
     d.sea_state = bolan_sea_state_from_wind(wind, 240.0, 300e3);
@@ -23,10 +30,18 @@ static bolan_sea *make_sea(double wind, double choppiness, uint32_t cascades, bo
     d.cascade_count = cascades;
     d.resolution = 128;
     d.cpu = cpu;
-    bolan_sea *sea = NULL;
-    assert_int_equal(bolan_sea_create(&d, &sea), BOLAN_OK);
-    bolan_sea_step(sea, 12.5);
-    return sea;
+    return make(&d);
+}
+
+// Steeper than any wind makes it, so that it folds.
+static bolan_sea *make_folded_sea(uint32_t cascades) {
+    bolan_sea_desc d = bolan_sea_desc_default();
+    d.sea_state = bolan_sea_state_from_wind(20.0, 240.0, 300e3);
+    d.sea_state.systems[0].hs *= 1.6;
+    d.choppiness = 2.0;
+    d.cascade_count = cascades;
+    d.resolution = 128;
+    return make(&d);
 }
 
 // Points of a square of 2 km, the same ones every time.
@@ -71,7 +86,7 @@ static void test_a_parcel_is_found_where_it_went(void **state) {
 
 static void test_heights_and_surface_agree_to_the_bit(void **state) {
     (void)state;
-    bolan_sea *sea = make_sea(15.0, 1.8, 4, BOLAN_CPU_AUTO);
+    bolan_sea *sea = make_folded_sea(4);
     scatter(points, POINTS);
     bolan_query_heights(sea, points, POINTS, heights);
     bolan_query_surface(sea, NULL, 0.0, points, POINTS, answers);
@@ -103,7 +118,7 @@ static void test_the_residual_is_below_a_millimetre_where_the_surface_does_not_f
 
 static void test_folded_water_is_finite_and_its_normals_point_up(void **state) {
     (void)state;
-    bolan_sea *sea = make_sea(25.0, 2.0, 4, BOLAN_CPU_AUTO);
+    bolan_sea *sea = make_folded_sea(4);
     scatter(points, POINTS);
     bolan_query_surface(sea, NULL, 0.0, points, POINTS, answers);
     double vertical, horizontal;
@@ -152,7 +167,7 @@ static void test_no_parcel_lies_above_the_answer_in_a_fold(void **state) {
     (void)state;
     enum { PLACES = 40 };
     bolan_dvec2 place[PLACES];
-    bolan_sea *sea = make_sea(20.0, 2.0, 4, BOLAN_CPU_AUTO);
+    bolan_sea *sea = make_folded_sea(4);
     const int count = find_folds(sea, place, PLACES);
     assert_true(count >= PLACES / 2);
     bolan_query_surface(sea, NULL, 0.0, place, (uint32_t)count, answers);
@@ -179,7 +194,7 @@ static void test_no_parcel_lies_above_the_answer_in_a_fold(void **state) {
 static void test_a_batch_gives_what_single_questions_give_on_any_number_of_threads(void **state) {
     (void)state;
     static bolan_query_point other[POINTS];
-    bolan_sea *sea = make_sea(15.0, 1.8, 4, BOLAN_CPU_AUTO);
+    bolan_sea *sea = make_folded_sea(4);
     scatter(points, POINTS);
     bolan_query_surface(sea, NULL, 0.0, points, POINTS, answers);
     for (uint32_t i = 0; i < POINTS; i++) bolan_query_surface(sea, NULL, 0.0, points + i, 1, other + i);
@@ -321,8 +336,8 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
     assert_true(expected < 0.5 * unattenuated);
     terrain = make_ground(0.0f, 0.0f);
     bolan_query_surface(sea, terrain, 1.0, points, POINTS, answers);
-    const double ratio = mean_square(answers, 1.0) / mean_square(deep, 1.0);
-    assert_float_equal(ratio, expected / unattenuated, 0.15 * expected / unattenuated);
+    const double ratio = mean_square(answers, 1.0) / mean_square(deep, 1.0) / (expected / unattenuated);
+    assert_float_equal(ratio, 1.0, 0.15);
     bolan_terrain_destroy(&terrain);
     bolan_sea_destroy(&sea);
 }
