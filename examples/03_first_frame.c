@@ -12,11 +12,11 @@ enum { WIDTH = 960, HEIGHT = 540 };
 static bolan_scene make_scene(void) {
     bolan_scene scene = bolan_scene_default();
     scene.sea.sea_state = bolan_sea_state_from_wind(9.0, 250.0, 200e3);
-    scene.camera.position = (bolan_dvec3){0.0, 0.0, 6.0};
-    scene.camera.heading_deg = 300.0;
-    scene.camera.pitch_deg = -4.0;
+    scene.camera.position = (bolan_dvec3){0.0, 0.0, 4.0};
+    scene.camera.heading_deg = 335.0;
+    scene.camera.pitch_deg = -3.0;
     scene.sky.sun_azimuth_deg = 285.0;
-    scene.sky.sun_elevation_deg = 12.0;
+    scene.sky.sun_elevation_deg = 18.0;
     return scene;
 }
 
