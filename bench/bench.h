@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What the subcommands of bolan-bench share. Each is `int bench_<name>(int argc, char **argv)`: argv[0] is its own name; it
+// prints a table, or with --json one object, and returns the exit status.
+#ifndef BOLAN_BENCH_BENCH_H
+#define BOLAN_BENCH_BENCH_H
+
+#include "bolan/base.h"
+
+int bench_waves(int argc, char **argv);
+int bench_query(int argc, char **argv);
+int bench_frame(int argc, char **argv);
+
+// Processor, instruction set and processor count in words, without characters that JSON would have to escape.
+const char *bench_machine(void);
+// Monotonic time [ms].
+double bench_now_ms(void);
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// bolan-bench: what the library costs, as a table or as JSON. It is a program of its own because its yardstick for the
+// synthesis, FFTW, is under the GPL and must not be linked to the library's own program.
+#include "bench.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+typedef struct command {
+    const char *name;
+    int (*run)(int argc, char **argv);
+    const char *help;
+} command;
+
+static const command commands[] = {
+    {"waves", bench_waves, "a step of the sea, as a ratio to FFTW's bare transforms"},
+    {"query", bench_query, "heights and normals a second, as a ratio to memory"},
+    {"frame", bench_frame, "a picture, pass by pass, as a ratio to a full-screen pass"},
+};
+
+double bench_now_ms(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+static void read_processor(char *name, size_t size) {
+    char line[256];
+    FILE *file = fopen("/proc/cpuinfo", "r");
+    snprintf(name, size, "unknown processor");
+    while (file && fgets(line, sizeof line, file)) {
+        const char *value = strchr(line, ':');
+        if (strncmp(line, "model name", 10) != 0 || !value) continue;
+        snprintf(name, size, "%.*s", (int)strcspn(value + 2, "\n\"\\"), value + 2);
+        break;
+    }
+    if (file) fclose(file);
+}
+
+const char *bench_machine(void) {
+    static char text[192];
+    char processor[128];
+    read_processor(processor, sizeof processor);
+    snprintf(text, sizeof text, "%s, %s, %ld processors", processor, bolan_cpu_name(bolan_cpu_best()),
+             sysconf(_SC_NPROCESSORS_ONLN));
+    return text;
+}
+
+static int usage(void) {
+    fprintf(stderr, "usage: bolan-bench COMMAND [--json] [...]\n");
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
+        fprintf(stderr, "  %-8s %s\n", commands[i].name, commands[i].help);
+    return 2;
+}
+
+int main(int argc, char **argv) {
+    if (argc < 2) return usage();
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
+        if (strcmp(argv[1], commands[i].name) == 0) return commands[i].run(argc - 1, argv + 1);
+    fprintf(stderr, "bolan-bench: unknown command '%s'\n", argv[1]);
+    return usage();
+}
