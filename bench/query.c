@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { MOST_POINTS = 1000000, REPEATS = 7, CORNERS = 4, COPY_BYTES = 64 << 20 };
 
@@ -41,11 +40,7 @@ typedef struct buffers {
     bolan_query_point *surface;
 } buffers;
 
-static double seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
+static double seconds(void) { return 1e-3 * bench_now_ms(); }
 
 static int by_value(const void *a, const void *b) {
     const double x = *(const double *)a, y = *(const double *)b;
@@ -113,8 +108,8 @@ static query_row measure(const bolan_sea *sea, const query_case *what, const buf
 }
 
 static void print_table(const query_row *rows, uint32_t count, const double *bytes_per_second) {
-    printf("Queries: 4 cascades of 256 x 256. ratio: time over the time in which memory streams the samples that are "
-           "read\n");
+    printf("%s\nqueries of 4 cascades of 256 x 256; ratio: to the time in which memory streams the samples read\n",
+           bench_machine());
     for (int t = 0; t < THREADS; t++)
         printf("memory, %u thread%s: %.1f GB/s\n", thread_counts[t], thread_counts[t] > 1 ? "s" : "",
                bytes_per_second[t] * 1e-9);
@@ -125,8 +120,8 @@ static void print_table(const query_row *rows, uint32_t count, const double *byt
 }
 
 static void print_json(const query_row *rows, uint32_t count, const double *bytes_per_second) {
-    printf("{\"cpu\": \"%s\", \"yardstick_bytes_per_second\": [%.4g, %.4g], \"query\": [",
-           bolan_cpu_name(bolan_cpu_best()), bytes_per_second[0], bytes_per_second[1]);
+    printf("{\"machine\": \"%s\", \"yardstick_bytes_per_second\": [%.4g, %.4g], \"query\": [", bench_machine(),
+           bytes_per_second[0], bytes_per_second[1]);
     for (uint32_t i = 0; i < count; i++)
         printf("%s\n  {\"what\": \"%s\", \"points\": %u, \"threads\": %u, \"ms\": %.4f, \"points_per_second\": %.4g, "
                "\"ratio\": %.3f}",
