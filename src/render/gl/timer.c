@@ -13,7 +13,7 @@ void gl_finish(void) { glFinish(); }
 
 void gl_timer_create(gl_timer *t) {
     *t = (gl_timer){0};
-    if (!gl_is_es()) glGenQueries(2, t->query);
+    if (gl_get_caps().timers) glGenQueries(2, t->query);
 }
 
 void gl_timer_begin(gl_timer *t, bool finish) {
