@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// bolan info: what this build and this machine can do.
+#include "commands.h"
+#include "help.h"
+#include "options.h"
+
+#include "bolan/render.h"
+
+#include <string.h>
+#include <unistd.h>
+
+static char gl_message[256];
+
+// Without OpenGL its reason is part of the answer, not an error.
+static void keep_message(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
+    (void)user, (void)level, (void)id;
+    snprintf(gl_message, sizeof gl_message, "%s", sentence);
+}
+
+typedef struct facts {
+    long processors;
+    bolan_gl_info gl;
+    bool has_gl;
+} facts;
+
+static void print_text(const facts *f) {
+    printf("bolan %s, compiled by %s\n", bolan_version(), __VERSION__);
+    printf("processors   %ld; wide kernels:", f->processors);
+    for (int cpu = BOLAN_CPU_SCALAR; cpu <= (int)bolan_cpu_best(); cpu++) printf(" %s", bolan_cpu_name((bolan_cpu)cpu));
+    if (f->has_gl) {
+        printf("\nOpenGL       %s\n             %s, GLSL %s%s\n", f->gl.version, f->gl.renderer, f->gl.shading_language,
+               f->gl.software ? " (software)" : "");
+    } else {
+        printf("\nOpenGL       none: %s\n", gl_message);
+    }
+    uint32_t count = 0;
+    const bolan_technique *techniques = bolan_techniques(&count);
+    printf("techniques  ");
+    for (uint32_t i = 0; i < count; i++) printf(" %s", techniques[i].name);
+    printf("\nscenes\n");
+    for (uint32_t i = 0; bolan_scene_builtin_name(i); i++) {
+        bolan_scene scene;
+        if (bolan_scene_load(bolan_scene_builtin_name(i), &scene) == BOLAN_OK)
+            printf("  %-10s %s\n", scene.name, scene.description);
+    }
+}
+
+static void print_quoted(const char *text) {
+    putchar('"');
+    for (; *text; text++) {
+        if (*text == '"' || *text == '\\') putchar('\\');
+        if ((unsigned char)*text >= 32) putchar(*text);
+    }
+    putchar('"');
+}
+
+static void print_json(const facts *f) {
+    printf("{\n  \"version\": \"%s\",\n  \"compiler\": ", bolan_version());
+    print_quoted(__VERSION__);
+    printf(",\n  \"processors\": %ld,\n  \"cpu\": [", f->processors);
+    for (int cpu = BOLAN_CPU_SCALAR; cpu <= (int)bolan_cpu_best(); cpu++)
+        printf("%s\"%s\"", cpu > BOLAN_CPU_SCALAR ? ", " : "", bolan_cpu_name((bolan_cpu)cpu));
+    printf("],\n  \"gl\": ");
+    if (f->has_gl) {
+        printf("{\"version\": ");
+        print_quoted(f->gl.version);
+        printf(", \"renderer\": ");
+        print_quoted(f->gl.renderer);
+        printf(", \"software\": %s}", f->gl.software ? "true" : "false");
+    } else {
+        printf("null");
+    }
+    uint32_t count = 0;
+    const bolan_technique *techniques = bolan_techniques(&count);
+    printf(",\n  \"techniques\": [");
+    for (uint32_t i = 0; i < count; i++) printf("%s\"%s\"", i ? ", " : "", techniques[i].name);
+    printf("],\n  \"scenes\": [");
+    for (uint32_t i = 0; bolan_scene_builtin_name(i); i++)
+        printf("%s\"%s\"", i ? ", " : "", bolan_scene_builtin_name(i));
+    printf("]\n}\n");
+}
+
+int command_info(int count, char **arguments) {
+    options o;
+    const int result = options_parse(ON_INFO, "info", count, arguments, &o);
+    if (result) return result;
+    if (o.help) return help_command(ON_INFO, "info [OPTIONS]", "Prints what this build and this machine can do.");
+    bolan_set_hooks(&(bolan_hooks){.log = keep_message});
+    bolan_context *context = NULL;
+    facts f = {.processors = sysconf(_SC_NPROCESSORS_ONLN)};
+    f.has_gl = bolan_context_create(BOLAN_GL_CORE, &context) == BOLAN_OK;
+    if (f.has_gl) f.gl = bolan_gl_get_info();
+    if (o.json) {
+        print_json(&f);
+    } else {
+        print_text(&f);
+    }
+    bolan_context_destroy(&context);
+    return EXIT_OK;
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// bolan measure: what the synthesised sea is, as JSON or as a table.
+#include "commands.h"
+#include "help.h"
+#include "session.h"
+
+#include <math.h>
+
+typedef struct quantity {
+    const char *key, *unit, *what;
+    double value;
+} quantity;
+
+enum { QUANTITIES = 16 };
+
+static void list_quantities(const bolan_sea_statistics *s, quantity out[QUANTITIES]) {
+    const quantity list[QUANTITIES] = {
+        {"hs", "m", "significant wave height", s->hs},
+        {"tp", "s", "peak period", s->tp},
+        {"tm02", "s", "zero-crossing period", s->tm02},
+        {"te", "s", "energy period", s->te},
+        {"direction_from", "deg", "mean direction, from", s->direction_from},
+        {"spread", "deg", "directional spread", s->spread},
+        {"mss", "", "mean square slope", s->mss},
+        {"mss_up", "", "  along the wind", s->mss_up},
+        {"mss_cross", "", "  across the wind", s->mss_cross},
+        {"skewness", "", "skewness of the height", s->skewness},
+        {"kurtosis", "", "kurtosis of the height", s->kurtosis},
+        {"jacobian_min", "", "smallest Jacobian", s->jacobian_min},
+        {"jacobian_mean", "", "mean Jacobian", s->jacobian_mean},
+        {"whitecap_fraction", "", "whitecap fraction", s->whitecap_fraction},
+        {"m0_spectrum", "m2", "variance asked for", s->m0_spectrum},
+        {"m0_field", "m2", "variance of the field", s->m0_field},
+    };
+    for (int i = 0; i < QUANTITIES; i++) out[i] = list[i];
+}
+
+// JSON has no NaN or infinity.
+static void print_number(double value) {
+    if (isfinite(value)) {
+        printf("%.9g", value);
+    } else {
+        printf("null");
+    }
+}
+
+static void print_json(const bolan_sea *sea, const quantity *list, const char *hash) {
+    printf("{\n");
+    for (int i = 0; i < QUANTITIES; i++) {
+        printf("  \"%s\": ", list[i].key);
+        print_number(list[i].value);
+        printf(",\n");
+    }
+    printf("  \"cascades\": [\n");
+    const uint32_t count = bolan_sea_cascade_count(sea);
+    for (uint32_t i = 0; i < count; i++) {
+        const bolan_cascade_view c = bolan_sea_cascade(sea, i);
+        printf("    {\"n\": %u, \"length\": %.9g, \"k_min\": %.9g, \"k_max\": %.9g, \"variance\": %.9g}%s\n",
+               (unsigned)c.n, c.length, c.k_min, c.k_max, c.variance, i + 1 < count ? "," : "");
+    }
+    printf("  ],\n  \"hash\": \"%s\"\n}\n", hash);
+}
+
+static void print_table(const bolan_scene *scene, const bolan_sea *sea, const quantity *list, const char *hash) {
+    printf("%s, seed %llu, at %g s\n\n", scene->name, (unsigned long long)scene->sea.seed, scene->time);
+    for (int i = 0; i < QUANTITIES; i++) printf("  %-26s %12.5g %s\n", list[i].what, list[i].value, list[i].unit);
+    printf("\n  cascade     n     length m   k_min rad/m   k_max rad/m   variance m2\n");
+    for (uint32_t i = 0; i < bolan_sea_cascade_count(sea); i++) {
+        const bolan_cascade_view c = bolan_sea_cascade(sea, i);
+        printf("  %7u %5u %12.4g %13.4g %13.4g %13.4g\n", (unsigned)i, (unsigned)c.n, c.length, c.k_min, c.k_max,
+               c.variance);
+    }
+    printf("\n  hash %s\n", hash);
+}
+
+int command_measure(int count, char **arguments) {
+    options o;
+    session s;
+    int result = options_parse(ON_MEASURE, "measure", count, arguments, &o);
+    if (result) return result;
+    if (o.help)
+        return help_command(ON_MEASURE, "measure [SCENE] [OPTIONS]", "Makes the scene's sea and prints what it is.");
+    result = session_open_sea(&o, &s);
+    if (result) return result;
+    bolan_sea_step(s.sea, s.scene.time);
+    const bolan_sea_statistics statistics = bolan_sea_measure(s.sea);
+    char hash[17];
+    bolan_sea_hash(s.sea, hash);
+    quantity list[QUANTITIES];
+    list_quantities(&statistics, list);
+    if (o.json) {
+        print_json(s.sea, list, hash);
+    } else {
+        print_table(&s.scene, s.sea, list, hash);
+    }
+    session_close(&s);
+    return EXIT_OK;
+}

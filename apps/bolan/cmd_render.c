@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// bolan render: pictures and films of a scene, without a window.
+#include "commands.h"
+#include "help.h"
+#include "output.h"
+#include "progress.h"
+#include "session.h"
+
+#include "bolan/render.h"
+
+#include <math.h>
+#include <signal.h>
+#include <string.h>
+
+typedef struct job {
+    const char *path;
+    output_name name;
+    uint32_t width, height, frames, samples;
+    double fps;
+    bolan_quality quality;
+    bool quiet;
+} job;
+
+typedef struct stage {
+    bolan_context *context;
+    bolan_renderer *renderer;
+    bolan_target *target;
+    bolan_video *video;
+    uint8_t *rgb;
+    float *linear; // EXR: rgb of every pixel, distance of every pixel, then the planes R, G, B
+    size_t rgb_bytes, linear_bytes;
+} stage;
+
+static volatile sig_atomic_t interrupted;
+
+static void on_interrupt(int signal_number) {
+    (void)signal_number;
+    interrupted = 1;
+}
+
+// ---- what to do -----------------------------------------------------------------------------------------------------
+
+static double otherwise(double value, double fallback) { return isnan(value) ? fallback : value; }
+
+static int make_job(const options *o, job *j) {
+    if (!o->output) return usage_error("render needs -o FILE: .png, .exr, a numbered sequence (%%04d), .mp4 or .webm");
+    *j = (job){.path = o->output, .name = output_parse(o->output), .quiet = o->quiet};
+    if (j->name.kind == OUTPUT_UNKNOWN)
+        return usage_error(
+            "-o %.200s: expected a name that ends in .png, .exr, .mp4 or .webm; a sequence of pictures has one "
+            "%%d or %%04d in it",
+            o->output);
+    const bool video = j->name.kind == OUTPUT_VIDEO, moving = video || j->name.numbered;
+    if (!moving && o->frames > 1.0)
+        return usage_error("--frames %.0f into one picture; expected a video, or a numbered name such as sea-%%04d.png",
+                           o->frames);
+    j->fps = otherwise(o->fps, 30.0);
+    j->frames = (uint32_t)otherwise(o->frames, moving ? ceil(10.0 * j->fps) : 1.0);
+    j->width = (uint32_t)otherwise(o->size[0], moving ? 1280 : 1920);
+    j->height = (uint32_t)otherwise(o->size[1], moving ? 720 : 1080);
+    if (video && (j->width % 2 || j->height % 2))
+        return usage_error("--size %ux%u: a video's width and height are even", (unsigned)j->width,
+                           (unsigned)j->height);
+    j->quality = o->quality >= 0 ? (bolan_quality)o->quality : BOLAN_QUALITY_HIGH;
+    static const uint32_t still_samples[] = {1, 1, 4, 16};
+    j->samples = (uint32_t)otherwise(o->samples, moving ? 1 : still_samples[j->quality]);
+    return EXIT_OK;
+}
+
+// ---- the stage ------------------------------------------------------------------------------------------------------
+
+static bool open_stage(const job *j, stage *s) {
+    const size_t pixels = (size_t)j->width * j->height;
+    bolan_renderer_desc desc = bolan_renderer_desc_default();
+    desc.quality = j->quality;
+    *s = (stage){.rgb_bytes = pixels * 3, .linear_bytes = j->name.kind == OUTPUT_EXR ? pixels * 7 * sizeof(float) : 0};
+    if (bolan_context_create(BOLAN_GL_CORE, &s->context) || bolan_renderer_create(&desc, &s->renderer) ||
+        bolan_target_create(j->width, j->height, &s->target))
+        return false;
+    s->rgb = bolan_allocate(s->rgb_bytes);
+    s->linear = bolan_allocate(s->linear_bytes);
+    if (!s->rgb || (s->linear_bytes && !s->linear)) {
+        fprintf(stderr, "bolan: no memory for a picture of %ux%u\n", (unsigned)j->width, (unsigned)j->height);
+        return false;
+    }
+    return j->name.kind != OUTPUT_VIDEO ||
+           bolan_video_open(j->path, j->width, j->height, j->fps, &s->video) == BOLAN_OK;
+}
+
+// @p keep: the film is whole. False when its last act failed.
+static bool close_stage(stage *s, bool keep) {
+    const bool ok = bolan_video_close(&s->video, keep) == BOLAN_OK;
+    bolan_release(s->rgb, s->rgb_bytes);
+    bolan_release(s->linear, s->linear_bytes);
+    bolan_target_destroy(&s->target);
+    bolan_renderer_destroy(&s->renderer);
+    bolan_context_destroy(&s->context);
+    return ok;
+}
+
+// ---- frames ---------------------------------------------------------------------------------------------------------
+
+static bool write_exr(const job *j, stage *s, const char *path) {
+    const size_t pixels = (size_t)j->width * j->height;
+    float *rgb = s->linear, *distance = rgb + 3 * pixels, *plane = distance + pixels;
+    bolan_renderer_read_linear(s->renderer, rgb, distance);
+    for (size_t i = 0; i < pixels; i++)
+        for (size_t c = 0; c < 3; c++) plane[c * pixels + i] = rgb[3 * i + c];
+    const bolan_exr_channel channels[] = {
+        {"R", plane}, {"G", plane + pixels}, {"B", plane + 2 * pixels}, {"Z", distance}};
+    return bolan_exr_write(path, j->width, j->height, channels, 4) == BOLAN_OK;
+}
+
+static bool write_frame(const job *j, stage *s, uint32_t number) {
+    char path[BOLAN_PATH_MAX];
+    if (!output_frame_path(&j->name, j->path, number, path)) return usage_error("-o: the name is too long"), false;
+    if (j->name.kind == OUTPUT_EXR) return write_exr(j, s, path);
+    bolan_renderer_read_rgb8(s->renderer, bolan_target_framebuffer(s->target), j->width, j->height, s->rgb);
+    if (s->video) return bolan_video_write(s->video, s->rgb) == BOLAN_OK;
+    return bolan_png_write(path, j->width, j->height, s->rgb) == BOLAN_OK;
+}
+
+static bool render_frame(const job *j, const session *w, stage *s, uint32_t number) {
+    const double time = w->scene.time + number / j->fps;
+    if (number == 0) {
+        bolan_sea_settle(w->sea, time); // with the foam that the seconds before would have left
+    } else {
+        bolan_sea_step(w->sea, time);
+    }
+    bolan_frame_desc frame = bolan_frame_desc_default();
+    frame.scene = &w->scene;
+    frame.sea = w->sea;
+    frame.terrain = w->assets.terrain;
+    frame.framebuffer = bolan_target_framebuffer(s->target);
+    frame.width = j->width;
+    frame.height = j->height;
+    frame.samples = j->samples;
+    bolan_renderer_draw(s->renderer, &frame);
+    return write_frame(j, s, number);
+}
+
+static int render_all(const job *j, const session *w) {
+    stage s;
+    bool ok = open_stage(j, &s);
+    progress bar = progress_start(j->frames, j->quiet || !ok);
+    for (uint32_t i = 0; i < j->frames && ok && !interrupted; i++) {
+        ok = render_frame(j, w, &s, i);
+        progress_update(&bar, i + 1);
+    }
+    progress_end(&bar);
+    const bool whole = ok && !interrupted;
+    if (!close_stage(&s, whole)) ok = false;
+    if (interrupted) return EXIT_INTERRUPTED;
+    if (ok && !j->quiet) printf("%s\n", j->path);
+    return ok ? EXIT_OK : EXIT_FAILED;
+}
+
+// A place that cannot be written to is found before the work, not after it.
+static bool can_write(const job *j) {
+    char path[BOLAN_PATH_MAX];
+    return j->name.kind == OUTPUT_VIDEO ||
+           (output_frame_path(&j->name, j->path, 0, path) && !bolan_file_check_writable(path));
+}
+
+int command_render(int count, char **arguments) {
+    options o;
+    job j;
+    session w;
+    int result = options_parse(ON_RENDER, "render", count, arguments, &o);
+    if (result) return result;
+    if (o.help)
+        return help_command(
+            ON_RENDER, "render [SCENE] -o FILE [OPTIONS]",
+            "Draws the scene without a window: FILE is one .png or .exr (linear R, G, B and Z, the distance),\n"
+            "a numbered sequence of them (sea-%04d.png), or a video, .mp4 or .webm (needs ffmpeg).");
+    result = make_job(&o, &j);
+    if (result) return result;
+    result = can_write(&j) ? session_open(&o, &w) : EXIT_FAILED;
+    if (result) return result;
+    signal(SIGINT, on_interrupt);
+    signal(SIGTERM, on_interrupt);
+    result = render_all(&j, &w);
+    session_close(&w);
+    return result;
+}

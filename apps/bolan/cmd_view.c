@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// bolan view: hands the scene to the viewer.
+#include "commands.h"
+#include "help.h"
+#include "options.h"
+
+#ifdef BOLAN_HAVE_VIEWER
+#include "viewer.h"
+
+#include <math.h>
+
+int command_view(int count, char **arguments) {
+    options o;
+    int result = options_parse(ON_VIEW, "view", count, arguments, &o);
+    if (result) return result;
+    if (o.help) return help_command(ON_VIEW, "view [SCENE] [OPTIONS]", "Opens a window on the scene.");
+    bolan_scene scene;
+    result = options_scene(&o, &scene);
+    if (result) return result;
+    bolan_set_threads(isnan(o.threads) ? 0 : (uint32_t)o.threads);
+    viewer_options v = viewer_options_default();
+    if (!isnan(o.size[0])) {
+        v.width = (uint32_t)o.size[0];
+        v.height = (uint32_t)o.size[1];
+    }
+    if (o.quality >= 0) v.quality = (bolan_quality)o.quality;
+    if (!isnan(o.frames)) v.frames = (uint32_t)o.frames;
+    v.screenshot = o.screenshot;
+#ifdef BOLAN_SHADER_DIR
+    v.shader_directory = BOLAN_SHADER_DIR;
+#endif
+    return viewer_run(&scene, &v);
+}
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The command line of Bolan: `bolan COMMAND [SCENE] [OPTIONS]`.
+#include "commands.h"
+#include "options.h"
+
+#include <string.h>
+
+typedef struct command {
+    const char *name;
+    int (*run)(int count, char **arguments);
+    const char *help;
+    int (*exists)(void); // NULL: always
+} command;
+
+static const command commands[] = {
+#ifdef BOLAN_HAVE_VIEWER
+    {"view", command_view, "[SCENE]                       a window to fly through the scene", NULL},
+#endif
+    {"render", command_render,
+     "[SCENE] -o FILE               one .png or .exr, a numbered sequence (%04d), or .mp4/.webm", NULL},
+    {"measure", command_measure, "[SCENE]                       statistics of the synthesised sea", NULL},
+    {"query", command_query, "[SCENE] --points FILE.csv     heights and normals at points, as CSV", NULL},
+    {"bench", command_bench, "[waves|query|frame]           benchmarks", bench_is_there},
+    {"info", command_info, "                              build, processor, OpenGL, scenes, techniques", NULL},
+};
+
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+static int print_help(FILE *file) {
+    fputs("Bolan makes, measures and draws seas.\n\nusage: bolan COMMAND [SCENE] [OPTIONS]\n\n", file);
+    for (int i = 0; i < COMMANDS; i++)
+        if (!commands[i].exists || commands[i].exists())
+            fprintf(file, "  bolan %-8s %s\n", commands[i].name, commands[i].help);
+    fputs("\nbolan COMMAND --help lists the options of a command; bolan --version prints the version.\n", file);
+    return EXIT_OK;
+}
+
+// Standard output may be a full disk or a closed pipe: then the result is not there, and the exit code says so.
+static int flush_output(int code) {
+    const bool failed = fflush(stdout) != 0 || ferror(stdout);
+    if (failed && code == EXIT_OK) fputs("bolan: standard output cannot be written\n", stderr);
+    return failed && code == EXIT_OK ? EXIT_FAILED : code;
+}
+
+// Library messages look like the program's own.
+static void print_message(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
+    (void)user, (void)id;
+    if (level == BOLAN_LOG_INFO) return;
+    fprintf(stderr, "bolan: %s%s\n", level == BOLAN_LOG_WARNING ? "warning: " : "", sentence);
+}
+
+int main(int count, char **arguments) {
+    bolan_set_hooks(&(bolan_hooks){.log = print_message});
+    if (count < 2) return print_help(stderr), EXIT_USAGE;
+    const char *name = arguments[1];
+    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0)
+        return flush_output(print_help(stdout));
+    if (strcmp(name, "--version") == 0) return printf("bolan %s\n", bolan_version()), flush_output(EXIT_OK);
+    for (int i = 0; i < COMMANDS; i++)
+        if (strcmp(name, commands[i].name) == 0) return flush_output(commands[i].run(count - 2, arguments + 2));
+    return usage_error("unknown command %.60s; see bolan --help", name);
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The options of the command line. One table (options.c) serves every command, its help and its checks.
+#ifndef BOLAN_CLI_OPTIONS_H
+#define BOLAN_CLI_OPTIONS_H
+
+#include "bolan/io.h"
+
+#include <stdio.h>
+
+// Exit codes.
+enum { EXIT_OK = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
+
+// Commands, as bits of option_info.commands.
+enum { ON_VIEW = 1, ON_RENDER = 2, ON_MEASURE = 4, ON_QUERY = 8, ON_INFO = 16 };
+
+// What was given. A number that was not given is NAN, a count or name -1, a text NULL.
+typedef struct options {
+    const char *scene;
+    double at[2], camera[6], sun[2]; // latitude, longitude; x, y, z, heading, pitch[, fov]; azimuth, elevation
+    double wind, wind_from, fetch_km, depth, beaufort, sea_state;
+    double time, fps;
+    double seed, record, frames, samples, threads;
+    double size[2];
+    int technique, waves, surface, optics, water, quality, backend, cpu;
+    const char *spectrum, *terrain, *points, *output, *screenshot;
+    bool json, quiet, help;
+} options;
+
+typedef enum option_kind {
+    OPTION_FLAG,
+    OPTION_NUMBER,
+    OPTION_WHOLE,
+    OPTION_NUMBERS, // separated by commas
+    OPTION_SIZE,    // WxH
+    OPTION_NAME,
+    OPTION_TEXT,
+} option_kind;
+
+typedef struct option_info {
+    const char *name; // without the dashes
+    char letter;      // or 0
+    option_kind kind;
+    size_t offset;        // in options
+    unsigned commands;    // ON_...
+    const char *argument; // as in the help
+    const char *help;
+    double low, high;
+    int least, most;          // of NUMBERS
+    const char *const *names; // of NAME, NULL at the end
+    const char *unit;         // for messages, may be NULL
+} option_info;
+
+extern const option_info option_table[]; // a NULL name ends it
+
+// Reads the arguments after the command's name. Prints one sentence and returns EXIT_USAGE on an error.
+int options_parse(unsigned command, const char *command_name, int count, char **arguments, options *out);
+// Prints one sentence after "bolan: " on stderr and returns EXIT_USAGE.
+#if defined(__GNUC__)
+__attribute__((format(printf, 1, 2)))
+#endif
+int usage_error(const char *format, ...);
+// The options of a command, for its help.
+void options_print(FILE *file, unsigned command);
+
+// The scene that is meant: loaded, changed by the options, and checked. Returns an exit code; failures were reported.
+int options_scene(const options *o, bolan_scene *scene);
+
+#endif

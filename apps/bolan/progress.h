@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A bar with the time that is left, on a terminal; nothing elsewhere.
+#ifndef BOLAN_CLI_PROGRESS_H
+#define BOLAN_CLI_PROGRESS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct progress {
+    bool shown;
+    uint32_t total;
+    double started, drawn; // [s]
+} progress;
+
+// Shows nothing when @p quiet, when stderr is no terminal, or when there is only one step.
+progress progress_start(uint32_t total, bool quiet);
+void progress_update(progress *p, uint32_t done);
+// Wipes the bar away.
+void progress_end(progress *p);
+
+#endif

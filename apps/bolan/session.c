@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// See session.h.
+#include "session.h"
+
+#include <math.h>
+
+// A camera inside the ground shows nothing: it is lifted to the height of somebody standing there.
+static void lift_camera(session *s) {
+    if (!s->assets.terrain) return;
+    bolan_dvec3 *p = &s->scene.camera.position;
+    const double ground = (double)bolan_terrain_elevation(s->assets.terrain, p->x, p->y, 0.0);
+    if (ground > s->scene.water.level) p->z = fmax(p->z, ground + 1.8);
+}
+
+static int open_scene(const options *o, session *s, bool with_terrain) {
+    *s = (session){.sea = NULL};
+    const int result = options_scene(o, &s->scene);
+    if (result) return result;
+    bolan_set_threads(isnan(o->threads) ? 0 : (uint32_t)o->threads);
+    if (!with_terrain) s->scene.terrain.kind = BOLAN_TERRAIN_NONE;
+    if (bolan_scene_assets_load(&s->scene, &s->assets)) return EXIT_FAILED;
+    lift_camera(s);
+    if (bolan_scene_create_sea(&s->scene, &s->assets, &s->sea)) {
+        session_close(s);
+        return EXIT_FAILED;
+    }
+    return EXIT_OK;
+}
+
+int session_open(const options *o, session *s) { return open_scene(o, s, true); }
+
+int session_open_sea(const options *o, session *s) { return open_scene(o, s, false); }
+
+void session_close(session *s) {
+    bolan_sea_destroy(&s->sea);
+    bolan_scene_assets_destroy(&s->assets);
+}
