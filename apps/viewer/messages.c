@@ -24,9 +24,9 @@ static void keep(const char *sentence) {
 static void on_log(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
     (void)user;
     (void)id;
-    static const char *const names[] = {"error", "warning", "info"};
-    fprintf(stderr, "bolan: %s: %s\n", names[level], sentence);
-    if (level != BOLAN_LOG_INFO) keep(sentence);
+    if (level == BOLAN_LOG_INFO) return;
+    fprintf(stderr, "bolan: %s%s\n", level == BOLAN_LOG_WARNING ? "warning: " : "", sentence); // as on the command line
+    keep(sentence);
 }
 
 void messages_start(void) {

@@ -311,7 +311,7 @@ bool panel_open(const window *w) {
         if (ImGui_ImplOpenGL3_Init(w->es ? "#version 300 es" : "#version 330 core")) return true;
         ImGui_ImplSDL2_Shutdown();
     }
-    std::fprintf(stderr, "bolan view: the panel cannot be set up on this display\n");
+    std::fprintf(stderr, "bolan: the panel cannot be set up on this display\n");
     ImGui::DestroyContext();
     return false;
 }

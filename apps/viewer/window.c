@@ -7,7 +7,7 @@
 #include <string.h>
 
 static bool complain(const char *what) {
-    fprintf(stderr, "bolan view: %s: %s\n", what, SDL_GetError());
+    fprintf(stderr, "bolan: %s: %s\n", what, SDL_GetError());
     return false;
 }
 
@@ -20,7 +20,7 @@ static bool start_video(void) {
     bool started = SDL_Init(SDL_INIT_VIDEO) == 0;
     const char *driver = started ? SDL_GetCurrentVideoDriver() : NULL;
     if (driver != NULL && strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0) return true;
-    fprintf(stderr, "bolan view: no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY leads to one); "
+    fprintf(stderr, "bolan: no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY leads to one); "
                     "`bolan render` draws to a file\n");
     SDL_Quit();
     return false;
@@ -76,7 +76,7 @@ void window_pixels(const window *w, uint32_t *width, uint32_t *height) {
 void window_toggle_fullscreen(window *w) {
     bool full = (SDL_GetWindowFlags(w->handle) & SDL_WINDOW_FULLSCREEN) != 0;
     if (SDL_SetWindowFullscreen(w->handle, full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP) != 0)
-        fprintf(stderr, "bolan view: the window cannot fill the screen: %s\n", SDL_GetError());
+        fprintf(stderr, "bolan: the window cannot fill the screen: %s\n", SDL_GetError());
 }
 
 float window_density(const window *w) {
