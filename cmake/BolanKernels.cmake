@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 # bolan_add_kernels(target file.kernel.c): compiles one wide kernel file once per instruction set into the target.
 # The file sees BOLAN_KERNEL_SUFFIX (scalar, sse2, avx2, avx512: append it to every name it exports), BOLAN_KERNEL_WIDTH
-# (floats in a register: 1, 4, 8, 16) and BOLAN_KERNEL_<SUFFIX in capitals>. Other sources of the target see
+# (floats in a register: 1, 4, 8, 16) and BOLAN_KERNEL_<SUFFIX IN CAPITALS>. Other sources of the target see
 # BOLAN_KERNELS_X86 where all four exist; elsewhere only the scalar one does.
-# All sets give the same bits: contraction stays off, and fused multiply-add is never asked for.
+# All sets give the same bits, since contraction stays off: AVX-512 holds fused multiply-add, and it must not be used.
 
 set(bolan_kernel_flags_scalar "")
 set(bolan_kernel_flags_sse2 -msse2)
-set(bolan_kernel_flags_avx2 -mavx2 -mf16c -mno-fma)
-set(bolan_kernel_flags_avx512 -mavx512f -mavx512dq -mavx512bw -mavx512vl -mf16c -mno-fma -mprefer-vector-width=512)
+set(bolan_kernel_flags_avx2 -mavx2 -mf16c)
+set(bolan_kernel_flags_avx512 -mavx512f -mavx512dq -mavx512bw -mavx512vl -mf16c -mprefer-vector-width=512)
 set(bolan_kernel_width_scalar 1)
 set(bolan_kernel_width_sse2 4)
 set(bolan_kernel_width_avx2 8)

@@ -62,6 +62,13 @@ static inline wide wide_max(wide a, wide b) {
 #define WIDE_LEVELS 2
 #endif
 
+// Lanes of a and b by number; each compiler has its own word for it.
+#ifdef __clang__
+#define WIDE_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#else
+#define WIDE_SHUFFLE(a, b, ...) __builtin_shuffle(a, b, (wide_int){__VA_ARGS__})
+#endif
+
 // Transposes the WIDE x WIDE block v: log2(WIDE) rounds of interleaving vector i with vector i + WIDE / 2.
 static inline void wide_transpose(wide v[WIDE]) {
 #if WIDE > 1
@@ -70,8 +77,8 @@ static inline void wide_transpose(wide v[WIDE]) {
     for (int level = 0; level < WIDE_LEVELS; level++) {
 #pragma GCC unroll 16
         for (int i = 0; i < WIDE / 2; i++) {
-            u[2 * i] = __builtin_shuffle(v[i], v[i + WIDE / 2], (wide_int){WIDE_LOW});
-            u[2 * i + 1] = __builtin_shuffle(v[i], v[i + WIDE / 2], (wide_int){WIDE_HIGH});
+            u[2 * i] = WIDE_SHUFFLE(v[i], v[i + WIDE / 2], WIDE_LOW);
+            u[2 * i + 1] = WIDE_SHUFFLE(v[i], v[i + WIDE / 2], WIDE_HIGH);
         }
 #pragma GCC unroll 16
         for (int i = 0; i < WIDE; i++) v[i] = u[i];
