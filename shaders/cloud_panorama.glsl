@@ -10,9 +10,10 @@ void main() { fullscreen(0.5); }
 #include "common/clouds.glsl"
 uniform sampler2D sea_view_table;
 #pragma unit sea_view_table 15
+uniform float texel_angle; // of the panorama [rad]
 out vec4 color;
 
-const int STEPS = 72, LIGHT_STEPS = 5;
+const int STEPS = 64, LIGHT_STEPS = 5;
 const float FARTHEST = 120000.0;
 
 vec3 panorama_direction() { // inverse of cloud_uv()
@@ -43,11 +44,11 @@ vec2 layer_interval(float h, float mu) {
     return vec2(span.x, min(span.y, span.x + 60000.0));
 }
 
-float depth_towards_sun(vec2 position, float h) {
+float depth_towards_sun(vec2 position, float h, float footprint) {
     float sum = 0.0, step_length = 70.0, d = 0.0, up = max(sun.z, 0.04);
     for (int i = 0; i < LIGHT_STEPS; ++i) {
         float at = d + 0.5 * step_length;
-        sum += cloud_extinction(position + sun.xy * at, h + up * at, i < 2) * step_length;
+        sum += cloud_extinction(position + sun.xy * at, h + up * at, i < 2 ? footprint : 0.0) * step_length;
         d += step_length;
         step_length *= 1.8;
     }
@@ -64,24 +65,28 @@ vec3 ambient_radiance() {
     return sum / 6.0;
 }
 
-float hash_pixel() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
-
 // Premultiplied radiance and cover; mean distance.
 vec4 march(vec3 dir, vec2 span, out float mean_distance) {
     float c = dot(dir, sun.xyz), h0 = max(eye.z, 0.0);
     vec3 sun_above = solar_irradiance() * sun_transmittance(cloud_base() + 0.7 * cloud_origin.z), ambient = ambient_radiance();
+    // What leaves a thick deck has come from sun and blue sky alike: nearly white.
+    vec3 entering = sun_above + AIR_PI * ambient;
+    entering = mix(entering, vec3(dot(entering, vec3(0.2126, 0.7152, 0.0722))), 0.85 * wind.w * wind.w);
     float forward = 0.6 * henyey_greenstein(c, 0.85) + 0.4 * henyey_greenstein(c, 0.1);
     vec3 light = vec3(0.0);
-    float left = 1.0, step_length = (span.y - span.x) / float(STEPS), weight = 0.0;
+    float steps = clamp((span.y - span.x) / 45.0, 16.0, float(STEPS)), step_length = (span.y - span.x) / steps;
+    float left = 1.0, weight = 0.0;
     mean_distance = 0.0;
     for (int i = 0; i < STEPS; ++i) {
-        float d = span.x + (float(i) + hash_pixel()) * step_length, h = air_height(h0, dir.z, d);
+        if (float(i) >= steps) break;
+        float d = span.x + (float(i) + 0.5) * step_length, h = air_height(h0, dir.z, d);
         vec2 position = dir.xy * d;
-        float extinction = cloud_extinction(position, h, true);
+        float footprint = d * texel_angle, extinction = cloud_extinction(position, h, footprint);
         if (extinction <= 0.0) continue;
-        float depth = depth_towards_sun(position, h), level = clamp((h - cloud_base()) / cloud_origin.z, 0.0, 1.0);
-        float many = 2.1 / (4.0 * AIR_PI * (1.0 + 0.16 * depth)) * (1.0 - 0.35 * exp(-2.0 * depth)); // thin edges scatter once
-        vec3 source = sun_above * (0.55 * forward * exp(-depth) + many) + ambient * mix(0.45, 0.95, level);
+        float depth = depth_towards_sun(position, h, footprint), level = clamp((h - cloud_base()) / cloud_origin.z, 0.0, 1.0);
+        float many = 2.5 / (4.0 * AIR_PI * (1.0 + 0.16 * depth)) * (1.0 - 0.35 * exp(-2.0 * depth)); // thin edges scatter once
+        vec3 source = sun_above * (0.55 * forward * exp(-depth)) + entering * many +
+                      ambient * mix(0.25, 0.60, level);
         float through = exp(-extinction * step_length), gained = left * (1.0 - through);
         light += gained * source;
         mean_distance += gained * d;
@@ -101,10 +106,10 @@ vec4 cirrus(vec3 dir, out float d) {
     if (d < 0.0 || distance_to_sea(h, dir.z) >= 0.0) return vec4(0.0);
     vec2 p = dir.xy * d + cloud_origin.xy, along = normalize(wind.xy + vec2(1e-4, 0.3));
     vec2 q = vec2(dot(p, along), dot(p, vec2(-along.y, along.x)));
-    vec2 warp = vec2(textureLod(cloud_noise, vec3(q / 90000.0, 0.2), 0.0).b, textureLod(cloud_noise, vec3(q / 90000.0, 0.7), 0.0).b);
-    q += (warp - 0.5) * 26000.0;
-    float streak = textureLod(cloud_noise, vec3(q / vec2(88000.0, 15000.0), 0.5), 0.0).b;
-    float fibre = textureLod(cloud_noise, vec3(q / vec2(26000.0, 2600.0), 0.1), 0.0).a;
+    float width = d * texel_angle / max(abs(dir.z), 0.05);
+    q += (textureLod(cloud_noise, vec3(q / 90000.0, 0.2), 0.0).ba - 0.5) * 26000.0;
+    float streak = textureLod(cloud_noise, vec3(q / vec2(88000.0, 15000.0), 0.5), cloud_level(width, 15000.0)).b;
+    float fibre = textureLod(cloud_noise, vec3(q / vec2(26000.0, 4000.0), 0.1), cloud_level(width, 4000.0)).a;
     float patches = textureLod(cloud_noise, vec3(p / 160000.0, 0.85), 0.0).b;
     float amount = clamp((streak + 0.5 * (patches - 0.5) - 0.52) * 3.2, 0.0, 1.0) * (0.35 + 0.65 * fibre);
     amount *= smoothstep(0.0, 0.15, wind.w) * 0.42;

@@ -17,7 +17,7 @@ void main() {
     vec2 run = sun.xy / up;
     for (int i = 0; i < STEPS; ++i) {
         float h = cloud_base() + (float(i) + 0.5) * step_height;
-        depth += cloud_extinction(position + run * h, h, false) * step_height / up;
+        depth += cloud_extinction(position + run * h, h, 0.0) * step_height / up;
     }
     color = vec4(exp(-0.6 * depth)); // part of what is scattered forward still arrives
 }

@@ -31,7 +31,7 @@ static bolan_result create_map(clouds *c, bolan_quality quality) {
 bolan_result clouds_create(clouds *c) {
     memset(c, 0, sizeof *c);
     const gl_texture_desc noise = {.format = GL_FMT_RGBA8, .width = NOISE_SIZE, .height = NOISE_SIZE, .depth = NOISE_SIZE,
-                                   .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_REPEAT};
+                                   .filter = GL_FILTER_MIPMAP_NEAREST, .wrap = GL_WRAP_REPEAT};
     bolan_result result = gl_program_create("cloud_noise", NULL, &c->noise_program);
     if (result == BOLAN_OK) result = gl_program_create("cloud_panorama", NULL, &c->panorama_program);
     if (result == BOLAN_OK) result = gl_program_create("cloud_shadow", NULL, &c->shadow_program);
@@ -50,7 +50,7 @@ bolan_result clouds_reload(clouds *c) {
 }
 
 // A deck of stratocumulus is thinner than heaped cumulus.
-static float layer_thickness(float cover) { return 1000.0f - 400.0f * cover * cover; }
+static float layer_thickness(float cover) { return 850.0f - 200.0f * cover * cover; }
 
 // Value that the billows exceed over the share `cover` of the sky: their distribution, measured, is near normal.
 static float billow_threshold(float cover) {
@@ -101,6 +101,7 @@ static void fill_noise(clouds *c) {
         gl_draw_fullscreen();
         gl_target_free(&slice);
     }
+    gl_texture_generate_mipmaps(&c->noise);
     c->noise_filled = true;
 }
 
@@ -132,6 +133,7 @@ void clouds_march(clouds *c, const frame *f) {
     gl_texture_bind(&c->noise, UNIT_SCENE_COLOR);
     gl_target_bind(&c->panorama_target);
     set_origin(c, &c->panorama_program);
+    gl_program_float(&c->panorama_program, "texel_angle", (float)(2.0 * BOLAN_PI / (double)c->map.width));
     gl_draw_fullscreen();
     gl_target_bind(&c->shadow_target);
     set_origin(c, &c->shadow_program);
