@@ -21,7 +21,8 @@ static inline void sincos_turns(wide x, wide *sine, wide *cosine) {
     const wide_int c = wide_bits((1.0f - 0.5f * z) + z * z * q);
     const wide_int quadrant = wide_to_int(n);
     const wide_int odd = -(quadrant & 1); // all ones where sine and cosine change places
-    const wide_int sign_s = (quadrant & 2) << 30, sign_c = ((quadrant + 1) & 2) << 30;
+    // The second bit of the quadrant, spread and cut to the sign bit (a left shift into it is undefined).
+    const wide_int sign_s = -((quadrant >> 1) & 1) & INT32_MIN, sign_c = -(((quadrant + 1) >> 1) & 1) & INT32_MIN;
     *sine = wide_from_bits(((odd & c) | (~odd & s)) ^ sign_s);
     *cosine = wide_from_bits(((odd & s) | (~odd & c)) ^ sign_c);
 }
