@@ -8,6 +8,7 @@
 #include <string.h>
 
 #define SIZE FOAM_TEXTURE_SIZE
+#define PIXELS ((size_t)SIZE * SIZE)
 #define BINS 4096
 
 static uint32_t hash(uint32_t x, uint32_t y, uint32_t salt) {
@@ -50,14 +51,19 @@ static float cell_walls(float x, float y, int cells, uint32_t salt) {
     return 1.0f - fminf(1.0f, (second - nearest) * 1.6f);
 }
 
-static float foam_at(float u, float v) {
+// The four channels at (u, v) in [0, 1): a coarse net, a fine net, and two smooth noises.
+static void foam_at(float u, float v, float out[4]) {
     float wx = value_noise(u * 8, v * 8, 8, 11) + 0.5f * value_noise(u * 16, v * 16, 16, 12);
     float wy = value_noise(u * 8, v * 8, 8, 21) + 0.5f * value_noise(u * 16, v * 16, 16, 22);
     float x = u + 0.05f * (wx - 0.75f) + 1.0f, y = v + 0.05f * (wy - 0.75f) + 1.0f;
     float lace = 0.45f * cell_walls(x * 12, y * 12, 12, 1) + 0.33f * cell_walls(x * 27, y * 27, 27, 2) +
                  0.22f * cell_walls(x * 64, y * 64, 64, 3);
+    float fine = 0.6f * cell_walls(x * 40, y * 40, 40, 4) + 0.4f * cell_walls(x * 90, y * 90, 90, 5);
     float torn = 0.6f * value_noise(u * 5, v * 5, 5, 31) + 0.4f * value_noise(u * 13, v * 13, 13, 32);
-    return 0.62f * lace + 0.38f * torn;
+    out[0] = 0.62f * lace + 0.38f * torn;
+    out[1] = fine;
+    out[2] = 0.6f * value_noise(u * 4, v * 4, 4, 41) + 0.4f * value_noise(u * 9, v * 9, 9, 42);
+    out[3] = 0.6f * value_noise(u * 3, v * 3, 3, 51) + 0.4f * value_noise(u * 7, v * 7, 7, 52);
 }
 
 static void fill_rows(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
@@ -65,28 +71,33 @@ static void fill_rows(void *context, uint32_t begin, uint32_t end, uint32_t work
     float *out = context;
     for (uint32_t j = begin; j < end; ++j)
         for (uint32_t i = 0; i < SIZE; ++i)
-            out[j * SIZE + i] = foam_at((float)i / (float)SIZE, (float)j / (float)SIZE);
+            foam_at((float)i / (float)SIZE, (float)j / (float)SIZE, out + 4 * ((size_t)j * SIZE + i));
+}
+
+static int bin_of(float value) {
+    int bin = (int)(value * BINS);
+    return bin < 0 ? 0 : bin >= BINS ? BINS - 1 : bin;
+}
+
+// Each value becomes its rank among all of its channel.
+static void flatten(const float *values, int channel, uint8_t *out) {
+    uint32_t rank[BINS];
+    memset(rank, 0, sizeof rank);
+    for (size_t i = 0; i < PIXELS; ++i) rank[bin_of(values[4 * i + channel])]++;
+    for (int b = 1; b < BINS; ++b) rank[b] += rank[b - 1];
+    for (size_t i = 0; i < PIXELS; ++i)
+        out[4 * i + channel] = (uint8_t)(255.0 * rank[bin_of(values[4 * i + channel])] / (double)PIXELS);
 }
 
 bolan_result foam_texture_fill(uint8_t *out) {
-    size_t bytes = sizeof(float) * SIZE * SIZE;
+    size_t bytes = sizeof(float) * 4 * PIXELS;
     float *values = bolan_allocate(bytes);
     if (values == NULL) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "foam texture: %zu bytes could not be allocated", bytes);
         return BOLAN_ERROR_MEMORY;
     }
     bolan_parallel(SIZE, 16, fill_rows, values);
-    uint32_t rank[BINS];
-    memset(rank, 0, sizeof rank);
-    for (size_t i = 0; i < (size_t)SIZE * SIZE; ++i) {
-        int bin = (int)(values[i] * BINS);
-        rank[bin < 0 ? 0 : bin >= BINS ? BINS - 1 : bin]++;
-    }
-    for (int b = 1; b < BINS; ++b) rank[b] += rank[b - 1];
-    for (size_t i = 0; i < (size_t)SIZE * SIZE; ++i) {
-        int bin = (int)(values[i] * BINS);
-        out[i] = (uint8_t)(255.0 * rank[bin < 0 ? 0 : bin >= BINS ? BINS - 1 : bin] / ((double)SIZE * SIZE));
-    }
+    for (int channel = 0; channel < 4; ++channel) flatten(values, channel, out);
     bolan_release(values, bytes);
     return BOLAN_OK;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tiled structure of foam: a lace of bubbles whose values are uniformly distributed over [0, 255], so that the share of
-// texels above 255 (1 - c) is c.
+// The tiled structure of foam, 4 channels whose values are uniformly distributed over [0, 255], so that the share of texels
+// above 255 (1 - c) is c: a coarse and a fine net of bubbles, and two smooth noises. Read by shaders/common/foam.glsl.
 #ifndef BOLAN_FOAM_TEXTURE_H
 #define BOLAN_FOAM_TEXTURE_H
 
@@ -8,7 +8,7 @@
 
 #define FOAM_TEXTURE_SIZE 512
 
-// Fills size * size bytes. MEMORY when the scratch cannot be had.
+// Fills size * size * 4 bytes. MEMORY when the scratch cannot be had.
 bolan_result foam_texture_fill(uint8_t *out);
 
 #endif

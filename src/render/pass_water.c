@@ -5,6 +5,7 @@
 #include "frame.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #define SLOPE_ANGLES (BOLAN_SLOPE_TABLE_ANGLE + 1) // the first repeats at the end, so that linear filtering wraps
@@ -12,7 +13,7 @@
 struct pass_water {
     const gl_caps *caps;
     bolan_surface_desc surface;
-    gl_program program;
+    gl_program open, land; // without and with terrain
     gl_texture displacement, slopes, foam; // arrays, a layer per cascade
     gl_texture slope_table, foam_detail;
     gl_buffer vertices, indices;
@@ -20,21 +21,22 @@ struct pass_water {
     bolan_surface_vertex *cpu_vertices;
     uint32_t *cpu_indices;
     bolan_surface_size size; // of the indices in the buffer
+    double vertical, horizontal; // bounds of the displacement [m]
 };
 
 static const struct { double pixels_per_vertex; uint32_t max_vertices; const char *defines; } quality_table[] = {
-    [BOLAN_QUALITY_LOW] = {8.0, 40000, "TAPS 1\n"},
-    [BOLAN_QUALITY_MEDIUM] = {5.0, 100000, "TAPS 2\n"},
-    [BOLAN_QUALITY_HIGH] = {3.0, 300000, "TAPS 4\n"},
-    [BOLAN_QUALITY_ULTRA] = {2.0, 700000, "TAPS 8\n"},
+    [BOLAN_QUALITY_LOW] = {8.0, 40000, "TAPS 1\nRAYS 1\n"},
+    [BOLAN_QUALITY_MEDIUM] = {5.0, 100000, "TAPS 2\nRAYS 1\n"},
+    [BOLAN_QUALITY_HIGH] = {3.0, 300000, "TAPS 4\nRAYS 3\n"},
+    [BOLAN_QUALITY_ULTRA] = {2.0, 700000, "TAPS 8\nRAYS 3\n"},
 };
 
 static bolan_result create_foam_detail(pass_water *p) {
-    size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE;
+    size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
     uint8_t *pixels = bolan_allocate(bytes);
     if (pixels == NULL) return BOLAN_ERROR_MEMORY;
     bolan_result result = foam_texture_fill(pixels);
-    gl_texture_desc desc = {.format = GL_FMT_R8, .width = FOAM_TEXTURE_SIZE, .height = FOAM_TEXTURE_SIZE,
+    gl_texture_desc desc = {.format = GL_FMT_RGBA8, .width = FOAM_TEXTURE_SIZE, .height = FOAM_TEXTURE_SIZE,
                             .filter = GL_FILTER_MIPMAP, .wrap = GL_WRAP_REPEAT};
     if (result == BOLAN_OK) result = gl_texture_create(&desc, &p->foam_detail);
     if (result == BOLAN_OK) {
@@ -66,7 +68,10 @@ bolan_result pass_water_create(const gl_caps *caps, bolan_quality quality, pass_
     p->surface = bolan_surface_desc_default();
     p->surface.pixels_per_vertex = quality_table[quality].pixels_per_vertex;
     p->surface.max_vertices = quality_table[quality].max_vertices;
-    bolan_result result = gl_program_create("water", quality_table[quality].defines, &p->program);
+    char with_land[64];
+    snprintf(with_land, sizeof with_land, "%sLAND 1\n", quality_table[quality].defines);
+    bolan_result result = gl_program_create("water", quality_table[quality].defines, &p->open);
+    if (result == BOLAN_OK) result = gl_program_create("water", with_land, &p->land);
     if (result == BOLAN_OK) result = create_foam_detail(p);
     if (result == BOLAN_OK) result = create_mesh(p);
     gl_texture_desc table = {.format = GL_FMT_RGBA16F, .width = BOLAN_SLOPE_TABLE_MAJOR, .height = BOLAN_SLOPE_TABLE_ASPECT,
@@ -91,14 +96,18 @@ void pass_water_destroy(pass_water **pass) {
     gl_texture_free(&p->foam);
     gl_texture_free(&p->slope_table);
     gl_texture_free(&p->foam_detail);
-    gl_program_free(&p->program);
+    gl_program_free(&p->open);
+    gl_program_free(&p->land);
     bolan_release(p->cpu_vertices, sizeof(bolan_surface_vertex) * p->surface.max_vertices);
     bolan_release(p->cpu_indices, sizeof(uint32_t) * 6 * p->surface.max_vertices);
     bolan_release(p, sizeof *p);
     *pass = NULL;
 }
 
-bolan_result pass_water_reload(pass_water *p) { return gl_program_reload(&p->program); }
+bolan_result pass_water_reload(pass_water *p) {
+    bolan_result result = gl_program_reload(&p->open);
+    return result == BOLAN_OK ? gl_program_reload(&p->land) : result;
+}
 
 // Arrays that fit this sea; kept while n and the number of cascades stay.
 static void fit_textures(pass_water *p, uint32_t n, uint32_t count) {
@@ -144,6 +153,8 @@ static void build_surface(pass_water *p, frame *f) {
                                .aspect = (double)f->desc->width / f->desc->height, .pixel_height = f->desc->height,
                                .water_level = f->scene->water.level};
     bolan_sea_bounds(f->desc->sea, &view.vertical, &view.horizontal);
+    p->vertical = view.vertical;
+    p->horizontal = view.horizontal;
     bolan_surface_size size = bolan_surface_projected(&p->surface, &view, p->cpu_vertices);
     gl_buffer_update(&p->vertices, 0, sizeof(bolan_surface_vertex) * size.columns * size.rows, p->cpu_vertices);
     if (size.columns != p->size.columns || size.rows != p->size.rows) {
@@ -182,7 +193,6 @@ static void set_cascades(const gl_program *g, const frame *f) {
         band[4 * c + 1] = (float)texel;
         band[4 * c + 2] = (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length);
     }
-    gl_program_int(g, "cascade_count", (int)count);
     gl_program_vec4_array(g, "cascade_tile", tile, BOLAN_MAX_CASCADES);
     gl_program_vec4_array(g, "cascade_band", band, BOLAN_MAX_CASCADES);
     gl_program_float(g, "choppiness", (float)bolan_sea_get_desc(f->desc->sea)->choppiness);
@@ -241,16 +251,38 @@ static void set_foam(const gl_program *g, const frame *f) {
     gl_program_vec4(g, "foam_memory", (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread, 0.0f});
 }
 
+// How many cascades the pixels of a row can still see: none of a ring whose longest wave is shorter than the pixel is wide.
+static uint32_t cascades_at(const pass_water *p, const frame *f, uint32_t row) {
+    const bolan_surface_vertex *v = &p->cpu_vertices[(size_t)row * p->size.columns];
+    double vertical = fmax(fabs((double)v->z) - p->vertical, 0.0), horizontal = fmax(hypot(v->x, v->y) - p->horizontal, 0.0);
+    double width = hypot(horizontal, vertical) * f->uniforms.lens.x;
+    uint32_t count = bolan_sea_cascade_count(f->desc->sea);
+    while (count > 1) {
+        bolan_cascade_view last = bolan_sea_cascade(f->desc->sea, count - 1);
+        if (width < 0.6 * 2.0 * BOLAN_PI / last.k_min) break;
+        --count;
+    }
+    return count;
+}
+
 void pass_water_draw(pass_water *p, frame *f) {
-    uint32_t triangles = p->size.columns < 2 ? 0 : 2 * (p->size.columns - 1) * (p->size.rows - 1);
-    if (triangles == 0) return;
-    const gl_program *g = &p->program;
+    if (p->size.columns < 2 || p->size.rows < 2) return;
+    const gl_program *g = f->shore->present ? &p->land : &p->open;
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     gl_program_use(g);
-    shore_map_apply(f->shore, g);
+    if (f->shore->present) shore_map_apply(f->shore, g);
     set_cascades(g, f);
     set_foam(g, f);
-    gl_mesh_draw(&p->mesh, 0, 3 * triangles);
+    // Runs of rows that see the same number of cascades: a look-up that would return nothing is not made.
+    uint32_t row_indices = 6 * (p->size.columns - 1), first = 0;
+    for (uint32_t row = 0; row + 1 < p->size.rows; ++row) {
+        uint32_t count = cascades_at(p, f, row);
+        if (row + 2 < p->size.rows && cascades_at(p, f, row + 1) == count) continue;
+        gl_program_int(g, "cascade_count", (int)count);
+        gl_mesh_draw(&p->mesh, first * row_indices, (row + 1 - first) * row_indices);
+        first = row + 1;
+    }
+    uint32_t triangles = 2 * (p->size.columns - 1) * (p->size.rows - 1);
     f->triangles += triangles;
     f->water_triangles += triangles;
 }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// From a covered share to bubbles: a tiled texture whose values are uniformly distributed, so that the texels above
+// 1 - share cover the share. src/render/foam_texture.c makes it: r, g two nets of bubbles, coarse and fine; b, a smooth noise.
+// Needs common/slopes.glsl for normal_cdf().
+#pragma unit foam_detail 7
+uniform sampler2D foam_detail;
+
+struct foam_texels { vec4 broad, middle, streak; };
+
+vec4 foam_texel(vec2 p, float tile, float width) {
+    return textureLod(foam_detail, p / tile, log2(max(width * 512.0 / tile, 1.0)));
+}
+
+// rest: eye-relative [m]; width of the pixel on the water [m].
+foam_texels foam_look_up(vec2 rest, float width) {
+    vec2 p = mod(eye.xy + rest, 4096.0);
+    vec2 along = vec2(dot(p, wind.xy) * 0.4, dot(p, vec2(-wind.y, wind.x))); // old foam is drawn out along the wind
+    return foam_texels(foam_texel(p, 64.0, width), foam_texel(p.yx, 8.0, width), foam_texel(along.yx, 16.0, width));
+}
+
+// The part of a value's range above 1 - share, with a soft edge; the mean over all values is the share.
+float foam_pattern(float value, float share, float soft) {
+    soft = min(soft, 2.0 * min(share, 1.0 - share)) + 1e-4;
+    return smoothstep(1.0 - share - soft * 0.5, 1.0 - share + soft * 0.5, value);
+}
+
+// A weighted mean of uniform values is nearly Gaussian; back to uniform.
+float foam_flatten(vec3 values, vec3 weights) {
+    return normal_cdf(dot(values - 0.5, weights) * 3.4641016 * inversesqrt(dot(weights, weights)));
+}
+
+// Opacity of the foam where breaking crests cover `fresh` and decaying foam covers `old` of the water.
+float foam_alpha(foam_texels t, float width, float fresh, float old) {
+    float near = clamp(1.6 - width * 20.0, 0.0, 1.0), far = clamp(width / 5.0, 0.0, 1.0);
+    float dense = foam_flatten(vec3(t.broad.r, t.middle.r, t.middle.g), vec3(0.5, 0.45, 0.35 * near));
+    float lace = foam_flatten(vec3(t.streak.r, t.middle.r, t.middle.g), vec3(0.7, 0.25, 0.3 * near));
+    // fresh foam is thick in the middle of a patch and frayed at its edge; old foam is a net that thins out
+    float a = mix(foam_pattern(dense, fresh, 0.8) * (0.5 + 0.5 * smoothstep(0.0, 0.6, fresh)), fresh, far);
+    float share = clamp(old * (0.4 + 1.2 * t.streak.a), 0.0, 0.9);
+    float b = mix(foam_pattern(lace, share, 0.6) * (0.35 + 0.4 * old), 0.5 * old, far);
+    return clamp(a + b * (1.0 - a), 0.0, 1.0) * mix(0.7 + 0.3 * t.middle.g, 1.0, far);
+}

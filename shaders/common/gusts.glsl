@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The wind is never even: patches of rougher and smoother water, a few hundred metres to kilometres wide.
+
+float gust_lattice(ivec2 p, int period) {
+    p = ivec2(p.x & (period - 1), p.y & (period - 1));
+    uint h = uint(p.x) * 0x9E3779B1u ^ uint(p.y) * 0x85EBCA77u;
+    h = (h ^ (h >> 15u)) * 0x2C1B3C6Du;
+    h = (h ^ (h >> 12u)) * 0x297A2D39u;
+    return float(h >> 8u) * (1.0 / 16777216.0);
+}
+
+float gust_noise(vec2 p, int period) {
+    ivec2 i = ivec2(floor(p));
+    vec2 f = p - vec2(i);
+    f = f * f * (3.0 - 2.0 * f);
+    return mix(mix(gust_lattice(i, period), gust_lattice(i + ivec2(1, 0), period), f.x),
+               mix(gust_lattice(i + ivec2(0, 1), period), gust_lattice(i + ivec2(1, 1), period), f.x), f.y);
+}
+
+// Factor on the rms slope of short waves, about 1 in the mean, at p [m] modulo 131072; `width`: what must be left out [m].
+float gustiness(vec2 p, float width) {
+    p += 700.0 * (vec2(gust_noise(p / 2048.0, 64), gust_noise(p.yx / 2048.0 + 17.0, 64)) - 0.5);
+    float large = gust_noise(p / 4096.0, 32) - 0.5;
+    float middle = (gust_noise(p / 1024.0, 128) - 0.5) * clamp(2.0 - width / 500.0, 0.0, 1.0);
+    float small = (gust_noise(p / 256.0, 512) - 0.5) * clamp(2.0 - width / 120.0, 0.0, 1.0);
+    return 1.0 + 0.26 * large + 0.24 * middle + 0.16 * small;
+}
