@@ -106,6 +106,9 @@ float sun_above_horizon(float h, float mu) {
 
 vec3 sun_transmittance_at(float h, float mu) { return transmittance_to_space(h, mu) * sun_above_horizon(h, mu); }
 
+// Airglow and starlight: 2e-4 cd/m2 (Leinert et al. 1998, table 1) of the sun's 128 klx; what is left at the end of twilight.
+vec3 night_radiance() { return vec3(0.85, 1.0, 1.2) * 1.6e-9 * air.x; }
+
 // Solar irradiance above the air, in the unit of every stored radiance: air.x is 1 by day and grows in twilight, so that half
 // floats hold it.
 vec3 solar_irradiance() { return SUN_COLOR * air.x; }

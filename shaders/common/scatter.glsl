@@ -46,5 +46,5 @@ vec3 scattered_light(float h, vec3 dir, float reach, int steps, out vec3 air_lef
         air_left *= through;
         start = end;
     }
-    return light * solar_irradiance();
+    return light * solar_irradiance() + night_radiance() * (1.0 - air_left);
 }

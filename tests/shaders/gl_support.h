@@ -9,6 +9,7 @@
 #include <stdint.h>
 
 #include <cmocka.h>
+#include <math.h>
 
 #include "bolan/render.h"
 
@@ -28,6 +29,13 @@ static inline int gl_teardown(void **state) {
     bolan_context_destroy(&context);
     return 0;
 }
+
+// Doubles, and both numbers in the message.
+#define assert_near(got, want, tolerance)                                                                              \
+    do {                                                                                                               \
+        const double got_ = (got), want_ = (want), tolerance_ = (tolerance);                                           \
+        if (!(fabs(got_ - want_) <= tolerance_)) fail_msg("%s is %.9g, not %.9g +- %.3g", #got, got_, want_, tolerance_); \
+    } while (0)
 
 // One test function as two tests: in a desktop core and in an ES 3 context.
 #define IN_BOTH_APIS(f)                                                                                                \
