@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exposure, glow, film curve, display encoding, dither. With RESOLVE: writes out the mean of accumulated samples.
+// Exposure, glow, film curve, display encoding, dither. With ACCUMULATE: adds the display value to a sum and writes that. With
+// RESOLVE: writes out the mean of the sum.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }
@@ -11,7 +12,9 @@ uniform sampler2D source;
 #pragma unit source 15
 uniform sampler2D glow;
 #pragma unit glow 3
-uniform vec4 settings; // x: glow strength, y: 1 encode sRGB, z: dither [1/255], w: weight
+uniform sampler2D sum;
+#pragma unit sum 4
+uniform vec4 settings; // x: glow strength, y: 1 encode sRGB, z: dither [1/255], w: RESOLVE: weight of the sum, ACCUMULATE: of the old sum
 out vec4 color;
 
 // Interleaved gradient noise (Jimenez 2014), triangular over two draws.
@@ -27,7 +30,12 @@ void main() {
     vec3 display = c * settings.w;
 #else
     if (settings.x > 0.0) c = mix(c, textureLod(glow, uv, 0.0).rgb, settings.x);
-    vec3 display = tonemap(c * sun_light.w) * settings.w;
+    vec3 display = tonemap(c * sun_light.w);
+#endif
+#ifdef ACCUMULATE
+    vec3 before = settings.w > 0.0 ? texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb : vec3(0.0);
+    color = vec4(before + display, 1.0);
+    return;
 #endif
     if (settings.y > 0.5) display = srgb_encode(display);
     color = vec4(display + settings.z / 255.0 * dither_noise(gl_FragCoord.xy), 1.0);
