@@ -197,6 +197,7 @@ static void draw_panel(viewer *v, panel_facts *facts) {
 
 static void load_pending(viewer *v, const char *loading) {
     if (loading == NULL) return;
+    SDL_PumpEvents(); // brings the notice to the screen before the wait
     v->pending_scene = NULL;
     load_scene(v, loading);
 }
