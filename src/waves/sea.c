@@ -23,13 +23,17 @@ bolan_sea_desc bolan_sea_desc_default(void) {
     };
 }
 
-void *sea_reserve(bolan_sea *sea, size_t bytes) {
-    void *memory = sea->block_count < SEA_MAX_BLOCKS ? bolan_allocate(bytes) : NULL;
-    if (!memory) {
+void *sea_borrow(size_t bytes) {
+    void *memory = bolan_allocate(bytes);
+    if (!memory)
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for a sea: %zu bytes were refused", bytes);
-        return NULL;
-    }
-    sea->block[sea->block_count++] = (sea_block){memory, bytes};
+    return memory;
+}
+
+void *sea_reserve(bolan_sea *sea, size_t bytes) {
+    BOLAN_ASSERT(sea->block_count < SEA_MAX_BLOCKS);
+    void *memory = sea_borrow(bytes);
+    if (memory) sea->block[sea->block_count++] = (sea_block){memory, bytes};
     return memory;
 }
 
@@ -45,7 +49,7 @@ static bool build(bolan_sea *sea) {
     sea->scratch_floats = (size_t)SEA_SCRATCH_ROWS * sea->desc.resolution * FFT_ROW;
     sea->scratch = sea_reserve(sea, sea->slots * sea->scratch_floats * sizeof(float));
     return sea->scratch && fft_plan_create(sea->desc.resolution, &sea->plan) && sea_modes_create(sea, &eval, &radial) &&
-           sea_slopes_create(sea);
+           sea_slopes_create(sea) && sea_whitecaps_create(sea);
 }
 
 bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {
@@ -53,11 +57,8 @@ bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {
     *out = NULL;
     const bolan_result valid = sea_validate(desc);
     if (valid != BOLAN_OK) return valid;
-    bolan_sea *sea = bolan_allocate(sizeof *sea);
-    if (!sea) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for a sea: %zu bytes were refused", sizeof *sea);
-        return BOLAN_ERROR_MEMORY;
-    }
+    bolan_sea *sea = sea_borrow(sizeof *sea);
+    if (!sea) return BOLAN_ERROR_MEMORY;
     sea->desc = *desc;
     sea->kernels = sea_kernels_for(desc->cpu);
     sea->summary = bolan_sea_state_summary(&desc->sea_state);
@@ -66,7 +67,6 @@ bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {
         return BOLAN_ERROR_MEMORY;
     }
     sea->desc.sea_state.measured = NULL;
-    sea_whitecaps_create(sea);
     *out = sea;
     return BOLAN_OK;
 }

@@ -86,6 +86,8 @@ typedef struct sea_radial {
 
 // Zeroed memory that lives as long as the sea; NULL (logged) when there is none.
 void *sea_reserve(bolan_sea *sea, size_t bytes);
+// bolan_allocate() that logs when there is none.
+void *sea_borrow(size_t bytes);
 
 bolan_result sea_validate(const bolan_sea_desc *desc);
 void sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget, sea_radial *out);
@@ -100,8 +102,8 @@ void sea_layout(bolan_sea *sea, const sea_radial *radial);
 bool sea_modes_create(bolan_sea *sea, const spectrum_eval *eval, const sea_radial *radial);
 // rest_slope and slope_table. False when memory is short.
 bool sea_slopes_create(bolan_sea *sea);
-// foam_threshold, from fields at a few times; leaves the sea at time 0.
-void sea_whitecaps_create(bolan_sea *sea);
+// foam_threshold, from fields at a few times; leaves the sea at time 0. False when memory is short.
+bool sea_whitecaps_create(bolan_sea *sea);
 
 // One mode of the kept half plane, as the tables hold it.
 typedef struct sea_mode {

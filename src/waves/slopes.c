@@ -113,16 +113,14 @@ static void set_rest(bolan_sea *sea) {
 
 bool sea_slopes_create(bolan_sea *sea) {
     set_rest(sea);
-    sea->slope_map = sea_reserve(sea, sizeof *sea->slope_map);
     const size_t texels = (size_t)BOLAN_SLOPE_TABLE_MAJOR * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_ANGLE;
-    sea->slope_table = sea_reserve(sea, texels * 4 * sizeof(float));
-    gathering *g = bolan_allocate(sizeof *g);
-    if (g && sea->slope_map && sea->slope_table) {
-        for (uint32_t i = 0; i < sea->count; i++) sea_each_mode(&sea->cascade[i], gather_mode, g);
-        compact(g, sea->slope_map);
-        bolan_parallel(BOLAN_SLOPE_TABLE_ANGLE * BOLAN_SLOPE_TABLE_ASPECT, 1, fill_table, sea);
-    }
-    const bool done = g != NULL;
+    sea->slope_map = sea_reserve(sea, sizeof *sea->slope_map);
+    sea->slope_table = sea->slope_map ? sea_reserve(sea, texels * 4 * sizeof(float)) : NULL;
+    gathering *g = sea->slope_table ? sea_borrow(sizeof *g) : NULL;
+    if (!g) return false;
+    for (uint32_t i = 0; i < sea->count; i++) sea_each_mode(&sea->cascade[i], gather_mode, g);
+    compact(g, sea->slope_map);
+    bolan_parallel(BOLAN_SLOPE_TABLE_ANGLE * BOLAN_SLOPE_TABLE_ASPECT, 1, fill_table, sea);
     bolan_release(g, sizeof *g);
-    return done && sea->slope_map && sea->slope_table;
+    return true;
 }

@@ -13,36 +13,36 @@ static int compare(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-static float *gather(bolan_sea *sea, float *out) {
-    const uint32_t n = sea->desc.resolution;
+static void gather(bolan_sea *sea, float *out) {
+    const uint32_t n = sea->desc.resolution, stride = n > SIDE ? n / SIDE : 1;
     for (int t = 0; t < TIMES; t++) {
         bolan_sea_step(sea, TIMES_APART * t);
         for (uint32_t j = 0; j < SIDE; j++) {
             for (uint32_t i = 0; i < SIDE; i++) {
-                // Spread over several tiles when there are fewer nodes than samples, and over one when there are more.
-                const sea_node node = sea_nearest_node(sea, i * (n > SIDE ? n / SIDE : 1), j * (n > SIDE ? n / SIDE : 1));
+                // Over several tiles when there are fewer nodes than samples, and over one when there are more.
+                const sea_node node = sea_nearest_node(sea, i * stride, j * stride);
                 *out++ = sea_node_jacobian(sea, &node);
             }
         }
     }
-    return out;
 }
 
-void sea_whitecaps_create(bolan_sea *sea) {
+bool sea_whitecaps_create(bolan_sea *sea) {
     const double cover = bolan_monahan_cover(sea->desc.sea_state.wind_speed);
-    const size_t count = (size_t)TIMES * SIDE * SIDE;
-    float *jacobian = cover > 0.0 ? bolan_allocate(count * sizeof(float)) : NULL;
+    const size_t count = (size_t)TIMES * SIDE * SIDE, rank = (size_t)(cover * (double)count);
     sea->foam_threshold = NEVER;
-    if (jacobian) {
+    if (rank > 0) { // a weaker wind makes no foam
+        float *jacobian = sea_borrow(count * sizeof(float));
+        if (!jacobian) return false;
         gather(sea, jacobian);
         qsort(jacobian, count, sizeof(float), compare);
-        const size_t rank = (size_t)(cover * (double)count);
-        // A wind too weak for one sample makes no foam; a flat calm has no crests to put it on.
-        if (rank > 0 && jacobian[0] < jacobian[count - 1]) sea->foam_threshold = jacobian[rank < count ? rank : count - 1];
+        // A flat calm has no crests to put foam on.
+        if (jacobian[0] < jacobian[count - 1]) sea->foam_threshold = jacobian[rank < count ? rank : count - 1];
         bolan_release(jacobian, count * sizeof(float));
     }
     sea->foam_holds = false;
     bolan_sea_step(sea, 0.0);
+    return true;
 }
 
 double bolan_sea_foam_threshold(const bolan_sea *sea) {

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// How the sea moves: phase speed, direction, periods in space and time; and the fields against the direct sum.
+#include "sea_support.h"
+
+#include "spectrum/spectrum_eval.h"
+#include "waves/sea.h"
+
+#include <complex.h>
+#include <string.h>
+
+// A sea whose cascade 0 holds one wave alone: amplitude [m] along lattice vector (i, j), every other mode silenced.
+static double complex single(bolan_sea *sea, uint32_t i, uint32_t j, double amplitude, double *k_out) {
+    sea_cascade *c = &sea->cascade[0];
+    const size_t row = (size_t)(j / FFT_LANES) * c->n + i, lane = j % FFT_LANES;
+    const double dk = 2.0 * BOLAN_PI / c->length;
+    memset(c->amplitude, 0, (size_t)c->strips * c->n * 4 * FFT_LANES * sizeof(float));
+    // h0 = a/2, conj(h0(-k)) = 0: (A0, A1, A2, A3) = (h0, 0, 0, -h0).
+    c->amplitude[row * 4 * FFT_LANES + lane] = (float)(0.5 * amplitude);
+    c->amplitude[row * 4 * FFT_LANES + 3 * FFT_LANES + lane] = (float)(-0.5 * amplitude);
+    *k_out = dk * hypot(i, j);
+    return CMPLX(dk * i, dk * j);
+}
+
+static bolan_sea_desc one_cascade(double depth) {
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.sea_state = bolan_sea_state_from_wind(10.0, 250.0, 100e3); // goes to 20 degrees north of east
+    desc.sea_state.depth = depth;
+    desc.cascade_count = 1;
+    desc.length = 500.0;
+    desc.resolution = 128;
+    return desc;
+}
+
+// Phase of the mode in the height field.
+static double phase_of(const bolan_cascade_view *v, double kx, double ky) {
+    double complex sum = 0.0;
+    for (uint32_t j = 0; j < v->n; j++)
+        for (uint32_t i = 0; i < v->n; i++)
+            sum += v->height[(size_t)j * v->n + i] * cexp(-I * (kx * i + ky * j) * (v->length / v->n));
+    return carg(sum);
+}
+
+static void a_wave_keeps_its_phase_speed_for_a_minute(void **state) {
+    (void)state;
+    const double depths[] = {BOLAN_DEEP, 5.0};
+    for (int d = 0; d < 2; d++) {
+        bolan_sea *sea = test_sea(one_cascade(depths[d]));
+        double k;
+        const double complex kv = single(sea, 9, 4, 0.5, &k);
+        const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
+        const double dt = 0.25;
+        double travelled = 0.0, previous = 0.0;
+        for (int i = 0; i <= 240; i++) {
+            bolan_sea_step(sea, i * dt);
+            const double phase = phase_of(&v, creal(kv), cimag(kv));
+            if (i > 0) travelled -= remainder(phase - previous, 2.0 * BOLAN_PI); // e^{i (k.x - w t)}: falls as it runs to +k
+            previous = phase;
+        }
+        const double omega = sqrt((9.81 * k + 7.17e-5 * k * k * k) * tanh(k * depths[d])); // Lamb 1932, section 267
+        assert_near(travelled / 60.0 / omega, 1.0, 1e-3);
+        bolan_sea_destroy(&sea);
+    }
+}
+
+static void crests_gather_the_water(void **state) {
+    (void)state;
+    const double depths[] = {BOLAN_DEEP, 10.0}, amplitude = 0.4;
+    for (int d = 0; d < 2; d++) {
+        bolan_sea_desc desc = one_cascade(depths[d]);
+        desc.choppiness = 1.3;
+        bolan_sea *sea = test_sea(desc);
+        double k;
+        const double complex kv = single(sea, 12, 5, amplitude, &k);
+        bolan_sea_step(sea, 3.21);
+        const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
+        const double deepening = 1.0 / tanh(k * depths[d]);
+        double lowest = 1.0;
+        for (uint32_t j = 0; j < v.n; j++) {
+            for (uint32_t i = 0; i < v.n; i++) {
+                const size_t p = (size_t)j * v.n + i;
+                const double angle = (creal(kv) * i + cimag(kv) * j) * v.length / v.n - 2.0 * BOLAN_PI *
+                                     bolan_omega_from_k(k, depths[d]) / (2.0 * BOLAN_PI) * 3.21;
+                const double eta = amplitude * cos(angle), push = -amplitude * sin(angle) * deepening;
+                assert_near(v.height[p], eta, 1e-5);
+                assert_near(v.dx[p], push * creal(kv) / k, 1e-5);
+                assert_near(v.dy[p], push * cimag(kv) / k, 1e-5);
+                const double l = 1.3, xx = 1.0 + l * v.dxx[p], yy = 1.0 + l * v.dyy[p], xy = l * v.dxy[p];
+                lowest = fmin(lowest, xx * yy - xy * xy);
+            }
+        }
+        assert_near(lowest, 1.0 - 1.3 * k * amplitude * deepening, 1e-3);
+        bolan_sea_destroy(&sea);
+    }
+}
+
+static void the_mean_jacobian_is_one(void **state) {
+    (void)state;
+    for (uint32_t seed = 0; seed < 5; seed++) {
+        bolan_sea_desc desc = bolan_sea_desc_default();
+        desc.seed = seed;
+        desc.resolution = 128;
+        bolan_sea *sea = test_sea(desc);
+        bolan_sea_step(sea, 10.0 * seed);
+        assert_near(bolan_sea_measure(sea).jacobian_mean, 1.0, 1e-3);
+        bolan_sea_destroy(&sea);
+    }
+}
+
+static void the_tiles_repeat(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.cascade_count = 1;
+    desc.resolution = 64;
+    bolan_sea *sea = test_sea(desc);
+    const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
+    double hs = 4.0 * sqrt(v.variance), sum = 0.0;
+    for (int i = 0; i < 50; i++) {
+        const bolan_sea_sample a = bolan_sea_sample_direct(sea, 13.7 * i, 3.1 * i * i, 5.0);
+        const bolan_sea_sample b = bolan_sea_sample_direct(sea, 13.7 * i + v.length, 3.1 * i * i - 2.0 * v.length, 5.0);
+        sum += pow(a.height - b.height, 2.0);
+    }
+    assert_true(sqrt(sum / 50.0) < 1e-5 * hs);
+    bolan_sea_destroy(&sea);
+}
+
+static void a_loop_closes(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.resolution = 64;
+    desc.loop_period = 200.0;
+    bolan_sea *sea = test_sea(desc);
+    const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
+    const size_t points = (size_t)v.n * v.n;
+    float *first = malloc(points * sizeof(float));
+    bolan_sea_step(sea, 12.3);
+    for (size_t p = 0; p < points; p++) first[p] = v.height[p];
+    double sum = 0.0, half = 0.0;
+    bolan_sea_step(sea, 112.3);
+    for (size_t p = 0; p < points; p++) half += pow(v.height[p] - first[p], 2.0);
+    bolan_sea_step(sea, 212.3);
+    for (size_t p = 0; p < points; p++) sum += pow(v.height[p] - first[p], 2.0);
+    const double hs = 4.0 * sqrt(v.variance);
+    assert_true(sqrt(sum / (double)points) < 1e-5 * hs);
+    assert_true(sqrt(half / (double)points) > 0.1 * hs); // it does move in between
+    free(first);
+    bolan_sea_destroy(&sea);
+}
+
+// Every field at the nodes of each cascade against the sum over its modes in double.
+static void the_fields_are_the_direct_sum(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.cascade_count = 1;
+    desc.choppiness = 1.0;
+    double hs = 0.0;
+    for (uint32_t n = 32; n <= 1024; n *= 4) {
+        desc.resolution = n;
+        bolan_sea *sea = test_sea(desc);
+        bolan_sea_step(sea, 86400.25); // a day: phases of 1e5 turns
+        const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
+        double error[6] = {0};
+        const int count = n > 256 ? 8 : 40;
+        hs = 4.0 * sqrt(v.variance);
+        for (int s = 0; s < count; s++) {
+            const uint32_t i = (uint32_t)(s * 37) % n, j = (uint32_t)(s * s * 11 + 5) % n;
+            const bolan_dvec2 at = {i * v.length / n, j * v.length / n};
+            const bolan_sea_sample d = bolan_sea_sample_direct(sea, at.x, at.y, 86400.25);
+            bolan_sea_sample f;
+            bolan_sea_sample_rest(sea, &at, 1, &f);
+            const double differences[6] = {f.height - d.height, f.dx - d.dx, f.dy - d.dy, f.slope_x - d.slope_x,
+                                           f.slope_y - d.slope_y, f.jacobian - d.jacobian};
+            for (int q = 0; q < 6; q++) error[q] += differences[q] * differences[q] / count;
+        }
+        for (int q = 0; q < 3; q++) assert_true(sqrt(error[q]) < 1e-4 * hs); // 32-bit synthesis
+        for (int q = 3; q < 6; q++) assert_true(sqrt(error[q]) < 1e-4);      // of quantities of order 0.1 and 1
+        bolan_sea_destroy(&sea);
+    }
+}
+
+// Halfs are the fields to 11 bits.
+static void half_fields_are_the_float_fields(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.resolution = 64;
+    bolan_sea *sea = test_sea(desc);
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); c++) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        const float *planes[8] = {v.dx, v.dy, v.height, v.dxy, v.slope_x, v.slope_y, v.dxx, v.dyy};
+        for (size_t p = 0; p < (size_t)v.n * v.n; p++) {
+            for (int f = 0; f < 8; f++) {
+                const uint16_t h = (f < 4 ? v.displacement_half : v.slope_half)[4 * p + (size_t)(f % 4)];
+                const double magnitude = (h >> 10 & 31) == 0 ? ldexp(h & 1023, -24) : ldexp(1024 + (h & 1023), (h >> 10 & 31) - 25);
+                assert_near(h & 0x8000 ? -magnitude : magnitude, planes[f][p], fmax(fabs(planes[f][p]) * 0x1p-11, 0x1p-25));
+            }
+        }
+    }
+    bolan_sea_destroy(&sea);
+}
+
+// Finite differences of the displaced surface against the analytic normals.
+static void normals_are_those_of_the_displaced_surface(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.cascade_count = 2;
+    desc.resolution = 64;
+    bolan_sea *sea = test_sea(desc);
+    const double e = 0.01;
+    double sum = 0.0;
+    const int count = 40;
+    for (int s = 0; s < count; s++) {
+        const double x = 17.3 * s, y = 5.1 * s * s;
+        bolan_sea_sample q[4];
+        for (int c = 0; c < 4; c++)
+            q[c] = bolan_sea_sample_direct(sea, x + (c == 0 ? e : c == 1 ? -e : 0.0), y + (c == 2 ? e : c == 3 ? -e : 0.0), 7.0);
+        const bolan_sea_sample at = bolan_sea_sample_direct(sea, x, y, 7.0);
+        const double ux = 2.0 * e + q[0].dx - q[1].dx, uy = q[0].dy - q[1].dy, uz = q[0].height - q[1].height;
+        const double vx = q[2].dx - q[3].dx, vy = 2.0 * e + q[2].dy - q[3].dy, vz = q[2].height - q[3].height;
+        const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+        const double dot = (-nx * at.slope_x - ny * at.slope_y + nz) / sqrt(nx * nx + ny * ny + nz * nz) /
+                           sqrt(1.0 + at.slope_x * at.slope_x + at.slope_y * at.slope_y);
+        sum += pow(bolan_degrees(acos(fmin(dot, 1.0))), 2.0) / count;
+    }
+    assert_true(sqrt(sum) < 0.5);
+    bolan_sea_destroy(&sea);
+}
+
+RUN_TESTS(cmocka_unit_test(a_wave_keeps_its_phase_speed_for_a_minute), cmocka_unit_test(crests_gather_the_water),
+          cmocka_unit_test(the_mean_jacobian_is_one), cmocka_unit_test(the_tiles_repeat), cmocka_unit_test(a_loop_closes),
+          cmocka_unit_test(the_fields_are_the_direct_sum), cmocka_unit_test(half_fields_are_the_float_fields),
+          cmocka_unit_test(normals_are_those_of_the_displaced_surface))

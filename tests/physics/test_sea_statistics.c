@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// What `measure` says, foam, and the slopes that a footprint does not resolve.
+#include "sea_support.h"
+
+static void a_linear_sea_is_gaussian(void **state) {
+    (void)state;
+    double skewness = 0.0, kurtosis = 0.0;
+    const int seeds = 20;
+    for (int s = 0; s < seeds; s++) {
+        bolan_sea_desc desc = bolan_sea_desc_default();
+        desc.resolution = 128;
+        desc.choppiness = 0.0;
+        desc.seed = (uint64_t)s;
+        bolan_sea *sea = test_sea(desc);
+        const bolan_sea_statistics m = bolan_sea_measure(sea);
+        skewness += m.skewness / seeds;
+        kurtosis += m.kurtosis / seeds;
+        bolan_sea_destroy(&sea);
+    }
+    assert_near(skewness, 0.0, 0.05);
+    assert_near(kurtosis, 3.0, 0.1);
+}
+
+// Linear motion of the parcels makes no skewness at second order, only a set-down of the mean (Nouguier, Guerin & Chapron 2009,
+// "Choppy wave" model): with J = 1 + div D, E[h^2 J] and E[h^3 J] are fixed by E[h div D] alone and cancel in the third cumulant.
+static void a_choppy_sea_stays_unskewed(void **state) {
+    (void)state;
+    double skewness = 0.0;
+    const int seeds = 20;
+    for (int s = 0; s < seeds; s++) {
+        bolan_sea_desc desc = bolan_sea_desc_default();
+        desc.resolution = 128;
+        desc.seed = (uint64_t)s;
+        bolan_sea *sea = test_sea(desc);
+        skewness += bolan_sea_measure(sea).skewness / seeds;
+        bolan_sea_destroy(&sea);
+    }
+    assert_near(skewness, 0.0, 0.05);
+}
+
+static void periods_and_heights_are_those_of_the_sea_state(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.sea_state = bolan_sea_state_from_wind(15.0, 30.0, 100e3);
+    double hs = 0.0;
+    bolan_sea_statistics m = {0};
+    for (uint32_t s = 0; s < 10; s++) {
+        desc.seed = s;
+        desc.resolution = 128;
+        bolan_sea *sea = test_sea(desc);
+        m = bolan_sea_measure(sea);
+        hs += m.hs / 10.0;
+        bolan_sea_destroy(&sea);
+    }
+    assert_near(hs / 3.0638, 1.0, 0.05);    // JONSWAP of 15 m/s, 100 km (Hasselmann et al. 1973)
+    assert_near(m.tp / 7.1341, 1.0, 0.05);
+    assert_near(m.tm02 / 5.5461, 1.0, 0.03);
+    assert_near(m.m0_spectrum, 3.0638 * 3.0638 / 16.0, 0.002);
+}
+
+static void whitecaps_cover_what_monahan_saw(void **state) {
+    (void)state;
+    double previous = -1.0;
+    for (double wind = 7.0; wind <= 20.0; wind += 3.25) {
+        double cover = 0.0;
+        for (uint32_t s = 0; s < 4; s++) {
+            bolan_sea_desc desc = bolan_sea_desc_default();
+            desc.sea_state = bolan_sea_state_from_wind(wind, 200.0, 300e3);
+            desc.seed = s;
+            bolan_sea *sea = test_sea(desc);
+            bolan_sea_step(sea, 333.0); // a time that the threshold was not found at
+            cover += bolan_sea_measure(sea).whitecap_fraction / 4.0;
+            bolan_sea_destroy(&sea);
+        }
+        const double monahan = 3.84e-6 * pow(wind, 3.41); // Monahan & O'Muircheartaigh 1980
+        assert_true(cover > monahan / 1.5 && cover < monahan * 1.5);
+        assert_true(cover > previous);
+        previous = cover;
+    }
+}
+
+static void a_flat_calm_is_flat(void **state) {
+    (void)state;
+    bolan_sea *sea = test_sea(test_calm_desc(64));
+    bolan_sea_step(sea, 5.0);
+    const bolan_sea_statistics m = bolan_sea_measure(sea);
+    double vertical, horizontal;
+    bolan_sea_bounds(sea, &vertical, &horizontal);
+    assert_true(m.hs == 0.0 && m.mss == 0.0 && m.jacobian_min == 1.0 && m.jacobian_mean == 1.0);
+    assert_true(m.whitecap_fraction == 0.0 && vertical == 0.0 && horizontal == 0.0);
+    assert_true(bolan_sea_foam_threshold(sea) == -1e30);
+    bolan_sea_destroy(&sea);
+}
+
+static void foam_decays_from_its_peaks(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.resolution = 64;
+    desc.foam_decay = 2.0;
+    desc.choppiness = 0.8;
+    bolan_sea *sea = test_sea(desc);
+    const bolan_cascade_view v = bolan_sea_cascade(sea, 2);
+    const size_t points = (size_t)v.n * v.n;
+    float *expected = malloc(points * sizeof(float));
+    bolan_sea_step(sea, 100.0); // a jump: the present value alone
+    for (size_t p = 0; p < points; p++) {
+        expected[p] = fmaxf(-(v.dxx[p] + v.dyy[p]) * 0.8f, 0.0f);
+        assert_near(v.foam[p], expected[p], 1e-6);
+    }
+    bolan_sea_step(sea, 100.3);
+    for (size_t p = 0; p < points; p++) {
+        const double kept = expected[p] * exp(-0.3 / 2.0), present = -(v.dxx[p] + v.dyy[p]) * 0.8;
+        assert_near(v.foam[p], fmax(fmax(kept, present), 0.0), 1e-6);
+    }
+    bolan_sea_step(sea, 99.0); // backwards
+    for (size_t p = 0; p < points; p++) assert_near(v.foam[p], fmax(-(v.dxx[p] + v.dyy[p]) * 0.8, 0.0), 1e-6);
+    free(expected);
+    bolan_sea_destroy(&sea);
+}
+
+static void bounds_hold(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.resolution = 128;
+    bolan_sea *sea = test_sea(desc);
+    double vertical, horizontal;
+    bolan_sea_bounds(sea, &vertical, &horizontal);
+    double hs = 0.0;
+    for (uint32_t i = 0; i < 4; i++) hs += bolan_sea_cascade(sea, i).variance;
+    assert_near(vertical, 6.0 * sqrt(hs), 1e-9);
+    assert_near(horizontal / vertical, 1.0, 0.01); // deep water: orbits are circles
+    for (int s = 0; s < 2000; s++) {
+        const bolan_dvec2 at = {7.7 * s, 3.3 * s};
+        bolan_sea_sample q;
+        bolan_sea_sample_rest(sea, &at, 1, &q);
+        assert_true(fabs(q.height) < vertical && hypot(q.dx, q.dy) < horizontal);
+    }
+    bolan_sea_destroy(&sea);
+}
+
+// A footprint takes what a Gaussian blur of the slope field takes.
+static void a_footprint_removes_what_a_blur_removes(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.cascade_count = 1;
+    desc.resolution = 64;
+    bolan_sea *sea = test_sea(desc);
+    const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
+    float rest[3], some[3], all[3];
+    bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
+    bolan_sea_unresolved_slopes(sea, 1e5, 1e5, 0.0, all);
+    assert_near(all[0] + all[2] - rest[0] - rest[2], v.mss, 1e-6);
+    bolan_sea_unresolved_slopes(sea, 8.0, 2.0, 0.5, some);
+    double expected = 0.0; // by the public spectrum over the ring: 1 - exp(-(8 k_major)^2 - (2 k_minor)^2)
+    const double dk = 2.0 * BOLAN_PI / v.length / 2.0;
+    for (int j = -80; j <= 80; j++) {
+        for (int i = -80; i <= 80; i++) {
+            const double kx = (i + 0.5) * dk, ky = (j + 0.5) * dk, k2 = kx * kx + ky * ky;
+            if (k2 >= v.k_max * v.k_max) continue;
+            const double a = 8.0 * (kx * cos(0.5) + ky * sin(0.5)), b = 2.0 * (ky * cos(0.5) - kx * sin(0.5));
+            expected += k2 * bolan_sea_state_wavenumber_density(&desc.sea_state, kx, ky) * dk * dk * (1.0 - exp(-a * a - b * b));
+        }
+    }
+    assert_near((some[0] + some[2] - rest[0] - rest[2]) / expected, 1.0, 0.03); // bins of a quarter octave and 11 degrees
+    bolan_sea_destroy(&sea);
+}
+
+static void the_slope_table_is_the_function(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.resolution = 64;
+    bolan_sea *sea = test_sea(desc);
+    const float *table = bolan_sea_slope_table(sea);
+    for (uint32_t l = 0; l < BOLAN_SLOPE_TABLE_ANGLE; l += 3) {
+        for (uint32_t j = 0; j < BOLAN_SLOPE_TABLE_ASPECT; j += 2) {
+            for (uint32_t i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; i += 5) {
+                const double major = pow(2.0, i / 1.5 - 8.0);
+                float expected[3];
+                bolan_sea_unresolved_slopes(sea, major, major / (1 << j), l * BOLAN_PI / 8.0, expected);
+                const float *texel = table + ((l * BOLAN_SLOPE_TABLE_ASPECT + j) * BOLAN_SLOPE_TABLE_MAJOR + i) * 4;
+                for (int q = 0; q < 3; q++) assert_near(texel[q], expected[q], 1e-7);
+            }
+        }
+    }
+    bolan_sea_destroy(&sea);
+}
+
+RUN_TESTS(cmocka_unit_test(a_linear_sea_is_gaussian), cmocka_unit_test(a_choppy_sea_stays_unskewed),
+          cmocka_unit_test(periods_and_heights_are_those_of_the_sea_state),
+          cmocka_unit_test(whitecaps_cover_what_monahan_saw), cmocka_unit_test(a_flat_calm_is_flat),
+          cmocka_unit_test(foam_decays_from_its_peaks), cmocka_unit_test(bounds_hold),
+          cmocka_unit_test(a_footprint_removes_what_a_blur_removes), cmocka_unit_test(the_slope_table_is_the_function))

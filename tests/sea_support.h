@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Seas for tests.
+#ifndef BOLAN_TESTS_SEA_SUPPORT_H
+#define BOLAN_TESTS_SEA_SUPPORT_H
+
+#include "support.h"
+
+#include "bolan/waves.h"
+
+static inline bolan_sea *test_sea(bolan_sea_desc desc) {
+    bolan_sea *sea = NULL;
+    assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_OK);
+    return sea;
+}
+
+/// No wind and no waves, to which a test adds its own.
+static inline bolan_sea_desc test_calm_desc(uint32_t n) {
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.sea_state = bolan_sea_state_default();
+    desc.resolution = n;
+    return desc;
+}
+
+static inline double test_mean_product(const bolan_cascade_view *v, const float *a, const float *b) {
+    double sum = 0.0;
+    for (size_t p = 0; p < (size_t)v->n * v->n; p++) sum += (double)a[p] * b[p];
+    return sum / ((double)v->n * v->n);
+}
+
+#endif

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Creation, validation, layout and memory of a sea.
+#include "sea_support.h"
+
+#include <string.h>
+
+typedef struct watcher {
+    uint32_t allocations, sentences;
+    int64_t budget; // allocations that succeed; negative: all
+    bolan_log_id id;
+    char sentence[256];
+} watcher;
+
+static void *count_allocation(void *user, size_t size, size_t align) {
+    watcher *w = user;
+    w->allocations++;
+    if (w->budget >= 0 && w->allocations > w->budget) return NULL;
+    return aligned_alloc(align, (size + align - 1) / align * align);
+}
+
+static void release(void *user, void *memory, size_t size) {
+    (void)user;
+    (void)size;
+    free(memory);
+}
+
+static void keep_sentence(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
+    watcher *w = user;
+    (void)level;
+    w->sentences++;
+    w->id = id;
+    snprintf(w->sentence, sizeof w->sentence, "%s", sentence);
+}
+
+static void watch(watcher *w) {
+    const bolan_hooks hooks = {.user = w, .allocate = count_allocation, .release = release, .log = keep_sentence};
+    *w = (watcher){.budget = -1};
+    bolan_set_hooks(&hooks);
+}
+
+static void refused(bolan_sea_desc desc, const char *field, bolan_log_id id) {
+    watcher w;
+    bolan_sea *sea = (bolan_sea *)&w;
+    watch(&w);
+    assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_ERROR_ARGUMENT);
+    assert_null(sea);
+    assert_int_equal(w.sentences, 1);
+    assert_int_equal(w.id, id);
+    assert_non_null(strstr(w.sentence, field));
+    bolan_set_hooks(NULL);
+}
+
+#define REFUSED(field, value, id)                                                                                      \
+    do {                                                                                                               \
+        bolan_sea_desc desc = bolan_sea_desc_default();                                                                \
+        desc.field = value;                                                                                            \
+        refused(desc, #field, id);                                                                                     \
+    } while (0)
+
+static void every_bad_field_is_named_in_one_sentence(void **state) {
+    (void)state;
+    REFUSED(resolution, 100, BOLAN_LOG_OUT_OF_RANGE);
+    REFUSED(resolution, 16, BOLAN_LOG_OUT_OF_RANGE);
+    REFUSED(resolution, 2048, BOLAN_LOG_OUT_OF_RANGE);
+    REFUSED(cascade_count, 0, BOLAN_LOG_OUT_OF_RANGE);
+    REFUSED(cascade_count, 5, BOLAN_LOG_OUT_OF_RANGE);
+    REFUSED(length, 9.0, BOLAN_LOG_OUT_OF_RANGE);
+    REFUSED(length, NAN, BOLAN_LOG_NOT_FINITE);
+    REFUSED(choppiness, -0.1, BOLAN_LOG_OUT_OF_RANGE);
+    REFUSED(choppiness, INFINITY, BOLAN_LOG_NOT_FINITE);
+    REFUSED(loop_period, 5.0, BOLAN_LOG_OUT_OF_RANGE);
+    REFUSED(foam_decay, 0.0, BOLAN_LOG_OUT_OF_RANGE);
+    REFUSED(waves, (bolan_wave_model)7, BOLAN_LOG_BAD_ARGUMENT);
+    REFUSED(cpu, (bolan_cpu)9, BOLAN_LOG_BAD_ARGUMENT);
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.sea_state.wind_speed = 100.0;
+    refused(desc, "wind_speed", BOLAN_LOG_OUT_OF_RANGE);
+}
+
+static void stepping_allocates_nothing_and_all_memory_comes_back(void **state) {
+    (void)state;
+    watcher w;
+    watch(&w);
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.resolution = 64;
+    desc.foam_decay = 0.5;
+    bolan_sea *sea = test_sea(desc);
+    const uint32_t before = w.allocations;
+    for (int i = 0; i < 10; i++) bolan_sea_step(sea, 0.1 * i);
+    bolan_sea_settle(sea, 77.0);
+    const bolan_dvec2 at = {1.0, 2.0};
+    bolan_sea_sample sample;
+    bolan_sea_sample_rest(sea, &at, 1, &sample);
+    bolan_sea_measure(sea);
+    char hash[17];
+    bolan_sea_hash(sea, hash);
+    assert_int_equal(strlen(hash), 16);
+    assert_int_equal(w.allocations, before);
+    bolan_sea_destroy(&sea);
+    assert_null(sea);
+    bolan_sea_destroy(&sea);
+    assert_int_equal(bolan_memory_in_use(), 0);
+    assert_int_equal(w.sentences, 0);
+    bolan_set_hooks(NULL);
+}
+
+static void refused_memory_is_an_error_and_leaks_nothing(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.resolution = 32;
+    for (int64_t budget = 0; budget < 20; budget++) {
+        watcher w;
+        watch(&w);
+        w.budget = budget;
+        bolan_sea *sea = NULL;
+        const bolan_result result = bolan_sea_create(&desc, &sea);
+        if (result == BOLAN_OK) {
+            bolan_sea_destroy(&sea);
+        } else {
+            assert_int_equal(result, BOLAN_ERROR_MEMORY);
+            assert_int_equal(w.id, BOLAN_LOG_OUT_OF_MEMORY);
+            assert_int_equal(w.sentences, 1);
+        }
+        assert_int_equal(bolan_memory_in_use(), 0);
+        bolan_set_hooks(NULL);
+    }
+}
+
+static void rings_are_disjoint_and_leave_no_gap(void **state) {
+    (void)state;
+    for (uint32_t n = 32; n <= 512; n *= 2) {
+        bolan_sea_desc desc = bolan_sea_desc_default();
+        desc.resolution = n;
+        bolan_sea *sea = test_sea(desc);
+        for (uint32_t i = 0; i < bolan_sea_cascade_count(sea); i++) {
+            const bolan_cascade_view v = bolan_sea_cascade(sea, i);
+            assert_true(v.k_max <= BOLAN_PI * n / v.length);
+            assert_true(v.k_min == (i > 0 ? bolan_sea_cascade(sea, i - 1).k_max : 0.0));
+            if (i > 0 && n >= 256) assert_true(v.k_min >= 10.0 * 2.0 * BOLAN_PI / v.length);
+        }
+        bolan_sea_destroy(&sea);
+    }
+}
+
+static void the_first_tile_holds_eight_peak_waves_and_ten_of_a_swell(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.resolution = 32;
+    bolan_sea *sea = test_sea(desc);
+    const double tp = bolan_sea_state_summary(&desc.sea_state).tp, peak = 9.81 * tp * tp / (2.0 * BOLAN_PI);
+    assert_true(bolan_sea_get_desc(sea)->length >= 8.0 * peak && bolan_sea_get_desc(sea)->length <= 16.0 * peak);
+    bolan_sea_destroy(&sea);
+    assert_int_equal(bolan_sea_state_add_swell(&desc.sea_state, 0.8, 15.0, 10.0, 40.0), BOLAN_OK);
+    sea = test_sea(desc);
+    assert_true(bolan_sea_get_desc(sea)->length >= 10.0 * 9.81 * 15.0 * 15.0 / (2.0 * BOLAN_PI));
+    bolan_sea_destroy(&sea);
+}
+
+static void the_last_tile_reaches_a_few_centimetres(void **state) {
+    (void)state;
+    const double winds[] = {5.0, 10.0, 15.0};
+    for (int w = 0; w < 3; w++) {
+        bolan_sea_desc desc = bolan_sea_desc_default();
+        desc.sea_state = bolan_sea_state_from_wind(winds[w], 0.0, 200e3);
+        bolan_sea *sea = test_sea(desc);
+        const double shortest = 2.0 * BOLAN_PI / bolan_sea_cascade(sea, 3).k_max;
+        assert_true(shortest > 0.01 && shortest < 0.06);
+        bolan_sea_destroy(&sea);
+    }
+}
+
+static void more_threads_after_creation_do_no_harm(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.resolution = 64;
+    bolan_sea *sea = test_sea(desc);
+    char one[17], other[17];
+    bolan_sea_step(sea, 4.0);
+    bolan_sea_hash(sea, one);
+    bolan_set_threads(4);
+    bolan_sea_step(sea, 4.5);
+    bolan_sea_step(sea, 4.0);
+    bolan_sea_hash(sea, other);
+    bolan_set_threads(1);
+    assert_string_equal(one, other);
+    bolan_sea_destroy(&sea);
+}
+
+RUN_TESTS(cmocka_unit_test(every_bad_field_is_named_in_one_sentence),
+          cmocka_unit_test(stepping_allocates_nothing_and_all_memory_comes_back),
+          cmocka_unit_test(refused_memory_is_an_error_and_leaks_nothing),
+          cmocka_unit_test(rings_are_disjoint_and_leave_no_gap),
+          cmocka_unit_test(the_first_tile_holds_eight_peak_waves_and_ten_of_a_swell),
+          cmocka_unit_test(the_last_tile_reaches_a_few_centimetres),
+          cmocka_unit_test(more_threads_after_creation_do_no_harm))
