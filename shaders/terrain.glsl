@@ -82,27 +82,27 @@ material sand(ground g) {
 
 // Basalt: dark, rusty in places, layered where it stands steep.
 material rock(ground g) {
-    vec3 tone = mix(vec3(0.085, 0.075, 0.066), vec3(0.21, 0.175, 0.135), clamp(g.mid.r * 1.3 - 0.25 + 0.5 * (g.wide.a - 0.5), 0.0, 1.0));
-    tone = mix(tone, vec3(0.20, 0.11, 0.065), smoothstep(0.50, 0.75, g.wide.a) * 0.45);
+    vec3 tone = mix(vec3(0.052, 0.048, 0.045), vec3(0.165, 0.142, 0.115), clamp(g.mid.r * 1.1 - 0.1 + 0.5 * (g.wide.a - 0.5), 0.0, 1.0));
+    tone = mix(tone, vec3(0.155, 0.090, 0.055), smoothstep(0.50, 0.85, g.wide.a) * 0.4);
     float layer = g.elevation + 9.0 * (g.wide.r - 0.5) + 1.5 * (g.mid.a - 0.5);
     float bands = sin(layer * 0.9) * 0.6 + sin(layer * 2.3 + 1.7) * 0.4;
-    tone *= 1.0 + 0.20 * bands * smoothstep(0.9, 2.0, g.steep) * (1.0 - smoothstep(0.4, 2.5, g.footprint));
+    tone *= 1.0 + 0.16 * bands * smoothstep(0.9, 2.0, g.steep) * (1.0 - smoothstep(0.4, 2.5, g.footprint));
     tone *= mix(0.75, 1.15, g.near.r);
     return material(tone, -0.55, 0.55); // billows turned over: cracks stand out as ridges
 }
 
 material grass(ground g, float high) {
-    vec3 lush = mix(vec3(0.075, 0.115, 0.026), vec3(0.135, 0.165, 0.045), g.mid.a);
-    vec3 dry = mix(vec3(0.17, 0.145, 0.065), vec3(0.24, 0.205, 0.105), g.mid.a);
+    vec3 lush = mix(vec3(0.052, 0.074, 0.021), vec3(0.100, 0.118, 0.040), g.mid.a);
+    vec3 dry = mix(vec3(0.13, 0.115, 0.055), vec3(0.20, 0.170, 0.090), g.mid.a);
     float parched = clamp(smoothstep(0.45, 0.75, g.wide.a + 0.35 * (g.open - 0.8)) * 0.75 + high, 0.0, 1.0);
     return material(mix(lush, dry, parched) * (0.85 + 0.3 * g.near.a), 0.25, 0.6);
 }
 
 material forest(ground g) {
     // Crowns: bright tops, dark gaps; seen from far they melt into one dark green.
-    float crown = clamp(g.mid.r * 1.5 - 0.2, 0.0, 1.0);
-    vec3 tone = mix(vec3(0.016, 0.034, 0.010), vec3(0.062, 0.100, 0.026), crown);
-    tone *= mix(vec3(0.85, 0.95, 0.95), vec3(1.30, 1.10, 0.80), g.wide.a) * (0.85 + 0.3 * g.near.r);
+    float crown = smoothstep(0.15, 0.85, g.mid.r);
+    vec3 tone = mix(vec3(0.011, 0.022, 0.008), vec3(0.052, 0.078, 0.024), crown);
+    tone *= mix(vec3(0.80, 0.92, 0.95), vec3(1.30, 1.12, 0.85), g.wide.a) * (0.85 + 0.3 * g.near.r);
     return material(tone, 0.85, 0.7);
 }
 
@@ -191,7 +191,7 @@ void main() {
     else m = blend(sea_bed(g), land(g), smoothstep(-0.5, 0.3, g.elevation));
 
     // The billows' gradients as bumps; the noise's mip-maps take them away in time.
-    vec2 grain = (g.mid.gb - 0.5).yx * 1.6 + (g.near.gb - 0.5) * 0.8;
+    vec2 grain = (g.mid.gb - 0.5).yx * 2.2 + (g.near.gb - 0.5) * 1.2;
     vec3 n = normalize(vec3(g.normal.xy - m.bump * grain - ripples(g, p), g.normal.z));
     vec3 view = -normalize(position);
 

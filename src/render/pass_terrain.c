@@ -33,9 +33,9 @@ struct pass_terrain {
 };
 
 static const struct { float texel_pixels, error_pixels; uint32_t slots, budget; } quality_table[] = {
-    [BOLAN_QUALITY_LOW] = {6.0f, 3.0f, 192, 8},
-    [BOLAN_QUALITY_MEDIUM] = {4.0f, 2.2f, 288, 12},
-    [BOLAN_QUALITY_HIGH] = {2.6f, 1.3f, 512, 24},
+    [BOLAN_QUALITY_LOW] = {6.5f, 3.0f, 192, 8},
+    [BOLAN_QUALITY_MEDIUM] = {4.5f, 2.2f, 288, 12},
+    [BOLAN_QUALITY_HIGH] = {3.0f, 1.4f, 512, 24},
     [BOLAN_QUALITY_ULTRA] = {1.6f, 0.7f, 896, 48},
 };
 

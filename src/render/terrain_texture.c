@@ -31,29 +31,48 @@ static float periodic_noise(uint32_t i, uint32_t j, uint32_t cells, uint32_t sal
 
 static uint8_t to_byte(float x) { return (uint8_t)(x <= 0.0f ? 0.0f : x >= 1.0f ? 255.0f : x * 255.0f + 0.5f); }
 
+// Brings values to a mean of 0.5 and a standard deviation of `spread`, so that the shader may rely on them.
+static void level_out(float *v, float spread) {
+    double sum = 0.0, squares = 0.0;
+    for (uint32_t n = 0; n < SIZE * SIZE; n++) {
+        sum += v[n], squares += (double)v[n] * v[n];
+    }
+    double mean = sum / (SIZE * SIZE), deviation = sqrt(squares / (SIZE * SIZE) - mean * mean);
+    for (uint32_t n = 0; n < SIZE * SIZE; n++) {
+        v[n] = (float)(0.5 + (v[n] - mean) * (spread / deviation));
+    }
+}
+
+static void fill_fields(float *billow, float *patch) {
+    for (uint32_t n = 0; n < SIZE * SIZE; n++) {
+        uint32_t i = n % SIZE, j = n / SIZE;
+        float amplitude = 0.5f;
+        billow[n] = patch[n] = 0.0f;
+        for (uint32_t o = 0; o < 5; o++, amplitude *= 0.6f) {
+            billow[n] -= amplitude * fabsf(periodic_noise(i, j, 8u << o, o));
+            patch[n] += amplitude * periodic_noise(i, j, 8u << o, 40 + o);
+        }
+    }
+    level_out(billow, 0.17f);
+    level_out(patch, 0.17f);
+}
+
 bolan_result terrain_texture_fill(uint8_t *rgba) {
-    const size_t bytes = (size_t)SIZE * SIZE * sizeof(float);
+    const size_t bytes = (size_t)2 * SIZE * SIZE * sizeof(float);
     float *billow = bolan_allocate(bytes);
     if (!billow) {
         return BOLAN_ERROR_MEMORY;
     }
-    for (uint32_t n = 0; n < SIZE * SIZE; n++) {
-        uint32_t i = n % SIZE, j = n / SIZE;
-        float height = 0.0f, patch = 0.0f, amplitude = 0.5f;
-        for (uint32_t o = 0; o < 5; o++, amplitude *= 0.55f) {
-            height += amplitude * (1.0f - 2.2f * fabsf(periodic_noise(i, j, 8u << o, o)));
-            patch += amplitude * periodic_noise(i, j, 8u << o, 40 + o);
-        }
-        billow[n] = 0.5f + 0.45f * (height - 0.45f);
-        rgba[4 * n + 3] = to_byte(0.5f + 0.85f * patch);
-    }
+    float *patch = billow + (size_t)SIZE * SIZE;
+    fill_fields(billow, patch);
     for (uint32_t n = 0; n < SIZE * SIZE; n++) {
         uint32_t i = n % SIZE, j = n / SIZE;
         float dx = billow[j * SIZE + (i + 1) % SIZE] - billow[j * SIZE + (i + SIZE - 1) % SIZE];
         float dy = billow[(j + 1) % SIZE * SIZE + i] - billow[(j + SIZE - 1) % SIZE * SIZE + i];
         rgba[4 * n] = to_byte(billow[n]);
-        rgba[4 * n + 1] = to_byte(0.5f + 2.0f * dx); // per two texels
+        rgba[4 * n + 1] = to_byte(0.5f + 2.0f * dx); // dx: over two texels
         rgba[4 * n + 2] = to_byte(0.5f + 2.0f * dy);
+        rgba[4 * n + 3] = to_byte(patch[n]);
     }
     bolan_release(billow, bytes);
     return BOLAN_OK;

@@ -6,7 +6,7 @@
 
 #define HASH_SIZE 2048u
 #define NO_SLOT UINT32_MAX
-#define SMALLEST_CHUNK 14.0 // [m]; finer structure is the shader's
+#define SMALLEST_CHUNK 25.0 // [m]; finer structure is the shader's
 #define DEEPEST_BED 80.0    // [m] below the water level; what lies deeper is not seen
 
 struct terrain_tree {

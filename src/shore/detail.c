@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ground between the nodes of the data: octaves from twice the spacing down to half a metre.
+// The ground between the nodes of the data: octaves from twice the spacing down to a metre.
 //
 // Water has shaped a hillside, so its detail is not isotropic: ridges and gullies run downhill and branch. Each octave adds
 // directed noise across the slope that the coarser octaves have built, which makes smaller gullies run into larger ones;
@@ -8,7 +8,8 @@
 #include "shore/noise.h"
 #include "shore/terrain.h"
 
-#define SHORTEST_WAVELENGTH 0.5 // [m]
+#define SHORTEST_WAVELENGTH 1.0 // [m]
+#define INVISIBLE 0.001f          // amplitudes that are not worth their time [m]
 #define GULLY_SHORTEST 12.0     // below this there is rubble, not drainage [m]
 
 // Amplitude per wavelength of a gully on a slope: its flanks are about as steep as the hillside, up to a limit.
@@ -41,15 +42,19 @@ typedef struct octave {
 static float octave_height(const octave *o, float slope, float gully, float rubble, float *dx, float *dy) {
     float height = 0.0f, gx = 0.0f, gy = 0.0f;
     float total = sqrtf(*dx * *dx + *dy * *dy);
-    if (gully > 0.0f && total > 1e-4f) {
+    if (gully * o->wavelength > INVISIBLE && total > 1e-4f) {
         float ax = -*dy / total, ay = *dx / total; // level direction
         noise_value n = directed_noise(o->x, o->y, o->c * ax - o->s * ay, o->s * ax + o->c * ay, o->seed);
         // Sharp crests between rounded beds, half and half with the wave itself.
         float fold = sqrtf(n.v * n.v + 0.03f);
-        float k = gully * o->wavelength * smoothstepf(0.0f, 0.05f, slope);
+        // Where the ground levels off, downhill turns round within no distance: the gullies must have ended by then.
+        float k = gully * o->wavelength * smoothstepf(0.0f, 0.9f * slope + 0.05f, total);
         height += k * (0.45f * n.v + 0.9f * (0.6f - fold));
         float slope_of_fold = 0.45f - 0.9f * n.v / fold;
         gx += k * slope_of_fold * n.dx, gy += k * slope_of_fold * n.dy;
+    }
+    if (rubble * o->wavelength <= INVISIBLE) {
+        return height;
     }
     noise_value n = gradient_noise(o->x + 0.5, o->y + 0.5, o->seed + 1u);
     height += rubble * o->wavelength * n.v;

@@ -54,8 +54,9 @@ static float gullies(const island_job *job, double x, double y, float dx, float 
                                        ls * ax + lc * ay, job->plan->seed + 40 + o);
         float fold = sqrtf(n.v * n.v + 0.02f);
         // Deep on steep ground; flat ground is left alone, and very steep faces are too.
-        float k = w * 0.22f * drained * slope / (0.30f + slope) * smoothstepf(0.03f, 0.25f, slope);
-        k *= o == 0 ? 0.8f : 0.75f;
+        float k = w * 0.22f * drained * slope / (0.30f + slope) * smoothstepf(0.08f, 0.40f, slope);
+        // Where the ground levels off, downhill turns round within no distance: the gullies must have ended by then.
+        k *= 0.8f * smoothstepf(0.0f, 0.5f * slope + 0.03f, total);
         cut += k * (0.35f * n.v + 1.0f * (0.40f - fold));
         float steer = k * (0.35f - n.v / fold) / w;
         dx += steer * (lc * n.dx + ls * n.dy);
