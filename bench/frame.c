@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WARM_UP 4   // frames that pay for compilation, allocation and caches
-#define FRAMES 15   // of which the median is taken, in a row without and one with the passes timed
+#define WARM_UP 4 // frames that pay for compilation, allocation and caches
+#define FRAMES 15 // of which the median is taken, in a row without and one with the passes timed
 #define TICK (1.0 / 30.0)
 #define YARDSTICK_REPEATS 10
 #define SCENES_MAX 16
@@ -30,7 +30,10 @@ typedef struct frame_figures {
     uint32_t triangles, water_triangles;
     double ms;
     uint32_t pass_count;
-    struct { const char *name; double ms; } passes[BOLAN_MAX_PASSES + 1];
+    struct {
+        const char *name;
+        double ms;
+    } passes[BOLAN_MAX_PASSES + 1];
 } frame_figures;
 
 typedef struct stage {
@@ -152,7 +155,8 @@ static bolan_result measure(const char *name, const frame_options *o, frame_figu
 // ---- printing -------------------------------------------------------------------------------------------------------
 
 static void print_json(const frame_options *o, const frame_figures *figures, double yardstick) {
-    printf("{\n  \"machine\": \"%s\",\n  \"renderer\": \"%s\",\n  \"threads\": %u,\n  \"yardstick_ms\": %.3f,\n  \"frame\": [",
+    printf("{\n  \"machine\": \"%s\",\n  \"renderer\": \"%s\",\n  \"threads\": %u,\n  \"yardstick_ms\": %.3f,\n  "
+           "\"frame\": [",
            bench_machine(), bolan_gl_get_info().renderer, bolan_threads(), yardstick);
     for (uint32_t i = 0; i < o->scene_count; ++i) {
         const frame_figures *f = &figures[i];
@@ -174,8 +178,8 @@ static void print_table(const frame_options *o, const frame_figures *figures, do
     printf("%-12s %-10s %10s %9s %8s %7s %6s\n", "scene", "technique", "triangles", "water", "ms", "fps", "ratio");
     for (uint32_t i = 0; i < o->scene_count; ++i) {
         const frame_figures *f = &figures[i];
-        printf("%-12s %-10s %10u %9u %8.2f %7.1f %6.2f\n", f->scene, f->technique, f->triangles, f->water_triangles, f->ms,
-               1e3 / f->ms, f->ms / yardstick);
+        printf("%-12s %-10s %10u %9u %8.2f %7.1f %6.2f\n", f->scene, f->technique, f->triangles, f->water_triangles,
+               f->ms, 1e3 / f->ms, f->ms / yardstick);
     }
     printf("\npasses [ms]");
     for (uint32_t p = 0; p < figures[0].pass_count; ++p) printf(" %11s", figures[0].passes[p].name);
@@ -189,8 +193,10 @@ static void print_table(const frame_options *o, const frame_figures *figures, do
 // ---- the command ----------------------------------------------------------------------------------------------------
 
 static int usage(const char *why, const char *what) {
-    fprintf(stderr, "bolan-bench frame: %s: %s\n"
-                    "usage: frame [--json] [--size WxH] [--quality low|medium|high|ultra] [--threads N] [SCENE...]\n", why, what);
+    fprintf(stderr,
+            "bolan-bench frame: %s: %s\n"
+            "usage: frame [--json] [--size WxH] [--quality low|medium|high|ultra] [--threads N] [SCENE...]\n",
+            why, what);
     return 2;
 }
 

@@ -9,9 +9,9 @@
 typedef struct canvas {
     bolan_renderer *renderer;
     bolan_renderer_desc desc;
-    bolan_target *target;           // of a picture below the window's resolution
+    bolan_target *target; // of a picture below the window's resolution
     uint32_t target_width, target_height;
-    uint32_t width, height;         // of the last picture
+    uint32_t width, height; // of the last picture
 } canvas;
 
 // Needs the window's context.

@@ -27,7 +27,9 @@ typedef struct input {
 } input;
 
 // What the panel keeps for itself: the pointer is over it, a field is being typed in.
-typedef struct input_taken { bool mouse, keyboard; } input_taken;
+typedef struct input_taken {
+    bool mouse, keyboard;
+} input_taken;
 
 void input_open(input *in);
 void input_close(input *in);

@@ -37,7 +37,9 @@ bool let_go(const char *label, float *value, float low, float high, const char *
 
 unsigned group(bool changed, sea_knob_group bit) { return changed ? static_cast<unsigned>(bit) : 0u; }
 
-bool begin_combo(const char *label, const char *shown) { return ImGui::BeginCombo(label, shown, ImGuiComboFlags_HeightLarge); }
+bool begin_combo(const char *label, const char *shown) {
+    return ImGui::BeginCombo(label, shown, ImGuiComboFlags_HeightLarge);
+}
 
 const char *compass(double degrees) {
     static const char *const names[] = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
@@ -56,7 +58,8 @@ void scene_list(const bolan_scene *scene, panel_wishes *wishes) {
 }
 
 void time_controls(const panel_edits *e, const panel_facts *f) {
-    if (ImGui::Button(*e->paused ? "run" : "pause", ImVec2(ImGui::GetFontSize() * 4.0f, 0.0f))) *e->paused = !*e->paused;
+    if (ImGui::Button(*e->paused ? "run" : "pause", ImVec2(ImGui::GetFontSize() * 4.0f, 0.0f)))
+        *e->paused = !*e->paused;
     ImGui::SameLine();
     ImGui::Text("%.1f s", f->time);
     slide("time scale", e->time_scale, 0.0625, 16.0, "%.3gx", ImGuiSliderFlags_Logarithmic);
@@ -104,12 +107,15 @@ unsigned sea_section(const panel_edits *e, const panel_facts *f) {
     ImGui::Text("Hs %.2f m   Tp %.1f s   from %.0f %s", f->sea.hs, f->sea.tp, f->sea.direction_from,
                 compass(f->sea.direction_from));
     unsigned changed = 0;
-    if (k->measured) ImGui::TextWrapped("Measured spectrum %s: the wind here only roughens it.", e->scene->spectrum_path);
-    else changed |= sea_preset(k);
+    if (k->measured)
+        ImGui::TextWrapped("Measured spectrum %s: the wind here only roughens it.", e->scene->spectrum_path);
+    else
+        changed |= sea_preset(k);
     bool wind = let_go("wind", &k->wind_speed, 0.0f, 40.0f, "%.1f m/s");
     wind |= let_go("wind from", &k->wind_from, 0.0f, 360.0f, "%.0f deg");
     if (!k->measured)
-        wind |= let_go("fetch", &k->fetch_km, SEA_KNOBS_FETCH_MIN, SEA_KNOBS_FETCH_MAX, "%.0f km", ImGuiSliderFlags_Logarithmic);
+        wind |= let_go("fetch", &k->fetch_km, SEA_KNOBS_FETCH_MIN, SEA_KNOBS_FETCH_MAX, "%.0f km",
+                       ImGuiSliderFlags_Logarithmic);
     changed |= group(wind, SEA_KNOBS_WIND) | swell_section(k);
     bool layout = let_go("choppiness", &k->choppiness, 0.0f, 2.0f, "%.2f");
     ImGui::InputInt("seed", &k->seed);
@@ -202,12 +208,13 @@ void pass_row(const char *name, double ms, double total) {
     ImGui::TableNextColumn();
     ImGui::Text("%6.2f", ms);
     ImGui::TableNextColumn();
-    ImGui::ProgressBar(total > 0.0 ? static_cast<float>(ms / total) : 0.0f, ImVec2(-FLT_MIN, ImGui::GetFontSize() * 0.8f), "");
+    ImGui::ProgressBar(total > 0.0 ? static_cast<float>(ms / total) : 0.0f,
+                       ImVec2(-FLT_MIN, ImGui::GetFontSize() * 0.8f), "");
 }
 
 void frame_section(const panel_facts *f, panel_wishes *wishes) {
-    ImGui::Text("%.1f frames/s  %.1f ms  %u x %u", f->frame_ms > 0.0 ? 1e3 / f->frame_ms : 0.0, f->frame_ms, f->picture_width,
-                f->picture_height);
+    ImGui::Text("%.1f frames/s  %.1f ms  %u x %u", f->frame_ms > 0.0 ? 1e3 / f->frame_ms : 0.0, f->frame_ms,
+                f->picture_width, f->picture_height);
     if (!ImGui::CollapsingHeader("Time per pass")) return;
     wishes->measuring = true;
     if (ImGui::BeginTable("passes", 3, ImGuiTableFlags_SizingStretchProp)) {
@@ -256,7 +263,8 @@ void draw_panel(const panel_edits *e, const panel_facts *f, panel_wishes *wishes
     const float letter = ImGui::GetFontSize(), width = letter * width_in_letters;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(letter * 0.75f, letter * 0.75f), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, std::fmax(screen.y - letter * 1.5f, letter * 8.0f)));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
+                                        ImVec2(width, std::fmax(screen.y - letter * 1.5f, letter * 8.0f)));
     if (ImGui::Begin("Bolan  (F1 hides)", e->visible, ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::PushItemWidth(letter * 14.5f);
         scene_list(e->scene, wishes);
@@ -276,10 +284,12 @@ void draw_panel(const panel_edits *e, const panel_facts *f, panel_wishes *wishes
 
 void draw_notice(const char *notice) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(screen.x * 0.5f, screen.y - ImGui::GetFontSize()), ImGuiCond_Always, ImVec2(0.5f, 1.0f));
+    ImGui::SetNextWindowPos(ImVec2(screen.x * 0.5f, screen.y - ImGui::GetFontSize()), ImGuiCond_Always,
+                            ImVec2(0.5f, 1.0f));
     ImGui::SetNextWindowBgAlpha(0.7f);
     const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                   ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+                                   ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing |
+                                   ImGuiWindowFlags_NoNav;
     if (ImGui::Begin("notice", nullptr, flags)) ImGui::TextUnformatted(notice);
     ImGui::End();
 }

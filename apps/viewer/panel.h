@@ -28,7 +28,7 @@ typedef struct panel_facts {
     uint32_t window_width, window_height, picture_width, picture_height; // [px]
     double frame_ms, synthesis_ms;
     bolan_frame_statistics statistics;
-    bolan_sea_statistics sea; // when it was made
+    bolan_sea_statistics sea;                 // when it was made
     double time, camera_height, camera_speed; // [s], [m] above the surface, [m/s]
     bool over_land, gamepad;
     const char *device, *shader_directory;
@@ -37,10 +37,10 @@ typedef struct panel_facts {
 
 // What the user asked for in this frame.
 typedef struct panel_wishes {
-    unsigned sea;          // sea_knob_group bits: write the knobs to the scene and make the sea again
-    const char *scene;     // load this one; NULL: stay
+    unsigned sea;      // sea_knob_group bits: write the knobs to the scene and make the sea again
+    const char *scene; // load this one; NULL: stay
     bool quality, screenshot, reload, home;
-    bool measuring;        // the times of the passes are on view
+    bool measuring; // the times of the passes are on view
 } panel_wishes;
 
 // Needs the window's context. False: it could not be set up (a sentence is on stderr).

@@ -32,8 +32,10 @@ static uint64_t folder_stamp(const char *folder, int depth) {
         struct stat s;
         int length = snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
         if (length < 0 || (size_t)length >= sizeof path || stat(path, &s) != 0) continue;
-        if (S_ISDIR(s.st_mode) && depth > 0) sum += folder_stamp(path, depth - 1);
-        else if (strstr(entry->d_name, ".glsl") != NULL) sum += file_stamp(path, &s);
+        if (S_ISDIR(s.st_mode) && depth > 0)
+            sum += folder_stamp(path, depth - 1);
+        else if (strstr(entry->d_name, ".glsl") != NULL)
+            sum += file_stamp(path, &s);
     }
     closedir(d);
     return sum;

@@ -19,8 +19,10 @@ static float find_fetch(double wind_speed, double peak_omega) {
     for (int i = 0; i < 40; ++i) {
         double middle = 0.5 * (low + high);
         bolan_sea_state s = bolan_sea_state_from_wind(wind_speed, 0.0, exp(middle));
-        if (s.system_count > 0 && s.systems[0].peak_omega > peak_omega * (1.0 + 1e-9)) low = middle;
-        else high = middle;
+        if (s.system_count > 0 && s.systems[0].peak_omega > peak_omega * (1.0 + 1e-9))
+            low = middle;
+        else
+            high = middle;
     }
     return (float)(exp(high) * 1e-3);
 }
@@ -73,7 +75,8 @@ static void write_wind(const sea_knobs *k, bolan_sea_state *state) {
 static void write_swell(const sea_knobs *k, bolan_sea_state *state) {
     remove_system(state, find_system(state, false));
     // The ranges of the sliders lie inside the ranges of the sea, and a place has just been made.
-    if (k->swell) (void)bolan_sea_state_add_swell(state, k->swell_height, k->swell_period, k->swell_from, k->swell_spread);
+    if (k->swell)
+        (void)bolan_sea_state_add_swell(state, k->swell_height, k->swell_period, k->swell_from, k->swell_spread);
 }
 
 void sea_knobs_write(const sea_knobs *k, unsigned changed, bolan_sea_desc *desc) {

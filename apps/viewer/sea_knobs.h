@@ -19,7 +19,7 @@ typedef enum sea_knob_group {
 #define SEA_KNOBS_FETCH_MAX 5000.0f // fully developed in any wind below 30 m/s
 
 typedef struct sea_knobs {
-    bool measured;              // the sea comes from a file: the wind only roughens it
+    bool measured;               // the sea comes from a file: the wind only roughens it
     float wind_speed, wind_from; // [m/s], [deg]
     float fetch_km;
     bool swell;

@@ -45,7 +45,8 @@ viewer_options viewer_options_default(void) {
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-static void notice(viewer *v, const char *format, ...) {
+static void
+notice(viewer *v, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(v->notice, sizeof v->notice, format, arguments);

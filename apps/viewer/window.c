@@ -53,7 +53,8 @@ bool window_open(window *w, const char *title, uint32_t width, uint32_t height) 
         return false;
     }
     SDL_SetWindowMinimumSize(w->handle, 320, 240);
-    if (SDL_GL_SetSwapInterval(-1) != 0) SDL_GL_SetSwapInterval(1); // adaptive: a late frame does not wait for the next beam
+    if (SDL_GL_SetSwapInterval(-1) != 0)
+        SDL_GL_SetSwapInterval(1); // adaptive: a late frame does not wait for the next beam
     return true;
 }
 
