@@ -1,35 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// @file io_support.h
-/// What the tests of scenes and files share: closeness in double, a log that remembers its last sentence, and files.
+/// What the tests of scenes and files share: a log that remembers its last sentence, and files.
 #ifndef BOLAN_TESTS_IO_SUPPORT_H
 #define BOLAN_TESTS_IO_SUPPORT_H
 
 #include "bolan/base.h"
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include "support.h"
+
 #include <string.h>
-
-#include <cmocka.h>
-
-#ifndef BOLAN_SHARED_DATA
-#define BOLAN_SHARED_DATA ""
-#endif
-
-/// |actual - expected| <= tolerance, shown when not. (cmocka's own compares floats.)
-#define assert_near(actual, expected, tolerance) \
-    assert_near_at((actual), (expected), (tolerance), #actual, __FILE__, __LINE__)
-static inline void assert_near_at(double actual, double expected, double tolerance, const char *what, const char *file,
-                                  int line) {
-    if (fabs(actual - expected) <= tolerance) return;
-    print_error("%s is %.10g, expected %.10g +- %g\n", what, actual, expected, tolerance);
-    _assert_true(0, what, file, line);
-}
 
 static bolan_log_id last_id;
 static char last_sentence[1024];
@@ -68,20 +47,6 @@ static inline void check_refusal(bolan_result actual, bolan_result expected, bol
         print_error("result %d (%u errors), id %d, \"%s\"; expected result %d, id %d, \"%s\"\n", (int)actual,
                     error_count, (int)last_id, last_sentence, (int)expected, (int)id, words);
     _assert_true(good, words, file, line);
-}
-
-/// A path below the folder of shared data; skips the test where it is not there.
-static inline const char *shared_file(const char *name) {
-    static char path[1024];
-    const char *folder = getenv("BOLAN_SHARED_DATA");
-    snprintf(path, sizeof path, "%s/%s", folder ? folder : BOLAN_SHARED_DATA, name);
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        print_message("skipped: %s is not there\n", path);
-        skip();
-    }
-    fclose(file);
-    return path;
 }
 
 static inline bool file_exists(const char *path) {

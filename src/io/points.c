@@ -18,7 +18,7 @@ typedef struct field_list {
 // Fields are separated by commas or semicolons, or by white space alone.
 static field_list split(const char *begin, const char *end) {
     field_list list = {.count = 0};
-    bool open = false, expected = false;
+    bool open = false, expected = true; // a field must come before the next comma
     for (const char *p = begin; p < end && list.count <= 4; p++) {
         const bool comma = *p == ',' || *p == ';', space = *p == ' ' || *p == '\t' || *p == '\r';
         if (comma && expected && list.count < 4)

@@ -200,15 +200,23 @@ static double native_step(const raster_source *s, const rectangle *r) {
     return per_metre > 0.0 && isfinite(per_metre) ? 1.0 / per_metre : 1000.0;
 }
 
+static bolan_result place_outside(const raster_source *s) {
+    double west, north, east, south;
+    map_point(s->to_map, 0, 0, &west, &north);
+    map_point(s->to_map, s->width, s->height, &east, &south);
+    bolan_log(
+        BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
+        "%s: the place that was asked for lies outside the raster, which covers %.6g to %.6g north and %.6g to %.6g "
+        "east%s",
+        s->path, fmin(south, north), fmax(south, north), west, east, s->geographic ? "" : " on its map");
+    return BOLAN_ERROR_ARGUMENT;
+}
+
 static bolan_result make_plan(const raster_source *s, double radius, raster_plan *plan) {
     const rectangle f = footprint(s);
     const rectangle r = {fmax(f.west, -radius), fmax(f.south, -radius), fmin(f.east, radius), fmin(f.north, radius)};
     if (!(r.east - r.west > 1.0 && r.north - r.south > 1.0)) {
-        bolan_log(
-            BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
-            "%s: the place that was asked for lies outside the raster; expected a latitude and longitude inside it",
-            s->path);
-        return BOLAN_ERROR_ARGUMENT;
+        return place_outside(s);
     }
     const double longer = fmax(r.east - r.west, r.north - r.south);
     plan->step = fmin(fmax(native_step(s, &r), longer / (MOST_SAMPLES_A_SIDE - 1)), longer / 2.0);

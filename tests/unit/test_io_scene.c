@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Scenes from YAML: every key arrives, everything else is refused with file, line and key, and the built-in scenes load.
+#include "bolan/io.h"
+#include "io_support.h"
+
+static bolan_result parse(const char *text, bolan_scene *scene) {
+    return bolan_scene_parse("test.yaml", text, strlen(text), scene);
+}
+
+static void test_an_empty_document_is_the_default_scene(void **state) {
+    (void)state;
+    bolan_scene scene, expected = bolan_scene_default();
+    static const char *const empty[] = {"", "\n\n", "# nothing\n", "---\n", "{}", "sea:\nsky:\n"};
+    for (size_t i = 0; i < sizeof empty / sizeof *empty; i++) {
+        assert_int_equal(parse(empty[i], &scene), BOLAN_OK);
+        assert_string_equal(scene.name, "test.yaml");
+        assert_near(scene.camera.position.z, expected.camera.position.z, 0.0);
+        assert_near(scene.sea.sea_state.wind_speed, expected.sea.sea_state.wind_speed, 0.0);
+        assert_int_equal(scene.terrain.kind, BOLAN_TERRAIN_NONE);
+        assert_int_equal(scene.water.type, expected.water.type);
+    }
+}
+
+static const char *const everything = "description: \"all keys\"\n"
+                                      "technique: ocean\n"
+                                      "sea:\n"
+                                      "  wind: {speed: 11, from: 250}\n"
+                                      "  fetch_km: 120\n"
+                                      "  swell:\n"
+                                      "    - {hs: 2, tp: 13, from: 300, spread: 40}\n"
+                                      "    - {hs: 0.5, tp: 9}\n"
+                                      "  spectrum: {shape: tma}\n"
+                                      "  depth: 30\n"
+                                      "  seed: 42\n"
+                                      "  resolution: 128\n"
+                                      "  cascades: 3\n"
+                                      "  length: 900\n"
+                                      "  choppiness: 0.9\n"
+                                      "  loop: 60\n"
+                                      "  foam_decay: 5\n"
+                                      "water: {type: 3c, level: -1.5, foam: 0.5}\n"
+                                      "sky:\n"
+                                      "  sun: {azimuth: 100, elevation: 12}\n"
+                                      "  visibility_km: 25\n"
+                                      "  clouds: {cover: 0.6, base: 900, seed: 5}\n"
+                                      "terrain:\n"
+                                      "  island: {seed: 3, radius: 1500, peak: 400, sea_floor: -300, lagoon_from: 90}\n"
+                                      "camera: {position: [1, -2, 30.5], heading: 45, pitch: -3, roll: 2, fov: 60}\n"
+                                      "time: 12.5\n"
+                                      "exposure: -1\n";
+
+static void test_every_key_arrives(void **state) {
+    (void)state;
+    bolan_scene s;
+    assert_int_equal(parse(everything, &s), BOLAN_OK);
+    assert_string_equal(s.description, "all keys");
+    assert_string_equal(s.technique.name, "ocean");
+    const bolan_sea_state *sea = &s.sea.sea_state;
+    assert_near(sea->wind_speed, 11, 0);
+    assert_near(sea->wind_from_deg, 250, 0);
+    assert_near(s.fetch, 120e3, 0);
+    assert_int_equal(sea->system_count, 3);
+    assert_int_equal(sea->systems[0].kind, BOLAN_SPECTRUM_TMA);
+    assert_near(sea->systems[1].hs, 2, 0);
+    assert_near(sea->systems[1].peak_omega, 2 * BOLAN_PI / 13, 1e-12);
+    assert_near(sea->systems[1].from_deg, 300, 0);
+    assert_near(sea->systems[1].spread_s, 40, 0);
+    assert_near(sea->systems[2].from_deg, 250, 0); // a swell without a direction comes with the wind
+    assert_near(sea->depth, 30, 0);
+    assert_true(s.sea.seed == 42 && s.sea.resolution == 128 && s.sea.cascade_count == 3);
+    assert_near(s.sea.length, 900, 0);
+    assert_near(s.sea.choppiness, 0.9, 0);
+    assert_near(s.sea.loop_period, 60, 0);
+    assert_near(s.sea.foam_decay, 5, 0);
+    assert_int_equal(s.water.type, BOLAN_JERLOV_3C);
+    assert_near(s.water.level, -1.5, 0);
+    assert_near(s.water.foam, 0.5, 0);
+    assert_near(s.sky.sun_azimuth_deg, 100, 0);
+    assert_near(s.sky.sun_elevation_deg, 12, 0);
+    assert_near(s.sky.visibility, 25e3, 0);
+    assert_near(s.sky.cloud_cover, 0.6, 0);
+    assert_near(s.sky.cloud_base, 900, 0);
+    assert_true(s.sky.cloud_seed == 5 && s.terrain.island.seed == 3);
+    assert_int_equal(s.terrain.kind, BOLAN_TERRAIN_ISLAND);
+    assert_near(s.terrain.island.radius, 1500, 0);
+    assert_near(s.terrain.island.peak, 400, 0);
+    assert_near(s.terrain.island.sea_floor, -300, 0);
+    assert_near(s.terrain.island.lagoon_from_deg, 90, 0);
+    assert_near(s.camera.position.x, 1, 0);
+    assert_near(s.camera.position.y, -2, 0);
+    assert_near(s.camera.position.z, 30.5, 0);
+    assert_near(s.camera.heading_deg, 45, 0);
+    assert_near(s.camera.pitch_deg, -3, 0);
+    assert_near(s.camera.roll_deg, 2, 0);
+    assert_near(s.camera.fov_deg, 60, 0);
+    assert_near(s.time, 12.5, 0);
+    assert_near(s.exposure, -1, 0);
+}
+
+static void test_a_raster_and_a_spectrum_file(void **state) {
+    (void)state;
+    bolan_scene s;
+    assert_int_equal(parse("terrain:\n  raster: {file: a.tif, at: [19.6, -156], radius_km: 80, vertical_scale: 0.01}\n"
+                           "sea: {spectrum: {file: b.spec, record: 3}, wind: {speed: 9}}\n",
+                           &s),
+                     BOLAN_OK);
+    assert_int_equal(s.terrain.kind, BOLAN_TERRAIN_RASTER);
+    assert_string_equal(s.terrain.path, "a.tif");
+    assert_near(s.terrain.latitude, 19.6, 1e-12);
+    assert_near(s.terrain.longitude, -156, 0);
+    assert_near(s.terrain.radius, 80e3, 0);
+    assert_near(s.terrain.vertical_scale, 0.01, 0);
+    assert_string_equal(s.spectrum_path, "b.spec");
+    assert_int_equal(s.spectrum_record, 3);
+    assert_int_equal(s.sea.sea_state.system_count, 0); // the waves are the file's
+    assert_near(s.sea.sea_state.wind_speed, 9, 0);
+}
+
+static void test_tables_and_dates(void **state) {
+    (void)state;
+    bolan_scene s;
+    assert_int_equal(parse("sea: {beaufort: 7, wind: {from: 10}}", &s), BOLAN_OK);
+    assert_near(s.sea.sea_state.wind_speed, 0.836 * pow(7, 1.5), 1e-9); // WMO: v = 0.836 B^1.5
+    assert_near(s.sea.sea_state.wind_from_deg, 10, 0);
+    assert_int_equal(parse("sea: {douglas: 5}", &s), BOLAN_OK);
+    assert_near(s.sea.sea_state.systems[0].hs, 3.25, 0.01); // the middle of 2.5 to 4 m
+    // NREL's example (see test_scene.c), in local time.
+    assert_int_equal(parse("sky: {sun: {date: \"2003-10-17T12:30:30-07:00\", place: [39.742476, -105.1786]}}", &s),
+                     BOLAN_OK);
+    assert_near(s.sky.sun_azimuth_deg, 194.34, 0.02);
+    assert_int_equal(parse("sky: {sun: {date: \"2003-10-17T19:30Z\", place: [39.742476, -105.1786]}}", &s), BOLAN_OK);
+    assert_near(s.sky.sun_azimuth_deg, 194.2, 0.1);
+}
+
+static void test_what_is_wrong_is_refused_with_line_and_key(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *words;
+        bolan_log_id id;
+    } bad[] = {
+        {"sea:\n  wnd: {speed: 3}\n", "test.yaml:2: unknown key sea.wnd; expected one of wind, ",
+         BOLAN_LOG_SCENE_UNKNOWN_KEY},
+        {"colour: red\n", "test.yaml:1: unknown key colour; expected one of description, ",
+         BOLAN_LOG_SCENE_UNKNOWN_KEY},
+        {"sea:\n  wind:\n    speed: 99\n", "test.yaml:3: sea.wind.speed is 99; expected a number from 0 to 70 m/s",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"time: .nan\n", "test.yaml:1: time is .nan; expected a number", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"time: nan\n", "time is nan", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"time: 1e999\n", "time is 1e999", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"time: 0x10\n", "time is 0x10", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"time:\n", "time is nothing; expected a number", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"time: [1]\n", "time is a list; expected a number", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: 3\n", "sea is 3; expected a map", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"\n\nwater: {type: 2C}\n", "test.yaml:3: water.type is 2C; expected I, IA", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"technique: lava\n", "technique is lava; expected ocean", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"camera: {position: [1, 2]}\n", "camera.position is a list; expected a list of 3 numbers",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"camera: {position: [1, 2, x]}\n", "camera.position is x; expected a number", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"camera: {position: [0, 0, -5000]}\n", "camera.position.z", BOLAN_LOG_OUT_OF_RANGE},
+        {"sea: {seed: 1.5}\n", "sea.seed is 1.5; expected a whole number", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {seed: -1}\n", "sea.seed is -1; expected a whole number", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {resolution: 100}\n", "test.yaml:1: sea.resolution is not a power of two", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea:\n  swell:\n    - {hs: 2}\n", "test.yaml:3: a swell needs hs", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea:\n  swell:\n    - {hs: 2, tp: 12, size: 4}\n", "test.yaml:3: unknown key sea.swell[0].size",
+         BOLAN_LOG_SCENE_UNKNOWN_KEY},
+        {"sea: {wind: {speed: 5}, beaufort: 3}\n", "more than one of wind.speed, beaufort", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {spectrum: {shape: tma}}\n", "tma needs sea.depth", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {beaufort: 3, fetch_km: 10}\n", "sea.fetch_km does not go with", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"time: 1\ntime: 2\n", "test.yaml:2: time is given twice", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"terrain: {island: {}, raster: {file: a}}\n", "both island and raster", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sky: {sun: {date: \"2026-06-21T12:00Z\"}}\n", "date and place", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sky: {sun: {date: yesterday, place: [1, 2]}}\n", "sky.sun.date is no date", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sky: {sun: {date: \"2026-13-21T12:00Z\", place: [1, 2]}}\n", "is no date", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"description: \"\"\n", "description is nothing; expected a text", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"time: 1\n---\ntime: 2\n", "test.yaml:3: a second document", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"- a\n- b\n", "the document is a list; expected a map", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {wind: {speed: 5}\n", "not YAML: did not find expected ',' or '}'", BOLAN_LOG_SCENE_SYNTAX},
+        {"a: b: c\n", "test.yaml:1: not YAML: ", BOLAN_LOG_SCENE_SYNTAX},
+        {"\xff\xfe\xfd", "not YAML", BOLAN_LOG_SCENE_SYNTAX},
+        {"\x01\x02", "not YAML", BOLAN_LOG_SCENE_SYNTAX},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        bolan_scene scene;
+        memset(&scene, 0x5a, sizeof scene);
+        const bolan_scene before = scene;
+        const bolan_result expected = bad[i].id == BOLAN_LOG_OUT_OF_RANGE ? BOLAN_ERROR_ARGUMENT : BOLAN_ERROR_FORMAT;
+        assert_refusal(parse(bad[i].text, &scene), expected, bad[i].id, bad[i].words);
+        assert_memory_equal(&scene, &before, sizeof scene); // untouched
+    }
+}
+
+static void test_aliases_and_nesting_cost_nothing(void **state) {
+    (void)state;
+    // The "billion laughs": ten levels of ten references each. And a map that holds itself.
+    static const char *const bomb = "a: &a [x, x]\nb: &b [*a, *a, *a, *a]\nc: &c [*b, *b, *b, *b]\ntime: *c\n";
+    bolan_scene scene;
+    assert_refusal(parse(bomb, &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_UNKNOWN_KEY, "unknown key a");
+    assert_refusal(parse("&m {sea: *m}", &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_UNKNOWN_KEY,
+                   "unknown key sea.sea");
+    enum { DEEP = 50000 };
+    char *deep = malloc(DEEP);
+    assert_non_null(deep);
+    memset(deep, '[', DEEP);
+    error_count = 0;
+    assert_int_equal(bolan_scene_parse("deep", deep, DEEP, &scene), BOLAN_ERROR_FORMAT);
+    assert_int_equal(error_count, 1);
+    free(deep);
+}
+
+static void test_built_in_scenes_load(void **state) {
+    (void)state;
+    static const char *const expected[] = {"island", "open-sea", "storm", "coast", "measured"};
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+        bolan_scene scene;
+        assert_int_equal(bolan_scene_load(expected[i], &scene), BOLAN_OK);
+        assert_string_equal(scene.name, expected[i]);
+        assert_true(scene.description[0] != '\0');
+        bool listed = false;
+        for (uint32_t k = 0; bolan_scene_builtin_name(k); k++)
+            listed = listed || strcmp(bolan_scene_builtin_name(k), expected[i]) == 0;
+        assert_true(listed);
+    }
+}
+
+static void test_paths_count_from_the_scenes_folder(void **state) {
+    (void)state;
+    write_text("with_paths.yaml", "sea: {spectrum: {file: buoy.spec}}\nterrain: {raster: {file: /data/dem.tif}}\n");
+    bolan_scene scene;
+    assert_int_equal(bolan_scene_load("./with_paths.yaml", &scene), BOLAN_OK);
+    assert_string_equal(scene.spectrum_path, "./buoy.spec");
+    assert_string_equal(scene.terrain.path, "/data/dem.tif");
+    assert_string_equal(scene.name, "with_paths.yaml");
+    remove("with_paths.yaml");
+    assert_refusal(bolan_scene_load("no-such-scene", &scene), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_UNKNOWN_NAME,
+                   "no-such-scene: there is no such scene; expected coast, island");
+    assert_refusal(bolan_scene_load("./no.yaml", &scene), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN,
+                   "./no.yaml: cannot be read");
+    assert_refusal(bolan_scene_load("/", &scene), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN, "it is a folder");
+}
+
+// The shipped spectrum was made from two systems of 1.6 m and 1.3 m.
+static void test_the_measured_scene_needs_no_data(void **state) {
+    (void)state;
+    bolan_scene scene;
+    bolan_scene_assets assets;
+    assert_int_equal(bolan_scene_load("measured", &scene), BOLAN_OK);
+    assert_int_equal(bolan_scene_assets_load(&scene, &assets), BOLAN_OK);
+    bolan_sea_state sea = bolan_sea_state_default();
+    sea.measured = assets.spectrum;
+    // 1 % for the integers of the format and the rule of integration.
+    assert_near(bolan_sea_state_summary(&sea).hs, sqrt(1.6 * 1.6 + 1.3 * 1.3), 0.02);
+    bolan_scene_assets_destroy(&assets);
+    assert_null(assets.spectrum);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_an_empty_document_is_the_default_scene),
+        cmocka_unit_test(test_every_key_arrives),
+        cmocka_unit_test(test_a_raster_and_a_spectrum_file),
+        cmocka_unit_test(test_tables_and_dates),
+        cmocka_unit_test(test_what_is_wrong_is_refused_with_line_and_key),
+        cmocka_unit_test(test_aliases_and_nesting_cost_nothing),
+        cmocka_unit_test(test_built_in_scenes_load),
+        cmocka_unit_test(test_paths_count_from_the_scenes_folder),
+        cmocka_unit_test(test_the_measured_scene_needs_no_data),
+    };
+    return cmocka_run_group_tests(tests, listen_to_log, NULL);
+}
