@@ -73,7 +73,7 @@ const option_info option_table[] = {
     OPTION("samples", WHOLE, samples, ON_RENDER, "N",
            .low = 1, .high = 256, .help = "pictures with shifted pixels that are averaged, 1..256"),
     OPTION("frames", WHOLE, frames, PICTURE_COMMANDS, "N",
-           .low = 1, .high = 1e6, .help = "how many; 10 seconds of them by default"),
+           .low = 1, .high = 1e6, .help = "how many; by default 10 seconds of them (render), or until you quit (view)"),
     OPTION("fps", NUMBER, fps, ON_RENDER, "F",
            .low = 1, .high = 240, .help = "frames a second, 1..240; 30 by default"),
     OPTION("backend", NAME, backend, SCENE_COMMANDS, "NAME",
