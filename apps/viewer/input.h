@@ -33,8 +33,8 @@ typedef struct input_taken {
 
 void input_open(input *in);
 void input_close(input *in);
-// Takes one event; returns the commands (bits) it gives. @p degrees_per_unit is how far the view turns for a unit of mouse
-// movement.
+// Takes one event; returns the commands (bits) it gives. @p degrees_per_unit is how far the view turns for a unit of
+// mouse movement.
 unsigned input_event(input *in, window *w, const SDL_Event *event, input_taken taken, double degrees_per_unit);
 // The movement of this frame; resets what the mouse has gathered.
 fly_input input_movement(input *in, input_taken taken, double seconds);

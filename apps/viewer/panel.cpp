@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The panel, with Dear ImGui. Sliders that change the sea take effect when they are let go, since a sea takes a moment to
-// make; all others at once.
+// The panel, with Dear ImGui. Sliders that change the sea take effect when they are let go, since a sea takes a moment
+// to make; all others at once.
 #include "panel.h"
 
 #include "bolan/io.h"

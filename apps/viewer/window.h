@@ -26,7 +26,8 @@ void window_pixels(const window *w, uint32_t *width, uint32_t *height);
 void window_toggle_fullscreen(window *w);
 // Pixels per window unit: above 1 where the desktop scales windows itself.
 float window_density(const window *w);
-// How much larger than at 96 dots an inch letters must be, in window units: above 1 where the desktop leaves that to programs.
+// How much larger than at 96 dots an inch letters must be, in window units: above 1 where the desktop leaves that to
+// programs.
 float window_text_scale(const window *w);
 
 #ifdef __cplusplus
