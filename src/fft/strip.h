@@ -20,6 +20,7 @@ static inline pair pair_i(pair a) { return (pair){-a.im, a.re}; }
 static inline pair pair_turn(pair a, const float *w) {
     return (pair){a.re * w[0] - a.im * w[1], a.re * w[1] + a.im * w[0]};
 }
+static inline pair pair_scale(pair a, float f) { return (pair){a.re * f, a.im * f}; }
 static inline pair pair_load(const float *row) { return (pair){wide_load(row), wide_load(row + FFT_LANES)}; }
 static inline void pair_store(float *row, pair a) {
     wide_store(row, a.re);
@@ -56,21 +57,26 @@ static inline void butterfly8(const pair a[8], pair out[8]) {
     out[7] = pair_sub(e[3], o3);
 }
 
-// One stage of radix r over all blocks of m rows, in place. `w` is NULL for the last stage (m == r).
+// One stage of radix r over all blocks of m rows, from `in` to `rows` (which may be the same). `w` is NULL for the last
+// stage (m == r). With `factor`, row i of the input counts factor[i] times.
 #define FFT_STAGE(r)                                                                                                   \
-    static inline void stage##r(float *rows, uint32_t n, uint32_t m, const float *w) {                                 \
+    static inline __attribute__((always_inline)) void stage##r(const float *in, const float *factor, float *rows,      \
+                                                               uint32_t n, uint32_t m, const float *w) {               \
         const uint32_t q = m / r;                                                                                      \
         for (uint32_t block = 0; block < n; block += m) {                                                              \
             for (uint32_t j = 0; j < q; j++) {                                                                         \
                 for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {                                              \
-                    float *p = rows + (size_t)(block + j) * FFT_ROW + lane;                                            \
+                    const size_t at = (size_t)(block + j) * FFT_ROW + lane;                                            \
                     pair a[r], b[r];                                                                                   \
-                    for (uint32_t i = 0; i < r; i++) a[i] = pair_load(p + (size_t)i * q * FFT_ROW);                    \
+                    for (uint32_t i = 0; i < r; i++) {                                                                 \
+                        a[i] = pair_load(in + at + (size_t)i * q * FFT_ROW);                                           \
+                        if (factor) a[i] = pair_scale(a[i], factor[block + j + i * q]);                                \
+                    }                                                                                                  \
                     butterfly##r(a, b);                                                                                \
-                    pair_store(p, b[0]);                                                                               \
+                    pair_store(rows + at, b[0]);                                                                       \
                     for (uint32_t i = 1; i < r; i++) {                                                                 \
                         const pair t = w ? pair_turn(b[i], w + 2 * ((size_t)j * (r - 1) + i - 1)) : b[i];              \
-                        pair_store(p + (size_t)i * q * FFT_ROW, t);                                                    \
+                        pair_store(rows + at + (size_t)i * q * FFT_ROW, t);                                            \
                     }                                                                                                  \
                 }                                                                                                      \
             }                                                                                                          \
@@ -80,14 +86,40 @@ FFT_STAGE(4)
 FFT_STAGE(8)
 #undef FFT_STAGE
 
-// All stages from `first` on.
-static inline void fft_strip_from(const fft_plan *plan, uint32_t first, float *rows) {
-    uint32_t m = plan->n;
-    for (uint32_t s = 0; s < plan->stages; s++) {
-        if (s >= first && plan->radix[s] == 4) stage4(rows, plan->n, m, plan->twiddle[s]);
-        if (s >= first && plan->radix[s] == 8) stage8(rows, plan->n, m, plan->twiddle[s]);
+static inline void stage_turned(const fft_plan *plan, uint32_t s, uint32_t m, float *rows) {
+    if (plan->radix[s] == 4) {
+        stage4(rows, NULL, rows, plan->n, m, plan->twiddle[s]);
+    } else {
+        stage8(rows, NULL, rows, plan->n, m, plan->twiddle[s]);
+    }
+}
+
+static inline void stage_first(const fft_plan *plan, const float *in, const float *factor, float *rows) {
+    if (plan->radix[0] == 4) {
+        stage4(in, factor, rows, plan->n, plan->n, plan->twiddle[0]);
+    } else {
+        stage8(in, factor, rows, plan->n, plan->n, plan->twiddle[0]);
+    }
+}
+
+// The stages after the first, the last one too if `to_end`.
+static inline void fft_strip_rest(const fft_plan *plan, float *rows, bool to_end) {
+    uint32_t m = plan->n / plan->radix[0];
+    for (uint32_t s = 1; s + 1 < plan->stages; s++) {
+        stage_turned(plan, s, m, rows);
         m /= plan->radix[s];
     }
+    if (to_end) stage8(rows, NULL, rows, plan->n, 8, NULL);
+}
+
+// Transforms `in` to `rows`, which may be the same; row i counts factor[i] times, once where `factor` is NULL.
+static inline void fft_strip_of(const fft_plan *plan, const float *in, const float *factor, float *rows) {
+    if (factor) {
+        stage_first(plan, in, factor, rows);
+    } else {
+        stage_first(plan, in, NULL, rows);
+    }
+    fft_strip_rest(plan, rows, true);
 }
 
 #endif

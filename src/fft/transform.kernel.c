@@ -5,5 +5,5 @@
 fft_strip_fn KERNEL(fft_strip);
 
 void KERNEL(fft_strip)(const fft_plan *plan, float *rows) {
-    fft_strip_from(plan, 0, rows);
+    fft_strip_of(plan, rows, NULL, rows);
 }

@@ -5,6 +5,10 @@
 #define BOLAN_FFT_WIDE_H
 
 #include <stdint.h>
+#include <string.h>
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
 
 #define WIDE BOLAN_KERNEL_WIDTH
 #define WIDE_JOIN2(a, b) a##_##b
@@ -48,6 +52,26 @@ static inline wide wide_max(wide a, wide b) {
 #endif
 }
 
+// For planes larger than the cache: the line goes to memory without being read first. `p` is aligned to the vector.
+static inline void wide_stream(float *p, wide v) {
+#if WIDE == 16
+    _mm512_stream_ps(p, (__m512)v);
+#elif WIDE == 8
+    _mm256_stream_ps(p, (__m256)v);
+#elif WIDE == 4
+    _mm_stream_ps(p, (__m128)v);
+#else
+    *p = v;
+#endif
+}
+
+// Makes streamed lines visible to other threads.
+static inline void wide_stream_end(void) {
+#if WIDE > 1
+    _mm_sfence();
+#endif
+}
+
 #if WIDE == 16
 #define WIDE_LOW 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23
 #define WIDE_HIGH 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31
@@ -68,6 +92,17 @@ static inline wide wide_max(wide a, wide b) {
 #else
 #define WIDE_SHUFFLE(a, b, ...) __builtin_shuffle(a, b, (wide_int){__VA_ARGS__})
 #endif
+
+// a and b lane by lane in turn: 2 WIDE numbers.
+static inline void wide_interleave(wide a, wide b, wide out[2]) {
+#if WIDE > 1
+    out[0] = __builtin_shuffle(a, b, (wide_int){WIDE_LOW});
+    out[1] = __builtin_shuffle(a, b, (wide_int){WIDE_HIGH});
+#else
+    out[0] = a;
+    out[1] = b;
+#endif
+}
 
 // Transposes the WIDE x WIDE block v: log2(WIDE) rounds of interleaving vector i with vector i + WIDE / 2.
 static inline void wide_transpose(wide v[WIDE]) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// float -> IEEE half, rounding to nearest, ties to even: in hardware where the kernel has F16C, else by integers with the
-// same bits.
+// float -> IEEE half, rounding to nearest, ties to even, by integers. wide_half.h has the lanes.
 #ifndef BOLAN_WAVES_HALF_H
 #define BOLAN_WAVES_HALF_H
 

@@ -5,8 +5,8 @@
 // Two real fields A and B share a complex transform: P = A + iB, and since A and B are Hermitian,
 // P(-j) = conj(A(j)) + i conj(B(j)).
 #include "fft/strip.h"
-#include "waves/half.h"
 #include "waves/synth.h"
+#include "waves/wide_half.h"
 
 #include <string.h>
 
@@ -81,52 +81,52 @@ PACK_ROWS(pack_displacement)
 PACK_ROWS(pack_slopes)
 #undef PACK_ROWS
 
-// 16 texels of four halfs.
-static inline void store_texels(uint16_t *out, const float *a, const float *b, const float *c, const float *d) {
-    for (int l = 0; l < FFT_LANES; l++) {
-        out[4 * l] = half_from_float(a[l]);
-        out[4 * l + 1] = half_from_float(b[l]);
-        out[4 * l + 2] = half_from_float(c[l]);
-        out[4 * l + 3] = half_from_float(d[l]);
-    }
-}
-
-static inline void copy_lanes(float *out, const float *in) {
-    for (int l = 0; l < FFT_LANES; l += WIDE) wide_store(out + l, wide_load(in + l));
+// Texels of four halfs.
+static inline void store_texels(uint16_t *out, pair ab, pair cd) {
+    wide words[2];
+    wide_interleave(wide_half_pair(ab.re, ab.im), wide_half_pair(cd.re, cd.im), words);
+    memcpy(out, words, sizeof words);
 }
 
 static void store_displacement(const fft_plan *plan, const sea_cascade *cascade, uint32_t strip, const float *first,
                                const float *second) {
     for (uint32_t y = 0; y < plan->n; y++) {
-        const float *d = first + (size_t)plan->order[y] * FFT_ROW, *e = second + (size_t)plan->order[y] * FFT_ROW;
-        const size_t at = (size_t)y * plan->n + strip * FFT_LANES;
-        copy_lanes(cascade->field[FIELD_DX] + at, d);
-        copy_lanes(cascade->field[FIELD_DY] + at, d + FFT_LANES);
-        copy_lanes(cascade->field[FIELD_HEIGHT] + at, e);
-        copy_lanes(cascade->field[FIELD_DXY] + at, e + FFT_LANES);
-        store_texels(cascade->displacement_half + 4 * at, d, d + FFT_LANES, e, e + FFT_LANES);
+        const size_t row = (size_t)plan->order[y] * FFT_ROW;
+        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
+            const size_t at = (size_t)y * plan->n + strip * FFT_LANES + lane;
+            const pair d = pair_load(first + row + lane), e = pair_load(second + row + lane);
+            wide_store(cascade->field[FIELD_DX] + at, d.re);
+            wide_store(cascade->field[FIELD_DY] + at, d.im);
+            wide_store(cascade->field[FIELD_HEIGHT] + at, e.re);
+            wide_store(cascade->field[FIELD_DXY] + at, e.im);
+            store_texels(cascade->displacement_half + 4 * at, d, e);
+        }
     }
+}
+
+static inline void store_foam(const sea_cascade *cascade, const sea_moment *moment, size_t at, pair gradient) {
+    const wide present = (gradient.re + gradient.im) * -moment->choppiness;
+    // The little that is taken away keeps a decaying memory out of the denormal numbers.
+    const wide past = wide_load(cascade->foam + at) * moment->decay - 1e-9f;
+    const wide foam = wide_max(wide_max(past, present), present - present);
+    wide_store(cascade->foam + at, foam);
+    wide_half_store(cascade->foam_half + at, foam);
 }
 
 static void store_slopes(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
                          const float *first, const float *second) {
     for (uint32_t y = 0; y < plan->n; y++) {
-        const float *s = first + (size_t)plan->order[y] * FFT_ROW, *g = second + (size_t)plan->order[y] * FFT_ROW;
-        const size_t at = (size_t)y * plan->n + strip * FFT_LANES;
-        copy_lanes(cascade->field[FIELD_SLOPE_X] + at, s);
-        copy_lanes(cascade->field[FIELD_SLOPE_Y] + at, s + FFT_LANES);
-        copy_lanes(cascade->field[FIELD_DXX] + at, g);
-        copy_lanes(cascade->field[FIELD_DYY] + at, g + FFT_LANES);
-        store_texels(cascade->slope_half + 4 * at, s, s + FFT_LANES, g, g + FFT_LANES);
-        float *foam = cascade->foam + at;
-        for (int l = 0; l < FFT_LANES; l += WIDE) {
-            const wide present = (wide_load(g + l) + wide_load(g + FFT_LANES + l)) * -moment->choppiness;
-            // The little that is taken away keeps a decaying memory out of the denormal numbers.
-            const wide past = wide_load(foam + l) * moment->decay - 1e-9f;
-            const wide zero = present - present;
-            wide_store(foam + l, wide_max(wide_max(past, present), zero));
+        const size_t row = (size_t)plan->order[y] * FFT_ROW;
+        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
+            const size_t at = (size_t)y * plan->n + strip * FFT_LANES + lane;
+            const pair s = pair_load(first + row + lane), g = pair_load(second + row + lane);
+            wide_store(cascade->field[FIELD_SLOPE_X] + at, s.re);
+            wide_store(cascade->field[FIELD_SLOPE_Y] + at, s.im);
+            wide_store(cascade->field[FIELD_DXX] + at, g.re);
+            wide_store(cascade->field[FIELD_DYY] + at, g.im);
+            store_texels(cascade->slope_half + 4 * at, s, g);
+            store_foam(cascade, moment, at, g);
         }
-        for (int l = 0; l < FFT_LANES; l++) cascade->foam_half[at + l] = half_from_float(foam[l]);
     }
 }
 
@@ -134,11 +134,11 @@ void KERNEL(sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const
                          float *scratch) {
     float *first = scratch, *second = scratch + (size_t)plan->n * FFT_ROW;
     pack_displacement_rows(cascade, strip, first, second);
-    fft_strip_from(plan, 0, first);
-    fft_strip_from(plan, 0, second);
+    fft_strip_of(plan, first, NULL, first);
+    fft_strip_of(plan, second, NULL, second);
     store_displacement(plan, cascade, strip, first, second);
     pack_slopes_rows(cascade, strip, first, second);
-    fft_strip_from(plan, 0, first);
-    fft_strip_from(plan, 0, second);
+    fft_strip_of(plan, first, NULL, first);
+    fft_strip_of(plan, second, NULL, second);
     store_slopes(plan, cascade, moment, strip, first, second);
 }

@@ -66,14 +66,6 @@ static void evolve(const sea_cascade *cascade, double time, uint32_t strip, floa
     }
 }
 
-static void copy_scaled(uint32_t n, const float *in, const float *factor, float *out) {
-    for (uint32_t i = 0; i < n; i++) {
-        const float f = factor ? factor[i] : 1.0f;
-        for (uint32_t l = 0; l < FFT_ROW; l += WIDE)
-            wide_store(out + (size_t)i * FFT_ROW + l, wide_load(in + (size_t)i * FFT_ROW + l) * f);
-    }
-}
-
 // The transform in `rows` (lanes j) to `middle` (lanes x), part `part`.
 static void transpose_out(const fft_plan *plan, const sea_cascade *cascade, uint32_t strip, uint32_t part,
                           const float *rows) {
@@ -99,8 +91,7 @@ void KERNEL(sea_rows)(const fft_plan *plan, const sea_cascade *cascade, const se
     const float *source[SEA_PARTS] = {h, h, u, u, u};
     const float *factor[SEA_PARTS] = {NULL, cascade->k, NULL, cascade->k, cascade->k2};
     for (uint32_t part = 0; part < SEA_PARTS; part++) {
-        copy_scaled(plan->n, source[part], factor[part], work);
-        fft_strip_from(plan, 0, work);
+        fft_strip_of(plan, source[part], factor[part], work);
         transpose_out(plan, cascade, strip, part, work);
     }
 }
