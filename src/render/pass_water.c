@@ -227,7 +227,7 @@ static void foam_moments(const bolan_sea *sea, double *mean, double *variance) {
 
 #define FOAM_EDGE 0.12      // of shaders/water.glsl: how widely a breaking patch's edge is drawn, in Jacobian
 #define OLD_EDGE 0.1        // likewise for old foam, as a share of the memory's variance
-#define OLD_FOAM_SHARE 5.0  // decaying foam covers several times the breaking crests
+#define OLD_FOAM_SHARE 2.0  // decaying foam covers about twice what the breaking crests do
 
 static void set_foam(const gl_program *g, const frame *f) {
     const bolan_sea *sea = f->desc->sea;
@@ -241,7 +241,7 @@ static void set_foam(const gl_program *g, const frame *f) {
     double spread = fmax(desc->choppiness * desc->choppiness * mss, 1e-9);
     double threshold = 1.0 - (1.0 - bolan_sea_foam_threshold(sea)) * sqrt(1.0 + FOAM_EDGE * FOAM_EDGE / spread);
     foam_moments(sea, &memory_mean, &memory_variance);
-    double share = fmin(0.5, OLD_FOAM_SHARE * bolan_monahan_cover(desc->sea_state.wind_speed));
+    double share = fmin(0.3, OLD_FOAM_SHARE * bolan_monahan_cover(desc->sea_state.wind_speed));
     double old = memory_mean - normal_quantile(share) * sqrt(memory_variance * (1.0 + OLD_EDGE));
     float rest[3];
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
