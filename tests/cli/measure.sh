@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+# bolan measure: every key of the contract, the energy of measured spectra, bad spectrum files, and the same sea on every
+# number of threads and instruction set.
+set -eu
+. "$BOLAN_SOURCE_DIR/tests/cli/common"
+
+run measure open-sea --json
+for key in hs tp tm02 te direction_from spread mss mss_up mss_cross skewness kurtosis jacobian_min jacobian_mean \
+    whitecap_fraction m0_spectrum m0_field cascades hash; do
+    grep -q "\"$key\":" out || fail "no $key"
+done
+for key in n length k_min k_max variance; do
+    [ "$(grep -o "\"$key\":" out | wc -l)" -eq 4 ] || fail "not every cascade has $key"
+done
+if command -v python3 > /dev/null; then python3 -m json.tool out > /dev/null || fail 'not JSON'; fi
+hash=$(value hash)
+echo "$hash" | grep -Eq '^[0-9a-f]{16}$' || fail "hash $hash"
+run measure open-sea
+grep -q 'significant wave height' out || fail 'no table without --json'
+
+# Reproducible.
+for how in '--threads 1' '--threads 2' '--threads 7' '--cpu scalar' '--cpu sse2'; do
+    # shellcheck disable=SC2086 # split on purpose
+    run measure open-sea --json $how
+    [ "$(value hash)" = "$hash" ] || fail "another sea with $how"
+done
+run measure open-sea --time 21 --json
+[ "$(value hash)" != "$hash" ] || fail 'the sea stands still'
+
+# Wind, tables and shapes do what their names say. Fully developed Hs by Pierson & Moskowitz is 0.21 U^2/g: 20 m/s: 8.6 m.
+run measure open-sea --beaufort 0 --json
+near "$(value hs)" 0 1e-6
+run measure island --wind 20 --spectrum pm --seed 3 --json
+near "$(value m0_spectrum)" 5.2 1.0 # swell of the scene included
+run measure open-sea --sea-state 5 --json
+awk -v m0="$(value m0_spectrum)" 'BEGIN { hs = 4 * sqrt(m0); exit !(hs > 2.5 && hs < 4.0) }' || fail 'Douglas 5 is 2.5 to 4 m'
+run measure open-sea --wind 12 --depth 8 --spectrum tma --json
+shallow=$(value m0_spectrum)
+run measure open-sea --wind 12 --spectrum jonswap --json
+awk -v a="$shallow" -v b="$(value m0_spectrum)" 'BEGIN { exit !(a < b) }' || fail 'TMA is no lower than JONSWAP'
+
+# The shipped spectrum: two systems of 1.6 m and 1.3 m, so 4 sqrt(m0) = 2.06 m; integers in the file: 1 %.
+run measure measured --json
+near "$(awk -v m0="$(value m0_spectrum)" 'BEGIN { print 4 * sqrt(m0) }')" 2.0616 0.02
+
+# Bad files.
+spectrum=$BOLAN_SOURCE_DIR/scenes/spectra/synthetic-bimodal.spec
+run measure --spectrum "$spectrum" --json
+refuse 1 'none.spec: cannot be read: No such file or directory' measure --spectrum none.spec
+: > empty.spec
+refuse 1 'empty.spec' measure --spectrum empty.spec
+head -c 4000 "$spectrum" > truncated.spec
+refuse 1 'truncated.spec' measure --spectrum truncated.spec
+head -c 3000 /dev/urandom > binary.spec
+refuse 1 'binary.spec' measure --spectrum binary.spec
+awk '/^FACTOR/ { factor = NR } factor && NR == factor + 4 { sub(/ [0-9]+$/, "   -7") } { print }' "$spectrum" > negative.spec
+refuse 1 'negative.spec:' measure --spectrum negative.spec
+refuse 1 'synthetic-bimodal.spec' measure --spectrum "$spectrum" --record 9
+refuse 1 'cannot be read: it is a folder' measure --spectrum .
+
+# Measured seas, where the files are present: 4 sqrt(m0) of the files by their publishers' integration, and the mean height
+# of ten realisations. One realisation of a few hundred waves scatters by some per cent, ten by a third of that: 5 %.
+data=$BOLAN_SHARED_DATA/spectra
+if [ ! -d "$data" ]; then
+    echo "skipped the measured files: there is no $data"
+    exit 0
+fi
+check_file() { # FILE HS
+    sum=0
+    for seed in 1 2 3 4 5 6 7 8 9 10; do
+        run measure --spectrum "$data/$1" --seed "$seed" --json
+        near "$(awk -v m0="$(value m0_spectrum)" 'BEGIN { print 4 * sqrt(m0) }')" "$2" "$(awk -v h="$2" 'BEGIN { print h * 0.005 }')"
+        near "$(value jacobian_mean)" 1 1e-3
+        sum=$(awk -v s="$sum" -v h="$(value hs)" 'BEGIN { print s + h }')
+    done
+    mean=$(awk -v s="$sum" 'BEGIN { print s / 10 }')
+    echo "$1: mean hs of ten seas $mean m, published $2 m"
+    near "$mean" "$2" "$(awk -v h="$2" 'BEGIN { print h * 0.05 }')"
+}
+check_file swan_maari_lonlat_24f36d.spec 1.7158
+check_file ndbc_44004w2000.txt 1.2881
+run measure --spectrum "$data/swan_maari_lonlat_24f36d.spec" --record 4 --json
+near "$(awk -v m0="$(value m0_spectrum)" 'BEGIN { print 4 * sqrt(m0) }')" 4.2587 0.021

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MIT
+# bolan query: rows in the order of the points, the statistics of the sea they are taken from, refusals.
+set -eu
+. "$BOLAN_SOURCE_DIR/tests/cli/common"
+
+printf 'x,y\n0,0\n10.5,-3\n# a comment\n1e4 2e4\n' > points.csv
+run query open-sea --points points.csv
+[ "$(head -1 out)" = 'x,y,height,normal_x,normal_y,normal_z,jacobian,residual' ] || fail 'another header'
+[ "$(wc -l < out)" -eq 4 ] || fail 'not a row a point'
+[ "$(cut -d, -f1,2 out | tail -3 | tr '\n' ' ')" = '0,0 10.5,-3 10000,20000 ' ] || fail 'another order'
+awk -F, 'NR > 1 { n = sqrt($4 * $4 + $5 * $5 + $6 * $6); if (n < 0.99999 || n > 1.00001 || $6 <= 0) exit 1 }' out ||
+    fail 'a normal is no unit vector upwards'
+awk -F, 'NR > 1 && $7 > 0.2 && $8 >= 1e-3 { exit 1 }' out || fail 'a residual is a millimetre or more'
+cp out first.csv
+run query open-sea --points points.csv --threads 1 -o second.csv
+cmp first.csv second.csv || fail '-o differs from stdout, or threads changed the sea'
+"$BOLAN" query open-sea --points - < points.csv | cmp - first.csv || fail 'standard input differs from the file'
+run query open-sea --points points.csv --time 21
+! cmp -s out first.csv || fail 'the sea stands still'
+
+# 4 standard deviations of the heights over many points are the sea's hs: within 5 % by chance for a net of 60 x 60 points,
+# and up to 7 % below it, since the fields are interpolated linearly between samples, which shaves waves of few samples.
+awk 'BEGIN { for (i = 0; i < 60; i++) for (j = 0; j < 60; j++) print i * 101 "," j * 97 }' > net.csv
+run query open-sea --points net.csv
+spread=$(awk -F, 'NR > 1 { s += $3; q += $3 * $3; n++ } END { print 4 * sqrt(q / n - (s / n) ^ 2) }' out)
+run measure open-sea --json
+near "$spread" "$(value hs)" "$(awk -v h="$(value hs)" 'BEGIN { print h * 0.12 }')"
+
+# On the land of the island the water has no waves: its height is the water level.
+printf '0,0\n' > land.csv
+run query island --points land.csv
+near "$(tail -1 out | cut -d, -f3)" 0 1e-6
+
+printf '1,2\n3,abc\n' > bad.csv
+refuse 1 'bad.csv:2: found abc; expected y, a number of metres' query --points bad.csv -o out.csv
+printf '1,nan\n' > nan.csv
+refuse 1 'nan.csv:1: found nan; expected y' query --points nan.csv -o out.csv
+: > empty.csv
+refuse 1 'empty.csv: there is no point in it' query --points empty.csv
+refuse 1 'none.csv: cannot be read' query --points none.csv
+refuse 1 'no/such/out.csv: cannot be written: No such file or directory' query --points points.csv -o no/such/out.csv
+status=0
+"$BOLAN" query open-sea --points points.csv > /dev/full 2> err || status=$?
+[ "$status" -eq 1 ] || fail "a full disk behind stdout: exit code $status"
