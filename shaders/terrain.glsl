@@ -47,7 +47,7 @@ struct ground {
     float open;       // sky that is not hidden
     float clearance;  // height of the shadow over the ground [m]
     float footprint;  // width of the pixel on the ground [m]
-    vec4 wide, mid, near; // noise of periods 1024, 128 and 16 m
+    vec4 wide, mid, near, fine; // noise of periods 1024, 64, 16 and 2 m
 };
 
 struct material {
@@ -74,10 +74,12 @@ material blend(material a, material b, float t) {
 
 material sand(ground g) {
     vec3 tone = mix(vec3(0.62, 0.53, 0.38), vec3(0.72, 0.65, 0.51), g.wide.a);
-    tone *= 0.92 + 0.16 * g.near.a;
+    tone *= (0.88 + 0.24 * g.near.a) * (0.80 + 0.40 * g.fine.r);
+    // Shells and bits of coral.
+    tone = mix(tone, vec3(0.80, 0.77, 0.70), smoothstep(0.80, 0.92, g.fine.a) * smoothstep(0.45, 0.65, g.near.r) * 0.7);
     // Wet up to where the last waves ran; wet sand is darker and smoother.
     float wet = 1.0 - smoothstep(0.15, 0.75, g.elevation + 0.5 * (g.mid.a - 0.5) + 0.25 * (g.wide.a - 0.5));
-    return material(tone * mix(1.0, 0.52, wet * step(-0.6, g.elevation)), mix(0.10, 0.03, wet), mix(0.45, 0.2, wet));
+    return material(tone * mix(1.0, 0.52, wet * step(-0.6, g.elevation)), mix(0.22, 0.05, wet), mix(0.45, 0.2, wet));
 }
 
 // Basalt: dark, rusty in places, layered where it stands steep.
@@ -87,23 +89,24 @@ material rock(ground g) {
     float layer = g.elevation + 9.0 * (g.wide.r - 0.5) + 1.5 * (g.mid.a - 0.5);
     float bands = sin(layer * 0.9) * 0.6 + sin(layer * 2.3 + 1.7) * 0.4;
     tone *= 1.0 + 0.16 * bands * smoothstep(0.9, 2.0, g.steep) * (1.0 - smoothstep(0.4, 2.5, g.footprint));
-    tone *= mix(0.75, 1.15, g.near.r);
-    return material(tone, -0.55, 0.55); // billows turned over: cracks stand out as ridges
+    tone *= mix(0.70, 1.20, g.near.r) * mix(0.75, 1.2, g.fine.r);
+    tone *= mix(0.50, 1.15, smoothstep(0.25, 0.62, g.mid.r));
+    return material(tone, -1.0, 0.55); // billows turned over: cracks stand out as ridges
 }
 
 material grass(ground g, float high) {
     vec3 lush = mix(vec3(0.052, 0.074, 0.021), vec3(0.100, 0.118, 0.040), g.mid.a);
     vec3 dry = mix(vec3(0.13, 0.115, 0.055), vec3(0.20, 0.170, 0.090), g.mid.a);
     float parched = clamp(smoothstep(0.45, 0.75, g.wide.a + 0.35 * (g.open - 0.8)) * 0.75 + high, 0.0, 1.0);
-    return material(mix(lush, dry, parched) * (0.85 + 0.3 * g.near.a), 0.25, 0.6);
+    return material(mix(lush, dry, parched) * (0.75 + 0.5 * g.near.r) * (0.6 + 0.8 * g.fine.r), 0.35, 0.6);
 }
 
 material forest(ground g) {
     // Crowns: bright tops, dark gaps; seen from far they melt into one dark green.
-    float crown = smoothstep(0.15, 0.85, g.mid.r);
+    float crown = smoothstep(0.05, 0.80, g.mid.r);
     vec3 tone = mix(vec3(0.011, 0.022, 0.008), vec3(0.052, 0.078, 0.024), crown);
-    tone *= mix(vec3(0.80, 0.92, 0.95), vec3(1.30, 1.12, 0.85), g.wide.a) * (0.85 + 0.3 * g.near.r);
-    return material(tone, 0.85, 0.7);
+    tone *= mix(vec3(0.80, 0.92, 0.95), vec3(1.30, 1.12, 0.85), g.wide.a) * (0.55 + 0.9 * g.near.r) * (0.7 + 0.6 * g.fine.r);
+    return material(tone, 0.9, 0.7);
 }
 
 material sea_bed(ground g) {
@@ -125,14 +128,14 @@ material land(ground g) {
     float alpine = smoothstep(1900.0, 2700.0, height);
     material m = grass(g, 0.9 * smoothstep(900.0, 2000.0, height));
     // Trees fill the valleys and the wet slopes, and leave the ridges and dry flats.
-    float trees = 0.30 + 1.5 * (1.0 - g.open) + 1.3 * (g.wide.a - 0.42) + 0.5 * (g.mid.a - 0.5) + 0.25 * smoothstep(0.15, 0.5, g.steep);
+    float trees = 0.40 + 1.5 * (1.0 - g.open) + 1.4 * (g.wide.a - 0.42) + 0.2 * (g.mid.a - 0.5) + 0.25 * smoothstep(0.15, 0.5, g.steep);
     trees *= smoothstep(2.8, 6.0, g.elevation + 2.0 * (g.mid.a - 0.5)) * (1.0 - smoothstep(1300.0, 2000.0, height));
     m = blend(m, forest(g), smoothstep(0.25, 0.45, trees));
     float surf = 1.0 - smoothstep(4.0, 26.0, g.elevation + 14.0 * (g.mid.a - 0.5)); // where spray keeps the rock bare
     float bare = g.steep + 0.55 * (g.mid.r - 0.5) + 0.5 * (g.wide.a - 0.5);
     float threshold = mix(mix(1.25, 0.38, surf), 0.35, alpine);
     m = blend(m, rock(g), max(smoothstep(threshold, threshold + 0.35, bare), 0.85 * alpine));
-    float beach = 1.0 - smoothstep(2.4, 3.6, g.elevation + 1.6 * (g.mid.a - 0.5) + 1.5 * (g.wide.a - 0.5));
+    float beach = 1.0 - smoothstep(2.75, 3.2, g.elevation + 1.6 * (g.mid.a - 0.5) + 1.5 * (g.wide.a - 0.5) + 1.1 * (g.near.r - 0.5) + 0.5 * (g.fine.r - 0.5));
     m = blend(m, sand(g), beach * (1.0 - smoothstep(0.22, 0.34, g.steep + 0.15 * (g.mid.r - 0.5))));
     float dark = (1.0 - smoothstep(0.4, 1.6, g.elevation + 1.2 * (g.mid.a - 0.5))) * smoothstep(0.22, 0.36, g.steep);
     m.albedo *= 1.0 - 0.45 * dark;
@@ -161,11 +164,12 @@ ground look(vec2 p, float level) {
     g.wide = noise(p, 1024.0, g.footprint);
     // Standing rock: the grain lies in its face, not in the plan.
     vec2 plan = p.yx + 31.0, face = vec2(abs(g.normal.x) > abs(g.normal.y) ? p.y : p.x, g.elevation);
-    g.mid = noise(g.steep > 1.25 ? face : plan, 128.0, g.footprint);
+    g.mid = noise(g.steep > 1.25 ? face : plan, 64.0, g.footprint);
 #ifdef NEAR
     g.near = noise(p, 16.0, g.footprint);
+    g.fine = noise(p.yx, 2.0, g.footprint);
 #else
-    g.near = vec4(0.5); // no texel of this chunk resolves it
+    g.near = g.fine = vec4(0.5); // no texel of this chunk resolves them
 #endif
     return g;
 }
@@ -173,9 +177,9 @@ ground look(vec2 p, float level) {
 // Ripples of the sand, only where the pixel resolves them.
 vec2 ripples(ground g, vec2 p) {
 #ifdef NEAR
-    float seen = (1.0 - smoothstep(0.02, 0.06, g.footprint)) * (1.0 - smoothstep(0.3, 1.2, g.elevation));
-    float phase = 2.0 * PI * (dot(p, vec2(0.8, 0.6)) * 8.0 + 3.0 * g.near.a + 4.0 * g.mid.a);
-    return vec2(0.8, 0.6) * cos(phase) * 0.12 * seen * (1.0 - smoothstep(0.1, 0.2, g.steep));
+    float seen = (1.0 - smoothstep(0.02, 0.06, g.footprint)) * smoothstep(0.4, 0.9, g.elevation) * smoothstep(0.35, 0.6, g.mid.r);
+    float phase = 2.0 * PI * (dot(p, vec2(0.8, 0.6)) * 7.0 + 2.2 * g.near.a + 3.0 * g.mid.a);
+    return vec2(0.8, 0.6) * cos(phase) * 0.10 * seen * (1.0 - smoothstep(0.1, 0.2, g.steep));
 #else
     return vec2(0.0);
 #endif
@@ -191,7 +195,7 @@ void main() {
     else m = blend(sea_bed(g), land(g), smoothstep(-0.5, 0.3, g.elevation));
 
     // The billows' gradients as bumps; the noise's mip-maps take them away in time.
-    vec2 grain = (g.mid.gb - 0.5).yx * 2.2 + (g.near.gb - 0.5) * 1.2;
+    vec2 grain = (g.mid.gb - 0.5).yx * 2.2 + (g.near.gb - 0.5) * 1.2 + (g.fine.gb - 0.5).yx * 0.9;
     vec3 n = normalize(vec3(g.normal.xy - m.bump * grain - ripples(g, p), g.normal.z));
     vec3 view = -normalize(position);
 

@@ -9,7 +9,7 @@
 #include "shore/terrain.h"
 
 #define SHORTEST_WAVELENGTH 1.0 // [m]
-#define INVISIBLE 0.001f          // amplitudes that are not worth their time [m]
+#define FAINT 0.003f              // amplitude per wavelength that is not worth its time at short wavelengths
 #define GULLY_SHORTEST 12.0     // below this there is rubble, not drainage [m]
 
 // Amplitude per wavelength of a gully on a slope: its flanks are about as steep as the hillside, up to a limit.
@@ -42,7 +42,7 @@ typedef struct octave {
 static float octave_height(const octave *o, float slope, float gully, float rubble, float *dx, float *dy) {
     float height = 0.0f, gx = 0.0f, gy = 0.0f;
     float total = sqrtf(*dx * *dx + *dy * *dy);
-    if (gully * o->wavelength > INVISIBLE && total > 1e-4f) {
+    if (gully > 0.0f && total > 1e-4f) {
         float ax = -*dy / total, ay = *dx / total; // level direction
         noise_value n = directed_noise(o->x, o->y, o->c * ax - o->s * ay, o->s * ax + o->c * ay, o->seed);
         // Sharp crests between rounded beds, half and half with the wave itself.
@@ -53,7 +53,7 @@ static float octave_height(const octave *o, float slope, float gully, float rubb
         float slope_of_fold = 0.45f - 0.9f * n.v / fold;
         gx += k * slope_of_fold * n.dx, gy += k * slope_of_fold * n.dy;
     }
-    if (rubble * o->wavelength <= INVISIBLE) {
+    if (rubble <= 0.0f) {
         return height;
     }
     noise_value n = gradient_noise(o->x + 0.5, o->y + 0.5, o->seed + 1u);
@@ -95,8 +95,9 @@ float detail_apply(const bolan_terrain *t, surface_point base, double x, double 
         o.x = (c * x - s * y) / wavelength, o.y = (s * x + c * y) / wavelength;
         o.c = (float)c, o.s = (float)s;
         float k = band * rough * roll_off(wavelength);
-        float gully = wavelength >= GULLY_SHORTEST ? k * gully_depth(slope) : 0.0f;
-        float rubble = k * (0.004f + 0.16f * slope / (0.5f + slope));
+        float faint = FAINT * 50.0f / (o.wavelength + 50.0f); // beaches and lagoons cost nothing
+        float gully = wavelength >= GULLY_SHORTEST ? fmaxf(k * gully_depth(slope) - faint, 0.0f) : 0.0f;
+        float rubble = fmaxf(k * (0.004f + 0.16f * slope / (0.5f + slope)) - faint, 0.0f);
         z += octave_height(&o, slope, gully, rubble, &dx, &dy);
         o.seed += 0x9e3779b9u;
         double turned = 0.8 * c - 0.6 * s;

@@ -132,7 +132,7 @@ static float crater(const island_plan *p, const place *a) {
 
 static float mountains(const island_plan *p, const place *a) {
     float cone = 0.30f * clamp01(1.0f - hypot2(a->u + 0.2f, a->v) / 0.75f);
-    float spur = a->spur * flank(a->headland / 0.075f);
+    float spur = a->spur * flank(sqrtf(a->headland * a->headland + 0.0002f) / 0.075f);
     float body = smooth_max(smooth_max(crater(p, a), cone, 0.06f), spur, 0.08f);
     float hills = fractal_noise(5.0 * a->u + 1.7, 5.0 * a->v, 3, p->seed + 7);
     return p->peak * body * (1.0f + 0.22f * hills);
@@ -202,13 +202,14 @@ static float reef_top(const island_plan *p, const place *a, float bed) {
         float s = (du * p->motu[n].along_u + dv * p->motu[n].along_v) / p->motu[n].length;
         float t = (dv * p->motu[n].along_u - du * p->motu[n].along_v) / p->motu[n].width + 0.9f * s * s;
         float islet = 1.0f - hypot2(s, t);
-        z = smooth_max(z, fminf(islet * p->motu[n].width * p->radius / 15.0f, 2.6f), 0.6f);
+        z = smooth_max(z, fminf(islet * p->motu[n].width * p->radius / 11.0f, 4.6f), 0.6f);
     }
+    float bend = fractal_noise(a->x / (0.12 * p->radius), a->y / (0.12 * p->radius), 2, p->seed + 20);
     for (uint32_t n = 0; n < ISLAND_PASSES; n++) {
         float ru = a->u - 0.28f, along = ru * p->pass[n].u + a->v * p->pass[n].v;
-        float across = a->v * p->pass[n].u - ru * p->pass[n].v;
-        float cut = smoothstepf(0.045f, 0.02f, fabsf(across)) * smoothstepf(0.62f, 0.92f, along);
-        z = lerpf(z, fminf(z, -9.0f), cut);
+        float across = a->v * p->pass[n].u - ru * p->pass[n].v + 0.035f * bend;
+        float cut = smoothstepf(0.055f, 0.015f, fabsf(across)) * smoothstepf(0.55f, 0.93f, along);
+        z = lerpf(z, fminf(z, -10.0f), cut);
     }
     return z;
 }
