@@ -121,7 +121,7 @@ vec4 cirrus(vec3 dir, out float d) {
 
 vec4 behind_air(vec4 clouds, vec3 dir, float d) {
     vec3 transmittance, inscatter;
-    air_perspective(dir * d, transmittance, inscatter);
+    aerial_perspective(dir * d, transmittance, inscatter);
     float fade = 1.0 - smoothstep(0.5 * FARTHEST, FARTHEST, d);
     return vec4(clouds.rgb * transmittance + inscatter * clouds.a, clouds.a) * fade;
 }
@@ -134,7 +134,7 @@ void main() {
     if (high.a > 0.0) color = vec4(high.rgb * air_transmittance(max(eye.z, 0.0), dir.z, d), high.a);
     if (high.a > 0.0) { // the air before it, not the sky's whole
         vec3 transmittance, inscatter;
-        air_perspective(dir * d, transmittance, inscatter);
+        aerial_perspective(dir * d, transmittance, inscatter);
         color.rgb += inscatter * high.a;
     }
     vec2 span = layer_interval(max(eye.z, 0.0), dir.z);

@@ -74,20 +74,11 @@ vec3 air_transmittance(float h, float mu, float d) {
     return exp(-d * (RAYLEIGH * sum.x + mie_extinction() * sum.y));
 }
 
-// What the air does to light from an eye-relative position: color * transmittance + inscatter.
-void air_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
+// What the air does to light from an eye-relative position: color * transmittance + inscatter. Clouds below a high eye are
+// laid over the picture at its end (sky_over.glsl).
+void aerial_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
     float d = max(length(position), 1e-3), h = max(eye.z, 0.0);
     vec3 dir = position / d;
     transmittance = air_transmittance(h, dir.z, d);
     inscatter = textureLod(aerial_table, aerial_uv(dir, h, d), 0.0).rgb;
-}
-
-// The same with the clouds that lie below a high eye.
-void aerial_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
-    air_perspective(position, transmittance, inscatter);
-    if (air.y > 0.5 && position.z < haze.y - eye.z) {
-        vec4 clouds = cloud_radiance(normalize(position));
-        transmittance *= 1.0 - clouds.a;
-        inscatter = inscatter * (1.0 - clouds.a) + clouds.rgb;
-    }
 }

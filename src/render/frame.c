@@ -115,6 +115,7 @@ static void draw_water(bolan_renderer *r, frame *f) {
     end_part(r, PART_COPY);
     begin_part(r, PART_WATER);
     pass_water_draw(r->water, f);
+    pass_sky_draw_over(r->sky, f);
     end_part(r, PART_WATER);
 }
 

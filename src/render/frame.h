@@ -79,6 +79,7 @@ typedef struct pass_tonemap pass_tonemap;
 bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out);
 void pass_sky_prepare(pass_sky *p, frame *f); // tables (when stale), sun_light, sky_light, exposure; binds its units
 void pass_sky_draw(pass_sky *p, const frame *f); // where depth is 0 (nothing drawn)
+void pass_sky_draw_over(pass_sky *p, const frame *f); // after the water: clouds below a high eye; reads UNIT_SCENE_DEPTH
 bolan_result pass_sky_reload(pass_sky *p);
 void pass_sky_destroy(pass_sky **p);
 

@@ -11,7 +11,7 @@ enum { ENVIRONMENT_SIZE = 512, ENVIRONMENT_LEVELS = 8, LIGHT_PIXELS = 4 };
 struct pass_sky {
     atmosphere air;
     clouds clouds;
-    gl_program sky_program, environment_program, prefilter_program, light_program;
+    gl_program sky_program, sun_program, over_program, environment_program, prefilter_program, light_program;
     gl_texture plain, environment, light; // the environment before and after its levels are blurred
     gl_target plain_target, environment_target[ENVIRONMENT_LEVELS], light_target;
     gl_buffer uniforms;            // Frame, while tables are drawn
@@ -50,6 +50,8 @@ bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out) {
     bolan_result result = atmosphere_create(&p->air);
     if (result == BOLAN_OK) result = clouds_create(&p->clouds);
     if (result == BOLAN_OK) result = gl_program_create("sky", NULL, &p->sky_program);
+    if (result == BOLAN_OK) result = gl_program_create("sky_sun", NULL, &p->sun_program);
+    if (result == BOLAN_OK) result = gl_program_create("sky_over", NULL, &p->over_program);
     if (result == BOLAN_OK) result = gl_program_create("sky_environment", NULL, &p->environment_program);
     if (result == BOLAN_OK) result = gl_program_create("sky_prefilter", NULL, &p->prefilter_program);
     if (result == BOLAN_OK) result = gl_program_create("sky_light", NULL, &p->light_program);
@@ -66,6 +68,8 @@ bolan_result pass_sky_reload(pass_sky *p) {
     bolan_result result = atmosphere_reload(&p->air);
     if (result == BOLAN_OK) result = clouds_reload(&p->clouds);
     if (result == BOLAN_OK) result = gl_program_reload(&p->sky_program);
+    if (result == BOLAN_OK) result = gl_program_reload(&p->sun_program);
+    if (result == BOLAN_OK) result = gl_program_reload(&p->over_program);
     if (result == BOLAN_OK) result = gl_program_reload(&p->environment_program);
     if (result == BOLAN_OK) result = gl_program_reload(&p->prefilter_program);
     if (result == BOLAN_OK) result = gl_program_reload(&p->light_program);
@@ -145,10 +149,19 @@ void pass_sky_prepare(pass_sky *p, frame *f) {
 }
 
 void pass_sky_draw(pass_sky *p, const frame *f) {
-    (void)f;
-    const gl_state behind = {.depth_test = true, .color_write = true};
-    gl_set_state(&behind);
+    gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
     gl_program_use(&p->sky_program);
+    gl_draw_fullscreen();
+    if (f->uniforms.sun.z < -0.1f) return; // below any horizon to 20 km
+    gl_set_state(&(gl_state){.depth_test = true, .color_write = true, .blend = GL_BLEND_ADD});
+    gl_program_use(&p->sun_program);
+    gl_draw_fullscreen();
+}
+
+void pass_sky_draw_over(pass_sky *p, const frame *f) {
+    if (f->uniforms.air.y < 0.5f || f->uniforms.wind.w <= 0.0f) return;
+    gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_PREMULTIPLIED});
+    gl_program_use(&p->over_program);
     gl_draw_fullscreen();
 }
 
@@ -164,6 +177,8 @@ void pass_sky_destroy(pass_sky **pp) {
     gl_texture_free(&p->environment);
     gl_texture_free(&p->light);
     gl_program_free(&p->sky_program);
+    gl_program_free(&p->sun_program);
+    gl_program_free(&p->over_program);
     gl_program_free(&p->environment_program);
     gl_program_free(&p->prefilter_program);
     gl_program_free(&p->light_program);
