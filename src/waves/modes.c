@@ -126,25 +126,28 @@ static void set_reach(sea_cascade *c) {
     }
 }
 
+// Planes begin some lines after a multiple of their size: written row by row at once, they would otherwise all
+// compete for one set of the cache.
+enum { PLANE_SHIFT = 7 * 16 }; // floats
+
 static bool reserve_cascade(bolan_sea *sea, sea_cascade *c) {
-    const size_t n = c->n, modes = n * c->strips * FFT_LANES, points = n * n;
-    const size_t floats = modes * 7 + 2 * n + modes * SEA_PARTS * 2 + points * (SEA_FIELDS + 1);
-    float *next = sea_reserve(sea, floats * sizeof(float) + modes * sizeof(double) + points * 9 * sizeof(uint16_t));
+    const size_t n = c->n, modes = n * c->strips * FFT_LANES, points = n * n, plane = points + PLANE_SHIFT;
+    const size_t tables = modes * 9 + 2 * n, middle = modes * SEA_PARTS * 2, planes = plane * (SEA_FIELDS + 6);
+    float *next = sea_reserve(sea, (tables + middle + planes) * sizeof(float));
     if (!next) return false;
     c->turns = (double *)(void *)next;
-    next += 2 * modes;
-    c->amplitude = next;
+    c->amplitude = next + 2 * modes;
     c->inverse_k = c->amplitude + 4 * modes;
     c->expected = c->inverse_k + modes;
     c->k = c->expected + 2 * modes;
     c->k2 = c->k + n;
     c->middle = c->k2 + n;
-    next = c->middle + 2 * SEA_PARTS * modes;
-    for (int f = 0; f < SEA_FIELDS; f++, next += points) c->field[f] = next;
+    next = c->middle + middle;
+    for (int f = 0; f < SEA_FIELDS; f++, next += plane) c->field[f] = next;
     c->foam = next;
-    c->displacement_half = (uint16_t *)(void *)(c->foam + points);
-    c->slope_half = c->displacement_half + 4 * points;
-    c->foam_half = c->slope_half + 4 * points;
+    c->displacement_half = (uint16_t *)(void *)(next + plane);
+    c->slope_half = (uint16_t *)(void *)(next + 3 * plane);
+    c->foam_half = (uint16_t *)(void *)(next + 5 * plane);
     return true;
 }
 

@@ -8,6 +8,8 @@
 
 #define LONGEST_TICK 0.5   // [s] a step forward that the foam memory survives
 #define SETTLE_TICK 0.25   // [s]
+#define SAMPLE_BYTES 54.0   // 9 planes of float, 9 of half
+#define LARGE_OUTPUT 4e7    // [bytes] more than third-level caches hold for one process
 #define LARGEST_TIME 0x1p36 // [s]: 2000 years; beyond, phases would lose their meaning in double
 
 bolan_sea_desc bolan_sea_desc_default(void) {
@@ -46,7 +48,7 @@ static bool build(bolan_sea *sea) {
     sea_radial_prepare(&eval, sea_wind_peak(&sea->desc.sea_state, &sea->summary), up + cross, &radial);
     sea_layout(sea, &radial);
     sea->slots = bolan_threads();
-    sea->scratch_floats = (size_t)SEA_SCRATCH_ROWS * sea->desc.resolution * FFT_ROW;
+    sea->scratch_floats = SEA_SCRATCH_BUFFERS * sea_scratch_pitch(sea->desc.resolution);
     sea->scratch = sea_reserve(sea, sea->slots * sea->scratch_floats * sizeof(float));
     return sea->scratch && fft_plan_create(sea->desc.resolution, &sea->plan) && sea_modes_create(sea, &eval, &radial) &&
            sea_slopes_create(sea) && sea_whitecaps_create(sea);
@@ -127,6 +129,7 @@ static void synthesise(bolan_sea *sea, double time, float decay) {
     s.moment.time = fmod(time, period > 0.0 ? period : LARGEST_TIME);
     s.moment.decay = decay;
     s.moment.choppiness = (float)sea->desc.choppiness;
+    s.moment.stream = (double)sea->count * sea->plan.n * sea->plan.n * SAMPLE_BYTES > LARGE_OUTPUT;
     run_pass(&s, false);
     run_pass(&s, true);
     sea->time = time;

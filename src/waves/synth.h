@@ -10,17 +10,23 @@ typedef struct sea_moment {
     double time;      // [s], reduced by the loop period
     float decay;      // factor on the foam memory; 0 restarts it
     float choppiness;
+    bool stream;      // planes go around the cache: they are larger than it
 } sea_moment;
 
 typedef struct sea_kernels {
-    // Modes of strip `strip` at the time -> `middle`. `scratch`: 3 n rows.
+    // Modes of strip `strip` at the time -> `middle`.
     void (*rows)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip, float *scratch);
-    // `middle` -> fields for x in strip `strip`. `scratch`: 2 n rows.
+    // `middle` -> fields for x in strip `strip`.
     void (*columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
                     float *scratch);
 } sea_kernels;
 
-enum { SEA_SCRATCH_ROWS = 3 };
+// Scratch memory of a worker: three buffers of n rows, a few lines apart, so that the same row of two of them does not fall
+// on one set of the cache.
+enum { SEA_SCRATCH_BUFFERS = 3, SEA_SCRATCH_SHIFT = 9 * 16 };
+static inline size_t sea_scratch_pitch(uint32_t n) {
+    return (size_t)n * FFT_ROW + SEA_SCRATCH_SHIFT; // floats
+}
 
 const sea_kernels *sea_kernels_for(bolan_cpu cpu);
 

@@ -13,6 +13,8 @@
 void KERNEL(sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
                          float *scratch);
 
+#define ALWAYS_INLINE inline __attribute__((always_inline))
+
 typedef struct parts { pair h, kh, u, ku, kku; } parts;
 
 static inline parts load_parts(const float *cell) {
@@ -81,27 +83,36 @@ PACK_ROWS(pack_displacement)
 PACK_ROWS(pack_slopes)
 #undef PACK_ROWS
 
-// Texels of four halfs.
-static inline void store_texels(uint16_t *out, pair ab, pair cd) {
-    wide words[2];
-    wide_interleave(wide_half_pair(ab.re, ab.im), wide_half_pair(cd.re, cd.im), words);
-    memcpy(out, words, sizeof words);
+static inline void put(bool stream, float *p, wide v) {
+    if (stream) {
+        wide_stream(p, v);
+    } else {
+        wide_store(p, v);
+    }
 }
 
-static void store_displacement(const fft_plan *plan, const sea_cascade *cascade, uint32_t strip, const float *first,
-                               const float *second) {
-    for (uint32_t y = 0; y < plan->n; y++) {
-        const size_t row = (size_t)plan->order[y] * FFT_ROW;
-        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
-            const size_t at = (size_t)y * plan->n + strip * FFT_LANES + lane;
-            const pair d = pair_load(first + row + lane), e = pair_load(second + row + lane);
-            wide_store(cascade->field[FIELD_DX] + at, d.re);
-            wide_store(cascade->field[FIELD_DY] + at, d.im);
-            wide_store(cascade->field[FIELD_HEIGHT] + at, e.re);
-            wide_store(cascade->field[FIELD_DXY] + at, e.im);
-            store_texels(cascade->displacement_half + 4 * at, d, e);
-        }
-    }
+// Texels of four halfs.
+static inline void store_texels(bool stream, uint16_t *out, pair ab, pair cd) {
+    wide words[2];
+    wide_interleave(wide_half_pair(ab.re, ab.im), wide_half_pair(cd.re, cd.im), words);
+    put(stream, (float *)(void *)out, words[0]);
+    put(stream, (float *)(void *)out + WIDE, words[1]);
+}
+
+static inline void store_displacement(const sea_cascade *cascade, bool stream, size_t at, pair d, pair e) {
+    put(stream, cascade->field[FIELD_DX] + at, d.re);
+    put(stream, cascade->field[FIELD_DY] + at, d.im);
+    put(stream, cascade->field[FIELD_HEIGHT] + at, e.re);
+    put(stream, cascade->field[FIELD_DXY] + at, e.im);
+    store_texels(stream, cascade->displacement_half + 4 * at, d, e);
+}
+
+static inline void store_slopes(const sea_cascade *cascade, bool stream, size_t at, pair s, pair g) {
+    put(stream, cascade->field[FIELD_SLOPE_X] + at, s.re);
+    put(stream, cascade->field[FIELD_SLOPE_Y] + at, s.im);
+    put(stream, cascade->field[FIELD_DXX] + at, g.re);
+    put(stream, cascade->field[FIELD_DYY] + at, g.im);
+    store_texels(stream, cascade->slope_half + 4 * at, s, g);
 }
 
 static inline void store_foam(const sea_cascade *cascade, const sea_moment *moment, size_t at, pair gradient) {
@@ -113,32 +124,54 @@ static inline void store_foam(const sea_cascade *cascade, const sea_moment *mome
     wide_half_store(cascade->foam_half + at, foam);
 }
 
-static void store_slopes(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
-                         const float *first, const float *second) {
-    for (uint32_t y = 0; y < plan->n; y++) {
+// The last stage of two transforms, whose outputs go where they belong at once. Its eight outputs lie n / 8 rows apart.
+static ALWAYS_INLINE void finish(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, bool stream,
+                                 bool slopes, uint32_t strip, const float *first, const float *second) {
+    const uint32_t n = plan->n;
+    for (uint32_t y = 0; y < n / 8; y++) {
         const size_t row = (size_t)plan->order[y] * FFT_ROW;
         for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
-            const size_t at = (size_t)y * plan->n + strip * FFT_LANES + lane;
-            const pair s = pair_load(first + row + lane), g = pair_load(second + row + lane);
-            wide_store(cascade->field[FIELD_SLOPE_X] + at, s.re);
-            wide_store(cascade->field[FIELD_SLOPE_Y] + at, s.im);
-            wide_store(cascade->field[FIELD_DXX] + at, g.re);
-            wide_store(cascade->field[FIELD_DYY] + at, g.im);
-            store_texels(cascade->slope_half + 4 * at, s, g);
-            store_foam(cascade, moment, at, g);
+            pair a[8], d[8], e[8];
+#pragma GCC unroll 8
+            for (uint32_t i = 0; i < 8; i++) a[i] = pair_load(first + row + lane + (size_t)i * FFT_ROW);
+            butterfly8(a, d);
+#pragma GCC unroll 8
+            for (uint32_t i = 0; i < 8; i++) a[i] = pair_load(second + row + lane + (size_t)i * FFT_ROW);
+            butterfly8(a, e);
+#pragma GCC unroll 8
+            for (uint32_t i = 0; i < 8; i++) {
+                const size_t at = (size_t)(y + i * (n / 8)) * n + strip * FFT_LANES + lane;
+                if (slopes) {
+                    store_slopes(cascade, stream, at, d[i], e[i]);
+                    store_foam(cascade, moment, at, e[i]);
+                } else {
+                    store_displacement(cascade, stream, at, d[i], e[i]);
+                }
+            }
         }
+    }
+}
+
+static ALWAYS_INLINE void columns(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, bool stream,
+                                  uint32_t strip, float *scratch) {
+    float *first = scratch, *second = scratch + sea_scratch_pitch(plan->n);
+#pragma GCC unroll 2
+    for (int slopes = 0; slopes < 2; slopes++) {
+        (slopes ? pack_slopes_rows : pack_displacement_rows)(cascade, strip, first, second);
+        stage_first(plan, first, NULL, first);
+        fft_strip_rest(plan, first, false);
+        stage_first(plan, second, NULL, second);
+        fft_strip_rest(plan, second, false);
+        finish(plan, cascade, moment, stream, slopes, strip, first, second);
     }
 }
 
 void KERNEL(sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
                          float *scratch) {
-    float *first = scratch, *second = scratch + (size_t)plan->n * FFT_ROW;
-    pack_displacement_rows(cascade, strip, first, second);
-    fft_strip_of(plan, first, NULL, first);
-    fft_strip_of(plan, second, NULL, second);
-    store_displacement(plan, cascade, strip, first, second);
-    pack_slopes_rows(cascade, strip, first, second);
-    fft_strip_of(plan, first, NULL, first);
-    fft_strip_of(plan, second, NULL, second);
-    store_slopes(plan, cascade, moment, strip, first, second);
+    if (moment->stream) {
+        columns(plan, cascade, moment, true, strip, scratch);
+        wide_stream_end();
+    } else {
+        columns(plan, cascade, moment, false, strip, scratch);
+    }
 }

@@ -85,8 +85,8 @@ static void transpose_out(const fft_plan *plan, const sea_cascade *cascade, uint
 
 void KERNEL(sea_rows)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
                       float *scratch) {
-    const size_t size = (size_t)plan->n * FFT_ROW;
-    float *h = scratch, *u = scratch + size, *work = scratch + 2 * size;
+    const size_t pitch = sea_scratch_pitch(plan->n);
+    float *h = scratch, *u = scratch + pitch, *work = scratch + 2 * pitch;
     evolve(cascade, moment->time, strip, h, u);
     const float *source[SEA_PARTS] = {h, h, u, u, u};
     const float *factor[SEA_PARTS] = {NULL, cascade->k, NULL, cascade->k, cascade->k2};
