@@ -15,8 +15,8 @@ static float hypot2(float x, float y) { return sqrtf(x * x + y * y); }
 // Unit vector at so many degrees from u towards v.
 static void direction(float degrees, float *u, float *v) {
     float turns = degrees / 360.0f;
-    *u = cosine_of_turns(turns);
-    *v = cosine_of_turns(turns - 0.25f);
+    corners c = cosines_of_turns((corners){turns, turns - 0.25f, 0.0f, 0.0f});
+    *u = c[0], *v = c[1];
 }
 
 // ---- the plan --------------------------------------------------------------------------------------------------------
