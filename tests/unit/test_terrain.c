@@ -117,8 +117,8 @@ static void detail_leaves_as_the_resolution_grows(void **state) {
         double sum = 0.0;
         for (int n = 0; n < 2000; n++) {
             double x = -2500.0 + 3.7 * n, y = -1500.0 + 3.1 * n;
-            double d = bolan_terrain_elevation(rough, x, y, resolution) - bolan_terrain_elevation(smooth, x, y, resolution);
-            sum += d * d / 2000.0;
+            double added = bolan_terrain_elevation(rough, x, y, resolution) - bolan_terrain_elevation(smooth, x, y, resolution);
+            sum += added * added / 2000.0;
         }
         double rms = sqrt(sum);
         assert_true(rms <= before);
