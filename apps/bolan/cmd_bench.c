@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bolan bench: starts the program of the benchmarks, which lies beside this one and links what this one must not (FFTW).
+// bolan bench: starts the program of the benchmarks, which lies beside this one and links what this one must not
+// (FFTW).
 #include "commands.h"
 #include "options.h"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file io.h
-/// Tier 3, library bolan_io. Files: scenes (YAML), rasters (GDAL), measured spectra, images (PNG, EXR), video (the ffmpeg
-/// program), query points (CSV). Every writer writes under a temporary name beside the file and renames at the end: no partial
-/// file is left, and a file that stood there is replaced whole or not at all. Errors are ::bolan_result with one logged
-/// sentence: file, line or field, what was expected; on failure nothing is returned. Not thread-safe unless said.
+/// Tier 3, library bolan_io. Files: scenes (YAML), rasters (GDAL), measured spectra, images (PNG, EXR), video (the
+/// ffmpeg program), query points (CSV). Every writer writes under a temporary name beside the file and renames at the
+/// end: no partial file is left, and a file that stood there is replaced whole or not at all. Errors are ::bolan_result
+/// with one logged sentence: file, line or field, what was expected; on failure nothing is returned. Not thread-safe
+/// unless said.
 #ifndef BOLAN_IO_H
 #define BOLAN_IO_H
 
@@ -17,14 +18,15 @@ extern "C" {
 
 /// Writes a whole file. IO where it cannot be written.
 bolan_result bolan_file_write(const char *path, const void *data, size_t size);
-/// Would a file be written at @p path? Leaves nothing behind; for long work that should fail before it starts. IO if not.
+/// Would a file be written at @p path? Leaves nothing behind; for long work that should fail before it starts. IO if
+/// not.
 bolan_result bolan_file_check_writable(const char *path);
 
 // ---- scenes ---------------------------------------------------------------------------------------------------------
 
-/// Reads a scene: the name of a built-in scene ("island"), or a path to a YAML file of at most 1 MiB. Relative paths in the
-/// file are taken from the file's folder. On failure @p scene is untouched: IO, or FORMAT with file, line and key (an unknown
-/// key, a value outside its range, text that is not YAML).
+/// Reads a scene: the name of a built-in scene ("island"), or a path to a YAML file of at most 1 MiB. Relative paths in
+/// the file are taken from the file's folder. On failure @p scene is untouched: IO, or FORMAT with file, line and key
+/// (an unknown key, a value outside its range, text that is not YAML).
 bolan_result bolan_scene_load(const char *name_or_path, bolan_scene *scene);
 /// Parses YAML text of @p size bytes; @p name is used in messages; relative paths stay as they are.
 bolan_result bolan_scene_parse(const char *name, const char *text, size_t size, bolan_scene *scene);
@@ -36,8 +38,8 @@ typedef struct bolan_scene_assets {
     bolan_measured_spectrum *spectrum;
     bolan_terrain *terrain;
 } bolan_scene_assets;
-/// Reads them. A raster scene with an empty path takes the global ETOPO5 relief where Debian's ferret-datasets put it, and
-/// says what to do when it is not there. Errors: IO, FORMAT, MEMORY; @p out is then empty.
+/// Reads them. A raster scene with an empty path takes the global ETOPO5 relief where Debian's ferret-datasets put it,
+/// and says what to do when it is not there. Errors: IO, FORMAT, MEMORY; @p out is then empty.
 bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_assets *out);
 /// NULL-safe; NULLs the members.
 void bolan_scene_assets_destroy(bolan_scene_assets *assets);
@@ -46,18 +48,20 @@ bolan_result bolan_scene_create_sea(const bolan_scene *scene, const bolan_scene_
 
 // ---- spectra, rasters, points ---------------------------------------------------------------------------------------
 
-/// Reads a measured spectrum file of at most 64 MiB; @p record in time, 0 the earliest. For an NDBC real-time .data_spec the
-/// companions of the same stem beside it (.swdir, .swdir2, .swr1, .swr2) are used where they are. A path that begins with
-/// "builtin:" names a shipped spectrum ("builtin:synthetic-bimodal"). Errors: IO, FORMAT, MEMORY, ARGUMENT (record).
+/// Reads a measured spectrum file of at most 64 MiB; @p record in time, 0 the earliest. For an NDBC real-time
+/// .data_spec the companions of the same stem beside it (.swdir, .swdir2, .swr1, .swr2) are used where they are. A path
+/// that begins with "builtin:" names a shipped spectrum ("builtin:synthetic-bimodal"). Errors: IO, FORMAT, MEMORY,
+/// ARGUMENT (record).
 bolan_result bolan_spectrum_load(const char *path, uint32_t record, bolan_measured_spectrum **out);
 
-/// Reads part of a raster (band 1; any GDAL format; projected or geographic) as elevations on a square local grid in metres
-/// around (@p latitude, @p longitude) [deg] (NAN: its centre): azimuthal equidistant, x east, y north, +-@p radius. No-data
-/// becomes the mean of its neighbours, and outside the raster the rim continues. The grid's step follows the raster's own
-/// resolution, coarser where that would need more than 4096 samples a side; longitudes may run -180..180 or 0..360. Of a
-/// file with several rasters (NetCDF) the first is read. Errors: IO, FORMAT, ARGUMENT (the place is outside), MEMORY.
-bolan_result bolan_raster_load(const char *path, double latitude, double longitude, double radius, double vertical_scale,
-                               bolan_terrain **out);
+/// Reads part of a raster (band 1; any GDAL format; projected or geographic) as elevations on a square local grid in
+/// metres around (@p latitude, @p longitude) [deg] (NAN: its centre): azimuthal equidistant, x east, y north, +-@p
+/// radius. No-data becomes the mean of its neighbours, and outside the raster the rim continues. The grid's step
+/// follows the raster's own resolution, coarser where that would need more than 4096 samples a side; longitudes may run
+/// -180..180 or 0..360. Of a file with several rasters (NetCDF) the first is read. Errors: IO, FORMAT, ARGUMENT (the
+/// place is outside), MEMORY.
+bolan_result bolan_raster_load(const char *path, double latitude, double longitude, double radius,
+                               double vertical_scale, bolan_terrain **out);
 
 /// A growable list of points.
 typedef struct bolan_points { uint32_t count; bolan_dvec3 *points; size_t capacity; } bolan_points;
@@ -78,12 +82,13 @@ bolan_result bolan_image_read(const char *path, uint32_t *width, uint32_t *heigh
 /// One plane of an EXR; pixels row 0 at the top.
 typedef struct bolan_exr_channel { const char *name; const float *pixels; } bolan_exr_channel;
 /// Multi-channel 32-bit float EXR, ZIP compressed. Channels may come in any order; 1..64 of them, with different names.
-bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height, const bolan_exr_channel *channels, uint32_t count);
+bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height, const bolan_exr_channel *channels,
+                             uint32_t count);
 
 /// A film that is being written.
 typedef struct bolan_video bolan_video;
-/// Starts the `ffmpeg` program: .mp4 (H.264, yuv420p) or .webm (VP9) by the suffix. Width and height must be even, @p fps
-/// 1..240. UNSUPPORTED where ffmpeg is not installed; ARGUMENT; IO with ffmpeg's own words.
+/// Starts the `ffmpeg` program: .mp4 (H.264, yuv420p) or .webm (VP9) by the suffix. Width and height must be even, @p
+/// fps 1..240. UNSUPPORTED where ffmpeg is not installed; ARGUMENT; IO with ffmpeg's own words.
 bolan_result bolan_video_open(const char *path, uint32_t width, uint32_t height, double fps, bolan_video **out);
 /// Appends a frame, rgb as for bolan_png_write(). IO when ffmpeg gave up; then only bolan_video_close() is left to do.
 bolan_result bolan_video_write(bolan_video *video, const uint8_t *rgb);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file scene.h
-/// Tier 3. A scene as plain data: camera, sun, sky, water, terrain, technique, and the sea. No pointers but the ones the
-/// caller puts in; copy it freely. io.h reads it from YAML; render.h draws it. Every function here is pure and thread-safe.
+/// Tier 3. A scene as plain data: camera, sun, sky, water, terrain, technique, and the sea. No pointers but the ones
+/// the caller puts in; copy it freely. io.h reads it from YAML; render.h draws it. Every function here is pure and
+/// thread-safe.
 #ifndef BOLAN_SCENE_H
 #define BOLAN_SCENE_H
 
@@ -37,7 +38,12 @@ const bolan_technique *bolan_techniques(uint32_t *count);
 const bolan_technique *bolan_technique_find(const char *name);
 
 /// How much a picture may cost: steps of the grid, look-ups and target sizes. Raised: finer and slower.
-typedef enum bolan_quality { BOLAN_QUALITY_LOW, BOLAN_QUALITY_MEDIUM, BOLAN_QUALITY_HIGH, BOLAN_QUALITY_ULTRA } bolan_quality;
+typedef enum bolan_quality {
+    BOLAN_QUALITY_LOW,
+    BOLAN_QUALITY_MEDIUM,
+    BOLAN_QUALITY_HIGH,
+    BOLAN_QUALITY_ULTRA,
+} bolan_quality;
 
 // ---- water optics ---------------------------------------------------------------------------------------------------
 
@@ -47,8 +53,8 @@ typedef enum bolan_jerlov {
     BOLAN_JERLOV_1C, BOLAN_JERLOV_3C, BOLAN_JERLOV_5C, BOLAN_JERLOV_7C, BOLAN_JERLOV_9C,
 } bolan_jerlov;
 
-/// Optical coefficients at red, green, blue = 650, 550, 450 nm. They fit together: kd = (absorption + backscatter) / 0.9
-/// within 7 %, and absorption is never below that of pure water.
+/// Optical coefficients at red, green, blue = 650, 550, 450 nm. They fit together: kd = (absorption + backscatter) /
+/// 0.9 within 7 %, and absorption is never below that of pure water.
 typedef struct bolan_water_optics {
     bolan_vec3 kd;         ///< diffuse attenuation of downward irradiance [1/m]
     bolan_vec3 absorption; ///< a [1/m]
@@ -57,16 +63,17 @@ typedef struct bolan_water_optics {
     bolan_vec3 deep;       ///< radiance leaving deep water (above it) per unit downward irradiance, Rrs [1/sr]
     float index;           ///< of refraction; 1.34
 } bolan_water_optics;
-/// Jerlov's types by Kd (Austin & Petzold 1986 for I..1C, Jerlov 1976 for 3C..9C), pure water by Pope & Fry 1997 and Morel
-/// 1974, particles after Gordon & Morel 1983, Rrs by Gordon et al. 1988. I is the clearest ocean, 9C a muddy estuary.
+/// Jerlov's types by Kd (Austin & Petzold 1986 for I..1C, Jerlov 1976 for 3C..9C), pure water by Pope & Fry 1997 and
+/// Morel 1974, particles after Gordon & Morel 1983, Rrs by Gordon et al. 1988. I is the clearest ocean, 9C a muddy
+/// estuary.
 bolan_water_optics bolan_water_optics_from_jerlov(bolan_jerlov type);
 /// "I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C", in any case; -1 when unknown. And back; static storage.
 int bolan_jerlov_from_name(const char *name);
 /// The name of a type, "IB". Static storage.
 const char *bolan_jerlov_name(bolan_jerlov type);
 
-/// Fresnel reflectance of unpolarised light, exact dielectric. @p cos_incident 0..1; @p eta = n_transmitted / n_incident
-/// (1.34 from air into the sea, 1/1.34 from below: total reflection included).
+/// Fresnel reflectance of unpolarised light, exact dielectric. @p cos_incident 0..1; @p eta = n_transmitted /
+/// n_incident (1.34 from air into the sea, 1/1.34 from below: total reflection included).
 float bolan_fresnel(float cos_incident, float eta);
 
 // ---- the scene ------------------------------------------------------------------------------------------------------
@@ -90,8 +97,8 @@ typedef struct bolan_sky {
     uint64_t cloud_seed;      ///< which clouds; default 1
 } bolan_sky;
 
-/// Where the sun stands at @p unix_time [s since 1970-01-01 UTC] seen from @p latitude, @p longitude [deg, north and east
-/// positive]: compass azimuth and elevation [deg] without refraction, within 0.02 deg for the years 1950 to 2050.
+/// Where the sun stands at @p unix_time [s since 1970-01-01 UTC] seen from @p latitude, @p longitude [deg, north and
+/// east positive]: compass azimuth and elevation [deg] without refraction, within 0.02 deg for the years 1950 to 2050.
 /// Source: the Astronomical Almanac's low-precision sun (Michalsky, Solar Energy 40, 1988).
 void bolan_sun_position(double unix_time, double latitude, double longitude, double *azimuth, double *elevation);
 
@@ -110,7 +117,7 @@ typedef struct bolan_terrain_source {
     bolan_terrain_kind kind;         ///< default NONE: open sea
     bolan_island_desc island;        ///< for ISLAND
     char path[BOLAN_PATH_MAX];       ///< for RASTER: any file GDAL reads
-    double latitude, longitude;      ///< for RASTER: where the scene origin lies [deg]; NAN (default): the raster's centre
+    double latitude, longitude;      ///< for RASTER: place of the scene's origin [deg]; NAN (default): its centre
     double radius;                   ///< for RASTER: half side of the square that is read [m], 100..5e6; default 150000
     double vertical_scale;           ///< metres per raster unit, 1e-3..1e3; default 1
 } bolan_terrain_source;
@@ -121,7 +128,7 @@ typedef struct bolan_scene {
     char description[256];                 ///< one sentence, "" for none
     bolan_technique technique;             ///< default bolan_technique_ocean
     bolan_sea_desc sea;                    ///< sea.sea_state.measured stays NULL here
-    double fetch;                          ///< of the wind sea [m], 100..1e7; default 200000. See bolan_scene_set_wind()
+    double fetch;                          ///< of the wind sea [m], 100..1e7; default 2e5. See bolan_scene_set_wind()
     bolan_spectrum_kind wind_spectrum;     ///< shape of the wind sea; default JONSWAP. See bolan_scene_set_wind()
     char spectrum_path[BOLAN_PATH_MAX];    ///< "" or a measured spectrum file
     uint32_t spectrum_record;              ///< which record in time, from 0, the earliest; default 0
@@ -136,11 +143,12 @@ typedef struct bolan_scene {
 /// A scene with every default: open sea, wind 8 m/s, camera 3 m up, sun 35 degrees high.
 bolan_scene bolan_scene_default(void);
 /// Gives the scene another wind of @p wind_speed [m/s] FROM @p from_deg [deg]: the wind sea is built anew from it, from
-/// scene->fetch and scene->wind_spectrum (Pierson-Moskowitz: fully developed, whatever the fetch; TMA: at the sea's depth);
-/// swells stay. With a spectrum file the waves are the file's, and the wind only roughens them. The wind sea is told from
-/// swells by its system's wind_speed, which is above 0. Values are checked by bolan_scene_validate().
+/// scene->fetch and scene->wind_spectrum (Pierson-Moskowitz: fully developed, whatever the fetch; TMA: at the sea's
+/// depth); swells stay. With a spectrum file the waves are the file's, and the wind only roughens them. The wind sea is
+/// told from swells by its system's wind_speed, which is above 0. Values are checked by bolan_scene_validate().
 void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg);
-/// Checks every field against its range; logs a sentence naming the field and returns ARGUMENT at the first that is not.
+/// Checks every field against its range; logs a sentence naming the field and returns ARGUMENT at the first that is
+/// not.
 bolan_result bolan_scene_validate(const bolan_scene *scene);
 
 #ifdef __cplusplus

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Float pictures: OpenEXR, through its C library.
 //
-// The file is a single part of scan lines in blocks of 16 lines, each compressed by itself (ZIP). The encoder takes, for
-// each channel of the header, a pointer to the block's first line.
+// The file is a single part of scan lines in blocks of 16 lines, each compressed by itself (ZIP). The encoder takes,
+// for each channel of the header, a pointer to the block's first line.
 #include "io/file.h"
 
 #include <errno.h>

@@ -16,8 +16,8 @@ bolan_result file_read(const char *path, size_t limit, file_text *out);
 void file_release(file_text *text);
 
 enum { FILE_NAME_CAPACITY = BOLAN_PATH_MAX + 32 };
-/// Where to write what shall stand at @p path in the end: a name beside it, or @p path itself when that is a device or pipe,
-/// which cannot be replaced. IO with a sentence when @p path is a folder or too long.
+/// Where to write what shall stand at @p path in the end: a name beside it, or @p path itself when that is a device or
+/// pipe, which cannot be replaced. IO with a sentence when @p path is a folder or too long.
 bolan_result file_temporary_name(const char *path, char out[FILE_NAME_CAPACITY]);
 /// Moves the finished file to its name (@p keep), or removes it.
 bolan_result file_finish(const char *temporary, const char *path, bool keep);

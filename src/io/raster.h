@@ -2,7 +2,7 @@
 /// @file raster.h
 /// The parts of reading a raster. Private to src/io.
 ///
-///     file --open--> raster_source --plan--> raster_plan (local grid) --window--> raster_window --resample--> elevations
+///     file -open-> raster_source -plan-> raster_plan (local grid) -window-> raster_window -resample-> elevations
 ///
 /// *Pixel coordinates* are those of GDAL: x to the right, y down, pixel (0, 0) has its centre at (0.5, 0.5). *Local
 /// coordinates* are metres east and north of the scene's origin.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Filling holes: pull-push (Gortler et al., "The Lumigraph", SIGGRAPH 1996, section 3.5). Each coarser level holds the mean
-// of the known values of four; on the way back a hole takes the coarser level's value. Linear in the number of samples,
-// whatever the size of the holes.
+// Filling holes: pull-push (Gortler et al., "The Lumigraph", SIGGRAPH 1996, section 3.5). Each coarser level holds the
+// mean of the known values of four; on the way back a hole takes the coarser level's value. Linear in the number of
+// samples, whatever the size of the holes.
 #include "io/raster.h"
 
 static bool has_hole(const float *values, size_t count) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which pixels a plan needs, and reading them: thinned when there are too many, in two pieces where a global raster's seam
-// lies between them, holes filled.
+// Which pixels a plan needs, and reading them: thinned when there are too many, in two pieces where a global raster's
+// seam lies between them, holes filled.
 #include "io/raster.h"
 
 #include <cpl_error.h>

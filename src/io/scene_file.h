@@ -17,26 +17,60 @@ typedef struct scene_file {
     double time, exposure;
     struct scene_file_sea {
         uint32_t line;
-        struct scene_file_wind { uint32_t line; double speed, from; } wind;
+        struct scene_file_wind {
+            uint32_t line;
+            double speed, from;
+        } wind;
         double fetch_km, beaufort, douglas, depth, length, choppiness, loop, foam_decay;
         uint64_t seed, resolution, cascades;
-        struct scene_file_spectrum { uint32_t line; int shape; char file[BOLAN_PATH_MAX]; uint64_t record; } spectrum;
+        struct scene_file_spectrum {
+            uint32_t line;
+            int shape;
+            char file[BOLAN_PATH_MAX];
+            uint64_t record;
+        } spectrum;
         uint32_t swell_count;
-        struct scene_file_swell { uint32_t line; double hs, tp, from, spread; } swell[BOLAN_MAX_WAVE_SYSTEMS];
+        struct scene_file_swell {
+            uint32_t line;
+            double hs, tp, from, spread;
+        } swell[BOLAN_MAX_WAVE_SYSTEMS];
     } sea;
-    struct scene_file_water { uint32_t line; int type; double level, foam; } water;
+    struct scene_file_water {
+        uint32_t line;
+        int type;
+        double level, foam;
+    } water;
     struct scene_file_sky {
         uint32_t line;
-        struct scene_file_sun { uint32_t line; double azimuth, elevation, place[2]; char date[32]; } sun;
+        struct scene_file_sun {
+            uint32_t line;
+            double azimuth, elevation, place[2];
+            char date[32];
+        } sun;
         double visibility_km;
-        struct scene_file_clouds { uint32_t line; double cover, base; uint64_t seed; } clouds;
+        struct scene_file_clouds {
+            uint32_t line;
+            double cover, base;
+            uint64_t seed;
+        } clouds;
     } sky;
     struct scene_file_terrain {
         uint32_t line;
-        struct scene_file_island { uint32_t line; double radius, peak, sea_floor, lagoon_from; uint64_t seed; } island;
-        struct scene_file_raster { uint32_t line; char file[BOLAN_PATH_MAX]; double at[2], radius_km, vertical_scale; } raster;
+        struct scene_file_island {
+            uint32_t line;
+            double radius, peak, sea_floor, lagoon_from;
+            uint64_t seed;
+        } island;
+        struct scene_file_raster {
+            uint32_t line;
+            char file[BOLAN_PATH_MAX];
+            double at[2], radius_km, vertical_scale;
+        } raster;
     } terrain;
-    struct scene_file_camera { uint32_t line; double position[3], heading, pitch, roll, fov; } camera;
+    struct scene_file_camera {
+        uint32_t line;
+        double position[3], heading, pitch, roll, fov;
+    } camera;
 } scene_file;
 
 extern const schema_key scene_file_keys[];
@@ -45,7 +79,8 @@ extern const schema_key scene_file_keys[];
 void scene_file_clear(scene_file *file);
 /// Builds the scene; @p name is used in messages about keys that exclude or need each other. FORMAT.
 bolan_result scene_file_build(const scene_file *file, const char *name, bolan_scene *scene);
-/// "2026-06-21T18:00:00Z" (or +HH:MM instead of Z; seconds may be left out) as seconds since 1970 UTC; false if it is not one.
+/// "2026-06-21T18:00:00Z" (or +HH:MM instead of Z; seconds may be left out) as seconds since 1970 UTC; false if it is
+/// not one.
 bool scene_file_date(const char *text, double *unix_time);
 
 #endif

@@ -13,7 +13,8 @@
                                       .capacity = SIZE_OF(key) / sizeof(double))
 #define MAP(key, table)           KEY(key, .kind = SCHEMA_MAP, .keys = (table))
 #define LIST(key, count, table)   KEY(key, .kind = SCHEMA_LIST, .keys = (table), .stride = SIZE_OF(key[0]), \
-                                      .capacity = SIZE_OF(key) / SIZE_OF(key[0]), .count_offset = offsetof(STRUCT, count))
+                                      .capacity = SIZE_OF(key) / SIZE_OF(key[0]), \
+                                      .count_offset = offsetof(STRUCT, count))
 #define END {.name = NULL}
 // clang-format on
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The named scenes and shipped spectra, embedded by cmake/embed_text.cmake. Paths are relative to scenes/ ("island.yaml",
-// "spectra/synthetic-bimodal.spec"), sorted.
+// The named scenes and shipped spectra, embedded by cmake/embed_text.cmake. Paths are relative to scenes/
+// ("island.yaml", "spectra/synthetic-bimodal.spec"), sorted.
 #ifndef BOLAN_IO_SCENE_SOURCE_H
 #define BOLAN_IO_SCENE_SOURCE_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file schema.h
-/// Reads a YAML document into a C struct by a table of keys. What is not in the table, or outside its range, is refused with
-/// file, line, key and what was expected. Private to src/io.
+/// Reads a YAML document into a C struct by a table of keys. What is not in the table, or outside its range, is refused
+/// with file, line, key and what was expected. Private to src/io.
 #ifndef BOLAN_IO_SCHEMA_H
 #define BOLAN_IO_SCHEMA_H
 
@@ -29,8 +29,9 @@ typedef struct schema_key {
     const struct schema_key *keys; ///< of MAP and LIST
 } schema_key;
 
-/// Parses @p text and fills the struct @p out, whose members keep their values where the document has no key. The root is a
-/// map; an empty document is an empty map. FORMAT on failure (one sentence is logged; @p out is then partly filled).
+/// Parses @p text and fills the struct @p out, whose members keep their values where the document has no key. The root
+/// is a map; an empty document is an empty map. FORMAT on failure (one sentence is logged; @p out is then partly
+/// filled).
 bolan_result schema_read(const char *name, const char *text, size_t size, const schema_key *keys, void *out);
 
 #endif

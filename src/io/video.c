@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Video: raw frames through a pipe into the program ffmpeg.
 //
-//     this process ---- rgb24 frames ----> ffmpeg's stdin          (pipe 1)
-//     this process <--- what it complains about --- ffmpeg's stderr (a temporary file, so that neither waits for the other)
+//     this process ---- rgb24 frames --------> ffmpeg's stdin  (a pipe)
+//     this process <--- its complaints ------- ffmpeg's stderr (a temporary file: neither waits for the other)
 //
-// Without the program, no video; it is started directly, without a shell, and the film appears under its name at the end.
+// Without the program, no video; it is started directly, without a shell, and the film appears under its name at the
+// end.
 #include "io/file.h"
 
 #include <errno.h>
@@ -120,8 +121,8 @@ static int wait_for(pid_t process) {
 
 // ---- frames ---------------------------------------------------------------------------------------------------------
 
-// Writes it all. A pipe whose reader has gone raises SIGPIPE, which would end the caller's program: it is held back in this
-// thread and, if it came, taken off again.
+// Writes it all. A pipe whose reader has gone raises SIGPIPE, which would end the caller's program: it is held back in
+// this thread and, if it came, taken off again.
 static bool write_quietly(int file, const uint8_t *data, size_t size) {
     sigset_t pipe_signal, before;
     sigemptyset(&pipe_signal);

@@ -2,8 +2,8 @@
 // Fresnel reflectance of a dielectric. The shader twin is shaders/common/fresnel.glsl.
 #include "bolan/scene.h"
 
-// Born & Wolf, Principles of Optics, section 1.5.2, equations (32): amplitudes across and in the plane of incidence, for
-// the relative index n = n_t / n_i. Unpolarised light is half of each.
+// Born & Wolf, Principles of Optics, section 1.5.2, equations (32): amplitudes across and in the plane of incidence,
+// for the relative index n = n_t / n_i. Unpolarised light is half of each.
 float bolan_fresnel(float cos_incident, float eta) {
     const double n = (double)eta, ci = fmin(fmax((double)cos_incident, 0.0), 1.0);
     const double sin2_transmitted = (1.0 - ci * ci) / (n * n);

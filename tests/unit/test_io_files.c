@@ -101,7 +101,8 @@ static void test_exr_has_its_magic_and_its_channels_in_order(void **state) {
     fclose(file);
     assert_true(size > 300);
     assert_int_equal(little_endian(head), 20000630); // OpenEXR file layout, "Magic Number"
-    // The channel list is sorted by name: entries of 18 bytes (name, NUL, type 2 = float, ...) after its attribute header.
+    // The channel list is sorted by name: entries of 18 bytes (name, NUL, type 2 = float, ...) after its attribute
+    // header.
     const uint8_t *list = NULL;
     for (size_t i = 8; i + 64 < size && !list; i++)
         if (memcmp(head + i, "chlist\0", 7) == 0) list = head + i + 7 + 4;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Terrain from rasters: places and distances on the ellipsoid, holes, seams, refusals. The rasters are ESRI text grids
-// written here; distances are those of WGS 84 (one degree of latitude at the equator is 110574 m, of longitude 111320 m).
+// written here; distances are those of WGS 84 (one degree of latitude at the equator is 110574 m, of longitude 111320
+// m).
 #include "bolan/io.h"
 #include "io_support.h"
 
@@ -45,8 +46,8 @@ static void test_a_degree_has_its_length(void **state) {
     (void)state;
     write_grid("plane.asc", COLUMNS, ROWS, 0.0, 0.0, 0.1, slope_in_degrees);
     bolan_terrain *t = load("plane.asc", 0.0, 0.0, 150e3);
-    // The grid is a plane in degrees; over 1 degree it rises 1000 m to the east, 300 m to the north. 1 m of height is 0.1 %
-    // of the distance; detail on the slope is what the terrain adds below 11 km.
+    // The grid is a plane in degrees; over 1 degree it rises 1000 m to the east, 300 m to the north. 1 m of height is
+    // 0.1 % of the distance; detail on the slope is what the terrain adds below 11 km.
     const double middle = height_at(t, 0, 0);
     assert_near(middle, -500.0, 1.0);
     assert_near(height_at(t, 111320.0, 0) - middle, 1000.0, 2.0);

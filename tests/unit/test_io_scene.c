@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes from YAML: every key arrives, everything else is refused with file, line and key, and the built-in scenes load.
+// Scenes from YAML: every key arrives, everything else is refused with file, line and key, and the built-in scenes
+// load.
 #include "bolan/io.h"
 #include "io_support.h"
 
