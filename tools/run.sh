@@ -10,7 +10,8 @@ fi
 mkdir -p out
 echo 'There is no display: rendering a picture, then a film of 10 seconds'
 build/bolan render island -o out/island.png --size 1920x1080
-build/bolan render island -o out/island.mp4 --size 1280x720 --frames 300 --fps 30
+# Medium, as the viewer: software OpenGL takes a second and more for a frame of high quality.
+build/bolan render island -o out/island.mp4 --size 1280x720 --frames 300 --fps 30 --quality medium
 echo 'The default scene is in:'
 echo '  out/island.png'
 echo '  out/island.mp4'
