@@ -5,7 +5,7 @@
 // backscatter (Gordon et al. 1988; Lee et al. 1998 for finite depth).
 //
 // LAND: there is terrain: depth attenuates the waves, the bed shines through, land is mirrored, the shore foams.
-// TAPS: look-ups along the long side of the pixel's footprint. RAYS: mirrored rays that look for land.
+// TAPS: most look-ups along the long side of the pixel's footprint. RAYS: mirrored rays that look for land.
 // What varies slowly (haze, gusts, cloud shadow, depth) is computed at the vertices, a few pixels apart.
 #include "common/frame.glsl"
 #include "common/sea.glsl"
@@ -74,9 +74,10 @@ in vec3 haze_inscatter;
 out vec4 color;
 
 #pragma unit slope_table 6
-#pragma unit foam_map 10
+#pragma unit fold_map 10
 uniform sampler3D slope_table;
-uniform sampler2DArray foam_map;
+uniform sampler2DArray fold_map; // r: dxy, g: foam memory
+uniform ivec4 cascade_taps;      // look-ups along the footprint: 1 where it is shorter than a texel
 uniform vec4 foam_law;    // x: Jacobian threshold, y: slope variance beyond the cascades, z: significant height [m], w: peak period [s]
 uniform vec4 foam_memory; // x: threshold of the foam memory, y: its variance, z: variance of the Jacobian, all scales
 
@@ -124,23 +125,25 @@ uniform sampler2D scene_depth;
 
 fields gather(vec2 rest, footprint f, float gust) {
     fields r = fields(vec2(0.0), vec3(0.0), 0.0);
-    float width = max(f.minor, f.major / float(TAPS));
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
-        float lod = log2(max(width / band.y, 1e-3));
-        vec3 centre = vec3(cascade_uv(c, rest), float(c));
+        int taps = cascade_taps[c];
+        float share = 1.0 / float(taps);
+        float lod = log2(max(max(f.minor, f.major * share) / band.y, 1e-3));
         vec4 slopes = vec4(0.0);
-        for (int i = 0; i < TAPS; ++i) {
-            vec2 p = rest + f.axis * f.major * ((float(i) + 0.5) / float(TAPS) - 0.5);
+        for (int i = 0; i < taps; ++i) {
+            vec2 p = rest + f.axis * f.major * ((float(i) + 0.5) * share - 0.5);
             slopes += textureLod(slope_map, vec3(cascade_uv(c, p), float(c)), lod);
         }
         float keep = band.z < 20.0 ? gust : 1.0;
 #ifdef LAND
         keep *= band_keep[c];
 #endif
-        r.slope += keep / float(TAPS) * slopes.xy;
-        r.gradient += keep * choppiness * vec3(slopes.zw / float(TAPS), textureLod(displacement_map, centre, lod).w);
-        r.foam += keep * textureLod(foam_map, centre, lod).x;
+        vec2 fold = vec2(0.0);
+        if (c < 3) fold = textureLod(fold_map, vec3(cascade_uv(c, rest), float(c)), lod).xy; // ripples neither shear nor foam
+        r.slope += keep * share * slopes.xy;
+        r.gradient += keep * choppiness * vec3(slopes.zw * share, fold.x);
+        r.foam += keep * fold.y;
     }
     return r;
 }
@@ -155,10 +158,11 @@ vec4 behind(vec2 uv, out vec3 where) {
 
 // The land that a mirrored ray meets, found in the picture itself: rgb, w = how much of it counts.
 vec4 mirrored_land(vec3 direction) {
+    vec4 origin = view_projection * vec4(position, 1.0), step = view_projection * vec4(direction, 0.0);
     float near = 0.0, far = 3.0;
     bool hit = false, lost = direction.z > 0.6;
     for (int i = 0; i < 12 && !hit && !lost; ++i) {
-        vec4 c = view_projection * vec4(position + direction * far, 1.0);
+        vec4 c = origin + step * far;
         vec2 uv = c.xy / c.w * 0.5 + 0.5;
         lost = c.w <= 0.0 || uv.x < 0.0 || uv.x > 1.0 || uv.y > 1.0 || uv.y < 0.0;
         float depth = textureLod(scene_depth, uv, 0.0).x;
@@ -168,7 +172,7 @@ vec4 mirrored_land(vec3 direction) {
     vec2 uv = vec2(0.0);
     for (int i = 0; i < 5 && hit; ++i) {
         float middle = 0.5 * (near + far);
-        vec4 c = view_projection * vec4(position + direction * middle, 1.0);
+        vec4 c = origin + step * middle;
         uv = c.xy / c.w * 0.5 + 0.5;
         float depth = textureLod(scene_depth, uv, 0.0).x;
         if (depth > 0.0 && frame_distance(depth) < c.w) far = middle;

@@ -3,7 +3,7 @@
 // cascade's tile coordinates of the eye were reduced in double on the CPU.
 #pragma unit displacement_map 8
 #pragma unit slope_map 9
-uniform sampler2DArray displacement_map; // dx, dy, height, dxy
+uniform sampler2DArray displacement_map; // dx, dy, height
 uniform sampler2DArray slope_map;        // slope x, slope y, dxx, dyy
 uniform int cascade_count;
 uniform vec4 cascade_tile[4]; // xy: the eye in the tile [0,1), zw: cos(angle), sin(angle) over the side [1/m]

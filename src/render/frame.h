@@ -26,7 +26,7 @@ enum {
     UNIT_FOAM_DETAIL = 7,    // 2D  tiled foam structure
     UNIT_DISPLACEMENT = 8,   // 2D array RGBA16F, a layer per cascade
     UNIT_SLOPES = 9,         // 2D array RGBA16F
-    UNIT_FOAM = 10,          // 2D array R16F
+    UNIT_FOLD = 10,          // 2D array RG16F: dxy, foam memory
     UNIT_TERRAIN = 11,       // terrain pass's own
     UNIT_TERRAIN2 = 12,      // terrain pass's own
     UNIT_CLOUDS = 13,        // sky pass's own: cloud panorama

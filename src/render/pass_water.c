@@ -14,21 +14,24 @@ struct pass_water {
     const gl_caps *caps;
     bolan_surface_desc surface;
     gl_program open, land; // without and with terrain
-    gl_texture displacement, slopes, foam; // arrays, a layer per cascade
+    gl_texture displacement, slopes, fold; // arrays, a layer per cascade
     gl_texture slope_table, foam_detail;
     gl_buffer vertices, indices;
     gl_mesh mesh;
     bolan_surface_vertex *cpu_vertices;
     uint32_t *cpu_indices;
+    uint16_t *cpu_fold;
+    size_t cpu_fold_bytes;
+    uint32_t taps; // most look-ups along a footprint
     bolan_surface_size size; // of the indices in the buffer
     double vertical, horizontal; // bounds of the displacement [m]
 };
 
-static const struct { double pixels_per_vertex; uint32_t max_vertices; const char *defines; } quality_table[] = {
-    [BOLAN_QUALITY_LOW] = {8.0, 40000, "TAPS 1\nRAYS 1\n"},
-    [BOLAN_QUALITY_MEDIUM] = {5.0, 100000, "TAPS 2\nRAYS 1\n"},
-    [BOLAN_QUALITY_HIGH] = {3.0, 300000, "TAPS 4\nRAYS 3\n"},
-    [BOLAN_QUALITY_ULTRA] = {2.0, 700000, "TAPS 8\nRAYS 3\n"},
+static const struct { double pixels_per_vertex; uint32_t max_vertices, taps; const char *defines; } quality_table[] = {
+    [BOLAN_QUALITY_LOW] = {8.0, 40000, 1, "TAPS 1\nRAYS 1\n"},
+    [BOLAN_QUALITY_MEDIUM] = {5.0, 100000, 2, "TAPS 2\nRAYS 1\n"},
+    [BOLAN_QUALITY_HIGH] = {3.0, 300000, 4, "TAPS 4\nRAYS 3\n"},
+    [BOLAN_QUALITY_ULTRA] = {2.0, 700000, 8, "TAPS 8\nRAYS 3\n"},
 };
 
 static bolan_result create_foam_detail(pass_water *p) {
@@ -68,6 +71,7 @@ bolan_result pass_water_create(const gl_caps *caps, bolan_quality quality, pass_
     p->surface = bolan_surface_desc_default();
     p->surface.pixels_per_vertex = quality_table[quality].pixels_per_vertex;
     p->surface.max_vertices = quality_table[quality].max_vertices;
+    p->taps = quality_table[quality].taps;
     char with_land[64];
     snprintf(with_land, sizeof with_land, "%sLAND 1\n", quality_table[quality].defines);
     bolan_result result = gl_program_create("water", quality_table[quality].defines, &p->open);
@@ -93,13 +97,14 @@ void pass_water_destroy(pass_water **pass) {
     gl_buffer_free(&p->indices);
     gl_texture_free(&p->displacement);
     gl_texture_free(&p->slopes);
-    gl_texture_free(&p->foam);
+    gl_texture_free(&p->fold);
     gl_texture_free(&p->slope_table);
     gl_texture_free(&p->foam_detail);
     gl_program_free(&p->open);
     gl_program_free(&p->land);
     bolan_release(p->cpu_vertices, sizeof(bolan_surface_vertex) * p->surface.max_vertices);
     bolan_release(p->cpu_indices, sizeof(uint32_t) * 6 * p->surface.max_vertices);
+    bolan_release(p->cpu_fold, p->cpu_fold_bytes);
     bolan_release(p, sizeof *p);
     *pass = NULL;
 }
@@ -114,13 +119,24 @@ static void fit_textures(pass_water *p, uint32_t n, uint32_t count) {
     if (p->displacement.width == n && p->displacement.depth == count) return;
     gl_texture_free(&p->displacement);
     gl_texture_free(&p->slopes);
-    gl_texture_free(&p->foam);
+    gl_texture_free(&p->fold);
     gl_texture_desc desc = {.format = GL_FMT_RGBA16F, .width = n, .height = n, .depth = count, .array = true,
                             .filter = GL_FILTER_MIPMAP, .wrap = GL_WRAP_REPEAT};
     gl_texture_create(&desc, &p->displacement);
     gl_texture_create(&desc, &p->slopes);
-    desc.format = GL_FMT_R16F;
-    gl_texture_create(&desc, &p->foam);
+    desc.format = GL_FMT_RG16F;
+    gl_texture_create(&desc, &p->fold);
+    bolan_release(p->cpu_fold, p->cpu_fold_bytes);
+    p->cpu_fold_bytes = sizeof(uint16_t) * 2 * n * n;
+    p->cpu_fold = bolan_allocate(p->cpu_fold_bytes);
+}
+
+// dxy and foam side by side, so that the fragment shader gets both by one look-up.
+static void interleave_fold(const bolan_cascade_view *v, uint16_t *out) {
+    for (size_t i = 0; i < (size_t)v->n * v->n; ++i) {
+        out[2 * i] = v->displacement_half[4 * i + 3];
+        out[2 * i + 1] = v->foam_half[i];
+    }
 }
 
 static void upload_sea(pass_water *p, const bolan_sea *sea) {
@@ -130,11 +146,12 @@ static void upload_sea(pass_water *p, const bolan_sea *sea) {
         if (c == 0) fit_textures(p, v.n, count);
         gl_texture_upload(&p->displacement, 0, (int)c, v.displacement_half, true);
         gl_texture_upload(&p->slopes, 0, (int)c, v.slope_half, true);
-        gl_texture_upload(&p->foam, 0, (int)c, v.foam_half, true);
+        interleave_fold(&v, p->cpu_fold);
+        gl_texture_upload(&p->fold, 0, (int)c, p->cpu_fold, true);
     }
     gl_texture_generate_mipmaps(&p->displacement);
     gl_texture_generate_mipmaps(&p->slopes);
-    gl_texture_generate_mipmaps(&p->foam);
+    gl_texture_generate_mipmaps(&p->fold);
 }
 
 static void upload_slope_table(pass_water *p, const bolan_sea *sea) {
@@ -170,7 +187,7 @@ void pass_water_prepare(pass_water *p, frame *f) {
     build_surface(p, f);
     gl_texture_bind(&p->displacement, UNIT_DISPLACEMENT);
     gl_texture_bind(&p->slopes, UNIT_SLOPES);
-    gl_texture_bind(&p->foam, UNIT_FOAM);
+    gl_texture_bind(&p->fold, UNIT_FOLD);
     gl_texture_bind(&p->slope_table, UNIT_SLOPE_TABLE);
     gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
 }
@@ -251,18 +268,26 @@ static void set_foam(const gl_program *g, const frame *f) {
     gl_program_vec4(g, "foam_memory", (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread, 0.0f});
 }
 
-// How many cascades the pixels of a row can still see: none of a ring whose longest wave is shorter than the pixel is wide.
-static uint32_t cascades_at(const pass_water *p, const frame *f, uint32_t row) {
+// The look-ups that the pixels of a row need: cascades [0, count), each with so many along the footprint.
+typedef struct row_plan {
+    uint32_t count;
+    int taps[BOLAN_MAX_CASCADES];
+} row_plan;
+
+// A ring whose longest wave is shorter than the pixel is wide is left out; a footprint that is shorter than a texel when the
+// water is flat gets one look-up (where a wave leans away the level of detail makes up for it).
+static row_plan plan_row(const pass_water *p, const frame *f, uint32_t row) {
     const bolan_surface_vertex *v = &p->cpu_vertices[(size_t)row * p->size.columns];
-    double vertical = fmax(fabs((double)v->z) - p->vertical, 0.0), horizontal = fmax(hypot(v->x, v->y) - p->horizontal, 0.0);
-    double width = hypot(horizontal, vertical) * f->uniforms.lens.x;
-    uint32_t count = bolan_sea_cascade_count(f->desc->sea);
-    while (count > 1) {
-        bolan_cascade_view last = bolan_sea_cascade(f->desc->sea, count - 1);
-        if (width < 0.6 * 2.0 * BOLAN_PI / last.k_min) break;
-        --count;
+    double horizontal = hypot(v->x, v->y), height = fabs((double)v->z), radians = f->uniforms.lens.x;
+    double least = hypot(fmax(horizontal - p->horizontal, 0.0), fmax(height - p->vertical, 0.0)) * radians;
+    double dist = hypot(horizontal, height), major = dist * radians / fmin(1.0, height / fmax(dist, 1e-6) + 0.02);
+    row_plan plan = {.count = bolan_sea_cascade_count(f->desc->sea), .taps = {1, 1, 1, 1}};
+    while (plan.count > 1 && least > 0.6 * 2.0 * BOLAN_PI / bolan_sea_cascade(f->desc->sea, plan.count - 1).k_min) --plan.count;
+    for (uint32_t c = 0; c < plan.count; ++c) {
+        bolan_cascade_view view = bolan_sea_cascade(f->desc->sea, c);
+        while (plan.taps[c] < (int)p->taps && major / plan.taps[c] > view.length / view.n) plan.taps[c] *= 2;
     }
-    return count;
+    return plan;
 }
 
 void pass_water_draw(pass_water *p, frame *f) {
@@ -273,14 +298,17 @@ void pass_water_draw(pass_water *p, frame *f) {
     if (f->shore->present) shore_map_apply(f->shore, g);
     set_cascades(g, f);
     set_foam(g, f);
-    // Runs of rows that see the same number of cascades: a look-up that would return nothing is not made.
+    // Runs of rows with the same plan.
     uint32_t row_indices = 6 * (p->size.columns - 1), first = 0;
-    for (uint32_t row = 0; row + 1 < p->size.rows; ++row) {
-        uint32_t count = cascades_at(p, f, row);
-        if (row + 2 < p->size.rows && cascades_at(p, f, row + 1) == count) continue;
-        gl_program_int(g, "cascade_count", (int)count);
-        gl_mesh_draw(&p->mesh, first * row_indices, (row + 1 - first) * row_indices);
-        first = row + 1;
+    row_plan plan = plan_row(p, f, 0);
+    for (uint32_t row = 1; row < p->size.rows; ++row) {
+        row_plan next = plan_row(p, f, row);
+        if (row + 1 < p->size.rows && memcmp(&next, &plan, sizeof plan) == 0) continue;
+        gl_program_int(g, "cascade_count", (int)plan.count);
+        gl_program_ivec4(g, "cascade_taps", plan.taps);
+        gl_mesh_draw(&p->mesh, first * row_indices, (row - first) * row_indices);
+        first = row;
+        plan = next;
     }
     uint32_t triangles = 2 * (p->size.columns - 1) * (p->size.rows - 1);
     f->triangles += triangles;

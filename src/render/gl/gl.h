@@ -48,6 +48,7 @@ typedef struct gl_target { uint32_t id; uint32_t width, height; } gl_target;
 // colour may be NULL (count 0); depth may be NULL. layer: slice of a 3D/array texture, -1 for 2D; level 0..
 bolan_result gl_target_create(const gl_texture *const *color, uint32_t count, const gl_texture *depth, int layer, uint32_t level, gl_target *out);
 void gl_target_bind(const gl_target *t);                                       // binds and sets the viewport
+void gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width, uint32_t height); // draws go there only
 void gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t height); // the caller's
 void gl_target_clear_color(float r, float g, float b, float a);
 void gl_target_clear_depth(float depth);
@@ -85,6 +86,7 @@ bolan_result gl_program_create(const char *stem, const char *defines, gl_program
 bolan_result gl_program_reload(gl_program *p); // keeps the old one on failure
 void gl_program_use(const gl_program *p);
 void gl_program_int(const gl_program *p, const char *name, int value); // samplers too: the unit
+void gl_program_ivec4(const gl_program *p, const char *name, const int xyzw[4]);
 void gl_program_float(const gl_program *p, const char *name, float value);
 void gl_program_vec2(const gl_program *p, const char *name, float x, float y);
 void gl_program_vec3(const gl_program *p, const char *name, bolan_vec3 v);
