@@ -10,6 +10,7 @@ void main() { fullscreen(0.5); }
 #include "common/clouds.glsl"
 uniform sampler2D sea_view_table;
 #pragma unit sea_view_table 15
+uniform vec2 strip; // of the map that is drawn now: its first u, its width
 uniform float texel_angle; // of the panorama [rad]
 out vec4 color;
 
@@ -19,7 +20,7 @@ const float FARTHEST = 120000.0;
 vec3 panorama_direction() { // inverse of cloud_uv()
     float h = max(eye.z, 0.0), dip = horizon_dip(h), y = air.y > 0.5 ? uv.y * 2.0 - 1.0 : uv.y;
     float range = y > 0.0 ? 0.5 * AIR_PI + dip : 0.5 * AIR_PI - dip;
-    float elevation = sign(y) * y * y * range - dip, azimuth = 2.0 * AIR_PI * uv.x;
+    float elevation = sign(y) * y * y * range - dip, azimuth = 2.0 * AIR_PI * (strip.x + strip.y * uv.x);
     return vec3(cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation));
 }
 

@@ -6,13 +6,14 @@ void main() { fullscreen(0.5); }
 #endif
 #ifdef FRAGMENT
 #include "common/clouds.glsl"
+uniform vec2 strip; // of the map that is drawn now: its first u, its width
 uniform float shadow_size;
 out vec4 color;
 
 const int STEPS = 14;
 
 void main() {
-    vec2 position = (uv - 0.5) * shadow_size;
+    vec2 position = (vec2(strip.x + strip.y * uv.x, uv.y) - 0.5) * shadow_size;
     float up = max(sun.z, 0.06), depth = 0.0, step_height = cloud_origin.z / float(STEPS);
     vec2 run = sun.xy / up;
     for (int i = 0; i < STEPS; ++i) {

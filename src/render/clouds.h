@@ -6,25 +6,40 @@
 
 #include "frame.h"
 
+// What a pair of maps was made for.
+typedef struct cloud_maps {
+    gl_texture map; // layer 0 panorama, layer 1 shadow (see common/atmosphere.glsl)
+    gl_target panorama, shadow;
+    bolan_dvec3 eye; // where
+    bolan_vec3 sun;
+    uint64_t seed;
+    float cover, base, visibility, unit;
+    bool above; // the eye stood above the base
+    bolan_quality quality;
+} cloud_maps;
+
 typedef struct clouds {
     gl_program noise_program, panorama_program, shadow_program;
-    gl_texture noise, map; // map: layer 0 panorama, layer 1 shadow (see common/atmosphere.glsl)
-    gl_target panorama_target, shadow_target;
+    gl_texture noise;
+    cloud_maps maps[2]; // what is seen, and what is in the making
+    int shown;
     bool filled, noise_filled;
-    bolan_dvec3 eye;       // where the panorama was made
-    uint64_t seed;
-    bolan_vec3 sun;
-    float cover, base, visibility, unit;
-    bool above;            // the eye stood above the base
-    bolan_quality quality; // of the panorama
+    uint32_t strip;          // next of the one in the making; 0: nothing is
+    frame_uniforms uniforms; // of the frame it was begun in
 } clouds;
+
+typedef enum cloud_work { CLOUDS_KEEP, CLOUDS_ALL, CLOUDS_STRIP } cloud_work;
 
 bolan_result clouds_create(clouds *c);
 bolan_result clouds_reload(clouds *c);
-// Sets the uniforms that say where the panorama was made; true when it must be made again.
-bool clouds_place(clouds *c, const frame *f, frame_uniforms *u);
-// Marches them. The uniforms and the air's tables must be bound, the sea's view at UNIT_PASS.
-void clouds_march(clouds *c, const frame *f);
+// What this frame must do: nothing, make the maps at once (first frame, another sky, a jump), or one strip of new ones, so that
+// a moving eye never waits. Sets the uniforms that belong to the maps shown.
+cloud_work clouds_plan(clouds *c, const frame *f, frame_uniforms *u);
+// Does it. The uniforms (for a strip: c->uniforms) and the air's tables must be bound, the sea's view at UNIT_PASS. True when
+// other maps are shown now; clouds_place() then says where they were made.
+bool clouds_march(clouds *c, const frame *f, cloud_work work);
+void clouds_place(const clouds *c, const frame *f, frame_uniforms *u);
+const gl_texture *clouds_map(const clouds *c);
 void clouds_free(clouds *c);
 
 #endif

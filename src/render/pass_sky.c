@@ -76,10 +76,11 @@ bolan_result pass_sky_reload(pass_sky *p) {
     return result;
 }
 
-// Radiance in twilight falls by six orders of magnitude, below what half floats hold: so the unit of radiance falls with it.
+// Radiance in twilight falls by six orders of magnitude, below what half floats hold: so the unit of radiance falls with it, in
+// steps of a degree.
 static float radiance_unit(float sun_height) {
     const double below = -bolan_degrees(asin(fmax(-1.0, fmin(1.0, sun_height))));
-    return below <= 0.0 ? 1.0f : (float)pow(10.0, below / 3.0);
+    return below <= 0.0 ? 1.0f : (float)pow(10.0, floor(below) / 3.0);
 }
 
 static void draw_environment(pass_sky *p) {
@@ -114,7 +115,7 @@ static float exposure(const pass_sky *p, const frame *f, float unit) {
     const float direct = 0.18f * luminance(p->measured + 4) * p->measured[12];
     const float light = fmaxf((luminance(p->measured) + direct) / unit, 1e-10f);
     const float darker = fmaxf(log2f(noon_light / light), -1.0f); // in stops
-    const float stops = 0.9f * darker - 2.6f * (1.0f - expf(-darker / 5.0f));
+    const float stops = 0.93f * darker - 2.7f * (1.0f - expf(-darker / 5.0f));
     return noon_exposure * exp2f(stops + (float)f->scene->exposure) / unit;
 }
 
@@ -126,24 +127,34 @@ static void set_light(const pass_sky *p, frame *f) {
     u->sun_light.w = exposure(p, f, u->air.x);
 }
 
-void pass_sky_prepare(pass_sky *p, frame *f) {
-    frame_uniforms *u = &f->uniforms;
-    u->air.x = radiance_unit(u->sun.z);
-    const bool cloudy = clouds_place(&p->clouds, f, u);
+static void bind_uniforms(pass_sky *p, const frame_uniforms *u) {
     gl_buffer_update(&p->uniforms, 0, sizeof *u, u);
     gl_buffer_bind_uniform(&p->uniforms, 0);
-    const bool changed = atmosphere_update(&p->air, u);
+}
+
+static bool update_clouds(pass_sky *p, frame *f, cloud_work work) {
+    gl_set_state(&(gl_state){.color_write = true});
+    gl_texture_bind(&p->air.sea_view, UNIT_PASS);
+    if (work == CLOUDS_STRIP) bind_uniforms(p, &p->clouds.uniforms);
+    const bool changed = clouds_march(&p->clouds, f, work);
+    clouds_place(&p->clouds, f, &f->uniforms);
+    if (work == CLOUDS_STRIP) bind_uniforms(p, &f->uniforms);
+    return changed;
+}
+
+void pass_sky_prepare(pass_sky *p, frame *f) {
+    f->uniforms.air.x = radiance_unit(f->uniforms.sun.z);
+    const cloud_work work = clouds_plan(&p->clouds, f, &f->uniforms);
+    bind_uniforms(p, &f->uniforms);
+    bool changed = atmosphere_update(&p->air, &f->uniforms);
     atmosphere_bind(&p->air);
-    if (cloudy || changed) {
-        const gl_state drawing = {.color_write = true};
-        gl_set_state(&drawing);
-        gl_texture_bind(&p->air.sea_view, UNIT_PASS);
-        if (cloudy) clouds_march(&p->clouds, f);
-        gl_texture_bind(&p->clouds.map, UNIT_CLOUDS);
+    if (work != CLOUDS_KEEP && update_clouds(p, f, work)) changed = true;
+    gl_texture_bind(clouds_map(&p->clouds), UNIT_CLOUDS);
+    if (changed) {
+        gl_set_state(&(gl_state){.color_write = true});
         draw_environment(p);
         measure_light(p);
     }
-    gl_texture_bind(&p->clouds.map, UNIT_CLOUDS);
     gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
     set_light(p, f);
 }

@@ -49,6 +49,11 @@ bolan_result gl_target_create(const gl_texture *const *color, uint32_t count, co
 
 void gl_target_bind(const gl_target *t) { gl_target_bind_external(t->id, t->width, t->height); }
 
+void gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
+    glBindFramebuffer(GL_FRAMEBUFFER, t->id);
+    glViewport((GLint)x, (GLint)y, (GLsizei)width, (GLsizei)height);
+}
+
 void gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t height) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, (GLsizei)width, (GLsizei)height);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// The clouds: as many as asked for, none when none are, and the same whether marched at once or strip by strip.
+#include "sky_support.h"
+
+#include "render/clouds.h"
+#include <stdlib.h>
+
+enum { WIDTH = 96, HEIGHT = 64, SIZE = WIDTH * HEIGHT * 3 };
+
+static void draw(sky_rig *r, uint8_t *rgb) {
+    rig_draw(r);
+    gl_target_bind(&r->display);
+    pass_tonemap_draw(r->tonemap, &r->f, &r->color, 0, 1);
+    gl_read_rgb8(r->display.id, WIDTH, HEIGHT, rgb);
+    assert_true(gl_check_errors("clouds"));
+}
+
+static void set_view(sky_rig *r, double x, double y, double z) {
+    r->scene.sky.cloud_cover = 0.4;
+    r->scene.camera = (bolan_camera){.position = {x, y, z}, .heading_deg = 20, .pitch_deg = 15, .fov_deg = 60};
+}
+
+static void clouds_marched_in_strips_are_those_marched_at_once(void **state) {
+    (void)state;
+    static uint8_t moved[SIZE], fresh[SIZE];
+    sky_rig r;
+    rig_create(&r, WIDTH, HEIGHT);
+    set_view(&r, 0, 0, 5);
+    rig_prepare(&r);
+    draw(&r, moved);
+    set_view(&r, 400, -250, 5); // farther than 150 m, nearer than a jump
+    for (int i = 0; i < 24; i++) rig_prepare(&r); // the strips of software GL; others need fewer
+    draw(&r, moved);
+    rig_destroy(&r);
+    rig_create(&r, WIDTH, HEIGHT);
+    set_view(&r, 400, -250, 5);
+    rig_prepare(&r);
+    draw(&r, fresh);
+    for (int i = 0; i < SIZE; i++) assert_true(abs(moved[i] - fresh[i]) <= 2); // rounding of a strip's own coordinate
+    rig_destroy(&r);
+}
+
+static void a_still_eye_makes_no_new_clouds(void **state) {
+    (void)state;
+    sky_rig r;
+    clouds c;
+    rig_create(&r, WIDTH, HEIGHT);
+    assert_int_equal(clouds_create(&c), BOLAN_OK);
+    set_view(&r, 0, 0, 5);
+    rig_prepare(&r);
+    assert_int_equal(clouds_plan(&c, &r.f, &r.f.uniforms), CLOUDS_ALL);
+    assert_true(clouds_march(&c, &r.f, CLOUDS_ALL));
+    assert_int_equal(clouds_plan(&c, &r.f, &r.f.uniforms), CLOUDS_KEEP);
+    r.f.eye.x += 100;
+    assert_int_equal(clouds_plan(&c, &r.f, &r.f.uniforms), CLOUDS_KEEP);
+    assert_near(r.f.uniforms.air.z, 100, 0);
+    r.f.eye.x += 200;
+    assert_int_equal(clouds_plan(&c, &r.f, &r.f.uniforms), CLOUDS_STRIP);
+    r.f.eye.x += 1e6;
+    assert_int_equal(clouds_plan(&c, &r.f, &r.f.uniforms), CLOUDS_ALL);
+    clouds_free(&c);
+    rig_destroy(&r);
+}
+
+// Mean of the shadow under a high sun, over two seeds: the share of the sky that is open, in the mean.
+static double open_share(sky_rig *r, clouds *c, double cover) {
+    double sum = 0;
+    r->f.uniforms.wind.w = (float)cover;
+    for (uint64_t seed = 1; seed <= 2; seed++) {
+        r->scene.sky.cloud_seed = seed;
+        assert_int_equal(clouds_plan(c, &r->f, &r->f.uniforms), CLOUDS_ALL);
+        rig_upload(r);
+        clouds_march(c, &r->f, CLOUDS_ALL);
+        const uint32_t n = clouds_map(c)->width * clouds_map(c)->height;
+        float *rgba = malloc(sizeof(float) * 4 * n);
+        gl_target_read_float(&c->maps[c->shown].shadow, 0, rgba);
+        for (uint32_t i = 0; i < n; i++) sum += rgba[4 * i] / (2.0 * n);
+        free(rgba);
+    }
+    return sum;
+}
+
+static void as_many_clouds_stand_as_were_asked_for(void **state) {
+    (void)state;
+    sky_rig r;
+    clouds c;
+    rig_create(&r, WIDTH, HEIGHT);
+    r.scene.sky.sun_elevation_deg = 90;
+    rig_prepare(&r);
+    assert_int_equal(clouds_create(&c), BOLAN_OK);
+    assert_near(open_share(&r, &c, 0), 1, 0);
+    double before = 1;
+    for (double cover = 0.25; cover < 1; cover += 0.25) {
+        const double open = open_share(&r, &c, cover);
+        print_message("cover %.2f: %.3f of the sun passes\n", cover, open);
+        assert_near(open, 1 - cover, 0.15); // thin edges let light through, and a square of 100 km has few large groups
+        assert_true(open < before - 0.05);
+        before = open;
+    }
+    clouds_free(&c);
+    rig_destroy(&r);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        IN_BOTH_APIS(clouds_marched_in_strips_are_those_marched_at_once),
+        IN_BOTH_APIS(a_still_eye_makes_no_new_clouds),
+        cmocka_unit_test_setup_teardown(as_many_clouds_stand_as_were_asked_for, gl_setup_core, gl_teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
