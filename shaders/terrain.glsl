@@ -79,7 +79,7 @@ material sand(ground g) {
     tone = mix(tone, vec3(0.80, 0.77, 0.70), smoothstep(0.80, 0.92, g.fine.a) * smoothstep(0.45, 0.65, g.near.r) * 0.7);
     // Wet up to where the last waves ran; wet sand is darker and smoother.
     float wet = 1.0 - smoothstep(0.15, 0.75, g.elevation + 0.5 * (g.mid.a - 0.5) + 0.25 * (g.wide.a - 0.5));
-    return material(tone * mix(1.0, 0.52, wet * step(-0.6, g.elevation)), mix(0.22, 0.05, wet), mix(0.45, 0.2, wet));
+    return material(tone * mix(1.0, 0.52, wet * step(-0.6, g.elevation)), mix(0.15, 0.04, wet), mix(0.45, 0.2, wet));
 }
 
 // Basalt: dark, rusty in places, layered where it stands steep.
@@ -98,14 +98,15 @@ material grass(ground g, float high) {
     vec3 lush = mix(vec3(0.052, 0.074, 0.021), vec3(0.100, 0.118, 0.040), g.mid.a);
     vec3 dry = mix(vec3(0.13, 0.115, 0.055), vec3(0.20, 0.170, 0.090), g.mid.a);
     float parched = clamp(smoothstep(0.45, 0.75, g.wide.a + 0.35 * (g.open - 0.8)) * 0.75 + high, 0.0, 1.0);
-    return material(mix(lush, dry, parched) * (0.75 + 0.5 * g.near.r) * (0.6 + 0.8 * g.fine.r), 0.35, 0.6);
+    return material(mix(lush, dry, parched) * mix(0.6, 1.4, g.near.r) * mix(0.45, 1.55, smoothstep(0.2, 0.8, g.fine.r)), 0.4, 0.6);
 }
 
 material forest(ground g) {
     // Crowns: bright tops, dark gaps; seen from far they melt into one dark green.
     float crown = smoothstep(0.05, 0.80, g.mid.r);
     vec3 tone = mix(vec3(0.011, 0.022, 0.008), vec3(0.052, 0.078, 0.024), crown);
-    tone *= mix(vec3(0.80, 0.92, 0.95), vec3(1.30, 1.12, 0.85), g.wide.a) * (0.55 + 0.9 * g.near.r) * (0.7 + 0.6 * g.fine.r);
+    tone *= mix(vec3(0.80, 0.92, 0.95), vec3(1.30, 1.12, 0.85), g.wide.a) * mix(0.35, 1.55, smoothstep(0.2, 0.8, g.near.r)) * mix(0.45, 1.45, smoothstep(0.2, 0.8, g.fine.r));
+    tone *= mix(vec3(0.85, 0.97, 0.95), vec3(1.22, 1.06, 0.85), smoothstep(0.3, 0.7, g.mid.a)); // one tree is not the next
     return material(tone, 0.9, 0.7);
 }
 
@@ -195,7 +196,7 @@ void main() {
     else m = blend(sea_bed(g), land(g), smoothstep(-0.5, 0.3, g.elevation));
 
     // The billows' gradients as bumps; the noise's mip-maps take them away in time.
-    vec2 grain = (g.mid.gb - 0.5).yx * 2.2 + (g.near.gb - 0.5) * 1.2 + (g.fine.gb - 0.5).yx * 0.9;
+    vec2 grain = (g.mid.gb - 0.5).yx * 2.2 + (g.near.gb - 0.5) * 1.8 + (g.fine.gb - 0.5).yx * 1.4;
     vec3 n = normalize(vec3(g.normal.xy - m.bump * grain - ripples(g, p), g.normal.z));
     vec3 view = -normalize(position);
 

@@ -23,16 +23,19 @@ struct pass_terrain {
     gl_texture noise;
     shore_builder shore;
     terrain_tree *tree;
-    gpu_chunk *gpu;      // one per slot
+    gpu_chunk *gpu; // one per slot
     uint32_t slots;
-    float *vertices;     // staging
+    float *vertices; // staging
     const bolan_terrain *terrain;
     uint64_t terrain_id;
-    bool settled;        // the view before this one was complete, so that work may be spread over frames
+    bool settled; // the view before this one was complete, so that work may be spread over frames
     bolan_dvec3 eye;
 };
 
-static const struct { float texel_pixels, error_pixels; uint32_t slots, budget; } quality_table[] = {
+static const struct {
+    float texel_pixels, error_pixels;
+    uint32_t slots, budget;
+} quality_table[] = {
     [BOLAN_QUALITY_LOW] = {6.5f, 3.0f, 192, 8},
     [BOLAN_QUALITY_MEDIUM] = {4.5f, 2.2f, 288, 12},
     [BOLAN_QUALITY_HIGH] = {3.0f, 1.4f, 512, 24},
@@ -55,8 +58,11 @@ static bolan_result create_noise(pass_terrain *p) {
     const size_t bytes = (size_t)TERRAIN_TEXTURE_SIZE * TERRAIN_TEXTURE_SIZE * 4;
     uint8_t *texels = bolan_allocate(bytes);
     bolan_result r = texels ? terrain_texture_fill(texels) : BOLAN_ERROR_MEMORY;
-    gl_texture_desc d = {.format = GL_FMT_RGBA8, .width = TERRAIN_TEXTURE_SIZE, .height = TERRAIN_TEXTURE_SIZE,
-                         .filter = GL_FILTER_MIPMAP_NEAREST, .wrap = GL_WRAP_REPEAT};
+    gl_texture_desc d = {.format = GL_FMT_RGBA8,
+                         .width = TERRAIN_TEXTURE_SIZE,
+                         .height = TERRAIN_TEXTURE_SIZE,
+                         .filter = GL_FILTER_MIPMAP_NEAREST,
+                         .wrap = GL_WRAP_REPEAT};
     r = r == BOLAN_OK ? gl_texture_create(&d, &p->noise) : r;
     if (r == BOLAN_OK) {
         gl_texture_upload(&p->noise, 0, -1, texels, false);
@@ -152,10 +158,13 @@ static bool fit_pool(pass_terrain *p, const frame *f) {
 
 static bool create_gpu_chunk(pass_terrain *p, gpu_chunk *g) {
     static const uint8_t components[] = {3};
-    gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = CHUNK_MAP, .height = CHUNK_MAP, .filter = GL_FILTER_MIPMAP,
+    gl_texture_desc d = {.format = GL_FMT_RGBA16F,
+                         .width = CHUNK_MAP,
+                         .height = CHUNK_MAP,
+                         .filter = GL_FILTER_MIPMAP,
                          .wrap = GL_WRAP_CLAMP};
-    return gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, CHUNK_VERTICES * 3 * sizeof(float), NULL, &g->vertices) ==
-               BOLAN_OK &&
+    return gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, CHUNK_VERTICES * 3 * sizeof(float), NULL,
+                            &g->vertices) == BOLAN_OK &&
            gl_mesh_create(&g->vertices, &p->indices, components, 1, 3 * sizeof(float), &g->mesh) == BOLAN_OK &&
            gl_texture_create(&d, &g->map) == BOLAN_OK;
 }
@@ -219,8 +228,9 @@ void pass_terrain_prepare(pass_terrain *p, frame *f) {
 static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program *program, const frame *f) {
     const terrain_chunk *c = &s->chunk;
     // The one place where doubles become eye-relative floats.
-    gl_program_vec4(program, "chunk", (bolan_vec4){(float)(c->west - f->eye.x), (float)(c->south - f->eye.y),
-                                                   (float)-f->eye.z, (float)c->size});
+    gl_program_vec4(
+        program, "chunk",
+        (bolan_vec4){(float)(c->west - f->eye.x), (float)(c->south - f->eye.y), (float)-f->eye.z, (float)c->size});
     // A shadow's edge is as soft as the map's own grain.
     float slope = chunk_sun_from(f->sun_direction).slope, texel = (float)(c->size / CHUNK_TEXELS);
     gl_program_float(program, "shadow_softness", 0.15f + 1.2f * texel * fminf(slope, 4.0f));

@@ -94,8 +94,8 @@ static void fill_normals(terrain_chunk *c) {
 
 void chunk_build(terrain_chunk *c, const bolan_terrain *terrain) {
     double texel = c->size / CHUNK_TEXELS;
-    bolan_terrain_elevations(terrain, c->west - CHUNK_BORDER * texel, c->south - CHUNK_BORDER * texel, texel, CHUNK_GRID,
-                             CHUNK_GRID, c->heights);
+    bolan_terrain_elevations(terrain, c->west - CHUNK_BORDER * texel, c->south - CHUNK_BORDER * texel, texel,
+                             CHUNK_GRID, CHUNK_GRID, c->heights);
     measure(c);
     fill_normals(c);
 }
@@ -108,7 +108,8 @@ static float top_outside(const terrain_chunk *c, float u, float v) {
     double scale = 1.0 / CHUNK_TEXELS;
     double x = c->west + u * c->size * scale, y = c->south + v * c->size * scale;
     for (; a; a = a->parent) {
-        float pu = (float)((x - a->west) / a->size * CHUNK_TEXELS), pv = (float)((y - a->south) / a->size * CHUNK_TEXELS);
+        float pu = (float)((x - a->west) / a->size * CHUNK_TEXELS),
+              pv = (float)((y - a->south) / a->size * CHUNK_TEXELS);
         if (pu < 0.0f || pv < 0.0f || pu > CHUNK_TEXELS || pv > CHUNK_TEXELS) {
             continue;
         }
@@ -144,7 +145,8 @@ static void cast_shadows(terrain_chunk *c, const chunk_sun *sun) {
             int i = columns ? line : k, j = columns ? k : line;
             float ground = *height_at(c, i, j), clearance = top - fall - ground;
             here[k] = ground + fmaxf(clearance, 0.0f);
-            c->map[4 * (j * CHUNK_MAP + i) + 2] = half_from_float(fminf(fmaxf(clearance, -CLEARANCE_LIMIT), CLEARANCE_LIMIT));
+            c->map[4 * (j * CHUNK_MAP + i) + 2] =
+                half_from_float(fminf(fmaxf(clearance, -CLEARANCE_LIMIT), CLEARANCE_LIMIT));
         }
         memcpy(before, here, sizeof before);
     }

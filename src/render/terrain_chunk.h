@@ -11,32 +11,32 @@
 #include "bolan/shore.h"
 
 enum {
-    CHUNK_CELLS = 32,                 // of the mesh, per side
-    CHUNK_RATIO = 4,                  // texels per cell
+    CHUNK_CELLS = 32, // of the mesh, per side
+    CHUNK_RATIO = 4,  // texels per cell
     CHUNK_TEXELS = CHUNK_CELLS * CHUNK_RATIO,
-    CHUNK_MAP = CHUNK_TEXELS + 1,     // nodes of the map, per side
+    CHUNK_MAP = CHUNK_TEXELS + 1, // nodes of the map, per side
     CHUNK_BORDER = 8,
     CHUNK_GRID = CHUNK_MAP + 2 * CHUNK_BORDER,
-    CHUNK_RIM = 4 * CHUNK_CELLS,      // vertices of the skirt
+    CHUNK_RIM = 4 * CHUNK_CELLS, // vertices of the skirt
     CHUNK_VERTICES = (CHUNK_CELLS + 1) * (CHUNK_CELLS + 1) + CHUNK_RIM,
-    CHUNK_MESHES = 4,                 // index lists: every vertex, every second, fourth, eighth
+    CHUNK_MESHES = 4, // index lists: every vertex, every second, fourth, eighth
 };
 
 // Where the sun stands, for cast shadows.
 typedef struct chunk_sun {
-    float x, y;   // unit horizontal direction to it
-    float slope;  // tangent of its elevation
+    float x, y;  // unit horizontal direction to it
+    float slope; // tangent of its elevation
 } chunk_sun;
 chunk_sun chunk_sun_from(bolan_vec3 direction);
 
 typedef struct terrain_chunk {
-    double west, south, size;          // [m]
-    float lowest, highest;             // [m]
-    float error[CHUNK_MESHES];         // each mesh departs this far from the heights [m], not falling
-    float skirt;                       // depth of the skirt [m]
+    double west, south, size;           // [m]
+    float lowest, highest;              // [m]
+    float error[CHUNK_MESHES];          // each mesh departs this far from the heights [m], not falling
+    float skirt;                        // depth of the skirt [m]
     const struct terrain_chunk *parent; // NULL for the root; must hold its data while this chunk is built or lit
-    float *heights;                    // CHUNK_GRID^2, with the border
-    uint16_t *map;                     // CHUNK_MAP^2 x 4 halfs: normal x, y; shadow clearance [m], > 0 in shadow; open sky 0..1
+    float *heights;                     // CHUNK_GRID^2, with the border
+    uint16_t *map; // CHUNK_MAP^2 x 4 halfs: normal x, y; shadow clearance [m], > 0 in shadow; open sky 0..1
 } terrain_chunk;
 
 bolan_result chunk_allocate(terrain_chunk *c);

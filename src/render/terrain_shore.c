@@ -12,8 +12,13 @@
 #define PLANE ((size_t)SHORE_SIZE * SHORE_SIZE)
 
 bolan_result shore_builder_create(shore_builder *b) {
-    gl_texture_desc d = {.format = GL_FMT_R16F, .width = SHORE_SIZE, .height = SHORE_SIZE, .depth = SHORE_LEVELS,
-                         .array = true, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
+    gl_texture_desc d = {.format = GL_FMT_R16F,
+                         .width = SHORE_SIZE,
+                         .height = SHORE_SIZE,
+                         .depth = SHORE_LEVELS,
+                         .array = true,
+                         .filter = GL_FILTER_LINEAR,
+                         .wrap = GL_WRAP_CLAMP};
     bolan_result r = gl_texture_create(&d, &b->map.texture);
     b->scratch = bolan_allocate(PLANE * sizeof(float));
     b->halfs = bolan_allocate(PLANE * sizeof(uint16_t));
@@ -112,8 +117,10 @@ void shore_builder_update(shore_builder *b, const frame *f) {
     double texel = finest_texel(b, fabs(f->eye.z - f->scene->water.level));
     for (int l = 0; l < SHORE_LEVELS; l++, texel *= 4.0) {
         double grain = SNAP * texel, half = 0.5 * SHORE_SIZE * texel;
-        double west = floor(f->eye.x / grain + 0.5) * grain - half, south = floor(f->eye.y / grain + 0.5) * grain - half;
-        bool moved = !b->level[l].valid || west != b->level[l].west || south != b->level[l].south || texel != b->level[l].texel;
+        double west = floor(f->eye.x / grain + 0.5) * grain - half,
+               south = floor(f->eye.y / grain + 0.5) * grain - half;
+        bool moved =
+            !b->level[l].valid || west != b->level[l].west || south != b->level[l].south || texel != b->level[l].texel;
         if (moved) {
             move_level(b, l, west, south, texel);
         }
@@ -121,7 +128,8 @@ void shore_builder_update(shore_builder *b, const frame *f) {
             upload(b, l);
         }
         float *to = b->map.level[l];
-        to[0] = (float)(west - f->eye.x), to[1] = (float)(south - f->eye.y), to[2] = (float)(SHORE_SIZE * texel), to[3] = (float)texel;
+        to[0] = (float)(west - f->eye.x), to[1] = (float)(south - f->eye.y), to[2] = (float)(SHORE_SIZE * texel),
+        to[3] = (float)texel;
     }
 }
 

@@ -7,7 +7,7 @@
 
 typedef struct shore_builder {
     shore_map map;
-    const bolan_terrain *terrain;  // of the elevations; NULL: nothing is valid
+    const bolan_terrain *terrain; // of the elevations; NULL: nothing is valid
     uint64_t terrain_id;
     float water_level;
     struct {
@@ -15,7 +15,7 @@ typedef struct shore_builder {
         double west, south, texel; // [m]
         float *elevation;          // SHORE_SIZE^2
     } level[SHORE_LEVELS];
-    float *scratch;                // SHORE_SIZE^2
+    float *scratch; // SHORE_SIZE^2
     uint16_t *halfs;
 } shore_builder;
 

@@ -23,7 +23,8 @@ static float periodic_noise(uint32_t i, uint32_t j, uint32_t cells, uint32_t sal
     float x = (float)i * (float)cells / SIZE, y = (float)j * (float)cells / SIZE;
     uint32_t ix = (uint32_t)x, iy = (uint32_t)y, jx = (ix + 1) % cells, jy = (iy + 1) % cells;
     float fx = x - (float)ix, fy = y - (float)iy;
-    float ux = fx * fx * fx * (fx * (fx * 6.0f - 15.0f) + 10.0f), uy = fy * fy * fy * (fy * (fy * 6.0f - 15.0f) + 10.0f);
+    float ux = fx * fx * fx * (fx * (fx * 6.0f - 15.0f) + 10.0f),
+          uy = fy * fy * fy * (fy * (fy * 6.0f - 15.0f) + 10.0f);
     float a = slope_to(hash(ix, iy, salt), fx, fy), b = slope_to(hash(jx, iy, salt), fx - 1.0f, fy);
     float c = slope_to(hash(ix, jy, salt), fx, fy - 1.0f), d = slope_to(hash(jx, jy, salt), fx - 1.0f, fy - 1.0f);
     return (1.0f - uy) * (a + ux * (b - a)) + uy * (c + ux * (d - c));

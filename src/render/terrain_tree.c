@@ -3,7 +3,6 @@
 // parallel loop before the next level looks at them, so that parents always hold what their children ask of them.
 #include "terrain_tree.h"
 
-
 #define HASH_SIZE 2048u
 #define NO_SLOT UINT32_MAX
 #define SMALLEST_CHUNK 25.0 // [m]; finer structure is the shader's
@@ -159,9 +158,10 @@ static box box_of(const tree_view *v, double west, double south, double size, fl
     double nx = fmax(fmax(x0, -x1), 0.0), ny = fmax(fmax(y0, -y1), 0.0);
     double fx = fmax(fabs(x0), fabs(x1)), fy = fmax(fabs(y0), fabs(y1));
     double drop = 0.5 / BOLAN_EARTH_RADIUS, slack = 0.01 * size + 0.5;
-    box b = {{(float)(x0 - slack), (float)(y0 - slack), (float)(lowest - v->eye.z - drop * (fx * fx + fy * fy) - slack)},
-             {(float)(x1 + slack), (float)(y1 + slack), (float)(highest - v->eye.z - drop * (nx * nx + ny * ny) + slack)},
-             sqrt(nx * nx + ny * ny)};
+    box b = {
+        {(float)(x0 - slack), (float)(y0 - slack), (float)(lowest - v->eye.z - drop * (fx * fx + fy * fy) - slack)},
+        {(float)(x1 + slack), (float)(y1 + slack), (float)(highest - v->eye.z - drop * (nx * nx + ny * ny) + slack)},
+        sqrt(nx * nx + ny * ny)};
     return b;
 }
 
@@ -176,7 +176,8 @@ static bool outside_frustum(const tree_view *v, const box *b) {
     for (int row = 0; row < 2; row++) {
         for (int sign = -1; sign <= 1; sign += 2) {
             float s = (float)sign * 0.99f; // the samples of one picture shift it by parts of a pixel
-            if (outside_plane(b, m[3] + s * m[row], m[7] + s * m[4 + row], m[11] + s * m[8 + row], m[15] + s * m[12 + row])) {
+            if (outside_plane(b, m[3] + s * m[row], m[7] + s * m[4 + row], m[11] + s * m[8 + row],
+                              m[15] + s * m[12 + row])) {
                 return true;
             }
         }
@@ -206,8 +207,8 @@ static double pixel_at(const tree_view *v, const terrain_chunk *c) {
 }
 
 static bool wants_split(const tree_view *v, const terrain_chunk *c, double pixel) {
-    return c->size >= 2.0 * SMALLEST_CHUNK && (c->size / CHUNK_TEXELS > v->texel_pixels * pixel ||
-                                               c->error[0] > 2.0 * v->error_pixels * pixel);
+    return c->size >= 2.0 * SMALLEST_CHUNK &&
+           (c->size / CHUNK_TEXELS > v->texel_pixels * pixel || c->error[0] > 2.0 * v->error_pixels * pixel);
 }
 
 static uint32_t choose_mesh(const tree_view *v, const terrain_chunk *c, double pixel) {
@@ -307,7 +308,8 @@ static void finish_level(terrain_tree *t) {
 }
 
 static bool sun_moved(const chunk_sun *a, const chunk_sun *b) {
-    return fabsf(a->x - b->x) + fabsf(a->y - b->y) > 0.003f || fabsf(a->slope - b->slope) > 0.003f * (1.0f + b->slope * b->slope);
+    return fabsf(a->x - b->x) + fabsf(a->y - b->y) > 0.003f ||
+           fabsf(a->slope - b->slope) > 0.003f * (1.0f + b->slope * b->slope);
 }
 
 void terrain_tree_select(terrain_tree *t, const tree_view *view) {

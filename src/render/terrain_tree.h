@@ -8,12 +8,12 @@
 
 typedef struct chunk_slot {
     terrain_chunk chunk;
-    uint32_t level, x, y;  // place in the tree
-    uint64_t used;         // frame of the last use; 0: never filled
-    uint64_t lit;          // light number of its shadows
-    uint32_t mesh;         // the coarsest mesh that is good enough for the view
+    uint32_t level, x, y;       // place in the tree
+    uint64_t used;              // frame of the last use; 0: never filled
+    uint64_t lit;               // light number of its shadows
+    uint32_t mesh;              // the coarsest mesh that is good enough for the view
     bool fresh_mesh, fresh_map; // must be uploaded
-    uint32_t next;         // in its hash chain
+    uint32_t next;              // in its hash chain
 } chunk_slot;
 
 typedef struct tree_view {
@@ -22,10 +22,10 @@ typedef struct tree_view {
     float pixel;                // radians
     double water_level;         // [m]
     chunk_sun sun;
-    bool complete;              // build all that is missing now; else at most `budget` chunks
+    bool complete; // build all that is missing now; else at most `budget` chunks
     uint32_t budget;
-    float texel_pixels;         // a texel of the map may be this large on the picture [px]
-    float error_pixels;         // the mesh may depart this far from the ground [px]; its finest, twice as far
+    float texel_pixels; // a texel of the map may be this large on the picture [px]
+    float error_pixels; // the mesh may depart this far from the ground [px]; its finest, twice as far
 } tree_view;
 
 typedef struct terrain_tree terrain_tree;

@@ -9,7 +9,7 @@
 #include "shore/terrain.h"
 
 #define SHORTEST_WAVELENGTH 1.0 // [m]
-#define FAINT 0.003f              // amplitude per wavelength that is not worth its time at short wavelengths
+#define FAINT 0.003f            // amplitude per wavelength that is not worth its time at short wavelengths
 #define GULLY_SHORTEST 12.0     // below this there is rubble, not drainage [m]
 
 // Amplitude per wavelength of a gully on a slope: its flanks are about as steep as the hillside, up to a limit.
@@ -32,8 +32,8 @@ float detail_bound(const bolan_terrain *t) {
 }
 
 typedef struct octave {
-    double x, y;    // lattice coordinates
-    float c, s;     // the lattice's turn
+    double x, y; // lattice coordinates
+    float c, s;  // the lattice's turn
     float wavelength;
     uint32_t seed;
 } octave;

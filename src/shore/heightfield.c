@@ -62,7 +62,8 @@ static bolan_result build_level(bolan_terrain *t) {
 
 static bolan_result allocate_blocks(bolan_terrain *t, uint32_t width, uint32_t height) {
     block_level *b = &t->block[t->block_count];
-    *b = (block_level){width, height, bolan_allocate(grid_bytes(width, height)), bolan_allocate(grid_bytes(width, height))};
+    *b = (block_level){width, height, bolan_allocate(grid_bytes(width, height)),
+                       bolan_allocate(grid_bytes(width, height))};
     t->block_count++; // freed with the rest even when half of it failed
     return b->low && b->high ? BOLAN_OK : BOLAN_ERROR_MEMORY;
 }
@@ -149,7 +150,8 @@ static void node_jet(const height_level *l, int64_t i, int64_t j, float jet[4]) 
     float cx = 0.5f * (e - w), cy = 0.5f * (n - s);
     // The twist is limited as its parents were.
     float kx = fabsf(cx) > 1e-6f ? fx / cx : 0.0f, ky = fabsf(cy) > 1e-6f ? fy / cy : 0.0f;
-    float twist = 0.25f * (node(l, i + 1, j + 1) - node(l, i + 1, j - 1) - node(l, i - 1, j + 1) + node(l, i - 1, j - 1));
+    float twist =
+        0.25f * (node(l, i + 1, j + 1) - node(l, i + 1, j - 1) - node(l, i - 1, j + 1) + node(l, i - 1, j - 1));
     jet[0] = z, jet[1] = fx, jet[2] = fy, jet[3] = twist * kx * ky;
 }
 

@@ -4,8 +4,8 @@
 
 #include "shore/noise.h"
 
-#define NODES 1153u     // per side
-#define HALF_WIDTH 2.3  // [radii]
+#define NODES 1153u    // per side
+#define HALF_WIDTH 2.3 // [radii]
 #define GULLY_OCTAVES 5
 
 bolan_island_desc bolan_island_desc_default(void) {
@@ -17,7 +17,8 @@ static bolan_result check(const char *field, double value, double low, double hi
     if (value >= low && value <= high) {
         return BOLAN_OK;
     }
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "bolan_island_desc.%s is %g; expected %g..%g", field, value, low, high);
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "bolan_island_desc.%s is %g; expected %g..%g", field, value, low,
+              high);
     return BOLAN_ERROR_ARGUMENT;
 }
 
@@ -108,7 +109,8 @@ bolan_result bolan_terrain_create_island(const bolan_island_desc *desc, bolan_te
     const size_t plane = (size_t)NODES * NODES;
     float *memory = bolan_allocate(3 * plane * sizeof(float));
     if (!memory) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for an island of %u x %u elevations", NODES, NODES);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for an island of %u x %u elevations", NODES,
+                  NODES);
         return BOLAN_ERROR_MEMORY;
     }
     island_plan plan = island_plan_make(desc);

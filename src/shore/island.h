@@ -11,13 +11,19 @@
 
 // Lengths in radii, in the frame where u points to the middle of the lagoon and v to the left of it.
 typedef struct island_plan {
-    float radius, peak, sea_floor;     // [m]
-    float axis_x, axis_y;              // u in world axes
+    float radius, peak, sea_floor; // [m]
+    float axis_x, axis_y;          // u in world axes
     uint32_t seed;
-    struct { float u, v, tu, tv, root, tip, height; } headland[ISLAND_HEADLANDS]; // capsule from (u, v) to (tu, tv)
-    struct { float u, v, along_u, along_v, length, width; } motu[ISLAND_MOTUS];   // sand islets on the reef
-    struct { float u, v; } pass[ISLAND_PASSES];                                   // gaps in the reef: unit directions
-    float peak2_u, peak2_v;            // direction of the second summit on the crater's rim
+    struct {
+        float u, v, tu, tv, root, tip, height;
+    } headland[ISLAND_HEADLANDS]; // capsule from (u, v) to (tu, tv)
+    struct {
+        float u, v, along_u, along_v, length, width;
+    } motu[ISLAND_MOTUS]; // sand islets on the reef
+    struct {
+        float u, v;
+    } pass[ISLAND_PASSES];  // gaps in the reef: unit directions
+    float peak2_u, peak2_v; // direction of the second summit on the crater's rim
 } island_plan;
 
 island_plan island_plan_make(const bolan_island_desc *desc);

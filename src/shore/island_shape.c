@@ -66,14 +66,14 @@ island_plan island_plan_make(const bolan_island_desc *desc) {
 
 // Where a point stands: distances [radii] and how the place is.
 typedef struct place {
-    float u, v;       // [radii]
-    float x, y;       // [m]
-    float coast;      // distance to the coast, positive on land
-    float reef;       // distance to the reef's outer edge, positive inside
-    float lee;        // 1 on the lagoon side, 0 to windward
-    float sandy;      // 1 in the bays, 0 on rocky shores
-    float headland;   // distance to the nearest headland's axis
-    float spur;       // height of that headland as a share of the peak
+    float u, v;     // [radii]
+    float x, y;     // [m]
+    float coast;    // distance to the coast, positive on land
+    float reef;     // distance to the reef's outer edge, positive inside
+    float lee;      // 1 on the lagoon side, 0 to windward
+    float sandy;    // 1 in the bays, 0 on rocky shores
+    float headland; // distance to the nearest headland's axis
+    float spur;     // height of that headland as a share of the peak
 } place;
 
 static float capsule(const island_plan *p, uint32_t n, float u, float v, float *along) {
@@ -90,7 +90,8 @@ static place locate(const island_plan *p, double x, double y) {
     float rho = hypot2(u, v);
     a.lee = smoothstepf(-0.25f, 0.45f, u / fmaxf(rho, 0.05f));
     // Domain warp: nature has no compasses. Rocky coasts are ragged, sandy ones smooth.
-    float wu = fractal_noise(2.1 * u + 3.7, 2.1 * v, 3, p->seed + 1), wv = fractal_noise(2.1 * u, 2.1 * v + 8.1, 3, p->seed + 2);
+    float wu = fractal_noise(2.1 * u + 3.7, 2.1 * v, 3, p->seed + 1),
+          wv = fractal_noise(2.1 * u, 2.1 * v + 8.1, 3, p->seed + 2);
     float ragged = fractal_noise(9.0 * u, 9.0 * v, 4, p->seed + 3);
     a.u = u + 0.085f * wu, a.v = v + 0.085f * wv;
     float land = 0.66f - hypot2(a.u + 0.16f, a.v * 0.94f);
@@ -160,7 +161,8 @@ static float land(const island_plan *p, const place *a, float *drained) {
 
 // Something round on every @cell metres: returns the nearest one's distance over its radius (> 1: outside) and its own
 // random number.
-static float scatter(float x, float y, float cell, float smallest, float largest, float share, uint32_t seed, float *random) {
+static float scatter(float x, float y, float cell, float smallest, float largest, float share, uint32_t seed,
+                     float *random) {
     float fx, fy, best = 2.0f;
     int32_t ix = split_cell(x / cell, &fx), iy = split_cell(y / cell, &fy);
     for (int32_t c = 0; c < 9; c++) {
@@ -169,7 +171,8 @@ static float scatter(float x, float y, float cell, float smallest, float largest
         if ((float)(h & 0xffu) * (1.0f / 256.0f) >= share) {
             continue;
         }
-        float px = (float)i + (float)(h >> 8 & 0xffu) * (1.0f / 256.0f), py = (float)j + (float)(h >> 16 & 0xffu) * (1.0f / 256.0f);
+        float px = (float)i + (float)(h >> 8 & 0xffu) * (1.0f / 256.0f),
+              py = (float)j + (float)(h >> 16 & 0xffu) * (1.0f / 256.0f);
         float r = lerpf(smallest, largest, (float)(h >> 24) * (1.0f / 256.0f));
         float d = hypot2(px - fx, py - fy) * cell / r;
         if (d < best) {
@@ -245,7 +248,8 @@ static float sea_bed(const island_plan *p, const place *a) {
     float boulders = fractal_noise(a->x / 30.0, a->y / 30.0, 3, p->seed + 10);
     float rocky = -0.32f * out - 2.2f * boulders * smoothstepf(2.0f, 20.0f, out);
     rocky = smooth_max(rocky, -11.0f - 0.07f * out, 4.0f);
-    float z = lerpf(rocky, lagoon(p, a, out), smoothstepf(0.0f, 1.0f, a->sandy + a->lee * smoothstepf(40.0f, 160.0f, out)));
+    float z =
+        lerpf(rocky, lagoon(p, a, out), smoothstepf(0.0f, 1.0f, a->sandy + a->lee * smoothstepf(40.0f, 160.0f, out)));
     z = stacks(p, a, out, z);
     z = reef_top(p, a, z);
     return smooth_min(z, drop_off(p, a), 3.0f);

@@ -54,7 +54,8 @@ typedef uint32_t corners_bits __attribute__((vector_size(16)));
 static const corners corner_x = {0.0f, 1.0f, 0.0f, 1.0f}, corner_y = {0.0f, 0.0f, 1.0f, 1.0f};
 
 static inline corners_bits hash_corners(int32_t x, int32_t y, uint32_t seed) {
-    const uint32_t x0 = (uint32_t)x * 0x8da6b343u, x1 = x0 + 0x8da6b343u, y0 = (uint32_t)y * 0xd8163841u, y1 = y0 + 0xd8163841u;
+    const uint32_t x0 = (uint32_t)x * 0x8da6b343u, x1 = x0 + 0x8da6b343u, y0 = (uint32_t)y * 0xd8163841u,
+                   y1 = y0 + 0xd8163841u;
     corners_bits h = {seed ^ x0 ^ y0, seed ^ x1 ^ y0, seed ^ x0 ^ y1, seed ^ x1 ^ y1};
     h = (h ^ (h >> 15)) * 0x2c1b3c6du;
     h = (h ^ (h >> 12)) * 0x297a2d39u;
@@ -67,7 +68,8 @@ static inline float sum_corners(corners v) { return (v[0] + v[1]) + (v[2] + v[3]
 
 // Cosine of a full turn per unit; error < 2e-4, which is far below what a landscape shows.
 static inline corners cosines_of_turns(corners turns) {
-    corners x = magnitude(turns - __builtin_convertvector(__builtin_convertvector(turns, corners_int), corners)); // even: [0, 1)
+    corners x = magnitude(
+        turns - __builtin_convertvector(__builtin_convertvector(turns, corners_int), corners)); // even: [0, 1)
     corners y = (magnitude(x - 0.5f) - 0.25f) * 6.28318531f; // cos(2 pi x) = sin(y), |y| <= pi/2
     corners y2 = y * y;
     return y * (1.0f - y2 * (1.0f / 6.0f - y2 * (1.0f / 120.0f - y2 * (1.0f / 5040.0f))));
@@ -77,7 +79,8 @@ static inline corners cosines_of_turns(corners turns) {
 static inline noise_value gradient_noise(double x, double y, uint32_t seed) {
     float fx, fy;
     int32_t ix = split_cell(x, &fx), iy = split_cell(y, &fy);
-    float ux = fx * fx * fx * (fx * (fx * 6.0f - 15.0f) + 10.0f), uy = fy * fy * fy * (fy * (fy * 6.0f - 15.0f) + 10.0f);
+    float ux = fx * fx * fx * (fx * (fx * 6.0f - 15.0f) + 10.0f),
+          uy = fy * fy * fy * (fy * (fy * 6.0f - 15.0f) + 10.0f);
     float px = 30.0f * fx * fx * (fx * (fx - 2.0f) + 1.0f), py = 30.0f * fy * fy * (fy * (fy - 2.0f) + 1.0f);
     corners_bits h = hash_corners(ix, iy, seed);
     corners gx = to_floats(h & 0xffffu) * (1.0f / 32768.0f) - 1.0f, gy = to_floats(h >> 16) * (1.0f / 32768.0f) - 1.0f;

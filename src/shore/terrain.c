@@ -40,8 +40,8 @@ static bolan_result validate(const bolan_terrain_desc *d) {
         return refuse(BOLAN_LOG_NOT_FINITE, "edge_elevation", d->edge_elevation, "a finite elevation");
     }
     if (!f->elevation) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT, "bolan_terrain_desc.field.elevation is NULL; expected %u values",
-                  f->width * f->height);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT,
+                  "bolan_terrain_desc.field.elevation is NULL; expected %u values", f->width * f->height);
         return BOLAN_ERROR_ARGUMENT;
     }
     for (size_t n = 0; n < (size_t)f->width * f->height; n++) {
@@ -167,12 +167,13 @@ uint64_t bolan_terrain_id(const bolan_terrain *terrain) {
 
 bolan_terrain_extent bolan_terrain_get_extent(const bolan_terrain *terrain) {
     BOLAN_ASSERT(terrain);
-    bolan_terrain_extent e = {terrain->west, terrain->south, terrain->east, terrain->north, terrain->lowest,
-                              terrain->highest, terrain->step};
+    bolan_terrain_extent e = {terrain->west,   terrain->south,   terrain->east, terrain->north,
+                              terrain->lowest, terrain->highest, terrain->step};
     return e;
 }
 
-void bolan_terrain_bounds(const bolan_terrain *terrain, double west, double south, double size, float *lowest, float *highest) {
+void bolan_terrain_bounds(const bolan_terrain *terrain, double west, double south, double size, float *lowest,
+                          float *highest) {
     BOLAN_ASSERT(terrain && lowest && highest);
     const bolan_terrain *t = terrain;
     // The level on which the square covers few blocks.

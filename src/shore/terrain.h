@@ -27,8 +27,8 @@ typedef struct block_level {
 
 struct bolan_terrain {
     double west, south, east, north;
-    double step;              // the coarser of the two spacings [m]
-    double margin;            // width of the blend outside the rim [m]
+    double step;   // the coarser of the two spacings [m]
+    double margin; // width of the blend outside the rim [m]
     float edge_elevation;
     float lowest, highest;
     double detail;

@@ -22,7 +22,8 @@ static bolan_terrain *wall(void) {
     return t;
 }
 
-static terrain_chunk chunk(const bolan_terrain *t, double west, double south, double size, const terrain_chunk *parent) {
+static terrain_chunk chunk(const bolan_terrain *t, double west, double south, double size,
+                           const terrain_chunk *parent) {
     terrain_chunk c = {.west = west, .south = south, .size = size, .parent = parent};
     assert_int_equal(chunk_allocate(&c), BOLAN_OK);
     chunk_build(&c, t);
@@ -30,7 +31,8 @@ static terrain_chunk chunk(const bolan_terrain *t, double west, double south, do
 }
 
 static float channel(const terrain_chunk *c, double x, double y, int k) {
-    int i = (int)lround((x - c->west) / c->size * CHUNK_TEXELS), j = (int)lround((y - c->south) / c->size * CHUNK_TEXELS);
+    int i = (int)lround((x - c->west) / c->size * CHUNK_TEXELS),
+        j = (int)lround((y - c->south) / c->size * CHUNK_TEXELS);
     return float_from_half(c->map[4 * (j * CHUNK_MAP + i) + k]);
 }
 
@@ -41,7 +43,8 @@ static void a_wall_throws_a_shadow_of_its_height_over_the_tangent(void **state) 
     const double elevations[] = {15.0, 30.0, 50.0};
     for (int n = 0; n < 3; n++) {
         double e = bolan_radians(elevations[n]), reach = 100.0 / tan(e);
-        chunk_sun sun = chunk_sun_from(bolan_v3((float)cos(e), 0.0f, (float)sin(e))); // from the east: shadow to the west
+        chunk_sun sun =
+            chunk_sun_from(bolan_v3((float)cos(e), 0.0f, (float)sin(e))); // from the east: shadow to the west
         chunk_light(&c, &sun);
         // 10 m texels, and a wall whose flank is a cell wide
         assert_true(channel(&c, -fmax(reach - 25.0, 20.0), 0.0, 2) > 0.0f);
@@ -59,7 +62,8 @@ static void a_slanting_sun_shortens_it_by_the_cosine(void **state) {
     bolan_terrain *t = wall();
     terrain_chunk c = chunk(t, -640.0, -640.0, 1280.0, NULL);
     double e = bolan_radians(25.0), azimuth = bolan_radians(60.0), reach = 100.0 / tan(e) * sin(azimuth);
-    chunk_sun sun = chunk_sun_from(bolan_v3((float)(sin(azimuth) * cos(e)), (float)(cos(azimuth) * cos(e)), (float)sin(e)));
+    chunk_sun sun =
+        chunk_sun_from(bolan_v3((float)(sin(azimuth) * cos(e)), (float)(cos(azimuth) * cos(e)), (float)sin(e)));
     chunk_light(&c, &sun);
     assert_true(channel(&c, -(reach - 30.0), -100.0, 2) > 0.0f);
     assert_true(channel(&c, -(reach + 30.0), -100.0, 2) <= 0.0f);
@@ -72,9 +76,9 @@ static void shadows_reach_into_a_child_from_outside_it(void **state) {
     bolan_terrain *t = wall();
     terrain_chunk root = chunk(t, -640.0, -640.0, 1280.0, NULL);
     terrain_chunk child = chunk(t, -640.0, -640.0, 640.0, &root);
-    terrain_chunk leaf = chunk(t, -320.0, -320.0, 320.0, &child); // ends at the wall's foot
+    terrain_chunk leaf = chunk(t, -320.0, -320.0, 320.0, &child);     // ends at the wall's foot
     terrain_chunk far_leaf = chunk(t, -320.0, -640.0, 160.0, &child); // does not touch it
-    double e = bolan_radians(20.0), reach = 100.0 / tan(e); // 275 m
+    double e = bolan_radians(20.0), reach = 100.0 / tan(e);           // 275 m
     chunk_sun sun = chunk_sun_from(bolan_v3((float)cos(e), 0.0f, (float)sin(e)));
     chunk_light(&root, &sun), chunk_light(&child, &sun), chunk_light(&leaf, &sun), chunk_light(&far_leaf, &sun);
     assert_true(channel(&leaf, -(reach - 20.0), -100.0, 2) > 0.0f);
@@ -154,7 +158,8 @@ static void index_lists_stay_within_the_vertices_and_face_up(void **state) {
 }
 
 RUN_TESTS(cmocka_unit_test(a_wall_throws_a_shadow_of_its_height_over_the_tangent),
-          cmocka_unit_test(a_slanting_sun_shortens_it_by_the_cosine), cmocka_unit_test(shadows_reach_into_a_child_from_outside_it),
+          cmocka_unit_test(a_slanting_sun_shortens_it_by_the_cosine),
+          cmocka_unit_test(shadows_reach_into_a_child_from_outside_it),
           cmocka_unit_test(sky_is_open_on_a_slope_and_hidden_in_a_valley),
           cmocka_unit_test(neighbours_share_their_rim_whatever_their_level),
           cmocka_unit_test(index_lists_stay_within_the_vertices_and_face_up))

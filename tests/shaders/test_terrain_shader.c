@@ -16,7 +16,8 @@ static void attenuation_is_the_twin_of_the_library_s(void **state) {
         in[i][1] = 0.0f + 0.13f * (float)(i % 40);
     }
     probe_run("#include \"common/frame.glsl\"\n#include \"common/shore.glsl\"",
-              "vec4 probe(vec4 x) { return vec4(shore_attenuation(x.x, x.y), shore_elevation(x.xy), 0.0, 0.0); }", in, COUNT, out);
+              "vec4 probe(vec4 x) { return vec4(shore_attenuation(x.x, x.y), shore_elevation(x.xy), 0.0, 0.0); }", in,
+              COUNT, out);
     for (int i = 0; i < COUNT; i++) {
         // the same rational function; GPUs may divide to 2.5 ulp
         assert_true(fabsf(out[i][0] - bolan_shore_attenuation(in[i][0], in[i][1])) < 1e-6f);
@@ -69,7 +70,8 @@ static void stage_open(stage *s) {
     assert_int_equal(gl_texture_create(&d, &s->depth), BOLAN_OK);
     const gl_texture *colors[] = {&s->color};
     assert_int_equal(gl_target_create(colors, 1, &s->depth, -1, 0, &s->frame.hdr), BOLAN_OK);
-    assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &s->uniforms), BOLAN_OK);
+    assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &s->uniforms),
+                     BOLAN_OK);
     assert_int_equal(pass_terrain_create(&s->caps, &s->pass), BOLAN_OK);
 }
 
@@ -86,10 +88,14 @@ static void draw(stage *s, bolan_dvec3 eye, double heading, double pitch) {
     frame *f = &s->frame;
     bool zero_to_one = s->caps.clip_control;
     f->eye = eye;
-    f->uniforms = (frame_uniforms){.eye = {0.0f, 0.0f, (float)eye.z, 0.0f}, .sun = {0.5f, 0.3f, 0.8124f, 1.0f},
-                                   .sun_light = {1.0f, 1.0f, 1.0f, 1.0f}, .sky_light = {0.3f, 0.3f, 0.3f, 0.0f},
-                                   .viewport = {WIDTH, HEIGHT, 1.0f / WIDTH, 1.0f / HEIGHT}, .haze = {40000.0f, 1200.0f, 0.0f, 0.0f}};
-    f->uniforms.lens = (bolan_vec4){(float)(2.0 * tan(0.5) / HEIGHT), 0.2f, zero_to_one ? 1.0f : 0.0f, (float)BOLAN_EARTH_RADIUS};
+    f->uniforms = (frame_uniforms){.eye = {0.0f, 0.0f, (float)eye.z, 0.0f},
+                                   .sun = {0.5f, 0.3f, 0.8124f, 1.0f},
+                                   .sun_light = {1.0f, 1.0f, 1.0f, 1.0f},
+                                   .sky_light = {0.3f, 0.3f, 0.3f, 0.0f},
+                                   .viewport = {WIDTH, HEIGHT, 1.0f / WIDTH, 1.0f / HEIGHT},
+                                   .haze = {40000.0f, 1200.0f, 0.0f, 0.0f}};
+    f->uniforms.lens =
+        (bolan_vec4){(float)(2.0 * tan(0.5) / HEIGHT), 0.2f, zero_to_one ? 1.0f : 0.0f, (float)BOLAN_EARTH_RADIUS};
     f->view = bolan_m4_view(heading, pitch, 0.0);
     f->projection = bolan_m4_projection(1.0, (double)WIDTH / HEIGHT, 0.2, zero_to_one);
     f->uniforms.view_projection = bolan_m4_mul(f->projection, f->view);
@@ -126,7 +132,7 @@ static void no_background_shows_through_the_ground(void **state) {
     (void)state;
     stage s;
     stage_open(&s);
-    const double views[][5] = {{0, 0, 330, 0, -12},   {730, -410, 290, 77, -3},  {-2100, 900, 900, 160, -25},
+    const double views[][5] = {{0, 0, 330, 0, -12},    {730, -410, 290, 77, -3},      {-2100, 900, 900, 160, -25},
                                {0, 0, 5000, 250, -40}, {3000, 3000, 12000, 220, -60}, {40, 50, 310, 300, -35}};
     for (size_t n = 0; n < sizeof views / sizeof views[0]; n++) {
         draw(&s, bolan_dv3(views[n][0], views[n][1], views[n][2]), views[n][3], views[n][4]);
@@ -159,7 +165,8 @@ static void what_is_drawn_lies_where_the_terrain_is(void **state) {
         for (int x = 20; x < WIDTH; x += 40) {
             float d = depth[y * WIDTH + x], window = s.caps.clip_control ? d : 2.0f * d - 1.0f;
             if (d <= 0.0f) continue;
-            bolan_vec4 clip = {((float)x + 0.5f) / WIDTH * 2.0f - 1.0f, ((float)y + 0.5f) / HEIGHT * 2.0f - 1.0f, window, 1.0f};
+            bolan_vec4 clip = {((float)x + 0.5f) / WIDTH * 2.0f - 1.0f, ((float)y + 0.5f) / HEIGHT * 2.0f - 1.0f,
+                               window, 1.0f};
             bolan_vec4 p = bolan_m4_mul_v4(s.frame.uniforms.inverse_view_projection, clip);
             double px = p.x / p.w, py = p.y / p.w, pz = p.z / p.w, distance = sqrt(px * px + py * py + pz * pz);
             double ground = bolan_terrain_elevation(s.terrain, eye.x + px, eye.y + py, 0.0) - eye.z;
@@ -192,7 +199,8 @@ static void the_shore_map_follows_the_eye_without_changing_a_texel(void **state)
                 int i = k * 97 % SHORE_SIZE, j = k * 61 % SHORE_SIZE;
                 double x = b.level[l].west + (i + 0.5) * texel, y = b.level[l].south + (j + 0.5) * texel;
                 // texel centres are sums in another order after a shift: the last bit of a double in x
-                assert_true(fabs(b.level[l].elevation[j * SHORE_SIZE + i] - bolan_terrain_elevation(s.terrain, x, y, texel)) < 1e-3);
+                assert_true(fabs(b.level[l].elevation[j * SHORE_SIZE + i] -
+                                 bolan_terrain_elevation(s.terrain, x, y, texel)) < 1e-3);
             }
         }
     }

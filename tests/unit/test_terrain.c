@@ -70,7 +70,8 @@ static void a_plane_stays_a_plane(void **state) {
     d.field = (bolan_heightfield){40, 40, 0.0, 0.0, 50.0, 50.0, plane};
     d.detail = 0.0;
     bolan_terrain *t = create(&d);
-    for (double resolution = 0.0; resolution < 120.0; resolution += 17.0) { // low-passing keeps a plane too, off the rim
+    for (double resolution = 0.0; resolution < 120.0;
+         resolution += 17.0) { // low-passing keeps a plane too, off the rim
         assert_near(bolan_terrain_elevation(t, 987.6, 1012.3, resolution), 0.3 * 987.6 - 0.2 * 1012.3, 1e-3);
     }
     bolan_terrain_destroy(&t);
@@ -117,7 +118,8 @@ static void detail_leaves_as_the_resolution_grows(void **state) {
         double sum = 0.0;
         for (int n = 0; n < 2000; n++) {
             double x = -2500.0 + 3.7 * n, y = -1500.0 + 3.1 * n;
-            double added = bolan_terrain_elevation(rough, x, y, resolution) - bolan_terrain_elevation(smooth, x, y, resolution);
+            double added =
+                bolan_terrain_elevation(rough, x, y, resolution) - bolan_terrain_elevation(smooth, x, y, resolution);
             sum += added * added / 2000.0;
         }
         double rms = sqrt(sum);
@@ -167,7 +169,8 @@ static void bounds_hold_every_elevation(void **state) {
         float low, high;
         bolan_terrain_bounds(t, west, south, size, &low, &high);
         for (int k = 0; k < 400; k++) {
-            float z = bolan_terrain_elevation(t, west + k % 20 * size / 19.0, south + k / 20 * size / 19.0, k % 3 * 10.0);
+            float z =
+                bolan_terrain_elevation(t, west + k % 20 * size / 19.0, south + k / 20 * size / 19.0, k % 3 * 10.0);
             assert_true(z >= low && z <= high);
         }
     }
@@ -221,10 +224,11 @@ static void wrong_descriptions_are_refused(void **state) {
     assert_int_equal(bolan_memory_in_use(), 0);
 }
 
-RUN_TESTS(cmocka_unit_test(the_data_alone_are_met_at_every_node), cmocka_unit_test(interpolation_does_not_overshoot_a_cliff),
-          cmocka_unit_test(a_plane_stays_a_plane), cmocka_unit_test(elevation_is_continuous_everywhere),
-          cmocka_unit_test(elevation_is_continuous_in_the_resolution), cmocka_unit_test(detail_leaves_as_the_resolution_grows),
-          cmocka_unit_test(it_is_finite_and_settled_far_away),
+RUN_TESTS(cmocka_unit_test(the_data_alone_are_met_at_every_node),
+          cmocka_unit_test(interpolation_does_not_overshoot_a_cliff), cmocka_unit_test(a_plane_stays_a_plane),
+          cmocka_unit_test(elevation_is_continuous_everywhere),
+          cmocka_unit_test(elevation_is_continuous_in_the_resolution),
+          cmocka_unit_test(detail_leaves_as_the_resolution_grows), cmocka_unit_test(it_is_finite_and_settled_far_away),
           cmocka_unit_test(a_grid_equals_single_calls_for_any_number_of_threads),
           cmocka_unit_test(bounds_hold_every_elevation), cmocka_unit_test(the_id_tells_terrains_apart),
           cmocka_unit_test(wrong_descriptions_are_refused))

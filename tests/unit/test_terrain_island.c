@@ -4,6 +4,8 @@
 
 #include "bolan/shore.h"
 
+#include <string.h>
+
 static bolan_terrain *create(const bolan_island_desc *d) {
     bolan_terrain *t = NULL;
     assert_int_equal(bolan_terrain_create_island(d, &t), BOLAN_OK);
@@ -11,7 +13,9 @@ static bolan_terrain *create(const bolan_island_desc *d) {
 }
 
 // Areas in square radii, by elevation; `lee` counts the lagoon's half only, the other the rest.
-typedef struct census { double land, shallow, lagoon_side, windward_side; } census;
+typedef struct census {
+    double land, shallow, lagoon_side, windward_side;
+} census;
 
 static census count(const bolan_terrain *t, const bolan_island_desc *d) {
     census c = {0};
@@ -37,7 +41,7 @@ static void land_and_lagoon_have_sane_proportions(void **state) {
     for (d.seed = 1; d.seed < 3; d.seed++, d.lagoon_from_deg += 100.0) {
         bolan_terrain *t = create(&d);
         census c = count(t, &d);
-        assert_true(c.land > 1.0 && c.land < 3.2);          // a disc of one radius has 3.1
+        assert_true(c.land > 1.0 && c.land < 3.2); // a disc of one radius has 3.1
         assert_true(c.lagoon_side > 0.4 && c.lagoon_side < 2.0);
         assert_true(c.lagoon_side > 3.0 * c.windward_side); // the shallows lie where they were asked for
         bolan_terrain_destroy(&t);
@@ -57,7 +61,8 @@ static void summit_and_sea_floor_are_as_asked(void **state) {
         assert_true(e.lowest > d.sea_floor - 30.0);
         for (int k = 0; k < 12; k++) { // beyond three radii there is only the floor
             double a = k * BOLAN_PI / 6.0, r = 3.2 * d.radius;
-            assert_near(bolan_terrain_elevation(t, r * cos(a), r * sin(a), 0.0), d.sea_floor, 0.06 * -d.sea_floor + 5.0);
+            assert_near(bolan_terrain_elevation(t, r * cos(a), r * sin(a), 0.0), d.sea_floor,
+                        0.06 * -d.sea_floor + 5.0);
         }
         bolan_terrain_destroy(&t);
     }
@@ -110,6 +115,24 @@ static void the_same_seed_makes_the_same_island(void **state) {
     bolan_terrain_destroy(&a);
 }
 
+// The id covers every node of the island. It stays the same for every compiler, optimisation level and instruction set, and
+// changes only when the island's shape is changed on purpose.
+static void the_default_island_has_the_same_bits_everywhere(void **state) {
+    (void)state;
+    bolan_island_desc d = bolan_island_desc_default();
+    bolan_terrain *t = create(&d);
+    assert_true(bolan_terrain_id(t) == UINT64_C(0x528067ad5f4f25a8));
+    uint64_t h = 0; // of elevations with all their detail
+    for (int n = 0; n < 4000; n++) {
+        float z = bolan_terrain_elevation(t, n * 0.77 - 1500.0, n * 0.53 - 1000.0, n % 5 * 0.7);
+        uint32_t bits;
+        memcpy(&bits, &z, sizeof bits);
+        h = h * 31 + bits;
+    }
+    assert_true(h == UINT64_C(0x6d42f80706e9998f));
+    bolan_terrain_destroy(&t);
+}
+
 static void wrong_descriptions_are_refused(void **state) {
     (void)state;
     bolan_terrain *t;
@@ -125,5 +148,7 @@ static void wrong_descriptions_are_refused(void **state) {
 }
 
 RUN_TESTS(cmocka_unit_test(land_and_lagoon_have_sane_proportions), cmocka_unit_test(summit_and_sea_floor_are_as_asked),
-          cmocka_unit_test(beaches_slope_gently_through_the_waterline), cmocka_unit_test(the_same_seed_makes_the_same_island),
+          cmocka_unit_test(beaches_slope_gently_through_the_waterline),
+          cmocka_unit_test(the_same_seed_makes_the_same_island),
+          cmocka_unit_test(the_default_island_has_the_same_bits_everywhere),
           cmocka_unit_test(wrong_descriptions_are_refused))
