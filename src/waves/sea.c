@@ -3,13 +3,15 @@
 #include "spectrum/portable.h"
 #include "waves/synth.h"
 
+#include <sched.h>
 #include <stdatomic.h>
 #include <string.h>
 
 #define LONGEST_TICK 0.5   // [s] a step forward that the foam memory survives
 #define SETTLE_TICK 0.25   // [s]
 #define SAMPLE_BYTES 54.0   // 9 planes of float, 9 of half
-#define LARGE_OUTPUT 4e7    // [bytes] more than third-level caches hold for one process
+#define LARGE_OUTPUT 1e7    // [bytes] all planes: more than second-level caches hold
+#define HUGE_OUTPUT 4e7     // [bytes] more than third-level caches hold for one process
 #define LARGEST_TIME 0x1p36 // [s]: 2000 years; beyond, phases would lose their meaning in double
 
 bolan_sea_desc bolan_sea_desc_default(void) {
@@ -83,44 +85,53 @@ void bolan_sea_destroy(bolan_sea **sea) {
 
 // ---- stepping -------------------------------------------------------------------------------------------------------
 
+// A step is one queue of strips: the rows of a cascade, then its columns while what lies between them is still in the
+// cache. Columns wait until the rows of their cascade are done. All rows were taken from the queue before, and whoever took
+// them waits for nothing later, so the queue cannot lock up, however few workers there are.
 typedef struct step {
     bolan_sea *sea;
     sea_moment moment;
-    bool columns;      // the second pass
-    uint32_t items;    // strips of all cascades
-    atomic_uint next;
+    atomic_uint next;                            // item of the queue
+    atomic_uint rows_done[BOLAN_MAX_CASCADES];
 } step;
 
-static uint32_t strips_of(const step *s, const sea_cascade *c) {
-    return s->columns ? c->n / FFT_LANES : c->strips;
+static void do_rows(step *s, uint32_t index, uint32_t strip, float *scratch) {
+    s->sea->kernels->rows(&s->sea->plan, &s->sea->cascade[index], &s->moment, strip, scratch);
+    atomic_fetch_add_explicit(&s->rows_done[index], 1, memory_order_release);
 }
 
-static void do_item(const step *s, uint32_t item, float *scratch) {
-    const bolan_sea *sea = s->sea;
-    const sea_cascade *c = sea->cascade;
-    while (item >= strips_of(s, c)) item -= strips_of(s, c++);
-    (s->columns ? sea->kernels->columns : sea->kernels->rows)(&sea->plan, c, &s->moment, item, scratch);
+static void do_columns(step *s, uint32_t index, uint32_t strip, float *scratch) {
+    const sea_cascade *c = &s->sea->cascade[index];
+    while (atomic_load_explicit(&s->rows_done[index], memory_order_acquire) < c->strips) sched_yield();
+    s->sea->kernels->columns(&s->sea->plan, c, &s->moment, strip, scratch);
 }
 
-// Task: slots [begin, end). Each slot owns scratch memory and takes strips until none is left.
+// False when the queue is empty.
+static bool do_next_item(step *s, float *scratch) {
+    uint32_t item = atomic_fetch_add_explicit(&s->next, 1, memory_order_relaxed);
+    for (uint32_t i = 0; i < s->sea->count; i++) {
+        const sea_cascade *c = &s->sea->cascade[i];
+        const uint32_t rows = c->strips, columns = c->n / FFT_LANES;
+        if (item < rows) {
+            do_rows(s, i, item, scratch);
+            return true;
+        }
+        if (item < rows + columns) {
+            do_columns(s, i, item - rows, scratch);
+            return true;
+        }
+        item -= rows + columns;
+    }
+    return false;
+}
+
+// Task: slots [begin, end). Each slot owns scratch memory; a slice of several uses that of its first.
 static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    (void)end;
     (void)worker;
     step *s = context;
-    float *scratch = s->sea->scratch + begin * s->sea->scratch_floats;
-    (void)end; // a slice of several slots does its work with the first one's scratch
-    for (;;) {
-        const uint32_t item = atomic_fetch_add_explicit(&s->next, 1, memory_order_relaxed);
-        if (item >= s->items) return;
-        do_item(s, item, scratch);
+    while (do_next_item(s, s->sea->scratch + begin * s->sea->scratch_floats)) {
     }
-}
-
-static void run_pass(step *s, bool columns) {
-    s->columns = columns;
-    s->items = 0;
-    for (uint32_t i = 0; i < s->sea->count; i++) s->items += strips_of(s, &s->sea->cascade[i]);
-    atomic_store(&s->next, 0);
-    bolan_parallel(s->sea->slots, 1, run_slots, s);
 }
 
 static void synthesise(bolan_sea *sea, double time, float decay) {
@@ -129,9 +140,9 @@ static void synthesise(bolan_sea *sea, double time, float decay) {
     s.moment.time = fmod(time, period > 0.0 ? period : LARGEST_TIME);
     s.moment.decay = decay;
     s.moment.choppiness = (float)sea->desc.choppiness;
-    s.moment.stream = (double)sea->count * sea->plan.n * sea->plan.n * SAMPLE_BYTES > LARGE_OUTPUT;
-    run_pass(&s, false);
-    run_pass(&s, true);
+    const double bytes = SAMPLE_BYTES * sea->count * sea->plan.n * sea->plan.n;
+    s.moment.stream = bytes > HUGE_OUTPUT ? SEA_STREAM_ALL : bytes > LARGE_OUTPUT ? SEA_STREAM_PLANES : SEA_STREAM_NONE;
+    bolan_parallel(sea->slots, 1, run_slots, &s);
     sea->time = time;
     sea->foam_holds = true;
 }

@@ -5,12 +5,19 @@
 
 #include "waves/sea.h"
 
+// What goes to memory without being read into the cache first, as it would not stay there anyway.
+typedef enum sea_stream {
+    SEA_STREAM_NONE,
+    SEA_STREAM_PLANES, // the float planes, which are read here and there; halfs are uploaded at once
+    SEA_STREAM_ALL,
+} sea_stream;
+
 // What all strips of a step share.
 typedef struct sea_moment {
     double time;      // [s], reduced by the loop period
     float decay;      // factor on the foam memory; 0 restarts it
     float choppiness;
-    bool stream;      // planes go around the cache: they are larger than it
+    sea_stream stream;
 } sea_moment;
 
 typedef struct sea_kernels {

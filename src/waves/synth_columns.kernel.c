@@ -92,26 +92,26 @@ static inline void put(bool stream, float *p, wide v) {
 }
 
 // Texels of four halfs.
-static inline void store_texels(bool stream, uint16_t *out, pair ab, pair cd) {
+static inline void store_texels(sea_stream stream, uint16_t *out, pair ab, pair cd) {
     wide words[2];
     wide_interleave(wide_half_pair(ab.re, ab.im), wide_half_pair(cd.re, cd.im), words);
-    put(stream, (float *)(void *)out, words[0]);
-    put(stream, (float *)(void *)out + WIDE, words[1]);
+    put(stream == SEA_STREAM_ALL, (float *)(void *)out, words[0]);
+    put(stream == SEA_STREAM_ALL, (float *)(void *)out + WIDE, words[1]);
 }
 
-static inline void store_displacement(const sea_cascade *cascade, bool stream, size_t at, pair d, pair e) {
-    put(stream, cascade->field[FIELD_DX] + at, d.re);
-    put(stream, cascade->field[FIELD_DY] + at, d.im);
-    put(stream, cascade->field[FIELD_HEIGHT] + at, e.re);
-    put(stream, cascade->field[FIELD_DXY] + at, e.im);
+static inline void store_displacement(const sea_cascade *cascade, sea_stream stream, size_t at, pair d, pair e) {
+    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_DX] + at, d.re);
+    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_DY] + at, d.im);
+    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_HEIGHT] + at, e.re);
+    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_DXY] + at, e.im);
     store_texels(stream, cascade->displacement_half + 4 * at, d, e);
 }
 
-static inline void store_slopes(const sea_cascade *cascade, bool stream, size_t at, pair s, pair g) {
-    put(stream, cascade->field[FIELD_SLOPE_X] + at, s.re);
-    put(stream, cascade->field[FIELD_SLOPE_Y] + at, s.im);
-    put(stream, cascade->field[FIELD_DXX] + at, g.re);
-    put(stream, cascade->field[FIELD_DYY] + at, g.im);
+static inline void store_slopes(const sea_cascade *cascade, sea_stream stream, size_t at, pair s, pair g) {
+    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_SLOPE_X] + at, s.re);
+    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_SLOPE_Y] + at, s.im);
+    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_DXX] + at, g.re);
+    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_DYY] + at, g.im);
     store_texels(stream, cascade->slope_half + 4 * at, s, g);
 }
 
@@ -168,10 +168,10 @@ static ALWAYS_INLINE void columns(const fft_plan *plan, const sea_cascade *casca
 
 void KERNEL(sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
                          float *scratch) {
-    if (moment->stream) {
-        columns(plan, cascade, moment, true, strip, scratch);
-        wide_stream_end();
-    } else {
-        columns(plan, cascade, moment, false, strip, scratch);
+    switch (moment->stream) { // a constant in each case, so that the loops have no branches
+    case SEA_STREAM_NONE: columns(plan, cascade, moment, SEA_STREAM_NONE, strip, scratch); break;
+    case SEA_STREAM_PLANES: columns(plan, cascade, moment, SEA_STREAM_PLANES, strip, scratch); break;
+    case SEA_STREAM_ALL: columns(plan, cascade, moment, SEA_STREAM_ALL, strip, scratch); break;
     }
+    wide_stream_end();
 }
