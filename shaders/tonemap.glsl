@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exposure, glow, film curve, display encoding, dither. With ACCUMULATE: adds the display value to a sum and writes that. With
+// Exposure, film curve, display encoding, dither. With GLOW: what a lens and an eye scatter of bright light. With ACCUMULATE: adds the display value to a sum and writes that. With
 // RESOLVE: writes out the mean of the sum.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
@@ -14,7 +14,7 @@ uniform sampler2D glow;
 #pragma unit glow 3
 uniform sampler2D sum;
 #pragma unit sum 4
-uniform vec4 settings; // x: glow strength, y: 1 encode sRGB, z: dither [1/255], w: RESOLVE: weight of the sum, ACCUMULATE: of the old sum
+uniform vec4 settings; // x: share of the glow, y: 1 encode sRGB, z: dither [1/255], w: RESOLVE: weight of the sum, ACCUMULATE: of the old sum
 out vec4 color;
 
 // Interleaved gradient noise (Jimenez 2014), triangular over two draws.
@@ -29,8 +29,12 @@ void main() {
 #ifdef RESOLVE
     vec3 display = c * settings.w;
 #else
-    if (settings.x > 0.0) c = mix(c, textureLod(glow, uv, 0.0).rgb, settings.x);
-    vec3 display = tonemap(c * sun_light.w);
+    c *= sun_light.w;
+#ifdef GLOW
+    vec3 around = 0.5 * textureLod(glow, uv, 1.0).rgb + 0.3 * textureLod(glow, uv, 3.0).rgb + 0.2 * textureLod(glow, uv, 5.0).rgb;
+    c = mix(c, around, settings.x);
+#endif
+    vec3 display = tonemap(c);
 #endif
 #ifdef ACCUMULATE
     vec3 before = settings.w > 0.0 ? texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb : vec3(0.0);

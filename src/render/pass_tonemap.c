@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The last pass: linear radiance -> the caller's framebuffer. One sample is written straight out; of several each is tone
 // mapped and added up (the mean of what is seen, not of radiance: a glint must not outshine its pixel), and the last one
-// writes the mean. Shader: shaders/tonemap.glsl.
+// writes the mean. High quality adds a glow round what is bright. Shaders: tonemap.glsl, tonemap_glow.glsl.
 #include "frame.h"
 
+enum { GLOW_LEVELS = 6, GLOW_PARTS = 4 }; // GLOW_PARTS: the picture's size over the glow's
+static const float glow_share = 0.06f;
+
 struct pass_tonemap {
-    gl_program single, accumulate, resolve;
+    gl_program single[2], accumulate[2]; // without and with glow
+    gl_program resolve, shrink;
     gl_texture sum[2]; // one is read while the other is written: floats of 32 bits cannot be blended everywhere
     gl_target sum_target[2];
+    gl_texture glow;
+    gl_target glow_target;
 };
 
 bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) {
@@ -15,9 +21,12 @@ bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) {
     *out = NULL;
     pass_tonemap *p = bolan_allocate(sizeof *p);
     if (!p) return BOLAN_ERROR_MEMORY;
-    bolan_result result = gl_program_create("tonemap", NULL, &p->single);
-    if (result == BOLAN_OK) result = gl_program_create("tonemap", "ACCUMULATE 1\n", &p->accumulate);
+    bolan_result result = gl_program_create("tonemap", NULL, &p->single[0]);
+    if (result == BOLAN_OK) result = gl_program_create("tonemap", "GLOW 1\n", &p->single[1]);
+    if (result == BOLAN_OK) result = gl_program_create("tonemap", "ACCUMULATE 1\n", &p->accumulate[0]);
+    if (result == BOLAN_OK) result = gl_program_create("tonemap", "ACCUMULATE 1\nGLOW 1\n", &p->accumulate[1]);
     if (result == BOLAN_OK) result = gl_program_create("tonemap", "RESOLVE 1\n", &p->resolve);
+    if (result == BOLAN_OK) result = gl_program_create("tonemap_glow", NULL, &p->shrink);
     if (result != BOLAN_OK) {
         pass_tonemap_destroy(&p);
         return result;
@@ -27,9 +36,12 @@ bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) {
 }
 
 bolan_result pass_tonemap_reload(pass_tonemap *p) {
-    bolan_result result = gl_program_reload(&p->single);
-    if (result == BOLAN_OK) result = gl_program_reload(&p->accumulate);
-    return result == BOLAN_OK ? gl_program_reload(&p->resolve) : result;
+    gl_program *const programs[] = {&p->single[0], &p->single[1], &p->accumulate[0], &p->accumulate[1], &p->resolve, &p->shrink};
+    for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
+        const bolan_result result = gl_program_reload(programs[i]);
+        if (result != BOLAN_OK) return result;
+    }
+    return BOLAN_OK;
 }
 
 static void free_sums(pass_tonemap *p) {
@@ -51,9 +63,33 @@ static bool resize(pass_tonemap *p, uint32_t width, uint32_t height) {
     return true;
 }
 
+static bool resize_glow(pass_tonemap *p, uint32_t width, uint32_t height) {
+    const uint32_t w = (width + GLOW_PARTS - 1) / GLOW_PARTS, h = (height + GLOW_PARTS - 1) / GLOW_PARTS;
+    if (p->glow_target.id && p->glow.width == w && p->glow.height == h) return true;
+    gl_target_free(&p->glow_target);
+    gl_texture_free(&p->glow);
+    const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = w, .height = h, .filter = GL_FILTER_MIPMAP_NEAREST};
+    const gl_texture *color = &p->glow;
+    return gl_texture_create(&d, &p->glow) == BOLAN_OK && gl_target_create(&color, 1, NULL, -1, 0, &p->glow_target) == BOLAN_OK;
+}
+
+// Fills the glow and its mip chain. A picture too small for the levels goes without.
+static bool draw_glow(pass_tonemap *p, const frame *f, const gl_texture *hdr_color) {
+    const uint32_t smallest = GLOW_PARTS << GLOW_LEVELS;
+    if (f->quality < BOLAN_QUALITY_HIGH || f->desc->width < smallest || f->desc->height < smallest) return false;
+    if (!resize_glow(p, f->desc->width, f->desc->height)) return false;
+    gl_target_bind(&p->glow_target);
+    gl_texture_bind(hdr_color, UNIT_PASS);
+    gl_program_use(&p->shrink);
+    gl_draw_fullscreen();
+    gl_texture_generate_mipmaps(&p->glow);
+    gl_texture_bind(&p->glow, UNIT_SCENE_COLOR);
+    return true;
+}
+
 static void draw(const gl_program *program, const gl_texture *source, bool encode, float dither, float weight) {
     gl_texture_bind(source, UNIT_PASS);
-    gl_program_vec4(program, "settings", (bolan_vec4){0.0f, encode ? 1.0f : 0.0f, dither, weight});
+    gl_program_vec4(program, "settings", (bolan_vec4){glow_share, encode ? 1.0f : 0.0f, dither, weight});
     gl_draw_fullscreen();
 }
 
@@ -68,14 +104,15 @@ static void draw_out(const gl_program *program, const gl_texture *source, const 
 
 void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample, uint32_t samples) {
     gl_set_state(&(gl_state){.color_write = true});
+    const bool glow = draw_glow(p, f, hdr_color);
     if (samples <= 1 || !resize(p, f->desc->width, f->desc->height)) {
-        draw_out(&p->single, hdr_color, f, 1.0f);
+        draw_out(&p->single[glow], hdr_color, f, 1.0f);
         return;
     }
     const uint32_t to = sample & 1u;
     gl_target_bind(&p->sum_target[to]);
     gl_texture_bind(&p->sum[to ^ 1u], UNIT_SCENE_DEPTH);
-    draw(&p->accumulate, hdr_color, false, 0.0f, sample > 0 ? 1.0f : 0.0f);
+    draw(&p->accumulate[glow], hdr_color, false, 0.0f, sample > 0 ? 1.0f : 0.0f);
     if (sample + 1 == samples) draw_out(&p->resolve, &p->sum[to], f, 1.0f / (float)samples);
 }
 
@@ -83,9 +120,14 @@ void pass_tonemap_destroy(pass_tonemap **pp) {
     if (!pp || !*pp) return;
     pass_tonemap *p = *pp;
     free_sums(p);
-    gl_program_free(&p->single);
-    gl_program_free(&p->accumulate);
+    gl_target_free(&p->glow_target);
+    gl_texture_free(&p->glow);
+    for (int i = 0; i < 2; i++) {
+        gl_program_free(&p->single[i]);
+        gl_program_free(&p->accumulate[i]);
+    }
     gl_program_free(&p->resolve);
+    gl_program_free(&p->shrink);
     bolan_release(p, sizeof *p);
     *pp = NULL;
 }
