@@ -36,19 +36,21 @@ static void spread_place(const query *q, const query_block *from, uint32_t lane,
     }
 }
 
-// Lane 0 goes on from where it is, lane 1 starts at the point itself, the others at +-reach / 2^i from lane 0.
+// Starts around what `lane` of `from` has found (which may be in `to` itself): lane 0 goes on from there, lane 1 starts at
+// the point itself, the others at +-reach / 2^i along the direction of compression.
 static void spread_starts(const query *q, const query_block *from, uint32_t lane, query_block *to) {
     const bolan_vec2 along = compressed_direction(from->jxx[lane], from->jyy[lane], from->jxy[lane]);
+    const float ox = from->ox[lane], oy = from->oy[lane];
     float distance = q->reach;
-    to->ox[0] = from->ox[lane];
-    to->oy[0] = from->oy[lane];
+    to->ox[0] = ox;
+    to->oy[0] = oy;
     to->ox[1] = 0.0f;
     to->oy[1] = 0.0f;
     for (uint32_t l = 2; l < QUERY_LANES; l += 2) {
         for (uint32_t side = 0; side < 2; side++) {
             const float s = side ? -distance : distance;
-            to->ox[l + side] = from->ox[lane] + s * along.x;
-            to->oy[l + side] = from->oy[lane] + s * along.y;
+            to->ox[l + side] = ox + s * along.x;
+            to->oy[l + side] = oy + s * along.y;
         }
         distance *= 0.5f;
     }
@@ -74,11 +76,16 @@ static uint32_t choose(const query_block *b) {
 
 void query_search_folds(const query *q, query_block *block, uint32_t lane) {
     query_block starts;
+    const query_block *from = block;
+    uint32_t best = lane;
     spread_place(q, block, lane, &starts);
-    spread_starts(q, block, lane, &starts);
-    query_solve(q, QUERY_SEARCH_STEPS, false, &starts);
-    query_evaluate(q, true, &starts);
-    const uint32_t best = choose(&starts);
+    for (int round = 0; round < 2; round++) { // the second from the best of the first, along its own direction
+        spread_starts(q, from, best, &starts);
+        query_solve(q, QUERY_SEARCH_STEPS, false, &starts);
+        query_evaluate(q, true, &starts);
+        best = choose(&starts);
+        from = &starts;
+    }
     block->ox[lane] = starts.ox[best];
     block->oy[lane] = starts.oy[best];
     block->rx[lane] = starts.rx[best];

@@ -4,10 +4,11 @@
 //     log k ->   |------ cascade 0 ------|------ cascade 1 ------|------ cascade 2 ------| ...
 //                0            0.5 Nyquist of 0            0.5 Nyquist of 1
 //
-// A ring ends at half of its tile's Nyquist wave number: the picture and the queries interpolate linearly between samples,
-// which takes 7 % off the height of a sea whose shortest waves have 2.6 samples and 2 % with 4. And the next tile is shorter by a ratio that leaves at least 10 modes
-// below its own first wave (fewer at low resolution): with 6 the waves at the edge are too coarse in direction and their
-// variance is off by 4 %. Ratios and angles are incommensurate, so that repetitions never line up.
+// A ring ends at half of its tile's Nyquist wave number: the picture and the queries interpolate linearly between
+// samples, which takes 7 % off the height of a sea whose shortest waves have 2.6 samples and 2 % with 4. The next
+// tile is shorter by a ratio that leaves at least 10 modes below its own first wave (fewer at low resolution): with 6
+// the waves at the edge are too coarse in direction and their variance is off by 4 %. Ratios and angles are
+// incommensurate, so that repetitions never line up.
 #include "waves/sea.h"
 
 static const double ratio_of_ratio[BOLAN_MAX_CASCADES - 1] = {0.99713, 0.96189, 0.93407};
