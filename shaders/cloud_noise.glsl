@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One slice of the cloud noise, a volume that repeats: r billows (gradient noise swelled by cells), g the cells' finer octaves,
-// b plain gradient noise, a fine gradient noise. After Schneider 2015, "The real-time volumetric cloudscapes of Horizon".
+// One slice of the cloud noise, a volume that repeats: r billows (gradient noise swelled by cells), g the cells'
+// finer octaves, b plain gradient noise, a fine gradient noise. After Schneider 2015, "The real-time volumetric
+// cloudscapes of Horizon".
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }

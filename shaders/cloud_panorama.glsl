@@ -69,7 +69,8 @@ vec3 ambient_radiance() {
 // Premultiplied radiance and cover; mean distance.
 vec4 march(vec3 dir, vec2 span, out float mean_distance) {
     float c = dot(dir, sun.xyz), h0 = max(eye.z, 0.0);
-    vec3 sun_above = solar_irradiance() * sun_transmittance(cloud_base() + 0.7 * cloud_origin.z), ambient = ambient_radiance();
+    vec3 sun_above = solar_irradiance() * sun_transmittance(cloud_base() + 0.7 * cloud_origin.z);
+    vec3 ambient = ambient_radiance();
     // What leaves a thick deck has come from sun and blue sky alike: nearly white.
     vec3 entering = sun_above + AIR_PI * ambient;
     entering = mix(entering, vec3(dot(entering, vec3(0.2126, 0.7152, 0.0722))), 0.85 * wind.w * wind.w);
@@ -84,8 +85,10 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
         vec2 position = dir.xy * d;
         float footprint = d * texel_angle, extinction = cloud_extinction(position, h, footprint);
         if (extinction <= 0.0) continue;
-        float depth = depth_towards_sun(position, h, footprint), level = clamp((h - cloud_base()) / cloud_origin.z, 0.0, 1.0);
-        float many = 2.5 / (4.0 * AIR_PI * (1.0 + 0.16 * depth)) * (1.0 - 0.35 * exp(-2.0 * depth)); // thin edges scatter once
+        float depth = depth_towards_sun(position, h, footprint);
+        float level = clamp((h - cloud_base()) / cloud_origin.z, 0.0, 1.0);
+        // light scattered many times falls off as by diffusion; thin edges scatter once
+        float many = 2.5 / (4.0 * AIR_PI * (1.0 + 0.16 * depth)) * (1.0 - 0.35 * exp(-2.0 * depth));
         vec3 source = sun_above * (0.55 * forward * exp(-depth)) + entering * many +
                       ambient * mix(0.25, 0.60, level);
         float through = exp(-extinction * step_length), gained = left * (1.0 - through);

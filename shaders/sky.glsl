@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sky behind everything: clear air and clouds, two look-ups a pixel. The sun's disc is drawn over it by sky_sun.glsl. Below
-// the horizon, should no water have been drawn there, the horizon's own light.
+// The sky behind everything: clear air and clouds, two look-ups a pixel. The sun's disc is drawn over it by
+// sky_sun.glsl. Below the horizon, should no water have been drawn there, the horizon's own light.
 #include "common/fullscreen.glsl"
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The environment map: sky and clouds as the sea mirrors them. Under the clouds their panorama is as good from the eye as
-// from the water; a high eye knows only their tops, and mirrors a clear sky.
+// The environment map: sky and clouds as the sea mirrors them. Under the clouds their panorama is as good from the
+// eye as from the water; a high eye knows only their tops, and mirrors a clear sky.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }

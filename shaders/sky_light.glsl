@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Four pixels of light at the sea, read back by the CPU: 0 irradiance of the sky on a horizontal surface, 1 direct solar
-// irradiance at normal incidence, 2 the same at the eye, 3 mean transmission of the clouds round the eye.
+// Four pixels of light at the sea, read back by the CPU: 0 irradiance of the sky on a horizontal surface, 1 direct
+// solar irradiance at normal incidence, 2 the same at the eye, 3 mean transmission of the clouds round the eye.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Table: radiance that all orders of scattering above the first bring to a point, per unit of solar irradiance and of its
-// scattering coefficient (Hillaire 2020, eq. 5-10: the second order is traced, each further one is a constant times the last).
+// Table: radiance that all orders of scattering above the first bring to a point, per unit of solar irradiance and of
+// its scattering coefficient (Hillaire 2020, eq. 5-10: the second order is traced, each further one is a constant
+// times the last).
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }

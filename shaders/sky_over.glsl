@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The clouds below a high eye, laid over sea and land at the end of the picture. Peaks that stand above them stay clear.
+// The clouds below a high eye, laid over sea and land at the end of the picture. Peaks that stand above them stay
+// clear.
 #include "common/fullscreen.glsl"
 #include "common/frame.glsl"
 #ifdef VERTEX

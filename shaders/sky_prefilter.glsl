@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One level of the environment map, blurred: a Gaussian of two of its texels, so that a look-up between the texels of even the
-// coarsest level shows no grid (a plain mip chain would). Reads a plain mip chain of the same picture, one level finer.
+// One level of the environment map, blurred: a Gaussian of two of its texels, so that a look-up between the texels of
+// even the coarsest level shows no grid (a plain mip chain would). Reads a plain mip chain of the same picture, one
+// level finer.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exposure, film curve, display encoding, dither. With GLOW: what a lens and an eye scatter of bright light. With ACCUMULATE: adds the display value to a sum and writes that. With
-// RESOLVE: writes out the mean of the sum.
+// Exposure, film curve, display encoding, dither. With GLOW: what a lens and an eye scatter of bright light. With
+// ACCUMULATE: adds the display value to a sum and writes that. With RESOLVE: writes out the mean of the sum.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }
@@ -14,7 +14,8 @@ uniform sampler2D glow;
 #pragma unit glow 3
 uniform sampler2D sum;
 #pragma unit sum 4
-uniform vec4 settings; // x: share of the glow, y: 1 encode sRGB, z: dither [1/255], w: RESOLVE: weight of the sum, ACCUMULATE: of the old sum
+// x: share of the glow, y: 1 encode sRGB, z: dither [1/255], w: weight of the sum (RESOLVE), of the old sum (ACCUMULATE)
+uniform vec4 settings;
 out vec4 color;
 
 // Interleaved gradient noise (Jimenez 2014), triangular over two draws.
@@ -31,7 +32,8 @@ void main() {
 #else
     c *= sun_light.w;
 #ifdef GLOW
-    vec3 around = 0.5 * textureLod(glow, uv, 1.0).rgb + 0.3 * textureLod(glow, uv, 3.0).rgb + 0.2 * textureLod(glow, uv, 5.0).rgb;
+    vec3 around = 0.5 * textureLod(glow, uv, 1.0).rgb + 0.3 * textureLod(glow, uv, 3.0).rgb +
+                  0.2 * textureLod(glow, uv, 5.0).rgb;
     c = mix(c, around, settings.x);
 #endif
     vec3 display = tonemap(c);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Clear air over a round earth: geometry, what it holds, how it scatters. Heights and distances in metres, coefficients in
-// 1/m at 650, 550 and 450 nm. After Hillaire 2020, "A scalable and production ready sky and atmosphere rendering technique";
-// needs common/frame.glsl. tests/shaders/test_atmosphere.c holds the CPU twin.
+// Clear air over a round earth: geometry, what it holds, how it scatters. Heights and distances in metres,
+// coefficients in 1/m at 650, 550 and 450 nm. After Hillaire 2020, "A scalable and production ready sky and
+// atmosphere rendering technique"; needs common/frame.glsl. tests/shaders/test_atmosphere.c holds the CPU twin.
 #include "common/frame.glsl"
 
 const float AIR_PI = 3.14159265;
@@ -9,20 +9,22 @@ const float AIR_TOP = 100000.0;          // above it, nothing
 const float RAYLEIGH_SCALE = 8000.0;     // scale height
 // Vertical Rayleigh optical depth at sea level, Bodhaine et al. 1999 eq. 30, over the scale height.
 const vec3 RAYLEIGH = vec3(0.049184, 0.097070, 0.221110) / RAYLEIGH_SCALE;
-// 300 Dobson units in a tent 10..40 km. The Chappuis band peaks at 600 nm, between the sample wavelengths, so its cross-section
-// (Gorshelev et al. 2014) is averaged over the display's primaries: 4.2, 3.2 and 0.25e-21 cm2. It makes the blue hour blue.
+// 300 Dobson units in a tent 10..40 km. The Chappuis band peaks at 600 nm, between the sample wavelengths, so its
+// cross-section (Gorshelev et al. 2014) is averaged over the display's primaries: 4.2, 3.2 and 0.25e-21 cm2. It makes
+// the blue hour blue.
 const vec3 OZONE = vec3(0.03384, 0.02578, 0.00201) / 15000.0;
 const float MIE_ALBEDO = 0.97;           // sea salt absorbs little
 const vec3 MIE_COLOR = vec3(0.8896, 1.0, 1.1508); // Angstrom exponent 0.7
-// The picture is balanced, as a camera's daylight setting is, for the sun above the air: its colour is white, luminance 1.
+// The picture is balanced, as a camera's daylight setting is, for the sun above the air: its colour is white,
+// luminance 1.
 const vec3 SUN_COLOR = vec3(1.0);
 const float SUN_RADIUS = 0.00465;        // angular [rad]
 const float SEA_ALBEDO = 0.07;
 
 float earth_radius() { return lens.w; }
 
-// ---- geometry; h above the sea, mu = cosine of the zenith angle. Differences of squares are written as products: the radius
-// has an ulp of half a metre.
+// ---- geometry; h above the sea, mu = cosine of the zenith angle. Differences of squares are written as products: the
+// radius has an ulp of half a metre.
 
 float air_height(float h, float mu, float d) {
     float r = earth_radius();
@@ -69,7 +71,8 @@ float henyey_greenstein(float c, float g) {
 // Sea salt: a narrow forward lobe and a wide one, mean cosine 0.71 as of maritime haze.
 float mie_phase(float c) { return 0.7 * henyey_greenstein(c, 0.88) + 0.3 * henyey_greenstein(c, 0.3); }
 
-// ---- optical depth from a height to the top of the air: a table over (distance to the top, height), Bruneton & Neyret 2008
+// ---- optical depth from a height to the top of the air: a table over (distance to the top, height), after Bruneton &
+// Neyret 2008
 
 uniform sampler2D transmittance_table;
 #pragma unit transmittance_table 0
@@ -106,9 +109,10 @@ float sun_above_horizon(float h, float mu) {
 
 vec3 sun_transmittance_at(float h, float mu) { return transmittance_to_space(h, mu) * sun_above_horizon(h, mu); }
 
-// Airglow and starlight: 2e-4 cd/m2 (Leinert et al. 1998, table 1) of the sun's 128 klx; what is left at the end of twilight.
+// Airglow and starlight: 2e-4 cd/m2 (Leinert et al. 1998, table 1) of the sun's 128 klx; what is left at the end of
+// twilight.
 vec3 night_radiance() { return vec3(0.85, 1.0, 1.2) * 1.6e-9 * air.x; }
 
-// Solar irradiance above the air, in the unit of every stored radiance: air.x is 1 by day and grows in twilight, so that half
-// floats hold it.
+// Solar irradiance above the air, in the unit of every stored radiance: air.x is 1 by day and grows in twilight, so
+// that half floats hold it.
 vec3 solar_irradiance() { return SUN_COLOR * air.x; }

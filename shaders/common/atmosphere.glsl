@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The sky for the passes that draw something under it: radiance towards a direction, mirrored sky, haze between the eye and
-// a point, sunlight and cloud shadow. Reads tables that the sky pass keeps; all of it is in the unit of common/air.glsl.
+// The sky for the passes that draw something under it: radiance towards a direction, mirrored sky, haze between the
+// eye and a point, sunlight and cloud shadow. Reads tables that the sky pass keeps; all of it is in the unit of
+// common/air.glsl.
 #include "common/sky_table.glsl"
 
 uniform sampler2D sky_view_table;
@@ -15,7 +16,7 @@ uniform sampler3D aerial_table;
 // Clear sky without the sun's disc; below the horizon, the horizon's.
 vec3 sky_radiance(vec3 dir) { return textureLod(sky_view_table, sky_view_uv(dir, max(eye.z, 0.0)), 0.0).rgb; }
 
-// ---- the environment map: the upper hemisphere as seen from the sea, folded onto a square so that the horizon is its rim
+// ---- the environment map: the upper hemisphere as seen from the sea, folded onto a square; the horizon is its rim
 
 const float ENVIRONMENT_SIZE = 512.0;
 
@@ -29,8 +30,8 @@ vec3 environment_direction(vec2 square) {
     return normalize(vec3(p, 1.0 - abs(p.x) - abs(p.y)));
 }
 
-// Sky and clouds towards a mirrored direction, blurred as facets of that rms slope blur it: the ray turns by twice the slope,
-// and level n is blurred by two of its texels (sky_prefilter.glsl). Below the horizon, the horizon's.
+// Sky and clouds towards a mirrored direction, blurred as facets of that rms slope blur it: the ray turns by twice
+// the slope, and level n is blurred by two of its texels (sky_prefilter.glsl). Below the horizon, the horizon's.
 vec3 environment_radiance(vec3 dir, float roughness) {
     float texel = 2.0 / ENVIRONMENT_SIZE; // [rad] on the rim
     float level = clamp(log2(max(roughness / texel, 1.0)), 0.0, 7.0);
@@ -53,7 +54,8 @@ float cloud_shadow(vec2 position) {
     return mix(average, textureLod(cloud_map, vec3(clamp(p + 0.5, 0.001, 0.999), 1.0), 0.0).r, inside);
 }
 
-// The panorama of the clouds round the eye. Below the clouds it covers the sky (air.y = 0), above them the whole sphere.
+// The panorama of the clouds round the eye. Below the clouds it covers the sky (air.y = 0), above them the whole
+// sphere.
 vec2 cloud_uv(vec3 dir) {
     float h = max(eye.z, 0.0), above = angle_above_horizon(dir, h), dip = horizon_dip(h);
     float range = above > 0.0 ? 0.5 * AIR_PI + dip : 0.5 * AIR_PI - dip;
@@ -68,14 +70,15 @@ vec4 cloud_radiance(vec3 dir) { return textureLod(cloud_map, vec3(cloud_uv(dir),
 // Share of the light that passes, along a ray of length d: five-point Gauss-Legendre of the density on the round earth.
 vec3 air_transmittance(float h, float mu, float d) {
     const vec3 at = vec3(0.5, 0.7692346551, 0.9530899230), weight = vec3(0.2844444444, 0.2393143352, 0.1184634425);
-    vec2 sum = weight.x * air_density(air_height(h, mu, d * at.x)).xy;
-    sum += weight.y * (air_density(air_height(h, mu, d * at.y)).xy + air_density(air_height(h, mu, d * (1.0 - at.y))).xy);
-    sum += weight.z * (air_density(air_height(h, mu, d * at.z)).xy + air_density(air_height(h, mu, d * (1.0 - at.z))).xy);
+    vec3 near = d * (1.0 - at), far = d * at;
+    vec2 sum = weight.x * air_density(air_height(h, mu, far.x)).xy;
+    sum += weight.y * (air_density(air_height(h, mu, far.y)).xy + air_density(air_height(h, mu, near.y)).xy);
+    sum += weight.z * (air_density(air_height(h, mu, far.z)).xy + air_density(air_height(h, mu, near.z)).xy);
     return exp(-d * (RAYLEIGH * sum.x + mie_extinction() * sum.y));
 }
 
-// What the air does to light from an eye-relative position: color * transmittance + inscatter. Clouds below a high eye are
-// laid over the picture at its end (sky_over.glsl).
+// What the air does to light from an eye-relative position: color * transmittance + inscatter. Clouds below a high
+// eye are laid over the picture at its end (sky_over.glsl).
 void aerial_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
     float d = max(length(position), 1e-3), h = max(eye.z, 0.0);
     vec3 dir = position / d;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light scattered towards the eye along a ray through the air: single scattering by air and haze, all higher orders by the
-// table of sky_multiple.glsl (Hillaire 2020, section 5.5). Only the passes that fill tables include this.
+// Light scattered towards the eye along a ray through the air: single scattering by air and haze, all higher orders
+// by the table of sky_multiple.glsl (Hillaire 2020, section 5.5). Only the passes that fill tables include this.
 #include "common/air.glsl"
 
 uniform sampler2D multiple_table;
@@ -15,7 +15,8 @@ vec2 multiple_uv(float h, float mu_sun) {
 
 vec3 multiple_scattering(float h, float mu_sun) { return textureLod(multiple_table, multiple_uv(h, mu_sun), 0.0).rgb; }
 
-// Clouds take part of the sun from the air under them and give part of that back as diffuse light. x: direct share, y: diffuse.
+// Clouds take part of the sun from the air under them and give part of that back as diffuse light. x: direct share,
+// y: diffuse.
 vec2 light_under_clouds(float h) {
     float cover = smoothstep(0.1, 1.0, wind.w) * smoothstep(haze.y + 600.0, haze.y, h);
     return vec2(1.0 - cover, 0.22 * cover);
@@ -38,8 +39,8 @@ vec3 scattered_light(float h, vec3 dir, float reach, int steps, out vec3 air_lef
         vec3 extinction = air_extinction(density);
         vec2 cloudy = light_under_clouds(height);
         vec3 direct = sun_transmittance_at(height, mu_sun);
-        vec3 source = direct * (cloudy.x * (by_air * phase_air + by_haze * phase_haze)) +
-                      dot(direct, vec3(0.2126, 0.7152, 0.0722)) * max(mu_sun, 0.0) * cloudy.y / (2.0 * AIR_PI) * (by_air + by_haze) +
+        float diffuse = dot(direct, vec3(0.2126, 0.7152, 0.0722)) * max(mu_sun, 0.0) * cloudy.y / (2.0 * AIR_PI);
+        vec3 source = direct * (cloudy.x * (by_air * phase_air + by_haze * phase_haze)) + diffuse * (by_air + by_haze) +
                       multiple_scattering(height, mu_sun) * (by_air + by_haze) * (cloudy.x + 0.5 * cloudy.y);
         vec3 through = exp(-extinction * (end - start));
         light += air_left * source * (1.0 - through) / max(extinction, vec3(1e-12));

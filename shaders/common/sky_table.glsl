@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How directions lie in the tables of sky radiance. Azimuth is taken from the sun's, the sky being symmetric about it, and
-// elevation from the true horizon: both finer where the sky changes fast.
+// How directions lie in the tables of sky radiance. Azimuth is taken from the sun's, the sky being symmetric about
+// it, and elevation from the true horizon: both finer where the sky changes fast.
 #include "common/air.glsl"
 
 const vec2 SKY_VIEW_SIZE = vec2(192.0, 128.0);
@@ -29,7 +29,8 @@ vec3 to_texel_centres3(vec3 x, vec3 size) { return (clamp(x, 0.0, 1.0) * (size -
 
 vec2 sky_view_uv(vec3 dir, float h) {
     float above = max(angle_above_horizon(dir, h), 0.0);
-    return to_texel_centres(vec2(sun_azimuth_coordinate(dir.xy), sqrt(above / (0.5 * AIR_PI + horizon_dip(h)))), SKY_VIEW_SIZE);
+    float y = sqrt(above / (0.5 * AIR_PI + horizon_dip(h)));
+    return to_texel_centres(vec2(sun_azimuth_coordinate(dir.xy), y), SKY_VIEW_SIZE);
 }
 
 float aerial_slice(float d) { return log(1.0 + d / AERIAL_NEAR) / log(1.0 + AERIAL_REACH / AERIAL_NEAR); }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// From exposed linear radiance to display values. A curve on each channel alone turns every bright colour white, a curve on the
-// brightest one alone keeps it garish: the picture is a mix, and sunsets stay golden.
+// From exposed linear radiance to display values. A curve on each channel alone turns every bright colour white, a
+// curve on the brightest one alone keeps it garish: the picture is a mix, and sunsets stay golden.
 
-// The response of film and of photoreceptors (Naka & Rushton 1966): x^n / (x^n + s^n), straight in the middle of a logarithmic
-// scale, with a toe and a long shoulder. Middle grey 0.18 maps to itself.
+// The response of film and of photoreceptors (Naka & Rushton 1966): x^n / (x^n + s^n), straight in the middle of a
+// logarithmic scale, with a toe and a long shoulder. Middle grey 0.18 maps to itself.
 float film_curve(float x) {
     float y = pow(max(x, 0.0), 1.3);
     return y / (y + 0.4903);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fills the tables of clear air by drawing them, when the sun's height, the haze or the eye's height have changed enough.
+// Fills the tables of clear air by drawing them, when the sun's height, the haze or the eye's height have changed
+// enough.
 #include "atmosphere.h"
 
 #include <math.h>
@@ -14,8 +15,11 @@ static bolan_result create_table(gl_texture *texture, gl_target *target, uint32_
 }
 
 static bolan_result create_aerial(atmosphere *a) {
-    const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = AERIAL_AZIMUTHS, .height = AERIAL_ELEVATIONS,
-                               .depth = AERIAL_SLICES, .filter = GL_FILTER_LINEAR};
+    const gl_texture_desc d = {.format = GL_FMT_RGBA16F,
+                               .width = AERIAL_AZIMUTHS,
+                               .height = AERIAL_ELEVATIONS,
+                               .depth = AERIAL_SLICES,
+                               .filter = GL_FILTER_LINEAR};
     bolan_result result = gl_texture_create(&d, &a->aerial);
     const gl_texture *color = &a->aerial;
     for (int i = 0; i < AERIAL_SLICES && result == BOLAN_OK; i++) {

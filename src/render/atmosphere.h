@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The tables of clear air: transmittance, multiple scattering, sky radiance from the eye and from the sea, aerial perspective.
-// Shaders: sky_transmittance, sky_multiple, sky_view, sky_aerial.
+// The tables of clear air: transmittance, multiple scattering, sky radiance from the eye and from the sea, aerial
+// perspective. Shaders: sky_transmittance, sky_multiple, sky_view, sky_aerial.
 #ifndef BOLAN_RENDER_ATMOSPHERE_H
 #define BOLAN_RENDER_ATMOSPHERE_H
 
 #include "frame.h"
 
 enum {
-    TRANSMITTANCE_WIDTH = 256, TRANSMITTANCE_HEIGHT = 64, // sizes stand in common/air.glsl, scatter.glsl, sky_table.glsl too
-    MULTIPLE_WIDTH = 64, MULTIPLE_HEIGHT = 32,
-    SKY_VIEW_WIDTH = 192, SKY_VIEW_HEIGHT = 128,
-    AERIAL_AZIMUTHS = 32, AERIAL_ELEVATIONS = 65, AERIAL_SLICES = 32,
+    TRANSMITTANCE_WIDTH = 256,
+    TRANSMITTANCE_HEIGHT = 64, // sizes stand in common/air.glsl, scatter.glsl, sky_table.glsl too
+    MULTIPLE_WIDTH = 64,
+    MULTIPLE_HEIGHT = 32,
+    SKY_VIEW_WIDTH = 192,
+    SKY_VIEW_HEIGHT = 128,
+    AERIAL_AZIMUTHS = 32,
+    AERIAL_ELEVATIONS = 65,
+    AERIAL_SLICES = 32,
 };
 
 typedef struct atmosphere {

@@ -6,12 +6,17 @@
 #include <string.h>
 
 enum { NOISE_SIZE = 64 };
-static const double PATTERN = 57600.0 * 16.0; // every tile of common/clouds.glsl divides it [m] but for cirrus, which is far
-static const float SHADOW_SIZE = 100000.0f;   // CLOUD_SHADOW_SIZE of common/atmosphere.glsl [m]
+static const double PATTERN =
+    57600.0 * 16.0; // every tile of common/clouds.glsl divides it [m] but for cirrus, which is far
+static const float SHADOW_SIZE = 100000.0f; // CLOUD_SHADOW_SIZE of common/atmosphere.glsl [m]
 
-static const struct { uint32_t width, height; } panorama_size[] = {
-    [BOLAN_QUALITY_LOW] = {1024, 256}, [BOLAN_QUALITY_MEDIUM] = {1536, 384},
-    [BOLAN_QUALITY_HIGH] = {2048, 512}, [BOLAN_QUALITY_ULTRA] = {4096, 768},
+static const struct {
+    uint32_t width, height;
+} panorama_size[] = {
+    [BOLAN_QUALITY_LOW] = {1024, 256},
+    [BOLAN_QUALITY_MEDIUM] = {1536, 384},
+    [BOLAN_QUALITY_HIGH] = {2048, 512},
+    [BOLAN_QUALITY_ULTRA] = {4096, 768},
 };
 
 static void free_maps(cloud_maps *m) {
@@ -23,8 +28,13 @@ static void free_maps(cloud_maps *m) {
 static bolan_result create_maps(cloud_maps *m, bolan_quality quality) {
     const uint32_t width = panorama_size[quality].width, height = panorama_size[quality].height;
     if (m->map.id && m->map.width == width) return BOLAN_OK;
-    const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = width, .height = height, .depth = 2, .array = true,
-                               .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_REPEAT_CLAMP};
+    const gl_texture_desc d = {.format = GL_FMT_RGBA16F,
+                               .width = width,
+                               .height = height,
+                               .depth = 2,
+                               .array = true,
+                               .filter = GL_FILTER_LINEAR,
+                               .wrap = GL_WRAP_REPEAT_CLAMP};
     free_maps(m);
     const gl_texture *color = &m->map;
     bolan_result result = gl_texture_create(&d, &m->map);
@@ -35,8 +45,12 @@ static bolan_result create_maps(cloud_maps *m, bolan_quality quality) {
 
 bolan_result clouds_create(clouds *c) {
     memset(c, 0, sizeof *c);
-    const gl_texture_desc noise = {.format = GL_FMT_RGBA8, .width = NOISE_SIZE, .height = NOISE_SIZE, .depth = NOISE_SIZE,
-                                   .filter = GL_FILTER_MIPMAP_NEAREST, .wrap = GL_WRAP_REPEAT};
+    const gl_texture_desc noise = {.format = GL_FMT_RGBA8,
+                                   .width = NOISE_SIZE,
+                                   .height = NOISE_SIZE,
+                                   .depth = NOISE_SIZE,
+                                   .filter = GL_FILTER_MIPMAP_NEAREST,
+                                   .wrap = GL_WRAP_REPEAT};
     bolan_result result = gl_program_create("cloud_noise", NULL, &c->noise_program);
     if (result == BOLAN_OK) result = gl_program_create("cloud_panorama", NULL, &c->panorama_program);
     if (result == BOLAN_OK) result = gl_program_create("cloud_shadow", NULL, &c->shadow_program);
@@ -56,7 +70,7 @@ bolan_result clouds_reload(clouds *c) {
 
 const gl_texture *clouds_map(const clouds *c) { return &c->maps[c->shown].map; }
 
-// ---- when -----------------------------------------------------------------------------------------------------------------
+// ---- when ---------------------------------------------------------------------------------------------------------
 
 // A deck of stratocumulus is thinner than heaped cumulus.
 static float layer_thickness(float cover) { return 850.0f - 200.0f * cover * cover; }
@@ -120,7 +134,8 @@ cloud_work clouds_plan(clouds *c, const frame *f, frame_uniforms *u) {
     cloud_maps *m = &c->maps[c->shown];
     const double moved = shift(m, f), allowed = allowed_shift(m, f), turned = sun_turn(m, f);
     cloud_work work = CLOUDS_KEEP;
-    if (is_another_sky(c, m, f, u) || (m->cover > 0.0f && (m->unit != u->air.x || moved > 8.0 * allowed || turned > 0.1))) {
+    if (is_another_sky(c, m, f, u) ||
+        (m->cover > 0.0f && (m->unit != u->air.x || moved > 8.0 * allowed || turned > 0.1))) {
         describe(m, f, u);
         c->strip = 0;
         work = CLOUDS_ALL;
@@ -132,7 +147,7 @@ cloud_work clouds_plan(clouds *c, const frame *f, frame_uniforms *u) {
     return work;
 }
 
-// ---- how ------------------------------------------------------------------------------------------------------------------
+// ---- how ----------------------------------------------------------------------------------------------------------
 
 static void fill_noise(clouds *c) {
     const gl_texture *color = &c->noise;
@@ -153,8 +168,10 @@ static double wrap(double x) { return x - PATTERN * floor(x / PATTERN); }
 static void set_origin(const cloud_maps *m, const gl_program *program) {
     // Another seed is another place in the pattern: steps by irrational shares never meet.
     const double s = (double)(m->seed % 65536u);
-    const double x = wrap(m->eye.x + PATTERN * 0.7548776662466927 * s), y = wrap(m->eye.y + PATTERN * 0.5698402909980532 * s);
-    gl_program_vec4(program, "cloud_origin", (bolan_vec4){(float)x, (float)y, layer_thickness(m->cover), billow_threshold(m->cover)});
+    const double x = wrap(m->eye.x + PATTERN * 0.7548776662466927 * s),
+                 y = wrap(m->eye.y + PATTERN * 0.5698402909980532 * s);
+    gl_program_vec4(program, "cloud_origin",
+                    (bolan_vec4){(float)x, (float)y, layer_thickness(m->cover), billow_threshold(m->cover)});
 }
 
 static void clear(const cloud_maps *m) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clouds: marched once into a panorama round the eye and a map of their shadow on the sea, and again when the eye or the sun
-// has moved. Shaders: cloud_noise, cloud_panorama, cloud_shadow.
+// Clouds: marched once into a panorama round the eye and a map of their shadow on the sea, and again when the eye or
+// the sun has moved. Shaders: cloud_noise, cloud_panorama, cloud_shadow.
 #ifndef BOLAN_RENDER_CLOUDS_H
 #define BOLAN_RENDER_CLOUDS_H
 
@@ -32,11 +32,11 @@ typedef enum cloud_work { CLOUDS_KEEP, CLOUDS_ALL, CLOUDS_STRIP } cloud_work;
 
 bolan_result clouds_create(clouds *c);
 bolan_result clouds_reload(clouds *c);
-// What this frame must do: nothing, make the maps at once (first frame, another sky, a jump), or one strip of new ones, so that
-// a moving eye never waits. Sets the uniforms that belong to the maps shown.
+// What this frame must do: nothing, make the maps at once (first frame, another sky, a jump), or one strip of new
+// ones, so that a moving eye never waits. Sets the uniforms that belong to the maps shown.
 cloud_work clouds_plan(clouds *c, const frame *f, frame_uniforms *u);
-// Does it. The uniforms (for a strip: c->uniforms) and the air's tables must be bound, the sea's view at UNIT_PASS. True when
-// other maps are shown now; clouds_place() then says where they were made.
+// Does it. The uniforms (for a strip: c->uniforms) and the air's tables must be bound, the sea's view at UNIT_PASS.
+// True when other maps are shown now; clouds_place() then says where they were made.
 bool clouds_march(clouds *c, const frame *f, cloud_work work);
 void clouds_place(const clouds *c, const frame *f, frame_uniforms *u);
 const gl_texture *clouds_map(const clouds *c);

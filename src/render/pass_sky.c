@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sky: keeps the tables of the air, the clouds and the environment map, measures the light on the sea, and draws the
-// background. Shader: shaders/sky.glsl; atmosphere.c and clouds.c fill the tables.
+// The sky: keeps the tables of the air, the clouds and the environment map, measures the light on the sea, and draws
+// the background. Shader: shaders/sky.glsl; atmosphere.c and clouds.c fill the tables.
 #include "atmosphere.h"
 #include "clouds.h"
 
@@ -14,13 +14,16 @@ struct pass_sky {
     gl_program sky_program, sun_program, over_program, environment_program, prefilter_program, light_program;
     gl_texture plain, environment, light; // the environment before and after its levels are blurred
     gl_target plain_target, environment_target[ENVIRONMENT_LEVELS], light_target;
-    gl_buffer uniforms;            // Frame, while tables are drawn
+    gl_buffer uniforms;               // Frame, while tables are drawn
     float measured[4 * LIGHT_PIXELS]; // the last read-back of sky_light.glsl
 };
 
 static bolan_result create_targets(pass_sky *p) {
-    const gl_texture_desc environment = {.format = GL_FMT_RGBA16F, .width = ENVIRONMENT_SIZE, .height = ENVIRONMENT_SIZE,
-                                         .levels = ENVIRONMENT_LEVELS, .filter = GL_FILTER_MIPMAP};
+    const gl_texture_desc environment = {.format = GL_FMT_RGBA16F,
+                                         .width = ENVIRONMENT_SIZE,
+                                         .height = ENVIRONMENT_SIZE,
+                                         .levels = ENVIRONMENT_LEVELS,
+                                         .filter = GL_FILTER_MIPMAP};
     const gl_texture_desc light = {.format = GL_FMT_RGBA32F, .width = LIGHT_PIXELS, .height = 1};
     const gl_texture *color = &p->plain;
     bolan_result result = gl_texture_create(&environment, &p->plain);
@@ -42,7 +45,8 @@ static bolan_result create_targets(pass_sky *p) {
 bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out) {
     *out = NULL;
     if (!caps->color_float) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_UNSUPPORTED, "this OpenGL ES lacks EXT_color_buffer_float, which the sky needs");
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_UNSUPPORTED,
+                  "this OpenGL ES lacks EXT_color_buffer_float, which the sky needs");
         return BOLAN_ERROR_UNSUPPORTED;
     }
     pass_sky *p = bolan_allocate(sizeof *p);
@@ -76,8 +80,8 @@ bolan_result pass_sky_reload(pass_sky *p) {
     return result;
 }
 
-// Radiance in twilight falls by six orders of magnitude, below what half floats hold: so the unit of radiance falls with it, in
-// steps of a degree.
+// Radiance in twilight falls by six orders of magnitude, below what half floats hold: so the unit of radiance falls
+// with it, in steps of a degree.
 static float radiance_unit(float sun_height) {
     const double below = -bolan_degrees(asin(fmax(-1.0, fmin(1.0, sun_height))));
     return below <= 0.0 ? 1.0f : (float)pow(10.0, floor(below) / 3.0);
@@ -107,9 +111,9 @@ static void measure_light(pass_sky *p) {
 
 static float luminance(const float *c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
 
-// Automatic exposure, from the light that falls on the sea: as a photographer does, who opens up as the day fades, at first
-// by less than half a stop for each stop of light (the sky about a low sun stays bright), then by nearly all of it, so that
-// dusk is seen but looks darker than noon.
+// Automatic exposure, from the light that falls on the sea: as a photographer does, who opens up as the day fades, at
+// first by less than half a stop for each stop of light (the sky about a low sun stays bright), then by nearly all of
+// it, so that dusk is seen but looks darker than noon.
 static float exposure(const pass_sky *p, const frame *f, float unit) {
     const float noon_light = 0.25f, noon_exposure = 9.0f;
     const float direct = 0.18f * luminance(p->measured + 4) * p->measured[12];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The last pass: linear radiance -> the caller's framebuffer. One sample is written straight out; of several each is tone
-// mapped and added up (the mean of what is seen, not of radiance: a glint must not outshine its pixel), and the last one
-// writes the mean. High quality adds a glow round what is bright. Shaders: tonemap.glsl, tonemap_glow.glsl.
+// The last pass: linear radiance -> the caller's framebuffer. One sample is written straight out; of several each is
+// tone mapped and added up (the mean of what is seen, not of radiance: a glint must not outshine its pixel), and the
+// last one writes the mean. High quality adds a glow round what is bright. Shaders: tonemap.glsl, tonemap_glow.glsl.
 #include "frame.h"
 
 enum { GLOW_LEVELS = 6, GLOW_PARTS = 4 }; // GLOW_PARTS: the picture's size over the glow's
@@ -36,7 +36,8 @@ bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) {
 }
 
 bolan_result pass_tonemap_reload(pass_tonemap *p) {
-    gl_program *const programs[] = {&p->single[0], &p->single[1], &p->accumulate[0], &p->accumulate[1], &p->resolve, &p->shrink};
+    gl_program *const programs[] = {&p->single[0],     &p->single[1], &p->accumulate[0],
+                                    &p->accumulate[1], &p->resolve,   &p->shrink};
     for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
         const bolan_result result = gl_program_reload(programs[i]);
         if (result != BOLAN_OK) return result;
@@ -70,7 +71,8 @@ static bool resize_glow(pass_tonemap *p, uint32_t width, uint32_t height) {
     gl_texture_free(&p->glow);
     const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = w, .height = h, .filter = GL_FILTER_MIPMAP_NEAREST};
     const gl_texture *color = &p->glow;
-    return gl_texture_create(&d, &p->glow) == BOLAN_OK && gl_target_create(&color, 1, NULL, -1, 0, &p->glow_target) == BOLAN_OK;
+    return gl_texture_create(&d, &p->glow) == BOLAN_OK &&
+           gl_target_create(&color, 1, NULL, -1, 0, &p->glow_target) == BOLAN_OK;
 }
 
 // Fills the glow and its mip chain. A picture too small for the levels goes without.
@@ -102,7 +104,8 @@ static void draw_out(const gl_program *program, const gl_texture *source, const 
     gl_set_framebuffer_srgb(false);
 }
 
-void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample, uint32_t samples) {
+void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample,
+                       uint32_t samples) {
     gl_set_state(&(gl_state){.color_write = true});
     const bool glow = draw_glow(p, f, hdr_color);
     if (samples <= 1 || !resize(p, f->desc->width, f->desc->height)) {

@@ -34,7 +34,8 @@ static inline int gl_teardown(void **state) {
 #define assert_near(got, want, tolerance)                                                                              \
     do {                                                                                                               \
         const double got_ = (got), want_ = (want), tolerance_ = (tolerance);                                           \
-        if (!(fabs(got_ - want_) <= tolerance_)) fail_msg("%s is %.9g, not %.9g +- %.3g", #got, got_, want_, tolerance_); \
+        if (!(fabs(got_ - want_) <= tolerance_))                                                                       \
+            fail_msg("%s is %.9g, not %.9g +- %.3g", #got, got_, want_, tolerance_);                                   \
     } while (0)
 
 // One test function as two tests: in a desktop core and in an ES 3 context.

@@ -35,11 +35,19 @@ static inline void rig_create(sky_rig *r, uint32_t width, uint32_t height) {
     assert_int_equal(gl_texture_create(&out, &r->out), BOLAN_OK);
     assert_int_equal(gl_target_create(&c, 1, &r->depth, -1, 0, &r->hdr), BOLAN_OK);
     assert_int_equal(gl_target_create(&o, 1, NULL, -1, 0, &r->display), BOLAN_OK);
-    assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms), BOLAN_OK);
-    r->scene.sky = (bolan_sky){.sun_azimuth_deg = 180, .sun_elevation_deg = 35, .visibility = 40000, .cloud_base = 1200, .cloud_seed = 1};
+    assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms),
+                     BOLAN_OK);
+    r->scene.sky = (bolan_sky){
+        .sun_azimuth_deg = 180, .sun_elevation_deg = 35, .visibility = 40000, .cloud_base = 1200, .cloud_seed = 1};
     r->scene.camera.fov_deg = 50;
-    r->desc = (bolan_frame_desc){.scene = &r->scene, .framebuffer = r->display.id, .width = width, .height = height, .samples = 1};
-    r->f = (frame){.desc = &r->desc, .scene = &r->scene, .caps = &r->caps, .quality = BOLAN_QUALITY_LOW, .hdr = r->hdr, .hdr_depth = &r->depth};
+    r->desc = (bolan_frame_desc){
+        .scene = &r->scene, .framebuffer = r->display.id, .width = width, .height = height, .samples = 1};
+    r->f = (frame){.desc = &r->desc,
+                   .scene = &r->scene,
+                   .caps = &r->caps,
+                   .quality = BOLAN_QUALITY_LOW,
+                   .hdr = r->hdr,
+                   .hdr_depth = &r->depth};
 }
 
 static inline void rig_upload(sky_rig *r) {
@@ -58,13 +66,15 @@ static inline void rig_prepare(sky_rig *r) {
     r->f.eye = c->position;
     r->f.view = bolan_m4_view(c->heading_deg, c->pitch_deg, c->roll_deg);
     r->f.projection = bolan_m4_projection(fov, width / height, 0.1, r->caps.clip_control);
-    r->f.sun_direction = bolan_v3((float)(sin(azimuth) * cos(elevation)), (float)(cos(azimuth) * cos(elevation)), (float)sin(elevation));
+    r->f.sun_direction =
+        bolan_v3((float)(sin(azimuth) * cos(elevation)), (float)(cos(azimuth) * cos(elevation)), (float)sin(elevation));
     u->view_projection = bolan_m4_mul(r->f.projection, r->f.view);
     u->inverse_view_projection = bolan_m4_inverse(u->view_projection);
     u->eye = (bolan_vec4){0, 0, (float)c->position.z, 0};
     u->sun = (bolan_vec4){r->f.sun_direction.x, r->f.sun_direction.y, r->f.sun_direction.z, 0.99998919f};
     u->viewport = (bolan_vec4){(float)width, (float)height, (float)(1 / width), (float)(1 / height)};
-    u->lens = (bolan_vec4){(float)(2.0 * tan(0.5 * fov) / height), 0.1f, r->caps.clip_control ? 1.0f : 0.0f, (float)BOLAN_EARTH_RADIUS};
+    u->lens = (bolan_vec4){(float)(2.0 * tan(0.5 * fov) / height), 0.1f, r->caps.clip_control ? 1.0f : 0.0f,
+                           (float)BOLAN_EARTH_RADIUS};
     u->wind = (bolan_vec4){1, 0, 8, (float)s->cloud_cover};
     u->haze = (bolan_vec4){(float)s->visibility, (float)s->cloud_base, 0, 0};
     u->water_deep = (bolan_vec4){0.0005f, 0.003f, 0.006f, 1.34f};

@@ -9,7 +9,11 @@
 
 enum { QUESTIONS = 7 };
 
-typedef struct probe { gl_program program; gl_texture answers; gl_target target; } probe;
+typedef struct probe {
+    gl_program program;
+    gl_texture answers;
+    gl_target target;
+} probe;
 
 static void probe_create(probe *p) {
     const gl_texture_desc d = {.format = GL_FMT_RGBA32F, .width = QUESTIONS, .height = 1};
@@ -37,20 +41,22 @@ static void probe_destroy(probe *p) {
 
 static double luminance(const float *c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
-// ---- transmittance ------------------------------------------------------------------------------------------------------
+// ---- transmittance ------------------------------------------------------------------------------------------------
 
 // Optical depth by the plainest means: equal steps, the law of cosines in doubles, content written down again.
 static void quadrature(double h, double mu, double visibility, double depth[3]) {
     const double earth = 6371e3, top = earth + 100e3, r = earth + h, color[3] = {0.8896, 1.0, 1.1508};
     const double rayleigh[3] = {0.049184, 0.097070, 0.221110}, ozone[3] = {0.03384, 0.02578, 0.00201};
-    const double haze = fmax(3.912 / visibility - rayleigh[1] / 8000.0, 2e-6), reach = -r * mu + sqrt(top * top - r * r * (1 - mu * mu));
+    const double haze = fmax(3.912 / visibility - rayleigh[1] / 8000.0, 2e-6),
+                 reach = -r * mu + sqrt(top * top - r * r * (1 - mu * mu));
     const int steps = 20000;
     depth[0] = depth[1] = depth[2] = 0.0;
     for (int i = 0; i < steps; i++) {
         const double d = reach * (i + 0.5) / steps, height = fmax(sqrt(r * r + d * d + 2 * r * d * mu) - earth, 0.0);
         for (int c = 0; c < 3; c++) {
-            depth[c] += reach / steps * (rayleigh[c] / 8000.0 * exp(-height / 8000.0) + haze * color[c] * exp(-height / 1000.0) +
-                                         ozone[c] / 15000.0 * fmax(0.0, 1.0 - fabs(height - 25000.0) / 15000.0));
+            depth[c] += reach / steps *
+                        (rayleigh[c] / 8000.0 * exp(-height / 8000.0) + haze * color[c] * exp(-height / 1000.0) +
+                         ozone[c] / 15000.0 * fmax(0.0, 1.0 - fabs(height - 25000.0) / 15000.0));
         }
     }
 }
@@ -105,8 +111,8 @@ static void the_zenith_sun_in_clean_air_loses_bodhaine_and_ozone(void **state) {
     r.scene.sky.sun_elevation_deg = 90;
     rig_prepare(&r);
     probe_ask(&p, 0, 0, 1, 0, got);
-    // Bodhaine et al. 1999, eq. 30: 0.04918, 0.09707, 0.22111 at 650, 550, 450 nm; 300 Dobson units of ozone: 8.06e18 / cm2
-    // times 4.2, 3.2, 0.25e-21 cm2; the haze left at this visibility is 2e-6 / m over 1 km.
+    // Bodhaine et al. 1999, eq. 30: 0.04918, 0.09707, 0.22111 at 650, 550, 450 nm; 300 Dobson units of ozone: 8.06e18
+    // / cm2 times 4.2, 3.2, 0.25e-21 cm2; the haze left at this visibility is 2e-6 / m over 1 km.
     const double depth[3] = {0.04918 + 0.03385 + 0.0018, 0.09707 + 0.02579 + 0.0020, 0.22111 + 0.0020 + 0.0023};
     for (int c = 0; c < 3; c++) assert_near(got[4][c], exp(-depth[c]), 0.002); // as the table's error above
     probe_destroy(&p);
@@ -124,7 +130,8 @@ static void contrast_falls_to_two_per_cent_at_the_visibility(void **state) {
         r.scene.sky.visibility = visibility;
         r.scene.camera.position.z = 2;
         rig_prepare(&r);
-        // Along the level line of sight; the earth falls away under it, by 20 m in 16 km, so the air thins by a percent.
+        // Along the level line of sight; the earth falls away under it, by 20 m in 16 km, so the air thins by a
+        // percent.
         probe_ask(&p, 0, visibility, 0, 0, got);
         assert_near(got[1][1], exp(-3.912), 0.001);
     }
@@ -132,11 +139,12 @@ static void contrast_falls_to_two_per_cent_at_the_visibility(void **state) {
     rig_destroy(&r);
 }
 
-// ---- geometry -----------------------------------------------------------------------------------------------------------
+// ---- geometry -----------------------------------------------------------------------------------------------------
 
 // Height of the horizon in a picture of the bare sky: below it every row is alike, above it brightness changes.
 static double rendered_dip(sky_rig *r, double height, double dip_deg) {
-    r->scene.camera = (bolan_camera){.position = {0, 0, height}, .heading_deg = 0, .pitch_deg = -dip_deg, .fov_deg = 1.0};
+    r->scene.camera =
+        (bolan_camera){.position = {0, 0, height}, .heading_deg = 0, .pitch_deg = -dip_deg, .fov_deg = 1.0};
     rig_prepare(r);
     rig_draw(r);
     const uint32_t w = r->desc.width, h = r->desc.height;
@@ -144,7 +152,8 @@ static double rendered_dip(sky_rig *r, double height, double dip_deg) {
     gl_target_read_float(&r->hdr, 0, rgba);
     uint32_t y = 0; // bottom row first
     const double below = luminance(rgba + 4 * (w / 2));
-    while (y < h && fabs(luminance(rgba + 4 * (y * w + w / 2)) / below - 1.0) < 0.0015) y++; // a half has 2^-11 = 0.0005
+    while (y < h && fabs(luminance(rgba + 4 * (y * w + w / 2)) / below - 1.0) < 0.0015)
+        y++; // a half has 2^-11 = 0.0005
     free(rgba);
     const double from_centre = (y - 0.5 * h) / (0.5 * h) * tan(bolan_radians(0.5));
     return dip_deg - bolan_degrees(atan(from_centre));
@@ -184,7 +193,8 @@ static void heights_along_a_ray_keep_their_precision(void **state) {
             probe_ask(&p, 0, d * cos(elevation), d * z, h, got);
             const double want = sqrt((R + h) * (R + h) + d * d + 2 * (R + h) * d * z) - R;
             if (want < -1000) continue;
-            // d (d + 2 r mu) and h (2 r + h) in floats: 2^-23 of the larger, over 2 r; the direction's own rounding: d 2^-24
+            // d (d + 2 r mu) and h (2 r + h) in floats: 2^-23 of the larger, over 2 r; the direction's own rounding:
+            // d 2^-24
             assert_near(got[5][2], want, 0.01 + 3e-7 * d);
         }
     }
@@ -211,7 +221,7 @@ static void the_environment_map_unfolds_to_the_direction_it_was_asked(void **sta
     rig_destroy(&r);
 }
 
-// ---- light --------------------------------------------------------------------------------------------------------------
+// ---- light --------------------------------------------------------------------------------------------------------
 
 static void the_sky_is_positive_and_finite_for_every_sun_and_height(void **state) {
     (void)state;
@@ -248,7 +258,8 @@ static double illuminance(sky_rig *r, double elevation) {
     r->scene.sky.sun_elevation_deg = elevation;
     rig_prepare(r);
     const frame_uniforms *u = &r->f.uniforms;
-    const float sun[3] = {u->sun_light.x, u->sun_light.y, u->sun_light.z}, sky[3] = {u->sky_light.x, u->sky_light.y, u->sky_light.z};
+    const float sun[3] = {u->sun_light.x, u->sun_light.y, u->sun_light.z},
+                sky[3] = {u->sky_light.x, u->sky_light.y, u->sky_light.z};
     const double lux = 128e3 * (luminance(sun) * fmax(sin(bolan_radians(elevation)), 0.0) + luminance(sky)) / u->air.x;
     print_message("%5.1f deg: %.3g lx\n", elevation, lux);
     return lux;
@@ -258,8 +269,8 @@ static void day_and_twilight_are_as_bright_as_measured(void **state) {
     (void)state;
     sky_rig r;
     rig_create(&r, 16, 16);
-    // Janiczek & DeYoung 1987 (US Naval Observatory Circular 171), clear sky. Air differs from day to day: 30 % by day; in
-    // twilight a factor of two; at -12 deg, where the table of multiple scattering is crudest, of five.
+    // Janiczek & DeYoung 1987 (US Naval Observatory Circular 171), clear sky. Air differs from day to day: 30 % by
+    // day; in twilight a factor of two; at -12 deg, where the table of multiple scattering is crudest, of five.
     assert_near(illuminance(&r, 90) / 129e3, 1.0, 0.3);
     assert_near(illuminance(&r, 40) / 67.5e3, 1.0, 0.3);
     assert_near(illuminance(&r, 10) / 11.1e3, 1.0, 0.3);
@@ -281,13 +292,15 @@ static void the_noon_zenith_is_blue_and_the_setting_sun_is_red(void **state) {
     rig_prepare(&r);
     probe_ask(&p, 0, 0.1, 1, 0, zenith);
     probe_ask(&p, 0, 1, 0.02, 0, horizon);
-    // Rayleigh's law alone gives (650/450)^4 = 4.4 of blue to red; haze whitens it, most at the horizon, which is brighter.
+    // Rayleigh's law alone gives (650/450)^4 = 4.4 of blue to red; haze whitens it, most at the horizon, which is
+    // brighter.
     assert_true(zenith[0][2] / zenith[0][0] > 2.0 && zenith[0][2] / zenith[0][0] < 4.4);
     assert_true(horizon[0][2] / horizon[0][0] < 0.6 * zenith[0][2] / zenith[0][0]);
     assert_true(luminance(horizon[0]) > 1.5 * luminance(zenith[0]));
     r.scene.sky.sun_elevation_deg = 1;
     rig_prepare(&r);
-    assert_true(r.f.uniforms.sun_light.x > 2.0f * r.f.uniforms.sun_light.y && r.f.uniforms.sun_light.y > 2.0f * r.f.uniforms.sun_light.z);
+    assert_true(r.f.uniforms.sun_light.x > 2.0f * r.f.uniforms.sun_light.y &&
+                r.f.uniforms.sun_light.y > 2.0f * r.f.uniforms.sun_light.z);
     probe_destroy(&p);
     rig_destroy(&r);
 }
@@ -318,7 +331,7 @@ static void the_far_sea_fades_into_the_sky_above_it(void **state) {
     rig_destroy(&r);
 }
 
-// ---- the two APIs -------------------------------------------------------------------------------------------------------
+// ---- the two APIs -------------------------------------------------------------------------------------------------
 
 static void draw_picture(bolan_gl_api api, uint8_t *rgb, uint32_t w, uint32_t h) {
     bolan_context *context = NULL;

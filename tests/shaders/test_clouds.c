@@ -28,7 +28,7 @@ static void clouds_marched_in_strips_are_those_marched_at_once(void **state) {
     set_view(&r, 0, 0, 5);
     rig_prepare(&r);
     draw(&r, moved);
-    set_view(&r, 400, -250, 5); // farther than 150 m, nearer than a jump
+    set_view(&r, 400, -250, 5);                   // farther than 150 m, nearer than a jump
     for (int i = 0; i < 24; i++) rig_prepare(&r); // the strips of software GL; others need fewer
     draw(&r, moved);
     rig_destroy(&r);

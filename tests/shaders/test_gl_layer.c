@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The GL layer itself: every format survives upload and read-back, the caller's state is left as found, and errors name the
-// file and the line.
+// The GL layer itself: every format survives upload and read-back, the caller's state is left as found, and errors
+// name the file and the line.
 #include "gl_support.h"
 
 #include "render/gl/gl.h"
@@ -12,12 +12,22 @@
 
 enum { W = 7, H = 5 }; // odd, so that a wrong row alignment shows
 
-static const struct { gl_format format; uint32_t components; float tolerance; bool bytes; bool renderable_on_es; } cases[] = {
+static const struct {
+    gl_format format;
+    uint32_t components;
+    float tolerance;
+    bool bytes;
+    bool renderable_on_es;
+} cases[] = {
     // Half floats keep 11 bits, R11G11B10F 7 and 6 (blue has 5 explicit bits: a step of 2^-6), bytes 1/255.
-    {GL_FMT_R8, 1, 0.5f / 255, true, true},        {GL_FMT_RG8, 2, 0.5f / 255, true, true},
-    {GL_FMT_RGBA8, 4, 0.5f / 255, true, true},     {GL_FMT_R16F, 1, 1.0f / 2048, false, true},
-    {GL_FMT_RG16F, 2, 1.0f / 2048, false, true},   {GL_FMT_RGBA16F, 4, 1.0f / 2048, false, true},
-    {GL_FMT_R32F, 1, 0.0f, false, true},           {GL_FMT_RGBA32F, 4, 0.0f, false, true},
+    {GL_FMT_R8, 1, 0.5f / 255, true, true},
+    {GL_FMT_RG8, 2, 0.5f / 255, true, true},
+    {GL_FMT_RGBA8, 4, 0.5f / 255, true, true},
+    {GL_FMT_R16F, 1, 1.0f / 2048, false, true},
+    {GL_FMT_RG16F, 2, 1.0f / 2048, false, true},
+    {GL_FMT_RGBA16F, 4, 1.0f / 2048, false, true},
+    {GL_FMT_R32F, 1, 0.0f, false, true},
+    {GL_FMT_RGBA32F, 4, 0.0f, false, true},
     {GL_FMT_R11G11B10F, 3, 1.0f / 64, false, true},
 };
 
@@ -52,7 +62,8 @@ static void check_format(size_t c) {
     } else {
         gl_target_read_float(&target, 0, back);
         for (uint32_t i = 0; i < W * H; i++) {
-            for (uint32_t k = 0; k < n; k++) assert_float_equal(back[4 * i + k], floats[i * n + k], cases[c].tolerance + 1e-7f);
+            for (uint32_t k = 0; k < n; k++)
+                assert_float_equal(back[4 * i + k], floats[i * n + k], cases[c].tolerance + 1e-7f);
         }
     }
     assert_true(gl_check_errors("format test"));
@@ -127,7 +138,7 @@ static void depth_reads_back_exactly(void **state) {
     gl_texture_free(&color);
 }
 
-// ---- state --------------------------------------------------------------------------------------------------------------
+// ---- state --------------------------------------------------------------------------------------------------------
 
 typedef struct snapshot {
     GLint integers[64];
@@ -138,12 +149,27 @@ typedef struct snapshot {
 
 // What include/bolan/render.h promises to leave as it was.
 static void take(snapshot *s, bool es) {
-    static const GLenum names[] = {GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_CURRENT_PROGRAM,
-        GL_VERTEX_ARRAY_BINDING, GL_ARRAY_BUFFER_BINDING, GL_UNIFORM_BUFFER_BINDING, GL_ACTIVE_TEXTURE, GL_BLEND_SRC_RGB,
-        GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA, GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB, GL_CULL_FACE_MODE, GL_FRONT_FACE,
-        GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_UNPACK_ALIGNMENT, GL_PACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH};
-    static const GLenum switches[] = {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_DITHER,
-        GL_POLYGON_OFFSET_FILL, GL_FRAMEBUFFER_SRGB};
+    static const GLenum names[] = {GL_DRAW_FRAMEBUFFER_BINDING,
+                                   GL_READ_FRAMEBUFFER_BINDING,
+                                   GL_CURRENT_PROGRAM,
+                                   GL_VERTEX_ARRAY_BINDING,
+                                   GL_ARRAY_BUFFER_BINDING,
+                                   GL_UNIFORM_BUFFER_BINDING,
+                                   GL_ACTIVE_TEXTURE,
+                                   GL_BLEND_SRC_RGB,
+                                   GL_BLEND_DST_RGB,
+                                   GL_BLEND_SRC_ALPHA,
+                                   GL_BLEND_DST_ALPHA,
+                                   GL_BLEND_EQUATION_RGB,
+                                   GL_CULL_FACE_MODE,
+                                   GL_FRONT_FACE,
+                                   GL_DEPTH_FUNC,
+                                   GL_DEPTH_WRITEMASK,
+                                   GL_UNPACK_ALIGNMENT,
+                                   GL_PACK_ALIGNMENT,
+                                   GL_UNPACK_ROW_LENGTH};
+    static const GLenum switches[] = {GL_BLEND,        GL_CULL_FACE, GL_DEPTH_TEST,          GL_SCISSOR_TEST,
+                                      GL_STENCIL_TEST, GL_DITHER,    GL_POLYGON_OFFSET_FILL, GL_FRAMEBUFFER_SRGB};
     memset(s, 0, sizeof *s);
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) glGetIntegerv(names[i], &s->integers[s->count++]);
     glGetIntegerv(GL_VIEWPORT, &s->integers[s->count]), s->count += 4;
@@ -160,7 +186,8 @@ static void take(snapshot *s, bool es) {
     glGetFloatv(GL_COLOR_CLEAR_VALUE, s->floats);
     glGetFloatv(GL_DEPTH_CLEAR_VALUE, s->floats + 4);
     glGetFloatv(GL_DEPTH_RANGE, s->floats + 5);
-    for (size_t i = 0; i < sizeof switches / sizeof switches[0] - es; i++) s->switches[s->switch_count++] = glIsEnabled(switches[i]);
+    for (size_t i = 0; i < sizeof switches / sizeof switches[0] - es; i++)
+        s->switches[s->switch_count++] = glIsEnabled(switches[i]);
     glGetBooleanv(GL_COLOR_WRITEMASK, s->switches + s->switch_count);
 }
 
@@ -207,11 +234,13 @@ static void the_callers_state_is_left_as_it_was(void **state) {
     glBindBuffer(GL_UNIFORM_BUFFER, names[3]);
     glBufferData(GL_UNIFORM_BUFFER, 1024, NULL, GL_STATIC_DRAW);
     glBindBufferRange(GL_UNIFORM_BUFFER, 0, names[3], 256, 512);
-    glViewport(1, 2, 3, 4), glScissor(5, 6, 7, 8), glEnable(GL_SCISSOR_TEST), glEnable(GL_BLEND), glEnable(GL_STENCIL_TEST);
+    glViewport(1, 2, 3, 4), glScissor(5, 6, 7, 8), glEnable(GL_SCISSOR_TEST), glEnable(GL_BLEND),
+        glEnable(GL_STENCIL_TEST);
     glBlendFuncSeparate(GL_DST_COLOR, GL_ONE, GL_ZERO, GL_SRC_ALPHA), glBlendEquation(GL_MAX);
     glCullFace(GL_FRONT), glFrontFace(GL_CW), glDepthFunc(GL_NOTEQUAL), glDepthMask(GL_FALSE);
     glColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE), glDepthRangef(0.25f, 0.75f), glClearDepthf(0.5f);
-    glClearColor(0.1f, 0.2f, 0.3f, 0.4f), glPixelStorei(GL_UNPACK_ALIGNMENT, 2), glPixelStorei(GL_UNPACK_ROW_LENGTH, 99);
+    glClearColor(0.1f, 0.2f, 0.3f, 0.4f), glPixelStorei(GL_UNPACK_ALIGNMENT, 2),
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, 99);
     snapshot before, after;
     take(&before, caps.es);
     gl_saved *saved = malloc(gl_saved_size());
@@ -232,7 +261,7 @@ static void the_callers_state_is_left_as_it_was(void **state) {
     assert_true(gl_check_errors("state test"));
 }
 
-// ---- programs -----------------------------------------------------------------------------------------------------------
+// ---- programs -----------------------------------------------------------------------------------------------------
 
 static char last_sentence[1024];
 static void keep_sentence(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
@@ -264,8 +293,9 @@ static void a_shader_error_names_the_included_file_and_its_line(void **state) {
     (void)state;
     char folder[] = "shaders_XXXXXX";
     assert_non_null(mkdtemp(folder));
-    write_file(folder, "a.glsl", "#include \"b.glsl\"\n#ifdef VERTEX\nvoid main() { gl_Position = vec4(0.0); }\n#endif\n"
-                                 "#ifdef FRAGMENT\nout vec4 c;\nvoid main() { c = vec4(VALUE); }\n#endif\n");
+    write_file(folder, "a.glsl",
+               "#include \"b.glsl\"\n#ifdef VERTEX\nvoid main() { gl_Position = vec4(0.0); }\n#endif\n"
+               "#ifdef FRAGMENT\nout vec4 c;\nvoid main() { c = vec4(VALUE); }\n#endif\n");
     write_file(folder, "b.glsl", "// one\n// two\nfloat f() { return nonsense; }\n");
     write_file(folder, "c.glsl", "// one\n#include \"missing.glsl\"\n");
     gl_program p;

@@ -2,17 +2,14 @@
 // Buffers and meshes.
 #include "gl_internal.h"
 
-static GLenum buffer_target(uint32_t kind) {
-    return kind == GL_BUFFER_UNIFORM ? GL_UNIFORM_BUFFER : GL_ARRAY_BUFFER;
-}
+static GLenum buffer_target(uint32_t kind) { return kind == GL_BUFFER_UNIFORM ? GL_UNIFORM_BUFFER : GL_ARRAY_BUFFER; }
 
 // Index data go through the array binding: the element binding belongs to whatever vertex array is bound.
 bolan_result gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, const void *data, gl_buffer *out) {
     BOLAN_ASSERT(out && size > 0);
     gl_buffer b = {.size = size, .kind = kind, .usage = usage};
     const GLenum target = buffer_target(kind);
-    while (glGetError() != GL_NO_ERROR) {
-    }
+    while (glGetError() != GL_NO_ERROR) {}
     glGenBuffers(1, &b.id);
     glBindBuffer(target, b.id);
     glBufferData(target, (GLsizeiptr)size, data, usage == GL_USAGE_STREAM ? GL_STREAM_DRAW : GL_STATIC_DRAW);
@@ -72,7 +69,8 @@ void gl_mesh_free(gl_mesh *m) {
     *m = (gl_mesh){0};
 }
 
-// The core profile draws nothing without a vertex array, and one belongs to one context: so it lives for this call only.
+// The core profile draws nothing without a vertex array, and one belongs to one context: so it lives for this call
+// only.
 void gl_draw_fullscreen(void) {
     GLuint vao = 0;
     glGenVertexArrays(1, &vao);

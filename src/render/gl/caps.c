@@ -29,11 +29,12 @@ gl_caps gl_get_caps(void) {
     gl_caps caps = {.es = es,
                     .software = is_software(gl_string(GL_RENDERER)),
                     .clip_control = has_clip_control(),
-                    // llvmpipe's count from when a worker picks the work up, and give nonsense for a pass that draws nothing.
+                    // llvmpipe's count from when a worker picks the work up, and give nonsense for a pass that draws
+                    // nothing.
                     .timers = !es && !is_software(gl_string(GL_RENDERER)),
                     .float_linear = !es || epoxy_has_gl_extension("GL_OES_texture_float_linear"),
-                    .color_float = !es || epoxy_gl_version() >= 32 ||
-                                   epoxy_has_gl_extension("GL_EXT_color_buffer_float"),
+                    .color_float =
+                        !es || epoxy_gl_version() >= 32 || epoxy_has_gl_extension("GL_EXT_color_buffer_float"),
                     .max_anisotropy = 1.0f};
     if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") || epoxy_gl_version() >= 46) {
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &caps.max_anisotropy);

@@ -23,8 +23,9 @@ static EGLDisplay open_display(void) {
 }
 
 static EGLContext create_egl_context(EGLDisplay display, bolan_gl_api api) {
-    static const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                                  EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    static const EGLint core[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     static const EGLint es[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
     const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                              api == BOLAN_GL_ES ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
@@ -41,8 +42,8 @@ bolan_result bolan_context_create(bolan_gl_api api, bolan_context **out) {
     const char *name = api == BOLAN_GL_ES ? "OpenGL ES 3.0" : "OpenGL 3.3 core";
     const EGLDisplay display = open_display();
     if (display == EGL_NO_DISPLAY) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT, "no EGL display can be opened without a window (EGL error 0x%x)",
-                  (unsigned)eglGetError());
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT,
+                  "no EGL display can be opened without a window (EGL error 0x%x)", (unsigned)eglGetError());
         return BOLAN_ERROR_GL;
     }
     const EGLContext context = create_egl_context(display, api);
@@ -59,7 +60,8 @@ bolan_result bolan_context_create(bolan_gl_api api, bolan_context **out) {
     }
     *c = (bolan_context){display, context};
     if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT, "the %s context cannot be made current without a surface", name);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT, "the %s context cannot be made current without a surface",
+                  name);
         bolan_context_destroy(&c);
         return BOLAN_ERROR_GL;
     }
@@ -74,7 +76,8 @@ void bolan_context_make_current(bolan_context *context) {
 void bolan_context_destroy(bolan_context **context) {
     if (!context || !*context) return;
     bolan_context *c = *context;
-    if (eglGetCurrentContext() == c->context) eglMakeCurrent(c->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (eglGetCurrentContext() == c->context)
+        eglMakeCurrent(c->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(c->display, c->context);
     bolan_release(c, sizeof *c);
     *context = NULL;

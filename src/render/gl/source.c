@@ -16,7 +16,7 @@ void gl_program_set_directory(const char *directory) {
     snprintf(shader_directory, sizeof shader_directory, "%s", directory ? directory : "");
 }
 
-// ---- finding a file -----------------------------------------------------------------------------------------------------
+// ---- finding a file -----------------------------------------------------------------------------------------------
 
 static const char *find_embedded(const char *path) {
     for (unsigned i = 0; i < bolan_shader_source_count; i++) {
@@ -51,7 +51,7 @@ static const char *load(const char *path, size_t *owned) {
     return text;
 }
 
-// ---- putting it together ------------------------------------------------------------------------------------------------
+// ---- putting it together ------------------------------------------------------------------------------------------
 
 static bool append(shader_text *s, const char *text, size_t length) {
     if (s->size + length + 1 > s->capacity) {
@@ -72,7 +72,8 @@ static bool append(shader_text *s, const char *text, size_t length) {
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-static bool append_format(shader_text *s, const char *format, ...) {
+static bool
+append_format(shader_text *s, const char *format, ...) {
     char line[256];
     va_list arguments;
     va_start(arguments, format);
@@ -131,7 +132,8 @@ static bolan_result out_of_memory(const char *path) {
 static bolan_result missing(const char *path, const char *from, uint32_t line) {
     const char *where = shader_directory[0] ? shader_directory : "the built-in shaders";
     if (from) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_SHADER, "%s:%u: there is no shader file %s in %s", from, line, path, where);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_SHADER, "%s:%u: there is no shader file %s in %s", from, line, path,
+                  where);
     } else {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_SHADER, "there is no shader file %s in %s", path, where);
     }
@@ -198,7 +200,7 @@ void shader_text_free(shader_text *s) {
     s->size = s->capacity = 0;
 }
 
-// ---- messages -----------------------------------------------------------------------------------------------------------
+// ---- messages -----------------------------------------------------------------------------------------------------
 
 // Drivers write "0:LINE(COLUMN): ..." (Mesa), "0(LINE) : ..." (NVIDIA) or "ERROR: 0:LINE: ..." (others).
 static bool parse_place(const char *message, unsigned *line, const char **rest) {

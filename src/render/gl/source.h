@@ -13,7 +13,10 @@ typedef struct shader_text {
     size_t size, capacity;
     uint32_t file_count, unit_count;
     char files[SOURCE_MAX_FILES][SOURCE_NAME];
-    struct { char name[SOURCE_NAME]; int unit; } units[SOURCE_MAX_UNITS];
+    struct {
+        char name[SOURCE_NAME];
+        int unit;
+    } units[SOURCE_MAX_UNITS];
 } shader_text;
 
 // stage: "VERTEX" or "FRAGMENT"; defines: "A 1\nB 2\n" or NULL. On failure the log says which file and line.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The caller's state: written down before a frame, given back after it. Between the two everything that could change what
-// our own calls mean (bound samplers, pixel store, stencil, ...) stands at GL's defaults.
+// The caller's state: written down before a frame, given back after it. Between the two everything that could change
+// what our own calls mean (bound samplers, pixel store, stencil, ...) stands at GL's defaults.
 #include "gl_internal.h"
 #include <string.h>
 
@@ -11,18 +11,32 @@ static const GLenum texture_bindings[TEXTURE_KINDS] = {GL_TEXTURE_BINDING_2D, GL
                                                        GL_TEXTURE_BINDING_2D_ARRAY};
 
 // Switches, and what they are while we draw. The first five are what gl_set_state() moves.
-typedef struct toggle { GLenum name; bool desktop_only; } toggle;
+typedef struct toggle {
+    GLenum name;
+    bool desktop_only;
+} toggle;
 static const toggle toggles[] = {
-    {GL_DEPTH_TEST, false}, {GL_CULL_FACE, false}, {GL_BLEND, false}, {GL_SCISSOR_TEST, false}, {GL_STENCIL_TEST, false},
-    {GL_POLYGON_OFFSET_FILL, false}, {GL_SAMPLE_ALPHA_TO_COVERAGE, false}, {GL_SAMPLE_COVERAGE, false},
-    {GL_RASTERIZER_DISCARD, false}, {GL_DITHER, false}, {GL_PRIMITIVE_RESTART, true}, {GL_FRAMEBUFFER_SRGB, true},
-    {GL_DEPTH_CLAMP, true}, {GL_COLOR_LOGIC_OP, true}, {GL_PROGRAM_POINT_SIZE, true},
+    {GL_DEPTH_TEST, false},
+    {GL_CULL_FACE, false},
+    {GL_BLEND, false},
+    {GL_SCISSOR_TEST, false},
+    {GL_STENCIL_TEST, false},
+    {GL_POLYGON_OFFSET_FILL, false},
+    {GL_SAMPLE_ALPHA_TO_COVERAGE, false},
+    {GL_SAMPLE_COVERAGE, false},
+    {GL_RASTERIZER_DISCARD, false},
+    {GL_DITHER, false},
+    {GL_PRIMITIVE_RESTART, true},
+    {GL_FRAMEBUFFER_SRGB, true},
+    {GL_DEPTH_CLAMP, true},
+    {GL_COLOR_LOGIC_OP, true},
+    {GL_PROGRAM_POINT_SIZE, true},
 };
 enum { TOGGLE_COUNT = sizeof toggles / sizeof toggles[0] };
 
-static const GLenum unpack_names[] = {GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS,
-                                      GL_UNPACK_SKIP_PIXELS, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES,
-                                      GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS};
+static const GLenum unpack_names[] = {
+    GL_UNPACK_ALIGNMENT,   GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_IMAGE_HEIGHT,
+    GL_UNPACK_SKIP_IMAGES, GL_PACK_ALIGNMENT,    GL_PACK_ROW_LENGTH,  GL_PACK_SKIP_ROWS,     GL_PACK_SKIP_PIXELS};
 static const GLint unpack_defaults[] = {4, 0, 0, 0, 0, 0, 4, 0, 0, 0};
 enum { PIXEL_STORE_COUNT = sizeof unpack_names / sizeof unpack_names[0] };
 
@@ -59,7 +73,7 @@ static void clip_control(GLint origin, GLint depth) {
     }
 }
 
-// ---- save -----------------------------------------------------------------------------------------------------------------
+// ---- save ---------------------------------------------------------------------------------------------------------
 
 static void save_bindings(gl_saved *s) {
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &s->draw_framebuffer);
@@ -136,7 +150,7 @@ void gl_save(gl_saved *s) {
     set_defaults();
 }
 
-// ---- restore --------------------------------------------------------------------------------------------------------------
+// ---- restore ------------------------------------------------------------------------------------------------------
 
 static void restore_uniform_slot(const gl_saved *s) {
     if (s->uniform_slot != 0 && s->uniform_size > 0) {
@@ -192,7 +206,7 @@ void gl_restore(const gl_saved *s) {
     if (!gl_is_es()) glPolygonMode(GL_FRONT_AND_BACK, (GLenum)s->polygon_mode[0]);
 }
 
-// ---- our own --------------------------------------------------------------------------------------------------------------
+// ---- our own ------------------------------------------------------------------------------------------------------
 
 void gl_set_state(const gl_state *s) {
     // Writing depth without testing it needs the test switched on with ALWAYS.
@@ -204,7 +218,9 @@ void gl_set_state(const gl_state *s) {
     set_enabled(GL_BLEND, s->blend != GL_BLEND_NONE);
     switch (s->blend) {
     case GL_BLEND_NONE: break;
-    case GL_BLEND_ALPHA: glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
+    case GL_BLEND_ALPHA:
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        break;
     case GL_BLEND_ADD: glBlendFunc(GL_ONE, GL_ONE); break;
     case GL_BLEND_PREMULTIPLIED: glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
     }

@@ -38,8 +38,9 @@ bolan_result gl_target_create(const gl_texture *const *color, uint32_t count, co
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)draw);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, (GLuint)read);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET, "GL cannot draw into a %u x %u target of format %d (status 0x%x)",
-                  t.width, t.height, (int)first->format, status);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET,
+                  "GL cannot draw into a %u x %u target of format %d (status 0x%x)", t.width, t.height,
+                  (int)first->format, status);
         gl_target_free(&t);
         return BOLAN_ERROR_GL;
     }
@@ -138,7 +139,8 @@ void gl_target_read_depth(const gl_target *t, const gl_texture *depth, float *ou
     const size_t pixels = (size_t)t->width * t->height;
     float *rgba = bolan_allocate(pixels * 4 * sizeof(float));
     if (!rgba) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory to read a depth buffer of %u x %u", t->width, t->height);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory to read a depth buffer of %u x %u", t->width,
+                  t->height);
         return;
     }
     GLint draw = 0, read = 0, viewport[4];

@@ -48,7 +48,8 @@ static void set_filter(const gl_texture *t, const gl_texture_desc *d) {
     glTexParameteri(t->target, GL_TEXTURE_MAG_FILTER, filter == GL_FILTER_NEAREST ? GL_NEAREST : GL_LINEAR);
     glTexParameteri(t->target, GL_TEXTURE_BASE_LEVEL, 0);
     glTexParameteri(t->target, GL_TEXTURE_MAX_LEVEL, (GLint)t->levels - 1);
-    if (d->anisotropy > 1.0f && is_mipmapped(d->filter) && epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) {
+    if (d->anisotropy > 1.0f && is_mipmapped(d->filter) &&
+        epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) {
         glTexParameterf(t->target, GL_TEXTURE_MAX_ANISOTROPY_EXT, d->anisotropy);
     }
 }
@@ -83,8 +84,7 @@ bolan_result gl_texture_create(const gl_texture_desc *d, gl_texture *out) {
     if (!d->levels && is_mipmapped(d->filter)) {
         t.levels = full_chain(t.width, t.height, t.target == GL_TEXTURE_3D ? t.depth : 1);
     }
-    while (glGetError() != GL_NO_ERROR) {
-    }
+    while (glGetError() != GL_NO_ERROR) {}
     glGenTextures(1, &t.id);
     bind_scratch(&t);
     set_filter(&t, d);
@@ -92,8 +92,9 @@ bolan_result gl_texture_create(const gl_texture_desc *d, gl_texture *out) {
     allocate_levels(&t);
     const GLenum error = glGetError();
     if (error != GL_NO_ERROR) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET, "GL refused a texture of %u x %u x %u texels, format %d (error 0x%x)",
-                  t.width, t.height, t.depth, (int)t.format, error);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET,
+                  "GL refused a texture of %u x %u x %u texels, format %d (error 0x%x)", t.width, t.height, t.depth,
+                  (int)t.format, error);
         gl_texture_free(&t);
         return BOLAN_ERROR_GL;
     }
