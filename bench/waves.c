@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// bolan-bench waves: a step of the sea (time evolution, eight fields, packing to half, foam memory) as a ratio to FFTW doing
-// only the four bare complex transforms that the eight fields of a cascade need. FFTW gets its best plan: the fastest of in place,
-// out of place, and in place with padded rows; on two threads whole fields are shared out. Both sides are timed in turns, and
-// the shortest time of each counts, so that other work on the machine disturbs them alike.
+// bolan-bench waves: a step of the sea (time evolution, eight fields, packing to half, foam memory) as a ratio to
+// FFTW doing only the four bare complex transforms that the eight fields of a cascade need. FFTW gets its best plan:
+// the fastest of in place, out of place, and in place with padded rows; on two threads whole fields are shared out.
+// Both sides are timed in turns, and the shortest time of each counts, so that other work on the machine disturbs
+// them alike.
 #include "bench.h"
 
 #include "bolan/waves.h"
@@ -101,9 +102,10 @@ static bool measure(row *r) {
 static void print_json(const row *rows, uint32_t count) {
     printf("{\n  \"machine\": \"%s\",\n  \"waves\": [", bench_machine());
     for (uint32_t i = 0; i < count; i++)
-        printf("%s\n    {\"n\": %u, \"cascades\": %u, \"threads\": %u, \"ms\": %.4f, \"fftw_ms\": %.4f, \"ratio\": %.3f}",
-               i > 0 ? "," : "", rows[i].n, rows[i].cascades, rows[i].threads, rows[i].ms, rows[i].fftw_ms,
-               rows[i].ms / rows[i].fftw_ms);
+        printf(
+            "%s\n    {\"n\": %u, \"cascades\": %u, \"threads\": %u, \"ms\": %.4f, \"fftw_ms\": %.4f, \"ratio\": %.3f}",
+            i > 0 ? "," : "", rows[i].n, rows[i].cascades, rows[i].threads, rows[i].ms, rows[i].fftw_ms,
+            rows[i].ms / rows[i].fftw_ms);
     printf("\n  ]\n}\n");
 }
 

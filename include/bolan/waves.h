@@ -2,16 +2,27 @@
 /// @file waves.h
 /// Tier 2. The sea: create it from a sea state, step it to a time, read its fields.
 ///
-/// The sea is a pure function of (sea state, seed, layout, time): stepping from 0 to 10 s or straight to 10 s gives the same
-/// bits. The one exception is the foam memory, which remembers the last seconds; after a jump in time it is rebuilt.
+/// The sea is a pure function of (sea state, seed, layout, time): stepping from 0 to 10 s or straight to 10 s gives
+/// the same bits, on any number of threads and with any instruction set. The one exception is the foam memory, which
+/// remembers the last seconds; after a jump in time (backwards, or more than 0.5 s forward) it starts again from the
+/// present.
 ///
-/// **Layout.** The wave-number plane is cut into disjoint rings, one per *cascade*: a periodic square tile of side `length`
-/// with `n` x `n` samples. Each tile lies rotated by `angle` about the world origin, so that the repetitions of different
-/// cascades never line up. The fields of the sea at a world point are the sums of the cascades' fields there.
+/// **Layout.** The wave-number plane is cut into disjoint rings without gaps, one per *cascade*: a periodic square
+/// tile of side `length` with `n` x `n` samples. Each tile lies rotated by `angle` about the world origin, and the
+/// ratios of their lengths are incommensurate, so that the repetitions of different cascades never line up. The
+/// fields of the sea at a world point are the sums of the cascades' fields there. Which waves a tile holds depends on
+/// the seed and its length only: a finer resolution adds shorter waves to the same longer ones.
 ///
-/// **Fields.** With eta the height, D the horizontal displacement that gathers water at crests (choppiness not applied):
-/// a water parcel at rest at x0 is found at x = x0 + choppiness * D(x0), z = eta(x0). Fields live on x0. Vectors are in
-/// world axes (east, north), whatever the angle of the tile.
+/// **Fields.** With eta the height, D the horizontal displacement that gathers water at crests (choppiness not
+/// applied): a water parcel at rest at x0 is found at x = x0 + choppiness * D(x0), z = eta(x0). Fields live on x0.
+/// Vectors are in world axes (east, north), whatever the angle of the tile.
+///
+/// **Synthesis.** eta(x, t) = sum over k of h(k, t) e^{i k.x}, h(k, t) = h0(k) e^{-i w t} + conj(h0(-k)) e^{+i w t},
+/// h0(k) = (xr + i xi)/2 sqrt(integral of Psi over the cell of k), xr and xi normal: waves run toward k and the
+/// variance of eta is that of the spectrum (Tessendorf 2001, section 3, with the sign and the factor of a one-sided
+/// spectrum). D = i k/|k| coth(kh) h. w follows bolan_omega_from_k(). Beyond ten times the wave number of the
+/// spectral peak the power is rolled off so that the slope variance of all cascades stays below Cox & Munk's total
+/// for the wind.
 #ifndef BOLAN_WAVES_H
 #define BOLAN_WAVES_H
 
@@ -34,40 +45,53 @@ typedef enum bolan_wave_model {
 typedef struct bolan_sea_desc {
     bolan_sea_state sea_state; ///< default: wind 8 m/s from 240 deg, fetch 200 km
     bolan_wave_model waves;    ///< default FFT
-    uint64_t seed;             ///< which sea of this state; default 1
-    uint32_t resolution;       ///< samples along a cascade's side: 32, 64, .. 1024; default 256. Raised: more waves, slower
+    uint64_t seed;             ///< which sea of this state, any value; default 1
+    uint32_t resolution;       ///< samples along a cascade's side, a power of two 32..1024; default 256. Raised:
+                               ///< longer rings, so shorter waves with the same number of cascades; time and memory
+                               ///< grow with its square
     uint32_t cascade_count;    ///< 1..4; default 4. Raised: shorter waves become geometry instead of roughness
-    double length;             ///< side of the largest cascade [m], 10..1e5; 0 (default): 8 to 16 peak wavelengths
-    double choppiness;         ///< factor on the horizontal displacement, 0..2; default 1 (linear theory)
-    double loop_period;        ///< 0 (default): none; else >= 10 s: every field repeats after this time [s]
-    bolan_cpu cpu;             ///< which kernels; default AUTO. The result does not depend on it
-    double foam_decay;         ///< e-folding time of foam [s], 0.1..60; default 3.5
+    double length;             ///< side of the largest cascade [m], 10..1e5; 0 (default): 12 peak wavelengths, and at
+                               ///< least 10 of the longest swell that matters. Raised: repeats later, the shortest
+                               ///< wave grows with it
+    double choppiness;         ///< factor on the horizontal displacement, 0..2; default 1 (linear theory). Raised:
+                               ///< sharper crests that fold sooner
+    double loop_period;        ///< 0 (default): none; else 10..1e6 s: every field repeats after this time [s].
+                               ///< Frequencies are rounded to multiples of 1 / period: from 200 s on nobody sees it
+    bolan_cpu cpu;             ///< which kernels; default AUTO; one this machine lacks counts as AUTO. The result
+                               ///< does not depend on it
+    double foam_decay;         ///< e-folding time of foam [s], 0.1..60; default 3.5. Raised: longer streaks behind
+                               ///< crests
 } bolan_sea_desc;
 
 /// A sea: spectrum tables, and the fields of one time.
 typedef struct bolan_sea bolan_sea;
 
 /// The defaults named beside the fields.
+/// A fresh breeze over the open sea. Thread-safe.
 bolan_sea_desc bolan_sea_desc_default(void);
-/// Builds the spectrum tables and all memory; no later call allocates. Errors: ARGUMENT (field named in the log), MEMORY.
+/// Builds the spectrum tables and all memory; no later call allocates. Uses the task hook: a sea steps on at most as
+/// many workers as there were at its creation. Errors: ARGUMENT (field named in the log), MEMORY; then *out is NULL.
 /// The desc is copied; a measured spectrum in it is not needed afterwards. The sea stands at time 0.
-/// Thread-safety: different seas may be used from different threads; one sea is stepped by one thread at a time and may be
-/// read by many between steps.
+/// Thread-safety: different seas may be used from different threads; one sea is stepped by one thread at a time and
+/// may be read by many between steps.
 bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out);
 /// NULL-safe; NULLs the pointer.
 void bolan_sea_destroy(bolan_sea **sea);
-/// Synthesises all fields at @p time [s], any finite value, backwards too. Uses the task hook. Never fails.
+/// Synthesises all fields at @p time [s], any finite value, backwards too (beyond 2^36 s, 2000 years, it wraps
+/// round). Uses the task hook. Never fails.
 void bolan_sea_step(bolan_sea *sea, double time);
-/// Like step, and fills the foam memory first by stepping through the last seconds before @p time (about 4 foam_decay) in
-/// fixed ticks, so that a single picture shows the foam that a running sea would.
+/// Like step, and fills the foam memory first by stepping through the last seconds before @p time (about 4
+/// foam_decay) in ticks of 0.25 s, which lie at multiples of 0.25 s whatever the time, so that a single picture shows
+/// the foam that a running sea would. Costs about 16 steps a second of foam_decay.
 void bolan_sea_settle(bolan_sea *sea, double time);
 /// The time that the fields show [s].
+/// The time of the last step [s]. Thread-safe between steps, as everything below.
 double bolan_sea_time(const bolan_sea *sea);
 /// The desc the sea was made from, defaults resolved (measured is NULL). Valid while the sea lives.
 const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
 
-/// One cascade, read-only; pointers stay valid while the sea lives, contents change with each step. Sample (i, j) of a field
-/// is at [j * n + i], at tile coordinates (i, j) * length / n. World to tile: rotate by -angle:
+/// One cascade, read-only; pointers stay valid while the sea lives, contents change with each step. Sample (i, j) of
+/// a field is at [j * n + i], at tile coordinates (i, j) * length / n. World to tile: rotate by -angle:
 /// u = x cos(angle) + y sin(angle), v = -x sin(angle) + y cos(angle).
 typedef struct bolan_cascade_view {
     uint32_t n;
@@ -93,38 +117,43 @@ bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index);
 /// Everything the sea is at one rest point, all cascades summed (bilinear between samples), choppiness applied.
 typedef struct bolan_sea_sample {
     float height, dx, dy;   ///< displacement of the parcel: (x, y, z) = (x0 + dx, y0 + dy, height) [m]
-    float slope_x, slope_y; ///< surface slope dz/dx, dz/dy *after* displacement
+    float slope_x, slope_y; ///< surface slope dz/dx, dz/dy *after* displacement; where |jacobian| < 0.1, as if it
+                            ///< were 0.1
     float jacobian;         ///< of the horizontal map; < 0 where the surface folds
     float foam;             ///< sum of the foam memories
 } bolan_sea_sample;
 /// Samples at @p count rest points in world metres. Thread-safe between steps.
 void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
-/// The oracle: the same quantities at one rest point and time by the direct sum over every mode, O(N^2) a point, in double.
-/// The result's foam is 0. Thread-safe.
+/// The oracle: the same quantities at one rest point and time by the direct sum over every mode, O(n^2) a point, in
+/// double. The result's foam is 0. Thread-safe, also during a step.
 bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time);
 
-/// Bounds that the surface does not leave (6 standard deviations, foam-free): vertical and horizontal [m].
+/// Bounds that the surface does not leave (6 standard deviations; horizontal with choppiness): vertical and
+/// horizontal [m].
 void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal);
 
 /// Slope covariance that a filter removes: what a picture's pixel (or a radar cell) cannot resolve and must treat as
 /// roughness. A Gaussian footprint of standard deviations @p major, @p minor [m] whose major axis points along @p angle
 /// (mathematical, rad) keeps exp(-sigma^2 k^2) of the power of a wave. Above the last cascade the wind's short waves
-/// (Cox & Munk's total less what the cascades hold) are always removed. With major = minor = 0 that rest is what is left.
+/// (Cox & Munk's total less what the cascades hold) are always removed. With major = minor = 0 that rest is what is
+/// left.
 /// @p out: xx, xy, yy. Thread-safe. Source: Bruneton, Neyret & Holzschuch 2010, section 4.
 void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double minor, double angle, float out[3]);
 
-#define BOLAN_SLOPE_TABLE_MAJOR 24  ///< log2(major): texel i is major = 2^(i/1.5 - 8) m, from 4 mm to 120 m.. 2^(23/1.5-8)
+#define BOLAN_SLOPE_TABLE_MAJOR 24  ///< log2(major): texel i is major = 2^(i/1.5 - 8) m, from 4 mm to 120 m..
+                                    ///< 2^(23/1.5-8)
 #define BOLAN_SLOPE_TABLE_ASPECT 8  ///< minor/major: texel j is 2^-j
 #define BOLAN_SLOPE_TABLE_ANGLE 8   ///< texel l is angle = l pi / 8, periodic
-/// The function above as a table to sample with linear filtering: out[((l * ASPECT) + j) * MAJOR + i][4] = xx, xy, yy, 0.
-/// Computed at creation. Valid while the sea lives.
+/// The function above as a table to sample with linear filtering: out[((l * ASPECT) + j) * MAJOR + i][4] = xx, xy,
+/// yy, 0. Computed at creation. Valid while the sea lives.
 const float *bolan_sea_slope_table(const bolan_sea *sea);
 
-/// Foam appears where the Jacobian is below this, so that the covered fraction is Monahan's at this wind (0 where there is
-/// no wind: then it is -1e30). Computed at creation.
+/// Foam appears where the Jacobian is below this, so that the covered fraction is Monahan's at this wind (0 where
+/// there is no wind: then it is -1e30). Computed at creation.
 double bolan_sea_foam_threshold(const bolan_sea *sea);
 
-/// Statistics of the fields at the present time: the JSON keys of `bolan measure`.
+/// Statistics of the fields at the present time: the JSON keys of `bolan measure`. Variances and means are exact
+/// averages over the tiles, which are independent; what depends on all cascades at once is taken at n x n points.
 typedef struct bolan_sea_statistics {
     double hs;                       ///< 4 sqrt(variance of the field) [m]
     double tp, tm02, te;             ///< of the discrete spectrum that is synthesised [s]

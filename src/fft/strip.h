@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// An FFT over the rows of a strip: 16 transforms side by side, one a lane, so that no stage shuffles lanes and the order
-// of every sum is the same for all instruction sets. Included by kernels only; plan.h explains the algorithm.
+// An FFT over the rows of a strip: 16 transforms side by side, one a lane, so that no stage shuffles lanes and the
+// order of every sum is the same for all instruction sets. Included by kernels only; plan.h explains the algorithm.
 //
 //     row k of a strip:  | re 0 .. 15 | im 0 .. 15 |   128 bytes, the next row follows
 //
-// Rows are contiguous, so the power-of-two strides of a stage stay inside one strip, which fits the first-level cache up to
-// n = 256.
+// Rows are contiguous, so the power-of-two strides of a stage stay inside one strip, which fits the first-level cache
+// up to n = 256.
 #ifndef BOLAN_FFT_STRIP_H
 #define BOLAN_FFT_STRIP_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The wide type that the kernels are written in: BOLAN_KERNEL_WIDTH floats, by GCC's vector extension. Included by kernels
-// only. An operation on it is that operation on each lane, rounded once, so all widths give the same bits.
+// The wide type that the kernels are written in: BOLAN_KERNEL_WIDTH floats, by GCC's vector extension. Included by
+// kernels only. An operation on it is that operation on each lane, rounded once, so all widths give the same bits.
 #ifndef BOLAN_FFT_WIDE_H
 #define BOLAN_FFT_WIDE_H
 

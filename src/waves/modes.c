@@ -4,9 +4,9 @@
 //     h0(k) = 1/2 (xr + i xi) sqrt(E(k)),   E(k) = integral of Psi over the cell of k,   xr, xi ~ N(0, 1)
 //     h(k, t) = h0(k) e^{-i w t} + conj(h0(-k)) e^{+i w t},   eta(x, t) = sum_k h(k, t) e^{i k.x}
 //
-// so that waves run toward +k and the variance of eta is the sum of E (Tessendorf 2001, section 3, with the signs and the
-// factor put right for one-sided spectra). xr and xi depend on nothing but the seed, the tile's length and the lattice index: a finer
-// grid holds the same waves and some more.
+// so that waves run toward +k and the variance of eta is the sum of E (Tessendorf 2001, section 3, with the signs and
+// the factor put right for one-sided spectra). xr and xi depend on nothing but the seed, the tile's length and the
+// lattice index: a finer grid holds the same waves and some more.
 #include "spectrum/portable.h"
 #include "waves/sea.h"
 
@@ -14,7 +14,8 @@
 
 typedef struct gaussians { double re, im; } gaussians;
 
-// The finaliser of SplitMix64 (Steele, Lea & Flood 2014): a bijection that leaves no visible relation of input and output.
+// The finaliser of SplitMix64 (Steele, Lea & Flood 2014): a bijection that leaves no visible relation of input and
+// output.
 static uint64_t mix(uint64_t x) {
     x += 0x9e3779b97f4a7c15u;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -111,7 +112,8 @@ static void fill_strips(void *context, uint32_t begin, uint32_t end, uint32_t wo
             const int32_t i = row < n / 2 ? row : row - n;
             if (i == -n / 2) continue; // the Nyquist column is its own mirror image
             for (int32_t lane = 0; lane < FFT_LANES; lane++)
-                fill_mode(f, i, (int32_t)strip * FFT_LANES + lane, (size_t)strip * (uint32_t)n + (uint32_t)row, (uint32_t)lane);
+                fill_mode(f, i, (int32_t)strip * FFT_LANES + lane, (size_t)strip * (uint32_t)n + (uint32_t)row,
+                          (uint32_t)lane);
         }
     }
 }

@@ -78,7 +78,8 @@ static void add_mode(void *context, const sea_mode *m) {
     const double hr = m->re * c + m->im * s + m->back_re * c - m->back_im * s;
     const double hi = m->im * c - m->re * s + m->back_im * c + m->back_re * s;
     const double twice = m->paired ? 2.0 : 1.0;
-    const double re = twice * (hr * pc - hi * ps), im = twice * (hr * ps + hi * pc); // real part, and that of -i times it
+    const double re = twice * (hr * pc - hi * ps), im = twice * (hr * ps + hi * pc); // real part, and that of -i
+                                                                                     // times it
     const double g = m->inverse_k;
     d->v.height += re;
     d->v.dx -= im * m->kx * g;

@@ -86,8 +86,8 @@ void bolan_sea_destroy(bolan_sea **sea) {
 // ---- stepping -------------------------------------------------------------------------------------------------------
 
 // A step is one queue of strips: the rows of a cascade, then its columns while what lies between them is still in the
-// cache. Columns wait until the rows of their cascade are done. All rows were taken from the queue before, and whoever took
-// them waits for nothing later, so the queue cannot lock up, however few workers there are.
+// cache. Columns wait until the rows of their cascade are done. All rows were taken from the queue before, and
+// whoever took them waits for nothing later, so the queue cannot lock up, however few workers there are.
 typedef struct step {
     bolan_sea *sea;
     sea_moment moment;
@@ -182,13 +182,25 @@ uint32_t bolan_sea_cascade_count(const bolan_sea *sea) {
 bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index) {
     BOLAN_ASSERT(sea && index < sea->count);
     const sea_cascade *c = &sea->cascade[index];
-    return (bolan_cascade_view){
-        .n = c->n, .length = c->length, .angle = c->angle, .k_min = c->k_min, .k_max = c->k_max,
-        .variance = c->variance, .mss = c->slope[0] + c->slope[2],
-        .height = c->field[FIELD_HEIGHT], .dx = c->field[FIELD_DX], .dy = c->field[FIELD_DY],
-        .slope_x = c->field[FIELD_SLOPE_X], .slope_y = c->field[FIELD_SLOPE_Y],
-        .dxx = c->field[FIELD_DXX], .dyy = c->field[FIELD_DYY], .dxy = c->field[FIELD_DXY],
-        .foam = c->foam, .displacement_half = c->displacement_half, .slope_half = c->slope_half, .foam_half = c->foam_half};
+    return (bolan_cascade_view){.n = c->n,
+                                .length = c->length,
+                                .angle = c->angle,
+                                .k_min = c->k_min,
+                                .k_max = c->k_max,
+                                .variance = c->variance,
+                                .mss = c->slope[0] + c->slope[2],
+                                .height = c->field[FIELD_HEIGHT],
+                                .dx = c->field[FIELD_DX],
+                                .dy = c->field[FIELD_DY],
+                                .slope_x = c->field[FIELD_SLOPE_X],
+                                .slope_y = c->field[FIELD_SLOPE_Y],
+                                .dxx = c->field[FIELD_DXX],
+                                .dyy = c->field[FIELD_DYY],
+                                .dxy = c->field[FIELD_DXY],
+                                .foam = c->foam,
+                                .displacement_half = c->displacement_half,
+                                .slope_half = c->slope_half,
+                                .foam_half = c->foam_half};
 }
 
 void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The inside of a sea. Private to src/waves.
 //
-// How a step goes. Each cascade has n x n modes (i, j), wave vector k = (i, j) 2 pi / length in tile axes; its height is real,
-// so only j >= 0 is kept. Two parallel passes, each over strips of 16 (fft/strip.h):
+// How a step goes. Each cascade has n x n modes (i, j), wave vector k = (i, j) 2 pi / length in tile axes; its height
+// is real, so only j >= 0 is kept. Two parallel passes, each over strips of 16 (fft/strip.h):
 //
 //     rows     16 values of j at once: modes at time t -> 5 FFTs along i -> `middle`, transposed
-//     columns  16 values of x at once: 8 fields from the 5 by factors of j -> 4 complex FFTs along j -> fields, halfs, foam
+//     columns  16 values of x at once: 8 fields from the 5 by factors of j -> 4 complex FFTs along j -> fields, halfs,
+//              foam
 //
 // Five are enough for eight fields because a factor that depends on j alone commutes with the FFT along i:
 // with u = h coth(kh)/k the rows transform h, i h, u, i u, i^2 u, and the columns multiply by j and j^2.
@@ -118,8 +119,8 @@ typedef struct sea_mode {
 // Calls `visit` for every mode with energy, in a fixed order.
 void sea_each_mode(const sea_cascade *cascade, void (*visit)(void *context, const sea_mode *mode), void *context);
 
-// All fields, summed over the cascades, at the node of each that is nearest to cascade 0's node (i, j): independent tiles
-// need no interpolation to be added, and it would take power from the short waves.
+// All fields, summed over the cascades, at the node of each that is nearest to cascade 0's node (i, j): independent
+// tiles need no interpolation to be added, and it would take power from the short waves.
 typedef struct sea_node { float height, sx, sy, dxx, dyy, dxy; } sea_node;
 sea_node sea_nearest_node(const bolan_sea *sea, uint32_t i, uint32_t j);
 float sea_node_jacobian(const bolan_sea *sea, const sea_node *node);

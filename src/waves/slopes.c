@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Slope variance that a footprint cannot resolve (Bruneton, Neyret & Holzschuch 2010, section 4): the modes' slope covariance,
-// gathered over wave number and direction, times what a Gaussian footprint removes, 1 - exp(-sigma^2 k^2).
+// Slope variance that a footprint cannot resolve (Bruneton, Neyret & Holzschuch 2010, section 4): the modes' slope
+// covariance, gathered over wave number and direction, times what a Gaussian footprint removes, 1 - exp(-sigma^2 k^2).
 #include "spectrum/portable.h"
 #include "waves/sea.h"
 
 #include <string.h>
 
-enum { BINS = 112, DIRECTIONS = 16 }; // 4 bins an octave from 1e-4 rad/m; directions over half a turn, as k and -k count alike
+enum { BINS = 112, DIRECTIONS = 16 }; // 4 bins an octave from 1e-4 rad/m; directions over half a turn, as k and -k
+                                      // count alike
 #define BINS_PER_OCTAVE 4.0
 
 typedef struct bin { double power, k2, xx, xy, yy; } bin; // k2: first the sum of power k^2, then its mean
@@ -85,13 +86,14 @@ static void fill_table(void *context, uint32_t begin, uint32_t end, uint32_t wor
         for (uint32_t i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; i++) {
             const double major = portable_pow(2.0, i / 1.5 - 8.0);
             float *texel = sea->slope_table + ((size_t)row * BOLAN_SLOPE_TABLE_MAJOR + i) * 4;
-            bolan_sea_unresolved_slopes(sea, major, ldexp(major, -(int)j), l * BOLAN_PI / BOLAN_SLOPE_TABLE_ANGLE, texel);
+            bolan_sea_unresolved_slopes(sea, major, ldexp(major, -(int)j), l * BOLAN_PI / BOLAN_SLOPE_TABLE_ANGLE,
+                                        texel);
         }
     }
 }
 
-// Cox & Munk's up- and crosswind variance less what the cascades hold; where one is exceeded, the other gives way, so that
-// the total is Cox & Munk's as long as the cascades hold less.
+// Cox & Munk's up- and crosswind variance less what the cascades hold; where one is exceeded, the other gives way, so
+// that the total is Cox & Munk's as long as the cascades hold less.
 static void set_rest(bolan_sea *sea) {
     double xx = 0.0, xy = 0.0, yy = 0.0, up, cross, s, c;
     for (uint32_t i = 0; i < sea->count; i++) {

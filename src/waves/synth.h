@@ -22,14 +22,15 @@ typedef struct sea_moment {
 
 typedef struct sea_kernels {
     // Modes of strip `strip` at the time -> `middle`.
-    void (*rows)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip, float *scratch);
+    void (*rows)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
+                 float *scratch);
     // `middle` -> fields for x in strip `strip`.
     void (*columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
                     float *scratch);
 } sea_kernels;
 
-// Scratch memory of a worker: three buffers of n rows, a few lines apart, so that the same row of two of them does not fall
-// on one set of the cache.
+// Scratch memory of a worker: three buffers of n rows, a few lines apart, so that the same row of two of them does
+// not fall on one set of the cache.
 enum { SEA_SCRATCH_BUFFERS = 3, SEA_SCRATCH_SHIFT = 9 * 16 };
 static inline size_t sea_scratch_pitch(uint32_t n) {
     return (size_t)n * FFT_ROW + SEA_SCRATCH_SHIFT; // floats

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Second pass of a step: eight fields from the five parts, transforms along j, and what readers want: float planes, half
-// texels, foam memory. sea.h has the plan.
+// Second pass of a step: eight fields from the five parts, transforms along j, and what readers want: float planes,
+// half texels, foam memory. sea.h has the plan.
 //
 // Two real fields A and B share a complex transform: P = A + iB, and since A and B are Hermitian,
 // P(-j) = conj(A(j)) + i conj(B(j)).
@@ -18,8 +18,8 @@ void KERNEL(sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const
 typedef struct parts { pair h, kh, u, ku, kku; } parts;
 
 static inline parts load_parts(const float *cell) {
-    return (parts){pair_load(cell), pair_load(cell + FFT_ROW), pair_load(cell + 2 * FFT_ROW), pair_load(cell + 3 * FFT_ROW),
-                   pair_load(cell + 4 * FFT_ROW)};
+    return (parts){pair_load(cell), pair_load(cell + FFT_ROW), pair_load(cell + 2 * FFT_ROW),
+                   pair_load(cell + 3 * FFT_ROW), pair_load(cell + 4 * FFT_ROW)};
 }
 static inline pair mix2(pair a, float fa, pair b, float fb) {
     return (pair){a.re * fa + b.re * fb, a.im * fa + b.im * fb};
@@ -44,8 +44,8 @@ static inline turn turn_of(const sea_cascade *cascade) {
 }
 
 // Packs (dx, dy) and (height, dxy) for rows j and n - j.
-static inline void pack_displacement(const float *cell, turn t, float k, uint32_t lane, float *dxy_plus, float *dxy_minus,
-                                     float *eta_plus, float *eta_minus) {
+static inline void pack_displacement(const float *cell, turn t, float k, uint32_t lane, float *dxy_plus,
+                                     float *dxy_minus, float *eta_plus, float *eta_minus) {
     const parts p = load_parts(cell + lane);
     const pair dx = pair_i(mix2(p.ku, t.c, p.u, -(t.s * k))), dy = pair_i(mix2(p.ku, t.s, p.u, t.c * k));
     const pair cross = mix3(p.kku, -t.cs, p.ku, -((t.cc - t.ss) * k), p.u, t.cs * (k * k));
@@ -125,8 +125,8 @@ static inline void store_foam(const sea_cascade *cascade, const sea_moment *mome
 }
 
 // The last stage of two transforms, whose outputs go where they belong at once. Its eight outputs lie n / 8 rows apart.
-static ALWAYS_INLINE void finish(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, bool stream,
-                                 bool slopes, uint32_t strip, const float *first, const float *second) {
+static ALWAYS_INLINE void finish(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment,
+                                 bool stream, bool slopes, uint32_t strip, const float *first, const float *second) {
     const uint32_t n = plan->n;
     for (uint32_t y = 0; y < n / 8; y++) {
         const size_t row = (size_t)plan->order[y] * FFT_ROW;
@@ -152,8 +152,8 @@ static ALWAYS_INLINE void finish(const fft_plan *plan, const sea_cascade *cascad
     }
 }
 
-static ALWAYS_INLINE void columns(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, bool stream,
-                                  uint32_t strip, float *scratch) {
+static ALWAYS_INLINE void columns(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment,
+                                  bool stream, uint32_t strip, float *scratch) {
     float *first = scratch, *second = scratch + sea_scratch_pitch(plan->n);
 #pragma GCC unroll 2
     for (int slopes = 0; slopes < 2; slopes++) {

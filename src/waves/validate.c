@@ -23,8 +23,9 @@ static bool kinds_are_valid(const bolan_sea_desc *desc) {
         return false;
     }
     if ((int)desc->cpu < (int)BOLAN_CPU_AUTO || desc->cpu > BOLAN_CPU_AVX512) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT, "bolan_sea_desc.cpu is %d; expected a bolan_cpu from %d to %d",
-                  (int)desc->cpu, (int)BOLAN_CPU_AUTO, (int)BOLAN_CPU_AVX512);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT,
+                  "bolan_sea_desc.cpu is %d; expected a bolan_cpu from %d to %d", (int)desc->cpu, (int)BOLAN_CPU_AUTO,
+                  (int)BOLAN_CPU_AVX512);
         return false;
     }
     return true;

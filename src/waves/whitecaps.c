@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where foam is: the Jacobian below which the covered fraction is Monahan's for the wind, as a quantile of the sea itself.
+// Where foam is: the Jacobian below which the covered fraction is Monahan's for the wind, as a quantile of the sea
+// itself.
 #include "waves/sea.h"
 
 enum { TIMES = 2, SIDE = 256 }; // 131072 samples: the rarest cover that can be seen, 1e-4, is still 13 of them

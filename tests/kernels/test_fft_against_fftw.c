@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A whole cascade against FFTW in double: the modes, put into a complex spectrum by the definition, transformed by a library that
-// nobody here wrote.
+// A whole cascade against FFTW in double: the modes, put into a complex spectrum by the definition, transformed by a
+// library that nobody here wrote.
 #include "support.h"
 
 #include "waves/sea.h"

@@ -109,7 +109,8 @@ static void slopes_are_those_of_the_spectrum(void **state) {
         bolan_sea *sea = test_sea(desc);
         const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
         mean += (test_mean_product(&v, v.slope_x, v.slope_x) + test_mean_product(&v, v.slope_y, v.slope_y)) / seeds;
-        // 1.0: the roll-off begins at ten times the wave number of the peak (60.6 m), just beyond this ring's end at 0.72.
+        // 1.0: the roll-off begins at ten times the wave number of the peak (60.6 m), just beyond this ring's end at
+        // 0.72.
         expected = ring_slope_variance(&desc.sea_state, 2.0 * BOLAN_PI / 1000.0, v.k_max);
         bolan_sea_destroy(&sea);
     }
@@ -125,7 +126,8 @@ static void slopes_resolved_and_not_add_up_to_cox_and_munk(void **state) {
         float rest[3];
         bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
         const double total = bolan_sea_measure(sea).mss + rest[0] + rest[2];
-        assert_near(total, 0.003 + 5.12e-3 * wind, 0.004 + 0.1 * (0.003 + 5.12e-3 * wind)); // Cox & Munk 1954, their scatter
+        assert_near(total, 0.003 + 5.12e-3 * wind, 0.004 + 0.1 * (0.003 + 5.12e-3 * wind)); // Cox & Munk 1954, their
+                                                                                            // scatter
         bolan_sea_destroy(&sea);
     }
 }
@@ -177,8 +179,10 @@ static void the_fields_move_where_the_modes_say(void **state) {
         bolan_sea_step(sea, 50.0 + dt);
         for (size_t p = 0; p < points; p++) before[p] = v.height[p] - before[p];
         bolan_sea_step(sea, 50.0);
-        const double east = -test_mean_product(&v, before, v.slope_x), north = -test_mean_product(&v, before, v.slope_y);
-        assert_near(angle_between(bolan_math_to_compass_from(atan2(north, east)), 210.0), 0.0, 6.0); // of one realisation
+        const double east = -test_mean_product(&v, before, v.slope_x),
+                     north = -test_mean_product(&v, before, v.slope_y);
+        assert_near(angle_between(bolan_math_to_compass_from(atan2(north, east)), 210.0), 0.0, 6.0); // of one
+                                                                                                     // realisation
         free(before);
     }
     bolan_sea_destroy(&sea);

@@ -53,7 +53,8 @@ static void a_wave_keeps_its_phase_speed_for_a_minute(void **state) {
         for (int i = 0; i <= 240; i++) {
             bolan_sea_step(sea, i * dt);
             const double phase = phase_of(&v, creal(kv), cimag(kv));
-            if (i > 0) travelled -= remainder(phase - previous, 2.0 * BOLAN_PI); // e^{i (k.x - w t)}: falls as it runs to +k
+            if (i > 0) travelled -= remainder(phase - previous, 2.0 * BOLAN_PI); // e^{i (k.x - w t)}: falls as it
+                                                                                 // runs to +k
             previous = phase;
         }
         const double omega = sqrt((9.81 * k + 7.17e-5 * k * k * k) * tanh(k * depths[d])); // Lamb 1932, section 267
@@ -189,8 +190,10 @@ static void half_fields_are_the_float_fields(void **state) {
         for (size_t p = 0; p < (size_t)v.n * v.n; p++) {
             for (int f = 0; f < 8; f++) {
                 const uint16_t h = (f < 4 ? v.displacement_half : v.slope_half)[4 * p + (size_t)(f % 4)];
-                const double magnitude = (h >> 10 & 31) == 0 ? ldexp(h & 1023, -24) : ldexp(1024 + (h & 1023), (h >> 10 & 31) - 25);
-                assert_near(h & 0x8000 ? -magnitude : magnitude, planes[f][p], fmax(fabs(planes[f][p]) * 0x1p-11, 0x1p-25));
+                const double magnitude =
+                    (h >> 10 & 31) == 0 ? ldexp(h & 1023, -24) : ldexp(1024 + (h & 1023), (h >> 10 & 31) - 25);
+                assert_near(h & 0x8000 ? -magnitude : magnitude, planes[f][p],
+                            fmax(fabs(planes[f][p]) * 0x1p-11, 0x1p-25));
             }
         }
     }
@@ -211,7 +214,14 @@ static void normals_are_those_of_the_displaced_surface(void **state) {
         const double x = 17.3 * s, y = 5.1 * s * s;
         bolan_sea_sample q[4];
         for (int c = 0; c < 4; c++)
-            q[c] = bolan_sea_sample_direct(sea, x + (c == 0 ? e : c == 1 ? -e : 0.0), y + (c == 2 ? e : c == 3 ? -e : 0.0), 7.0);
+            q[c] = bolan_sea_sample_direct(sea,
+                                           x + (c == 0   ? e
+                                                : c == 1 ? -e
+                                                         : 0.0),
+                                           y + (c == 2   ? e
+                                                : c == 3 ? -e
+                                                         : 0.0),
+                                           7.0);
         const bolan_sea_sample at = bolan_sea_sample_direct(sea, x, y, 7.0);
         const double ux = 2.0 * e + q[0].dx - q[1].dx, uy = q[0].dy - q[1].dy, uz = q[0].height - q[1].height;
         const double vx = q[2].dx - q[3].dx, vy = 2.0 * e + q[2].dy - q[3].dy, vz = q[2].height - q[3].height;
@@ -225,6 +235,7 @@ static void normals_are_those_of_the_displaced_surface(void **state) {
 }
 
 RUN_TESTS(cmocka_unit_test(a_wave_keeps_its_phase_speed_for_a_minute), cmocka_unit_test(crests_gather_the_water),
-          cmocka_unit_test(the_mean_jacobian_is_one), cmocka_unit_test(the_tiles_repeat), cmocka_unit_test(a_loop_closes),
-          cmocka_unit_test(the_fields_are_the_direct_sum), cmocka_unit_test(half_fields_are_the_float_fields),
+          cmocka_unit_test(the_mean_jacobian_is_one), cmocka_unit_test(the_tiles_repeat),
+          cmocka_unit_test(a_loop_closes), cmocka_unit_test(the_fields_are_the_direct_sum),
+          cmocka_unit_test(half_fields_are_the_float_fields),
           cmocka_unit_test(normals_are_those_of_the_displaced_surface))

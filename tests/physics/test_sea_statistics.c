@@ -21,8 +21,9 @@ static void a_linear_sea_is_gaussian(void **state) {
     assert_near(kurtosis, 3.0, 0.1);
 }
 
-// Linear motion of the parcels makes no skewness at second order, only a set-down of the mean (Nouguier, Guerin & Chapron 2009,
-// "Choppy wave" model): with J = 1 + div D, E[h^2 J] and E[h^3 J] are fixed by E[h div D] alone and cancel in the third cumulant.
+// Linear motion of the parcels makes no skewness at second order, only a set-down of the mean (Nouguier, Guerin &
+// Chapron 2009, "Choppy wave" model): with J = 1 + div D, E[h^2 J] and E[h^3 J] are fixed by E[h div D] alone and
+// cancel in the third cumulant.
 static void a_choppy_sea_stays_unskewed(void **state) {
     (void)state;
     double skewness = 0.0;
@@ -158,10 +159,12 @@ static void a_footprint_removes_what_a_blur_removes(void **state) {
             const double kx = (i + 0.5) * dk, ky = (j + 0.5) * dk, k2 = kx * kx + ky * ky;
             if (k2 >= v.k_max * v.k_max) continue;
             const double a = 8.0 * (kx * cos(0.5) + ky * sin(0.5)), b = 2.0 * (ky * cos(0.5) - kx * sin(0.5));
-            expected += k2 * bolan_sea_state_wavenumber_density(&desc.sea_state, kx, ky) * dk * dk * (1.0 - exp(-a * a - b * b));
+            expected += k2 * bolan_sea_state_wavenumber_density(&desc.sea_state, kx, ky) * dk * dk *
+                        (1.0 - exp(-a * a - b * b));
         }
     }
-    assert_near((some[0] + some[2] - rest[0] - rest[2]) / expected, 1.0, 0.03); // bins of a quarter octave and 11 degrees
+    assert_near((some[0] + some[2] - rest[0] - rest[2]) / expected, 1.0, 0.03); // bins of a quarter octave and 11
+                                                                                // degrees
     bolan_sea_destroy(&sea);
 }
 

@@ -37,7 +37,8 @@ static void it_is_the_inverse_dft(void **state) {
         fill(in, n);
         memcpy(rows, in, n * FFT_ROW * sizeof(float));
         fft_strip_for(BOLAN_CPU_AUTO)(&plan, rows);
-        // Error of a float FFT grows with sqrt(log n) ulp of the rms of a sum of n numbers of rms 0.29 (Schatzman 1996).
+        // Error of a float FFT grows with sqrt(log n) ulp of the rms of a sum of n numbers of rms 0.29 (Schatzman
+        // 1996).
         const double tolerance = 4.0 * 6e-8 * sqrt(log2(n)) * 0.41 * sqrt(n);
         for (uint32_t y = 0; y < n; y += 7) {
             double expected[2];

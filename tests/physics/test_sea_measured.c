@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A sea synthesised from a measured spectrum has the height, direction and period that its file says.
+#include "spectrum_support.h"
+
+#include "bolan/waves.h"
+
+typedef struct expected_sea { double hs, tm02, from_deg, spread_deg, wind; } expected_sea;
+
+enum { SEEDS = 8 };
+
+// SWAN off Taranaki: integrals of the file (test_measured_spectra.c). The sea has waves above the file's last
+// frequency, the w^-5 tail, and so a shorter mean period: it is only an upper bound.
+static void assert_synthesis(const bolan_spectrum_texts *texts, uint32_t record, expected_sea expected) {
+    bolan_measured_spectrum *spectrum = parse(texts, record);
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.sea_state = sea_of(spectrum);
+    desc.sea_state.wind_speed = expected.wind;
+    desc.resolution = 128;
+    double m0 = 0.0, direction = 0.0, spread = 0.0, period = 0.0;
+    for (uint32_t s = 0; s < SEEDS; s++) {
+        desc.seed = s;
+        bolan_sea *sea = NULL;
+        assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_OK);
+        const bolan_sea_statistics m = bolan_sea_measure(sea);
+        m0 += m.m0_field / SEEDS;
+        direction += remainder(m.direction_from - expected.from_deg, 360.0) / SEEDS;
+        spread += m.spread / SEEDS;
+        period += m.tm02 / SEEDS;
+        bolan_sea_destroy(&sea);
+    }
+    assert_ratio(4.0 * sqrt(m0), expected.hs, 0.05);
+    assert_near(direction, 0.0, 2.0);
+    assert_near(spread, expected.spread_deg, 3.0); // the tail is spread as the last frequency, wider than the mean
+    assert_true(period < expected.tm02 * 1.02 && period > 0.7 * expected.tm02);
+    bolan_measured_spectrum_destroy(&spectrum);
+}
+
+static void a_swan_spectrum_becomes_its_sea(void **state) {
+    (void)state;
+    bolan_spectrum_texts texts = bolan_spectrum_texts_default();
+    texts.density = load_shared("swan_maari_lonlat_24f36d.spec");
+    assert_synthesis(&texts, 0, (expected_sea){1.7158, 7.6839, 250.02, 21.06, 6.0});
+    assert_synthesis(&texts, 4, (expected_sea){4.2587, 7.3809, 254.11, 23.27, 15.0});
+    free((char *)texts.density.data);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_swan_spectrum_becomes_its_sea)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
