@@ -10,7 +10,7 @@
 // Chunks with smaller texels [m] show the grain of 16 m period.
 #define FINEST_GRAIN 0.8
 
-// A slot's twin on the GPU; made when the slot is first used.
+// A slot's twin on the GPU.
 typedef struct gpu_chunk {
     gl_buffer vertices;
     gl_mesh mesh;
@@ -36,10 +36,10 @@ static const struct {
     float texel_pixels, error_pixels;
     uint32_t slots, budget;
 } quality_table[] = {
-    [BOLAN_QUALITY_LOW] = {6.5f, 3.0f, 192, 8},
-    [BOLAN_QUALITY_MEDIUM] = {4.5f, 2.2f, 288, 12},
-    [BOLAN_QUALITY_HIGH] = {3.0f, 1.4f, 512, 24},
-    [BOLAN_QUALITY_ULTRA] = {1.6f, 0.7f, 896, 48},
+    [BOLAN_QUALITY_LOW] = {6.0f, 2.4f, 128, 8},
+    [BOLAN_QUALITY_MEDIUM] = {4.0f, 1.4f, 192, 12},
+    [BOLAN_QUALITY_HIGH] = {2.5f, 0.9f, 384, 24},
+    [BOLAN_QUALITY_ULTRA] = {1.5f, 0.5f, 768, 48},
 };
 
 static bolan_result create_indices(pass_terrain *p) {
@@ -132,30 +132,6 @@ const shore_map *pass_terrain_shore(const pass_terrain *p) { return &p->shore.ma
 
 // ---- chunks ----------------------------------------------------------------------------------------------------------
 
-// The pool of this quality, on this terrain; false when there is no memory or no terrain.
-static bool fit_pool(pass_terrain *p, const frame *f) {
-    const bolan_terrain *terrain = f->desc->terrain;
-    uint32_t slots = quality_table[f->quality].slots;
-    if (terrain && (!p->tree || p->slots != slots)) {
-        free_chunks(p);
-        p->slots = slots;
-        p->gpu = bolan_allocate(slots * sizeof *p->gpu);
-        if (!p->gpu || terrain_tree_create(slots, &p->tree) != BOLAN_OK) {
-            free_chunks(p);
-            return false;
-        }
-        p->terrain = NULL;
-    }
-    uint64_t id = terrain ? bolan_terrain_id(terrain) : 0;
-    if (terrain && (terrain != p->terrain || id != p->terrain_id)) {
-        terrain_tree_reset(p->tree, terrain);
-        p->settled = false;
-    }
-    p->terrain = terrain;
-    p->terrain_id = id;
-    return terrain != NULL;
-}
-
 static bool create_gpu_chunk(pass_terrain *p, gpu_chunk *g) {
     static const uint8_t components[] = {3};
     gl_texture_desc d = {.format = GL_FMT_RGBA16F,
@@ -169,12 +145,43 @@ static bool create_gpu_chunk(pass_terrain *p, gpu_chunk *g) {
            gl_texture_create(&d, &g->map) == BOLAN_OK;
 }
 
+// All of the pool at once, so that a flight allocates nothing.
+static bool create_chunks(pass_terrain *p, uint32_t slots) {
+    free_chunks(p);
+    p->slots = slots;
+    p->gpu = bolan_allocate(slots * sizeof *p->gpu);
+    bool all = p->gpu && terrain_tree_create(slots, &p->tree) == BOLAN_OK;
+    for (uint32_t n = 0; all && n < slots; n++) {
+        all = create_gpu_chunk(p, &p->gpu[n]);
+    }
+    if (!all) {
+        free_chunks(p);
+    }
+    p->terrain = NULL;
+    return all;
+}
+
+// The pool of this quality, on this terrain; false when there is no memory or no terrain.
+static bool fit_pool(pass_terrain *p, const frame *f) {
+    const bolan_terrain *terrain = f->desc->terrain;
+    uint32_t slots = quality_table[f->quality].slots;
+    if (!terrain || ((!p->tree || p->slots != slots) && !create_chunks(p, slots))) {
+        p->terrain = NULL;
+        return false;
+    }
+    uint64_t id = bolan_terrain_id(terrain);
+    if (terrain != p->terrain || id != p->terrain_id) {
+        terrain_tree_reset(p->tree, terrain);
+        p->settled = false;
+    }
+    p->terrain = terrain;
+    p->terrain_id = id;
+    return true;
+}
+
 static void upload_chunk(pass_terrain *p, uint32_t index) {
     chunk_slot *s = terrain_tree_slot(p->tree, index);
     gpu_chunk *g = &p->gpu[index];
-    if (!g->map.id && !create_gpu_chunk(p, g)) {
-        return;
-    }
     if (s->fresh_mesh) {
         chunk_vertices(&s->chunk, p->vertices);
         gl_buffer_update(&g->vertices, 0, CHUNK_VERTICES * 3 * sizeof(float), p->vertices);
@@ -247,10 +254,8 @@ void pass_terrain_draw(pass_terrain *p, frame *f) {
     const uint32_t *list = terrain_tree_draw_list(p->tree, &count);
     for (uint32_t n = 0; n < count; n++) {
         const chunk_slot *s = terrain_tree_slot(p->tree, list[n]);
-        if (p->gpu[list[n]].map.id) {
-            bool near_ground = s->chunk.size / CHUNK_TEXELS < FINEST_GRAIN;
-            draw_chunk(&p->gpu[list[n]], s, near_ground ? &p->near_program : &p->program, f);
-            f->triangles += chunk_index_count(s->mesh) / 3;
-        }
+        bool near_ground = s->chunk.size / CHUNK_TEXELS < FINEST_GRAIN;
+        draw_chunk(&p->gpu[list[n]], s, near_ground ? &p->near_program : &p->program, f);
+        f->triangles += chunk_index_count(s->mesh) / 3;
     }
 }

@@ -44,9 +44,11 @@ static const float *height_at(const terrain_chunk *c, int i, int j) {
     return &c->heights[(j + CHUNK_BORDER) * CHUNK_GRID + i + CHUNK_BORDER];
 }
 
-// Largest distance of the nodes from the mesh of so many texels per cell.
-static float mesh_error(const terrain_chunk *c, int step) {
-    float worst = 0.0f;
+// Distance of the nodes from the mesh of so many texels per cell: twice the rms, which few nodes exceed and one sharp rock
+// does not decide. @worst receives the largest.
+static float mesh_error(const terrain_chunk *c, int step, float *worst) {
+    float sum = 0.0f;
+    *worst = 0.0f;
     for (int j = 0; j < CHUNK_MAP; j++) {
         int v = j / step * step, v1 = v < CHUNK_TEXELS ? v + step : v;
         float t = (float)(j - v) / (float)step;
@@ -56,10 +58,11 @@ static float mesh_error(const terrain_chunk *c, int step) {
             float south = (1.0f - s) * *height_at(c, u, v) + s * *height_at(c, u1, v);
             float north = (1.0f - s) * *height_at(c, u, v1) + s * *height_at(c, u1, v1);
             float e = fabsf(*height_at(c, i, j) - ((1.0f - t) * south + t * north));
-            worst = e > worst ? e : worst;
+            *worst = e > *worst ? e : *worst;
+            sum += e * e;
         }
     }
-    return worst;
+    return 2.0f * sqrtf(sum / (CHUNK_MAP * CHUNK_MAP));
 }
 
 static void measure(terrain_chunk *c) {
@@ -71,12 +74,13 @@ static void measure(terrain_chunk *c) {
             c->highest = z > c->highest ? z : c->highest;
         }
     }
+    float worst[CHUNK_MESHES];
     for (int m = 0; m < CHUNK_MESHES; m++) {
-        float e = mesh_error(c, CHUNK_RATIO << m);
+        float e = mesh_error(c, CHUNK_RATIO << m, &worst[m]);
         c->error[m] = m > 0 ? fmaxf(e, c->error[m - 1]) : e;
     }
     // A neighbour's mesh may be coarser or finer; along the shared rim they differ by about both errors.
-    c->skirt = 2.0f * c->error[0] + c->error[CHUNK_MESHES - 1] + 0.25f * (float)(c->size / CHUNK_CELLS);
+    c->skirt = 2.0f * worst[0] + worst[CHUNK_MESHES - 1] + 0.25f * (float)(c->size / CHUNK_CELLS);
 }
 
 static void fill_normals(terrain_chunk *c) {

@@ -32,7 +32,7 @@ chunk_sun chunk_sun_from(bolan_vec3 direction);
 typedef struct terrain_chunk {
     double west, south, size;           // [m]
     float lowest, highest;              // [m]
-    float error[CHUNK_MESHES];          // each mesh departs this far from the heights [m], not falling
+    float error[CHUNK_MESHES];          // nearly all of each mesh is closer to the heights [m]; not falling
     float skirt;                        // depth of the skirt [m]
     const struct terrain_chunk *parent; // NULL for the root; must hold its data while this chunk is built or lit
     float *heights;                     // CHUNK_GRID^2, with the border

@@ -31,7 +31,11 @@ bolan_result terrain_tree_create(uint32_t slots, terrain_tree **out) {
     t->slot_count = slots;
     t->slots = bolan_allocate(slots * sizeof *t->slots);
     t->current = bolan_allocate(4 * slots * sizeof *t->current);
-    if (!t->slots || !t->current) {
+    bool all = t->slots && t->current;
+    for (uint32_t n = 0; all && n < slots; n++) { // now, so that a flight allocates nothing
+        all = chunk_allocate(&t->slots[n].chunk) == BOLAN_OK;
+    }
+    if (!all) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for a pool of %u terrain chunks", slots);
         terrain_tree_destroy(out);
         return BOLAN_ERROR_MEMORY;
@@ -125,10 +129,6 @@ static uint32_t take(terrain_tree *t, uint32_t level, uint32_t x, uint32_t y) {
         return NO_SLOT;
     }
     chunk_slot *s = &t->slots[n];
-    if (!s->chunk.heights && chunk_allocate(&s->chunk) != BOLAN_OK) {
-        chunk_free(&s->chunk);
-        return NO_SLOT;
-    }
     if (s->used > 0) {
         unlink_slot(t, n);
     }
