@@ -26,10 +26,12 @@ void main() {
     float angle = length(cross(dir, sun.xyz)), r = min(angle / SUN_RADIUS, 1.0);
     float edge = clamp((SUN_RADIUS - angle) / lens.x + 0.5, 0.0, 1.0);
     float visible = edge * smoothstep(-lens.x, lens.x, angle_above_horizon(dir, max(eye.z, 0.0)));
+    // The march of the clouds ends at 1 % of light left, which of the sun's disc would still blind.
+    float through = clamp(1.0 - 1.04 * cloud_radiance(dir).a, 0.0, 1.0);
     vec3 power = vec3(0.42, 0.52, 0.65), limb = pow(vec3(max(sqrt(1.0 - r * r), 0.05)), power);
     vec3 mean = 2.0 / (2.0 + power); // of the disc: 2 int mu^p r dr
     vec3 radiance = solar_irradiance() / (AIR_PI * SUN_RADIUS * SUN_RADIUS) * limb / mean;
-    radiance *= transmittance_to_space(max(eye.z, 0.0), dir.z) * visible * (1.0 - cloud_radiance(dir).a);
+    radiance *= transmittance_to_space(max(eye.z, 0.0), dir.z) * visible * through * through;
     color = vec4(min(radiance, vec3(30000.0)), 0.0); // half floats end at 65504
 }
 #endif

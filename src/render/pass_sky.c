@@ -120,7 +120,10 @@ static float exposure(const pass_sky *p, const frame *f, float unit) {
     const float light = fmaxf((luminance(p->measured) + direct) / unit, 1e-10f);
     const float darker = fmaxf(log2f(noon_light / light), -1.0f); // in stops
     const float stops = 0.93f * darker - 2.7f * (1.0f - expf(-darker / 5.0f));
-    return noon_exposure * exp2f(stops + (float)f->scene->exposure) / unit;
+    // Seen from above, sunlit clouds are the scene.
+    const frame_uniforms *u = &f->uniforms;
+    const float over = fminf(fmaxf((u->eye.z - u->haze.y) / 2000.0f, 0.0f), 1.0f) * sqrtf(u->wind.w);
+    return noon_exposure * exp2f(stops - 0.8f * over + (float)f->scene->exposure) / unit;
 }
 
 static void set_light(const pass_sky *p, frame *f) {
