@@ -62,6 +62,10 @@ void main() {
 #endif
 
 #ifdef FRAGMENT
+#ifndef TAPS // set by quality; these serve an offline compiler
+#define TAPS 4
+#define RAYS 3
+#endif
 #include "common/fresnel.glsl"
 #include "common/slopes.glsl"
 #include "common/foam.glsl"

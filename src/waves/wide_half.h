@@ -25,9 +25,15 @@ static inline wide_int wide_half(wide v) {
 #endif
 }
 
-// a in the low half of a lane's bits, b in the high one.
+#if WIDE == 1
+typedef uint32_t wide_unsigned;
+#else
+typedef uint32_t wide_unsigned __attribute__((vector_size(4 * WIDE), may_alias));
+#endif
+
+// a in the low half of a lane's bits, b in the high one: shifted unsigned, for the sign bit may be set.
 static inline wide wide_half_pair(wide a, wide b) {
-    return wide_from_bits(wide_half(a) | wide_half(b) << 16);
+    return wide_from_bits(wide_half(a) | (wide_int)((wide_unsigned)wide_half(b) << 16));
 }
 
 static inline void wide_half_store(uint16_t *out, wide v) {
