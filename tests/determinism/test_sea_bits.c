@@ -58,6 +58,18 @@ static void instruction_sets_and_threads_do_not_matter(void **state) {
     }
 }
 
+// Large planes are written around the cache; that is no other sea.
+static void large_planes_are_no_other_sea(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.resolution = 1024;
+    desc.cascade_count = 1;
+    desc.cpu = BOLAN_CPU_SCALAR;
+    const uint64_t expected = bits_of(desc, 2);
+    desc.cpu = BOLAN_CPU_AUTO;
+    assert_true(bits_of(desc, 2) == expected);
+}
+
 static void the_path_through_time_does_not_matter(void **state) {
     (void)state;
     bolan_sea_desc desc = bolan_sea_desc_default();
@@ -91,7 +103,10 @@ static void settling_depends_on_the_time_alone(void **state) {
     bolan_sea_destroy(&b);
 }
 
-typedef struct table { uint32_t count; sea_mode modes[40000]; } table;
+typedef struct table {
+    uint32_t count;
+    sea_mode modes[40000];
+} table;
 
 static void keep_mode(void *context, const sea_mode *m) {
     table *t = context;
@@ -142,6 +157,7 @@ static void another_seed_is_another_sea(void **state) {
 }
 
 RUN_TESTS(cmocka_unit_test(instruction_sets_and_threads_do_not_matter),
+          cmocka_unit_test(large_planes_are_no_other_sea),
           cmocka_unit_test(the_path_through_time_does_not_matter), cmocka_unit_test(settling_depends_on_the_time_alone),
           cmocka_unit_test(resolution_does_not_change_which_waves_there_are),
           cmocka_unit_test(another_seed_is_another_sea))
