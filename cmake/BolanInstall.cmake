@@ -12,6 +12,8 @@ if(BOLAN_LIBRARIES)
     write_basic_package_version_file(bolanConfigVersion.cmake COMPATIBILITY SameMinorVersion)
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/bolanConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/bolanConfigVersion.cmake
         DESTINATION ${package_folder})
+    # The prefix is known at installation only: state it from where bolan.pc lies.
+    file(RELATIVE_PATH pc_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
     configure_file(cmake/bolan.pc.in bolan.pc @ONLY)
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/bolan.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()
