@@ -17,9 +17,9 @@
 extern "C" {
 #endif
 
-#define BOLAN_VERSION_MAJOR 0         ///< raised when a caller must change
-#define BOLAN_VERSION_MINOR 1         ///< raised when a caller may use more
-#define BOLAN_VERSION_PATCH 0         ///< raised when only defects went
+#define BOLAN_VERSION_MAJOR 0        ///< raised when a caller must change
+#define BOLAN_VERSION_MINOR 1        ///< raised when a caller may use more
+#define BOLAN_VERSION_PATCH 0        ///< raised when only defects went
 #define BOLAN_VERSION_STRING "0.1.0" ///< of the headers; bolan_version() is that of the library
 
 /// The version of the linked library, "major.minor.patch". Static storage. Thread-safe.
@@ -46,41 +46,41 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
 
 /// Every message the library can emit has a stable id, so that a test can assert *which* check fired.
 /// X(id, name). Ids are never reused.
-#define BOLAN_LOG_TABLE(X)                                                                                             \
-    X(100, OUT_OF_MEMORY)                                                                                              \
-    X(101, BAD_ARGUMENT)                                                                                               \
-    X(102, NOT_FINITE)                                                                                                 \
-    X(103, OUT_OF_RANGE)                                                                                               \
-    X(104, UNKNOWN_NAME)                                                                                               \
-    X(105, UNSUPPORTED)                                                                                                \
-    X(200, SPECTRUM_EMPTY)                                                                                             \
-    X(201, SPECTRUM_SYNTAX)                                                                                            \
-    X(202, SPECTRUM_TRUNCATED)                                                                                         \
-    X(203, SPECTRUM_NEGATIVE)                                                                                          \
-    X(204, SPECTRUM_NO_ENERGY)                                                                                         \
-    X(205, SPECTRUM_UNKNOWN_FORMAT)                                                                                    \
-    X(206, SPECTRUM_TIME_INDEX)                                                                                        \
-    X(300, FILE_OPEN)                                                                                                  \
-    X(301, FILE_READ)                                                                                                  \
-    X(302, FILE_WRITE)                                                                                                 \
-    X(303, FILE_TOO_LARGE)                                                                                             \
-    X(310, SCENE_SYNTAX)                                                                                               \
-    X(311, SCENE_UNKNOWN_KEY)                                                                                          \
-    X(312, SCENE_BAD_VALUE)                                                                                            \
-    X(320, RASTER_OPEN)                                                                                                \
-    X(321, RASTER_EMPTY)                                                                                               \
-    X(322, RASTER_PROJECTION)                                                                                          \
-    X(330, IMAGE_FORMAT)                                                                                               \
-    X(331, IMAGE_WRITE)                                                                                                \
-    X(340, VIDEO_PROGRAM)                                                                                              \
-    X(341, VIDEO_WRITE)                                                                                                \
-    X(400, GL_CONTEXT)                                                                                                 \
-    X(401, GL_VERSION)                                                                                                 \
-    X(402, GL_SHADER)                                                                                                  \
-    X(403, GL_TARGET)                                                                                                  \
-    X(404, GL_DEBUG)                                                                                                   \
-    X(500, SEA_CASCADES)                                                                                               \
-    X(501, SEA_INFO)                                                                                                   \
+#define BOLAN_LOG_TABLE(X)          \
+    X(100, OUT_OF_MEMORY)           \
+    X(101, BAD_ARGUMENT)            \
+    X(102, NOT_FINITE)              \
+    X(103, OUT_OF_RANGE)            \
+    X(104, UNKNOWN_NAME)            \
+    X(105, UNSUPPORTED)             \
+    X(200, SPECTRUM_EMPTY)          \
+    X(201, SPECTRUM_SYNTAX)         \
+    X(202, SPECTRUM_TRUNCATED)      \
+    X(203, SPECTRUM_NEGATIVE)       \
+    X(204, SPECTRUM_NO_ENERGY)      \
+    X(205, SPECTRUM_UNKNOWN_FORMAT) \
+    X(206, SPECTRUM_TIME_INDEX)     \
+    X(300, FILE_OPEN)               \
+    X(301, FILE_READ)               \
+    X(302, FILE_WRITE)              \
+    X(303, FILE_TOO_LARGE)          \
+    X(310, SCENE_SYNTAX)            \
+    X(311, SCENE_UNKNOWN_KEY)       \
+    X(312, SCENE_BAD_VALUE)         \
+    X(320, RASTER_OPEN)             \
+    X(321, RASTER_EMPTY)            \
+    X(322, RASTER_PROJECTION)       \
+    X(330, IMAGE_FORMAT)            \
+    X(331, IMAGE_WRITE)             \
+    X(340, VIDEO_PROGRAM)           \
+    X(341, VIDEO_WRITE)             \
+    X(400, GL_CONTEXT)              \
+    X(401, GL_VERSION)              \
+    X(402, GL_SHADER)               \
+    X(403, GL_TARGET)               \
+    X(404, GL_DEBUG)                \
+    X(500, SEA_CASCADES)            \
+    X(501, SEA_INFO)                \
     X(502, POINTS_SYNTAX)
 
 /// The ids of ::BOLAN_LOG_TABLE as BOLAN_LOG_&lt;NAME&gt;, their value the id.
@@ -101,10 +101,11 @@ typedef void bolan_parallel_fn(void *user, uint32_t count, uint32_t grain, bolan
 
 /// Process-wide hooks. A NULL member keeps the built-in behaviour.
 typedef struct bolan_hooks {
-    void *user;                                           ///< handed back to every hook
+    void *user;                                               ///< handed back to every hook
     void *(*allocate)(void *user, size_t size, size_t align); ///< @p align is a power of two <= 64; NULL on failure
     void (*release)(void *user, void *memory, size_t size);   ///< @p size is the size that was asked for
-    void (*log)(void *user, bolan_log_level level, bolan_log_id id, const char *sentence); ///< default: one line on stderr
+    void (*log)(void *user, bolan_log_level level, bolan_log_id id,
+                const char *sentence); ///< default: one line on stderr
     void (*assert_failed)(void *user, const char *expression, const char *file, int line); ///< default: print and abort
     bolan_parallel_fn *parallel; ///< your task system; NULL: the built-in pool (see bolan_set_threads())
     uint32_t parallel_workers;   ///< how many workers @ref parallel can use at once, >= 1

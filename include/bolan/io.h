@@ -64,7 +64,11 @@ bolan_result bolan_raster_load(const char *path, double latitude, double longitu
                                double vertical_scale, bolan_terrain **out);
 
 /// A growable list of points.
-typedef struct bolan_points { uint32_t count; bolan_dvec3 *points; size_t capacity; } bolan_points;
+typedef struct bolan_points {
+    uint32_t count;
+    bolan_dvec3 *points;
+    size_t capacity;
+} bolan_points;
 /// CSV of x,y[,z] [m] with an optional header line; blank lines and # comments are skipped, numbers may be separated by
 /// commas, semicolons or white space. A number that is missing, not finite or beyond 1e8 m is refused with its line.
 bolan_result bolan_points_parse(const char *name, const char *text, size_t size, bolan_points *out);
@@ -80,7 +84,10 @@ bolan_result bolan_png_write(const char *path, uint32_t width, uint32_t height, 
 /// Reads any image stb_image can, as 8-bit RGB; release with bolan_release(pixels, width * height * 3).
 bolan_result bolan_image_read(const char *path, uint32_t *width, uint32_t *height, uint8_t **rgb);
 /// One plane of an EXR; pixels row 0 at the top.
-typedef struct bolan_exr_channel { const char *name; const float *pixels; } bolan_exr_channel;
+typedef struct bolan_exr_channel {
+    const char *name;
+    const float *pixels;
+} bolan_exr_channel;
 /// Multi-channel 32-bit float EXR, ZIP compressed. Channels may come in any order; 1..64 of them, with different names.
 bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height, const bolan_exr_channel *channels,
                              uint32_t count);

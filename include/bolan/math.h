@@ -26,17 +26,29 @@ extern "C" {
 #define BOLAN_EARTH_RADIUS 6371000.0    ///< mean radius [m]
 
 /// Two floats.
-typedef struct bolan_vec2 { float x, y; } bolan_vec2;
+typedef struct bolan_vec2 {
+    float x, y;
+} bolan_vec2;
 /// Three floats: a direction, a colour, or a position near the eye.
-typedef struct bolan_vec3 { float x, y, z; } bolan_vec3;
+typedef struct bolan_vec3 {
+    float x, y, z;
+} bolan_vec3;
 /// Four floats; a homogeneous position where w is one.
-typedef struct bolan_vec4 { float x, y, z, w; } bolan_vec4;
+typedef struct bolan_vec4 {
+    float x, y, z, w;
+} bolan_vec4;
 /// A place on the map: x east, y north [m].
-typedef struct bolan_dvec2 { double x, y; } bolan_dvec2;
+typedef struct bolan_dvec2 {
+    double x, y;
+} bolan_dvec2;
 /// A place in the world: x east, y north, z up [m].
-typedef struct bolan_dvec3 { double x, y, z; } bolan_dvec3;
+typedef struct bolan_dvec3 {
+    double x, y, z;
+} bolan_dvec3;
 /// Column-major: m[4 * column + row].
-typedef struct bolan_mat4 { float m[16]; } bolan_mat4;
+typedef struct bolan_mat4 {
+    float m[16];
+} bolan_mat4;
 
 static inline double bolan_radians(double degrees) { return degrees * (BOLAN_PI / 180.0); }
 static inline double bolan_degrees(double radians) { return radians * (180.0 / BOLAN_PI); }
@@ -53,8 +65,20 @@ void bolan_sincos(double x, double *sine, double *cosine);
 /// The float twin used by the wide kernels: |x| <= 8192, error < 2e-7. Bit-stable likewise.
 void bolan_sincosf(float x, float *sine, float *cosine);
 
-static inline bolan_vec3 bolan_v3(float x, float y, float z) { bolan_vec3 v; v.x = x; v.y = y; v.z = z; return v; }
-static inline bolan_dvec3 bolan_dv3(double x, double y, double z) { bolan_dvec3 v; v.x = x; v.y = y; v.z = z; return v; }
+static inline bolan_vec3 bolan_v3(float x, float y, float z) {
+    bolan_vec3 v;
+    v.x = x;
+    v.y = y;
+    v.z = z;
+    return v;
+}
+static inline bolan_dvec3 bolan_dv3(double x, double y, double z) {
+    bolan_dvec3 v;
+    v.x = x;
+    v.y = y;
+    v.z = z;
+    return v;
+}
 static inline bolan_vec3 bolan_v3_add(bolan_vec3 a, bolan_vec3 b) { return bolan_v3(a.x + b.x, a.y + b.y, a.z + b.z); }
 static inline bolan_vec3 bolan_v3_sub(bolan_vec3 a, bolan_vec3 b) { return bolan_v3(a.x - b.x, a.y - b.y, a.z - b.z); }
 static inline bolan_vec3 bolan_v3_scale(bolan_vec3 a, float s) { return bolan_v3(a.x * s, a.y * s, a.z * s); }
@@ -65,10 +89,10 @@ static inline bolan_vec3 bolan_v3_cross(bolan_vec3 a, bolan_vec3 b) {
 static inline float bolan_v3_length(bolan_vec3 a) { return sqrtf(bolan_v3_dot(a, a)); }
 static inline bolan_vec3 bolan_v3_normalize(bolan_vec3 a) { return bolan_v3_scale(a, 1.0f / bolan_v3_length(a)); }
 
-bolan_mat4 bolan_m4_identity(void); ///< ones on the diagonal
-bolan_mat4 bolan_m4_mul(bolan_mat4 a, bolan_mat4 b); ///< a * b: b is applied first
-bolan_mat4 bolan_m4_transpose(bolan_mat4 a);         ///< rows become columns; the inverse of a rotation
-bolan_mat4 bolan_m4_inverse(bolan_mat4 a);           ///< of a regular matrix, computed in double
+bolan_mat4 bolan_m4_identity(void);                     ///< ones on the diagonal
+bolan_mat4 bolan_m4_mul(bolan_mat4 a, bolan_mat4 b);    ///< a * b: b is applied first
+bolan_mat4 bolan_m4_transpose(bolan_mat4 a);            ///< rows become columns; the inverse of a rotation
+bolan_mat4 bolan_m4_inverse(bolan_mat4 a);              ///< of a regular matrix, computed in double
 bolan_vec4 bolan_m4_mul_v4(bolan_mat4 a, bolan_vec4 v); ///< a * v
 /// Rotation from world axes (camera-relative) to camera axes. Heading compass [deg], pitch up [deg], roll clockwise [deg].
 bolan_mat4 bolan_m4_view(double heading_deg, double pitch_deg, double roll_deg);

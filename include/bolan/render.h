@@ -29,7 +29,10 @@ void bolan_context_make_current(bolan_context *context);
 /// NULL-safe; NULLs. Whatever was made in it must be gone before.
 void bolan_context_destroy(bolan_context **context);
 /// Name, version and so on of the current context: static strings, "" without one.
-typedef struct bolan_gl_info { const char *renderer, *vendor, *version, *shading_language; bool software, clip_control; } bolan_gl_info;
+typedef struct bolan_gl_info {
+    const char *renderer, *vendor, *version, *shading_language;
+    bool software, clip_control;
+} bolan_gl_info;
 /// Asks the context that is current on this thread.
 bolan_gl_info bolan_gl_get_info(void);
 
@@ -40,10 +43,11 @@ typedef struct bolan_renderer bolan_renderer;
 
 /// How a renderer is made.
 typedef struct bolan_renderer_desc {
-    bolan_quality quality;        ///< default MEDIUM
-    const char *shader_directory; ///< NULL: built-in shaders; else read from there, and re-read by bolan_renderer_reload()
-    bool no_clip_control;         ///< true: take the fallback path even where clip control exists (tests)
-    bool debug;                   ///< true: log the driver's debug messages
+    bolan_quality quality; ///< default MEDIUM
+    const char
+        *shader_directory; ///< NULL: built-in shaders; else read from there, and re-read by bolan_renderer_reload()
+    bool no_clip_control;  ///< true: take the fallback path even where clip control exists (tests)
+    bool debug;            ///< true: log the driver's debug messages
 } bolan_renderer_desc;
 
 /// The defaults named beside the fields.
@@ -57,13 +61,13 @@ bolan_result bolan_renderer_reload(bolan_renderer *renderer);
 
 /// What to draw, and where.
 typedef struct bolan_frame_desc {
-    const bolan_scene *scene;      ///< camera, sky, water, exposure are read; not NULL
-    const bolan_sea *sea;          ///< stepped by the caller; not NULL
-    const bolan_terrain *terrain;  ///< or NULL
-    uint32_t framebuffer;          ///< GL name; 0 is the window
-    uint32_t width, height;        ///< of the framebuffer [px], 1..16384
-    uint32_t samples;              ///< supersampling: pictures with shifted pixels that are averaged, 1..256
-    bool srgb_framebuffer;         ///< true: the framebuffer encodes sRGB itself
+    const bolan_scene *scene;     ///< camera, sky, water, exposure are read; not NULL
+    const bolan_sea *sea;         ///< stepped by the caller; not NULL
+    const bolan_terrain *terrain; ///< or NULL
+    uint32_t framebuffer;         ///< GL name; 0 is the window
+    uint32_t width, height;       ///< of the framebuffer [px], 1..16384
+    uint32_t samples;             ///< supersampling: pictures with shifted pixels that are averaged, 1..256
+    bool srgb_framebuffer;        ///< true: the framebuffer encodes sRGB itself
 } bolan_frame_desc;
 /// One sample, everything else 0 or NULL: set scene, sea, width and height.
 bolan_frame_desc bolan_frame_desc_default(void);
@@ -75,7 +79,8 @@ void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame
 /// width * height * 3 and width * height floats.
 void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, float *distance);
 /// The 8-bit picture of @p framebuffer, row 0 at the top: width * height * 3 bytes.
-void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb);
+void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, uint32_t width, uint32_t height,
+                              uint8_t *rgb);
 
 /// An off-screen colour target of 8-bit sRGB values for callers without one; NULL on failure (logged).
 typedef struct bolan_target bolan_target;
@@ -94,8 +99,11 @@ void bolan_target_destroy(bolan_target **target);
 /// @ref bolan_renderer_measure_passes was switched on.
 typedef struct bolan_frame_statistics {
     uint32_t pass_count;
-    struct { const char *name; double ms; } passes[BOLAN_MAX_PASSES];
-    uint32_t triangles;       ///< all that were submitted
+    struct {
+        const char *name;
+        double ms;
+    } passes[BOLAN_MAX_PASSES];
+    uint32_t triangles; ///< all that were submitted
     uint32_t water_triangles;
 } bolan_frame_statistics;
 /// Without GPU timers: wait for the GPU after each pass, so that it can be timed. Slows the frame; default off.

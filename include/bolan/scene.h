@@ -49,19 +49,27 @@ typedef enum bolan_quality {
 
 /// Jerlov's water types: five of the ocean, from the clearest, and five of the coast, to the most turbid.
 typedef enum bolan_jerlov {
-    BOLAN_JERLOV_I, BOLAN_JERLOV_IA, BOLAN_JERLOV_IB, BOLAN_JERLOV_II, BOLAN_JERLOV_III,
-    BOLAN_JERLOV_1C, BOLAN_JERLOV_3C, BOLAN_JERLOV_5C, BOLAN_JERLOV_7C, BOLAN_JERLOV_9C,
+    BOLAN_JERLOV_I,
+    BOLAN_JERLOV_IA,
+    BOLAN_JERLOV_IB,
+    BOLAN_JERLOV_II,
+    BOLAN_JERLOV_III,
+    BOLAN_JERLOV_1C,
+    BOLAN_JERLOV_3C,
+    BOLAN_JERLOV_5C,
+    BOLAN_JERLOV_7C,
+    BOLAN_JERLOV_9C,
 } bolan_jerlov;
 
 /// Optical coefficients at red, green, blue = 650, 550, 450 nm. They fit together: kd = (absorption + backscatter) /
 /// 0.9 within 7 %, and absorption is never below that of pure water.
 typedef struct bolan_water_optics {
-    bolan_vec3 kd;         ///< diffuse attenuation of downward irradiance [1/m]
-    bolan_vec3 absorption; ///< a [1/m]
-    bolan_vec3 scattering; ///< b [1/m]
-    bolan_vec3 backscatter;///< bb [1/m]
-    bolan_vec3 deep;       ///< radiance leaving deep water (above it) per unit downward irradiance, Rrs [1/sr]
-    float index;           ///< of refraction; 1.34
+    bolan_vec3 kd;          ///< diffuse attenuation of downward irradiance [1/m]
+    bolan_vec3 absorption;  ///< a [1/m]
+    bolan_vec3 scattering;  ///< b [1/m]
+    bolan_vec3 backscatter; ///< bb [1/m]
+    bolan_vec3 deep;        ///< radiance leaving deep water (above it) per unit downward irradiance, Rrs [1/sr]
+    float index;            ///< of refraction; 1.34
 } bolan_water_optics;
 /// Jerlov's types by Kd (Austin & Petzold 1986 for I..1C, Jerlov 1976 for 3C..9C), pure water by Pope & Fry 1997 and
 /// Morel 1974, particles after Gordon & Morel 1983, Rrs by Gordon et al. 1988. I is the clearest ocean, 9C a muddy
@@ -80,11 +88,11 @@ float bolan_fresnel(float cos_incident, float eta);
 
 /// Where the picture is taken from.
 typedef struct bolan_camera {
-    bolan_dvec3 position;  ///< world [m], z above mean sea level; x, y +-1e7, z -1000..1e6; default (0, 0, 3)
-    double heading_deg;    ///< compass [deg], -360..360; default 0: north
-    double pitch_deg;      ///< up [deg], -90..90; default 0
-    double roll_deg;       ///< clockwise [deg], -180..180; default 0
-    double fov_deg;        ///< vertical field of view [deg], 1..150; default 50
+    bolan_dvec3 position; ///< world [m], z above mean sea level; x, y +-1e7, z -1000..1e6; default (0, 0, 3)
+    double heading_deg;   ///< compass [deg], -360..360; default 0: north
+    double pitch_deg;     ///< up [deg], -90..90; default 0
+    double roll_deg;      ///< clockwise [deg], -180..180; default 0
+    double fov_deg;       ///< vertical field of view [deg], 1..150; default 50
 } bolan_camera;
 
 /// The sun, the air and the clouds.
@@ -104,9 +112,9 @@ void bolan_sun_position(double unix_time, double latitude, double longitude, dou
 
 /// The water as light meets it, and its level.
 typedef struct bolan_water {
-    bolan_jerlov type;   ///< default IB
-    double level;        ///< mean water level above the terrain's datum [m], -20..20; default 0
-    double foam;         ///< strength of the foam, 0..2; default 1
+    bolan_jerlov type; ///< default IB
+    double level;      ///< mean water level above the terrain's datum [m], -20..20; default 0
+    double foam;       ///< strength of the foam, 0..2; default 1
 } bolan_water;
 
 /// Where the ground comes from.
@@ -114,30 +122,30 @@ typedef enum bolan_terrain_kind { BOLAN_TERRAIN_NONE, BOLAN_TERRAIN_ISLAND, BOLA
 
 /// The ground, by description; loaded by bolan_scene_assets_load().
 typedef struct bolan_terrain_source {
-    bolan_terrain_kind kind;         ///< default NONE: open sea
-    bolan_island_desc island;        ///< for ISLAND
-    char path[BOLAN_PATH_MAX];       ///< for RASTER: any file GDAL reads
-    double latitude, longitude;      ///< for RASTER: place of the scene's origin [deg]; NAN (default): its centre
-    double radius;                   ///< for RASTER: half side of the square that is read [m], 100..5e6; default 150000
-    double vertical_scale;           ///< metres per raster unit, 1e-3..1e3; default 1
+    bolan_terrain_kind kind;    ///< default NONE: open sea
+    bolan_island_desc island;   ///< for ISLAND
+    char path[BOLAN_PATH_MAX];  ///< for RASTER: any file GDAL reads
+    double latitude, longitude; ///< for RASTER: place of the scene's origin [deg]; NAN (default): its centre
+    double radius;              ///< for RASTER: half side of the square that is read [m], 100..5e6; default 150000
+    double vertical_scale;      ///< metres per raster unit, 1e-3..1e3; default 1
 } bolan_terrain_source;
 
 /// Everything that is drawn, except what lies in files: see bolan_scene_assets.
 typedef struct bolan_scene {
-    char name[BOLAN_NAME_MAX];             ///< of a built-in scene, or the file it was read from
-    char description[256];                 ///< one sentence, "" for none
-    bolan_technique technique;             ///< default bolan_technique_ocean
-    bolan_sea_desc sea;                    ///< sea.sea_state.measured stays NULL here
-    double fetch;                          ///< of the wind sea [m], 100..1e7; default 2e5. See bolan_scene_set_wind()
-    bolan_spectrum_kind wind_spectrum;     ///< shape of the wind sea; default JONSWAP. See bolan_scene_set_wind()
-    char spectrum_path[BOLAN_PATH_MAX];    ///< "" or a measured spectrum file
-    uint32_t spectrum_record;              ///< which record in time, from 0, the earliest; default 0
+    char name[BOLAN_NAME_MAX];          ///< of a built-in scene, or the file it was read from
+    char description[256];              ///< one sentence, "" for none
+    bolan_technique technique;          ///< default bolan_technique_ocean
+    bolan_sea_desc sea;                 ///< sea.sea_state.measured stays NULL here
+    double fetch;                       ///< of the wind sea [m], 100..1e7; default 2e5. See bolan_scene_set_wind()
+    bolan_spectrum_kind wind_spectrum;  ///< shape of the wind sea; default JONSWAP. See bolan_scene_set_wind()
+    char spectrum_path[BOLAN_PATH_MAX]; ///< "" or a measured spectrum file
+    uint32_t spectrum_record;           ///< which record in time, from 0, the earliest; default 0
     bolan_camera camera;
     bolan_sky sky;
     bolan_water water;
     bolan_terrain_source terrain;
-    double time;                           ///< [s], +-1e9; default 0
-    double exposure;                       ///< in stops over the automatic exposure, -10..10; default 0
+    double time;     ///< [s], +-1e9; default 0
+    double exposure; ///< in stops over the automatic exposure, -10..10; default 0
 } bolan_scene;
 
 /// A scene with every default: open sea, wind 8 m/s, camera 3 m up, sun 35 degrees high.

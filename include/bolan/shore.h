@@ -15,28 +15,28 @@ extern "C" {
 /// A regular grid of elevations in local metres. Sample (i, j) is at (west + i * step_x, south + j * step_y) and stands at
 /// elevation[j * width + i] [m above mean sea level], row 0 in the south.
 typedef struct bolan_heightfield {
-    uint32_t width, height;  ///< 2..32768 each
-    double west, south;      ///< position of sample (0, 0) [m east, north of the scene origin]
-    double step_x, step_y;   ///< [m] > 0
-    const float *elevation;  ///< width * height finite values
+    uint32_t width, height; ///< 2..32768 each
+    double west, south;     ///< position of sample (0, 0) [m east, north of the scene origin]
+    double step_x, step_y;  ///< [m] > 0
+    const float *elevation; ///< width * height finite values
 } bolan_heightfield;
 
 /// How a terrain is made of a grid.
 typedef struct bolan_terrain_desc {
     bolan_heightfield field; ///< copied
-    double detail;           ///< strength of the procedural detail below the grid's spacing, 0..2; default 1; 0: the data alone
-    uint64_t seed;           ///< of the detail; default 1
-    double edge_elevation;   ///< elevation far outside the grid [m]; the grid's rim blends to it; default -4000
+    double detail; ///< strength of the procedural detail below the grid's spacing, 0..2; default 1; 0: the data alone
+    uint64_t seed; ///< of the detail; default 1
+    double edge_elevation; ///< elevation far outside the grid [m]; the grid's rim blends to it; default -4000
 } bolan_terrain_desc;
 
 /// A generated volcanic island with a lagoon side: a horseshoe of eroded peaks, cliffs and rock stacks to windward, sandy
 /// bays between headlands to leeward, turquoise shallows 1-6 m deep behind a barrier reef with sand islets, and a deep sea
 /// bed beyond. The land is centred on the scene origin.
 typedef struct bolan_island_desc {
-    uint64_t seed;      ///< default 7
-    double radius;      ///< of the land [m], 200..20000; default 2200
-    double peak;        ///< height of the summit [m], 10..3000; default 620
-    double sea_floor;   ///< elevation of the sea bed far out [m], -11000..-20; default -900
+    uint64_t seed;          ///< default 7
+    double radius;          ///< of the land [m], 200..20000; default 2200
+    double peak;            ///< height of the summit [m], 10..3000; default 620
+    double sea_floor;       ///< elevation of the sea bed far out [m], -11000..-20; default -900
     double lagoon_from_deg; ///< compass side where the sandy shallows lie [deg], -1e6..1e6 (wrapped); default 225
 } bolan_island_desc;
 
@@ -68,7 +68,9 @@ void bolan_terrain_elevations(const bolan_terrain *terrain, double west, double 
                               uint32_t ny, float *out);
 /// Where the data are: west, south, east, north [m], the lowest and highest elevation of the data [m], and their spacing [m]
 /// (the coarser of the two).
-typedef struct bolan_terrain_extent { double west, south, east, north, lowest, highest, step; } bolan_terrain_extent;
+typedef struct bolan_terrain_extent {
+    double west, south, east, north, lowest, highest, step;
+} bolan_terrain_extent;
 /// Of the data the terrain was made from. Thread-safe.
 bolan_terrain_extent bolan_terrain_get_extent(const bolan_terrain *terrain);
 /// A number made of everything the terrain was created from: equal for equal terrains, different for others (64-bit hash).

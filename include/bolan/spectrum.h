@@ -69,8 +69,8 @@ typedef struct bolan_sea_state {
     bolan_wave_system systems[BOLAN_MAX_WAVE_SYSTEMS];
     const bolan_measured_spectrum *measured; ///< NULL, or a spectrum that is added to the systems; not owned, must live
                                              ///< until the sea was created
-    double depth;      ///< water depth for dispersion and TMA [m], 0.1..BOLAN_DEEP; default BOLAN_DEEP
-    double wind_speed; ///< U10 [m/s], 0..70: short waves, foam
+    double depth;         ///< water depth for dispersion and TMA [m], 0.1..BOLAN_DEEP; default BOLAN_DEEP
+    double wind_speed;    ///< U10 [m/s], 0..70: short waves, foam
     double wind_from_deg; ///< compass degrees the wind comes FROM, -360..360
 } bolan_sea_state;
 
@@ -148,8 +148,8 @@ typedef struct bolan_beaufort_row {
 } bolan_beaufort_row;
 extern const bolan_douglas_row bolan_douglas_table[10];   ///< WMO code 3700; a bound belongs to the lower class
 extern const bolan_beaufort_row bolan_beaufort_table[13]; ///< WMO; probable wave height
-int bolan_douglas_from_hs(double hs);              ///< 0..9
-int bolan_beaufort_from_wind(double wind_speed);   ///< 0..12
+int bolan_douglas_from_hs(double hs);                     ///< 0..9
+int bolan_beaufort_from_wind(double wind_speed);          ///< 0..12
 
 // ---- measured spectra -----------------------------------------------------------------------------------------------
 
@@ -171,17 +171,17 @@ int bolan_beaufort_from_wind(double wind_speed);   ///< 0..12
 /// read; directions may be in any order, also a sector of the circle. Limits: 2..1000 frequencies of 1e-5..100 Hz,
 /// 3..720 directions. Numbers are read independently of the locale; "nan" and "inf" are refused.
 typedef struct bolan_spectrum_text {
-    const char *name;  ///< for messages: the file name
-    const char *data;  ///< text, need not end in NUL
-    size_t size;       ///< bytes
+    const char *name; ///< for messages: the file name
+    const char *data; ///< text, need not end in NUL
+    size_t size;      ///< bytes
 } bolan_spectrum_text;
 
 /// The texts of one measurement.
 typedef struct bolan_spectrum_texts {
-    bolan_spectrum_text density;              ///< SWAN, NDBC history, or NDBC real-time .data_spec
+    bolan_spectrum_text density;                   ///< SWAN, NDBC history, or NDBC real-time .data_spec
     bolan_spectrum_text swdir, swdir2, swr1, swr2; ///< NDBC directional companions; data NULL where absent
-    double from_deg;  ///< direction FROM [deg] for a spectrum without directions (NDBC history), -360..360; default 270
-    double spread_s;  ///< its cos-2s exponent, 0..200; default 10
+    double from_deg; ///< direction FROM [deg] for a spectrum without directions (NDBC history), -360..360; default 270
+    double spread_s; ///< its cos-2s exponent, 0..200; default 10
 } bolan_spectrum_texts;
 
 /// No text, and the defaults named beside the fields.

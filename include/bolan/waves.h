@@ -95,19 +95,19 @@ const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
 /// u = x cos(angle) + y sin(angle), v = -x sin(angle) + y cos(angle).
 typedef struct bolan_cascade_view {
     uint32_t n;
-    double length;       ///< side of the tile [m]
-    double angle;        ///< rotation of the tile against the world, counter-clockwise [rad]
-    double k_min, k_max; ///< ring of wave numbers [rad/m]: k_min <= |k| < k_max
-    double variance;     ///< expected variance of the height, the discrete sum over the ring [m2]
-    double mss;          ///< expected slope variance of the ring
-    const float *height;                  ///< eta [m]
-    const float *dx, *dy;                 ///< D, world east and north [m]
-    const float *slope_x, *slope_y;       ///< grad eta
-    const float *dxx, *dyy, *dxy;         ///< dDx/dx, dDy/dy, dDx/dy (= dDy/dx)
-    const float *foam;                    ///< foam memory: recent peak of -(dxx + dyy) * choppiness, decaying; >= 0
-    const uint16_t *displacement_half;    ///< n*n*4 halfs: dx, dy, eta, dxy: ready to upload as RGBA16F
-    const uint16_t *slope_half;           ///< n*n*4 halfs: slope_x, slope_y, dxx, dyy
-    const uint16_t *foam_half;            ///< n*n halfs: foam
+    double length;                     ///< side of the tile [m]
+    double angle;                      ///< rotation of the tile against the world, counter-clockwise [rad]
+    double k_min, k_max;               ///< ring of wave numbers [rad/m]: k_min <= |k| < k_max
+    double variance;                   ///< expected variance of the height, the discrete sum over the ring [m2]
+    double mss;                        ///< expected slope variance of the ring
+    const float *height;               ///< eta [m]
+    const float *dx, *dy;              ///< D, world east and north [m]
+    const float *slope_x, *slope_y;    ///< grad eta
+    const float *dxx, *dyy, *dxy;      ///< dDx/dx, dDy/dy, dDx/dy (= dDy/dx)
+    const float *foam;                 ///< foam memory: recent peak of -(dxx + dyy) * choppiness, decaying; >= 0
+    const uint16_t *displacement_half; ///< n*n*4 halfs: dx, dy, eta, dxy: ready to upload as RGBA16F
+    const uint16_t *slope_half;        ///< n*n*4 halfs: slope_x, slope_y, dxx, dyy
+    const uint16_t *foam_half;         ///< n*n halfs: foam
 } bolan_cascade_view;
 /// 1..BOLAN_MAX_CASCADES.
 uint32_t bolan_sea_cascade_count(const bolan_sea *sea);
@@ -140,10 +140,10 @@ void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal
 /// @p out: xx, xy, yy. Thread-safe. Source: Bruneton, Neyret & Holzschuch 2010, section 4.
 void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double minor, double angle, float out[3]);
 
-#define BOLAN_SLOPE_TABLE_MAJOR 24  ///< log2(major): texel i is major = 2^(i/1.5 - 8) m, from 4 mm to 120 m..
-                                    ///< 2^(23/1.5-8)
-#define BOLAN_SLOPE_TABLE_ASPECT 8  ///< minor/major: texel j is 2^-j
-#define BOLAN_SLOPE_TABLE_ANGLE 8   ///< texel l is angle = l pi / 8, periodic
+/// Texels along log2(major): texel i is major = 2^(i/1.5 - 8) m, from 4 mm to 2^(23/1.5 - 8) = 160 m.
+#define BOLAN_SLOPE_TABLE_MAJOR 24
+#define BOLAN_SLOPE_TABLE_ASPECT 8 ///< minor/major: texel j is 2^-j
+#define BOLAN_SLOPE_TABLE_ANGLE 8  ///< texel l is angle = l pi / 8, periodic
 /// The function above as a table to sample with linear filtering: out[((l * ASPECT) + j) * MAJOR + i][4] = xx, xy,
 /// yy, 0. Computed at creation. Valid while the sea lives.
 const float *bolan_sea_slope_table(const bolan_sea *sea);
@@ -155,14 +155,14 @@ double bolan_sea_foam_threshold(const bolan_sea *sea);
 /// Statistics of the fields at the present time: the JSON keys of `bolan measure`. Variances and means are exact
 /// averages over the tiles, which are independent; what depends on all cascades at once is taken at n x n points.
 typedef struct bolan_sea_statistics {
-    double hs;                       ///< 4 sqrt(variance of the field) [m]
-    double tp, tm02, te;             ///< of the discrete spectrum that is synthesised [s]
-    double direction_from, spread;   ///< from the realised amplitudes [deg]
-    double mss, mss_up, mss_cross;   ///< slope variance; up- and crosswind parts (of the mean direction when calm)
-    double skewness, kurtosis;       ///< of the height at fixed world points (choppiness matters)
+    double hs;                     ///< 4 sqrt(variance of the field) [m]
+    double tp, tm02, te;           ///< of the discrete spectrum that is synthesised [s]
+    double direction_from, spread; ///< from the realised amplitudes [deg]
+    double mss, mss_up, mss_cross; ///< slope variance; up- and crosswind parts (of the mean direction when calm)
+    double skewness, kurtosis;     ///< of the height at fixed world points (choppiness matters)
     double jacobian_min, jacobian_mean;
-    double whitecap_fraction;        ///< area fraction with Jacobian below the foam threshold
-    double m0_spectrum, m0_field;    ///< [m2]
+    double whitecap_fraction;     ///< area fraction with Jacobian below the foam threshold
+    double m0_spectrum, m0_field; ///< [m2]
 } bolan_sea_statistics;
 /// Measures every field of every cascade; as slow as several steps. Thread-safe between steps.
 bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea);

@@ -15,17 +15,17 @@ enum {
     FFT_MIN = 32,
     FFT_MAX = 1024,
     FFT_STAGES = 4,
-    FFT_LANES = 16,               // transforms done side by side: a strip
-    FFT_ROW = 2 * FFT_LANES,      // floats in a row of a strip: 16 real parts, then 16 imaginary parts
+    FFT_LANES = 16,          // transforms done side by side: a strip
+    FFT_ROW = 2 * FFT_LANES, // floats in a row of a strip: 16 real parts, then 16 imaginary parts
 };
 
 typedef struct fft_plan {
     uint32_t n;
     uint32_t stages;
-    uint32_t radix[FFT_STAGES];          // the last is 8
-    const float *twiddle[FFT_STAGES];    // [m / r][r - 1][2]: e^{2 pi i j q / m} for q = 1 .. r - 1; none for the last
-    uint16_t order[FFT_MAX];             // output y is in row order[y]
-    float *memory;                       // of the twiddles
+    uint32_t radix[FFT_STAGES];       // the last is 8
+    const float *twiddle[FFT_STAGES]; // [m / r][r - 1][2]: e^{2 pi i j q / m} for q = 1 .. r - 1; none for the last
+    uint16_t order[FFT_MAX];          // output y is in row order[y]
+    float *memory;                    // of the twiddles
     size_t bytes;
 } fft_plan;
 

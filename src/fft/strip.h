@@ -12,7 +12,9 @@
 #include "fft/plan.h"
 #include "fft/wide.h"
 
-typedef struct pair { wide re, im; } pair; // complex lanes
+typedef struct pair {
+    wide re, im;
+} pair; // complex lanes
 
 static inline pair pair_add(pair a, pair b) { return (pair){a.re + b.re, a.im + b.im}; }
 static inline pair pair_sub(pair a, pair b) { return (pair){a.re - b.re, a.im - b.im}; }
@@ -59,28 +61,28 @@ static inline void butterfly8(const pair a[8], pair out[8]) {
 
 // One stage of radix r over all blocks of m rows, from `in` to `rows` (which may be the same). `w` is NULL for the last
 // stage (m == r). With `factor`, row i of the input counts factor[i] times.
-#define FFT_STAGE(r)                                                                                                   \
-    static inline __attribute__((always_inline)) void stage##r(const float *in, const float *factor, float *rows,      \
-                                                               uint32_t n, uint32_t m, const float *w) {               \
-        const uint32_t q = m / r;                                                                                      \
-        for (uint32_t block = 0; block < n; block += m) {                                                              \
-            for (uint32_t j = 0; j < q; j++) {                                                                         \
-                for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {                                              \
-                    const size_t at = (size_t)(block + j) * FFT_ROW + lane;                                            \
-                    pair a[r], b[r];                                                                                   \
-                    for (uint32_t i = 0; i < r; i++) {                                                                 \
-                        a[i] = pair_load(in + at + (size_t)i * q * FFT_ROW);                                           \
-                        if (factor) a[i] = pair_scale(a[i], factor[block + j + i * q]);                                \
-                    }                                                                                                  \
-                    butterfly##r(a, b);                                                                                \
-                    pair_store(rows + at, b[0]);                                                                       \
-                    for (uint32_t i = 1; i < r; i++) {                                                                 \
-                        const pair t = w ? pair_turn(b[i], w + 2 * ((size_t)j * (r - 1) + i - 1)) : b[i];              \
-                        pair_store(rows + at + (size_t)i * q * FFT_ROW, t);                                            \
-                    }                                                                                                  \
-                }                                                                                                      \
-            }                                                                                                          \
-        }                                                                                                              \
+#define FFT_STAGE(r)                                                                                              \
+    static inline __attribute__((always_inline)) void stage##r(const float *in, const float *factor, float *rows, \
+                                                               uint32_t n, uint32_t m, const float *w) {          \
+        const uint32_t q = m / r;                                                                                 \
+        for (uint32_t block = 0; block < n; block += m) {                                                         \
+            for (uint32_t j = 0; j < q; j++) {                                                                    \
+                for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {                                         \
+                    const size_t at = (size_t)(block + j) * FFT_ROW + lane;                                       \
+                    pair a[r], b[r];                                                                              \
+                    for (uint32_t i = 0; i < r; i++) {                                                            \
+                        a[i] = pair_load(in + at + (size_t)i * q * FFT_ROW);                                      \
+                        if (factor) a[i] = pair_scale(a[i], factor[block + j + i * q]);                           \
+                    }                                                                                             \
+                    butterfly##r(a, b);                                                                           \
+                    pair_store(rows + at, b[0]);                                                                  \
+                    for (uint32_t i = 1; i < r; i++) {                                                            \
+                        const pair t = w ? pair_turn(b[i], w + 2 * ((size_t)j * (r - 1) + i - 1)) : b[i];         \
+                        pair_store(rows + at + (size_t)i * q * FFT_ROW, t);                                       \
+                    }                                                                                             \
+                }                                                                                                 \
+            }                                                                                                     \
+        }                                                                                                         \
     }
 FFT_STAGE(4)
 FFT_STAGE(8)

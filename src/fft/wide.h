@@ -27,11 +27,17 @@ static inline wide wide_load(const float *p) { return *(const wide *)p; }
 static inline void wide_store(float *p, wide v) { *(wide *)p = v; }
 
 static inline wide_int wide_bits(wide v) {
-    union { wide f; wide_int i; } u = {.f = v};
+    union {
+        wide f;
+        wide_int i;
+    } u = {.f = v};
     return u.i;
 }
 static inline wide wide_from_bits(wide_int v) {
-    union { wide_int i; wide f; } u = {.i = v};
+    union {
+        wide_int i;
+        wide f;
+    } u = {.i = v};
     return u.f;
 }
 static inline wide_int wide_to_int(wide v) {

@@ -41,12 +41,15 @@ static float cell_walls(float x, float y, int cells, uint32_t salt) {
     float nearest = 9.0f, second = 9.0f;
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
-            uint32_t cx = (uint32_t)(ix + i + cells) % (uint32_t)cells, cy = (uint32_t)(iy + j + cells) % (uint32_t)cells;
+            uint32_t cx = (uint32_t)(ix + i + cells) % (uint32_t)cells,
+                     cy = (uint32_t)(iy + j + cells) % (uint32_t)cells;
             uint32_t h = hash(cx, cy, salt);
             float dx = (float)(ix + i) + unit(h) - x, dy = (float)(iy + j) + unit(hash(h, cx, salt)) - y;
             float d = sqrtf(dx * dx + dy * dy);
-            if (d < nearest) second = nearest, nearest = d;
-            else if (d < second) second = d;
+            if (d < nearest)
+                second = nearest, nearest = d;
+            else if (d < second)
+                second = d;
         }
     return 1.0f - fminf(1.0f, (second - nearest) * 1.6f);
 }

@@ -15,7 +15,8 @@ static double near_plane(double height, bool clip_control) {
 
 static bolan_vec3 sun_direction(const bolan_sky *sky) {
     double azimuth = bolan_radians(sky->sun_azimuth_deg), elevation = bolan_radians(sky->sun_elevation_deg);
-    return bolan_v3((float)(sin(azimuth) * cos(elevation)), (float)(cos(azimuth) * cos(elevation)), (float)sin(elevation));
+    return bolan_v3((float)(sin(azimuth) * cos(elevation)), (float)(cos(azimuth) * cos(elevation)),
+                    (float)sin(elevation));
 }
 
 static bolan_vec4 with_w(bolan_vec3 v, float w) { return (bolan_vec4){v.x, v.y, v.z, w}; }
@@ -58,7 +59,8 @@ static void fill_scene(frame *f) {
                           (float)s->water.level};
     u->sun = with_w(f->sun_direction, 0.99998919f); // cos 0.2664 deg
     u->sky_light.w = (float)fmod(f->time, 3600.0);
-    u->wind = (bolan_vec4){(float)cos(wind_to), (float)sin(wind_to), (float)state->wind_speed, (float)s->sky.cloud_cover};
+    u->wind =
+        (bolan_vec4){(float)cos(wind_to), (float)sin(wind_to), (float)state->wind_speed, (float)s->sky.cloud_cover};
     u->haze = (bolan_vec4){(float)s->sky.visibility, (float)s->sky.cloud_base, reduced(f->eye.x, 131072.0),
                            reduced(f->eye.y, 131072.0)};
     fill_water(u, &s->water);
@@ -70,8 +72,12 @@ static bolan_vec2 sample_shift(uint32_t i) {
     return (bolan_vec2){(float)(x < 0.5 ? x : x - 1.0), (float)(y < 0.5 ? y : y - 1.0)};
 }
 
-static void begin_part(bolan_renderer *r, frame_part part) { gl_timer_begin(&r->timers[part], r->measure && !r->caps.timers); }
-static void end_part(bolan_renderer *r, frame_part part) { gl_timer_end(&r->timers[part], r->measure && !r->caps.timers); }
+static void begin_part(bolan_renderer *r, frame_part part) {
+    gl_timer_begin(&r->timers[part], r->measure && !r->caps.timers);
+}
+static void end_part(bolan_renderer *r, frame_part part) {
+    gl_timer_end(&r->timers[part], r->measure && !r->caps.timers);
+}
 
 static void upload_uniforms(bolan_renderer *r, const frame *f) {
     gl_buffer_update(&r->uniforms, 0, sizeof f->uniforms, &f->uniforms);

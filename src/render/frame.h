@@ -16,30 +16,30 @@
 
 // Texture units are fixed, one meaning each, so that no pass binds over another's. Shaders name them by `#pragma unit`.
 enum {
-    UNIT_TRANSMITTANCE = 0,  // 2D  RGBA16F  atmosphere transmittance, see common/atmosphere.glsl
-    UNIT_SKY_VIEW = 1,       // 2D  RGBA16F  sky radiance round the eye
-    UNIT_ENVIRONMENT = 2,    // 2D  RGBA16F  upper hemisphere with clouds, mip-mapped by roughness
-    UNIT_SCENE_COLOR = 3,    // 2D  what lies behind the water
-    UNIT_SCENE_DEPTH = 4,    // 2D  its reversed-Z depth
-    UNIT_SHORE = 5,          // 2D array R16F  elevation around the eye, nested levels
-    UNIT_SLOPE_TABLE = 6,    // 3D  unresolved slope covariance
-    UNIT_FOAM_DETAIL = 7,    // 2D  tiled foam structure
-    UNIT_DISPLACEMENT = 8,   // 2D array RGBA16F, a layer per cascade
-    UNIT_SLOPES = 9,         // 2D array RGBA16F
-    UNIT_FOLD = 10,          // 2D array RG16F: dxy, foam memory
-    UNIT_TERRAIN = 11,       // terrain pass's own
-    UNIT_TERRAIN2 = 12,      // terrain pass's own
-    UNIT_CLOUDS = 13,        // sky pass's own: cloud panorama
-    UNIT_AERIAL = 14,        // 3D aerial perspective, if used
-    UNIT_PASS = 15,          // free for a pass's input (tone map source, ...)
+    UNIT_TRANSMITTANCE = 0, // 2D  RGBA16F  atmosphere transmittance, see common/atmosphere.glsl
+    UNIT_SKY_VIEW = 1,      // 2D  RGBA16F  sky radiance round the eye
+    UNIT_ENVIRONMENT = 2,   // 2D  RGBA16F  upper hemisphere with clouds, mip-mapped by roughness
+    UNIT_SCENE_COLOR = 3,   // 2D  what lies behind the water
+    UNIT_SCENE_DEPTH = 4,   // 2D  its reversed-Z depth
+    UNIT_SHORE = 5,         // 2D array R16F  elevation around the eye, nested levels
+    UNIT_SLOPE_TABLE = 6,   // 3D  unresolved slope covariance
+    UNIT_FOAM_DETAIL = 7,   // 2D  tiled foam structure
+    UNIT_DISPLACEMENT = 8,  // 2D array RGBA16F, a layer per cascade
+    UNIT_SLOPES = 9,        // 2D array RGBA16F
+    UNIT_FOLD = 10,         // 2D array RG16F: dxy, foam memory
+    UNIT_TERRAIN = 11,      // terrain pass's own
+    UNIT_TERRAIN2 = 12,     // terrain pass's own
+    UNIT_CLOUDS = 13,       // sky pass's own: cloud panorama
+    UNIT_AERIAL = 14,       // 3D aerial perspective, if used
+    UNIT_PASS = 15,         // free for a pass's input (tone map source, ...)
 };
 
 // The uniform block `Frame` of shaders/common/frame.glsl: std140, keep in step.
 typedef struct frame_uniforms {
-    bolan_mat4 view_projection;          // eye-relative world -> clip
-    bolan_mat4 inverse_view_projection;  // clip -> eye-relative world
-    bolan_vec4 eye;        // x, y: eye position modulo 4096 m (for noise), z: height above mean water [m], w: water level [m]
-    bolan_vec4 sun;        // direction to the sun; w: cosine of its angular radius
+    bolan_mat4 view_projection;         // eye-relative world -> clip
+    bolan_mat4 inverse_view_projection; // clip -> eye-relative world
+    bolan_vec4 eye; // x, y: eye position modulo 4096 m (for noise), z: height above mean water [m], w: water level [m]
+    bolan_vec4 sun; // direction to the sun; w: cosine of its angular radius
     bolan_vec4 sun_light;  // solar irradiance at the eye's height after the atmosphere (rgb); w: exposure factor
     bolan_vec4 sky_light;  // irradiance of the sky on a horizontal surface (rgb); w: time [s]
     bolan_vec4 viewport;   // width, height, 1/width, 1/height [px]
@@ -50,8 +50,9 @@ typedef struct frame_uniforms {
     bolan_vec4 water_kd;   // Kd rgb; w: foam strength
     bolan_vec4 water_bb;   // backscatter rgb; w: spare
     bolan_vec4 water_a;    // absorption rgb; w: spare
-    bolan_vec4 air;        // set by pass_sky_prepare. x: unit of every radiance (true radiance = stored / x), y: 1 when the eye is
-                           // above the clouds, z, w: eye from the cloud maps' centre [m]
+    bolan_vec4
+        air; // set by pass_sky_prepare. x: unit of every radiance (true radiance = stored / x), y: 1 when the eye is
+             // above the clouds, z, w: eye from the cloud maps' centre [m]
 } frame_uniforms;
 
 typedef struct frame {
@@ -60,26 +61,27 @@ typedef struct frame {
     const gl_caps *caps;
     bolan_quality quality;
     double time;
-    bolan_dvec3 eye;        // world, z above the datum
+    bolan_dvec3 eye; // world, z above the datum
     bolan_mat4 view, projection;
     frame_uniforms uniforms;
     bolan_vec3 sun_direction;
-    gl_target hdr;          // RGBA16F colour + depth
+    gl_target hdr; // RGBA16F colour + depth
     const gl_texture *hdr_depth;
-    const struct shore_map *shore; // set by pass_terrain_prepare's caller
+    const struct shore_map *shore;       // set by pass_terrain_prepare's caller
     uint32_t triangles, water_triangles; // counted by the passes
 } frame;
 
 // Every pass: create once, draw per frame, free. prepare() may run before targets are bound and fills textures it owns.
-typedef struct pass_sky pass_sky;       // atmosphere tables, sky, clouds, environment map; sets sun_light, sky_light
+typedef struct pass_sky pass_sky;         // atmosphere tables, sky, clouds, environment map; sets sun_light, sky_light
 typedef struct pass_terrain pass_terrain; // land and sea bed; the shore map
 typedef struct pass_water pass_water;
 typedef struct pass_tonemap pass_tonemap;
 
 bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out);
-void pass_sky_prepare(pass_sky *p, frame *f); // tables (when stale), sun_light, sky_light, exposure; binds its units
+void pass_sky_prepare(pass_sky *p, frame *f);    // tables (when stale), sun_light, sky_light, exposure; binds its units
 void pass_sky_draw(pass_sky *p, const frame *f); // where depth is 0 (nothing drawn)
-void pass_sky_draw_over(pass_sky *p, const frame *f); // after the water: clouds below a high eye; reads UNIT_SCENE_DEPTH
+void pass_sky_draw_over(pass_sky *p,
+                        const frame *f); // after the water: clouds below a high eye; reads UNIT_SCENE_DEPTH
 bolan_result pass_sky_reload(pass_sky *p);
 void pass_sky_destroy(pass_sky **p);
 
@@ -96,7 +98,8 @@ bolan_result pass_water_reload(pass_water *p);
 void pass_water_destroy(pass_water **p);
 
 bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);
-void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample, uint32_t samples); // into the bound target
+void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample,
+                       uint32_t samples); // into the bound target
 bolan_result pass_tonemap_reload(pass_tonemap *p);
 void pass_tonemap_destroy(pass_tonemap **p);
 
@@ -104,8 +107,13 @@ void pass_tonemap_destroy(pass_tonemap **p);
 // eye, each twice.. four times as wide as the one before. Level l covers the square from (west, south), eye-relative, of side `size`.
 #define SHORE_LEVELS 4
 #define SHORE_SIZE 256
-typedef struct shore_map { gl_texture texture; float level[SHORE_LEVELS][4]; bool present; } shore_map; // level: west, south, size, texel (eye-relative [m])
-const shore_map *pass_terrain_shore(const pass_terrain *p); // uniforms "shore_level[SHORE_LEVELS]" and "shore_present": see common/shore.glsl
+typedef struct shore_map {
+    gl_texture texture;
+    float level[SHORE_LEVELS][4];
+    bool present;
+} shore_map; // level: west, south, size, texel (eye-relative [m])
+const shore_map *pass_terrain_shore(
+    const pass_terrain *p); // uniforms "shore_level[SHORE_LEVELS]" and "shore_present": see common/shore.glsl
 void shore_map_apply(const shore_map *s, const gl_program *program); // sets them
 
 #endif

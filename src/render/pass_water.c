@@ -13,7 +13,7 @@
 struct pass_water {
     const gl_caps *caps;
     bolan_surface_desc surface;
-    gl_program open, land; // without and with terrain
+    gl_program open, land;                 // without and with terrain
     gl_texture displacement, slopes, fold; // arrays, a layer per cascade
     gl_texture slope_table, foam_detail;
     gl_buffer vertices, indices;
@@ -22,12 +22,16 @@ struct pass_water {
     uint32_t *cpu_indices;
     uint16_t *cpu_fold;
     size_t cpu_fold_bytes;
-    uint32_t taps; // most look-ups along a footprint
-    bolan_surface_size size; // of the indices in the buffer
+    uint32_t taps;               // most look-ups along a footprint
+    bolan_surface_size size;     // of the indices in the buffer
     double vertical, horizontal; // bounds of the displacement [m]
 };
 
-static const struct { double pixels_per_vertex; uint32_t max_vertices, taps; const char *defines; } quality_table[] = {
+static const struct {
+    double pixels_per_vertex;
+    uint32_t max_vertices, taps;
+    const char *defines;
+} quality_table[] = {
     [BOLAN_QUALITY_LOW] = {8.0, 40000, 1, "TAPS 1\nRAYS 1\n"},
     [BOLAN_QUALITY_MEDIUM] = {5.0, 100000, 2, "TAPS 2\nRAYS 1\n"},
     [BOLAN_QUALITY_HIGH] = {3.0, 300000, 4, "TAPS 4\nRAYS 3\n"},
@@ -39,8 +43,11 @@ static bolan_result create_foam_detail(pass_water *p) {
     uint8_t *pixels = bolan_allocate(bytes);
     if (pixels == NULL) return BOLAN_ERROR_MEMORY;
     bolan_result result = foam_texture_fill(pixels);
-    gl_texture_desc desc = {.format = GL_FMT_RGBA8, .width = FOAM_TEXTURE_SIZE, .height = FOAM_TEXTURE_SIZE,
-                            .filter = GL_FILTER_MIPMAP, .wrap = GL_WRAP_REPEAT};
+    gl_texture_desc desc = {.format = GL_FMT_RGBA8,
+                            .width = FOAM_TEXTURE_SIZE,
+                            .height = FOAM_TEXTURE_SIZE,
+                            .filter = GL_FILTER_MIPMAP,
+                            .wrap = GL_WRAP_REPEAT};
     if (result == BOLAN_OK) result = gl_texture_create(&desc, &p->foam_detail);
     if (result == BOLAN_OK) {
         gl_texture_upload(&p->foam_detail, 0, -1, pixels, false);
@@ -78,8 +85,12 @@ bolan_result pass_water_create(const gl_caps *caps, bolan_quality quality, pass_
     if (result == BOLAN_OK) result = gl_program_create("water", with_land, &p->land);
     if (result == BOLAN_OK) result = create_foam_detail(p);
     if (result == BOLAN_OK) result = create_mesh(p);
-    gl_texture_desc table = {.format = GL_FMT_RGBA16F, .width = BOLAN_SLOPE_TABLE_MAJOR, .height = BOLAN_SLOPE_TABLE_ASPECT,
-                             .depth = SLOPE_ANGLES, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
+    gl_texture_desc table = {.format = GL_FMT_RGBA16F,
+                             .width = BOLAN_SLOPE_TABLE_MAJOR,
+                             .height = BOLAN_SLOPE_TABLE_ASPECT,
+                             .depth = SLOPE_ANGLES,
+                             .filter = GL_FILTER_LINEAR,
+                             .wrap = GL_WRAP_CLAMP};
     if (result == BOLAN_OK) result = gl_texture_create(&table, &p->slope_table);
     if (result != BOLAN_OK) {
         pass_water_destroy(&p);
@@ -120,8 +131,13 @@ static void fit_textures(pass_water *p, uint32_t n, uint32_t count) {
     gl_texture_free(&p->displacement);
     gl_texture_free(&p->slopes);
     gl_texture_free(&p->fold);
-    gl_texture_desc desc = {.format = GL_FMT_RGBA16F, .width = n, .height = n, .depth = count, .array = true,
-                            .filter = GL_FILTER_MIPMAP, .wrap = GL_WRAP_REPEAT};
+    gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
+                            .width = n,
+                            .height = n,
+                            .depth = count,
+                            .array = true,
+                            .filter = GL_FILTER_MIPMAP,
+                            .wrap = GL_WRAP_REPEAT};
     gl_texture_create(&desc, &p->displacement);
     gl_texture_create(&desc, &p->slopes);
     desc.format = GL_FMT_RG16F;
@@ -165,9 +181,13 @@ static void upload_slope_table(pass_water *p, const bolan_sea *sea) {
 
 static void build_surface(pass_water *p, frame *f) {
     const bolan_camera *camera = &f->scene->camera;
-    bolan_surface_view view = {.eye = f->eye, .heading_deg = camera->heading_deg, .pitch_deg = camera->pitch_deg,
-                               .roll_deg = camera->roll_deg, .fov_y = bolan_radians(camera->fov_deg),
-                               .aspect = (double)f->desc->width / f->desc->height, .pixel_height = f->desc->height,
+    bolan_surface_view view = {.eye = f->eye,
+                               .heading_deg = camera->heading_deg,
+                               .pitch_deg = camera->pitch_deg,
+                               .roll_deg = camera->roll_deg,
+                               .fov_y = bolan_radians(camera->fov_deg),
+                               .aspect = (double)f->desc->width / f->desc->height,
+                               .pixel_height = f->desc->height,
                                .water_level = f->scene->water.level};
     bolan_sea_bounds(f->desc->sea, &view.vertical, &view.horizontal);
     p->vertical = view.vertical;
@@ -220,8 +240,10 @@ static double normal_quantile(double p) {
     double low = -8.0, high = 8.0;
     for (int i = 0; i < 50; ++i) {
         double middle = 0.5 * (low + high);
-        if (0.5 * erfc(-middle * 0.70710678118654752) < p) low = middle;
-        else high = middle;
+        if (0.5 * erfc(-middle * 0.70710678118654752) < p)
+            low = middle;
+        else
+            high = middle;
     }
     return 0.5 * (low + high);
 }
@@ -242,9 +264,9 @@ static void foam_moments(const bolan_sea *sea, double *mean, double *variance) {
     }
 }
 
-#define FOAM_EDGE 0.12      // of shaders/water.glsl: how widely a breaking patch's edge is drawn, in Jacobian
-#define OLD_EDGE 0.1        // likewise for old foam, as a share of the memory's variance
-#define OLD_FOAM_SHARE 2.0  // decaying foam covers about twice what the breaking crests do
+#define FOAM_EDGE 0.12     // of shaders/water.glsl: how widely a breaking patch's edge is drawn, in Jacobian
+#define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
+#define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
 
 static void set_foam(const gl_program *g, const frame *f) {
     const bolan_sea *sea = f->desc->sea;
@@ -263,9 +285,11 @@ static void set_foam(const gl_program *g, const frame *f) {
     float rest[3];
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
     bolan_sea_summary summary = bolan_sea_state_summary(&desc->sea_state);
-    gl_program_vec4(g, "foam_law", (bolan_vec4){(float)fmax(threshold, -1e30), rest[0] + rest[2], (float)(4.0 * sqrt(variance)),
-                                                (float)(summary.tp > 0.0 ? summary.tp : 8.0)});
-    gl_program_vec4(g, "foam_memory", (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread, 0.0f});
+    gl_program_vec4(g, "foam_law",
+                    (bolan_vec4){(float)fmax(threshold, -1e30), rest[0] + rest[2], (float)(4.0 * sqrt(variance)),
+                                 (float)(summary.tp > 0.0 ? summary.tp : 8.0)});
+    gl_program_vec4(g, "foam_memory",
+                    (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread, 0.0f});
 }
 
 // The look-ups that the pixels of a row need: cascades [0, count), each with so many along the footprint.
@@ -282,7 +306,8 @@ static row_plan plan_row(const pass_water *p, const frame *f, uint32_t row) {
     double least = hypot(fmax(horizontal - p->horizontal, 0.0), fmax(height - p->vertical, 0.0)) * radians;
     double dist = hypot(horizontal, height), major = dist * radians / fmin(1.0, height / fmax(dist, 1e-6) + 0.02);
     row_plan plan = {.count = bolan_sea_cascade_count(f->desc->sea), .taps = {1, 1, 1, 1}};
-    while (plan.count > 1 && least > 0.6 * 2.0 * BOLAN_PI / bolan_sea_cascade(f->desc->sea, plan.count - 1).k_min) --plan.count;
+    while (plan.count > 1 && least > 0.6 * 2.0 * BOLAN_PI / bolan_sea_cascade(f->desc->sea, plan.count - 1).k_min)
+        --plan.count;
     for (uint32_t c = 0; c < plan.count; ++c) {
         bolan_cascade_view view = bolan_sea_cascade(f->desc->sea, c);
         while (plan.taps[c] < (int)p->taps && major / plan.taps[c] > view.length / view.n) plan.taps[c] *= 2;

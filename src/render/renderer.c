@@ -8,7 +8,9 @@
 
 bolan_renderer_desc bolan_renderer_desc_default(void) { return (bolan_renderer_desc){.quality = BOLAN_QUALITY_MEDIUM}; }
 
-bolan_frame_desc bolan_frame_desc_default(void) { return (bolan_frame_desc){.width = 1280, .height = 720, .samples = 1}; }
+bolan_frame_desc bolan_frame_desc_default(void) {
+    return (bolan_frame_desc){.width = 1280, .height = 720, .samples = 1};
+}
 
 static bolan_result create_passes(bolan_renderer *r) {
     bolan_result result = pass_sky_create(&r->caps, &r->sky);
@@ -27,8 +29,8 @@ bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_render
         return BOLAN_ERROR_GL;
     }
     if ((int)desc->quality < BOLAN_QUALITY_LOW || desc->quality > BOLAN_QUALITY_ULTRA) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "renderer: quality %d is not one of low, medium, high, ultra",
-                  (int)desc->quality);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
+                  "renderer: quality %d is not one of low, medium, high, ultra", (int)desc->quality);
         return BOLAN_ERROR_ARGUMENT;
     }
     bolan_renderer *r = bolan_allocate(sizeof *r);
@@ -88,9 +90,15 @@ bolan_result bolan_renderer_reload(bolan_renderer *r) {
     return BOLAN_OK;
 }
 
-static bolan_result create_target(gl_texture *color, gl_texture *depth, gl_target *target, uint32_t width, uint32_t height) {
-    gl_texture_desc c = {.format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
-    gl_texture_desc d = {.format = GL_FMT_DEPTH32F, .width = width, .height = height, .filter = GL_FILTER_NEAREST, .wrap = GL_WRAP_CLAMP};
+static bolan_result create_target(gl_texture *color, gl_texture *depth, gl_target *target, uint32_t width,
+                                  uint32_t height) {
+    gl_texture_desc c = {
+        .format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
+    gl_texture_desc d = {.format = GL_FMT_DEPTH32F,
+                         .width = width,
+                         .height = height,
+                         .filter = GL_FILTER_NEAREST,
+                         .wrap = GL_WRAP_CLAMP};
     bolan_result result = gl_texture_create(&c, color);
     if (result == BOLAN_OK) result = gl_texture_create(&d, depth);
     const gl_texture *colors[] = {color};
@@ -157,7 +165,8 @@ double bolan_renderer_yardstick(bolan_renderer *r, uint32_t width, uint32_t heig
     gl_save(r->saved);
     double elapsed = 0.0;
     gl_texture image = {0};
-    gl_texture_desc desc = {.format = GL_FMT_RGBA16F, .width = 256, .height = 256, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_REPEAT};
+    gl_texture_desc desc = {
+        .format = GL_FMT_RGBA16F, .width = 256, .height = 256, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_REPEAT};
     if (renderer_resize(r, width, height) == BOLAN_OK && gl_texture_create(&desc, &image) == BOLAN_OK) {
         gl_target_bind(&r->hdr);
         gl_set_state(&(gl_state){.color_write = true});
@@ -188,7 +197,8 @@ struct bolan_target {
 bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out) {
     bolan_target *t = bolan_allocate(sizeof *t);
     if (t == NULL) return BOLAN_ERROR_MEMORY;
-    gl_texture_desc desc = {.format = GL_FMT_RGBA8, .width = width, .height = height, .filter = GL_FILTER_NEAREST, .wrap = GL_WRAP_CLAMP};
+    gl_texture_desc desc = {
+        .format = GL_FMT_RGBA8, .width = width, .height = height, .filter = GL_FILTER_NEAREST, .wrap = GL_WRAP_CLAMP};
     bolan_result result = gl_texture_create(&desc, &t->color);
     const gl_texture *colors[] = {&t->color};
     if (result == BOLAN_OK) result = gl_target_create(colors, 1, NULL, -1, 0, &t->target);

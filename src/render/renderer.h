@@ -6,7 +6,16 @@
 #include "frame.h"
 
 // The timed parts of a frame, in order.
-typedef enum frame_part { PART_SKY_TABLES, PART_SEA, PART_TERRAIN, PART_SKY, PART_COPY, PART_WATER, PART_TONEMAP, PART_COUNT } frame_part;
+typedef enum frame_part {
+    PART_SKY_TABLES,
+    PART_SEA,
+    PART_TERRAIN,
+    PART_SKY,
+    PART_COPY,
+    PART_WATER,
+    PART_TONEMAP,
+    PART_COUNT
+} frame_part;
 extern const char *const frame_part_names[PART_COUNT];
 
 struct bolan_renderer {

@@ -77,13 +77,10 @@ bolan_water_optics bolan_water_optics_from_jerlov(bolan_jerlov type) {
 
 // ---- names ----------------------------------------------------------------------------------------------------------
 
-static char upper(char c) {
-    return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
-}
+static char upper(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
 
 static bool same_name(const char *a, const char *b) {
-    while (*a && upper(*a) == upper(*b))
-        a++, b++;
+    while (*a && upper(*a) == upper(*b)) a++, b++;
     return upper(*a) == upper(*b);
 }
 

@@ -17,16 +17,12 @@
 
 enum { BINS = DIRECTIONAL_BINS, MOMENTS = 4 };
 
-double directional_angle(uint32_t j) {
-    return 2.0 * BOLAN_PI * j / BINS;
-}
+double directional_angle(uint32_t j) { return 2.0 * BOLAN_PI * j / BINS; }
 
 static void normalize(double density[BINS]) {
     double sum = 0.0;
-    for (uint32_t j = 0; j < BINS; j++)
-        sum += density[j];
-    for (uint32_t j = 0; j < BINS; j++)
-        density[j] /= sum * (2.0 * BOLAN_PI / BINS);
+    for (uint32_t j = 0; j < BINS; j++) sum += density[j];
+    for (uint32_t j = 0; j < BINS; j++) density[j] /= sum * (2.0 * BOLAN_PI / BINS);
 }
 
 static void basis(uint32_t j, double phi[MOMENTS]) {
@@ -42,12 +38,9 @@ static double evaluate(double phi[BINS][MOMENTS], const double *l, const double 
         p[j] = l[0] * phi[j][0] + l[1] * phi[j][1] + l[2] * phi[j][2] + l[3] * phi[j][3];
         largest = fmax(largest, p[j]);
     }
-    for (uint32_t j = 0; j < BINS; j++)
-        z += p[j] = portable_exp(p[j] - largest);
-    for (uint32_t j = 0; j < BINS; j++)
-        p[j] /= z;
-    for (int a = 0; a < MOMENTS; a++)
-        dot += l[a] * m[a];
+    for (uint32_t j = 0; j < BINS; j++) z += p[j] = portable_exp(p[j] - largest);
+    for (uint32_t j = 0; j < BINS; j++) p[j] /= z;
+    for (int a = 0; a < MOMENTS; a++) dot += l[a] * m[a];
     return largest + portable_log(z) - dot;
 }
 
@@ -59,12 +52,10 @@ static double derivatives(double phi[BINS][MOMENTS], const double *p, const doub
     for (uint32_t j = 0; j < BINS; j++)
         for (int a = 0; a < MOMENTS; a++) {
             mean[a] += p[j] * phi[j][a];
-            for (int b = 0; b < MOMENTS; b++)
-                hessian[a][b] += p[j] * phi[j][a] * phi[j][b];
+            for (int b = 0; b < MOMENTS; b++) hessian[a][b] += p[j] * phi[j][a] * phi[j][b];
         }
     for (int a = 0; a < MOMENTS; a++) {
-        for (int b = 0; b < MOMENTS; b++)
-            hessian[a][b] -= mean[a] * mean[b];
+        for (int b = 0; b < MOMENTS; b++) hessian[a][b] -= mean[a] * mean[b];
         hessian[a][a] += 1e-12; // a sharp peak leaves the covariance singular
         gradient[a] = mean[a] - m[a];
         worst = fmax(worst, fabs(gradient[a]));
@@ -77,13 +68,11 @@ static void solve(double a[MOMENTS][MOMENTS], double x[MOMENTS]) {
     for (int i = 0; i < MOMENTS; i++)
         for (int r = i + 1; r < MOMENTS; r++) {
             const double f = a[r][i] / a[i][i];
-            for (int c = i; c < MOMENTS; c++)
-                a[r][c] -= f * a[i][c];
+            for (int c = i; c < MOMENTS; c++) a[r][c] -= f * a[i][c];
             x[r] -= f * x[i];
         }
     for (int i = MOMENTS - 1; i >= 0; i--) {
-        for (int c = i + 1; c < MOMENTS; c++)
-            x[i] -= a[i][c] * x[c];
+        for (int c = i + 1; c < MOMENTS; c++) x[i] -= a[i][c] * x[c];
         x[i] /= a[i][i];
     }
 }
@@ -91,16 +80,14 @@ static void solve(double a[MOMENTS][MOMENTS], double x[MOMENTS]) {
 // Newton with halved steps; false when the moments fit no distribution.
 static bool maximum_entropy(const double m[MOMENTS], double p[BINS]) {
     double phi[BINS][MOMENTS], l[MOMENTS] = {0};
-    for (uint32_t j = 0; j < BINS; j++)
-        basis(j, phi[j]);
+    for (uint32_t j = 0; j < BINS; j++) basis(j, phi[j]);
     double value = evaluate(phi, l, m, p);
     for (int iteration = 0; iteration < 60; iteration++) {
         double step[MOMENTS], hessian[MOMENTS][MOMENTS], trial[MOMENTS], trial_value = HUGE_VAL;
         if (derivatives(phi, p, m, step, hessian) < 1e-7) return true;
         solve(hessian, step);
         for (double size = 1.0; size > 1e-4 && !(trial_value <= value); size *= 0.5) {
-            for (int a = 0; a < MOMENTS; a++)
-                trial[a] = l[a] - size * step[a];
+            for (int a = 0; a < MOMENTS; a++) trial[a] = l[a] - size * step[a];
             trial_value = evaluate(phi, trial, m, p);
         }
         if (!(trial_value <= value)) return false;

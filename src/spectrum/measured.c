@@ -12,9 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static size_t grid_cells(uint32_t frequencies, uint32_t directions) {
-    return (size_t)frequencies * directions;
-}
+static size_t grid_cells(uint32_t frequencies, uint32_t directions) { return (size_t)frequencies * directions; }
 
 static size_t grid_bytes(const spectrum_grid *grid) {
     return sizeof(double) *
@@ -70,8 +68,7 @@ static double sort_directions(const spectrum_grid *grid, direction *directions) 
     }
     qsort(directions, count, sizeof *directions, by_angle);
     double smallest = HUGE_VAL;
-    for (uint32_t j = 0; j < count; j++)
-        smallest = fmin(smallest, gap_after(directions, count, j));
+    for (uint32_t j = 0; j < count; j++) smallest = fmin(smallest, gap_after(directions, count, j));
     for (uint32_t j = 0; j < count; j++) {
         const uint32_t next = (j + 1) % count;
         const double half = 0.5 * fmin(gap_after(directions, count, j), 2.0 * smallest);
@@ -103,8 +100,7 @@ static void spread_bin(const direction *bin, const double *column, uint32_t stri
 
 static void fill_directions(const spectrum_grid *grid, const direction *directions, bolan_measured_spectrum *m) {
     const bool regular = m->direction_count == grid->direction_count && is_regular(directions, m->direction_count);
-    for (uint32_t j = 0; j < m->direction_count; j++)
-        m->theta[j] = directions[0].to + j * m->direction_step;
+    for (uint32_t j = 0; j < m->direction_count; j++) m->theta[j] = directions[0].to + j * m->direction_step;
     for (uint32_t j = 0; j < grid->direction_count; j++) {
         const double *column = grid->energy + directions[j].column;
         if (!regular) spread_bin(&directions[j], column, grid->direction_count, m);
@@ -117,8 +113,7 @@ static void fill_directions(const spectrum_grid *grid, const direction *directio
 
 static double row_sum(const bolan_measured_spectrum *m, uint32_t row) {
     double sum = 0.0;
-    for (uint32_t j = 0; j < m->direction_count; j++)
-        sum += m->density[row * m->direction_count + j];
+    for (uint32_t j = 0; j < m->direction_count; j++) sum += m->density[row * m->direction_count + j];
     return sum;
 }
 
@@ -135,8 +130,7 @@ static void add_tail(bolan_measured_spectrum *m) {
         for (uint32_t j = 0; j < m->direction_count; j++)
             m->tail[j] += m->density[row * m->direction_count + j] * scale;
     }
-    for (uint32_t j = 0; j < m->direction_count && total > 0.0; j++)
-        m->tail[j] *= level / total;
+    for (uint32_t j = 0; j < m->direction_count && total > 0.0; j++) m->tail[j] *= level / total;
 }
 
 static bolan_measured_spectrum *allocate_measured(const spectrum_grid *grid, uint32_t directions) {
@@ -187,8 +181,7 @@ bolan_result spectrum_measured_build(const char *name, const spectrum_grid *grid
     bolan_measured_spectrum *m = allocate_measured(grid, count);
     if (!m) return BOLAN_ERROR_MEMORY;
     fill_directions(grid, directions, m);
-    for (uint32_t i = 0; i < m->frequency_count; i++)
-        m->omega[i] = 2.0 * BOLAN_PI * grid->hertz[i];
+    for (uint32_t i = 0; i < m->frequency_count; i++) m->omega[i] = 2.0 * BOLAN_PI * grid->hertz[i];
     for (size_t i = 0; i < grid_cells(m->frequency_count, m->direction_count); i++)
         m->density[i] /= 2.0 * BOLAN_PI; // S(w) dw = S(f) df
     add_tail(m);

@@ -55,8 +55,7 @@ static bolan_result open_table(const bolan_spectrum_text *text, ndbc_table *tabl
         return text_unexpected(&table->rows, NULL, "the header YYYY MM DD hh");
     text_cursor line = table->header;
     static const char *const names[2] = {"hh", "mm"};
-    while (text_next_word(&line, &word) && !text_equals(word, names[0]))
-        table->date_words++;
+    while (text_next_word(&line, &word) && !text_equals(word, names[0])) table->date_words++;
     table->date_words++;
     table->header = line; // the frequencies of the history layout begin here, or after mm
     if (text_next_word(&line, &word) && text_equals(word, names[1])) {
@@ -170,8 +169,7 @@ static bolan_result find_record(ndbc_table *table, uint32_t record, text_cursor 
     const bool newest_first = *count > 1 && compare_dates(&last, &first) < 0;
     const uint32_t row = newest_first ? *count - 1 - record : record;
     scan = *table;
-    for (uint32_t i = 0; i <= row; i++)
-        next_row(&scan, found);
+    for (uint32_t i = 0; i <= row; i++) next_row(&scan, found);
     line = *found;
     return read_date(table, &line, date);
 }
@@ -183,8 +181,7 @@ typedef enum companion { SWDIR, SWDIR2, SWR1, SWR2, COMPANIONS } companion;
 // The values of one companion at the density's frequencies; MISSING where there are none.
 static bolan_result read_companion(const bolan_spectrum_text *text, companion kind, const ndbc_date *date,
                                    const ndbc_row *density, ndbc_row *scratch, double *value) {
-    for (uint32_t i = 0; i < density->count; i++)
-        value[i] = MISSING;
+    for (uint32_t i = 0; i < density->count; i++) value[i] = MISSING;
     if (!text->data) return BOLAN_OK;
     ndbc_table table;
     text_cursor line;
@@ -200,8 +197,7 @@ static bolan_result read_companion(const bolan_spectrum_text *text, companion ki
     if (read_row(&table, line, scratch)) return BOLAN_ERROR_FORMAT;
     const bool is_ratio = kind == SWR1 || kind == SWR2;
     for (uint32_t i = 0, j = 0; i < density->count; i++) {
-        while (j < scratch->count && scratch->hertz[j] < density->hertz[i] - 6e-4)
-            j++;
+        while (j < scratch->count && scratch->hertz[j] < density->hertz[i] - 6e-4) j++;
         if (j == scratch->count || scratch->hertz[j] > density->hertz[i] + 6e-4 || scratch->value[j] == MISSING)
             continue;
         const double v = scratch->value[j] * (is_ratio && !table.pairs ? 0.01 : 1.0);
@@ -219,11 +215,9 @@ static bolan_result read_companion(const bolan_spectrum_text *text, companion ki
 // Bands without a direction take the one of the nearest lower band, or of the lowest that has one.
 static void fill_missing(double *swdir, uint32_t count, double from_deg) {
     uint32_t first = 0;
-    while (first < count && swdir[first] == MISSING)
-        first++;
+    while (first < count && swdir[first] == MISSING) first++;
     double previous = first < count ? swdir[first] : from_deg;
-    for (uint32_t i = 0; i < count; i++)
-        previous = swdir[i] = swdir[i] == MISSING ? previous : swdir[i];
+    for (uint32_t i = 0; i < count; i++) previous = swdir[i] = swdir[i] == MISSING ? previous : swdir[i];
 }
 
 typedef double companion_values[COMPANIONS][SPECTRUM_MAX_FREQUENCIES];
@@ -261,15 +255,13 @@ static bolan_result fill_grid(const ndbc_row *row, companion_values values, doub
     grid->frequency_count = row->count;
     grid->direction_count = DIRECTIONAL_BINS;
     if (!spectrum_grid_allocate(grid)) return BOLAN_ERROR_MEMORY;
-    for (uint32_t j = 0; j < DIRECTIONAL_BINS; j++)
-        grid->to[j] = directional_angle(j);
+    for (uint32_t j = 0; j < DIRECTIONAL_BINS; j++) grid->to[j] = directional_angle(j);
     for (uint32_t i = 0; i < row->count; i++) {
         double *energy = grid->energy + (size_t)i * DIRECTIONAL_BINS;
         grid->hertz[i] = row->hertz[i];
         if (!(row->value[i] > 0.0)) continue;
         spread_band(values, i, spread_s, energy);
-        for (uint32_t j = 0; j < DIRECTIONAL_BINS; j++)
-            energy[j] *= row->value[i];
+        for (uint32_t j = 0; j < DIRECTIONAL_BINS; j++) energy[j] *= row->value[i];
     }
     return BOLAN_OK;
 }

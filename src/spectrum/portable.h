@@ -68,9 +68,7 @@ static inline double portable_log(double x) {
 }
 
 /// x^y for x > 0.
-static inline double portable_pow(double x, double y) {
-    return portable_exp(y * portable_log(x));
-}
+static inline double portable_pow(double x, double y) { return portable_exp(y * portable_log(x)); }
 
 /// tanh x for x >= 0, also to full relative precision near 0.
 static inline double portable_tanh(double x) {
@@ -98,8 +96,7 @@ static inline double portable_angle(double y, double x) {
         {1.0 / 37, 1.0 / 39}, {1.0 / 33, 1.0 / 35}, {1.0 / 29, 1.0 / 31}, {1.0 / 25, 1.0 / 27}, {1.0 / 21, 1.0 / 23},
         {1.0 / 17, 1.0 / 19}, {1.0 / 13, 1.0 / 15}, {1.0 / 9, 1.0 / 11},  {1.0 / 5, 1.0 / 7},   {1.0 / 1, 1.0 / 3}};
     double p = 0.0;
-    for (int i = 0; i < 10; i++)
-        p = (p * z - odd[i][1]) * z + odd[i][0];
+    for (int i = 0; i < 10; i++) p = (p * z - odd[i][1]) * z + odd[i][0];
     angle += t * p;
     if (ay > ax) angle = 1.57079632679489661923 - angle;
     if (x < 0.0) angle = 3.14159265358979323846 - angle;

@@ -117,8 +117,7 @@ bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state) {
     const spectrum_eval eval = spectrum_eval_prepare(sea_state);
     moments sum = {0};
     if (eval.measured) add_measured(&sum, eval.measured);
-    for (uint32_t i = 0; i < eval.system_count; i++)
-        add_system(&sum, &eval, &eval.systems[i]);
+    for (uint32_t i = 0; i < eval.system_count; i++) add_system(&sum, &eval, &eval.systems[i]);
     if (!(sum.m0 > 0.0)) return summary;
     const double turn = 2.0 * BOLAN_PI, r1 = fmin(hypot(sum.cosine, sum.sine) / sum.m0, 1.0);
     summary.m0 = sum.m0;

@@ -30,16 +30,14 @@ const bolan_beaufort_row bolan_beaufort_table[13] = {
 
 int bolan_douglas_from_hs(double hs) {
     int degree = 0;
-    while (degree < 9 && hs > bolan_douglas_table[degree].hs_max)
-        degree++;
+    while (degree < 9 && hs > bolan_douglas_table[degree].hs_max) degree++;
     return degree;
 }
 
 int bolan_beaufort_from_wind(double wind_speed) {
     int force = 0;
     // The classes are stated to a tenth of a metre per second, so a bound lies half a tenth below the next class.
-    while (force < 12 && wind_speed >= bolan_beaufort_table[force + 1].wind_min - 0.05)
-        force++;
+    while (force < 12 && wind_speed >= bolan_beaufort_table[force + 1].wind_min - 0.05) force++;
     return force;
 }
 

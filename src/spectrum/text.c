@@ -15,17 +15,13 @@ text_cursor text_open(const bolan_spectrum_text *text) {
     return cursor;
 }
 
-static bool is_space(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
-}
+static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
 
 bool text_next_word(text_cursor *cursor, text_word *word) {
-    while (cursor->next < cursor->end && is_space(*cursor->next))
-        cursor->line += *cursor->next++ == '\n';
+    while (cursor->next < cursor->end && is_space(*cursor->next)) cursor->line += *cursor->next++ == '\n';
     word->begin = cursor->next;
     word->line = cursor->line;
-    while (cursor->next < cursor->end && !is_space(*cursor->next))
-        cursor->next++;
+    while (cursor->next < cursor->end && !is_space(*cursor->next)) cursor->next++;
     word->length = (size_t)(cursor->next - word->begin);
     return word->length > 0;
 }
@@ -49,9 +45,7 @@ bool text_next_line(text_cursor *cursor, text_cursor *line) {
     return false;
 }
 
-static char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? (char)(c + ('a' - 'A')) : c;
-}
+static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c + ('a' - 'A')) : c; }
 
 bool text_equals(text_word word, const char *expected) {
     if (strlen(expected) != word.length) return false;
@@ -66,10 +60,8 @@ bool text_equals(text_word word, const char *expected) {
 static double scale_decimal(double value, int exponent) {
     static const double powers[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                       1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    for (; exponent > 22 && value < 1e300; exponent -= 22)
-        value *= 1e22;
-    for (; exponent < -22 && value > 0.0; exponent += 22)
-        value /= 1e22;
+    for (; exponent > 22 && value < 1e300; exponent -= 22) value *= 1e22;
+    for (; exponent < -22 && value > 0.0; exponent += 22) value /= 1e22;
     if (exponent > 22) return HUGE_VAL;
     return exponent >= 0 ? value * powers[exponent] : exponent >= -22 ? value / powers[-exponent] : 0.0;
 }
@@ -82,8 +74,7 @@ static bool parse_exponent(const char **p, const char *end, int *exponent) {
     if (*p < end && (**p == '-' || **p == '+')) (*p)++;
     const char *digits = *p;
     int value = 0;
-    for (; *p < end && **p >= '0' && **p <= '9'; (*p)++)
-        value = value < 10000 ? value * 10 + (**p - '0') : value;
+    for (; *p < end && **p >= '0' && **p <= '9'; (*p)++) value = value < 10000 ? value * 10 + (**p - '0') : value;
     *exponent += negative ? -value : value;
     return *p > digits;
 }

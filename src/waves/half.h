@@ -11,8 +11,9 @@ static inline uint16_t half_from_float(float value) {
     memcpy(&bits, &value, sizeof bits);
     const uint32_t sign = bits >> 16 & 0x8000u;
     bits &= 0x7fffffffu;
-    if (bits >= 0x47800000u) return (uint16_t)(sign | (bits > 0x7f800000u ? 0x7e00u : 0x7c00u)); // too large, or no
-                                                                                                 // number
+    if (bits >= 0x47800000u)
+        return (uint16_t)(sign | (bits > 0x7f800000u ? 0x7e00u : 0x7c00u)); // too large, or no
+                                                                            // number
     if (bits < 0x38800000u) { // a half below 2^-14 has no hidden bit: let a float addition round at 2^-24
         float magnitude;
         memcpy(&magnitude, &bits, sizeof magnitude);

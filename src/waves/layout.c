@@ -14,14 +14,12 @@
 static const double ratio_of_ratio[BOLAN_MAX_CASCADES - 1] = {0.99713, 0.96189, 0.93407};
 static const double angles_deg[BOLAN_MAX_CASCADES] = {0.0, 37.0817, 71.6183, 113.2631};
 
-#define RING_END 0.5         // of the Nyquist wave number
-#define LAST_RING_END 0.9    // nothing shorter is left to take over
-#define SHORTEST_WAVE 0.02   // [m]: below it, water is viscous roughness
-#define CALM_LENGTH 100.0    // [m] of a sea without waves
+#define RING_END 0.5       // of the Nyquist wave number
+#define LAST_RING_END 0.9  // nothing shorter is left to take over
+#define SHORTEST_WAVE 0.02 // [m]: below it, water is viscous roughness
+#define CALM_LENGTH 100.0  // [m] of a sea without waves
 
-static double modes_to_inner_edge(uint32_t n) {
-    return n >= 256 ? 10.0 : n >= 128 ? 9.0 : n >= 64 ? 6.0 : 4.0;
-}
+static double modes_to_inner_edge(uint32_t n) { return n >= 256 ? 10.0 : n >= 128 ? 9.0 : n >= 64 ? 6.0 : 4.0; }
 
 // 12 peak wavelengths, and at least 10 of the longest waves that matter: those 5 % of the variance is longer than.
 static double automatic_length(const sea_radial *radial, const bolan_sea_summary *summary, double depth) {

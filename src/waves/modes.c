@@ -12,7 +12,9 @@
 
 #include <string.h>
 
-typedef struct gaussians { double re, im; } gaussians;
+typedef struct gaussians {
+    double re, im;
+} gaussians;
 
 // The finaliser of SplitMix64 (Steele, Lea & Flood 2014): a bijection that leaves no visible relation of input and
 // output.
@@ -173,11 +175,17 @@ void sea_each_mode(const sea_cascade *c, void (*visit)(void *context, const sea_
             const double v = dk * j;
             const float *a = c->amplitude + row * 4 * FFT_LANES + lane, *e = c->expected + row * 2 * FFT_LANES + lane;
             const double a0 = a[0], a1 = a[FFT_LANES], a2 = a[2 * FFT_LANES], a3 = a[3 * FFT_LANES];
-            const sea_mode mode = {
-                .kx = u * c->cosine - v * c->sine, .ky = u * c->sine + v * c->cosine,
-                .turns = c->turns[at], .inverse_k = c->inverse_k[at],
-                .re = 0.5 * (a0 - a3), .im = 0.5 * (a1 + a2), .back_re = 0.5 * (a0 + a3), .back_im = 0.5 * (a2 - a1),
-                .expected = e[0], .expected_back = e[FFT_LANES], .paired = j > 0};
+            const sea_mode mode = {.kx = u * c->cosine - v * c->sine,
+                                   .ky = u * c->sine + v * c->cosine,
+                                   .turns = c->turns[at],
+                                   .inverse_k = c->inverse_k[at],
+                                   .re = 0.5 * (a0 - a3),
+                                   .im = 0.5 * (a1 + a2),
+                                   .back_re = 0.5 * (a0 + a3),
+                                   .back_im = 0.5 * (a2 - a1),
+                                   .expected = e[0],
+                                   .expected_back = e[FFT_LANES],
+                                   .paired = j > 0};
             visit(context, &mode);
         }
     }

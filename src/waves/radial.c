@@ -61,9 +61,7 @@ void sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget,
     }
 }
 
-double sea_radial_keep(const sea_radial *radial, double k) {
-    return at_k(radial->keep, k);
-}
+double sea_radial_keep(const sea_radial *radial, double k) { return at_k(radial->keep, k); }
 
 double sea_radial_quantile(const sea_radial *radial, double share) {
     const double total = radial->variance[RADIAL_COUNT - 1];

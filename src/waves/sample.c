@@ -3,7 +3,9 @@
 #include "waves/sea.h"
 
 // Sums over the cascades of the fields at one rest point, choppiness not applied.
-typedef struct sums { double height, dx, dy, sx, sy, dxx, dyy, dxy, foam; } sums;
+typedef struct sums {
+    double height, dx, dy, sx, sy, dxx, dyy, dxy, foam;
+} sums;
 
 #define STEEPEST 0.1 // smallest |Jacobian| that a slope is divided by: where the surface folds it is vertical
 
@@ -23,7 +25,10 @@ static bolan_sea_sample displaced(const sums *v, double choppiness) {
 }
 
 // The four samples around a point, and their weights.
-typedef struct corners { size_t at[4]; double weight[4]; } corners;
+typedef struct corners {
+    size_t at[4];
+    double weight[4];
+} corners;
 
 static double fraction(double x) {
     const double f = x - floor(x);
@@ -63,11 +68,12 @@ void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint
 
 // ---- the oracle -----------------------------------------------------------------------------------------------------
 
-typedef struct direct { double x, y, time; sums v; } direct;
+typedef struct direct {
+    double x, y, time;
+    sums v;
+} direct;
 
-static double reduced(double turns) {
-    return 2.0 * BOLAN_PI * (turns - floor(turns + 0.5));
-}
+static double reduced(double turns) { return 2.0 * BOLAN_PI * (turns - floor(turns + 0.5)); }
 
 // One mode: h e^{i k.x}, to which a paired mode adds its conjugate.
 static void add_mode(void *context, const sea_mode *m) {

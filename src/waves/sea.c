@@ -7,8 +7,8 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#define LONGEST_TICK 0.5   // [s] a step forward that the foam memory survives
-#define SETTLE_TICK 0.25   // [s]
+#define LONGEST_TICK 0.5    // [s] a step forward that the foam memory survives
+#define SETTLE_TICK 0.25    // [s]
 #define SAMPLE_BYTES 54.0   // 9 planes of float, 9 of half
 #define LARGE_OUTPUT 1e7    // [bytes] all planes: more than second-level caches hold
 #define HUGE_OUTPUT 4e7     // [bytes] more than third-level caches hold for one process
@@ -91,7 +91,7 @@ void bolan_sea_destroy(bolan_sea **sea) {
 typedef struct step {
     bolan_sea *sea;
     sea_moment moment;
-    atomic_uint next;                            // item of the queue
+    atomic_uint next; // item of the queue
     atomic_uint rows_done[BOLAN_MAX_CASCADES];
 } step;
 
@@ -130,8 +130,7 @@ static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t work
     (void)end;
     (void)worker;
     step *s = context;
-    while (do_next_item(s, s->sea->scratch + begin * s->sea->scratch_floats)) {
-    }
+    while (do_next_item(s, s->sea->scratch + begin * s->sea->scratch_floats)) {}
 }
 
 static void synthesise(bolan_sea *sea, double time, float decay) {
@@ -167,17 +166,11 @@ void bolan_sea_settle(bolan_sea *sea, double time) {
 
 // ---- reading --------------------------------------------------------------------------------------------------------
 
-double bolan_sea_time(const bolan_sea *sea) {
-    return sea->time;
-}
+double bolan_sea_time(const bolan_sea *sea) { return sea->time; }
 
-const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea) {
-    return &sea->desc;
-}
+const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea) { return &sea->desc; }
 
-uint32_t bolan_sea_cascade_count(const bolan_sea *sea) {
-    return sea->count;
-}
+uint32_t bolan_sea_cascade_count(const bolan_sea *sea) { return sea->count; }
 
 bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index) {
     BOLAN_ASSERT(sea && index < sea->count);

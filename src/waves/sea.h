@@ -18,8 +18,8 @@
 #include "spectrum/spectrum_eval.h"
 
 enum {
-    SEA_PARTS = 5,                        // transforms along i
-    SEA_CELL = SEA_PARTS * FFT_ROW,       // floats of `middle` for one (strip of x, j)
+    SEA_PARTS = 5,                  // transforms along i
+    SEA_CELL = SEA_PARTS * FFT_ROW, // floats of `middle` for one (strip of x, j)
     SEA_MAX_STRIPS = FFT_MAX / 2 / FFT_LANES,
     SEA_FIELDS = 8,
     SEA_MAX_BLOCKS = 32,
@@ -28,27 +28,30 @@ enum {
 typedef struct sea_cascade {
     uint32_t n;
     double length, angle, cosine, sine, k_min, k_max;
-    double variance;                      // expected, discrete sum [m2]
-    double slope[3];                      // expected slope covariance xx, xy, yy in world axes
-    double displacement;                  // expected variance of dx plus that of dy [m2]
+    double variance;     // expected, discrete sum [m2]
+    double slope[3];     // expected slope covariance xx, xy, yy in world axes
+    double displacement; // expected variance of dx plus that of dy [m2]
 
-    uint32_t strips;                      // strips of 16 j that hold modes
-    uint32_t reach[SEA_MAX_STRIPS];       // in a strip modes have |i| < reach
-    float *amplitude;                     // [strip][i][4][16]: h = (A0 c + A1 s) + i (A2 c + A3 s), c + i s = e^{i w t}
-    double *turns;                        // [strip][i][16]: w / 2 pi [1/s]
-    float *inverse_k;                     // [strip][i][16]: coth(kh) / |k| [m]
-    float *expected;                      // [strip][i][2][16]: variance of the waves k and -k [m2]
-    float *k, *k2;                        // [n]: tile wave number of index i (wrapped), and its square
+    uint32_t strips;                // strips of 16 j that hold modes
+    uint32_t reach[SEA_MAX_STRIPS]; // in a strip modes have |i| < reach
+    float *amplitude;               // [strip][i][4][16]: h = (A0 c + A1 s) + i (A2 c + A3 s), c + i s = e^{i w t}
+    double *turns;                  // [strip][i][16]: w / 2 pi [1/s]
+    float *inverse_k;               // [strip][i][16]: coth(kh) / |k| [m]
+    float *expected;                // [strip][i][2][16]: variance of the waves k and -k [m2]
+    float *k, *k2;                  // [n]: tile wave number of index i (wrapped), and its square
 
-    float *middle;                        // [strip of x][j][SEA_PARTS][row]
-    float *field[SEA_FIELDS];             // height, dx, dy, slope_x, slope_y, dxx, dyy, dxy
+    float *middle;            // [strip of x][j][SEA_PARTS][row]
+    float *field[SEA_FIELDS]; // height, dx, dy, slope_x, slope_y, dxx, dyy, dxy
     float *foam;
     uint16_t *displacement_half, *slope_half, *foam_half;
 } sea_cascade;
 
 enum { FIELD_HEIGHT, FIELD_DX, FIELD_DY, FIELD_SLOPE_X, FIELD_SLOPE_Y, FIELD_DXX, FIELD_DYY, FIELD_DXY };
 
-typedef struct sea_block { void *memory; size_t bytes; } sea_block;
+typedef struct sea_block {
+    void *memory;
+    size_t bytes;
+} sea_block;
 
 struct sea_kernels;
 struct slope_map;
@@ -56,22 +59,22 @@ struct slope_map;
 struct bolan_sea {
     bolan_sea_desc desc;
     double time;
-    bool foam_holds;                      // the foam memory belongs to `time`
+    bool foam_holds; // the foam memory belongs to `time`
     uint32_t count;
     sea_cascade cascade[BOLAN_MAX_CASCADES];
     fft_plan plan;
     const struct sea_kernels *kernels;
-    uint32_t slots;                       // workers that a step uses at most
-    float *scratch;                       // [slots][scratch_floats]
+    uint32_t slots; // workers that a step uses at most
+    float *scratch; // [slots][scratch_floats]
     size_t scratch_floats;
-    double rest_slope[3];                 // slope covariance of the waves shorter than all cascades
+    double rest_slope[3]; // slope covariance of the waves shorter than all cascades
     struct slope_map *slope_map;
     float *slope_table;
     double foam_threshold;
-    bolan_sea_summary summary;            // of the sea state
-    double tp, tm02, te;                  // of the discrete modes [s]
+    bolan_sea_summary summary; // of the sea state
+    double tp, tm02, te;       // of the discrete modes [s]
     uint32_t block_count;
-    sea_block block[SEA_MAX_BLOCKS];      // all memory
+    sea_block block[SEA_MAX_BLOCKS]; // all memory
 };
 
 // Omnidirectional quantities of a sea state over log k, and the roll-off of its short waves.
@@ -80,9 +83,9 @@ enum { RADIAL_COUNT = 384 };
 #define RADIAL_K_MAX 4e3
 typedef struct sea_radial {
     double k[RADIAL_COUNT];
-    double variance[RADIAL_COUNT];        // m0 of the waves longer than k [m2]
-    double mss[RADIAL_COUNT];             // their slope variance
-    double keep[RADIAL_COUNT];            // factor on the power at k, 1 for the long waves
+    double variance[RADIAL_COUNT]; // m0 of the waves longer than k [m2]
+    double mss[RADIAL_COUNT];      // their slope variance
+    double keep[RADIAL_COUNT];     // factor on the power at k, 1 for the long waves
 } sea_radial;
 
 // Zeroed memory that lives as long as the sea; NULL (logged) when there is none.
@@ -108,20 +111,22 @@ bool sea_whitecaps_create(bolan_sea *sea);
 
 // One mode of the kept half plane, as the tables hold it.
 typedef struct sea_mode {
-    double kx, ky;                        // world wave vector [rad/m]
-    double turns;                         // [1/s]
-    double inverse_k;                     // coth(kh) / |k|
-    double re, im;                        // h0(k)
-    double back_re, back_im;              // conj(h0(-k))
-    double expected, expected_back;       // variance of the waves that go along k and along -k [m2]
-    bool paired;                          // it stands for -k as well; false on j = 0, where -k is an entry of its own
+    double kx, ky;                  // world wave vector [rad/m]
+    double turns;                   // [1/s]
+    double inverse_k;               // coth(kh) / |k|
+    double re, im;                  // h0(k)
+    double back_re, back_im;        // conj(h0(-k))
+    double expected, expected_back; // variance of the waves that go along k and along -k [m2]
+    bool paired;                    // it stands for -k as well; false on j = 0, where -k is an entry of its own
 } sea_mode;
 // Calls `visit` for every mode with energy, in a fixed order.
 void sea_each_mode(const sea_cascade *cascade, void (*visit)(void *context, const sea_mode *mode), void *context);
 
 // All fields, summed over the cascades, at the node of each that is nearest to cascade 0's node (i, j): independent
 // tiles need no interpolation to be added, and it would take power from the short waves.
-typedef struct sea_node { float height, sx, sy, dxx, dyy, dxy; } sea_node;
+typedef struct sea_node {
+    float height, sx, sy, dxx, dyy, dxy;
+} sea_node;
 sea_node sea_nearest_node(const bolan_sea *sea, uint32_t i, uint32_t j);
 float sea_node_jacobian(const bolan_sea *sea, const sea_node *node);
 

@@ -6,19 +6,28 @@
 
 #include <string.h>
 
-enum { BINS = 112, DIRECTIONS = 16 }; // 4 bins an octave from 1e-4 rad/m; directions over half a turn, as k and -k
-                                      // count alike
+enum {
+    BINS = 112,
+    DIRECTIONS = 16
+};  // 4 bins an octave from 1e-4 rad/m; directions over half a turn, as k and -k
+    // count alike
 #define BINS_PER_OCTAVE 4.0
 
-typedef struct bin { double power, k2, xx, xy, yy; } bin; // k2: first the sum of power k^2, then its mean
+typedef struct bin {
+    double power, k2, xx, xy, yy;
+} bin; // k2: first the sum of power k^2, then its mean
 
 // Only the bins that hold waves are kept.
 struct slope_map {
     uint32_t count;
-    struct { double kx, ky, xx, xy, yy; } at[BINS * DIRECTIONS];
+    struct {
+        double kx, ky, xx, xy, yy;
+    } at[BINS * DIRECTIONS];
 };
 
-typedef struct gathering { bin bins[BINS][DIRECTIONS]; } gathering;
+typedef struct gathering {
+    bin bins[BINS][DIRECTIONS];
+} gathering;
 
 static void gather_mode(void *context, const sea_mode *m) {
     gathering *g = context;
@@ -73,9 +82,7 @@ void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double mino
     for (int i = 0; i < 3; i++) out[i] = (float)covariance[i];
 }
 
-const float *bolan_sea_slope_table(const bolan_sea *sea) {
-    return sea->slope_table;
-}
+const float *bolan_sea_slope_table(const bolan_sea *sea) { return sea->slope_table; }
 
 // Task: rows [begin, end) of the table, one for each (angle, aspect).
 static void fill_table(void *context, uint32_t begin, uint32_t end, uint32_t worker) {

@@ -73,7 +73,9 @@ static void measure_tiles(const bolan_sea *sea, bolan_sea_statistics *out) {
 // ---- fields, all tiles at once --------------------------------------------------------------------------------------
 
 // At fixed world points a parcel counts by the area it covers, the Jacobian; folded parcels lie under others.
-typedef struct moments { double weight, first, second, third, fourth; } moments;
+typedef struct moments {
+    double weight, first, second, third, fourth;
+} moments;
 
 static void add_moment(moments *m, double height, double weight) {
     const double h2 = height * height;
@@ -113,9 +115,9 @@ enum { PERIOD_BINS = 160 }; // of 5 % in frequency, from 0.01 rad/s: 0.05 wp is 
 #define LOWEST_OMEGA 0.01
 
 typedef struct spectrum_sums {
-    double m0, m1_inverse, m2;          // expected moments over w
-    double energy, cosine, sine;        // realised |h0|^2 by direction
-    double bin[PERIOD_BINS];            // expected variance by log w
+    double m0, m1_inverse, m2;   // expected moments over w
+    double energy, cosine, sine; // realised |h0|^2 by direction
+    double bin[PERIOD_BINS];     // expected variance by log w
 } spectrum_sums;
 
 static void add_wave(spectrum_sums *s, double omega, double expected, double realised, double kx, double ky) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "waves/synth.h"
 
-#define SEA_DECLARE(set)                                                                                               \
-    void sea_rows_##set(const fft_plan *, const sea_cascade *, const sea_moment *, uint32_t, float *);                 \
+#define SEA_DECLARE(set)                                                                               \
+    void sea_rows_##set(const fft_plan *, const sea_cascade *, const sea_moment *, uint32_t, float *); \
     void sea_columns_##set(const fft_plan *, const sea_cascade *, const sea_moment *, uint32_t, float *);
 
 SEA_DECLARE(scalar)

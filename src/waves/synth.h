@@ -14,8 +14,8 @@ typedef enum sea_stream {
 
 // What all strips of a step share.
 typedef struct sea_moment {
-    double time;      // [s], reduced by the loop period
-    float decay;      // factor on the foam memory; 0 restarts it
+    double time; // [s], reduced by the loop period
+    float decay; // factor on the foam memory; 0 restarts it
     float choppiness;
     sea_stream stream;
 } sea_moment;

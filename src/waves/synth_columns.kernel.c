@@ -15,7 +15,9 @@ void KERNEL(sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const
 
 #define ALWAYS_INLINE inline __attribute__((always_inline))
 
-typedef struct parts { pair h, kh, u, ku, kku; } parts;
+typedef struct parts {
+    pair h, kh, u, ku, kku;
+} parts;
 
 static inline parts load_parts(const float *cell) {
     return (parts){pair_load(cell), pair_load(cell + FFT_ROW), pair_load(cell + 2 * FFT_ROW),
@@ -36,7 +38,9 @@ static inline void pack(float *plus, float *minus, pair a, pair b) {
 
 // The factors that turn tile axes into world axes. With D = i k/|k| coth h and G = dD/dx, in tile axes at row j:
 // D = (i ku, i kj u), G = -(kku, kj ku, kj^2 u); a rotation R gives R D and R G R^T.
-typedef struct turn { float c, s, cc, cs, ss; } turn;
+typedef struct turn {
+    float c, s, cc, cs, ss;
+} turn;
 
 static inline turn turn_of(const sea_cascade *cascade) {
     const float c = (float)cascade->cosine, s = (float)cascade->sine;
@@ -65,19 +69,19 @@ static inline void pack_slopes(const float *cell, turn t, float k, uint32_t lane
     pack(gradient_plus + lane, gradient_minus + lane, dxx, dyy);
 }
 
-#define PACK_ROWS(name)                                                                                                \
-    static void name##_rows(const sea_cascade *cascade, uint32_t strip, float *first, float *second) {                 \
-        const uint32_t n = cascade->n, half = cascade->strips * FFT_LANES;                                             \
-        const turn t = turn_of(cascade);                                                                               \
-        const float *cell = cascade->middle + (size_t)strip * half * SEA_CELL;                                         \
-        for (uint32_t j = 0; j < half; j++, cell += SEA_CELL) {                                                        \
-            const size_t plus = (size_t)j * FFT_ROW, minus = (size_t)((n - j) & (n - 1)) * FFT_ROW;                    \
-            for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE)                                                    \
-                name(cell, t, cascade->k[j], lane, first + plus, first + minus, second + plus, second + minus);        \
-        }                                                                                                              \
-        const size_t empty = (size_t)(n + 1 - 2 * half) * FFT_ROW * sizeof(float);                                     \
-        memset(first + (size_t)half * FFT_ROW, 0, empty);                                                              \
-        memset(second + (size_t)half * FFT_ROW, 0, empty);                                                             \
+#define PACK_ROWS(name)                                                                                         \
+    static void name##_rows(const sea_cascade *cascade, uint32_t strip, float *first, float *second) {          \
+        const uint32_t n = cascade->n, half = cascade->strips * FFT_LANES;                                      \
+        const turn t = turn_of(cascade);                                                                        \
+        const float *cell = cascade->middle + (size_t)strip * half * SEA_CELL;                                  \
+        for (uint32_t j = 0; j < half; j++, cell += SEA_CELL) {                                                 \
+            const size_t plus = (size_t)j * FFT_ROW, minus = (size_t)((n - j) & (n - 1)) * FFT_ROW;             \
+            for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE)                                             \
+                name(cell, t, cascade->k[j], lane, first + plus, first + minus, second + plus, second + minus); \
+        }                                                                                                       \
+        const size_t empty = (size_t)(n + 1 - 2 * half) * FFT_ROW * sizeof(float);                              \
+        memset(first + (size_t)half * FFT_ROW, 0, empty);                                                       \
+        memset(second + (size_t)half * FFT_ROW, 0, empty);                                                      \
     }
 PACK_ROWS(pack_displacement)
 PACK_ROWS(pack_slopes)

@@ -65,6 +65,4 @@ bool sea_whitecaps_create(bolan_sea *sea) {
     return true;
 }
 
-double bolan_sea_foam_threshold(const bolan_sea *sea) {
-    return sea->foam_threshold;
-}
+double bolan_sea_foam_threshold(const bolan_sea *sea) { return sea->foam_threshold; }

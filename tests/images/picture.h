@@ -13,7 +13,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-typedef struct picture { uint32_t width, height; uint8_t *rgb; float *distance; } picture;
+typedef struct picture {
+    uint32_t width, height;
+    uint8_t *rgb;
+    float *distance;
+} picture;
 
 static inline void picture_free(picture *p) {
     free(p->rgb);
@@ -22,7 +26,12 @@ static inline void picture_free(picture *p) {
 }
 
 // Everything a scene needs to be drawn; the context must be current.
-typedef struct stage { bolan_scene scene; bolan_scene_assets assets; bolan_sea *sea; bolan_renderer *renderer; } stage;
+typedef struct stage {
+    bolan_scene scene;
+    bolan_scene_assets assets;
+    bolan_sea *sea;
+    bolan_renderer *renderer;
+} stage;
 
 static inline bool stage_open(stage *s, const bolan_scene *scene, bolan_quality quality, bool no_clip_control) {
     *s = (stage){.scene = *scene};
@@ -79,7 +88,8 @@ static inline double picture_psnr(const picture *a, const picture *b) {
 }
 
 // Appends a failed comparison to report/index.html in the working folder.
-static inline void picture_report(const char *name, const picture *expected, const picture *got, double psnr, double wanted) {
+static inline void picture_report(const char *name, const picture *expected, const picture *got, double psnr,
+                                  double wanted) {
     mkdir("report", 0777);
     char path[256];
     size_t bytes = (size_t)got->width * got->height * 3;
@@ -88,7 +98,10 @@ static inline void picture_report(const char *name, const picture *expected, con
         int d = 4 * abs((int)expected->rgb[i] - (int)got->rgb[i]);
         difference[i] = (uint8_t)(d > 255 ? 255 : d);
     }
-    const struct { const char *suffix; const uint8_t *rgb; } parts[] = {{"expected", expected->rgb}, {"got", got->rgb}, {"difference", difference}};
+    const struct {
+        const char *suffix;
+        const uint8_t *rgb;
+    } parts[] = {{"expected", expected->rgb}, {"got", got->rgb}, {"difference", difference}};
     for (int i = 0; i < 3; ++i) {
         snprintf(path, sizeof path, "report/%s_%s.png", name, parts[i].suffix);
         bolan_png_write(path, got->width, got->height, parts[i].rgb);
@@ -96,7 +109,8 @@ static inline void picture_report(const char *name, const picture *expected, con
     free(difference);
     FILE *html = fopen("report/index.html", "a");
     if (html == NULL) return;
-    fprintf(html, "<h2>%s: %.1f dB, wanted %.1f</h2><table><tr><th>expected<th>got<th>difference x4<tr>", name, psnr, wanted);
+    fprintf(html, "<h2>%s: %.1f dB, wanted %.1f</h2><table><tr><th>expected<th>got<th>difference x4<tr>", name, psnr,
+            wanted);
     for (int i = 0; i < 3; ++i) fprintf(html, "<td><img src=\"%s_%s.png\">", name, parts[i].suffix);
     fprintf(html, "</table>\n");
     fclose(html);

@@ -18,7 +18,11 @@
 // (about 42 dB); a wrong colour, a shifted wave or a missing pass costs 15 dB and more.
 #define STORED_DB 32.0
 
-typedef struct shot { const char *name, *scene; double height, pitch, heading; double sun_elevation; } shot;
+typedef struct shot {
+    const char *name, *scene;
+    double height, pitch, heading;
+    double sun_elevation;
+} shot;
 static const shot shots[] = {
     {"island", "island", NAN, NAN, NAN, NAN},
     {"open_sea_deck", "open-sea", 3.0, -6.0, 200.0, 35.0},
@@ -103,7 +107,8 @@ static void the_picture_does_not_need_clip_control(void **state) {
 static bolan_dvec3 pixel_ray(const bolan_camera *c, double x, double y) {
     bolan_mat4 camera = bolan_m4_transpose(bolan_m4_view(c->heading_deg, c->pitch_deg, c->roll_deg));
     double t = tan(0.5 * bolan_radians(c->fov_deg));
-    bolan_vec4 d = {(float)((2.0 * (x + 0.5) / WIDTH - 1.0) * t * WIDTH / HEIGHT), (float)((1.0 - 2.0 * (y + 0.5) / HEIGHT) * t), -1.0f, 0.0f};
+    bolan_vec4 d = {(float)((2.0 * (x + 0.5) / WIDTH - 1.0) * t * WIDTH / HEIGHT),
+                    (float)((1.0 - 2.0 * (y + 0.5) / HEIGHT) * t), -1.0f, 0.0f};
     d = bolan_m4_mul_v4(camera, d);
     return bolan_dv3(d.x, d.y, d.z);
 }
@@ -156,12 +161,14 @@ static void the_sea_has_no_holes(void **state) {
     srand(11);
     for (int k = 0; k < 24; ++k) {
         bolan_camera *c = &s.scene.camera;
-        c->position = bolan_dv3(2000.0 * rand() / RAND_MAX, 2000.0 * rand() / RAND_MAX, vertical * 0.5 + pow(10.0, 0.2 + 3.8 * rand() / RAND_MAX));
+        c->position = bolan_dv3(2000.0 * rand() / RAND_MAX, 2000.0 * rand() / RAND_MAX,
+                                vertical * 0.5 + pow(10.0, 0.2 + 3.8 * rand() / RAND_MAX));
         c->heading_deg = 360.0 * rand() / RAND_MAX;
         c->pitch_deg = -80.0 * rand() / RAND_MAX;
         c->roll_deg = 30.0 * rand() / RAND_MAX - 15.0;
         picture p = stage_draw(&s, WIDTH, HEIGHT, 1);
-        double dip = acos(BOLAN_EARTH_RADIUS / (BOLAN_EARTH_RADIUS + c->position.z + vertical)) + 0.01; // 0.01 rad: two pixels
+        double dip =
+            acos(BOLAN_EARTH_RADIUS / (BOLAN_EARTH_RADIUS + c->position.z + vertical)) + 0.01; // 0.01 rad: two pixels
         for (uint32_t i = 0; i < WIDTH * HEIGHT; ++i) {
             bolan_dvec3 ray = pixel_ray(c, i % WIDTH, i / WIDTH);
             if (atan2(ray.z, hypot(ray.x, ray.y)) < -dip) assert_true(isfinite(p.distance[i]));

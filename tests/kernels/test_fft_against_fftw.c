@@ -9,7 +9,11 @@
 
 #include <complex.h>
 
-typedef struct spectrum { uint32_t n; double step, c, s, time; fftwf_complex *h; } spectrum;
+typedef struct spectrum {
+    uint32_t n;
+    double step, c, s, time;
+    fftwf_complex *h;
+} spectrum;
 
 static void put(spectrum *g, double kx, double ky, double re, double im) {
     const int i = (int)lround((kx * g->c + ky * g->s) / g->step), j = (int)lround((ky * g->c - kx * g->s) / g->step);

@@ -41,8 +41,7 @@ static bolan_spectrum_texts buoy_41010(void) {
 
 static void release_texts(bolan_spectrum_texts *texts) {
     const bolan_spectrum_text all[5] = {texts->density, texts->swdir, texts->swdir2, texts->swr1, texts->swr2};
-    for (int i = 0; i < 5; i++)
-        free((char *)all[i].data);
+    for (int i = 0; i < 5; i++) free((char *)all[i].data);
 }
 
 static void a_swan_model_off_taranaki_reads_as_published(void **state) {
@@ -89,8 +88,7 @@ static void no_buoy_record_turns_negative(void **state) {
     for (uint32_t record = 0; record < 149; record += 7) {
         bolan_measured_spectrum *spectrum = parse(&texts, record);
         const bolan_measured_view view = bolan_measured_spectrum_view(spectrum);
-        for (uint32_t i = 0; i < view.frequency_count * view.direction_count; i++)
-            assert_true(view.density[i] >= 0.0);
+        for (uint32_t i = 0; i < view.frequency_count * view.direction_count; i++) assert_true(view.density[i] >= 0.0);
         bolan_measured_spectrum_destroy(&spectrum);
     }
     release_texts(&texts);
@@ -154,14 +152,12 @@ static void the_short_waves_run_like_the_last_three_bands(void **state) {
     const double k = bolan_k_from_omega(2.0 * view.omega[rows - 1], BOLAN_DEEP);
     for (uint32_t j = 0; j < n; j++) {
         expected[j] = 0.0;
-        for (uint32_t i = rows - 3; i < rows; i++)
-            expected[j] += view.density[i * n + j] * pow(view.omega[i], 5.0);
+        for (uint32_t i = rows - 3; i < rows; i++) expected[j] += view.density[i * n + j] * pow(view.omega[i], 5.0);
         actual[j] = bolan_sea_state_wavenumber_density(&sea_state, k * cos(view.theta[j]), k * sin(view.theta[j]));
         total += expected[j];
         sum += actual[j];
     }
-    for (uint32_t j = 0; j < n; j++)
-        assert_near(actual[j] / sum, expected[j] / total, 1e-9);
+    for (uint32_t j = 0; j < n; j++) assert_near(actual[j] / sum, expected[j] / total, 1e-9);
     bolan_measured_spectrum_destroy(&spectrum);
     release_texts(&texts);
 }

@@ -143,9 +143,7 @@ static void a_calm_has_few_ripples(void **state) {
     bolan_sea_destroy(&sea);
 }
 
-static double angle_between(double a, double b) {
-    return remainder(a - b, 360.0);
-}
+static double angle_between(double a, double b) { return remainder(a - b, 360.0); }
 
 static void waves_come_from_where_they_were_asked_to(void **state) {
     (void)state;

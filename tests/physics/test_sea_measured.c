@@ -4,7 +4,9 @@
 
 #include "bolan/waves.h"
 
-typedef struct expected_sea { double hs, tm02, from_deg, spread_deg, wind; } expected_sea;
+typedef struct expected_sea {
+    double hs, tm02, from_deg, spread_deg, wind;
+} expected_sea;
 
 enum { SEEDS = 8 };
 

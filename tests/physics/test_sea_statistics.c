@@ -53,7 +53,7 @@ static void periods_and_heights_are_those_of_the_sea_state(void **state) {
         hs += m.hs / 10.0;
         bolan_sea_destroy(&sea);
     }
-    assert_near(hs / 3.0638, 1.0, 0.05);    // JONSWAP of 15 m/s, 100 km (Hasselmann et al. 1973)
+    assert_near(hs / 3.0638, 1.0, 0.05); // JONSWAP of 15 m/s, 100 km (Hasselmann et al. 1973)
     assert_near(m.tp / 7.1341, 1.0, 0.05);
     assert_near(m.tm02 / 5.5461, 1.0, 0.03);
     assert_near(m.m0_spectrum, 3.0638 * 3.0638 / 16.0, 0.002);

@@ -35,8 +35,7 @@ static void pierson_moskowitz_has_the_density_of_its_paper(void **state) {
 static void the_jonswap_normalisation_is_exact(void **state) {
     (void)state;
     static const double table[][2] = {{1, 1.0}, {2, 0.80281}, {3.3, 0.65576}, {5, 0.53809}, {7, 0.44940}};
-    for (size_t i = 0; i < 5; i++)
-        assert_near(1.0 / spectrum_peak_integral(log(table[i][0])), table[i][1], 5e-6);
+    for (size_t i = 0; i < 5; i++) assert_near(1.0 / spectrum_peak_integral(log(table[i][0])), table[i][1], 5e-6);
     for (double gamma = 1.0; gamma <= 10.0; gamma += 0.37) // the fit against the variance, integrated by Simpson's rule
         assert_ratio(summary_of(system_of(BOLAN_SPECTRUM_JONSWAP, 4.0, 0.7, gamma), BOLAN_DEEP).m0, 1.0, 1e-6);
 }

@@ -76,8 +76,7 @@ static void test_deep_water_turns_from_blue_over_green_to_brown(void **state) {
 
 static void test_names_go_both_ways(void **state) {
     (void)state;
-    for (int t = 0; t < TYPES; t++)
-        assert_int_equal(bolan_jerlov_from_name(bolan_jerlov_name((bolan_jerlov)t)), t);
+    for (int t = 0; t < TYPES; t++) assert_int_equal(bolan_jerlov_from_name(bolan_jerlov_name((bolan_jerlov)t)), t);
     assert_int_equal(bolan_jerlov_from_name("iii"), BOLAN_JERLOV_III);
     assert_int_equal(bolan_jerlov_from_name("9c"), BOLAN_JERLOV_9C);
     assert_int_equal(bolan_jerlov_from_name("2C"), -1);

@@ -31,15 +31,15 @@ static inline int gl_teardown(void **state) {
 }
 
 // Doubles, and both numbers in the message.
-#define assert_near(got, want, tolerance)                                                                              \
-    do {                                                                                                               \
-        const double got_ = (got), want_ = (want), tolerance_ = (tolerance);                                           \
-        if (!(fabs(got_ - want_) <= tolerance_))                                                                       \
-            fail_msg("%s is %.9g, not %.9g +- %.3g", #got, got_, want_, tolerance_);                                   \
+#define assert_near(got, want, tolerance)                                            \
+    do {                                                                             \
+        const double got_ = (got), want_ = (want), tolerance_ = (tolerance);         \
+        if (!(fabs(got_ - want_) <= tolerance_))                                     \
+            fail_msg("%s is %.9g, not %.9g +- %.3g", #got, got_, want_, tolerance_); \
     } while (0)
 
 // One test function as two tests: in a desktop core and in an ES 3 context.
-#define IN_BOTH_APIS(f)                                                                                                \
+#define IN_BOTH_APIS(f) \
     {#f " (core)", f, gl_setup_core, gl_teardown, NULL}, { #f " (es)", f, gl_setup_es, gl_teardown, NULL }
 
 #endif

@@ -26,9 +26,12 @@ static inline void probe_run(const char *includes, const char *body, float (*in)
     snprintf(file_path, sizeof file_path, "%s/probe.glsl", folder);
     FILE *file = fopen(file_path, "w");
     assert_non_null(file);
-    fprintf(file, "#include \"common/fullscreen.glsl\"\n#ifdef VERTEX\nvoid main() { fullscreen(0.0); }\n#endif\n#ifdef FRAGMENT\n%s\n"
-                  "uniform sampler2D inputs;\nout vec4 result;\n%s\n"
-                  "void main() { result = probe(texelFetch(inputs, ivec2(gl_FragCoord.xy), 0)); }\n#endif\n", includes, body);
+    fprintf(file,
+            "#include \"common/fullscreen.glsl\"\n#ifdef VERTEX\nvoid main() { fullscreen(0.0); }\n#endif\n#ifdef "
+            "FRAGMENT\n%s\n"
+            "uniform sampler2D inputs;\nout vec4 result;\n%s\n"
+            "void main() { result = probe(texelFetch(inputs, ivec2(gl_FragCoord.xy), 0)); }\n#endif\n",
+            includes, body);
     fclose(file);
     gl_program_set_directory(folder);
     gl_program program = {0};

@@ -7,16 +7,17 @@
 static void fresnel_matches_the_table_from_both_sides(void **state) {
     (void)state;
     // n = 1.333; exact dielectric, unpolarised: degrees, reflectance. Rows after the ninth: from below.
-    const double table[][2] = {{0, .020373},  {30, .02144}, {40, .02450}, {50, .03367}, {60, .05969}, {70, .13348}, {75, .21238},
-                               {80, .34792}, {85, .58352}, {89, .89628}, {30, .02552}, {40, .05558}, {45, .13946},
-                               {47, .26136}, {48, .43308}, {48.5, .70031}, {48.62, 1.0}, {60, 1.0}};
+    const double table[][2] = {{0, .020373}, {30, .02144}, {40, .02450}, {50, .03367},   {60, .05969}, {70, .13348},
+                               {75, .21238}, {80, .34792}, {85, .58352}, {89, .89628},   {30, .02552}, {40, .05558},
+                               {45, .13946}, {47, .26136}, {48, .43308}, {48.5, .70031}, {48.62, 1.0}, {60, 1.0}};
     enum { COUNT = sizeof table / sizeof table[0], FROM_AIR = 10 };
     float in[COUNT][4], out[COUNT][4];
     for (int i = 0; i < COUNT; ++i) {
         in[i][0] = (float)cos(table[i][0] * BOLAN_PI / 180.0);
         in[i][1] = i < FROM_AIR ? 1.333f : 1.0f / 1.333f;
     }
-    probe_run("#include \"common/fresnel.glsl\"", "vec4 probe(vec4 x) { return vec4(fresnel(x.x, x.y)); }", in, COUNT, out);
+    probe_run("#include \"common/fresnel.glsl\"", "vec4 probe(vec4 x) { return vec4(fresnel(x.x, x.y)); }", in, COUNT,
+              out);
     for (int i = 0; i < COUNT; ++i)
         // the table's last digit is 1e-5; next to the edge of total reflection float's cosine costs 2e-4
         assert_true(fabs(out[i][0] - table[i][1]) < (i >= 14 && table[i][1] < 1.0 ? 3e-4 : 1.1e-5));
@@ -28,8 +29,10 @@ static void mean_fresnel_falls_with_roughness_as_published(void **state) {
     const float c = 0.08715574f;
     float in[4][4] = {{c, 0.1f}, {c, 0.1732f}, {c, 0.249f}, {c, 0.0f}}, out[4][4];
     const double expected[4] = {.42, .30, .22, .58352};
-    probe_run("#include \"common/fresnel.glsl\"", "vec4 probe(vec4 x) { return vec4(mean_fresnel(x.x, 1.333, x.y)); }", in, 4, out);
-    for (int i = 0; i < 4; ++i) assert_true(fabs(out[i][0] - expected[i]) < (i == 3 ? 1e-4 : 0.006)); // two digits are given
+    probe_run("#include \"common/fresnel.glsl\"", "vec4 probe(vec4 x) { return vec4(mean_fresnel(x.x, 1.333, x.y)); }",
+              in, 4, out);
+    for (int i = 0; i < 4; ++i)
+        assert_true(fabs(out[i][0] - expected[i]) < (i == 3 ? 1e-4 : 0.006)); // two digits are given
 }
 
 // Quadrature over the tilt: the same integrals, done the long way.
@@ -52,8 +55,10 @@ static void visible_facets_match_quadrature(void **state) {
         in[i][1] = 0.03f + 0.07f * (float)(i / 10);
     }
     probe_run("#include \"common/slopes.glsl\"",
-              "vec4 probe(vec4 x) { visible_facets f = facets_seen(vec3(0.6 * cos(x.x), 0.8 * cos(x.x), sin(x.x)), vec2(0.0), "
-              "vec3(x.y * x.y, 0.0, x.y * x.y)); return vec4(f.area, f.shift, f.sigma, 0.0); }", in, COUNT, out);
+              "vec4 probe(vec4 x) { visible_facets f = facets_seen(vec3(0.6 * cos(x.x), 0.8 * cos(x.x), sin(x.x)), "
+              "vec2(0.0), "
+              "vec3(x.y * x.y, 0.0, x.y * x.y)); return vec4(f.area, f.shift, f.sigma, 0.0); }",
+              in, COUNT, out);
     for (int i = 0; i < COUNT; ++i) {
         double area, shift, deviation;
         facets_by_quadrature(in[i][0], in[i][1], &area, &shift, &deviation);
@@ -74,10 +79,12 @@ static void slope_density_integrates_to_one(void **state) {
         in[i][1] = (float)((i / 16 - 7.5) * step);
     }
     probe_run("#include \"common/slopes.glsl\"",
-              "vec4 probe(vec4 x) { return vec4(slope_density(x.xy, vec2(0.02, -0.05), vec3(0.06, 0.015, 0.04))); }", in, 256, out);
+              "vec4 probe(vec4 x) { return vec4(slope_density(x.xy, vec2(0.02, -0.05), vec3(0.06, 0.015, 0.04))); }",
+              in, 256, out);
     double sum = 0;
     for (int i = 0; i < 256; ++i) sum += out[i][0] * step * step;
-    assert_true(fabs(sum - 1.0) < 0.005); // the lattice rule converges past all orders; the tails beyond 6 sigma are nothing
+    assert_true(fabs(sum - 1.0) <
+                0.005); // the lattice rule converges past all orders; the tails beyond 6 sigma are nothing
 }
 
 int main(void) {

@@ -72,8 +72,7 @@ static void test_techniques_are_found_by_name(void **state) {
     uint32_t count = 0;
     const bolan_technique *all = bolan_techniques(&count);
     assert_true(count >= 1);
-    for (uint32_t i = 0; i < count; i++)
-        assert_ptr_equal(bolan_technique_find(all[i].name), &all[i]);
+    for (uint32_t i = 0; i < count; i++) assert_ptr_equal(bolan_technique_find(all[i].name), &all[i]);
     assert_string_equal(all[0].name, bolan_technique_ocean.name);
     assert_null(bolan_technique_find("Ocean"));
 }

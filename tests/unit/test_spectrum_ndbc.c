@@ -115,8 +115,7 @@ static void noise_that_fits_no_distribution_is_clipped_and_renormalised(void **s
     texts.swr2 = literal("41010.swr2", COMPANION ROW("999.00", "1.00", "999.00"));
     bolan_measured_spectrum *spectrum = parse(&texts, 0);
     const bolan_measured_view view = bolan_measured_spectrum_view(spectrum);
-    for (uint32_t i = 0; i < view.frequency_count * view.direction_count; i++)
-        assert_true(view.density[i] >= 0.0);
+    for (uint32_t i = 0; i < view.frequency_count * view.direction_count; i++) assert_true(view.density[i] >= 0.0);
     bolan_measured_spectrum_destroy(&spectrum);
     assert_near(summary_of(&texts, 0).m0, 0.15, 1e-9);
 }
@@ -162,8 +161,7 @@ static void a_thousand_and_one_frequencies_are_too_many(void **state) {
     enum { SIZE = 40000 };
     char *data = malloc(SIZE);
     int n = snprintf(data, SIZE, REAL_TIME "2020 06 08 03 50 0.2");
-    for (int i = 1; i <= 1001; i++)
-        n += snprintf(data + n, (size_t)(SIZE - n), " 1.0 (%.3f)", i * 0.001);
+    for (int i = 1; i <= 1001; i++) n += snprintf(data + n, (size_t)(SIZE - n), " 1.0 (%.3f)", i * 0.001);
     refuse(data, BOLAN_LOG_SPECTRUM_SYNTAX, "after 1000 frequencies");
     free(data);
 }

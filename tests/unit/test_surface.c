@@ -13,8 +13,14 @@
 static bolan_surface_vertex vertices[CAPACITY];
 
 static bolan_surface_view view_at(double height, double heading, double pitch) {
-    return (bolan_surface_view){.eye = {120.5, -33.25, height}, .heading_deg = heading, .pitch_deg = pitch, .fov_y = 0.9,
-                                .aspect = 16.0 / 9.0, .pixel_height = 720, .vertical = 3.0, .horizontal = 3.0};
+    return (bolan_surface_view){.eye = {120.5, -33.25, height},
+                                .heading_deg = heading,
+                                .pitch_deg = pitch,
+                                .fov_y = 0.9,
+                                .aspect = 16.0 / 9.0,
+                                .pixel_height = 720,
+                                .vertical = 3.0,
+                                .horizontal = 3.0};
 }
 
 static bolan_surface_size build(const bolan_surface_view *view) {
@@ -70,7 +76,8 @@ static void every_visible_point_of_mean_water_lies_on_the_grid(void **state) {
         bolan_surface_size size = build(&view);
         bolan_mat4 camera = bolan_m4_transpose(bolan_m4_view(heading, pitch, view.roll_deg)); // camera -> world
         for (int i = 0; i < 40; ++i) {
-            double t = tan(0.45), x = (2.0 * rand() / RAND_MAX - 1.0) * t * view.aspect, y = (2.0 * rand() / RAND_MAX - 1.0) * t;
+            double t = tan(0.45), x = (2.0 * rand() / RAND_MAX - 1.0) * t * view.aspect,
+                   y = (2.0 * rand() / RAND_MAX - 1.0) * t;
             bolan_vec4 d = bolan_m4_mul_v4(camera, (bolan_vec4){(float)x, (float)y, -1.0f, 0.0f});
             double horizontal = hypot(d.x, d.y), slope = -d.z / horizontal;
             // slope * r = height + r^2 / 2R
@@ -106,8 +113,9 @@ static void rows_are_the_same_for_any_pitch_and_columns_for_a_small_turn(void **
     bolan_surface_view view = view_at(30, 40, -8);
     view.horizontal = 0.0;
     bolan_surface_size size = build(&view);
-    double step = atan2(vertices[size.columns * (size.rows - 1) + 1].x, vertices[size.columns * (size.rows - 1) + 1].y) -
-                  atan2(vertices[size.columns * (size.rows - 1)].x, vertices[size.columns * (size.rows - 1)].y);
+    double step =
+        atan2(vertices[size.columns * (size.rows - 1) + 1].x, vertices[size.columns * (size.rows - 1) + 1].y) -
+        atan2(vertices[size.columns * (size.rows - 1)].x, vertices[size.columns * (size.rows - 1)].y);
     bolan_surface_vertex before = vertices[size.columns * (size.rows - 1)];
     view.heading_deg += bolan_degrees(step);
     build(&view);

@@ -50,11 +50,11 @@ static void refused(bolan_sea_desc desc, const char *field, bolan_log_id id) {
     bolan_set_hooks(NULL);
 }
 
-#define REFUSED(field, value, id)                                                                                      \
-    do {                                                                                                               \
-        bolan_sea_desc desc = bolan_sea_desc_default();                                                                \
-        desc.field = value;                                                                                            \
-        refused(desc, #field, id);                                                                                     \
+#define REFUSED(field, value, id)                       \
+    do {                                                \
+        bolan_sea_desc desc = bolan_sea_desc_default(); \
+        desc.field = value;                             \
+        refused(desc, #field, id);                      \
     } while (0)
 
 static void every_bad_field_is_named_in_one_sentence(void **state) {

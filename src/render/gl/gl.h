@@ -9,32 +9,56 @@
 
 // What this context can do beyond GL 3.3 core / GLES 3.0.
 typedef struct gl_caps {
-    bool es;                // OpenGL ES
-    bool software;          // llvmpipe, softpipe, swrast
-    bool clip_control;      // reversed-Z with [0, 1] clip depth
-    bool timers;            // GPU timer queries
-    bool float_linear;      // linear filtering of 32F
-    bool color_float;       // RGBA16F is renderable (ES 3.0: an extension)
-    float max_anisotropy;   // 1 when absent
+    bool es;              // OpenGL ES
+    bool software;        // llvmpipe, softpipe, swrast
+    bool clip_control;    // reversed-Z with [0, 1] clip depth
+    bool timers;          // GPU timer queries
+    bool float_linear;    // linear filtering of 32F
+    bool color_float;     // RGBA16F is renderable (ES 3.0: an extension)
+    float max_anisotropy; // 1 when absent
     int max_texture_size;
 } gl_caps;
 gl_caps gl_get_caps(void);
 bool gl_has_context(void); // on this thread
 
 // ---- textures ----
-typedef enum gl_format { GL_FMT_R8, GL_FMT_RG8, GL_FMT_RGBA8, GL_FMT_R16F, GL_FMT_RG16F, GL_FMT_RGBA16F, GL_FMT_R32F, GL_FMT_RGBA32F, GL_FMT_R11G11B10F, GL_FMT_DEPTH32F } gl_format;
-typedef enum gl_filter { GL_FILTER_NEAREST, GL_FILTER_LINEAR, GL_FILTER_MIPMAP, GL_FILTER_MIPMAP_NEAREST } gl_filter; // MIPMAP: trilinear; MIPMAP_NEAREST: bilinear in the nearest level
-typedef enum gl_wrap { GL_WRAP_CLAMP, GL_WRAP_REPEAT, GL_WRAP_REPEAT_CLAMP } gl_wrap; // REPEAT_CLAMP: s repeats, t clamps
-typedef struct gl_texture { uint32_t id, target; uint32_t width, height, depth, levels; gl_format format; } gl_texture;
+typedef enum gl_format {
+    GL_FMT_R8,
+    GL_FMT_RG8,
+    GL_FMT_RGBA8,
+    GL_FMT_R16F,
+    GL_FMT_RG16F,
+    GL_FMT_RGBA16F,
+    GL_FMT_R32F,
+    GL_FMT_RGBA32F,
+    GL_FMT_R11G11B10F,
+    GL_FMT_DEPTH32F
+} gl_format;
+typedef enum gl_filter {
+    GL_FILTER_NEAREST,
+    GL_FILTER_LINEAR,
+    GL_FILTER_MIPMAP,
+    GL_FILTER_MIPMAP_NEAREST
+} gl_filter; // MIPMAP: trilinear; MIPMAP_NEAREST: bilinear in the nearest level
+typedef enum gl_wrap {
+    GL_WRAP_CLAMP,
+    GL_WRAP_REPEAT,
+    GL_WRAP_REPEAT_CLAMP
+} gl_wrap; // REPEAT_CLAMP: s repeats, t clamps
+typedef struct gl_texture {
+    uint32_t id, target;
+    uint32_t width, height, depth, levels;
+    gl_format format;
+} gl_texture;
 typedef struct gl_texture_desc {
     gl_format format;
     uint32_t width, height;
-    uint32_t depth;     // 0: 2D; else 3D, or an array when `array`
+    uint32_t depth; // 0: 2D; else 3D, or an array when `array`
     bool array;
-    uint32_t levels;    // 0: full chain when the filter is a mipmap one, else 1
+    uint32_t levels; // 0: full chain when the filter is a mipmap one, else 1
     gl_filter filter;
     gl_wrap wrap;
-    float anisotropy;   // 0 or 1: none
+    float anisotropy; // 0 or 1: none
 } gl_texture_desc;
 bolan_result gl_texture_create(const gl_texture_desc *desc, gl_texture *out);
 // Uploads a whole level: floats for *16F/*32F, bytes for *8. `half`: the data are halfs already. layer: -1 all (2D, 3D), else one layer/slice.
@@ -44,17 +68,23 @@ void gl_texture_bind(const gl_texture *t, uint32_t unit);
 void gl_texture_free(gl_texture *t);
 
 // ---- targets: framebuffers over our own textures ----
-typedef struct gl_target { uint32_t id; uint32_t width, height; } gl_target;
+typedef struct gl_target {
+    uint32_t id;
+    uint32_t width, height;
+} gl_target;
 // colour may be NULL (count 0); depth may be NULL. layer: slice of a 3D/array texture, -1 for 2D; level 0..
-bolan_result gl_target_create(const gl_texture *const *color, uint32_t count, const gl_texture *depth, int layer, uint32_t level, gl_target *out);
-void gl_target_bind(const gl_target *t);                                       // binds and sets the viewport
-void gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width, uint32_t height); // draws go there only
+bolan_result gl_target_create(const gl_texture *const *color, uint32_t count, const gl_texture *depth, int layer,
+                              uint32_t level, gl_target *out);
+void gl_target_bind(const gl_target *t); // binds and sets the viewport
+void gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width,
+                         uint32_t height);                                           // draws go there only
 void gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t height); // the caller's
 void gl_target_clear_color(float r, float g, float b, float a);
 void gl_target_clear_depth(float depth);
 void gl_target_copy_color(const gl_target *from, const gl_target *to);
 void gl_target_copy_depth(const gl_target *from, const gl_target *to); // same size and format
-void gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width, uint32_t height); // the caller's, scaled; keeps bindings
+void gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width,
+                    uint32_t height);                                            // the caller's, scaled; keeps bindings
 void gl_target_read_float(const gl_target *t, uint32_t attachment, float *rgba); // bottom row first
 void gl_target_read_depth(const gl_target *t, const gl_texture *depth, float *out); // bottom row first; works on ES too
 void gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb); // top row first
@@ -62,15 +92,23 @@ void gl_target_free(gl_target *t);
 
 // ---- buffers and meshes ----
 typedef enum gl_usage { GL_USAGE_STATIC, GL_USAGE_STREAM } gl_usage;
-typedef struct gl_buffer { uint32_t id; size_t size; uint32_t kind; gl_usage usage; } gl_buffer;
+typedef struct gl_buffer {
+    uint32_t id;
+    size_t size;
+    uint32_t kind;
+    gl_usage usage;
+} gl_buffer;
 typedef enum gl_buffer_kind { GL_BUFFER_VERTEX, GL_BUFFER_INDEX, GL_BUFFER_UNIFORM } gl_buffer_kind;
 bolan_result gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, const void *data, gl_buffer *out);
 void gl_buffer_update(gl_buffer *b, size_t offset, size_t size, const void *data); // offset 0 orphans a STREAM buffer
 void gl_buffer_bind_uniform(const gl_buffer *b, uint32_t slot);
 void gl_buffer_free(gl_buffer *b);
 // Float attributes, interleaved: components[i] floats at location i. Indices are uint32.
-typedef struct gl_mesh { uint32_t vao; } gl_mesh;
-bolan_result gl_mesh_create(const gl_buffer *vertices, const gl_buffer *indices, const uint8_t *components, uint32_t attributes, uint32_t stride, gl_mesh *out);
+typedef struct gl_mesh {
+    uint32_t vao;
+} gl_mesh;
+bolan_result gl_mesh_create(const gl_buffer *vertices, const gl_buffer *indices, const uint8_t *components,
+                            uint32_t attributes, uint32_t stride, gl_mesh *out);
 void gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count);
 void gl_mesh_free(gl_mesh *m);
 void gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers: see common/fullscreen.glsl
@@ -80,7 +118,11 @@ void gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers: see c
 // "#version 300 es" + precision put before it, and #include "common/x.glsl" resolved. `defines`: "A 1\nB 2\n" or NULL.
 // The uniform block Frame is bound to slot 0. A file is included once per shader. "#pragma unit NAME N" in any file sets the
 // sampler NAME to texture unit N, so a pass that includes it need not.
-typedef struct gl_program { uint32_t id; char stem[32]; char defines[128]; } gl_program;
+typedef struct gl_program {
+    uint32_t id;
+    char stem[32];
+    char defines[128];
+} gl_program;
 void gl_program_set_directory(const char *directory); // NULL: the embedded sources
 bolan_result gl_program_create(const char *stem, const char *defines, gl_program *out);
 bolan_result gl_program_reload(gl_program *p); // keeps the old one on failure
@@ -96,11 +138,15 @@ void gl_program_mat4(const gl_program *p, const char *name, bolan_mat4 m);
 void gl_program_free(gl_program *p);
 
 // ---- state ----
-typedef struct gl_state { bool depth_test, depth_write, cull_back, color_write; enum { GL_BLEND_NONE, GL_BLEND_ALPHA, GL_BLEND_ADD, GL_BLEND_PREMULTIPLIED } blend; bool depth_equal; } gl_state; // depth test: greater-or-equal (reversed-Z)
+typedef struct gl_state {
+    bool depth_test, depth_write, cull_back, color_write;
+    enum { GL_BLEND_NONE, GL_BLEND_ALPHA, GL_BLEND_ADD, GL_BLEND_PREMULTIPLIED } blend;
+    bool depth_equal;
+} gl_state; // depth test: greater-or-equal (reversed-Z)
 void gl_set_state(const gl_state *s);
 void gl_set_clip_zero_to_one(bool on); // only where caps.clip_control
 void gl_set_framebuffer_srgb(bool on); // desktop: let an sRGB framebuffer encode what is written; on ES it always does
-typedef struct gl_saved gl_saved; // the caller's state
+typedef struct gl_saved gl_saved;      // the caller's state
 size_t gl_saved_size(void);
 void gl_save(gl_saved *s);
 void gl_restore(const gl_saved *s);
@@ -108,7 +154,13 @@ bool gl_check_errors(const char *where); // logs and drains; true when clean
 void gl_debug_log(bool on);
 
 // ---- timers ----
-typedef struct gl_timer { uint32_t query[2]; int current; double ms; bool pending[2]; double cpu_start; } gl_timer;
+typedef struct gl_timer {
+    uint32_t query[2];
+    int current;
+    double ms;
+    bool pending[2];
+    double cpu_start;
+} gl_timer;
 void gl_timer_create(gl_timer *t);
 void gl_timer_begin(gl_timer *t, bool finish); // finish: time with glFinish on the CPU clock (software GL, ES)
 void gl_timer_end(gl_timer *t, bool finish);
