@@ -1,64 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The water surface: displaced by the cascades, shaded by filtered slopes. What the pixel cannot resolve of the waves is in
-// the covariance of its slopes (Bruneton, Neyret & Holzschuch 2010), which widens the sun's glitter, blurs the mirrored
-// sky and lowers the mean Fresnel reflectance; the light from below comes from the sea bed behind and from the water's own
-// backscatter (Gordon et al. 1988; Lee et al. 1998 for finite depth).
+// The light of the water, pixel by pixel over the surface that water_surface.glsl left. What the pixel cannot resolve of the
+// waves is in the covariance of its slopes (Bruneton, Neyret & Holzschuch 2010), which widens the sun's glitter, blurs the
+// mirrored sky and lowers the mean Fresnel reflectance; the light from below comes from the sea bed behind and from the water's
+// own backscatter (Gordon et al. 1988; Lee et al. 1998 for finite depth).
 //
 // LAND: there is terrain: depth attenuates the waves, the bed shines through, land is mirrored, the shore foams.
 // TAPS: most look-ups along the long side of the pixel's footprint. RAYS: mirrored rays that look for land.
-// What varies slowly (haze, gusts, cloud shadow, depth) is computed at the vertices, a few pixels apart.
 #include "common/frame.glsl"
-#include "common/sea.glsl"
-#ifdef LAND
-#include "common/shore.glsl"
-#endif
-#include "common/atmosphere.glsl"
+#include "common/fullscreen.glsl"
 
 #ifdef VERTEX
-#include "common/gusts.glsl"
-layout(location = 0) in vec4 vertex; // eye-relative mean water; w: spacing [m]
-out vec4 rest_gust;        // undisplaced xy, gust factor, share of the sun that passes the clouds
-out vec3 position;         // displaced, eye-relative
-out vec2 coarse_slope;
-out vec3 haze_transmittance;
-out vec3 haze_inscatter;
-#ifdef LAND
-out vec4 band_keep;        // attenuation of each cascade
-out vec2 shore_depth;      // mean depth of the water here, and the least within a few metres [m]
-#endif
-
-void main() {
-    vec2 rest = vertex.xy;
-    vec3 offset = vec3(0.0);
-    coarse_slope = vec2(0.0);
-#ifdef LAND
-    float depth = -shore_elevation(rest), least = depth;
-    for (int i = 0; i < 4; ++i) {
-        vec2 d = 5.0 * vec2(i < 2 ? 1.0 : -1.0, (i & 1) == 0 ? 1.0 : -1.0);
-        least = min(least, -shore_elevation(rest + d));
-    }
-    shore_depth = vec2(depth, least);
-    band_keep = vec4(1.0);
-#endif
-    for (int c = 0; c < cascade_count; ++c) {
-        vec4 band = cascade_band[c];
-        float keep = 1.0;
-#ifdef LAND
-        keep = shore_attenuation(depth, band.x);
-        band_keep[c] = keep;
-#endif
-        if (vertex.w > band.z) continue; // every wave of it is shorter than the mesh
-        float lod = log2(max(vertex.w / band.y, 1.0));
-        vec3 uv = vec3(cascade_uv(c, rest), float(c));
-        vec4 s = textureLod(displacement_map, uv, lod);
-        offset += keep * vec3(choppiness * s.xy, s.z);
-        coarse_slope += keep * textureLod(slope_map, uv, lod).xy;
-    }
-    position = vertex.xyz + offset;
-    rest_gust = vec4(rest, gustiness(haze.zw + rest, vertex.w), cloud_shadow(position.xy));
-    aerial_perspective(position, haze_transmittance, haze_inscatter);
-    gl_Position = view_projection * vec4(position, 1.0);
-}
+void main() { fullscreen(0.0); }
 #endif
 
 #ifdef FRAGMENT
@@ -66,22 +18,29 @@ void main() {
 #define TAPS 4
 #define RAYS 3
 #endif
+#include "common/sea.glsl"
+#ifdef LAND
+#include "common/shore.glsl"
+#endif
+#include "common/atmosphere.glsl"
 #include "common/fresnel.glsl"
 #include "common/slopes.glsl"
 #include "common/foam.glsl"
 
-in vec4 rest_gust;
-in vec3 position;
-in vec2 coarse_slope;
-in vec3 haze_transmittance;
-in vec3 haze_inscatter;
 out vec4 color;
 
+#pragma unit surface_rest 16
+#pragma unit surface_slope 17
+#pragma unit surface_transmittance 18
+#pragma unit surface_inscatter 19
+uniform highp sampler2D surface_rest; // water_surface.glsl's outputs
+uniform sampler2D surface_slope;
+uniform sampler2D surface_transmittance;
+uniform sampler2D surface_inscatter;
 #pragma unit slope_table 6
 #pragma unit fold_map 10
 uniform sampler3D slope_table;
 uniform sampler2DArray fold_map; // r: dxy, g: foam memory
-uniform ivec4 cascade_taps;      // look-ups along the footprint: 1 where it is shorter than a texel
 uniform vec4 foam_law;    // x: Jacobian threshold, y: slope variance beyond the cascades, z: significant height [m], w: peak period [s]
 uniform vec4 foam_memory; // x: threshold of the foam memory, y: its variance, z: variance of the Jacobian, all scales
 
@@ -91,7 +50,7 @@ struct footprint {
     float major, minor; // widths [m]
 };
 
-footprint pixel_footprint(vec3 view, float dist) {
+footprint pixel_footprint(vec3 view, float dist, vec2 coarse_slope) {
     footprint f;
     f.axis = normalize(view.xy + vec2(1e-6, 0.0));
     f.minor = max(dist * lens.x, 1e-4);
@@ -119,34 +78,33 @@ struct fields {
 };
 
 #ifdef LAND
-in vec4 band_keep;
-in vec2 shore_depth;
 #pragma unit scene_color 3
 #pragma unit scene_depth 4
 uniform sampler2D scene_color; // what lies behind the water
 uniform sampler2D scene_depth;
 #endif
 
-fields gather(vec2 rest, footprint f, float gust) {
+// Each cascade is looked up along the footprint as often as its texels are shorter than it, at most TAPS times; the level of
+// detail makes up for the rest. Rings whose longest wave is shorter than the pixel is wide have nothing left.
+fields gather(vec2 rest, footprint f, float gust, float depth) {
     fields r = fields(vec2(0.0), vec3(0.0), 0.0);
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
-        int taps = cascade_taps[c];
-        float share = 1.0 / float(taps);
-        float lod = log2(max(max(f.minor, f.major * share) / band.y, 1e-3));
+        if (f.minor > 0.6 * band.z) break;
+        float taps = clamp(ceil(f.major / band.y), 1.0, float(TAPS));
+        float lod = log2(max(max(f.minor, f.major / taps) / band.y, 1e-3));
+        vec2 centre = cascade_uv(c, rest);
+        vec2 along = (cascade_uv(c, rest + f.axis * f.major) - centre) / taps;
+        vec2 uv = centre - along * (0.5 * taps - 0.5);
         vec4 slopes = vec4(0.0);
-        for (int i = 0; i < taps; ++i) {
-            vec2 p = rest + f.axis * f.major * ((float(i) + 0.5) * share - 0.5);
-            slopes += textureLod(slope_map, vec3(cascade_uv(c, p), float(c)), lod);
-        }
+        for (float i = 0.0; i < taps; i += 1.0) slopes += textureLod(slope_map, vec3(uv + along * i, float(c)), lod);
         float keep = band.z < 20.0 ? gust : 1.0;
 #ifdef LAND
-        keep *= band_keep[c];
+        keep *= shore_attenuation(depth, band.x);
 #endif
-        vec2 fold = vec2(0.0);
-        if (c < 3) fold = textureLod(fold_map, vec3(cascade_uv(c, rest), float(c)), lod).xy; // ripples neither shear nor foam
-        r.slope += keep * share * slopes.xy;
-        r.gradient += keep * choppiness * vec3(slopes.zw * share, fold.x);
+        vec2 fold = textureLod(fold_map, vec3(centre, float(c)), lod).xy;
+        r.slope += keep / taps * slopes.xy;
+        r.gradient += keep * choppiness * vec3(slopes.zw / taps, fold.x);
         r.foam += keep * fold.y;
     }
     return r;
@@ -161,7 +119,7 @@ vec4 behind(vec2 uv, out vec3 where) {
 }
 
 // The land that a mirrored ray meets, found in the picture itself: rgb, w = how much of it counts.
-vec4 mirrored_land(vec3 direction) {
+vec4 mirrored_land(vec3 position, vec3 direction) {
     vec4 origin = view_projection * vec4(position, 1.0), step = view_projection * vec4(direction, 0.0);
     float near = 0.0, far = 3.0;
     bool hit = false, lost = direction.z > 0.6;
@@ -191,12 +149,12 @@ vec4 mirrored_land(vec3 direction) {
 
 // The mirrored sky with the land before it. Several tilts stand for the distribution of the facets: with one alone a hill is
 // mirrored in scraps.
-vec3 mirror_land(vec3 sky, vec3 view, vec2 slope, vec2 toward, visible_facets seen) {
+vec3 mirror_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, visible_facets seen) {
     vec4 land = vec4(0.0);
     for (int i = 0; i < RAYS; ++i) {
         float tilt = RAYS == 1 ? 0.0 : float(i - 1) * 1.2;
         vec3 ray = reflect(-view, normalize(vec3(-(slope - toward * (seen.shift + tilt * seen.sigma)), 1.0)));
-        vec4 one = mirrored_land(vec3(ray.xy, abs(ray.z)));
+        vec4 one = mirrored_land(position, vec3(ray.xy, abs(ray.z)));
         float weight = RAYS == 1 ? 0.75 : i == 1 ? 0.5 : 0.25;
         land += weight * vec4(one.rgb * one.w, one.w);
     }
@@ -204,7 +162,7 @@ vec3 mirror_land(vec3 sky, vec3 view, vec2 slope, vec2 toward, visible_facets se
 }
 
 // The bed's share of the radiance that leaves the water, and the depth of water over it [m].
-vec3 bed_radiance(vec3 deep, vec3 view, vec3 normal, out float water_path) {
+vec3 bed_radiance(vec3 deep, vec3 position, vec3 view, vec3 normal, out float water_path) {
     vec2 uv = gl_FragCoord.xy * viewport.zw;
     vec3 refracted = refract(-view, normal, 1.0 / water_deep.w);
     float down = max(-refracted.z, 0.3);
@@ -247,12 +205,18 @@ void breaking_cover(fields w, float jacobian, vec3 covariance, out float fresh, 
 }
 
 void main() {
-    vec2 rest = rest_gust.xy;
-    float gust = rest_gust.z, shade = rest_gust.w;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 through_air = texelFetch(surface_transmittance, pixel, 0);
+    if (through_air.w < 0.5) discard; // no water here
+    vec4 rest_depth = texelFetch(surface_rest, pixel, 0), slope_light = texelFetch(surface_slope, pixel, 0);
+    vec4 from_air = texelFetch(surface_inscatter, pixel, 0);
+    vec3 position = frame_ray(gl_FragCoord.xy * viewport.zw) / rest_depth.w;
+    vec2 rest = rest_depth.xy;
+    float gust = slope_light.z, shade = slope_light.w;
     float dist = length(position);
     vec3 view = -position / dist;
-    footprint f = pixel_footprint(view, dist);
-    fields w = gather(rest, f, gust);
+    footprint f = pixel_footprint(view, dist, slope_light.xy);
+    fields w = gather(rest, f, gust, rest_depth.z);
     f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
     vec3 covariance = unresolved_slopes(f);
     vec3 shaded = covariance * gust * gust;
@@ -273,7 +237,7 @@ void main() {
     mirrored.z = abs(mirrored.z);
     vec3 sky = environment_radiance(mirrored, seen.sigma);
 #ifdef LAND
-    sky = mirror_land(sky, view, slope, toward, seen);
+    sky = mirror_land(sky, position, view, slope, toward, seen);
 #endif
 
     vec3 half_vector = normalize(view + sun.xyz);
@@ -298,8 +262,8 @@ void main() {
     foam_texels texels = foam_look_up(rest, f.minor);
 #ifdef LAND
     float water_path;
-    below = bed_radiance(below, view, normal, water_path);
-    fresh = max(fresh, shore_cover(shore_depth.x, shore_depth.y, water_path, texels.broad.b - 0.5));
+    below = bed_radiance(below, position, view, normal, water_path);
+    fresh = max(fresh, shore_cover(rest_depth.z, from_air.w, water_path, texels.broad.b - 0.5));
     film = smoothstep(0.0, 0.12, water_path); // the last centimetres over the sand
 #endif
     vec3 surface = reflectance * sky + glitter + (1.0 - reflectance) * (below + glow);
@@ -308,8 +272,8 @@ void main() {
     vec3 foam_light = (sunlight * max(dot(sun.xyz, normal), 0.0) + sky_light.rgb) / SLOPES_PI;
     surface = mix(surface, foam_light * 0.72, clamp(foam, 0.0, 1.0) * 0.92);
 #ifdef LAND
-    surface = mix(textureLod(scene_color, gl_FragCoord.xy * viewport.zw, 0.0).rgb, surface, film);
+    surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, film);
 #endif
-    color = vec4(surface * haze_transmittance + haze_inscatter, 1.0);
+    color = vec4(surface * through_air.rgb + from_air.rgb, 1.0);
 }
 #endif

@@ -5,7 +5,7 @@
 ///
 /// A guest in your frame: bolan_renderer_draw() binds your framebuffer, viewport and the state it needs, and leaves these as
 /// it found them: framebuffer bindings, viewport, scissor, program, vertex array, array and uniform buffers, textures of units
-/// 0-15, active unit, blend, cull, depth (test, mask, function, range, clip control), colour mask, clear values, pixel store.
+/// 0-20, active unit, blend, cull, depth (test, mask, function, range, clip control), colour mask, clear values, pixel store.
 /// All calls of one renderer must be made on the thread where its context is current.
 #ifndef BOLAN_RENDER_H
 #define BOLAN_RENDER_H

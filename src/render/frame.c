@@ -113,11 +113,13 @@ static void draw_opaque(bolan_renderer *r, frame *f) {
 
 static void draw_water(bolan_renderer *r, frame *f) {
     begin_part(r, PART_COPY);
-    gl_target_copy_color(&r->hdr, &r->behind);
-    gl_target_copy_depth(&r->hdr, &r->behind);
-    gl_texture_bind(&r->behind_color, UNIT_SCENE_COLOR);
-    gl_texture_bind(&r->behind_depth, UNIT_SCENE_DEPTH);
-    gl_target_bind(&r->hdr);
+    if (f->shore->present) { // over the open sea nothing shines through
+        gl_target_copy_color(&r->hdr, &r->behind);
+        gl_target_copy_depth(&r->hdr, &r->behind);
+        gl_texture_bind(&r->behind_color, UNIT_SCENE_COLOR);
+        gl_texture_bind(&r->behind_depth, UNIT_SCENE_DEPTH);
+        gl_target_bind(&r->hdr);
+    }
     end_part(r, PART_COPY);
     begin_part(r, PART_WATER);
     pass_water_draw(r->water, f);

@@ -32,6 +32,7 @@ enum {
     UNIT_CLOUDS = 13,       // sky pass's own: cloud panorama
     UNIT_AERIAL = 14,       // 3D aerial perspective, if used
     UNIT_PASS = 15,         // free for a pass's input (tone map source, ...)
+    UNIT_SURFACE = 16,      // 16-19: outputs of water_surface.glsl
 };
 
 // The uniform block `Frame` of shaders/common/frame.glsl: std140, keep in step.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The water: uploads the sea's cascades, builds the surface of this view, and draws it over a copy of what lies behind.
-// Shader: shaders/water.glsl.
+// The water: uploads the sea's cascades, builds the surface of this view, draws its shape into a few numbers per pixel, and
+// shades these over a copy of what lies behind. Shaders: shaders/water_surface.glsl, shaders/water.glsl.
 #include "foam_texture.h"
 #include "frame.h"
 
@@ -10,10 +10,15 @@
 
 #define SLOPE_ANGLES (BOLAN_SLOPE_TABLE_ANGLE + 1) // the first repeats at the end, so that linear filtering wraps
 
+enum { SURFACE_COUNT = 4 };
+
 struct pass_water {
     const gl_caps *caps;
     bolan_surface_desc surface;
-    gl_program open, land;                 // without and with terrain
+    gl_program shape[2], light[2];         // [1]: with terrain
+    gl_texture shape_map[SURFACE_COUNT];    // outputs of water_surface.glsl
+    gl_target shape_target;              // they, and the frame's depth
+    uint32_t depth_id;                     // of that depth
     gl_texture displacement, slopes, fold; // arrays, a layer per cascade
     gl_texture slope_table, foam_detail;
     gl_buffer vertices, indices;
@@ -22,20 +27,19 @@ struct pass_water {
     uint32_t *cpu_indices;
     uint16_t *cpu_fold;
     size_t cpu_fold_bytes;
-    uint32_t taps;               // most look-ups along a footprint
     bolan_surface_size size;     // of the indices in the buffer
-    double vertical, horizontal; // bounds of the displacement [m]
+    double vertical;             // bound of the displacement [m]
 };
 
 static const struct {
     double pixels_per_vertex;
-    uint32_t max_vertices, taps;
+    uint32_t max_vertices;
     const char *defines;
 } quality_table[] = {
-    [BOLAN_QUALITY_LOW] = {8.0, 40000, 1, "TAPS 1\nRAYS 1\n"},
-    [BOLAN_QUALITY_MEDIUM] = {5.0, 100000, 2, "TAPS 2\nRAYS 1\n"},
-    [BOLAN_QUALITY_HIGH] = {3.0, 300000, 4, "TAPS 4\nRAYS 3\n"},
-    [BOLAN_QUALITY_ULTRA] = {2.0, 700000, 8, "TAPS 8\nRAYS 3\n"},
+    [BOLAN_QUALITY_LOW] = {8.0, 40000, "TAPS 1\nRAYS 1\n"},
+    [BOLAN_QUALITY_MEDIUM] = {5.0, 100000, "TAPS 2\nRAYS 1\n"},
+    [BOLAN_QUALITY_HIGH] = {3.0, 300000, "TAPS 4\nRAYS 3\n"},
+    [BOLAN_QUALITY_ULTRA] = {2.0, 700000, "TAPS 8\nRAYS 3\n"},
 };
 
 static bolan_result create_foam_detail(pass_water *p) {
@@ -78,11 +82,12 @@ bolan_result pass_water_create(const gl_caps *caps, bolan_quality quality, pass_
     p->surface = bolan_surface_desc_default();
     p->surface.pixels_per_vertex = quality_table[quality].pixels_per_vertex;
     p->surface.max_vertices = quality_table[quality].max_vertices;
-    p->taps = quality_table[quality].taps;
     char with_land[64];
     snprintf(with_land, sizeof with_land, "%sLAND 1\n", quality_table[quality].defines);
-    bolan_result result = gl_program_create("water", quality_table[quality].defines, &p->open);
-    if (result == BOLAN_OK) result = gl_program_create("water", with_land, &p->land);
+    bolan_result result = gl_program_create("water_surface", NULL, &p->shape[0]);
+    if (result == BOLAN_OK) result = gl_program_create("water_surface", "LAND 1\n", &p->shape[1]);
+    if (result == BOLAN_OK) result = gl_program_create("water", quality_table[quality].defines, &p->light[0]);
+    if (result == BOLAN_OK) result = gl_program_create("water", with_land, &p->light[1]);
     if (result == BOLAN_OK) result = create_foam_detail(p);
     if (result == BOLAN_OK) result = create_mesh(p);
     gl_texture_desc table = {.format = GL_FMT_RGBA16F,
@@ -100,6 +105,36 @@ bolan_result pass_water_create(const gl_caps *caps, bolan_quality quality, pass_
     return BOLAN_OK;
 }
 
+static void free_shape(pass_water *p) {
+    gl_target_free(&p->shape_target);
+    for (int i = 0; i < SURFACE_COUNT; ++i) gl_texture_free(&p->shape_map[i]);
+    p->depth_id = 0;
+}
+
+// Textures of the frame's size, with its depth.
+static bolan_result fit_shape(pass_water *p, const frame *f) {
+    if (p->depth_id == f->hdr_depth->id && p->shape_map[0].width == f->hdr.width && p->shape_map[0].height == f->hdr.height)
+        return BOLAN_OK;
+    free_shape(p);
+    const gl_texture *colors[SURFACE_COUNT];
+    bolan_result result = BOLAN_OK;
+    for (int i = 0; i < SURFACE_COUNT && result == BOLAN_OK; ++i) {
+        gl_texture_desc desc = {.format = i == 0 ? GL_FMT_RGBA32F : GL_FMT_RGBA16F,
+                                .width = f->hdr.width,
+                                .height = f->hdr.height,
+                                .filter = GL_FILTER_NEAREST,
+                                .wrap = GL_WRAP_CLAMP};
+        result = gl_texture_create(&desc, &p->shape_map[i]);
+        colors[i] = &p->shape_map[i];
+    }
+    if (result == BOLAN_OK) result = gl_target_create(colors, SURFACE_COUNT, f->hdr_depth, -1, 0, &p->shape_target);
+    if (result == BOLAN_OK)
+        p->depth_id = f->hdr_depth->id;
+    else
+        free_shape(p);
+    return result;
+}
+
 void pass_water_destroy(pass_water **pass) {
     if (pass == NULL || *pass == NULL) return;
     pass_water *p = *pass;
@@ -111,8 +146,11 @@ void pass_water_destroy(pass_water **pass) {
     gl_texture_free(&p->fold);
     gl_texture_free(&p->slope_table);
     gl_texture_free(&p->foam_detail);
-    gl_program_free(&p->open);
-    gl_program_free(&p->land);
+    free_shape(p);
+    for (int i = 0; i < 2; ++i) {
+        gl_program_free(&p->shape[i]);
+        gl_program_free(&p->light[i]);
+    }
     bolan_release(p->cpu_vertices, sizeof(bolan_surface_vertex) * p->surface.max_vertices);
     bolan_release(p->cpu_indices, sizeof(uint32_t) * 6 * p->surface.max_vertices);
     bolan_release(p->cpu_fold, p->cpu_fold_bytes);
@@ -121,8 +159,10 @@ void pass_water_destroy(pass_water **pass) {
 }
 
 bolan_result pass_water_reload(pass_water *p) {
-    bolan_result result = gl_program_reload(&p->open);
-    return result == BOLAN_OK ? gl_program_reload(&p->land) : result;
+    gl_program *programs[] = {&p->shape[0], &p->shape[1], &p->light[0], &p->light[1]};
+    bolan_result result = BOLAN_OK;
+    for (int i = 0; i < 4 && result == BOLAN_OK; ++i) result = gl_program_reload(programs[i]);
+    return result;
 }
 
 // Arrays that fit this sea; kept while n and the number of cascades stay.
@@ -191,7 +231,6 @@ static void build_surface(pass_water *p, frame *f) {
                                .water_level = f->scene->water.level};
     bolan_sea_bounds(f->desc->sea, &view.vertical, &view.horizontal);
     p->vertical = view.vertical;
-    p->horizontal = view.horizontal;
     bolan_surface_size size = bolan_surface_projected(&p->surface, &view, p->cpu_vertices);
     gl_buffer_update(&p->vertices, 0, sizeof(bolan_surface_vertex) * size.columns * size.rows, p->cpu_vertices);
     if (size.columns != p->size.columns || size.rows != p->size.rows) {
@@ -230,6 +269,7 @@ static void set_cascades(const gl_program *g, const frame *f) {
         band[4 * c + 1] = (float)texel;
         band[4 * c + 2] = (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length);
     }
+    gl_program_int(g, "cascade_count", (int)count);
     gl_program_vec4_array(g, "cascade_tile", tile, BOLAN_MAX_CASCADES);
     gl_program_vec4_array(g, "cascade_band", band, BOLAN_MAX_CASCADES);
     gl_program_float(g, "choppiness", (float)bolan_sea_get_desc(f->desc->sea)->choppiness);
@@ -292,50 +332,48 @@ static void set_foam(const gl_program *g, const frame *f) {
                     (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread, 0.0f});
 }
 
-// The look-ups that the pixels of a row need: cascades [0, count), each with so many along the footprint.
-typedef struct row_plan {
-    uint32_t count;
-    int taps[BOLAN_MAX_CASCADES];
-} row_plan;
-
-// A ring whose longest wave is shorter than the pixel is wide is left out; a footprint that is shorter than a texel when the
-// water is flat gets one look-up (where a wave leans away the level of detail makes up for it).
-static row_plan plan_row(const pass_water *p, const frame *f, uint32_t row) {
-    const bolan_surface_vertex *v = &p->cpu_vertices[(size_t)row * p->size.columns];
-    double horizontal = hypot(v->x, v->y), height = fabs((double)v->z), radians = f->uniforms.lens.x;
-    double least = hypot(fmax(horizontal - p->horizontal, 0.0), fmax(height - p->vertical, 0.0)) * radians;
-    double dist = hypot(horizontal, height), major = dist * radians / fmin(1.0, height / fmax(dist, 1e-6) + 0.02);
-    row_plan plan = {.count = bolan_sea_cascade_count(f->desc->sea), .taps = {1, 1, 1, 1}};
-    while (plan.count > 1 && least > 0.6 * 2.0 * BOLAN_PI / bolan_sea_cascade(f->desc->sea, plan.count - 1).k_min)
-        --plan.count;
-    for (uint32_t c = 0; c < plan.count; ++c) {
-        bolan_cascade_view view = bolan_sea_cascade(f->desc->sea, c);
-        while (plan.taps[c] < (int)p->taps && major / plan.taps[c] > view.length / view.n) plan.taps[c] *= 2;
-    }
-    return plan;
+// Rows of the picture, from the bottom, that can show water: up to the horizon raised by the highest wave.
+static uint32_t water_rows(const pass_water *p, const frame *f) {
+    const bolan_camera *c = &f->scene->camera;
+    if (c->roll_deg != 0.0) return f->desc->height;
+    double above = f->uniforms.eye.z - p->vertical;
+    if (above <= 1.0) return f->desc->height; // among the waves: they may stand anywhere
+    double top = bolan_radians(c->pitch_deg) + acos(BOLAN_EARTH_RADIUS / (BOLAN_EARTH_RADIUS + above)); // over it
+    double half = 0.5 * bolan_radians(c->fov_deg);
+    double y = -tan(top) / tan(half); // in the middle; the curve of the horizon bends down from there
+    double rows = (0.5 + 0.5 * y) * f->desc->height + 3.0;
+    return (uint32_t)fmin(fmax(rows, 1.0), f->desc->height);
 }
 
-void pass_water_draw(pass_water *p, frame *f) {
-    if (p->size.columns < 2 || p->size.rows < 2) return;
-    const gl_program *g = f->shore->present ? &p->land : &p->open;
+static void draw_shape(pass_water *p, frame *f, uint32_t triangles) {
+    const gl_program *g = &p->shape[f->shore->present];
+    gl_target_bind(&p->shape_target);
+    gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     gl_program_use(g);
     if (f->shore->present) shore_map_apply(f->shore, g);
     set_cascades(g, f);
+    gl_mesh_draw(&p->mesh, 0, 3 * triangles);
+}
+
+static void draw_light(pass_water *p, const frame *f) {
+    const gl_program *g = &p->light[f->shore->present];
+    gl_target_bind_part(&f->hdr, 0, 0, f->hdr.width, water_rows(p, f));
+    gl_set_state(&(gl_state){.color_write = true});
+    for (uint32_t i = 0; i < SURFACE_COUNT; ++i) gl_texture_bind(&p->shape_map[i], UNIT_SURFACE + i);
+    gl_program_use(g);
+    if (f->shore->present) shore_map_apply(f->shore, g);
+    set_cascades(g, f);
     set_foam(g, f);
-    // Runs of rows with the same plan.
-    uint32_t row_indices = 6 * (p->size.columns - 1), first = 0;
-    row_plan plan = plan_row(p, f, 0);
-    for (uint32_t row = 1; row < p->size.rows; ++row) {
-        row_plan next = plan_row(p, f, row);
-        if (row + 1 < p->size.rows && memcmp(&next, &plan, sizeof plan) == 0) continue;
-        gl_program_int(g, "cascade_count", (int)plan.count);
-        gl_program_ivec4(g, "cascade_taps", plan.taps);
-        gl_mesh_draw(&p->mesh, first * row_indices, (row - first) * row_indices);
-        first = row;
-        plan = next;
-    }
+    gl_draw_fullscreen();
+    gl_target_bind(&f->hdr);
+}
+
+void pass_water_draw(pass_water *p, frame *f) {
+    if (p->size.columns < 2 || p->size.rows < 2 || fit_shape(p, f) != BOLAN_OK) return;
     uint32_t triangles = 2 * (p->size.columns - 1) * (p->size.rows - 1);
+    draw_shape(p, f, triangles);
+    draw_light(p, f);
     f->triangles += triangles;
     f->water_triangles += triangles;
 }

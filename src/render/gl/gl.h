@@ -128,7 +128,6 @@ bolan_result gl_program_create(const char *stem, const char *defines, gl_program
 bolan_result gl_program_reload(gl_program *p); // keeps the old one on failure
 void gl_program_use(const gl_program *p);
 void gl_program_int(const gl_program *p, const char *name, int value); // samplers too: the unit
-void gl_program_ivec4(const gl_program *p, const char *name, const int xyzw[4]);
 void gl_program_float(const gl_program *p, const char *name, float value);
 void gl_program_vec2(const gl_program *p, const char *name, float x, float y);
 void gl_program_vec3(const gl_program *p, const char *name, bolan_vec3 v);

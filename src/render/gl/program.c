@@ -101,9 +101,6 @@ static GLint locate(const gl_program *p, const char *name) {
 }
 
 void gl_program_int(const gl_program *p, const char *name, int value) { glUniform1i(locate(p, name), value); }
-void gl_program_ivec4(const gl_program *p, const char *name, const int xyzw[4]) {
-    glUniform4iv(locate(p, name), 1, xyzw);
-}
 void gl_program_float(const gl_program *p, const char *name, float value) { glUniform1f(locate(p, name), value); }
 void gl_program_vec2(const gl_program *p, const char *name, float x, float y) { glUniform2f(locate(p, name), x, y); }
 void gl_program_vec3(const gl_program *p, const char *name, bolan_vec3 v) {
