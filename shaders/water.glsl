@@ -92,7 +92,7 @@ fields gather(vec2 rest, footprint f, float gust, float depth) {
         vec4 band = cascade_band[c];
         if (f.minor > 0.6 * band.z) break;
         float taps = clamp(ceil(f.major / band.y), 1.0, float(TAPS));
-        float lod = log2(max(max(f.minor, f.major / taps) / band.y, 1e-3));
+        float lod = log2(max(f.minor, f.major / taps)) - band.w;
         vec2 centre = cascade_uv(c, rest);
         vec2 along = (cascade_uv(c, rest + f.axis * f.major) - centre) / taps;
         vec2 uv = centre - along * (0.5 * taps - 0.5);

@@ -7,15 +7,17 @@ uniform sampler2D foam_detail;
 
 struct foam_texels { vec4 broad, middle, streak; };
 
-vec4 foam_texel(vec2 p, float tile, float width) {
-    return textureLod(foam_detail, p / tile, log2(max(width * 512.0 / tile, 1.0)));
+// `detail`: log2 of the texels of a 1 m tile under the pixel.
+vec4 foam_texel(vec2 p, float log2_tile, float detail) {
+    return textureLod(foam_detail, p * exp2(-log2_tile), max(detail - log2_tile, 0.0));
 }
 
 // rest: eye-relative [m]; width of the pixel on the water [m].
 foam_texels foam_look_up(vec2 rest, float width) {
     vec2 p = mod(eye.xy + rest, 4096.0);
     vec2 along = vec2(dot(p, wind.xy) * 0.4, dot(p, vec2(-wind.y, wind.x))); // old foam is drawn out along the wind
-    return foam_texels(foam_texel(p, 64.0, width), foam_texel(p.yx, 8.0, width), foam_texel(along.yx, 16.0, width));
+    float detail = log2(width * 512.0);
+    return foam_texels(foam_texel(p, 6.0, detail), foam_texel(p.yx, 3.0, detail), foam_texel(along.yx, 4.0, detail));
 }
 
 // The part of a value's range above 1 - share, with a soft edge; the mean over all values is the share.

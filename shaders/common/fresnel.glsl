@@ -16,7 +16,7 @@ float fresnel(float cos_incident, float eta) {
 float mean_fresnel(float cos_incident, float eta, float sigma) {
     float f0 = (eta - 1.0) * (eta - 1.0) / ((eta + 1.0) * (eta + 1.0));
     float grazing = 1.0 - cos_incident;
-    float schlick = f0 + (1.0 - f0) * pow(grazing, 5.0);
-    float rough = f0 + (1.0 - f0) * pow(grazing, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * pow(sigma, 1.5));
+    float grazing2 = grazing * grazing, schlick = f0 + (1.0 - f0) * grazing2 * grazing2 * grazing;
+    float rough = f0 + (1.0 - f0) * pow(grazing, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * sigma * sqrt(sigma));
     return rough * mix(fresnel(cos_incident, eta) / schlick, 1.0, min(1.0, sigma * 10.0));
 }

@@ -7,7 +7,7 @@ uniform sampler2DArray displacement_map; // dx, dy, height
 uniform sampler2DArray slope_map;        // slope x, slope y, dxx, dyy
 uniform int cascade_count;
 uniform vec4 cascade_tile[4]; // xy: the eye in the tile [0,1), zw: cos(angle), sin(angle) over the side [1/m]
-uniform vec4 cascade_band[4]; // x: significant height of the band [m], y: texel [m], z: longest wave [m], w: unused
+uniform vec4 cascade_band[4]; // x: significant height of the band [m], y: texel [m], z: longest wave [m], w: log2 of the texel
 uniform float choppiness;
 
 vec2 cascade_uv(int c, vec2 rest) {

@@ -6,8 +6,11 @@
 
 const float SLOPES_PI = 3.14159265;
 
-// Standard normal distribution function, to 2e-4 (tanh form).
-float normal_cdf(float x) { return 0.5 + 0.5 * tanh(0.79788456 * (x + 0.044715 * x * x * x)); }
+// Standard normal distribution function, to 2e-4 (logistic form of tanh(sqrt(2/pi) (x + 0.044715 x^3)), one exponential).
+float normal_cdf(float x) {
+    float t = clamp(x, -9.0, 9.0);
+    return 1.0 / (1.0 + exp(-1.59576912 * (t + 0.044715 * t * t * t)));
+}
 float normal_pdf(float x) { return 0.39894228 * exp(-0.5 * x * x); }
 
 // What the visible facets look like: how much plan-projected area a unit of plan area shows (>= v.z), and the mean and the

@@ -164,6 +164,7 @@ void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *desc) {
             pass_tonemap_draw(r->tonemap, &f, &r->hdr_color, s, samples);
             end_part(r, PART_TONEMAP);
         }
+        r->radiance_unit = f.uniforms.air.x;
         keep_statistics(r, &f);
     }
     gl_restore(r->saved);

@@ -37,7 +37,7 @@ static const struct {
     const char *defines;
 } quality_table[] = {
     [BOLAN_QUALITY_LOW] = {8.0, 40000, "TAPS 1\nRAYS 1\n"},
-    [BOLAN_QUALITY_MEDIUM] = {5.0, 100000, "TAPS 2\nRAYS 1\n"},
+    [BOLAN_QUALITY_MEDIUM] = {6.0, 100000, "TAPS 2\nRAYS 1\n"},
     [BOLAN_QUALITY_HIGH] = {3.0, 300000, "TAPS 4\nRAYS 3\n"},
     [BOLAN_QUALITY_ULTRA] = {2.0, 700000, "TAPS 8\nRAYS 3\n"},
 };
@@ -267,6 +267,7 @@ static void set_cascades(const gl_program *g, const frame *f) {
         tile[4 * c + 3] = (float)(sa / v.length);
         band[4 * c] = (float)(4.0 * sqrt(v.variance));
         band[4 * c + 1] = (float)texel;
+        band[4 * c + 3] = (float)log2(texel);
         band[4 * c + 2] = (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length);
     }
     gl_program_int(g, "cascade_count", (int)count);

@@ -3,7 +3,6 @@
 #include "renderer.h"
 
 #include <math.h>
-#include <string.h>
 #include <time.h>
 
 bolan_renderer_desc bolan_renderer_desc_default(void) { return (bolan_renderer_desc){.quality = BOLAN_QUALITY_MEDIUM}; }
@@ -130,7 +129,8 @@ void bolan_renderer_read_linear(bolan_renderer *r, float *rgb, float *distance) 
         gl_target_read_float(&r->hdr, 0, scratch);
         for (size_t j = 0; j < height; ++j)
             for (size_t i = 0; i < width; ++i)
-                memcpy(rgb + 3 * ((height - 1 - j) * width + i), scratch + 4 * (j * width + i), 3 * sizeof(float));
+                for (size_t c = 0; c < 3; ++c)
+                    rgb[3 * ((height - 1 - j) * width + i) + c] = scratch[4 * (j * width + i) + c] / r->radiance_unit;
     }
     if (distance != NULL) {
         gl_target_read_depth(&r->hdr, &r->hdr_depth, scratch);

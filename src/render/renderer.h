@@ -35,7 +35,8 @@ struct bolan_renderer {
     // timing
     gl_timer timers[PART_COUNT];
     bool measure;
-    double near_plane; // of the last picture [m]
+    double near_plane;    // of the last picture [m]
+    float radiance_unit;  // of the last picture: stored / unit is radiance
     bolan_frame_statistics statistics;
 };
 
