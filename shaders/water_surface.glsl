@@ -35,7 +35,7 @@ void main() {
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
         if (vertex.w > band.z) break; // every wave of it is shorter than the mesh
-        float lod = log2(max(vertex.w / band.y, 1.0));
+        float lod = max(log2(vertex.w) - band.w - 0.5, 0.0); // the triangles blur too: half a level is theirs
         vec3 uv = vec3(cascade_uv(c, rest), float(c));
         vec4 s = textureLod(displacement_map, uv, lod);
         float keep = 1.0;
