@@ -42,7 +42,7 @@ uniform sampler2D surface_inscatter;
 uniform sampler3D slope_table;
 uniform sampler2DArray fold_map; // r: dxy, g: foam memory
 uniform vec4 foam_law;    // x: Jacobian threshold, y: slope variance beyond the cascades, z: significant height [m], w: peak period [s]
-uniform vec4 foam_memory; // x: threshold of the foam memory, y: its variance, z: variance of the Jacobian, all scales
+uniform vec4 foam_memory; // x: threshold of the foam memory, y: its variance, z: variance of the Jacobian, all scales, w: where the sea goes [rad]
 
 // The part of the water's plane under one pixel: an ellipse, long along the view.
 struct footprint {
@@ -179,13 +179,17 @@ vec3 bed_radiance(vec3 deep, vec3 position, vec3 view, vec3 normal, out float wa
     return seen.rgb * 0.54 * both_ways + deep * (1.0 - both_ways);
 }
 
-// Broken water near the shore: bores that run in over the shallows, surge at rocks, swash at the edge.
-float shore_cover(float depth, float least, float water_path, float wobble) {
-    float hs = clamp(foam_law.z, 0.25, 4.0), period = clamp(foam_law.w, 3.0, 12.0);
+// Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash at
+// the edge. Up a slope the fronts follow the depth; over flats they travel the way the sea goes.
+float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 noise) {
+    float hs = clamp(foam_law.z, 0.25, 4.0), period = clamp(foam_law.w, 3.0, 12.0), wobble = noise.b - 0.5;
     float zone = smoothstep(1.6 * hs, 0.35 * hs, depth + wobble * hs);
-    float phase = depth / (0.7 * hs) + sky_light.w / period + 1.4 * wobble;
-    float bore = 0.5 + 0.5 * sin(2.0 * SLOPES_PI * phase);
-    float cover = zone * (0.12 + 0.88 * bore * bore * bore);
+    float length = period * sqrt(7.0 * hs); // of a bore in water as deep as it is high
+    vec2 going = vec2(cos(foam_memory.w), sin(foam_memory.w));
+    float travelled = dot(mod(eye.xy + rest, 4096.0), going) / length;
+    float behind_front = fract(depth / (0.9 * hs) - travelled + sky_light.w / period + 0.9 * wobble + 0.5 * noise.a);
+    float bore = smoothstep(0.0, 0.06, behind_front) * exp(-3.0 * behind_front);
+    float cover = zone * (0.1 + 0.9 * bore);
     float surge = 0.55 + 0.45 * sin(2.0 * SLOPES_PI * (sky_light.w / period + 2.0 * wobble));
     float rocks = smoothstep(0.8, -1.5, least) * surge;
     float swash = smoothstep(0.35, 0.02, water_path) * 0.75;
@@ -263,7 +267,7 @@ void main() {
 #ifdef LAND
     float water_path;
     below = bed_radiance(below, position, view, normal, water_path);
-    fresh = max(fresh, shore_cover(rest_depth.z, from_air.w, water_path, texels.broad.b - 0.5));
+    fresh = max(fresh, shore_cover(rest, rest_depth.z, from_air.w, water_path, texels.broad));
     film = smoothstep(0.0, 0.12, water_path); // the last centimetres over the sand
 #endif
     vec3 surface = reflectance * sky + glitter + (1.0 - reflectance) * (below + glow);

@@ -330,7 +330,8 @@ static void set_foam(const gl_program *g, const frame *f) {
                     (bolan_vec4){(float)fmax(threshold, -1e30), rest[0] + rest[2], (float)(4.0 * sqrt(variance)),
                                  (float)(summary.tp > 0.0 ? summary.tp : 8.0)});
     gl_program_vec4(g, "foam_memory",
-                    (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread, 0.0f});
+                    (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread,
+                                 (float)bolan_compass_from_to_math(summary.from_deg)});
 }
 
 // Rows of the picture, from the bottom, that can show water: up to the horizon raised by the highest wave.
