@@ -177,6 +177,12 @@ int command_render(int count, char **arguments) {
     if (result) return result;
     result = can_write(&j) ? session_open(&o, &w) : EXIT_FAILED;
     if (result) return result;
+    const double below = w.scene.water.level - w.scene.camera.position.z;
+    if (below > 0.0) {
+        session_close(&w);
+        return usage_error(
+            "the camera stands %g m below the water; expected above it: there are no views from below yet", below);
+    }
     signal(SIGINT, on_interrupt);
     signal(SIGTERM, on_interrupt);
     result = render_all(&j, &w);

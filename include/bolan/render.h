@@ -71,7 +71,8 @@ typedef struct bolan_frame_desc {
 } bolan_frame_desc;
 /// One sample, everything else 0 or NULL: set scene, sea, width and height.
 bolan_frame_desc bolan_frame_desc_default(void);
-/// Draws one picture. After the first frames nothing is allocated unless the size, the terrain or the sea changes.
+/// Draws one picture. An eye below the water or within 0.3 m of it is lifted to 0.3 m above: there are no views from below
+/// yet. After the first frames nothing is allocated unless the size, the terrain or the sea changes.
 void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame);
 
 /// The colour buffer of the last picture before the tone map, linear radiance relative to a sun irradiance of 1 in space at

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "bolan/query.h"
 #include "renderer.h"
 
 const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea", "terrain", "sky", "copy", "water", "tone map"};
@@ -47,12 +48,22 @@ static void fill_camera(frame *f, bool zero_to_one, double near_m, bolan_vec2 sh
 
 static float reduced(double x, double period) { return (float)(x - period * floor(x / period)); }
 
+// There is no picture from below yet: an eye that a wave would swallow rides over it.
+static bolan_dvec3 eye_over_water(const bolan_frame_desc *d) {
+    bolan_dvec3 eye = d->scene->camera.position;
+    bolan_dvec2 below = {eye.x, eye.y};
+    bolan_query_point water;
+    bolan_query_surface(d->sea, d->terrain, d->scene->water.level, &below, 1, &water);
+    eye.z = fmax(eye.z, (double)water.height + 0.3);
+    return eye;
+}
+
 static void fill_scene(frame *f) {
     const bolan_scene *s = f->scene;
     frame_uniforms *u = &f->uniforms;
     const bolan_sea_state *state = &bolan_sea_get_desc(f->desc->sea)->sea_state;
     f->time = bolan_sea_time(f->desc->sea);
-    f->eye = s->camera.position;
+    f->eye = eye_over_water(f->desc);
     f->sun_direction = sun_direction(&s->sky);
     double wind_to = bolan_compass_from_to_math(state->wind_from_deg);
     u->eye = (bolan_vec4){reduced(f->eye.x, 4096.0), reduced(f->eye.y, 4096.0), (float)(f->eye.z - s->water.level),
@@ -145,11 +156,11 @@ void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *desc) {
     frame f = {.desc = desc, .scene = desc->scene, .caps = &r->caps, .quality = r->desc.quality};
     bool zero_to_one = r->caps.clip_control && !r->desc.no_clip_control;
     if (renderer_resize(r, desc->width, desc->height) == BOLAN_OK) {
-        r->near_plane = near_plane(desc->scene->camera.position.z - desc->scene->water.level, zero_to_one);
         if (r->caps.clip_control) gl_set_clip_zero_to_one(zero_to_one);
         f.hdr = r->hdr;
         f.hdr_depth = &r->hdr_depth;
         fill_scene(&f);
+        r->near_plane = near_plane(f.uniforms.eye.z, zero_to_one);
         fill_camera(&f, zero_to_one, r->near_plane, (bolan_vec2){0.0f, 0.0f});
         prepare(r, &f);
         uint32_t samples = desc->samples < 1 ? 1 : desc->samples;
