@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-#define SLOW_MS 42.0 // above this a step down
-#define FAST_MS 30.0 // a step up if it is expected to stay below this
+#define SLOW_MS 75.0 // above this a step down: a sea still moves at 13 frames a second, but it must be recognisable
+#define FAST_MS 55.0 // a step up if it is expected to stay below this
 #define PATIENCE 5   // frames after a change before the next: new targets and caches disturb the first ones
 
 static const double steps[] = {1.0, 0.75, 0.6, 0.5, 0.4, 0.33, 0.25};
