@@ -143,12 +143,58 @@ static void the_sea_has_no_holes(void **state) {
     bolan_context_destroy(&context);
 }
 
+static int allocations;
+
+static void *counted(void *user, size_t size, size_t align) {
+    (void)user;
+    ++allocations;
+    return aligned_alloc(align, (size + align - 1) / align * align);
+}
+
+static void uncounted(void *user, void *memory, size_t size) {
+    (void)user;
+    (void)size;
+    free(memory);
+}
+
+static void frames_after_the_first_allocate_nothing(void **state) {
+    (void)state;
+    bolan_set_hooks(&(bolan_hooks){.allocate = counted, .release = uncounted});
+    bolan_context *context = NULL;
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    bolan_scene scene = scene_of(&shots[0]);
+    stage s;
+    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+    bolan_target *target = NULL;
+    assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
+    bolan_frame_desc frame = bolan_frame_desc_default();
+    frame.scene = &s.scene;
+    frame.sea = s.sea;
+    frame.terrain = s.assets.terrain;
+    frame.framebuffer = bolan_target_framebuffer(target);
+    frame.width = WIDTH;
+    frame.height = HEIGHT;
+    for (int i = 0; i < 6; ++i) {
+        if (i == 2) allocations = 0;
+        s.scene.camera.position.x += 3.0;
+        s.scene.camera.heading_deg += 1.0;
+        bolan_sea_step(s.sea, scene.time + 0.1 * i);
+        bolan_renderer_draw(s.renderer, &frame);
+    }
+    assert_int_equal(allocations, 0);
+    bolan_target_destroy(&target);
+    stage_close(&s);
+    bolan_context_destroy(&context);
+    bolan_set_hooks(NULL);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_are_the_stored_ones),
         cmocka_unit_test(core_and_es_draw_the_same_picture),
         cmocka_unit_test(the_picture_does_not_need_clip_control),
         cmocka_unit_test(the_sea_has_no_holes),
+        cmocka_unit_test(frames_after_the_first_allocate_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
