@@ -42,6 +42,7 @@ uniform sampler2D surface_inscatter;
 uniform sampler3D slope_table;
 uniform sampler2DArray fold_map; // r: dxy, g: foam memory
 uniform vec4 foam_law;    // x: Jacobian threshold, y: slope variance beyond the cascades, z: significant height [m], w: peak period [s]
+uniform vec2 foam_edge;   // variances that soften the edges of fresh and of old foam; the thresholds allow for them
 uniform vec4 foam_memory; // x: threshold of the foam memory, y: its variance, z: variance of the Jacobian, all scales, w: where the sea goes [rad]
 
 // The part of the water's plane under one pixel: an ellipse, long along the view.
@@ -198,14 +199,11 @@ float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 no
 #endif
 
 // Covered shares by breaking crests and by what they leave (Dupuy & Bruneton 2012: the mean and the hidden variance of the Jacobian).
-// FOAM_EDGE widens the edge of a patch; the threshold was moved to leave the share as it is.
-const float FOAM_EDGE = 0.12;
-
 void breaking_cover(fields w, float jacobian, vec3 covariance, out float fresh, out float old) {
     float variance = max(covariance.x + covariance.z - foam_law.y, 0.0) * choppiness * choppiness;
-    fresh = normal_cdf((foam_law.x - jacobian) * inversesqrt(variance + FOAM_EDGE * FOAM_EDGE));
+    fresh = normal_cdf((foam_law.x - jacobian) * inversesqrt(variance + foam_edge.x));
     float hidden = clamp(variance / max(foam_memory.z, 1e-6), 0.0, 1.0);
-    old = normal_cdf((w.foam - foam_memory.x) * inversesqrt(foam_memory.y * (hidden + 0.1)));
+    old = normal_cdf((w.foam - foam_memory.x) * inversesqrt(foam_memory.y * (hidden + foam_edge.y)));
 }
 
 void main() {

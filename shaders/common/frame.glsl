@@ -13,8 +13,6 @@ layout(std140) uniform Frame {
     vec4 haze;       // x: visibility [m], y: cloud base [m], zw: eye position modulo 131072 m
     vec4 water_deep; // remote-sensing reflectance rgb [1/sr]; w: index of refraction
     vec4 water_kd;   // diffuse attenuation rgb [1/m]; w: foam strength
-    vec4 water_bb;   // backscatter rgb [1/m]
-    vec4 water_a;    // absorption rgb [1/m]
     vec4 air;        // x: radiance unit, y: 1 when the eye is above the clouds, zw: eye from the cloud maps' centre [m]
 };
 

@@ -26,8 +26,6 @@ static void fill_water(frame_uniforms *u, const bolan_water *water) {
     bolan_water_optics optics = bolan_water_optics_from_jerlov(water->type);
     u->water_deep = with_w(optics.deep, optics.index);
     u->water_kd = with_w(optics.kd, (float)water->foam);
-    u->water_bb = with_w(optics.backscatter, 0.0f);
-    u->water_a = with_w(optics.absorption, 0.0f);
 }
 
 // Camera of one sub-picture; `shift` moves the picture by parts of a pixel.

@@ -49,8 +49,6 @@ typedef struct frame_uniforms {
     bolan_vec4 haze;       // x: visibility [m], y: cloud base [m], zw: eye position modulo 131072 m (for large noise)
     bolan_vec4 water_deep; // Rrs rgb; w: index of refraction
     bolan_vec4 water_kd;   // Kd rgb; w: foam strength
-    bolan_vec4 water_bb;   // backscatter rgb; w: spare
-    bolan_vec4 water_a;    // absorption rgb; w: spare
     bolan_vec4
         air; // set by pass_sky_prepare. x: unit of every radiance (true radiance = stored / x), y: 1 when the eye is
              // above the clouds, z, w: eye from the cloud maps' centre [m]
@@ -92,7 +90,7 @@ void pass_terrain_draw(pass_terrain *p, frame *f);
 bolan_result pass_terrain_reload(pass_terrain *p);
 void pass_terrain_destroy(pass_terrain **p);
 
-bolan_result pass_water_create(const gl_caps *caps, bolan_quality quality, pass_water **out);
+bolan_result pass_water_create(bolan_quality quality, pass_water **out);
 void pass_water_prepare(pass_water *p, frame *f); // uploads the sea
 void pass_water_draw(pass_water *p, frame *f);    // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
 bolan_result pass_water_reload(pass_water *p);

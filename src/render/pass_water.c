@@ -13,11 +13,10 @@
 enum { SURFACE_COUNT = 4 };
 
 struct pass_water {
-    const gl_caps *caps;
     bolan_surface_desc surface;
     gl_program shape[2], light[2];         // [1]: with terrain
-    gl_texture shape_map[SURFACE_COUNT];    // outputs of water_surface.glsl
-    gl_target shape_target;              // they, and the frame's depth
+    gl_texture shape_map[SURFACE_COUNT];   // outputs of water_surface.glsl
+    gl_target shape_target;                // they, and the frame's depth
     uint32_t depth_id;                     // of that depth
     gl_texture displacement, slopes, fold; // arrays, a layer per cascade
     gl_texture slope_table, foam_detail;
@@ -27,8 +26,8 @@ struct pass_water {
     uint32_t *cpu_indices;
     uint16_t *cpu_fold;
     size_t cpu_fold_bytes;
-    bolan_surface_size size;     // of the indices in the buffer
-    double vertical;             // bound of the displacement [m]
+    bolan_surface_size size; // of the indices in the buffer
+    double vertical;         // bound of the displacement [m]
 };
 
 static const struct {
@@ -75,10 +74,9 @@ static bolan_result create_mesh(pass_water *p) {
     return result;
 }
 
-bolan_result pass_water_create(const gl_caps *caps, bolan_quality quality, pass_water **out) {
+bolan_result pass_water_create(bolan_quality quality, pass_water **out) {
     pass_water *p = bolan_allocate(sizeof *p);
     if (p == NULL) return BOLAN_ERROR_MEMORY;
-    p->caps = caps;
     p->surface = bolan_surface_desc_default();
     p->surface.pixels_per_vertex = quality_table[quality].pixels_per_vertex;
     p->surface.max_vertices = quality_table[quality].max_vertices;
@@ -113,7 +111,8 @@ static void free_shape(pass_water *p) {
 
 // Textures of the frame's size, with its depth.
 static bolan_result fit_shape(pass_water *p, const frame *f) {
-    if (p->depth_id == f->hdr_depth->id && p->shape_map[0].width == f->hdr.width && p->shape_map[0].height == f->hdr.height)
+    if (p->depth_id == f->hdr_depth->id && p->shape_map[0].width == f->hdr.width &&
+        p->shape_map[0].height == f->hdr.height)
         return BOLAN_OK;
     free_shape(p);
     const gl_texture *colors[SURFACE_COUNT];
@@ -305,7 +304,7 @@ static void foam_moments(const bolan_sea *sea, double *mean, double *variance) {
     }
 }
 
-#define FOAM_EDGE 0.12     // of shaders/water.glsl: how widely a breaking patch's edge is drawn, in Jacobian
+#define FOAM_EDGE 0.12     // how widely a breaking patch's edge is drawn, in Jacobian
 #define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
 #define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
 
@@ -329,6 +328,7 @@ static void set_foam(const gl_program *g, const frame *f) {
     gl_program_vec4(g, "foam_law",
                     (bolan_vec4){(float)fmax(threshold, -1e30), rest[0] + rest[2], (float)(4.0 * sqrt(variance)),
                                  (float)(summary.tp > 0.0 ? summary.tp : 8.0)});
+    gl_program_vec2(g, "foam_edge", (float)(FOAM_EDGE * FOAM_EDGE), (float)OLD_EDGE);
     gl_program_vec4(g, "foam_memory",
                     (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread,
                                  (float)bolan_compass_from_to_math(summary.from_deg)});

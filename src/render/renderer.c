@@ -14,7 +14,7 @@ bolan_frame_desc bolan_frame_desc_default(void) {
 static bolan_result create_passes(bolan_renderer *r) {
     bolan_result result = pass_sky_create(&r->caps, &r->sky);
     if (result == BOLAN_OK) result = pass_terrain_create(&r->caps, &r->terrain);
-    if (result == BOLAN_OK) result = pass_water_create(&r->caps, r->desc.quality, &r->water);
+    if (result == BOLAN_OK) result = pass_water_create(r->desc.quality, &r->water);
     if (result == BOLAN_OK) result = pass_tonemap_create(&r->caps, &r->tonemap);
     if (result == BOLAN_OK)
         result = gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms);

@@ -22,7 +22,7 @@ static bool has_clip_control(void) {
 }
 
 // Without a context the loader falls back to the system's library, which answers NULL.
-bool gl_has_context(void) { return glGetString(GL_VERSION) != NULL; }
+static bool has_context(void) { return glGetString(GL_VERSION) != NULL; }
 
 gl_caps gl_get_caps(void) {
     const bool es = gl_is_es();
@@ -45,7 +45,7 @@ gl_caps gl_get_caps(void) {
 
 bolan_gl_info bolan_gl_get_info(void) {
     bolan_gl_info info = {"", "", "", "", false, false};
-    if (!gl_has_context()) return info;
+    if (!has_context()) return info;
     info.renderer = gl_string(GL_RENDERER);
     info.vendor = gl_string(GL_VENDOR);
     info.version = gl_string(GL_VERSION);

@@ -19,7 +19,6 @@ typedef struct gl_caps {
     int max_texture_size;
 } gl_caps;
 gl_caps gl_get_caps(void);
-bool gl_has_context(void); // on this thread
 
 // ---- textures ----
 typedef enum gl_format {
@@ -130,10 +129,8 @@ void gl_program_use(const gl_program *p);
 void gl_program_int(const gl_program *p, const char *name, int value); // samplers too: the unit
 void gl_program_float(const gl_program *p, const char *name, float value);
 void gl_program_vec2(const gl_program *p, const char *name, float x, float y);
-void gl_program_vec3(const gl_program *p, const char *name, bolan_vec3 v);
 void gl_program_vec4(const gl_program *p, const char *name, bolan_vec4 v);
 void gl_program_vec4_array(const gl_program *p, const char *name, const float *xyzw, uint32_t count);
-void gl_program_mat4(const gl_program *p, const char *name, bolan_mat4 m);
 void gl_program_free(gl_program *p);
 
 // ---- state ----

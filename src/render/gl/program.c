@@ -103,9 +103,6 @@ static GLint locate(const gl_program *p, const char *name) {
 void gl_program_int(const gl_program *p, const char *name, int value) { glUniform1i(locate(p, name), value); }
 void gl_program_float(const gl_program *p, const char *name, float value) { glUniform1f(locate(p, name), value); }
 void gl_program_vec2(const gl_program *p, const char *name, float x, float y) { glUniform2f(locate(p, name), x, y); }
-void gl_program_vec3(const gl_program *p, const char *name, bolan_vec3 v) {
-    glUniform3f(locate(p, name), v.x, v.y, v.z);
-}
 
 void gl_program_vec4(const gl_program *p, const char *name, bolan_vec4 v) {
     glUniform4f(locate(p, name), v.x, v.y, v.z, v.w);
@@ -115,9 +112,6 @@ void gl_program_vec4_array(const gl_program *p, const char *name, const float *x
     glUniform4fv(locate(p, name), (GLsizei)count, xyzw);
 }
 
-void gl_program_mat4(const gl_program *p, const char *name, bolan_mat4 m) {
-    glUniformMatrix4fv(locate(p, name), 1, GL_FALSE, m.m);
-}
 
 void gl_program_free(gl_program *p) {
     if (p->id) glDeleteProgram(p->id);
