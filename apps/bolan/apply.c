@@ -15,6 +15,7 @@ static int shape_of(const char *spectrum) {
     if (strcmp(spectrum, "pm") == 0 || strcmp(spectrum, "pierson-moskowitz") == 0)
         return BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
     if (strcmp(spectrum, "jonswap") == 0) return BOLAN_SPECTRUM_JONSWAP;
+    if (strcmp(spectrum, "phillips") == 0) return BOLAN_SPECTRUM_PHILLIPS;
     return strcmp(spectrum, "tma") == 0 ? BOLAN_SPECTRUM_TMA : -1;
 }
 
@@ -123,20 +124,49 @@ static int apply_picture(const options *o, bolan_scene *scene) {
     return EXIT_OK;
 }
 
-static void apply_technique(const options *o, bolan_scene *scene) {
+// ---- technique ------------------------------------------------------------------------------------------------------
+
+static int effect_of(const char *name, size_t length) {
+    for (int i = 0; bolan_effect_names[i]; i++)
+        if (strlen(bolan_effect_names[i]) == length && strncmp(bolan_effect_names[i], name, length) == 0) return i;
+    return -1;
+}
+
+static int apply_effects(const char *list, uint32_t *effects) {
+    uint32_t bits = 0;
+    for (const char *p = strcmp(list, "none") == 0 ? "" : list; *p; p += *p == ',') {
+        const size_t length = strcspn(p, ",");
+        const int effect = effect_of(p, length);
+        if (effect < 0)
+            return usage_error("--effects: %.*s is unknown; expected none, or some of reflection, refraction, bump, "
+                               "distortion, glitter, caustics, ambient, diffuse, specular, scattering, foam, fog",
+                               (int)(length < 40 ? length : 40), p);
+        bits |= 1u << effect;
+        p += length;
+    }
+    *effects = bits;
+    return EXIT_OK;
+}
+
+static int apply_technique(const options *o, bolan_scene *scene) {
     uint32_t count = 0;
-    if (o->technique >= 0) scene->technique = bolan_techniques(&count)[o->technique];
-    if (o->waves >= 0) scene->technique.waves = (bolan_wave_model)o->waves;
-    if (o->surface >= 0) scene->technique.surface = (bolan_surface_kind)o->surface;
-    if (o->optics >= 0) scene->technique.optics = (bolan_optics_kind)o->optics;
-    scene->sea.waves = scene->technique.waves;
+    bolan_technique technique = scene->technique;
+    if (o->technique >= 0) technique = bolan_techniques(&count)[o->technique];
+    if (o->waves >= 0) technique.waves = (bolan_wave_model)o->waves;
+    if (o->surface >= 0) technique.surface = (bolan_surface_kind)o->surface;
+    if (o->optics >= 0) technique.optics = (bolan_optics_kind)o->optics;
+    if (o->technique < 0) technique.wind_spectrum = -1; // a mix keeps the sea that the scene has
+    bolan_scene_set_technique(scene, &technique);
+    scene->look.paper |= o->paper;
+    if (o->show >= 0) scene->look.show = (bolan_show)o->show;
+    return o->effects ? apply_effects(o->effects, &scene->look.effects) : EXIT_OK;
 }
 
 int options_scene(const options *o, bolan_scene *scene) {
     const bolan_result loaded = bolan_scene_load(o->scene ? o->scene : "island", scene);
     if (loaded) return loaded == BOLAN_ERROR_ARGUMENT ? EXIT_USAGE : EXIT_FAILED;
-    apply_technique(o, scene);
-    int result = apply_sea(o, scene);
+    int result = apply_technique(o, scene);
+    if (!result) result = apply_sea(o, scene);
     if (!result) result = apply_cpu(o, scene);
     if (!result) result = apply_terrain(o, scene);
     if (!result) result = apply_picture(o, scene);

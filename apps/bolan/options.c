@@ -10,10 +10,8 @@
 #define SCENE_COMMANDS (ON_VIEW | ON_RENDER | ON_MEASURE | ON_QUERY)
 #define PICTURE_COMMANDS (ON_VIEW | ON_RENDER)
 
-static const char *const technique_names[] = {"ocean", NULL}; // the order of bolan_techniques()
-static const char *const waves_names[] = {"fft", NULL};
-static const char *const surface_names[] = {"projected", NULL};
-static const char *const optics_names[] = {"physical", NULL};
+static const char *const technique_names[] = {"ocean",       "two-triangle", "exp-cosine",
+                                              "nested-grid", "flight-sim",   NULL}; // the order of bolan_techniques()
 static const char *const water_names[] = {"I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C", NULL};
 static const char *const quality_names[] = {"low", "medium", "high", "ultra", NULL};
 static const char *const backend_names[] = {"cpu", "compute", NULL};
@@ -29,13 +27,21 @@ static const char *const cpu_names[] = {"auto", "scalar", "sse2", "avx2", "avx51
 // clang-format off
 const option_info option_table[] = {
     OPTION("technique", NAME, technique, SCENE_COMMANDS, "NAME",
-           .names = technique_names, .help = "a way to make water: ocean"),
+           .names = technique_names,
+           .help = "a way to make water: ocean, two-triangle, exp-cosine, nested-grid or flight-sim"),
     OPTION("waves", NAME, waves, SCENE_COMMANDS, "MODEL",
-           .names = waves_names, .help = "its wave model: fft"),
+           .names = bolan_wave_model_names, .help = "its wave model: fft, cosines, exp-cosine or textures"),
     OPTION("surface", NAME, surface, SCENE_COMMANDS, "KIND",
-           .names = surface_names, .help = "its geometry: projected"),
+           .names = bolan_surface_kind_names, .help = "its geometry: projected, nested or quad"),
     OPTION("optics", NAME, optics, SCENE_COMMANDS, "KIND",
-           .names = optics_names, .help = "its light: physical"),
+           .names = bolan_optics_kind_names, .help = "its light: physical, mirror, phong, lit or crest"),
+    OPTION("paper", FLAG, paper, SCENE_COMMANDS, NULL,
+           .help = "follow the technique's paper to the letter, also where we know better"),
+    OPTION("effects", TEXT, effects, PICTURE_COMMANDS, "LIST",
+           .help = "only these parts of the light, separated by commas: reflection, refraction, bump, distortion, glitter, "
+                   "caustics, ambient, diffuse, specular, scattering, foam, fog; or none"),
+    OPTION("show", NAME, show, PICTURE_COMMANDS, "WHAT",
+           .names = bolan_show_names, .help = "picture, mask (false colours) or mesh"),
     OPTION("wind", NUMBER, wind, SCENE_COMMANDS, "MPS",
            .low = 0, .high = 70, .unit = "m/s", .help = "wind speed at 10 m; rebuilds the wind sea, keeps swells"),
     OPTION("wind-from", NUMBER, wind_from, SCENE_COMMANDS, "DEG",
@@ -47,7 +53,7 @@ const option_info option_table[] = {
     OPTION("sea-state", WHOLE, sea_state, SCENE_COMMANDS, "D",
            .low = 0, .high = 9, .help = "fully developed sea of a Douglas degree, 0..9"),
     OPTION("spectrum", TEXT, spectrum, SCENE_COMMANDS, "NAME|FILE",
-           .help = "jonswap, pm, tma, or a measured spectrum (SWAN, NDBC)"),
+           .help = "jonswap, pm, tma, phillips, or a measured spectrum (SWAN, NDBC)"),
     OPTION("record", WHOLE, record, SCENE_COMMANDS, "N",
            .low = 0, .high = 1e6, .help = "which record in time of that file; 0, the earliest"),
     OPTION("depth", NUMBER, depth, SCENE_COMMANDS, "M",

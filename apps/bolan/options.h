@@ -21,9 +21,9 @@ typedef struct options {
     double time, fps;
     double seed, record, frames, samples, threads;
     double size[2];
-    int technique, waves, surface, optics, water, quality, backend, cpu;
-    const char *spectrum, *terrain, *points, *output, *screenshot;
-    bool json, quiet, help;
+    int technique, waves, surface, optics, show, water, quality, backend, cpu;
+    const char *spectrum, *effects, *terrain, *points, *output, *screenshot;
+    bool json, paper, quiet, help;
 } options;
 
 typedef enum option_kind {

@@ -155,8 +155,7 @@ bool technique_list(bolan_scene *scene) {
     const bolan_technique *all = bolan_techniques(&count);
     for (uint32_t i = 0; i < count; ++i)
         if (ImGui::Selectable(all[i].name, std::strcmp(all[i].name, scene->technique.name) == 0)) {
-            scene->technique = all[i];
-            scene->sea.waves = all[i].waves;
+            bolan_scene_set_technique(scene, &all[i]);
             changed = true;
         }
     ImGui::EndCombo();

@@ -33,10 +33,13 @@ bolan_result bolan_scene_parse(const char *name, const char *text, size_t size, 
 /// Names of the built-in scenes; NULL past the last.
 const char *bolan_scene_builtin_name(uint32_t index);
 
-/// What a scene refers to, loaded: the measured spectrum and the terrain (NULL where the scene has none).
+/// What a scene refers to, loaded: the measured spectrum and the terrain (NULL where the scene has none), the models.
 typedef struct bolan_scene_assets {
     bolan_measured_spectrum *spectrum;
     bolan_terrain *terrain;
+    uint32_t model_count;                                ///< different models
+    bolan_model *models[BOLAN_MAX_OBJECTS];              ///< owned
+    const bolan_model *object_models[BOLAN_MAX_OBJECTS]; ///< the model of each object of the scene
 } bolan_scene_assets;
 /// Reads them. A raster scene with an empty path takes the global ETOPO5 relief where Debian's ferret-datasets put it,
 /// and says what to do when it is not there. Errors: IO, FORMAT, MEMORY; @p out is then empty.
@@ -45,6 +48,10 @@ bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_asset
 void bolan_scene_assets_destroy(bolan_scene_assets *assets);
 /// Creates the scene's sea: its desc with the measured spectrum of @p assets put in.
 bolan_result bolan_scene_create_sea(const bolan_scene *scene, const bolan_scene_assets *assets, bolan_sea **out);
+
+/// Reads a model with the assimp library: OBJ, glTF 2.0 and what else it knows; y-up files are turned so that z is up; node
+/// transforms are applied; materials give their base colour. At most 256 MiB. Errors: IO, FORMAT (no triangle in it), MEMORY.
+bolan_result bolan_model_load(const char *path, bolan_model **out);
 
 // ---- spectra, rasters, points ---------------------------------------------------------------------------------------
 

@@ -61,13 +61,14 @@ bolan_result bolan_renderer_reload(bolan_renderer *renderer);
 
 /// What to draw, and where.
 typedef struct bolan_frame_desc {
-    const bolan_scene *scene;     ///< camera, sky, water, exposure are read; not NULL
-    const bolan_sea *sea;         ///< stepped by the caller; not NULL
-    const bolan_terrain *terrain; ///< or NULL
-    uint32_t framebuffer;         ///< GL name; 0 is the window
-    uint32_t width, height;       ///< of the framebuffer [px], 1..16384
-    uint32_t samples;             ///< supersampling: pictures with shifted pixels that are averaged, 1..256
-    bool srgb_framebuffer;        ///< true: the framebuffer encodes sRGB itself
+    const bolan_scene *scene;         ///< camera, sky, water, exposure are read; not NULL
+    const bolan_sea *sea;             ///< stepped by the caller; not NULL
+    const bolan_terrain *terrain;     ///< or NULL
+    const bolan_model *const *models; ///< one for each object of the scene, or NULL: no object is drawn
+    uint32_t framebuffer;             ///< GL name; 0 is the window
+    uint32_t width, height;           ///< of the framebuffer [px], 1..16384
+    uint32_t samples;                 ///< supersampling: pictures with shifted pixels that are averaged, 1..256
+    bool srgb_framebuffer;            ///< true: the framebuffer encodes sRGB itself
 } bolan_frame_desc;
 /// One sample, everything else 0 or NULL: set scene, sea, width and height.
 bolan_frame_desc bolan_frame_desc_default(void);

@@ -22,20 +22,79 @@ extern "C" {
 /// What becomes of light at the water.
 typedef enum bolan_optics_kind {
     BOLAN_OPTICS_PHYSICAL, ///< filtered slopes, Fresnel, sky, absorption, foam
+    BOLAN_OPTICS_MIRROR, ///< pictures of what is mirrored and refracted, looked up where waves bend them (Ma, Zhu & Gong 2006)
+    BOLAN_OPTICS_PHONG, ///< Fresnel mix of such pictures; ambient, diffuse, specular light (Liu & Xie 2010)
+    BOLAN_OPTICS_LIT,   ///< normals of the mesh and one light (Liu, Xu & Chen 2009)
+    BOLAN_OPTICS_CREST, ///< light through the crests, ramps of foam at the shore (Ni, Zhang & Tan)
 } bolan_optics_kind;
+#define BOLAN_OPTICS_KINDS 5 ///< how many there are
+/// The names that the command line and scene files use, "physical" ...; by bolan_optics_kind, NULL at the end.
+extern const char *const bolan_optics_kind_names[BOLAN_OPTICS_KINDS + 1];
 
-/// A way to make water: a wave model x a surface x an optics.
+/// A way to make water: a wave model x a surface x an optics. Every mix works.
 typedef struct bolan_technique {
     const char *name;
     bolan_wave_model waves;
     bolan_surface_kind surface;
     bolan_optics_kind optics;
+    int wind_spectrum; ///< a bolan_spectrum_kind: what the technique makes of a wind; -1: what the scene says
 } bolan_technique;
-extern const bolan_technique bolan_technique_ocean; ///< the default
+extern const bolan_technique bolan_technique_ocean;        ///< the default
+extern const bolan_technique bolan_technique_two_triangle; ///< Ma, Zhu & Gong 2006: two triangles, all else is textures
+extern const bolan_technique bolan_technique_exp_cosine;   ///< Liu & Xie 2010: a sum of exp(cos) in each pixel
+extern const bolan_technique
+    bolan_technique_nested_grid; ///< Liu, Xu & Chen 2009: Pierson-Moskowitz waves on nested grids
+extern const bolan_technique bolan_technique_flight_sim; ///< Ni, Zhang & Tan: Phillips waves on a projected grid
 /// All techniques, for lists, the default first; @p count receives the number. Static storage.
 const bolan_technique *bolan_techniques(uint32_t *count);
 /// By name; NULL when there is none of that name.
 const bolan_technique *bolan_technique_find(const char *name);
+
+/// Parts of the light that can be switched off, to see what each does. A part that an optics does not have is ignored.
+typedef enum bolan_effect {
+    BOLAN_EFFECT_REFLECTION = 1 << 0, ///< what the water mirrors
+    BOLAN_EFFECT_REFRACTION = 1 << 1, ///< what shines through it
+    BOLAN_EFFECT_BUMP = 1 << 2,       ///< light and dark by the slope of the waves
+    BOLAN_EFFECT_DISTORTION = 1 << 3, ///< waves bend what is mirrored and refracted
+    BOLAN_EFFECT_GLITTER = 1 << 4,    ///< the sun mirrored
+    BOLAN_EFFECT_CAUSTICS = 1 << 5,   ///< light that the waves gather on the sea bed
+    BOLAN_EFFECT_AMBIENT = 1 << 6,    ///< the water's own colour
+    BOLAN_EFFECT_DIFFUSE = 1 << 7,
+    BOLAN_EFFECT_SPECULAR = 1 << 8,
+    BOLAN_EFFECT_SCATTERING = 1 << 9, ///< light through crests
+    BOLAN_EFFECT_FOAM = 1 << 10,
+    BOLAN_EFFECT_FOG = 1 << 11, ///< under water
+} bolan_effect;
+#define BOLAN_EFFECTS_ALL 0xfffu ///< the default
+#define BOLAN_EFFECTS 12         ///< how many there are
+/// Names of the effects by bit, "reflection" ...; NULL at the end.
+extern const char *const bolan_effect_names[BOLAN_EFFECTS + 1];
+
+/// What is drawn of the water.
+typedef enum bolan_show {
+    BOLAN_SHOW_PICTURE, ///< the water
+    BOLAN_SHOW_MASK,    ///< false colours: open sea, crests, shore, land
+    BOLAN_SHOW_MESH,    ///< the edges of its triangles
+} bolan_show;
+#define BOLAN_SHOWS 3 ///< how many there are
+/// Names by bolan_show, "picture" ...; NULL at the end.
+extern const char *const bolan_show_names[BOLAN_SHOWS + 1];
+
+/// How a technique is carried out.
+typedef struct bolan_look {
+    bool paper;        ///< follow the technique's paper to the letter, where we know better; default false
+    uint32_t effects;  ///< bits of bolan_effect; default all
+    bolan_show show;   ///< default PICTURE
+    double distortion; ///< factor on how far waves bend what is looked up (MIRROR, PHONG), 0..4; default 1
+    double
+        blend; ///< lerpScale: share of the mirrored and refracted over the water's own texture (MIRROR), 0..1; default 0.85
+    double ambient;   ///< Ka (PHONG, LIT), 0..2; default 1
+    double diffuse;   ///< Kd (PHONG, LIT), 0..2; default 0.05
+    double specular;  ///< Ks (PHONG, LIT), 0..4; default 1
+    double shininess; ///< exponent of the highlight (PHONG, LIT), 1..4096; default 300. Raised: smaller and sharper
+} bolan_look;
+/// The defaults named beside the fields.
+bolan_look bolan_look_default(void);
 
 /// How much a picture may cost: steps of the grid, look-ups and target sizes. Raised: finer and slower.
 typedef enum bolan_quality {
@@ -84,6 +143,30 @@ const char *bolan_jerlov_name(bolan_jerlov type);
 /// n_incident (1.34 from air into the sea, 1/1.34 from below: total reflection included).
 float bolan_fresnel(float cos_incident, float eta);
 
+// ---- models ---------------------------------------------------------------------------------------------------------
+
+/// A triangle mesh with colours, immutable. x right, y ahead, z up [m].
+/// Thread-safety: all reads may run at the same time.
+typedef struct bolan_model bolan_model;
+/// Read-only view of a model; valid while it lives.
+typedef struct bolan_model_view {
+    uint32_t vertex_count, index_count;
+    const bolan_vec3 *positions; ///< [m]
+    const bolan_vec3 *normals;   ///< unit
+    const bolan_vec4 *colors;    ///< linear albedo rgb, 0..1; w: share of the sky that is open above, 0..1
+    const uint32_t *indices;     ///< triangles, counter-clockwise from outside
+} bolan_model_view;
+/// Copies the view's arrays; indices beyond vertex_count are refused. Errors: ARGUMENT, MEMORY.
+bolan_result bolan_model_create(const bolan_model_view *view, bolan_model **out);
+/// A built-in model by name without "builtin:": the same on every machine. Errors: ARGUMENT (unknown name), MEMORY.
+bolan_result bolan_model_create_builtin(const char *name, bolan_model **out);
+/// Names of the built-in models; NULL past the last.
+const char *bolan_model_builtin_name(uint32_t index);
+/// NULL-safe; NULLs.
+void bolan_model_destroy(bolan_model **model);
+/// Its arrays. Thread-safe.
+bolan_model_view bolan_model_get_view(const bolan_model *model);
+
 // ---- the scene ------------------------------------------------------------------------------------------------------
 
 /// Where the picture is taken from.
@@ -118,7 +201,12 @@ typedef struct bolan_water {
 } bolan_water;
 
 /// Where the ground comes from.
-typedef enum bolan_terrain_kind { BOLAN_TERRAIN_NONE, BOLAN_TERRAIN_ISLAND, BOLAN_TERRAIN_RASTER } bolan_terrain_kind;
+typedef enum bolan_terrain_kind {
+    BOLAN_TERRAIN_NONE,
+    BOLAN_TERRAIN_ISLAND,
+    BOLAN_TERRAIN_RASTER,
+    BOLAN_TERRAIN_POND, ///< bolan_terrain_create_pond(); its ground is drawn as the model "builtin:pond-ground"
+} bolan_terrain_kind;
 
 /// The ground, by description; loaded by bolan_scene_assets_load().
 typedef struct bolan_terrain_source {
@@ -130,12 +218,23 @@ typedef struct bolan_terrain_source {
     double vertical_scale;      ///< metres per raster unit, 1e-3..1e3; default 1
 } bolan_terrain_source;
 
+/// A thing in the scene: a model and where it stands.
+typedef struct bolan_object {
+    char model[256];      ///< "builtin:NAME" (see bolan_model_builtin_name()) or a path: OBJ, glTF
+    bolan_dvec3 position; ///< of the model's origin, world [m]; x, y +-1e7, z -11000..10000
+    double heading_deg;   ///< compass direction of its +y axis [deg], -360..360
+    double scale;         ///< 1e-3..1e3
+    bool floats;          ///< rides on the waves: z is its height above the water under it
+} bolan_object;
+#define BOLAN_MAX_OBJECTS 64 ///< of a scene
+
 /// Everything that is drawn, except what lies in files: see bolan_scene_assets.
 typedef struct bolan_scene {
     char name[BOLAN_NAME_MAX];          ///< of a built-in scene, or the file it was read from
     char description[256];              ///< one sentence, "" for none
-    bolan_technique technique;          ///< default bolan_technique_ocean
-    bolan_sea_desc sea;                 ///< sea.sea_state.measured stays NULL here
+    bolan_technique technique;          ///< default bolan_technique_ocean. See bolan_scene_set_technique()
+    bolan_look look;                    ///< how it is carried out
+    bolan_sea_desc sea;                 ///< sea.sea_state.measured stays NULL here; sea.waves is the technique's
     double fetch;                       ///< of the wind sea [m], 100..1e7; default 2e5. See bolan_scene_set_wind()
     bolan_spectrum_kind wind_spectrum;  ///< shape of the wind sea; default JONSWAP. See bolan_scene_set_wind()
     char spectrum_path[BOLAN_PATH_MAX]; ///< "" or a measured spectrum file
@@ -144,6 +243,8 @@ typedef struct bolan_scene {
     bolan_sky sky;
     bolan_water water;
     bolan_terrain_source terrain;
+    uint32_t object_count; ///< 0..BOLAN_MAX_OBJECTS
+    bolan_object objects[BOLAN_MAX_OBJECTS];
     double time;     ///< [s], +-1e9; default 0
     double exposure; ///< in stops over the automatic exposure, -10..10; default 0
 } bolan_scene;
@@ -155,6 +256,12 @@ bolan_scene bolan_scene_default(void);
 /// depth); swells stay. With a spectrum file the waves are the file's, and the wind only roughens them. The wind sea is
 /// told from swells by its system's wind_speed, which is above 0. Values are checked by bolan_scene_validate().
 void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg);
+/// Gives the scene another technique: the wave model of its sea follows, and the wind sea is built anew where the
+/// technique has a spectrum of its own.
+void bolan_scene_set_technique(bolan_scene *scene, const bolan_technique *technique);
+/// The desc of the scene's sea as its look wants it: scene->sea, and in paper mode the papers' own choices (sharpness 1,
+/// equal width of frequencies).
+bolan_sea_desc bolan_scene_sea_desc(const bolan_scene *scene);
 /// Checks every field against its range; logs a sentence naming the field and returns ARGUMENT at the first that is
 /// not.
 bolan_result bolan_scene_validate(const bolan_scene *scene);

@@ -55,6 +55,11 @@ bolan_result bolan_terrain_create(const bolan_terrain_desc *desc, bolan_terrain 
 /// Generates the island deterministically from its desc (no data, same bits everywhere) and makes a terrain of it. Takes
 /// about a second; uses the task hook. Errors: ARGUMENT, MEMORY.
 bolan_result bolan_terrain_create_island(const bolan_island_desc *desc, bolan_terrain **out);
+/// The pond of the scene of that name: a basin 90 m across in a meadow, 0.4 to 4 m deep, with a sandy shelf in the south.
+/// Errors: MEMORY.
+bolan_result bolan_terrain_create_pond(bolan_terrain **out);
+/// The elevation it is made of [m]; thread-safe.
+float bolan_pond_elevation(double x, double y);
 /// NULL-safe; NULLs the pointer.
 void bolan_terrain_destroy(bolan_terrain **terrain);
 

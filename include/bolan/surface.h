@@ -14,7 +14,12 @@ extern "C" {
 /// How the undisplaced water is cut into triangles.
 typedef enum bolan_surface_kind {
     BOLAN_SURFACE_PROJECTED, ///< a grid of constant angular steps seen from the eye: cost independent of distance
+    BOLAN_SURFACE_NESTED,    ///< square grids round the point looked at, each twice as fine (Liu, Xu & Chen 2009)
+    BOLAN_SURFACE_QUAD,      ///< two triangles (Ma, Zhu & Gong 2006)
 } bolan_surface_kind;
+#define BOLAN_SURFACE_KINDS 3 ///< how many there are
+/// The names that the command line and scene files use, "projected" ...; by bolan_surface_kind, NULL at the end.
+extern const char *const bolan_surface_kind_names[BOLAN_SURFACE_KINDS + 1];
 
 /// What the surface must cover.
 typedef struct bolan_surface_view {
@@ -33,6 +38,8 @@ typedef struct bolan_surface_vertex {
     float
         spacing; ///< distance to the neighbouring vertices [m], the larger direction: waves shorter than twice this must
                  ///< leave the geometry
+    float stitch_x, stitch_y; ///< NESTED: this vertex lies on the straight edge between its neighbours at -stitch and
+                              ///< +stitch [m], and is displaced to their mean; (0, 0): an ordinary vertex
 } bolan_surface_vertex;
 
 /// How fine the surface is.
@@ -54,6 +61,56 @@ typedef struct bolan_surface_size {
 /// Fills @p vertices (at least desc->max_vertices). Pure, thread-safe, allocates nothing.
 bolan_surface_size bolan_surface_projected(const bolan_surface_desc *desc, const bolan_surface_view *view,
                                            bolan_surface_vertex *vertices);
+/// The quad: 4 vertices (south-west, south-east, north-west, north-east) of a square round the point under the eye,
+/// large enough to reach the horizon of @p view, on the flat plane of the mean water. Pure, thread-safe. Source: Ma, Zhu & Gong 2006, section 2.1.
+void bolan_surface_quad(const bolan_surface_view *view, bolan_surface_vertex vertices[4]);
+/// Its 6 indices, counter-clockwise seen from above.
+extern const uint32_t bolan_surface_quad_indices[6];
+
+// ---- nested grids ---------------------------------------------------------------------------------------------------
+
+#define BOLAN_NESTED_MAX_LEVELS 16 ///< of a nested surface
+#define BOLAN_NESTED_PARTS 12      ///< index lists of a level: 8 blocks (SW S SE W E NW N NE), 4 T-strips (S N W E)
+
+/// How nested grids are made. n = cells.
+typedef struct bolan_nested_desc {
+    uint32_t cells;  ///< n along a side of every level, a multiple of 4, 4..256; default 32
+    uint32_t levels; ///< 1..BOLAN_NESTED_MAX_LEVELS; default 6
+    double spacing; ///< d_0 of the coarsest level [m], > 0; 0 (default): from the height of the eye and how far it sees
+} bolan_nested_desc;
+/// The defaults named beside the fields.
+bolan_nested_desc bolan_nested_desc_default(void);
+
+/// One level where a view puts it: vertex (i, j) stands at (x0 + i d, y0 + j d), world metres; the next finer level
+/// covers the cells [hole_i, hole_i + n/2) x [hole_j, hole_j + n/2).
+typedef struct bolan_nested_level {
+    double x0, y0, spacing;
+    uint32_t hole_i, hole_j;
+} bolan_nested_level;
+/// All levels of a view, 0 the coarsest.
+typedef struct bolan_nested {
+    uint32_t cells, levels;
+    bolan_nested_level level[BOLAN_NESTED_MAX_LEVELS];
+} bolan_nested;
+/// Places the levels round the point of the mean water in the middle of the view; snapped, so that no vertex moves over
+/// the water. Levels are left out where the eye is too high to resolve them. Pure, thread-safe. Source: Liu, Xu & Chen 2009, section 1.
+bolan_nested bolan_surface_nested_place(const bolan_nested_desc *desc, const bolan_surface_view *view);
+/// (n + 1)^2 for each level.
+uint32_t bolan_surface_nested_vertex_count(const bolan_nested *nested);
+/// The vertices, level by level, row by row from the south-west: @p rest in world metres, @p vertices relative to the eye
+/// (each may be NULL), @p visible 1 where the view can show the vertex (section 4: two cross products, and a guard).
+void bolan_surface_nested_vertices(const bolan_nested *nested, const bolan_surface_view *view, bolan_dvec2 *rest,
+                                   bolan_surface_vertex *vertices, uint8_t *visible);
+/// Index list @p part of @p level as plain triangles, counter-clockwise seen from above; returns the count (0 where the finest level
+/// has no such part); @p out may be NULL to ask for it. The finest level is one block, part 0. All parts of all levels
+/// together: 2 n^2 triangles for the finest and 2 (n^2 - n^2/4) for each other.
+uint32_t bolan_surface_nested_indices(const bolan_nested *nested, uint32_t level, uint32_t part, uint32_t *out);
+/// Normals of the displaced mesh as the paper makes them: the mean of the unit normals of the triangles round each vertex (section
+/// 3). @p positions: displaced vertices; @p normals receives unit vectors.
+void bolan_surface_nested_normals(const bolan_nested *nested, const bolan_vec3 *positions, bolan_vec3 *normals);
+
+// ---- grids ----------------------------------------------------------------------------------------------------------
+
 /// Indices of a columns x rows grid, 6 per cell, counter-clockwise seen from above: (columns-1)*(rows-1)*6 values. Returns that count;
 /// @p out may be NULL to ask for it.
 uint32_t bolan_surface_grid_indices(bolan_surface_size size, uint32_t *out);

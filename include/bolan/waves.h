@@ -38,8 +38,24 @@ extern "C" {
 
 /// How waves are made of a sea state.
 typedef enum bolan_wave_model {
-    BOLAN_WAVES_FFT, ///< cascades of inverse FFTs of a random sea
+    BOLAN_WAVES_FFT,        ///< cascades of inverse FFTs of a random sea
+    BOLAN_WAVES_COSINES,    ///< a sum of frequencies x directions cosine waves (Liu, Xu & Chen 2009)
+    BOLAN_WAVES_EXP_COSINE, ///< a sum of few waves exp(s cos): sharp crests, wide troughs (Liu & Xie 2010)
+    BOLAN_WAVES_TEXTURES,   ///< one tile of FFT whose time runs in a loop of few still frames (Ma, Zhu & Gong 2006)
 } bolan_wave_model;
+#define BOLAN_WAVE_MODELS 4 ///< how many there are
+/// The names that the command line and scene files use, "fft" ...; by bolan_wave_model, NULL at the end.
+extern const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1];
+
+/// How BOLAN_WAVES_COSINES cuts a spectrum into frequencies.
+typedef enum bolan_frequency_split {
+    BOLAN_SPLIT_EQUAL_ENERGY, ///< every wave as high as the next: no common period
+    BOLAN_SPLIT_EQUAL_WIDTH,  ///< equal steps of frequency, as the paper: repeats after 2 pi / step (32 s at Hs 3 m)
+} bolan_frequency_split;
+#define BOLAN_MAX_FREQUENCIES 64 ///< of BOLAN_WAVES_COSINES
+#define BOLAN_MAX_DIRECTIONS 32  ///< of BOLAN_WAVES_COSINES
+#define BOLAN_MAX_EXP_WAVES 16   ///< of BOLAN_WAVES_EXP_COSINE
+#define BOLAN_MAX_LOOP_FRAMES 64 ///< of BOLAN_WAVES_TEXTURES
 
 /// How a sea is made.
 typedef struct bolan_sea_desc {
@@ -61,6 +77,16 @@ typedef struct bolan_sea_desc {
                                ///< does not depend on it
     double foam_decay;         ///< e-folding time of foam [s], 0.1..60; default 3.5. Raised: longer streaks behind
                                ///< crests
+    // COSINES
+    uint32_t frequencies;        ///< M, 1..BOLAN_MAX_FREQUENCIES; default 16. Raised: richer, and in proportion slower
+    uint32_t directions;         ///< N, 1..BOLAN_MAX_DIRECTIONS; default 8
+    bolan_frequency_split split; ///< default EQUAL_ENERGY
+    // EXP_COSINE
+    uint32_t wave_count; ///< 1..BOLAN_MAX_EXP_WAVES; default 8. Raised: less regular from above, slower
+    double sharpness;    ///< s, 0.01..2; default 0.5; the paper's is 1, beyond the steepest wave that does not break.
+                         ///< Raised: sharper crests, wider troughs
+    // TEXTURES
+    uint32_t loop_frames; ///< frames of the loop, 2..BOLAN_MAX_LOOP_FRAMES; default 32. Raised: smoother, more memory
 } bolan_sea_desc;
 
 /// A sea: spectrum tables, and the fields of one time.
@@ -109,10 +135,27 @@ typedef struct bolan_cascade_view {
     const uint16_t *slope_half;        ///< n*n*4 halfs: slope_x, slope_y, dxx, dyy
     const uint16_t *foam_half;         ///< n*n halfs: foam
 } bolan_cascade_view;
-/// 1..BOLAN_MAX_CASCADES.
+/// 1..BOLAN_MAX_CASCADES for FFT, 1 for TEXTURES, 0 for the sums COSINES and EXP_COSINE, which have components instead.
 uint32_t bolan_sea_cascade_count(const bolan_sea *sea);
 /// Cascade @p index, 0 the one of the longest waves.
 bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index);
+
+/// One wave of a sum, at rest point x and time t: with th = k.x - omega t + phase,
+/// COSINES:    eta = amplitude cos th,                         D = -amplitude k/|k| sin th
+/// EXP_COSINE: eta = amplitude (e^{s (cos th - 1)} - mean) * 2 / (1 - e^{-2s}), mean = e^{-s} I0(s): zero mean, range
+/// 2 amplitude; D has the same shape as its Hilbert transform's first harmonic, see waves/sum.h
+typedef struct bolan_sea_component {
+    double kx, ky;    ///< wave vector [rad/m], where the wave goes
+    double omega;     ///< [rad/s]
+    double phase;     ///< at the world origin and time 0 [rad], 0..2 pi
+    double amplitude; ///< [m]
+} bolan_sea_component;
+/// Number of waves of a sum, longest first; 0 for FFT and TEXTURES. Thread-safe.
+uint32_t bolan_sea_component_count(const bolan_sea *sea);
+/// Wave @p index of the sum. Thread-safe.
+bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint32_t index);
+/// TEXTURES: which frame of the loop the fields show, 0..loop_frames - 1; 0 for the others. Thread-safe.
+uint32_t bolan_sea_loop_frame(const bolan_sea *sea);
 
 /// Everything the sea is at one rest point, all cascades summed (bilinear between samples), choppiness applied.
 typedef struct bolan_sea_sample {
@@ -124,6 +167,11 @@ typedef struct bolan_sea_sample {
 } bolan_sea_sample;
 /// Samples at @p count rest points in world metres. Thread-safe between steps.
 void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
+/// The same as a grid of that spacing can carry it: @p spacing[i] [m] is the distance of point i to its neighbours, and
+/// waves fade out from 4 to 2 spacings of length, so that nothing aliases; NULL: everything. For the sums this is the
+/// fast way to displace a mesh: SIMD over the points, on the task hook. Thread-safe between steps.
+void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
+                           bolan_sea_sample *out);
 /// The oracle: the same quantities at one rest point and time by the direct sum over every mode, O(n^2) a point, in
 /// double. The result's foam is 0. Thread-safe, also during a step.
 bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time);

@@ -27,7 +27,7 @@ static bolan_result load_terrain(const bolan_scene *scene, bolan_terrain **out) 
 
 bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_assets *out) {
     BOLAN_ASSERT(scene && out);
-    *out = (bolan_scene_assets){NULL, NULL};
+    *out = (bolan_scene_assets){.spectrum = NULL};
     bolan_result result = BOLAN_OK;
     if (scene->spectrum_path[0])
         result = bolan_spectrum_load(scene->spectrum_path, scene->spectrum_record, &out->spectrum);
@@ -44,7 +44,7 @@ void bolan_scene_assets_destroy(bolan_scene_assets *assets) {
 
 bolan_result bolan_scene_create_sea(const bolan_scene *scene, const bolan_scene_assets *assets, bolan_sea **out) {
     BOLAN_ASSERT(scene && out);
-    bolan_sea_desc desc = scene->sea;
+    bolan_sea_desc desc = bolan_scene_sea_desc(scene);
     desc.sea_state.measured = assets ? assets->spectrum : NULL;
     return bolan_sea_create(&desc, out);
 }

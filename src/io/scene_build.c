@@ -227,7 +227,7 @@ bolan_result scene_file_build(const scene_file *file, const char *name, bolan_sc
     snprintf(scene->description, sizeof scene->description, "%s", file->description);
     if (file->technique >= 0) {
         uint32_t count = 0;
-        scene->technique = bolan_techniques(&count)[file->technique];
+        bolan_scene_set_technique(scene, &bolan_techniques(&count)[file->technique]);
     }
     if (file->water.type >= 0) scene->water.type = (bolan_jerlov)file->water.type;
     set(&scene->water.level, file->water.level, 1.0);

@@ -20,8 +20,8 @@
 
 #define SEED_MAX 9007199254740992.0 // 2^53: whole numbers that a double holds exactly
 
-static const char *const technique_names[] = {"ocean", NULL};                           // order of bolan_techniques()
-static const char *const shape_names[] = {"pierson-moskowitz", "jonswap", "tma", NULL}; // order of bolan_spectrum_kind
+static const char *const technique_names[] = {"ocean",       "two-triangle", "exp-cosine",
+                                              "nested-grid", "flight-sim",   NULL}; // order of bolan_techniques()
 static const char *const water_names[] = {"I",  "IA", "IB", "II", "III", "1C",
                                           "3C", "5C", "7C", "9C", NULL}; // bolan_jerlov
 
@@ -37,7 +37,7 @@ static const schema_key wind_keys[] = {
 
 #define STRUCT struct scene_file_spectrum
 static const schema_key spectrum_keys[] = {
-    NAME(shape, shape_names),
+    NAME(shape, bolan_spectrum_kind_names),
     TEXT(file),
     COUNT(record, 0, 1e6),
     END,

@@ -9,6 +9,7 @@ bolan_scene bolan_scene_default(void) {
     memset(&scene, 0, sizeof scene); // the strings and the padding too: equal scenes are equal bytes
     memcpy(scene.name, "default", sizeof "default");
     scene.technique = bolan_technique_ocean;
+    scene.look = bolan_look_default();
     scene.sea = bolan_sea_desc_default();
     scene.fetch = 200e3;
     scene.wind_spectrum = BOLAN_SPECTRUM_JONSWAP;
@@ -33,7 +34,10 @@ bolan_scene bolan_scene_default(void) {
 
 static bolan_sea_state wind_sea_of(const bolan_scene *scene, double wind_speed, double from_deg) {
     const bool developed = scene->wind_spectrum == BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
-    bolan_sea_state sea_state = bolan_sea_state_from_wind(wind_speed, from_deg, developed ? HUGE_VAL : scene->fetch);
+    bolan_sea_state sea_state =
+        scene->wind_spectrum == BOLAN_SPECTRUM_PHILLIPS
+            ? bolan_sea_state_from_phillips(wind_speed, from_deg)
+            : bolan_sea_state_from_wind(wind_speed, from_deg, developed ? HUGE_VAL : scene->fetch);
     if (scene->wind_spectrum == BOLAN_SPECTRUM_TMA && sea_state.system_count > 0)
         sea_state.systems[0].kind = BOLAN_SPECTRUM_TMA;
     if (scene->spectrum_path[0] != '\0') sea_state.system_count = 0;

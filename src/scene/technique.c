@@ -5,11 +5,30 @@
 #include <string.h>
 
 #define OCEAN \
-    { "ocean", BOLAN_WAVES_FFT, BOLAN_SURFACE_PROJECTED, BOLAN_OPTICS_PHYSICAL }
+    { "ocean", BOLAN_WAVES_FFT, BOLAN_SURFACE_PROJECTED, BOLAN_OPTICS_PHYSICAL, -1 }
+#define TWO_TRIANGLE \
+    { "two-triangle", BOLAN_WAVES_TEXTURES, BOLAN_SURFACE_QUAD, BOLAN_OPTICS_MIRROR, -1 }
+#define EXP_COSINE \
+    { "exp-cosine", BOLAN_WAVES_EXP_COSINE, BOLAN_SURFACE_QUAD, BOLAN_OPTICS_PHONG, -1 }
+#define NESTED_GRID \
+    { "nested-grid", BOLAN_WAVES_COSINES, BOLAN_SURFACE_NESTED, BOLAN_OPTICS_LIT, BOLAN_SPECTRUM_PIERSON_MOSKOWITZ }
+#define FLIGHT_SIM \
+    { "flight-sim", BOLAN_WAVES_FFT, BOLAN_SURFACE_PROJECTED, BOLAN_OPTICS_CREST, BOLAN_SPECTRUM_PHILLIPS }
 
 const bolan_technique bolan_technique_ocean = OCEAN;
+const bolan_technique bolan_technique_two_triangle = TWO_TRIANGLE;
+const bolan_technique bolan_technique_exp_cosine = EXP_COSINE;
+const bolan_technique bolan_technique_nested_grid = NESTED_GRID;
+const bolan_technique bolan_technique_flight_sim = FLIGHT_SIM;
 
-static const bolan_technique techniques[] = {OCEAN};
+static const bolan_technique techniques[] = {OCEAN, TWO_TRIANGLE, EXP_COSINE, NESTED_GRID, FLIGHT_SIM};
+
+const char *const bolan_optics_kind_names[BOLAN_OPTICS_KINDS + 1] = {"physical", "mirror", "phong",
+                                                                     "lit",      "crest",  NULL};
+const char *const bolan_effect_names[BOLAN_EFFECTS + 1] = {
+    "reflection", "refraction", "bump",       "distortion", "glitter", "caustics", "ambient",
+    "diffuse",    "specular",   "scattering", "foam",       "fog",     NULL};
+const char *const bolan_show_names[BOLAN_SHOWS + 1] = {"picture", "mask", "mesh", NULL};
 
 const bolan_technique *bolan_techniques(uint32_t *count) {
     *count = sizeof techniques / sizeof *techniques;
@@ -20,4 +39,35 @@ const bolan_technique *bolan_technique_find(const char *name) {
     for (size_t i = 0; i < sizeof techniques / sizeof *techniques; i++)
         if (strcmp(techniques[i].name, name) == 0) return &techniques[i];
     return NULL;
+}
+
+bolan_look bolan_look_default(void) {
+    return (bolan_look){.effects = BOLAN_EFFECTS_ALL,
+                        .show = BOLAN_SHOW_PICTURE,
+                        .distortion = 1.0,
+                        .blend = 0.85,
+                        .ambient = 1.0,
+                        .diffuse = 0.05,
+                        .specular = 1.0,
+                        .shininess = 300.0};
+}
+
+void bolan_scene_set_technique(bolan_scene *scene, const bolan_technique *technique) {
+    BOLAN_ASSERT(scene && technique);
+    scene->technique = *technique;
+    scene->sea.waves = technique->waves;
+    if (technique->wind_spectrum < 0) return;
+    scene->wind_spectrum = (bolan_spectrum_kind)technique->wind_spectrum;
+    const bolan_sea_state *state = &scene->sea.sea_state;
+    bolan_scene_set_wind(scene, state->wind_speed, state->wind_from_deg);
+}
+
+bolan_sea_desc bolan_scene_sea_desc(const bolan_scene *scene) {
+    BOLAN_ASSERT(scene);
+    bolan_sea_desc desc = scene->sea;
+    if (scene->look.paper) {
+        desc.sharpness = 1.0;
+        desc.split = BOLAN_SPLIT_EQUAL_WIDTH;
+    }
+    return desc;
 }

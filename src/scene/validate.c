@@ -37,9 +37,43 @@ static bolan_result check_sea(const bolan_scene *s) {
         !(d->loop_period != 0.0 && check("sea.loop_period", d->loop_period, 10, 1e6, "s")) &&
         !check("sea.cpu", (double)d->cpu, 0, BOLAN_CPU_AVX512, "(a bolan_cpu)") &&
         !check("sea.foam_decay", d->foam_decay, 0.1, 60, "s") && !check("fetch", s->fetch, 100, 1e7, "m") &&
-        !check("wind_spectrum", (double)s->wind_spectrum, 0, BOLAN_SPECTRUM_TMA, "(a bolan_spectrum_kind)") &&
+        !check("wind_spectrum", (double)s->wind_spectrum, 0, BOLAN_SPECTRUM_KINDS - 1, "(a bolan_spectrum_kind)") &&
+        !check("sea.frequencies", d->frequencies, 1, BOLAN_MAX_FREQUENCIES, "") &&
+        !check("sea.directions", d->directions, 1, BOLAN_MAX_DIRECTIONS, "") &&
+        !check("sea.split", (double)d->split, 0, BOLAN_SPLIT_EQUAL_WIDTH, "(a bolan_frequency_split)") &&
+        !check("sea.wave_count", d->wave_count, 1, BOLAN_MAX_EXP_WAVES, "") &&
+        !check("sea.sharpness", d->sharpness, 0.01, 2, "") &&
+        !check("sea.loop_frames", d->loop_frames, 2, BOLAN_MAX_LOOP_FRAMES, "") &&
         !check_text("spectrum_path", s->spectrum_path, sizeof s->spectrum_path);
     return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
+}
+
+static bolan_result check_technique(const bolan_technique *t, const bolan_look *l) {
+    const bool ok =
+        !check("technique.waves", (double)t->waves, 0, BOLAN_WAVE_MODELS - 1, "(a bolan_wave_model)") &&
+        !check("technique.surface", (double)t->surface, 0, BOLAN_SURFACE_KINDS - 1, "(a bolan_surface_kind)") &&
+        !check("technique.optics", (double)t->optics, 0, BOLAN_OPTICS_KINDS - 1, "(a bolan_optics_kind)") &&
+        !check("look.effects", l->effects, 0, BOLAN_EFFECTS_ALL, "(bits of bolan_effect)") &&
+        !check("look.show", (double)l->show, 0, BOLAN_SHOWS - 1, "(a bolan_show)") &&
+        !check("look.distortion", l->distortion, 0, 4, "") && !check("look.blend", l->blend, 0, 1, "") &&
+        !check("look.ambient", l->ambient, 0, 2, "") && !check("look.diffuse", l->diffuse, 0, 2, "") &&
+        !check("look.specular", l->specular, 0, 4, "") && !check("look.shininess", l->shininess, 1, 4096, "");
+    return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
+}
+
+static bolan_result check_objects(const bolan_scene *s) {
+    if (check("object_count", s->object_count, 0, BOLAN_MAX_OBJECTS, "")) return BOLAN_ERROR_ARGUMENT;
+    for (uint32_t i = 0; i < s->object_count; i++) {
+        const bolan_object *o = &s->objects[i];
+        const bool ok = !check_text("objects.model", o->model, sizeof o->model) &&
+                        !check("objects.position.x", o->position.x, -1e7, 1e7, "m") &&
+                        !check("objects.position.y", o->position.y, -1e7, 1e7, "m") &&
+                        !check("objects.position.z", o->position.z, -11000, 10000, "m") &&
+                        !check("objects.heading_deg", o->heading_deg, -360, 360, "degrees") &&
+                        !check("objects.scale", o->scale, 1e-3, 1e3, "");
+        if (!ok) return BOLAN_ERROR_ARGUMENT;
+    }
+    return BOLAN_OK;
 }
 
 static bolan_result check_camera(const bolan_camera *c) {
@@ -82,7 +116,7 @@ static bolan_result check_raster(const bolan_terrain_source *t) {
 }
 
 static bolan_result check_terrain(const bolan_terrain_source *t) {
-    if (check("terrain.kind", (double)t->kind, 0, BOLAN_TERRAIN_RASTER, "(a bolan_terrain_kind)"))
+    if (check("terrain.kind", (double)t->kind, 0, BOLAN_TERRAIN_POND, "(a bolan_terrain_kind)"))
         return BOLAN_ERROR_ARGUMENT;
     if (t->kind == BOLAN_TERRAIN_ISLAND) return check_island(&t->island);
     return t->kind == BOLAN_TERRAIN_RASTER ? check_raster(t) : BOLAN_OK;
@@ -92,8 +126,8 @@ bolan_result bolan_scene_validate(const bolan_scene *s) {
     BOLAN_ASSERT(s);
     const bool ok = !check_text("name", s->name, sizeof s->name) &&
                     !check_text("description", s->description, sizeof s->description) && !check_sea(s) &&
-                    !check_camera(&s->camera) && !check_sky_and_water(&s->sky, &s->water) &&
-                    !check_terrain(&s->terrain) && !check("time", s->time, -1e9, 1e9, "s") &&
-                    !check("exposure", s->exposure, -10, 10, "stops");
+                    !check_technique(&s->technique, &s->look) && !check_objects(s) && !check_camera(&s->camera) &&
+                    !check_sky_and_water(&s->sky, &s->water) && !check_terrain(&s->terrain) &&
+                    !check("time", s->time, -1e9, 1e9, "s") && !check("exposure", s->exposure, -10, 10, "stops");
     return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
 }

@@ -11,6 +11,9 @@
 #define PEAK_OMEGA_MAX 50.0
 #define WIND_MAX 70.0
 
+const char *const bolan_spectrum_kind_names[BOLAN_SPECTRUM_KINDS + 1] = {"pierson-moskowitz", "jonswap", "tma",
+                                                                         "phillips", NULL};
+
 bolan_sea_state bolan_sea_state_default(void) {
     const bolan_sea_state calm = {.depth = BOLAN_DEEP};
     return calm;
@@ -64,6 +67,22 @@ bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, do
     return sea_state;
 }
 
+// A exp(-1/(kL)^2) k^-4 cos^2 in w: k = w^2/g makes it 2 pi A g^2 w^-5 exp(-(g/U)^4 w^-4) / 2, Pierson-Moskowitz's shape
+// with alpha g^2 before it and (5/4) wp^4 = (g/U)^4.
+bolan_sea_state bolan_sea_state_from_phillips(double wind_speed, double from_deg) {
+    bolan_sea_state sea_state = bolan_sea_state_default();
+    sea_state.wind_speed = wind_speed;
+    sea_state.wind_from_deg = from_deg;
+    if (!(wind_speed > 0.0)) return sea_state;
+    const double g = BOLAN_GRAVITY, peak = 0.945741609003176 * g / wind_speed; // (4/5)^(1/4)
+    if (!(peak <= PEAK_OMEGA_MAX)) return sea_state;
+    bolan_wave_system system = wind_sea(0.18 * wind_speed * wind_speed / g, peak, 1.0, wind_speed, from_deg);
+    system.kind = BOLAN_SPECTRUM_PHILLIPS;
+    system.spreading = BOLAN_SPREADING_COS2;
+    sea_state.systems[sea_state.system_count++] = system;
+    return sea_state;
+}
+
 bolan_sea_state bolan_sea_state_from_beaufort(double beaufort, double from_deg) {
     BOLAN_ASSERT(beaufort >= 0.0 && beaufort <= 12.0);
     const double force = fmin(fmax(beaufort, 0.0), 12.0);
@@ -103,7 +122,7 @@ static bolan_result validate_system(const bolan_wave_system *s, uint32_t index) 
 #define FIELD(name)                                                                  \
     {"systems[0]." name, "systems[1]." name, "systems[2]." name, "systems[3]." name, \
      "systems[4]." name, "systems[5]." name, "systems[6]." name, "systems[7]." name}
-        {FIELD("kind"), (double)s->kind, 0, BOLAN_SPECTRUM_TMA, " (a bolan_spectrum_kind)"},
+        {FIELD("kind"), (double)s->kind, 0, BOLAN_SPECTRUM_KINDS - 1, " (a bolan_spectrum_kind)"},
         {FIELD("hs"), s->hs, 0, HS_MAX, " m"},
         {FIELD("peak_omega"), s->peak_omega, PEAK_OMEGA_MIN, PEAK_OMEGA_MAX, " rad/s"},
         {FIELD("gamma"), s->gamma, 1, 10, ""},

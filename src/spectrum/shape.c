@@ -57,7 +57,7 @@ static void mean_direction(const bolan_wave_system *from, spectrum_system *to) {
 
 spectrum_system spectrum_system_prepare(const bolan_wave_system *system) {
     spectrum_system p = {.peak_omega = system->peak_omega, .spreading = system->spreading, .s = system->spread_s};
-    const bool peaked = system->kind != BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
+    const bool peaked = system->kind == BOLAN_SPECTRUM_JONSWAP || system->kind == BOLAN_SPECTRUM_TMA;
     const double wp2 = system->peak_omega * system->peak_omega;
     p.log_gamma = peaked && system->gamma > 1.0 ? portable_log(system->gamma) : 0.0;
     p.level = 5.0 / 16.0 * system->hs * system->hs * wp2 * wp2 / spectrum_peak_integral(p.log_gamma);

@@ -25,6 +25,8 @@ typedef struct polar_bounds {
     double far_distance;  // [m]
 } polar_bounds;
 
+const char *const bolan_surface_kind_names[BOLAN_SURFACE_KINDS + 1] = {"projected", "nested", "quad", NULL};
+
 bolan_surface_desc bolan_surface_desc_default(void) {
     return (bolan_surface_desc){.kind = BOLAN_SURFACE_PROJECTED, .pixels_per_vertex = 3.0, .max_vertices = 200000};
 }
@@ -100,6 +102,7 @@ static void fill_row(bolan_surface_vertex *out, uint32_t columns, double centre,
         out[i].y = (float)(r * cos(azimuth));
         out[i].z = (float)z;
         out[i].spacing = (float)fmax(radial, r * 2.0 * half / (columns - 1));
+        out[i].stitch_x = out[i].stitch_y = 0.0f;
     }
 }
 

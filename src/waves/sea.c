@@ -14,6 +14,8 @@
 #define HUGE_OUTPUT 4e7     // [bytes] more than third-level caches hold for one process
 #define LARGEST_TIME 0x1p36 // [s]: 2000 years; beyond, phases would lose their meaning in double
 
+const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1] = {"fft", "cosines", "exp-cosine", "textures", NULL};
+
 bolan_sea_desc bolan_sea_desc_default(void) {
     return (bolan_sea_desc){
         .sea_state = bolan_sea_state_from_wind(8.0, 240.0, 200e3),
@@ -24,6 +26,12 @@ bolan_sea_desc bolan_sea_desc_default(void) {
         .choppiness = 1.0,
         .cpu = BOLAN_CPU_AUTO,
         .foam_decay = 3.5,
+        .frequencies = 16,
+        .directions = 8,
+        .split = BOLAN_SPLIT_EQUAL_ENERGY,
+        .wave_count = 8,
+        .sharpness = 0.5,
+        .loop_frames = 32,
     };
 }
 
