@@ -14,14 +14,10 @@ void main() { fullscreen(0.0); }
 #endif
 
 #ifdef FRAGMENT
-#ifndef TAPS // set by quality; these serve an offline compiler
-#define TAPS 4
+#ifndef RAYS // set by quality; this serves an offline compiler
 #define RAYS 3
 #endif
-#include "common/sea.glsl"
-#ifdef LAND
-#include "common/shore.glsl"
-#endif
+#include "common/waves.glsl"
 #include "common/atmosphere.glsl"
 #include "common/fresnel.glsl"
 #include "common/slopes.glsl"
@@ -37,46 +33,9 @@ uniform highp sampler2D surface_rest; // water_surface.glsl's outputs
 uniform sampler2D surface_slope;
 uniform sampler2D surface_transmittance;
 uniform sampler2D surface_inscatter;
-#pragma unit slope_table 6
-#pragma unit fold_map 10
-uniform sampler3D slope_table;
-uniform sampler2DArray fold_map; // r: dxy, g: foam memory
-uniform vec4 foam_law;    // x: Jacobian threshold, y: slope variance beyond the cascades, z: significant height [m], w: peak period [s]
-uniform vec2 foam_edge;   // variances that soften the edges of fresh and of old foam; the thresholds allow for them
-uniform vec4 foam_memory; // x: threshold of the foam memory, y: its variance, z: variance of the Jacobian, all scales, w: where the sea goes [rad]
-
-// The part of the water's plane under one pixel: an ellipse, long along the view.
-struct footprint {
-    vec2 axis; // horizontal direction of the long side
-    float major, minor; // widths [m]
-};
-
-footprint pixel_footprint(vec3 view, float dist, vec2 coarse_slope) {
-    footprint f;
-    f.axis = normalize(view.xy + vec2(1e-6, 0.0));
-    f.minor = max(dist * lens.x, 1e-4);
-    vec3 n = normalize(vec3(-coarse_slope, 1.0));
-    f.major = f.minor / clamp(dot(view, n), 0.01, 1.0);
-    return f;
-}
-
-// Slope covariance (xx, xy, yy) that this footprint removes.
-vec3 unresolved_slopes(footprint f) {
-    // the look-ups average over about half a width at each end: standard deviation 0.4 of the width
-    float major = log2(max(0.4 * f.major, 1e-4)), aspect = log2(f.major / max(f.minor, f.major / 127.0));
-    float angle = atan(f.axis.y, f.axis.x) / SLOPES_PI;
-    angle -= floor(angle);
-    vec3 t = vec3(((major + 8.0) * 1.5 + 0.5) / 24.0, (aspect + 0.5) / 8.0, (angle * 8.0 + 0.5) / 9.0);
-    vec3 m = textureLod(slope_table, t, 0.0).xyz; // xx, xy, yy
-    return m + vec3(6e-6, 0.0, 6e-6); // the sun's radius, in slopes
-}
-
-// Resolved fields, averaged over the footprint.
-struct fields {
-    vec2 slope;
-    vec3 gradient; // dxx, dyy, dxy of the displacement, choppiness applied
-    float foam;
-};
+uniform vec4 foam_law;    // x: Jacobian threshold, y: slope variance beyond the cascades
+uniform vec4 foam_edge;   // x, y: variances that soften the edges of fresh and of old foam; the thresholds allow for them; z: choppiness squared
+uniform vec4 foam_memory; // x: threshold of the foam memory, y: its variance, z: variance of the Jacobian, all scales
 
 #ifdef LAND
 #pragma unit scene_color 3
@@ -84,32 +43,6 @@ struct fields {
 uniform sampler2D scene_color; // what lies behind the water
 uniform sampler2D scene_depth;
 #endif
-
-// Each cascade is looked up along the footprint as often as its texels are shorter than it, at most TAPS times; the level of
-// detail makes up for the rest. Rings whose longest wave is shorter than the pixel is wide have nothing left.
-fields gather(vec2 rest, footprint f, float gust, float depth) {
-    fields r = fields(vec2(0.0), vec3(0.0), 0.0);
-    for (int c = 0; c < cascade_count; ++c) {
-        vec4 band = cascade_band[c];
-        if (f.minor > 0.6 * band.z) break;
-        float taps = clamp(ceil(f.major / band.y), 1.0, float(TAPS));
-        float lod = log2(max(f.minor, f.major / taps)) - band.w;
-        vec2 centre = cascade_uv(c, rest);
-        vec2 along = (cascade_uv(c, rest + f.axis * f.major) - centre) / taps;
-        vec2 uv = centre - along * (0.5 * taps - 0.5);
-        vec4 slopes = vec4(0.0);
-        for (float i = 0.0; i < taps; i += 1.0) slopes += textureLod(slope_map, vec3(uv + along * i, float(c)), lod);
-        float keep = band.z < 20.0 ? gust : 1.0;
-#ifdef LAND
-        keep *= shore_attenuation(depth, band.x);
-#endif
-        vec2 fold = textureLod(fold_map, vec3(centre, float(c)), lod).xy;
-        r.slope += keep / taps * slopes.xy;
-        r.gradient += keep * choppiness * vec3(slopes.zw / taps, fold.x);
-        r.foam += keep * fold.y;
-    }
-    return r;
-}
 
 #ifdef LAND
 // What lies behind the water at a place of the picture: its colour as lit in air, and where it is; w = 0 where there is nothing.
@@ -183,10 +116,10 @@ vec3 bed_radiance(vec3 deep, vec3 position, vec3 view, vec3 normal, out float wa
 // Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash at
 // the edge. Up a slope the fronts follow the depth; over flats they travel the way the sea goes.
 float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 noise) {
-    float hs = clamp(foam_law.z, 0.25, 4.0), period = clamp(foam_law.w, 3.0, 12.0), wobble = noise.b - 0.5;
+    float hs = clamp(sea_law.x, 0.25, 4.0), period = clamp(sea_law.z, 3.0, 12.0), wobble = noise.b - 0.5;
     float zone = smoothstep(1.6 * hs, 0.35 * hs, depth + wobble * hs);
     float length = period * sqrt(7.0 * hs); // of a bore in water as deep as it is high
-    vec2 going = vec2(cos(foam_memory.w), sin(foam_memory.w));
+    vec2 going = vec2(cos(sea_law.w), sin(sea_law.w));
     float travelled = dot(mod(eye.xy + rest, 4096.0), going) / length;
     float behind_front = fract(depth / (0.9 * hs) - travelled + sky_light.w / period + 0.9 * wobble + 0.5 * noise.a);
     float bore = smoothstep(0.0, 0.06, behind_front) * exp(-3.0 * behind_front);
@@ -199,9 +132,9 @@ float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 no
 #endif
 
 // Covered shares by breaking crests and by what they leave (Dupuy & Bruneton 2012: the mean and the hidden variance of the Jacobian).
-void breaking_cover(fields w, float jacobian, vec3 covariance, out float fresh, out float old) {
-    float variance = max(covariance.x + covariance.z - foam_law.y, 0.0) * choppiness * choppiness;
-    fresh = normal_cdf((foam_law.x - jacobian) * inversesqrt(variance + foam_edge.x));
+void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float old) {
+    float variance = max(covariance.x + covariance.z - foam_law.y, 0.0) * foam_edge.z;
+    fresh = normal_cdf((foam_law.x - w.jacobian) * inversesqrt(variance + foam_edge.x));
     float hidden = clamp(variance / max(foam_memory.z, 1e-6), 0.0, 1.0);
     old = normal_cdf((w.foam - foam_memory.x) * inversesqrt(foam_memory.y * (hidden + foam_edge.y)));
 }
@@ -218,16 +151,14 @@ void main() {
     float dist = length(position);
     vec3 view = -position / dist;
     footprint f = pixel_footprint(view, dist, slope_light.xy);
-    fields w = gather(rest, f, gust, rest_depth.z);
+    wave_fields w = waves_at(rest, f, gust, rest_depth.z, vec4(slope_light.xy, through_air.w - 4.0, 0.0));
+#ifdef WAVES_CASCADES
     f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
+#endif
     vec3 covariance = unresolved_slopes(f);
     vec3 shaded = covariance * gust * gust;
 
-    float jxx = 1.0 + w.gradient.x, jyy = 1.0 + w.gradient.y, jxy = w.gradient.z;
-    float jacobian = jxx * jyy - jxy * jxy;
-    vec2 slope = vec2(w.slope.x * jyy - w.slope.y * jxy, w.slope.y * jxx - w.slope.x * jxy) / max(jacobian, 0.25);
-    slope *= min(1.0, 1.2 * inversesqrt(max(dot(slope, slope), 1e-6))); // water does not stand steeper than it breaks
-
+    vec2 slope = w.slope;
     // the facets that the eye sees lean towards it
     visible_facets seen = facets_seen(view, slope, shaded);
     vec2 toward = view.xy / max(length(view.xy), 1e-4);
@@ -256,11 +187,11 @@ void main() {
     vec3 below = water_deep.rgb * irradiance;
     // light that entered the far side of a crest leaves through the near one
     float ahead = clamp(dot(-view, normalize(vec3(sun.xy, max(sun.z, 0.05)))), 0.0, 1.0);
-    float crest = clamp((position.z + eye.z) / max(foam_law.z, 0.3), 0.0, 1.0);
-    vec3 glow = water_deep.rgb * sunlight * (ahead * ahead * ahead * 5.0 + 0.6) * crest * clamp(1.2 - jacobian, 0.0, 1.0);
+    float crest = clamp((position.z + eye.z) / max(sea_law.x, 0.3), 0.0, 1.0);
+    vec3 glow = water_deep.rgb * sunlight * (ahead * ahead * ahead * 5.0 + 0.6) * crest * clamp(1.2 - w.jacobian, 0.0, 1.0);
 
     float fresh, old, film = 1.0;
-    breaking_cover(w, jacobian, covariance, fresh, old);
+    breaking_cover(w, covariance, fresh, old);
     foam_texels texels = foam_look_up(rest, f.minor);
 #ifdef LAND
     float water_path;

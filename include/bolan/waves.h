@@ -110,11 +110,13 @@ void bolan_sea_step(bolan_sea *sea, double time);
 /// foam_decay) in ticks of 0.25 s, which lie at multiples of 0.25 s whatever the time, so that a single picture shows
 /// the foam that a running sea would. Costs about 16 steps a second of foam_decay.
 void bolan_sea_settle(bolan_sea *sea, double time);
-/// The time that the fields show [s].
-/// The time of the last step [s]. Thread-safe between steps, as everything below.
+/// The time of the last step [s], which the fields show. Thread-safe between steps, as everything below.
 double bolan_sea_time(const bolan_sea *sea);
 /// The desc the sea was made from, defaults resolved (measured is NULL). Valid while the sea lives.
 const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
+
+/// Integral parameters of the sea state, a measured spectrum included; computed at creation.
+const bolan_sea_summary *bolan_sea_get_summary(const bolan_sea *sea);
 
 /// One cascade, read-only; pointers stay valid while the sea lives, contents change with each step. Sample (i, j) of
 /// a field is at [j * n + i], at tile coordinates (i, j) * length / n. World to tile: rotate by -angle:

@@ -14,6 +14,8 @@ layout(std140) uniform Frame {
     vec4 water_deep; // remote-sensing reflectance rgb [1/sr]; w: index of refraction
     vec4 water_kd;   // diffuse attenuation rgb [1/m]; w: foam strength
     vec4 air;        // x: radiance unit, y: 1 when the eye is above the clouds, zw: eye from the cloud maps' centre [m]
+    vec4 clip;       // x: only above (1) or below (-1) the plane, y: its elevation over the mean water [m], z: vertical scale of
+                     // what is refracted, w: 1 in the picture of that
 };
 
 // Eye-relative direction through a point of the picture, uv in [0,1], not normalised. Depth 1 is the near plane.

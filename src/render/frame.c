@@ -7,7 +7,8 @@
 #include "bolan/query.h"
 #include "renderer.h"
 
-const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea", "terrain", "sky", "copy", "water", "tone map"};
+const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea",    "terrain", "sky",
+                                                  "copy",       "mirror", "water",   "tone map"};
 
 static double near_plane(double height, bool clip_control) {
     // Reversed-Z keeps its precision whatever the near plane; without clip control the depth is a fixed-point number.
@@ -107,30 +108,60 @@ static void prepare(bolan_renderer *r, frame *f) {
     end_part(r, PART_SEA);
 }
 
+static void draw_world(bolan_renderer *r, frame *f) { pass_terrain_draw(r->terrain, f); }
+
 static void draw_opaque(bolan_renderer *r, frame *f) {
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
-    gl_target_bind(&r->hdr);
+    gl_target_bind(&f->hdr);
     gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     gl_target_clear_depth(0.0f);
     begin_part(r, PART_TERRAIN);
-    pass_terrain_draw(r->terrain, f);
+    draw_world(r, f);
     end_part(r, PART_TERRAIN);
     begin_part(r, PART_SKY);
     pass_sky_draw(r->sky, f);
     end_part(r, PART_SKY);
 }
 
+// What lies behind the water, for an optics that looks through it. Over the open sea nothing shines through.
+static void copy_behind(bolan_renderer *r, frame *f) {
+    gl_target_copy_color(&r->hdr, &r->behind);
+    gl_target_copy_depth(&r->hdr, &r->behind);
+    gl_texture_bind(&r->behind_color, UNIT_SCENE_COLOR);
+    gl_texture_bind(&r->behind_depth, UNIT_SCENE_DEPTH);
+    gl_target_bind(&f->hdr);
+}
+
+static void draw_picture(bolan_renderer *r, frame *m, bool sky) {
+    upload_uniforms(r, m);
+    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    gl_target_bind(&m->hdr);
+    gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    gl_target_clear_depth(0.0f);
+    draw_world(r, m);
+    if (sky) pass_sky_draw(r->sky, m);
+}
+
+// What the water mirrors, and what shines through it, each as a picture.
+static void draw_mirrors(bolan_renderer *r, frame *f) {
+    if (!pass_mirror_fit(r->mirror, f->desc->width, f->desc->height)) return;
+    frame above = pass_mirror_reflect(r->mirror, f), below = pass_mirror_refract(r->mirror, f);
+    draw_picture(r, &above, true);
+    draw_picture(r, &below, false);
+    upload_uniforms(r, f);
+    pass_mirror_bind(r->mirror);
+}
+
 static void draw_water(bolan_renderer *r, frame *f) {
+    const bool mirrors = pass_water_mirrors(f);
     begin_part(r, PART_COPY);
-    if (f->shore->present) { // over the open sea nothing shines through
-        gl_target_copy_color(&r->hdr, &r->behind);
-        gl_target_copy_depth(&r->hdr, &r->behind);
-        gl_texture_bind(&r->behind_color, UNIT_SCENE_COLOR);
-        gl_texture_bind(&r->behind_depth, UNIT_SCENE_DEPTH);
-        gl_target_bind(&r->hdr);
-    }
+    if (!mirrors && f->shore->present) copy_behind(r, f);
     end_part(r, PART_COPY);
+    begin_part(r, PART_MIRROR);
+    if (mirrors) draw_mirrors(r, f);
+    end_part(r, PART_MIRROR);
     begin_part(r, PART_WATER);
+    gl_target_bind(&f->hdr);
     pass_water_draw(r->water, f);
     pass_sky_draw_over(r->sky, f);
     end_part(r, PART_WATER);

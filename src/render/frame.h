@@ -4,7 +4,9 @@
 //   atmosphere tables -> clouds -> environment map        (only when sun, haze or altitude changed)
 //   sea textures, shore depth map                         (upload)
 //   terrain + sea bed -> sky behind                        HDR colour + reversed-Z depth
-//   copy of colour and depth -> water                      refraction reads the copy
+//   copy of colour and depth                               what the physical optics sees through the water
+//   the world mirrored, the world refracted                what the mirror and phong optics look up
+//   water
 //   tone map -> the caller's framebuffer
 //
 // All positions on the GPU are relative to the eye, in world axes (x east, y north, z up).
@@ -33,6 +35,9 @@ enum {
     UNIT_AERIAL = 14,       // 3D aerial perspective, if used
     UNIT_PASS = 15,         // free for a pass's input (tone map source, ...)
     UNIT_SURFACE = 16,      // 16-19: outputs of water_surface.glsl
+    UNIT_REFLECTION = 16,   // 2D  pictures of pass_mirror.c, for the optics that have no use for those
+    UNIT_REFRACTION = 17,
+    UNIT_OPTICS = 18, // 18-20: an optics' own
 };
 
 // The uniform block `Frame` of shaders/common/frame.glsl: std140, keep in step.
@@ -52,6 +57,9 @@ typedef struct frame_uniforms {
     bolan_vec4
         air; // set by pass_sky_prepare. x: unit of every radiance (true radiance = stored / x), y: 1 when the eye is
              // above the clouds, z, w: eye from the cloud maps' centre [m]
+    bolan_vec4
+        clip; // x: only what stands above (1) or below (-1) the plane, 0: everything; y: its elevation above the mean water
+              // [m]; z: vertical scale about the water of what is refracted, w: 1 in the picture of what is refracted
 } frame_uniforms;
 
 typedef struct frame {
@@ -74,6 +82,7 @@ typedef struct frame {
 typedef struct pass_sky pass_sky;         // atmosphere tables, sky, clouds, environment map; sets sun_light, sky_light
 typedef struct pass_terrain pass_terrain; // land and sea bed; the shore map
 typedef struct pass_water pass_water;
+typedef struct pass_mirror pass_mirror; // pictures of what the water mirrors and refracts
 typedef struct pass_tonemap pass_tonemap;
 
 bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out);
@@ -93,8 +102,18 @@ void pass_terrain_destroy(pass_terrain **p);
 bolan_result pass_water_create(bolan_quality quality, pass_water **out);
 void pass_water_prepare(pass_water *p, frame *f); // uploads the sea
 void pass_water_draw(pass_water *p, frame *f);    // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
+bool pass_water_mirrors(const frame *f);          // its optics looks up the pictures of pass_mirror
 bolan_result pass_water_reload(pass_water *p);
 void pass_water_destroy(pass_water **p);
+
+bolan_result pass_mirror_create(pass_mirror **out);
+bool pass_mirror_fit(pass_mirror *p, uint32_t width, uint32_t height); // false: it cannot be had (logged)
+frame pass_mirror_reflect(pass_mirror *p,
+                          const frame *f); // this frame, seen in the water: draw what is above it into its hdr
+frame pass_mirror_refract(pass_mirror *p,
+                          const frame *f); // this frame, through the water: draw what is below it into its hdr
+void pass_mirror_bind(const pass_mirror *p);
+void pass_mirror_destroy(pass_mirror **p);
 
 bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);
 void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample,

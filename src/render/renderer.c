@@ -15,6 +15,7 @@ static bolan_result create_passes(bolan_renderer *r) {
     bolan_result result = pass_sky_create(&r->caps, &r->sky);
     if (result == BOLAN_OK) result = pass_terrain_create(&r->caps, &r->terrain);
     if (result == BOLAN_OK) result = pass_water_create(r->desc.quality, &r->water);
+    if (result == BOLAN_OK) result = pass_mirror_create(&r->mirror);
     if (result == BOLAN_OK) result = pass_tonemap_create(&r->caps, &r->tonemap);
     if (result == BOLAN_OK)
         result = gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms);
@@ -70,6 +71,7 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     pass_sky_destroy(&r->sky);
     pass_terrain_destroy(&r->terrain);
     pass_water_destroy(&r->water);
+    pass_mirror_destroy(&r->mirror);
     pass_tonemap_destroy(&r->tonemap);
     gl_buffer_free(&r->uniforms);
     gl_program_free(&r->yardstick);

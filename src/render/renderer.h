@@ -12,6 +12,7 @@ typedef enum frame_part {
     PART_TERRAIN,
     PART_SKY,
     PART_COPY,
+    PART_MIRROR,
     PART_WATER,
     PART_TONEMAP,
     PART_COUNT
@@ -25,6 +26,7 @@ struct bolan_renderer {
     pass_sky *sky;
     pass_terrain *terrain;
     pass_water *water;
+    pass_mirror *mirror;
     pass_tonemap *tonemap;
     gl_buffer uniforms;
     gl_program yardstick;
@@ -35,8 +37,8 @@ struct bolan_renderer {
     // timing
     gl_timer timers[PART_COUNT];
     bool measure;
-    double near_plane;    // of the last picture [m]
-    float radiance_unit;  // of the last picture: stored / unit is radiance
+    double near_plane;   // of the last picture [m]
+    float radiance_unit; // of the last picture: stored / unit is radiance
     bolan_frame_statistics statistics;
 };
 

@@ -178,6 +178,8 @@ double bolan_sea_time(const bolan_sea *sea) { return sea->time; }
 
 const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea) { return &sea->desc; }
 
+const bolan_sea_summary *bolan_sea_get_summary(const bolan_sea *sea) { return &sea->summary; }
+
 uint32_t bolan_sea_cascade_count(const bolan_sea *sea) { return sea->count; }
 
 bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index) {

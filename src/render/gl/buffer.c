@@ -39,22 +39,35 @@ void gl_buffer_free(gl_buffer *b) {
     *b = (gl_buffer){0};
 }
 
+// The vertex array is bound.
+static void point_attributes(const gl_buffer *vertices, uint32_t first, const uint8_t *components, uint32_t attributes,
+                             uint32_t stride) {
+    glBindBuffer(GL_ARRAY_BUFFER, vertices->id);
+    size_t offset = 0;
+    for (uint32_t i = 0; i < attributes; i++) {
+        glEnableVertexAttribArray(first + i);
+        glVertexAttribPointer(first + i, components[i], GL_FLOAT, GL_FALSE, (GLsizei)stride, (const void *)offset);
+        offset += components[i] * sizeof(float);
+    }
+    BOLAN_ASSERT(offset <= stride);
+}
+
 bolan_result gl_mesh_create(const gl_buffer *vertices, const gl_buffer *indices, const uint8_t *components,
                             uint32_t attributes, uint32_t stride, gl_mesh *out) {
     BOLAN_ASSERT(vertices && indices && components && out);
     glGenVertexArrays(1, &out->vao);
     glBindVertexArray(out->vao);
-    glBindBuffer(GL_ARRAY_BUFFER, vertices->id);
-    size_t offset = 0;
-    for (uint32_t i = 0; i < attributes; i++) {
-        glEnableVertexAttribArray(i);
-        glVertexAttribPointer(i, components[i], GL_FLOAT, GL_FALSE, (GLsizei)stride, (const void *)offset);
-        offset += components[i] * sizeof(float);
-    }
-    BOLAN_ASSERT(offset <= stride);
+    point_attributes(vertices, 0, components, attributes, stride);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices->id);
     glBindVertexArray(0);
     return BOLAN_OK;
+}
+
+void gl_mesh_attach(gl_mesh *m, const gl_buffer *vertices, uint32_t first, const uint8_t *components,
+                    uint32_t attributes, uint32_t stride) {
+    glBindVertexArray(m->vao);
+    point_attributes(vertices, first, components, attributes, stride);
+    glBindVertexArray(0);
 }
 
 void gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count) {

@@ -108,6 +108,9 @@ typedef struct gl_mesh {
 } gl_mesh;
 bolan_result gl_mesh_create(const gl_buffer *vertices, const gl_buffer *indices, const uint8_t *components,
                             uint32_t attributes, uint32_t stride, gl_mesh *out);
+// Adds the interleaved floats of another buffer, from location `first` on.
+void gl_mesh_attach(gl_mesh *m, const gl_buffer *vertices, uint32_t first, const uint8_t *components,
+                    uint32_t attributes, uint32_t stride);
 void gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count);
 void gl_mesh_free(gl_mesh *m);
 void gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers: see common/fullscreen.glsl
@@ -120,7 +123,7 @@ void gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers: see c
 typedef struct gl_program {
     uint32_t id;
     char stem[32];
-    char defines[128];
+    char defines[160];
 } gl_program;
 void gl_program_set_directory(const char *directory); // NULL: the embedded sources
 bolan_result gl_program_create(const char *stem, const char *defines, gl_program *out);

@@ -112,7 +112,6 @@ void gl_program_vec4_array(const gl_program *p, const char *name, const float *x
     glUniform4fv(locate(p, name), (GLsizei)count, xyzw);
 }
 
-
 void gl_program_free(gl_program *p) {
     if (p->id) glDeleteProgram(p->id);
     *p = (gl_program){0};

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// The sea at a place, for either stage, whichever model makes its waves. One of these is defined:
+//   WAVES_EXP   a few waves exp(s cos), here for each vertex and pixel (Liu & Xie 2010)
+//   WAVES_SUM   many cosines, here for each pixel: only the quad needs that (Liu, Xu & Chen 2009)
+//   WAVES_MESH  the same, made on the CPU for each vertex; the pixels interpolate
+//   none        cascades: tiles of an FFT
+// Twins of bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
+#if !defined(WAVES_EXP) && !defined(WAVES_SUM) && !defined(WAVES_MESH)
+#define WAVES_CASCADES
+#include "common/sea.glsl"
+#endif
+#ifdef LAND
+#include "common/shore.glsl"
+#endif
+
+// What the waves do at a place. slope: dz/dx, dz/dy of the displaced surface.
+struct wave_fields {
+    vec2 slope;
+    float jacobian; // of the horizontal map
+    float foam;     // foam memory
+};
+
+uniform vec4 sea_law; // x: significant height [m], y: peak wave length [m], z: peak period [s], w: where the sea goes [rad]
+
+#if defined(WAVES_EXP) || defined(WAVES_SUM)
+#ifdef WAVES_EXP
+uniform vec4 wave_component[16]; // kx, ky [rad/m], amplitude [m], phase at the eye [rad]
+uniform vec4 exp_law;            // x: sharpness s, y: mean e^-s I0(s) of the shape
+vec4 wave_of(int i) { return wave_component[i]; }
+#else
+#pragma unit wave_table 8
+uniform highp sampler2D wave_table; // likewise, a texel a wave, 64 in a row; longest first
+vec4 wave_of(int i) { return texelFetch(wave_table, ivec2(i & 63, i >> 6), 0); }
+#endif
+uniform int wave_count;
+
+// Height and its derivative along the phase, of unit amplitude.
+vec2 wave_shape(float phase) {
+    phase -= 6.28318531 * floor(phase * 0.15915494 + 0.5);
+#ifdef WAVES_EXP
+    float e = exp(exp_law.x * (cos(phase) - 1.0));
+    return vec2(e - exp_law.y, -exp_law.x * sin(phase) * e);
+#else
+    return vec2(cos(phase), -sin(phase));
+#endif
+}
+#endif
+
+// ---- vertices -------------------------------------------------------------------------------------------------------
+
+#ifdef VERTEX
+#ifdef WAVES_MESH
+layout(location = 2) in vec3 mesh_offset; // height, dx, dy
+layout(location = 3) in vec4 mesh_fields; // slope, jacobian, foam
+#endif
+
+// Displacement of the vertex at `rest` on a mesh of that spacing, over water of that depth; fields of the mesh: slope, jacobian, foam.
+vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
+    vec3 offset = vec3(0.0);
+    fields = vec4(0.0, 0.0, 1.0, 0.0);
+#ifdef WAVES_MESH
+    fields = mesh_fields;
+    float keep = 1.0;
+#ifdef LAND
+    keep = shore_attenuation(depth, sea_law.x);
+#endif
+    fields.xy *= keep;
+    offset = keep * mesh_offset.yzx;
+#endif
+#ifdef WAVES_EXP
+    for (int i = 0; i < wave_count; ++i) {
+        vec4 w = wave_of(i);
+        float samples = 6.28318531 * inversesqrt(dot(w.xy, w.xy)) / spacing; // of a wave
+        float keep = clamp(0.5 * samples - 1.0, 0.0, 1.0);
+        vec2 shape = keep * w.z * wave_shape(dot(w.xy, rest) + w.w);
+        offset.z += shape.x;
+        fields.xy += shape.y * w.xy;
+    }
+#ifdef LAND
+    float shallow = shore_attenuation(depth, sea_law.x);
+    offset.z *= shallow;
+    fields.xy *= shallow;
+#endif
+#endif
+#ifdef WAVES_CASCADES
+    for (int c = 0; c < cascade_count; ++c) {
+        vec4 band = cascade_band[c];
+        if (spacing > band.z) break; // every wave of it is shorter than the mesh
+        float lod = max(log2(spacing) - band.w - 0.5, 0.0); // the triangles blur too: half a level is theirs
+        vec3 uv = vec3(cascade_uv(c, rest), float(c));
+        vec4 s = textureLod(displacement_map, uv, lod);
+        float keep = 1.0;
+#ifdef LAND
+        keep = shore_attenuation(depth, band.x);
+#endif
+        offset += keep * vec3(choppiness * s.xy, s.z);
+        fields.xy += keep * textureLod(slope_map, uv, lod).xy;
+    }
+#endif
+    return offset;
+}
+#endif
+
+// ---- pixels ---------------------------------------------------------------------------------------------------------
+
+#ifdef FRAGMENT
+#ifndef TAPS // most look-ups along the long side of the pixel's footprint; set by quality, this serves an offline compiler
+#define TAPS 4
+#endif
+#pragma unit slope_table 6
+uniform sampler3D slope_table;
+
+// The part of the water's plane under one pixel: an ellipse, long along the view.
+struct footprint {
+    vec2 axis; // horizontal direction of the long side
+    float major, minor; // widths [m]
+};
+
+footprint pixel_footprint(vec3 view, float dist, vec2 coarse_slope) {
+    footprint f;
+    f.axis = normalize(view.xy + vec2(1e-6, 0.0));
+    f.minor = max(dist * lens.x, 1e-4);
+    vec3 n = normalize(vec3(-coarse_slope, 1.0));
+    f.major = f.minor / clamp(dot(view, n), 0.01, 1.0);
+    return f;
+}
+
+// Slope covariance (xx, xy, yy) that this footprint removes, and that of the waves shorter than the model has.
+vec3 unresolved_slopes(footprint f) {
+    // the look-ups average over about half a width at each end: standard deviation 0.4 of the width
+    float major = log2(max(0.4 * f.major, 1e-4)), aspect = log2(f.major / max(f.minor, f.major / 127.0));
+    float angle = atan(f.axis.y, f.axis.x) * 0.31830989;
+    angle -= floor(angle);
+    vec3 t = vec3(((major + 8.0) * 1.5 + 0.5) / 24.0, (aspect + 0.5) / 8.0, (angle * 8.0 + 0.5) / 9.0);
+    vec3 m = textureLod(slope_table, t, 0.0).xyz; // xx, xy, yy
+    return m + vec3(6e-6, 0.0, 6e-6); // the sun's radius, in slopes
+}
+
+#ifdef WAVES_CASCADES
+#pragma unit fold_map 10
+uniform sampler2DArray fold_map; // r: dxy, g: foam memory
+
+// Each cascade is looked up along the footprint as often as its texels are shorter than it, at most TAPS times; the level of
+// detail makes up for the rest. Rings whose longest wave is shorter than the pixel is wide have nothing left.
+wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
+    vec2 slope = vec2(0.0);
+    vec3 gradient = vec3(0.0); // dxx, dyy, dxy of the displacement, choppiness applied
+    float foam = 0.0;
+    for (int c = 0; c < cascade_count; ++c) {
+        vec4 band = cascade_band[c];
+        if (f.minor > 0.6 * band.z) break;
+        float taps = clamp(ceil(f.major / band.y), 1.0, float(TAPS));
+        float lod = log2(max(f.minor, f.major / taps)) - band.w;
+        vec2 centre = cascade_uv(c, rest);
+        vec2 along = (cascade_uv(c, rest + f.axis * f.major) - centre) / taps;
+        vec2 uv = centre - along * (0.5 * taps - 0.5);
+        vec4 slopes = vec4(0.0);
+        for (float i = 0.0; i < taps; i += 1.0) slopes += textureLod(slope_map, vec3(uv + along * i, float(c)), lod);
+        float keep = band.z < 20.0 ? gust : 1.0;
+#ifdef LAND
+        keep *= shore_attenuation(depth, band.x);
+#endif
+        vec2 fold = textureLod(fold_map, vec3(centre, float(c)), lod).xy;
+        slope += keep / taps * slopes.xy;
+        gradient += keep * choppiness * vec3(slopes.zw / taps, fold.x);
+        foam += keep * fold.y;
+    }
+    float jxx = 1.0 + gradient.x, jyy = 1.0 + gradient.y, jxy = gradient.z;
+    float jacobian = jxx * jyy - jxy * jxy;
+    slope = vec2(slope.x * jyy - slope.y * jxy, slope.y * jxx - slope.x * jxy) / max(jacobian, 0.25);
+    // water does not stand steeper than it breaks
+    return wave_fields(slope * min(1.0, 1.2 * inversesqrt(max(dot(slope, slope), 1e-6))), jacobian, foam);
+}
+#endif
+
+#if defined(WAVES_EXP) || defined(WAVES_SUM)
+// Each wave fades by its own footprint, a Gaussian of 0.4 of the widths; what it loses is in the table of unresolved slopes.
+wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
+    vec2 slope = vec2(0.0), major = 0.4 * f.major * f.axis, minor = 0.4 * f.minor * vec2(-f.axis.y, f.axis.x);
+    for (int i = 0; i < wave_count; ++i) {
+        vec4 w = wave_of(i);
+        float along = dot(w.xy, major), across = dot(w.xy, minor);
+        float keep = exp(-0.5 * min(along * along + across * across, 60.0));
+        slope += keep * w.z * wave_shape(dot(w.xy, rest) + w.w).y * w.xy;
+    }
+#ifdef LAND
+    slope *= shore_attenuation(depth, sea_law.x);
+#endif
+    return wave_fields(slope * gust, 1.0, 0.0);
+}
+#endif
+
+#ifdef WAVES_MESH
+wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
+    return wave_fields(mesh.xy * gust, mesh.z, mesh.w);
+}
+#endif
+#endif

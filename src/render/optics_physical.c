@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// The physical optics: draws the water's shape into a few numbers per pixel, and shades these over a copy of what lies
+// behind. Shaders: shaders/water_surface.glsl, shaders/water.glsl.
+#include "foam_texture.h"
+#include "water_optics.h"
+
+#include <math.h>
+
+enum { SURFACE_COUNT = 4 };
+
+typedef struct physical {
+    const char *defines;                 // of this quality
+    gl_texture shape_map[SURFACE_COUNT]; // outputs of water_surface.glsl
+    gl_target shape_target;              // they, and the frame's depth
+    uint32_t depth_id;                   // of that depth
+    gl_texture foam_detail;
+} physical;
+
+static const char *const quality_defines[] = {
+    [BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\n",
+    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\n",
+    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\n",
+    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\n",
+};
+
+static bolan_result create_foam_detail(physical *p) {
+    size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
+    uint8_t *pixels = bolan_allocate(bytes);
+    if (pixels == NULL) return BOLAN_ERROR_MEMORY;
+    bolan_result result = foam_texture_fill(pixels);
+    gl_texture_desc desc = {.format = GL_FMT_RGBA8,
+                            .width = FOAM_TEXTURE_SIZE,
+                            .height = FOAM_TEXTURE_SIZE,
+                            .filter = GL_FILTER_MIPMAP,
+                            .wrap = GL_WRAP_REPEAT};
+    if (result == BOLAN_OK) result = gl_texture_create(&desc, &p->foam_detail);
+    if (result == BOLAN_OK) {
+        gl_texture_upload(&p->foam_detail, 0, -1, pixels, false);
+        gl_texture_generate_mipmaps(&p->foam_detail);
+    }
+    bolan_release(pixels, bytes);
+    return result;
+}
+
+static bolan_result create(void *state, bolan_quality quality) {
+    physical *p = state;
+    p->defines = quality_defines[quality];
+    return create_foam_detail(p);
+}
+
+static void free_shape(physical *p) {
+    gl_target_free(&p->shape_target);
+    for (int i = 0; i < SURFACE_COUNT; ++i) gl_texture_free(&p->shape_map[i]);
+    p->depth_id = 0;
+}
+
+// Textures of the frame's size, with its depth.
+static bolan_result fit_shape(physical *p, const frame *f) {
+    if (p->depth_id == f->hdr_depth->id && p->shape_map[0].width == f->hdr.width &&
+        p->shape_map[0].height == f->hdr.height)
+        return BOLAN_OK;
+    free_shape(p);
+    const gl_texture *colors[SURFACE_COUNT];
+    bolan_result result = BOLAN_OK;
+    for (int i = 0; i < SURFACE_COUNT && result == BOLAN_OK; ++i) {
+        gl_texture_desc desc = {.format = i == 0 ? GL_FMT_RGBA32F : GL_FMT_RGBA16F,
+                                .width = f->hdr.width,
+                                .height = f->hdr.height,
+                                .filter = GL_FILTER_NEAREST,
+                                .wrap = GL_WRAP_CLAMP};
+        result = gl_texture_create(&desc, &p->shape_map[i]);
+        colors[i] = &p->shape_map[i];
+    }
+    if (result == BOLAN_OK) result = gl_target_create(colors, SURFACE_COUNT, f->hdr_depth, -1, 0, &p->shape_target);
+    if (result == BOLAN_OK)
+        p->depth_id = f->hdr_depth->id;
+    else
+        free_shape(p);
+    return result;
+}
+
+static void free_all(void *state) {
+    physical *p = state;
+    free_shape(p);
+    gl_texture_free(&p->foam_detail);
+}
+
+// The x at which the standard normal distribution reaches p.
+static double normal_quantile(double p) {
+    double low = -8.0, high = 8.0;
+    for (int i = 0; i < 50; ++i) {
+        double middle = 0.5 * (low + high);
+        if (0.5 * erfc(-middle * 0.70710678118654752) < p)
+            low = middle;
+        else
+            high = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+// Mean and variance of the summed foam memory, from a sparse lattice of each cascade.
+static void foam_moments(const bolan_sea *sea, double *mean, double *variance) {
+    *mean = *variance = 0.0;
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
+        bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        double sum = 0.0, squares = 0.0;
+        uint32_t count = 0, size = v.n * v.n;
+        for (uint32_t i = 0; i < size; i += 61, ++count) { // 61 is prime to every n
+            sum += v.foam[i];
+            squares += (double)v.foam[i] * v.foam[i];
+        }
+        *mean += sum / count;
+        *variance += squares / count - (sum / count) * (sum / count);
+    }
+}
+
+#define FOAM_EDGE 0.12     // how widely a breaking patch's edge is drawn, in Jacobian
+#define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
+#define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
+
+static void set_foam(const gl_program *g, const frame *f) {
+    const bolan_sea *sea = f->desc->sea;
+    const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
+    double mss = 0.0, memory_mean, memory_variance;
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) mss += bolan_sea_cascade(sea, c).mss;
+    // A soft edge widens a Gaussian field; the covered share stays when the threshold moves out with the standard deviation.
+    double spread = fmax(desc->choppiness * desc->choppiness * mss, 1e-9);
+    double threshold = 1.0 - (1.0 - bolan_sea_foam_threshold(sea)) * sqrt(1.0 + FOAM_EDGE * FOAM_EDGE / spread);
+    foam_moments(sea, &memory_mean, &memory_variance);
+    double share = fmin(0.3, OLD_FOAM_SHARE * bolan_monahan_cover(desc->sea_state.wind_speed));
+    double old = memory_mean - normal_quantile(share) * sqrt(memory_variance * (1.0 + OLD_EDGE));
+    float rest[3];
+    bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
+    gl_program_vec4(g, "foam_law", (bolan_vec4){(float)fmax(threshold, -1e30), rest[0] + rest[2], 0.0f, 0.0f});
+    gl_program_vec4(g, "foam_edge",
+                    (bolan_vec4){(float)(FOAM_EDGE * FOAM_EDGE), (float)OLD_EDGE,
+                                 (float)(desc->choppiness * desc->choppiness), 0.0f});
+    gl_program_vec4(g, "foam_memory",
+                    (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread, 0.0f});
+}
+
+static void draw_shape(physical *p, const water_draw *d) {
+    if (!water_program(d, "water_surface", 0, "")) return;
+    gl_target_bind(&p->shape_target);
+    gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    water_mesh_draw(d->mesh);
+}
+
+static void draw_light(physical *p, const water_draw *d) {
+    const gl_program *g = water_program(d, "water", 0, p->defines);
+    if (!g) return;
+    set_foam(g, d->f);
+    gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
+    for (uint32_t i = 0; i < SURFACE_COUNT; ++i) gl_texture_bind(&p->shape_map[i], UNIT_SURFACE + i);
+    gl_target_bind_part(&d->f->hdr, 0, 0, d->f->hdr.width, water_rows(d->f, d->vertical));
+    gl_set_state(&(gl_state){.color_write = true});
+    gl_draw_fullscreen();
+    gl_target_bind(&d->f->hdr);
+}
+
+static void draw(void *state, const water_draw *d) {
+    physical *p = state;
+    if (fit_shape(p, d->f) != BOLAN_OK) return;
+    draw_shape(p, d);
+    draw_light(p, d);
+}
+
+const water_optics optics_physical = {.size = sizeof(physical), .create = create, .draw = draw, .free = free_all};

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// See water_fields.h.
+#include "water_fields.h"
+
+#include <math.h>
+#include <string.h>
+
+#define SLOPE_ANGLES (BOLAN_SLOPE_TABLE_ANGLE + 1) // the first repeats at the end, so that linear filtering wraps
+enum { TABLE_ROW = 64, TABLE_ROWS = BOLAN_MAX_FREQUENCIES * BOLAN_MAX_DIRECTIONS / TABLE_ROW };
+
+water_waves water_waves_of(bolan_wave_model model, bolan_surface_kind surface) {
+    if (model == BOLAN_WAVES_EXP_COSINE) return WATER_EXP;
+    if (model != BOLAN_WAVES_COSINES) return WATER_CASCADES;
+    return surface == BOLAN_SURFACE_QUAD ? WATER_SUM : WATER_MESH;
+}
+
+const char *water_waves_define(water_waves waves) {
+    static const char *const defines[] = {"", "WAVES_EXP 1\n", "WAVES_SUM 1\n", "WAVES_MESH 1\n"};
+    return defines[waves];
+}
+
+bolan_result water_fields_create(water_fields *p) {
+    *p = (water_fields){.cpu_fold = NULL};
+    gl_texture_desc slopes = {.format = GL_FMT_RGBA16F,
+                              .width = BOLAN_SLOPE_TABLE_MAJOR,
+                              .height = BOLAN_SLOPE_TABLE_ASPECT,
+                              .depth = SLOPE_ANGLES,
+                              .filter = GL_FILTER_LINEAR,
+                              .wrap = GL_WRAP_CLAMP};
+    gl_texture_desc waves = {
+        .format = GL_FMT_RGBA32F, .width = TABLE_ROW, .height = TABLE_ROWS, .filter = GL_FILTER_NEAREST};
+    bolan_result result = gl_texture_create(&slopes, &p->slope_table);
+    return result == BOLAN_OK ? gl_texture_create(&waves, &p->table) : result;
+}
+
+void water_fields_free(water_fields *p) {
+    gl_texture_free(&p->displacement);
+    gl_texture_free(&p->slopes);
+    gl_texture_free(&p->fold);
+    gl_texture_free(&p->table);
+    gl_texture_free(&p->slope_table);
+    bolan_release(p->cpu_fold, p->cpu_fold_bytes);
+}
+
+// ---- cascades -------------------------------------------------------------------------------------------------------
+
+// Arrays that fit this sea; kept while n and the number of cascades stay.
+static void fit_textures(water_fields *p, uint32_t n, uint32_t count) {
+    if (p->displacement.width == n && p->displacement.depth == count) return;
+    gl_texture_free(&p->displacement);
+    gl_texture_free(&p->slopes);
+    gl_texture_free(&p->fold);
+    gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
+                            .width = n,
+                            .height = n,
+                            .depth = count,
+                            .array = true,
+                            .filter = GL_FILTER_MIPMAP,
+                            .wrap = GL_WRAP_REPEAT};
+    gl_texture_create(&desc, &p->displacement);
+    gl_texture_create(&desc, &p->slopes);
+    desc.format = GL_FMT_RG16F;
+    gl_texture_create(&desc, &p->fold);
+    bolan_release(p->cpu_fold, p->cpu_fold_bytes);
+    p->cpu_fold_bytes = sizeof(uint16_t) * 2 * n * n;
+    p->cpu_fold = bolan_allocate(p->cpu_fold_bytes);
+}
+
+// dxy and foam side by side, so that the fragment shader gets both by one look-up.
+static void interleave_fold(const bolan_cascade_view *v, uint16_t *out) {
+    for (size_t i = 0; i < (size_t)v->n * v->n; ++i) {
+        out[2 * i] = v->displacement_half[4 * i + 3];
+        out[2 * i + 1] = v->foam_half[i];
+    }
+}
+
+static void upload_cascades(water_fields *p, const bolan_sea *sea) {
+    uint32_t count = bolan_sea_cascade_count(sea);
+    for (uint32_t c = 0; c < count; ++c) {
+        bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        if (c == 0) fit_textures(p, v.n, count);
+        gl_texture_upload(&p->displacement, 0, (int)c, v.displacement_half, true);
+        gl_texture_upload(&p->slopes, 0, (int)c, v.slope_half, true);
+        interleave_fold(&v, p->cpu_fold);
+        gl_texture_upload(&p->fold, 0, (int)c, p->cpu_fold, true);
+    }
+    gl_texture_generate_mipmaps(&p->displacement);
+    gl_texture_generate_mipmaps(&p->slopes);
+    gl_texture_generate_mipmaps(&p->fold);
+}
+
+// Where the eye stands in each tile, reduced in double so that the GPU never sees a large coordinate.
+static void set_cascades(const gl_program *g, const frame *f) {
+    float tile[4 * BOLAN_MAX_CASCADES] = {0}, band[4 * BOLAN_MAX_CASCADES] = {0};
+    uint32_t count = bolan_sea_cascade_count(f->desc->sea);
+    for (uint32_t c = 0; c < count; ++c) {
+        bolan_cascade_view v = bolan_sea_cascade(f->desc->sea, c);
+        double ca = cos(v.angle), sa = sin(v.angle);
+        double u = (f->eye.x * ca + f->eye.y * sa) / v.length, w = (-f->eye.x * sa + f->eye.y * ca) / v.length;
+        double texel = v.length / v.n;
+        // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
+        tile[4 * c] = (float)(u - floor(u) + 0.5 / v.n);
+        tile[4 * c + 1] = (float)(w - floor(w) + 0.5 / v.n);
+        tile[4 * c + 2] = (float)(ca / v.length);
+        tile[4 * c + 3] = (float)(sa / v.length);
+        band[4 * c] = (float)(4.0 * sqrt(v.variance));
+        band[4 * c + 1] = (float)texel;
+        band[4 * c + 3] = (float)log2(texel);
+        band[4 * c + 2] = (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length);
+    }
+    gl_program_int(g, "cascade_count", (int)count);
+    gl_program_vec4_array(g, "cascade_tile", tile, BOLAN_MAX_CASCADES);
+    gl_program_vec4_array(g, "cascade_band", band, BOLAN_MAX_CASCADES);
+    gl_program_float(g, "choppiness", (float)bolan_sea_get_desc(f->desc->sea)->choppiness);
+}
+
+// ---- sums -----------------------------------------------------------------------------------------------------------
+
+// One wave as the shader has it: kx, ky, amplitude, and the phase at the eye now, reduced in double.
+static void fill_wave(const frame *f, uint32_t index, double amplitude_factor, float out[4]) {
+    bolan_sea_component w = bolan_sea_get_component(f->desc->sea, index);
+    double turns = (w.kx * f->eye.x + w.ky * f->eye.y - w.omega * f->time + w.phase) / (2.0 * BOLAN_PI);
+    out[0] = (float)w.kx;
+    out[1] = (float)w.ky;
+    out[2] = (float)(w.amplitude * amplitude_factor);
+    out[3] = (float)(2.0 * BOLAN_PI * (turns - floor(turns + 0.5)));
+}
+
+// Modified Bessel function I0, by its series: s is at most 2, so that ten terms are enough for a float.
+static double bessel_i0(double s) {
+    double term = 1.0, sum = 1.0;
+    for (int i = 1; i < 12; ++i) {
+        term *= 0.25 * s * s / ((double)i * i);
+        sum += term;
+    }
+    return sum;
+}
+
+// Liu & Xie 2010, in zero-mean, unit-range form: amplitude * 2 / (1 - e^-2s) * (e^{s (cos th - 1)} - e^-s I0(s)).
+static void set_exp_waves(const gl_program *g, const frame *f) {
+    float waves[4 * BOLAN_MAX_EXP_WAVES] = {0};
+    double s = bolan_sea_get_desc(f->desc->sea)->sharpness, range = 2.0 / (1.0 - exp(-2.0 * s));
+    uint32_t count = bolan_sea_component_count(f->desc->sea);
+    for (uint32_t i = 0; i < count; ++i) fill_wave(f, i, range, waves + 4 * i);
+    gl_program_int(g, "wave_count", (int)count);
+    gl_program_vec4_array(g, "wave_component", waves, BOLAN_MAX_EXP_WAVES);
+    gl_program_vec4(g, "exp_law", (bolan_vec4){(float)s, (float)(exp(-s) * bessel_i0(s)), 0.0f, 0.0f});
+}
+
+static void upload_table(water_fields *p, const frame *f) {
+    static const float empty[4] = {0};
+    float waves[TABLE_ROW * TABLE_ROWS][4];
+    uint32_t count = bolan_sea_component_count(f->desc->sea);
+    for (uint32_t i = 0; i < TABLE_ROW * TABLE_ROWS; ++i) {
+        if (i < count)
+            fill_wave(f, i, 1.0, waves[i]);
+        else
+            memcpy(waves[i], empty, sizeof empty);
+    }
+    gl_texture_upload(&p->table, 0, -1, waves, false);
+}
+
+// ---- both -----------------------------------------------------------------------------------------------------------
+
+static void upload_slope_table(water_fields *p, const bolan_sea *sea) {
+    float table[SLOPE_ANGLES * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_MAJOR * 4];
+    size_t layer = (size_t)BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_MAJOR * 4;
+    const float *from = bolan_sea_slope_table(sea);
+    memcpy(table, from, sizeof(float) * layer * BOLAN_SLOPE_TABLE_ANGLE);
+    memcpy(table + layer * BOLAN_SLOPE_TABLE_ANGLE, from, sizeof(float) * layer);
+    gl_texture_upload(&p->slope_table, 0, -1, table, false);
+}
+
+void water_fields_prepare(water_fields *p, const frame *f, water_waves waves, bool table_only) {
+    if (waves == WATER_CASCADES && !table_only) upload_cascades(p, f->desc->sea);
+    if (waves == WATER_SUM) upload_table(p, f);
+    upload_slope_table(p, f->desc->sea);
+    water_fields_bind(p, waves);
+}
+
+void water_fields_bind(const water_fields *p, water_waves waves) {
+    gl_texture_bind(waves == WATER_SUM ? &p->table : &p->displacement, UNIT_DISPLACEMENT);
+    gl_texture_bind(&p->slopes, UNIT_SLOPES);
+    gl_texture_bind(&p->fold, UNIT_FOLD);
+    gl_texture_bind(&p->slope_table, UNIT_SLOPE_TABLE);
+}
+
+void water_fields_apply(const gl_program *g, const frame *f, water_waves waves) {
+    const bolan_sea_summary *s = bolan_sea_get_summary(f->desc->sea);
+    double period = s->tp > 0.0 ? s->tp : 8.0, omega = 2.0 * BOLAN_PI / period;
+    gl_program_vec4(g, "sea_law",
+                    (bolan_vec4){(float)s->hs, (float)(2.0 * BOLAN_PI * BOLAN_GRAVITY / (omega * omega)), (float)period,
+                                 (float)bolan_compass_from_to_math(s->from_deg)});
+    if (f->shore->present) shore_map_apply(f->shore, g);
+    if (waves == WATER_CASCADES) set_cascades(g, f);
+    if (waves == WATER_EXP) set_exp_waves(g, f);
+    if (waves == WATER_SUM) gl_program_int(g, "wave_count", (int)bolan_sea_component_count(f->desc->sea));
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The sea on the GPU, whichever model makes its waves: textures and uniforms of shaders/common/waves.glsl.
+#ifndef BOLAN_RENDER_WATER_FIELDS_H
+#define BOLAN_RENDER_WATER_FIELDS_H
+
+#include "frame.h"
+
+// Which of the four ways of waves.glsl.
+typedef enum water_waves { WATER_CASCADES, WATER_EXP, WATER_SUM, WATER_MESH } water_waves;
+// The sums of cosines are made on the CPU for each vertex; the quad has no vertices to speak of, so there in each pixel.
+water_waves water_waves_of(bolan_wave_model model, bolan_surface_kind surface);
+// "WAVES_EXP 1\n" and so on; "" for cascades.
+const char *water_waves_define(water_waves waves);
+
+typedef struct water_fields {
+    gl_texture displacement, slopes, fold; // cascades: arrays, a layer each
+    gl_texture table;                      // WATER_SUM: a texel a wave
+    gl_texture slope_table;
+    uint16_t *cpu_fold;
+    size_t cpu_fold_bytes;
+} water_fields;
+
+bolan_result water_fields_create(water_fields *p);
+// Uploads what this frame's waves need, and binds it. `table_only`: nothing of the cascades but the table of unresolved
+// slopes (the optics has the waves by other means).
+void water_fields_prepare(water_fields *p, const frame *f, water_waves waves, bool table_only);
+// Binds the textures again, for a pass that follows one which used their units.
+void water_fields_bind(const water_fields *p, water_waves waves);
+// Sets the uniforms of waves.glsl.
+void water_fields_apply(const gl_program *program, const frame *f, water_waves waves);
+void water_fields_free(water_fields *p);
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// See water_mesh.h. Buffers have the size of the largest mesh from the start: later frames allocate nothing.
+#include "water_mesh.h"
+
+#include <math.h>
+#include <string.h>
+
+static const struct {
+    double pixels_per_vertex;
+    uint32_t max_vertices, nested_cells;
+} quality_table[] = {
+    [BOLAN_QUALITY_LOW] = {8.0, 40000, 32},
+    [BOLAN_QUALITY_MEDIUM] = {6.0, 100000, 32},
+    [BOLAN_QUALITY_HIGH] = {3.0, 300000, 64},
+    [BOLAN_QUALITY_ULTRA] = {2.0, 700000, 128},
+};
+
+static bolan_result allocate(water_mesh *m) {
+    size_t n = m->projected.max_vertices;
+    m->index_capacity = 6 * m->projected.max_vertices;
+    m->cpu_vertices = bolan_allocate(n * sizeof *m->cpu_vertices);
+    m->cpu_waves = bolan_allocate(n * sizeof *m->cpu_waves);
+    m->cpu_rest = bolan_allocate(n * sizeof *m->cpu_rest);
+    m->cpu_spacing = bolan_allocate(n * sizeof *m->cpu_spacing);
+    m->cpu_visible = bolan_allocate(n);
+    m->cpu_indices = bolan_allocate(m->index_capacity * sizeof *m->cpu_indices);
+    bool all = m->cpu_vertices && m->cpu_waves && m->cpu_rest && m->cpu_spacing && m->cpu_visible && m->cpu_indices;
+    return all ? BOLAN_OK : BOLAN_ERROR_MEMORY;
+}
+
+bolan_result water_mesh_create(water_mesh *m, bolan_quality quality) {
+    static const uint8_t vertex[] = {4, 2}, wave[] = {3, 4};
+    *m = (water_mesh){.projected = bolan_surface_desc_default(), .nested = bolan_nested_desc_default()};
+    m->projected.pixels_per_vertex = quality_table[quality].pixels_per_vertex;
+    m->projected.max_vertices = quality_table[quality].max_vertices;
+    m->nested.cells = quality_table[quality].nested_cells;
+    bolan_result r = allocate(m);
+    size_t n = m->projected.max_vertices;
+    if (r == BOLAN_OK)
+        r = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STREAM, n * sizeof *m->cpu_vertices, NULL, &m->vertices);
+    if (r == BOLAN_OK)
+        r = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STREAM, n * sizeof *m->cpu_waves, NULL, &m->waves);
+    if (r == BOLAN_OK)
+        r = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, m->index_capacity * sizeof(uint32_t), NULL, &m->indices);
+    if (r == BOLAN_OK) r = gl_mesh_create(&m->vertices, &m->indices, vertex, 2, sizeof(bolan_surface_vertex), &m->mesh);
+    if (r == BOLAN_OK) gl_mesh_attach(&m->mesh, &m->waves, 2, wave, 2, sizeof(bolan_sea_sample));
+    return r;
+}
+
+void water_mesh_free(water_mesh *m) {
+    size_t n = m->projected.max_vertices;
+    gl_mesh_free(&m->mesh);
+    gl_buffer_free(&m->vertices);
+    gl_buffer_free(&m->waves);
+    gl_buffer_free(&m->indices);
+    bolan_release(m->cpu_vertices, n * sizeof *m->cpu_vertices);
+    bolan_release(m->cpu_waves, n * sizeof *m->cpu_waves);
+    bolan_release(m->cpu_rest, n * sizeof *m->cpu_rest);
+    bolan_release(m->cpu_spacing, n * sizeof *m->cpu_spacing);
+    bolan_release(m->cpu_visible, n);
+    bolan_release(m->cpu_indices, m->index_capacity * sizeof *m->cpu_indices);
+}
+
+bolan_surface_view water_mesh_view(const frame *f) {
+    const bolan_camera *camera = &f->scene->camera;
+    bolan_surface_view view = {.eye = f->eye,
+                               .heading_deg = camera->heading_deg,
+                               .pitch_deg = camera->pitch_deg,
+                               .roll_deg = camera->roll_deg,
+                               .fov_y = bolan_radians(camera->fov_deg),
+                               .aspect = (double)f->desc->width / f->desc->height,
+                               .pixel_height = f->desc->height,
+                               .water_level = f->scene->water.level};
+    bolan_sea_bounds(f->desc->sea, &view.vertical, &view.horizontal);
+    return view;
+}
+
+// ---- the three surfaces: each fills vertices, and indices where they changed; returns the number of vertices ----------
+
+static void upload_indices(water_mesh *m, uint32_t count) {
+    gl_buffer_update(&m->indices, 0, sizeof(uint32_t) * count, m->cpu_indices);
+    m->index_count = count;
+}
+
+static uint32_t build_projected(water_mesh *m, const bolan_surface_view *view) {
+    bolan_surface_size size = bolan_surface_projected(&m->projected, view, m->cpu_vertices);
+    bool same = m->kind == BOLAN_SURFACE_PROJECTED && size.columns == m->grid.columns && size.rows == m->grid.rows;
+    m->grid = size;
+    if (!same) upload_indices(m, bolan_surface_grid_indices(size, m->cpu_indices));
+    memset(m->cpu_visible, 1, (size_t)size.columns * size.rows);
+    for (uint32_t i = 0; i < size.columns * size.rows; ++i)
+        m->cpu_rest[i] =
+            (bolan_dvec2){view->eye.x + (double)m->cpu_vertices[i].x, view->eye.y + (double)m->cpu_vertices[i].y};
+    return size.columns * size.rows;
+}
+
+static uint32_t build_quad(water_mesh *m, const bolan_surface_view *view) {
+    bolan_surface_quad(view, m->cpu_vertices);
+    if (m->kind != BOLAN_SURFACE_QUAD) {
+        memcpy(m->cpu_indices, bolan_surface_quad_indices, sizeof bolan_surface_quad_indices);
+        upload_indices(m, 6);
+    }
+    return 4;
+}
+
+// The holes move with the eye, and the triangles round them.
+static bool same_shape(const bolan_nested *a, const bolan_nested *b) {
+    bool same = a->cells == b->cells && a->levels == b->levels;
+    for (uint32_t l = 0; same && l < a->levels; ++l)
+        same = a->level[l].hole_i == b->level[l].hole_i && a->level[l].hole_j == b->level[l].hole_j;
+    return same;
+}
+
+static uint32_t build_nested(water_mesh *m, const bolan_surface_view *view) {
+    bolan_nested placed = bolan_surface_nested_place(&m->nested, view);
+    bool same = m->kind == BOLAN_SURFACE_NESTED && same_shape(&placed, &m->placed);
+    m->placed = placed;
+    bolan_surface_nested_vertices(&placed, view, m->cpu_rest, m->cpu_vertices, m->cpu_visible);
+    if (!same) {
+        uint32_t count = 0;
+        for (uint32_t l = 0; l < placed.levels; ++l)
+            for (uint32_t part = 0; part < BOLAN_NESTED_PARTS; ++part)
+                count += bolan_surface_nested_indices(&placed, l, part, m->cpu_indices + count);
+        upload_indices(m, count);
+    }
+    return bolan_surface_nested_vertex_count(&placed);
+}
+
+// ---- waves made on the CPU ------------------------------------------------------------------------------------------
+
+// Waves only where the view can see them: packs the visible vertices to the front, samples, and spreads them out again from the
+// end (Liu, Xu & Chen 2009, section 4: the others lie flat).
+static void sample_waves(water_mesh *m, const bolan_sea *sea, uint32_t count) {
+    uint32_t seen = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        if (!m->cpu_visible[i]) continue;
+        m->cpu_rest[seen] = m->cpu_rest[i];
+        m->cpu_spacing[seen++] = m->cpu_vertices[i].spacing;
+    }
+    bolan_sea_sample_grid(sea, m->cpu_rest, m->cpu_spacing, seen, m->cpu_waves);
+    for (uint32_t i = count; i-- > 0;)
+        m->cpu_waves[i] = m->cpu_visible[i] ? m->cpu_waves[--seen] : (bolan_sea_sample){.jacobian = 1.0f};
+}
+
+static float mean(float a, float b) { return 0.5f * (a + b); }
+
+// A stitched vertex lies between its neighbours along the border of its level.
+static void stitch_waves(water_mesh *m, uint32_t count) {
+    uint32_t row = m->placed.cells + 1;
+    for (uint32_t i = 0; i < count; ++i) {
+        const bolan_surface_vertex *v = &m->cpu_vertices[i];
+        if (v->stitch_x == 0.0f && v->stitch_y == 0.0f) continue;
+        uint32_t step = v->stitch_x != 0.0f ? 1 : row;
+        const bolan_sea_sample *a = &m->cpu_waves[i - step], *b = &m->cpu_waves[i + step];
+        m->cpu_waves[i] = (bolan_sea_sample){mean(a->height, b->height),   mean(a->dx, b->dx),
+                                             mean(a->dy, b->dy),           mean(a->slope_x, b->slope_x),
+                                             mean(a->slope_y, b->slope_y), mean(a->jacobian, b->jacobian),
+                                             mean(a->foam, b->foam)};
+    }
+}
+
+// The paper's normals: means over the triangles round each vertex, as slopes.
+static void average_normals(water_mesh *m, uint32_t count) {
+    bolan_vec3 *positions = (bolan_vec3 *)(void *)m->cpu_rest,
+               *normals = positions + count; // free by now, and large enough
+    BOLAN_ASSERT(2 * sizeof(bolan_vec3) * count <= sizeof *m->cpu_rest * m->projected.max_vertices);
+    for (uint32_t i = 0; i < count; ++i)
+        positions[i] = bolan_v3(m->cpu_vertices[i].x + m->cpu_waves[i].dx, m->cpu_vertices[i].y + m->cpu_waves[i].dy,
+                                m->cpu_vertices[i].z + m->cpu_waves[i].height);
+    bolan_surface_nested_normals(&m->placed, positions, normals);
+    for (uint32_t i = 0; i < count; ++i) {
+        m->cpu_waves[i].slope_x = -normals[i].x / fmaxf(normals[i].z, 0.05f);
+        m->cpu_waves[i].slope_y = -normals[i].y / fmaxf(normals[i].z, 0.05f);
+    }
+}
+
+void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves) {
+    bolan_surface_view view = water_mesh_view(f);
+    uint32_t count = kind == BOLAN_SURFACE_QUAD     ? build_quad(m, &view)
+                     : kind == BOLAN_SURFACE_NESTED ? build_nested(m, &view)
+                                                    : build_projected(m, &view);
+    m->kind = kind;
+    if (count < 3) {
+        m->index_count = 0;
+        m->grid = (bolan_surface_size){0, 0};
+        return;
+    }
+    gl_buffer_update(&m->vertices, 0, sizeof(bolan_surface_vertex) * count, m->cpu_vertices);
+    if (waves != WATER_MESH) return;
+    sample_waves(m, f->desc->sea, count);
+    if (kind == BOLAN_SURFACE_NESTED) {
+        stitch_waves(m, count);
+        if (f->scene->look.paper) average_normals(m, count);
+    }
+    gl_buffer_update(&m->waves, 0, sizeof(bolan_sea_sample) * count, m->cpu_waves);
+}
+
+void water_mesh_draw(const water_mesh *m) { gl_mesh_draw(&m->mesh, 0, m->index_count); }
+
+uint32_t water_mesh_triangles(const water_mesh *m) { return m->index_count / 3; }

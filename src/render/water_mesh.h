@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The undisplaced water as triangles, whichever surface makes them, and the waves that the CPU puts on its vertices.
+#ifndef BOLAN_RENDER_WATER_MESH_H
+#define BOLAN_RENDER_WATER_MESH_H
+
+#include "frame.h"
+#include "water_fields.h"
+
+typedef struct water_mesh {
+    bolan_surface_desc projected;
+    bolan_nested_desc nested;
+    gl_buffer vertices, waves, indices;
+    gl_mesh mesh;
+    bolan_surface_vertex *cpu_vertices;
+    bolan_sea_sample *cpu_waves;
+    bolan_dvec2 *cpu_rest;
+    float *cpu_spacing;
+    uint8_t *cpu_visible;
+    uint32_t *cpu_indices;
+    uint32_t index_capacity;
+    // What the index buffer holds
+    bolan_surface_kind kind;
+    bolan_surface_size grid;
+    bolan_nested placed;
+    uint32_t index_count; // of this view; 0: no water in sight
+} water_mesh;
+
+bolan_result water_mesh_create(water_mesh *m, bolan_quality quality);
+// Makes the mesh of this view; WATER_MESH: with waves on its vertices.
+void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves);
+void water_mesh_draw(const water_mesh *m);
+uint32_t water_mesh_triangles(const water_mesh *m);
+void water_mesh_free(water_mesh *m);
+
+// The view of this frame for the functions of surface.h.
+bolan_surface_view water_mesh_view(const frame *f);
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What the optics share. See water_optics.h.
+#include "water_optics.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+// Bits 0-1 the waves, 2 the quad, 3 land, from 4 on the optics' own.
+static uint32_t key_of(const water_draw *d, uint32_t extra) {
+    uint32_t quad = d->f->scene->technique.surface == BOLAN_SURFACE_QUAD, land = d->f->shore->present;
+    return (uint32_t)d->waves | quad << 2 | land << 3 | extra << 4;
+}
+
+static const gl_program *make(const water_draw *d, const char *stem, uint32_t key, const char *extra) {
+    water_programs *all = d->programs;
+    char defines[160];
+    snprintf(defines, sizeof defines, "%s%s%s%s", water_waves_define(d->waves), key & 4 ? "QUAD 1\n" : "",
+             key & 8 ? "LAND 1\n" : "", extra);
+    if (all->count == WATER_PROGRAMS) { // a tour of everything: start anew
+        for (uint32_t i = 0; i < all->count; ++i) gl_program_free(&all->list[i].program);
+        all->count = 0;
+    }
+    gl_program program = {0};
+    if (gl_program_create(stem, defines, &program) != BOLAN_OK) program.id = 0; // kept, so that it is said once
+    all->list[all->count].key = key;
+    all->list[all->count].stem = stem;
+    all->list[all->count].program = program;
+    return &all->list[all->count++].program;
+}
+
+const gl_program *water_program(const water_draw *d, const char *stem, uint32_t extra, const char *defines) {
+    const uint32_t key = key_of(d, extra);
+    const gl_program *program = NULL;
+    for (uint32_t i = 0; i < d->programs->count && !program; ++i)
+        if (d->programs->list[i].key == key && strcmp(d->programs->list[i].stem, stem) == 0)
+            program = &d->programs->list[i].program;
+    if (!program) program = make(d, stem, key, defines);
+    if (program->id == 0) return NULL;
+    gl_program_use(program);
+    water_fields_apply(program, d->f, d->waves);
+    return program;
+}
+
+void water_look_apply(const gl_program *g, const bolan_look *look) {
+    gl_program_vec4(
+        g, "look_light",
+        (bolan_vec4){(float)look->ambient, (float)look->diffuse, (float)look->specular, (float)look->shininess});
+    gl_program_vec4(
+        g, "look_mix",
+        (bolan_vec4){(float)look->distortion, (float)look->blend, look->paper ? 1.0f : 0.0f, (float)look->show});
+    gl_program_int(g, "look_effects", (int)look->effects);
+}
+
+void water_draw_forward(const water_draw *d) {
+    gl_target_bind(&d->f->hdr);
+    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    water_mesh_draw(d->mesh);
+}
+
+uint32_t water_rows(const frame *f, double vertical) {
+    const bolan_camera *c = &f->scene->camera;
+    if (c->roll_deg != 0.0) return f->desc->height;
+    double above = f->uniforms.eye.z - vertical;
+    if (above <= 1.0) return f->desc->height; // among the waves: they may stand anywhere
+    double top = bolan_radians(c->pitch_deg) + acos(BOLAN_EARTH_RADIUS / (BOLAN_EARTH_RADIUS + above)); // over it
+    double half = 0.5 * bolan_radians(c->fov_deg);
+    double y = -tan(top) / tan(half); // in the middle; the curve of the horizon bends down from there
+    double rows = (0.5 + 0.5 * y) * f->desc->height + 3.0;
+    return (uint32_t)fmin(fmax(rows, 1.0), f->desc->height);
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What becomes of light at the water: one table of functions for each bolan_optics_kind, and what they draw with. pass_water.c
+// chooses; optics_<name>.c and shaders/water_<name>.glsl are an optics.
+#ifndef BOLAN_RENDER_WATER_OPTICS_H
+#define BOLAN_RENDER_WATER_OPTICS_H
+
+#include "frame.h"
+#include "water_fields.h"
+#include "water_mesh.h"
+
+// The programs made so far, one for each shader and set of defines that was needed.
+enum { WATER_PROGRAMS = 48 };
+typedef struct water_programs {
+    uint32_t count;
+    struct {
+        uint32_t key;
+        const char *stem; // static
+        gl_program program;
+    } list[WATER_PROGRAMS];
+} water_programs;
+
+// What an optics draws.
+typedef struct water_draw {
+    frame *f;
+    const water_fields *fields;
+    const water_mesh *mesh;
+    water_programs *programs;
+    water_waves waves;
+    double vertical; // bound of the displacement [m]
+} water_draw;
+
+// The program of shaders/<stem>.glsl for these waves, this surface, with or without land, and `extra`, which is a number of the
+// optics' own that `defines` spells out ("" or "A 1\n"); used, and with the uniforms of the waves set. NULL: it cannot be had (logged).
+const gl_program *water_program(const water_draw *d, const char *stem, uint32_t extra, const char *defines);
+// Sets the uniforms look_light, look_mix and look_effects: see shaders/common/look.glsl.
+void water_look_apply(const gl_program *program, const bolan_look *look);
+// Draws the mesh with its depth into the frame's picture: what most optics do with a program that is set up.
+void water_draw_forward(const water_draw *d);
+// Rows of the picture, from the bottom, that can show water: up to the horizon raised by the highest wave.
+uint32_t water_rows(const frame *f, double vertical);
+
+typedef struct water_optics {
+    size_t size;                                  // of its state, which starts as zeros
+    bool mirrors;                                 // it looks up the pictures of pass_mirror.c
+    bool (*table_only)(const bolan_scene *scene); // true: it has no use for the cascades' textures; NULL: it has
+    bolan_result (*create)(void *state, bolan_quality quality);
+    void (*prepare)(void *state, const water_draw *d); // once a frame, before anything is drawn; may be NULL
+    void (*draw)(void *state, const water_draw *d);
+    void (*free)(void *state);
+} water_optics;
+
+extern const water_optics optics_physical, optics_mirror, optics_phong, optics_lit, optics_crest;
+
+#endif
