@@ -40,6 +40,10 @@ static bool in_hole(const place *p, uint32_t i, uint32_t j) { // its border incl
     return p->index + 1 < p->nested->levels && i >= hi && i <= hi + m && j >= hj && j <= hj + m;
 }
 
+static bool stitched(const place *p, uint32_t i, uint32_t j) {
+    return p->index > 0 && on_border(p, i, j) && (i + j) % 2 == 1; // n is even: one of two is 0 or n
+}
+
 // 0..1 from the middle to the border. The borders are decided by index: with n = 4 the centre may be anywhere, and
 // rounding must not part what two levels share.
 static double outwards(const place *p, uint32_t i, uint32_t j) {
@@ -64,8 +68,8 @@ static bolan_surface_vertex plain_vertex(const place *p, uint32_t i, uint32_t j)
 // Section 2: the odd points of the border are put on the straight edges of the parent; on the round earth too.
 static bolan_surface_vertex vertex_at(const place *p, uint32_t i, uint32_t j) {
     uint32_t n = p->nested->cells;
-    bool along_x = (j == 0 || j == n) && i % 2 == 1, along_y = (i == 0 || i == n) && j % 2 == 1;
-    if (p->index == 0 || !(along_x || along_y)) return plain_vertex(p, i, j);
+    if (!stitched(p, i, j)) return plain_vertex(p, i, j);
+    bool along_x = j == 0 || j == n, along_y = !along_x;
     bolan_surface_vertex a = plain_vertex(p, i - along_x, j - along_y), b = plain_vertex(p, i + along_x, j + along_y);
     float d = (float)p->level->spacing;
     return (bolan_surface_vertex){.x = 0.5f * (a.x + b.x),
@@ -121,13 +125,14 @@ static bool in_sight(const sight *s, bolan_dvec3 p, double cell) {
     return true;
 }
 
-// The cell of the guard is that of the spacing, so that both levels of a border say the same, and so that the neighbours of
-// a stitched vertex are visible where it is.
+// The cell of the guard is that of the spacing, so that both levels of a border say the same; for a stitched vertex its own
+// half of that, so that its neighbours are visible where it is.
 static bool visible_at(const place *p, const sight *s, uint32_t i, uint32_t j) {
     bolan_dvec2 at = rest_at(p, i, j);
     double x = at.x - p->eye.x, y = at.y - p->eye.y;
     double z = -p->eye.z - (x * x + y * y) / (2.0 * BOLAN_EARTH_RADIUS);
-    return in_sight(s, bolan_dv3(x, y, z), p->level->spacing * (1.0 + outwards(p, i, j)));
+    double cell = p->level->spacing * (stitched(p, i, j) ? 1.0 : 1.0 + outwards(p, i, j));
+    return in_sight(s, bolan_dv3(x, y, z), cell);
 }
 
 uint32_t bolan_surface_nested_vertex_count(const bolan_nested *nested) {
