@@ -74,7 +74,12 @@ static water_draw draw_of(pass_water *p, frame *f) {
     return d;
 }
 
-bool pass_water_mirrors(const frame *f) { return optics_table[f->scene->technique.optics]->mirrors; }
+bool pass_water_mirrors(const frame *f) {
+    const water_optics *o = optics_table[f->scene->technique.optics];
+    return o->mirrors && (!o->own_sky || f->shore->present || f->desc->models != NULL);
+}
+
+bool pass_water_mirrors_sky(const frame *f) { return !optics_table[f->scene->technique.optics]->own_sky; }
 
 void pass_water_prepare(pass_water *p, frame *f) {
     const bolan_technique *t = &f->scene->technique;
