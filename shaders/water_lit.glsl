@@ -15,6 +15,7 @@ void main() { water_vertex(); }
 #ifdef FRAGMENT
 #include "common/look.glsl"
 #include "common/fresnel.glsl"
+#include "common/ripples.glsl"
 #include "common/rough.glsl"
 out vec4 color;
 
@@ -94,16 +95,18 @@ void main() {
     vec3 view = -p.position / dist;
     footprint f = water_footprint(p, view, dist);
     wave_fields w = waves_here(p, f);
+#ifdef WAVES_CASCADES
+    f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
+#endif
+    vec3 hidden = unresolved_slopes(f) * (p.gust * p.gust), covariance = hidden;
+    if (!paper()) add_ripples(p.rest, pixel_footprint(view, dist, p.mesh.xy), p.gust, p.depth, w.slope, covariance);
+    covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
     vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light.rgb * p.shade;
     float facing = max(dot(sun.xyz, normal), 0.0);
     vec3 water = water_deep.rgb * (sunlight * facing + sky_light.rgb), light;
     if (paper()) {
         light = paper_light(view, normal, water, sunlight);
     } else {
-#ifdef WAVES_CASCADES
-        f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
-#endif
-        vec3 hidden = unresolved_slopes(f) * (p.gust * p.gust), covariance = hidden + vec3(1.0, 0.0, 1.0) / look_light.w;
         rough_facets seen = rough_seen(view, w.slope, covariance);
         float reflectance = rough_fresnel(view, w.slope, seen, water_deep.w), film = 1.0;
         vec2 toward = view.xy / max(length(view.xy), 1e-4);

@@ -19,6 +19,7 @@ void main() { water_vertex(); }
 #ifdef FRAGMENT
 #include "common/look.glsl"
 #include "common/fresnel.glsl"
+#include "common/ripples.glsl"
 #include "common/rough.glsl"
 out vec4 color;
 
@@ -50,7 +51,9 @@ phong_surface surface_here() {
 #ifdef WAVES_CASCADES
     f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
 #endif
-    s.covariance = unresolved_slopes(f) * (s.here.gust * s.here.gust) + vec3(1.0, 0.0, 1.0) / look_light.w;
+    s.covariance = unresolved_slopes(f) * (s.here.gust * s.here.gust);
+    add_ripples(s.here.rest, f, s.here.gust, s.here.depth, s.slope, s.covariance);
+    s.covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
     s.normal = normalize(vec3(-s.slope, 1.0));
     s.seen = rough_seen(s.view, s.slope, s.covariance);
     return s;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Liu, Xu & Chen 2009: normals of the mesh and one light. Shader: shaders/water_lit.glsl.
 #include "foam_texture.h"
+#include "ripple_texture.h"
 #include "water_optics.h"
 
 #include <math.h>
 
 typedef struct lit {
     const char *defines; // of this quality
-    gl_texture foam_detail;
+    gl_texture foam_detail, ripples;
 } lit;
 
 static const char *const quality_defines[] = {
@@ -20,7 +21,8 @@ static const char *const quality_defines[] = {
 static bolan_result create(void *state, bolan_quality quality) {
     lit *p = state;
     p->defines = quality_defines[quality];
-    return foam_texture_create(&p->foam_detail);
+    bolan_result result = foam_texture_create(&p->foam_detail);
+    return result == BOLAN_OK ? ripple_texture_create(&p->ripples) : result;
 }
 
 #define FOAM_EDGE 0.1 // how widely a breaking patch's edge is drawn, in Jacobian
@@ -40,11 +42,16 @@ static void draw(void *state, const water_draw *d) {
     const gl_program *g = water_program(d, "water_lit", 0, p->defines);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
+    ripple_apply(&p->ripples, g, d->f, d->waves);
     set_foam(g, d->f);
     gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
     water_draw_forward(d);
 }
 
-static void free_all(void *state) { gl_texture_free(&((lit *)state)->foam_detail); }
+static void free_all(void *state) {
+    lit *p = state;
+    gl_texture_free(&p->foam_detail);
+    gl_texture_free(&p->ripples);
+}
 
 const water_optics optics_lit = {.size = sizeof(lit), .create = create, .draw = draw, .free = free_all};

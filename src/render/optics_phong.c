@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Liu & Xie 2010: pictures of what is mirrored and refracted, and three parts of light. Shader: shaders/water_phong.glsl.
+#include "ripple_texture.h"
 #include "water_optics.h"
 
 typedef struct phong {
     bolan_quality quality;
+    gl_texture ripples;
 } phong;
 
 static const char *const quality_defines[][2] = {
@@ -18,20 +20,23 @@ static const char *const quality_defines[][2] = {
 static const bolan_vec2 paper_bend = {2.0f, -0.25f};
 
 static bolan_result create(void *state, bolan_quality quality) {
-    ((phong *)state)->quality = quality;
-    return BOLAN_OK;
+    phong *p = state;
+    p->quality = quality;
+    return ripple_texture_create(&p->ripples);
 }
 
 static void draw(void *state, const water_draw *d) {
+    const phong *p = state;
     const uint32_t pictures = pass_water_mirrors(d->f);
-    const gl_program *g = water_program(d, "water_phong", pictures, quality_defines[((phong *)state)->quality][pictures]);
+    const gl_program *g = water_program(d, "water_phong", pictures, quality_defines[p->quality][pictures]);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
+    ripple_apply(&p->ripples, g, d->f, d->waves);
     gl_program_vec2(g, "bend", paper_bend.x, paper_bend.y);
     water_draw_forward(d);
 }
 
-static void free_all(void *state) { (void)state; }
+static void free_all(void *state) { gl_texture_free(&((phong *)state)->ripples); }
 
 const water_optics optics_phong = {
     .size = sizeof(phong), .mirrors = true, .own_sky = true, .create = create, .draw = draw, .free = free_all};
