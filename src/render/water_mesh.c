@@ -28,8 +28,15 @@ static bolan_result allocate(water_mesh *m) {
     return all ? BOLAN_OK : BOLAN_ERROR_MEMORY;
 }
 
-bolan_result water_mesh_create(water_mesh *m, bolan_quality quality) {
+// The vertices and their waves, by these indices.
+static bolan_result create_mesh(const water_mesh *m, const gl_buffer *indices, gl_mesh *out) {
     static const uint8_t vertex[] = {4, 2}, wave[] = {3, 4};
+    bolan_result r = gl_mesh_create(&m->vertices, indices, vertex, 2, sizeof(bolan_surface_vertex), out);
+    if (r == BOLAN_OK) gl_mesh_attach(out, &m->waves, 2, wave, 2, sizeof(bolan_sea_sample));
+    return r;
+}
+
+bolan_result water_mesh_create(water_mesh *m, bolan_quality quality) {
     *m = (water_mesh){.projected = bolan_surface_desc_default(), .nested = bolan_nested_desc_default()};
     m->projected.pixels_per_vertex = quality_table[quality].pixels_per_vertex;
     m->projected.max_vertices = quality_table[quality].max_vertices;
@@ -42,14 +49,14 @@ bolan_result water_mesh_create(water_mesh *m, bolan_quality quality) {
         r = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STREAM, n * sizeof *m->cpu_waves, NULL, &m->waves);
     if (r == BOLAN_OK)
         r = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, m->index_capacity * sizeof(uint32_t), NULL, &m->indices);
-    if (r == BOLAN_OK) r = gl_mesh_create(&m->vertices, &m->indices, vertex, 2, sizeof(bolan_surface_vertex), &m->mesh);
-    if (r == BOLAN_OK) gl_mesh_attach(&m->mesh, &m->waves, 2, wave, 2, sizeof(bolan_sea_sample));
-    return r;
+    return r == BOLAN_OK ? create_mesh(m, &m->indices, &m->mesh) : r;
 }
 
 void water_mesh_free(water_mesh *m) {
     size_t n = m->projected.max_vertices;
     gl_mesh_free(&m->mesh);
+    gl_mesh_free(&m->edges);
+    gl_buffer_free(&m->lines);
     gl_buffer_free(&m->vertices);
     gl_buffer_free(&m->waves);
     gl_buffer_free(&m->indices);
@@ -198,3 +205,32 @@ void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, wa
 void water_mesh_draw(const water_mesh *m) { gl_mesh_draw(&m->mesh, 0, m->index_count); }
 
 uint32_t water_mesh_triangles(const water_mesh *m) { return m->index_count / 3; }
+
+// ---- edges ----------------------------------------------------------------------------------------------------------
+
+// Two triangles share most edges, in opposite directions: one of them draws it.
+static uint32_t fill_lines(const water_mesh *m, uint32_t *lines) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < m->index_count; ++i) {
+        uint32_t a = m->cpu_indices[i], b = m->cpu_indices[i % 3 == 2 ? i - 2 : i + 1];
+        if (a > b && m->kind != BOLAN_SURFACE_QUAD) continue;
+        lines[count++] = a;
+        lines[count++] = b;
+    }
+    return count;
+}
+
+bool water_mesh_find_edges(water_mesh *m) {
+    const size_t bytes = 2 * sizeof(uint32_t) * m->index_capacity;
+    if (m->lines.id == 0 && (gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, bytes, NULL, &m->lines) != BOLAN_OK ||
+                             create_mesh(m, &m->lines, &m->edges) != BOLAN_OK))
+        return false;
+    uint32_t *lines = bolan_allocate(bytes); // to look at a mesh is not what a frame is for: it may allocate
+    if (lines == NULL) return false;
+    m->line_count = fill_lines(m, lines);
+    gl_buffer_update(&m->lines, 0, sizeof(uint32_t) * m->line_count, lines);
+    bolan_release(lines, bytes);
+    return true;
+}
+
+void water_mesh_draw_edges(const water_mesh *m) { gl_mesh_draw_lines(&m->edges, m->line_count); }
