@@ -85,7 +85,7 @@ bolan_surface_view water_mesh_view(const frame *f) {
 // ---- the three surfaces: each fills vertices, and indices where they changed; returns the number of vertices ----------
 
 static void upload_indices(water_mesh *m, uint32_t count) {
-    gl_buffer_update(&m->indices, 0, sizeof(uint32_t) * count, m->cpu_indices);
+    gl_buffer_update(&m->indices, 0, sizeof(uint32_t) * (count + m->seam_count), m->cpu_indices);
     m->index_count = count;
 }
 
@@ -93,7 +93,10 @@ static uint32_t build_projected(water_mesh *m, const bolan_surface_view *view) {
     bolan_surface_size size = bolan_surface_projected(&m->projected, view, m->cpu_vertices);
     bool same = m->kind == BOLAN_SURFACE_PROJECTED && size.columns == m->grid.columns && size.rows == m->grid.rows;
     m->grid = size;
-    if (!same) upload_indices(m, bolan_surface_grid_indices(size, m->cpu_indices));
+    if (!same) {
+        m->seam_count = 0;
+        upload_indices(m, bolan_surface_grid_indices(size, m->cpu_indices));
+    }
     memset(m->cpu_visible, 1, (size_t)size.columns * size.rows);
     for (uint32_t i = 0; i < size.columns * size.rows; ++i)
         m->cpu_rest[i] =
@@ -105,6 +108,7 @@ static uint32_t build_quad(water_mesh *m, const bolan_surface_view *view) {
     bolan_surface_quad(view, m->cpu_vertices);
     if (m->kind != BOLAN_SURFACE_QUAD) {
         memcpy(m->cpu_indices, bolan_surface_quad_indices, sizeof bolan_surface_quad_indices);
+        m->seam_count = 0;
         upload_indices(m, 6);
     }
     return 4;
@@ -118,6 +122,21 @@ static bool same_shape(const bolan_nested *a, const bolan_nested *b) {
     return same;
 }
 
+// Where a level ends, its odd vertices lie on its parent's edges but for rounding, and a pixel on such an edge may belong to
+// neither side. A triangle of no area between the three points of each edge shares their edges, and then nothing is left out.
+static uint32_t fill_seams(const bolan_nested *placed, uint32_t *out) {
+    const uint32_t n = placed->cells, row = n + 1;
+    uint32_t count = 0;
+    for (uint32_t l = 1; l < placed->levels; ++l) {
+        const uint32_t first = l * row * row;
+        const uint32_t start[4] = {first, first + n * row, first, first + n}, step[4] = {1, 1, row, row};
+        for (int side = 0; side < 4; ++side)
+            for (uint32_t i = 0; i < n; i += 2)
+                for (uint32_t k = 0; k < 3; ++k) out[count++] = start[side] + (i + k) * step[side];
+    }
+    return count;
+}
+
 static uint32_t build_nested(water_mesh *m, const bolan_surface_view *view) {
     bolan_nested placed = bolan_surface_nested_place(&m->nested, view);
     bool same = m->kind == BOLAN_SURFACE_NESTED && same_shape(&placed, &m->placed);
@@ -128,6 +147,7 @@ static uint32_t build_nested(water_mesh *m, const bolan_surface_view *view) {
         for (uint32_t l = 0; l < placed.levels; ++l)
             for (uint32_t part = 0; part < BOLAN_NESTED_PARTS; ++part)
                 count += bolan_surface_nested_indices(&placed, l, part, m->cpu_indices + count);
+        m->seam_count = fill_seams(&placed, m->cpu_indices + count);
         upload_indices(m, count);
     }
     return bolan_surface_nested_vertex_count(&placed);
@@ -188,7 +208,7 @@ void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, wa
                                                     : build_projected(m, &view);
     m->kind = kind;
     if (count < 3) {
-        m->index_count = 0;
+        m->index_count = m->seam_count = 0;
         m->grid = (bolan_surface_size){0, 0};
         return;
     }
@@ -202,7 +222,7 @@ void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, wa
     gl_buffer_update(&m->waves, 0, sizeof(bolan_sea_sample) * count, m->cpu_waves);
 }
 
-void water_mesh_draw(const water_mesh *m) { gl_mesh_draw(&m->mesh, 0, m->index_count); }
+void water_mesh_draw(const water_mesh *m) { gl_mesh_draw(&m->mesh, 0, m->index_count + m->seam_count); }
 
 uint32_t water_mesh_triangles(const water_mesh *m) { return m->index_count / 3; }
 

@@ -25,6 +25,7 @@ typedef struct water_mesh {
     bolan_surface_size grid;
     bolan_nested placed;
     uint32_t index_count; // of this view; 0: no water in sight
+    uint32_t seam_count;  // indices after those, of triangles without area
     uint32_t line_count;  // indices of its edges
 } water_mesh;
 
