@@ -27,9 +27,8 @@ vec3 tonemap(vec3 c) {
     return mix(each, c * (top * inverse_peak), 0.38 * far * inverse);
 }
 
-// IEC 61966-2-1; for 1.055 c^(1/2.4) - 0.055 stands a ratio in sqrt(c), off by 0.16 / 255 at most.
+// Of c in [0,1]. IEC 61966-2-1; for 1.055 c^(1/2.4) - 0.055 stands a ratio in sqrt(c), off by 0.16 / 255 at most.
 vec3 srgb_encode(vec3 c) {
-    c = clamp(c, 0.0, 1.0);
     vec3 s = sqrt(c), n = 0.6935922 * s + (0.8163407 * c - 0.0189349), d = s + 0.4900882, others = d.yzx * d.zxy;
-    return mix(n * others * (1.0 / (d.x * others.x)), 12.92 * c, vec3(lessThan(c, vec3(0.0031308))));
+    return mix(n * others * (1.0 / (d.x * others.x)), 12.92 * c, lessThan(c, vec3(0.0031308)));
 }
