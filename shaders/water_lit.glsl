@@ -4,7 +4,8 @@
 // Beyond the paper, from its list of future work: the mirrored sky and what shines through by Fresnel's law, foam where crests
 // fold; and what neither the mesh nor the pixel resolves of the waves widens the highlight and blurs the mirror.
 //
-// LAND: there is terrain: the bed shines through, and the sea foams where it ends.
+// LAND: there is terrain: the bed shines through, and the sea foams where it ends. PAPER: nothing but what the paper has. (Defines,
+// since software OpenGL takes both ways of a branch.)
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 
@@ -30,13 +31,11 @@ uniform sampler2D scene_color; // what lies behind the water
 uniform sampler2D scene_depth;
 #endif
 
-bool paper() { return look_mix.z > 0.5; }
-
 // Slope, jacobian and foam of the waves here. The paper has those of the vertices.
 wave_fields waves_here(water_pixel p, footprint f) {
     wave_fields w = waves_at(p.rest, f, p.gust, p.depth, p.mesh);
-#ifndef QUAD
-    if (paper()) w.slope = p.mesh.xy;
+#if defined(PAPER) && !defined(QUAD)
+    w.slope = p.mesh.xy;
 #endif
     return w;
 }
@@ -80,54 +79,57 @@ vec3 with_bed(vec3 deep, water_pixel p, vec3 view, vec2 slope, out float film) {
 }
 #endif
 
+#ifdef PAPER
 // Section 3, to the letter: no mirror, nothing shines through.
-vec3 paper_light(vec3 view, vec3 normal, vec3 water, vec3 sunlight) {
-    vec3 light = effect_is_on(EFFECT_AMBIENT) ? look_light.x * water : vec3(0.0);
+vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
+    vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light.rgb * p.shade, light = vec3(0.0);
     float facing = max(dot(sun.xyz, normal), 0.0), high = max(dot(normal, normalize(view + sun.xyz)), 1e-6);
+    if (effect_is_on(EFFECT_AMBIENT)) light += look_light.x * water_deep.rgb * (sunlight * facing + sky_light.rgb);
     if (effect_is_on(EFFECT_DIFFUSE)) light += look_light.y * sunlight * facing * 0.31830989;
     if (effect_is_on(EFFECT_SPECULAR)) light += look_light.z * sunlight * exp2(look_light.w * log2(high)) * step(0.0, sun.z);
     return light;
 }
+#else
+vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
+#ifdef WAVES_CASCADES
+    f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
+#endif
+    vec3 hidden = unresolved_slopes(f) * (p.gust * p.gust), covariance = hidden;
+    add_ripples(p.rest, pixel_footprint(view, length(p.position), p.mesh.xy), p.gust, p.depth, w.slope, covariance);
+    covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
+    rough_facets seen = rough_seen(view, w.slope, covariance);
+    float reflectance = rough_fresnel(view, w.slope, seen, water_deep.w), film = 1.0;
+
+    vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light.rgb * p.shade, below = vec3(0.0);
+    float facing = max(dot(sun.xyz, normal), 0.0);
+    if (effect_is_on(EFFECT_AMBIENT)) below += look_light.x * water_deep.rgb * (sunlight * facing + sky_light.rgb);
+    if (effect_is_on(EFFECT_DIFFUSE)) below += look_light.y * sunlight * facing * 0.31830989;
+#ifdef LAND
+    if (effect_is_on(EFFECT_REFRACTION)) below = with_bed(below, p, view, w.slope, film);
+#endif
+    vec3 light = (1.0 - reflectance) * below;
+    vec2 toward = view.xy / max(length(view.xy), 1e-4);
+    vec3 mirrored = reflect(-view, normalize(vec3(toward * seen.shift - w.slope, 1.0)));
+    if (effect_is_on(EFFECT_REFLECTION))
+        light += reflectance * environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), seen.sigma);
+    if (effect_is_on(EFFECT_SPECULAR))
+        light += look_light.z * sunlight * step(-0.01, sun.z) *
+                 rough_glint(view, sun.xyz, w.slope, covariance, seen, water_deep.w);
+    if (effect_is_on(EFFECT_FOAM))
+        light = mix(light, (sunlight * facing + sky_light.rgb) * 0.23, foam_here(p, f, w, hidden)); // albedo 0.72 / pi
+#ifdef LAND
+    light = mix(textureLod(scene_color, gl_FragCoord.xy * viewport.zw, 0.0).rgb, light, film);
+#endif
+    return light;
+}
+#endif
 
 void main() {
     water_pixel p = water_here();
     float dist = length(p.position);
     vec3 view = -p.position / dist;
     footprint f = water_footprint(p, view, dist);
-    wave_fields w = waves_here(p, f);
-#ifdef WAVES_CASCADES
-    f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
-#endif
-    vec3 hidden = unresolved_slopes(f) * (p.gust * p.gust), covariance = hidden;
-    if (!paper()) add_ripples(p.rest, pixel_footprint(view, dist, p.mesh.xy), p.gust, p.depth, w.slope, covariance);
-    covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
-    vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light.rgb * p.shade;
-    float facing = max(dot(sun.xyz, normal), 0.0);
-    vec3 water = water_deep.rgb * (sunlight * facing + sky_light.rgb), light;
-    if (paper()) {
-        light = paper_light(view, normal, water, sunlight);
-    } else {
-        rough_facets seen = rough_seen(view, w.slope, covariance);
-        float reflectance = rough_fresnel(view, w.slope, seen, water_deep.w), film = 1.0;
-        vec2 toward = view.xy / max(length(view.xy), 1e-4);
-        vec3 mirrored = reflect(-view, normalize(vec3(toward * seen.shift - w.slope, 1.0)));
-        vec3 below = effect_is_on(EFFECT_AMBIENT) ? look_light.x * water : vec3(0.0);
-        if (effect_is_on(EFFECT_DIFFUSE)) below += look_light.y * sunlight * facing * 0.31830989;
-#ifdef LAND
-        if (effect_is_on(EFFECT_REFRACTION)) below = with_bed(below, p, view, w.slope, film);
-#endif
-        light = (1.0 - reflectance) * below;
-        if (effect_is_on(EFFECT_REFLECTION))
-            light += reflectance * environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), seen.sigma);
-        if (effect_is_on(EFFECT_SPECULAR))
-            light += look_light.z * sunlight * step(-0.01, sun.z) *
-                     rough_glint(view, sun.xyz, w.slope, covariance, seen, water_deep.w);
-        if (effect_is_on(EFFECT_FOAM))
-            light = mix(light, (sunlight * facing + sky_light.rgb) * 0.23, foam_here(p, f, w, hidden)); // albedo 0.72 / pi
-#ifdef LAND
-        light = mix(textureLod(scene_color, gl_FragCoord.xy * viewport.zw, 0.0).rgb, light, film);
-#endif
-    }
+    vec3 light = light_of(p, view, f, waves_here(p, f));
     color = vec4(light * p.transmittance + p.inscatter, 1.0);
 }
 #endif

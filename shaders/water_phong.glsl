@@ -8,7 +8,8 @@
 // Beyond the paper: what a pixel cannot resolve of the waves blurs the mirror and widens the highlight; a look-up is bent by the
 // mirrored ray itself; the water's own colour fills what the water takes from the bed, so that Ka stands for (1 - F) and not N . V.
 //
-// PICTURES: there is something to mirror or to see through the water. TAPS: look-ups of it across the blur.
+// PICTURES: there is something to mirror or to see through the water. TAPS: look-ups of it across the blur. PAPER: nothing but what
+// the paper has. (Defines, since software OpenGL takes both ways of a branch.)
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 
@@ -52,14 +53,15 @@ phong_surface surface_here() {
     f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
 #endif
     s.covariance = unresolved_slopes(f) * (s.here.gust * s.here.gust);
+#ifndef PAPER
     add_ripples(s.here.rest, f, s.here.gust, s.here.depth, s.slope, s.covariance);
+#endif
     s.covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
     s.normal = normalize(vec3(-s.slope, 1.0));
     s.seen = rough_seen(s.view, s.slope, s.covariance);
     return s;
 }
 
-bool paper() { return look_mix.z > 0.5; }
 float bending() { return effect_is_on(EFFECT_DISTORTION) ? look_mix.x : 0.0; }
 
 // The place in a picture of a point, eye-relative: the water plane stays where it is in the pictures.
@@ -76,8 +78,9 @@ vec4 behind_water(sampler2D picture, vec3 point, water_pixel p) {
 }
 #endif
 
-// Paper: (Du, Dv) = dC (Nx, Ny), on the water's plane, before the projection.
-vec3 reflection_paper(phong_surface s) {
+#ifdef PAPER
+// (Du, Dv) = dC (Nx, Ny), on the water's plane, before the projection.
+vec3 reflection(phong_surface s) {
     vec3 at = s.here.position + vec3(bend.x * bending() * s.normal.xy, 0.0);
     vec3 ray = normalize(at);
     vec3 sky = environment_radiance(vec3(ray.xy, abs(ray.z)), 0.0);
@@ -88,6 +91,7 @@ vec3 reflection_paper(phong_surface s) {
     return sky;
 }
 
+#else
 // The ray that a facet of slope m mirrors, upwards.
 vec3 mirrored_ray(vec3 view, vec2 m) {
     vec3 r = reflect(-view, normalize(vec3(-m, 1.0)));
@@ -95,7 +99,7 @@ vec3 mirrored_ray(vec3 view, vec2 m) {
 }
 
 // What is mirrored lies about as far behind the water as the water from the eye.
-vec3 reflection_rough(phong_surface s) {
+vec3 reflection(phong_surface s) {
     vec2 toward = s.view.xy / max(length(s.view.xy), 1e-4);
     vec2 leaning = bending() * (s.slope - toward * s.seen.shift);
     vec3 sky = environment_radiance(mirrored_ray(s.view, leaning), s.seen.sigma);
@@ -112,49 +116,68 @@ vec3 reflection_rough(phong_surface s) {
     return sky;
 }
 
+#endif
+
 // The bed through the water: what of its light arrives, and in `passed` the share that does.
 vec3 refraction(phong_surface s, out vec3 passed) {
     passed = vec3(0.0);
-#ifdef PICTURES
-    float depth = min(s.here.depth, 60.0), shift = paper() ? bend.y : -0.25 * max(depth, 0.0); // (1/n - 1) of it
-    vec4 bed = behind_water(refraction_picture, s.here.position + vec3(shift * bending() * s.normal.xy, 0.0), s.here);
-    if (paper()) {
-        passed = vec3(bed.a);
-        return bed.rgb;
-    }
-    float down = sqrt(1.0 - (1.0 - s.view.z * s.view.z) / (water_deep.w * water_deep.w)); // of the refracted view
-    passed = bed.a * exp(-water_kd.rgb * max(depth, 0.0) * (1.0 + 1.0 / down));
-    return bed.rgb * (0.54 / max(bed.a, 1e-3)) * passed; // 0.54: through the surface twice, (1 - F)^2 / n^2 and back inside
-#else
+#ifndef PICTURES
     return vec3(0.0);
+#else
+    float depth = clamp(s.here.depth, 0.0, 60.0);
+#ifdef PAPER
+    float shift = bend.y;
+#else
+    float shift = -0.25 * depth; // (1/n - 1) of it
+#endif
+    vec4 bed = behind_water(refraction_picture, s.here.position + vec3(shift * bending() * s.normal.xy, 0.0), s.here);
+#ifdef PAPER
+    passed = vec3(bed.a);
+    return bed.rgb;
+#else
+    float down = sqrt(1.0 - (1.0 - s.view.z * s.view.z) / (water_deep.w * water_deep.w)); // of the refracted view
+    passed = bed.a * exp(-water_kd.rgb * depth * (1.0 + 1.0 / down));
+    return bed.rgb * (0.54 / max(bed.a, 1e-3)) * passed; // 0.54: through the surface twice, (1 - F)^2 / n^2 and back inside
+#endif
+#endif
+}
+
+float highlight(phong_surface s) {
+#ifdef PAPER
+    return exp2(look_light.w * log2(max(dot(s.normal, normalize(s.view + sun.xyz)), 1e-6)));
+#else
+    return rough_glint(s.view, sun.xyz, s.slope, s.covariance, s.seen, water_deep.w);
 #endif
 }
 
 void main() {
     phong_surface s = surface_here();
     vec3 sunlight = sun_light.rgb * s.here.shade;
-    float facing = max(dot(sun.xyz, s.normal), 0.0), f = rough_fresnel(s.view, s.slope, s.seen, water_deep.w);
-    if (paper()) f = fresnel(clamp(dot(s.view, s.normal), 0.01, 1.0), water_deep.w);
-
+    float facing = max(dot(sun.xyz, s.normal), 0.0);
+#ifdef PAPER
+    float f = fresnel(clamp(dot(s.view, s.normal), 0.01, 1.0), water_deep.w);
+#else
+    float f = rough_fresnel(s.view, s.slope, s.seen, water_deep.w);
+#endif
     vec3 mirrored = vec3(0.0), passed = vec3(0.0), through = vec3(0.0);
-    if (effect_is_on(EFFECT_REFLECTION)) mirrored = paper() ? reflection_paper(s) : reflection_rough(s);
+    if (effect_is_on(EFFECT_REFLECTION)) mirrored = reflection(s);
     if (effect_is_on(EFFECT_REFRACTION)) through = refraction(s, passed);
     vec3 light = f * mirrored + (1.0 - f) * through;
 
-    vec3 water = water_deep.rgb * (sunlight * facing + sky_light.rgb);
-    vec3 ambient = paper() ? vec3(max(dot(s.normal, s.view), 0.0)) : (1.0 - f) * (1.0 - passed);
-    if (effect_is_on(EFFECT_AMBIENT)) light += look_light.x * water * ambient;
-    if (effect_is_on(EFFECT_DIFFUSE)) light += look_light.y * sunlight * facing * 0.31830989 * (paper() ? 1.0 : 1.0 - f);
-    if (effect_is_on(EFFECT_SPECULAR)) {
-        float high = dot(s.normal, normalize(s.view + sun.xyz));
-        float lobe = paper() ? exp2(look_light.w * log2(max(high, 1e-6)))
-                             : rough_glint(s.view, sun.xyz, s.slope, s.covariance, s.seen, water_deep.w);
-        light += look_light.z * lobe * sunlight * step(-0.01, sun.z);
-    }
-#ifdef PICTURES
+    vec3 water = water_deep.rgb * (sunlight * facing + sky_light.rgb), diffuse = sunlight * facing * 0.31830989;
+#ifdef PAPER
+    vec3 ambient = water * max(dot(s.normal, s.view), 0.0);
+#else
+    vec3 ambient = water * (1.0 - f) * (1.0 - passed);
+    diffuse *= 1.0 - f;
+#endif
+    if (effect_is_on(EFFECT_AMBIENT)) light += look_light.x * ambient;
+    if (effect_is_on(EFFECT_DIFFUSE)) light += look_light.y * diffuse;
+    if (effect_is_on(EFFECT_SPECULAR)) light += look_light.z * highlight(s) * sunlight * step(-0.01, sun.z);
+#if defined(PICTURES) && !defined(PAPER)
     // the last centimetres over the sand
     vec4 shore = behind_water(refraction_picture, s.here.position, s.here);
-    if (!paper()) light = mix(shore.rgb, light, max(smoothstep(0.0, 0.12, s.here.depth), 1.0 - shore.a));
+    light = mix(shore.rgb, light, max(smoothstep(0.0, 0.12, s.here.depth), 1.0 - shore.a));
 #endif
     color = vec4(light * s.here.transmittance + s.here.inscatter, 1.0);
 }

@@ -7,20 +7,20 @@
 #include <math.h>
 
 typedef struct lit {
-    const char *defines; // of this quality
+    bolan_quality quality;
     gl_texture foam_detail, ripples;
 } lit;
 
-static const char *const quality_defines[] = {
-    [BOLAN_QUALITY_LOW] = "TAPS 1\n",
-    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\n",
-    [BOLAN_QUALITY_HIGH] = "TAPS 4\n",
-    [BOLAN_QUALITY_ULTRA] = "TAPS 8\n",
+static const char *const quality_defines[][2] = {
+    [BOLAN_QUALITY_LOW] = {"TAPS 1\n", "TAPS 1\nPAPER 1\n"},
+    [BOLAN_QUALITY_MEDIUM] = {"TAPS 2\n", "TAPS 2\nPAPER 1\n"},
+    [BOLAN_QUALITY_HIGH] = {"TAPS 4\n", "TAPS 4\nPAPER 1\n"},
+    [BOLAN_QUALITY_ULTRA] = {"TAPS 8\n", "TAPS 8\nPAPER 1\n"},
 };
 
 static bolan_result create(void *state, bolan_quality quality) {
     lit *p = state;
-    p->defines = quality_defines[quality];
+    p->quality = quality;
     bolan_result result = foam_texture_create(&p->foam_detail);
     return result == BOLAN_OK ? ripple_texture_create(&p->ripples) : result;
 }
@@ -39,7 +39,8 @@ static void set_foam(const gl_program *g, const frame *f) {
 
 static void draw(void *state, const water_draw *d) {
     const lit *p = state;
-    const gl_program *g = water_program(d, "water_lit", 0, p->defines);
+    const uint32_t paper = d->f->scene->look.paper;
+    const gl_program *g = water_program(d, "water_lit", paper, quality_defines[p->quality][paper]);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
     ripple_apply(&p->ripples, g, d->f, d->waves);

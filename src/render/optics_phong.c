@@ -3,16 +3,18 @@
 #include "ripple_texture.h"
 #include "water_optics.h"
 
+#include <stdio.h>
+
 typedef struct phong {
     bolan_quality quality;
     gl_texture ripples;
 } phong;
 
-static const char *const quality_defines[][2] = {
-    [BOLAN_QUALITY_LOW] = {"TAPS 1\n", "TAPS 1\nPICTURES 1\n"},
-    [BOLAN_QUALITY_MEDIUM] = {"TAPS 2\n", "TAPS 2\nPICTURES 1\n"},
-    [BOLAN_QUALITY_HIGH] = {"TAPS 4\n", "TAPS 4\nPICTURES 1\n"},
-    [BOLAN_QUALITY_ULTRA] = {"TAPS 8\n", "TAPS 8\nPICTURES 1\n"},
+static const char *const quality_defines[] = {
+    [BOLAN_QUALITY_LOW] = "TAPS 1\n",
+    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\n",
+    [BOLAN_QUALITY_HIGH] = "TAPS 4\n",
+    [BOLAN_QUALITY_ULTRA] = "TAPS 8\n",
 };
 
 // dC of the paper's look-ups, which gives no numbers: the mirrored as far behind the water as 1 m, the refracted 1 m under it, of
@@ -27,8 +29,11 @@ static bolan_result create(void *state, bolan_quality quality) {
 
 static void draw(void *state, const water_draw *d) {
     const phong *p = state;
-    const uint32_t pictures = pass_water_mirrors(d->f);
-    const gl_program *g = water_program(d, "water_phong", pictures, quality_defines[p->quality][pictures]);
+    const bool pictures = pass_water_mirrors(d->f), paper = d->f->scene->look.paper;
+    char defines[48];
+    snprintf(defines, sizeof defines, "%s%s%s", quality_defines[p->quality], pictures ? "PICTURES 1\n" : "",
+             paper ? "PAPER 1\n" : "");
+    const gl_program *g = water_program(d, "water_phong", (uint32_t)pictures | (uint32_t)paper << 1, defines);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
     ripple_apply(&p->ripples, g, d->f, d->waves);

@@ -81,8 +81,11 @@ bolan_result ripple_texture_create(gl_texture *out) {
     float *pixels = bolan_allocate(bytes);
     if (pixels == NULL) return BOLAN_ERROR_MEMORY;
     ripple_texture_fill(pixels);
-    gl_texture_desc desc = {
-        .format = GL_FMT_RGBA16F, .width = SIZE, .height = SIZE, .filter = GL_FILTER_MIPMAP, .wrap = GL_WRAP_REPEAT};
+    gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
+                            .width = SIZE,
+                            .height = SIZE,
+                            .filter = GL_FILTER_MIPMAP_NEAREST,
+                            .wrap = GL_WRAP_REPEAT};
     bolan_result result = gl_texture_create(&desc, out);
     if (result == BOLAN_OK) {
         gl_texture_upload(out, 0, -1, pixels, false);
@@ -106,7 +109,8 @@ static void place(const frame *f, double longest, double angle, float tile[4], f
     tile[1] = (float)fraction((-f->eye.x * s + f->eye.y * c) / length);
     tile[2] = (float)c;
     tile[3] = (float)s;
-    size[0] = (float)length;
+    size[0] = (float)(1.0 / length);
+    size[2] = (float)log2(length);
 }
 
 void ripple_apply(const gl_texture *texture, const gl_program *program, const frame *f, water_waves waves) {
@@ -122,10 +126,11 @@ void ripple_apply(const gl_texture *texture, const gl_program *program, const fr
     }
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
     double octaves = fmax(log2(shortest / SHORTEST_WAVE), 2.0 * RIPPLE_OCTAVES);
-    double variance = f->scene->look.paper ? 0.0 : (rest[0] + rest[2]) * RIPPLE_OCTAVES / octaves; // of one of the two
+    double variance = (rest[0] + rest[2]) * RIPPLE_OCTAVES / octaves; // of one of the two
     place(f, shortest, 0.3, tile, size);
     place(f, shortest * pow(0.5, RIPPLE_OCTAVES), -0.4, tile + 4, size + 4);
     size[1] = size[5] = (float)variance;
+    size[3] = size[7] = (float)sqrt(variance);
     gl_program_vec4_array(program, "ripple_tile", tile, 2);
     gl_program_vec4_array(program, "ripple_size", size, 2);
 }
