@@ -94,7 +94,7 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
 #ifdef WAVES_CASCADES
     f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
 #endif
-    vec3 hidden = unresolved_slopes(f) * (p.gust * p.gust), covariance = hidden;
+    vec3 hidden = water_hidden_slopes(f) * (p.gust * p.gust), covariance = hidden;
     add_ripples(p.rest, pixel_footprint(view, length(p.position), p.mesh.xy), p.gust, p.depth, w.slope, covariance);
     covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
     rough_facets seen = rough_seen(view, w.slope, covariance);

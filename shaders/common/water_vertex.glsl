@@ -3,10 +3,21 @@
 // void main() { water_vertex(); }. What varies slowly (haze, gusts, cloud shadow, depth) is made at the vertices; the quad has only
 // four, so there the pixels make it themselves, and the vertices only what is the same for the whole picture.
 //
-// LAND: there is terrain, and shallow water attenuates the waves. QUAD: the surface is the quad.
+// LAND: there is terrain, and shallow water attenuates the waves. QUAD: the surface is the quad. ROUGH_VERTICES: the vertices look up
+// the roughness too.
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
 #include "common/gusts.glsl"
+
+// What a pixel cannot resolve. Where the vertices carry the waves, it is they who cannot: a wave of three spacings fades to half
+// (bolan_sea_sample_grid), as it does under a pixel 1.4 spacings wide.
+footprint mesh_footprint(footprint f, float spacing) {
+#ifdef WAVES_MESH
+    f.minor = max(f.minor, 1.4 * spacing);
+    f.major = max(f.major, f.minor);
+#endif
+    return f;
+}
 
 #ifdef VERTEX
 layout(location = 0) in vec4 vertex; // eye-relative mean water; w: spacing [m]
@@ -18,9 +29,13 @@ out vec4 water_mesh;                 // slope, jacobian, foam of the mesh
 out vec4 water_light;                // gust factor, share of the sun that passes the clouds, least depth near here, spacing [m]
 out vec3 water_transmittance;        // of the air to the eye
 out vec3 water_inscatter;
+#ifdef ROUGH_VERTICES
+out vec3 water_hidden;               // covariance of the slopes that neither mesh nor pixel resolves
+#endif
 #else
-flat out vec4 quad_air;              // mean density of the haze as a polynomial, and the dip of the horizon
-flat out vec3 quad_rayleigh;         // likewise of the air
+flat out vec4 quad_extinction;       // mean of the air's on the way here, a polynomial; w: dip of the horizon [rad]
+flat out vec3 quad_extinction1;
+flat out vec3 quad_extinction2;
 #endif
 
 float water_depth(vec2 rest) {
@@ -59,6 +74,10 @@ void water_vertex() {
     water_rest = rest;
     water_light = vec4(gustiness(haze.zw + rest, vertex.w), cloud_shadow(position.xy), least_depth(rest, depth), vertex.w);
     aerial_perspective(position, water_transmittance, water_inscatter);
+#ifdef ROUGH_VERTICES
+    float dist = max(length(position), 1e-3);
+    water_hidden = unresolved_slopes(mesh_footprint(pixel_footprint(-position / dist, dist, water_mesh.xy), vertex.w));
+#endif
     gl_Position = view_projection * vec4(position, 1.0);
 }
 #else
@@ -83,8 +102,10 @@ void water_vertex() {
     float h = max(eye.z, 0.0);
     water_place = vec4(vertex.xyz, 0.0);
     water_rest = vertex.xy;
-    quad_air = vec4(density_polynomial(h, haze_scale()), horizon_dip(h));
-    quad_rayleigh = density_polynomial(h, RAYLEIGH_SCALE);
+    vec3 haze_density = density_polynomial(h, haze_scale()), air_density = density_polynomial(h, RAYLEIGH_SCALE);
+    quad_extinction = vec4(RAYLEIGH * air_density.x + mie_extinction() * haze_density.x, horizon_dip(h));
+    quad_extinction1 = RAYLEIGH * air_density.y + mie_extinction() * haze_density.y;
+    quad_extinction2 = RAYLEIGH * air_density.z + mie_extinction() * haze_density.z;
     gl_Position = view_projection * vec4(vertex.xyz, 1.0);
 }
 #endif
@@ -98,9 +119,13 @@ in vec4 water_mesh;
 in vec4 water_light;
 in vec3 water_transmittance;
 in vec3 water_inscatter;
+#ifdef ROUGH_VERTICES
+in vec3 water_hidden;
+#endif
 #else
-flat in vec4 quad_air;
-flat in vec3 quad_rayleigh;
+flat in vec4 quad_extinction;
+flat in vec3 quad_extinction1;
+flat in vec3 quad_extinction2;
 #endif
 
 // What a pixel of water knows before it looks anything up.
@@ -129,12 +154,10 @@ float quick_asin(float x) {
 void quad_aerial(vec3 position, out vec3 transmittance, out vec3 inscatter) {
     float d = max(length(position), 1e-3), h = max(eye.z, 0.5), x = min(d * d / (2.0 * lens.w * h), 1.2);
     vec3 dir = position / d;
-    float air_mean = quad_rayleigh.x + x * (quad_rayleigh.y + x * quad_rayleigh.z);
-    float haze_mean = quad_air.x + x * (quad_air.y + x * quad_air.z);
-    transmittance = exp(-d * (RAYLEIGH * air_mean + mie_extinction() * haze_mean));
+    transmittance = exp(-d * (quad_extinction.rgb + x * (quad_extinction1 + x * quad_extinction2)));
     float c = dot(dir.xy, sun.xy) * inversesqrt(max(dot(dir.xy, dir.xy) * dot(sun.xy, sun.xy), 1e-12));
-    float above = min(quick_asin(clamp(dir.z, -1.0, 1.0)) + quad_air.w, 0.0);
-    vec3 at = vec3(sqrt(quick_acos(clamp(c, -1.0, 1.0)) / AIR_PI), 0.5 - 0.5 * sqrt(-above / (0.5 * AIR_PI - quad_air.w)),
+    float above = min(quick_asin(clamp(dir.z, -1.0, 1.0)) + quad_extinction.w, 0.0);
+    vec3 at = vec3(sqrt(quick_acos(clamp(c, -1.0, 1.0)) / AIR_PI), 0.5 - 0.5 * sqrt(-above / (0.5 * AIR_PI - quad_extinction.w)),
                    aerial_slice(d));
     inscatter = textureLod(aerial_table, to_texel_centres3(at, AERIAL_SIZE), 0.0).rgb;
 }
@@ -169,14 +192,16 @@ water_pixel water_here() {
     return p;
 }
 
-// What the pixel cannot resolve. Where the vertices carry the waves, it is they who cannot: a wave of three spacings fades to
-// half (bolan_sea_sample_grid), as it does under a pixel 1.4 spacings wide.
 footprint water_footprint(water_pixel p, vec3 view, float dist) {
-    footprint f = pixel_footprint(view, dist, p.mesh.xy);
-#ifdef WAVES_MESH
-    f.minor = max(f.minor, 1.4 * p.spacing);
-    f.major = max(f.major, f.minor);
+    return mesh_footprint(pixel_footprint(view, dist, p.mesh.xy), p.spacing);
+}
+
+// What the footprint leaves to the roughness.
+vec3 water_hidden_slopes(footprint f) {
+#if defined(ROUGH_VERTICES) && !defined(QUAD)
+    return water_hidden;
+#else
+    return unresolved_slopes(f);
 #endif
-    return f;
 }
 #endif

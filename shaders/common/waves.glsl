@@ -65,6 +65,45 @@ float wave_slope(float phase, float faded) {
 }
 #endif
 
+// ---- footprints -----------------------------------------------------------------------------------------------------
+
+#pragma unit slope_table 6
+uniform sampler3D slope_table;
+
+// The part of the water's plane under one pixel: an ellipse, long along the view.
+struct footprint {
+    vec2 axis; // horizontal direction of the long side
+    float major, minor; // widths [m]
+};
+
+footprint pixel_footprint(vec3 view, float dist, vec2 coarse_slope) {
+    footprint f;
+    f.axis = normalize(view.xy + vec2(1e-6, 0.0));
+    f.minor = max(dist * lens.x, 1e-4);
+    vec3 n = normalize(vec3(-coarse_slope, 1.0));
+    f.major = f.minor / clamp(dot(view, n), 0.01, 1.0);
+    return f;
+}
+
+// Direction of an axis in half turns, 0..1, to 0.002: the table has a texel for every 0.125.
+float half_turns(vec2 axis) {
+    vec2 a = abs(axis);
+    float t = min(a.x, a.y) / max(max(a.x, a.y), 1e-6);
+    float turns = t * (0.30952 - 0.06109 * t * t); // atan(t) / pi
+    turns = a.y > a.x ? 0.5 - turns : turns;
+    return axis.x * axis.y < 0.0 ? 1.0 - turns : turns;
+}
+
+// Slope covariance (xx, xy, yy) that this footprint removes, and that of the waves shorter than the model has.
+vec3 unresolved_slopes(footprint f) {
+    // the look-ups average over about half a width at each end: standard deviation 0.4 of the width
+    float major = log2(max(0.4 * f.major, 1e-4)), aspect = log2(f.major / max(f.minor, f.major / 127.0));
+    float angle = half_turns(f.axis);
+    vec3 t = vec3(((major + 8.0) * 1.5 + 0.5) / 24.0, (aspect + 0.5) / 8.0, (angle * 8.0 + 0.5) / 9.0);
+    vec3 m = textureLod(slope_table, t, 0.0).xyz; // xx, xy, yy
+    return m + vec3(6e-6, 0.0, 6e-6); // the sun's radius, in slopes
+}
+
 // ---- vertices -------------------------------------------------------------------------------------------------------
 
 #ifdef VERTEX
@@ -125,43 +164,6 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #ifndef TAPS // most look-ups along the long side of the pixel's footprint; set by quality, this serves an offline compiler
 #define TAPS 4
 #endif
-#pragma unit slope_table 6
-uniform sampler3D slope_table;
-
-// The part of the water's plane under one pixel: an ellipse, long along the view.
-struct footprint {
-    vec2 axis; // horizontal direction of the long side
-    float major, minor; // widths [m]
-};
-
-footprint pixel_footprint(vec3 view, float dist, vec2 coarse_slope) {
-    footprint f;
-    f.axis = normalize(view.xy + vec2(1e-6, 0.0));
-    f.minor = max(dist * lens.x, 1e-4);
-    vec3 n = normalize(vec3(-coarse_slope, 1.0));
-    f.major = f.minor / clamp(dot(view, n), 0.01, 1.0);
-    return f;
-}
-
-// Direction of an axis in half turns, 0..1, to 0.002: the table has a texel for every 0.125.
-float half_turns(vec2 axis) {
-    vec2 a = abs(axis);
-    float t = min(a.x, a.y) / max(max(a.x, a.y), 1e-6);
-    float turns = t * (0.30952 - 0.06109 * t * t); // atan(t) / pi
-    turns = a.y > a.x ? 0.5 - turns : turns;
-    return axis.x * axis.y < 0.0 ? 1.0 - turns : turns;
-}
-
-// Slope covariance (xx, xy, yy) that this footprint removes, and that of the waves shorter than the model has.
-vec3 unresolved_slopes(footprint f) {
-    // the look-ups average over about half a width at each end: standard deviation 0.4 of the width
-    float major = log2(max(0.4 * f.major, 1e-4)), aspect = log2(f.major / max(f.minor, f.major / 127.0));
-    float angle = half_turns(f.axis);
-    vec3 t = vec3(((major + 8.0) * 1.5 + 0.5) / 24.0, (aspect + 0.5) / 8.0, (angle * 8.0 + 0.5) / 9.0);
-    vec3 m = textureLod(slope_table, t, 0.0).xyz; // xx, xy, yy
-    return m + vec3(6e-6, 0.0, 6e-6); // the sun's radius, in slopes
-}
-
 #ifdef WAVES_CASCADES
 #pragma unit fold_map 10
 uniform sampler2DArray fold_map; // r: dxy, g: foam memory

@@ -11,11 +11,11 @@ typedef struct lit {
     gl_texture foam_detail, ripples;
 } lit;
 
-static const char *const quality_defines[][2] = {
-    [BOLAN_QUALITY_LOW] = {"TAPS 1\n", "TAPS 1\nPAPER 1\n"},
-    [BOLAN_QUALITY_MEDIUM] = {"TAPS 2\n", "TAPS 2\nPAPER 1\n"},
-    [BOLAN_QUALITY_HIGH] = {"TAPS 4\n", "TAPS 4\nPAPER 1\n"},
-    [BOLAN_QUALITY_ULTRA] = {"TAPS 8\n", "TAPS 8\nPAPER 1\n"},
+static const char *const quality_defines[] = {
+    [BOLAN_QUALITY_LOW] = "TAPS 1\nRIPPLES 1\nROUGH_VERTICES 1\n",
+    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRIPPLES 2\nROUGH_VERTICES 1\n",
+    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\n",
+    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\n",
 };
 
 static bolan_result create(void *state, bolan_quality quality) {
@@ -39,8 +39,8 @@ static void set_foam(const gl_program *g, const frame *f) {
 
 static void draw(void *state, const water_draw *d) {
     const lit *p = state;
-    const uint32_t paper = d->f->scene->look.paper;
-    const gl_program *g = water_program(d, "water_lit", paper, quality_defines[p->quality][paper]);
+    const bool paper = d->f->scene->look.paper;
+    const gl_program *g = water_program(d, "water_lit", paper, paper ? "PAPER 1\n" : quality_defines[p->quality]);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
     ripple_apply(&p->ripples, g, d->f, d->waves);

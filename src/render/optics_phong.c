@@ -11,10 +11,10 @@ typedef struct phong {
 } phong;
 
 static const char *const quality_defines[] = {
-    [BOLAN_QUALITY_LOW] = "TAPS 1\n",
-    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\n",
-    [BOLAN_QUALITY_HIGH] = "TAPS 4\n",
-    [BOLAN_QUALITY_ULTRA] = "TAPS 8\n",
+    [BOLAN_QUALITY_LOW] = "TAPS 1\nRIPPLES 1\n",
+    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRIPPLES 2\n",
+    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\n",
+    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\n",
 };
 
 // dC of the paper's look-ups, which gives no numbers: the mirrored as far behind the water as 1 m, the refracted 1 m under it, of

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A sum of a few long waves leaves the water between them smooth, where the wind makes ripples that carry most of the slope. Here
-// they are drawn from a tile, twice: once for the three octaves below the shortest wave of the sum, once for the next three. Their
-// variance is taken from what the wind's law (Cox & Munk 1954) leaves over from the sum, in equal parts for each octave.
+// they are drawn from a tile, once for the four octaves below the shortest wave of the sum, and where there is time once more for
+// the next four. Their variance is taken from what the wind's law (Cox & Munk 1954) leaves over from the sum, in equal parts for each octave.
 #include "ripple_texture.h"
 
 #include <math.h>
@@ -119,7 +119,7 @@ void ripple_apply(const gl_texture *texture, const gl_program *program, const fr
     if (waves == WATER_CASCADES) return;
     gl_texture_bind(texture, UNIT_OPTICS);
     float tile[8] = {0}, size[8] = {0}, rest[3];
-    double shortest = 1.0;
+    double shortest = 1.0; // of the sum
     if (count > 0) {
         bolan_sea_component last = bolan_sea_get_component(sea, count - 1);
         shortest = 2.0 * BOLAN_PI / hypot(last.kx, last.ky);
@@ -127,8 +127,8 @@ void ripple_apply(const gl_texture *texture, const gl_program *program, const fr
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
     double octaves = fmax(log2(shortest / SHORTEST_WAVE), 2.0 * RIPPLE_OCTAVES);
     double variance = (rest[0] + rest[2]) * RIPPLE_OCTAVES / octaves; // of one of the two
-    place(f, shortest, 0.3, tile, size);
-    place(f, shortest * pow(0.5, RIPPLE_OCTAVES), -0.4, tile + 4, size + 4);
+    place(f, 0.7 * shortest, 0.3, tile, size);
+    place(f, 0.7 * shortest * pow(0.5, RIPPLE_OCTAVES), -0.4, tile + 4, size + 4);
     size[1] = size[5] = (float)variance;
     size[3] = size[7] = (float)sqrt(variance);
     gl_program_vec4_array(program, "ripple_tile", tile, 2);
