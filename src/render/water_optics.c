@@ -6,16 +6,18 @@
 #include <stdio.h>
 #include <string.h>
 
-// Bits 0-1 the waves, 2 the quad, 3 land, from 4 on the optics' own.
+// Bits 0-1 the waves, 2 the quad, 3 land, 4-8 the number of exp-cosine waves, from 9 on the optics' own.
 static uint32_t key_of(const water_draw *d, uint32_t extra) {
     uint32_t quad = d->f->scene->technique.surface == BOLAN_SURFACE_QUAD, land = d->f->shore->present;
-    return (uint32_t)d->waves | quad << 2 | land << 3 | extra << 4;
+    uint32_t count = d->waves == WATER_EXP ? bolan_sea_component_count(d->f->desc->sea) : 0;
+    return (uint32_t)d->waves | quad << 2 | land << 3 | count << 4 | extra << 9;
 }
 
 static const gl_program *make(const water_draw *d, const char *stem, uint32_t key, const char *extra) {
     water_programs *all = d->programs;
-    char defines[160];
-    snprintf(defines, sizeof defines, "%s%s%s%s", water_waves_define(d->waves), key & 4 ? "QUAD 1\n" : "",
+    char defines[160], count[24] = "";
+    if (d->waves == WATER_EXP) snprintf(count, sizeof count, "WAVE_COUNT %u\n", key >> 4 & 31u);
+    snprintf(defines, sizeof defines, "%s%s%s%s%s", water_waves_define(d->waves), count, key & 4 ? "QUAD 1\n" : "",
              key & 8 ? "LAND 1\n" : "", extra);
     if (all->count == WATER_PROGRAMS) { // a tour of everything: start anew
         for (uint32_t i = 0; i < all->count; ++i) gl_program_free(&all->list[i].program);
