@@ -54,9 +54,9 @@ static void set_waves(const gl_program *program, const void *context) {
 
 // Both stages' functions in one; the number of waves as the programs of the water have it.
 static void run(const rig *r, const char *body, float (*in)[4], uint32_t count, float (*out)[4]) {
-    char defines[64], count[24] = "";
-    if (r->waves == WATER_EXP) snprintf(count, sizeof count, "WAVE_COUNT %u\n", bolan_sea_component_count(r->sea));
-    snprintf(defines, sizeof defines, "%s%s", water_waves_define(r->waves), count);
+    char defines[64], waves[24] = "";
+    if (r->waves == WATER_EXP) snprintf(waves, sizeof waves, "WAVE_COUNT %u\n", bolan_sea_component_count(r->sea));
+    snprintf(defines, sizeof defines, "%s%s", water_waves_define(r->waves), waves);
     probe_run_with("#include \"common/frame.glsl\"\n#define VERTEX\n#include \"common/waves.glsl\"\n#undef VERTEX",
                    body, defines, set_waves, r, in, count, out);
 }
