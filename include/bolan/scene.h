@@ -37,7 +37,7 @@ typedef struct bolan_technique {
     bolan_wave_model waves;
     bolan_surface_kind surface;
     bolan_optics_kind optics;
-    int wind_spectrum; ///< a bolan_spectrum_kind: what the technique makes of a wind; -1: what the scene says
+    int wind_spectrum; ///< a bolan_spectrum_kind: what the technique makes of a wind; -1: the scene's own wind_spectrum
 } bolan_technique;
 extern const bolan_technique bolan_technique_ocean;        ///< the default
 extern const bolan_technique bolan_technique_two_triangle; ///< Ma, Zhu & Gong 2006: two triangles, all else is textures
@@ -252,7 +252,7 @@ typedef struct bolan_scene {
 /// A scene with every default: open sea, wind 8 m/s, camera 3 m up, sun 35 degrees high.
 bolan_scene bolan_scene_default(void);
 /// Gives the scene another wind of @p wind_speed [m/s] FROM @p from_deg [deg]: the wind sea is built anew from it, from
-/// scene->fetch and scene->wind_spectrum (Pierson-Moskowitz: fully developed, whatever the fetch; TMA: at the sea's
+/// scene->fetch and the technique's spectrum or scene->wind_spectrum (Pierson-Moskowitz: fully developed, whatever the fetch; TMA: at the sea's
 /// depth); swells stay. With a spectrum file the waves are the file's, and the wind only roughens them. The wind sea is
 /// told from swells by its system's wind_speed, which is above 0. Values are checked by bolan_scene_validate().
 void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg);
