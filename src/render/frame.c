@@ -7,7 +7,8 @@
 #include "bolan/query.h"
 #include "renderer.h"
 
-const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea", "terrain", "sky", "copy", "water", "tone map"};
+const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea",  "terrain", "models",
+                                                  "sky",        "copy", "water",   "tone map"};
 
 static double near_plane(double height, bool clip_control) {
     // Reversed-Z keeps its precision whatever the near plane; without clip control the depth is a fixed-point number.
@@ -103,6 +104,7 @@ static void prepare(bolan_renderer *r, frame *f) {
     begin_part(r, PART_SEA);
     pass_terrain_prepare(r->terrain, f);
     f->shore = pass_terrain_shore(r->terrain);
+    pass_models_prepare(r->models, f);
     pass_water_prepare(r->water, f);
     end_part(r, PART_SEA);
 }
@@ -115,6 +117,9 @@ static void draw_opaque(bolan_renderer *r, frame *f) {
     begin_part(r, PART_TERRAIN);
     pass_terrain_draw(r->terrain, f);
     end_part(r, PART_TERRAIN);
+    begin_part(r, PART_MODELS);
+    pass_models_draw(r->models, f, &models_view_all);
+    end_part(r, PART_MODELS);
     begin_part(r, PART_SKY);
     pass_sky_draw(r->sky, f);
     end_part(r, PART_SKY);

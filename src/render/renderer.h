@@ -10,6 +10,7 @@ typedef enum frame_part {
     PART_SKY_TABLES,
     PART_SEA,
     PART_TERRAIN,
+    PART_MODELS,
     PART_SKY,
     PART_COPY,
     PART_WATER,
@@ -24,6 +25,7 @@ struct bolan_renderer {
     gl_saved *saved;
     pass_sky *sky;
     pass_terrain *terrain;
+    pass_models *models;
     pass_water *water;
     pass_tonemap *tonemap;
     gl_buffer uniforms;
