@@ -7,7 +7,7 @@
 #include "bolan/query.h"
 #include "renderer.h"
 
-const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea",    "terrain", "sky",
+const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea",    "terrain", "models",  "sky",
                                                   "copy",       "mirror", "water",   "tone map"};
 
 static double near_plane(double height, bool clip_control) {
@@ -104,11 +104,10 @@ static void prepare(bolan_renderer *r, frame *f) {
     begin_part(r, PART_SEA);
     pass_terrain_prepare(r->terrain, f);
     f->shore = pass_terrain_shore(r->terrain);
+    pass_models_prepare(r->models, f);
     pass_water_prepare(r->water, f);
     end_part(r, PART_SEA);
 }
-
-static void draw_world(bolan_renderer *r, frame *f) { pass_terrain_draw(r->terrain, f); }
 
 static void draw_opaque(bolan_renderer *r, frame *f) {
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
@@ -116,8 +115,11 @@ static void draw_opaque(bolan_renderer *r, frame *f) {
     gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     gl_target_clear_depth(0.0f);
     begin_part(r, PART_TERRAIN);
-    draw_world(r, f);
+    pass_terrain_draw(r->terrain, f);
     end_part(r, PART_TERRAIN);
+    begin_part(r, PART_MODELS);
+    pass_models_draw(r->models, f);
+    end_part(r, PART_MODELS);
     begin_part(r, PART_SKY);
     pass_sky_draw(r->sky, f);
     end_part(r, PART_SKY);
@@ -138,7 +140,8 @@ static void draw_picture(bolan_renderer *r, frame *m, bool sky) {
     gl_target_bind(&m->hdr);
     gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     gl_target_clear_depth(0.0f);
-    draw_world(r, m);
+    pass_terrain_draw(r->terrain, m);
+    pass_models_draw(r->models, m);
     if (sky) pass_sky_draw(r->sky, m);
 }
 
