@@ -65,6 +65,7 @@ typedef struct bolan_frame_desc {
     const bolan_sea *sea;             ///< stepped by the caller; not NULL
     const bolan_terrain *terrain;     ///< or NULL
     const bolan_model *const *models; ///< one for each object of the scene, or NULL: no object is drawn
+    bool without_water;               ///< true: all but the water, to see what that costs
     uint32_t framebuffer;             ///< GL name; 0 is the window
     uint32_t width, height;           ///< of the framebuffer [px], 1..16384
     uint32_t samples;                 ///< supersampling: pictures with shifted pixels that are averaged, 1..256

@@ -105,7 +105,7 @@ static void prepare(bolan_renderer *r, frame *f) {
     pass_terrain_prepare(r->terrain, f);
     f->shore = pass_terrain_shore(r->terrain);
     pass_models_prepare(r->models, f);
-    pass_water_prepare(r->water, f);
+    if (!f->desc->without_water) pass_water_prepare(r->water, f);
     end_part(r, PART_SEA);
 }
 
@@ -156,16 +156,16 @@ static void draw_mirrors(bolan_renderer *r, frame *f) {
 }
 
 static void draw_water(bolan_renderer *r, frame *f) {
-    const bool mirrors = pass_water_mirrors(f);
+    const bool water = !f->desc->without_water, mirrors = water && pass_water_mirrors(f);
     begin_part(r, PART_COPY);
-    if (!mirrors && f->shore->present) copy_behind(r, f);
+    if (water && !mirrors && f->shore->present) copy_behind(r, f);
     end_part(r, PART_COPY);
     begin_part(r, PART_MIRROR);
     if (mirrors) draw_mirrors(r, f);
     end_part(r, PART_MIRROR);
     begin_part(r, PART_WATER);
     gl_target_bind(&f->hdr);
-    pass_water_draw(r->water, f);
+    if (water) pass_water_draw(r->water, f);
     pass_sky_draw_over(r->sky, f);
     end_part(r, PART_WATER);
 }
