@@ -97,7 +97,7 @@ typedef struct bolan_nested {
     bolan_nested_level level[BOLAN_NESTED_MAX_LEVELS];
 } bolan_nested;
 /// Places the levels round the point of the mean water in the middle of the view, or nearer to the eye where that point is
-/// so far that the finest level would be lost there: at most three times as far as the nearest water in the picture.
+/// so far that the finest level would be lost there: at most twice as far as the nearest water in the picture.
 /// Every level stands on multiples of its own spacing, exactly, and moves in steps of two: no vertex moves over the water,
 /// and where a level stands depends on the centre and its spacing alone (n > 4; with n = 4 a hole has one place only).
 /// Levels whose cells would be below two pixels are left out. Pure, thread-safe, the same on every machine. Misuse:
