@@ -367,6 +367,24 @@ static bolan_vec3 wave_normal(bolan_dvec2 p) {
     return bolan_v3_normalize(bolan_v3((float)-sx, (float)-sy, 1.0f));
 }
 
+// No seam in the light: both levels of a border have one normal, and a stitched vertex that of the edge it lies on.
+static void assert_one_normal_where_levels_meet(const bolan_nested *nested, const bolan_vec3 *normals) {
+    for (uint32_t l = 1; l < nested->levels; ++l)
+        for (uint32_t k = 0; k < 17 * 17; ++k) {
+            uint32_t i = k % 17, j = k / 17, v = l * 289 + k;
+            if (i != 0 && j != 0 && i != 16 && j != 16) continue;
+            if ((i + j) % 2 == 1) {
+                uint32_t step = j == 0 || j == 16 ? 1 : 17;
+                bolan_vec3 mean = bolan_v3_normalize(bolan_v3_add(normals[v - step], normals[v + step]));
+                assert_near(bolan_v3_length(bolan_v3_sub(normals[v], mean)), 0.0, 1e-6); // float
+                continue;
+            }
+            const bolan_nested_level *parent = &nested->level[l - 1];
+            uint32_t outer = (l - 1) * 289 + (parent->hole_j + j / 2) * 17 + parent->hole_i + i / 2;
+            assert_memory_equal(&normals[v], &normals[outer], sizeof normals[v]);
+        }
+}
+
 // Largest angle [rad] between the normals of the mesh and the surface's own, over the vertices that triangles use.
 static double worst_normal(double spacing) {
     static bolan_vec3 positions[CAPACITY], normals[CAPACITY];
@@ -382,6 +400,7 @@ static double worst_normal(double spacing) {
         positions[v] = bolan_v3_scale(bolan_v3_add(a, wave_at((bolan_dvec2){rest[v].x + s.x, rest[v].y + s.y})), 0.5f);
     }
     bolan_surface_nested_normals(&nested, positions, normals);
+    assert_one_normal_where_levels_meet(&nested, normals);
     double worst = 0.0;
     for (uint32_t v = 0; v < 3 * 289; ++v) {
         uint32_t l = v / 289, i = v % 17, j = v % 289 / 17, hi = nested.level[l].hole_i, hj = nested.level[l].hole_j;
