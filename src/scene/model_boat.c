@@ -84,7 +84,7 @@ static void thwart(model_builder *b, float t) {
 static void oar(model_builder *b, float side) {
     const bolan_vec3 ash = {0.36f, 0.255f, 0.145f};
     const bolan_vec3 from = {0.20f * side, 1.25f, 0.27f}, to = {0.40f * side, -1.45f, 0.34f};
-    build_tube(b, &(build_bar){from, to, 0.022f, 0.019f, ash, ash, 0.9f, 6});
+    build_tube(b, &(build_bar){from, to, 0.022f, 0.019f, ash, ash, 0.9f, 6, false});
     const bolan_vec3 c[4] = {{to.x - 0.02f, to.y, to.z},
                              {to.x + 0.01f * side + 0.05f, to.y - 0.75f, to.z + 0.03f},
                              {to.x + 0.01f * side - 0.09f, to.y - 0.75f, to.z + 0.03f},
