@@ -105,7 +105,7 @@ void model_pond_ground(model_builder *b) {
 
 // ---- the wood -------------------------------------------------------------------------------------------------------
 
-#define FAR_LEAVES 11 // of a lump
+#define FAR_LEAVES 9 // of a lump
 
 // A spruce seen from afar: three ragged skirts.
 static void far_conifer(model_builder *b, uint32_t *chance, bolan_vec3 foot, float height) {
@@ -155,22 +155,21 @@ static void far_crown(model_builder *b, uint32_t *chance, bolan_vec3 foot, float
     }
 }
 
-// Bushes at the foot of the trees.
-static void undergrowth(model_builder *b, uint32_t *chance, int count) {
+// Bushes round the foot of a tree.
+static void undergrowth(model_builder *b, uint32_t *chance, bolan_vec3 foot, int count) {
     for (int i = 0; i < count; i++) {
         double s, c;
-        bolan_sincos(BOLAN_PI * (0.18 + 0.64 * (double)build_random(chance)), &s, &c);
-        const float d = pond_outline((float)c, (float)s) + 41.0f + 16.0f * build_random(chance);
-        const double x = c * (double)d, y = s * (double)d;
-        const bolan_vec3 at = {(float)x, (float)y, bolan_pond_elevation(x, y) + build_between(chance, 0.2f, 1.1f)};
-        const bolan_vec3 out = bolan_v3_normalize(bolan_v3(-(float)c, -(float)s, 1.2f));
-        build_leaf(b, chance, at, out, build_between(chance, 0.9f, 1.7f), bolan_v3(0.036f, 0.058f, 0.019f), 0.6f);
+        bolan_sincos(2.0 * BOLAN_PI * (double)build_random(chance), &s, &c);
+        const float r = build_between(chance, 0.8f, 3.4f), x = foot.x + r * (float)c, y = foot.y + r * (float)s;
+        const float z = bolan_pond_elevation((double)x, (double)y) + build_between(chance, 0.1f, 1.5f);
+        build_leaf(b, chance, bolan_v3(x, y, z), bolan_v3_normalize(bolan_v3((float)c, (float)s, 0.9f)),
+                   build_between(chance, 0.7f, 1.4f), bolan_v3(0.036f, 0.058f, 0.019f), 0.45f);
     }
 }
 
 // Trees stand in rows along the foot of the rise, the front ones lower, so that the wood has a mantle.
 #define WOOD_TREES 46
-#define WOOD_BUSHES 167 // makes the scene `pond` 13 912 triangles, as the paper's
+#define WOOD_BUSHES 143 // makes the scene `pond` 13 912 triangles, as the paper's
 void model_pond_wood(model_builder *b) {
     uint32_t chance = 77;
     for (int i = 0; i < WOOD_TREES; i++) {
@@ -183,10 +182,10 @@ void model_pond_wood(model_builder *b) {
         const double x = c * (double)d, y = s * (double)d;
         const bolan_vec3 foot = bolan_v3((float)x, (float)y, bolan_pond_elevation(x, y) - 0.3f);
         const float height = build_between(&chance, 10.0f, 15.0f) + 1.5f * (float)row;
-        if (build_random(&chance) < 0.42f)
+        if (5 * i % 7 < 3)
             far_conifer(b, &chance, foot, height * 1.2f);
         else
             far_crown(b, &chance, foot, height);
+        undergrowth(b, &chance, foot, WOOD_BUSHES * (i + 1) / WOOD_TREES - WOOD_BUSHES * i / WOOD_TREES);
     }
-    undergrowth(b, &chance, WOOD_BUSHES);
 }
