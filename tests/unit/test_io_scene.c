@@ -235,7 +235,7 @@ static void test_what_is_wrong_is_refused_with_line_and_key(void **state) {
         {"terrain: {island: {}, raster: {file: a}}\n", "more than one of island, raster and pond",
          BOLAN_LOG_SCENE_BAD_VALUE},
         {"terrain: {pond: {}, island: {}}\n", "more than one of island, raster and pond", BOLAN_LOG_SCENE_BAD_VALUE},
-        {"terrain: {pond: {depth: 3}}\n", "unknown key terrain.pond.depth", BOLAN_LOG_SCENE_UNKNOWN_KEY},
+        {"terrain: {pond: {depth: 3}}\n", "unknown key terrain.pond.depth; expected none", BOLAN_LOG_SCENE_UNKNOWN_KEY},
         {"objects:\n  - {position: [0, 0, 0]}\n", "test.yaml:2: an object needs a model", BOLAN_LOG_SCENE_BAD_VALUE},
         {"objects:\n  - {model: \"builtin:boot\"}\n", "test.yaml:2: there is no model builtin:boot; expected",
          BOLAN_LOG_SCENE_BAD_VALUE},
