@@ -6,6 +6,7 @@
 #include "common/atmosphere.glsl"
 
 uniform vec4 place[3];     // rows of the matrix from model to eye-relative world
+uniform float grain_scale; // 1 / period of the grain [1/m]
 uniform vec4 caster[64];   // pairs: centre (eye-relative), 1 / horizontal radius; x: 1 / vertical radius [1/m]
 uniform int caster_count;
 uniform int own_caster;    // an object does not stand in its own shadow
@@ -64,10 +65,10 @@ void main() {
 
 #ifdef GROUND
     // The noise's period must divide the 4096 m after which eye.xy wraps.
-    grain = vec3((eye.xy + position.xy) / 8.0, mix(0.55, 1.0, leafy) * mix(0.5, 1.0, dry));
+    grain = vec3((eye.xy + position.xy) / 8.0, mix(0.6, 1.0, leafy));
 #else
     // Along no axis, so that no wall is smeared.
-    grain = vec3((vertex.xz + vertex.y * vec2(0.61, 0.37)) / 1.7, mix(0.3, 1.3, leafy));
+    grain = vec3((vertex.xz + vertex.y * vec2(0.61, 0.37)) * grain_scale, mix(0.3, 1.3, leafy));
 #endif
     over = clip.x * (height - clip.y);
 #ifdef CLIP

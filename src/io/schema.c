@@ -219,8 +219,8 @@ static bolan_result unknown_key(const reader *r, const yaml_node_t *node, const 
     char found[48], expected[LIST_MAX_LENGTH] = "";
     describe(node, found);
     for (; keys->name; keys++) append(expected, sizeof expected, keys->name);
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_UNKNOWN_KEY, "%s:%u: unknown key %s%s%s; expected one of %s", r->name,
-              line_of(node), path, *path ? "." : "", found, expected);
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_UNKNOWN_KEY, "%s:%u: unknown key %s%s%s; expected %s%s", r->name,
+              line_of(node), path, *path ? "." : "", found, *expected ? "one of " : "none", expected);
     return BOLAN_ERROR_FORMAT;
 }
 

@@ -18,8 +18,9 @@ typedef struct gpu_model {
     gl_buffer vertices, indices;
     gl_mesh mesh;
     uint32_t index_count;
-    bool flat;   // lies like ground
-    bool wanted; // by this frame
+    float period; // of its grain [m]
+    bool flat;    // lies like ground
+    bool wanted;  // by this frame
 } gpu_model;
 
 // An object as it stands in this frame.
@@ -105,6 +106,10 @@ static bolan_result upload(const bolan_model *model, gpu_model *g) {
     bolan_release(staging, bytes);
     g->id = model_id(model);
     g->index_count = v.index_count;
+    bolan_vec3 low, high;
+    model_bounds(model, &low, &high);
+    // Large things are looked at from afar.
+    g->period = fminf(fmaxf(0.16f * fmaxf(high.x - low.x, high.z - low.z), 0.8f), 6.0f);
     g->flat = lies_flat(&v);
     if (r != BOLAN_OK) free_model(g);
     return r;
@@ -257,6 +262,7 @@ void pass_models_draw(pass_models *p, frame *f) {
             const placed *o = &p->objects[i];
             if (o->gpu->flat != (flat == 1) || !is_wanted(o, side)) continue;
             gl_program_vec4_array(program, "place", o->rows, 3);
+            gl_program_float(program, "grain_scale", 1.0f / o->gpu->period);
             gl_program_int(program, "own_caster", o->caster);
             gl_mesh_draw(&o->gpu->mesh, 0, o->gpu->index_count);
             f->triangles += o->gpu->index_count / 3;

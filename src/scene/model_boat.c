@@ -21,6 +21,14 @@ static bolan_vec3 hull_point(float t, float u, float thickness) {
                     keel + (sheer - keel) * lift + (u < 0.5f ? thickness : 0.0f));
 }
 
+// Inside, the planks of the floor lie over the waterline: the water's surface knows nothing of the boat.
+#define FLOOR 0.07f
+static bolan_vec3 shell_point(float t, float u, bool inside) {
+    bolan_vec3 p = hull_point(t, u, inside ? PLANK : 0.0f);
+    if (inside) p.z = fmaxf(p.z, FLOOR);
+    return p;
+}
+
 static bolan_vec3 mirrored(bolan_vec3 p, float side) { return bolan_v3(side * p.x, p.y, p.z); }
 
 static bolan_vec3 strake_color(int k, bool inside, uint32_t *chance) {
@@ -35,9 +43,10 @@ static void shell(model_builder *b, float side, bool inside, uint32_t *chance) {
         const bolan_vec3 color = strake_color(k, inside, chance);
         for (int i = 0; i + 1 < STATIONS; i++) {
             const float t0 = (float)i / (STATIONS - 1), t1 = (float)(i + 1) / (STATIONS - 1);
-            const float u0 = (float)k / (RIBS - 1), u1 = (float)(k + 1) / (RIBS - 1), in = inside ? PLANK : 0.0f;
-            bolan_vec3 c[4] = {mirrored(hull_point(t0, u0, in), side), mirrored(hull_point(t1, u0, in), side),
-                               mirrored(hull_point(t1, u1, in), side), mirrored(hull_point(t0, u1, in), side)};
+            const float u0 = (float)k / (RIBS - 1), u1 = (float)(k + 1) / (RIBS - 1);
+            bolan_vec3 c[4] = {mirrored(shell_point(t0, u0, inside), side), mirrored(shell_point(t1, u0, inside), side),
+                               mirrored(shell_point(t1, u1, inside), side),
+                               mirrored(shell_point(t0, u1, inside), side)};
             if ((side > 0.0f) == inside) { // the other way round
                 const bolan_vec3 swap = c[1];
                 c[1] = c[0], c[0] = swap;
@@ -84,7 +93,7 @@ static void thwart(model_builder *b, float t) {
 static void oar(model_builder *b, float side) {
     const bolan_vec3 ash = {0.36f, 0.255f, 0.145f};
     const bolan_vec3 from = {0.20f * side, 1.25f, 0.27f}, to = {0.40f * side, -1.45f, 0.34f};
-    build_tube(b, &(build_bar){from, to, 0.022f, 0.019f, ash, ash, 0.9f, 6});
+    build_tube(b, &(build_bar){from, to, 0.022f, 0.019f, ash, ash, 0.9f, 6, false});
     const bolan_vec3 c[4] = {{to.x - 0.02f, to.y, to.z},
                              {to.x + 0.01f * side + 0.05f, to.y - 0.75f, to.z + 0.03f},
                              {to.x + 0.01f * side - 0.09f, to.y - 0.75f, to.z + 0.03f},
@@ -105,5 +114,5 @@ void model_boat(model_builder *b) {
     thwart(b, 0.45f);
     thwart(b, 0.74f);
     const bolan_vec3 floor = {0.15f, 0.090f, 0.045f};
-    build_box(b, bolan_v3(-0.33f, -1.7f, -0.05f), bolan_v3(0.33f, 1.0f, -0.02f), floor, true);
+    build_box(b, bolan_v3(-0.33f, -1.7f, FLOOR), bolan_v3(0.33f, 1.0f, FLOOR + 0.025f), floor, true);
 }

@@ -124,6 +124,7 @@ void build_tube(model_builder *b, const build_bar *t) {
         build_triangle(b, a, c, c + 1);
         build_triangle(b, a, c + 1, a + 1);
     }
+    if (t->open_end) return;
     const uint32_t middle = build_vertex(b, t->to, along, t->to_color, t->open);
     for (uint32_t i = 0; i < t->sides; i++)
         build_triangle(b, first + 2 * i + 1, first + 2 * ((i + 1) % t->sides) + 1, middle);
@@ -217,4 +218,18 @@ bolan_vec3 build_direction(uint32_t *state) {
 
 bolan_vec3 build_vary(uint32_t *state, bolan_vec3 color, float share) {
     return bolan_v3_scale(color, 1.0f + build_between(state, -share, share));
+}
+
+// ---- leaves ---------------------------------------------------------------------------------------------------------
+
+void build_leaf(model_builder *b, uint32_t *state, bolan_vec3 at, bolan_vec3 out, float size, bolan_vec3 color,
+                float open) {
+    const bolan_vec3 u = build_direction(state);
+    bolan_vec3 v = bolan_v3_cross(u, build_direction(state));
+    v = bolan_v3_scale(v, 1.0f / fmaxf(bolan_v3_length(v), 0.2f));
+    const bolan_vec3 c = build_vary(state, color, 0.3f);
+    const uint32_t i = build_vertex(b, bolan_v3_add(at, bolan_v3_scale(u, size)), out, c, open);
+    const uint32_t j =
+        build_vertex(b, bolan_v3_add(at, bolan_v3_scale(v, 0.7f * size)), out, bolan_v3_scale(c, 0.85f), open);
+    build_triangle(b, i, j, build_vertex(b, bolan_v3_sub(at, bolan_v3_scale(u, 0.8f * size)), out, c, open));
 }

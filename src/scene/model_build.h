@@ -28,13 +28,14 @@ void build_quad(model_builder *b, const bolan_vec3 corner[4], bolan_vec3 color, 
 void build_facet(model_builder *b, bolan_vec3 p, bolan_vec3 q, bolan_vec3 r, bolan_vec3 color, float open);
 /// A box between two corners, without its bottom when `open_below`.
 void build_box(model_builder *b, bolan_vec3 low, bolan_vec3 high, bolan_vec3 color, bool open_below);
-/// A round bar between two points with a radius at each; closed at its far end.
+/// A round bar between two points with a radius at each; closed at its far end unless `open_end`.
 typedef struct build_bar {
     bolan_vec3 from, to;
     float from_radius, to_radius;
     bolan_vec3 from_color, to_color;
     float open;
     uint32_t sides;
+    bool open_end;
 } build_bar;
 void build_tube(model_builder *b, const build_bar *bar);
 
@@ -58,6 +59,9 @@ float build_between(uint32_t *state, float low, float high);
 bolan_vec3 build_direction(uint32_t *state);
 /// The colour, lighter or darker by up to `share`.
 bolan_vec3 build_vary(uint32_t *state, bolan_vec3 color, float share);
+/// A leafy twig: one triangle, turned by chance, lit as if it faced `out`.
+void build_leaf(model_builder *b, uint32_t *state, bolan_vec3 at, bolan_vec3 out, float size, bolan_vec3 color,
+                float open);
 static inline bolan_vec3 build_mix(bolan_vec3 a, bolan_vec3 b, float t) {
     return bolan_v3_add(bolan_v3_scale(a, 1.0f - t), bolan_v3_scale(b, t));
 }

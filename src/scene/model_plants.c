@@ -3,19 +3,6 @@
 // dark inside, the leaves break the outline. Their normals point out of the crown, so that it is shaded as a whole.
 #include "scene/model_build.h"
 
-// A leafy twig: one triangle.
-static void leaf(model_builder *b, uint32_t *chance, bolan_vec3 at, bolan_vec3 out, float size, bolan_vec3 color,
-                 float open) {
-    const bolan_vec3 u = build_direction(chance);
-    bolan_vec3 v = bolan_v3_cross(u, build_direction(chance));
-    v = bolan_v3_scale(v, 1.0f / fmaxf(bolan_v3_length(v), 0.2f));
-    const bolan_vec3 c = build_vary(chance, color, 0.3f);
-    const uint32_t i = build_vertex(b, bolan_v3_add(at, bolan_v3_scale(u, size)), out, c, open);
-    const uint32_t j =
-        build_vertex(b, bolan_v3_add(at, bolan_v3_scale(v, 0.7f * size)), out, bolan_v3_scale(c, 0.85f), open);
-    build_triangle(b, i, j, build_vertex(b, bolan_v3_sub(at, bolan_v3_scale(u, 0.8f * size)), out, c, open));
-}
-
 // Leaves on the surface of a lump, thicker above.
 static void leaves(model_builder *b, uint32_t *chance, const build_lump *l, int count, float size) {
     for (int i = 0; i < count; i++) {
@@ -26,8 +13,8 @@ static void leaves(model_builder *b, uint32_t *chance, const build_lump *l, int 
                                       build_between(chance, 0.95f, 1.22f)));
         const bolan_vec3 out = bolan_v3_normalize(bolan_v3_sub(at, build_mix(l->center, l->core, 0.5f)));
         const float t = 0.5f + 0.5f * dir.z;
-        leaf(b, chance, at, out, size * build_between(chance, 0.7f, 1.3f), build_mix(l->low_color, l->high_color, t),
-             0.25f + 0.75f * t * l->high_open);
+        build_leaf(b, chance, at, out, size * build_between(chance, 0.7f, 1.3f),
+                   build_mix(l->low_color, l->high_color, t), 0.25f + 0.75f * t * l->high_open);
     }
 }
 
@@ -42,13 +29,14 @@ static const struct {
 void model_tree(model_builder *b) {
     const bolan_vec3 bark = {0.085f, 0.066f, 0.048f}, dark = {0.050f, 0.040f, 0.030f};
     uint32_t chance = 5;
-    build_tube(b, &(build_bar){{0.0f, 0.0f, -0.4f}, {0.06f, 0.04f, 0.7f}, 0.40f, 0.24f, bark, bark, 0.7f, 7});
-    build_tube(b, &(build_bar){{0.06f, 0.04f, 0.7f}, {0.0f, 0.1f, 3.6f}, 0.24f, 0.18f, bark, dark, 0.55f, 7});
-    build_tube(b, &(build_bar){{0.0f, 0.1f, 3.4f}, {0.1f, 0.0f, 6.8f}, 0.18f, 0.06f, dark, dark, 0.3f, 5});
+    build_tube(b, &(build_bar){{0.0f, 0.0f, -0.4f}, {0.06f, 0.04f, 0.7f}, 0.40f, 0.24f, bark, bark, 0.7f, 7, true});
+    build_tube(b, &(build_bar){{0.06f, 0.04f, 0.7f}, {0.0f, 0.1f, 3.6f}, 0.24f, 0.18f, bark, dark, 0.55f, 7, false});
+    build_tube(b, &(build_bar){{0.0f, 0.1f, 3.4f}, {0.1f, 0.0f, 6.8f}, 0.18f, 0.06f, dark, dark, 0.3f, 5, false});
     const int count = (int)(sizeof crown / sizeof *crown);
     for (int i = 1; i < count; i++) {
         const bolan_vec3 tip = {0.8f * crown[i].x, 0.8f * crown[i].y, crown[i].z - 0.3f};
-        build_tube(b, &(build_bar){{0.03f, 0.08f, 2.4f + 0.16f * (float)i}, tip, 0.10f, 0.03f, dark, dark, 0.35f, 4});
+        build_tube(
+            b, &(build_bar){{0.03f, 0.08f, 2.4f + 0.16f * (float)i}, tip, 0.10f, 0.03f, dark, dark, 0.35f, 4, false});
     }
     for (int i = 0; i < count; i++) {
         const float r = crown[i].r, high = crown[i].z / 8.5f;
@@ -90,7 +78,7 @@ static void whorl(model_builder *b, uint32_t *chance, float base, float top, flo
 void model_conifer(model_builder *b) {
     const bolan_vec3 bark = {0.075f, 0.052f, 0.038f};
     uint32_t chance = 9;
-    build_tube(b, &(build_bar){{0.0f, 0.0f, -0.4f}, {0.0f, 0.0f, 11.2f}, 0.24f, 0.03f, bark, bark, 0.45f, 6});
+    build_tube(b, &(build_bar){{0.0f, 0.0f, -0.4f}, {0.0f, 0.0f, 11.2f}, 0.24f, 0.03f, bark, bark, 0.45f, 6, false});
     const int whorls = 13;
     for (int i = 0; i < whorls; i++) {
         const float t = (float)i / (float)(whorls - 1), radius = 2.35f * (1.0f - t) + 0.22f;
@@ -100,9 +88,9 @@ void model_conifer(model_builder *b) {
             double s, c;
             bolan_sincos(2.0 * BOLAN_PI * (double)build_random(&chance), &s, &c);
             const float r = radius * build_between(&chance, 0.5f, 1.0f);
-            leaf(b, &chance, bolan_v3(r * (float)c, r * (float)s, base + 0.45f * (1.0f - r / radius)),
-                 bolan_v3_normalize(bolan_v3((float)c, (float)s, 0.6f)), 0.34f, bolan_v3(0.030f, 0.054f, 0.026f),
-                 0.6f + 0.3f * t);
+            build_leaf(b, &chance, bolan_v3(r * (float)c, r * (float)s, base + 0.45f * (1.0f - r / radius)),
+                       bolan_v3_normalize(bolan_v3((float)c, (float)s, 0.6f)), 0.34f, bolan_v3(0.030f, 0.054f, 0.026f),
+                       0.6f + 0.3f * t);
         }
     }
 }
@@ -134,12 +122,12 @@ void model_reeds(model_builder *b) {
     for (int i = 0; i < 34; i++) {
         const float x = build_between(&chance, -1.0f, 1.0f), y = build_between(&chance, -0.6f, 0.6f);
         blade(b, &chance, bolan_v3(x * 1.2f, y, -0.5f), build_between(&chance, 1.3f, 2.5f),
-              build_between(&chance, 0.018f, 0.032f));
+              build_between(&chance, 0.026f, 0.046f));
     }
     for (int i = 0; i < 4; i++) { // cattails
         const float x = build_between(&chance, -0.9f, 0.9f), y = build_between(&chance, -0.4f, 0.4f),
                     h = build_between(&chance, 1.6f, 2.1f);
         const bolan_vec3 brown = {0.075f, 0.042f, 0.022f};
-        build_tube(b, &(build_bar){{x, y, h - 0.28f}, {x + 0.02f, y, h}, 0.026f, 0.022f, brown, brown, 0.9f, 4});
+        build_tube(b, &(build_bar){{x, y, h - 0.28f}, {x + 0.02f, y, h}, 0.026f, 0.022f, brown, brown, 0.9f, 4, false});
     }
 }

@@ -53,8 +53,8 @@ static bolan_vec3 bed(double x, double y, float depth, float south) {
     const float sandy = south * (1.0f - smoothstepf(1.3f, 2.6f, depth + 0.6f * patch)) + 0.25f * (1.0f - south);
     bolan_vec3 c = build_mix(mud, sand, clamp01(sandy));
     c = build_mix(c, weed,
-                  smoothstepf(0.12f, 0.4f, patch) * lerpf(0.75f, 0.35f, south) * smoothstepf(0.3f, 1.0f, depth));
-    return bolan_v3_scale(c, 1.0f + 0.25f * patch);
+                  smoothstepf(0.05f, 0.35f, patch) * lerpf(0.75f, 0.6f, south) * smoothstepf(0.3f, 1.0f, depth));
+    return bolan_v3_scale(c, 1.0f + 0.4f * patch);
 }
 
 static bolan_vec3 ground_color(double x, double y, float z, float d) {
@@ -105,32 +105,35 @@ void model_pond_ground(model_builder *b) {
 
 // ---- the wood -------------------------------------------------------------------------------------------------------
 
-// A spruce seen from afar: two skirts.
+#define FAR_LEAVES 9 // of a lump
+
+// A spruce seen from afar: three ragged skirts.
 static void far_conifer(model_builder *b, uint32_t *chance, bolan_vec3 foot, float height) {
-    const bolan_vec3 tone = build_vary(chance, bolan_v3(0.021f, 0.036f, 0.018f), 0.35f);
-    for (int k = 0; k < 2; k++) {
-        const float base = height * (k ? 0.42f : 0.06f), top = height * (k ? 1.0f : 0.62f),
-                    radius = height * (k ? 0.155f : 0.225f);
-        const uint32_t first = b->vertex_count, sides = 7;
-        const bolan_vec3 tip = bolan_v3(foot.x, foot.y, foot.z + top);
-        build_vertex(b, tip, bolan_v3(0.0f, 0.0f, 1.0f), bolan_v3_scale(tone, 1.25f), 0.95f);
+    static const float base[] = {0.08f, 0.32f, 0.58f}, top[] = {0.55f, 0.78f, 1.0f}, width[] = {0.205f, 0.160f, 0.105f};
+    const bolan_vec3 tone = build_vary(chance, bolan_v3(0.021f, 0.037f, 0.019f), 0.30f);
+    for (int k = 0; k < 3; k++) {
+        const uint32_t first = b->vertex_count, sides = 10;
+        const bolan_vec3 tip = bolan_v3(foot.x, foot.y, foot.z + top[k] * height);
+        build_vertex(b, tip, bolan_v3(0.0f, 0.0f, 1.0f), tone, k == 2 ? 0.95f : 0.4f);
         for (uint32_t i = 0; i < sides; i++) {
             double s, c;
             bolan_sincos(2.0 * BOLAN_PI * (i + 0.3 * k) / sides, &s, &c);
-            const float r = radius * build_between(chance, 0.75f, 1.2f), x = r * (float)c, y = r * (float)s;
-            const bolan_vec3 p =
-                bolan_v3(foot.x + x, foot.y + y, foot.z + base + build_between(chance, 0.0f, 0.09f) * height);
-            build_vertex(b, p, bolan_v3_normalize(bolan_v3(x, y, 0.3f * radius)), bolan_v3_scale(tone, 0.8f),
-                         k ? 0.6f : 0.3f);
+            const bool out = i % 2 == 0;
+            const float r =
+                width[k] * height * (out ? build_between(chance, 0.95f, 1.3f) : build_between(chance, 0.6f, 0.8f));
+            const float x = r * (float)c, y = r * (float)s,
+                        z = (base[k] + (out ? 0.0f : 0.07f) + build_between(chance, 0.0f, 0.04f)) * height;
+            build_vertex(b, bolan_v3(foot.x + x, foot.y + y, foot.z + z), bolan_v3_normalize(bolan_v3(x, y, 0.5f * r)),
+                         bolan_v3_scale(tone, out ? 1.35f : 0.7f), (out ? 0.5f : 0.25f) + 0.2f * (float)k);
         }
         for (uint32_t i = 0; i < sides; i++) build_triangle(b, first, first + 1 + i, first + 1 + (i + 1) % sides);
     }
 }
 
 static void far_crown(model_builder *b, uint32_t *chance, bolan_vec3 foot, float height) {
-    const bolan_vec3 tone = build_vary(chance, bolan_v3(0.044f, 0.068f, 0.020f), 0.30f);
-    const bolan_vec3 warm = build_mix(tone, bolan_v3(0.085f, 0.080f, 0.022f), build_random(chance) * 0.5f);
-    build_lump l = {.low_color = bolan_v3_scale(warm, 0.55f), .high_color = bolan_v3_scale(warm, 1.2f), .rough = 0.20f};
+    const bolan_vec3 tone = build_vary(chance, bolan_v3(0.042f, 0.068f, 0.020f), 0.25f);
+    const bolan_vec3 warm = build_mix(tone, bolan_v3(0.078f, 0.082f, 0.024f), build_random(chance) * 0.4f);
+    build_lump l = {.low_color = bolan_v3_scale(warm, 0.55f), .high_color = bolan_v3_scale(warm, 1.2f), .rough = 0.24f};
     l.core = bolan_v3(foot.x, foot.y, foot.z + 0.45f * height);
     for (int k = 0; k < 2; k++) {
         const float r = height * (k ? 0.25f : 0.34f);
@@ -142,27 +145,47 @@ static void far_crown(model_builder *b, uint32_t *chance, bolan_vec3 foot, float
         l.high_open = k ? 1.0f : 0.75f;
         l.seed = (uint32_t)(build_random(chance) * 1e6f);
         build_blob(b, &l);
+        for (int i = 0; i < FAR_LEAVES; i++) {
+            bolan_vec3 dir = build_direction(chance);
+            if (dir.z < -0.2f) dir.z = -dir.z;
+            const bolan_vec3 at = bolan_v3_add(l.center, bolan_v3(dir.x * r, dir.y * r, dir.z * l.radius.z));
+            const bolan_vec3 color = build_mix(l.low_color, l.high_color, 0.5f + 0.5f * dir.z);
+            build_leaf(b, chance, at, dir, 0.095f * height, color, 0.4f + 0.5f * fmaxf(dir.z, 0.0f));
+        }
+    }
+}
+
+// Bushes round the foot of a tree.
+static void undergrowth(model_builder *b, uint32_t *chance, bolan_vec3 foot, int count) {
+    for (int i = 0; i < count; i++) {
+        double s, c;
+        bolan_sincos(2.0 * BOLAN_PI * (double)build_random(chance), &s, &c);
+        const float r = build_between(chance, 0.8f, 3.4f), x = foot.x + r * (float)c, y = foot.y + r * (float)s;
+        const float z = bolan_pond_elevation((double)x, (double)y) + build_between(chance, 0.1f, 1.5f);
+        build_leaf(b, chance, bolan_v3(x, y, z), bolan_v3_normalize(bolan_v3((float)c, (float)s, 0.9f)),
+                   build_between(chance, 0.7f, 1.4f), bolan_v3(0.036f, 0.058f, 0.019f), 0.45f);
     }
 }
 
 // Trees stand in rows along the foot of the rise, the front ones lower, so that the wood has a mantle.
 #define WOOD_TREES 46
-#define WOOD_LEAVES 0 // loose tufts on top of it
+#define WOOD_BUSHES 143 // makes the scene `pond` 13 912 triangles, as the paper's
 void model_pond_wood(model_builder *b) {
     uint32_t chance = 77;
     for (int i = 0; i < WOOD_TREES; i++) {
         double s, c;
         const int row = i % 3;
         const float along = ((float)i + build_between(&chance, -0.8f, 0.8f)) / WOOD_TREES;
-        bolan_sincos(BOLAN_PI * (0.185 + 0.63 * (double)along), &s, &c);
+        bolan_sincos(BOLAN_PI * (0.2 + 0.6 * (double)along), &s, &c);
         const float d =
-            pond_outline((float)c, (float)s) + 46.0f + 11.0f * (float)row + build_between(&chance, -4.0f, 4.0f);
+            pond_outline((float)c, (float)s) + 45.0f + 10.0f * (float)row + build_between(&chance, -4.0f, 4.0f);
         const double x = c * (double)d, y = s * (double)d;
-        const bolan_vec3 foot = bolan_v3((float)x, (float)y, bolan_pond_elevation(x, y) - 0.2f);
-        const float height = build_between(&chance, 9.0f, 14.0f) + 1.5f * (float)row;
-        if (build_random(&chance) < 0.42f)
+        const bolan_vec3 foot = bolan_v3((float)x, (float)y, bolan_pond_elevation(x, y) - 0.3f);
+        const float height = build_between(&chance, 10.0f, 15.0f) + 1.5f * (float)row;
+        if (5 * i % 7 < 3)
             far_conifer(b, &chance, foot, height * 1.2f);
         else
             far_crown(b, &chance, foot, height);
+        undergrowth(b, &chance, foot, WOOD_BUSHES * (i + 1) / WOOD_TREES - WOOD_BUSHES * i / WOOD_TREES);
     }
 }

@@ -65,7 +65,9 @@ static void roof(model_builder *b) {
     for (int side = 0; side < 2; side++)
         for (int r = 0; r < rows; r++)
             for (int c = 0; c < columns; c++) {
-                const float y0 = run * (float)(r + 1) / (float)rows, y1 = run * (float)r / (float)rows;
+                // Each row runs up under the next.
+                const float y0 = run * (float)(r + 1) / (float)rows,
+                            y1 = fmaxf(run * (float)r / (float)rows - 0.2f, 0.0f);
                 const float x0 = (HALF_LENGTH + OVERHANG) * (2.0f * (float)c / (float)columns - 1.0f),
                             x1 = (HALF_LENGTH + OVERHANG) * (2.0f * (float)(c + 1) / (float)columns - 1.0f);
                 const bolan_vec3 corner[4] = {turned(bolan_v3(x0, -y0, top - slope * y0 + 0.05f), side),
@@ -132,8 +134,8 @@ void model_jetty(model_builder *b) {
                   false);
         for (int i = 0; i < 4; i++) {
             const float y = 0.4f + 2.75f * (float)i, top = i == 3 ? 1.35f : 0.56f;
-            build_tube(b,
-                       &(build_bar){{x * 1.14f, y, -3.2f}, {x * 1.14f, y, 0.15f}, 0.085f, 0.085f, wet, wet, 0.7f, 7});
+            build_tube(
+                b, &(build_bar){{x * 1.14f, y, -3.2f}, {x * 1.14f, y, 0.15f}, 0.085f, 0.085f, wet, wet, 0.7f, 6, true});
             build_tube(b, &(build_bar){{x * 1.14f, y, 0.1f},
                                        {x * 1.14f, y, top},
                                        0.085f,
@@ -141,7 +143,8 @@ void model_jetty(model_builder *b) {
                                        build_mix(wood, wet, 0.5f),
                                        wood,
                                        0.9f,
-                                       7});
+                                       6,
+                                       false});
         }
     }
 }
@@ -152,9 +155,9 @@ void model_stick(model_builder *b) {
     const bolan_vec3 along = bolan_v3_normalize(bolan_v3(0.30f, 0.06f, 1.0f));
     for (int i = 0; i < 7; i++) {
         const float from = 0.5f * (float)i, thick = 0.060f - 0.0015f * from;
-        const bolan_vec3 color = i == 6 ? red : i < 3 ? stained : white;
+        const bolan_vec3 color = i == 6 || i == 2 ? red : i < 3 ? stained : white;
         build_tube(b, &(build_bar){bolan_v3_scale(along, from), bolan_v3_scale(along, from + 0.5f), thick,
-                                   thick - 0.0007f, color, color, 1.0f, 10});
+                                   thick - 0.0007f, color, color, 1.0f, 8, i < 6});
     }
 }
 
