@@ -80,6 +80,7 @@ static void split_equal_width(const running *r, const spectrum_eval *eval, uint3
 // ---- directions -----------------------------------------------------------------------------------------------------
 
 typedef struct fan {
+    uint32_t count;
     double angle[BOLAN_MAX_DIRECTIONS], share[BOLAN_MAX_DIRECTIONS];
 } fan;
 
@@ -136,6 +137,7 @@ static double fraction(double x) { return x - floor(x); }
 static void fan_of(const bolan_sea *sea, const spectrum_eval *eval, uint32_t line, uint32_t count, fan *out) {
     const double omega = sea->sum->line[line].omega;
     const bool exponential = sea->sum->tables.exponential;
+    out->count = count;
     if (is_cos2(eval) && !exponential) {
         fan_cos2(eval, omega, count, out);
     } else {
@@ -182,16 +184,37 @@ static void set_wave(bolan_sea *sea, uint32_t at, double omega, double angle, do
     sum->variance[at] = energy;
 }
 
-// Lines ascend in frequency, so the waves descend in length.
-static void set_waves(bolan_sea *sea, const spectrum_eval *eval, uint32_t directions) {
-    sea_sum *sum = sea->sum;
-    fan f;
+// The mean direction of few waves is off by some degrees: turns them all, so that it is the sea state's. Where the sea state has
+// hardly any (waves from all sides) the waves stay as they are.
+static void align(const bolan_sea *sea, fan *fans) {
+    const sea_sum *sum = sea->sum;
+    double x = 0.0, y = 0.0, s, c;
     for (uint32_t i = 0; i < sum->line_count; i++) {
-        fan_of(sea, eval, i, directions, &f);
+        for (uint32_t j = 0; j < fans[i].count; j++) {
+            bolan_sincos(fans[i].angle[j], &s, &c);
+            x += sum->line[i].energy * fans[i].share[j] * c;
+            y += sum->line[i].energy * fans[i].share[j] * s;
+        }
+    }
+    bolan_sincos(bolan_compass_from_to_math(sea->summary.from_deg), &s, &c);
+    const double along = x * c + y * s, across = y * c - x * s; // of the mean, from the direction asked for
+    if (along < 2.0 * fabs(across)) return;
+    const double turn = portable_angle(across, along);
+    for (uint32_t i = 0; i < sum->line_count; i++) {
+        for (uint32_t j = 0; j < fans[i].count; j++) fans[i].angle[j] -= turn;
+    }
+}
+
+// Lines ascend in frequency, so the waves descend in length.
+static void set_waves(bolan_sea *sea, const spectrum_eval *eval, uint32_t directions, fan *fans) {
+    sea_sum *sum = sea->sum;
+    for (uint32_t i = 0; i < sum->line_count; i++) fan_of(sea, eval, i, directions, &fans[i]);
+    if (!is_cos2(eval) || sum->tables.exponential) align(sea, fans);
+    for (uint32_t i = 0; i < sum->line_count; i++) {
         for (uint32_t j = 0; j < directions; j++) {
-            const double energy = sum->line[i].energy * f.share[j];
+            const double energy = sum->line[i].energy * fans[i].share[j];
             if (energy > 1e-24) // less than a picometre
-                set_wave(sea, sum->tables.count++, sum->line[i].omega, f.angle[j], energy,
+                set_wave(sea, sum->tables.count++, sum->line[i].omega, fans[i].angle[j], energy,
                          phase_of(sea->desc.seed, i, j));
         }
     }
@@ -260,13 +283,19 @@ static bool reserve_waves(bolan_sea *sea, uint32_t count) {
     return true;
 }
 
+typedef struct plan {
+    running running;
+    fan fans[SUM_MAX_LINES];
+} plan;
+
 bool sea_sum_create(bolan_sea *sea, const spectrum_eval *eval) {
     const bool exponential = sea->desc.waves == BOLAN_WAVES_EXP_COSINE;
     const uint32_t lines = exponential ? sea->desc.wave_count : sea->desc.frequencies;
     const uint32_t directions = exponential ? 1 : sea->desc.directions;
     if (!reserve_waves(sea, lines * directions)) return false;
-    running *r = sea_borrow(sizeof *r);
-    if (!r) return false;
+    plan *p = sea_borrow(sizeof *p);
+    if (!p) return false;
+    running *r = &p->running;
     sea->sum->tables.exponential = exponential;
     accumulate(eval, r);
     if (r->energy[NODES - 1] > 0.0) { // else a flat calm
@@ -276,9 +305,9 @@ bool sea_sum_create(bolan_sea *sea, const spectrum_eval *eval) {
         } else {
             split_equal_width(r, eval, lines, sea->sum);
         }
-        set_waves(sea, eval, directions);
+        set_waves(sea, eval, directions, p->fans);
     }
     set_tables(sea);
-    bolan_release(r, sizeof *r);
+    bolan_release(p, sizeof *p);
     return true;
 }
