@@ -50,7 +50,8 @@ extern const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1];
 /// How BOLAN_WAVES_COSINES cuts a spectrum into frequencies.
 typedef enum bolan_frequency_split {
     BOLAN_SPLIT_EQUAL_ENERGY, ///< every wave as high as the next: no common period
-    BOLAN_SPLIT_EQUAL_WIDTH,  ///< equal steps of frequency, as the paper: repeats after 2 pi / step (32 s at Hs 3 m)
+    BOLAN_SPLIT_EQUAL_WIDTH,  ///< equal steps of frequency between the quantiles .002 and .998 of the energy, as the paper:
+                              ///< the groups of waves repeat after 2 pi / step (32 s at Hs 3 m)
 } bolan_frequency_split;
 #define BOLAN_MAX_FREQUENCIES 64 ///< of BOLAN_WAVES_COSINES
 #define BOLAN_MAX_DIRECTIONS 32  ///< of BOLAN_WAVES_COSINES
@@ -83,13 +84,14 @@ typedef struct bolan_sea_desc {
                                  ///< over the ground at omega + k . current. FFT and TEXTURES leave it out
     // COSINES
     uint32_t frequencies;        ///< M, 1..BOLAN_MAX_FREQUENCIES; default 16. Raised: richer, and in proportion slower
-    uint32_t directions;         ///< N, 1..BOLAN_MAX_DIRECTIONS; default 8
+    uint32_t directions;         ///< N, 1..BOLAN_MAX_DIRECTIONS; default 8: mid-points of +-90 degrees for one system with
+                                 ///< COS2, else directions of equal energy. Raised: crests less long
     bolan_frequency_split split; ///< default EQUAL_ENERGY
     // EXP_COSINE
     uint32_t wave_count; ///< 1..BOLAN_MAX_EXP_WAVES; default 8. Raised: less regular from above, slower
     double sharpness;    ///< s, 0.01..2; default 0.5; the paper's is 1, beyond the steepest wave that does not break.
                          ///< Raised: sharper crests, wider troughs
-    // TEXTURES
+    // TEXTURES; its foam memory runs in the time of the steps, as that of FFT
     uint32_t loop_frames; ///< frames of the loop, 2..BOLAN_MAX_LOOP_FRAMES; default 32. Raised: smoother, more memory
 } bolan_sea_desc;
 
@@ -220,9 +222,10 @@ typedef struct bolan_sea_statistics {
     double whitecap_fraction;     ///< area fraction with Jacobian below the foam threshold
     double m0_spectrum, m0_field; ///< [m2]
 } bolan_sea_statistics;
-/// Measures every field of every cascade; as slow as several steps. Thread-safe between steps.
+/// Measures every field of every cascade, or a sum at 65536 places over 50 of its longest waves; as slow as several steps.
+/// Thread-safe between steps.
 bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea);
-/// Digest of every field (foam memory excluded) at the present time, as 16 lower-case hex digits and NUL. Equal for any
+/// Digest of every field (foam memory excluded; of a sum: at 4096 places) at the present time, as 16 lower-case hex digits and NUL. Equal for any
 /// thread count and any instruction set.
 void bolan_sea_hash(const bolan_sea *sea, char out[17]);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields at rest points: bilinear from the planes, and from the modes themselves as the oracle.
+// The fields at rest points: bilinear from the planes, filtered for a grid, and from the modes themselves as the oracle.
 #include "waves/sum.h"
 
 #define STEEPEST 0.1 // smallest |Jacobian| that a slope is divided by: where the surface folds it is vertical
@@ -110,7 +110,11 @@ void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, cons
         return;
     }
     grid g = {sea, points, spacing, out};
-    bolan_parallel(count, GRAIN_POINTS, sample_grid_points, &g);
+    if (count <= GRAIN_POINTS) {
+        sample_grid_points(&g, 0, count, 0); // not worth waking anybody
+    } else {
+        bolan_parallel(count, GRAIN_POINTS, sample_grid_points, &g);
+    }
 }
 
 // ---- the oracle -----------------------------------------------------------------------------------------------------
