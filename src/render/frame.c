@@ -7,8 +7,8 @@
 #include "bolan/query.h"
 #include "renderer.h"
 
-const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea",    "terrain", "models",  "sky",
-                                                  "copy",       "mirror", "water",   "tone map"};
+const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea",   "terrain", "models",  "copy",
+                                                  "mirror",     "water", "sky",     "tone map"};
 
 static double near_plane(double height, bool clip_control) {
     // Reversed-Z keeps its precision whatever the near plane; without clip control the depth is a fixed-point number.
@@ -120,9 +120,6 @@ static void draw_opaque(bolan_renderer *r, frame *f) {
     begin_part(r, PART_MODELS);
     pass_models_draw(r->models, f);
     end_part(r, PART_MODELS);
-    begin_part(r, PART_SKY);
-    pass_sky_draw(r->sky, f);
-    end_part(r, PART_SKY);
 }
 
 // What lies behind the water, for an optics that looks through it. Over the open sea nothing shines through.
@@ -166,8 +163,15 @@ static void draw_water(bolan_renderer *r, frame *f) {
     begin_part(r, PART_WATER);
     gl_target_bind(&f->hdr);
     if (water) pass_water_draw(r->water, f);
-    pass_sky_draw_over(r->sky, f);
     end_part(r, PART_WATER);
+}
+
+// Last, where nothing stands before it.
+static void draw_sky(bolan_renderer *r, frame *f) {
+    begin_part(r, PART_SKY);
+    pass_sky_draw(r->sky, f);
+    pass_sky_draw_over(r->sky, f);
+    end_part(r, PART_SKY);
 }
 
 static void keep_statistics(bolan_renderer *r, const frame *f) {
@@ -202,6 +206,7 @@ void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *desc) {
             upload_uniforms(r, &f);
             draw_opaque(r, &f);
             draw_water(r, &f);
+            draw_sky(r, &f);
             begin_part(r, PART_TONEMAP);
             gl_target_bind_external(desc->framebuffer, desc->width, desc->height);
             pass_tonemap_draw(r->tonemap, &f, &r->hdr_color, s, samples);

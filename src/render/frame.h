@@ -3,10 +3,11 @@
 //
 //   atmosphere tables -> clouds -> environment map        (only when sun, haze or altitude changed)
 //   sea textures, shore depth map                         (upload)
-//   terrain + sea bed, objects -> sky behind               HDR colour + reversed-Z depth
+//   terrain + sea bed, objects                             HDR colour + reversed-Z depth
 //   copy of colour and depth                               what the physical optics sees through the water
 //   the world mirrored, the world refracted                what the mirror and phong optics look up
 //   water
+//   sky, where nothing stands before it
 //   tone map -> the caller's framebuffer
 //
 // All positions on the GPU are relative to the eye, in world axes (x east, y north, z up).

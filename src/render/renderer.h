@@ -11,10 +11,10 @@ typedef enum frame_part {
     PART_SEA,
     PART_TERRAIN,
     PART_MODELS,
-    PART_SKY,
     PART_COPY,
     PART_MIRROR,
     PART_WATER,
+    PART_SKY,
     PART_TONEMAP,
     PART_COUNT
 } frame_part;
