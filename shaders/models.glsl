@@ -66,7 +66,7 @@ void main() {
 
 #ifdef GROUND
     // The noise's period must divide the 4096 m after which eye.xy wraps.
-    grain = vec3((eye.xy + position.xy) / 8.0, mix(0.6, 1.0, leafy));
+    grain = vec3((eye.xy + position.xy) / 4.0, mix(0.7, 1.1, leafy));
 #else
     // Along no axis, so that no wall is smeared.
     grain = vec3((vertex.xz + vertex.y * vec2(0.61, 0.37)) * clip.w, mix(0.3, 1.3, leafy));
@@ -93,10 +93,6 @@ void main() {
 #endif
     vec4 noise = texture(ground_noise, grain.xy);
     float tone = noise.r + noise.a - 1.0;
-#ifdef GROUND
-    vec4 fine = texture(ground_noise, grain.yx * 5.3);
-    tone += 1.1 * (fine.r - 0.5);
-#endif
     // What gathers light on the bottom multiplies this.
     vec3 radiance = light * max(1.0 + grain.z * tone, 0.2);
     color = vec4(radiance + inscatter, 1.0);
