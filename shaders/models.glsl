@@ -39,7 +39,8 @@ float object_shadow(vec3 position) {
 void main() {
     vec4 v = vec4(vertex, 1.0);
     vec3 position = vec3(dot(place[0], v), dot(place[1], v), dot(place[2], v));
-    vec3 n = normalize(vec3(dot(place[0].xyz, vertex_normal), dot(place[1].xyz, vertex_normal), dot(place[2].xyz, vertex_normal)));
+    vec3 n = normalize(vec3(dot(place[0].xyz, vertex_normal), dot(place[1].xyz, vertex_normal),
+                            dot(place[2].xyz, vertex_normal)));
     vec3 albedo = vertex_color.rgb;
     float open = vertex_color.a, height = position.z + eye.z;
     position.z -= dot(position.xy, position.xy) / (2.0 * lens.w);

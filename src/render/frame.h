@@ -3,7 +3,7 @@
 //
 //   atmosphere tables -> clouds -> environment map        (only when sun, haze or altitude changed)
 //   sea textures, shore depth map                         (upload)
-//   terrain + sea bed, objects -> sky                       HDR colour + reversed-Z depth
+//   terrain + sea bed, objects -> sky behind              HDR colour + reversed-Z depth
 //   copy of colour and depth -> water                      refraction reads the copy
 //   tone map -> the caller's framebuffer
 //
