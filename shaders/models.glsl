@@ -38,7 +38,8 @@ float object_shadow(vec3 position) {
 void main() {
     vec4 v = vec4(vertex, 1.0);
     vec3 position = vec3(dot(place[0], v), dot(place[1], v), dot(place[2], v));
-    vec3 n = normalize(vec3(dot(place[0].xyz, vertex_normal), dot(place[1].xyz, vertex_normal), dot(place[2].xyz, vertex_normal)));
+    vec3 n = normalize(vec3(dot(place[0].xyz, vertex_normal), dot(place[1].xyz, vertex_normal),
+                            dot(place[2].xyz, vertex_normal)));
     vec3 albedo = vertex_color.rgb;
     float open = vertex_color.a, height = position.z + eye.z;
     position.z -= dot(position.xy, position.xy) / (2.0 * lens.w);
@@ -65,7 +66,7 @@ void main() {
 
 #ifdef GROUND
     // The noise's period must divide the 4096 m after which eye.xy wraps.
-    grain = vec3((eye.xy + position.xy) / 8.0, mix(0.6, 1.0, leafy));
+    grain = vec3((eye.xy + position.xy) / 4.0, mix(0.7, 1.1, leafy));
 #else
     // Along no axis, so that no wall is smeared.
     grain = vec3((vertex.xz + vertex.y * vec2(0.61, 0.37)) * grain_scale, mix(0.3, 1.3, leafy));
@@ -94,10 +95,6 @@ void main() {
 #endif
     vec4 noise = texture(ground_noise, grain.xy);
     float tone = noise.r + noise.a - 1.0;
-#ifdef GROUND
-    vec4 fine = texture(ground_noise, grain.yx * 5.3);
-    tone += 1.1 * (fine.r - 0.5);
-#endif
     // What gathers light on the bottom multiplies this.
     vec3 radiance = light * max(1.0 + grain.z * tone, 0.2);
     color = vec4(radiance + inscatter, 1.0);

@@ -139,7 +139,7 @@ static void far_crown(model_builder *b, uint32_t *chance, bolan_vec3 foot, float
         const float r = height * (k ? 0.25f : 0.34f);
         l.center = bolan_v3(foot.x + (k ? build_between(chance, -0.5f, 0.5f) * r : 0.0f),
                             foot.y + (k ? build_between(chance, -0.5f, 0.5f) * r : 0.0f),
-                            foot.z + height * (k ? 0.74f : 0.42f));
+                            foot.z + height * (k ? 0.70f : 0.33f));
         l.radius = bolan_v3(r, r, r * (k ? 0.95f : 1.15f));
         l.low_open = k ? 0.5f : 0.2f;
         l.high_open = k ? 1.0f : 0.75f;
@@ -150,7 +150,7 @@ static void far_crown(model_builder *b, uint32_t *chance, bolan_vec3 foot, float
             if (dir.z < -0.2f) dir.z = -dir.z;
             const bolan_vec3 at = bolan_v3_add(l.center, bolan_v3(dir.x * r, dir.y * r, dir.z * l.radius.z));
             const bolan_vec3 color = build_mix(l.low_color, l.high_color, 0.5f + 0.5f * dir.z);
-            build_leaf(b, chance, at, dir, 0.095f * height, color, 0.4f + 0.5f * fmaxf(dir.z, 0.0f));
+            build_leaf(b, chance, at, dir, 0.08f * height, color, 0.4f + 0.5f * fmaxf(dir.z, 0.0f));
         }
     }
 }
@@ -161,7 +161,7 @@ static void undergrowth(model_builder *b, uint32_t *chance, bolan_vec3 foot, int
         double s, c;
         bolan_sincos(2.0 * BOLAN_PI * (double)build_random(chance), &s, &c);
         const float r = build_between(chance, 0.8f, 3.4f), x = foot.x + r * (float)c, y = foot.y + r * (float)s;
-        const float z = bolan_pond_elevation((double)x, (double)y) + build_between(chance, 0.1f, 1.5f);
+        const float z = bolan_pond_elevation((double)x, (double)y) + build_between(chance, 0.0f, 0.9f);
         build_leaf(b, chance, bolan_v3(x, y, z), bolan_v3_normalize(bolan_v3((float)c, (float)s, 0.9f)),
                    build_between(chance, 0.7f, 1.4f), bolan_v3(0.036f, 0.058f, 0.019f), 0.45f);
     }
@@ -185,7 +185,7 @@ void model_pond_wood(model_builder *b) {
         if (5 * i % 7 < 3)
             far_conifer(b, &chance, foot, height * 1.2f);
         else
-            far_crown(b, &chance, foot, height);
+            far_crown(b, &chance, foot, 1.1f * height);
         undergrowth(b, &chance, foot, WOOD_BUSHES * (i + 1) / WOOD_TREES - WOOD_BUSHES * i / WOOD_TREES);
     }
 }
