@@ -146,7 +146,7 @@ static void draw_picture(bolan_renderer *r, frame *m, bool sky) {
 static void draw_mirrors(bolan_renderer *r, frame *f) {
     if (!pass_mirror_fit(r->mirror, f->desc->width, f->desc->height)) return;
     frame above = pass_mirror_reflect(r->mirror, f), below = pass_mirror_refract(r->mirror, f);
-    draw_picture(r, &above, true);
+    draw_picture(r, &above, pass_water_mirrors_sky(f));
     draw_picture(r, &below, false);
     upload_uniforms(r, f);
     pass_mirror_bind(r->mirror);

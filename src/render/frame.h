@@ -112,6 +112,7 @@ bolan_result pass_water_create(bolan_quality quality, pass_water **out);
 void pass_water_prepare(pass_water *p, frame *f); // uploads the sea
 void pass_water_draw(pass_water *p, frame *f);    // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
 bool pass_water_mirrors(const frame *f);          // its optics looks up the pictures of pass_mirror
+bool pass_water_mirrors_sky(const frame *f);      // and the sky in them
 bolan_result pass_water_reload(pass_water *p);
 void pass_water_destroy(pass_water **p);
 

@@ -74,7 +74,12 @@ static water_draw draw_of(pass_water *p, frame *f) {
     return d;
 }
 
-bool pass_water_mirrors(const frame *f) { return optics_table[f->scene->technique.optics]->mirrors; }
+bool pass_water_mirrors(const frame *f) {
+    const water_optics *o = optics_table[f->scene->technique.optics];
+    return o->mirrors && (!o->own_sky || f->shore->present || f->desc->models != NULL);
+}
+
+bool pass_water_mirrors_sky(const frame *f) { return !optics_table[f->scene->technique.optics]->own_sky; }
 
 void pass_water_prepare(pass_water *p, frame *f) {
     const bolan_technique *t = &f->scene->technique;
@@ -86,12 +91,22 @@ void pass_water_prepare(pass_water *p, frame *f) {
     if (o->prepare != NULL && !p->failed[t->optics]) o->prepare(p->state[t->optics], &d);
 }
 
+// BOLAN_SHOW_MESH: the triangles, whichever optics would light them.
+static void draw_edges(pass_water *p, const water_draw *d) {
+    if (!water_mesh_find_edges(&p->mesh) || !water_program(d, "water_mesh", 1, "FILL 1\n")) return;
+    water_draw_forward(d);
+    if (water_program(d, "water_mesh", 0, "")) water_mesh_draw_edges(&p->mesh);
+}
+
 void pass_water_draw(pass_water *p, frame *f) {
     const bolan_optics_kind kind = f->scene->technique.optics;
     if (water_mesh_triangles(&p->mesh) == 0 || p->failed[kind]) return;
     water_draw d = draw_of(p, f);
     water_fields_bind(&p->fields, d.waves);
-    optics_table[kind]->draw(p->state[kind], &d);
+    if (f->scene->look.show == BOLAN_SHOW_MESH)
+        draw_edges(p, &d);
+    else
+        optics_table[kind]->draw(p->state[kind], &d);
     f->triangles += water_mesh_triangles(&p->mesh);
     f->water_triangles += water_mesh_triangles(&p->mesh);
 }

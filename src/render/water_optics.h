@@ -42,6 +42,7 @@ uint32_t water_rows(const frame *f, double vertical);
 typedef struct water_optics {
     size_t size;                                  // of its state, which starts as zeros
     bool mirrors;                                 // it looks up the pictures of pass_mirror.c
+    bool own_sky;                                 // but not their sky: where nothing else is in sight it needs none
     bool (*table_only)(const bolan_scene *scene); // true: it has no use for the cascades' textures; NULL: it has
     bolan_result (*create)(void *state, bolan_quality quality);
     void (*prepare)(void *state, const water_draw *d); // once a frame, before anything is drawn; may be NULL
