@@ -17,4 +17,4 @@ static void draw(void *state, const water_draw *d) {
 
 static void free_all(void *state) { (void)state; }
 
-const water_optics optics_crest = {.size = 1, .create = create, .draw = draw, .free = free_all};
+const water_optics optics_crest = {.size = 1, .static_grid = true, .packed = true, .create = create, .draw = draw, .free = free_all};
