@@ -141,11 +141,10 @@ vec3 unresolved_slopes(footprint f) {
 #endif
 
 #if defined(WAVES_CASCADES) && defined(PACKED)
-// One look-up a cascade. Looked up half as sharp as the long side of the footprint asks for: what is still too fine then lies
-// along the view, where perspective hides it. Slopes over the displaced surface as if waves came from all sides.
-wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
+// One look-up a cascade, at the level of a width given by its log2. Slopes over the displaced surface as if waves came from all sides.
+wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
     vec4 sum = vec4(0.0);
-    float width = max(f.minor, f.major / float(TAPS)), fine = log2(width);
+    float width = exp2(fine);
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
         if (width > 0.6 * band.z) break;
@@ -159,6 +158,10 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
     float pinch = choppiness * sum.z;
     vec2 slope = sum.xy / max(1.0 + 0.75 * pinch, 0.3);
     return wave_fields(slope * min(1.0, 1.2 * inversesqrt(max(dot(slope, slope), 1e-6))), 1.0 + pinch, sum.w);
+}
+
+wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
+    return waves_of_width(rest, log2(max(f.minor, f.major / float(TAPS))), gust, depth);
 }
 #elif defined(WAVES_CASCADES)
 #pragma unit fold_map 10

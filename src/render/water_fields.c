@@ -127,7 +127,8 @@ static void make_texels(void *context, uint32_t begin, uint32_t end, uint32_t wo
         const float *slopes[] = {v.slope_x, v.slope_y, job->packed ? w->sum : v.dxx, job->packed ? v.foam : v.dyy};
         const bool second = item % 2 == 1;
         if (second && job->packed)
-            texel_kernels_best()->pack((size_t)v.n * v.n, v.slope_x, v.slope_y, v.dxx, v.dyy, v.foam, w->sum, w->packed);
+            texel_kernels_best()->pack((size_t)v.n * v.n, v.slope_x, v.slope_y, v.dxx, v.dyy, v.foam, w->sum,
+                                       w->packed);
         if (job->levels) texel_chain(v.n, second ? slopes : displacement, w->scratch[second], w->levels[second]);
     }
 }

@@ -20,11 +20,11 @@ typedef enum water_textures {
 } water_textures;
 
 typedef struct water_fields {
-    gl_texture displacement, slopes, fold; // cascades: arrays, a layer each
-    bool packed;                           // what slopes holds
+    gl_texture displacement, slopes, fold;             // cascades: arrays, a layer each
+    bool packed;                                       // what slopes holds
     struct water_texel_work *work[BOLAN_MAX_CASCADES]; // levels made on the CPU
     uint32_t work_n;
-    gl_texture table;                      // WATER_SUM: a texel a wave
+    gl_texture table; // WATER_SUM: a texel a wave
     gl_texture slope_table;
     uint16_t *cpu_fold;
     size_t cpu_fold_bytes;

@@ -40,8 +40,8 @@ static bolan_result create_fixed(water_mesh *m, bolan_surface_size size) {
     }
     m->fixed_size = size;
     const uint32_t indices = bolan_surface_grid_indices(size, m->cpu_indices);
-    bolan_result r = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, sizeof(float) * 2 * count, places,
-                                      &m->fixed_vertices);
+    bolan_result r =
+        gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, sizeof(float) * 2 * count, places, &m->fixed_vertices);
     if (r == BOLAN_OK)
         r = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, sizeof(uint32_t) * indices, m->cpu_indices,
                              &m->fixed_indices);

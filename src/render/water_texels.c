@@ -4,9 +4,9 @@
 
 #include "bolan/base.h"
 
-#define DECLARE(set) \
+#define DECLARE(set)                                                                                                  \
     void texel_pack_##set(size_t, const float *, const float *, const float *, const float *, const float *, float *, \
-                          uint16_t *); \
+                          uint16_t *);                                                                                \
     void texel_halve_##set(uint32_t, const float *const[TEXEL_PLANES], float *const[TEXEL_PLANES], uint16_t *);
 DECLARE(scalar)
 #ifdef BOLAN_KERNELS_X86

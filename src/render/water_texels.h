@@ -12,8 +12,8 @@ enum { TEXEL_PLANES = 4 };
 // The kernels of one instruction set; all give the same bits. n is a power of two.
 typedef struct texel_kernels {
     // out[i] = (a[i], b[i], c0[i] + c1[i], d[i]) as halfs, and sum[i] = c0[i] + c1[i]; `count` of them, a multiple of 16
-    void (*pack)(size_t count, const float *a, const float *b, const float *c0, const float *c1, const float *d, float *sum,
-                 uint16_t *out);
+    void (*pack)(size_t count, const float *a, const float *b, const float *c0, const float *c1, const float *d,
+                 float *sum, uint16_t *out);
     // Means of 2 x 2 texels: planes of n x n in `from` to planes of n/2 x n/2 in `to`, and as texels of halfs in `out`.
     void (*halve)(uint32_t n, const float *const from[TEXEL_PLANES], float *const to[TEXEL_PLANES], uint16_t *out);
 } texel_kernels;

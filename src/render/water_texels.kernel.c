@@ -75,8 +75,10 @@ static void wide_row(uint32_t n, const float *const low[TEXEL_PLANES], float *co
     }
 }
 
-void KERNEL(texel_halve)(uint32_t n, const float *const from[TEXEL_PLANES], float *const to[TEXEL_PLANES], uint16_t *out);
-void KERNEL(texel_halve)(uint32_t n, const float *const from[TEXEL_PLANES], float *const to[TEXEL_PLANES], uint16_t *out) {
+void KERNEL(texel_halve)(uint32_t n, const float *const from[TEXEL_PLANES], float *const to[TEXEL_PLANES],
+                         uint16_t *out);
+void KERNEL(texel_halve)(uint32_t n, const float *const from[TEXEL_PLANES], float *const to[TEXEL_PLANES],
+                         uint16_t *out) {
     for (uint32_t y = 0; y < n / 2; y++) {
         const float *low[TEXEL_PLANES];
         float *row[TEXEL_PLANES];
