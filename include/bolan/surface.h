@@ -62,6 +62,28 @@ typedef struct bolan_surface_size {
 /// Fills @p vertices (at least desc->max_vertices). Pure, thread-safe, allocates nothing.
 bolan_surface_size bolan_surface_projected(const bolan_surface_desc *desc, const bolan_surface_view *view,
                                            bolan_surface_vertex *vertices);
+
+/// The projector behind bolan_surface_projected() for one view: a map from the unit square to mean water, in closed form,
+/// so that a grid that never changes can be put onto the water by a vertex shader (the static buffer of Ni, Zhang &
+/// Tan, after Johanson 2004). Level, and at the eye's own vertical: it covers what the view can see of the water,
+/// raised and pushed by the displacement's bounds, and nothing of the sky.
+typedef struct bolan_surface_projector {
+    bool visible;                 ///< false: no water can be in view, nothing need be drawn
+    double height;                ///< of the eye over the water [m], as the steps take it: at least 0.5
+    double above;                 ///< of the eye over the water [m]
+    double near_parameter, range; ///< rows are even steps of s over this range; distance = height * x(s), see projected.c
+    double heading, half;         ///< azimuths, clockwise from north: heading +- half [rad]
+    double guard; ///< nearer than this the rows close to full circles, for waves that lean into view [m]
+} bolan_surface_projector;
+/// Places it. Pure, thread-safe.
+bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *view);
+/// Its grid of @p size, columns and rows at least 2, as bolan_surface_projected() lays them out. Pure, thread-safe.
+void bolan_surface_projector_vertices(const bolan_surface_projector *projector, bolan_surface_size size,
+                                      bolan_surface_vertex *vertices);
+/// The same for a vertex shader (grid_point() in shaders/common/grid.glsl, the twin): near_parameter, range, height,
+/// above; azimuth in the middle (snapped to the columns), half, guard, earth radius.
+void bolan_surface_projector_uniforms(const bolan_surface_projector *projector, bolan_surface_size size, float out[8]);
+
 /// The quad: 4 vertices (south-west, south-east, north-west, north-east) of a square round the point under the eye,
 /// large enough to reach the horizon of @p view, on the flat plane of the mean water. Pure, thread-safe. Source: Ma, Zhu & Gong 2006, section 2.1.
 void bolan_surface_quad(const bolan_surface_view *view, bolan_surface_vertex vertices[4]);

@@ -86,8 +86,13 @@ void pass_water_prepare(pass_water *p, frame *f) {
     const water_optics *o = optics_table[t->optics];
     water_draw d = draw_of(p, f);
     make_state(p, t->optics);
-    water_fields_prepare(&p->fields, f, d.waves, o->table_only != NULL && o->table_only(f->scene));
-    water_mesh_build(&p->mesh, f, t->surface, d.waves);
+    const bool table_only = o->table_only != NULL && o->table_only(f->scene);
+    water_fields_prepare(&p->fields, f, d.waves,
+                         table_only  ? WATER_TEXTURES_NONE
+                         : o->packed ? WATER_TEXTURES_PACKED
+                                     : WATER_TEXTURES_ALL);
+    const bool edges = f->scene->look.show == BOLAN_SHOW_MESH; // these are made of the mesh that the CPU has
+    water_mesh_build(&p->mesh, f, t->surface, d.waves, o->static_grid && !edges);
     if (o->prepare != NULL && !p->failed[t->optics]) o->prepare(p->state[t->optics], &d);
 }
 

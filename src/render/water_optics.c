@@ -6,17 +6,18 @@
 #include <stdio.h>
 #include <string.h>
 
-// Bits 0-1 the waves, 2 the quad, 3 land, from 4 on the optics' own.
+// Bits 0-1 the waves, 2 the quad, 3 land, 4 the static grid, 5 packed cascades, from 6 on the optics' own.
 static uint32_t key_of(const water_draw *d, uint32_t extra) {
     uint32_t quad = d->f->scene->technique.surface == BOLAN_SURFACE_QUAD, land = d->f->shore->present;
-    return (uint32_t)d->waves | quad << 2 | land << 3 | extra << 4;
+    uint32_t fixed = d->mesh->fixed, packed = d->waves == WATER_CASCADES && d->fields->packed;
+    return (uint32_t)d->waves | quad << 2 | land << 3 | fixed << 4 | packed << 5 | extra << 6;
 }
 
 static const gl_program *make(const water_draw *d, const char *stem, uint32_t key, const char *extra) {
     water_programs *all = d->programs;
     char defines[160];
-    snprintf(defines, sizeof defines, "%s%s%s%s", water_waves_define(d->waves), key & 4 ? "QUAD 1\n" : "",
-             key & 8 ? "LAND 1\n" : "", extra);
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s", water_waves_define(d->waves), key & 4 ? "QUAD 1\n" : "",
+             key & 8 ? "LAND 1\n" : "", key & 16 ? "STATIC_GRID 1\n" : "", key & 32 ? "PACKED 1\n" : "", extra);
     if (all->count == WATER_PROGRAMS) { // a tour of everything: start anew
         for (uint32_t i = 0; i < all->count; ++i) gl_program_free(&all->list[i].program);
         all->count = 0;
@@ -39,6 +40,7 @@ const gl_program *water_program(const water_draw *d, const char *stem, uint32_t 
     if (program->id == 0) return NULL;
     gl_program_use(program);
     water_fields_apply(program, d->f, d->waves);
+    water_mesh_apply(d->mesh, program);
     return program;
 }
 

@@ -40,9 +40,11 @@ void water_draw_forward(const water_draw *d);
 uint32_t water_rows(const frame *f, double vertical);
 
 typedef struct water_optics {
-    size_t size;                                  // of its state, which starts as zeros
-    bool mirrors;                                 // it looks up the pictures of pass_mirror.c
-    bool own_sky;                                 // but not their sky: where nothing else is in sight it needs none
+    size_t size;      // of its state, which starts as zeros
+    bool mirrors;     // it looks up the pictures of pass_mirror.c
+    bool own_sky;     // but not their sky: where nothing else is in sight it needs none
+    bool static_grid; // it lights each pixel from textures: the static grid is fine enough
+    bool packed;      // of the cascades it reads slopes, pinch and foam, nothing else: see water_fields.h
     bool (*table_only)(const bolan_scene *scene); // true: it has no use for the cascades' textures; NULL: it has
     bolan_result (*create)(void *state, bolan_quality quality);
     void (*prepare)(void *state, const water_draw *d); // once a frame, before anything is drawn; may be NULL
