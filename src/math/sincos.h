@@ -15,15 +15,19 @@
 #define BOLAN_ROUND_MAGIC_F 12582912.0f
 #define BOLAN_ROUND_MAGIC 6755399441055744.0
 
+/// Of the reduced |r| <= pi/4 with z = r r, as expressions, so that a vector type takes them too.
+#define BOLAN_SINF_REDUCED(r, z) /* |error| 1.8e-9 */ \
+    ((r) + (r) * (z) * ((-0x1.98d6b8p-13f * (z) + 0x1.1105a8p-7f) * (z) + -0x1.555554p-3f))
+#define BOLAN_COSF_REDUCED(z) /* |error| 9.6e-11 */ \
+    ((1.0f - 0.5f * (z)) + (z) * (z) * ((0x1.99ff42p-16f * (z) + -0x1.6c0c82p-10f) * (z) + 0x1.55554ap-5f))
+
 /// |x| <= 8192 (n < 2^13, and the first two parts have 11 bits: 13 + 11 = 24, a float's mantissa).
 static inline void bolan_sincosf_inline(float x, float *sine, float *cosine) {
     const float n = (x * 0x1.45f306p-1f + BOLAN_ROUND_MAGIC_F) - BOLAN_ROUND_MAGIC_F;
     const float r = ((x - n * 0x1.92p+0f) - n * 0x1.fb4p-12f) - n * 0x1.4442d2p-24f;
     const float z = r * r;
-    const float p = (-0x1.98d6b8p-13f * z + 0x1.1105a8p-7f) * z + -0x1.555554p-3f; // |error| 1.8e-9
-    const float q = (0x1.99ff42p-16f * z + -0x1.6c0c82p-10f) * z + 0x1.55554ap-5f; // |error| 9.6e-11
-    const float s = r + r * z * p;
-    const float c = (1.0f - 0.5f * z) + z * z * q;
+    const float s = BOLAN_SINF_REDUCED(r, z);
+    const float c = BOLAN_COSF_REDUCED(z);
     const int32_t quadrant = (int32_t)n;
     const float a = quadrant & 1 ? c : s;
     const float b = quadrant & 1 ? s : c;

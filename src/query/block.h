@@ -15,7 +15,12 @@
 #include "bolan/shore.h"
 #include "bolan/waves.h"
 
-enum { QUERY_LANES = 16 };
+#include "waves/sum.h"
+
+enum {
+    QUERY_LANES = 16,
+    QUERY_MAX_OFFSET = 1000, // [m], far beyond any displacement: keeps the cell arithmetic inside int
+};
 
 // One cascade as the kernels read it.
 typedef struct query_cascade {
@@ -30,6 +35,8 @@ typedef struct query_sea {
     uint32_t count;
     float choppiness;
     query_cascade cascade[BOLAN_MAX_CASCADES];
+    const sum_tables *sum; // waves instead of cascades, as if they were one; or NULL
+    sum_fields_function *sum_fields;
 } query_sea;
 
 typedef struct query_block {
@@ -55,6 +62,23 @@ typedef struct query_kernels {
     void (*evaluate)(const query_sea *sea, bool full, query_block *block);
 } query_kernels;
 
+// Newton's step for the residual (rx, ry) and the Jacobian matrix (a, b; c, d), kept inside QUERY_MAX_OFFSET.
+static inline void query_newton(query_block *block, int l, float a, float b, float c, float d) {
+    const float rx = block->rx[l], ry = block->ry[l];
+    const float det = a * d - b * c;
+    // Near a fold the linear model does not say where the root is; there the plain fixed point x0 = x - D goes on.
+    const bool regular = det > 0.1f || det < -0.1f;
+    const float inverse = 1.0f / (regular ? det : 1.0f);
+    block->determinant[l] = det;
+    const float sx = regular ? (d * rx - b * ry) * inverse : rx;
+    const float sy = regular ? (a * ry - c * rx) * inverse : ry;
+    const float x = block->ox[l] - sx, y = block->oy[l] - sy;
+    block->ox[l] = x > QUERY_MAX_OFFSET ? QUERY_MAX_OFFSET : x < -QUERY_MAX_OFFSET ? -QUERY_MAX_OFFSET : x;
+    block->oy[l] = y > QUERY_MAX_OFFSET ? QUERY_MAX_OFFSET : y < -QUERY_MAX_OFFSET ? -QUERY_MAX_OFFSET : y;
+}
+
+// The kernels of a sum, which has its own for every instruction set inside (sums.c).
+extern const query_kernels query_sum_kernels;
 // The kernels for a sea made with `cpu`.
 const query_kernels *query_kernels_for(bolan_cpu cpu);
 

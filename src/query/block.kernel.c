@@ -15,8 +15,6 @@ void KERNEL(query_locate)(const query_sea *sea, query_block *block);
 void KERNEL(query_step)(const query_sea *sea, uint32_t cascades, query_block *block);
 void KERNEL(query_evaluate)(const query_sea *sea, bool full, query_block *block);
 
-enum { MAX_OFFSET = 1000 }; // [m], far beyond any displacement: keeps the cell arithmetic inside int
-
 // Where each lane's rest point lies in one cascade: the four samples around it, and the weights.
 typedef struct corners {
     int32_t i00[QUERY_LANES], i10[QUERY_LANES], i01[QUERY_LANES], i11[QUERY_LANES];
@@ -90,21 +88,6 @@ static inline void add_plane_gradient(const float *restrict plane, const corners
     }
 }
 
-// Newton's step for the residual (rx, ry) and the Jacobian matrix (a, b; c, d), kept inside MAX_OFFSET.
-static inline void newton(query_block *block, int l, float a, float b, float c, float d) {
-    const float rx = block->rx[l], ry = block->ry[l];
-    const float det = a * d - b * c;
-    // Near a fold the linear model does not say where the root is; there the plain fixed point x0 = x - D goes on.
-    const bool regular = det > 0.1f || det < -0.1f;
-    const float inverse = 1.0f / (regular ? det : 1.0f);
-    block->determinant[l] = det;
-    const float sx = regular ? (d * rx - b * ry) * inverse : rx;
-    const float sy = regular ? (a * ry - c * rx) * inverse : ry;
-    const float x = block->ox[l] - sx, y = block->oy[l] - sy;
-    block->ox[l] = x > MAX_OFFSET ? MAX_OFFSET : x < -MAX_OFFSET ? -MAX_OFFSET : x;
-    block->oy[l] = y > MAX_OFFSET ? MAX_OFFSET : y < -MAX_OFFSET ? -MAX_OFFSET : y;
-}
-
 void KERNEL(query_step)(const query_sea *sea, uint32_t cascades, query_block *block) {
     float dx[QUERY_LANES] = {0}, dy[QUERY_LANES] = {0};
     float xx[QUERY_LANES] = {0}, xy[QUERY_LANES] = {0}, yx[QUERY_LANES] = {0}, yy[QUERY_LANES] = {0};
@@ -127,7 +110,7 @@ void KERNEL(query_step)(const query_sea *sea, uint32_t cascades, query_block *bl
     LANES(l) {
         block->rx[l] = block->ox[l] + lambda * dx[l];
         block->ry[l] = block->oy[l] + lambda * dy[l];
-        newton(block, l, 1.0f + lambda * xx[l], lambda * xy[l], lambda * yx[l], 1.0f + lambda * yy[l]);
+        query_newton(block, l, 1.0f + lambda * xx[l], lambda * xy[l], lambda * yx[l], 1.0f + lambda * yy[l]);
     }
 }
 

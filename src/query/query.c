@@ -164,6 +164,14 @@ static query query_of(const bolan_sea *sea, const bolan_terrain *terrain, double
         q.band_hs[i] = (float)(4.0 * sqrt(v.variance));
         variance += v.variance;
     }
+    if (sea->sum) {
+        q.sea.sum = &sea->sum->tables;
+        q.sea.sum_fields = sum_fields_for(desc->cpu);
+        q.kernels = &query_sum_kernels;
+        q.sea.count = 1;
+        variance = sea->sum->total;
+        q.band_hs[0] = (float)(4.0 * sqrt(variance));
+    }
     q.hs = (float)(4.0 * sqrt(variance));
     // Each of two parcels at one place has moved by about a standard deviation, towards the other.
     q.reach = (float)(4.0 * desc->choppiness * sqrt(variance));

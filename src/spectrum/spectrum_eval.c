@@ -46,15 +46,19 @@ double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, doub
     return spectrum_eval_psi(&eval, kx, ky);
 }
 
+double spectrum_eval_density(const spectrum_eval *eval, double omega, double ux, double uy) {
+    const double kh = eval->any_depth_limited ? eval->depth * bolan_k_from_omega(omega, eval->depth) : 0.0;
+    double density = systems_density(eval, omega, kh, ux, uy);
+    if (eval->measured) density += spectrum_measured_density(eval->measured, omega, portable_angle(uy, ux), false);
+    return density;
+}
+
 double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta) {
     if (!(omega > 0.0)) return 0.0;
     const spectrum_eval eval = spectrum_eval_prepare(sea_state);
-    const double kh = eval.any_depth_limited ? eval.depth * bolan_k_from_omega(omega, eval.depth) : 0.0;
     double ux, uy;
     bolan_sincos(theta, &uy, &ux);
-    double density = systems_density(&eval, omega, kh, ux, uy);
-    if (eval.measured) density += spectrum_measured_density(eval.measured, omega, portable_angle(uy, ux), false);
-    return density;
+    return spectrum_eval_density(&eval, omega, ux, uy);
 }
 
 double bolan_system_density(const bolan_wave_system *system, double omega, double depth) {

@@ -37,6 +37,13 @@ spectrum_eval spectrum_eval_prepare(const bolan_sea_state *sea_state);
 /// Psi(kx, ky) [m4], tail included; 0 at k = 0. As bolan_sea_state_wavenumber_density(). Thread-safe.
 double spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky);
 
+/// S(w, th) [m2 s/rad per rad] for waves that go along the unit vector (ux, uy), without the tail of a measured spectrum. As
+/// bolan_sea_state_density(). @p omega > 0. Thread-safe.
+double spectrum_eval_density(const spectrum_eval *eval, double omega, double ux, double uy);
+
+/// S(w) [m2 s/rad]: the former over all directions. @p omega > 0. Thread-safe.
+double spectrum_eval_omnidirectional(const spectrum_eval *eval, double omega);
+
 spectrum_system spectrum_system_prepare(const bolan_wave_system *system);
 /// S(w) [m2 s/rad]; @p kh is the relative depth of that wave, used by TMA only.
 double spectrum_system_density(const spectrum_system *system, double omega, double kh);

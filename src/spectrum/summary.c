@@ -87,7 +87,7 @@ static double measured_density_at(const bolan_measured_spectrum *measured, doubl
     return sum;
 }
 
-static double total_density(const spectrum_eval *eval, double omega) {
+double spectrum_eval_omnidirectional(const spectrum_eval *eval, double omega) {
     double sum = measured_density_at(eval->measured, omega);
     for (uint32_t i = 0; i < eval->system_count; i++)
         sum += spectrum_system_density(&eval->systems[i], omega, relative_depth(eval, omega));
@@ -95,7 +95,7 @@ static double total_density(const spectrum_eval *eval, double omega) {
 }
 
 static void keep_larger(const spectrum_eval *eval, double omega, double *best_omega, double *best) {
-    const double density = total_density(eval, omega);
+    const double density = spectrum_eval_omnidirectional(eval, omega);
     if (density > *best) {
         *best = density;
         *best_omega = omega;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A digest of every field: the bits of each float, in the order cascade, field, sample.
-#include "waves/sea.h"
+// A digest of every field: the bits of each float, in the order cascade, field, sample; of a sum, at fixed places.
+#include "waves/sum.h"
 
 #include <string.h>
 
@@ -15,8 +15,28 @@ static uint64_t add_plane(uint64_t hash, const float *plane, size_t count) {
     return hash;
 }
 
+enum { SUM_HASH_POINTS = 4096 };
+
+// A sum has no planes: its fields at some of the places where it is measured.
+static uint64_t add_sum(uint64_t hash, const bolan_sea *sea) {
+    sum_fields_function *const fields = sum_fields_for(sea->desc.cpu);
+    for (uint32_t first = 0; first < SUM_HASH_POINTS; first += SUM_LANES) {
+        double x[SUM_LANES], y[SUM_LANES];
+        float field[SEA_FIELDS][SUM_LANES];
+        for (uint32_t l = 0; l < SUM_LANES; l++) {
+            const bolan_dvec2 place = sea_sum_place(sea->sum, first + l);
+            x[l] = place.x;
+            y[l] = place.y;
+        }
+        fields(&sea->sum->tables, x, y, NULL, field);
+        for (int f = 0; f < SEA_FIELDS; f++) hash = add_plane(hash, field[f], SUM_LANES);
+    }
+    return hash;
+}
+
 void bolan_sea_hash(const bolan_sea *sea, char out[17]) {
     uint64_t hash = 0xcbf29ce484222325u;
+    if (sea->sum) hash = add_sum(hash, sea);
     for (uint32_t i = 0; i < sea->count; i++) {
         const sea_cascade *c = &sea->cascade[i];
         for (int f = 0; f < SEA_FIELDS; f++) hash = add_plane(hash, c->field[f], (size_t)c->n * c->n);

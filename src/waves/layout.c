@@ -22,12 +22,20 @@ static const double angles_deg[BOLAN_MAX_CASCADES] = {0.0, 37.0817, 71.6183, 113
 static double modes_to_inner_edge(uint32_t n) { return n >= 256 ? 10.0 : n >= 128 ? 9.0 : n >= 64 ? 6.0 : 4.0; }
 
 // 12 peak wavelengths, and at least 10 of the longest waves that matter: those 5 % of the variance is longer than.
-static double automatic_length(const sea_radial *radial, const bolan_sea_summary *summary, double depth) {
+// The one tile of TEXTURES holds 7 and 5: its resolution has to do for the short ones, too.
+static double automatic_length(const sea_radial *radial, const bolan_sea_summary *summary, double depth,
+                               bool textures) {
     const double k_long = sea_radial_quantile(radial, 0.05);
     if (!(k_long > 0.0) || !(summary->tp > 0.0)) return CALM_LENGTH;
     const double k_peak = bolan_k_from_omega(2.0 * BOLAN_PI / summary->tp, depth);
-    const double length = fmax(12.0 / k_peak, 10.0 / k_long) * 2.0 * BOLAN_PI;
+    const double length = fmax((textures ? 7.0 : 12.0) / k_peak, (textures ? 5.0 : 10.0) / k_long) * 2.0 * BOLAN_PI;
     return fmin(fmax(length, 10.0), 1e5);
+}
+
+// The whole number of peak periods that is nearest to 10 s: so the highest waves keep their own speed.
+static double automatic_loop(double tp) {
+    if (!(tp > 0.0)) return 10.0;
+    return tp * fmax(floor(10.0 / tp + 0.5), 1.0);
 }
 
 // Ratio of successive lengths: as large as the rings allow, less when the last ring would reach beyond SHORTEST_WAVE.
@@ -41,7 +49,10 @@ static double length_ratio(double length, uint32_t n, uint32_t count) {
 
 void sea_layout(bolan_sea *sea, const sea_radial *radial) {
     bolan_sea_desc *d = &sea->desc;
-    if (d->length == 0.0) d->length = automatic_length(radial, &sea->summary, d->sea_state.depth);
+    const bool textures = d->waves == BOLAN_WAVES_TEXTURES;
+    if (textures) d->cascade_count = 1;
+    if (textures && d->loop_period == 0.0) d->loop_period = automatic_loop(sea->summary.tp);
+    if (d->length == 0.0) d->length = automatic_length(radial, &sea->summary, d->sea_state.depth, textures);
     const double ratio = length_ratio(d->length, d->resolution, d->cascade_count);
     sea->count = d->cascade_count;
     for (uint32_t i = 0; i < sea->count; i++) {

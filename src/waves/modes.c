@@ -18,7 +18,7 @@ typedef struct gaussians {
 
 // The finaliser of SplitMix64 (Steele, Lea & Flood 2014): a bijection that leaves no visible relation of input and
 // output.
-static uint64_t mix(uint64_t x) {
+uint64_t sea_mix(uint64_t x) {
     x += 0x9e3779b97f4a7c15u;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
@@ -28,13 +28,13 @@ static uint64_t mix(uint64_t x) {
 static uint64_t tile_key(uint64_t seed, double length) {
     uint64_t bits;
     memcpy(&bits, &length, sizeof bits);
-    return mix(mix(seed) ^ bits);
+    return sea_mix(sea_mix(seed) ^ bits);
 }
 
 // Two normal numbers for lattice index (i, j) (Box & Muller 1958).
 static gaussians random_pair(uint64_t key, int32_t i, int32_t j) {
     const uint64_t index = (uint64_t)(uint32_t)i << 32 | (uint32_t)j;
-    const uint64_t a = mix(key ^ mix(index)), b = mix(a ^ 0xd1b54a32d192ed03u);
+    const uint64_t a = sea_mix(key ^ sea_mix(index)), b = sea_mix(a ^ 0xd1b54a32d192ed03u);
     const double u = ((double)(a >> 11) + 0.5) * 0x1p-53, angle = (double)(b >> 11) * (2.0 * BOLAN_PI * 0x1p-53);
     const double radius = sqrt(-2.0 * portable_log(u));
     double s, c;

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The fields at rest points: bilinear from the planes, and from the modes themselves as the oracle.
-#include "waves/sea.h"
-
-// Sums over the cascades of the fields at one rest point, choppiness not applied.
-typedef struct sums {
-    double height, dx, dy, sx, sy, dxx, dyy, dxy, foam;
-} sums;
+#include "waves/sum.h"
 
 #define STEEPEST 0.1 // smallest |Jacobian| that a slope is divided by: where the surface folds it is vertical
 
-static bolan_sea_sample displaced(const sums *v, double choppiness) {
+bolan_sea_sample sea_displaced(const sea_sums *v, double choppiness) {
     const double xx = 1.0 + choppiness * v->dxx, yy = 1.0 + choppiness * v->dyy, xy = choppiness * v->dxy;
     const double jacobian = xx * yy - xy * xy;
     const double divisor = fabs(jacobian) > STEEPEST ? jacobian : jacobian < 0.0 ? -STEEPEST : STEEPEST;
@@ -51,26 +46,78 @@ static double blend(const float *plane, const corners *k) {
            (k->weight[2] * plane[k->at[2]] + k->weight[3] * plane[k->at[3]]);
 }
 
-static void add_cascade(const sea_cascade *c, double x, double y, sums *v) {
+// `weight` scales the displacement and slopes; the foam of what is averaged away stays.
+static void add_cascade(const sea_cascade *c, double x, double y, double weight, double foam_weight, sea_sums *v) {
     const corners k = corners_of(c, x, y);
     double *const out[SEA_FIELDS] = {&v->height, &v->dx, &v->dy, &v->sx, &v->sy, &v->dxx, &v->dyy, &v->dxy};
-    for (int f = 0; f < SEA_FIELDS; f++) *out[f] += blend(c->field[f], &k);
-    v->foam += blend(c->foam, &k);
+    for (int f = 0; f < SEA_FIELDS; f++) *out[f] += weight * blend(c->field[f], &k);
+    v->foam += foam_weight * blend(c->foam, &k);
 }
 
 void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out) {
-    for (uint32_t p = 0; p < count; p++) {
-        sums v = {0};
-        for (uint32_t i = 0; i < sea->count; i++) add_cascade(&sea->cascade[i], points[p].x, points[p].y, &v);
-        out[p] = displaced(&v, sea->desc.choppiness);
+    if (sea->sum) {
+        sea_sum_sample(sea, points, NULL, count, out);
+        return;
     }
+    for (uint32_t p = 0; p < count; p++) {
+        sea_sums v = {0};
+        for (uint32_t i = 0; i < sea->count; i++) add_cascade(&sea->cascade[i], points[p].x, points[p].y, 1.0, 1.0, &v);
+        out[p] = sea_displaced(&v, sea->desc.choppiness);
+    }
+}
+
+// ---- as a grid can carry it -----------------------------------------------------------------------------------------
+
+enum { MOST_TAPS = 4, GRAIN_POINTS = 256 }; // along a side of the square
+
+// A square of two spacings, averaged, takes a wave of two spacings out and leaves one of four at 0.64.
+static void add_filtered(const sea_cascade *c, bolan_dvec2 at, double spacing, sea_sums *v) {
+    const double longest = c->k_min > 0.0 ? 2.0 * BOLAN_PI / c->k_min : c->length;
+    const double t = fmin(fmax(spacing > 0.0 ? 0.5 * longest / spacing - 1.0 : 1.0, 0.0), 1.0);
+    const double fade = t * t * (3.0 - 2.0 * t), width = 2.0 * spacing;
+    const int taps = (int)fmin(fmax(ceil(width * c->n / c->length), 1.0), MOST_TAPS);
+    const double share = 1.0 / (taps * taps);
+    for (int j = 0; j < taps; j++) {
+        for (int i = 0; i < taps; i++)
+            add_cascade(c, at.x + ((i + 0.5) / taps - 0.5) * width, at.y + ((j + 0.5) / taps - 0.5) * width,
+                        fade * share, share, v);
+    }
+}
+
+typedef struct grid {
+    const bolan_sea *sea;
+    const bolan_dvec2 *points;
+    const float *spacing;
+    bolan_sea_sample *out;
+} grid;
+
+// Task: points [begin, end).
+static void sample_grid_points(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    (void)worker;
+    const grid *g = context;
+    for (uint32_t p = begin; p < end; p++) {
+        sea_sums v = {0};
+        for (uint32_t i = 0; i < g->sea->count; i++)
+            add_filtered(&g->sea->cascade[i], g->points[p], g->spacing ? (double)g->spacing[p] : 0.0, &v);
+        g->out[p] = sea_displaced(&v, g->sea->desc.choppiness);
+    }
+}
+
+void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
+                           bolan_sea_sample *out) {
+    if (sea->sum) {
+        sea_sum_sample(sea, points, spacing, count, out);
+        return;
+    }
+    grid g = {sea, points, spacing, out};
+    bolan_parallel(count, GRAIN_POINTS, sample_grid_points, &g);
 }
 
 // ---- the oracle -----------------------------------------------------------------------------------------------------
 
 typedef struct direct {
     double x, y, time;
-    sums v;
+    sea_sums v;
 } direct;
 
 static double reduced(double turns) { return 2.0 * BOLAN_PI * (turns - floor(turns + 0.5)); }
@@ -98,8 +145,8 @@ static void add_mode(void *context, const sea_mode *m) {
 }
 
 bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time) {
-    const double period = sea->desc.loop_period;
-    direct d = {.x = x, .y = y, .time = period > 0.0 ? fmod(time, period) : time};
+    direct d = {.x = x, .y = y, .time = sea_shown_time(sea, time, NULL)};
+    if (sea->sum) sea_sum_direct(sea, x, y, d.time, &d.v);
     for (uint32_t i = 0; i < sea->count; i++) sea_each_mode(&sea->cascade[i], add_mode, &d);
-    return displaced(&d.v, sea->desc.choppiness);
+    return sea_displaced(&d.v, sea->desc.choppiness);
 }

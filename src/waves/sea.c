@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A sea from creation to destruction, and its step through time.
 #include "spectrum/portable.h"
+#include "waves/sum.h"
 #include "waves/synth.h"
 
 #include <sched.h>
@@ -52,6 +53,8 @@ void *sea_reserve(bolan_sea *sea, size_t bytes) {
 // Everything that needs memory. A worker that a later bolan_set_threads() adds finds no scratch and stays idle.
 static bool build(bolan_sea *sea) {
     const spectrum_eval eval = spectrum_eval_prepare(&sea->desc.sea_state);
+    if (sea->desc.waves == BOLAN_WAVES_COSINES || sea->desc.waves == BOLAN_WAVES_EXP_COSINE)
+        return sea_sum_create(sea, &eval) && sea_slopes_create(sea) && sea_whitecaps_create(sea);
     double up, cross;
     bolan_cox_munk(sea->desc.sea_state.wind_speed, &up, &cross);
     sea_radial radial;
@@ -141,35 +144,52 @@ static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t work
     while (do_next_item(s, s->sea->scratch + begin * s->sea->scratch_floats)) {}
 }
 
+double sea_shown_time(const bolan_sea *sea, double time, uint32_t *frame) {
+    const double period = sea->desc.loop_period, frames = sea->desc.loop_frames;
+    if (frame) *frame = 0;
+    if (sea->desc.waves != BOLAN_WAVES_TEXTURES) return fmod(time, period > 0.0 ? period : LARGEST_TIME);
+    const double loops = time / period, on = fmin(floor((loops - floor(loops)) * frames), frames - 1.0);
+    if (frame) *frame = (uint32_t)on;
+    return on * period / frames;
+}
+
 static void synthesise(bolan_sea *sea, double time, float decay) {
-    const double period = sea->desc.loop_period;
     step s = {.sea = sea};
-    s.moment.time = fmod(time, period > 0.0 ? period : LARGEST_TIME);
+    s.moment.time = sea_shown_time(sea, time, &sea->loop_frame);
     s.moment.decay = decay;
     s.moment.choppiness = (float)sea->desc.choppiness;
     const double bytes = SAMPLE_BYTES * sea->count * sea->plan.n * sea->plan.n;
     s.moment.stream = bytes > HUGE_OUTPUT ? SEA_STREAM_ALL : bytes > LARGE_OUTPUT ? SEA_STREAM_PLANES : SEA_STREAM_NONE;
     bolan_parallel(sea->slots, 1, run_slots, &s);
-    sea->time = time;
-    sea->foam_holds = true;
 }
 
 void bolan_sea_step(bolan_sea *sea, double time) {
     BOLAN_ASSERT(sea && isfinite(time));
     const double dt = time - sea->time;
     const bool continues = sea->foam_holds && dt >= 0.0 && dt <= LONGEST_TICK;
-    synthesise(sea, time, continues ? (float)portable_exp(-dt / sea->desc.foam_decay) : 0.0f);
+    if (sea->sum) {
+        sea_sum_step(sea, sea_shown_time(sea, time, NULL));
+    } else {
+        synthesise(sea, time, continues ? (float)portable_exp(-dt / sea->desc.foam_decay) : 0.0f);
+    }
+    sea->time = time;
+    sea->foam_holds = true;
 }
 
 void bolan_sea_settle(bolan_sea *sea, double time) {
     BOLAN_ASSERT(sea && isfinite(time));
     const double first = floor((time - 4.0 * sea->desc.foam_decay) / SETTLE_TICK);
     sea->foam_holds = false;
-    for (double tick = first; tick * SETTLE_TICK < time; tick += 1.0) {
+    for (double tick = first; tick * SETTLE_TICK < time && !sea->sum; tick += 1.0) {
         bolan_sea_step(sea, tick * SETTLE_TICK);
         if (tick + 1.0 == tick) break; // a time so large that ticks cannot be told apart
     }
     bolan_sea_step(sea, time);
+}
+
+void sea_each_wave(const bolan_sea *sea, void (*visit)(void *context, const sea_mode *mode), void *context) {
+    if (sea->sum) sea_sum_each(sea->sum, visit, context);
+    for (uint32_t i = 0; i < sea->count; i++) sea_each_mode(&sea->cascade[i], visit, context);
 }
 
 // ---- reading --------------------------------------------------------------------------------------------------------
@@ -206,7 +226,26 @@ bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index) {
                                 .foam_half = c->foam_half};
 }
 
+uint32_t bolan_sea_component_count(const bolan_sea *sea) { return sea->sum ? sea->sum->tables.count : 0; }
+
+bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint32_t index) {
+    BOLAN_ASSERT(sea && index < bolan_sea_component_count(sea));
+    return sea->sum->component[index];
+}
+
+uint32_t bolan_sea_loop_frame(const bolan_sea *sea) { return sea->loop_frame; }
+
+// The sum of few waves may not even reach 6 standard deviations.
+static void sum_bounds(const sea_sum *sum, double choppiness, double *vertical, double *horizontal) {
+    *vertical = fmin(6.0 * sqrt(sum->total), sum->highest);
+    *horizontal = fmin(6.0 * sqrt(sum->displacement), sum->farthest) * choppiness;
+}
+
 void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal) {
+    if (sea->sum) {
+        sum_bounds(sea->sum, sea->desc.choppiness, vertical, horizontal);
+        return;
+    }
     double variance = 0.0, displacement = 0.0;
     for (uint32_t i = 0; i < sea->count; i++) {
         variance += sea->cascade[i].variance;

@@ -54,13 +54,16 @@ typedef struct sea_block {
 } sea_block;
 
 struct sea_kernels;
+struct sea_sum;
 struct slope_map;
 
 struct bolan_sea {
     bolan_sea_desc desc;
     double time;
-    bool foam_holds; // the foam memory belongs to `time`
-    uint32_t count;
+    bool foam_holds;     // the foam memory belongs to `time`
+    struct sea_sum *sum; // COSINES and EXP_COSINE (sum.h); NULL for the others
+    uint32_t loop_frame; // TEXTURES
+    uint32_t count;      // cascades; 0 with a sum
     sea_cascade cascade[BOLAN_MAX_CASCADES];
     fft_plan plan;
     const struct sea_kernels *kernels;
@@ -87,6 +90,11 @@ typedef struct sea_radial {
     double mss[RADIAL_COUNT];      // their slope variance
     double keep[RADIAL_COUNT];     // factor on the power at k, 1 for the long waves
 } sea_radial;
+
+// The time [s] that a step to `time` shows: reduced by the loop or by 2^36 s, and down to a frame of the loop with TEXTURES.
+double sea_shown_time(const bolan_sea *sea, double time, uint32_t *frame);
+// A uniform hash (the finaliser of SplitMix64).
+uint64_t sea_mix(uint64_t x);
 
 // Zeroed memory that lives as long as the sea; NULL (logged) when there is none.
 void *sea_reserve(bolan_sea *sea, size_t bytes);
@@ -119,6 +127,8 @@ typedef struct sea_mode {
     double expected, expected_back; // variance of the waves that go along k and along -k [m2]
     bool paired;                    // it stands for -k as well; false on j = 0, where -k is an entry of its own
 } sea_mode;
+// Calls `visit` for every mode of every cascade, or every wave of the sum, in a fixed order.
+void sea_each_wave(const bolan_sea *sea, void (*visit)(void *context, const sea_mode *mode), void *context);
 // Calls `visit` for every mode with energy, in a fixed order.
 void sea_each_mode(const sea_cascade *cascade, void (*visit)(void *context, const sea_mode *mode), void *context);
 
@@ -127,6 +137,11 @@ void sea_each_mode(const sea_cascade *cascade, void (*visit)(void *context, cons
 typedef struct sea_node {
     float height, sx, sy, dxx, dyy, dxy;
 } sea_node;
+// Sums over the cascades or waves of the fields at one rest point, choppiness not applied, and what becomes of them with it.
+typedef struct sea_sums {
+    double height, dx, dy, sx, sy, dxx, dyy, dxy, foam;
+} sea_sums;
+bolan_sea_sample sea_displaced(const sea_sums *sums, double choppiness);
 sea_node sea_nearest_node(const bolan_sea *sea, uint32_t i, uint32_t j);
 float sea_node_jacobian(const bolan_sea *sea, const sea_node *node);
 

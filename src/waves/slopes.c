@@ -2,14 +2,14 @@
 // Slope variance that a footprint cannot resolve (Bruneton, Neyret & Holzschuch 2010, section 4): the modes' slope
 // covariance, gathered over wave number and direction, times what a Gaussian footprint removes, 1 - exp(-sigma^2 k^2).
 #include "spectrum/portable.h"
-#include "waves/sea.h"
+#include "waves/sum.h"
 
 #include <string.h>
 
 enum {
     BINS = 112,
     DIRECTIONS = 16
-};  // 4 bins an octave from 1e-4 rad/m; directions over half a turn, as k and -k
+}; // 4 bins an octave from 1e-4 rad/m; directions over half a turn, as k and -k
     // count alike
 #define BINS_PER_OCTAVE 4.0
 
@@ -26,12 +26,14 @@ struct slope_map {
 };
 
 typedef struct gathering {
+    double ratio; // of slope variance to k^2 variance
     bin bins[BINS][DIRECTIONS];
 } gathering;
 
 static void gather_mode(void *context, const sea_mode *m) {
     gathering *g = context;
-    const double k2 = m->kx * m->kx + m->ky * m->ky, power = m->expected + (m->paired ? m->expected_back : 0.0);
+    const double k2 = m->kx * m->kx + m->ky * m->ky,
+                 power = g->ratio * (m->expected + (m->paired ? m->expected_back : 0.0));
     const double octave = 0.5 * portable_log(k2 * 1e8) / 0.69314718055994531;
     const int row = (int)fmin(fmax(octave * BINS_PER_OCTAVE, 0.0), BINS - 1.0);
     const int column = (int)(portable_angle(m->ky, m->kx) / BOLAN_PI * DIRECTIONS + 0.5) % DIRECTIONS;
@@ -99,10 +101,15 @@ static void fill_table(void *context, uint32_t begin, uint32_t end, uint32_t wor
     }
 }
 
-// Cox & Munk's up- and crosswind variance less what the cascades hold; where one is exceeded, the other gives way, so
+// Cox & Munk's up- and crosswind variance less what the waves hold; where one is exceeded, the other gives way, so
 // that the total is Cox & Munk's as long as the cascades hold less.
 static void set_rest(bolan_sea *sea) {
     double xx = 0.0, xy = 0.0, yy = 0.0, up, cross, s, c;
+    if (sea->sum) {
+        xx = sea->sum->slope[0];
+        xy = sea->sum->slope[1];
+        yy = sea->sum->slope[2];
+    }
     for (uint32_t i = 0; i < sea->count; i++) {
         xx += sea->cascade[i].slope[0];
         xy += sea->cascade[i].slope[1];
@@ -127,7 +134,8 @@ bool sea_slopes_create(bolan_sea *sea) {
     sea->slope_table = sea->slope_map ? sea_reserve(sea, texels * 4 * sizeof(float)) : NULL;
     gathering *g = sea->slope_table ? sea_borrow(sizeof *g) : NULL;
     if (!g) return false;
-    for (uint32_t i = 0; i < sea->count; i++) sea_each_mode(&sea->cascade[i], gather_mode, g);
+    g->ratio = sea->sum ? sea->sum->slope_ratio : 1.0;
+    sea_each_wave(sea, gather_mode, g);
     compact(g, sea->slope_map);
     bolan_parallel(BOLAN_SLOPE_TABLE_ANGLE * BOLAN_SLOPE_TABLE_ASPECT, 1, fill_table, sea);
     bolan_release(g, sizeof *g);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Statistics of the fields at the present time, of the realised amplitudes, and of the discrete spectrum.
 #include "spectrum/portable.h"
-#include "waves/sea.h"
+#include "waves/sum.h"
 
 sea_node sea_nearest_node(const bolan_sea *sea, uint32_t i, uint32_t j) {
     const sea_cascade *first = &sea->cascade[0];
@@ -45,9 +45,18 @@ static double mean_of(const sea_cascade *c, int a) {
     return sum / (double)points;
 }
 
+static void set_slopes(const bolan_sea *sea, const double slope[3], bolan_sea_statistics *out) {
+    double s, c;
+    const double from = sea->desc.sea_state.wind_speed > 0.0 ? sea->desc.sea_state.wind_from_deg : out->direction_from;
+    bolan_sincos(bolan_compass_from_to_math(from), &s, &c);
+    out->mss = slope[0] + slope[2];
+    out->mss_up = c * c * slope[0] + 2.0 * c * s * slope[1] + s * s * slope[2];
+    out->mss_cross = out->mss - out->mss_up;
+}
+
 // Tiles are independent, so the variances add, and so do the means of the Jacobian's second-order terms.
 static void measure_tiles(const bolan_sea *sea, bolan_sea_statistics *out) {
-    double slope[3] = {0}, dxx = 0.0, dyy = 0.0, dxy = 0.0, second = 0.0, s, c;
+    double slope[3] = {0}, dxx = 0.0, dyy = 0.0, dxy = 0.0, second = 0.0;
     for (uint32_t i = 0; i < sea->count; i++) {
         const sea_cascade *t = &sea->cascade[i];
         out->m0_field += mean_product(t, FIELD_HEIGHT, FIELD_HEIGHT);
@@ -61,13 +70,9 @@ static void measure_tiles(const bolan_sea *sea, bolan_sea_statistics *out) {
         dxy += xy;
     }
     const double l = sea->desc.choppiness;
-    const double from = sea->desc.sea_state.wind_speed > 0.0 ? sea->desc.sea_state.wind_from_deg : out->direction_from;
-    bolan_sincos(bolan_compass_from_to_math(from), &s, &c);
     out->hs = 4.0 * sqrt(out->m0_field);
     out->jacobian_mean = (1.0 + l * dxx) * (1.0 + l * dyy) - l * l * dxy * dxy + l * l * second;
-    out->mss = slope[0] + slope[2];
-    out->mss_up = c * c * slope[0] + 2.0 * c * s * slope[1] + s * s * slope[2];
-    out->mss_cross = out->mss - out->mss_up;
+    set_slopes(sea, slope, out);
 }
 
 // ---- fields, all tiles at once --------------------------------------------------------------------------------------
@@ -86,6 +91,16 @@ static void add_moment(moments *m, double height, double weight) {
     m->fourth += weight * h2 * h2;
 }
 
+static void set_shape(const moments *m, bolan_sea_statistics *out) {
+    if (!(m->weight > 0.0)) return;
+    const double a = m->first / m->weight, b = m->second / m->weight, c = m->third / m->weight,
+                 d = m->fourth / m->weight;
+    const double variance = b - a * a;
+    if (!(variance > 0.0)) return;
+    out->skewness = (c - 3.0 * a * b + 2.0 * a * a * a) / (variance * sqrt(variance));
+    out->kurtosis = (d - 4.0 * a * c + 6.0 * a * a * b - 3.0 * a * a * a * a) / (variance * variance);
+}
+
 static void measure_nodes(const bolan_sea *sea, bolan_sea_statistics *out) {
     const uint32_t n = sea->desc.resolution;
     moments m = {0};
@@ -99,13 +114,37 @@ static void measure_nodes(const bolan_sea *sea, bolan_sea_statistics *out) {
             add_moment(&m, v.height, fmax(jacobian, 0.0));
         }
     }
-    const double a = m.first / m.weight, b = m.second / m.weight, c = m.third / m.weight, d = m.fourth / m.weight;
-    const double variance = b - a * a;
     out->jacobian_min = lowest;
     out->whitecap_fraction = covered / ((double)n * n);
-    if (!(variance > 0.0)) return;
-    out->skewness = (c - 3.0 * a * b + 2.0 * a * a * a) / (variance * sqrt(variance));
-    out->kurtosis = (d - 4.0 * a * c + 6.0 * a * a * b - 3.0 * a * a * a * a) / (variance * variance);
+    set_shape(&m, out);
+}
+
+// A sum has no tile to average over exactly: everything at SUM_SAMPLES places.
+static void measure_places(const bolan_sea *sea, bolan_sea_statistics *out) {
+    moments m = {0};
+    double slope[3] = {0}, lowest = 1e30, covered = 0.0, jacobians = 0.0, squares = 0.0;
+    sea_node node[SUM_LANES];
+    for (uint32_t i = 0; i < SUM_SAMPLES; i++) {
+        if (i % SUM_LANES == 0) sea_sum_nodes(sea, i, node);
+        const sea_node *v = &node[i % SUM_LANES];
+        const double jacobian = sea_node_jacobian(sea, v), sx = v->sx, sy = v->sy;
+        lowest = fmin(lowest, jacobian);
+        covered += jacobian < sea->foam_threshold ? 1.0 : 0.0;
+        jacobians += jacobian;
+        squares += (double)v->height * v->height;
+        slope[0] += sx * sx;
+        slope[1] += sx * sy;
+        slope[2] += sy * sy;
+        add_moment(&m, v->height, fmax(jacobian, 0.0));
+    }
+    for (int i = 0; i < 3; i++) slope[i] /= SUM_SAMPLES;
+    out->m0_field = squares / SUM_SAMPLES;
+    out->hs = 4.0 * sqrt(out->m0_field);
+    out->jacobian_min = lowest;
+    out->jacobian_mean = jacobians / SUM_SAMPLES;
+    out->whitecap_fraction = covered / SUM_SAMPLES;
+    set_slopes(sea, slope, out);
+    set_shape(&m, out);
 }
 
 // ---- modes ----------------------------------------------------------------------------------------------------------
@@ -132,7 +171,7 @@ static void add_wave(spectrum_sums *s, double omega, double expected, double rea
 }
 
 static void sum_mode(void *context, const sea_mode *m) {
-    const double omega = 2.0 * BOLAN_PI * m->turns;
+    const double omega = 2.0 * BOLAN_PI * fabs(m->turns); // < 0 where a current carries a wave back
     add_wave(context, omega, m->expected, m->re * m->re + m->im * m->im, m->kx, m->ky);
     if (!m->paired) return;
     add_wave(context, omega, m->expected_back, m->back_re * m->back_re + m->back_im * m->back_im, -m->kx, -m->ky);
@@ -150,12 +189,29 @@ static double peak_period(const double *bin) {
     return 2.0 * BOLAN_PI / (LOWEST_OMEGA * portable_pow(BIN_RATIO, top + 0.5 + shift));
 }
 
+// The same of the few frequencies of a sum, each of which stands for its own width: the parabola through three points
+// that lie anyhow (Lagrange).
+static double peak_of_lines(const sea_sum *sum) {
+    const sum_line *l = sum->line;
+    uint32_t top = 0;
+    for (uint32_t i = 0; i < sum->line_count; i++)
+        if (l[i].energy * l[top].width > l[top].energy * l[i].width) top = i;
+    const double peak = 2.0 * BOLAN_PI / l[top].omega;
+    if (top == 0 || top + 1 >= sum->line_count) return peak;
+    const double x0 = l[top - 1].omega, x1 = l[top].omega, x2 = l[top + 1].omega;
+    const double y0 = l[top - 1].energy / l[top - 1].width, y1 = l[top].energy / l[top].width,
+                 y2 = l[top + 1].energy / l[top + 1].width;
+    const double rise = (y1 - y0) / (x1 - x0), fall = (y2 - y1) / (x2 - x1);
+    const double curve = (fall - rise) / (x2 - x0);
+    return curve < 0.0 ? 2.0 * BOLAN_PI / (0.5 * (x0 + x1) - 0.5 * rise / curve) : peak;
+}
+
 static void measure_modes(const bolan_sea *sea, bolan_sea_statistics *out) {
     spectrum_sums s = {0};
-    for (uint32_t i = 0; i < sea->count; i++) sea_each_mode(&sea->cascade[i], sum_mode, &s);
+    sea_each_wave(sea, sum_mode, &s);
     if (!(s.m0 > 0.0) || !(s.energy > 0.0)) return;
     const double r1 = sqrt(s.cosine * s.cosine + s.sine * s.sine) / s.energy;
-    out->tp = peak_period(s.bin);
+    out->tp = sea->sum ? peak_of_lines(sea->sum) : peak_period(s.bin);
     out->tm02 = 2.0 * BOLAN_PI * sqrt(s.m0 / s.m2);
     out->te = 2.0 * BOLAN_PI * s.m1_inverse / s.m0;
     out->direction_from = bolan_math_to_compass_from(portable_angle(s.sine, s.cosine));
@@ -165,7 +221,11 @@ static void measure_modes(const bolan_sea *sea, bolan_sea_statistics *out) {
 bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea) {
     bolan_sea_statistics out = {.m0_spectrum = sea->summary.m0, .kurtosis = 3.0};
     measure_modes(sea, &out);
-    measure_tiles(sea, &out);
-    measure_nodes(sea, &out);
+    if (sea->sum) {
+        measure_places(sea, &out);
+    } else {
+        measure_tiles(sea, &out);
+        measure_nodes(sea, &out);
+    }
     return out;
 }

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// Which waves a sum is made of: a spectrum cut into frequencies, and each frequency into directions.
+//
+//     eta(x, t) = sum_i sum_j sqrt(2 S(w_i, th_j) dw_i dth_j) cos(k_ij . x - w_i t + eps_ij)
+//
+// (Liu, Xu & Chen 2009; without the root the variance would be 20 times too small). The spectrum is whatever the sea state
+// is, cut where its running energy says, so that for Pierson-Moskowitz, exp(-B / w^4) of whose energy lies below w,
+//
+//     equal energy   w_i = (B / ln(2M / (2i - 1)))^(1/4), the middle of M equal parts: one amplitude for all,
+//     equal width    w_i in the middle of M equal steps from (-B / ln mu)^(1/4) to (-B / ln(1 - mu))^(1/4), mu = .002, energy
+//                    by S(w_i), scaled so that the sum holds the 1 - 2 mu of the spectrum that lies between.
+//
+// Directions: the one spreading cos^2 gets N mid-points of +-90 degrees, by which sum cos^2 dth is exact; any other spectrum N
+// parts of equal energy at that frequency, each stood for by a direction inside it that moves on from frequency to
+// frequency by the golden section, so that no two frequencies run in the same directions.
+//
+// EXP_COSINE takes its few waves the same way, one direction each, and so as many frequencies as waves.
+#include "spectrum/portable.h"
+#include "waves/exp_cosine.h"
+#include "waves/sum.h"
+
+#include <string.h>
+
+enum { NODES = 4096, ANGLES = 360 };
+#define LOWEST 0.02 // [rad/s]
+#define HIGHEST 1e3 // [rad/s] 20 times the highest peak
+#define MU 0.002    // energy beyond either end of the equal-width split
+#define GOLDEN 0.61803398874989485
+
+typedef struct running {
+    double omega[NODES], energy[NODES]; // energy of the waves slower than omega [m2]
+} running;
+
+static void accumulate(const spectrum_eval *eval, running *out) {
+    const double step = portable_log(HIGHEST / LOWEST) / (NODES - 1);
+    double previous = 0.0;
+    for (int i = 0; i < NODES; i++) {
+        const double omega = LOWEST * portable_exp(step * i);
+        const double density = spectrum_eval_omnidirectional(eval, omega) * omega; // per unit of log w
+        out->omega[i] = omega;
+        out->energy[i] = i > 0 ? out->energy[i - 1] + 0.5 * (previous + density) * step : 0.0;
+        previous = density;
+    }
+}
+
+// The frequency below which a share of the energy lies.
+static double quantile(const running *r, double share) {
+    const double wanted = share * r->energy[NODES - 1];
+    int low = 0, high = NODES - 1;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        *(r->energy[middle] < wanted ? &low : &high) = middle;
+    }
+    const double rise = r->energy[high] - r->energy[low];
+    const double part = rise > 0.0 ? (wanted - r->energy[low]) / rise : 0.0;
+    return r->omega[low] + (r->omega[high] - r->omega[low]) * part;
+}
+
+static void split_equal_energy(const running *r, uint32_t count, sea_sum *out) {
+    for (uint32_t i = 0; i < count; i++) {
+        const double low = fmax(i, MU * count) / count, high = fmin(i + 1.0, (1.0 - MU) * count) / count;
+        out->line[i] = (sum_line){.omega = quantile(r, (i + 0.5) / count),
+                                  .energy = r->energy[NODES - 1] / count,
+                                  .width = quantile(r, high) - quantile(r, low)};
+    }
+}
+
+static void split_equal_width(const running *r, const spectrum_eval *eval, uint32_t count, sea_sum *out) {
+    const double first = quantile(r, MU), step = (quantile(r, 1.0 - MU) - first) / count;
+    double sum = 0.0;
+    for (uint32_t i = 0; i < count; i++) {
+        const double omega = first + (i + 0.5) * step;
+        out->line[i] = (sum_line){omega, spectrum_eval_omnidirectional(eval, omega) * step, step};
+        sum += out->line[i].energy;
+    }
+    const double scale = sum > 0.0 ? r->energy[NODES - 1] * (1.0 - 2.0 * MU) / sum : 0.0;
+    for (uint32_t i = 0; i < count; i++) out->line[i].energy *= scale;
+}
+
+// ---- directions -----------------------------------------------------------------------------------------------------
+
+typedef struct fan {
+    double angle[BOLAN_MAX_DIRECTIONS], share[BOLAN_MAX_DIRECTIONS];
+} fan;
+
+// One wind sea whose spreading ends at +-90 degrees.
+static bool is_cos2(const spectrum_eval *eval) {
+    return eval->system_count == 1 && !eval->measured && eval->systems[0].spreading == BOLAN_SPREADING_COS2;
+}
+
+static void fan_cos2(const spectrum_eval *eval, double omega, uint32_t count, fan *out) {
+    const spectrum_system *system = &eval->systems[0];
+    const double mean = portable_angle(system->to_y, system->to_x);
+    double sum = 0.0, s, c;
+    for (uint32_t j = 0; j < count; j++) {
+        const double from_mean = ((j + 0.5) / count - 0.5) * BOLAN_PI;
+        bolan_sincos(from_mean, &s, &c);
+        out->angle[j] = mean + from_mean;
+        out->share[j] = spectrum_system_spreading(system, omega, c);
+        sum += out->share[j];
+    }
+    for (uint32_t j = 0; j < count; j++) out->share[j] /= sum;
+}
+
+// Parts of equal energy, counted from the direction against the mean; `offset` 0..1 is where in a part its wave runs.
+static void fan_equal_energy(const spectrum_eval *eval, double omega, uint32_t count, double offset, fan *out) {
+    double density[ANGLES], sine = 0.0, cosine = 0.0, total = 0.0, below = 0.0;
+    for (int a = 0; a < ANGLES; a++) {
+        double s, c;
+        bolan_sincos(2.0 * BOLAN_PI * a / ANGLES, &s, &c);
+        density[a] = spectrum_eval_density(eval, omega, c, s);
+        sine += density[a] * s;
+        cosine += density[a] * c;
+        total += density[a];
+    }
+    const int mean = (int)(portable_angle(sine, cosine) / (2.0 * BOLAN_PI) * ANGLES + 0.5);
+    const int first = mean + ANGLES / 2;
+    uint32_t j = 0;
+    for (int a = 0; a < ANGLES && j < count; a++) {
+        const double here = density[(first + a) % ANGLES];
+        for (; j < count && (j + offset) / count * total <= below + here; j++) {
+            const double part = here > 0.0 ? ((j + offset) / count * total - below) / here : 0.5;
+            out->angle[j] = (first + a + part - 0.5) * 2.0 * BOLAN_PI / ANGLES;
+            out->share[j] = 1.0 / count;
+        }
+        below += here;
+    }
+    for (; j < count; j++) { // rounding kept the last from its turn
+        out->angle[j] = mean * 2.0 * BOLAN_PI / ANGLES;
+        out->share[j] = 1.0 / count;
+    }
+}
+
+static double fraction(double x) { return x - floor(x); }
+
+static void fan_of(const bolan_sea *sea, const spectrum_eval *eval, uint32_t line, uint32_t count, fan *out) {
+    const double omega = sea->sum->line[line].omega;
+    const bool exponential = sea->sum->tables.exponential;
+    if (is_cos2(eval) && !exponential) {
+        fan_cos2(eval, omega, count, out);
+    } else {
+        const double offset = count > 1 || exponential ? fraction(0.5 + GOLDEN * line) : 0.5;
+        fan_equal_energy(eval, omega, count, offset, out);
+    }
+}
+
+// ---- waves ----------------------------------------------------------------------------------------------------------
+
+static double phase_of(uint64_t seed, uint32_t i, uint32_t j) {
+    const uint64_t bits = sea_mix(sea_mix(seed ^ 0x9d5c0ffee5eau) ^ sea_mix((uint64_t)i << 32 | j));
+    return (double)(bits >> 11) * (2.0 * BOLAN_PI * 0x1p-53);
+}
+
+// Frequency over the ground: the waves ride on the current (Doppler). With a loop, the nearest multiple of 1 / period.
+static double turns_of(const bolan_sea_desc *d, double omega, double kx, double ky) {
+    const double turns = (omega + kx * d->current_x + ky * d->current_y) / (2.0 * BOLAN_PI);
+    if (d->loop_period == 0.0) return turns;
+    const double whole = floor(fabs(turns) * d->loop_period + 0.5);
+    return (turns < 0.0 ? -1.0 : 1.0) * fmax(whole, 1.0) / d->loop_period;
+}
+
+// Amplitude a of a wave whose variance is `energy`: a^2 / 2 for a cosine.
+static double amplitude_of(const bolan_sea *sea, double energy) {
+    const double s = sea->desc.sharpness;
+    if (!sea->sum->tables.exponential) return sqrt(2.0 * energy);
+    return sqrt(energy / exp_cosine_variance(s)) / exp_cosine_scale(s);
+}
+
+static void set_wave(bolan_sea *sea, uint32_t at, double omega, double angle, double energy, double phase) {
+    sea_sum *sum = sea->sum;
+    const double depth = sea->desc.sea_state.depth, k = bolan_k_from_omega(omega, depth);
+    bolan_sea_component *c = &sum->component[at];
+    double sine, cosine;
+    bolan_sincos(angle, &sine, &cosine);
+    c->kx = k * cosine;
+    c->ky = k * sine;
+    sum->turns[at] = turns_of(&sea->desc, omega, c->kx, c->ky);
+    c->omega = 2.0 * BOLAN_PI * sum->turns[at];
+    c->phase = phase;
+    c->amplitude = amplitude_of(sea, energy);
+    c->drift = sum->tables.exponential ? 0.0 : c->amplitude / portable_tanh(k * depth);
+    sum->variance[at] = energy;
+}
+
+// Lines ascend in frequency, so the waves descend in length.
+static void set_waves(bolan_sea *sea, const spectrum_eval *eval, uint32_t directions) {
+    sea_sum *sum = sea->sum;
+    fan f;
+    for (uint32_t i = 0; i < sum->line_count; i++) {
+        fan_of(sea, eval, i, directions, &f);
+        for (uint32_t j = 0; j < directions; j++) {
+            const double energy = sum->line[i].energy * f.share[j];
+            if (energy > 1e-24) // less than a picometre
+                set_wave(sea, sum->tables.count++, sum->line[i].omega, f.angle[j], energy,
+                         phase_of(sea->desc.seed, i, j));
+        }
+    }
+}
+
+static void set_cosine_factors(const bolan_sea_component *c, float *factor) {
+    const double k = sqrt(c->kx * c->kx + c->ky * c->ky), x = c->kx / k, y = c->ky / k;
+    factor[FIELD_HEIGHT] = (float)c->amplitude;
+    factor[FIELD_DX] = (float)(-c->drift * x);
+    factor[FIELD_DY] = (float)(-c->drift * y);
+    factor[FIELD_SLOPE_X] = (float)(-c->amplitude * c->kx);
+    factor[FIELD_SLOPE_Y] = (float)(-c->amplitude * c->ky);
+    factor[FIELD_DXX] = (float)(-c->drift * x * c->kx);
+    factor[FIELD_DYY] = (float)(-c->drift * y * c->ky);
+    factor[FIELD_DXY] = (float)(-c->drift * x * c->ky);
+}
+
+static void set_exponential_factors(const bolan_sea_component *c, double sharpness, float *factor) {
+    const double height = c->amplitude * exp_cosine_scale(sharpness);
+    factor[FIELD_HEIGHT] = (float)height;
+    factor[FIELD_SLOPE_X] = (float)(-height * sharpness * c->kx);
+    factor[FIELD_SLOPE_Y] = (float)(-height * sharpness * c->ky);
+}
+
+static void set_tables(bolan_sea *sea) {
+    sea_sum *sum = sea->sum;
+    const double s = sea->desc.sharpness;
+    sum->tables.sharpness_8th = (float)(s / 8.0);
+    sum->tables.mean = (float)exp_cosine_mean(s);
+    // The crest of (1) is 2 - (1 - e^{-2s}) of the trough to its mean: larger than the trough's depth.
+    const double crest = sum->tables.exponential ? exp_cosine_scale(s) * (portable_exp(s) - exp_cosine_mean(s)) : 1.0;
+    sum->slope_ratio = 1.0;
+    if (sum->tables.exponential) sum->slope_ratio = exp_cosine_slope_variance(s) / exp_cosine_variance(s);
+    for (uint32_t i = 0; i < sum->tables.count; i++) {
+        const bolan_sea_component *c = &sum->component[i];
+        sum_wave *w = &sum->tables.wave[i];
+        w->tx = c->kx / (2.0 * BOLAN_PI);
+        w->ty = c->ky / (2.0 * BOLAN_PI);
+        w->length = (float)(1.0 / sqrt(w->tx * w->tx + w->ty * w->ty));
+        if (sum->tables.exponential) {
+            set_exponential_factors(c, s, w->factor);
+        } else {
+            set_cosine_factors(c, w->factor);
+        }
+        const double slope = sum->variance[i] * sum->slope_ratio;
+        sum->slope[0] += slope * c->kx * c->kx;
+        sum->slope[1] += slope * c->kx * c->ky;
+        sum->slope[2] += slope * c->ky * c->ky;
+        sum->displacement += 0.5 * c->drift * c->drift;
+        sum->total += sum->variance[i];
+        sum->highest += c->amplitude * crest;
+        sum->farthest += c->drift;
+    }
+}
+
+static bool reserve_waves(bolan_sea *sea, uint32_t count) {
+    sea_sum *sum = sea->sum = sea_reserve(sea, sizeof *sum);
+    if (!sum) return false;
+    const size_t each = sizeof(sum_wave) + sizeof(bolan_sea_component) + 2 * sizeof(double);
+    char *next = sea_reserve(sea, count * each);
+    if (!next) return false;
+    sum->tables.wave = (sum_wave *)(void *)next;
+    sum->component = (bolan_sea_component *)(void *)(sum->tables.wave + count);
+    sum->turns = (double *)(void *)(sum->component + count);
+    sum->variance = sum->turns + count;
+    return true;
+}
+
+bool sea_sum_create(bolan_sea *sea, const spectrum_eval *eval) {
+    const bool exponential = sea->desc.waves == BOLAN_WAVES_EXP_COSINE;
+    const uint32_t lines = exponential ? sea->desc.wave_count : sea->desc.frequencies;
+    const uint32_t directions = exponential ? 1 : sea->desc.directions;
+    if (!reserve_waves(sea, lines * directions)) return false;
+    running *r = sea_borrow(sizeof *r);
+    if (!r) return false;
+    sea->sum->tables.exponential = exponential;
+    accumulate(eval, r);
+    if (r->energy[NODES - 1] > 0.0) { // else a flat calm
+        sea->sum->line_count = lines;
+        if (exponential || sea->desc.split == BOLAN_SPLIT_EQUAL_ENERGY) {
+            split_equal_energy(r, lines, sea->sum);
+        } else {
+            split_equal_width(r, eval, lines, sea->sum);
+        }
+        set_waves(sea, eval, directions);
+    }
+    set_tables(sea);
+    bolan_release(r, sizeof *r);
+    return true;
+}
