@@ -74,15 +74,17 @@ extern const uint32_t bolan_surface_quad_indices[6];
 
 /// How nested grids are made. n = cells.
 typedef struct bolan_nested_desc {
-    uint32_t cells;  ///< n along a side of every level, a multiple of 4, 4..256; default 32
-    uint32_t levels; ///< 1..BOLAN_NESTED_MAX_LEVELS; default 6
-    double spacing; ///< d_0 of the coarsest level [m], > 0; 0 (default): from the height of the eye and how far it sees
+    uint32_t cells;  ///< n along a side of every level, a multiple of 4, 4..256; default 32. Raised: finer everywhere
+    uint32_t levels; ///< 1..BOLAN_NESTED_MAX_LEVELS; default 6. Raised: each one more is twice as fine at the middle
+    double
+        spacing; ///< d_0 of the coarsest level [m], > 0, kept to the precision of float; 0 (default): the least power of
+                 ///< two with which the coarsest level reaches to half a pixel below the horizon
 } bolan_nested_desc;
 /// The defaults named beside the fields.
 bolan_nested_desc bolan_nested_desc_default(void);
 
 /// One level where a view puts it: vertex (i, j) stands at (x0 + i d, y0 + j d), world metres; the next finer level
-/// covers the cells [hole_i, hole_i + n/2) x [hole_j, hole_j + n/2).
+/// covers the cells [hole_i, hole_i + n/2) x [hole_j, hole_j + n/2). The finest level has no hole: (0, 0).
 typedef struct bolan_nested_level {
     double x0, y0, spacing;
     uint32_t hole_i, hole_j;
@@ -90,23 +92,40 @@ typedef struct bolan_nested_level {
 /// All levels of a view, 0 the coarsest.
 typedef struct bolan_nested {
     uint32_t cells, levels;
+    bolan_dvec2 centre;   ///< the point that the levels lie round [m]
+    double least_spacing; ///< no vertex carries less [m], so that detail comes and goes smoothly with the eye's height
     bolan_nested_level level[BOLAN_NESTED_MAX_LEVELS];
 } bolan_nested;
-/// Places the levels round the point of the mean water in the middle of the view; snapped, so that no vertex moves over
-/// the water. Levels are left out where the eye is too high to resolve them. Pure, thread-safe. Source: Liu, Xu & Chen 2009, section 1.
+/// Places the levels round the point of the mean water in the middle of the view, or nearer to the eye where that point is
+/// so far that the finest level would be lost there: at most three times as far as the nearest water in the picture.
+/// Every level stands on multiples of its own spacing, exactly, and moves in steps of two: no vertex moves over the water,
+/// and where a level stands depends on the centre and its spacing alone (n > 4; with n = 4 a hole has one place only).
+/// Levels whose cells would be below two pixels are left out. Pure, thread-safe, the same on every machine. Misuse:
+/// @p desc out of range is clamped. Source: Liu, Xu & Chen 2009, section 1.
 bolan_nested bolan_surface_nested_place(const bolan_nested_desc *desc, const bolan_surface_view *view);
 /// (n + 1)^2 for each level.
 uint32_t bolan_surface_nested_vertex_count(const bolan_nested *nested);
-/// The vertices, level by level, row by row from the south-west: @p rest in world metres, @p vertices relative to the eye
-/// (each may be NULL), @p visible 1 where the view can show the vertex (section 4: two cross products, and a guard).
+/// The vertices, level by level, row by row from the south-west: vertex (i, j) of a level is its (j (n + 1) + i)th. Each of
+/// the three arrays holds bolan_surface_nested_vertex_count() or is NULL: @p rest in world metres, @p vertices relative to
+/// the eye, @p visible 1 where the view can show a triangle of the vertex (section 4: two cross products in plan, widened
+/// by a cell and the bounds of the displacement; the four side planes of the picture where it is wide or looks down), 0
+/// where its waves need not be computed. Vertices inside a hole are written too, and belong to no triangle.
+///
+/// A vertex's spacing grows from d to 2 d towards the border of its level, by its distance from the centre, so that it is
+/// continuous over the water and in time; where levels meet, both sides have the same position, spacing and visibility, bit for bit.
+/// Odd vertices on the border of a level inside another are stitched (section 2); their neighbours are never stitched.
+/// Pure, thread-safe, allocates nothing. @p view may be NULL where only @p rest is asked for.
 void bolan_surface_nested_vertices(const bolan_nested *nested, const bolan_surface_view *view, bolan_dvec2 *rest,
                                    bolan_surface_vertex *vertices, uint8_t *visible);
-/// Index list @p part of @p level as plain triangles, counter-clockwise seen from above; returns the count (0 where the finest level
-/// has no such part); @p out may be NULL to ask for it. The finest level is one block, part 0. All parts of all levels
-/// together: 2 n^2 triangles for the finest and 2 (n^2 - n^2/4) for each other.
+/// Index list @p part of @p level as plain triangles, counter-clockwise seen from above; returns the count (0 where the finest
+/// level has no such part); @p out may be NULL to ask for it. The T-strips are the level's own outermost ring of cells, the
+/// blocks what is between it and the hole; the finest level is one block, part 0, its ring included. All parts of all
+/// levels together: 2 n^2 triangles for the finest and 2 (n^2 - n^2/4) for each other. Thread-safe.
 uint32_t bolan_surface_nested_indices(const bolan_nested *nested, uint32_t level, uint32_t part, uint32_t *out);
-/// Normals of the displaced mesh as the paper makes them: the mean of the unit normals of the triangles round each vertex (section
-/// 3). @p positions: displaced vertices; @p normals receives unit vectors.
+/// Normals of the displaced mesh as the paper makes them: the mean of the unit normals of the triangles round each vertex,
+/// of both levels where two meet; a stitched vertex has the mean of its neighbours' normals, as the edge it lies on. Up for
+/// vertices inside a hole. @p positions: displaced vertices, @p normals receives unit vectors, both of
+/// bolan_surface_nested_vertex_count(). Thread-safe, allocates nothing. Source: Liu, Xu & Chen 2009, section 3.
 void bolan_surface_nested_normals(const bolan_nested *nested, const bolan_vec3 *positions, bolan_vec3 *normals);
 
 // ---- grids ----------------------------------------------------------------------------------------------------------

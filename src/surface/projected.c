@@ -10,12 +10,9 @@
 //          \__                          __/           H = horizontal bound of the displacement: below 1.5 H the rows
 //             \__        eye         __/              close to full circles
 //                 (      o        )
-#include "bolan/surface.h"
+#include "surface/picture.h"
 
-#include <math.h>
-
-#define GUARD_AZIMUTH 0.02 // [rad] beyond the picture's edge
-#define PROBES 9           // directions tried along each axis of the picture
+#define PROBES 9 // directions tried along each axis of the picture
 
 // What the picture can see of the water, in polar terms.
 typedef struct polar_bounds {
@@ -31,38 +28,18 @@ bolan_surface_desc bolan_surface_desc_default(void) {
     return (bolan_surface_desc){.kind = BOLAN_SURFACE_PROJECTED, .pixels_per_vertex = 3.0, .max_vertices = 200000};
 }
 
-// A direction through the picture in axes x right of the heading, y along the heading, z up. sx, sy in [-1, 1].
-static bolan_dvec3 picture_direction(const bolan_surface_view *v, double sx, double sy) {
-    double tangent = tan(0.5 * v->fov_y);
-    double x = sx * tangent * v->aspect, y = sy * tangent;
-    double roll = bolan_radians(v->roll_deg), pitch = bolan_radians(v->pitch_deg);
-    double xr = x * cos(roll) + y * sin(roll), yr = -x * sin(roll) + y * cos(roll);
-    double length = sqrt(x * x + y * y + 1.0);
-    return bolan_dv3(xr / length, (cos(pitch) - yr * sin(pitch)) / length, (sin(pitch) + yr * cos(pitch)) / length);
-}
-
-// True when the point straight below lies in the picture (with the guard).
-static bool sees_nadir(const bolan_surface_view *v) {
-    double pitch = bolan_radians(v->pitch_deg), roll = bolan_radians(v->roll_deg);
-    double forward = -sin(pitch), up = -cos(pitch); // of (0, 0, -1) in the unrolled camera
-    if (forward <= 0.0) return false;
-    double x = -up * sin(roll) / forward, y = up * cos(roll) / forward;
-    double tangent = tan(0.5 * v->fov_y) + GUARD_AZIMUTH;
-    return fabs(x) <= tangent * v->aspect + GUARD_AZIMUTH && fabs(y) <= tangent;
-}
-
 static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
     double radius = BOLAN_EARTH_RADIUS;
-    polar_bounds b = {.far_distance = sqrt(2.0 * radius * fmax(height, 0.0)) + sqrt(2.0 * radius * v->vertical) + 10.0};
+    polar_bounds b = {.far_distance = surface_horizon_distance(fmax(height, 0.0), v->vertical) + 10.0};
     double lowest = 1e9;
     for (int j = 0; j < PROBES; ++j)
         for (int i = 0; i < PROBES; ++i) {
-            bolan_dvec3 d = picture_direction(v, 2.0 * i / (PROBES - 1) - 1.0, 2.0 * j / (PROBES - 1) - 1.0);
+            bolan_dvec3 d = surface_picture_direction(v, 2.0 * i / (PROBES - 1) - 1.0, 2.0 * j / (PROBES - 1) - 1.0);
             b.half = fmax(b.half, fabs(atan2(d.x, d.y)));
             lowest = fmin(lowest, atan2(d.z, hypot(d.x, d.y)));
         }
-    b.half += GUARD_AZIMUTH;
-    if (sees_nadir(v)) {
+    b.half += SURFACE_GUARD_ANGLE;
+    if (surface_sees_nadir(v)) {
         b.half = BOLAN_PI;
         lowest = -0.5 * BOLAN_PI;
     }
