@@ -131,6 +131,7 @@ static bool render_frame(const job *j, const session *w, stage *s, uint32_t numb
     frame.scene = &w->scene;
     frame.sea = w->sea;
     frame.terrain = w->assets.terrain;
+    frame.models = w->assets.object_models;
     frame.framebuffer = bolan_target_framebuffer(s->target);
     frame.width = j->width;
     frame.height = j->height;

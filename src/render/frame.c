@@ -7,7 +7,7 @@
 #include "bolan/query.h"
 #include "renderer.h"
 
-const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea",    "terrain", "sky",
+const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea",    "terrain", "models",  "sky",
                                                   "copy",       "mirror", "water",   "tone map"};
 
 static double near_plane(double height, bool clip_control) {
@@ -104,6 +104,7 @@ static void prepare(bolan_renderer *r, frame *f) {
     begin_part(r, PART_SEA);
     pass_terrain_prepare(r->terrain, f);
     f->shore = pass_terrain_shore(r->terrain);
+    pass_models_prepare(r->models, f);
     pass_water_prepare(r->water, f);
     end_part(r, PART_SEA);
 }
@@ -118,6 +119,9 @@ static void draw_opaque(bolan_renderer *r, frame *f) {
     begin_part(r, PART_TERRAIN);
     draw_world(r, f);
     end_part(r, PART_TERRAIN);
+    begin_part(r, PART_MODELS);
+    pass_models_draw(r->models, f, &models_view_all);
+    end_part(r, PART_MODELS);
     begin_part(r, PART_SKY);
     pass_sky_draw(r->sky, f);
     end_part(r, PART_SKY);

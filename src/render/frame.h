@@ -3,7 +3,7 @@
 //
 //   atmosphere tables -> clouds -> environment map        (only when sun, haze or altitude changed)
 //   sea textures, shore depth map                         (upload)
-//   terrain + sea bed -> sky behind                        HDR colour + reversed-Z depth
+//   terrain + sea bed, objects -> sky behind               HDR colour + reversed-Z depth
 //   copy of colour and depth                               what the physical optics sees through the water
 //   the world mirrored, the world refracted                what the mirror and phong optics look up
 //   water
@@ -81,6 +81,7 @@ typedef struct frame {
 // Every pass: create once, draw per frame, free. prepare() may run before targets are bound and fills textures it owns.
 typedef struct pass_sky pass_sky;         // atmosphere tables, sky, clouds, environment map; sets sun_light, sky_light
 typedef struct pass_terrain pass_terrain; // land and sea bed; the shore map
+typedef struct pass_models pass_models;   // the scene's objects
 typedef struct pass_water pass_water;
 typedef struct pass_mirror pass_mirror; // pictures of what the water mirrors and refracts
 typedef struct pass_tonemap pass_tonemap;
@@ -98,6 +99,22 @@ void pass_terrain_prepare(pass_terrain *p, frame *f); // chunks of this view, sh
 void pass_terrain_draw(pass_terrain *p, frame *f);
 bolan_result pass_terrain_reload(pass_terrain *p);
 void pass_terrain_destroy(pass_terrain **p);
+
+// Which of the objects are drawn, and how: all as they stand, or for a mirrored or refracted picture. Objects are told
+// apart by their box: fully above mean water, fully below, or straddling it (Ma, Zhu & Gong 2006).
+typedef struct models_view {
+    bool above, straddling, below; // the classes that are drawn
+    bool clip;                     // draw only one side of a level
+    float clip_sign;               // 1: what is above it, -1: what is below
+    float clip_level;              // over mean water [m]
+    float vertical_scale;          // k: z' = level + k (z - level) about mean water; 1: as they stand
+} models_view;
+static const models_view models_view_all = {true, true, true, false, 1.0f, 0.0f, 1.0f};
+bolan_result pass_models_create(const gl_caps *caps, pass_models **out);
+void pass_models_prepare(pass_models *p, frame *f);                    // places of this frame; uploads what is new
+void pass_models_draw(pass_models *p, frame *f, const models_view *v); // reads UNIT_TERRAIN2 (the terrain pass's noise)
+bolan_result pass_models_reload(pass_models *p);
+void pass_models_destroy(pass_models **p);
 
 bolan_result pass_water_create(bolan_quality quality, pass_water **out);
 void pass_water_prepare(pass_water *p, frame *f); // uploads the sea

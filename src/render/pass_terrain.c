@@ -211,11 +211,16 @@ static tree_view view_of(const pass_terrain *p, const frame *f) {
     return v;
 }
 
+// The pond's ground is drawn as a model; the terrain then only feeds the shore map.
+static bool ground_is_a_model(const frame *f) {
+    return f->scene->terrain.kind == BOLAN_TERRAIN_POND && f->desc->models;
+}
+
 void pass_terrain_prepare(pass_terrain *p, frame *f) {
     gl_texture_bind(&p->noise, UNIT_TERRAIN2);
     shore_builder_update(&p->shore, f);
     gl_texture_bind(&p->shore.map.texture, UNIT_SHORE);
-    if (!fit_pool(p, f)) {
+    if (ground_is_a_model(f) || !fit_pool(p, f)) {
         return;
     }
     tree_view view = view_of(p, f);
@@ -246,7 +251,7 @@ static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program
 }
 
 void pass_terrain_draw(pass_terrain *p, frame *f) {
-    if (!p->terrain || !p->tree) {
+    if (!p->terrain || !p->tree || ground_is_a_model(f)) {
         return;
     }
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
