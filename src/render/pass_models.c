@@ -31,7 +31,7 @@ typedef struct placed {
 } placed;
 
 struct pass_models {
-    gl_program programs[2][2]; // [flat][clip]
+    gl_program programs[2][2]; // [flat][picture]
     gpu_model models[BOLAN_MAX_OBJECTS];
     placed objects[BOLAN_MAX_OBJECTS];
     uint32_t count;
@@ -41,7 +41,7 @@ struct pass_models {
 
 bolan_result pass_models_create(const gl_caps *caps, pass_models **out) {
     (void)caps;
-    static const char *const defines[2][2] = {{NULL, "CLIP 1\n"}, {"GROUND 1\n", "GROUND 1\nCLIP 1\n"}};
+    static const char *const defines[2][2] = {{NULL, "PICTURE 1\n"}, {"GROUND 1\n", "GROUND 1\nPICTURE 1\n"}};
     *out = NULL;
     pass_models *p = bolan_allocate(sizeof *p);
     if (!p) return BOLAN_ERROR_MEMORY;
@@ -240,23 +240,23 @@ void pass_models_prepare(pass_models *p, frame *f) {
 
 // ---- drawing --------------------------------------------------------------------------------------------------------
 
-static bool is_wanted(const placed *o, const models_view *v) {
-    if (o->lowest >= 0.0) return v->above;
-    return o->highest <= 0.0 ? v->below : v->straddling;
+// The paper's three classes: fully above the water, fully below, straddling it. A picture of one side has no use for the other.
+static bool is_wanted(const placed *o, float side) {
+    if (o->lowest >= 0.0) return side >= 0.0f;
+    return o->highest > 0.0 || side <= 0.0f;
 }
 
-void pass_models_draw(pass_models *p, frame *f, const models_view *v) {
+void pass_models_draw(pass_models *p, frame *f) {
     if (p->count == 0) return;
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     for (int flat = 0; flat < 2; flat++) {
-        const gl_program *program = &p->programs[flat][v->clip];
-        const bolan_vec4 clip = {v->clip_sign, v->clip_level, v->vertical_scale, 0.0f};
-        gl_program_vec4(program, "clip", clip);
+        const gl_program *program = &p->programs[flat][f->picture];
+        gl_program_use(program);
         gl_program_int(program, "caster_count", (int)p->caster_count);
         if (p->caster_count) gl_program_vec4_array(program, "caster", p->casters, 2 * p->caster_count);
         for (uint32_t i = 0; i < p->count; i++) {
             const placed *o = &p->objects[i];
-            if (o->gpu->flat != (flat == 1) || !is_wanted(o, v)) continue;
+            if (o->gpu->flat != (flat == 1) || !is_wanted(o, f->uniforms.clip.x)) continue;
             gl_program_vec4_array(program, "place", o->rows, 3);
             gl_program_int(program, "own_caster", o->caster);
             gl_mesh_draw(&o->gpu->mesh, 0, o->gpu->index_count);
