@@ -37,13 +37,13 @@ uniform sampler2D reflection_picture;
 uniform sampler2D refraction_picture;
 uniform highp sampler2D reflection_depth;
 uniform highp sampler2D refraction_depth;
-uniform sampler2D tile_slopes;    // slopes along the tile's sides, their squares' sum; PAPER: unit normal
+uniform sampler2D tile_slopes;    // slopes along the tile's sides, their squares' sum, brightness of the water's own texture; PAPER: unit normal
 uniform sampler2D ripple_slopes;  // of shorter waves
 uniform sampler2D glint_texture;  // r: the sun as the slide has it
 uniform vec4 tile_place;          // xy: eye in the tile, zw: cos, sin of its turn over its side [1/m]
 uniform vec4 ripple_place;        // likewise
 uniform vec4 tile_law;            // x, y: log2 of texels a metre of tile and ripples, z: share of the ripples, w: slope variance of what neither has
-uniform vec4 tile_detail;         // rgb: radiance that the texture's 1 stands for, by light on flat water; w: slope variance of all waves
+uniform vec4 tile_detail;         // rgb: mean radiance of the water's own texture by light on flat water; PAPER: what its 1 stands for
 uniform vec4 sun_slide[3];        // rows x, y, w of bias P_sun V_sun: mirrored directions to the slide's coordinates
 uniform vec4 disturbance;         // x: Co of eq. 9, y: Cpo of eq. 10, w: rms radius of the slide's sun [rad]
 
@@ -83,16 +83,17 @@ waves_here look_at_waves(water_pixel p, vec3 view, float dist) {
 #endif
     w.variance = 0.5 * (lost + tile_law.w);
 #endif
+#ifdef PAPER
     w.own = tile_detail.rgb * textureLod(water_tile, uv, lod + tile_law.x).rgb;
+#else
+    w.own = tile_detail.rgb * t.w;
+#endif
 #else
     wave_fields at = waves_at(p.rest, f, p.gust, p.depth, p.mesh);
     vec3 c = unresolved_slopes(f);
     w.slope = at.slope;
     w.variance = 0.5 * (c.x + c.z);
-    w.own = 0.5 * tile_detail.rgb;
-#endif
-#ifdef LAND
-    w.slope *= smoothstep(0.0, 0.3, p.depth); // still at the edge
+    w.own = tile_detail.rgb;
 #endif
     return w;
 }

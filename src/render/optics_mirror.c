@@ -125,9 +125,8 @@ static void draw(void *state, const water_draw *d) {
     if (tiles) set_waves(g, f, t);
     set_slide(g, f);
     const bolan_vec4 deep = f->uniforms.water_deep;
-    // the texture's brightest channel has a mean of a half
-    const float own = look->paper ? (float)OWN_BRIGHTNESS : 2.0f * fmaxf(deep.x, fmaxf(deep.y, deep.z));
-    gl_program_vec4(g, "tile_detail", (bolan_vec4){own, own, own, 0.0f});
+    const float own = (float)OWN_BRIGHTNESS;
+    gl_program_vec4(g, "tile_detail", look->paper ? (bolan_vec4){own, own, own, 0.0f} : deep);
     gl_program_vec4(g, "disturbance",
                     (bolan_vec4){(float)(PUSH * look->distortion), (float)(GLITTER_PUSH * look->distortion), 0.0f,
                                  (float)SLIDE_RADIUS});

@@ -10,6 +10,10 @@
 // A bent look-up at the water's edge finds a little of what lies beyond it [m].
 #define OVERLAP 0.25f
 
+// Waves blur what they show: the pictures' share of the frame's width and height. The paper's are as large as the window.
+static const double shares[] = {
+    [BOLAN_QUALITY_LOW] = 0.4, [BOLAN_QUALITY_MEDIUM] = 0.5, [BOLAN_QUALITY_HIGH] = 1.0, [BOLAN_QUALITY_ULTRA] = 1.0};
+
 struct pass_mirror {
     gl_texture reflection, refraction, reflection_depth, refraction_depth;
     gl_target reflection_target, refraction_target;
@@ -58,11 +62,17 @@ static bolan_result create_picture(uint32_t width, uint32_t height, gl_texture *
 }
 
 bool pass_mirror_fit(pass_mirror *p, const frame *f) {
-    const uint32_t width = f->desc->width, height = f->desc->height;
+    const double share = f->scene->look.paper ? 1.0 : shares[f->quality];
+    const uint32_t width = (uint32_t)fmax(f->desc->width * share, 1.0),
+                   height = (uint32_t)fmax(f->desc->height * share, 1.0);
     if (p->refraction_target.id != 0 && p->refraction.width == width && p->refraction.height == height) return true;
     free_pictures(p);
     return create_picture(width, height, &p->reflection, &p->reflection_depth, &p->reflection_target) == BOLAN_OK &&
            create_picture(width, height, &p->refraction, &p->refraction_depth, &p->refraction_target) == BOLAN_OK;
+}
+
+static bolan_vec4 viewport_of(const gl_texture *t) {
+    return (bolan_vec4){(float)t->width, (float)t->height, 1.0f / (float)t->width, 1.0f / (float)t->height};
 }
 
 // The mirror z -> -2 h - z about the plane h below the eye, before the camera (paper A: S = I - 2 n n^T). Directions, which the
@@ -77,6 +87,7 @@ frame pass_mirror_reflect(pass_mirror *p, const frame *f) {
     m.uniforms.view_projection = bolan_m4_mul(f->uniforms.view_projection, mirror);
     m.uniforms.inverse_view_projection = bolan_m4_mul(turn, f->uniforms.inverse_view_projection);
     m.uniforms.clip = (bolan_vec4){side, -side * overlap, 1.0f, 0.0f};
+    m.uniforms.viewport = viewport_of(&p->reflection);
     m.uniforms.under.w = under ? 1.0f : 0.0f;
     m.picture = true;
     m.hdr = p->reflection_target;
@@ -104,6 +115,7 @@ frame pass_mirror_refract(pass_mirror *p, const frame *f) {
     const float overlap = f->scene->look.paper ? 0.0f : OVERLAP, side = under ? 1.0f : -1.0f;
     m.uniforms.clip =
         (bolan_vec4){side, under ? 0.0f : overlap, (float)paper_factor(&f->scene->camera), paper ? 1.0f : 2.0f};
+    m.uniforms.viewport = viewport_of(&p->refraction);
     m.background = under ? (bolan_vec4){0.0f, 0.0f, 0.0f, 0.0f} : deep_water(&f->uniforms);
     m.picture = true;
     m.hdr = p->refraction_target;

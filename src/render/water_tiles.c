@@ -108,6 +108,9 @@ static double slope_variance(const bolan_tiles *tiles) {
 
 static void bake_all(water_tiles *t, const frame *f) {
     const bolan_tiles_desc desc = how(f);
+    t->brightest = desc.color.z >= desc.color.y && desc.color.z >= desc.color.x ? 2
+                   : desc.color.y >= desc.color.x                               ? 1
+                                                                                : 0;
     const double hs = bolan_sea_get_summary(f->desc->sea)->hs;
     bolan_sea_desc sea = t->sea;
     double found = 0.0;
@@ -171,6 +174,7 @@ static void fill_slopes(water_tiles *t, const bolan_tiles *tiles, const moment *
     enum { MASK = TILE - 1 };
     const bolan_tiles_view v = bolan_tiles_get_view(tiles);
     const float *a = v.height + (size_t)m->a * TILE * TILE, *b = v.height + (size_t)m->b * TILE * TILE;
+    const uint8_t *own = v.detail + (size_t)m->a * TILE * TILE * 3 + t->brightest;
     const float s = (float)(0.5 * TILE / v.length), sa = s * (1.0f - m->share), sb = s * m->share;
     for (int j = 0; j < TILE; ++j) {
         const int here = j * TILE, up = ((j + 1) & MASK) * TILE, down = ((j - 1) & MASK) * TILE;
@@ -180,7 +184,7 @@ static void fill_slopes(water_tiles *t, const bolan_tiles *tiles, const moment *
             out[0] = sa * (a[e] - a[w]) + sb * (b[e] - b[w]);
             out[1] = sa * (a[up + i] - a[down + i]) + sb * (b[up + i] - b[down + i]);
             out[2] = out[0] * out[0] + out[1] * out[1];
-            out[3] = 0.0f;
+            out[3] = (float)own[3 * (here + i)] / 127.5f;
         }
     }
     gl_texture_upload(to, 0, -1, t->staging, false);

@@ -8,14 +8,16 @@
 #include "bolan/tiles.h"
 
 typedef struct water_tiles {
-    gl_texture slopes, ripples; // RGBA16F: slopes along the sides, the sum of their squares; in paper mode unit normals
-    gl_texture own;             // RGBA8: the water's own texture; a: light on the bottom
+    gl_texture slopes,
+        ripples;    // RGBA16F: slopes along the sides, the sum of their squares, brightness; in paper mode unit normals
+    gl_texture own; // RGBA8: the water's own texture; a: light on the bottom
     gl_texture glint;
     bolan_tiles *base, *fine; // baked here; base NULL: the sea has other waves than textures
     bolan_sea_desc sea;       // what they were baked of
     const bolan_tiles *given;
     int sun[2], water;
     bool ready, failed, paper, whole; // whole: the sea's waves are in the tiles
+    int brightest;                    // channel of the water's own texture
     double shown;                     // time that the textures show
     float *staging;
     size_t staging_bytes;
