@@ -45,7 +45,7 @@ uniform vec4 ripple_place;        // likewise
 uniform vec4 tile_law;            // x, y: log2 of texels a metre of tile and ripples, z: share of the ripples, w: slope variance of what neither has
 uniform vec4 tile_detail;         // rgb: mean radiance of the water's own texture by light on flat water; PAPER: what its 1 stands for
 uniform vec4 sun_slide[3];        // rows x, y, w of bias P_sun V_sun: mirrored directions to the slide's coordinates
-uniform vec4 disturbance;         // x: Co of eq. 9, y: Cpo of eq. 10, w: rms radius of the slide's sun [rad]
+uniform vec4 disturbance;         // x: Co of eq. 9, y: Cpo of eq. 10, z: texels of the mirrored picture that twice a radian covers, w: rms radius of the slide's sun [rad]
 
 const float PI = 3.14159265;
 
@@ -55,6 +55,9 @@ vec2 out_of_tile(vec4 place, vec2 s) {
     vec2 turn = place.zw * inversesqrt(dot(place.zw, place.zw));
     return vec2(dot(s, vec2(turn.x, -turn.y)), dot(s, turn.yx));
 }
+
+// Where many of its repetitions are in sight, a tile's slopes go over into roughness.
+float far_share(vec4 place, float dist) { return 40.0 / (40.0 + dist * dist * dot(place.zw, place.zw)); }
 
 // What the waves are at a pixel.
 struct waves_here {
@@ -67,19 +70,21 @@ waves_here look_at_waves(water_pixel p, vec3 view, float dist) {
     waves_here w;
     footprint f = pixel_footprint(view, dist, p.mesh.xy);
 #ifdef TILES
-    float lod = 0.5 * log2(f.major * f.minor); // between the sides: sharp at a grazing look, and still quiet
+    float lod = log2(max(f.minor, 0.5 * f.major)); // sharper than the long side at a grazing look, and still quiet
     vec2 uv = in_tile(tile_place, p.rest);
     vec4 t = textureLod(tile_slopes, uv, lod + tile_law.x);
 #ifdef PAPER
     w.slope = -out_of_tile(tile_place, t.xy); // the normal's x and y, as eq. 9 to 11 take them, turned into slopes
     w.variance = 1e-4;
 #else
-    w.slope = out_of_tile(tile_place, t.xy);
-    float lost = max(t.z - dot(t.xy, t.xy), 0.0);
+    float keep = far_share(tile_place, dist);
+    w.slope = keep * out_of_tile(tile_place, t.xy);
+    float lost = max(t.z - keep * keep * dot(t.xy, t.xy), 0.0);
 #ifdef RIPPLES
     vec4 r = textureLod(ripple_slopes, in_tile(ripple_place, p.rest), lod + tile_law.y);
-    w.slope += tile_law.z * out_of_tile(ripple_place, r.xy);
-    lost += tile_law.z * tile_law.z * max(r.z - dot(r.xy, r.xy), 0.0);
+    keep = far_share(ripple_place, dist);
+    w.slope += tile_law.z * keep * out_of_tile(ripple_place, r.xy);
+    lost += tile_law.z * tile_law.z * max(r.z - keep * keep * dot(r.xy, r.xy), 0.0);
 #endif
     w.variance = 0.5 * (lost + tile_law.w);
 #endif
@@ -128,8 +133,11 @@ vec3 water_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
 
     vec3 ray = reflect(to, n);
     ray.z = abs(ray.z);
-    vec3 bent = mix(to, vec3(ray.xy, -ray.z), bends ? bent_share(reflection_depth, screen) : 0.0);
-    vec3 mirrored = textureLod(reflection_picture, place_in_picture(bent), 0.0).rgb;
+    float turn = bent_share(reflection_depth, screen);
+    vec3 bent = mix(to, vec3(ray.xy, -ray.z), bends ? turn : 0.0);
+    // rough water blurs what it mirrors: along the view by twice its rms slope, across by less
+    float blur = disturbance.z * turn * sqrt(w.variance * max(view.z, 0.03));
+    vec3 mirrored = textureLod(reflection_picture, place_in_picture(bent), log2(max(blur, 1.0))).rgb;
 
     vec2 down = water_deep.w * refract(to, flat_n, 1.0 / water_deep.w).xy; // the ray in the water, as it would come out of flat water
     vec3 apparent = vec3(down, -sqrt(max(1.0 - dot(down, down), 0.0025)));

@@ -172,10 +172,12 @@ static void draw_mirrors(bolan_renderer *r, frame *f) {
     if (!pass_mirror_fit(r->mirror, f)) return;
     frame above = pass_mirror_reflect(r->mirror, f), below = pass_mirror_refract(r->mirror, f);
     const uint32_t effects = f->scene->look.effects;
-    gl_clip_rows(pass_water_rows(f) * above.hdr.height / f->hdr.height + 2);
+    // A margin for blurred look-ups at the horizon; what is mirrored there is the haze.
+    gl_clip_rows(pass_water_rows(f) * above.hdr.height / f->hdr.height + 64);
     if (effects & BOLAN_EFFECT_REFLECTION) draw_picture(r, &above, true);
     if (effects & BOLAN_EFFECT_REFRACTION) draw_picture(r, &below, false);
     gl_clip_rows(0);
+    if (!f->scene->look.paper) pass_mirror_finish(r->mirror);
     upload_uniforms(r, f);
     pass_mirror_bind(r->mirror);
 }

@@ -134,6 +134,8 @@ frame pass_mirror_reflect(pass_mirror *p,
                           const frame *f); // this frame, seen in the water: draw what is above it into its hdr
 frame pass_mirror_refract(pass_mirror *p,
                           const frame *f); // this frame, through the water: draw what is below it into its hdr
+double pass_mirror_share(const frame *f);  // of the frame's width and height that the pictures have
+void pass_mirror_finish(pass_mirror *p);   // both are drawn
 void pass_mirror_bind(const pass_mirror *p);
 void pass_mirror_draw_body(const pass_mirror *p); // the water itself round an eye in it, where depth is 0
 bolan_result pass_mirror_reload(pass_mirror *p);

@@ -127,8 +127,10 @@ static void draw(void *state, const water_draw *d) {
     const bolan_vec4 deep = f->uniforms.water_deep;
     const float own = (float)OWN_BRIGHTNESS;
     gl_program_vec4(g, "tile_detail", look->paper ? (bolan_vec4){own, own, own, 0.0f} : deep);
+    const float texels =
+        2.0f * (float)pass_mirror_share(f) / f->uniforms.lens.x; // of the mirrored picture, to twice a radian
     gl_program_vec4(g, "disturbance",
-                    (bolan_vec4){(float)(PUSH * look->distortion), (float)(GLITTER_PUSH * look->distortion), 0.0f,
+                    (bolan_vec4){(float)(PUSH * look->distortion), (float)(GLITTER_PUSH * look->distortion), texels,
                                  (float)SLIDE_RADIUS});
     water_tiles_bind(t);
     if (d->waves == WATER_CASCADES && !tiles) gl_texture_bind(&d->fields->fold, UNIT_FOLD);

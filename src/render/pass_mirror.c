@@ -9,6 +9,7 @@
 
 // A bent look-up at the water's edge finds a little of what lies beyond it [m].
 #define OVERLAP 0.25f
+#define BLUR_LEVELS 6
 
 // Waves blur what they show: the pictures' share of the frame's width and height. The paper's are as large as the window.
 static const double shares[] = {
@@ -48,11 +49,12 @@ void pass_mirror_destroy(pass_mirror **pass) {
     *pass = NULL;
 }
 
-static bolan_result create_picture(uint32_t width, uint32_t height, gl_texture *color, gl_texture *depth,
-                                   gl_target *target) {
+static bolan_result create_picture(uint32_t width, uint32_t height, uint32_t levels, gl_texture *color,
+                                   gl_texture *depth, gl_target *target) {
     gl_texture_desc c = {
         .format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
     gl_texture_desc d = c;
+    if (levels > 1) c.filter = GL_FILTER_MIPMAP, c.levels = levels;
     d.format = GL_FMT_DEPTH32F;
     d.filter = GL_FILTER_NEAREST;
     const gl_texture *colors[] = {color};
@@ -61,14 +63,19 @@ static bolan_result create_picture(uint32_t width, uint32_t height, gl_texture *
     return r == BOLAN_OK ? gl_target_create(colors, 1, depth, -1, 0, target) : r;
 }
 
+double pass_mirror_share(const frame *f) { return f->scene->look.paper ? 1.0 : shares[f->quality]; }
+
+void pass_mirror_finish(pass_mirror *p) { gl_texture_generate_mipmaps(&p->reflection); }
+
 bool pass_mirror_fit(pass_mirror *p, const frame *f) {
-    const double share = f->scene->look.paper ? 1.0 : shares[f->quality];
+    const double share = pass_mirror_share(f);
     const uint32_t width = (uint32_t)fmax(f->desc->width * share, 1.0),
                    height = (uint32_t)fmax(f->desc->height * share, 1.0);
     if (p->refraction_target.id != 0 && p->refraction.width == width && p->refraction.height == height) return true;
     free_pictures(p);
-    return create_picture(width, height, &p->reflection, &p->reflection_depth, &p->reflection_target) == BOLAN_OK &&
-           create_picture(width, height, &p->refraction, &p->refraction_depth, &p->refraction_target) == BOLAN_OK;
+    return create_picture(width, height, BLUR_LEVELS, &p->reflection, &p->reflection_depth, &p->reflection_target) ==
+               BOLAN_OK &&
+           create_picture(width, height, 1, &p->refraction, &p->refraction_depth, &p->refraction_target) == BOLAN_OK;
 }
 
 static bolan_vec4 viewport_of(const gl_texture *t) {
