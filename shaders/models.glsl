@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Objects. All light is computed at the vertices, so that the pixels cost little: this is drawn up to three times a frame.
-// GROUND is defined for models that lie flat, CLIP where only one side of a level is wanted.
+// GROUND is defined for models that lie flat, PICTURE for what the water mirrors and refracts, and for an eye under it.
 // As in terrain.glsl, points under the water are left as if dry and without haze: the water pass puts the water over them.
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
+#include "common/under.glsl"
 
 uniform vec4 place[3];     // rows of the matrix from model to eye-relative world
 uniform float grain_scale; // 1 / period of the grain [1/m]
@@ -18,7 +19,10 @@ layout(location = 2) in vec4 vertex_color; // albedo; open sky
 out vec3 light;     // radiance of the surface as it arrives
 out vec3 inscatter; // of the air before it
 out vec3 grain;     // noise coordinates, strength
+#ifdef PICTURE
 out float over;     // height above the clip level [m]
+out vec3 bottom;    // level place relative to the eye, depth under the water [m]
+#endif
 
 const float PI = 3.14159265;
 
@@ -71,9 +75,14 @@ void main() {
     // Along no axis, so that no wall is smeared.
     grain = vec3((vertex.xz + vertex.y * vec2(0.61, 0.37)) * grain_scale, mix(0.3, 1.3, leafy));
 #endif
+#ifdef PICTURE
+    vec3 through, veil;
+    through_water(position, height, through, veil);
+    light *= through;
+    inscatter = inscatter * through + veil;
     over = clip.x * (height - clip.y);
-#ifdef CLIP
-    position.z += (clip.z - 1.0) * height;
+    bottom = vec3(position.xy, -height);
+    position.z += seen_height(position.xy, height) - height;
 #endif
     gl_Position = view_projection * vec4(position, 1.0);
 }
@@ -83,20 +92,25 @@ void main() {
 in vec3 light;
 in vec3 inscatter;
 in vec3 grain;
+#ifdef PICTURE
 in float over;
+in vec3 bottom;
+#endif
 out vec4 color;
 
 #pragma unit ground_noise 12
 uniform sampler2D ground_noise; // billows, their gradient, patches; mean 0.5
 
 void main() {
-#ifdef CLIP
+#ifdef PICTURE
     if (over < 0.0) discard;
 #endif
     vec4 noise = texture(ground_noise, grain.xy);
     float tone = noise.r + noise.a - 1.0;
-    // What gathers light on the bottom multiplies this.
     vec3 radiance = light * max(1.0 + grain.z * tone, 0.2);
+#ifdef PICTURE
+    radiance *= mix(1.0, gathered_light(bottom.xy, bottom.z), 0.75); // the rest is light of the sky
+#endif
     color = vec4(radiance + inscatter, 1.0);
 }
 #endif

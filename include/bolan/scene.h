@@ -143,6 +143,22 @@ const char *bolan_jerlov_name(bolan_jerlov type);
 /// n_incident (1.34 from air into the sea, 1/1.34 from below: total reflection included).
 float bolan_fresnel(float cos_incident, float eta);
 
+/// The direction a mirror with unit normal @p n sends the direction @p i to, which points towards the mirror: i - 2 n (n . i).
+/// Ma, Zhu & Gong 2006, eq. 1, with its sign put right.
+bolan_vec3 bolan_reflect(bolan_vec3 i, bolan_vec3 n);
+/// Apparent depth over depth of what lies in water of index @p index > 1, seen from the air at @p theta [rad] from the vertical,
+/// 0..pi/2: cos theta / sqrt(index^2 - sin^2 theta). Ma, Zhu & Gong 2006, eq. 7 (there with index 1.333).
+double bolan_refraction_k(double theta, double index);
+/// The paper's two straight lines for it, its eq. 8: 0.75 - 0.16 theta up to 0.8 rad, 1.26 - 0.8 theta beyond. At most 0.037 from
+/// eq. 7 on the first, 0.081 on the second, and 22 % off near the horizon.
+double bolan_refraction_k_paper(double theta);
+/// Fermat's path from an eye @p height > 0 over the water to a point @p depth >= 0 under it, @p distance >= 0 aside [m]: where it
+/// crosses the surface, from the eye [m]. Newton's method on the tangent of the angle in the air, which comes from below without overshooting;
+/// the shaders do four steps of it.
+double bolan_refraction_crossing(double height, double depth, double distance, double index);
+/// How deep that point seems to lie, straight above where it is [m]: depth times eq. 7 at the angle of the path.
+double bolan_apparent_depth(double height, double depth, double distance, double index);
+
 // ---- models ---------------------------------------------------------------------------------------------------------
 
 /// A triangle mesh with colours, immutable. x right, y ahead, z up [m].

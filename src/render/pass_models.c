@@ -32,7 +32,7 @@ typedef struct placed {
 } placed;
 
 struct pass_models {
-    gl_program programs[2][2]; // [flat][clip]
+    gl_program programs[2][2]; // [flat][picture]
     gpu_model models[BOLAN_MAX_OBJECTS];
     placed objects[BOLAN_MAX_OBJECTS];
     uint32_t count;
@@ -42,7 +42,7 @@ struct pass_models {
 
 bolan_result pass_models_create(const gl_caps *caps, pass_models **out) {
     (void)caps;
-    static const char *const defines[2][2] = {{NULL, "CLIP 1\n"}, {"GROUND 1\n", "GROUND 1\nCLIP 1\n"}};
+    static const char *const defines[2][2] = {{NULL, "PICTURE 1\n"}, {"GROUND 1\n", "GROUND 1\nPICTURE 1\n"}};
     *out = NULL;
     pass_models *p = bolan_allocate(sizeof *p);
     if (!p) return BOLAN_ERROR_MEMORY;
@@ -245,9 +245,10 @@ void pass_models_prepare(pass_models *p, frame *f) {
 
 // ---- drawing --------------------------------------------------------------------------------------------------------
 
-// Objects are told apart by their box: fully above the mean water, fully below, or straddling it (Ma, Zhu & Gong 2006).
+// The paper's three classes: fully above the water, fully below, straddling it. A picture of one side has no use for the other.
 static bool is_wanted(const placed *o, float side) {
-    return side > 0.0f ? o->highest > 0.0 : side < 0.0f ? o->lowest < 0.0 : true;
+    if (o->lowest >= 0.0) return side >= 0.0f;
+    return o->highest > 0.0 || side <= 0.0f;
 }
 
 void pass_models_draw(pass_models *p, frame *f) {
@@ -255,7 +256,8 @@ void pass_models_draw(pass_models *p, frame *f) {
     const float side = f->uniforms.clip.x;
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     for (int flat = 0; flat < 2; flat++) {
-        const gl_program *program = &p->programs[flat][side != 0.0f];
+        const gl_program *program = &p->programs[flat][f->picture];
+        gl_program_use(program);
         gl_program_int(program, "caster_count", (int)p->caster_count);
         if (p->caster_count) gl_program_vec4_array(program, "caster", p->casters, 2 * p->caster_count);
         for (uint32_t i = 0; i < p->count; i++) {

@@ -86,8 +86,9 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
 
 bolan_result bolan_renderer_reload(bolan_renderer *r) {
     gl_program_set_directory(r->desc.shader_directory);
-    bolan_result results[] = {pass_sky_reload(r->sky), pass_terrain_reload(r->terrain), pass_models_reload(r->models),
-                              pass_water_reload(r->water), pass_tonemap_reload(r->tonemap)};
+    bolan_result results[] = {pass_sky_reload(r->sky),       pass_terrain_reload(r->terrain),
+                              pass_models_reload(r->models), pass_water_reload(r->water),
+                              pass_mirror_reload(r->mirror), pass_tonemap_reload(r->tonemap)};
     for (size_t i = 0; i < sizeof results / sizeof results[0]; ++i)
         if (results[i] != BOLAN_OK) return results[i];
     return BOLAN_OK;
