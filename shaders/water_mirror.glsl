@@ -122,7 +122,7 @@ float slide(vec3 mirrored, vec2 push, float spread) {
 
 #ifndef BELOW
 // Exact dielectric, the mean tilt of the facets that face the eye, and the glitter as wide as what the pixel cannot show makes it.
-vec3 water_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
+vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     vec3 light = sun_light.rgb * p.shade, view = -to;
     float level = inversesqrt(max(dot(to.xy, to.xy), 1e-6)), tangent = view.z * level;
     vec2 toward = view.xy * level;
@@ -214,7 +214,7 @@ void main() {
 #ifdef PAPER
     vec3 light = water_light_printed(p, w, to, screen);
 #else
-    vec3 light = water_light(p, w, to, screen);
+    vec3 light = light_of_water(p, w, to, screen);
 #endif
 #ifdef QUAD
     color = vec4(through_haze(light, to, dist), 1.0);
