@@ -58,18 +58,32 @@ static void print_json(const bolan_sea *sea, const quantity *list, const char *h
         printf("    {\"n\": %u, \"length\": %.9g, \"k_min\": %.9g, \"k_max\": %.9g, \"variance\": %.9g}%s\n",
                (unsigned)c.n, c.length, c.k_min, c.k_max, c.variance, i + 1 < count ? "," : "");
     }
-    printf("  ],\n  \"hash\": \"%s\"\n}\n", hash);
+    printf("  ],\n  \"components\": %u,\n  \"hash\": \"%s\"\n}\n", (unsigned)bolan_sea_component_count(sea), hash);
+}
+
+// What the sea is made of: cascades, or the waves of a sum, of which the first and last tell the rest.
+static void print_waves(const bolan_sea *sea) {
+    const uint32_t waves = bolan_sea_component_count(sea);
+    if (bolan_sea_cascade_count(sea) > 0) {
+        printf("\n  cascade     n     length m   k_min rad/m   k_max rad/m   variance m2\n");
+        for (uint32_t i = 0; i < bolan_sea_cascade_count(sea); i++) {
+            const bolan_cascade_view c = bolan_sea_cascade(sea, i);
+            printf("  %7u %5u %12.4g %13.4g %13.4g %13.4g\n", (unsigned)i, (unsigned)c.n, c.length, c.k_min, c.k_max,
+                   c.variance);
+        }
+    }
+    for (uint32_t i = 0; i<waves; i += waves> 1 ? waves - 1 : 1) {
+        const bolan_sea_component c = bolan_sea_get_component(sea, i);
+        printf("%s  %u of %u waves: length %.4g m, amplitude %.4g m, period %.4g s\n", i == 0 ? "\n" : "",
+               (unsigned)i + 1, (unsigned)waves, 2.0 * BOLAN_PI / hypot(c.kx, c.ky), c.amplitude,
+               2.0 * BOLAN_PI / fabs(c.omega));
+    }
 }
 
 static void print_table(const bolan_scene *scene, const bolan_sea *sea, const quantity *list, const char *hash) {
     printf("%s, seed %llu, at %g s\n\n", scene->name, (unsigned long long)scene->sea.seed, scene->time);
     for (int i = 0; i < QUANTITIES; i++) printf("  %-26s %12.5g %s\n", list[i].what, list[i].value, list[i].unit);
-    printf("\n  cascade     n     length m   k_min rad/m   k_max rad/m   variance m2\n");
-    for (uint32_t i = 0; i < bolan_sea_cascade_count(sea); i++) {
-        const bolan_cascade_view c = bolan_sea_cascade(sea, i);
-        printf("  %7u %5u %12.4g %13.4g %13.4g %13.4g\n", (unsigned)i, (unsigned)c.n, c.length, c.k_min, c.k_max,
-               c.variance);
-    }
+    print_waves(sea);
     printf("\n  hash %s\n", hash);
 }
 

@@ -36,7 +36,8 @@ typedef enum bolan_spectrum_kind {
     BOLAN_SPECTRUM_PIERSON_MOSKOWITZ, ///< fully developed sea (Pierson & Moskowitz 1964)
     BOLAN_SPECTRUM_JONSWAP,           ///< fetch-limited sea (Hasselmann et al. 1973)
     BOLAN_SPECTRUM_TMA,               ///< JONSWAP in water of finite depth (Bouws et al. 1985)
-    BOLAN_SPECTRUM_PHILLIPS, ///< A exp(-1/(kL)^2) k^-4 cos^2, L = U^2/g, of computer graphics (Tessendorf 2001)
+    BOLAN_SPECTRUM_PHILLIPS, ///< A exp(-1/(kL)^2) k^-4 cos^2 e^{-k^2 l^2} of computer graphics (Tessendorf 2001):
+                             ///< Pierson-Moskowitz with k = w^2/g, L = (4/5)^(1/2) g / wp^2, cut off below l = L/1000
 } bolan_spectrum_kind;
 #define BOLAN_SPECTRUM_KINDS 4 ///< how many there are
 /// The names that the command line and scene files use, "pierson-moskowitz" ...; by bolan_spectrum_kind, NULL at the end.
@@ -88,9 +89,11 @@ bolan_sea_state bolan_sea_state_default(void);
 /// Hs is kept to 40 m. No wind, no fetch, or a peak above 50 rad/s (ripples) give no system. A @p wind_speed outside
 /// its range is kept for bolan_sea_state_validate() to refuse.
 bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, double fetch);
-/// The wind sea of a Phillips spectrum: Psi(k) = A exp(-1/(kL)^2) k^-4 cos^2(th) e^{-k^2 l^2} on the half plane that the
-/// wind blows to, L = U10^2/g, l = L/1000, A such that the tail is Pierson-Moskowitz's. In deep water that is the shape of
-/// Pierson-Moskowitz with its peak at (4/5)^(1/4) g/U. Arguments and limits as above.
+/// The wind sea of a Phillips spectrum: Psi(k) = 2 A exp(-1/(kL)^2) k^-4 cos^2(th) e^{-k^2 l^2} on the half plane that the
+/// wind blows to, L = U10^2/g, l = L/1000. The printed form has no 2 and is the same for k and -k, half of it running against
+/// the wind; a sea that travels has all of it in one half plane, and the same m0 = A pi L^2/2. A = 0.0081/(2 pi) gives the
+/// tail of Pierson-Moskowitz and Hs = 0.18 U10^2/g; in deep water the shape is theirs, its peak at (4/5)^(1/4) g/U10.
+/// Arguments and limits as above.
 bolan_sea_state bolan_sea_state_from_phillips(double wind_speed, double from_deg);
 /// The wind sea of a Beaufort number 0..12 (v = 0.836 B^1.5), fully developed. Other numbers are misuse.
 bolan_sea_state bolan_sea_state_from_beaufort(double beaufort, double from_deg);

@@ -35,11 +35,12 @@ typedef struct bolan_surface_view {
 /// A vertex of mean water, relative to the eye: world axes, origin at the eye; z includes the drop of the round earth.
 typedef struct bolan_surface_vertex {
     float x, y, z;
-    float
-        spacing; ///< distance to the neighbouring vertices [m], the larger direction: waves shorter than twice this must
-                 ///< leave the geometry
-    float stitch_x, stitch_y; ///< NESTED: this vertex lies on the straight edge between its neighbours at -stitch and
-                              ///< +stitch [m], and is displaced to their mean; (0, 0): an ordinary vertex
+    /// Distance to the neighbouring vertices [m], the larger direction: waves shorter than twice this must leave the geometry,
+    /// best by and by from eight times on.
+    float spacing;
+    /// NESTED: this vertex lies on the straight edge between its neighbours at -stitch and +stitch [m], and is displaced to
+    /// their mean (x, y, z and spacing are theirs already); (0, 0): an ordinary vertex.
+    float stitch_x, stitch_y;
 } bolan_surface_vertex;
 
 /// How fine the surface is.
@@ -61,6 +62,28 @@ typedef struct bolan_surface_size {
 /// Fills @p vertices (at least desc->max_vertices). Pure, thread-safe, allocates nothing.
 bolan_surface_size bolan_surface_projected(const bolan_surface_desc *desc, const bolan_surface_view *view,
                                            bolan_surface_vertex *vertices);
+
+/// The projector behind bolan_surface_projected() for one view: a map from the unit square to mean water, in closed form,
+/// so that a grid that never changes can be put onto the water by a vertex shader (the static buffer of Ni, Zhang &
+/// Tan, after Johanson 2004). Level, and at the eye's own vertical: it covers what the view can see of the water,
+/// raised and pushed by the displacement's bounds, and nothing of the sky.
+typedef struct bolan_surface_projector {
+    bool visible;                 ///< false: no water can be in view, nothing need be drawn
+    double height;                ///< of the eye over the water [m], as the steps take it: at least 0.5
+    double above;                 ///< of the eye over the water [m]
+    double near_parameter, range; ///< rows are even steps of s over this range; distance = height * x(s), see projected.c
+    double heading, half;         ///< azimuths, clockwise from north: heading +- half [rad]
+    double guard; ///< nearer than this the rows close to full circles, for waves that lean into view [m]
+} bolan_surface_projector;
+/// Places it. Pure, thread-safe.
+bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *view);
+/// Its grid of @p size, columns and rows at least 2, as bolan_surface_projected() lays them out. Pure, thread-safe.
+void bolan_surface_projector_vertices(const bolan_surface_projector *projector, bolan_surface_size size,
+                                      bolan_surface_vertex *vertices);
+/// The same for a vertex shader (grid_point() in shaders/common/grid.glsl, the twin): near_parameter, range, height,
+/// above; azimuth in the middle (snapped to the columns), half, guard, earth radius.
+void bolan_surface_projector_uniforms(const bolan_surface_projector *projector, bolan_surface_size size, float out[8]);
+
 /// The quad: 4 vertices (south-west, south-east, north-west, north-east) of a square round the point under the eye,
 /// large enough to reach the horizon of @p view, on the flat plane of the mean water. Pure, thread-safe. Source: Ma, Zhu & Gong 2006, section 2.1.
 void bolan_surface_quad(const bolan_surface_view *view, bolan_surface_vertex vertices[4]);
@@ -76,9 +99,9 @@ extern const uint32_t bolan_surface_quad_indices[6];
 typedef struct bolan_nested_desc {
     uint32_t cells;  ///< n along a side of every level, a multiple of 4, 4..256; default 32. Raised: finer everywhere
     uint32_t levels; ///< 1..BOLAN_NESTED_MAX_LEVELS; default 6. Raised: each one more is twice as fine at the middle
-    double
-        spacing; ///< d_0 of the coarsest level [m], > 0, kept to the precision of float; 0 (default): the least power of
-                 ///< two with which the coarsest level reaches to half a pixel below the horizon
+    /// d_0 of the coarsest level [m], > 0, kept to the precision of float; 0 (default): the least power of two with which
+    /// the coarsest level reaches to half a pixel below the horizon: from 10 m up, 6 levels of 32 cells end at 16 m, 10 at 1 m.
+    double spacing;
 } bolan_nested_desc;
 /// The defaults named beside the fields.
 bolan_nested_desc bolan_nested_desc_default(void);
@@ -97,7 +120,8 @@ typedef struct bolan_nested {
     bolan_nested_level level[BOLAN_NESTED_MAX_LEVELS];
 } bolan_nested;
 /// Places the levels round the point of the mean water in the middle of the view, or nearer to the eye where that point is
-/// so far that the finest level would be lost there: at most three times as far as the nearest water in the picture.
+/// so far that the finest level would be lost there: at most twice as far as the nearest water in the picture
+/// (or the eye's height).
 /// Every level stands on multiples of its own spacing, exactly, and moves in steps of two: no vertex moves over the water,
 /// and where a level stands depends on the centre and its spacing alone (n > 4; with n = 4 a hole has one place only).
 /// Levels whose cells would be below two pixels are left out. Pure, thread-safe, the same on every machine. Misuse:

@@ -4,7 +4,7 @@
 #pragma unit displacement_map 8
 #pragma unit slope_map 9
 uniform sampler2DArray displacement_map; // dx, dy, height
-uniform sampler2DArray slope_map;        // slope x, slope y, dxx, dyy
+uniform sampler2DArray slope_map;        // slope x, slope y, dxx, dyy; PACKED: slope, dxx + dyy, foam memory
 uniform int cascade_count;
 uniform vec4 cascade_tile[4]; // xy: the eye in the tile [0,1), zw: cos(angle), sin(angle) over the side [1/m]
 uniform vec4 cascade_band[4]; // x: significant height of the band [m], y: texel [m], z: longest wave [m], w: log2 of the texel

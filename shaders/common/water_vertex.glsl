@@ -3,11 +3,15 @@
 // void main() { water_vertex(); }. What varies slowly (haze, gusts, cloud shadow, depth) is made at the vertices; the quad has only
 // four, so there the pixels make it themselves, and the vertices only what is the same for the whole picture.
 //
+// STATIC_GRID: the vertices are places of the unit square, which the projector puts onto the water.
 // LAND: there is terrain, and shallow water attenuates the waves. QUAD: the surface is the quad. ROUGH_VERTICES: the vertices look up
 // the roughness too.
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
 #include "common/gusts.glsl"
+#ifdef STATIC_GRID
+#include "common/grid.glsl"
+#endif
 
 // What a pixel cannot resolve. Where the vertices carry the waves, it is they who cannot: a wave of three spacings fades to half
 // (bolan_sea_sample_grid), as it does under a pixel 1.4 spacings wide.
@@ -20,8 +24,14 @@ footprint mesh_footprint(footprint f, float spacing) {
 }
 
 #ifdef VERTEX
+#ifdef STATIC_GRID
+layout(location = 0) in vec2 grid_place; // column and row in 0..1: the same in every frame
+uniform vec4 grid_reach, grid_azimuth; // see common/grid.glsl
+uniform vec2 grid_cells;
+#else
 layout(location = 0) in vec4 vertex; // eye-relative mean water; w: spacing [m]
 layout(location = 1) in vec2 stitch; // to the neighbours whose mean this vertex is; (0, 0): none
+#endif
 out vec4 water_place;                // eye-relative position, depth of the mean water
 out vec2 water_rest;                 // undisplaced xy
 #ifndef QUAD
@@ -59,10 +69,13 @@ float least_depth(vec2 rest, float depth) {
 }
 
 void water_vertex() {
+#ifdef STATIC_GRID
+    vec4 vertex = grid_point(grid_place, grid_reach, grid_azimuth, grid_cells);
+#endif
     vec2 rest = vertex.xy;
     float depth = water_depth(rest);
     vec3 offset = wave_offset(rest, vertex.w, depth, water_mesh);
-#ifndef WAVES_MESH // there the CPU stitched
+#if !defined(WAVES_MESH) && !defined(STATIC_GRID) // there the CPU stitched; here nothing is
     if (stitch != vec2(0.0)) {
         vec4 unused;
         offset = 0.5 * (wave_offset(rest - stitch, vertex.w, water_depth(rest - stitch), unused) +

@@ -4,6 +4,7 @@
 //   WAVES_SUM   many cosines, here for each pixel: only the quad needs that (Liu, Xu & Chen 2009)
 //   WAVES_MESH  the same, made on the CPU for each vertex; the pixels interpolate
 //   none        cascades: tiles of an FFT
+// PACKED: the cascades' slope_map holds slope, dxx + dyy, foam memory, and there is no fold_map (water_fields.h).
 // Twins of bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
 #if !defined(WAVES_EXP) && !defined(WAVES_SUM) && !defined(WAVES_MESH)
 #define WAVES_CASCADES
@@ -168,7 +169,31 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #ifndef TAPS // most look-ups along the long side of the pixel's footprint; set by quality, this serves an offline compiler
 #define TAPS 4
 #endif
-#ifdef WAVES_CASCADES
+
+#if defined(WAVES_CASCADES) && defined(PACKED)
+// One look-up a cascade, at the level of a width given by its log2. Slopes over the displaced surface as if waves came from all sides.
+wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
+    vec4 sum = vec4(0.0);
+    float width = exp2(fine);
+    for (int c = 0; c < cascade_count; ++c) {
+        vec4 band = cascade_band[c];
+        if (width > 0.6 * band.z) break;
+        vec4 s = textureLod(slope_map, vec3(cascade_uv(c, rest), float(c)), fine - band.w);
+        float keep = band.z < 20.0 ? gust : 1.0;
+#ifdef LAND
+        keep *= shore_attenuation(depth, band.x);
+#endif
+        sum += keep * s;
+    }
+    float pinch = choppiness * sum.z;
+    vec2 slope = sum.xy / max(1.0 + 0.75 * pinch, 0.3);
+    return wave_fields(slope * min(1.0, 1.2 * inversesqrt(max(dot(slope, slope), 1e-6))), 1.0 + pinch, sum.w);
+}
+
+wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
+    return waves_of_width(rest, log2(max(f.minor, f.major / float(TAPS))), gust, depth);
+}
+#elif defined(WAVES_CASCADES)
 #pragma unit fold_map 10
 uniform sampler2DArray fold_map; // r: dxy, g: foam memory
 

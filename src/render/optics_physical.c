@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The physical optics: draws the water's shape into a few numbers per pixel, and shades these over a copy of what lies
 // behind. Shaders: shaders/water_surface.glsl, shaders/water.glsl.
+#include "foam_statistics.h"
 #include "foam_texture.h"
 #include "water_optics.h"
 
@@ -66,35 +67,6 @@ static void free_all(void *state) {
     gl_texture_free(&p->foam_detail);
 }
 
-// The x at which the standard normal distribution reaches p.
-static double normal_quantile(double p) {
-    double low = -8.0, high = 8.0;
-    for (int i = 0; i < 50; ++i) {
-        double middle = 0.5 * (low + high);
-        if (0.5 * erfc(-middle * 0.70710678118654752) < p)
-            low = middle;
-        else
-            high = middle;
-    }
-    return 0.5 * (low + high);
-}
-
-// Mean and variance of the summed foam memory, from a sparse lattice of each cascade.
-static void foam_moments(const bolan_sea *sea, double *mean, double *variance) {
-    *mean = *variance = 0.0;
-    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
-        bolan_cascade_view v = bolan_sea_cascade(sea, c);
-        double sum = 0.0, squares = 0.0;
-        uint32_t count = 0, size = v.n * v.n;
-        for (uint32_t i = 0; i < size; i += 61, ++count) { // 61 is prime to every n
-            sum += v.foam[i];
-            squares += (double)v.foam[i] * v.foam[i];
-        }
-        *mean += sum / count;
-        *variance += squares / count - (sum / count) * (sum / count);
-    }
-}
-
 #define FOAM_EDGE 0.12     // how widely a breaking patch's edge is drawn, in Jacobian
 #define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
 #define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
@@ -107,9 +79,9 @@ static void set_foam(const gl_program *g, const frame *f) {
     // A soft edge widens a Gaussian field; the covered share stays when the threshold moves out with the standard deviation.
     double spread = fmax(desc->choppiness * desc->choppiness * mss, 1e-9);
     double threshold = 1.0 - (1.0 - bolan_sea_foam_threshold(sea)) * sqrt(1.0 + FOAM_EDGE * FOAM_EDGE / spread);
-    foam_moments(sea, &memory_mean, &memory_variance);
+    foam_memory_moments(sea, &memory_mean, &memory_variance);
     double share = fmin(0.3, OLD_FOAM_SHARE * bolan_monahan_cover(desc->sea_state.wind_speed));
-    double old = memory_mean - normal_quantile(share) * sqrt(memory_variance * (1.0 + OLD_EDGE));
+    double old = memory_mean - foam_quantile(share) * sqrt(memory_variance * (1.0 + OLD_EDGE));
     float rest[3];
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
     gl_program_vec4(g, "foam_law", (bolan_vec4){(float)fmax(threshold, -1e30), rest[0] + rest[2], 0.0f, 0.0f});

@@ -2,6 +2,8 @@
 // See water_fields.h.
 #include "water_fields.h"
 
+#include "water_texels.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -33,7 +35,41 @@ bolan_result water_fields_create(water_fields *p) {
     return result == BOLAN_OK ? gl_texture_create(&waves, &p->table) : result;
 }
 
+// What a cascade's texels are made in.
+typedef struct water_texel_work {
+    float *sum, *scratch[2];      // pinch; levels as planes
+    uint16_t *packed, *levels[2]; // first level, packed; levels below the first: of displacement, of slopes
+} water_texel_work;
+
+static size_t work_bytes(uint32_t n) {
+    const size_t texels = (size_t)n * n;
+    return sizeof(water_texel_work) + sizeof(float) * texels + sizeof(uint16_t) * 4 * texels +
+           2 * (texel_scratch_bytes(n) + texel_chain_bytes(n)) + 64;
+}
+
+static void free_work(water_fields *p) {
+    for (int c = 0; c < BOLAN_MAX_CASCADES; ++c) {
+        bolan_release(p->work[c], work_bytes(p->work_n));
+        p->work[c] = NULL;
+    }
+}
+
+static water_texel_work *create_work(uint32_t n) {
+    const size_t texels = (size_t)n * n;
+    water_texel_work *w = bolan_allocate(work_bytes(n));
+    if (w == NULL) return NULL;
+    char *at = (char *)w + (sizeof *w + 63) / 64 * 64;
+    w->sum = (float *)(void *)at, at += sizeof(float) * texels;
+    w->packed = (uint16_t *)(void *)at, at += sizeof(uint16_t) * 4 * texels;
+    for (int i = 0; i < 2; ++i) {
+        w->scratch[i] = (float *)(void *)at, at += texel_scratch_bytes(n);
+        w->levels[i] = (uint16_t *)(void *)at, at += texel_chain_bytes(n);
+    }
+    return w;
+}
+
 void water_fields_free(water_fields *p) {
+    free_work(p);
     gl_texture_free(&p->displacement);
     gl_texture_free(&p->slopes);
     gl_texture_free(&p->fold);
@@ -74,19 +110,76 @@ static void interleave_fold(const bolan_cascade_view *v, uint16_t *out) {
     }
 }
 
-static void upload_cascades(water_fields *p, const bolan_sea *sea) {
-    uint32_t count = bolan_sea_cascade_count(sea);
+// What the workers make of a frame's cascades: item 2c the levels of the displacement of cascade c, 2c + 1 of its slopes.
+typedef struct texel_job {
+    const water_fields *fields;
+    const bolan_sea *sea;
+    bool packed, levels;
+} texel_job;
+
+static void make_texels(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    const texel_job *job = context;
+    (void)worker;
+    for (uint32_t item = begin; item < end; ++item) {
+        water_texel_work *w = job->fields->work[item / 2];
+        const bolan_cascade_view v = bolan_sea_cascade(job->sea, item / 2);
+        const float *displacement[] = {v.dx, v.dy, v.height, v.dxy};
+        const float *slopes[] = {v.slope_x, v.slope_y, job->packed ? w->sum : v.dxx, job->packed ? v.foam : v.dyy};
+        const bool second = item % 2 == 1;
+        if (second && job->packed)
+            texel_kernels_best()->pack((size_t)v.n * v.n, v.slope_x, v.slope_y, v.dxx, v.dyy, v.foam, w->sum,
+                                       w->packed);
+        if (job->levels) texel_chain(v.n, second ? slopes : displacement, w->scratch[second], w->levels[second]);
+    }
+}
+
+static void upload_levels(gl_texture *t, int layer, const uint16_t *levels) {
+    for (uint32_t l = 1; l < t->levels; ++l) {
+        gl_texture_upload(t, l, layer, levels, true);
+        levels += 4 * (size_t)(t->width >> l) * (t->width >> l);
+    }
+}
+
+static bool fit_work(water_fields *p, uint32_t n, uint32_t count) {
+    if (p->work_n != n) free_work(p);
+    p->work_n = n;
+    bool all = true;
+    for (uint32_t c = 0; c < count; ++c) {
+        if (p->work[c] == NULL) p->work[c] = create_work(n);
+        all = all && p->work[c] != NULL;
+    }
+    return all;
+}
+
+static void upload_fold(water_fields *p, const bolan_sea *sea, uint32_t count) {
     for (uint32_t c = 0; c < count; ++c) {
         bolan_cascade_view v = bolan_sea_cascade(sea, c);
-        if (c == 0) fit_textures(p, v.n, count);
-        gl_texture_upload(&p->displacement, 0, (int)c, v.displacement_half, true);
-        gl_texture_upload(&p->slopes, 0, (int)c, v.slope_half, true);
         interleave_fold(&v, p->cpu_fold);
         gl_texture_upload(&p->fold, 0, (int)c, p->cpu_fold, true);
     }
+    gl_texture_generate_mipmaps(&p->fold);
+}
+
+// On software GL the levels are made here; a GPU makes them in no time.
+static void upload_cascades(water_fields *p, const bolan_sea *sea, bool packed, bool software) {
+    const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade(sea, 0).n;
+    fit_textures(p, n, count);
+    p->packed = packed;
+    if (!fit_work(p, n, count)) return;
+    texel_job job = {.fields = p, .sea = sea, .packed = packed, .levels = software};
+    if (packed || software) bolan_parallel(2 * count, 1, make_texels, &job);
+    for (uint32_t c = 0; c < count; ++c) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        gl_texture_upload(&p->displacement, 0, (int)c, v.displacement_half, true);
+        gl_texture_upload(&p->slopes, 0, (int)c, packed ? p->work[c]->packed : v.slope_half, true);
+        if (!software) continue;
+        upload_levels(&p->displacement, (int)c, p->work[c]->levels[0]);
+        upload_levels(&p->slopes, (int)c, p->work[c]->levels[1]);
+    }
+    if (!packed) upload_fold(p, sea, count);
+    if (software) return;
     gl_texture_generate_mipmaps(&p->displacement);
     gl_texture_generate_mipmaps(&p->slopes);
-    gl_texture_generate_mipmaps(&p->fold);
 }
 
 // Where the eye stands in each tile, reduced in double so that the GPU never sees a large coordinate.
@@ -171,8 +264,9 @@ static void upload_slope_table(water_fields *p, const bolan_sea *sea) {
     gl_texture_upload(&p->slope_table, 0, -1, table, false);
 }
 
-void water_fields_prepare(water_fields *p, const frame *f, water_waves waves, bool table_only) {
-    if (waves == WATER_CASCADES && !table_only) upload_cascades(p, f->desc->sea);
+void water_fields_prepare(water_fields *p, const frame *f, water_waves waves, water_textures textures) {
+    if (waves == WATER_CASCADES && textures != WATER_TEXTURES_NONE)
+        upload_cascades(p, f->desc->sea, textures == WATER_TEXTURES_PACKED, f->caps->software);
     if (waves == WATER_SUM) upload_table(p, f);
     upload_slope_table(p, f->desc->sea);
     water_fields_bind(p, waves);

@@ -12,18 +12,27 @@ water_waves water_waves_of(bolan_wave_model model, bolan_surface_kind surface);
 // "WAVES_EXP 1\n" and so on; "" for cascades.
 const char *water_waves_define(water_waves waves);
 
+// What an optics reads of the cascades' textures, besides the displacement.
+typedef enum water_textures {
+    WATER_TEXTURES_ALL,    // slope_map: slope, dxx, dyy; fold_map: dxy, foam memory
+    WATER_TEXTURES_PACKED, // slope_map: slope, dxx + dyy, foam memory; no fold_map: one look-up for all
+    WATER_TEXTURES_NONE,   // only the table of unresolved slopes (the optics has the waves by other means)
+} water_textures;
+
 typedef struct water_fields {
-    gl_texture displacement, slopes, fold; // cascades: arrays, a layer each
-    gl_texture table;                      // WATER_SUM: a texel a wave
+    gl_texture displacement, slopes, fold;             // cascades: arrays, a layer each
+    bool packed;                                       // what slopes holds
+    struct water_texel_work *work[BOLAN_MAX_CASCADES]; // levels made on the CPU
+    uint32_t work_n;
+    gl_texture table; // WATER_SUM: a texel a wave
     gl_texture slope_table;
     uint16_t *cpu_fold;
     size_t cpu_fold_bytes;
 } water_fields;
 
 bolan_result water_fields_create(water_fields *p);
-// Uploads what this frame's waves need, and binds it. `table_only`: nothing of the cascades but the table of unresolved
-// slopes (the optics has the waves by other means).
-void water_fields_prepare(water_fields *p, const frame *f, water_waves waves, bool table_only);
+// Uploads what this frame's waves need, and binds it.
+void water_fields_prepare(water_fields *p, const frame *f, water_waves waves, water_textures textures);
 // Binds the textures again, for a pass that follows one which used their units.
 void water_fields_bind(const water_fields *p, water_waves waves);
 // Sets the uniforms of waves.glsl.

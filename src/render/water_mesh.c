@@ -8,11 +8,12 @@
 static const struct {
     double pixels_per_vertex;
     uint32_t max_vertices, nested_cells;
+    bolan_surface_size fixed; // columns and rows of the static grid
 } quality_table[] = {
-    [BOLAN_QUALITY_LOW] = {8.0, 40000, 32},
-    [BOLAN_QUALITY_MEDIUM] = {6.0, 100000, 32},
-    [BOLAN_QUALITY_HIGH] = {3.0, 300000, 64},
-    [BOLAN_QUALITY_ULTRA] = {2.0, 700000, 128},
+    [BOLAN_QUALITY_LOW] = {8.0, 40000, 32, {97, 81}},
+    [BOLAN_QUALITY_MEDIUM] = {6.0, 100000, 32, {129, 97}},
+    [BOLAN_QUALITY_HIGH] = {3.0, 300000, 64, {257, 193}},
+    [BOLAN_QUALITY_ULTRA] = {2.0, 700000, 128, {513, 385}},
 };
 
 static bolan_result allocate(water_mesh *m) {
@@ -26,6 +27,27 @@ static bolan_result allocate(water_mesh *m) {
     m->cpu_indices = bolan_allocate(m->index_capacity * sizeof *m->cpu_indices);
     bool all = m->cpu_vertices && m->cpu_waves && m->cpu_rest && m->cpu_spacing && m->cpu_visible && m->cpu_indices;
     return all ? BOLAN_OK : BOLAN_ERROR_MEMORY;
+}
+
+// Uploaded once (Ni, Zhang & Tan: the sampling grid lies in video memory, and is not sent again in each frame).
+static bolan_result create_fixed(water_mesh *m, bolan_surface_size size) {
+    static const uint8_t place[] = {2};
+    const uint32_t count = size.columns * size.rows;
+    float *places = (float *)(void *)m->cpu_vertices; // large enough, and not in use yet
+    for (uint32_t i = 0; i < count; ++i) {
+        places[2 * i] = (float)(i % size.columns) / (float)(size.columns - 1);
+        places[2 * i + 1] = (float)(i / size.columns) / (float)(size.rows - 1);
+    }
+    m->fixed_size = size;
+    const uint32_t indices = bolan_surface_grid_indices(size, m->cpu_indices);
+    bolan_result r =
+        gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, sizeof(float) * 2 * count, places, &m->fixed_vertices);
+    if (r == BOLAN_OK)
+        r = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, sizeof(uint32_t) * indices, m->cpu_indices,
+                             &m->fixed_indices);
+    if (r == BOLAN_OK)
+        r = gl_mesh_create(&m->fixed_vertices, &m->fixed_indices, place, 1, 2 * sizeof(float), &m->fixed_mesh);
+    return r;
 }
 
 // The vertices and their waves, by these indices.
@@ -49,7 +71,8 @@ bolan_result water_mesh_create(water_mesh *m, bolan_quality quality) {
         r = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STREAM, n * sizeof *m->cpu_waves, NULL, &m->waves);
     if (r == BOLAN_OK)
         r = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, m->index_capacity * sizeof(uint32_t), NULL, &m->indices);
-    return r == BOLAN_OK ? create_mesh(m, &m->indices, &m->mesh) : r;
+    if (r == BOLAN_OK) r = create_mesh(m, &m->indices, &m->mesh);
+    return r == BOLAN_OK ? create_fixed(m, quality_table[quality].fixed) : r;
 }
 
 void water_mesh_free(water_mesh *m) {
@@ -60,6 +83,9 @@ void water_mesh_free(water_mesh *m) {
     gl_buffer_free(&m->vertices);
     gl_buffer_free(&m->waves);
     gl_buffer_free(&m->indices);
+    gl_mesh_free(&m->fixed_mesh);
+    gl_buffer_free(&m->fixed_vertices);
+    gl_buffer_free(&m->fixed_indices);
     bolan_release(m->cpu_vertices, n * sizeof *m->cpu_vertices);
     bolan_release(m->cpu_waves, n * sizeof *m->cpu_waves);
     bolan_release(m->cpu_rest, n * sizeof *m->cpu_rest);
@@ -201,8 +227,22 @@ static void average_normals(water_mesh *m, uint32_t count) {
     }
 }
 
-void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves) {
+static void build_fixed(water_mesh *m, const bolan_surface_view *view) {
+    m->projector = bolan_surface_projector_of(view);
+    const bolan_surface_size size = m->fixed_size;
+    m->index_count = m->projector.visible ? 6 * (size.columns - 1) * (size.rows - 1) : 0;
+    m->seam_count = 0;
+    m->grid = (bolan_surface_size){0, 0}; // the other buffers' indices count no longer
+}
+
+void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves, bool fixed) {
     bolan_surface_view view = water_mesh_view(f);
+    m->fixed = fixed && kind == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH;
+    if (m->fixed) {
+        build_fixed(m, &view);
+        m->kind = kind;
+        return;
+    }
     uint32_t count = kind == BOLAN_SURFACE_QUAD     ? build_quad(m, &view)
                      : kind == BOLAN_SURFACE_NESTED ? build_nested(m, &view)
                                                     : build_projected(m, &view);
@@ -222,7 +262,18 @@ void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, wa
     gl_buffer_update(&m->waves, 0, sizeof(bolan_sea_sample) * count, m->cpu_waves);
 }
 
-void water_mesh_draw(const water_mesh *m) { gl_mesh_draw(&m->mesh, 0, m->index_count + m->seam_count); }
+void water_mesh_apply(const water_mesh *m, const gl_program *program) {
+    float grid[8];
+    if (!m->fixed) return;
+    bolan_surface_projector_uniforms(&m->projector, m->fixed_size, grid);
+    gl_program_vec4(program, "grid_reach", (bolan_vec4){grid[0], grid[1], grid[2], grid[3]});
+    gl_program_vec4(program, "grid_azimuth", (bolan_vec4){grid[4], grid[5], grid[6], grid[7]});
+    gl_program_vec2(program, "grid_cells", (float)(m->fixed_size.columns - 1), (float)(m->fixed_size.rows - 1));
+}
+
+void water_mesh_draw(const water_mesh *m) {
+    gl_mesh_draw(m->fixed ? &m->fixed_mesh : &m->mesh, 0, m->index_count + m->seam_count);
+}
 
 uint32_t water_mesh_triangles(const water_mesh *m) { return m->index_count / 3; }
 

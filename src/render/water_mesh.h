@@ -27,11 +27,20 @@ typedef struct water_mesh {
     uint32_t index_count; // of this view; 0: no water in sight
     uint32_t seam_count;  // indices after those, of triangles without area
     uint32_t line_count;  // indices of its edges
+    // The static grid: places in the unit square, uploaded once; the vertex shader puts them onto the water
+    bolan_surface_size fixed_size;
+    gl_buffer fixed_vertices, fixed_indices;
+    gl_mesh fixed_mesh;
+    bolan_surface_projector projector;
+    bool fixed; // it is what this view draws
 } water_mesh;
 
 bolan_result water_mesh_create(water_mesh *m, bolan_quality quality);
-// Makes the mesh of this view; WATER_MESH: with waves on its vertices.
-void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves);
+// Makes the mesh of this view; WATER_MESH: with waves on its vertices. `fixed`: the projected surface as the static grid, for
+// optics that light each pixel from textures and need few vertices; not with waves that are made on the CPU.
+void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves, bool fixed);
+// Sets the uniforms of the static grid, where it is drawn.
+void water_mesh_apply(const water_mesh *m, const gl_program *program);
 void water_mesh_draw(const water_mesh *m);
 // Makes the edges of the triangles, for water_mesh_draw_edges(). False: there is no memory for them (logged).
 bool water_mesh_find_edges(water_mesh *m);

@@ -6,19 +6,21 @@
 #include <stdio.h>
 #include <string.h>
 
-// Bits 0-1 the waves, 2 the quad, 3 land, 4-8 the number of exp-cosine waves, from 9 on the optics' own.
+// Bits 0-1 the waves, 2 the quad, 3 land, 4 the static grid, 5 packed cascades, 6-10 the number of exp-cosine waves, from 11 on the
+// optics' own.
 static uint32_t key_of(const water_draw *d, uint32_t extra) {
-    uint32_t quad = d->f->scene->technique.surface == BOLAN_SURFACE_QUAD, land = d->f->shore->present;
+    uint32_t quad = water_surface(d->f) == BOLAN_SURFACE_QUAD, land = d->f->shore->present;
+    uint32_t fixed = d->mesh->fixed, packed = d->waves == WATER_CASCADES && d->fields->packed;
     uint32_t count = d->waves == WATER_EXP ? bolan_sea_component_count(d->f->desc->sea) : 0;
-    return (uint32_t)d->waves | quad << 2 | land << 3 | count << 4 | extra << 9;
+    return (uint32_t)d->waves | quad << 2 | land << 3 | fixed << 4 | packed << 5 | count << 6 | extra << 11;
 }
 
 static const gl_program *make(const water_draw *d, const char *stem, uint32_t key, const char *extra) {
     water_programs *all = d->programs;
     char defines[160], count[24] = "";
-    if (d->waves == WATER_EXP) snprintf(count, sizeof count, "WAVE_COUNT %u\n", key >> 4 & 31u);
-    snprintf(defines, sizeof defines, "%s%s%s%s%s", water_waves_define(d->waves), count, key & 4 ? "QUAD 1\n" : "",
-             key & 8 ? "LAND 1\n" : "", extra);
+    if (d->waves == WATER_EXP) snprintf(count, sizeof count, "WAVE_COUNT %u\n", key >> 6 & 31u);
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s", water_waves_define(d->waves), count, key & 4 ? "QUAD 1\n" : "",
+             key & 8 ? "LAND 1\n" : "", key & 16 ? "STATIC_GRID 1\n" : "", key & 32 ? "PACKED 1\n" : "", extra);
     if (all->count == WATER_PROGRAMS) { // a tour of everything: start anew
         for (uint32_t i = 0; i < all->count; ++i) gl_program_free(&all->list[i].program);
         all->count = 0;
@@ -41,6 +43,7 @@ const gl_program *water_program(const water_draw *d, const char *stem, uint32_t 
     if (program->id == 0) return NULL;
     gl_program_use(program);
     water_fields_apply(program, d->f, d->waves);
+    water_mesh_apply(d->mesh, program);
     return program;
 }
 
@@ -60,11 +63,16 @@ void water_draw_forward(const water_draw *d) {
     water_mesh_draw(d->mesh);
 }
 
+bolan_surface_kind water_surface(const frame *f) {
+    return f->uniforms.under.x > 0.5f ? BOLAN_SURFACE_QUAD : f->scene->technique.surface;
+}
+
 uint32_t water_rows(const frame *f, double vertical) {
     const bolan_camera *c = &f->scene->camera;
     if (c->roll_deg != 0.0) return f->desc->height;
+    if (water_surface(f) == BOLAN_SURFACE_QUAD) vertical = 0.0;
     double above = f->uniforms.eye.z - vertical;
-    if (above <= 1.0) return f->desc->height; // among the waves: they may stand anywhere
+    if (above <= (vertical > 0.0 ? 1.0 : 0.0)) return f->desc->height; // among the waves: they may stand anywhere
     double top = bolan_radians(c->pitch_deg) + acos(BOLAN_EARTH_RADIUS / (BOLAN_EARTH_RADIUS + above)); // over it
     double half = 0.5 * bolan_radians(c->fov_deg);
     double y = -tan(top) / tan(half); // in the middle; the curve of the horizon bends down from there

@@ -2,7 +2,8 @@
 // Frequency spectra by height and peak.
 //   Pierson & Moskowitz, J. Geophys. Res. 69 (1964); Hasselmann et al., "Measurements of wind-wave growth and swell
 //   decay during JONSWAP", Deutsche Hydrogr. Z. A8(12) (1973); Bouws et al., "Similarity of the wind wave spectrum in finite
-//   depth water", J. Geophys. Res. 90 (1985), with the depth factor of Kitaigorodskii (1975).
+//   depth water", J. Geophys. Res. 90 (1985), with the depth factor of Kitaigorodskii (1975); Phillips's spectrum as Tessendorf,
+//   "Simulating ocean water", SIGGRAPH course (2001), eq. 40-41, has it, which in w is Pierson & Moskowitz's but for its cut.
 #include "bolan/math.h"
 #include "spectrum/portable.h"
 #include "spectrum/spectrum_eval.h"
@@ -62,6 +63,8 @@ spectrum_system spectrum_system_prepare(const bolan_wave_system *system) {
     p.log_gamma = peaked && system->gamma > 1.0 ? portable_log(system->gamma) : 0.0;
     p.level = 5.0 / 16.0 * system->hs * system->hs * wp2 * wp2 / spectrum_peak_integral(p.log_gamma);
     p.depth_limited = system->kind == BOLAN_SPECTRUM_TMA;
+    // L = U^2 / g = (4/5)^(1/2) g / wp^2, l = L / 1000. The cut takes 1e-6 of m0, so the level stays.
+    if (system->kind == BOLAN_SPECTRUM_PHILLIPS) p.cut = 0.89442719099991588e-3 / wp2;
     // Hasselmann, Dunckel & Ewing, J. Phys. Oceanogr. 10 (1980): U/cp with cp = g / wp.
     const double wave_age = system->wind_speed > 0.0 ? system->wind_speed * system->peak_omega / BOLAN_GRAVITY : 1.0;
     p.s_tail_power = -2.33 - 1.45 * (wave_age - 1.17);
@@ -88,7 +91,9 @@ double spectrum_system_density(const spectrum_system *system, double omega, doub
         const double d = (omega / system->peak_omega - 1.0) / width;
         exponent += system->log_gamma * portable_exp(-0.5 * d * d);
     }
-    const double w2 = omega * omega;
+    const double w2 = omega * omega, kl = system->cut * w2;
+    if (!(kl < 20.0)) return 0.0;
+    exponent -= kl * kl;
     const double density = system->level / (w2 * w2 * omega) * portable_exp(exponent);
     return system->depth_limited ? density * depth_factor(kh) : density;
 }

@@ -15,6 +15,7 @@ typedef struct spectrum_system {
     double peak_omega;  ///< [rad/s]
     double log_gamma;   ///< 0 for Pierson-Moskowitz
     bool depth_limited; ///< TMA
+    double cut;         ///< l / g of Phillips's e^{-k^2 l^2} with k = w^2 / g; 0 for the others
     bolan_spreading_kind spreading;
     double s;            ///< exponent of COS2S
     double s_tail_power; ///< Hasselmann's exponent of w/wp above the peak

@@ -28,15 +28,23 @@ bolan_surface_desc bolan_surface_desc_default(void) {
     return (bolan_surface_desc){.kind = BOLAN_SURFACE_PROJECTED, .pixels_per_vertex = 3.0, .max_vertices = 200000};
 }
 
+// Distance [m] at which a ray that sinks by `slope` meets a round earth `height` below; HUGE_VAL where it passes over.
+static double meets_water(double slope, double height) {
+    const double under = slope * slope - 2.0 * height / BOLAN_EARTH_RADIUS;
+    return slope > 0.0 && under > 0.0 ? BOLAN_EARTH_RADIUS * (slope - sqrt(under)) : HUGE_VAL;
+}
+
 static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
     double radius = BOLAN_EARTH_RADIUS;
     polar_bounds b = {.far_distance = surface_horizon_distance(fmax(height, 0.0), v->vertical) + 10.0};
-    double lowest = 1e9;
+    double lowest = 1e9, highest = -1e9; // elevation angles in the picture
     for (int j = 0; j < PROBES; ++j)
         for (int i = 0; i < PROBES; ++i) {
             bolan_dvec3 d = surface_picture_direction(v, 2.0 * i / (PROBES - 1) - 1.0, 2.0 * j / (PROBES - 1) - 1.0);
             b.half = fmax(b.half, fabs(atan2(d.x, d.y)));
-            lowest = fmin(lowest, atan2(d.z, hypot(d.x, d.y)));
+            const double elevation = atan2(d.z, hypot(d.x, d.y));
+            lowest = fmin(lowest, elevation);
+            highest = fmax(highest, elevation);
         }
     b.half += SURFACE_GUARD_ANGLE;
     if (surface_sees_nadir(v)) {
@@ -49,65 +57,107 @@ static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
     b.any = above <= 0.0 || lowest < -dip + 1e-4;
     if (above > 0.0 && lowest < 0.0) b.near_distance = fmax(0.0, above / tan(-lowest) - 1.5 * v->horizontal);
     if (above > 0.0 && lowest >= 0.0) b.near_distance = sqrt(2.0 * radius * above) * 0.5;
+    // where the whole picture lies below the horizon: to its upper edge, seen down to the deepest trough
+    const double edge = highest + SURFACE_GUARD_ANGLE, deep = height + v->vertical;
+    if (edge < -0.01) b.far_distance = fmin(b.far_distance, meets_water(tan(-edge), deep) + 1.5 * v->horizontal + 10.0);
     b.near_distance = fmin(b.near_distance, 0.5 * b.far_distance);
     return b;
 }
 
-// Radial step at distance r: one vertex per `angle` as seen from the eye, but never longer than a fixed share of the
-// distance, so that crests keep their outline near the horizon where an angular step covers a hundred metres.
-static double radial_step(double r, double height, double angle) {
-    double seen = angle * (height * height + r * r) / height;
-    return fmin(seen, fmax(7.0 * angle * r, angle * height));
+// ---- distances: rows lie at even steps of a parameter s of x = r / height ---------------------------------------------
+//
+//   s(x) = atan x                      up to x1: even steps of the angle seen from the eye
+//          atan x1 + ln(x / x1) / 7    beyond: never longer than a fixed share of the distance, so that crests keep their
+//                                      outline near the horizon, where an angular step covers a hundred metres
+//
+// x1 is where both have the same slope, 1 + x1^2 = 7 x1. Twin: grid_point() in shaders/common/grid.glsl.
+#define FAR_SHARE 7.0
+#define FAR_FROM 6.854101966249685  // x1 = (7 + sqrt 45) / 2
+#define FAR_ANGLE 1.425920476076873 // atan x1
+
+static double parameter_of(double x) { return x < FAR_FROM ? atan(x) : FAR_ANGLE + log(x / FAR_FROM) / FAR_SHARE; }
+
+static double distance_of(double s) { return s < FAR_ANGLE ? tan(s) : FAR_FROM * exp(FAR_SHARE * (s - FAR_ANGLE)); }
+
+static double steepness_of(double x) { return x < FAR_FROM ? 1.0 + x * x : FAR_SHARE * x; } // dx/ds
+
+bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *view) {
+    BOLAN_ASSERT(view != NULL);
+    const double above = view->eye.z - view->water_level;
+    const polar_bounds b = find_bounds(view, fmax(above, 0.5));
+    bolan_surface_projector p = {.visible = b.any, .above = above};
+    p.height = fmax(fabs(above), 0.5); // the angular steps must not vanish at the surface
+    p.near_parameter = parameter_of(b.near_distance / p.height);
+    p.range = parameter_of(b.far_distance / p.height) - p.near_parameter;
+    p.heading = bolan_radians(view->heading_deg);
+    p.half = b.half;
+    p.guard = 1.5 * view->horizontal;
+    return p;
 }
 
-static uint32_t count_rows(const polar_bounds *b, double height, double angle) {
-    uint32_t rows = 1;
-    for (double r = b->near_distance; r < b->far_distance && rows < 100000; ++rows) r += radial_step(r, height, angle);
-    return rows;
+// Azimuths stay put when the camera turns.
+static double snapped(double heading, double half, uint32_t columns) {
+    const double step = 2.0 * half / (columns - 1);
+    return floor(heading / step + 0.5) * step;
 }
 
-static double half_at(const polar_bounds *b, double r, double horizontal) {
-    double share = r > 1.5 * horizontal ? pow(1.5 * horizontal / r, 1.5) : 1.0;
-    return b->half + (BOLAN_PI - b->half) * share;
+static double half_at(const bolan_surface_projector *p, double r) {
+    const double share = r > p->guard ? p->guard / r : 1.0;
+    return p->half + (BOLAN_PI - p->half) * share * sqrt(share);
 }
 
+// Azimuths at even steps, each turned from the one before: an error of 1e-16 each, and no sine for each vertex.
 static void fill_row(bolan_surface_vertex *out, uint32_t columns, double centre, double half, double r, double z,
                      double radial) {
+    const double step = 2.0 * half / (columns - 1), c = cos(step), s = sin(step);
+    double x = r * sin(centre - half), y = r * cos(centre - half);
     for (uint32_t i = 0; i < columns; ++i) {
-        double azimuth = centre + half * (2.0 * i / (columns - 1) - 1.0);
-        out[i].x = (float)(r * sin(azimuth));
-        out[i].y = (float)(r * cos(azimuth));
-        out[i].z = (float)z;
-        out[i].spacing = (float)fmax(radial, r * 2.0 * half / (columns - 1));
-        out[i].stitch_x = out[i].stitch_y = 0.0f;
+        out[i] = (bolan_surface_vertex){
+            .x = (float)x, .y = (float)y, .z = (float)z, .spacing = (float)fmax(radial, r * step)};
+        const double turned = x * c + y * s;
+        y = y * c - x * s;
+        x = turned;
     }
+}
+
+void bolan_surface_projector_vertices(const bolan_surface_projector *p, bolan_surface_size size,
+                                      bolan_surface_vertex *vertices) {
+    BOLAN_ASSERT(p != NULL && vertices != NULL && size.columns >= 2 && size.rows >= 2);
+    const double centre = snapped(p->heading, p->half, size.columns), step = p->range / (size.rows - 1);
+    for (uint32_t j = 0; j < size.rows; ++j) {
+        const double x = distance_of(p->near_parameter + j * step), r = p->height * x;
+        const double z = -p->above - r * r / (2.0 * BOLAN_EARTH_RADIUS);
+        fill_row(vertices + (size_t)j * size.columns, size.columns, centre, half_at(p, r), r, z,
+                 p->height * steepness_of(x) * step);
+    }
+}
+
+void bolan_surface_projector_uniforms(const bolan_surface_projector *p, bolan_surface_size size, float out[8]) {
+    out[0] = (float)p->near_parameter;
+    out[1] = (float)p->range;
+    out[2] = (float)p->height;
+    out[3] = (float)p->above;
+    const double centre = snapped(p->heading, p->half, size.columns);
+    out[4] = (float)remainder(centre, 2.0 * BOLAN_PI);
+    out[5] = (float)p->half;
+    out[6] = (float)p->guard;
+    out[7] = (float)BOLAN_EARTH_RADIUS;
 }
 
 bolan_surface_size bolan_surface_projected(const bolan_surface_desc *desc, const bolan_surface_view *view,
                                            bolan_surface_vertex *vertices) {
     BOLAN_ASSERT(desc != NULL && view != NULL && vertices != NULL && desc->max_vertices >= 1024);
-    double above_water = view->eye.z - view->water_level;
-    double height = fmax(fabs(above_water), 0.5); // the angular steps must not vanish at the surface
-    polar_bounds b = find_bounds(view, fmax(above_water, 0.5));
-    if (!b.any) return (bolan_surface_size){0, 0};
+    const bolan_surface_projector p = bolan_surface_projector_of(view);
+    if (!p.visible) return (bolan_surface_size){0, 0};
+    bolan_surface_size size;
     double angle = view->fov_y / view->pixel_height * desc->pixels_per_vertex;
-    uint32_t rows, columns;
     for (;; angle *= 1.15) { // coarser until it fits
-        rows = count_rows(&b, height, angle);
-        columns = (uint32_t)ceil(2.0 * b.half / angle) + 2;
-        if ((uint64_t)rows * columns <= desc->max_vertices) break;
+        size.rows = (uint32_t)ceil(p.range / angle) + 2;
+        size.columns = (uint32_t)ceil(2.0 * p.half / angle) + 2;
+        if ((uint64_t)size.rows * size.columns <= desc->max_vertices) break;
     }
-    double step = 2.0 * b.half / (columns - 1);
-    double heading = bolan_radians(view->heading_deg);
-    double centre = floor(heading / step + 0.5) * step; // azimuths stay put when the camera turns
-    double r = b.near_distance;
-    for (uint32_t j = 0; j < rows; ++j) {
-        double radial = radial_step(r, height, angle);
-        double z = -above_water - r * r / (2.0 * BOLAN_EARTH_RADIUS);
-        fill_row(vertices + (size_t)j * columns, columns, centre, half_at(&b, r, view->horizontal), r, z, radial);
-        r = fmin(r + radial, b.far_distance);
-    }
-    return (bolan_surface_size){columns, rows};
+    bolan_surface_projector_vertices(&p, size, vertices);
+    return size;
 }
 
 uint32_t bolan_surface_grid_indices(bolan_surface_size size, uint32_t *out) {

@@ -78,6 +78,8 @@ void gl_target_bind(const gl_target *t); // binds and sets the viewport
 void gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width,
                          uint32_t height);                                           // draws go there only
 void gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t height); // the caller's
+// From now on only the lowest rows of a target are drawn and cleared, at their own places; 0: all of it.
+void gl_clip_rows(uint32_t rows);
 void gl_target_clear_color(float r, float g, float b, float a);
 void gl_target_clear_depth(float depth);
 void gl_target_copy_color(const gl_target *from, const gl_target *to);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// See foam_statistics.h.
+#include "foam_statistics.h"
+
+#include <math.h>
+
+double foam_quantile(double p) {
+    double low = -8.0, high = 8.0;
+    for (int i = 0; i < 50; ++i) {
+        double middle = 0.5 * (low + high);
+        if (0.5 * erfc(-middle * 0.70710678118654752) < p)
+            low = middle;
+        else
+            high = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+void foam_memory_moments(const bolan_sea *sea, double *mean, double *variance) {
+    *mean = *variance = 0.0;
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
+        bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        double sum = 0.0, squares = 0.0;
+        uint32_t count = 0, size = v.n * v.n;
+        for (uint32_t i = 0; i < size; i += 61, ++count) { // 61 is prime to every n
+            sum += v.foam[i];
+            squares += (double)v.foam[i] * v.foam[i];
+        }
+        *mean += sum / count;
+        *variance += squares / count - (sum / count) * (sum / count);
+    }
+}

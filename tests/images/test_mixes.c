@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// Techniques: every mix of waves, surface and optics draws water; core and ES agree; frames after the first allocate nothing;
+// and the counts of triangles that the papers give.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "picture.h"
+
+#define WIDTH 96
+#define HEIGHT 64
+
+static int errors; // sentences of the library that are not mere information
+
+static void count_errors(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
+    (void)user, (void)id;
+    if (level == BOLAN_LOG_INFO) return;
+    errors++;
+    fprintf(stderr, "%s\n", sentence);
+}
+
+static bolan_scene load(const char *name) {
+    bolan_scene scene;
+    assert_int_equal(bolan_scene_load(name, &scene), BOLAN_OK);
+    scene.sky.cloud_cover = 0.0; // they are not what is tested, and take long to make
+    return scene;
+}
+
+// Mean radiance of the lower third of the picture. Everything in the picture is a finite, non-negative radiance, and below the
+// horizon nothing is missing.
+static double look_at(stage *s, const char *what) {
+    float *rgb = malloc(sizeof(float) * WIDTH * HEIGHT * 3);
+    picture p = stage_draw(s, WIDTH, HEIGHT, 1);
+    bolan_renderer_read_linear(s->renderer, rgb, NULL);
+    double sum = 0.0;
+    for (int i = 0; i < WIDTH * HEIGHT * 3; i++) {
+        if (!(rgb[i] >= 0.0f && rgb[i] < 1e4f)) fail_msg("%s: a radiance of %g", what, (double)rgb[i]);
+        if (i >= WIDTH * HEIGHT * 2) sum += (double)rgb[i];
+    }
+    for (int i = WIDTH * (HEIGHT - 8); i < WIDTH * HEIGHT; i++)
+        if (!isfinite(p.distance[i])) fail_msg("%s: a hole at pixel %d", what, i);
+    free(rgb);
+    picture_free(&p);
+    return sum / (WIDTH * HEIGHT);
+}
+
+// The physical optics over the projected FFT is the yardstick: water is neither black nor burnt out by any other way. A factor of
+// 4 either way: the glitter of a few pixels may be in one picture and not in the other.
+static void every_mix_draws_water(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"pond", "open-sea"};
+    bolan_set_hooks(&(bolan_hooks){.log = count_errors});
+    for (int c = 0; c < 2; c++) {
+        bolan_context *context = NULL;
+        if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+        double expected = 0.0;
+        for (int w = 0; w < BOLAN_WAVE_MODELS; w++) {
+            bolan_scene scene = load(scenes[c]);
+            bolan_technique mix = bolan_technique_ocean;
+            mix.waves = (bolan_wave_model)w;
+            scene.sea.resolution = 128;
+            bolan_scene_set_technique(&scene, &mix);
+            stage s;
+            assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+            for (int m = 0; m < BOLAN_SURFACE_KINDS * BOLAN_OPTICS_KINDS; m++) {
+                char what[128];
+                s.scene.technique.surface = (bolan_surface_kind)(m % BOLAN_SURFACE_KINDS);
+                s.scene.technique.optics = (bolan_optics_kind)(m / BOLAN_SURFACE_KINDS);
+                snprintf(what, sizeof what, "%s: %s x %s x %s", scenes[c], bolan_wave_model_names[w],
+                         bolan_surface_kind_names[s.scene.technique.surface],
+                         bolan_optics_kind_names[s.scene.technique.optics]);
+                errors = 0;
+                double mean = look_at(&s, what);
+                if (w == 0 && m == 0) expected = mean;
+                if (errors) fail_msg("%s: %d errors", what, errors);
+                if (!(mean > 0.25 * expected && mean < 4.0 * expected))
+                    fail_msg("%s: mean radiance %g, expected about %g", what, mean, expected);
+            }
+            stage_close(&s);
+        }
+        bolan_context_destroy(&context);
+    }
+    bolan_set_hooks(NULL);
+}
+
+static void paper_modes_draw_water(void **state) {
+    (void)state;
+    bolan_context *context = NULL;
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    bolan_set_hooks(&(bolan_hooks){.log = count_errors});
+    uint32_t count = 0;
+    const bolan_technique *all = bolan_techniques(&count);
+    for (uint32_t i = 0; i < count; i++) {
+        bolan_scene scene = load("pond");
+        bolan_scene_set_technique(&scene, &all[i]);
+        scene.look.paper = true;
+        scene.sea = bolan_scene_sea_desc(&scene);
+        scene.sea.resolution = 128;
+        stage s;
+        errors = 0;
+        assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+        look_at(&s, all[i].name);
+        s.scene.look.effects = 0;
+        look_at(&s, all[i].name);
+        for (int show = 0; show < BOLAN_SHOWS; show++) {
+            s.scene.look.show = (bolan_show)show;
+            look_at(&s, all[i].name);
+        }
+        assert_int_equal(errors, 0);
+        stage_close(&s);
+    }
+    bolan_set_hooks(NULL);
+    bolan_context_destroy(&context);
+}
+
+static picture draw(const bolan_technique *technique, bolan_gl_api api) {
+    bolan_context *context = NULL;
+    if (bolan_context_create(api, &context) != BOLAN_OK) skip();
+    bolan_scene scene = load("pond");
+    scene.sea.resolution = 128;
+    bolan_scene_set_technique(&scene, technique);
+    stage s;
+    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+    picture p = stage_draw(&s, WIDTH, HEIGHT, 1);
+    stage_close(&s);
+    bolan_context_destroy(&context);
+    return p;
+}
+
+static void core_and_es_draw_the_same(void **state) {
+    (void)state;
+    uint32_t count = 0;
+    const bolan_technique *all = bolan_techniques(&count);
+    bolan_set_hooks(&(bolan_hooks){.log = count_errors});
+    errors = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        picture core = draw(&all[i], BOLAN_GL_CORE), es = draw(&all[i], BOLAN_GL_ES);
+        double psnr = picture_psnr(&core, &es);
+        if (psnr < 40.0) picture_report(all[i].name, &core, &es, psnr, 40.0);
+        assert_true(psnr >= 40.0); // the same driver and code: only the precision of constants may differ
+        picture_free(&core);
+        picture_free(&es);
+    }
+    assert_int_equal(errors, 0);
+    bolan_set_hooks(NULL);
+}
+
+// Ma, Zhu & Gong 2006, table 2: 13 912 triangles, and two more for the water.
+static void the_pond_with_its_water_has_two_triangles_more(void **state) {
+    (void)state;
+    bolan_context *context = NULL;
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    bolan_scene scene = load("pond");
+    stage s;
+    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+    picture p = stage_draw(&s, WIDTH, HEIGHT, 1);
+    const bolan_frame_statistics with = bolan_renderer_statistics(s.renderer);
+    assert_int_equal(with.water_triangles, 2);
+    assert_int_equal(with.triangles, 13914);
+    picture_free(&p);
+    stage_close(&s);
+    bolan_context_destroy(&context);
+}
+
+static int allocations;
+
+static void *counted(void *user, size_t size, size_t align) {
+    (void)user;
+    ++allocations;
+    return aligned_alloc(align, (size + align - 1) / align * align);
+}
+
+static void uncounted(void *user, void *memory, size_t size) {
+    (void)user;
+    (void)size;
+    free(memory);
+}
+
+static void later_frames_allocate_nothing(void **state) {
+    (void)state;
+    bolan_set_hooks(&(bolan_hooks){.allocate = counted, .release = uncounted, .log = count_errors});
+    errors = 0;
+    bolan_context *context = NULL;
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    uint32_t count = 0;
+    const bolan_technique *all = bolan_techniques(&count);
+    for (uint32_t i = 0; i < count; i++) {
+        bolan_scene scene = load("pond");
+        scene.sea.resolution = 128;
+        bolan_scene_set_technique(&scene, &all[i]);
+        stage s;
+        assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+        bolan_target *target = NULL;
+        assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
+        bolan_frame_desc frame = bolan_frame_desc_default();
+        frame.scene = &s.scene;
+        frame.sea = s.sea;
+        frame.terrain = s.assets.terrain;
+        frame.models = s.assets.object_models;
+        frame.framebuffer = bolan_target_framebuffer(target);
+        frame.width = WIDTH;
+        frame.height = HEIGHT;
+        for (int k = 0; k < 5; ++k) {
+            if (k == 2) allocations = 0;
+            s.scene.camera.position.x += 0.3;
+            bolan_sea_step(s.sea, scene.time + 0.1 * k);
+            bolan_renderer_draw(s.renderer, &frame);
+        }
+        assert_int_equal(errors, 0);
+        if (allocations) fail_msg("%s: %d allocations", all[i].name, allocations);
+        bolan_target_destroy(&target);
+        stage_close(&s);
+    }
+    bolan_context_destroy(&context);
+    bolan_set_hooks(NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_mix_draws_water),
+        cmocka_unit_test(paper_modes_draw_water),
+        cmocka_unit_test(core_and_es_draw_the_same),
+        cmocka_unit_test(the_pond_with_its_water_has_two_triangles_more),
+        cmocka_unit_test(later_frames_allocate_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
