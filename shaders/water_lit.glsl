@@ -51,11 +51,12 @@ float foam_here(water_pixel p, footprint f, wave_fields w, vec3 covariance) {
     float alpha = 0.0;
     for (int i = 0; i < 1 && cover > 0.004; ++i) { // a loop: some drivers sample textures in both branches of an if
         vec2 at = mod(eye.xy + p.rest, 4096.0);
-        float detail = log2(f.minor * 64.0);
-        vec4 t = textureLod(foam_detail, at.yx * 0.125, max(detail, 0.0));
-        float bubbles = mix(0.5 * (t.r + t.g), 0.5, clamp(detail * 0.2, 0.0, 1.0));
-        alpha = smoothstep(1.0 - cover, 1.4 - 0.7 * cover, bubbles + 0.25 * cover);
-        alpha = mix(alpha, cover, clamp(detail * 0.2, 0.0, 1.0));
+        float detail = log2(f.minor * 64.0), far = clamp(detail * 0.2, 0.0, 1.0); // texels of a tile of 8 m
+        vec4 broad = textureLod(foam_detail, at * 0.015625, max(detail - 3.0, 0.0));
+        vec4 fine = textureLod(foam_detail, at.yx * 0.125, max(detail, 0.0));
+        // two values as likely as any: where their mean is above 1 - cover there is foam, torn and full of holes
+        float value = 0.5 * (broad.r + mix(fine.r, 0.5, far)), edge = 0.3 + 0.2 * far;
+        alpha = smoothstep(1.0 - edge - cover, 1.0 + edge - cover, value) * mix(0.6 + 0.4 * fine.g, 0.8, far);
     }
     return alpha * water_kd.w;
 }
