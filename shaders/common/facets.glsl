@@ -26,12 +26,6 @@ facets facets_toward(float up, float flat_length, float slope, float sigma) {
     return facets(flat_length * sigma * 0.5 * (u + sqrt(u2 + 0.63661977)), sigma * tilt, sigma * sqrt(spread));
 }
 
-// Share of the facets turned to the sun that no other wave stands before.
-float facets_lit(vec3 light, float sigma) {
-    float flat_length = max(length(light.xy), 1e-4);
-    return clamp(max(light.z, 0.0) / max(facets_toward(light.z, flat_length, 0.0, sigma).area, 1e-3), 0.0, 1.0);
-}
-
 // Mean Fresnel reflectance of facets whose mean normal is seen at cosine c, their slopes spreading by rms: Schlick's curve and
 // half its second derivative times the variance.
 float facets_fresnel(float c, float rms, float index) {
