@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # A thin front for CMake. Everything lands in build*/ and out/, which git ignores.
 .POSIX:
-.PHONY: help build run test bench install docs format setup
+.PHONY: help build run test bench install docs figures format setup
 
 PREFIX = /usr/local
 
@@ -12,6 +12,7 @@ help:
 	@echo 'make bench    build and run the benchmarks'
 	@echo 'make install  install the program, libraries and headers under PREFIX (default /usr/local)'
 	@echo 'make docs     the API reference: build/docs/html/index.html'
+	@echo 'make figures  the figures of the four papers again: docs/images/techniques/'
 	@echo 'make format   clang-format every C, C++ and header file'
 	@echo 'Each installs missing Debian or Ubuntu packages first (tools/setup.sh).'
 
@@ -35,6 +36,9 @@ install: build
 
 docs: setup
 	@tools/docs.sh . build/docs && echo 'The reference is at build/docs/html/index.html'
+
+figures: build
+	@tools/figures.sh
 
 format: setup
 	@tools/format.sh

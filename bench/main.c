@@ -18,6 +18,7 @@ static const command commands[] = {
     {"waves", bench_waves, "a step of the sea, as a ratio to FFTW's bare transforms"},
     {"query", bench_query, "heights and normals a second, as a ratio to memory"},
     {"frame", bench_frame, "a picture, pass by pass, as a ratio to a full-screen pass"},
+    {"techniques", bench_techniques, "every technique, and the tables of the papers beside ours"},
 };
 
 double bench_now_ms(void) {
@@ -51,7 +52,7 @@ const char *bench_machine(void) {
 static int usage(void) {
     fprintf(stderr, "usage: bolan-bench COMMAND [--json] [...]\n");
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
-        fprintf(stderr, "  %-8s %s\n", commands[i].name, commands[i].help);
+        fprintf(stderr, "  %-10s %s\n", commands[i].name, commands[i].help);
     return 2;
 }
 

@@ -1,36 +1,87 @@
 // SPDX-License-Identifier: MIT
-// The sky behind everything: clear air and clouds, two look-ups a pixel. The sun's disc is drawn over it by
-// sky_sun.glsl. Below the horizon, should no water have been drawn there, the horizon's own light.
-#include "common/fullscreen.glsl"
+// The sky behind everything: one look-up a pixel, in clear air and clouds drawn together (sky_panorama.glsl). The sun's
+// disc is drawn over it by sky_sun.glsl. The picture is drawn in two parts, which meet under the lowest point of the
+// horizon. In the part below (BELOW), should no water have been drawn there, shines the horizon's own light.
+// All that differs between views is in the uniform block.
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
 
 #ifdef VERTEX
+layout(location = 0) in vec2 corner; // x: 0..1 across the picture; y: 0 the part's lower edge, 1 its upper edge
+
+#ifdef BELOW
+out vec3 light;
+#else
 out vec3 ray;          // eye-relative direction; linear over the picture
-flat out vec3 horizon; // its dip [rad], 1 over the angle from it to the zenith, the sun's azimuth [rad]
+flat out vec2 horizon; // its dip [rad], 1 over the angle from it to the zenith
+#endif
+
+// Whether directions below the horizon fill the picture up to a height: they are a convex cone, so its corners tell.
+bool is_below(float height, float mu) {
+    return normalize(frame_ray(vec2(0.0, height))).z < mu && normalize(frame_ray(vec2(1.0, height))).z < mu;
+}
+
+// Where the parts meet, 0..1 up the picture: some pixels under the horizon, for water ends at facets, not at a circle.
+float meeting_height(float mu) {
+    if (!is_below(0.0, mu)) return 0.0;
+    float below = 0.0, above = 1.0;
+    for (int i = 0; i < 12; ++i) {
+        float middle = 0.5 * (below + above);
+        if (is_below(middle, mu)) below = middle;
+        else above = middle;
+    }
+    return max(below - 6.0 * viewport.w, 0.0);
+}
 
 void main() {
-    fullscreen(lens.z > 0.5 ? 0.0 : -1.0); // the far plane: window depth 0
-    ray = frame_ray(uv);
-    float dip = horizon_dip(max(eye.z, 0.0));
-    horizon = vec3(dip, 1.0 / (0.5 * AIR_PI + dip), length(sun.xy) > 1e-6 ? atan(sun.y, sun.x) : 0.0);
+    float h = max(eye.z, 0.0), meet = meeting_height(horizon_mu(h));
+#ifdef BELOW
+    vec2 at = vec2(corner.x, corner.y * meet), sky = vec2(sun_azimuth_coordinate(frame_ray(at).xy), 0.0);
+    light = textureLod(sky_view_table, to_texel_centres(sky, SKY_VIEW_SIZE), 0.0).rgb;
+#else
+    vec2 at = vec2(corner.x, mix(meet, 1.0, corner.y));
+    float dip = horizon_dip(h);
+    ray = frame_ray(at);
+    horizon = vec2(dip, 1.0 / (0.5 * AIR_PI + dip));
+#endif
+    gl_Position = vec4(at * 2.0 - 1.0, lens.z > 0.5 ? 0.0 : -1.0, 1.0); // the far plane: window depth 0
 }
 #endif
 
 #ifdef FRAGMENT
-in vec3 ray;
-flat in vec3 horizon;
 out vec4 color;
 
-// sky_radiance() and cloud_radiance() with what they share worked out once.
-void main() {
-    vec3 dir = normalize(ray);
-    float above = asin(clamp(dir.z, -1.0, 1.0)) + horizon.x, y = sqrt(max(above, 0.0) * horizon.y);
-    float azimuth = atan(dir.y, dir.x), from_sun = abs(azimuth - horizon.z);
-    from_sun = min(from_sun, 2.0 * AIR_PI - from_sun);
-    vec3 sky = textureLod(sky_view_table, to_texel_centres(vec2(sqrt(from_sun / AIR_PI), y), SKY_VIEW_SIZE), 0.0).rgb;
-    vec2 panorama = vec2(azimuth / (2.0 * AIR_PI), air.y > 0.5 ? 0.5 + 0.5 * y : y);
-    vec4 clouds = textureLod(cloud_map, vec3(panorama, 0.0), 0.0) * step(0.0, above);
-    color = vec4(sky * (1.0 - clouds.a) + clouds.rgb, 1.0);
+#ifdef BELOW
+in vec3 light;
+void main() { color = vec4(light, 1.0); }
+#else
+uniform sampler2D panorama;
+#pragma unit panorama 15
+in vec3 ray;
+flat in vec2 horizon;
+
+// Arc tangents of quotients in [0,1], to 1e-5 (Abramowitz & Stegun 4.4.49): a sixth of a pixel's thousandth part.
+vec2 arc_tangent(vec2 t) {
+    vec2 q = t * t;
+    return t * (0.9998660 + q * (-0.3302995 + q * (0.1801410 + q * (-0.0851330 + q * 0.0208351))));
 }
+
+// Azimuth and elevation of the ray [rad]: atan(y, x) and atan(z, length(xy)), with one reciprocal for both.
+vec2 ray_angles() {
+    vec3 size = abs(ray);
+    float across = sqrt(dot(ray.xy, ray.xy));
+    vec2 near = vec2(max(size.x, size.y), max(across, size.z)), far = vec2(min(size.x, size.y), min(across, size.z));
+    vec2 angle = arc_tangent(far * near.yx * (1.0 / max(near.x * near.y, 1e-30)));
+    angle.x = size.y > size.x ? 0.5 * AIR_PI - angle.x : angle.x;
+    angle.x = ray.x < 0.0 ? AIR_PI - angle.x : angle.x;
+    angle.y = size.z > across ? 0.5 * AIR_PI - angle.y : angle.y;
+    return vec2(ray.y < 0.0 ? -angle.x : angle.x, ray.z < 0.0 ? -angle.y : angle.y);
+}
+
+void main() {
+    vec2 angle = ray_angles();
+    float y = sqrt(max((angle.y + horizon.x) * horizon.y, 0.0));
+    color = textureLod(panorama, vec2(angle.x * (0.5 / AIR_PI), y), 0.0);
+}
+#endif
 #endif

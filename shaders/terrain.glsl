@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Land and sea bed. The mesh gives the shape; the chunk's map gives normals four times finer, cast shadows and open sky; a
 // tiled noise, looked up at the pixel's own footprint, gives the grain of rock, crowns and sand below that.
-// NEAR is defined for chunks fine enough to show the nearest grain.
+// NEAR is defined for chunks fine enough to show the nearest grain, PICTURE for what the water mirrors and refracts, and for an eye
+// under it.
 // Points under the water are left as if dry and without haze: the water pass puts the water over them.
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
+#include "common/under.glsl"
 
 uniform vec4 chunk; // xyz: eye-relative south-west corner at elevation 0, w: side [m]
 
@@ -20,6 +22,9 @@ void main() {
     position.z -= dot(position.xy, position.xy) / (2.0 * lens.w);
     place = vec3((vertex.xy / chunk.w * 128.0 + 0.5) / 129.0, vertex.z - eye.w);
     aerial_perspective(position, transmittance, inscatter);
+#ifdef PICTURE
+    position.z += seen_height(position.xy, place.z) - place.z;
+#endif
     gl_Position = view_projection * vec4(position, 1.0);
 }
 #endif
@@ -187,6 +192,9 @@ vec2 ripples(ground g, vec2 p) {
 }
 
 void main() {
+#ifdef PICTURE
+    if (clip.x * (place.z - clip.y) < 0.0) discard;
+#endif
     float level = footprint_level(place.xy);
     vec2 p = eye.xy + position.xy;
     ground g = look(p, level);
@@ -202,11 +210,19 @@ void main() {
 
     float lit = (1.0 - smoothstep(0.0, shadow_softness, g.clearance)) * cloud_shadow(position.xy);
     vec3 sunlight = sun_light.rgb * lit * oren_nayar(n, sun.xyz, view, m.rough);
+#ifdef PICTURE
+    sunlight *= gathered_light(position.xy, -g.elevation);
+#endif
     float up = 0.5 + 0.5 * n.z;
     vec3 around = (sun_light.rgb * max(sun.z, 0.0) * 0.6 + sky_light.rgb) * vec3(0.13, 0.14, 0.08);
     vec3 ambient = g.open * (sky_light.rgb * up + around * (1.0 - up + 0.25 * (1.0 - g.open)));
     vec3 radiance = m.albedo / PI * (sunlight + ambient);
     if (g.elevation > 0.0) radiance = radiance * transmittance + inscatter;
+#ifdef PICTURE
+    vec3 through, veil;
+    through_water(vec3(position.xy, g.elevation - eye.z), g.elevation, through, veil);
+    radiance = radiance * through + veil;
+#endif
     color = vec4(radiance, 1.0);
 }
 #endif

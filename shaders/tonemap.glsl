@@ -18,12 +18,8 @@ uniform sampler2D sum;
 uniform vec4 settings;
 out vec4 color;
 
-// Interleaved gradient noise (Jimenez 2014), triangular over two draws.
-float dither_noise(vec2 p) {
-    float a = fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715))));
-    float b = fract(52.9829189 * fract(dot(p + vec2(47.0, 17.0), vec2(0.06711056, 0.00583715))));
-    return a + b - 1.0;
-}
+// Interleaved gradient noise (Jimenez 2014), -1..1: at half a level either way the mean is the value.
+float dither_noise(vec2 p) { return 2.0 * fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))) - 1.0; }
 
 void main() {
     vec3 c = texelFetch(source, ivec2(gl_FragCoord.xy), 0).rgb;

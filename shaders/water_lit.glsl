@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Normals of the mesh and one light (Liu, Xu & Chen 2009, section 3).
+// Normals of the mesh and one light (Liu, Xu & Chen 2009, section 3): ambient, diffuse and specular, as OpenGL lit things then.
+//
+// Beyond the paper, from its list of future work: the mirrored sky and what shines through by Fresnel's law, foam where crests
+// fold; and what neither the mesh nor the pixel resolves of the waves widens the highlight and blurs the mirror.
+//
+// LAND: there is terrain: the bed shines through, and the sea foams where it ends.
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 
@@ -10,19 +15,119 @@ void main() { water_vertex(); }
 #ifdef FRAGMENT
 #include "common/look.glsl"
 #include "common/fresnel.glsl"
+#include "common/ripples.glsl"
+#include "common/rough.glsl"
 out vec4 color;
+
+#pragma unit foam_detail 7
+uniform sampler2D foam_detail; // see common/foam.glsl
+uniform vec4 foam_law;         // x: Jacobian below which water foams, y: softness of that edge, z: choppiness, w: slope variance beyond the waves
+
+#ifdef LAND
+#pragma unit scene_color 3
+#pragma unit scene_depth 4
+uniform sampler2D scene_color; // what lies behind the water
+uniform sampler2D scene_depth;
+#endif
+
+bool paper() { return look_mix.z > 0.5; }
+
+// Slope, jacobian and foam of the waves here. The paper has those of the vertices.
+wave_fields waves_here(water_pixel p, footprint f) {
+    wave_fields w = waves_at(p.rest, f, p.gust, p.depth, p.mesh);
+#ifndef QUAD
+    if (paper()) w.slope = p.mesh.xy;
+#endif
+    return w;
+}
+
+// Opacity of the foam. Its bubbles are looked up only where there is any.
+float foam_here(water_pixel p, footprint f, wave_fields w, vec3 covariance) {
+    float edge = foam_law.y + foam_law.z * sqrt(max(covariance.x + covariance.z - foam_law.w, 0.0));
+    float cover = clamp((foam_law.x - w.jacobian) / edge * 0.5 + 0.5, 0.0, 1.0);
+    cover *= cover;
+#ifdef LAND
+    cover = max(cover, smoothstep(0.7, 0.0, p.least / clamp(sea_law.x, 0.3, 3.0)) * 0.5);
+#endif
+    float alpha = 0.0;
+    for (int i = 0; i < 1 && cover > 0.004; ++i) { // a loop: some drivers sample textures in both branches of an if
+        vec2 at = mod(eye.xy + p.rest, 4096.0);
+        float detail = log2(f.minor * 64.0);
+        vec4 t = textureLod(foam_detail, at.yx * 0.125, max(detail, 0.0));
+        float bubbles = mix(0.5 * (t.r + t.g), 0.5, clamp(detail * 0.2, 0.0, 1.0));
+        alpha = smoothstep(1.0 - cover, 1.4 - 0.7 * cover, bubbles + 0.25 * cover);
+        alpha = mix(alpha, cover, clamp(detail * 0.2, 0.0, 1.0));
+    }
+    return alpha * water_kd.w;
+}
+
+#ifdef LAND
+// The radiance from below with the bed in it, and how much of the picture is water, 0 in the last centimetres.
+vec3 with_bed(vec3 deep, water_pixel p, vec3 view, vec2 slope, out float film) {
+    vec2 here = gl_FragCoord.xy * viewport.zw, uv = here - 0.06 * slope * clamp(p.depth * 0.3, 0.0, 1.0);
+    float depth = textureLod(scene_depth, uv, 0.0).x;
+    vec3 bed = frame_ray(uv) / max(depth, 1e-9);
+    if (bed.z > p.position.z) { // something stands before the water there
+        uv = here;
+        depth = textureLod(scene_depth, uv, 0.0).x;
+        bed = frame_ray(uv) / max(depth, 1e-9);
+    }
+    float path = depth > 0.0 ? max(p.position.z - bed.z, 0.0) : 1e4;
+    float down = sqrt(1.0 - (1.0 - view.z * view.z) / (water_deep.w * water_deep.w));
+    vec3 passed = exp(-water_kd.rgb * path * (1.0 + 1.0 / down));
+    film = smoothstep(0.0, 0.12, path);
+    return textureLod(scene_color, uv, 0.0).rgb * 0.54 * passed + deep * (1.0 - passed); // 0.54: as in water.glsl
+}
+#endif
+
+// Section 3, to the letter: no mirror, nothing shines through.
+vec3 paper_light(vec3 view, vec3 normal, vec3 water, vec3 sunlight) {
+    vec3 light = effect_is_on(EFFECT_AMBIENT) ? look_light.x * water : vec3(0.0);
+    float facing = max(dot(sun.xyz, normal), 0.0), high = max(dot(normal, normalize(view + sun.xyz)), 1e-6);
+    if (effect_is_on(EFFECT_DIFFUSE)) light += look_light.y * sunlight * facing * 0.31830989;
+    if (effect_is_on(EFFECT_SPECULAR)) light += look_light.z * sunlight * exp2(look_light.w * log2(high)) * step(0.0, sun.z);
+    return light;
+}
 
 void main() {
     water_pixel p = water_here();
     float dist = length(p.position);
     vec3 view = -p.position / dist;
-    footprint f = pixel_footprint(view, dist, p.mesh.xy);
-    wave_fields w = waves_at(p.rest, f, p.gust, p.depth, p.mesh);
-    vec3 normal = normalize(vec3(-w.slope, 1.0));
-    float reflectance = fresnel(clamp(dot(view, normal), 0.02, 1.0), water_deep.w);
-    vec3 mirrored = reflect(-view, normal);
-    vec3 sky = environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), 0.1);
-    vec3 below = water_deep.rgb * (sun_light.rgb * max(dot(sun.xyz, normal), 0.0) + sky_light.rgb);
-    color = vec4((mix(below, sky, reflectance)) * p.transmittance + p.inscatter, 1.0);
+    footprint f = water_footprint(p, view, dist);
+    wave_fields w = waves_here(p, f);
+#ifdef WAVES_CASCADES
+    f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
+#endif
+    vec3 hidden = unresolved_slopes(f) * (p.gust * p.gust), covariance = hidden;
+    if (!paper()) add_ripples(p.rest, pixel_footprint(view, dist, p.mesh.xy), p.gust, p.depth, w.slope, covariance);
+    covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
+    vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light.rgb * p.shade;
+    float facing = max(dot(sun.xyz, normal), 0.0);
+    vec3 water = water_deep.rgb * (sunlight * facing + sky_light.rgb), light;
+    if (paper()) {
+        light = paper_light(view, normal, water, sunlight);
+    } else {
+        rough_facets seen = rough_seen(view, w.slope, covariance);
+        float reflectance = rough_fresnel(view, w.slope, seen, water_deep.w), film = 1.0;
+        vec2 toward = view.xy / max(length(view.xy), 1e-4);
+        vec3 mirrored = reflect(-view, normalize(vec3(toward * seen.shift - w.slope, 1.0)));
+        vec3 below = effect_is_on(EFFECT_AMBIENT) ? look_light.x * water : vec3(0.0);
+        if (effect_is_on(EFFECT_DIFFUSE)) below += look_light.y * sunlight * facing * 0.31830989;
+#ifdef LAND
+        if (effect_is_on(EFFECT_REFRACTION)) below = with_bed(below, p, view, w.slope, film);
+#endif
+        light = (1.0 - reflectance) * below;
+        if (effect_is_on(EFFECT_REFLECTION))
+            light += reflectance * environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), seen.sigma);
+        if (effect_is_on(EFFECT_SPECULAR))
+            light += look_light.z * sunlight * step(-0.01, sun.z) *
+                     rough_glint(view, sun.xyz, w.slope, covariance, seen, water_deep.w);
+        if (effect_is_on(EFFECT_FOAM))
+            light = mix(light, (sunlight * facing + sky_light.rgb) * 0.23, foam_here(p, f, w, hidden)); // albedo 0.72 / pi
+#ifdef LAND
+        light = mix(textureLod(scene_color, gl_FragCoord.xy * viewport.zw, 0.0).rgb, light, film);
+#endif
+    }
+    color = vec4(light * p.transmittance + p.inscatter, 1.0);
 }
 #endif

@@ -1,28 +1,226 @@
 // SPDX-License-Identifier: MIT
-// Normals of the mesh and one light (Liu, Xu & Chen 2009, section 3).
+// Two pictures, of the world mirrored in the water and of the world seen through it, looked up where the waves bend them to; the
+// water's own texture, lit as a bumpy surface; the sun's glitter by a texture that the sun projects (Ma, Zhu & Gong 2006).
+//
+// TILES: the waves are tiles baked from the sea, else waves_at() has them. RIPPLES: with a second, finer tile. PAPER: the paper to the
+// letter: its normal maps, its disturbance, its sums. BELOW: the eye is under water.
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
+#ifdef QUAD
+#include "common/haze.glsl"
+#endif
 
 #ifdef VERTEX
-void main() { water_vertex(); }
+void main() {
+    water_vertex();
+#ifdef QUAD
+    haze_vertex();
+#endif
+}
 #endif
 
 #ifdef FRAGMENT
 #include "common/look.glsl"
 #include "common/fresnel.glsl"
+#define PICTURE
+#include "common/under.glsl"
 out vec4 color;
+
+#pragma unit reflection_picture 16
+#pragma unit refraction_picture 17
+#pragma unit reflection_depth 7
+#pragma unit refraction_depth 15
+#pragma unit tile_slopes 18
+#pragma unit ripple_slopes 10
+#pragma unit glint_texture 3
+uniform sampler2D reflection_picture;
+uniform sampler2D refraction_picture;
+uniform highp sampler2D reflection_depth;
+uniform highp sampler2D refraction_depth;
+uniform sampler2D tile_slopes;    // slopes along the tile's sides, their squares' sum, brightness of the water's own texture; PAPER: unit normal
+uniform sampler2D ripple_slopes;  // of shorter waves
+uniform sampler2D glint_texture;  // r: the sun as the slide has it
+uniform vec4 tile_place;          // xy: eye in the tile, zw: cos, sin of its turn over its side [1/m]
+uniform vec4 ripple_place;        // likewise
+uniform vec4 tile_law;            // x, y: log2 of texels a metre of tile and ripples, z: share of the ripples, w: slope variance of what neither has
+uniform vec4 tile_detail;         // rgb: mean radiance of the water's own texture by light on flat water; PAPER: what its 1 stands for
+uniform vec4 sun_slide[3];        // rows x, y, w of bias P_sun V_sun: mirrored directions to the slide's coordinates
+uniform vec4 disturbance;         // x: Co of eq. 9, y: Cpo of eq. 10, z: texels of the mirrored picture that twice a radian covers, w: rms radius of the slide's sun [rad]
+
+const float PI = 3.14159265;
+
+vec2 in_tile(vec4 place, vec2 p) { return place.xy + vec2(dot(p, place.zw), dot(p, vec2(-place.w, place.z))); }
+// Along the tile's sides to along the world's axes.
+vec2 out_of_tile(vec4 place, vec2 s) {
+    vec2 turn = place.zw * inversesqrt(dot(place.zw, place.zw));
+    return vec2(dot(s, vec2(turn.x, -turn.y)), dot(s, turn.yx));
+}
+
+// Where many of its repetitions are in sight, a tile's slopes go over into roughness.
+float far_share(vec4 place, float dist) { return 40.0 / (40.0 + dist * dist * dot(place.zw, place.zw)); }
+
+// What the waves are at a pixel.
+struct waves_here {
+    vec2 slope;
+    float variance; // of the slopes that the pixel cannot show, along one axis
+    vec3 own;       // radiance of the water's own texture in the light on flat water
+};
+
+waves_here look_at_waves(water_pixel p, vec3 view, float dist) {
+    waves_here w;
+    footprint f = pixel_footprint(view, dist, p.mesh.xy);
+#ifdef TILES
+    float lod = log2(max(f.minor, 0.5 * f.major)); // sharper than the long side at a grazing look, and still quiet
+    vec2 uv = in_tile(tile_place, p.rest);
+    vec4 t = textureLod(tile_slopes, uv, lod + tile_law.x);
+#ifdef PAPER
+    w.slope = -out_of_tile(tile_place, t.xy); // the normal's x and y, as eq. 9 to 11 take them, turned into slopes
+    w.variance = 1e-4;
+#else
+    float keep = far_share(tile_place, dist);
+    w.slope = keep * out_of_tile(tile_place, t.xy);
+    float lost = max(t.z - keep * keep * dot(t.xy, t.xy), 0.0);
+#ifdef RIPPLES
+    vec4 r = textureLod(ripple_slopes, in_tile(ripple_place, p.rest), lod + tile_law.y);
+    keep = far_share(ripple_place, dist);
+    w.slope += tile_law.z * keep * out_of_tile(ripple_place, r.xy);
+    lost += tile_law.z * tile_law.z * max(r.z - keep * keep * dot(r.xy, r.xy), 0.0);
+#endif
+    w.variance = 0.5 * (lost + tile_law.w);
+#endif
+#ifdef PAPER
+    w.own = tile_detail.rgb * textureLod(water_tile, uv, lod + tile_law.x).rgb;
+#else
+    w.own = tile_detail.rgb * t.w;
+#endif
+#else
+    wave_fields at = waves_at(p.rest, f, p.gust, p.depth, p.mesh);
+    vec3 c = unresolved_slopes(f);
+    w.slope = at.slope;
+    w.variance = 0.5 * (c.x + c.z);
+    w.own = tile_detail.rgb;
+#endif
+    return w;
+}
+
+vec2 place_in_picture(vec3 direction) {
+    vec4 c = view_projection * vec4(direction, 0.0);
+    return clamp(c.xy / max(c.w, 1e-4) * 0.5 + 0.5, 0.5 * viewport.zw, 1.0 - 0.5 * viewport.zw);
+}
+
+// Share of a bent ray's turn that shows: what touches the water is not displaced, the sky wholly.
+float bent_share(highp sampler2D depth, vec2 uv) {
+    float behind = textureLod(depth, uv, 0.0).x / (lens.y * gl_FragCoord.w);
+    return clamp(1.0 - behind, 0.0, 1.0) * look_mix.x;
+}
+
+float slide(vec3 mirrored, vec2 push, float spread) {
+    vec3 s = vec3(dot(sun_slide[0].xyz, mirrored), dot(sun_slide[1].xyz, mirrored), dot(sun_slide[2].xyz, mirrored));
+    vec2 uv = (s.xy / max(s.z, 1e-4) + push - 0.5) * spread + 0.5;
+    return s.z > 0.0 ? textureLod(glint_texture, uv, 0.0).r : 0.0; // black at its rim
+}
+
+#ifndef BELOW
+// Exact dielectric, the mean tilt of the facets that face the eye, and the glitter as wide as what the pixel cannot show makes it.
+vec3 water_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
+    vec3 light = sun_light.rgb * p.shade, view = -to;
+    float level = inversesqrt(max(dot(to.xy, to.xy), 1e-6)), tangent = view.z * level;
+    vec2 toward = view.xy * level;
+    vec2 tilt = w.slope - toward * (w.variance * inversesqrt(tangent * tangent + 1.6 * w.variance)); // facets turned away hide
+    vec3 n = normalize(vec3(-tilt, 1.0)), flat_n = normalize(vec3(-w.slope, 1.0));
+    bool mirrors = effect_is_on(EFFECT_REFLECTION), clear = effect_is_on(EFFECT_REFRACTION), bends = effect_is_on(EFFECT_DISTORTION);
+    float reflectance = mirrors ? fresnel(clamp(dot(view, n), 0.02, 1.0), water_deep.w) : 0.0;
+
+    vec3 ray = reflect(to, n);
+    ray.z = abs(ray.z);
+    float turn = bent_share(reflection_depth, screen);
+    vec3 bent = mix(to, vec3(ray.xy, -ray.z), bends ? turn : 0.0);
+    // rough water blurs what it mirrors: along the view by twice its rms slope, across by less
+    float blur = disturbance.z * turn * sqrt(w.variance * max(view.z, 0.03));
+    vec3 mirrored = textureLod(reflection_picture, place_in_picture(bent), log2(max(blur, 1.0))).rgb;
+
+    vec2 down = water_deep.w * refract(to, flat_n, 1.0 / water_deep.w).xy; // the ray in the water, as it would come out of flat water
+    vec3 apparent = vec3(down, -sqrt(max(1.0 - dot(down, down), 0.0025)));
+    bent = mix(to, apparent, bends ? bent_share(refraction_depth, screen) : 0.0);
+    vec3 seen = textureLod(refraction_picture, place_in_picture(bent), 0.0).rgb;
+
+    vec3 own = effect_is_on(EFFECT_BUMP) ? w.own * (light * max(dot(flat_n, sun.xyz), 0.0) + sky_light.rgb)
+                                         : w.own * (light * max(sun.z, 0.0) + sky_light.rgb);
+    vec3 below = mix(own, seen, clear ? look_mix.y : 0.0);
+    vec3 result = mix(below, mirrored, reflectance);
+    if (effect_is_on(EFFECT_GLITTER)) {
+        // a facet turns the ray by twice its tilt; the texture's own sun has the rms radius disturbance.w
+        ray = reflect(to, flat_n);
+        float sigma = sqrt(4.0 * w.variance + disturbance.w * disturbance.w);
+        float peak = min(1.0 / (2.0 * PI * sigma * sigma), 90.0);
+        float glint = slide(vec3(ray.xy, abs(ray.z)), vec2(0.0), disturbance.w / sigma);
+        result += light * fresnel(clamp(dot(view, normalize(view + sun.xyz)), 0.02, 1.0), water_deep.w) * peak * glint;
+    }
+    return result;
+}
+
+// As printed: eq. 9 and 10, lerps, a sum.
+vec3 water_light_printed(water_pixel p, waves_here w, vec3 to, vec2 screen) {
+    vec3 n = normalize(vec3(-w.slope, 1.0)), light = sun_light.rgb;
+    vec3 own = w.own * (light + sky_light.rgb);
+    if (effect_is_on(EFFECT_BUMP)) own *= max(dot(n, sun.xyz), 0.0);
+    vec2 bent = effect_is_on(EFFECT_DISTORTION) ? screen + disturbance.x * screen * n.xy : screen; // eq. 9
+    vec3 mirrored = mix(own, textureLod(reflection_picture, bent, 0.0).rgb, look_mix.y);
+    vec3 seen = mix(own, textureLod(refraction_picture, bent, 0.0).rgb, look_mix.y);
+    bool mirrors = effect_is_on(EFFECT_REFLECTION), clear = effect_is_on(EFFECT_REFRACTION);
+    vec3 result = mirrors ? (clear ? 0.5 * (mirrored + seen) : mirrored) : (clear ? seen : own);
+    if (effect_is_on(EFFECT_GLITTER)) result += light * slide(vec3(to.xy, -to.z), disturbance.y * n.xy, 1.0); // eq. 10
+    return result;
+}
+#else
+// From under the water: the world above in Snell's window, round it the world below mirrored.
+vec3 water_light_below(waves_here w, vec3 to, float dist, vec2 screen) {
+    vec3 up = normalize(vec3(-w.slope, 1.0));
+    float cosine = clamp(dot(to, up), 0.0, 1.0), reflectance = fresnel(max(cosine, 1e-3), 1.0 / water_deep.w);
+    vec3 ray = reflect(to, up);
+    ray.z = -abs(ray.z);
+    bool bends = effect_is_on(EFFECT_DISTORTION);
+    vec3 bent = mix(to, vec3(ray.xy, -ray.z), bends ? bent_share(reflection_depth, screen) : 0.0);
+    vec3 mirrored = effect_is_on(EFFECT_REFLECTION) ? textureLod(reflection_picture, place_in_picture(bent), 0.0).rgb : vec3(0.0);
+    vec3 out_ray = refract(to, -up, water_deep.w); // zero beyond the window
+    vec2 flat_ray = out_ray.xy / water_deep.w;     // as it would come in through flat water
+    bent = mix(to, vec3(flat_ray, sqrt(max(1.0 - dot(flat_ray, flat_ray), 0.0))), bends ? bent_share(refraction_depth, screen) : 0.0);
+    vec4 land = textureLod(refraction_picture, place_in_picture(bent), 0.0);
+    vec3 sky = environment_radiance(vec3(out_ray.xy, max(out_ray.z, 0.0)), 0.02);
+    if (effect_is_on(EFFECT_GLITTER)) {
+        float sigma = sqrt(0.2 * w.variance + disturbance.w * disturbance.w); // through the surface facets turn rays by a third
+        sky += sun_light.rgb * min(1.0 / (2.0 * PI * sigma * sigma), 90.0) * slide(out_ray, vec2(0.0), disturbance.w / sigma);
+    }
+    vec3 window = mix(sky, land.rgb, land.a) * (effect_is_on(EFFECT_REFRACTION) ? water_deep.w * water_deep.w : 0.0);
+    vec3 left = exp(-under.y * water_kd.rgb * dist);
+    vec3 veil = water_glow(to.z, -eye.z) * (1.0 - left); // the mirrored picture has its own
+    return mix(window * left + veil, mirrored, reflectance);
+}
+#endif
 
 void main() {
     water_pixel p = water_here();
     float dist = length(p.position);
-    vec3 view = -p.position / dist;
-    footprint f = pixel_footprint(view, dist, p.mesh.xy);
-    wave_fields w = waves_at(p.rest, f, p.gust, p.depth, p.mesh);
-    vec3 normal = normalize(vec3(-w.slope, 1.0));
-    float reflectance = fresnel(clamp(dot(view, normal), 0.02, 1.0), water_deep.w);
-    vec3 mirrored = reflect(-view, normal);
-    vec3 sky = environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), 0.1);
-    vec3 below = water_deep.rgb * (sun_light.rgb * max(dot(sun.xyz, normal), 0.0) + sky_light.rgb);
-    color = vec4((mix(below, sky, reflectance)) * p.transmittance + p.inscatter, 1.0);
+    vec3 to = p.position / dist;
+    vec2 screen = gl_FragCoord.xy * viewport.zw;
+    vec3 view = -to;
+#ifdef BELOW
+    view.z = -view.z;
+#endif
+    waves_here w = look_at_waves(p, view, dist);
+#ifdef BELOW
+    color = vec4(water_light_below(w, to, dist, screen), 1.0);
+#else
+#ifdef PAPER
+    vec3 light = water_light_printed(p, w, to, screen);
+#else
+    vec3 light = water_light(p, w, to, screen);
+#endif
+#ifdef QUAD
+    color = vec4(through_haze(light, to, dist), 1.0);
+#else
+    color = vec4(light * p.transmittance + p.inscatter, 1.0);
+#endif
+#endif
 }
 #endif

@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Normals of the mesh and one light (Liu, Xu & Chen 2009, section 3).
+// Pictures of what is mirrored and refracted, mixed by Fresnel's law, and three parts of light over them (Liu & Xie 2010,
+// sections 1.2 and 1.3; the pictures are those of pass_mirror.c):
+//
+//     C = F reflection + (1 - F) refraction,   each looked up where the waves bend it
+//     ambient = Ka water (N . V)   diffuse = Kd light max(N . L, 0)   specular = Ks light max(N . H, 0)^shininess
+//
+// Beyond the paper: what a pixel cannot resolve of the waves blurs the mirror and widens the highlight; a look-up is bent by the
+// mirrored ray itself; the water's own colour fills what the water takes from the bed, so that Ka stands for (1 - F) and not N . V.
+//
+// PICTURES: there is something to mirror or to see through the water. TAPS: look-ups of it across the blur.
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 
@@ -10,19 +19,143 @@ void main() { water_vertex(); }
 #ifdef FRAGMENT
 #include "common/look.glsl"
 #include "common/fresnel.glsl"
+#include "common/ripples.glsl"
+#include "common/rough.glsl"
 out vec4 color;
 
+#ifdef PICTURES
+#pragma unit reflection_picture 16
+#pragma unit refraction_picture 17
+uniform sampler2D reflection_picture; // premultiplied: a is 0 where there is only sky
+uniform sampler2D refraction_picture; // a is 0 where there is only water
+#endif
+uniform vec2 bend; // how far the look-ups move for a normal of 1 [m]: dC of the mirrored (> 0) and of the refracted (< 0)
+
+// A pixel of water, its waves and their roughness.
+struct phong_surface {
+    water_pixel here;
+    vec3 view;
+    float dist;
+    vec2 slope;
+    vec3 covariance, normal;
+    rough_facets seen;
+};
+
+phong_surface surface_here() {
+    phong_surface s;
+    s.here = water_here();
+    s.dist = length(s.here.position);
+    s.view = -s.here.position / s.dist;
+    footprint f = water_footprint(s.here, s.view, s.dist);
+    s.slope = waves_at(s.here.rest, f, s.here.gust, s.here.depth, s.here.mesh).slope;
+#ifdef WAVES_CASCADES
+    f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
+#endif
+    s.covariance = unresolved_slopes(f) * (s.here.gust * s.here.gust);
+    add_ripples(s.here.rest, f, s.here.gust, s.here.depth, s.slope, s.covariance);
+    s.covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
+    s.normal = normalize(vec3(-s.slope, 1.0));
+    s.seen = rough_seen(s.view, s.slope, s.covariance);
+    return s;
+}
+
+bool paper() { return look_mix.z > 0.5; }
+float bending() { return effect_is_on(EFFECT_DISTORTION) ? look_mix.x : 0.0; }
+
+// The place in a picture of a point, eye-relative: the water plane stays where it is in the pictures.
+vec2 picture_of(vec3 point) {
+    vec4 c = view_projection * vec4(point, 1.0);
+    return clamp(c.xy / max(c.w, 1e-3) * 0.5 + 0.5, 0.002, 0.998);
+}
+
+#ifdef PICTURES
+// A picture has the air between the eye and what it shows; of that, the part before the water is laid over the water itself.
+vec4 behind_water(sampler2D picture, vec3 point, water_pixel p) {
+    vec4 c = textureLod(picture, picture_of(point), 0.0);
+    return vec4(max(c.rgb - c.a * p.inscatter, 0.0) / max(p.transmittance, vec3(0.02)), c.a);
+}
+#endif
+
+// Paper: (Du, Dv) = dC (Nx, Ny), on the water's plane, before the projection.
+vec3 reflection_paper(phong_surface s) {
+    vec3 at = s.here.position + vec3(bend.x * bending() * s.normal.xy, 0.0);
+    vec3 ray = normalize(at);
+    vec3 sky = environment_radiance(vec3(ray.xy, abs(ray.z)), 0.0);
+#ifdef PICTURES
+    vec4 land = behind_water(reflection_picture, at, s.here);
+    sky = sky * (1.0 - land.a) + land.rgb;
+#endif
+    return sky;
+}
+
+// The ray that a facet of slope m mirrors, upwards.
+vec3 mirrored_ray(vec3 view, vec2 m) {
+    vec3 r = reflect(-view, normalize(vec3(-m, 1.0)));
+    return vec3(r.xy, abs(r.z));
+}
+
+// What is mirrored lies about as far behind the water as the water from the eye.
+vec3 reflection_rough(phong_surface s) {
+    vec2 toward = s.view.xy / max(length(s.view.xy), 1e-4);
+    vec2 leaning = bending() * (s.slope - toward * s.seen.shift);
+    vec3 sky = environment_radiance(mirrored_ray(s.view, leaning), s.seen.sigma);
+#ifdef PICTURES
+    vec4 land = vec4(0.0);
+    for (int i = 0; i < TAPS; ++i) {
+        float tilt = (float(2 * i + 1) / float(TAPS) - 1.0) * 1.3;
+        vec3 ray = mirrored_ray(s.view, leaning - bending() * tilt * s.seen.sigma * toward);
+        land += behind_water(reflection_picture, s.here.position + 0.5 * s.dist * vec3(ray.xy, -ray.z), s.here);
+    }
+    land *= 1.0 / float(TAPS);
+    sky = sky * (1.0 - land.a) + land.rgb;
+#endif
+    return sky;
+}
+
+// The bed through the water: what of its light arrives, and in `passed` the share that does.
+vec3 refraction(phong_surface s, out vec3 passed) {
+    passed = vec3(0.0);
+#ifdef PICTURES
+    float depth = min(s.here.depth, 60.0), shift = paper() ? bend.y : -0.25 * max(depth, 0.0); // (1/n - 1) of it
+    vec4 bed = behind_water(refraction_picture, s.here.position + vec3(shift * bending() * s.normal.xy, 0.0), s.here);
+    if (paper()) {
+        passed = vec3(bed.a);
+        return bed.rgb;
+    }
+    float down = sqrt(1.0 - (1.0 - s.view.z * s.view.z) / (water_deep.w * water_deep.w)); // of the refracted view
+    passed = bed.a * exp(-water_kd.rgb * max(depth, 0.0) * (1.0 + 1.0 / down));
+    return bed.rgb * (0.54 / max(bed.a, 1e-3)) * passed; // 0.54: through the surface twice, (1 - F)^2 / n^2 and back inside
+#else
+    return vec3(0.0);
+#endif
+}
+
 void main() {
-    water_pixel p = water_here();
-    float dist = length(p.position);
-    vec3 view = -p.position / dist;
-    footprint f = pixel_footprint(view, dist, p.mesh.xy);
-    wave_fields w = waves_at(p.rest, f, p.gust, p.depth, p.mesh);
-    vec3 normal = normalize(vec3(-w.slope, 1.0));
-    float reflectance = fresnel(clamp(dot(view, normal), 0.02, 1.0), water_deep.w);
-    vec3 mirrored = reflect(-view, normal);
-    vec3 sky = environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), 0.1);
-    vec3 below = water_deep.rgb * (sun_light.rgb * max(dot(sun.xyz, normal), 0.0) + sky_light.rgb);
-    color = vec4((mix(below, sky, reflectance)) * p.transmittance + p.inscatter, 1.0);
+    phong_surface s = surface_here();
+    vec3 sunlight = sun_light.rgb * s.here.shade;
+    float facing = max(dot(sun.xyz, s.normal), 0.0), f = rough_fresnel(s.view, s.slope, s.seen, water_deep.w);
+    if (paper()) f = fresnel(clamp(dot(s.view, s.normal), 0.01, 1.0), water_deep.w);
+
+    vec3 mirrored = vec3(0.0), passed = vec3(0.0), through = vec3(0.0);
+    if (effect_is_on(EFFECT_REFLECTION)) mirrored = paper() ? reflection_paper(s) : reflection_rough(s);
+    if (effect_is_on(EFFECT_REFRACTION)) through = refraction(s, passed);
+    vec3 light = f * mirrored + (1.0 - f) * through;
+
+    vec3 water = water_deep.rgb * (sunlight * facing + sky_light.rgb);
+    vec3 ambient = paper() ? vec3(max(dot(s.normal, s.view), 0.0)) : (1.0 - f) * (1.0 - passed);
+    if (effect_is_on(EFFECT_AMBIENT)) light += look_light.x * water * ambient;
+    if (effect_is_on(EFFECT_DIFFUSE)) light += look_light.y * sunlight * facing * 0.31830989 * (paper() ? 1.0 : 1.0 - f);
+    if (effect_is_on(EFFECT_SPECULAR)) {
+        float high = dot(s.normal, normalize(s.view + sun.xyz));
+        float lobe = paper() ? exp2(look_light.w * log2(max(high, 1e-6)))
+                             : rough_glint(s.view, sun.xyz, s.slope, s.covariance, s.seen, water_deep.w);
+        light += look_light.z * lobe * sunlight * step(-0.01, sun.z);
+    }
+#ifdef PICTURES
+    // the last centimetres over the sand
+    vec4 shore = behind_water(refraction_picture, s.here.position, s.here);
+    if (!paper()) light = mix(shore.rgb, light, max(smoothstep(0.0, 0.12, s.here.depth), 1.0 - shore.a));
+#endif
+    color = vec4(light * s.here.transmittance + s.here.inscatter, 1.0);
 }
 #endif

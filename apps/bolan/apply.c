@@ -47,6 +47,7 @@ static void apply_wind(const options *o, bolan_scene *scene) {
         scene->wind_spectrum = BOLAN_SPECTRUM_JONSWAP; // a fetch means a growing sea
     if (table) scene->wind_spectrum = BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
     if (shape >= 0) scene->wind_spectrum = (bolan_spectrum_kind)shape;
+    if (table || shape >= 0) scene->technique.wind_spectrum = -1; // what was asked for, whatever the technique likes
     // A Beaufort or Douglas sea is that sea alone; a wind leaves the swells that are there.
     if (table) scene->sea.sea_state.system_count = 0;
     bolan_scene_set_wind(scene, speed, from);
@@ -155,7 +156,6 @@ static int apply_technique(const options *o, bolan_scene *scene) {
     if (o->waves >= 0) technique.waves = (bolan_wave_model)o->waves;
     if (o->surface >= 0) technique.surface = (bolan_surface_kind)o->surface;
     if (o->optics >= 0) technique.optics = (bolan_optics_kind)o->optics;
-    if (o->technique < 0) technique.wind_spectrum = -1; // a mix keeps the sea that the scene has
     bolan_scene_set_technique(scene, &technique);
     scene->look.paper |= o->paper;
     if (o->show >= 0) scene->look.show = (bolan_show)o->show;

@@ -35,9 +35,11 @@ static void print_text(const facts *f) {
     }
     uint32_t count = 0;
     const bolan_technique *techniques = bolan_techniques(&count);
-    printf("techniques  ");
-    for (uint32_t i = 0; i < count; i++) printf(" %s", techniques[i].name);
-    printf("\nscenes\n");
+    printf("techniques   waves x surface x optics\n");
+    for (uint32_t i = 0; i < count; i++)
+        printf("  %-12s %s x %s x %s\n", techniques[i].name, bolan_wave_model_names[techniques[i].waves],
+               bolan_surface_kind_names[techniques[i].surface], bolan_optics_kind_names[techniques[i].optics]);
+    printf("scenes\n");
     for (uint32_t i = 0; bolan_scene_builtin_name(i); i++) {
         bolan_scene scene;
         if (bolan_scene_load(bolan_scene_builtin_name(i), &scene) == BOLAN_OK)

@@ -17,7 +17,7 @@ static int open_scene(const options *o, session *s, bool with_terrain) {
     const int result = options_scene(o, &s->scene);
     if (result) return result;
     bolan_set_threads(isnan(o->threads) ? 0 : (uint32_t)o->threads);
-    if (!with_terrain) s->scene.terrain.kind = BOLAN_TERRAIN_NONE;
+    if (!with_terrain) s->scene.terrain.kind = BOLAN_TERRAIN_NONE, s->scene.object_count = 0;
     if (bolan_scene_assets_load(&s->scene, &s->assets)) return EXIT_FAILED;
     lift_camera(s);
     if (bolan_scene_create_sea(&s->scene, &s->assets, &s->sea)) {

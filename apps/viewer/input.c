@@ -14,6 +14,7 @@ static const struct {
     {SDLK_KP_MINUS, COMMAND_SLOWER}, {SDLK_PLUS, COMMAND_FASTER},    {SDLK_EQUALS, COMMAND_FASTER},
     {SDLK_KP_PLUS, COMMAND_FASTER},  {SDLK_F1, COMMAND_PANEL},       {SDLK_F5, COMMAND_RELOAD},
     {SDLK_F11, COMMAND_FULLSCREEN},  {SDLK_F12, COMMAND_SCREENSHOT}, {SDLK_HOME, COMMAND_HOME},
+    {SDLK_t, COMMAND_TECHNIQUE},
 };
 
 static void open_gamepad(input *in, int device) {
@@ -58,6 +59,7 @@ static unsigned key_pressed(input *in, const SDL_KeyboardEvent *key, input_taken
 static unsigned button_pressed(const SDL_ControllerButtonEvent *button) {
     switch (button->button) {
     case SDL_CONTROLLER_BUTTON_A: return COMMAND_PAUSE;
+    case SDL_CONTROLLER_BUTTON_X: return COMMAND_TECHNIQUE;
     case SDL_CONTROLLER_BUTTON_Y: return COMMAND_SCREENSHOT;
     case SDL_CONTROLLER_BUTTON_START: return COMMAND_PANEL;
     case SDL_CONTROLLER_BUTTON_BACK: return COMMAND_HOME;

@@ -16,6 +16,7 @@ typedef enum command {
     COMMAND_FULLSCREEN = 1 << 6,
     COMMAND_SCREENSHOT = 1 << 7,
     COMMAND_HOME = 1 << 8, // back to the scene's camera
+    COMMAND_TECHNIQUE = 1 << 9, // the next technique
 } command;
 
 typedef struct input {

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #define TEST_TICK (1.0 / 30.0) // [s] time of a frame when their number is given
 #define LONGEST_TICK 0.1       // [s] after a stall the sea goes on from where it was
@@ -84,6 +85,24 @@ static void rebuild_sea(viewer *v, unsigned changed) {
     v->knobs = sea_knobs_read(&old, v->world.scene.spectrum_path[0] != '\0');
 }
 
+// The same scene and camera by the next technique of the list.
+static void next_technique(viewer *v) {
+    const bolan_scene old = v->world.scene;
+    uint32_t count = 0, now = 0;
+    const bolan_technique *all = bolan_techniques(&count);
+    while (now < count && strcmp(all[now].name, old.technique.name) != 0) now++;
+    const bolan_technique *next = &all[(now + 1) % count];
+    bolan_scene_set_technique(&v->world.scene, next);
+    if (world_rebuild_sea(&v->world) != BOLAN_OK) {
+        v->world.scene = old;
+        notice(v, "%s cannot be shown here: see the messages", next->name);
+        return;
+    }
+    v->knobs = sea_knobs_read(&v->world.scene.sea, v->world.scene.spectrum_path[0] != '\0');
+    notice(v, "%s: %s waves on a %s surface, %s optics", next->name, bolan_wave_model_names[next->waves],
+           bolan_surface_kind_names[next->surface], bolan_optics_kind_names[next->optics]);
+}
+
 static void set_title(viewer *v) {
     char title[BOLAN_NAME_MAX + 16];
     snprintf(title, sizeof title, "%s - Bolan", v->world.scene.name);
@@ -137,6 +156,7 @@ static void obey_commands(viewer *v, unsigned commands) {
     if (commands & COMMAND_SCREENSHOT) take_screenshot(v);
     if (commands & COMMAND_RELOAD) reload_shaders(v);
     if (commands & COMMAND_HOME) v->world.scene.camera = v->world.home;
+    if (commands & COMMAND_TECHNIQUE) next_technique(v);
 }
 
 // ---- one frame ------------------------------------------------------------------------------------------------------

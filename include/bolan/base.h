@@ -72,6 +72,7 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(322, RASTER_PROJECTION)       \
     X(330, IMAGE_FORMAT)            \
     X(331, IMAGE_WRITE)             \
+    X(335, MODEL_FORMAT)            \
     X(340, VIDEO_PROGRAM)           \
     X(341, VIDEO_WRITE)             \
     X(400, GL_CONTEXT)              \

@@ -14,6 +14,7 @@
 #include "bolan/query.h"
 #include "bolan/shore.h"
 #include "bolan/surface.h"
+#include "bolan/tiles.h"
 
 #include "bolan/scene.h"
 

@@ -49,8 +49,11 @@ void bolan_scene_assets_destroy(bolan_scene_assets *assets);
 /// Creates the scene's sea: its desc with the measured spectrum of @p assets put in.
 bolan_result bolan_scene_create_sea(const bolan_scene *scene, const bolan_scene_assets *assets, bolan_sea **out);
 
-/// Reads a model with the assimp library: OBJ, glTF 2.0 and what else it knows; y-up files are turned so that z is up; node
-/// transforms are applied; materials give their base colour. At most 256 MiB. Errors: IO, FORMAT (no triangle in it), MEMORY.
+/// Reads a model with the assimp library: OBJ, glTF 2.0 and what else it knows. Files count as y-up and are turned:
+/// (x, y, z) becomes (x, -z, y). Node transforms are applied; the base colour of the material times the colour of the
+/// vertex, taken as linear, is the albedo, and the sky is open; textures are not read. Normals are made where there are
+/// none. At most 256 MiB and 16777216 vertices. Errors: IO, FORMAT (no triangle in it, a vertex that is not finite),
+/// MEMORY.
 bolan_result bolan_model_load(const char *path, bolan_model **out);
 
 // ---- spectra, rasters, points ---------------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #define BOLAN_RENDER_H
 
 #include "bolan/scene.h"
+#include "bolan/tiles.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,7 +65,9 @@ typedef struct bolan_frame_desc {
     const bolan_scene *scene;         ///< camera, sky, water, exposure are read; not NULL
     const bolan_sea *sea;             ///< stepped by the caller; not NULL
     const bolan_terrain *terrain;     ///< or NULL
+    const bolan_tiles *tiles;         ///< for the mirror optics and a sea of textures; NULL: it bakes its own of the sea
     const bolan_model *const *models; ///< one for each object of the scene, or NULL: no object is drawn
+    bool without_water;               ///< true: all but the water, to see what that costs
     uint32_t framebuffer;             ///< GL name; 0 is the window
     uint32_t width, height;           ///< of the framebuffer [px], 1..16384
     uint32_t samples;                 ///< supersampling: pictures with shifted pixels that are averaged, 1..256
@@ -72,8 +75,8 @@ typedef struct bolan_frame_desc {
 } bolan_frame_desc;
 /// One sample, everything else 0 or NULL: set scene, sea, width and height.
 bolan_frame_desc bolan_frame_desc_default(void);
-/// Draws one picture. An eye below the water or within 0.3 m of it is lifted to 0.3 m above: there are no views from below
-/// yet. After the first frames nothing is allocated unless the size, the terrain or the sea changes.
+/// Draws one picture. An eye below the water or within 0.3 m of it is lifted to 0.3 m above, unless the technique's optics is
+/// BOLAN_OPTICS_MIRROR, which has views from below. After the first frames nothing is allocated unless the size, the terrain or the sea changes.
 void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame);
 
 /// The colour buffer of the last picture before the tone map, linear radiance relative to a sun irradiance of 1 in space at

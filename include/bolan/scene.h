@@ -37,7 +37,7 @@ typedef struct bolan_technique {
     bolan_wave_model waves;
     bolan_surface_kind surface;
     bolan_optics_kind optics;
-    int wind_spectrum; ///< a bolan_spectrum_kind: what the technique makes of a wind; -1: what the scene says
+    int wind_spectrum; ///< a bolan_spectrum_kind: what the technique makes of a wind; -1: the scene's own wind_spectrum
 } bolan_technique;
 extern const bolan_technique bolan_technique_ocean;        ///< the default
 extern const bolan_technique bolan_technique_two_triangle; ///< Ma, Zhu & Gong 2006: two triangles, all else is textures
@@ -142,6 +142,22 @@ const char *bolan_jerlov_name(bolan_jerlov type);
 /// Fresnel reflectance of unpolarised light, exact dielectric. @p cos_incident 0..1; @p eta = n_transmitted /
 /// n_incident (1.34 from air into the sea, 1/1.34 from below: total reflection included).
 float bolan_fresnel(float cos_incident, float eta);
+
+/// The direction a mirror with unit normal @p n sends the direction @p i to, which points towards the mirror: i - 2 n (n . i).
+/// Ma, Zhu & Gong 2006, eq. 1, with its sign put right.
+bolan_vec3 bolan_reflect(bolan_vec3 i, bolan_vec3 n);
+/// Apparent depth over depth of what lies in water of index @p index > 1, seen from the air at @p theta [rad] from the vertical,
+/// 0..pi/2: cos theta / sqrt(index^2 - sin^2 theta). Ma, Zhu & Gong 2006, eq. 7 (there with index 1.333).
+double bolan_refraction_k(double theta, double index);
+/// The paper's two straight lines for it, its eq. 8: 0.75 - 0.16 theta up to 0.8 rad, 1.26 - 0.8 theta beyond. At most 0.037 from
+/// eq. 7 on the first, 0.081 on the second, and 22 % off near the horizon.
+double bolan_refraction_k_paper(double theta);
+/// Fermat's path from an eye @p height > 0 over the water to a point @p depth >= 0 under it, @p distance >= 0 aside [m]: where it
+/// crosses the surface, from the eye [m]. Newton's method on the tangent of the angle in the air, which comes from below without overshooting;
+/// the shaders do four steps of it.
+double bolan_refraction_crossing(double height, double depth, double distance, double index);
+/// How deep that point seems to lie, straight above where it is [m]: depth times eq. 7 at the angle of the path.
+double bolan_apparent_depth(double height, double depth, double distance, double index);
 
 // ---- models ---------------------------------------------------------------------------------------------------------
 
@@ -252,7 +268,7 @@ typedef struct bolan_scene {
 /// A scene with every default: open sea, wind 8 m/s, camera 3 m up, sun 35 degrees high.
 bolan_scene bolan_scene_default(void);
 /// Gives the scene another wind of @p wind_speed [m/s] FROM @p from_deg [deg]: the wind sea is built anew from it, from
-/// scene->fetch and scene->wind_spectrum (Pierson-Moskowitz: fully developed, whatever the fetch; TMA: at the sea's
+/// scene->fetch and the technique's spectrum or scene->wind_spectrum (Pierson-Moskowitz: fully developed, whatever the fetch; TMA: at the sea's
 /// depth); swells stay. With a spectrum file the waves are the file's, and the wind only roughens them. The wind sea is
 /// told from swells by its system's wind_speed, which is above 0. Values are checked by bolan_scene_validate().
 void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg);

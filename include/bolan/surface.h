@@ -35,11 +35,12 @@ typedef struct bolan_surface_view {
 /// A vertex of mean water, relative to the eye: world axes, origin at the eye; z includes the drop of the round earth.
 typedef struct bolan_surface_vertex {
     float x, y, z;
-    float
-        spacing; ///< distance to the neighbouring vertices [m], the larger direction: waves shorter than twice this must
-                 ///< leave the geometry
-    float stitch_x, stitch_y; ///< NESTED: this vertex lies on the straight edge between its neighbours at -stitch and
-                              ///< +stitch [m], and is displaced to their mean; (0, 0): an ordinary vertex
+    /// Distance to the neighbouring vertices [m], the larger direction: waves shorter than twice this must leave the geometry,
+    /// best by and by from eight times on.
+    float spacing;
+    /// NESTED: this vertex lies on the straight edge between its neighbours at -stitch and +stitch [m], and is displaced to
+    /// their mean (x, y, z and spacing are theirs already); (0, 0): an ordinary vertex.
+    float stitch_x, stitch_y;
 } bolan_surface_vertex;
 
 /// How fine the surface is.
@@ -98,9 +99,9 @@ extern const uint32_t bolan_surface_quad_indices[6];
 typedef struct bolan_nested_desc {
     uint32_t cells;  ///< n along a side of every level, a multiple of 4, 4..256; default 32. Raised: finer everywhere
     uint32_t levels; ///< 1..BOLAN_NESTED_MAX_LEVELS; default 6. Raised: each one more is twice as fine at the middle
-    double
-        spacing; ///< d_0 of the coarsest level [m], > 0, kept to the precision of float; 0 (default): the least power of
-                 ///< two with which the coarsest level reaches to half a pixel below the horizon
+    /// d_0 of the coarsest level [m], > 0, kept to the precision of float; 0 (default): the least power of two with which
+    /// the coarsest level reaches to half a pixel below the horizon: from 10 m up, 6 levels of 32 cells end at 16 m, 10 at 1 m.
+    double spacing;
 } bolan_nested_desc;
 /// The defaults named beside the fields.
 bolan_nested_desc bolan_nested_desc_default(void);
@@ -119,7 +120,8 @@ typedef struct bolan_nested {
     bolan_nested_level level[BOLAN_NESTED_MAX_LEVELS];
 } bolan_nested;
 /// Places the levels round the point of the mean water in the middle of the view, or nearer to the eye where that point is
-/// so far that the finest level would be lost there: at most three times as far as the nearest water in the picture.
+/// so far that the finest level would be lost there: at most twice as far as the nearest water in the picture
+/// (or the eye's height).
 /// Every level stands on multiples of its own spacing, exactly, and moves in steps of two: no vertex moves over the water,
 /// and where a level stands depends on the centre and its spacing alone (n > 4; with n = 4 a hole has one place only).
 /// Levels whose cells would be below two pixels are left out. Pure, thread-safe, the same on every machine. Misuse:

@@ -50,7 +50,8 @@ extern const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1];
 /// How BOLAN_WAVES_COSINES cuts a spectrum into frequencies.
 typedef enum bolan_frequency_split {
     BOLAN_SPLIT_EQUAL_ENERGY, ///< every wave as high as the next: no common period
-    BOLAN_SPLIT_EQUAL_WIDTH,  ///< equal steps of frequency, as the paper: repeats after 2 pi / step (32 s at Hs 3 m)
+    BOLAN_SPLIT_EQUAL_WIDTH,  ///< equal steps of frequency between the quantiles .002 and .998 of the energy, as the
+                              ///< paper: the groups of waves repeat after 2 pi / step (32 s at Hs 3 m)
 } bolan_frequency_split;
 #define BOLAN_MAX_FREQUENCIES 64 ///< of BOLAN_WAVES_COSINES
 #define BOLAN_MAX_DIRECTIONS 32  ///< of BOLAN_WAVES_COSINES
@@ -65,7 +66,8 @@ typedef struct bolan_sea_desc {
     uint32_t resolution;       ///< samples along a cascade's side, a power of two 32..1024; default 256. Raised:
                                ///< longer rings, so shorter waves with the same number of cascades; time and memory
                                ///< grow with its square
-    uint32_t cascade_count;    ///< 1..4; default 4; TEXTURES has one whatever it is. Raised: shorter waves become geometry instead of roughness
+    uint32_t cascade_count;    ///< 1..4; default 4; TEXTURES always has one. Raised: shorter waves become geometry
+                               ///< instead of roughness
     double length;             ///< side of the largest cascade [m], 10..1e5; 0 (default): 12 peak wavelengths, and at
                                ///< least 10 of the longest swell that matters (TEXTURES: 7, and 5). Raised: repeats
                                ///< later, the shortest wave grows with it
@@ -73,24 +75,25 @@ typedef struct bolan_sea_desc {
                                ///< sharper crests that fold sooner
     double loop_period;        ///< 0 (default): none; else 10..1e6 s: every field repeats after this time [s].
                                ///< Frequencies are rounded to multiples of 1 / period: from 200 s on nobody sees it.
-                               ///< TEXTURES: 1..1e6 s, and 0: the whole number of peak periods nearest to 10 s, at least 1
+                               ///< TEXTURES: 1..1e6 s, and 0: the whole number of peak periods nearest to 10 s, >= 1
     bolan_cpu cpu;             ///< which kernels; default AUTO; one this machine lacks counts as AUTO. The result
                                ///< does not depend on it
     double foam_decay;         ///< e-folding time of foam [s], 0.1..60; default 3.5. Raised: longer streaks behind
                                ///< crests
     // COSINES and EXP_COSINE
-    double current_x, current_y; ///< uniform current, east and north [m/s], -5..5; default 0. The waves are the same and run
-                                 ///< over the ground at omega + k . current. FFT and TEXTURES leave it out
+    double current_x, current_y; ///< uniform current, east and north [m/s], -5..5; default 0. The waves are the same
+                                 ///< and run over the ground at omega + k . current. FFT and TEXTURES leave it out
     // COSINES
     uint32_t frequencies;        ///< M, 1..BOLAN_MAX_FREQUENCIES; default 16. Raised: richer, and in proportion slower
-    uint32_t directions;         ///< N, 1..BOLAN_MAX_DIRECTIONS; default 8
+    uint32_t directions;         ///< N, 1..BOLAN_MAX_DIRECTIONS; default 8: mid-points of +-90 degrees for one system
+                                 ///< with COS2, else directions of equal energy. Raised: crests less long
     bolan_frequency_split split; ///< default EQUAL_ENERGY
     // EXP_COSINE
     uint32_t wave_count; ///< 1..BOLAN_MAX_EXP_WAVES; default 8. Raised: less regular from above, slower
     double sharpness;    ///< s, 0.01..2; default 0.5; the paper's is 1, beyond the steepest wave that does not break.
                          ///< Raised: sharper crests, wider troughs
-    // TEXTURES
-    uint32_t loop_frames; ///< frames of the loop, 2..BOLAN_MAX_LOOP_FRAMES; default 32. Raised: smoother, more memory
+    // TEXTURES; its foam memory runs in the time of the steps, as that of FFT
+    uint32_t loop_frames; ///< frames of the loop, 2..BOLAN_MAX_LOOP_FRAMES; default 32. Raised: smoother
 } bolan_sea_desc;
 
 /// A sea: spectrum tables, and the fields of one time.
@@ -114,8 +117,8 @@ void bolan_sea_step(bolan_sea *sea, double time);
 /// foam_decay) in ticks of 0.25 s, which lie at multiples of 0.25 s whatever the time, so that a single picture shows
 /// the foam that a running sea would. Costs about 16 steps a second of foam_decay.
 void bolan_sea_settle(bolan_sea *sea, double time);
-/// The time of the last step [s]. TEXTURES shows the frame of its loop that was on at that time. Thread-safe between steps,
-/// as everything below.
+/// The time of the last step [s]. TEXTURES shows the frame of its loop that was on at that time. Thread-safe between
+/// steps, as everything below.
 double bolan_sea_time(const bolan_sea *sea);
 /// The desc the sea was made from, defaults resolved (measured is NULL). Valid while the sea lives.
 const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
@@ -148,7 +151,7 @@ uint32_t bolan_sea_cascade_count(const bolan_sea *sea);
 bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index);
 
 /// One wave of a sum, at rest point x and time t: with th = k.x - omega t + phase,
-/// COSINES:    eta = amplitude cos th,                         D = -drift k/|k| sin th, drift = amplitude coth(|k| depth)
+/// COSINES:    eta = amplitude cos th, D = -drift k/|k| sin th, drift = amplitude coth(|k| depth)
 /// EXP_COSINE: eta = amplitude (e^{s (cos th - 1)} - mean) * 2 / (1 - e^{-2s}), mean = e^{-s} I0(s): zero mean, range
 /// 2 amplitude; D = 0, as the crests are sharp already: choppiness does nothing, and the Jacobian is 1
 typedef struct bolan_sea_component {
@@ -173,14 +176,14 @@ typedef struct bolan_sea_sample {
     float jacobian;         ///< of the horizontal map; < 0 where the surface folds
     float foam;             ///< sum of the foam memories
 } bolan_sea_sample;
-/// Samples at @p count rest points in world metres. The sums have no foam memory: their foam is what there is at the moment,
-/// -(dDx/dx + dDy/dy) choppiness where that is > 0. They use the task hook. Thread-safe between steps.
+/// Samples at @p count rest points in world metres. The sums have no foam memory: their foam is what there is at the
+/// moment, -(dDx/dx + dDy/dy) choppiness where that is > 0. They use the task hook. Thread-safe between steps.
 void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
-/// The same as a grid of that spacing can carry it: @p spacing[i] >= 0 [m] is the distance of point i to its neighbours, and
-/// waves fade out from 4 to 2 spacings of length, so that nothing aliases; NULL: everything. For the sums this is the
-/// fast way to displace a mesh: SIMD over the points, on the task hook. A cascade of FFT and TEXTURES is averaged over a square
-/// of two spacings by up to 4 x 4 look-ups, and fades as a whole from 4 to 2 spacings of its longest wave: what is shorter than
-/// two spacings keeps at most 1/16 of its energy. Thread-safe between steps.
+/// The same as a grid of that spacing can carry it: @p spacing[i] >= 0 [m] is the distance of point i to its
+/// neighbours, and waves fade out from 4 to 2 spacings of length, so that nothing aliases; NULL: everything. For the
+/// sums this is the fast way to displace a mesh: SIMD over the points, on the task hook. A cascade of FFT and TEXTURES
+/// is averaged over a square of two spacings by up to 4 x 4 look-ups, and fades as a whole from 4 to 2 spacings of its
+/// longest wave: what is shorter than two spacings keeps about 1/16 of its energy. Thread-safe between steps.
 void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
                            bolan_sea_sample *out);
 /// The oracle: the same quantities at one rest point and time by the direct sum over every mode, O(n^2) a point, in
@@ -223,10 +226,11 @@ typedef struct bolan_sea_statistics {
     double whitecap_fraction;     ///< area fraction with Jacobian below the foam threshold
     double m0_spectrum, m0_field; ///< [m2]
 } bolan_sea_statistics;
-/// Measures every field of every cascade; as slow as several steps. Thread-safe between steps.
+/// Measures every field of every cascade, or a sum at 65536 places over 50 of its longest waves; as slow as several
+/// steps. Thread-safe between steps.
 bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea);
-/// Digest of every field (foam memory excluded) at the present time, as 16 lower-case hex digits and NUL. Equal for any
-/// thread count and any instruction set.
+/// Digest of every field (foam memory excluded; of a sum: at 4096 places) at the present time, as 16 lower-case hex
+/// digits and NUL. Equal for any thread count and any instruction set.
 void bolan_sea_hash(const bolan_sea *sea, char out[17]);
 
 #ifdef __cplusplus

@@ -50,10 +50,11 @@ float distance_to_sea(float h, float mu) {
 
 // ---- content
 
+float haze_scale() { return 1000.0 * clamp(haze.x / 5000.0, 0.25, 1.0); } // its scale height [m]: fog lies lower than haze
+
 vec3 air_density(float h) { // of air, haze and ozone, relative to their reference
-    float haze_scale = 1000.0 * clamp(haze.x / 5000.0, 0.25, 1.0); // fog lies lower than haze
     h = max(h, 0.0);
-    return vec3(exp(-h / RAYLEIGH_SCALE), exp(-h / haze_scale), max(0.0, 1.0 - abs(h - 25000.0) / 15000.0));
+    return vec3(exp(-h / RAYLEIGH_SCALE), exp(-h / haze_scale()), max(0.0, 1.0 - abs(h - 25000.0) / 15000.0));
 }
 
 // Koschmieder: the visibility is where contrast falls to 2 %, by air and haze together.

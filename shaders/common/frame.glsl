@@ -14,8 +14,12 @@ layout(std140) uniform Frame {
     vec4 water_deep; // remote-sensing reflectance rgb [1/sr]; w: index of refraction
     vec4 water_kd;   // diffuse attenuation rgb [1/m]; w: foam strength
     vec4 air;        // x: radiance unit, y: 1 when the eye is above the clouds, zw: eye from the cloud maps' centre [m]
-    vec4 clip;       // x: only above (1) or below (-1) the plane, y: its elevation over the mean water [m], z: vertical scale of
-                     // what is refracted, w: 1 in the picture of that
+    vec4 clip;        // x: only above (1) or below (-1) the plane, y: its elevation over the mean water [m]; w: what is refracted is
+                      // raised, 1: by the factor z about the water, 2: each vertex by its own angle
+    vec4 under;       // light under water: x: 1 when the eye is there, y: strength of its fog, z: of the caustics, w: 1 in the
+                      // mirrored picture of an eye under water
+    vec4 caustic;     // xy: eye in the caustics' tile; zw: cos, sin of its turn over its side [1/m]
+    vec4 caustic_sun; // xy: level travel of sunlight in the water for each metre it falls; z: their disturbance
 };
 
 // Eye-relative direction through a point of the picture, uv in [0,1], not normalised. Depth 1 is the near plane.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The water's mesh: the vertex stage of every optics, and what its pixels get of it. A vertex shader is
 // void main() { water_vertex(); }. What varies slowly (haze, gusts, cloud shadow, depth) is made at the vertices; the quad has only
-// four, so there the pixels make it themselves.
+// four, so there the pixels make it themselves, and the vertices only what is the same for the whole picture.
 //
 // STATIC_GRID: the vertices are places of the unit square, which the projector puts onto the water.
 // LAND: there is terrain, and shallow water attenuates the waves. QUAD: the surface is the quad.
@@ -25,9 +25,12 @@ out vec4 water_place;                // eye-relative position, depth of the mean
 out vec2 water_rest;                 // undisplaced xy
 #ifndef QUAD
 out vec4 water_mesh;                 // slope, jacobian, foam of the mesh
-out vec3 water_light;                // gust factor, share of the sun that passes the clouds, least depth near here [m]
+out vec4 water_light;                // gust factor, share of the sun that passes the clouds, least depth near here, spacing [m]
 out vec3 water_transmittance;        // of the air to the eye
 out vec3 water_inscatter;
+#else
+flat out vec4 quad_air;              // mean density of the haze as a polynomial, and the dip of the horizon
+flat out vec3 quad_rayleigh;         // likewise of the air
 #endif
 
 float water_depth(vec2 rest) {
@@ -67,14 +70,34 @@ void water_vertex() {
     vec3 position = vertex.xyz + offset;
     water_place = vec4(position, depth);
     water_rest = rest;
-    water_light = vec3(gustiness(haze.zw + rest, vertex.w), cloud_shadow(position.xy), least_depth(rest, depth));
+    water_light = vec4(gustiness(haze.zw + rest, vertex.w), cloud_shadow(position.xy), least_depth(rest, depth), vertex.w);
     aerial_perspective(position, water_transmittance, water_inscatter);
     gl_Position = view_projection * vec4(position, 1.0);
 }
 #else
+// Mean over a straight way down to the sea of exp(-height / scale), d^2 = 2 R h x long: x = 0 straight down, x = 1 to the
+// horizon. Heights are h (s - x s (1 - s)) on it.
+float mean_density(float h, float x, float scale) {
+    float sum = 0.0;
+    for (int i = 0; i < 32; ++i) {
+        float s = (float(i) + 0.5) / 32.0;
+        sum += exp(-h * s * (1.0 - x * (1.0 - s)) / scale);
+    }
+    return sum / 32.0;
+}
+
+// The polynomial through x = 0, 1/2, 1.
+vec3 density_polynomial(float h, float scale) {
+    float a = mean_density(h, 0.0, scale), b = mean_density(h, 0.5, scale), c = mean_density(h, 1.0, scale);
+    return vec3(a, 4.0 * b - 3.0 * a - c, 2.0 * a - 4.0 * b + 2.0 * c);
+}
+
 void water_vertex() {
+    float h = max(eye.z, 0.0);
     water_place = vec4(vertex.xyz, 0.0);
     water_rest = vertex.xy;
+    quad_air = vec4(density_polynomial(h, haze_scale()), horizon_dip(h));
+    quad_rayleigh = density_polynomial(h, RAYLEIGH_SCALE);
     gl_Position = view_projection * vec4(vertex.xyz, 1.0);
 }
 #endif
@@ -85,9 +108,12 @@ in vec4 water_place;
 in vec2 water_rest;
 #ifndef QUAD
 in vec4 water_mesh;
-in vec3 water_light;
+in vec4 water_light;
 in vec3 water_transmittance;
 in vec3 water_inscatter;
+#else
+flat in vec4 quad_air;
+flat in vec3 quad_rayleigh;
 #endif
 
 // What a pixel of water knows before it looks anything up.
@@ -96,9 +122,36 @@ struct water_pixel {
     vec2 rest;
     float depth, least; // of the mean water here, and the least within a few metres [m]
     float gust, shade;
+    float spacing; // of the vertices [m]
     vec4 mesh;
     vec3 transmittance, inscatter;
 };
+
+#ifdef QUAD
+// acos to 7e-5 (Abramowitz & Stegun 4.4.45), and asin, near 0 by its series: the function itself costs as much as look-ups.
+float quick_acos(float x) {
+    float a = abs(x), y = sqrt(max(1.0 - a, 0.0)) * (1.5707288 + a * (-0.2121144 + a * (0.0742610 - 0.0187293 * a)));
+    return x < 0.0 ? 3.14159265 - y : y;
+}
+float quick_asin(float x) {
+    float x2 = x * x;
+    return x2 < 0.16 ? x * (1.0 + x2 * (0.16666667 + x2 * (0.075 + x2 * (0.04464286 + x2 * 0.03)))) : 1.57079633 - quick_acos(x);
+}
+
+// aerial_perspective() for a point of the mean sea.
+void quad_aerial(vec3 position, out vec3 transmittance, out vec3 inscatter) {
+    float d = max(length(position), 1e-3), h = max(eye.z, 0.5), x = min(d * d / (2.0 * lens.w * h), 1.2);
+    vec3 dir = position / d;
+    float air_mean = quad_rayleigh.x + x * (quad_rayleigh.y + x * quad_rayleigh.z);
+    float haze_mean = quad_air.x + x * (quad_air.y + x * quad_air.z);
+    transmittance = exp(-d * (RAYLEIGH * air_mean + mie_extinction() * haze_mean));
+    float c = dot(dir.xy, sun.xy) * inversesqrt(max(dot(dir.xy, dir.xy) * dot(sun.xy, sun.xy), 1e-12));
+    float above = min(quick_asin(clamp(dir.z, -1.0, 1.0)) + quad_air.w, 0.0);
+    vec3 at = vec3(sqrt(quick_acos(clamp(c, -1.0, 1.0)) / AIR_PI), 0.5 - 0.5 * sqrt(-above / (0.5 * AIR_PI - quad_air.w)),
+                   aerial_slice(d));
+    inscatter = textureLod(aerial_table, to_texel_centres3(at, AERIAL_SIZE), 0.0).rgb;
+}
+#endif
 
 water_pixel water_here() {
     water_pixel p;
@@ -114,16 +167,29 @@ water_pixel water_here() {
     p.gust = 1.0;
     p.shade = cloud_shadow(p.position.xy);
     p.mesh = vec4(0.0, 0.0, 1.0, 0.0);
-    aerial_perspective(p.position, p.transmittance, p.inscatter);
+    p.spacing = 0.0;
+    quad_aerial(p.position, p.transmittance, p.inscatter);
 #else
     p.depth = water_place.w;
     p.least = water_light.z;
     p.gust = water_light.x;
     p.shade = water_light.y;
+    p.spacing = water_light.w;
     p.mesh = water_mesh;
     p.transmittance = water_transmittance;
     p.inscatter = water_inscatter;
 #endif
     return p;
+}
+
+// What the pixel cannot resolve. Where the vertices carry the waves, it is they who cannot: a wave of three spacings fades to
+// half (bolan_sea_sample_grid), as it does under a pixel 1.4 spacings wide.
+footprint water_footprint(water_pixel p, vec3 view, float dist) {
+    footprint f = pixel_footprint(view, dist, p.mesh.xy);
+#ifdef WAVES_MESH
+    f.minor = max(f.minor, 1.4 * p.spacing);
+    f.major = max(f.major, f.minor);
+#endif
+    return f;
 }
 #endif

@@ -35,14 +35,33 @@ vec4 wave_of(int i) { return texelFetch(wave_table, ivec2(i & 63, i >> 6), 0); }
 #endif
 uniform int wave_count;
 
-// Height and its derivative along the phase, of unit amplitude.
-vec2 wave_shape(float phase) {
-    phase -= 6.28318531 * floor(phase * 0.15915494 + 0.5);
+// Sine and cosine of a phase [rad], to 4e-6: Taylor's series of the half angle, the last coefficient moved towards the next term.
+vec2 wave_sincos(float phase) {
+    float x = phase * 0.15915494;
+    x -= floor(x + 0.5);
+    float x2 = x * x;
+    float s = x * (3.14159265 + x2 * (-5.16771278 + x2 * (2.55016404 + x2 * (-0.59926453 + x2 * 0.08041384))));
+    float c = 1.0 + x2 * (-4.93480220 + x2 * (4.05871213 + x2 * (-1.33526277 + x2 * 0.22931763)));
+    return vec2(2.0 * s * c, 1.0 - 2.0 * s * s);
+}
+
+// Height of unit amplitude. `faded`: log2 of what is kept of the wave.
+float wave_height(float phase, float faded) {
+    vec2 w = wave_sincos(phase);
 #ifdef WAVES_EXP
-    float e = exp(exp_law.x * (cos(phase) - 1.0));
-    return vec2(e - exp_law.y, -exp_law.x * sin(phase) * e);
+    return exp2(exp_law.x * 1.44269504 * (w.y - 1.0) + faded) - exp_law.y * exp2(faded);
 #else
-    return vec2(cos(phase), -sin(phase));
+    return w.y * exp2(faded);
+#endif
+}
+
+// Its derivative by the phase.
+float wave_slope(float phase, float faded) {
+    vec2 w = wave_sincos(phase);
+#ifdef WAVES_EXP
+    return -exp_law.x * w.x * exp2(exp_law.x * 1.44269504 * (w.y - 1.0) + faded);
+#else
+    return -w.x * exp2(faded);
 #endif
 }
 #endif
@@ -71,11 +90,10 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #ifdef WAVES_EXP
     for (int i = 0; i < wave_count; ++i) {
         vec4 w = wave_of(i);
-        float samples = 6.28318531 * inversesqrt(dot(w.xy, w.xy)) / spacing; // of a wave
-        float keep = clamp(0.5 * samples - 1.0, 0.0, 1.0);
-        vec2 shape = keep * w.z * wave_shape(dot(w.xy, rest) + w.w);
-        offset.z += shape.x;
-        fields.xy += shape.y * w.xy;
+        float samples = 6.28318531 * inversesqrt(max(dot(w.xy, w.xy), 1e-12)) / spacing; // of a wave
+        float keep = w.z * clamp(0.5 * samples - 1.0, 0.0, 1.0), phase = dot(w.xy, rest) + w.w;
+        offset.z += keep * wave_height(phase, 0.0);
+        fields.xy += keep * wave_slope(phase, 0.0) * w.xy;
     }
 #ifdef LAND
     float shallow = shore_attenuation(depth, sea_law.x);
@@ -122,12 +140,20 @@ footprint pixel_footprint(vec3 view, float dist, vec2 coarse_slope) {
     return f;
 }
 
+// Direction of an axis in half turns, 0..1, to 0.002: the table has a texel for every 0.125.
+float half_turns(vec2 axis) {
+    vec2 a = abs(axis);
+    float t = min(a.x, a.y) / max(max(a.x, a.y), 1e-6);
+    float turns = t * (0.30952 - 0.06109 * t * t); // atan(t) / pi
+    turns = a.y > a.x ? 0.5 - turns : turns;
+    return axis.x * axis.y < 0.0 ? 1.0 - turns : turns;
+}
+
 // Slope covariance (xx, xy, yy) that this footprint removes, and that of the waves shorter than the model has.
 vec3 unresolved_slopes(footprint f) {
     // the look-ups average over about half a width at each end: standard deviation 0.4 of the width
     float major = log2(max(0.4 * f.major, 1e-4)), aspect = log2(f.major / max(f.minor, f.major / 127.0));
-    float angle = atan(f.axis.y, f.axis.x) * 0.31830989;
-    angle -= floor(angle);
+    float angle = half_turns(f.axis);
     vec3 t = vec3(((major + 8.0) * 1.5 + 0.5) / 24.0, (aspect + 0.5) / 8.0, (angle * 8.0 + 0.5) / 9.0);
     vec3 m = textureLod(slope_table, t, 0.0).xyz; // xx, xy, yy
     return m + vec3(6e-6, 0.0, 6e-6); // the sun's radius, in slopes
@@ -207,8 +233,8 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
     for (int i = 0; i < wave_count; ++i) {
         vec4 w = wave_of(i);
         float along = dot(w.xy, major), across = dot(w.xy, minor);
-        float keep = exp(-0.5 * min(along * along + across * across, 60.0));
-        slope += keep * w.z * wave_shape(dot(w.xy, rest) + w.w).y * w.xy;
+        float faded = -0.72134752 * (along * along + across * across);
+        slope += w.z * wave_slope(dot(w.xy, rest) + w.w, max(faded, -60.0)) * w.xy;
     }
 #ifdef LAND
     slope *= shore_attenuation(depth, sea_law.x);

@@ -102,8 +102,8 @@ static inline void wide_stream_end(void) {
 // a and b lane by lane in turn: 2 WIDE numbers.
 static inline void wide_interleave(wide a, wide b, wide out[2]) {
 #if WIDE > 1
-    out[0] = __builtin_shuffle(a, b, (wide_int){WIDE_LOW});
-    out[1] = __builtin_shuffle(a, b, (wide_int){WIDE_HIGH});
+    out[0] = WIDE_SHUFFLE(a, b, WIDE_LOW);
+    out[1] = WIDE_SHUFFLE(a, b, WIDE_HIGH);
 #else
     out[0] = a;
     out[1] = b;

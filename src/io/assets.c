@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene refers to: its spectrum and its terrain.
+// What a scene refers to: its spectrum, its terrain and its models.
 #include "bolan/io.h"
 
 #include <string.h>
@@ -20,9 +20,32 @@ static bolan_result load_terrain(const bolan_scene *scene, bolan_terrain **out) 
     const bolan_terrain_source *t = &scene->terrain;
     if (t->kind == BOLAN_TERRAIN_NONE) return BOLAN_OK;
     if (t->kind == BOLAN_TERRAIN_ISLAND) return bolan_terrain_create_island(&t->island, out);
+    if (t->kind == BOLAN_TERRAIN_POND) return bolan_terrain_create_pond(out);
     const char *path = t->path[0] ? t->path : global_relief;
     if (!t->path[0] && access(path, R_OK) != 0) return no_raster(scene);
     return bolan_raster_load(path, t->latitude, t->longitude, t->radius, t->vertical_scale, out);
+}
+
+static bolan_result load_model(const char *name, bolan_model **out) {
+    static const char *const builtin = "builtin:";
+    if (strncmp(name, builtin, strlen(builtin)) == 0) return bolan_model_create_builtin(name + strlen(builtin), out);
+    return bolan_model_load(name, out);
+}
+
+// Each different model once.
+static bolan_result load_models(const bolan_scene *scene, bolan_scene_assets *out) {
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        uint32_t same = 0;
+        while (same < i && strcmp(scene->objects[same].model, scene->objects[i].model) != 0) same++;
+        if (same == i) {
+            const bolan_result result = load_model(scene->objects[i].model, &out->models[out->model_count]);
+            if (result) return result;
+            out->object_models[i] = out->models[out->model_count++];
+        } else {
+            out->object_models[i] = out->object_models[same];
+        }
+    }
+    return BOLAN_OK;
 }
 
 bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_assets *out) {
@@ -32,6 +55,7 @@ bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_asset
     if (scene->spectrum_path[0])
         result = bolan_spectrum_load(scene->spectrum_path, scene->spectrum_record, &out->spectrum);
     if (!result) result = load_terrain(scene, &out->terrain);
+    if (!result) result = load_models(scene, out);
     if (result) bolan_scene_assets_destroy(out);
     return result;
 }
@@ -40,6 +64,9 @@ void bolan_scene_assets_destroy(bolan_scene_assets *assets) {
     if (!assets) return;
     bolan_measured_spectrum_destroy(&assets->spectrum);
     bolan_terrain_destroy(&assets->terrain);
+    for (uint32_t i = 0; i < BOLAN_MAX_OBJECTS; i++) bolan_model_destroy(&assets->models[i]);
+    memset(assets->object_models, 0, sizeof assets->object_models);
+    assets->model_count = 0;
 }
 
 bolan_result bolan_scene_create_sea(const bolan_scene *scene, const bolan_scene_assets *assets, bolan_sea **out) {

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // From a scene as it is written to a scene as it is used: defaults, units, and keys that exclude or need each other.
+#include "io/file.h"
 #include "io/scene_file.h"
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 void scene_file_clear(scene_file *file) {
     const double absent = (double)NAN;
     const bolan_scene d = bolan_scene_default();
     memset(file, 0, sizeof *file);
-    file->technique = file->sea.spectrum.shape = file->water.type = -1;
+    file->technique = file->sea.spectrum.shape = file->water.type = file->sea.split = file->look.show = -1;
     double *const numbers[] = {
         &file->time,
         &file->exposure,
@@ -23,6 +25,13 @@ void scene_file_clear(scene_file *file) {
         &file->sea.choppiness,
         &file->sea.loop,
         &file->sea.foam_decay,
+        &file->sea.sharpness,
+        &file->look.distortion,
+        &file->look.blend,
+        &file->look.ambient,
+        &file->look.diffuse,
+        &file->look.specular,
+        &file->look.shininess,
         &file->water.level,
         &file->water.foam,
         &file->sky.sun.azimuth,
@@ -51,6 +60,12 @@ void scene_file_clear(scene_file *file) {
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) *numbers[i] = absent;
     for (int i = 0; i < BOLAN_MAX_WAVE_SYSTEMS; i++)
         file->sea.swell[i] = (struct scene_file_swell){0, absent, absent, absent, absent};
+    for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) file->objects[i].scale = 1.0;
+    file->look.effects = d.look.effects;
+    file->sea.frequencies = d.sea.frequencies;
+    file->sea.directions = d.sea.directions;
+    file->sea.waves = d.sea.wave_count;
+    file->sea.loop_frames = d.sea.loop_frames;
     file->sea.seed = d.sea.seed;
     file->sea.resolution = d.sea.resolution;
     file->sea.cascades = d.sea.cascade_count;
@@ -129,6 +144,12 @@ static bolan_result build_sea(const struct scene_file_sea *sea, const char *name
     set(&d->choppiness, sea->choppiness, 1.0);
     set(&d->loop_period, sea->loop, 1.0);
     set(&d->foam_decay, sea->foam_decay, 1.0);
+    d->frequencies = (uint32_t)sea->frequencies;
+    d->directions = (uint32_t)sea->directions;
+    if (sea->split >= 0) d->split = (bolan_frequency_split)sea->split;
+    d->wave_count = (uint32_t)sea->waves;
+    set(&d->sharpness, sea->sharpness, 1.0);
+    d->loop_frames = (uint32_t)sea->loop_frames;
     return add_swells(sea, name, &d->sea_state);
 }
 
@@ -193,12 +214,15 @@ static bolan_result build_sky(const scene_file *file, const char *name, bolan_sk
 }
 
 static bolan_result build_terrain(const struct scene_file_terrain *t, const char *name, bolan_terrain_source *out) {
-    if (t->island.line && t->raster.line)
-        return refuse(name, t->line, "terrain has both island and raster; expected one");
+    if ((t->island.line != 0) + (t->raster.line != 0) + (t->pond.line != 0) > 1)
+        return refuse(name, t->line, "terrain has more than one of island, raster and pond; expected one");
     if (t->raster.line && !isnan(t->raster.at[0]) && fabs(t->raster.at[0]) > 90.0)
         return refuse(name, t->raster.line,
                       "terrain.raster.at has a latitude beyond 90; expected [latitude, longitude]");
-    out->kind = t->island.line ? BOLAN_TERRAIN_ISLAND : t->raster.line ? BOLAN_TERRAIN_RASTER : BOLAN_TERRAIN_NONE;
+    out->kind = t->island.line   ? BOLAN_TERRAIN_ISLAND
+                : t->raster.line ? BOLAN_TERRAIN_RASTER
+                : t->pond.line   ? BOLAN_TERRAIN_POND
+                                 : BOLAN_TERRAIN_NONE;
     out->island.seed = t->island.seed;
     set(&out->island.radius, t->island.radius, 1.0);
     set(&out->island.peak, t->island.peak, 1.0);
@@ -222,6 +246,75 @@ static void build_camera(const struct scene_file_camera *c, bolan_camera *out) {
     set(&out->fov_deg, c->fov, 1.0);
 }
 
+// ---- look and objects -----------------------------------------------------------------------------------------------
+
+static void build_look(const struct scene_file_look *l, bolan_look *out) {
+    out->paper = l->paper;
+    out->effects = l->effects;
+    if (l->show >= 0) out->show = (bolan_show)l->show;
+    set(&out->distortion, l->distortion, 1.0);
+    set(&out->blend, l->blend, 1.0);
+    set(&out->ambient, l->ambient, 1.0);
+    set(&out->diffuse, l->diffuse, 1.0);
+    set(&out->specular, l->specular, 1.0);
+    set(&out->shininess, l->shininess, 1.0);
+}
+
+static const char *const builtin = "builtin:";
+
+static bool is_builtin(const char *model) { return strncmp(model, builtin, strlen(builtin)) == 0; }
+
+static bolan_result unknown_model(const char *name, uint32_t line, const char *model) {
+    char list[256] = "", sentence[512];
+    for (uint32_t i = 0; bolan_model_builtin_name(i); i++) {
+        const size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", bolan_model_builtin_name(i));
+    }
+    snprintf(sentence, sizeof sentence, "there is no model %.64s; expected builtin: and one of %s", model, list);
+    for (char *c = sentence; *c; c++)
+        if ((unsigned char)*c < 32) *c = '?';
+    return refuse(name, line, sentence);
+}
+
+static bolan_result build_object(const struct scene_file_object *o, const char *name, bolan_object *out) {
+    if (!o->model[0]) return refuse(name, o->line, "an object needs a model: builtin:NAME, or a file (OBJ, glTF)");
+    uint32_t i = 0;
+    while (is_builtin(o->model) && bolan_model_builtin_name(i) &&
+           strcmp(bolan_model_builtin_name(i), o->model + strlen(builtin)) != 0)
+        i++;
+    if (is_builtin(o->model) && !bolan_model_builtin_name(i)) return unknown_model(name, o->line, o->model);
+    memcpy(out->model, o->model, sizeof out->model);
+    out->position = bolan_dv3(o->position[0], o->position[1], o->position[2]);
+    out->heading_deg = o->heading;
+    out->scale = o->scale;
+    out->floats = o->floats;
+    return BOLAN_OK;
+}
+
+static bolan_result build_objects(const scene_file *file, const char *name, bolan_scene *scene) {
+    for (uint32_t i = 0; i < file->object_count; i++)
+        if (build_object(&file->objects[i], name, &scene->objects[i])) return BOLAN_ERROR_FORMAT;
+    scene->object_count = file->object_count;
+    return BOLAN_OK;
+}
+
+bolan_result scene_file_find_models(const scene_file *file, const char *name, bolan_scene *scene) {
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        bolan_object *o = &scene->objects[i];
+        char path[BOLAN_PATH_MAX], sentence[512];
+        if (is_builtin(o->model)) continue;
+        if (!file_resolve(name, o->model, path) || strlen(path) >= sizeof o->model)
+            return refuse(name, file->objects[i].line, "the path of a model is longer than 255 characters");
+        if (access(path, R_OK) != 0) {
+            snprintf(sentence, sizeof sentence,
+                     "the model %.300s cannot be read; expected a file (OBJ, glTF), or builtin:NAME", path);
+            return refuse(name, file->objects[i].line, sentence);
+        }
+        memcpy(o->model, path, strlen(path) + 1);
+    }
+    return BOLAN_OK;
+}
+
 bolan_result scene_file_build(const scene_file *file, const char *name, bolan_scene *scene) {
     *scene = bolan_scene_default();
     snprintf(scene->description, sizeof scene->description, "%s", file->description);
@@ -235,8 +328,9 @@ bolan_result scene_file_build(const scene_file *file, const char *name, bolan_sc
     set(&scene->time, file->time, 1.0);
     set(&scene->exposure, file->exposure, 1.0);
     build_camera(&file->camera, &scene->camera);
+    build_look(&file->look, &scene->look);
     if (build_sea(&file->sea, name, scene) || build_sky(file, name, &scene->sky) ||
-        build_terrain(&file->terrain, name, &scene->terrain))
+        build_terrain(&file->terrain, name, &scene->terrain) || build_objects(file, name, scene))
         return BOLAN_ERROR_FORMAT;
     return BOLAN_OK;
 }

@@ -22,7 +22,9 @@ typedef struct scene_file {
             double speed, from;
         } wind;
         double fetch_km, beaufort, douglas, depth, length, choppiness, loop, foam_decay;
-        uint64_t seed, resolution, cascades;
+        double sharpness;
+        uint64_t seed, resolution, cascades, frequencies, directions, waves, loop_frames;
+        int split;
         struct scene_file_spectrum {
             uint32_t line;
             int shape;
@@ -35,6 +37,13 @@ typedef struct scene_file {
             double hs, tp, from, spread;
         } swell[BOLAN_MAX_WAVE_SYSTEMS];
     } sea;
+    struct scene_file_look {
+        uint32_t line;
+        bool paper;
+        uint32_t effects;
+        int show;
+        double distortion, blend, ambient, diffuse, specular, shininess;
+    } look;
     struct scene_file_water {
         uint32_t line;
         int type;
@@ -66,7 +75,17 @@ typedef struct scene_file {
             char file[BOLAN_PATH_MAX];
             double at[2], radius_km, vertical_scale;
         } raster;
+        struct scene_file_pond {
+            uint32_t line;
+        } pond;
     } terrain;
+    uint32_t object_count;
+    struct scene_file_object {
+        uint32_t line;
+        bool floats;
+        char model[256];
+        double position[3], heading, scale;
+    } objects[BOLAN_MAX_OBJECTS];
     struct scene_file_camera {
         uint32_t line;
         double position[3], heading, pitch, roll, fov;
@@ -79,6 +98,9 @@ extern const schema_key scene_file_keys[];
 void scene_file_clear(scene_file *file);
 /// Builds the scene; @p name is used in messages about keys that exclude or need each other. FORMAT.
 bolan_result scene_file_build(const scene_file *file, const char *name, bolan_scene *scene);
+/// Takes the paths of the models from the folder of the scene file @p name, and looks whether the files are there.
+/// FORMAT, with the line of the object.
+bolan_result scene_file_find_models(const scene_file *file, const char *name, bolan_scene *scene);
 /// "2026-06-21T18:00:00Z" (or +HH:MM instead of Z; seconds may be left out) as seconds since 1970 UTC; false if it is
 /// not one.
 bool scene_file_date(const char *text, double *unix_time);

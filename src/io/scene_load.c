@@ -43,7 +43,8 @@ const char *bolan_scene_builtin_name(uint32_t index) {
     return NULL;
 }
 
-static bolan_result parse(const char *name, const char *text, size_t size, bolan_scene *out) {
+// `on_disk`: the name is a path, and models are looked for beside it.
+static bolan_result parse(const char *name, const char *text, size_t size, bool on_disk, bolan_scene *out) {
     if (size > SCENE_FILE_LIMIT) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_TOO_LARGE, "%s: larger than a scene can be; expected at most 1 MiB",
                   name);
@@ -54,6 +55,7 @@ static bolan_result parse(const char *name, const char *text, size_t size, bolan
     bolan_result result = schema_read(name, text, size, scene_file_keys, &file);
     bolan_scene scene;
     if (!result) result = scene_file_build(&file, name, &scene);
+    if (!result && on_disk) result = scene_file_find_models(&file, name, &scene);
     if (!result) result = bolan_scene_validate(&scene);
     if (result) return result;
     const char *slash = strrchr(name, '/');
@@ -64,7 +66,7 @@ static bolan_result parse(const char *name, const char *text, size_t size, bolan
 
 bolan_result bolan_scene_parse(const char *name, const char *text, size_t size, bolan_scene *scene) {
     BOLAN_ASSERT(name && text && scene);
-    return parse(name, text, size, scene);
+    return parse(name, text, size, false, scene);
 }
 
 static bolan_result too_long(const char *path) {
@@ -87,7 +89,7 @@ static bolan_result load_file(const char *path, bolan_scene *out) {
     bolan_result result = file_read(path, SCENE_FILE_LIMIT, &text);
     if (result) return result;
     bolan_scene scene;
-    result = parse(path, text.data, text.size, &scene);
+    result = parse(path, text.data, text.size, true, &scene);
     file_release(&text);
     if (!result) result = resolve(path, scene.spectrum_path);
     if (!result) result = resolve(path, scene.terrain.path);
@@ -113,7 +115,7 @@ bolan_result bolan_scene_load(const char *name_or_path, bolan_scene *scene) {
         const bool looks_like_a_path = strpbrk(name_or_path, "/.") != NULL;
         return looks_like_a_path ? load_file(name_or_path, scene) : unknown_scene(name_or_path);
     }
-    const bolan_result result = parse(builtin->path, builtin->text, strlen(builtin->text), scene);
+    const bolan_result result = parse(builtin->path, builtin->text, strlen(builtin->text), false, scene);
     if (!result) snprintf(scene->name, sizeof scene->name, "%.*s", stem_length(builtin), builtin->path);
     return result;
 }

@@ -8,6 +8,8 @@
 #define NUMBER(key, from, to, in) KEY(key, .kind = SCHEMA_NUMBER, .low = (from), .high = (to), .unit = (in))
 #define COUNT(key, from, to)      KEY(key, .kind = SCHEMA_COUNT, .low = (from), .high = (to))
 #define NAME(key, list)           KEY(key, .kind = SCHEMA_NAME, .names = (list))
+#define FLAG(key)                 KEY(key, .kind = SCHEMA_FLAG)
+#define SET(key, list)            KEY(key, .kind = SCHEMA_SET, .names = (list))
 #define TEXT(key)                 KEY(key, .kind = SCHEMA_TEXT, .capacity = SIZE_OF(key))
 #define VECTOR(key, from, to, in) KEY(key, .kind = SCHEMA_VECTOR, .low = (from), .high = (to), .unit = (in), \
                                       .capacity = SIZE_OF(key) / sizeof(double))
@@ -24,6 +26,8 @@ static const char *const technique_names[] = {"ocean",       "two-triangle", "ex
                                               "nested-grid", "flight-sim",   NULL}; // order of bolan_techniques()
 static const char *const water_names[] = {"I",  "IA", "IB", "II", "III", "1C",
                                           "3C", "5C", "7C", "9C", NULL}; // bolan_jerlov
+
+static const char *const split_names[] = {"equal-energy", "equal-width", NULL}; // bolan_frequency_split
 
 // Offsets of an inner map count from the start of that map: STRUCT is its type.
 
@@ -70,6 +74,27 @@ static const schema_key sea_keys[] = {
     NUMBER(choppiness, 0, 2, NULL),
     NUMBER(loop, 10, 1e6, "s"),
     NUMBER(foam_decay, 0.1, 60, "s"),
+    COUNT(frequencies, 1, BOLAN_MAX_FREQUENCIES),
+    COUNT(directions, 1, BOLAN_MAX_DIRECTIONS),
+    NAME(split, split_names),
+    COUNT(waves, 1, BOLAN_MAX_EXP_WAVES),
+    NUMBER(sharpness, 0.01, 2, NULL),
+    COUNT(loop_frames, 2, BOLAN_MAX_LOOP_FRAMES),
+    END,
+};
+#undef STRUCT
+
+#define STRUCT struct scene_file_look
+static const schema_key look_keys[] = {
+    FLAG(paper),
+    SET(effects, bolan_effect_names),
+    NAME(show, bolan_show_names),
+    NUMBER(distortion, 0, 4, NULL),
+    NUMBER(blend, 0, 1, NULL),
+    NUMBER(ambient, 0, 2, NULL),
+    NUMBER(diffuse, 0, 2, NULL),
+    NUMBER(specular, 0, 4, NULL),
+    NUMBER(shininess, 1, 4096, NULL),
     END,
 };
 #undef STRUCT
@@ -132,10 +157,26 @@ static const schema_key raster_keys[] = {
 };
 #undef STRUCT
 
+#define STRUCT struct scene_file_pond
+static const schema_key pond_keys[] = {END};
+#undef STRUCT
+
 #define STRUCT struct scene_file_terrain
 static const schema_key terrain_keys[] = {
     MAP(island, island_keys),
     MAP(raster, raster_keys),
+    MAP(pond, pond_keys),
+    END,
+};
+#undef STRUCT
+
+#define STRUCT struct scene_file_object
+static const schema_key object_keys[] = {
+    TEXT(model),
+    VECTOR(position, -1e7, 1e7, "m"),
+    NUMBER(heading, -360, 360, "degrees"),
+    NUMBER(scale, 1e-3, 1e3, NULL),
+    FLAG(floats),
     END,
 };
 #undef STRUCT
@@ -151,10 +192,12 @@ static const schema_key camera_keys[] = {
 const schema_key scene_file_keys[] = {
     TEXT(description),
     NAME(technique, technique_names),
+    MAP(look, look_keys),
     MAP(sea, sea_keys),
     MAP(water, water_keys),
     MAP(sky, sky_keys),
     MAP(terrain, terrain_keys),
+    LIST(objects, object_count, object_keys),
     MAP(camera, camera_keys),
     NUMBER(time, -1e9, 1e9, "s"),
     NUMBER(exposure, -10, 10, "stops"),

@@ -93,6 +93,17 @@ static bolan_result name(const reader *r, const yaml_node_t *node, const schema_
     return refuse(r, node, path, expected);
 }
 
+static bolan_result flag(const reader *r, const yaml_node_t *node, const char *path, bool *out) {
+    static const char *const words[] = {"false", "true", "no", "yes", "off", "on"};
+    for (int i = 0; i < 6 && node->type == YAML_SCALAR_NODE; i++) {
+        if (!text_equals((text_word){(const char *)node->data.scalar.value, node->data.scalar.length, 0}, words[i]))
+            continue;
+        *out = i % 2 == 1;
+        return BOLAN_OK;
+    }
+    return refuse(r, node, path, "true or false");
+}
+
 static bolan_result text(const reader *r, const yaml_node_t *node, const schema_key *key, const char *path, char *out) {
     const size_t length = node->type == YAML_SCALAR_NODE ? node->data.scalar.length : 0;
     if (length == 0 || length >= key->capacity || memchr(node->data.scalar.value, '\0', length)) {
@@ -127,6 +138,47 @@ static bolan_result vector(reader *r, yaml_node_t *node, const schema_key *key, 
     return BOLAN_OK;
 }
 
+// Adds the bit of one name; false when there is none of that name.
+static bool add_name(const schema_key *key, text_word word, uint32_t *bits) {
+    for (int i = 0; key->names[i]; i++)
+        if (text_equals(word, key->names[i])) return *bits |= 1u << i, true;
+    return false;
+}
+
+static bool add_words(const schema_key *key, const yaml_node_t *node, uint32_t *bits) {
+    const char *at = (const char *)node->data.scalar.value, *end = at + node->data.scalar.length;
+    while (at < end) {
+        const char *stop = at;
+        while (stop < end && *stop != ',' && *stop != ' ') stop++;
+        if (stop > at && !add_name(key, (text_word){at, (size_t)(stop - at), 0}, bits)) return false;
+        at = stop + 1;
+    }
+    return true;
+}
+
+static bolan_result set(reader *r, yaml_node_t *node, const schema_key *key, const char *path, uint32_t *out) {
+    uint32_t bits = 0, all = 0;
+    char expected[LIST_MAX_LENGTH] = "all, none, or some of ";
+    for (int i = 0; key->names[i]; i++) {
+        all |= 1u << i;
+        const size_t used = strlen(expected);
+        snprintf(expected + used, sizeof expected - used, "%s%s", i ? ", " : "", key->names[i]);
+    }
+    bool good = node->type == YAML_SEQUENCE_NODE;
+    for (uint32_t i = 0; good && i < list_length(node); i++) {
+        const yaml_node_t *item = node_at(r, node->data.sequence.items.start[i]);
+        good = item->type == YAML_SCALAR_NODE && add_words(key, item, &bits);
+    }
+    if (node->type == YAML_SCALAR_NODE && node->data.scalar.length > 0) {
+        const text_word word = {(const char *)node->data.scalar.value, node->data.scalar.length, 0};
+        good = text_equals(word, "none") || text_equals(word, "all") || add_words(key, node, &bits);
+        if (text_equals(word, "all")) bits = all;
+    }
+    if (!good) return refuse(r, node, path, expected);
+    *out = bits;
+    return BOLAN_OK;
+}
+
 static bolan_result list(reader *r, yaml_node_t *node, const schema_key *key, const char *path, char *out) {
     const uint32_t length = list_length(node);
     if (length > key->capacity) {
@@ -151,6 +203,8 @@ static bolan_result value(reader *r, yaml_node_t *node, const schema_key *key, c
     case SCHEMA_NUMBER: return number(r, node, key, path, member);
     case SCHEMA_COUNT: return count(r, node, key, path, member);
     case SCHEMA_NAME: return name(r, node, key, path, member);
+    case SCHEMA_FLAG: return flag(r, node, path, member);
+    case SCHEMA_SET: return set(r, node, key, path, member);
     case SCHEMA_TEXT: return text(r, node, key, path, member);
     case SCHEMA_VECTOR: return vector(r, node, key, path, member);
     case SCHEMA_MAP: return map(r, node, key->keys, path, member);
@@ -165,8 +219,8 @@ static bolan_result unknown_key(const reader *r, const yaml_node_t *node, const 
     char found[48], expected[LIST_MAX_LENGTH] = "";
     describe(node, found);
     for (; keys->name; keys++) append(expected, sizeof expected, keys->name);
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_UNKNOWN_KEY, "%s:%u: unknown key %s%s%s; expected one of %s", r->name,
-              line_of(node), path, *path ? "." : "", found, expected);
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_UNKNOWN_KEY, "%s:%u: unknown key %s%s%s; expected %s%s", r->name,
+              line_of(node), path, *path ? "." : "", found, *expected ? "one of " : "none", expected);
     return BOLAN_ERROR_FORMAT;
 }
 

@@ -11,6 +11,8 @@ typedef enum schema_kind {
     SCHEMA_NUMBER, ///< double in [low, high]
     SCHEMA_COUNT,  ///< uint64_t in [low, high]
     SCHEMA_NAME,   ///< int: index into names, in any case
+    SCHEMA_FLAG,   ///< bool: true or false, yes or no
+    SCHEMA_SET,    ///< uint32_t: a bit for each of the names given as a YAML list or a text with commas; all or none
     SCHEMA_TEXT,   ///< char[capacity], not empty
     SCHEMA_VECTOR, ///< double[capacity], each in [low, high]: a YAML list of that length
     SCHEMA_MAP,    ///< a struct that begins with uint32_t line: 0 where the map is absent
@@ -23,7 +25,7 @@ typedef struct schema_key {
     size_t offset; ///< in the struct that the table describes
     double low, high;
     const char *unit;         ///< for messages; NULL for none
-    const char *const *names; ///< of NAME, NULL at the end
+    const char *const *names; ///< of NAME and SET, NULL at the end
     uint32_t capacity;
     size_t stride, count_offset;
     const struct schema_key *keys; ///< of MAP and LIST

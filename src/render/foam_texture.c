@@ -104,3 +104,22 @@ bolan_result foam_texture_fill(uint8_t *out) {
     bolan_release(values, bytes);
     return BOLAN_OK;
 }
+
+bolan_result foam_texture_create(gl_texture *out) {
+    size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
+    uint8_t *pixels = bolan_allocate(bytes);
+    if (pixels == NULL) return BOLAN_ERROR_MEMORY;
+    bolan_result result = foam_texture_fill(pixels);
+    gl_texture_desc desc = {.format = GL_FMT_RGBA8,
+                            .width = FOAM_TEXTURE_SIZE,
+                            .height = FOAM_TEXTURE_SIZE,
+                            .filter = GL_FILTER_MIPMAP,
+                            .wrap = GL_WRAP_REPEAT};
+    if (result == BOLAN_OK) result = gl_texture_create(&desc, out);
+    if (result == BOLAN_OK) {
+        gl_texture_upload(out, 0, -1, pixels, false);
+        gl_texture_generate_mipmaps(out);
+    }
+    bolan_release(pixels, bytes);
+    return result;
+}

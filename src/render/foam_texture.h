@@ -4,11 +4,13 @@
 #ifndef BOLAN_FOAM_TEXTURE_H
 #define BOLAN_FOAM_TEXTURE_H
 
-#include "bolan/base.h"
+#include "gl/gl.h"
 
 #define FOAM_TEXTURE_SIZE 512
 
 // Fills size * size * 4 bytes. MEMORY when the scratch cannot be had.
 bolan_result foam_texture_fill(uint8_t *out);
+// The same as a texture with mip maps, for UNIT_FOAM_DETAIL.
+bolan_result foam_texture_create(gl_texture *out);
 
 #endif

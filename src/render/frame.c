@@ -7,8 +7,8 @@
 #include "bolan/query.h"
 #include "renderer.h"
 
-const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea",    "terrain", "sky",
-                                                  "copy",       "mirror", "water",   "tone map"};
+const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea",   "terrain", "models",  "copy",
+                                                  "mirror",     "water", "sky",     "tone map"};
 
 static double near_plane(double height, bool clip_control) {
     // Reversed-Z keeps its precision whatever the near plane; without clip control the depth is a fixed-point number.
@@ -47,9 +47,15 @@ static void fill_camera(frame *f, bool zero_to_one, double near_m, bolan_vec2 sh
 
 static float reduced(double x, double period) { return (float)(x - period * floor(x / period)); }
 
-// There is no picture from below yet: an eye that a wave would swallow rides over it.
-static bolan_dvec3 eye_over_water(const bolan_frame_desc *d) {
+#define LEAST_DEPTH 0.12 // [m] of an eye under water, for the near plane's sake
+
+// An eye that a wave would swallow rides over it, unless the optics has a picture from below.
+static bolan_dvec3 eye_clear_of_water(const bolan_frame_desc *d) {
     bolan_dvec3 eye = d->scene->camera.position;
+    if (eye.z < d->scene->water.level && pass_water_seen_from_below(d->scene)) {
+        eye.z = fmin(eye.z, d->scene->water.level - LEAST_DEPTH);
+        return eye;
+    }
     bolan_dvec2 below = {eye.x, eye.y};
     bolan_query_point water;
     bolan_query_surface(d->sea, d->terrain, d->scene->water.level, &below, 1, &water);
@@ -62,7 +68,8 @@ static void fill_scene(frame *f) {
     frame_uniforms *u = &f->uniforms;
     const bolan_sea_state *state = &bolan_sea_get_desc(f->desc->sea)->sea_state;
     f->time = bolan_sea_time(f->desc->sea);
-    f->eye = eye_over_water(f->desc);
+    f->eye = eye_clear_of_water(f->desc);
+    u->under.x = f->eye.z < s->water.level ? 1.0f : 0.0f;
     f->sun_direction = sun_direction(&s->sky);
     double wind_to = bolan_compass_from_to_math(state->wind_from_deg);
     u->eye = (bolan_vec4){reduced(f->eye.x, 4096.0), reduced(f->eye.y, 4096.0), (float)(f->eye.z - s->water.level),
@@ -74,6 +81,9 @@ static void fill_scene(frame *f) {
     u->haze = (bolan_vec4){(float)s->sky.visibility, (float)s->sky.cloud_base, reduced(f->eye.x, 131072.0),
                            reduced(f->eye.y, 131072.0)};
     fill_water(u, &s->water);
+    const bool under =
+        u->under.x > 0.5f; // the paper names the fog as work to come, so above the water its mode has none
+    u->under.y = s->look.effects & BOLAN_EFFECT_FOG && (under || !s->look.paper) ? 1.0f : 0.0f;
 }
 
 // Sub-pixel shifts of a sample: the R2 sequence (Roberts 2018), centred; the first is the pixel's middle.
@@ -104,11 +114,15 @@ static void prepare(bolan_renderer *r, frame *f) {
     begin_part(r, PART_SEA);
     pass_terrain_prepare(r->terrain, f);
     f->shore = pass_terrain_shore(r->terrain);
-    pass_water_prepare(r->water, f);
+    pass_models_prepare(r->models, f);
+    if (!f->desc->without_water) pass_water_prepare(r->water, f);
     end_part(r, PART_SEA);
 }
 
-static void draw_world(bolan_renderer *r, frame *f) { pass_terrain_draw(r->terrain, f); }
+static void draw_world(bolan_renderer *r, frame *f) {
+    pass_terrain_draw(r->terrain, f);
+    pass_models_draw(r->models, f);
+}
 
 static void draw_opaque(bolan_renderer *r, frame *f) {
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
@@ -116,11 +130,12 @@ static void draw_opaque(bolan_renderer *r, frame *f) {
     gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     gl_target_clear_depth(0.0f);
     begin_part(r, PART_TERRAIN);
-    draw_world(r, f);
+    if (!f->desc->without_water) pass_water_cover(r->water, f);
+    pass_terrain_draw(r->terrain, f);
     end_part(r, PART_TERRAIN);
-    begin_part(r, PART_SKY);
-    pass_sky_draw(r->sky, f);
-    end_part(r, PART_SKY);
+    begin_part(r, PART_MODELS);
+    pass_models_draw(r->models, f);
+    end_part(r, PART_MODELS);
 }
 
 // What lies behind the water, for an optics that looks through it. Over the open sea nothing shines through.
@@ -133,38 +148,59 @@ static void copy_behind(bolan_renderer *r, frame *f) {
 }
 
 static void draw_picture(bolan_renderer *r, frame *m, bool sky) {
+    const bolan_vec4 b = m->background;
     upload_uniforms(r, m);
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     gl_target_bind(&m->hdr);
-    gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    gl_target_clear_color(b.x, b.y, b.z, b.w);
     gl_target_clear_depth(0.0f);
     draw_world(r, m);
-    if (sky) pass_sky_draw(r->sky, m);
+    if (m->uniforms.under.w > 0.5f)
+        pass_mirror_draw_body(r->mirror);
+    else if (sky)
+        pass_sky_draw(r->sky, m);
 }
 
 // What the water mirrors, and what shines through it, each as a picture.
 static void draw_mirrors(bolan_renderer *r, frame *f) {
-    if (!pass_mirror_fit(r->mirror, f->desc->width, f->desc->height)) return;
+    if (!pass_mirror_fit(r->mirror, f)) return;
     frame above = pass_mirror_reflect(r->mirror, f), below = pass_mirror_refract(r->mirror, f);
-    draw_picture(r, &above, true);
-    draw_picture(r, &below, false);
+    const uint32_t effects = f->scene->look.effects;
+    // A margin for blurred look-ups at the horizon; what is mirrored there is the haze.
+    gl_clip_rows(pass_water_rows(f) * above.hdr.height / f->hdr.height + 64);
+    if (effects & BOLAN_EFFECT_REFLECTION) draw_picture(r, &above, pass_water_mirrors_sky(f));
+    if (effects & BOLAN_EFFECT_REFRACTION) draw_picture(r, &below, false);
+    gl_clip_rows(0);
+    if (!f->scene->look.paper) pass_mirror_finish(r->mirror);
     upload_uniforms(r, f);
     pass_mirror_bind(r->mirror);
 }
 
 static void draw_water(bolan_renderer *r, frame *f) {
-    const bool mirrors = pass_water_mirrors(f);
+    const bool water = !f->desc->without_water, mirrors = water && pass_water_mirrors(f);
     begin_part(r, PART_COPY);
-    if (!mirrors && f->shore->present) copy_behind(r, f);
+    // Clouds below a high eye are laid over by the depth of the land.
+    if (water && f->shore->present && (!mirrors || f->uniforms.air.y > 0.5f)) copy_behind(r, f);
     end_part(r, PART_COPY);
     begin_part(r, PART_MIRROR);
     if (mirrors) draw_mirrors(r, f);
     end_part(r, PART_MIRROR);
     begin_part(r, PART_WATER);
     gl_target_bind(&f->hdr);
-    pass_water_draw(r->water, f);
-    pass_sky_draw_over(r->sky, f);
+    if (water) pass_water_draw(r->water, f);
     end_part(r, PART_WATER);
+}
+
+// Last, where nothing stands before it.
+static void draw_sky(bolan_renderer *r, frame *f) {
+    begin_part(r, PART_SKY);
+    if (f->uniforms.under.x > 0.5f) {
+        pass_mirror_draw_body(r->mirror);
+    } else {
+        pass_sky_draw(r->sky, f);
+        pass_sky_draw_over(r->sky, f);
+    }
+    end_part(r, PART_SKY);
 }
 
 static void keep_statistics(bolan_renderer *r, const frame *f) {
@@ -196,9 +232,11 @@ void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *desc) {
         for (uint32_t s = 0; s < samples; ++s) {
             f.triangles = f.water_triangles = 0;
             fill_camera(&f, zero_to_one, r->near_plane, sample_shift(s));
+            f.picture = f.uniforms.under.x > 0.5f;
             upload_uniforms(r, &f);
             draw_opaque(r, &f);
             draw_water(r, &f);
+            draw_sky(r, &f);
             begin_part(r, PART_TONEMAP);
             gl_target_bind_external(desc->framebuffer, desc->width, desc->height);
             pass_tonemap_draw(r->tonemap, &f, &r->hdr_color, s, samples);

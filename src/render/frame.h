@@ -3,10 +3,11 @@
 //
 //   atmosphere tables -> clouds -> environment map        (only when sun, haze or altitude changed)
 //   sea textures, shore depth map                         (upload)
-//   terrain + sea bed -> sky behind                        HDR colour + reversed-Z depth
+//   terrain + sea bed, objects                             HDR colour + reversed-Z depth
 //   copy of colour and depth                               what the physical optics sees through the water
 //   the world mirrored, the world refracted                what the mirror and phong optics look up
 //   water
+//   sky, where nothing stands before it
 //   tone map -> the caller's framebuffer
 //
 // All positions on the GPU are relative to the eye, in world axes (x east, y north, z up).
@@ -37,7 +38,11 @@ enum {
     UNIT_SURFACE = 16,      // 16-19: outputs of water_surface.glsl
     UNIT_REFLECTION = 16,   // 2D  pictures of pass_mirror.c, for the optics that have no use for those
     UNIT_REFRACTION = 17,
-    UNIT_OPTICS = 18, // 18-20: an optics' own
+    UNIT_OPTICS = 18,          // 18-19: an optics' own
+    UNIT_TILE = 19,            // 2D RGBA8  the water's own texture, light on the bottom
+    UNIT_REFLECTION_DEPTH = 7, // depths of those pictures, for optics without foam structure
+    UNIT_REFRACTION_DEPTH = 15,
+    UNIT_GLINT = 3, // 2D R8  the sun on a slide, for optics that see nothing behind the water
 };
 
 // The uniform block `Frame` of shaders/common/frame.glsl: std140, keep in step.
@@ -58,8 +63,13 @@ typedef struct frame_uniforms {
         air; // set by pass_sky_prepare. x: unit of every radiance (true radiance = stored / x), y: 1 when the eye is
              // above the clouds, z, w: eye from the cloud maps' centre [m]
     bolan_vec4
-        clip; // x: only what stands above (1) or below (-1) the plane, 0: everything; y: its elevation above the mean water
-              // [m]; z: vertical scale about the water of what is refracted, w: 1 in the picture of what is refracted
+        clip; // x: only what stands above (1) or below (-1) the plane, 0: everything; y: its elevation above the mean
+              // water [m]; w: what is refracted is raised, 1: by z about the water, 2: each vertex by its own angle
+    bolan_vec4
+        under; // light under water: x: 1 when the eye is there, y: strength of its fog, z: of the caustics, w: 1 in the
+               // mirrored picture of an eye under water
+    bolan_vec4 caustic;     // x, y: eye in the caustics' tile; z, w: cos, sin of its turn over its side [1/m]
+    bolan_vec4 caustic_sun; // x, y: level travel of sunlight in the water for each metre it falls; z: their disturbance
 } frame_uniforms;
 
 typedef struct frame {
@@ -74,6 +84,8 @@ typedef struct frame {
     bolan_vec3 sun_direction;
     gl_target hdr; // RGBA16F colour + depth
     const gl_texture *hdr_depth;
+    bolan_vec4 background;               // of a picture, where nothing is drawn
+    bool picture;                        // drawn for the water to look up, or from under it: see clip and under
     const struct shore_map *shore;       // set by pass_terrain_prepare's caller
     uint32_t triangles, water_triangles; // counted by the passes
 } frame;
@@ -81,6 +93,7 @@ typedef struct frame {
 // Every pass: create once, draw per frame, free. prepare() may run before targets are bound and fills textures it owns.
 typedef struct pass_sky pass_sky;         // atmosphere tables, sky, clouds, environment map; sets sun_light, sky_light
 typedef struct pass_terrain pass_terrain; // land and sea bed; the shore map
+typedef struct pass_models pass_models;   // the scene's objects
 typedef struct pass_water pass_water;
 typedef struct pass_mirror pass_mirror; // pictures of what the water mirrors and refracts
 typedef struct pass_tonemap pass_tonemap;
@@ -99,20 +112,35 @@ void pass_terrain_draw(pass_terrain *p, frame *f);
 bolan_result pass_terrain_reload(pass_terrain *p);
 void pass_terrain_destroy(pass_terrain **p);
 
+bolan_result pass_models_create(const gl_caps *caps, pass_models **out);
+void pass_models_prepare(pass_models *p, frame *f); // places of this frame; uploads what is new
+void pass_models_draw(pass_models *p, frame *f);    // one side of uniforms.clip; reads UNIT_TERRAIN2 (the terrain pass's noise)
+bolan_result pass_models_reload(pass_models *p);
+void pass_models_destroy(pass_models **p);
+
 bolan_result pass_water_create(bolan_quality quality, pass_water **out);
-void pass_water_prepare(pass_water *p, frame *f); // uploads the sea
-void pass_water_draw(pass_water *p, frame *f);    // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
-bool pass_water_mirrors(const frame *f);          // its optics looks up the pictures of pass_mirror
+void pass_water_prepare(pass_water *p, frame *f);      // uploads the sea
+void pass_water_draw(pass_water *p, frame *f);         // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
+bool pass_water_mirrors(const frame *f);               // its optics looks up the pictures of pass_mirror
+bool pass_water_mirrors_sky(const frame *f);           // and the sky in them
+bool pass_water_seen_from_below(const bolan_scene *s); // its optics has a picture for an eye under water
+void pass_water_cover(pass_water *p,
+                      frame *f); // puts the depth of two triangles first, so that nothing behind them is shaded
+uint32_t pass_water_rows(const frame *f); // from the bottom of the picture, that can show water
 bolan_result pass_water_reload(pass_water *p);
 void pass_water_destroy(pass_water **p);
 
 bolan_result pass_mirror_create(pass_mirror **out);
-bool pass_mirror_fit(pass_mirror *p, uint32_t width, uint32_t height); // false: it cannot be had (logged)
+bool pass_mirror_fit(pass_mirror *p, const frame *f); // false: it cannot be had (logged)
 frame pass_mirror_reflect(pass_mirror *p,
                           const frame *f); // this frame, seen in the water: draw what is above it into its hdr
 frame pass_mirror_refract(pass_mirror *p,
                           const frame *f); // this frame, through the water: draw what is below it into its hdr
+double pass_mirror_share(const frame *f);  // of the frame's width and height that the pictures have
+void pass_mirror_finish(pass_mirror *p);   // both are drawn
 void pass_mirror_bind(const pass_mirror *p);
+void pass_mirror_draw_body(const pass_mirror *p); // the water itself round an eye in it, where depth is 0
+bolan_result pass_mirror_reload(pass_mirror *p);
 void pass_mirror_destroy(pass_mirror **p);
 
 bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);

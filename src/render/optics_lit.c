@@ -1,20 +1,57 @@
 // SPDX-License-Identifier: MIT
-// See shaders/water_lit.glsl.
+// Liu, Xu & Chen 2009: normals of the mesh and one light. Shader: shaders/water_lit.glsl.
+#include "foam_texture.h"
+#include "ripple_texture.h"
 #include "water_optics.h"
 
+#include <math.h>
+
+typedef struct lit {
+    const char *defines; // of this quality
+    gl_texture foam_detail, ripples;
+} lit;
+
+static const char *const quality_defines[] = {
+    [BOLAN_QUALITY_LOW] = "TAPS 1\n",
+    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\n",
+    [BOLAN_QUALITY_HIGH] = "TAPS 4\n",
+    [BOLAN_QUALITY_ULTRA] = "TAPS 8\n",
+};
+
 static bolan_result create(void *state, bolan_quality quality) {
-    (void)state, (void)quality;
-    return BOLAN_OK;
+    lit *p = state;
+    p->defines = quality_defines[quality];
+    bolan_result result = foam_texture_create(&p->foam_detail);
+    return result == BOLAN_OK ? ripple_texture_create(&p->ripples) : result;
+}
+
+#define FOAM_EDGE 0.1 // how widely a breaking patch's edge is drawn, in Jacobian
+
+// What is hidden of the slopes is hidden of the Jacobian too, and more of the water lies below the threshold.
+static void set_foam(const gl_program *g, const frame *f) {
+    const double choppiness = bolan_sea_get_desc(f->desc->sea)->choppiness;
+    float beyond[3]; // what is no part of the waves whose Jacobian the threshold is made for
+    bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, beyond);
+    gl_program_vec4(g, "foam_law",
+                    (bolan_vec4){(float)fmax(bolan_sea_foam_threshold(f->desc->sea), -1e30), (float)FOAM_EDGE,
+                                 (float)choppiness, beyond[0] + beyond[2]});
 }
 
 static void draw(void *state, const water_draw *d) {
-    (void)state;
-    const gl_program *g = water_program(d, "water_lit", 0, "");
+    const lit *p = state;
+    const gl_program *g = water_program(d, "water_lit", 0, p->defines);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
+    ripple_apply(&p->ripples, g, d->f, d->waves);
+    set_foam(g, d->f);
+    gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
     water_draw_forward(d);
 }
 
-static void free_all(void *state) { (void)state; }
+static void free_all(void *state) {
+    lit *p = state;
+    gl_texture_free(&p->foam_detail);
+    gl_texture_free(&p->ripples);
+}
 
-const water_optics optics_lit = {.size = 1, .create = create, .draw = draw, .free = free_all};
+const water_optics optics_lit = {.size = sizeof(lit), .create = create, .draw = draw, .free = free_all};

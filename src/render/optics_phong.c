@@ -1,20 +1,42 @@
 // SPDX-License-Identifier: MIT
-// See shaders/water_phong.glsl.
+// Liu & Xie 2010: pictures of what is mirrored and refracted, and three parts of light. Shader: shaders/water_phong.glsl.
+#include "ripple_texture.h"
 #include "water_optics.h"
 
+typedef struct phong {
+    bolan_quality quality;
+    gl_texture ripples;
+} phong;
+
+static const char *const quality_defines[][2] = {
+    [BOLAN_QUALITY_LOW] = {"TAPS 1\n", "TAPS 1\nPICTURES 1\n"},
+    [BOLAN_QUALITY_MEDIUM] = {"TAPS 2\n", "TAPS 2\nPICTURES 1\n"},
+    [BOLAN_QUALITY_HIGH] = {"TAPS 4\n", "TAPS 4\nPICTURES 1\n"},
+    [BOLAN_QUALITY_ULTRA] = {"TAPS 8\n", "TAPS 8\nPICTURES 1\n"},
+};
+
+// dC of the paper's look-ups, which gives no numbers: the mirrored as far behind the water as 1 m, the refracted 1 m under it, of
+// which refraction takes 1 - 1/1.333 [m].
+static const bolan_vec2 paper_bend = {2.0f, -0.25f};
+
 static bolan_result create(void *state, bolan_quality quality) {
-    (void)state, (void)quality;
-    return BOLAN_OK;
+    phong *p = state;
+    p->quality = quality;
+    return ripple_texture_create(&p->ripples);
 }
 
 static void draw(void *state, const water_draw *d) {
-    (void)state;
-    const gl_program *g = water_program(d, "water_phong", 0, "");
+    const phong *p = state;
+    const uint32_t pictures = pass_water_mirrors(d->f);
+    const gl_program *g = water_program(d, "water_phong", pictures, quality_defines[p->quality][pictures]);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
+    ripple_apply(&p->ripples, g, d->f, d->waves);
+    gl_program_vec2(g, "bend", paper_bend.x, paper_bend.y);
     water_draw_forward(d);
 }
 
-static void free_all(void *state) { (void)state; }
+static void free_all(void *state) { gl_texture_free(&((phong *)state)->ripples); }
 
-const water_optics optics_phong = {.size = 1, .create = create, .draw = draw, .free = free_all};
+const water_optics optics_phong = {
+    .size = sizeof(phong), .mirrors = true, .own_sky = true, .create = create, .draw = draw, .free = free_all};

@@ -24,29 +24,10 @@ static const char *const quality_defines[] = {
     [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\n",
 };
 
-static bolan_result create_foam_detail(physical *p) {
-    size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
-    uint8_t *pixels = bolan_allocate(bytes);
-    if (pixels == NULL) return BOLAN_ERROR_MEMORY;
-    bolan_result result = foam_texture_fill(pixels);
-    gl_texture_desc desc = {.format = GL_FMT_RGBA8,
-                            .width = FOAM_TEXTURE_SIZE,
-                            .height = FOAM_TEXTURE_SIZE,
-                            .filter = GL_FILTER_MIPMAP,
-                            .wrap = GL_WRAP_REPEAT};
-    if (result == BOLAN_OK) result = gl_texture_create(&desc, &p->foam_detail);
-    if (result == BOLAN_OK) {
-        gl_texture_upload(&p->foam_detail, 0, -1, pixels, false);
-        gl_texture_generate_mipmaps(&p->foam_detail);
-    }
-    bolan_release(pixels, bytes);
-    return result;
-}
-
 static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;
     p->defines = quality_defines[quality];
-    return create_foam_detail(p);
+    return foam_texture_create(&p->foam_detail);
 }
 
 static void free_shape(physical *p) {

@@ -1,66 +1,130 @@
 // SPDX-License-Identifier: MIT
-// The pictures that some optics look up: the world above the water mirrored in its plane, and the world below it raised as
-// refraction raises it (Ma, Zhu & Gong 2006, section 2.2; there P-buffers, here textures of the picture's size). The water plane
-// stays where it is in both, so that a place of the water finds what it mirrors and what lies under it at its own place in them.
+// The pictures that some optics look up: the world on the eye's side of the water mirrored in its plane, and the world on the other
+// side raised as refraction raises it (Ma, Zhu & Gong 2006, section 2.2; there P-buffers, here textures of the picture's size). The
+// water plane stays where it is in both, so that a place of the water finds what it mirrors and what lies behind it at its own
+// place in them.
 #include "frame.h"
 
+#include <math.h>
+
+// A bent look-up at the water's edge finds a little of what lies beyond it [m].
+#define OVERLAP 0.25f
+#define BLUR_LEVELS 6
+
+// Waves blur what they show: the pictures' share of the frame's width and height. The paper's are as large as the window.
+static const double shares[] = {
+    [BOLAN_QUALITY_LOW] = 0.4, [BOLAN_QUALITY_MEDIUM] = 0.5, [BOLAN_QUALITY_HIGH] = 1.0, [BOLAN_QUALITY_ULTRA] = 1.0};
+
 struct pass_mirror {
-    gl_texture reflection, refraction, depth; // one depth serves both: they are drawn one after the other
+    gl_texture reflection, refraction, reflection_depth, refraction_depth;
     gl_target reflection_target, refraction_target;
+    gl_program body;
 };
 
 bolan_result pass_mirror_create(pass_mirror **out) {
-    *out = bolan_allocate(sizeof **out);
-    return *out != NULL ? BOLAN_OK : BOLAN_ERROR_MEMORY;
+    pass_mirror *p = bolan_allocate(sizeof *p);
+    if (p == NULL) return BOLAN_ERROR_MEMORY;
+    const bolan_result result = gl_program_create("water_body", NULL, &p->body);
+    if (result != BOLAN_OK) pass_mirror_destroy(&p);
+    *out = p;
+    return result;
 }
+
+bolan_result pass_mirror_reload(pass_mirror *p) { return gl_program_reload(&p->body); }
 
 static void free_pictures(pass_mirror *p) {
     gl_target_free(&p->reflection_target);
     gl_target_free(&p->refraction_target);
     gl_texture_free(&p->reflection);
     gl_texture_free(&p->refraction);
-    gl_texture_free(&p->depth);
+    gl_texture_free(&p->reflection_depth);
+    gl_texture_free(&p->refraction_depth);
 }
 
 void pass_mirror_destroy(pass_mirror **pass) {
     if (pass == NULL || *pass == NULL) return;
     free_pictures(*pass);
+    gl_program_free(&(*pass)->body);
     bolan_release(*pass, sizeof **pass);
     *pass = NULL;
 }
 
-bool pass_mirror_fit(pass_mirror *p, uint32_t width, uint32_t height) {
-    if (p->refraction_target.id != 0 && p->depth.width == width && p->depth.height == height) return true;
-    free_pictures(p);
-    gl_texture_desc color = {
+static bolan_result create_picture(uint32_t width, uint32_t height, uint32_t levels, gl_texture *color,
+                                   gl_texture *depth, gl_target *target) {
+    gl_texture_desc c = {
         .format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
-    gl_texture_desc depth = color;
-    depth.format = GL_FMT_DEPTH32F;
-    depth.filter = GL_FILTER_NEAREST;
-    const gl_texture *reflection = &p->reflection, *refraction = &p->refraction;
-    return gl_texture_create(&color, &p->reflection) == BOLAN_OK &&
-           gl_texture_create(&color, &p->refraction) == BOLAN_OK && gl_texture_create(&depth, &p->depth) == BOLAN_OK &&
-           gl_target_create(&reflection, 1, &p->depth, -1, 0, &p->reflection_target) == BOLAN_OK &&
-           gl_target_create(&refraction, 1, &p->depth, -1, 0, &p->refraction_target) == BOLAN_OK;
+    gl_texture_desc d = c;
+    if (levels > 1) c.filter = GL_FILTER_MIPMAP, c.levels = levels;
+    d.format = GL_FMT_DEPTH32F;
+    d.filter = GL_FILTER_NEAREST;
+    const gl_texture *colors[] = {color};
+    bolan_result r = gl_texture_create(&c, color);
+    if (r == BOLAN_OK) r = gl_texture_create(&d, depth);
+    return r == BOLAN_OK ? gl_target_create(colors, 1, depth, -1, 0, target) : r;
+}
+
+double pass_mirror_share(const frame *f) { return f->scene->look.paper ? 1.0 : shares[f->quality]; }
+
+void pass_mirror_finish(pass_mirror *p) { gl_texture_generate_mipmaps(&p->reflection); }
+
+bool pass_mirror_fit(pass_mirror *p, const frame *f) {
+    const double share = pass_mirror_share(f);
+    const uint32_t width = (uint32_t)fmax(f->desc->width * share, 1.0),
+                   height = (uint32_t)fmax(f->desc->height * share, 1.0);
+    if (p->refraction_target.id != 0 && p->refraction.width == width && p->refraction.height == height) return true;
+    free_pictures(p);
+    return create_picture(width, height, BLUR_LEVELS, &p->reflection, &p->reflection_depth, &p->reflection_target) ==
+               BOLAN_OK &&
+           create_picture(width, height, 1, &p->refraction, &p->refraction_depth, &p->refraction_target) == BOLAN_OK;
+}
+
+static bolan_vec4 viewport_of(const gl_texture *t) {
+    return (bolan_vec4){(float)t->width, (float)t->height, 1.0f / (float)t->width, 1.0f / (float)t->height};
 }
 
 // The mirror z -> -2 h - z about the plane h below the eye, before the camera (paper A: S = I - 2 n n^T). Directions, which the
 // sky is drawn by, have no translation.
 frame pass_mirror_reflect(pass_mirror *p, const frame *f) {
     frame m = *f;
+    const bool under = f->uniforms.under.x > 0.5f;
+    const float overlap = f->scene->look.paper ? 0.0f : OVERLAP, side = under ? -1.0f : 1.0f;
     bolan_mat4 mirror = bolan_m4_identity(), turn = bolan_m4_identity();
     mirror.m[10] = turn.m[10] = -1.0f;
     mirror.m[14] = -2.0f * f->uniforms.eye.z;
     m.uniforms.view_projection = bolan_m4_mul(f->uniforms.view_projection, mirror);
     m.uniforms.inverse_view_projection = bolan_m4_mul(turn, f->uniforms.inverse_view_projection);
-    m.uniforms.clip = (bolan_vec4){1.0f, 0.0f, 1.0f, 0.0f};
+    m.uniforms.clip = (bolan_vec4){side, -side * overlap, 1.0f, 0.0f};
+    m.uniforms.viewport = viewport_of(&p->reflection);
+    m.uniforms.under.w = under ? 1.0f : 0.0f;
+    m.picture = true;
     m.hdr = p->reflection_target;
     return m;
 }
 
+// The one factor of the paper's mode: at the middle of what the picture shows below the horizon, as the paper leaves open which angle
+// it means.
+static double paper_factor(const bolan_camera *c) {
+    const double low = c->pitch_deg - 0.5 * c->fov_deg, high = fmin(c->pitch_deg + 0.5 * c->fov_deg, 0.0);
+    const double depression = fmin(fmax(-0.5 * (low + high), 0.5), 90.0);
+    return bolan_refraction_k_paper(bolan_radians(90.0 - depression));
+}
+
+static bolan_vec4 deep_water(const frame_uniforms *u) {
+    const float sun = fmaxf(u->sun.z, 0.0f);
+    return (bolan_vec4){u->water_deep.x * (u->sun_light.x * sun + u->sky_light.x),
+                        u->water_deep.y * (u->sun_light.y * sun + u->sky_light.y),
+                        u->water_deep.z * (u->sun_light.z * sun + u->sky_light.z), 1.0f};
+}
+
 frame pass_mirror_refract(pass_mirror *p, const frame *f) {
     frame m = *f;
-    m.uniforms.clip = (bolan_vec4){-1.0f, 0.0f, 0.75f, 1.0f};
+    const bool under = f->uniforms.under.x > 0.5f, paper = f->scene->look.paper && !under;
+    const float overlap = f->scene->look.paper ? 0.0f : OVERLAP, side = under ? 1.0f : -1.0f;
+    m.uniforms.clip =
+        (bolan_vec4){side, under ? 0.0f : overlap, (float)paper_factor(&f->scene->camera), paper ? 1.0f : 2.0f};
+    m.uniforms.viewport = viewport_of(&p->refraction);
+    m.background = under ? (bolan_vec4){0.0f, 0.0f, 0.0f, 0.0f} : deep_water(&f->uniforms);
+    m.picture = true;
     m.hdr = p->refraction_target;
     return m;
 }
@@ -68,4 +132,12 @@ frame pass_mirror_refract(pass_mirror *p, const frame *f) {
 void pass_mirror_bind(const pass_mirror *p) {
     gl_texture_bind(&p->reflection, UNIT_REFLECTION);
     gl_texture_bind(&p->refraction, UNIT_REFRACTION);
+    gl_texture_bind(&p->reflection_depth, UNIT_REFLECTION_DEPTH);
+    gl_texture_bind(&p->refraction_depth, UNIT_REFRACTION_DEPTH);
+}
+
+void pass_mirror_draw_body(const pass_mirror *p) {
+    gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
+    gl_program_use(&p->body);
+    gl_draw_fullscreen();
 }

@@ -5,13 +5,23 @@
 #include "clouds.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { ENVIRONMENT_SIZE = 512, ENVIRONMENT_LEVELS = 8, LIGHT_PIXELS = 4 };
+
+// The two parts of the background are drawn with one mesh: first a rectangle, then the same in columns.
+enum { COLUMNS = 8, CORNERS = 2 * (COLUMNS + 1), RECTANGLE_INDICES = 6, INDICES = RECTANGLE_INDICES * (COLUMNS + 1) };
 
 struct pass_sky {
     atmosphere air;
     clouds clouds;
-    gl_program sky_program, sun_program, over_program, environment_program, prefilter_program, light_program;
+    gl_program sky_program, below_program, panorama_program;
+    gl_buffer corners, indices;
+    gl_mesh mesh;
+    gl_texture panorama; // clear sky and clouds together
+    gl_target panorama_target;
+    bolan_vec4 panorama_sun; // direction to the sun in it
+    gl_program sun_program, over_program, environment_program, prefilter_program, light_program;
     gl_texture plain, environment, light; // the environment before and after its levels are blurred
     gl_target plain_target, environment_target[ENVIRONMENT_LEVELS], light_target;
     gl_buffer uniforms;               // Frame, while tables are drawn
@@ -42,6 +52,32 @@ static bolan_result create_targets(pass_sky *p) {
     return result;
 }
 
+static void fill_rectangle(uint32_t *to, uint32_t from_column, uint32_t to_column) {
+    const uint32_t a = 2 * from_column, b = 2 * to_column; // each column has a lower and an upper corner
+    const uint32_t order[RECTANGLE_INDICES] = {a, b, a + 1, a + 1, b, b + 1};
+    memcpy(to, order, sizeof order);
+}
+
+static bolan_result create_mesh(pass_sky *p) {
+    static const uint8_t components[] = {2};
+    float corners[CORNERS][2];
+    uint32_t indices[INDICES];
+    for (int i = 0; i < CORNERS; i++) {
+        corners[i][0] = (float)(i / 2) / COLUMNS;
+        corners[i][1] = (float)(i % 2);
+    }
+    fill_rectangle(indices, 0, COLUMNS);
+    for (uint32_t i = 0; i < COLUMNS; i++) fill_rectangle(indices + RECTANGLE_INDICES * (i + 1), i, i + 1);
+    bolan_result result = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, sizeof corners, corners, &p->corners);
+    if (result == BOLAN_OK) {
+        result = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, sizeof indices, indices, &p->indices);
+    }
+    if (result == BOLAN_OK) {
+        result = gl_mesh_create(&p->corners, &p->indices, components, 1, (uint32_t)sizeof corners[0], &p->mesh);
+    }
+    return result;
+}
+
 bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out) {
     *out = NULL;
     if (!caps->color_float) {
@@ -54,12 +90,15 @@ bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out) {
     bolan_result result = atmosphere_create(&p->air);
     if (result == BOLAN_OK) result = clouds_create(&p->clouds);
     if (result == BOLAN_OK) result = gl_program_create("sky", NULL, &p->sky_program);
+    if (result == BOLAN_OK) result = gl_program_create("sky", "BELOW 1\n", &p->below_program);
+    if (result == BOLAN_OK) result = gl_program_create("sky_panorama", NULL, &p->panorama_program);
     if (result == BOLAN_OK) result = gl_program_create("sky_sun", NULL, &p->sun_program);
     if (result == BOLAN_OK) result = gl_program_create("sky_over", NULL, &p->over_program);
     if (result == BOLAN_OK) result = gl_program_create("sky_environment", NULL, &p->environment_program);
     if (result == BOLAN_OK) result = gl_program_create("sky_prefilter", NULL, &p->prefilter_program);
     if (result == BOLAN_OK) result = gl_program_create("sky_light", NULL, &p->light_program);
     if (result == BOLAN_OK) result = create_targets(p);
+    if (result == BOLAN_OK) result = create_mesh(p);
     if (result != BOLAN_OK) {
         pass_sky_destroy(&p);
         return result;
@@ -72,6 +111,8 @@ bolan_result pass_sky_reload(pass_sky *p) {
     bolan_result result = atmosphere_reload(&p->air);
     if (result == BOLAN_OK) result = clouds_reload(&p->clouds);
     if (result == BOLAN_OK) result = gl_program_reload(&p->sky_program);
+    if (result == BOLAN_OK) result = gl_program_reload(&p->below_program);
+    if (result == BOLAN_OK) result = gl_program_reload(&p->panorama_program);
     if (result == BOLAN_OK) result = gl_program_reload(&p->sun_program);
     if (result == BOLAN_OK) result = gl_program_reload(&p->over_program);
     if (result == BOLAN_OK) result = gl_program_reload(&p->environment_program);
@@ -99,6 +140,37 @@ static void draw_environment(pass_sky *p) {
         gl_program_float(&p->prefilter_program, "level", (float)l);
         gl_draw_fullscreen();
     }
+}
+
+// As fine as the clouds in it.
+static bool resize_panorama(pass_sky *p, uint32_t width, uint32_t height) {
+    if (p->panorama_target.id && p->panorama.width == width && p->panorama.height == height) return true;
+    gl_target_free(&p->panorama_target);
+    gl_texture_free(&p->panorama);
+    const gl_texture_desc d = {.format = GL_FMT_RGBA16F,
+                               .width = width,
+                               .height = height,
+                               .filter = GL_FILTER_LINEAR,
+                               .wrap = GL_WRAP_REPEAT_CLAMP};
+    const gl_texture *color = &p->panorama;
+    return gl_texture_create(&d, &p->panorama) == BOLAN_OK &&
+           gl_target_create(&color, 1, NULL, -1, 0, &p->panorama_target) == BOLAN_OK;
+}
+
+// The tables turn with the sun; this map does not.
+static bool sun_has_turned(const pass_sky *p, const bolan_vec4 *sun) {
+    const float turn = fabsf(p->panorama_sun.x * sun->y - p->panorama_sun.y * sun->x);
+    return turn > 1e-3f || p->panorama_sun.x * sun->x + p->panorama_sun.y * sun->y < 0.0f;
+}
+
+static void draw_panorama(pass_sky *p, const frame_uniforms *u) {
+    const gl_texture *map = clouds_map(&p->clouds);
+    if (!resize_panorama(p, map->width, map->height)) return;
+    p->panorama_sun = u->sun;
+    gl_set_state(&(gl_state){.color_write = true});
+    gl_target_bind(&p->panorama_target);
+    gl_program_use(&p->panorama_program);
+    gl_draw_fullscreen();
 }
 
 static void measure_light(pass_sky *p) {
@@ -157,6 +229,7 @@ void pass_sky_prepare(pass_sky *p, frame *f) {
     atmosphere_bind(&p->air);
     if (work != CLOUDS_KEEP && update_clouds(p, f, work)) changed = true;
     gl_texture_bind(clouds_map(&p->clouds), UNIT_CLOUDS);
+    if (changed || sun_has_turned(p, &f->uniforms.sun)) draw_panorama(p, &f->uniforms);
     if (changed) {
         gl_set_state(&(gl_state){.color_write = true});
         draw_environment(p);
@@ -168,8 +241,11 @@ void pass_sky_prepare(pass_sky *p, frame *f) {
 
 void pass_sky_draw(pass_sky *p, const frame *f) {
     gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
+    gl_texture_bind(&p->panorama, UNIT_PASS);
     gl_program_use(&p->sky_program);
-    gl_draw_fullscreen();
+    gl_mesh_draw(&p->mesh, 0, RECTANGLE_INDICES);
+    gl_program_use(&p->below_program);
+    gl_mesh_draw(&p->mesh, RECTANGLE_INDICES, INDICES - RECTANGLE_INDICES);
     if (f->uniforms.sun.z < -0.1f) return; // below any horizon to 20 km
     gl_set_state(&(gl_state){.depth_test = true, .color_write = true, .blend = GL_BLEND_ADD});
     gl_program_use(&p->sun_program);
@@ -194,7 +270,14 @@ void pass_sky_destroy(pass_sky **pp) {
     gl_texture_free(&p->plain);
     gl_texture_free(&p->environment);
     gl_texture_free(&p->light);
+    gl_target_free(&p->panorama_target);
+    gl_texture_free(&p->panorama);
+    gl_mesh_free(&p->mesh);
+    gl_buffer_free(&p->corners);
+    gl_buffer_free(&p->indices);
     gl_program_free(&p->sky_program);
+    gl_program_free(&p->below_program);
+    gl_program_free(&p->panorama_program);
     gl_program_free(&p->sun_program);
     gl_program_free(&p->over_program);
     gl_program_free(&p->environment_program);

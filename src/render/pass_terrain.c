@@ -18,7 +18,7 @@ typedef struct gpu_chunk {
 } gpu_chunk;
 
 struct pass_terrain {
-    gl_program program, near_program; // the second for chunks whose texels resolve the finest grain
+    gl_program programs[2][2]; // [picture][near]: near for chunks whose texels resolve the finest grain
     gl_buffer indices;
     gl_texture noise;
     shore_builder shore;
@@ -79,8 +79,11 @@ bolan_result pass_terrain_create(const gl_caps *caps, pass_terrain **out) {
     if (!p) {
         return BOLAN_ERROR_MEMORY;
     }
-    bolan_result r = gl_program_create("terrain", NULL, &p->program);
-    r = r == BOLAN_OK ? gl_program_create("terrain", "NEAR 1\n", &p->near_program) : r;
+    static const char *const defines[] = {NULL, "NEAR 1\n", "PICTURE 1\n", "NEAR 1\nPICTURE 1\n"};
+    bolan_result r = BOLAN_OK;
+    for (int i = 0; i < 4 && r == BOLAN_OK; i++) {
+        r = gl_program_create("terrain", defines[i], &p->programs[i / 2][i % 2]);
+    }
     r = r == BOLAN_OK ? create_indices(p) : r;
     r = r == BOLAN_OK ? create_noise(p) : r;
     r = r == BOLAN_OK ? shore_builder_create(&p->shore) : r;
@@ -116,16 +119,20 @@ void pass_terrain_destroy(pass_terrain **pass) {
     shore_builder_free(&p->shore);
     gl_texture_free(&p->noise);
     gl_buffer_free(&p->indices);
-    gl_program_free(&p->program);
-    gl_program_free(&p->near_program);
+    for (int i = 0; i < 4; i++) {
+        gl_program_free(&p->programs[i / 2][i % 2]);
+    }
     bolan_release(p->vertices, CHUNK_VERTICES * 3 * sizeof(float));
     bolan_release(p, sizeof *p);
     *pass = NULL;
 }
 
 bolan_result pass_terrain_reload(pass_terrain *p) {
-    bolan_result r = gl_program_reload(&p->program);
-    return r == BOLAN_OK ? gl_program_reload(&p->near_program) : r;
+    bolan_result r = BOLAN_OK;
+    for (int i = 0; i < 4 && r == BOLAN_OK; i++) {
+        r = gl_program_reload(&p->programs[i / 2][i % 2]);
+    }
+    return r;
 }
 
 const shore_map *pass_terrain_shore(const pass_terrain *p) { return &p->shore.map; }
@@ -196,9 +203,14 @@ static void upload_chunk(pass_terrain *p, uint32_t index) {
 static tree_view view_of(const pass_terrain *p, const frame *f) {
     bolan_dvec3 moved = bolan_dv3(f->eye.x - p->eye.x, f->eye.y - p->eye.y, f->eye.z - p->eye.z);
     double leap = sqrt(moved.x * moved.x + moved.y * moved.y + moved.z * moved.z);
+    bolan_mat4 mirror = bolan_m4_identity();
+    mirror.m[10] = -1.0f;
+    mirror.m[14] = -2.0f * f->uniforms.eye.z;
     tree_view v = {
         .eye = f->eye,
         .view_projection = f->uniforms.view_projection,
+        .mirrored = bolan_m4_mul(f->uniforms.view_projection, mirror),
+        .mirrors = pass_water_mirrors(f),
         .pixel = f->uniforms.lens.x,
         .water_level = f->scene->water.level,
         .sun = chunk_sun_from(f->sun_direction),
@@ -211,11 +223,16 @@ static tree_view view_of(const pass_terrain *p, const frame *f) {
     return v;
 }
 
+// The pond's ground is drawn as a model; the terrain then only feeds the shore map.
+static bool ground_is_a_model(const frame *f) {
+    return f->scene->terrain.kind == BOLAN_TERRAIN_POND && f->desc->models;
+}
+
 void pass_terrain_prepare(pass_terrain *p, frame *f) {
     gl_texture_bind(&p->noise, UNIT_TERRAIN2);
     shore_builder_update(&p->shore, f);
     gl_texture_bind(&p->shore.map.texture, UNIT_SHORE);
-    if (!fit_pool(p, f)) {
+    if (ground_is_a_model(f) || !fit_pool(p, f)) {
         return;
     }
     tree_view view = view_of(p, f);
@@ -246,7 +263,7 @@ static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program
 }
 
 void pass_terrain_draw(pass_terrain *p, frame *f) {
-    if (!p->terrain || !p->tree) {
+    if (!p->terrain || !p->tree || ground_is_a_model(f)) {
         return;
     }
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
@@ -255,7 +272,7 @@ void pass_terrain_draw(pass_terrain *p, frame *f) {
     for (uint32_t n = 0; n < count; n++) {
         const chunk_slot *s = terrain_tree_slot(p->tree, list[n]);
         bool near_ground = s->chunk.size / CHUNK_TEXELS < FINEST_GRAIN;
-        draw_chunk(&p->gpu[list[n]], s, near_ground ? &p->near_program : &p->program, f);
+        draw_chunk(&p->gpu[list[n]], s, &p->programs[f->picture][near_ground], f);
         f->triangles += chunk_index_count(s->mesh) / 3;
     }
 }

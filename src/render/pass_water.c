@@ -63,18 +63,40 @@ static void make_state(pass_water *p, bolan_optics_kind kind) {
 }
 
 static water_draw draw_of(pass_water *p, frame *f) {
-    const bolan_technique *t = &f->scene->technique;
     water_draw d = {.f = f,
                     .fields = &p->fields,
                     .mesh = &p->mesh,
                     .programs = &p->programs,
-                    .waves = water_waves_of(bolan_sea_get_desc(f->desc->sea)->waves, t->surface)};
+                    .waves = water_waves_of(bolan_sea_get_desc(f->desc->sea)->waves, water_surface(f))};
     double horizontal;
     bolan_sea_bounds(f->desc->sea, &d.vertical, &horizontal);
     return d;
 }
 
-bool pass_water_mirrors(const frame *f) { return optics_table[f->scene->technique.optics]->mirrors; }
+bool pass_water_seen_from_below(const bolan_scene *s) { return optics_table[s->technique.optics]->from_below; }
+
+uint32_t pass_water_rows(const frame *f) {
+    double vertical, horizontal;
+    bolan_sea_bounds(f->desc->sea, &vertical, &horizontal);
+    return water_rows(f, vertical);
+}
+
+// The world behind the water is not looked at by an optics that has pictures of it, so it need not be shaded. Two triangles cost
+// nothing to draw twice; a mesh would.
+void pass_water_cover(pass_water *p, frame *f) {
+    if (water_surface(f) != BOLAN_SURFACE_QUAD || !pass_water_mirrors(f) || water_mesh_triangles(&p->mesh) == 0) return;
+    water_draw d = draw_of(p, f);
+    if (!water_program(&d, "water_cover", 0, "")) return;
+    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true});
+    water_mesh_draw(&p->mesh);
+}
+
+bool pass_water_mirrors(const frame *f) {
+    const water_optics *o = optics_table[f->scene->technique.optics];
+    return o->mirrors && (!o->own_sky || f->shore->present || f->desc->models != NULL);
+}
+
+bool pass_water_mirrors_sky(const frame *f) { return !optics_table[f->scene->technique.optics]->own_sky; }
 
 void pass_water_prepare(pass_water *p, frame *f) {
     const bolan_technique *t = &f->scene->technique;
@@ -86,8 +108,16 @@ void pass_water_prepare(pass_water *p, frame *f) {
                          table_only  ? WATER_TEXTURES_NONE
                          : o->packed ? WATER_TEXTURES_PACKED
                                      : WATER_TEXTURES_ALL);
-    water_mesh_build(&p->mesh, f, t->surface, d.waves, o->static_grid);
+    const bool edges = f->scene->look.show == BOLAN_SHOW_MESH; // these are made of the mesh that the CPU has
+    water_mesh_build(&p->mesh, f, water_surface(f), d.waves, o->static_grid && !edges);
     if (o->prepare != NULL && !p->failed[t->optics]) o->prepare(p->state[t->optics], &d);
+}
+
+// BOLAN_SHOW_MESH: the triangles, whichever optics would light them.
+static void draw_edges(pass_water *p, const water_draw *d) {
+    if (!water_mesh_find_edges(&p->mesh) || !water_program(d, "water_mesh", 1, "FILL 1\n")) return;
+    water_draw_forward(d);
+    if (water_program(d, "water_mesh", 0, "")) water_mesh_draw_edges(&p->mesh);
 }
 
 void pass_water_draw(pass_water *p, frame *f) {
@@ -95,7 +125,10 @@ void pass_water_draw(pass_water *p, frame *f) {
     if (water_mesh_triangles(&p->mesh) == 0 || p->failed[kind]) return;
     water_draw d = draw_of(p, f);
     water_fields_bind(&p->fields, d.waves);
-    optics_table[kind]->draw(p->state[kind], &d);
+    if (f->scene->look.show == BOLAN_SHOW_MESH)
+        draw_edges(p, &d);
+    else
+        optics_table[kind]->draw(p->state[kind], &d);
     f->triangles += water_mesh_triangles(&p->mesh);
     f->water_triangles += water_mesh_triangles(&p->mesh);
 }

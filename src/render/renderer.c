@@ -14,6 +14,7 @@ bolan_frame_desc bolan_frame_desc_default(void) {
 static bolan_result create_passes(bolan_renderer *r) {
     bolan_result result = pass_sky_create(&r->caps, &r->sky);
     if (result == BOLAN_OK) result = pass_terrain_create(&r->caps, &r->terrain);
+    if (result == BOLAN_OK) result = pass_models_create(&r->caps, &r->models);
     if (result == BOLAN_OK) result = pass_water_create(r->desc.quality, &r->water);
     if (result == BOLAN_OK) result = pass_mirror_create(&r->mirror);
     if (result == BOLAN_OK) result = pass_tonemap_create(&r->caps, &r->tonemap);
@@ -70,6 +71,7 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     bolan_renderer *r = *renderer;
     pass_sky_destroy(&r->sky);
     pass_terrain_destroy(&r->terrain);
+    pass_models_destroy(&r->models);
     pass_water_destroy(&r->water);
     pass_mirror_destroy(&r->mirror);
     pass_tonemap_destroy(&r->tonemap);
@@ -84,8 +86,9 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
 
 bolan_result bolan_renderer_reload(bolan_renderer *r) {
     gl_program_set_directory(r->desc.shader_directory);
-    bolan_result results[] = {pass_sky_reload(r->sky), pass_terrain_reload(r->terrain), pass_water_reload(r->water),
-                              pass_tonemap_reload(r->tonemap)};
+    bolan_result results[] = {pass_sky_reload(r->sky),       pass_terrain_reload(r->terrain),
+                              pass_models_reload(r->models), pass_water_reload(r->water),
+                              pass_mirror_reload(r->mirror), pass_tonemap_reload(r->tonemap)};
     for (size_t i = 0; i < sizeof results / sizeof results[0]; ++i)
         if (results[i] != BOLAN_OK) return results[i];
     return BOLAN_OK;

@@ -10,10 +10,11 @@ typedef enum frame_part {
     PART_SKY_TABLES,
     PART_SEA,
     PART_TERRAIN,
-    PART_SKY,
+    PART_MODELS,
     PART_COPY,
     PART_MIRROR,
     PART_WATER,
+    PART_SKY,
     PART_TONEMAP,
     PART_COUNT
 } frame_part;
@@ -25,6 +26,7 @@ struct bolan_renderer {
     gl_saved *saved;
     pass_sky *sky;
     pass_terrain *terrain;
+    pass_models *models;
     pass_water *water;
     pass_mirror *mirror;
     pass_tonemap *tonemap;

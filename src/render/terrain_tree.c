@@ -171,8 +171,8 @@ static bool outside_plane(const box *b, float x, float y, float z, float w) {
     return most < 0.0f;
 }
 
-static bool outside_frustum(const tree_view *v, const box *b) {
-    const float *m = v->view_projection.m;
+static bool outside_frustum(const bolan_mat4 *view_projection, const box *b) {
+    const float *m = view_projection->m;
     for (int row = 0; row < 2; row++) {
         for (int sign = -1; sign <= 1; sign += 2) {
             float s = (float)sign * 0.99f; // the samples of one picture shift it by parts of a pixel
@@ -195,7 +195,7 @@ static bool hidden(const tree_view *v, double west, double south, double size, f
     if (eye > 0.0 && b.distance > sqrt(2.0 * BOLAN_EARTH_RADIUS) * (sqrt(eye) + sqrt(fmax(top, 0.0))) * 1.05 + 1000.0) {
         return true;
     }
-    return outside_frustum(v, &b);
+    return outside_frustum(&v->view_projection, &b) && !(v->mirrors && !outside_frustum(&v->mirrored, &b));
 }
 
 // What a pixel covers at the nearest point of a chunk [m]. The bed blurs with the depth of the water over it.

@@ -19,8 +19,10 @@ typedef struct chunk_slot {
 typedef struct tree_view {
     bolan_dvec3 eye;            // world [m]
     bolan_mat4 view_projection; // eye-relative world -> clip
-    float pixel;                // radians
-    double water_level;         // [m]
+    bolan_mat4 mirrored;        // likewise, of the world mirrored in the water; where `mirrors`
+    bool mirrors;
+    float pixel;        // radians
+    double water_level; // [m]
     chunk_sun sun;
     bool complete; // build all that is missing now; else at most `budget` chunks
     uint32_t budget;

@@ -50,8 +50,15 @@ static bolan_result create_fixed(water_mesh *m, bolan_surface_size size) {
     return r;
 }
 
-bolan_result water_mesh_create(water_mesh *m, bolan_quality quality) {
+// The vertices and their waves, by these indices.
+static bolan_result create_mesh(const water_mesh *m, const gl_buffer *indices, gl_mesh *out) {
     static const uint8_t vertex[] = {4, 2}, wave[] = {3, 4};
+    bolan_result r = gl_mesh_create(&m->vertices, indices, vertex, 2, sizeof(bolan_surface_vertex), out);
+    if (r == BOLAN_OK) gl_mesh_attach(out, &m->waves, 2, wave, 2, sizeof(bolan_sea_sample));
+    return r;
+}
+
+bolan_result water_mesh_create(water_mesh *m, bolan_quality quality) {
     *m = (water_mesh){.projected = bolan_surface_desc_default(), .nested = bolan_nested_desc_default()};
     m->projected.pixels_per_vertex = quality_table[quality].pixels_per_vertex;
     m->projected.max_vertices = quality_table[quality].max_vertices;
@@ -64,14 +71,15 @@ bolan_result water_mesh_create(water_mesh *m, bolan_quality quality) {
         r = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STREAM, n * sizeof *m->cpu_waves, NULL, &m->waves);
     if (r == BOLAN_OK)
         r = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, m->index_capacity * sizeof(uint32_t), NULL, &m->indices);
-    if (r == BOLAN_OK) r = gl_mesh_create(&m->vertices, &m->indices, vertex, 2, sizeof(bolan_surface_vertex), &m->mesh);
-    if (r == BOLAN_OK) gl_mesh_attach(&m->mesh, &m->waves, 2, wave, 2, sizeof(bolan_sea_sample));
+    if (r == BOLAN_OK) r = create_mesh(m, &m->indices, &m->mesh);
     return r == BOLAN_OK ? create_fixed(m, quality_table[quality].fixed) : r;
 }
 
 void water_mesh_free(water_mesh *m) {
     size_t n = m->projected.max_vertices;
     gl_mesh_free(&m->mesh);
+    gl_mesh_free(&m->edges);
+    gl_buffer_free(&m->lines);
     gl_buffer_free(&m->vertices);
     gl_buffer_free(&m->waves);
     gl_buffer_free(&m->indices);
@@ -103,7 +111,7 @@ bolan_surface_view water_mesh_view(const frame *f) {
 // ---- the three surfaces: each fills vertices, and indices where they changed; returns the number of vertices ----------
 
 static void upload_indices(water_mesh *m, uint32_t count) {
-    gl_buffer_update(&m->indices, 0, sizeof(uint32_t) * count, m->cpu_indices);
+    gl_buffer_update(&m->indices, 0, sizeof(uint32_t) * (count + m->seam_count), m->cpu_indices);
     m->index_count = count;
 }
 
@@ -111,7 +119,10 @@ static uint32_t build_projected(water_mesh *m, const bolan_surface_view *view) {
     bolan_surface_size size = bolan_surface_projected(&m->projected, view, m->cpu_vertices);
     bool same = m->kind == BOLAN_SURFACE_PROJECTED && size.columns == m->grid.columns && size.rows == m->grid.rows;
     m->grid = size;
-    if (!same) upload_indices(m, bolan_surface_grid_indices(size, m->cpu_indices));
+    if (!same) {
+        m->seam_count = 0;
+        upload_indices(m, bolan_surface_grid_indices(size, m->cpu_indices));
+    }
     memset(m->cpu_visible, 1, (size_t)size.columns * size.rows);
     for (uint32_t i = 0; i < size.columns * size.rows; ++i)
         m->cpu_rest[i] =
@@ -123,6 +134,7 @@ static uint32_t build_quad(water_mesh *m, const bolan_surface_view *view) {
     bolan_surface_quad(view, m->cpu_vertices);
     if (m->kind != BOLAN_SURFACE_QUAD) {
         memcpy(m->cpu_indices, bolan_surface_quad_indices, sizeof bolan_surface_quad_indices);
+        m->seam_count = 0;
         upload_indices(m, 6);
     }
     return 4;
@@ -136,6 +148,21 @@ static bool same_shape(const bolan_nested *a, const bolan_nested *b) {
     return same;
 }
 
+// Where a level ends, its odd vertices lie on its parent's edges but for rounding, and a pixel on such an edge may belong to
+// neither side. A triangle of no area between the three points of each edge shares their edges, and then nothing is left out.
+static uint32_t fill_seams(const bolan_nested *placed, uint32_t *out) {
+    const uint32_t n = placed->cells, row = n + 1;
+    uint32_t count = 0;
+    for (uint32_t l = 1; l < placed->levels; ++l) {
+        const uint32_t first = l * row * row;
+        const uint32_t start[4] = {first, first + n * row, first, first + n}, step[4] = {1, 1, row, row};
+        for (int side = 0; side < 4; ++side)
+            for (uint32_t i = 0; i < n; i += 2)
+                for (uint32_t k = 0; k < 3; ++k) out[count++] = start[side] + (i + k) * step[side];
+    }
+    return count;
+}
+
 static uint32_t build_nested(water_mesh *m, const bolan_surface_view *view) {
     bolan_nested placed = bolan_surface_nested_place(&m->nested, view);
     bool same = m->kind == BOLAN_SURFACE_NESTED && same_shape(&placed, &m->placed);
@@ -146,6 +173,7 @@ static uint32_t build_nested(water_mesh *m, const bolan_surface_view *view) {
         for (uint32_t l = 0; l < placed.levels; ++l)
             for (uint32_t part = 0; part < BOLAN_NESTED_PARTS; ++part)
                 count += bolan_surface_nested_indices(&placed, l, part, m->cpu_indices + count);
+        m->seam_count = fill_seams(&placed, m->cpu_indices + count);
         upload_indices(m, count);
     }
     return bolan_surface_nested_vertex_count(&placed);
@@ -203,6 +231,7 @@ static void build_fixed(water_mesh *m, const bolan_surface_view *view) {
     m->projector = bolan_surface_projector_of(view);
     const bolan_surface_size size = m->fixed_size;
     m->index_count = m->projector.visible ? 6 * (size.columns - 1) * (size.rows - 1) : 0;
+    m->seam_count = 0;
     m->grid = (bolan_surface_size){0, 0}; // the other buffers' indices count no longer
 }
 
@@ -219,7 +248,7 @@ void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, wa
                                                     : build_projected(m, &view);
     m->kind = kind;
     if (count < 3) {
-        m->index_count = 0;
+        m->index_count = m->seam_count = 0;
         m->grid = (bolan_surface_size){0, 0};
         return;
     }
@@ -242,6 +271,37 @@ void water_mesh_apply(const water_mesh *m, const gl_program *program) {
     gl_program_vec2(program, "grid_cells", (float)(m->fixed_size.columns - 1), (float)(m->fixed_size.rows - 1));
 }
 
-void water_mesh_draw(const water_mesh *m) { gl_mesh_draw(m->fixed ? &m->fixed_mesh : &m->mesh, 0, m->index_count); }
+void water_mesh_draw(const water_mesh *m) {
+    gl_mesh_draw(m->fixed ? &m->fixed_mesh : &m->mesh, 0, m->index_count + m->seam_count);
+}
 
 uint32_t water_mesh_triangles(const water_mesh *m) { return m->index_count / 3; }
+
+// ---- edges ----------------------------------------------------------------------------------------------------------
+
+// Two triangles share most edges, in opposite directions: one of them draws it.
+static uint32_t fill_lines(const water_mesh *m, uint32_t *lines) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < m->index_count; ++i) {
+        uint32_t a = m->cpu_indices[i], b = m->cpu_indices[i % 3 == 2 ? i - 2 : i + 1];
+        if (a > b && m->kind != BOLAN_SURFACE_QUAD) continue;
+        lines[count++] = a;
+        lines[count++] = b;
+    }
+    return count;
+}
+
+bool water_mesh_find_edges(water_mesh *m) {
+    const size_t bytes = 2 * sizeof(uint32_t) * m->index_capacity;
+    if (m->lines.id == 0 && (gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, bytes, NULL, &m->lines) != BOLAN_OK ||
+                             create_mesh(m, &m->lines, &m->edges) != BOLAN_OK))
+        return false;
+    uint32_t *lines = bolan_allocate(bytes); // to look at a mesh is not what a frame is for: it may allocate
+    if (lines == NULL) return false;
+    m->line_count = fill_lines(m, lines);
+    gl_buffer_update(&m->lines, 0, sizeof(uint32_t) * m->line_count, lines);
+    bolan_release(lines, bytes);
+    return true;
+}
+
+void water_mesh_draw_edges(const water_mesh *m) { gl_mesh_draw_lines(&m->edges, m->line_count); }

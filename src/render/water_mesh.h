@@ -11,6 +11,8 @@ typedef struct water_mesh {
     bolan_nested_desc nested;
     gl_buffer vertices, waves, indices;
     gl_mesh mesh;
+    gl_buffer lines; // of the edges, made when they are first shown
+    gl_mesh edges;
     bolan_surface_vertex *cpu_vertices;
     bolan_sea_sample *cpu_waves;
     bolan_dvec2 *cpu_rest;
@@ -23,6 +25,8 @@ typedef struct water_mesh {
     bolan_surface_size grid;
     bolan_nested placed;
     uint32_t index_count; // of this view; 0: no water in sight
+    uint32_t seam_count;  // indices after those, of triangles without area
+    uint32_t line_count;  // indices of its edges
     // The static grid: places in the unit square, uploaded once; the vertex shader puts them onto the water
     bolan_surface_size fixed_size;
     gl_buffer fixed_vertices, fixed_indices;
@@ -38,6 +42,9 @@ void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, wa
 // Sets the uniforms of the static grid, where it is drawn.
 void water_mesh_apply(const water_mesh *m, const gl_program *program);
 void water_mesh_draw(const water_mesh *m);
+// Makes the edges of the triangles, for water_mesh_draw_edges(). False: there is no memory for them (logged).
+bool water_mesh_find_edges(water_mesh *m);
+void water_mesh_draw_edges(const water_mesh *m);
 uint32_t water_mesh_triangles(const water_mesh *m);
 void water_mesh_free(water_mesh *m);
 

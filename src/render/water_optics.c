@@ -8,7 +8,7 @@
 
 // Bits 0-1 the waves, 2 the quad, 3 land, 4 the static grid, 5 packed cascades, from 6 on the optics' own.
 static uint32_t key_of(const water_draw *d, uint32_t extra) {
-    uint32_t quad = d->f->scene->technique.surface == BOLAN_SURFACE_QUAD, land = d->f->shore->present;
+    uint32_t quad = water_surface(d->f) == BOLAN_SURFACE_QUAD, land = d->f->shore->present;
     uint32_t fixed = d->mesh->fixed, packed = d->waves == WATER_CASCADES && d->fields->packed;
     return (uint32_t)d->waves | quad << 2 | land << 3 | fixed << 4 | packed << 5 | extra << 6;
 }
@@ -60,11 +60,16 @@ void water_draw_forward(const water_draw *d) {
     water_mesh_draw(d->mesh);
 }
 
+bolan_surface_kind water_surface(const frame *f) {
+    return f->uniforms.under.x > 0.5f ? BOLAN_SURFACE_QUAD : f->scene->technique.surface;
+}
+
 uint32_t water_rows(const frame *f, double vertical) {
     const bolan_camera *c = &f->scene->camera;
     if (c->roll_deg != 0.0) return f->desc->height;
+    if (water_surface(f) == BOLAN_SURFACE_QUAD) vertical = 0.0;
     double above = f->uniforms.eye.z - vertical;
-    if (above <= 1.0) return f->desc->height; // among the waves: they may stand anywhere
+    if (above <= (vertical > 0.0 ? 1.0 : 0.0)) return f->desc->height; // among the waves: they may stand anywhere
     double top = bolan_radians(c->pitch_deg) + acos(BOLAN_EARTH_RADIUS / (BOLAN_EARTH_RADIUS + above)); // over it
     double half = 0.5 * bolan_radians(c->fov_deg);
     double y = -tan(top) / tan(half); // in the middle; the curve of the horizon bends down from there

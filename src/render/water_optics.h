@@ -38,10 +38,14 @@ void water_look_apply(const gl_program *program, const bolan_look *look);
 void water_draw_forward(const water_draw *d);
 // Rows of the picture, from the bottom, that can show water: up to the horizon raised by the highest wave.
 uint32_t water_rows(const frame *f, double vertical);
+// The surface that is drawn: two triangles for an eye under water, whatever the technique says.
+bolan_surface_kind water_surface(const frame *f);
 
 typedef struct water_optics {
     size_t size;      // of its state, which starts as zeros
     bool mirrors;     // it looks up the pictures of pass_mirror.c
+    bool own_sky;     // but not their sky: where nothing else is in sight it needs none
+    bool from_below;  // it has a picture for an eye under water
     bool static_grid; // it lights each pixel from textures: the static grid is fine enough
     bool packed;      // of the cascades it reads slopes, pinch and foam, nothing else: see water_fields.h
     bool (*table_only)(const bolan_scene *scene); // true: it has no use for the cascades' textures; NULL: it has

@@ -33,13 +33,14 @@ bolan_scene bolan_scene_default(void) {
 }
 
 static bolan_sea_state wind_sea_of(const bolan_scene *scene, double wind_speed, double from_deg) {
-    const bool developed = scene->wind_spectrum == BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
+    const int own = scene->technique.wind_spectrum;
+    const bolan_spectrum_kind kind = own < 0 ? scene->wind_spectrum : (bolan_spectrum_kind)own;
+    const bool developed = kind == BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
     bolan_sea_state sea_state =
-        scene->wind_spectrum == BOLAN_SPECTRUM_PHILLIPS
+        kind == BOLAN_SPECTRUM_PHILLIPS
             ? bolan_sea_state_from_phillips(wind_speed, from_deg)
             : bolan_sea_state_from_wind(wind_speed, from_deg, developed ? HUGE_VAL : scene->fetch);
-    if (scene->wind_spectrum == BOLAN_SPECTRUM_TMA && sea_state.system_count > 0)
-        sea_state.systems[0].kind = BOLAN_SPECTRUM_TMA;
+    if (kind == BOLAN_SPECTRUM_TMA && sea_state.system_count > 0) sea_state.systems[0].kind = BOLAN_SPECTRUM_TMA;
     if (scene->spectrum_path[0] != '\0') sea_state.system_count = 0;
     return sea_state;
 }

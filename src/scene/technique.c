@@ -52,14 +52,17 @@ bolan_look bolan_look_default(void) {
                         .shininess = 300.0};
 }
 
+static int spectrum_of(const bolan_scene *scene, const bolan_technique *technique) {
+    return technique->wind_spectrum < 0 ? (int)scene->wind_spectrum : technique->wind_spectrum;
+}
+
 void bolan_scene_set_technique(bolan_scene *scene, const bolan_technique *technique) {
     BOLAN_ASSERT(scene && technique);
+    const bool same = spectrum_of(scene, &scene->technique) == spectrum_of(scene, technique);
     scene->technique = *technique;
     scene->sea.waves = technique->waves;
-    if (technique->wind_spectrum < 0) return;
-    scene->wind_spectrum = (bolan_spectrum_kind)technique->wind_spectrum;
     const bolan_sea_state *state = &scene->sea.sea_state;
-    bolan_scene_set_wind(scene, state->wind_speed, state->wind_from_deg);
+    if (!same) bolan_scene_set_wind(scene, state->wind_speed, state->wind_from_deg);
 }
 
 bolan_sea_desc bolan_scene_sea_desc(const bolan_scene *scene) {

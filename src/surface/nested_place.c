@@ -14,7 +14,10 @@
 // most 29, so positions, and those of the levels that share them, are exact in double.
 #include "surface/picture.h"
 
-#define NEAR_SHARE 3.0 // the centre lies at most so many times as far as the nearest water in the picture
+// The centre lies at most so many times as far as the nearest water in the picture: with 2, no water in the direction of
+// view is farther from the centre than from the eye, so that cells (which grow with the distance from the centre) look as
+// large near as far.
+#define NEAR_SHARE 2.0
 #define LEAST_PIXELS 2.0
 
 bolan_nested_desc bolan_nested_desc_default(void) { return (bolan_nested_desc){.cells = 32, .levels = 6}; }

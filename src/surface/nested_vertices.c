@@ -22,8 +22,9 @@ typedef struct sight {
 typedef struct place {
     const bolan_nested *nested;
     const bolan_nested_level *level;
-    uint32_t index;  // of the level
-    bolan_dvec3 eye; // z: above the water
+    uint32_t index;         // of the level
+    bolan_dvec3 eye;        // z: above the water
+    double rise_from, rise; // of the spacing: distance from the centre [m], growth per metre
 } place;
 
 static bolan_dvec2 rest_at(const place *p, uint32_t i, uint32_t j) {
@@ -44,21 +45,18 @@ static bool stitched(const place *p, uint32_t i, uint32_t j) {
     return p->index > 0 && on_border(p, i, j) && (i + j) % 2 == 1; // n is even: one of two is 0 or n
 }
 
-// 0..1 from the middle to the border. The borders are decided by index: with n = 4 the centre may be anywhere, and
-// rounding must not part what two levels share.
-static double outwards(const place *p, uint32_t i, uint32_t j) {
-    if (in_hole(p, i, j)) return 0.0;
-    if (on_border(p, i, j)) return 1.0;
-    double n = p->nested->cells, from = fmax(0.25 * n + 0.5, 0.3 * n), to = 0.5 * n - 1.0;
-    bolan_dvec2 at = rest_at(p, i, j);
-    double away = fmax(fabs(at.x - p->nested->centre.x), fabs(at.y - p->nested->centre.y)) / p->level->spacing;
-    return to > from ? fmin(fmax((away - from) / (to - from), 0.0), 1.0) : 0.0;
+// The spacing before the least: d in the middle to 2 d on the border. The borders are decided by index: with n = 4 the
+// centre may be anywhere, and rounding must not part what two levels share.
+static double spacing_at(const place *p, uint32_t i, uint32_t j, bolan_dvec2 at) {
+    double d = p->level->spacing;
+    if (in_hole(p, i, j)) return d;
+    if (on_border(p, i, j)) return 2.0 * d;
+    double away = fmax(fabs(at.x - p->nested->centre.x), fabs(at.y - p->nested->centre.y));
+    return away <= p->rise_from ? d : fmin(d + (away - p->rise_from) * p->rise, 2.0 * d);
 }
 
-static bolan_surface_vertex plain_vertex(const place *p, uint32_t i, uint32_t j) {
-    bolan_dvec2 at = rest_at(p, i, j);
+static bolan_surface_vertex plain_vertex(const place *p, bolan_dvec2 at, double spacing) {
     double x = at.x - p->eye.x, y = at.y - p->eye.y;
-    double spacing = p->level->spacing * (1.0 + outwards(p, i, j));
     return (bolan_surface_vertex){.x = (float)x,
                                   .y = (float)y,
                                   .z = (float)(-p->eye.z - (x * x + y * y) / (2.0 * BOLAN_EARTH_RADIUS)),
@@ -66,11 +64,10 @@ static bolan_surface_vertex plain_vertex(const place *p, uint32_t i, uint32_t j)
 }
 
 // Section 2: the odd points of the border are put on the straight edges of the parent; on the round earth too.
-static bolan_surface_vertex vertex_at(const place *p, uint32_t i, uint32_t j) {
-    uint32_t n = p->nested->cells;
-    if (!stitched(p, i, j)) return plain_vertex(p, i, j);
-    bool along_x = j == 0 || j == n, along_y = !along_x;
-    bolan_surface_vertex a = plain_vertex(p, i - along_x, j - along_y), b = plain_vertex(p, i + along_x, j + along_y);
+static bolan_surface_vertex stitched_vertex(const place *p, uint32_t i, uint32_t j, double spacing) {
+    bool along_x = j == 0 || j == p->nested->cells, along_y = !along_x;
+    bolan_surface_vertex a = plain_vertex(p, rest_at(p, i - along_x, j - along_y), spacing);
+    bolan_surface_vertex b = plain_vertex(p, rest_at(p, i + along_x, j + along_y), spacing);
     float d = (float)p->level->spacing;
     return (bolan_surface_vertex){.x = 0.5f * (a.x + b.x),
                                   .y = 0.5f * (a.y + b.y),
@@ -127,12 +124,18 @@ static bool in_sight(const sight *s, bolan_dvec3 p, double cell) {
 
 // The cell of the guard is that of the spacing, so that both levels of a border say the same; for a stitched vertex its own
 // half of that, so that its neighbours are visible where it is.
-static bool visible_at(const place *p, const sight *s, uint32_t i, uint32_t j) {
-    bolan_dvec2 at = rest_at(p, i, j);
+static bool visible_at(const place *p, const sight *s, bolan_dvec2 at, double cell) {
     double x = at.x - p->eye.x, y = at.y - p->eye.y;
     double z = -p->eye.z - (x * x + y * y) / (2.0 * BOLAN_EARTH_RADIUS);
-    double cell = p->level->spacing * (stitched(p, i, j) ? 1.0 : 1.0 + outwards(p, i, j));
     return in_sight(s, bolan_dv3(x, y, z), cell);
+}
+
+static void enter_level(place *p, uint32_t index) {
+    double n = p->nested->cells, from = fmax(0.25 * n + 0.5, 0.3 * n), to = 0.5 * n - 1.0;
+    p->index = index;
+    p->level = &p->nested->level[index];
+    p->rise_from = from * p->level->spacing;
+    p->rise = to > from ? 1.0 / (to - from) : 0.0; // n = 4 has nothing between the hole and the border
 }
 
 uint32_t bolan_surface_nested_vertex_count(const bolan_nested *nested) {
@@ -148,13 +151,16 @@ void bolan_surface_nested_vertices(const bolan_nested *nested, const bolan_surfa
     if (view) p.eye = bolan_dv3(view->eye.x, view->eye.y, view->eye.z - view->water_level);
     if (visible) s = sight_of(view);
     size_t k = 0;
-    for (p.index = 0; p.index < nested->levels; ++p.index) {
-        p.level = &nested->level[p.index];
+    for (uint32_t l = 0; l < nested->levels; ++l) {
+        enter_level(&p, l);
         for (uint32_t j = 0; j <= nested->cells; ++j)
             for (uint32_t i = 0; i <= nested->cells; ++i, ++k) {
-                if (rest) rest[k] = rest_at(&p, i, j);
-                if (vertices) vertices[k] = vertex_at(&p, i, j);
-                if (visible) visible[k] = visible_at(&p, &s, i, j);
+                bolan_dvec2 at = rest_at(&p, i, j);
+                bool odd = stitched(&p, i, j);
+                double spacing = spacing_at(&p, i, j, at);
+                if (rest) rest[k] = at;
+                if (vertices) vertices[k] = odd ? stitched_vertex(&p, i, j, spacing) : plain_vertex(&p, at, spacing);
+                if (visible) visible[k] = visible_at(&p, &s, at, odd ? p.level->spacing : spacing);
             }
     }
 }

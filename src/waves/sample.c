@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields at rest points: bilinear from the planes, and from the modes themselves as the oracle.
+// The fields at rest points: bilinear from the planes, filtered for a grid, and from the modes themselves as the oracle.
 #include "waves/sum.h"
 
 #define STEEPEST 0.1 // smallest |Jacobian| that a slope is divided by: where the surface folds it is vertical
@@ -68,19 +68,26 @@ void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint
 
 // ---- as a grid can carry it -----------------------------------------------------------------------------------------
 
-enum { MOST_TAPS = 4, GRAIN_POINTS = 256 }; // along a side of the square
+enum { MOST_TAPS = 4, FOAM_TAPS = 2, GRAIN_POINTS = 256 }; // taps along a side of the square
 
-// A square of two spacings, averaged, takes a wave of two spacings out and leaves one of four at 0.64.
+// A square of two spacings, averaged, takes a wave of two spacings out and leaves one of four at 0.64. Of a cascade that has
+// faded away its foam is left.
 static void add_filtered(const sea_cascade *c, bolan_dvec2 at, double spacing, sea_sums *v) {
     const double longest = c->k_min > 0.0 ? 2.0 * BOLAN_PI / c->k_min : c->length;
     const double t = fmin(fmax(spacing > 0.0 ? 0.5 * longest / spacing - 1.0 : 1.0, 0.0), 1.0);
     const double fade = t * t * (3.0 - 2.0 * t), width = 2.0 * spacing;
-    const int taps = (int)fmin(fmax(ceil(width * c->n / c->length), 1.0), MOST_TAPS);
+    const int taps = (int)fmin(fmax(ceil(width * c->n / c->length), 1.0), fade > 0.0 ? MOST_TAPS : FOAM_TAPS);
     const double share = 1.0 / (taps * taps);
     for (int j = 0; j < taps; j++) {
-        for (int i = 0; i < taps; i++)
-            add_cascade(c, at.x + ((i + 0.5) / taps - 0.5) * width, at.y + ((j + 0.5) / taps - 0.5) * width,
-                        fade * share, share, v);
+        for (int i = 0; i < taps; i++) {
+            const double x = at.x + ((i + 0.5) / taps - 0.5) * width, y = at.y + ((j + 0.5) / taps - 0.5) * width;
+            if (fade > 0.0) {
+                add_cascade(c, x, y, fade * share, share, v);
+            } else {
+                const corners k = corners_of(c, x, y);
+                v->foam += share * blend(c->foam, &k);
+            }
+        }
     }
 }
 
@@ -110,7 +117,11 @@ void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, cons
         return;
     }
     grid g = {sea, points, spacing, out};
-    bolan_parallel(count, GRAIN_POINTS, sample_grid_points, &g);
+    if (count <= GRAIN_POINTS) {
+        sample_grid_points(&g, 0, count, 0); // not worth waking anybody
+    } else {
+        bolan_parallel(count, GRAIN_POINTS, sample_grid_points, &g);
+    }
 }
 
 // ---- the oracle -----------------------------------------------------------------------------------------------------

@@ -9,7 +9,8 @@
 // Cost. A wave-point of COSINES is 11 operations for the phase, 7 to reduce it, 30 for sine and cosine, 16 for the eight
 // sums, with 11 loads of the wave's constants: on AVX2 about 75 instructions for 8 points, 25 to 38 cycles at 2 to 3 a
 // cycle, so 1.0 to 1.6 ns at 3 GHz. 128 waves at 6534 points: 0.9 to 1.3 ms; 2048 waves: 14 to 21 ms on one thread. The
-// floor is the arithmetic: the constants of 2048 waves are 160 KB and stay in the second-level cache.
+// floor is the arithmetic: the constants of 2048 waves are 128 KB and stay in the second-level cache. Measured on an EPYC: 1.30
+// and 19.1 ms, 2.8 times faster than the scalar kernel with 4 lanes and 5.5 with 8 (`bolan bench waves`).
 #ifndef BOLAN_WAVES_SUM_H
 #define BOLAN_WAVES_SUM_H
 
@@ -60,6 +61,8 @@ typedef struct sea_sum {
 
 // Sets sea->sum. False when memory is short.
 bool sea_sum_create(bolan_sea *sea, const spectrum_eval *eval);
+// Cuts the spectrum into `count` frequencies; none in a flat calm. False when memory is short.
+bool sum_set_lines(const spectrum_eval *eval, uint32_t count, bolan_frequency_split split, sea_sum *out);
 // Turns the phases to `shown` [s].
 void sea_sum_step(bolan_sea *sea, double shown);
 void sea_sum_sample(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,

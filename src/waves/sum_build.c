@@ -1,81 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Which waves a sum is made of: a spectrum cut into frequencies, and each frequency into directions.
+// The waves of a sum: each frequency of sum_lines.c goes in several directions,
 //
 //     eta(x, t) = sum_i sum_j sqrt(2 S(w_i, th_j) dw_i dth_j) cos(k_ij . x - w_i t + eps_ij)
 //
-// (Liu, Xu & Chen 2009; without the root the variance would be 20 times too small). The spectrum is whatever the sea state
-// is, cut where its running energy says, so that for Pierson-Moskowitz, exp(-B / w^4) of whose energy lies below w,
-//
-//     equal energy   w_i = (B / ln(2M / (2i - 1)))^(1/4), the middle of M equal parts: one amplitude for all,
-//     equal width    w_i in the middle of M equal steps from (-B / ln mu)^(1/4) to (-B / ln(1 - mu))^(1/4), mu = .002, energy
-//                    by S(w_i), scaled so that the sum holds the 1 - 2 mu of the spectrum that lies between.
-//
-// Directions: the one spreading cos^2 gets N mid-points of +-90 degrees, by which sum cos^2 dth is exact; any other spectrum N
-// parts of equal energy at that frequency, each stood for by a direction inside it that moves on from frequency to
-// frequency by the golden section, so that no two frequencies run in the same directions.
-//
-// EXP_COSINE takes its few waves the same way, one direction each, and so as many frequencies as waves.
+// (Liu, Xu & Chen 2009; without the root the variance would be 20 times too small). The one spreading cos^2 gets N mid-points of
+// +-90 degrees, by which sum cos^2 dth is exact; any other spectrum N parts of equal energy at that frequency, each stood
+// for by a direction inside it that moves on from frequency to frequency by the golden section, so that no two frequencies
+// run in the same directions. EXP_COSINE takes its few waves the same way, one direction each, and so as many frequencies as
+// waves.
 #include "spectrum/portable.h"
 #include "waves/exp_cosine.h"
 #include "waves/sum.h"
 
-#include <string.h>
-
-enum { NODES = 4096, ANGLES = 360 };
-#define LOWEST 0.02 // [rad/s]
-#define HIGHEST 1e3 // [rad/s] 20 times the highest peak
-#define MU 0.002    // energy beyond either end of the equal-width split
+enum { ANGLES = 360 };
 #define GOLDEN 0.61803398874989485
-
-typedef struct running {
-    double omega[NODES], energy[NODES]; // energy of the waves slower than omega [m2]
-} running;
-
-static void accumulate(const spectrum_eval *eval, running *out) {
-    const double step = portable_log(HIGHEST / LOWEST) / (NODES - 1);
-    double previous = 0.0;
-    for (int i = 0; i < NODES; i++) {
-        const double omega = LOWEST * portable_exp(step * i);
-        const double density = spectrum_eval_omnidirectional(eval, omega) * omega; // per unit of log w
-        out->omega[i] = omega;
-        out->energy[i] = i > 0 ? out->energy[i - 1] + 0.5 * (previous + density) * step : 0.0;
-        previous = density;
-    }
-}
-
-// The frequency below which a share of the energy lies.
-static double quantile(const running *r, double share) {
-    const double wanted = share * r->energy[NODES - 1];
-    int low = 0, high = NODES - 1;
-    while (high - low > 1) {
-        const int middle = (low + high) / 2;
-        *(r->energy[middle] < wanted ? &low : &high) = middle;
-    }
-    const double rise = r->energy[high] - r->energy[low];
-    const double part = rise > 0.0 ? (wanted - r->energy[low]) / rise : 0.0;
-    return r->omega[low] + (r->omega[high] - r->omega[low]) * part;
-}
-
-static void split_equal_energy(const running *r, uint32_t count, sea_sum *out) {
-    for (uint32_t i = 0; i < count; i++) {
-        const double low = fmax(i, MU * count) / count, high = fmin(i + 1.0, (1.0 - MU) * count) / count;
-        out->line[i] = (sum_line){.omega = quantile(r, (i + 0.5) / count),
-                                  .energy = r->energy[NODES - 1] / count,
-                                  .width = quantile(r, high) - quantile(r, low)};
-    }
-}
-
-static void split_equal_width(const running *r, const spectrum_eval *eval, uint32_t count, sea_sum *out) {
-    const double first = quantile(r, MU), step = (quantile(r, 1.0 - MU) - first) / count;
-    double sum = 0.0;
-    for (uint32_t i = 0; i < count; i++) {
-        const double omega = first + (i + 0.5) * step;
-        out->line[i] = (sum_line){omega, spectrum_eval_omnidirectional(eval, omega) * step, step};
-        sum += out->line[i].energy;
-    }
-    const double scale = sum > 0.0 ? r->energy[NODES - 1] * (1.0 - 2.0 * MU) / sum : 0.0;
-    for (uint32_t i = 0; i < count; i++) out->line[i].energy *= scale;
-}
 
 // ---- directions -----------------------------------------------------------------------------------------------------
 
@@ -283,31 +221,18 @@ static bool reserve_waves(bolan_sea *sea, uint32_t count) {
     return true;
 }
 
-typedef struct plan {
-    running running;
-    fan fans[SUM_MAX_LINES];
-} plan;
-
 bool sea_sum_create(bolan_sea *sea, const spectrum_eval *eval) {
     const bool exponential = sea->desc.waves == BOLAN_WAVES_EXP_COSINE;
     const uint32_t lines = exponential ? sea->desc.wave_count : sea->desc.frequencies;
     const uint32_t directions = exponential ? 1 : sea->desc.directions;
+    const size_t bytes = SUM_MAX_LINES * sizeof(fan);
     if (!reserve_waves(sea, lines * directions)) return false;
-    plan *p = sea_borrow(sizeof *p);
-    if (!p) return false;
-    running *r = &p->running;
     sea->sum->tables.exponential = exponential;
-    accumulate(eval, r);
-    if (r->energy[NODES - 1] > 0.0) { // else a flat calm
-        sea->sum->line_count = lines;
-        if (exponential || sea->desc.split == BOLAN_SPLIT_EQUAL_ENERGY) {
-            split_equal_energy(r, lines, sea->sum);
-        } else {
-            split_equal_width(r, eval, lines, sea->sum);
-        }
-        set_waves(sea, eval, directions, p->fans);
-    }
+    if (!sum_set_lines(eval, lines, exponential ? BOLAN_SPLIT_EQUAL_ENERGY : sea->desc.split, sea->sum)) return false;
+    fan *fans = sea_borrow(bytes);
+    if (!fans) return false;
+    set_waves(sea, eval, directions, fans);
     set_tables(sea);
-    bolan_release(p, sizeof *p);
+    bolan_release(fans, bytes);
     return true;
 }

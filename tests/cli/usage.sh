@@ -47,7 +47,13 @@ refuse 2 '--depth is 0;' measure --depth 0
 refuse 2 '--threads is 65' measure --threads 65
 refuse 2 '--cpu is mmx; expected auto, scalar' measure --cpu mmx
 refuse 2 '--technique is lava; expected ocean' measure --technique lava
-refuse 2 '--waves is exp; expected fft' measure --waves exp
+refuse 2 '--waves is exp; expected fft, cosines, exp-cosine, textures' measure --waves exp
+refuse 2 '--surface is flat; expected projected, nested, quad' measure --surface flat
+refuse 2 '--optics is none; expected physical, mirror, phong, lit, crest' measure --optics none
+refuse 2 '--show is all; expected picture, mask, mesh' render --show all -o a.png
+refuse 2 '--effects: sparkle is unknown; expected none, or some of reflection' render --effects foam,sparkle -o a.png
+refuse 2 '--effects: ' render --effects foam,,fog -o a.png
+refuse 2 '--effects does not go with bolan measure' measure --effects foam
 refuse 2 '--record chooses from a spectrum file' measure --record 2
 refuse 2 '--wind, --beaufort and --sea-state exclude each other' measure --wind 3 --beaufort 4
 refuse 2 '--fetch does not go with --beaufort' measure --fetch 30 --beaufort 4

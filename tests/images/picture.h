@@ -58,6 +58,7 @@ static inline picture stage_draw(stage *s, uint32_t width, uint32_t height, uint
     frame.scene = &s->scene;
     frame.sea = s->sea;
     frame.terrain = s->assets.terrain;
+    frame.models = s->assets.object_models;
     frame.framebuffer = bolan_target_framebuffer(target);
     frame.width = width;
     frame.height = height;

@@ -171,6 +171,7 @@ static void frames_after_the_first_allocate_nothing(void **state) {
     frame.scene = &s.scene;
     frame.sea = s.sea;
     frame.terrain = s.assets.terrain;
+    frame.models = s.assets.object_models;
     frame.framebuffer = bolan_target_framebuffer(target);
     frame.width = WIDTH;
     frame.height = HEIGHT;

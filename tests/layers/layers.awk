@@ -7,12 +7,12 @@ BEGIN {
     may["math"] = "base"
     may["spectrum"] = may["fft"] = "base math"
     may["waves"] = "base math spectrum fft"
-    may["surface"] = may["shore"] = may["body"] = "base math spectrum fft waves"
+    may["surface"] = may["shore"] = may["body"] = may["tiles"] = "base math spectrum fft waves"
     may["query"] = may["shore"] " shore" # waves are asked for over a sea bed
-    may["scene"] = "base math spectrum fft waves query surface shore body"
+    may["scene"] = "base math spectrum fft waves query surface shore body tiles"
     may["io"] = may["render"] = may["scene"] " scene" # they do not know each other
     may["bolan"] = may["io"] " io"                    # the umbrella header: never GL
-    core = "base math spectrum fft waves query surface shore body scene"
+    core = "base math spectrum fft waves query surface shore body tiles scene"
 
     c_headers = "assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg " \
         "stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype"

@@ -46,7 +46,29 @@ static void a_swan_spectrum_becomes_its_sea(void **state) {
     free((char *)texts.density.data);
 }
 
+// The sums are cut from the file's own frequencies: its height and direction to what 65536 places and 128 waves allow.
+static void a_swan_spectrum_becomes_a_sum_of_cosines(void **state) {
+    (void)state;
+    bolan_spectrum_texts texts = bolan_spectrum_texts_default();
+    texts.density = load_shared("swan_maari_lonlat_24f36d.spec");
+    for (uint32_t record = 0; record <= 4; record += 4) {
+        bolan_measured_spectrum *spectrum = parse(&texts, record);
+        bolan_sea_desc desc = bolan_sea_desc_default();
+        desc.waves = BOLAN_WAVES_COSINES;
+        desc.sea_state = sea_of(spectrum);
+        bolan_sea *sea = NULL;
+        assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_OK);
+        const bolan_sea_statistics m = bolan_sea_measure(sea);
+        assert_ratio(m.hs, record ? 4.2587 : 1.7158, 0.02); // sampling
+        assert_near(m.direction_from, record ? 254.11 : 250.02, 0.1);
+        bolan_sea_destroy(&sea);
+        bolan_measured_spectrum_destroy(&spectrum);
+    }
+    free((char *)texts.density.data);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_swan_spectrum_becomes_its_sea)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_swan_spectrum_becomes_its_sea),
+                                       cmocka_unit_test(a_swan_spectrum_becomes_a_sum_of_cosines)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -161,9 +161,64 @@ static void cox_and_munk_and_monahan_give_their_regressions(void **state) {
     assert_true(bolan_monahan_cover(0.0) == 0.0 && bolan_monahan_cover(70.0) == 1.0);
 }
 
+// Psi = 2 A exp(-1/(kL)^2) k^-4 cos^2 e^{-k^2 l^2} where the wind blows to: the printed form without the 2 is spread over k and
+// -k alike (Tessendorf 2001, eq. 40-41). A = alpha / (2 pi) = 1.289e-3 has the tail of Pierson & Moskowitz.
+static double phillips(double wind, double kx, double ky) {
+    const double l = wind * wind / BOLAN_GRAVITY, k2 = kx * kx + ky * ky, small = l / 1000.0;
+    if (kx <= 0.0) return 0.0;
+    return 2.0 * 0.0081 / (2.0 * BOLAN_PI) * exp(-1.0 / (k2 * l * l)) / (k2 * k2) * (kx * kx / k2) *
+           exp(-k2 * small * small);
+}
+
+static void phillips_has_the_density_of_its_formula(void **state) {
+    (void)state;
+    for (double wind = 5.0; wind <= 20.0; wind += 5.0) {
+        const bolan_sea_state sea_state = bolan_sea_state_from_phillips(wind, 270.0); // toward east
+        const double l = wind * wind / BOLAN_GRAVITY;
+        assert_int_equal(bolan_sea_state_validate(&sea_state), BOLAN_OK);
+        for (double k = 0.3 / l; k < 2000.0 / l; k *= 1.3) {
+            for (double th = -3.0; th < 3.1; th += 0.375) {
+                const double kx = k * cos(th), ky = k * sin(th), expected = phillips(wind, kx, ky);
+                // Capillary waves are no part of the formula: with 1 + t, t = 7.17e-5 k^2 / g, in place of 1, w is larger by t/2
+                // and Psi off by some t; the cut, whose k is w^2 / g, by 2 t (k l)^2.
+                const double t = BOLAN_SURFACE_TENSION_SEA * k * k / BOLAN_GRAVITY, kl = k * l / 1000.0;
+                assert_near(bolan_sea_state_wavenumber_density(&sea_state, kx, ky), expected,
+                            expected * (1e-4 + (3.0 + 4.0 * kl * kl) * t) + 1e-30);
+            }
+        }
+        const bolan_sea_summary summary = bolan_sea_state_summary(&sea_state);
+        const double a = 0.0081 / (2.0 * BOLAN_PI);
+        assert_near(a, 1.289e-3, 5e-7);
+        assert_ratio(summary.hs, 4.0 * sqrt(a * BOLAN_PI * l * l / 2.0), 1e-5); // the cut takes 1e-6
+        assert_ratio(summary.tp, 2.0 * BOLAN_PI * wind / (BOLAN_GRAVITY * pow(0.8, 0.25)),
+                     0.01); // found on steps of 0.5 %
+        assert_near(summary.from_deg, 270.0, 1e-6);
+    }
+}
+
+static void phillips_ends_at_its_small_waves(void **state) {
+    (void)state;
+    const bolan_sea_state sea_state = bolan_sea_state_from_phillips(20.0, 270.0);
+    const double l = 400.0 / BOLAN_GRAVITY / 1000.0, g = BOLAN_GRAVITY;
+    bolan_wave_system cut = sea_state.systems[0], whole = cut;
+    whole.kind = BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
+    for (double kl = 0.1; kl < 4.0; kl += 0.3) {
+        const double w = sqrt(g * kl / l);
+        assert_ratio(bolan_system_density(&cut, w, BOLAN_DEEP) / bolan_system_density(&whole, w, BOLAN_DEEP),
+                     exp(-kl * kl), 1e-6);
+    }
+    assert_true(bolan_system_density(&cut, sqrt(g * 25.0 / l), BOLAN_DEEP) == 0.0);
+    bolan_sea_state calm = bolan_sea_state_from_phillips(0.0, 270.0);
+    assert_int_equal(calm.system_count, 0);
+    calm = bolan_sea_state_from_phillips(80.0, 270.0); // refused by validation, not here
+    assert_int_not_equal(bolan_sea_state_validate(&calm), BOLAN_OK);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pierson_moskowitz_has_the_density_of_its_paper),
+        cmocka_unit_test(phillips_has_the_density_of_its_formula),
+        cmocka_unit_test(phillips_ends_at_its_small_waves),
         cmocka_unit_test(the_jonswap_normalisation_is_exact),
         cmocka_unit_test(mean_periods_follow_the_peak_enhancement),
         cmocka_unit_test(a_wind_over_a_fetch_raises_the_sea_of_jonswap),

@@ -23,18 +23,38 @@ validate() {
     fi
 }
 
-for file in *.glsl; do
-    [ -e "$file" ] || continue
+# try FILE NAMES...: both stages of both profiles, with the names defined
+try() {
+    stem=${1%.glsl}
+    shift
     for profile in core es; do
         for stage in VERTEX FRAGMENT; do
             if [ $stage = VERTEX ]; then kind=vert; else kind=frag; fi
-            if "$print_shader" "${file%.glsl}" $stage $profile >"$scratch/$profile.${file%.glsl}.$kind"; then
-                validate $kind "$scratch/$profile.${file%.glsl}.$kind" "$file ($profile, $kind)"
+            if "$print_shader" "$stem" $stage $profile "$@" >"$scratch/$profile.$stem.$kind"; then
+                validate $kind "$scratch/$profile.$stem.$kind" "$stem.glsl ($profile, $kind: $*)"
             else
                 failures=$((failures + 1))
             fi
         done
     done
+}
+
+for file in *.glsl; do
+    [ -e "$file" ] || continue
+    try "$file"
+    # every wave model on a mesh and on the quad, in the open and at a shore
+    case $file in water*)
+        try "$file" LAND
+        try "$file" QUAD LAND
+        try "$file" WAVES_EXP
+        try "$file" WAVES_EXP QUAD LAND
+        try "$file" WAVES_SUM QUAD
+        try "$file" WAVES_MESH LAND
+        ;;
+    terrain.glsl | models.glsl)
+        try "$file" CLIP
+        ;;
+    esac
 done
 for file in compute/*.glsl; do
     [ -e "$file" ] || continue

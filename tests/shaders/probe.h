@@ -15,8 +15,12 @@
 
 #define PROBE_WIDTH 256
 
+// What a probe needs beyond its input: called with the program in use.
+typedef void probe_setup(const gl_program *program, const void *context);
+
 // `body` is GLSL that defines `vec4 probe(vec4 x)`. Evaluates it for `count` <= 256 inputs.
-static inline void probe_run(const char *includes, const char *body, float (*in)[4], uint32_t count, float (*out)[4]) {
+static inline void probe_run_with(const char *includes, const char *body, const char *defines, probe_setup *setup,
+                                  const void *context, float (*in)[4], uint32_t count, float (*out)[4]) {
     char folder[] = "probe_XXXXXX", path[512], link_to[512];
     assert_non_null(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/common", folder);
@@ -35,7 +39,7 @@ static inline void probe_run(const char *includes, const char *body, float (*in)
     fclose(file);
     gl_program_set_directory(folder);
     gl_program program = {0};
-    assert_int_equal(gl_program_create("probe", NULL, &program), BOLAN_OK);
+    assert_int_equal(gl_program_create("probe", defines, &program), BOLAN_OK);
     gl_program_set_directory(NULL);
     unlink(file_path);
     unlink(path);
@@ -55,6 +59,7 @@ static inline void probe_run(const char *includes, const char *body, float (*in)
     gl_texture_bind(&input, 15);
     gl_program_use(&program);
     gl_program_int(&program, "inputs", 15);
+    if (setup) setup(&program, context);
     gl_draw_fullscreen();
     float result[PROBE_WIDTH][4];
     gl_target_read_float(&target, 0, &result[0][0]);
@@ -63,6 +68,10 @@ static inline void probe_run(const char *includes, const char *body, float (*in)
     gl_texture_free(&input);
     gl_texture_free(&output);
     gl_program_free(&program);
+}
+
+static inline void probe_run(const char *includes, const char *body, float (*in)[4], uint32_t count, float (*out)[4]) {
+    probe_run_with(includes, body, NULL, NULL, NULL, in, count, out);
 }
 
 #endif

@@ -22,33 +22,53 @@ static void test_an_empty_document_is_the_default_scene(void **state) {
     }
 }
 
-static const char *const everything = "description: \"all keys\"\n"
-                                      "technique: ocean\n"
-                                      "sea:\n"
-                                      "  wind: {speed: 11, from: 250}\n"
-                                      "  fetch_km: 120\n"
-                                      "  swell:\n"
-                                      "    - {hs: 2, tp: 13, from: 300, spread: 40}\n"
-                                      "    - {hs: 0.5, tp: 9}\n"
-                                      "  spectrum: {shape: tma}\n"
-                                      "  depth: 30\n"
-                                      "  seed: 42\n"
-                                      "  resolution: 128\n"
-                                      "  cascades: 3\n"
-                                      "  length: 900\n"
-                                      "  choppiness: 0.9\n"
-                                      "  loop: 60\n"
-                                      "  foam_decay: 5\n"
-                                      "water: {type: 3c, level: -1.5, foam: 0.5}\n"
-                                      "sky:\n"
-                                      "  sun: {azimuth: 100, elevation: 12}\n"
-                                      "  visibility_km: 25\n"
-                                      "  clouds: {cover: 0.6, base: 900, seed: 5}\n"
-                                      "terrain:\n"
-                                      "  island: {seed: 3, radius: 1500, peak: 400, sea_floor: -300, lagoon_from: 90}\n"
-                                      "camera: {position: [1, -2, 30.5], heading: 45, pitch: -3, roll: 2, fov: 60}\n"
-                                      "time: 12.5\n"
-                                      "exposure: -1\n";
+static const char *const everything =
+    "description: \"all keys\"\n"
+    "technique: ocean\n"
+    "sea:\n"
+    "  wind: {speed: 11, from: 250}\n"
+    "  fetch_km: 120\n"
+    "  swell:\n"
+    "    - {hs: 2, tp: 13, from: 300, spread: 40}\n"
+    "    - {hs: 0.5, tp: 9}\n"
+    "  spectrum: {shape: tma}\n"
+    "  depth: 30\n"
+    "  seed: 42\n"
+    "  resolution: 128\n"
+    "  cascades: 3\n"
+    "  length: 900\n"
+    "  choppiness: 0.9\n"
+    "  loop: 60\n"
+    "  foam_decay: 5\n"
+    "  frequencies: 20\n"
+    "  directions: 6\n"
+    "  split: equal-width\n"
+    "  waves: 12\n"
+    "  sharpness: 0.8\n"
+    "  loop_frames: 24\n"
+    "look:\n"
+    "  paper: true\n"
+    "  effects: [reflection, bump, fog]\n"
+    "  show: mask\n"
+    "  distortion: 2\n"
+    "  blend: 0.5\n"
+    "  ambient: 0.9\n"
+    "  diffuse: 0.1\n"
+    "  specular: 3\n"
+    "  shininess: 100\n"
+    "objects:\n"
+    "  - {model: \"builtin:boat\", position: [1, 2, -0.5], heading: 30, scale: 2, floats: true}\n"
+    "  - {model: things/house.obj}\n"
+    "water: {type: 3c, level: -1.5, foam: 0.5}\n"
+    "sky:\n"
+    "  sun: {azimuth: 100, elevation: 12}\n"
+    "  visibility_km: 25\n"
+    "  clouds: {cover: 0.6, base: 900, seed: 5}\n"
+    "terrain:\n"
+    "  island: {seed: 3, radius: 1500, peak: 400, sea_floor: -300, lagoon_from: 90}\n"
+    "camera: {position: [1, -2, 30.5], heading: 45, pitch: -3, roll: 2, fov: 60}\n"
+    "time: 12.5\n"
+    "exposure: -1\n";
 
 static void test_every_key_arrives(void **state) {
     (void)state;
@@ -73,6 +93,25 @@ static void test_every_key_arrives(void **state) {
     assert_near(s.sea.choppiness, 0.9, 0);
     assert_near(s.sea.loop_period, 60, 0);
     assert_near(s.sea.foam_decay, 5, 0);
+    assert_true(s.sea.frequencies == 20 && s.sea.directions == 6 && s.sea.wave_count == 12 && s.sea.loop_frames == 24);
+    assert_int_equal(s.sea.split, BOLAN_SPLIT_EQUAL_WIDTH);
+    assert_near(s.sea.sharpness, 0.8, 0);
+    assert_true(s.look.paper);
+    assert_int_equal(s.look.effects, BOLAN_EFFECT_REFLECTION | BOLAN_EFFECT_BUMP | BOLAN_EFFECT_FOG);
+    assert_int_equal(s.look.show, BOLAN_SHOW_MASK);
+    assert_near(s.look.distortion, 2, 0);
+    assert_near(s.look.blend, 0.5, 0);
+    assert_near(s.look.ambient, 0.9, 0);
+    assert_near(s.look.diffuse, 0.1, 0);
+    assert_near(s.look.specular, 3, 0);
+    assert_near(s.look.shininess, 100, 0);
+    assert_int_equal(s.object_count, 2);
+    assert_string_equal(s.objects[0].model, "builtin:boat");
+    assert_near(s.objects[0].position.z, -0.5, 0);
+    assert_near(s.objects[0].heading_deg, 30, 0);
+    assert_true(s.objects[0].floats);
+    assert_string_equal(s.objects[1].model, "things/house.obj"); // a text has no folder: the path stays
+    assert_near(s.objects[1].scale, 1, 0);
     assert_int_equal(s.water.type, BOLAN_JERLOV_3C);
     assert_near(s.water.level, -1.5, 0);
     assert_near(s.water.foam, 0.5, 0);
@@ -133,6 +172,31 @@ static void test_tables_and_dates(void **state) {
     assert_near(s.sky.sun_azimuth_deg, 194.2, 0.1);
 }
 
+static void test_effects_as_words(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        uint32_t effects;
+    } good[] = {
+        {"look: {effects: \"foam,caustics\"}", BOLAN_EFFECT_FOAM | BOLAN_EFFECT_CAUSTICS},
+        {"look: {effects: foam}", BOLAN_EFFECT_FOAM},
+        {"look: {effects: none}", 0},
+        {"look: {effects: []}", 0},
+        {"look: {effects: all}", BOLAN_EFFECTS_ALL},
+        {"look: {paper: no}", BOLAN_EFFECTS_ALL},
+    };
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        bolan_scene s;
+        assert_int_equal(parse(good[i].text, &s), BOLAN_OK);
+        assert_int_equal(s.look.effects, good[i].effects);
+        assert_false(s.look.paper);
+    }
+    bolan_scene s;
+    assert_int_equal(parse("terrain:\n  pond:\nsea: {spectrum: {shape: phillips}}\n", &s), BOLAN_OK);
+    assert_int_equal(s.terrain.kind, BOLAN_TERRAIN_POND);
+    assert_int_equal(s.wind_spectrum, BOLAN_SPECTRUM_PHILLIPS);
+}
+
 static void test_what_is_wrong_is_refused_with_line_and_key(void **state) {
     (void)state;
     static const struct {
@@ -168,7 +232,26 @@ static void test_what_is_wrong_is_refused_with_line_and_key(void **state) {
         {"sea: {spectrum: {shape: tma}}\n", "tma needs sea.depth", BOLAN_LOG_SCENE_BAD_VALUE},
         {"sea: {beaufort: 3, fetch_km: 10}\n", "sea.fetch_km does not go with", BOLAN_LOG_SCENE_BAD_VALUE},
         {"time: 1\ntime: 2\n", "test.yaml:2: time is given twice", BOLAN_LOG_SCENE_BAD_VALUE},
-        {"terrain: {island: {}, raster: {file: a}}\n", "both island and raster", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"terrain: {island: {}, raster: {file: a}}\n", "more than one of island, raster and pond",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"terrain: {pond: {}, island: {}}\n", "more than one of island, raster and pond", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"terrain: {pond: {depth: 3}}\n", "unknown key terrain.pond.depth; expected none", BOLAN_LOG_SCENE_UNKNOWN_KEY},
+        {"objects:\n  - {position: [0, 0, 0]}\n", "test.yaml:2: an object needs a model", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"objects:\n  - {model: \"builtin:boot\"}\n", "test.yaml:2: there is no model builtin:boot; expected",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"objects:\n  - {model: a.obj, scale: 0}\n", "objects[0].scale is 0; expected a number from 0.001",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"objects:\n  - {model: a.obj, position: [0, 0, 20000]}\n", "objects.position.z", BOLAN_LOG_OUT_OF_RANGE},
+        {"objects: {model: a.obj}\n", "objects is a map; expected a list", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"objects: [{model: a.obj, floats: maybe}]\n", "objects[0].floats is maybe; expected true or false",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"look: {effects: \"foam, smoke\"}\n", "look.effects is foam, smoke; expected all, none, or some of reflection",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"look: {effects: [[foam]]}\n", "look.effects is a list; expected all, none", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"look: {effects: {foam: 1}}\n", "look.effects is a map; expected all, none", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"look: {blend: 2}\n", "look.blend is 2; expected a number from 0 to 1", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {frequencies: 0}\n", "sea.frequencies is 0; expected a whole number from 1", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {split: even}\n", "sea.split is even; expected equal-energy, equal-width", BOLAN_LOG_SCENE_BAD_VALUE},
         {"sky: {sun: {date: \"2026-06-21T12:00Z\"}}\n", "date and place", BOLAN_LOG_SCENE_BAD_VALUE},
         {"sky: {sun: {date: yesterday, place: [1, 2]}}\n", "sky.sun.date is no date", BOLAN_LOG_SCENE_BAD_VALUE},
         {"sky: {sun: {date: \"2026-13-21T12:00Z\", place: [1, 2]}}\n", "is no date", BOLAN_LOG_SCENE_BAD_VALUE},
@@ -210,7 +293,7 @@ static void test_aliases_and_nesting_cost_nothing(void **state) {
 
 static void test_built_in_scenes_load(void **state) {
     (void)state;
-    static const char *const expected[] = {"island", "open-sea", "storm", "coast", "measured"};
+    static const char *const expected[] = {"island", "open-sea", "storm", "coast", "measured", "pond"};
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
         bolan_scene scene;
         assert_int_equal(bolan_scene_load(expected[i], &scene), BOLAN_OK);
@@ -260,6 +343,7 @@ int main(void) {
         cmocka_unit_test(test_every_key_arrives),
         cmocka_unit_test(test_a_raster_and_a_spectrum_file),
         cmocka_unit_test(test_tables_and_dates),
+        cmocka_unit_test(test_effects_as_words),
         cmocka_unit_test(test_what_is_wrong_is_refused_with_line_and_key),
         cmocka_unit_test(test_aliases_and_nesting_cost_nothing),
         cmocka_unit_test(test_built_in_scenes_load),

@@ -77,6 +77,12 @@ void gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count) 
     glBindVertexArray(0);
 }
 
+void gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count) {
+    glBindVertexArray(m->vao);
+    glDrawElements(GL_LINES, (GLsizei)index_count, GL_UNSIGNED_INT, NULL);
+    glBindVertexArray(0);
+}
+
 void gl_mesh_free(gl_mesh *m) {
     if (m->vao) glDeleteVertexArrays(1, &m->vao);
     *m = (gl_mesh){0};

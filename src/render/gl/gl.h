@@ -78,6 +78,8 @@ void gl_target_bind(const gl_target *t); // binds and sets the viewport
 void gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width,
                          uint32_t height);                                           // draws go there only
 void gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t height); // the caller's
+// From now on only the lowest rows of a target are drawn and cleared, at their own places; 0: all of it.
+void gl_clip_rows(uint32_t rows);
 void gl_target_clear_color(float r, float g, float b, float a);
 void gl_target_clear_depth(float depth);
 void gl_target_copy_color(const gl_target *from, const gl_target *to);
@@ -112,6 +114,7 @@ bolan_result gl_mesh_create(const gl_buffer *vertices, const gl_buffer *indices,
 void gl_mesh_attach(gl_mesh *m, const gl_buffer *vertices, uint32_t first, const uint8_t *components,
                     uint32_t attributes, uint32_t stride);
 void gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count);
+void gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count); // two indices a line, one pixel wide
 void gl_mesh_free(gl_mesh *m);
 void gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers: see common/fullscreen.glsl
 

@@ -60,6 +60,15 @@ void gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t heig
     glViewport(0, 0, (GLsizei)width, (GLsizei)height);
 }
 
+void gl_clip_rows(uint32_t rows) {
+    if (rows == 0) {
+        glDisable(GL_SCISSOR_TEST);
+        return;
+    }
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, 16384, (GLsizei)rows);
+}
+
 void gl_target_clear_color(float r, float g, float b, float a) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glClearColor(r, g, b, a);

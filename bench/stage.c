@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// See stage.h.
+#include "stage.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WARM_UP 4 // frames that pay for compilation, allocation and caches
+#define FRAMES 15 // of which the median is taken, in a row without and one with the passes timed
+#define TICK (1.0 / 30.0)
+#define YARDSTICK_REPEATS 5
+#define YARDSTICK_RUNS 5
+
+stage_options stage_options_default(void) {
+    return (stage_options){.width = 1024, .height = 768, .quality = BOLAN_QUALITY_MEDIUM};
+}
+
+// ---- options --------------------------------------------------------------------------------------------------------
+
+static bool parse_size(const char *text, stage_options *o) {
+    char rest = '\0';
+    return sscanf(text, "%5ux%5u%c", &o->width, &o->height, &rest) == 2 && o->width >= 1 && o->width <= 16384 &&
+           o->height >= 1 && o->height <= 16384;
+}
+
+static bool parse_threads(const char *text, stage_options *o) {
+    char rest = '\0';
+    return sscanf(text, "%3u%c", &o->threads, &rest) == 1 && o->threads <= 64;
+}
+
+static bool parse_quality(const char *text, stage_options *o) {
+    static const char *const names[] = {"low", "medium", "high", "ultra"};
+    for (int i = 0; i < 4; ++i)
+        if (strcmp(text, names[i]) == 0) {
+            o->quality = (bolan_quality)i;
+            return true;
+        }
+    return false;
+}
+
+int stage_option(const char *name, int argc, char **argv, int *index, stage_options *o) {
+    static const struct {
+        const char *word, *expects;
+        bool (*parse)(const char *text, stage_options *o);
+    } table[] = {
+        {"--size", "WIDTHxHEIGHT, each 1 to 16384", parse_size},
+        {"--threads", "0 (one per processor) to 64", parse_threads},
+        {"--quality", "low, medium, high or ultra", parse_quality},
+    };
+    const char *word = argv[*index], *value = *index + 1 < argc ? argv[*index + 1] : "";
+    if (strcmp(word, "--json") == 0) return o->json = true, 1;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) {
+        if (strcmp(word, table[i].word) != 0) continue;
+        ++*index;
+        if (table[i].parse(value, o)) return 1;
+        fprintf(stderr, "bolan-bench %s: %s is %s; expected %s\n", name, word, *value ? value : "empty",
+                table[i].expects);
+        return -1;
+    }
+    return 0;
+}
+
+// ---- the stage ------------------------------------------------------------------------------------------------------
+
+void stage_close(stage *s) {
+    bolan_target_destroy(&s->target);
+    bolan_renderer_destroy(&s->renderer);
+    bolan_sea_destroy(&s->sea);
+    bolan_scene_assets_destroy(&s->assets);
+}
+
+bolan_result stage_open(stage *s, const char *name, const stage_options *o,
+                        void (*change)(bolan_scene *scene, void *context), void *context) {
+    *s = (stage){.width = o->width, .height = o->height};
+    bolan_renderer_desc desc = bolan_renderer_desc_default();
+    desc.quality = o->quality;
+    bolan_result result = bolan_scene_load(name, &s->scene);
+    if (result == BOLAN_OK && change) change(&s->scene, context);
+    if (result == BOLAN_OK) result = bolan_scene_validate(&s->scene);
+    if (result == BOLAN_OK) result = bolan_scene_assets_load(&s->scene, &s->assets);
+    if (result == BOLAN_OK) result = bolan_scene_create_sea(&s->scene, &s->assets, &s->sea);
+    if (result == BOLAN_OK) result = bolan_renderer_create(&desc, &s->renderer);
+    if (result == BOLAN_OK) result = bolan_target_create(s->width, s->height, &s->target);
+    if (result != BOLAN_OK) {
+        stage_close(s);
+        return result;
+    }
+    s->time = s->scene.time;
+    bolan_sea_settle(s->sea, s->time);
+    return BOLAN_OK;
+}
+
+static double step_sea(stage *s) {
+    double start = bench_now_ms();
+    s->time += TICK;
+    if (!s->without_water) bolan_sea_step(s->sea, s->time);
+    return bench_now_ms() - start;
+}
+
+static void draw(stage *s) {
+    bolan_frame_desc frame = bolan_frame_desc_default();
+    frame.scene = &s->scene;
+    frame.sea = s->sea;
+    frame.terrain = s->assets.terrain;
+    frame.models = s->assets.object_models;
+    frame.without_water = s->without_water;
+    frame.framebuffer = bolan_target_framebuffer(s->target);
+    frame.width = s->width;
+    frame.height = s->height;
+    bolan_renderer_draw(s->renderer, &frame);
+    uint8_t pixel[3]; // to read one pixel is to wait for all of them
+    bolan_renderer_read_rgb8(s->renderer, frame.framebuffer, 1, 1, pixel);
+}
+
+void stage_frame(stage *s) {
+    step_sea(s);
+    draw(s);
+}
+
+// ---- measuring ------------------------------------------------------------------------------------------------------
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double *values, size_t count) {
+    qsort(values, count, sizeof values[0], ascending);
+    return values[count / 2];
+}
+
+static double time_frames(stage *s) {
+    double ms[FRAMES];
+    for (int i = 0; i < WARM_UP + FRAMES; ++i) {
+        double start = bench_now_ms();
+        stage_frame(s);
+        if (i >= WARM_UP) ms[i - WARM_UP] = bench_now_ms() - start;
+    }
+    return median(ms, FRAMES);
+}
+
+// In a row of its own: timing a pass makes the GPU wait between passes.
+static void time_passes(stage *s, stage_figures *f) {
+    double ms[BOLAN_MAX_PASSES + 1][FRAMES];
+    bolan_frame_statistics statistics = {0};
+    bolan_renderer_measure_passes(s->renderer, true);
+    for (int i = 0; i < WARM_UP + FRAMES; ++i) {
+        double synthesis = step_sea(s);
+        draw(s);
+        statistics = bolan_renderer_statistics(s->renderer);
+        if (i < WARM_UP) continue;
+        ms[0][i - WARM_UP] = synthesis;
+        for (uint32_t p = 0; p < statistics.pass_count; ++p) ms[p + 1][i - WARM_UP] = statistics.passes[p].ms;
+    }
+    bolan_renderer_measure_passes(s->renderer, false);
+    f->pass_count = statistics.pass_count + 1;
+    for (uint32_t p = 0; p < f->pass_count; ++p) {
+        f->passes[p].name = p == 0 ? "synthesis" : statistics.passes[p - 1].name;
+        f->passes[p].ms = median(ms[p], FRAMES);
+    }
+}
+
+void stage_measure(stage *s, bool passes, stage_figures *f) {
+    *f = (stage_figures){.technique = s->scene.technique.name};
+    memcpy(f->scene, s->scene.name, sizeof f->scene);
+    f->ms = time_frames(s);
+    bolan_frame_statistics statistics = bolan_renderer_statistics(s->renderer);
+    f->triangles = statistics.triangles;
+    f->water_triangles = statistics.water_triangles;
+    if (passes) time_passes(s, f);
+}
+
+double stage_yardstick(stage *s) {
+    double ms[YARDSTICK_RUNS];
+    for (int i = 0; i < YARDSTICK_RUNS; ++i)
+        ms[i] = bolan_renderer_yardstick(s->renderer, s->width, s->height, YARDSTICK_REPEATS);
+    return median(ms, YARDSTICK_RUNS);
+}
+
+// ---- printing -------------------------------------------------------------------------------------------------------
+
+void stage_print_machine(const stage_options *o, double yardstick) {
+    printf("%s, %s, %u threads, %u x %u\n", bench_machine(), bolan_gl_get_info().renderer, bolan_threads(), o->width,
+           o->height);
+    printf("yardstick (6 bilinear look-ups a pixel): %.2f ms\n\n", yardstick);
+}
+
+void stage_print_table(const stage_figures *figures, uint32_t count, double yardstick) {
+    printf("%-12s %-12s %10s %9s %8s %7s %6s\n", "scene", "technique", "triangles", "water", "ms", "fps", "ratio");
+    for (uint32_t i = 0; i < count; ++i) {
+        const stage_figures *f = &figures[i];
+        printf("%-12s %-12s %10u %9u %8.2f %7.1f %6.2f\n", f->scene, f->technique, f->triangles, f->water_triangles,
+               f->ms, 1e3 / f->ms, f->ms / yardstick);
+    }
+    printf("\npasses [ms] ");
+    for (uint32_t p = 0; p < figures[0].pass_count; ++p) printf(" %10s", figures[0].passes[p].name);
+    for (uint32_t i = 0; i < count; ++i) {
+        printf("\n%-12s", figures[i].technique);
+        for (uint32_t p = 0; p < figures[i].pass_count; ++p) printf(" %10.2f", figures[i].passes[p].ms);
+    }
+    printf("\n");
+}
+
+void stage_print_machine_json(const stage_options *o, double yardstick) {
+    printf("  \"machine\": \"%s\",\n  \"renderer\": \"%s\",\n  \"threads\": %u,\n  \"width\": %u,\n  \"height\": %u,\n"
+           "  \"yardstick_ms\": %.3f,\n",
+           bench_machine(), bolan_gl_get_info().renderer, bolan_threads(), o->width, o->height, yardstick);
+}
+
+void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count, double yardstick) {
+    for (uint32_t i = 0; i < count; ++i) {
+        const stage_figures *f = &figures[i];
+        printf("    {\"scene\": \"%s\", \"technique\": \"%s\", \"width\": %u, \"height\": %u, \"triangles\": %u, "
+               "\"water_triangles\": %u, \"ms\": %.3f, \"fps\": %.2f, \"ratio\": %.3f,\n     \"passes\": {",
+               f->scene, f->technique, o->width, o->height, f->triangles, f->water_triangles, f->ms, 1e3 / f->ms,
+               f->ms / yardstick);
+        for (uint32_t p = 0; p < f->pass_count; ++p)
+            printf("%s\"%s\": %.3f", p > 0 ? ", " : "", f->passes[p].name, f->passes[p].ms);
+        printf("}}%s\n", i + 1 < count ? "," : "");
+    }
+}

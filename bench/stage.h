@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A scene on a stage: opened, drawn and timed, for the benchmarks of pictures.
+#ifndef BOLAN_BENCH_STAGE_H
+#define BOLAN_BENCH_STAGE_H
+
+#include "bench.h"
+
+#include "bolan/io.h"
+#include "bolan/render.h"
+
+// What the command line of these benchmarks says.
+typedef struct stage_options {
+    bool json;
+    uint32_t width, height, threads;
+    bolan_quality quality;
+} stage_options;
+// The usual: 1024 x 768, medium.
+stage_options stage_options_default(void);
+// Takes the option at *index; 1: taken, 0: it is none of these, -1: its value is wrong (said on stderr after "bolan-bench NAME: ").
+int stage_option(const char *name, int argc, char **argv, int *index, stage_options *o);
+
+typedef struct stage {
+    bolan_scene scene;
+    bolan_scene_assets assets;
+    bolan_sea *sea;
+    bolan_renderer *renderer;
+    bolan_target *target;
+    uint32_t width, height;
+    double time;
+    bool without_water;
+} stage;
+
+typedef struct stage_figures {
+    char scene[BOLAN_NAME_MAX];
+    const char *technique;
+    uint32_t triangles, water_triangles;
+    double ms; // median of a frame, synthesis included
+    uint32_t pass_count;
+    struct {
+        const char *name;
+        double ms;
+    } passes[BOLAN_MAX_PASSES + 1];
+} stage_figures;
+
+// Loads a scene; `change` may alter it before anything is made of it (NULL: it stays).
+bolan_result stage_open(stage *s, const char *name, const stage_options *o,
+                        void (*change)(bolan_scene *scene, void *context), void *context);
+void stage_close(stage *s);
+// A frame 1/30 s after the last, waited for.
+void stage_frame(stage *s);
+// Median time of a frame; passes: each of them too, in a run of its own.
+void stage_measure(stage *s, bool passes, stage_figures *f);
+// The full-screen pass of 6 bilinear look-ups at this size [ms]: the median of several runs.
+double stage_yardstick(stage *s);
+
+// Printing: what was measured on, and a list of figures with their passes.
+void stage_print_machine(const stage_options *o, double yardstick);
+void stage_print_table(const stage_figures *figures, uint32_t count, double yardstick);
+void stage_print_machine_json(const stage_options *o, double yardstick); // keys of an object that is open
+void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count, double yardstick);
+
+#endif

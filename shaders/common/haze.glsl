@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Haze for two triangles: their vertices lie far away, so their pixels must make it, and cheaply. The air between the eye and the flat
+// sea thins out with height alone, so that one extinction serves the whole picture, and the light it scatters towards the eye comes to
+// a parabola of the cosine of the azimuth from the sun, through three look-ups of the table. Needs common/atmosphere.glsl.
+#ifdef VERTEX
+flat out vec3 haze_extinction; // of the mean density between the eye's height and the sea [1/m]
+flat out vec3 haze_level;      // radiance of endless haze: level + slope c + bend c^2
+flat out vec3 haze_slope;
+flat out vec3 haze_bend;
+
+float mean_density(float h, float scale) { return h > 1.0 ? scale / h * (1.0 - exp(-h / scale)) : 1.0; }
+
+vec3 haze_towards(float azimuth, float h) {
+    const float REACH = 12000.0;
+    vec3 dir = sky_direction(sqrt(azimuth / AIR_PI), -0.5 * h / REACH, h);
+    vec3 light = textureLod(aerial_table, aerial_uv(dir, h, REACH), 0.0).rgb;
+    return light / (1.0 - exp(-haze_extinction * REACH));
+}
+
+void haze_vertex() {
+    float h = max(eye.z, 0.0), haze_scale = 1000.0 * clamp(haze.x / 5000.0, 0.25, 1.0);
+    haze_extinction = RAYLEIGH * mean_density(h, RAYLEIGH_SCALE) + mie_extinction() * mean_density(h, haze_scale);
+    vec3 ahead = haze_towards(0.0, h), aside = haze_towards(0.5 * AIR_PI, h), behind = haze_towards(AIR_PI, h);
+    haze_level = aside;
+    haze_slope = 0.5 * (ahead - behind);
+    haze_bend = 0.5 * (ahead + behind) - aside;
+}
+#endif
+
+#ifdef FRAGMENT
+flat in vec3 haze_extinction;
+flat in vec3 haze_level;
+flat in vec3 haze_slope;
+flat in vec3 haze_bend;
+
+// Light that arrives from the water at that distance along `to`.
+vec3 through_haze(vec3 light, vec3 to, float dist) {
+    float c = dot(to.xy, sun.xy) * inversesqrt(max(dot(to.xy, to.xy) * dot(sun.xy, sun.xy), 1e-9));
+    vec3 left = exp(-haze_extinction * dist);
+    return light * left + max(haze_level + c * (haze_slope + c * haze_bend), vec3(0.0)) * (1.0 - left);
+}
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What water does to things in it, for the pictures that it mirrors and refracts and for an eye under it: raises them, dims them, puts
+// its own light before them, and gathers sunlight on them (Ma, Zhu & Gong 2006, sections 2.2.3, 3 (2) and 5).
+#include "common/refraction.glsl"
+#ifdef PICTURE
+
+// Height above the water [m] at which what stands at that height is seen in this picture.
+float seen_height(vec2 position, float height) {
+    if (clip.w > 1.5) return apparent_height(eye.z, height, length(position), water_deep.w);
+    return clip.w > 0.5 ? height * clip.z : height;
+}
+
+// Light of the water itself, seen under it along a unit direction from a depth [m]: what leaves it upwards, before the surface takes its share; more
+// from where the light comes.
+vec3 water_glow(float upward, float depth) {
+    vec3 light = sun_light.rgb * max(sun.z, 0.0) + sky_light.rgb;
+    float from_above = 0.5 + 0.5 * upward;
+    return water_deep.rgb / 0.54 * light * (1.0 + 3.0 * from_above * from_above) * exp(-water_kd.rgb * max(depth, 0.0));
+}
+
+// What becomes of light from a point at that height above the water, seen from above it or under it: light * through + veil.
+void through_water(vec3 position, float height, out vec3 through, out vec3 veil) {
+    through = vec3(1.0);
+    veil = vec3(0.0);
+    if (under.y <= 0.0) return;
+    float depth = max(-height, 0.0), away = max(length(position), 1e-3);
+    if (under.x > 0.5) {
+        if (clip.w > 0.5) return; // above the water: what lies between is the water pass's to add
+        float reach = under.w > 0.5 ? length(vec3(position.xy, eye.z + height)) : away; // by way of the surface
+        float upward = (under.w > 0.5 ? -(eye.z + height) : position.z) / max(reach, 1e-3);
+        vec3 left = exp(-under.y * water_kd.rgb * reach);
+        through = exp(-under.y * water_kd.rgb * depth) * left;
+        veil = water_glow(upward, -eye.z) * (1.0 - left);
+    } else if (clip.x < 0.0) {
+        float up = position.z / away, down = sqrt(max(1.0 - (1.0 - up * up) / (water_deep.w * water_deep.w), 0.1));
+        vec3 both_ways = exp(-under.y * water_kd.rgb * depth * (1.0 + 1.0 / down));
+        through = 0.54 * both_ways; // (1 - F)^2 / n^2 with the internal reflection's return
+        veil = water_deep.rgb * (sun_light.rgb * max(sun.z, 0.0) + sky_light.rgb) * (1.0 - both_ways);
+    }
+}
+
+#ifdef FRAGMENT
+#pragma unit water_tile 19
+uniform sampler2D water_tile; // a: light on the bottom, a quarter of it
+
+// Sunlight at a depth [m] below level eye-relative xy, as a share of what flat water lets through: the tile lies on the surface where
+// the ray came in. Shallow water has not gathered it yet, deep water scatters it.
+float gathered_light(vec2 position, float depth) {
+    float strength = under.z * clamp(depth * 2.0, 0.0, 1.0) * exp(-0.06 * max(depth, 0.0));
+    vec2 p = position - caustic_sun.xy * max(depth, 0.0);
+    vec2 uv = caustic.xy + vec2(dot(p, caustic.zw), dot(p, vec2(-caustic.w, caustic.z)));
+    return mix(1.0, 4.0 * texture(water_tile, uv).a, strength);
+}
+#endif
+#endif

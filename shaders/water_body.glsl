@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The water itself round an eye in it, where nothing stands before it.
+#define PICTURE
+#include "common/fullscreen.glsl"
+#include "common/frame.glsl"
+#include "common/under.glsl"
+
+#ifdef VERTEX
+out vec3 ray; // eye-relative direction; linear over the picture
+
+void main() {
+    fullscreen(lens.z > 0.5 ? 0.0 : -1.0); // the far plane: window depth 0
+    ray = frame_ray(uv);
+}
+#endif
+
+#ifdef FRAGMENT
+in vec3 ray;
+out vec4 color;
+
+void main() {
+    vec3 dir = normalize(ray);
+    float upward = under.w > 0.5 ? -abs(dir.z) : dir.z; // the mirrored picture has it mirrored back
+    color = vec4(water_glow(upward, -eye.z), 1.0);
+}
+#endif

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The depth of the water alone, before anything else is drawn: see pass_water_cover().
+#include "common/frame.glsl"
+#include "common/water_vertex.glsl"
+
+#ifdef VERTEX
+void main() { water_vertex(); }
+#endif
+
+#ifdef FRAGMENT
+out vec4 color;
+void main() { color = vec4(0.0); }
+#endif

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// A tile of short waves, for the seas that are sums of few long ones: slopes of a wind sea over three octaves, each with as much
+// slope variance as the next, running along +u. Read by shaders/common/ripples.glsl.
+#ifndef BOLAN_RIPPLE_TEXTURE_H
+#define BOLAN_RIPPLE_TEXTURE_H
+
+#include "water_fields.h"
+
+#define RIPPLE_TEXTURE_SIZE 512
+#define RIPPLE_LONGEST 10 // waves along the tile's side: the longest
+#define RIPPLE_OCTAVES 3
+
+// Slope along u, along v (together of variance 1), their squared sum, 0: size * size * 4 floats.
+void ripple_texture_fill(float *out);
+bolan_result ripple_texture_create(gl_texture *out);
+// Binds it to UNIT_OPTICS and sets the uniforms of ripples.glsl. `waves`: cascades have no use for it.
+void ripple_apply(const gl_texture *texture, const gl_program *program, const frame *f, water_waves waves);
+
+#endif

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// See water_tiles.h. Baking takes a moment when the sea, the sun or the water changes; afterwards nothing is allocated.
+#include "water_tiles.h"
+
+#include <math.h>
+#include <string.h>
+
+#define FINE_LENGTH 12.0   // [m] of the ripples' tile: waves that gather light in shallow water
+#define FINE_PERIOD 6.0    // [s] of its loop
+#define COARSE_LENGTH 40.0 // [m]: a tile as long as this has no such waves
+#define SUN_STEPS 8.0      // degrees that the sun moves before the light on the bottom is made anew
+#define LOWEST_SUN 0.12    // sine of the height from which the light on the bottom comes at least
+#define BOTTOM_DEPTH 2.0   // [m] at which it is made
+#define GLINT_SIZE 64
+
+enum { TILE = 256 };
+
+static bolan_result create_texture(gl_format format, uint32_t size, gl_filter filter, gl_wrap wrap, gl_texture *out) {
+    gl_texture_desc d = {.format = format, .width = size, .height = size, .filter = filter, .wrap = wrap};
+    return gl_texture_create(&d, out);
+}
+
+// The slide that the sun projects: a round glow that has faded to nothing at its rim. Its rms radius is GLINT_RADIUS of half a width.
+static void draw_glint(gl_texture *t) {
+    uint8_t pixels[GLINT_SIZE * GLINT_SIZE];
+    for (int j = 0; j < GLINT_SIZE; ++j)
+        for (int i = 0; i < GLINT_SIZE; ++i) {
+            double x = (i + 0.5) / (0.5 * GLINT_SIZE) - 1.0, y = (j + 0.5) / (0.5 * GLINT_SIZE) - 1.0;
+            bool rim = i == 0 || j == 0 || i == GLINT_SIZE - 1 || j == GLINT_SIZE - 1;
+            pixels[j * GLINT_SIZE + i] = rim ? 0 : (uint8_t)(255.0 * exp(-0.5 * (x * x + y * y) / (0.25 * 0.25)) + 0.5);
+        }
+    gl_texture_upload(t, 0, -1, pixels, false);
+}
+
+bolan_result water_tiles_create(water_tiles *t) {
+    *t = (water_tiles){.shown = NAN, .staging_bytes = (size_t)TILE * TILE * 4 * sizeof(float)};
+    t->staging = bolan_allocate(t->staging_bytes);
+    if (t->staging == NULL) return BOLAN_ERROR_MEMORY;
+    bolan_result r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP, GL_WRAP_REPEAT, &t->slopes);
+    if (r == BOLAN_OK) r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP, GL_WRAP_REPEAT, &t->ripples);
+    if (r == BOLAN_OK) r = create_texture(GL_FMT_RGBA8, TILE, GL_FILTER_MIPMAP_NEAREST, GL_WRAP_REPEAT, &t->own);
+    if (r == BOLAN_OK) r = create_texture(GL_FMT_R8, GLINT_SIZE, GL_FILTER_LINEAR, GL_WRAP_CLAMP, &t->glint);
+    if (r == BOLAN_OK) draw_glint(&t->glint);
+    return r;
+}
+
+void water_tiles_free(water_tiles *t) {
+    gl_texture_free(&t->slopes);
+    gl_texture_free(&t->ripples);
+    gl_texture_free(&t->own);
+    gl_texture_free(&t->glint);
+    bolan_tiles_destroy(&t->base);
+    bolan_tiles_destroy(&t->fine);
+    bolan_release(t->staging, t->staging_bytes);
+}
+
+const bolan_tiles *water_tiles_base(const water_tiles *t) { return t->given ? t->given : t->base; }
+
+const bolan_tiles *water_tiles_fine(const water_tiles *t) { return t->fine ? t->fine : water_tiles_base(t); }
+
+void water_tiles_bind(const water_tiles *t) {
+    gl_texture_bind(&t->slopes, UNIT_OPTICS);
+    gl_texture_bind(&t->own, UNIT_TILE);
+    gl_texture_bind(&t->glint, UNIT_GLINT);
+    gl_texture_bind(&t->ripples, UNIT_FOLD);
+}
+
+// ---- baking ---------------------------------------------------------------------------------------------------------
+
+static bolan_tiles_desc how(const frame *f) {
+    bolan_tiles_desc d = bolan_tiles_desc_default();
+    const bolan_vec4 deep = f->uniforms.water_deep;
+    const bolan_vec3 sun = f->sun_direction;
+    d.paper = f->scene->look.paper;
+    d.color = bolan_v3(deep.x, deep.y, deep.z);
+    // A darkish blue-green whatever the water is, as animation programs paint it.
+    if (d.paper) d.color = bolan_v3(0.035f, 0.09f, 0.10f);
+    d.sun = bolan_v3_normalize(bolan_v3(sun.x, sun.y, fmaxf(sun.z, (float)LOWEST_SUN)));
+    d.depth = BOTTOM_DEPTH;
+    d.index = (double)deep.w;
+    return d;
+}
+
+static bolan_tiles *bake(const bolan_sea_desc *desc, const bolan_tiles_desc *how, double *hs) {
+    bolan_sea *sea = NULL;
+    bolan_tiles *tiles = NULL;
+    if (bolan_sea_create(desc, &sea) == BOLAN_OK) {
+        *hs = bolan_sea_get_summary(sea)->hs;
+        (void)bolan_tiles_bake(sea, how, &tiles);
+    }
+    bolan_sea_destroy(&sea);
+    return tiles;
+}
+
+static double slope_variance(const bolan_tiles *tiles) {
+    if (tiles == NULL) return 0.0;
+    const bolan_tiles_view v = bolan_tiles_get_view(tiles);
+    double sum = 0.0, s = 0.5 * v.n / v.length;
+    for (uint32_t j = 0; j < v.n; ++j)
+        for (uint32_t i = 0; i < v.n; ++i) {
+            const float *h = v.height, *row = h + (size_t)j * v.n;
+            double x = s * (double)(row[(i + 1) & (v.n - 1)] - row[(i - 1) & (v.n - 1)]);
+            double y = s * (double)(h[((j + 1) & (v.n - 1)) * v.n + i] - h[((j - 1) & (v.n - 1)) * v.n + i]);
+            sum += x * x + y * y;
+        }
+    return sum / ((double)v.n * v.n);
+}
+
+static void bake_all(water_tiles *t, const frame *f) {
+    const bolan_tiles_desc desc = how(f);
+    t->brightest = desc.color.z >= desc.color.y && desc.color.z >= desc.color.x ? 2
+                   : desc.color.y >= desc.color.x                               ? 1
+                                                                                : 0;
+    const double hs = bolan_sea_get_summary(f->desc->sea)->hs;
+    bolan_sea_desc sea = t->sea;
+    double found = 0.0;
+    bolan_tiles_destroy(&t->base);
+    bolan_tiles_destroy(&t->fine);
+    sea.resolution = TILE;
+    const bool textures = sea.waves == BOLAN_WAVES_TEXTURES;
+    sea.waves = BOLAN_WAVES_TEXTURES;
+    if (textures && t->given == NULL) t->base = bake(&sea, &desc, &found);
+    // A measured spectrum is not in the sea's desc: then the tiles are another sea.
+    t->whole = t->given != NULL || (t->base != NULL && fabs(found - hs) <= 0.02 * hs + 1e-6);
+    if (!t->whole) bolan_tiles_destroy(&t->base);
+    if (!t->whole || bolan_tiles_get_view(water_tiles_base(t)).length > COARSE_LENGTH) {
+        sea.length = FINE_LENGTH;
+        sea.loop_period = FINE_PERIOD;
+        t->fine = bake(&sea, &desc, &found);
+    }
+    t->base_variance = slope_variance(water_tiles_base(t));
+    t->fine_variance = slope_variance(water_tiles_fine(t));
+    t->failed = water_tiles_fine(t) == NULL;
+    t->shown = NAN;
+}
+
+static bool changed(const water_tiles *t, const frame *f, const int sun[2]) {
+    return !t->ready || t->given != f->desc->tiles || t->paper != f->scene->look.paper || t->sun[0] != sun[0] ||
+           t->sun[1] != sun[1] || t->water != (int)f->scene->water.type ||
+           memcmp(&t->sea, bolan_sea_get_desc(f->desc->sea), sizeof t->sea) != 0;
+}
+
+static void keep(water_tiles *t, const frame *f) {
+    const bolan_sky *sky = &f->scene->sky;
+    const int sun[2] = {(int)lround(bolan_wrap_degrees(sky->sun_azimuth_deg) / SUN_STEPS),
+                        (int)lround(sky->sun_elevation_deg / SUN_STEPS)};
+    if (!changed(t, f, sun)) return;
+    memcpy(&t->sea, bolan_sea_get_desc(f->desc->sea), sizeof t->sea); // with its padding, for memcmp
+    t->given = t->sea.waves == BOLAN_WAVES_TEXTURES ? f->desc->tiles : NULL;
+    if (t->given != NULL && bolan_tiles_get_view(t->given).n != TILE) t->given = NULL;
+    t->paper = f->scene->look.paper;
+    t->sun[0] = sun[0], t->sun[1] = sun[1];
+    t->water = (int)f->scene->water.type;
+    t->ready = true;
+    bake_all(t, f);
+    if (f->desc->tiles != NULL) t->given = f->desc->tiles; // so that it is not asked for again
+}
+
+// ---- the textures of a moment ---------------------------------------------------------------------------------------
+
+typedef struct moment {
+    uint32_t a, b; // frames
+    float share;   // of b
+} moment;
+
+// The paper shows one frame after the other.
+static moment moment_of(const bolan_tiles *tiles, double time, bool paper) {
+    double share;
+    const uint32_t at = bolan_tiles_frame(tiles, time, &share);
+    return (moment){at, (at + 1) % bolan_tiles_get_view(tiles).frames, paper ? 0.0f : (float)share};
+}
+
+static void fill_slopes(water_tiles *t, const bolan_tiles *tiles, const moment *m, gl_texture *to) {
+    enum { MASK = TILE - 1 };
+    const bolan_tiles_view v = bolan_tiles_get_view(tiles);
+    const float *a = v.height + (size_t)m->a * TILE * TILE, *b = v.height + (size_t)m->b * TILE * TILE;
+    const uint8_t *own = v.detail + (size_t)m->a * TILE * TILE * 3 + t->brightest;
+    const float s = (float)(0.5 * TILE / v.length), sa = s * (1.0f - m->share), sb = s * m->share;
+    for (int j = 0; j < TILE; ++j) {
+        const int here = j * TILE, up = ((j + 1) & MASK) * TILE, down = ((j - 1) & MASK) * TILE;
+        float *out = t->staging + (size_t)here * 4;
+        for (int i = 0; i < TILE; ++i, out += 4) {
+            const int e = here + ((i + 1) & MASK), w = here + ((i - 1) & MASK);
+            out[0] = sa * (a[e] - a[w]) + sb * (b[e] - b[w]);
+            out[1] = sa * (a[up + i] - a[down + i]) + sb * (b[up + i] - b[down + i]);
+            out[2] = out[0] * out[0] + out[1] * out[1];
+            out[3] = (float)own[3 * (here + i)] / 127.5f;
+        }
+    }
+    gl_texture_upload(to, 0, -1, t->staging, false);
+    gl_texture_generate_mipmaps(to);
+}
+
+// The bytes of the normal map, as a shader of the paper's day would have them.
+static void fill_normals(water_tiles *t, const bolan_tiles *tiles, const moment *m, gl_texture *to) {
+    const uint8_t *rgb = bolan_tiles_get_view(tiles).normal + (size_t)m->a * TILE * TILE * 3;
+    for (size_t i = 0; i < (size_t)TILE * TILE; ++i)
+        for (int k = 0; k < 4; ++k) t->staging[4 * i + k] = k < 3 ? (float)rgb[3 * i + k] / 127.5f - 1.0f : 0.0f;
+    gl_texture_upload(to, 0, -1, t->staging, false);
+    gl_texture_generate_mipmaps(to);
+}
+
+#define CAUSTICS_PUSH 2.0f // Cco [texels]; the paper gives none
+
+// Eq. 11: Tc1 = Tc0 + Cco N. Tile and normals lie one on the other, so that it can be done here.
+static uint8_t disturbed(const bolan_tiles_view *v, uint32_t at, int i, int j) {
+    const size_t size = (size_t)TILE * TILE;
+    const uint8_t *n = v->normal + 3 * (at * size + (size_t)(j * TILE + i));
+    const int x = i + (int)lrintf(CAUSTICS_PUSH * ((float)n[0] / 127.5f - 1.0f));
+    const int y = j + (int)lrintf(CAUSTICS_PUSH * ((float)n[1] / 127.5f - 1.0f));
+    return v->caustics[at * size + (size_t)((y & (TILE - 1)) * TILE + (x & (TILE - 1)))];
+}
+
+static void fill_own(water_tiles *t, const moment *mo, const moment *mc) {
+    const bolan_tiles *base = water_tiles_base(t) ? water_tiles_base(t) : water_tiles_fine(t);
+    const bolan_tiles_view o = bolan_tiles_get_view(base), c = bolan_tiles_get_view(water_tiles_fine(t));
+    const size_t size = (size_t)TILE * TILE;
+    const uint8_t *oa = o.detail + 3 * size * mo->a, *ob = o.detail + 3 * size * mo->b;
+    const uint8_t *ca = c.caustics + size * mc->a, *cb = c.caustics + size * mc->b;
+    uint8_t *out = (uint8_t *)t->staging;
+    const int so = (int)(mo->share * 256.0f), sc = (int)(mc->share * 256.0f);
+    for (size_t i = 0; i < size; ++i, out += 4) {
+        for (int k = 0; k < 3; ++k) out[k] = (uint8_t)(oa[3 * i + k] + ((ob[3 * i + k] - oa[3 * i + k]) * so >> 8));
+        out[3] = t->paper ? disturbed(&c, mc->a, (int)(i % TILE), (int)(i / TILE))
+                          : (uint8_t)(ca[i] + ((cb[i] - ca[i]) * sc >> 8));
+    }
+    gl_texture_upload(&t->own, 0, -1, t->staging, false);
+    gl_texture_generate_mipmaps(&t->own);
+}
+
+void water_tiles_prepare(water_tiles *t, const frame *f) {
+    keep(t, f);
+    if (t->failed) return;
+    if (t->shown != f->time) {
+        const bolan_tiles *base = water_tiles_base(t), *fine = water_tiles_fine(t);
+        const moment mf = moment_of(fine, f->time, t->paper), mb = base ? moment_of(base, f->time, t->paper) : mf;
+        if (base && t->paper) fill_normals(t, base, &mb, &t->slopes);
+        if (base && !t->paper) fill_slopes(t, base, &mb, &t->slopes);
+        if (base && !t->paper && fine != base) fill_slopes(t, fine, &mf, &t->ripples);
+        fill_own(t, &mb, &mf);
+        t->shown = f->time;
+    }
+    water_tiles_bind(t);
+}
