@@ -51,6 +51,7 @@ struct crest_pixel {
     vec3 position, view; // eye-relative; to the eye
     vec2 rest;
     float dist, width, fine; // [m], what the waves are averaged over [m], its log2
+    float dither;            // four values within +-0.5, one for each of 2 x 2 pixels
     float gust, shade, depth, shore;
     vec3 transmittance, inscatter;
     vec3 slopes; // covariance of what is averaged away
@@ -72,6 +73,8 @@ crest_pixel pixel_here(vec4 shape) {
     p.width = max(p.dist * lens.x, 1e-4);
     p.width = max(p.width, p.width / (float(TAPS) * clamp(p.view.z, 0.02, 1.0)));
     p.fine = log2(p.width);
+    vec2 odd = fract(0.5 * floor(gl_FragCoord.xy)); // 0 or 0.5
+    p.dither = abs(odd.x - odd.y) + 0.5 * odd.y - 0.375;
     vec4 through = textureLod(air_transmittance_map, uv, 0.0), from = textureLod(air_inscatter_map, uv, 0.0);
     // a crest before the horizon is nearer than the mean water on its ray
     float share = min(p.dist * max(p.view.z, sqrt(max(eye.z, 0.3) / (2.0 * lens.w))) / max(eye.z, 0.3), 1.0);
@@ -94,7 +97,7 @@ crest_pixel pixel_here(vec4 shape) {
 
 wave_fields waves_here(crest_pixel p) {
 #if defined(WAVES_CASCADES) && defined(PACKED)
-    return waves_of_width(p.rest, p.fine, p.gust, p.depth);
+    return waves_of_width(p.rest, p.width, p.fine + p.dither, p.gust, p.depth);
 #else
     return waves_at(p.rest, footprint(vec2(1.0, 0.0), p.width, p.width), p.gust, p.depth, p.mesh);
 #endif
@@ -164,12 +167,14 @@ vec2 shore_foam(crest_pixel p, float bed) {
     float near = clamp(1.0 - depth / reach, 0.0, 1.0); // the paper's t = 1 - depth / foam depth
     if (near <= 0.0) return vec2(0.0, RAMP_SURF);
     float distance = p.shore;
-    float length = 0.5 * period * sqrt(9.81 * hs);
-    vec2 at = (eye.xy + p.rest) * (6.2831853 / 4096.0);
-    float wobble = sin(31.0 * at.x + 3.0 * sin(17.0 * at.y)) + sin(43.0 * at.y + 2.0 * sin(29.0 * at.x));
-    float behind = fract(distance / length + sky_light.w / period + 0.16 * wobble);
-    float bore = mix(0.3, smoothstep(0.0, 0.08, behind) * exp(-3.0 * behind), clamp(length / (6.0 * p.width), 0.0, 1.0));
-    float surf = smoothstep(0.0, 0.5, near) * (0.12 + 0.88 * bore);
+    // up a slope the fronts follow the depth; over flats they travel the way the sea goes
+    float length = period * sqrt(7.0 * hs); // of a bore in water as deep as it is high
+    vec2 place = mod(eye.xy + p.rest, 4096.0), at = place * (6.2831853 / 4096.0);
+    float wobble = sin(61.0 * at.x + 2.0 * sin(37.0 * at.y)) + sin(83.0 * at.y + 2.0 * sin(49.0 * at.x));
+    float travelled = dot(place, vec2(cos(sea_law.w), sin(sea_law.w))) / length;
+    float behind = fract(max(p.depth, 0.0) / (0.9 * hs) - travelled + sky_light.w / period + 0.22 * wobble);
+    float bore = mix(0.3, smoothstep(0.0, 0.07, behind) * exp(-3.0 * behind), clamp(length / (6.0 * p.width), 0.0, 1.0));
+    float surf = smoothstep(0.0, 0.6, near) * (0.06 + 0.94 * bore);
     float edge = smoothstep(0.5, 0.05, bed) * (0.6 + 0.3 * sin(6.2831853 * (sky_light.w / period + 0.2 * wobble)));
     return vec2(clamp(max(surf, edge), 0.0, 1.0), mix(RAMP_SURF, RAMP_SWASH, clamp(1.0 - distance / 12.0, 0.0, 1.0)));
 }
@@ -250,11 +255,13 @@ void main() {
     vec3 surface = (1.0 - reflectance) * below;
     if (effect_is_on(EFFECT_REFLECTION)) {
         vec3 mirrored = reflect(-p.view, normal);
-        surface += reflectance * environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), seen.rms);
+        float level = floor(clamp(log2(seen.rms * (ENVIRONMENT_SIZE * 0.5)), 0.0, 7.0) + p.dither + 0.5); // one level is looked up
+        surface += reflectance * textureLod(environment_map, environment_uv(vec3(mirrored.xy, abs(mirrored.z))), level).rgb;
     }
     if (effect_is_on(EFFECT_GLITTER)) surface += sun_glitter(p, w.slope, seen.area, sunlight);
-    if (effect_is_on(EFFECT_FOAM) && foam > 0.004) {
-        vec2 lather = foam_opacity(p.rest, p.fine, foam, zone);
+    if (effect_is_on(EFFECT_FOAM) && foam > 0.0) {
+        vec2 lather = vec2(foam, 0.87); // from afar, the mean
+        if (foam > 0.02 && p.fine < 2.0) lather = foam_opacity(p.rest, p.fine, foam, zone);
         vec3 light = (sunlight * max(dot(sun.xyz, normal), 0.0) + sky_light.rgb) * (lather.y * 0.66 / 3.14159265);
         surface = mix(surface, light, lather.x * min(water_kd.w, 1.0));
     }

@@ -36,7 +36,7 @@ void main() {
     out_inscatter = vec4(inscatter, cloud_shadow(position.xy));
     out_bed = vec4(1000.0, 1e4, 0.0, 0.0);
 #ifdef LAND
-    vec2 x = vec2(max(8.0, width), 0.0);
+    vec2 x = vec2(max(25.0, width), 0.0);
     float depth = -shore_elevation(position.xy);
     vec2 rise = vec2(shore_elevation(position.xy + x) - shore_elevation(position.xy - x),
                      shore_elevation(position.xy + x.yx) - shore_elevation(position.xy - x.yx));
