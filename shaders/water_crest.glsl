@@ -51,7 +51,6 @@ struct crest_pixel {
     vec3 position, view; // eye-relative; to the eye
     vec2 rest;
     float dist, width, fine; // [m], what the waves are averaged over [m], its log2
-    float dither;            // four values within +-0.5, one for each of 2 x 2 pixels
     float gust, shade, depth, shore;
     vec3 transmittance, inscatter;
     vec3 slopes; // covariance of what is averaged away
@@ -73,8 +72,6 @@ crest_pixel pixel_here(vec4 shape) {
     p.width = max(p.dist * lens.x, 1e-4);
     p.width = max(p.width, p.width / (float(TAPS) * clamp(p.view.z, 0.02, 1.0)));
     p.fine = log2(p.width);
-    vec2 odd = fract(0.5 * floor(gl_FragCoord.xy)); // 0 or 0.5
-    p.dither = abs(odd.x - odd.y) + 0.5 * odd.y - 0.375;
     vec4 through = textureLod(air_transmittance_map, uv, 0.0), from = textureLod(air_inscatter_map, uv, 0.0);
     // a crest before the horizon is nearer than the mean water on its ray
     float share = min(p.dist * max(p.view.z, sqrt(max(eye.z, 0.3) / (2.0 * lens.w))) / max(eye.z, 0.3), 1.0);
@@ -97,7 +94,7 @@ crest_pixel pixel_here(vec4 shape) {
 
 wave_fields waves_here(crest_pixel p) {
 #if defined(WAVES_CASCADES) && defined(PACKED)
-    return waves_of_width(p.rest, p.width, p.fine + p.dither, p.gust, p.depth);
+    return waves_of_width(p.rest, p.width, p.fine, p.gust, p.depth);
 #else
     return waves_at(p.rest, footprint(vec2(1.0, 0.0), p.width, p.width), p.gust, p.depth, p.mesh);
 #endif
@@ -255,8 +252,7 @@ void main() {
     vec3 surface = (1.0 - reflectance) * below;
     if (effect_is_on(EFFECT_REFLECTION)) {
         vec3 mirrored = reflect(-p.view, normal);
-        float level = floor(clamp(log2(seen.rms * (ENVIRONMENT_SIZE * 0.5)), 0.0, 7.0) + p.dither + 0.5); // one level is looked up
-        surface += reflectance * textureLod(environment_map, environment_uv(vec3(mirrored.xy, abs(mirrored.z))), level).rgb;
+        surface += reflectance * environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), seen.rms);
     }
     if (effect_is_on(EFFECT_GLITTER)) surface += sun_glitter(p, w.slope, seen.area, sunlight);
     if (effect_is_on(EFFECT_FOAM) && foam > 0.0) {

@@ -167,8 +167,8 @@ vec3 unresolved_slopes(footprint f) {
 #endif
 
 #if defined(WAVES_CASCADES) && defined(PACKED)
-// One look-up a cascade, at the level of a width [m] and its log2, in the nearest level: the caller dithers `fine` by half a level
-// each way, so that levels blend over neighbouring pixels. Slopes over the displaced surface as if waves came from all sides.
+// One look-up a cascade, at the level of a width [m] whose log2 is `fine`. Slopes over the displaced surface as if waves came
+// from all sides.
 wave_fields waves_of_width(vec2 rest, float width, float fine, float gust, float depth) {
     vec4 sum = vec4(0.0);
     for (int c = 0; c < cascade_count; ++c) {

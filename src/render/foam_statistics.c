@@ -30,3 +30,12 @@ void foam_memory_moments(const bolan_sea *sea, double *mean, double *variance) {
         *variance += squares / count - (sum / count) * (sum / count);
     }
 }
+
+double foam_breaking_pinch(const bolan_sea *sea, double edge, double *spread) {
+    const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
+    const double cover = bolan_monahan_cover(desc->sea_state.wind_speed);
+    double mss = 0.0;
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) mss += bolan_sea_cascade(sea, c).mss;
+    *spread = fmax(desc->choppiness * desc->choppiness * mss, 1e-9);
+    return cover > 1e-7 ? foam_quantile(fmin(cover, 0.4)) * sqrt(*spread + edge * edge) : -1e3;
+}

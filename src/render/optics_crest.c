@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-enum { AIR_COUNT = 3, AIR_COLUMN = 16, AIR_ROW = 4 }; // pixels to one of the slow picture: rows are where the horizon is
+enum {
+    AIR_COUNT = 3,
+    AIR_COLUMN = 16,
+    AIR_ROW = 4
+}; // pixels to one of the slow picture: rows are where the horizon is
 
 typedef struct crest {
     const char *defines; // of this quality
@@ -126,17 +130,13 @@ static void free_all(void *state) {
 #define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
 #define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
 
-// A crest breaks where dxx + dyy falls below a threshold. Their sum is normal with variance mss, so the threshold that
-// covers Monahan & O'Muircheartaigh's share is a quantile; the soft edge widens the distribution, and the quantile with it.
 static void set_foam(const gl_program *g, const frame *f) {
     const bolan_sea *sea = f->desc->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
-    const double chop2 = desc->choppiness * desc->choppiness, cover = bolan_monahan_cover(desc->sea_state.wind_speed);
-    double mss = 0.0, memory_mean, memory_variance;
-    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) mss += bolan_sea_cascade(sea, c).mss;
+    const double cover = bolan_monahan_cover(desc->sea_state.wind_speed), edge = FRESH_EDGE * FRESH_EDGE;
+    double memory_mean, memory_variance, spread;
+    const double breaks = foam_breaking_pinch(sea, FRESH_EDGE, &spread);
     foam_memory_moments(sea, &memory_mean, &memory_variance);
-    const double spread = fmax(chop2 * mss, 1e-9), edge = FRESH_EDGE * FRESH_EDGE;
-    const double breaks = cover > 1e-7 ? foam_quantile(fmin(cover, 0.4)) * sqrt(spread + edge) : -1e3;
     const double share = fmin(0.3, OLD_FOAM_SHARE * cover);
     const double old =
         share > 1e-7 ? memory_mean - foam_quantile(share) * sqrt(memory_variance * (1.0 + OLD_EDGE)) : 1e3;
@@ -146,7 +146,8 @@ static void set_foam(const gl_program *g, const frame *f) {
         g, "crest_foam",
         (bolan_vec4){(float)breaks, (float)old, (float)edge, (float)fmax(memory_variance * OLD_EDGE, 1e-9)});
     gl_program_vec4(g, "crest_hidden",
-                    (bolan_vec4){rest[0] + rest[2], (float)chop2, (float)(memory_variance / spread), 0.0f});
+                    (bolan_vec4){rest[0] + rest[2], (float)(desc->choppiness * desc->choppiness),
+                                 (float)(memory_variance / spread), 0.0f});
 }
 
 // Plan area of the facets that a direction of that elevation sees, as common/facets.glsl has it.

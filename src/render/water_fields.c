@@ -81,9 +81,8 @@ void water_fields_free(water_fields *p) {
 // ---- cascades -------------------------------------------------------------------------------------------------------
 
 // Arrays that fit this sea; kept while n and the number of cascades stay.
-static void fit_textures(water_fields *p, uint32_t n, uint32_t count, bool packed) {
-    if (p->displacement.width == n && p->displacement.depth == count && p->packed == packed) return;
-    p->packed = packed;
+static void fit_textures(water_fields *p, uint32_t n, uint32_t count) {
+    if (p->displacement.width == n && p->displacement.depth == count) return;
     gl_texture_free(&p->displacement);
     gl_texture_free(&p->slopes);
     gl_texture_free(&p->fold);
@@ -95,9 +94,7 @@ static void fit_textures(water_fields *p, uint32_t n, uint32_t count, bool packe
                             .filter = GL_FILTER_MIPMAP,
                             .wrap = GL_WRAP_REPEAT};
     gl_texture_create(&desc, &p->displacement);
-    if (packed) desc.filter = GL_FILTER_MIPMAP_NEAREST; // the shader dithers between levels
     gl_texture_create(&desc, &p->slopes);
-    desc.filter = GL_FILTER_MIPMAP;
     desc.format = GL_FMT_RG16F;
     gl_texture_create(&desc, &p->fold);
     bolan_release(p->cpu_fold, p->cpu_fold_bytes);
@@ -166,7 +163,8 @@ static void upload_fold(water_fields *p, const bolan_sea *sea, uint32_t count) {
 // On software GL the levels are made here; a GPU makes them in no time.
 static void upload_cascades(water_fields *p, const bolan_sea *sea, bool packed, bool software) {
     const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade(sea, 0).n;
-    fit_textures(p, n, count, packed);
+    fit_textures(p, n, count);
+    p->packed = packed;
     if (!fit_work(p, n, count)) return;
     texel_job job = {.fields = p, .sea = sea, .packed = packed, .levels = software};
     if (packed || software) bolan_parallel(2 * count, 1, make_texels, &job);
