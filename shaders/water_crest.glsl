@@ -8,83 +8,100 @@
 // height, pinch and the side that faces the eye, and the tint that the water's own attenuation leaves of sunlight over a
 // path through the crest.
 //
-// What varies slowly is made at the vertices: roughness below the pixel, its share of light and shade, widths. The facets that
-// the eye sees lean towards it; their mean tilt, their area and the mean Fresnel reflectance are rational and quadratic forms of
-// what common/slopes.glsl and common/fresnel.glsl have by exponentials (tests/shaders/test_crest_shader.c binds them).
+// The shape of the water is there already (water_crest_shape.glsl), and what varies slowly over the picture
+// (water_crest_air.glsl). The facets that the eye sees lean towards it; their mean tilt, their area and the mean Fresnel
+// reflectance are rational and quadratic forms (common/facets.glsl).
 //
-// LAND, QUAD, PACKED: see common/water_vertex.glsl and common/waves.glsl. TAPS: how much sharper than its long side a footprint is
-// looked up.
+// LAND: there is terrain. TAPS: how much sharper than its long side a footprint is looked up. Waves: see common/waves.glsl.
 #include "common/frame.glsl"
-#ifndef TAPS
+#include "common/fullscreen.glsl"
+
+#ifdef VERTEX
+void main() { fullscreen(0.0); }
+#endif
+
+#ifdef FRAGMENT
+#ifndef TAPS // set by quality; this serves an offline compiler
 #define TAPS 2
 #endif
-#include "common/water_vertex.glsl"
+#include "common/waves.glsl"
+#include "common/atmosphere.glsl"
 #include "common/facets.glsl"
+#include "common/look.glsl"
+out vec4 color;
 
-// What a pixel does not resolve: slope covariance (xx, xy, yy); w: rms slope along the view.
-// x: log2 of the width [m] that the waves are looked up at, y: steepness of the edges of fresh foam, z: of old foam, w: share of
-// the sunlit facets that no wave shades.
-struct crest_rough { vec4 slopes, widths; };
+#pragma unit shape_rest 16
+#pragma unit shape_mesh 17
+#pragma unit air_transmittance_map 18
+#pragma unit air_inscatter_map 19
+#pragma unit air_bed_map 10
+#pragma unit rough_table 6
+uniform highp sampler2D shape_rest; // of water_crest_shape.glsl
+uniform sampler2D shape_mesh;
+uniform sampler2D air_transmittance_map; // of water_crest_air.glsl
+uniform sampler2D air_inscatter_map;
+uniform sampler2D air_bed_map;
+uniform sampler2D rough_table; // by log2 of the width that the waves are averaged over: slope covariance xx, xy, yy that this removes; lit share
 
 uniform vec4 crest_foam;   // x: sum dxx + dyy (choppiness applied) where a crest breaks, y: foam memory where old foam begins, z, w: variances that soften these edges
 uniform vec4 crest_hidden; // x: slope variance beyond the cascades, y: choppiness squared, z: variance of the memory over that of the slopes
 
-crest_rough rough_at(vec3 position, vec2 slope, float gust) {
-    float dist = length(position);
-    vec3 view = -position / dist;
-    footprint f = pixel_footprint(view, dist, slope);
-    f.minor = max(f.minor, f.major / float(TAPS));
-    vec3 c = unresolved_slopes(f);
-    float hidden = max(c.x + c.z - crest_hidden.x, 0.0) * crest_hidden.y;
-    vec2 edges = inversesqrt(6.2831853 * vec2(hidden + crest_foam.z, hidden * crest_hidden.z + crest_foam.w));
-    c *= gust * gust;
-    float lit = facets_lit(sun.xyz, sqrt(facets_variance(c, sun.xy)));
-    return crest_rough(vec4(c, sqrt(facets_variance(c, view.xy))), vec4(log2(f.minor), edges, lit));
+// What a pixel of water knows.
+struct crest_pixel {
+    vec3 position, view; // eye-relative; to the eye
+    vec2 rest;
+    float dist, width, fine; // [m], what the waves are averaged over [m], its log2
+    float gust, shade, depth, shore;
+    vec3 transmittance, inscatter;
+    vec3 slopes; // covariance of what is averaged away
+    float lit;   // share of the facets turned to the sun that no wave shades
+    vec4 mesh;
+};
+
+crest_pixel pixel_here(vec4 shape) {
+    crest_pixel p;
+    vec2 uv = gl_FragCoord.xy * viewport.zw;
+    p.position = frame_ray(uv) / shape.w;
+    p.rest = shape.xy;
+    p.dist = sqrt(dot(p.position, p.position));
+    p.view = -p.position / p.dist;
+    p.mesh = vec4(0.0, 0.0, 1.0, 0.0);
+#ifdef WAVES_MESH
+    p.mesh = texelFetch(shape_mesh, ivec2(gl_FragCoord.xy), 0);
+#endif
+    p.width = max(p.dist * lens.x, 1e-4);
+    p.width = max(p.width, p.width / (float(TAPS) * clamp(p.view.z, 0.02, 1.0)));
+    p.fine = log2(p.width);
+    vec4 through = textureLod(air_transmittance_map, uv, 0.0), from = textureLod(air_inscatter_map, uv, 0.0);
+    // a crest before the horizon is nearer than the mean water on its ray
+    float share = min(p.dist * max(p.view.z, sqrt(max(eye.z, 0.3) / (2.0 * lens.w))) / max(eye.z, 0.3), 1.0);
+    p.transmittance = mix(vec3(1.0), through.rgb, share);
+    p.inscatter = from.rgb * share;
+    p.gust = through.w;
+    p.shade = from.w;
+    p.depth = 1000.0;
+    p.shore = 1e4;
+#ifdef LAND
+    vec2 bed = textureLod(air_bed_map, uv, 0.0).xy;
+    p.depth = bed.x;
+    p.shore = bed.y;
+#endif
+    vec4 rough = textureLod(rough_table, vec2((p.fine + 6.6780719) * (1.5 / 24.0) + 0.5 / 24.0, 0.5), 0.0);
+    p.slopes = rough.xyz * (p.gust * p.gust);
+    p.lit = rough.w;
+    return p;
 }
 
-#ifdef VERTEX
-#ifndef QUAD
-out vec4 crest_slopes;
-out vec4 crest_widths;
-#ifdef LAND
-out float crest_shore; // distance to the shore as the bed's slope here has it [m]
-#endif
-
-#ifdef LAND
-float shore_distance(vec2 rest, float depth) {
-    vec2 x = vec2(8.0, 0.0), rise = vec2(water_depth(rest + x) - water_depth(rest - x), water_depth(rest + x.yx) - water_depth(rest - x.yx));
-    return depth * 16.0 * inversesqrt(max(dot(rise, rise), 1e-4));
-}
-#endif
-#endif
-
-void main() {
-    water_vertex();
-#ifndef QUAD
-    crest_rough r = rough_at(water_place.xyz, water_mesh.xy, water_light.x);
-    crest_slopes = r.slopes;
-    crest_widths = r.widths;
-#ifdef LAND
-    crest_shore = shore_distance(water_rest, water_place.w);
-#endif
+wave_fields waves_here(crest_pixel p) {
+#if defined(WAVES_CASCADES) && defined(PACKED)
+    return waves_of_width(p.rest, p.width, p.fine, p.gust, p.depth);
+#else
+    return waves_at(p.rest, footprint(vec2(1.0, 0.0), p.width, p.width), p.gust, p.depth, p.mesh);
 #endif
 }
-#endif
 
-#ifdef FRAGMENT
-#include "common/look.glsl"
-out vec4 color;
-
-#ifndef QUAD
-in vec4 crest_slopes;
-in vec4 crest_widths;
-#ifdef LAND
-in float crest_shore;
-#endif
-#endif
-
-#pragma unit foam_densities 18
-#pragma unit foam_ramps 19
+#pragma unit foam_densities 7
+#pragma unit foam_ramps 15
 uniform sampler2D foam_densities; // opacity of thin, middling and dense foam; a: its bubbles
 uniform sampler2D foam_ramps;     // by intensity (s) and zone (t): the shares of the three; a: foam without holes
 
@@ -92,27 +109,10 @@ const float RAMP_SWASH = 0.125, RAMP_SURF = 0.375, RAMP_OPEN = 0.625; // rows of
 
 const vec3 PAPER_TINT = vec3(0.088, 0.497, 0.456);
 
-crest_rough rough_here(water_pixel p) {
-#ifdef QUAD
-    return rough_at(p.position, vec2(0.0), 1.0);
-#else
-    return crest_rough(crest_slopes, crest_widths);
-#endif
-}
-
-wave_fields waves_here(water_pixel p, crest_rough r) {
-#if defined(WAVES_CASCADES) && defined(PACKED)
-    return waves_of_width(p.rest, r.widths.x, p.gust, p.depth);
-#else
-    float dist = length(p.position);
-    return waves_at(p.rest, pixel_footprint(-p.position / dist, dist, p.mesh.xy), p.gust, p.depth, p.mesh);
-#endif
-}
-
 // ---- light through crests -------------------------------------------------------------------------------------------
 
 // The mask of crests, 0..1. `rise`: of the mean water's surface here [m]; toward: horizontal direction to the eye.
-float crest_mask(water_pixel p, wave_fields w, float rise, vec2 toward) {
+float crest_mask(crest_pixel p, wave_fields w, float rise, vec2 toward) {
     if (look_mix.z > 0.5) return clamp(10.0 * length(vec3(p.position.xy - p.rest, rise)) / sea_law.y, 0.0, 1.0);
     float high = clamp(0.35 + 0.9 * rise / max(sea_law.x, 0.2), 0.0, 1.0);
     float pinched = clamp(0.25 + 1.3 * (1.0 - w.jacobian), 0.0, 1.0);
@@ -135,10 +135,11 @@ vec3 crest_light(float mask, vec3 view, vec3 sunlight) {
 // ---- foam -----------------------------------------------------------------------------------------------------------
 
 // Shares of foam by breaking crests and by what they left behind (means over what the pixel does not resolve).
-float open_foam(wave_fields w, crest_rough r) {
-    float fresh = clamp(0.5 + (crest_foam.x - (w.jacobian - 1.0)) * r.widths.y, 0.0, 1.0);
-    float old = clamp(0.5 + (w.foam - crest_foam.y) * r.widths.z, 0.0, 1.0);
-    return max(fresh, 0.55 * old);
+float open_foam(wave_fields w, vec3 slopes) {
+    float hidden = max(slopes.x + slopes.z - crest_hidden.x, 0.0) * crest_hidden.y;
+    vec2 edges = inversesqrt(6.2831853 * vec2(hidden + crest_foam.z, hidden * crest_hidden.z + crest_foam.w));
+    vec2 shares = clamp(0.5 + vec2(crest_foam.x + 1.0 - w.jacobian, w.foam - crest_foam.y) * edges, 0.0, 1.0);
+    return max(shares.x, 0.55 * shares.y);
 }
 
 // Opacity; a: brightness of the bubbles.
@@ -157,22 +158,20 @@ vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
 #ifdef LAND
 // Foam of the shore: bores that run in over the shallows, denser with less depth, and swash at the edge. bed: depth of the bed below
 // the surface here [m]. Gives intensity and zone.
-vec2 shore_foam(water_pixel p, float bed, float width) {
+vec2 shore_foam(crest_pixel p, float bed) {
     float hs = clamp(sea_law.x, 0.25, 4.0), period = clamp(sea_law.z, 3.0, 12.0);
     float depth = min(bed, max(p.depth, 0.0) + hs), reach = 2.2 * hs;
     float near = clamp(1.0 - depth / reach, 0.0, 1.0); // the paper's t = 1 - depth / foam depth
     if (near <= 0.0) return vec2(0.0, RAMP_SURF);
-#ifdef QUAD
-    float distance = 8.0 * depth;
-#else
-    float distance = crest_shore;
-#endif
-    float length = 0.5 * period * sqrt(9.81 * hs);
-    vec2 at = (eye.xy + p.rest) * (6.2831853 / 4096.0);
-    float wobble = sin(31.0 * at.x + 3.0 * sin(17.0 * at.y)) + sin(43.0 * at.y + 2.0 * sin(29.0 * at.x));
-    float behind = fract(distance / length + sky_light.w / period + 0.16 * wobble);
-    float bore = mix(0.3, smoothstep(0.0, 0.08, behind) * exp(-3.0 * behind), clamp(length / (6.0 * width), 0.0, 1.0));
-    float surf = smoothstep(0.0, 0.5, near) * (0.12 + 0.88 * bore);
+    float distance = p.shore;
+    // up a slope the fronts follow the depth; over flats they travel the way the sea goes
+    float length = period * sqrt(7.0 * hs); // of a bore in water as deep as it is high
+    vec2 place = mod(eye.xy + p.rest, 4096.0), at = place * (6.2831853 / 4096.0);
+    float wobble = sin(61.0 * at.x + 2.0 * sin(37.0 * at.y)) + sin(83.0 * at.y + 2.0 * sin(49.0 * at.x));
+    float travelled = dot(place, vec2(cos(sea_law.w), sin(sea_law.w))) / length;
+    float behind = fract(max(p.depth, 0.0) / (0.9 * hs) - travelled + sky_light.w / period + 0.22 * wobble);
+    float bore = mix(0.3, smoothstep(0.0, 0.07, behind) * exp(-3.0 * behind), clamp(length / (6.0 * p.width), 0.0, 1.0));
+    float surf = smoothstep(0.0, 0.6, near) * (0.06 + 0.94 * bore);
     float edge = smoothstep(0.5, 0.05, bed) * (0.6 + 0.3 * sin(6.2831853 * (sky_light.w / period + 0.2 * wobble)));
     return vec2(clamp(max(surf, edge), 0.0, 1.0), mix(RAMP_SURF, RAMP_SWASH, clamp(1.0 - distance / 12.0, 0.0, 1.0)));
 }
@@ -205,68 +204,69 @@ vec3 bed_light(vec3 deep, vec3 position, vec3 view, vec2 slope, inout float bed)
 
 // ---- together -------------------------------------------------------------------------------------------------------
 
-vec3 sun_glitter(vec3 view, vec2 slope, crest_rough r, float area, vec3 sunlight) {
-    vec3 bisector = view + sun.xyz;
+vec3 sun_glitter(crest_pixel p, vec2 slope, float area, vec3 sunlight) {
+    vec3 bisector = p.view + sun.xyz;
     vec2 off = -bisector.xy / max(bisector.z, 1e-3) - slope;
-    float det = max(r.slopes.x * r.slopes.z - r.slopes.y * r.slopes.y, 1e-14);
-    float q = (r.slopes.z * off.x * off.x - 2.0 * r.slopes.y * off.x * off.y + r.slopes.x * off.y * off.y) / det;
+    float det = max(p.slopes.x * p.slopes.z - p.slopes.y * p.slopes.y, 1e-14);
+    float q = (p.slopes.z * off.x * off.x - 2.0 * p.slopes.y * off.x * off.y + p.slopes.x * off.y * off.y) / det;
     if (q > 30.0 || sun.z < -0.01) return vec3(0.0);
     float length2 = dot(bisector, bisector), hz2 = bisector.z * bisector.z / length2;
     float grazing = 1.0 - 0.5 * sqrt(length2); // the bisector's length is twice the cosine of incidence
     float fresnel = 0.02 + 0.98 * grazing * grazing * grazing * grazing * grazing;
     float density = exp(-0.5 * q) * inversesqrt(det) * (0.5 / 3.14159265);
-    return sunlight * min(density * fresnel / (4.0 * hz2 * hz2 * max(area, 0.01)) * r.widths.w, 400.0);
+    return sunlight * min(density * fresnel / (4.0 * hz2 * hz2 * max(area, 0.01)) * p.lit, 400.0);
+}
+
+// False colours (the paper's figure 3): red crests, green shore and foam, blue open sea, shaded by what is mirrored.
+vec3 false_colors(float mask, float foam, float reflectance, vec3 normal) {
+    float rest = 1.0 - max(mask, foam);
+    return vec3(mask, foam, rest) * (0.35 + 0.65 * reflectance + 0.3 * normal.x) / max(sun_light.w, 1e-9);
 }
 
 void main() {
-    water_pixel p = water_here();
-    crest_rough r = rough_here(p);
-    wave_fields w = waves_here(p, r);
-    vec3 view = -p.position * inversesqrt(dot(p.position, p.position));
-    float flat_length = max(length(view.xy), 1e-4);
-    vec2 toward = view.xy / flat_length;
-    facets seen = facets_toward(view.z, flat_length, dot(w.slope, toward), r.slopes.w);
+    vec4 shape = texelFetch(shape_rest, ivec2(gl_FragCoord.xy), 0);
+    if (shape.w == 0.0) discard; // no water here
+    crest_pixel p = pixel_here(shape);
+    wave_fields w = waves_here(p);
+    float flat_length = max(sqrt(dot(p.view.xy, p.view.xy)), 1e-4);
+    vec2 toward = p.view.xy / flat_length;
+    facets seen = facets_toward(p.view.z, flat_length, dot(w.slope, toward), sqrt(facets_variance(p.slopes, toward)));
     vec3 normal = normalize(vec3(toward * seen.tilt - w.slope, 1.0));
-    float reflectance = facets_fresnel(max(dot(view, normal), 0.0), seen.rms, water_deep.w);
+    float reflectance = facets_fresnel(max(dot(p.view, normal), 0.0), seen.rms, water_deep.w);
 
     vec3 sunlight = sun_light.rgb * p.shade;
     vec3 below = water_deep.rgb * (sunlight * (max(sun.z, 0.0) * 0.95) + 0.93 * sky_light.rgb);
     float rise = p.position.z + eye.z + dot(p.rest, p.rest) / (2.0 * lens.w);
-    float foam = 0.0, zone = RAMP_OPEN, film = 1.0, shore = 0.0;
+    float mask = crest_mask(p, w, rise, toward);
+    float foam = open_foam(w, p.slopes), zone = RAMP_OPEN;
 #ifdef LAND
     float bed = bed_depth(ivec2(gl_FragCoord.xy), p.position);
-    film = smoothstep(0.0, 0.15, bed); // the last centimetres over the sand
-    vec2 surf = shore_foam(p, bed, exp2(r.widths.x));
-    shore = surf.x;
-    if (effect_is_on(EFFECT_REFRACTION)) below = bed_light(below, p.position, view, w.slope, bed);
-#endif
-    float mask = crest_mask(p, w, rise, toward);
-    foam = open_foam(w, r);
-#ifdef LAND
-    if (shore > foam) {
-        foam = shore;
+    vec2 surf = shore_foam(p, bed);
+    if (surf.x > foam) {
+        foam = surf.x;
         zone = surf.y;
     }
+    if (effect_is_on(EFFECT_REFRACTION)) below = bed_light(below, p.position, p.view, w.slope, bed);
 #endif
-    if (look_mix.w > 0.5 && look_mix.w < 1.5) { // the paper's figure 3
-        color = vec4(vec3(mask, max(foam, shore), 1.0 - max(mask, max(foam, shore))) * (0.35 + 0.65 * reflectance + 0.3 * normal.x) / max(sun_light.w, 1e-9), 1.0);
-        return;
-    }
-    if (effect_is_on(EFFECT_SCATTERING)) below += crest_light(mask, view, sunlight);
+    if (effect_is_on(EFFECT_SCATTERING)) below += crest_light(mask, p.view, sunlight);
     vec3 surface = (1.0 - reflectance) * below;
     if (effect_is_on(EFFECT_REFLECTION)) {
-        vec3 mirrored = reflect(-view, normal);
+        vec3 mirrored = reflect(-p.view, normal);
         surface += reflectance * environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), seen.rms);
     }
-    if (effect_is_on(EFFECT_GLITTER)) surface += sun_glitter(view, w.slope, r, seen.area, sunlight);
-    if (effect_is_on(EFFECT_FOAM) && foam > 0.004) {
-        vec2 lather = foam_opacity(p.rest, r.widths.x, foam, zone);
+    if (effect_is_on(EFFECT_GLITTER)) surface += sun_glitter(p, w.slope, seen.area, sunlight);
+    if (effect_is_on(EFFECT_FOAM) && foam > 0.0) {
+        vec2 lather = vec2(foam, 0.87); // from afar, the mean
+        if (foam > 0.02 && p.fine < 2.0) lather = foam_opacity(p.rest, p.fine, foam, zone);
         vec3 light = (sunlight * max(dot(sun.xyz, normal), 0.0) + sky_light.rgb) * (lather.y * 0.66 / 3.14159265);
         surface = mix(surface, light, lather.x * min(water_kd.w, 1.0));
     }
-    color = vec4(surface * p.transmittance + p.inscatter, 1.0);
+    surface = surface * p.transmittance + p.inscatter;
+    if (look_mix.w > 0.5 && look_mix.w < 1.5) surface = false_colors(mask, foam, reflectance, normal);
 #ifdef LAND
-    if (film < 1.0) color.rgb = mix(texelFetch(scene_color, ivec2(gl_FragCoord.xy), 0).rgb, color.rgb, film);
+    float film = smoothstep(0.0, 0.15, bed); // the last centimetres over the sand
+    if (film < 1.0) surface = mix(texelFetch(scene_color, ivec2(gl_FragCoord.xy), 0).rgb, surface, film);
 #endif
+    color = vec4(surface, 1.0);
 }
 #endif

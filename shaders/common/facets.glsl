@@ -26,16 +26,11 @@ facets facets_toward(float up, float flat_length, float slope, float sigma) {
     return facets(flat_length * sigma * 0.5 * (u + sqrt(u2 + 0.63661977)), sigma * tilt, sigma * sqrt(spread));
 }
 
-// Share of the facets turned to the sun that no other wave stands before.
-float facets_lit(vec3 light, float sigma) {
-    float flat_length = max(length(light.xy), 1e-4);
-    return clamp(max(light.z, 0.0) / max(facets_toward(light.z, flat_length, 0.0, sigma).area, 1e-3), 0.0, 1.0);
-}
-
-// Mean Fresnel reflectance of facets whose mean normal is seen at cosine c, their slopes spreading by rms: Schlick's curve and
-// half its second derivative times the variance.
+// Mean Fresnel reflectance of facets whose mean normal is seen at cosine c, their slopes spreading by rms: Schlick's curve and its
+// curvature times the variance. Half the second derivative would be 10 g^3; the facets seen are skewed towards the eye, where
+// the curve is flat, and 5.5 fits the mean over them.
 float facets_fresnel(float c, float rms, float index) {
     float f0 = (index - 1.0) * (index - 1.0) / ((index + 1.0) * (index + 1.0));
     float g = 1.0 - min(c, 1.0), g3 = g * g * g;
-    return f0 + (1.0 - f0) * g3 * (g * g + 10.0 * rms * rms * (1.0 - c * c));
+    return f0 + (1.0 - f0) * g3 * (g * g + 5.5 * rms * rms * (1.0 - c * c));
 }

@@ -171,13 +171,13 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #endif
 
 #if defined(WAVES_CASCADES) && defined(PACKED)
-// One look-up a cascade, at the level of a width given by its log2. Slopes over the displaced surface as if waves came from all sides.
-wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
+// One look-up a cascade, at the level of a width [m] whose log2 is `fine`. Slopes over the displaced surface as if waves came
+// from all sides.
+wave_fields waves_of_width(vec2 rest, float width, float fine, float gust, float depth) {
     vec4 sum = vec4(0.0);
-    float width = exp2(fine);
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
-        if (width > 0.6 * band.z) break;
+        if (width > 0.4 * band.z) break; // a tenth of its slopes would be left
         vec4 s = textureLod(slope_map, vec3(cascade_uv(c, rest), float(c)), fine - band.w);
         float keep = band.z < 20.0 ? gust : 1.0;
 #ifdef LAND
@@ -191,7 +191,8 @@ wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
 }
 
 wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
-    return waves_of_width(rest, log2(max(f.minor, f.major / float(TAPS))), gust, depth);
+    float width = max(f.minor, f.major / float(TAPS));
+    return waves_of_width(rest, width, log2(width), gust, depth);
 }
 #elif defined(WAVES_CASCADES)
 #pragma unit fold_map 10

@@ -30,3 +30,21 @@ void foam_memory_moments(const bolan_sea *sea, double *mean, double *variance) {
         *variance += squares / count - (sum / count) * (sum / count);
     }
 }
+
+// Slope variance of all waves, whichever model makes them.
+static double slope_variance(const bolan_sea *sea) {
+    double mss = 0.0;
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) mss += bolan_sea_cascade(sea, c).mss;
+    for (uint32_t i = 0; i < bolan_sea_component_count(sea); ++i) {
+        const bolan_sea_component w = bolan_sea_get_component(sea, i);
+        mss += 0.5 * w.amplitude * w.amplitude * (w.kx * w.kx + w.ky * w.ky);
+    }
+    return mss;
+}
+
+double foam_breaking_pinch(const bolan_sea *sea, double edge, double *spread) {
+    const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
+    const double cover = bolan_monahan_cover(desc->sea_state.wind_speed);
+    *spread = fmax(desc->choppiness * desc->choppiness * slope_variance(sea), 1e-9);
+    return cover > 1e-7 ? foam_quantile(fmin(cover, 0.4)) * sqrt(*spread + edge * edge) : -1e3;
+}

@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Light through crests and ramps of foam: see shaders/water_crest.glsl. Everything in one pass over the static grid.
+// Light through crests and ramps of foam. Three steps: the shape of the water over the static grid
+// (shaders/water_crest_shape.glsl), what varies slowly, in a small picture (water_crest_air.glsl), and the light, each pixel
+// once (water_crest.glsl).
 #include "foam_ramps.h"
 #include "foam_statistics.h"
 #include "water_optics.h"
 
 #include <math.h>
 
+enum {
+    AIR_COUNT = 3,
+    AIR_COLUMN = 16,
+    AIR_ROW = 4
+}; // pixels to one of the slow picture: rows are where the horizon is
+
 typedef struct crest {
     const char *defines; // of this quality
-    gl_texture densities, ramps;
+    gl_texture densities, ramps, rough;
+    gl_texture rest, mesh; // outputs of water_crest_shape.glsl
+    gl_target shape, shape_mesh;
+    gl_texture air[AIR_COUNT]; // outputs of water_crest_air.glsl
+    gl_target air_target;
+    uint32_t depth_id; // the frame's depth that shape draws with
 } crest;
 
 static const char *const quality_defines[] = {
@@ -53,12 +66,62 @@ static bolan_result create_ramps(crest *p) {
 static bolan_result create(void *state, bolan_quality quality) {
     crest *p = state;
     p->defines = quality_defines[quality];
+    gl_texture_desc rough = {.format = GL_FMT_RGBA16F,
+                             .width = BOLAN_SLOPE_TABLE_MAJOR,
+                             .height = 1,
+                             .filter = GL_FILTER_LINEAR,
+                             .wrap = GL_WRAP_CLAMP};
     bolan_result result = create_densities(p);
-    return result == BOLAN_OK ? create_ramps(p) : result;
+    if (result == BOLAN_OK) result = create_ramps(p);
+    return result == BOLAN_OK ? gl_texture_create(&rough, &p->rough) : result;
+}
+
+static void free_pictures(crest *p) {
+    gl_target_free(&p->shape);
+    gl_target_free(&p->shape_mesh);
+    gl_target_free(&p->air_target);
+    gl_texture_free(&p->rest);
+    gl_texture_free(&p->mesh);
+    for (int i = 0; i < AIR_COUNT; ++i) gl_texture_free(&p->air[i]);
+    p->depth_id = 0;
+}
+
+static bolan_result create_pictures(crest *p, const frame *f) {
+    gl_texture_desc rest = {
+        .format = GL_FMT_RGBA32F, .width = f->hdr.width, .height = f->hdr.height, .filter = GL_FILTER_NEAREST};
+    gl_texture_desc mesh = {
+        .format = GL_FMT_RGBA16F, .width = f->hdr.width, .height = f->hdr.height, .filter = GL_FILTER_NEAREST};
+    gl_texture_desc air = {.format = GL_FMT_RGBA16F,
+                           .width = (f->hdr.width + AIR_COLUMN - 1) / AIR_COLUMN,
+                           .height = (f->hdr.height + AIR_ROW - 1) / AIR_ROW,
+                           .filter = GL_FILTER_LINEAR,
+                           .wrap = GL_WRAP_CLAMP};
+    const gl_texture *shapes[] = {&p->rest, &p->mesh}, *airs[AIR_COUNT] = {&p->air[0], &p->air[1], &p->air[2]};
+    bolan_result result = gl_texture_create(&rest, &p->rest);
+    if (result == BOLAN_OK) result = gl_texture_create(&mesh, &p->mesh);
+    for (int i = 0; i < AIR_COUNT && result == BOLAN_OK; ++i) result = gl_texture_create(&air, &p->air[i]);
+    if (result == BOLAN_OK) result = gl_target_create(shapes, 1, f->hdr_depth, -1, 0, &p->shape);
+    if (result == BOLAN_OK) result = gl_target_create(shapes, 2, f->hdr_depth, -1, 0, &p->shape_mesh);
+    if (result == BOLAN_OK) result = gl_target_create(airs, AIR_COUNT, NULL, -1, 0, &p->air_target);
+    return result;
+}
+
+static bool fit_pictures(crest *p, const frame *f) {
+    if (p->depth_id == f->hdr_depth->id && p->rest.width == f->hdr.width && p->rest.height == f->hdr.height)
+        return true;
+    free_pictures(p);
+    if (create_pictures(p, f) != BOLAN_OK) {
+        free_pictures(p);
+        return false;
+    }
+    p->depth_id = f->hdr_depth->id;
+    return true;
 }
 
 static void free_all(void *state) {
     crest *p = state;
+    free_pictures(p);
+    gl_texture_free(&p->rough);
     gl_texture_free(&p->densities);
     gl_texture_free(&p->ramps);
 }
@@ -67,39 +130,104 @@ static void free_all(void *state) {
 #define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
 #define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
 
-// A crest breaks where dxx + dyy falls below a threshold. Their sum is normal with variance mss, so the threshold that
-// covers Monahan & O'Muircheartaigh's share is a quantile; the soft edge widens the distribution, and the quantile with it.
 static void set_foam(const gl_program *g, const frame *f) {
     const bolan_sea *sea = f->desc->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
-    const double chop2 = desc->choppiness * desc->choppiness, cover = bolan_monahan_cover(desc->sea_state.wind_speed);
-    double mss = 0.0, memory_mean, memory_variance;
-    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) mss += bolan_sea_cascade(sea, c).mss;
+    const double cover = bolan_monahan_cover(desc->sea_state.wind_speed), edge = FRESH_EDGE * FRESH_EDGE;
+    double memory_mean, memory_variance, spread;
+    const double breaks = foam_breaking_pinch(sea, FRESH_EDGE, &spread);
     foam_memory_moments(sea, &memory_mean, &memory_variance);
-    const double spread = fmax(chop2 * mss, 1e-9), edge = FRESH_EDGE * FRESH_EDGE;
-    const double breaks = cover > 1e-7 ? foam_quantile(fmin(cover, 0.4)) * sqrt(spread + edge) : -1e3;
     const double share = fmin(0.3, OLD_FOAM_SHARE * cover);
-    const double old =
-        share > 1e-7 ? memory_mean - foam_quantile(share) * sqrt(memory_variance * (1.0 + OLD_EDGE)) : 1e3;
+    const bool remembers = share > 1e-7 && memory_variance > 0.0; // sums of waves do not
+    const double old = remembers ? memory_mean - foam_quantile(share) * sqrt(memory_variance * (1.0 + OLD_EDGE)) : 1e3;
     float rest[3];
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
     gl_program_vec4(
         g, "crest_foam",
         (bolan_vec4){(float)breaks, (float)old, (float)edge, (float)fmax(memory_variance * OLD_EDGE, 1e-9)});
     gl_program_vec4(g, "crest_hidden",
-                    (bolan_vec4){rest[0] + rest[2], (float)chop2, (float)(memory_variance / spread), 0.0f});
+                    (bolan_vec4){rest[0] + rest[2], (float)(desc->choppiness * desc->choppiness),
+                                 (float)(memory_variance / spread), 0.0f});
 }
 
-static void draw(void *state, const water_draw *d) {
-    const crest *p = state;
+// Plan area of the facets that a direction of that elevation sees, as common/facets.glsl has it.
+static double seen_area(double up, double flat, double sigma) {
+    const double u = fmax(up / (flat * sigma), -1.5);
+    return flat * sigma * 0.5 * (u + sqrt(u * u + 2.0 / BOLAN_PI));
+}
+
+// The look-ups average over a round spot, so that of the table of unresolved slopes the row of round footprints is enough. With
+// it, the share of the facets turned to the sun that no other wave stands before.
+static void upload_rough(crest *p, const frame *f) {
+    const float *from = bolan_sea_slope_table(f->desc->sea);
+    const bolan_vec3 sun = f->sun_direction;
+    const double flat = fmax(sqrt((double)sun.x * sun.x + (double)sun.y * sun.y), 1e-4), up = fmax(sun.z, 0.0f);
+    float row[BOLAN_SLOPE_TABLE_MAJOR][4];
+    for (int i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; ++i) {
+        const double disc = 6e-6; // the sun's radius, in slopes
+        const double xx = from[4 * i] + disc, xy = from[4 * i + 1], yy = from[4 * i + 2] + disc;
+        const double along = (xx * sun.x * sun.x + 2.0 * xy * sun.x * sun.y + yy * sun.y * sun.y) / (flat * flat);
+        const double lit = up / fmax(seen_area(up, flat, sqrt(fmax(along, 1e-8))), 1e-3);
+        row[i][0] = (float)xx;
+        row[i][1] = (float)xy;
+        row[i][2] = (float)yy;
+        row[i][3] = (float)fmin(fmax(lit, 0.0), 1.0);
+    }
+    gl_texture_upload(&p->rough, 0, -1, row, false);
+}
+
+static void prepare(void *state, const water_draw *d) { upload_rough(state, d->f); }
+
+static bool draw_shape(crest *p, const water_draw *d) {
+    if (!water_program(d, "water_crest_shape", 0, "")) return false;
+    gl_target_bind(d->waves == WATER_MESH ? &p->shape_mesh : &p->shape);
+    gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    water_mesh_draw(d->mesh);
+    return true;
+}
+
+static bool draw_air(crest *p, const water_draw *d) {
+    const gl_program *g = water_program(d, "water_crest_air", 0, "");
+    if (!g) return false;
+    const uint32_t width = p->air[0].width, height = p->air[0].height;
+    const uint32_t rows = (water_rows(d->f, d->vertical) + AIR_ROW - 1) / AIR_ROW + 1;
+    gl_program_vec4(g, "air_size", (bolan_vec4){1.0f / (float)width, 1.0f / (float)height, 0.0f, 0.0f});
+    gl_target_bind_part(&p->air_target, 0, 0, width, rows < height ? rows : height);
+    gl_set_state(&(gl_state){.color_write = true});
+    gl_draw_fullscreen();
+    return true;
+}
+
+static void draw_light(crest *p, const water_draw *d) {
     const gl_program *g = water_program(d, "water_crest", 0, p->defines);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
     set_foam(g, d->f);
-    gl_texture_bind(&p->densities, UNIT_OPTICS);
-    gl_texture_bind(&p->ramps, UNIT_OPTICS + 1);
-    water_draw_forward(d);
+    gl_texture_bind(&p->densities, UNIT_FOAM_DETAIL);
+    gl_texture_bind(&p->ramps, UNIT_PASS);
+    gl_texture_bind(&p->rough, UNIT_SLOPE_TABLE); // instead of the whole table
+    gl_texture_bind(&p->rest, UNIT_SURFACE);
+    gl_texture_bind(&p->mesh, UNIT_SURFACE + 1);
+    gl_texture_bind(&p->air[0], UNIT_OPTICS);
+    gl_texture_bind(&p->air[1], UNIT_OPTICS + 1);
+    gl_texture_bind(&p->air[2], UNIT_FOLD); // packed cascades have no such map
+    gl_target_bind_part(&d->f->hdr, 0, 0, d->f->hdr.width, water_rows(d->f, d->vertical));
+    gl_set_state(&(gl_state){.color_write = true});
+    gl_draw_fullscreen();
 }
 
-const water_optics optics_crest = {
-    .size = sizeof(crest), .static_grid = true, .packed = true, .create = create, .draw = draw, .free = free_all};
+static void draw(void *state, const water_draw *d) {
+    crest *p = state;
+    if (!fit_pictures(p, d->f)) return;
+    if (draw_shape(p, d) && draw_air(p, d)) draw_light(p, d);
+    gl_target_bind(&d->f->hdr);
+}
+
+const water_optics optics_crest = {.size = sizeof(crest),
+                                   .static_grid = true,
+                                   .packed = true,
+                                   .create = create,
+                                   .prepare = prepare,
+                                   .draw = draw,
+                                   .free = free_all};

@@ -50,6 +50,8 @@ for file in *.glsl; do
         try "$file" WAVES_EXP QUAD LAND
         try "$file" WAVES_SUM QUAD
         try "$file" WAVES_MESH LAND
+        try "$file" STATIC_GRID PACKED LAND
+        try "$file" STATIC_GRID WAVES_EXP
         ;;
     terrain.glsl | models.glsl)
         try "$file" CLIP

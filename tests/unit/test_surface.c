@@ -102,6 +102,39 @@ static void every_visible_point_of_mean_water_lies_on_the_grid(void **state) {
     assert_true(tried > 2000);
 }
 
+// A picture that does not reach the horizon has its last row just beyond its upper edge, so that no row is spent in vain.
+static void rows_end_where_the_picture_does(void **state) {
+    (void)state;
+    bolan_surface_view view = view_at(10000, 0, -60);
+    bolan_surface_size size = build(&view);
+    double far = hypot(vertices[size.columns * (size.rows - 1)].x, vertices[size.columns * (size.rows - 1)].y);
+    // the upper corners (+-0.859, 0.483) look 26.42 deg down: 10 km / tan = 20.1 km; the guard angle of 0.02 adds 6 %
+    assert_true(far > 20100.0 && far < 21500.0);
+}
+
+static void a_grid_of_any_size_spans_the_same_water(void **state) {
+    (void)state;
+    bolan_surface_view view = view_at(30, 75, -12);
+    bolan_surface_projector p = bolan_surface_projector_of(&view);
+    assert_true(p.visible);
+    const bolan_surface_size sizes[] = {{2, 2}, {65, 33}, {129, 97}};
+    double near = 0, far = 0;
+    for (int k = 0; k < 3; ++k) {
+        bolan_surface_projector_vertices(&p, sizes[k], vertices);
+        uint32_t last = sizes[k].columns * (sizes[k].rows - 1);
+        double n = hypot(vertices[0].x, vertices[0].y), f = hypot(vertices[last].x, vertices[last].y);
+        // float's rounding
+        if (k > 0) assert_true(fabs(n - near) < 1e-5 * near + 1e-6 && fabs(f - far) < 1e-5 * far);
+        near = n, far = f;
+    }
+    // steps never shrink outward, and beyond x1 none is longer than 7 steps of s times the distance
+    for (uint32_t j = 1; j < 97; ++j) {
+        double a = hypot(vertices[129 * (j - 1)].x, vertices[129 * (j - 1)].y),
+               b = hypot(vertices[129 * j].x, vertices[129 * j].y);
+        assert_true(b > a && b - a < 7.6 * b * p.range / 96 + 1.5 * p.height * p.range / 96);
+    }
+}
+
 static void looking_up_from_above_the_waves_draws_nothing(void **state) {
     (void)state;
     bolan_surface_view view = view_at(50, 0, 60);
@@ -157,6 +190,8 @@ int main(void) {
         cmocka_unit_test(the_horizon_lies_at_its_dip),
         cmocka_unit_test(the_earth_drops_away),
         cmocka_unit_test(every_visible_point_of_mean_water_lies_on_the_grid),
+        cmocka_unit_test(rows_end_where_the_picture_does),
+        cmocka_unit_test(a_grid_of_any_size_spans_the_same_water),
         cmocka_unit_test(looking_up_from_above_the_waves_draws_nothing),
         cmocka_unit_test(rows_are_the_same_for_any_pitch_and_columns_for_a_small_turn),
         cmocka_unit_test(indices_are_counter_clockwise_and_cover_each_cell_twice),

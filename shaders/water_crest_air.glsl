@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What varies slowly over the picture of the water, in few pixels: air between, gusts, shadows of clouds, depth. Each pixel is
+// a ray, here met with the mean water; above the horizon it stands for the horizon.
+#include "common/frame.glsl"
+#include "common/fullscreen.glsl"
+
+#ifdef VERTEX
+void main() { fullscreen(0.0); }
+#endif
+
+#ifdef FRAGMENT
+#include "common/atmosphere.glsl"
+#include "common/gusts.glsl"
+#ifdef LAND
+#include "common/shore.glsl"
+#endif
+layout(location = 0) out vec4 out_transmittance; // of the air to the eye; w: gust factor
+layout(location = 1) out vec4 out_inscatter;     // of the air to the eye; w: share of the sun that passes the clouds
+layout(location = 2) out vec4 out_bed;           // depth of the mean water [m], distance to the shore as the bed's slope has it [m]
+uniform vec4 air_size;                           // of this picture: 1 / width, 1 / height
+
+// Where a ray meets the mean water of the round earth, or passes nearest to it.
+vec3 mean_water(vec3 direction) {
+    float h = max(eye.z, 0.3), flat_length = max(length(direction.xy), 1e-5);
+    float slope = direction.z / flat_length, under = slope * slope - 2.0 * h / lens.w;
+    float r = slope < 0.0 && under > 0.0 ? 2.0 * h / (-slope + sqrt(under)) : sqrt(2.0 * h * lens.w);
+    return vec3(direction.xy * (r / flat_length), -h - r * r / (2.0 * lens.w));
+}
+
+void main() {
+    vec3 position = mean_water(frame_ray(gl_FragCoord.xy * air_size.xy));
+    vec3 transmittance, inscatter;
+    aerial_perspective(position, transmittance, inscatter);
+    float width = length(position) * lens.x * 8.0;
+    out_transmittance = vec4(transmittance, gustiness(haze.zw + position.xy, width));
+    out_inscatter = vec4(inscatter, cloud_shadow(position.xy));
+    out_bed = vec4(1000.0, 1e4, 0.0, 0.0);
+#ifdef LAND
+    vec2 x = vec2(max(25.0, width), 0.0);
+    float depth = -shore_elevation(position.xy);
+    vec2 rise = vec2(shore_elevation(position.xy + x) - shore_elevation(position.xy - x),
+                     shore_elevation(position.xy + x.yx) - shore_elevation(position.xy - x.yx));
+    out_bed.xy = vec2(depth, depth * 2.0 * x.x * inversesqrt(max(dot(rise, rise), 1e-4)));
+#endif
+}
+#endif
