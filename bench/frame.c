@@ -72,6 +72,7 @@ static void draw(stage *s) {
     frame.scene = &s->scene;
     frame.sea = s->sea;
     frame.terrain = s->assets.terrain;
+    frame.tiles = s->assets.tiles;
     frame.models = s->assets.object_models;
     frame.framebuffer = bolan_target_framebuffer(s->target);
     frame.width = s->width;

@@ -65,22 +65,24 @@ typedef struct bolan_sea_desc {
     uint32_t resolution;       ///< samples along a cascade's side, a power of two 32..1024; default 256. Raised:
                                ///< longer rings, so shorter waves with the same number of cascades; time and memory
                                ///< grow with its square
-    uint32_t cascade_count;    ///< 1..4; default 4; TEXTURES has one whatever it is. Raised: shorter waves become geometry instead of roughness
-    double length;             ///< side of the largest cascade [m], 10..1e5; 0 (default): 12 peak wavelengths, and at
-                               ///< least 10 of the longest swell that matters (TEXTURES: 7, and 5). Raised: repeats
-                               ///< later, the shortest wave grows with it
-    double choppiness;         ///< factor on the horizontal displacement, 0..2; default 1 (linear theory). Raised:
-                               ///< sharper crests that fold sooner
-    double loop_period;        ///< 0 (default): none; else 10..1e6 s: every field repeats after this time [s].
-                               ///< Frequencies are rounded to multiples of 1 / period: from 200 s on nobody sees it.
-                               ///< TEXTURES: 1..1e6 s, and 0: the whole number of peak periods nearest to 10 s, at least 1
-    bolan_cpu cpu;             ///< which kernels; default AUTO; one this machine lacks counts as AUTO. The result
-                               ///< does not depend on it
-    double foam_decay;         ///< e-folding time of foam [s], 0.1..60; default 3.5. Raised: longer streaks behind
-                               ///< crests
+    uint32_t
+        cascade_count; ///< 1..4; default 4; TEXTURES has one whatever it is. Raised: shorter waves become geometry instead of roughness
+    double length;      ///< side of the largest cascade [m], 10..1e5; 0 (default): 12 peak wavelengths, and at
+                        ///< least 10 of the longest swell that matters (TEXTURES: 7, and 5). Raised: repeats
+                        ///< later, the shortest wave grows with it
+    double choppiness;  ///< factor on the horizontal displacement, 0..2; default 1 (linear theory). Raised:
+                        ///< sharper crests that fold sooner
+    double loop_period; ///< 0 (default): none; else 10..1e6 s: every field repeats after this time [s].
+                        ///< Frequencies are rounded to multiples of 1 / period: from 200 s on nobody sees it.
+                        ///< TEXTURES: 1..1e6 s, and 0: the whole number of peak periods nearest to 10 s, at least 1
+    bolan_cpu cpu;      ///< which kernels; default AUTO; one this machine lacks counts as AUTO. The result
+                        ///< does not depend on it
+    double foam_decay;  ///< e-folding time of foam [s], 0.1..60; default 3.5. Raised: longer streaks behind
+                        ///< crests
     // COSINES and EXP_COSINE
-    double current_x, current_y; ///< uniform current, east and north [m/s], -5..5; default 0. The waves are the same and run
-                                 ///< over the ground at omega + k . current. FFT and TEXTURES leave it out
+    double current_x,
+        current_y; ///< uniform current, east and north [m/s], -5..5; default 0. The waves are the same and run
+                   ///< over the ground at omega + k . current. FFT and TEXTURES leave it out
     // COSINES
     uint32_t frequencies;        ///< M, 1..BOLAN_MAX_FREQUENCIES; default 16. Raised: richer, and in proportion slower
     uint32_t directions;         ///< N, 1..BOLAN_MAX_DIRECTIONS; default 8
