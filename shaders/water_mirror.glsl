@@ -122,7 +122,7 @@ float slide(vec3 mirrored, vec2 push, float spread) {
 
 #ifndef BELOW
 // Exact dielectric, the mean tilt of the facets that face the eye, and the glitter as wide as what the pixel cannot show makes it.
-vec3 water_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
+vec3 mirror_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     vec3 light = sun_light.rgb * p.shade, view = -to;
     float level = inversesqrt(max(dot(to.xy, to.xy), 1e-6)), tangent = view.z * level;
     vec2 toward = view.xy * level;
@@ -160,7 +160,7 @@ vec3 water_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
 }
 
 // As printed: eq. 9 and 10, lerps, a sum.
-vec3 water_light_printed(water_pixel p, waves_here w, vec3 to, vec2 screen) {
+vec3 printed_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     vec3 n = normalize(vec3(-w.slope, 1.0)), light = sun_light.rgb;
     vec3 own = w.own * (light + sky_light.rgb);
     if (effect_is_on(EFFECT_BUMP)) own *= max(dot(n, sun.xyz), 0.0);
@@ -174,7 +174,7 @@ vec3 water_light_printed(water_pixel p, waves_here w, vec3 to, vec2 screen) {
 }
 #else
 // From under the water: the world above in Snell's window, round it the world below mirrored.
-vec3 water_light_below(waves_here w, vec3 to, float dist, vec2 screen) {
+vec3 light_from_below(waves_here w, vec3 to, float dist, vec2 screen) {
     vec3 up = normalize(vec3(-w.slope, 1.0));
     float cosine = clamp(dot(to, up), 0.0, 1.0), reflectance = fresnel(max(cosine, 1e-3), 1.0 / water_deep.w);
     vec3 ray = reflect(to, up);
@@ -209,12 +209,12 @@ void main() {
 #endif
     waves_here w = look_at_waves(p, view, dist);
 #ifdef BELOW
-    color = vec4(water_light_below(w, to, dist, screen), 1.0);
+    color = vec4(light_from_below(w, to, dist, screen), 1.0);
 #else
 #ifdef PAPER
-    vec3 light = water_light_printed(p, w, to, screen);
+    vec3 light = printed_light(p, w, to, screen);
 #else
-    vec3 light = water_light(p, w, to, screen);
+    vec3 light = mirror_light(p, w, to, screen);
 #endif
 #ifdef QUAD
     color = vec4(through_haze(light, to, dist), 1.0);
