@@ -35,8 +35,8 @@ bolan_result water_tiles_create(water_tiles *t) {
     *t = (water_tiles){.shown = NAN, .staging_bytes = (size_t)TILE * TILE * 4 * sizeof(float)};
     t->staging = bolan_allocate(t->staging_bytes);
     if (t->staging == NULL) return BOLAN_ERROR_MEMORY;
-    bolan_result r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP, GL_WRAP_REPEAT, &t->slopes);
-    if (r == BOLAN_OK) r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP, GL_WRAP_REPEAT, &t->ripples);
+    bolan_result r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP_NEAREST, GL_WRAP_REPEAT, &t->slopes);
+    if (r == BOLAN_OK) r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP_NEAREST, GL_WRAP_REPEAT, &t->ripples);
     if (r == BOLAN_OK) r = create_texture(GL_FMT_RGBA8, TILE, GL_FILTER_MIPMAP_NEAREST, GL_WRAP_REPEAT, &t->own);
     if (r == BOLAN_OK) r = create_texture(GL_FMT_R8, GLINT_SIZE, GL_FILTER_LINEAR, GL_WRAP_CLAMP, &t->glint);
     if (r == BOLAN_OK) draw_glint(&t->glint);
