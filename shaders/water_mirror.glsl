@@ -162,7 +162,7 @@ vec3 mirror_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     vec3 seen = textureLod(refraction_picture, place_in_picture(bent), 0.0).rgb;
 
     vec3 own = effect_is_on(EFFECT_BUMP) ? w.own * (light * max((sun.z - dot(w.slope, sun.xy)) * sqrt(flat2), 0.0) + sky_light.rgb)
-                                         : w.own * (light * max(sun.z, 0.0) + sky_light.rgb);
+                                         : tile_detail.rgb * (light * max(sun.z, 0.0) + sky_light.rgb);
     vec3 below = mix(own, seen, clear ? look_mix.y : 0.0);
     vec3 result = mix(below, mirrored, mirrors ? reflectance : 0.0);
     if (effect_is_on(EFFECT_GLITTER)) {
