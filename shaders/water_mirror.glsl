@@ -130,7 +130,7 @@ float slide(vec3 mirrored, vec2 push, float spread) {
 
 #ifndef BELOW
 // Exact dielectric, the mean tilt of the facets that face the eye, and the glitter as wide as what the pixel cannot show makes it.
-vec3 mirror_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
+vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
 #if defined(QUAD) && !defined(HIGH)
     vec3 light = sun_light.rgb * water_shade;
 #else
@@ -232,7 +232,7 @@ void main() {
 #ifdef PAPER
     vec3 light = printed_light(p, w, to, screen);
 #else
-    vec3 light = mirror_light(p, w, to, screen);
+    vec3 light = light_of_water(p, w, to, screen);
 #endif
 #ifdef QUAD
     color = vec4(through_haze(light, to, dist), 1.0);
