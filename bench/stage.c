@@ -104,6 +104,7 @@ static void draw(stage *s) {
     frame.sea = s->sea;
     frame.terrain = s->assets.terrain;
     frame.models = s->assets.object_models;
+    frame.tiles = s->assets.tiles;
     frame.without_water = s->without_water;
     frame.framebuffer = bolan_target_framebuffer(s->target);
     frame.width = s->width;

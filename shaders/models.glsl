@@ -63,7 +63,12 @@ void main() {
     light = albedo / PI * (sun_light.rgb * lit + ambient);
 
     vec3 transmittance;
+#ifdef PICTURE // objects stand near, and this is drawn often: haze of one extinction
+    transmittance = exp(-length(position) * (RAYLEIGH + mie_extinction()));
+    inscatter = sky_light.rgb / PI * (1.0 - transmittance);
+#else
     aerial_perspective(position, transmittance, inscatter);
+#endif
     float dry = smoothstep(-0.3, 0.0, height);
     light *= mix(vec3(1.0), transmittance, dry);
     inscatter *= dry;

@@ -2,7 +2,7 @@
 // Two pictures, of the world mirrored in the water and of the world seen through it, looked up where the waves bend them to; the
 // water's own texture, lit as a bumpy surface; the sun's glitter by a texture that the sun projects (Ma, Zhu & Gong 2006).
 //
-// TILES: the waves are tiles baked from the sea, else waves_at() has them. RIPPLES: with a second, finer tile. PAPER: the paper to the
+// TILES: the waves are tiles baked from the sea, else waves_at() has them. RIPPLES: with a second, finer tile. HIGH: cloud shadows lie on the water apart. PAPER: the paper to the
 // letter: its normal maps, its disturbance, its sums. BELOW: the eye is under water.
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
@@ -11,9 +11,14 @@
 #endif
 
 #ifdef VERTEX
+#ifdef QUAD
+flat out float water_shade; // share of the sun that passes the clouds round the eye
+#endif
+
 void main() {
     water_vertex();
 #ifdef QUAD
+    water_shade = cloud_shadow(vec2(0.0));
     haze_vertex();
 #endif
 }
@@ -26,6 +31,9 @@ void main() {
 #include "common/under.glsl"
 out vec4 color;
 
+#ifdef QUAD
+flat in float water_shade;
+#endif
 #pragma unit reflection_picture 16
 #pragma unit refraction_picture 17
 #pragma unit reflection_depth 7
@@ -123,15 +131,22 @@ float slide(vec3 mirrored, vec2 push, float spread) {
 #ifndef BELOW
 // Exact dielectric, the mean tilt of the facets that face the eye, and the glitter as wide as what the pixel cannot show makes it.
 vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
-    vec3 light = sun_light.rgb * p.shade, view = -to;
+#if defined(QUAD) && !defined(HIGH)
+    vec3 light = sun_light.rgb * water_shade;
+#else
+    vec3 light = sun_light.rgb * p.shade;
+#endif
+    vec3 view = -to;
     float level = inversesqrt(max(dot(to.xy, to.xy), 1e-6)), tangent = view.z * level;
     vec2 toward = view.xy * level;
     vec2 tilt = w.slope - toward * (w.variance * inversesqrt(tangent * tangent + 1.6 * w.variance)); // facets turned away hide
-    vec3 n = normalize(vec3(-tilt, 1.0)), flat_n = normalize(vec3(-w.slope, 1.0));
+    // normals need no unit length where their square is divided by
+    float n2 = 1.0 / (1.0 + dot(tilt, tilt)), flat2 = 1.0 / (1.0 + dot(w.slope, w.slope));
+    float facing = view.z + dot(to.xy, tilt), flat_facing = view.z + dot(to.xy, w.slope); // times the length of the normal
     bool mirrors = effect_is_on(EFFECT_REFLECTION), clear = effect_is_on(EFFECT_REFRACTION), bends = effect_is_on(EFFECT_DISTORTION);
-    float reflectance = mirrors ? fresnel(clamp(dot(view, n), 0.02, 1.0), water_deep.w) : 0.0;
+    float reflectance = fresnel(clamp(facing * sqrt(n2), 0.02, 1.0), water_deep.w);
 
-    vec3 ray = reflect(to, n);
+    vec3 ray = to + 2.0 * facing * n2 * vec3(-tilt, 1.0);
     ray.z = abs(ray.z);
     float turn = bent_share(reflection_depth, screen);
     vec3 bent = mix(to, vec3(ray.xy, -ray.z), bends ? turn : 0.0);
@@ -139,28 +154,31 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     float blur = disturbance.z * turn * sqrt(w.variance * max(view.z, 0.03));
     vec3 mirrored = textureLod(reflection_picture, place_in_picture(bent), log2(max(blur, 1.0))).rgb;
 
-    vec2 down = water_deep.w * refract(to, flat_n, 1.0 / water_deep.w).xy; // the ray in the water, as it would come out of flat water
+    // the ray in the water, n times its level part: as it would come out of flat water
+    float c = flat_facing * sqrt(flat2);
+    vec2 down = to.xy + w.slope * sqrt(flat2) * (sqrt(water_deep.w * water_deep.w - 1.0 + c * c) - c);
     vec3 apparent = vec3(down, -sqrt(max(1.0 - dot(down, down), 0.0025)));
     bent = mix(to, apparent, bends ? bent_share(refraction_depth, screen) : 0.0);
     vec3 seen = textureLod(refraction_picture, place_in_picture(bent), 0.0).rgb;
 
-    vec3 own = effect_is_on(EFFECT_BUMP) ? w.own * (light * max(dot(flat_n, sun.xyz), 0.0) + sky_light.rgb)
-                                         : w.own * (light * max(sun.z, 0.0) + sky_light.rgb);
+    vec3 own = effect_is_on(EFFECT_BUMP) ? w.own * (light * max((sun.z - dot(w.slope, sun.xy)) * sqrt(flat2), 0.0) + sky_light.rgb)
+                                         : tile_detail.rgb * (light * max(sun.z, 0.0) + sky_light.rgb);
     vec3 below = mix(own, seen, clear ? look_mix.y : 0.0);
-    vec3 result = mix(below, mirrored, reflectance);
+    vec3 result = mix(below, mirrored, mirrors ? reflectance : 0.0);
     if (effect_is_on(EFFECT_GLITTER)) {
         // a facet turns the ray by twice its tilt; the texture's own sun has the rms radius disturbance.w
-        ray = reflect(to, flat_n);
+        ray = to + 2.0 * flat_facing * flat2 * vec3(-w.slope, 1.0);
         float sigma = sqrt(4.0 * w.variance + disturbance.w * disturbance.w);
         float peak = min(1.0 / (2.0 * PI * sigma * sigma), 90.0);
         float glint = slide(vec3(ray.xy, abs(ray.z)), vec2(0.0), disturbance.w / sigma);
-        result += light * fresnel(clamp(dot(view, normalize(view + sun.xyz)), 0.02, 1.0), water_deep.w) * peak * glint;
+        float half_way = sqrt(0.5 + 0.5 * clamp(dot(view, sun.xyz), -1.0, 1.0)), grazing = 1.0 - half_way, grazing2 = grazing * grazing;
+        result += light * ((0.021 + 0.979 * grazing2 * grazing2 * grazing) * peak * glint); // Schlick at the facet that mirrors
     }
     return result;
 }
 
 // As printed: eq. 9 and 10, lerps, a sum.
-vec3 water_light_printed(water_pixel p, waves_here w, vec3 to, vec2 screen) {
+vec3 printed_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     vec3 n = normalize(vec3(-w.slope, 1.0)), light = sun_light.rgb;
     vec3 own = w.own * (light + sky_light.rgb);
     if (effect_is_on(EFFECT_BUMP)) own *= max(dot(n, sun.xyz), 0.0);
@@ -174,7 +192,7 @@ vec3 water_light_printed(water_pixel p, waves_here w, vec3 to, vec2 screen) {
 }
 #else
 // From under the water: the world above in Snell's window, round it the world below mirrored.
-vec3 water_light_below(waves_here w, vec3 to, float dist, vec2 screen) {
+vec3 light_from_below(waves_here w, vec3 to, float dist, vec2 screen) {
     vec3 up = normalize(vec3(-w.slope, 1.0));
     float cosine = clamp(dot(to, up), 0.0, 1.0), reflectance = fresnel(max(cosine, 1e-3), 1.0 / water_deep.w);
     vec3 ray = reflect(to, up);
@@ -209,10 +227,10 @@ void main() {
 #endif
     waves_here w = look_at_waves(p, view, dist);
 #ifdef BELOW
-    color = vec4(water_light_below(w, to, dist, screen), 1.0);
+    color = vec4(light_from_below(w, to, dist, screen), 1.0);
 #else
 #ifdef PAPER
-    vec3 light = water_light_printed(p, w, to, screen);
+    vec3 light = printed_light(p, w, to, screen);
 #else
     vec3 light = light_of_water(p, w, to, screen);
 #endif

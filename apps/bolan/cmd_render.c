@@ -131,6 +131,7 @@ static bool render_frame(const job *j, const session *w, stage *s, uint32_t numb
     frame.scene = &w->scene;
     frame.sea = w->sea;
     frame.terrain = w->assets.terrain;
+    frame.tiles = w->assets.tiles;
     frame.models = w->assets.object_models;
     frame.framebuffer = bolan_target_framebuffer(s->target);
     frame.width = j->width;
@@ -182,7 +183,8 @@ int command_render(int count, char **arguments) {
     if (below > 0.0 && w.scene.technique.optics != BOLAN_OPTICS_MIRROR) {
         session_close(&w);
         return usage_error(
-            "the camera stands %g m below the water; expected above it: only --optics mirror has views from below", below);
+            "the camera stands %g m below the water; expected above it: only --optics mirror has views from below",
+            below);
     }
     signal(SIGINT, on_interrupt);
     signal(SIGTERM, on_interrupt);

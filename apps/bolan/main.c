@@ -20,6 +20,8 @@ static const command commands[] = {
      "[SCENE] -o FILE               one .png or .exr, a numbered sequence (%04d), or .mp4/.webm", NULL},
     {"measure", command_measure, "[SCENE]                       statistics of the synthesised sea", NULL},
     {"query", command_query, "[SCENE] --points FILE.csv     heights and normals at points, as CSV", NULL},
+    {"bake", command_bake, "[SCENE] -o DIR                looping tiles: heights, normal maps, light on the bottom",
+     NULL},
     {"bench", command_bench, "[waves|query|frame|techniques]  benchmarks", bench_is_there},
     {"info", command_info, "                              build, processor, OpenGL, scenes, techniques", NULL},
 };

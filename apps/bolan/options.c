@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SCENE_COMMANDS (ON_VIEW | ON_RENDER | ON_MEASURE | ON_QUERY)
+#define SCENE_COMMANDS (ON_VIEW | ON_RENDER | ON_MEASURE | ON_QUERY | ON_BAKE)
 #define PICTURE_COMMANDS (ON_VIEW | ON_RENDER)
 
 static const char *const technique_names[] = {"ocean",       "two-triangle", "exp-cosine",
@@ -67,11 +67,11 @@ const option_info option_table[] = {
     OPTION("at", NUMBERS, at, SCENE_COMMANDS, "LAT,LON",
            .low = -360, .high = 360, .least = 2, .most = 2, .unit = "degrees",
            .help = "where in the raster the scene's origin lies"),
-    OPTION("water", NAME, water, PICTURE_COMMANDS, "TYPE",
+    OPTION("water", NAME, water, PICTURE_COMMANDS | ON_BAKE, "TYPE",
            .names = water_names, .help = "Jerlov's water type: I IA IB II III 1C 3C 5C 7C 9C"),
     OPTION("camera", NUMBERS, camera, PICTURE_COMMANDS, "X,Y,Z,HEADING,PITCH[,FOV]",
            .low = -1e7, .high = 1e7, .least = 5, .most = 6, .help = "metres; compass degrees; degrees up"),
-    OPTION("sun", NUMBERS, sun, PICTURE_COMMANDS, "AZIMUTH,ELEVATION",
+    OPTION("sun", NUMBERS, sun, PICTURE_COMMANDS | ON_BAKE, "AZIMUTH,ELEVATION",
            .low = -360, .high = 360, .least = 2, .most = 2, .unit = "degrees", .help = "compass degrees; degrees up"),
     OPTION("quality", NAME, quality, PICTURE_COMMANDS, "LEVEL",
            .names = quality_names, .help = "low, medium, high or ultra"),
@@ -79,8 +79,8 @@ const option_info option_table[] = {
            .low = 16, .high = 16384, .help = "pixels"),
     OPTION("samples", WHOLE, samples, ON_RENDER, "N",
            .low = 1, .high = 256, .help = "pictures with shifted pixels that are averaged, 1..256"),
-    OPTION("frames", WHOLE, frames, PICTURE_COMMANDS, "N",
-           .low = 1, .high = 1e6, .help = "how many; by default 10 seconds of them (render), or until you quit (view)"),
+    OPTION("frames", WHOLE, frames, PICTURE_COMMANDS | ON_BAKE, "N",
+           .low = 1, .high = 1e6, .help = "how many; by default 10 seconds of them (render), 32 (bake), or until you quit (view)"),
     OPTION("fps", NUMBER, fps, ON_RENDER, "F",
            .low = 1, .high = 240, .help = "frames a second, 1..240; 30 by default"),
     OPTION("backend", NAME, backend, SCENE_COMMANDS, "NAME",
@@ -91,7 +91,7 @@ const option_info option_table[] = {
            .names = cpu_names, .help = "auto, scalar, sse2, avx2 or avx512; no bit of the result changes"),
     OPTION("points", TEXT, points, ON_QUERY, "FILE",
            .help = "CSV of x,y[,z] in metres; - is standard input"),
-    OPTION("output", TEXT, output, ON_RENDER | ON_QUERY, "FILE",
+    OPTION("output", TEXT, output, ON_RENDER | ON_QUERY | ON_BAKE, "FILE",
            .letter = 'o', .help = "where to write"),
     OPTION("screenshot", TEXT, screenshot, ON_VIEW, "FILE",
            .help = "the last frame as PNG"),

@@ -11,7 +11,7 @@
 enum { EXIT_OK = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 
 // Commands, as bits of option_info.commands.
-enum { ON_VIEW = 1, ON_RENDER = 2, ON_MEASURE = 4, ON_QUERY = 8, ON_INFO = 16 };
+enum { ON_VIEW = 1, ON_RENDER = 2, ON_MEASURE = 4, ON_QUERY = 8, ON_INFO = 16, ON_BAKE = 32 };
 
 // What was given. A number that was not given is NAN, a count or name -1, a text NULL.
 typedef struct options {

@@ -45,6 +45,7 @@ static void draw(canvas *c, const world *w, uint32_t framebuffer, uint32_t width
     frame.scene = &w->scene;
     frame.sea = w->sea;
     frame.terrain = w->assets.terrain;
+    frame.tiles = w->assets.tiles;
     frame.models = w->assets.object_models;
     frame.framebuffer = framebuffer;
     frame.width = width;

@@ -58,6 +58,10 @@ double world_surface(const world *w, double x, double y, bool *land) {
 double world_floor(const world *w, double x, double y) {
     bool land = false;
     double surface = world_surface(w, x, y, &land);
+    if (!land && w->scene.technique.optics == BOLAN_OPTICS_MIRROR) { // which has views from below
+        double ground = w->assets.terrain != NULL ? bolan_terrain_elevation(w->assets.terrain, x, y, 0.0) : -INFINITY;
+        return fmax(ground + 0.3, w->scene.water.level - 30.0);
+    }
     // On land the eye of somebody standing; over water it may come close, but no wave runs over the lens.
     return surface + (land ? 1.7 : 0.5);
 }

@@ -9,6 +9,7 @@
 #define BOLAN_IO_H
 
 #include "bolan/scene.h"
+#include "bolan/tiles.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -37,6 +38,7 @@ const char *bolan_scene_builtin_name(uint32_t index);
 typedef struct bolan_scene_assets {
     bolan_measured_spectrum *spectrum;
     bolan_terrain *terrain;
+    bolan_tiles *tiles;                                  ///< of scene->tiles_path, or NULL
     uint32_t model_count;                                ///< different models
     bolan_model *models[BOLAN_MAX_OBJECTS];              ///< owned
     const bolan_model *object_models[BOLAN_MAX_OBJECTS]; ///< the model of each object of the scene
@@ -55,6 +57,17 @@ bolan_result bolan_scene_create_sea(const bolan_scene *scene, const bolan_scene_
 /// none. At most 256 MiB and 16777216 vertices. Errors: IO, FORMAT (no triangle in it, a vertex that is not finite),
 /// MEMORY.
 bolan_result bolan_model_load(const char *path, bolan_model **out);
+
+// ---- tiles ----------------------------------------------------------------------------------------------------------
+
+/// Writes tiles into the new folder @p folder, whole or not at all: index.json and, for each frame NNN from 000, height_NNN.pgm (16-bit
+/// grey: (value - 32768) * height_step metres), normal_NNN.png, detail_NNN.png, caustics_NNN.png. Row 0 of a picture is row 0 of
+/// the tile. IO: it is there already, or cannot be written.
+bolan_result bolan_tiles_save(const bolan_tiles *tiles, const char *folder);
+/// Would the folder be written? Leaves nothing behind. IO if not.
+bolan_result bolan_tiles_check_writable(const char *folder);
+/// Reads such a folder. Errors: IO; FORMAT with the file and what is wrong with it; ARGUMENT, MEMORY.
+bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out);
 
 // ---- spectra, rasters, points ---------------------------------------------------------------------------------------
 

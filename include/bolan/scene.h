@@ -259,7 +259,8 @@ typedef struct bolan_scene {
     bolan_sky sky;
     bolan_water water;
     bolan_terrain_source terrain;
-    uint32_t object_count; ///< 0..BOLAN_MAX_OBJECTS
+    char tiles_path[BOLAN_PATH_MAX]; ///< "", or a folder of baked tiles for the mirror optics: see bolan_tiles_load()
+    uint32_t object_count;           ///< 0..BOLAN_MAX_OBJECTS
     bolan_object objects[BOLAN_MAX_OBJECTS];
     double time;     ///< [s], +-1e9; default 0
     double exposure; ///< in stops over the automatic exposure, -10..10; default 0

@@ -22,8 +22,10 @@ typedef struct bolan_tiles_desc {
     double bump;      ///< factor on the slopes of the normal maps, 0.01..100; default 1
     bolan_vec3 color; ///< of the water's own texture, linear, each 0..1; default a dark green-blue
     bolan_vec3 sun;   ///< unit direction to the sun, z > 0; default straight up
-    double depth;     ///< of the bottom under the mean water that the light is gathered on [m], 0.05..200; default 2
-    double index;     ///< of refraction of the water, 1.01..3; default 1.34
+    double
+        depth; ///< of the bottom under the mean water that the light is gathered on [m], 0.05..200; 0 (default): where these
+               ///< waves draw the clearest net of light, at most 2 m down. Deeper the net falls apart into a blur
+    double index; ///< of refraction of the water, 1.01..3; default 1.34
 } bolan_tiles_desc;
 /// The defaults named beside the fields. Thread-safe.
 bolan_tiles_desc bolan_tiles_desc_default(void);

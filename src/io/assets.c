@@ -55,6 +55,7 @@ bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_asset
     if (scene->spectrum_path[0])
         result = bolan_spectrum_load(scene->spectrum_path, scene->spectrum_record, &out->spectrum);
     if (!result) result = load_terrain(scene, &out->terrain);
+    if (!result && scene->tiles_path[0]) result = bolan_tiles_load(scene->tiles_path, &out->tiles);
     if (!result) result = load_models(scene, out);
     if (result) bolan_scene_assets_destroy(out);
     return result;
@@ -64,6 +65,7 @@ void bolan_scene_assets_destroy(bolan_scene_assets *assets) {
     if (!assets) return;
     bolan_measured_spectrum_destroy(&assets->spectrum);
     bolan_terrain_destroy(&assets->terrain);
+    bolan_tiles_destroy(&assets->tiles);
     for (uint32_t i = 0; i < BOLAN_MAX_OBJECTS; i++) bolan_model_destroy(&assets->models[i]);
     memset(assets->object_models, 0, sizeof assets->object_models);
     assets->model_count = 0;

@@ -318,6 +318,7 @@ bolan_result scene_file_find_models(const scene_file *file, const char *name, bo
 bolan_result scene_file_build(const scene_file *file, const char *name, bolan_scene *scene) {
     *scene = bolan_scene_default();
     snprintf(scene->description, sizeof scene->description, "%s", file->description);
+    snprintf(scene->tiles_path, sizeof scene->tiles_path, "%s", file->tiles);
     if (file->technique >= 0) {
         uint32_t count = 0;
         bolan_scene_set_technique(scene, &bolan_techniques(&count)[file->technique]);

@@ -14,6 +14,7 @@ typedef struct scene_file {
     uint32_t line; ///< every map begins with its line: see schema.h
     int technique;
     char description[256];
+    char tiles[BOLAN_PATH_MAX];
     double time, exposure;
     struct scene_file_sea {
         uint32_t line;

@@ -93,6 +93,7 @@ static bolan_result load_file(const char *path, bolan_scene *out) {
     file_release(&text);
     if (!result) result = resolve(path, scene.spectrum_path);
     if (!result) result = resolve(path, scene.terrain.path);
+    if (!result) result = resolve(path, scene.tiles_path);
     if (!result) *out = scene;
     return result;
 }

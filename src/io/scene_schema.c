@@ -197,6 +197,7 @@ const schema_key scene_file_keys[] = {
     MAP(water, water_keys),
     MAP(sky, sky_keys),
     MAP(terrain, terrain_keys),
+    TEXT(tiles),
     LIST(objects, object_count, object_keys),
     MAP(camera, camera_keys),
     NUMBER(time, -1e9, 1e9, "s"),

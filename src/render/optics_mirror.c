@@ -12,7 +12,9 @@
 #define GLITTER_PUSH 0.25   // Cpo of eq. 10
 #define OWN_BRIGHTNESS 0.16 // of the water's own texture in paper mode: radiance by irradiance
 
-enum { TILES = 1, RIPPLES = 2, PAPER = 4, BELOW = 8 };
+enum { TILES = 1, RIPPLES = 2, PAPER = 4, BELOW = 8, HIGH = 16 };
+
+#define HIGH_EYE 40.0f // [m]: below it the shadow of one cloud is all that is seen of the sea
 
 static bolan_result create(void *state, bolan_quality quality) {
     (void)quality;
@@ -114,11 +116,12 @@ static void draw(void *state, const water_draw *d) {
     const bool tiles = water_tiles_base(t) != NULL,
                ripples = tiles && !look->paper && water_tiles_fine(t) != water_tiles_base(t);
     const bool below = f->uniforms.under.x > 0.5f;
+    const bool high = f->uniforms.eye.z > HIGH_EYE;
     char defines[64] = "";
-    snprintf(defines, sizeof defines, "%s%s%s%s", tiles ? "TILES 1\n" : "", ripples ? "RIPPLES 1\n" : "",
-             look->paper ? "PAPER 1\n" : "", below ? "BELOW 1\n" : "");
-    const uint32_t extra =
-        (tiles ? TILES : 0u) | (ripples ? RIPPLES : 0u) | (look->paper ? PAPER : 0u) | (below ? BELOW : 0u);
+    snprintf(defines, sizeof defines, "%s%s%s%s%s", tiles ? "TILES 1\n" : "", ripples ? "RIPPLES 1\n" : "",
+             look->paper ? "PAPER 1\n" : "", below ? "BELOW 1\n" : "", high ? "HIGH 1\n" : "");
+    const uint32_t extra = (tiles ? TILES : 0u) | (ripples ? RIPPLES : 0u) | (look->paper ? PAPER : 0u) |
+                           (below ? BELOW : 0u) | (high ? HIGH : 0u);
     const gl_program *g = water_program(d, "water_mirror", extra, defines);
     if (!g) return;
     water_look_apply(g, look);

@@ -54,7 +54,7 @@ static bolan_result create_picture(uint32_t width, uint32_t height, uint32_t lev
     gl_texture_desc c = {
         .format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
     gl_texture_desc d = c;
-    if (levels > 1) c.filter = GL_FILTER_MIPMAP, c.levels = levels;
+    if (levels > 1) c.filter = GL_FILTER_MIPMAP_NEAREST, c.levels = levels;
     d.format = GL_FMT_DEPTH32F;
     d.filter = GL_FILTER_NEAREST;
     const gl_texture *colors[] = {color};

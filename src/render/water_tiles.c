@@ -10,7 +10,6 @@
 #define COARSE_LENGTH 40.0 // [m]: a tile as long as this has no such waves
 #define SUN_STEPS 8.0      // degrees that the sun moves before the light on the bottom is made anew
 #define LOWEST_SUN 0.12    // sine of the height from which the light on the bottom comes at least
-#define BOTTOM_DEPTH 2.0   // [m] at which it is made
 #define GLINT_SIZE 64
 
 enum { TILE = 256 };
@@ -36,8 +35,8 @@ bolan_result water_tiles_create(water_tiles *t) {
     *t = (water_tiles){.shown = NAN, .staging_bytes = (size_t)TILE * TILE * 4 * sizeof(float)};
     t->staging = bolan_allocate(t->staging_bytes);
     if (t->staging == NULL) return BOLAN_ERROR_MEMORY;
-    bolan_result r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP, GL_WRAP_REPEAT, &t->slopes);
-    if (r == BOLAN_OK) r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP, GL_WRAP_REPEAT, &t->ripples);
+    bolan_result r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP_NEAREST, GL_WRAP_REPEAT, &t->slopes);
+    if (r == BOLAN_OK) r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP_NEAREST, GL_WRAP_REPEAT, &t->ripples);
     if (r == BOLAN_OK) r = create_texture(GL_FMT_RGBA8, TILE, GL_FILTER_MIPMAP_NEAREST, GL_WRAP_REPEAT, &t->own);
     if (r == BOLAN_OK) r = create_texture(GL_FMT_R8, GLINT_SIZE, GL_FILTER_LINEAR, GL_WRAP_CLAMP, &t->glint);
     if (r == BOLAN_OK) draw_glint(&t->glint);
@@ -76,7 +75,6 @@ static bolan_tiles_desc how(const frame *f) {
     // A darkish blue-green whatever the water is, as animation programs paint it.
     if (d.paper) d.color = bolan_v3(0.035f, 0.09f, 0.10f);
     d.sun = bolan_v3_normalize(bolan_v3(sun.x, sun.y, fmaxf(sun.z, (float)LOWEST_SUN)));
-    d.depth = BOTTOM_DEPTH;
     d.index = (double)deep.w;
     return d;
 }

@@ -13,8 +13,7 @@ struct bolan_tiles {
 };
 
 bolan_tiles_desc bolan_tiles_desc_default(void) {
-    return (bolan_tiles_desc){
-        .bump = 1.0, .color = {0.02f, 0.07f, 0.08f}, .sun = {0.0f, 0.0f, 1.0f}, .depth = 2.0, .index = 1.34};
+    return (bolan_tiles_desc){.bump = 1.0, .color = {0.02f, 0.07f, 0.08f}, .sun = {0.0f, 0.0f, 1.0f}, .index = 1.34};
 }
 
 static size_t texels(const bolan_tiles_view *v) { return (size_t)v->frames * v->n * v->n; }
@@ -176,12 +175,33 @@ static bolan_result check(const bolan_sea *sea, const bolan_tiles_desc *d) {
         return BOLAN_ERROR_ARGUMENT;
     }
     if (!within(d->bump, 0.01, 100.0)) return refuse("bump", d->bump, "0.01..100");
-    if (!within(d->depth, 0.05, 200.0)) return refuse("depth", d->depth, "0.05..200 m");
+    if (d->depth != 0.0 && !within(d->depth, 0.05, 200.0)) return refuse("depth", d->depth, "0 or 0.05..200 m");
     if (!within(d->index, 1.01, 3.0)) return refuse("index", d->index, "1.01..3");
     if (!within((double)d->sun.z, 1e-3, 1.001)) return refuse("sun.z", (double)d->sun.z, "above 0");
     if (fabs((double)bolan_v3_dot(d->sun, d->sun) - 1.0) > 1e-3)
         return refuse("sun's length squared", (double)bolan_v3_dot(d->sun, d->sun), "1");
     return BOLAN_OK;
+}
+
+// Light varies by d (n - 1)/n times the Laplacian of the height while the rays have not crossed: where its rms is about NET the first of
+// them do, and the light stands in a net of bright lines.
+#define NET 0.7
+#define DEEPEST_NET 2.0 // [m]
+
+static double best_depth(const bolan_cascade_view *c, double index) {
+    const uint32_t n = c->n, m = n - 1;
+    const double texel = c->length / n;
+    double sum = 0.0;
+    for (uint32_t j = 0; j < n; j++)
+        for (uint32_t i = 0; i < n; i++) {
+            const float *h = c->height; // over two texels, as the rays take their slopes
+            const double around = (double)h[j * n + ((i + 2) & m)] + (double)h[j * n + ((i - 2) & m)] +
+                                  (double)h[((j + 2) & m) * n + i] + (double)h[((j - 2) & m) * n + i];
+            const double l = (around - 4.0 * (double)h[j * n + i]) / (4.0 * texel * texel);
+            sum += l * l;
+        }
+    const double rms = sqrt(sum / ((double)n * n));
+    return fmin(fmax(NET * index / ((index - 1.0) * fmax(rms, 1e-6)), 0.05), DEEPEST_NET);
 }
 
 bolan_result bolan_tiles_bake(bolan_sea *sea, const bolan_tiles_desc *desc, bolan_tiles **out) {
@@ -196,7 +216,7 @@ bolan_result bolan_tiles_bake(bolan_sea *sea, const bolan_tiles_desc *desc, bola
                                     .length = c.length,
                                     .angle = c.angle,
                                     .period = sea_desc->loop_period,
-                                    .depth = desc->depth,
+                                    .depth = desc->depth > 0.0 ? desc->depth : best_depth(&c, desc->index),
                                     .paper = desc->paper};
     const size_t scratch = (size_t)bolan_threads() * c.n * c.n * sizeof(float);
     bake b = {desc, reserve(&shape), bolan_allocate(scratch)};
