@@ -49,13 +49,13 @@ float foam_here(water_pixel p, footprint f, wave_fields w, vec3 covariance) {
     cover = max(cover, smoothstep(0.7, 0.0, p.least / clamp(sea_law.x, 0.3, 3.0)) * 0.5);
 #endif
     float alpha = 0.0;
-    for (int i = 0; i < 1 && cover > 0.004; ++i) { // a loop: some drivers sample textures in both branches of an if
+    for (int i = 0; i < 1 && cover > 0.02; ++i) { // a loop: some drivers sample textures in both branches of an if
         vec2 at = mod(eye.xy + p.rest, 4096.0);
         float detail = log2(f.minor * 64.0), far = clamp(detail * 0.2, 0.0, 1.0); // texels of a tile of 8 m
         vec4 broad = textureLod(foam_detail, at * 0.015625, max(detail - 3.0, 0.0));
         vec4 fine = textureLod(foam_detail, at.yx * 0.125, max(detail, 0.0));
         // two values as likely as any: where their mean is above 1 - cover there is foam, torn and full of holes
-        float value = 0.5 * (broad.r + mix(fine.r, 0.5, far)), edge = 0.3 + 0.2 * far;
+        float value = 0.5 * (broad.r + mix(fine.r, 0.5, far)), edge = min(0.3 + 0.2 * far, cover);
         alpha = smoothstep(1.0 - edge - cover, 1.0 + edge - cover, value) * mix(0.6 + 0.4 * fine.g, 0.8, far);
     }
     return alpha * water_kd.w;

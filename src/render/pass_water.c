@@ -93,7 +93,8 @@ void pass_water_cover(pass_water *p, frame *f) {
 
 bool pass_water_mirrors(const frame *f) {
     const water_optics *o = optics_table[f->scene->technique.optics];
-    return o->mirrors && (!o->own_sky || f->desc->terrain != NULL || f->desc->models != NULL);
+    return o->mirrors &&
+           (!o->own_sky || f->desc->terrain != NULL || (f->desc->models != NULL && f->scene->object_count > 0));
 }
 
 bool pass_water_mirrors_sky(const frame *f) { return !optics_table[f->scene->technique.optics]->own_sky; }
