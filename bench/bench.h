@@ -13,7 +13,8 @@ int bench_techniques(int argc, char **argv);
 
 // Processor, instruction set and processor count in words, without characters that JSON would have to escape.
 const char *bench_machine(void);
-// Monotonic time [ms].
+// Monotonic time, and processor time of all threads of this process [ms].
 double bench_now_ms(void);
+double bench_cpu_ms(void);
 
 #endif

@@ -4,6 +4,7 @@
 #include "stage.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #define SCENES_MAX 16
 
@@ -11,13 +12,19 @@ typedef struct frame_options {
     stage_options stage;
     const char *scenes[SCENES_MAX];
     uint32_t scene_count;
+    const bolan_technique *technique; // NULL: each scene's own
 } frame_options;
 
-static bolan_result measure(const char *name, const frame_options *o, stage_figures *f, double *yardstick) {
+static void change(bolan_scene *scene, void *context) {
+    const frame_options *o = context;
+    if (o->technique) bolan_scene_set_technique(scene, o->technique);
+}
+
+static bolan_result measure(const char *name, frame_options *o, stage_figures *f, stage_yard *yard) {
     stage s;
-    bolan_result result = stage_open(&s, name, &o->stage, NULL, NULL);
+    bolan_result result = stage_open(&s, name, &o->stage, change, o);
     if (result != BOLAN_OK) return result;
-    if (*yardstick == 0.0) *yardstick = stage_yardstick(&s);
+    if (yard->ms == 0.0) *yard = stage_yardstick(&s);
     stage_measure(&s, true, f);
     stage_close(&s);
     return BOLAN_OK;
@@ -25,17 +32,17 @@ static bolan_result measure(const char *name, const frame_options *o, stage_figu
 
 // ---- printing -------------------------------------------------------------------------------------------------------
 
-static void print_json(const frame_options *o, const stage_figures *figures, double yardstick) {
+static void print_json(const frame_options *o, const stage_figures *figures, stage_yard yard) {
     printf("{\n");
-    stage_print_machine_json(&o->stage, yardstick);
+    stage_print_machine_json(&o->stage, yard);
     printf("  \"frame\": [\n");
-    stage_print_json(&o->stage, figures, o->scene_count, yardstick);
+    stage_print_json(&o->stage, figures, o->scene_count, yard);
     printf("  ]\n}\n");
 }
 
-static void print_table(const frame_options *o, const stage_figures *figures, double yardstick) {
-    stage_print_machine(&o->stage, yardstick);
-    stage_print_table(figures, o->scene_count, yardstick);
+static void print_table(const frame_options *o, const stage_figures *figures, stage_yard yard) {
+    stage_print_machine(&o->stage, yard);
+    stage_print_table(figures, o->scene_count, yard);
 }
 
 // ---- the command ----------------------------------------------------------------------------------------------------
@@ -43,7 +50,8 @@ static void print_table(const frame_options *o, const stage_figures *figures, do
 static int usage(const char *why, const char *what) {
     fprintf(stderr,
             "bolan-bench frame: %s: %s\n"
-            "usage: frame [--json] [--size WxH] [--quality low|medium|high|ultra] [--threads N] [SCENE...]\n",
+            "usage: frame [--technique NAME] [--json] [--size WxH] [--quality low|medium|high|ultra] [--threads N] "
+            "[SCENE...]\n",
             why, what);
     return 2;
 }
@@ -53,6 +61,12 @@ static int parse(int argc, char **argv, frame_options *o) {
         const int taken = stage_option("frame", argc, argv, &i, &o->stage);
         if (taken < 0) return 2;
         if (taken > 0) continue;
+        if (strcmp(argv[i], "--technique") == 0) {
+            const char *name = i + 1 < argc ? argv[++i] : "";
+            o->technique = bolan_technique_find(name);
+            if (!o->technique) return usage("--technique expects one that bolan info lists", name);
+            continue;
+        }
         if (argv[i][0] == '-') return usage("unknown option", argv[i]);
         if (o->scene_count == SCENES_MAX) return usage("too many scenes from here", argv[i]);
         o->scenes[o->scene_count++] = argv[i];
@@ -72,10 +86,10 @@ int bench_frame(int argc, char **argv) {
     bolan_context *context = NULL;
     if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) return 1;
     stage_figures figures[SCENES_MAX];
-    double yardstick = 0.0;
+    stage_yard yard = {0.0, 0.0};
     for (uint32_t i = 0; i < o.scene_count && status == 0; ++i)
-        if (measure(o.scenes[i], &o, &figures[i], &yardstick) != BOLAN_OK) status = 1;
-    if (status == 0) (o.stage.json ? print_json : print_table)(&o, figures, yardstick);
+        if (measure(o.scenes[i], &o, &figures[i], &yard) != BOLAN_OK) status = 1;
+    if (status == 0) (o.stage.json ? print_json : print_table)(&o, figures, yard);
     bolan_context_destroy(&context);
     return status;
 }

@@ -131,14 +131,17 @@ static double median(double *values, size_t count) {
     return values[count / 2];
 }
 
-static double time_frames(stage *s) {
-    double ms[FRAMES];
+static void time_frames(stage *s, stage_figures *f) {
+    double ms[FRAMES], cpu[FRAMES];
     for (int i = 0; i < WARM_UP + FRAMES; ++i) {
-        double start = bench_now_ms();
+        const double start = bench_now_ms(), cpu_start = bench_cpu_ms();
         stage_frame(s);
-        if (i >= WARM_UP) ms[i - WARM_UP] = bench_now_ms() - start;
+        if (i < WARM_UP) continue;
+        ms[i - WARM_UP] = bench_now_ms() - start;
+        cpu[i - WARM_UP] = bench_cpu_ms() - cpu_start;
     }
-    return median(ms, FRAMES);
+    f->ms = median(ms, FRAMES);
+    f->cpu_ms = median(cpu, FRAMES);
 }
 
 // In a row of its own: timing a pass makes the GPU wait between passes.
@@ -165,34 +168,38 @@ static void time_passes(stage *s, stage_figures *f) {
 void stage_measure(stage *s, bool passes, stage_figures *f) {
     *f = (stage_figures){.technique = s->scene.technique.name};
     memcpy(f->scene, s->scene.name, sizeof f->scene);
-    f->ms = time_frames(s);
+    time_frames(s, f);
     bolan_frame_statistics statistics = bolan_renderer_statistics(s->renderer);
     f->triangles = statistics.triangles;
     f->water_triangles = statistics.water_triangles;
     if (passes) time_passes(s, f);
 }
 
-double stage_yardstick(stage *s) {
-    double ms[YARDSTICK_RUNS];
-    for (int i = 0; i < YARDSTICK_RUNS; ++i)
+stage_yard stage_yardstick(stage *s) {
+    double ms[YARDSTICK_RUNS], cpu[YARDSTICK_RUNS];
+    for (int i = 0; i < YARDSTICK_RUNS; ++i) {
+        const double start = bench_cpu_ms();
         ms[i] = bolan_renderer_yardstick(s->renderer, s->width, s->height, YARDSTICK_REPEATS);
-    return median(ms, YARDSTICK_RUNS);
+        cpu[i] = (bench_cpu_ms() - start) / (YARDSTICK_REPEATS + 1); // it warms up with one more
+    }
+    return (stage_yard){median(ms, YARDSTICK_RUNS), median(cpu, YARDSTICK_RUNS)};
 }
 
 // ---- printing -------------------------------------------------------------------------------------------------------
 
-void stage_print_machine(const stage_options *o, double yardstick) {
+void stage_print_machine(const stage_options *o, stage_yard yard) {
     printf("%s, %s, %u threads, %u x %u\n", bench_machine(), bolan_gl_get_info().renderer, bolan_threads(), o->width,
            o->height);
-    printf("yardstick (6 bilinear look-ups a pixel): %.2f ms\n\n", yardstick);
+    printf("yardstick (6 bilinear look-ups a pixel): %.2f ms, %.2f ms of the processors\n\n", yard.ms, yard.cpu_ms);
 }
 
-void stage_print_table(const stage_figures *figures, uint32_t count, double yardstick) {
-    printf("%-12s %-12s %10s %9s %8s %7s %6s\n", "scene", "technique", "triangles", "water", "ms", "fps", "ratio");
+void stage_print_table(const stage_figures *figures, uint32_t count, stage_yard yard) {
+    printf("%-12s %-12s %10s %9s %8s %7s %6s %9s\n", "scene", "technique", "triangles", "water", "ms", "fps", "ratio",
+           "cpu ratio");
     for (uint32_t i = 0; i < count; ++i) {
         const stage_figures *f = &figures[i];
-        printf("%-12s %-12s %10u %9u %8.2f %7.1f %6.2f\n", f->scene, f->technique, f->triangles, f->water_triangles,
-               f->ms, 1e3 / f->ms, f->ms / yardstick);
+        printf("%-12s %-12s %10u %9u %8.2f %7.1f %6.2f %9.2f\n", f->scene, f->technique, f->triangles,
+               f->water_triangles, f->ms, 1e3 / f->ms, f->ms / yard.ms, f->cpu_ms / yard.cpu_ms);
     }
     printf("\npasses [ms] ");
     for (uint32_t p = 0; p < figures[0].pass_count; ++p) printf(" %10s", figures[0].passes[p].name);
@@ -203,19 +210,20 @@ void stage_print_table(const stage_figures *figures, uint32_t count, double yard
     printf("\n");
 }
 
-void stage_print_machine_json(const stage_options *o, double yardstick) {
+void stage_print_machine_json(const stage_options *o, stage_yard yard) {
     printf("  \"machine\": \"%s\",\n  \"renderer\": \"%s\",\n  \"threads\": %u,\n  \"width\": %u,\n  \"height\": %u,\n"
-           "  \"yardstick_ms\": %.3f,\n",
-           bench_machine(), bolan_gl_get_info().renderer, bolan_threads(), o->width, o->height, yardstick);
+           "  \"yardstick_ms\": %.3f,\n  \"yardstick_cpu_ms\": %.3f,\n",
+           bench_machine(), bolan_gl_get_info().renderer, bolan_threads(), o->width, o->height, yard.ms, yard.cpu_ms);
 }
 
-void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count, double yardstick) {
+void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count, stage_yard yard) {
     for (uint32_t i = 0; i < count; ++i) {
         const stage_figures *f = &figures[i];
         printf("    {\"scene\": \"%s\", \"technique\": \"%s\", \"width\": %u, \"height\": %u, \"triangles\": %u, "
-               "\"water_triangles\": %u, \"ms\": %.3f, \"fps\": %.2f, \"ratio\": %.3f,\n     \"passes\": {",
+               "\"water_triangles\": %u, \"ms\": %.3f, \"fps\": %.2f, \"ratio\": %.3f, \"cpu_ratio\": %.3f,\n     "
+               "\"passes\": {",
                f->scene, f->technique, o->width, o->height, f->triangles, f->water_triangles, f->ms, 1e3 / f->ms,
-               f->ms / yardstick);
+               f->ms / yard.ms, f->cpu_ms / yard.cpu_ms);
         for (uint32_t p = 0; p < f->pass_count; ++p)
             printf("%s\"%s\": %.3f", p > 0 ? ", " : "", f->passes[p].name, f->passes[p].ms);
         printf("}}%s\n", i + 1 < count ? "," : "");

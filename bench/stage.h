@@ -34,7 +34,8 @@ typedef struct stage_figures {
     char scene[BOLAN_NAME_MAX];
     const char *technique;
     uint32_t triangles, water_triangles;
-    double ms; // median of a frame, synthesis included
+    double ms;     // median of a frame, synthesis included
+    double cpu_ms; // processor time of all threads, of the same frames: little moved by what else the machine does
     uint32_t pass_count;
     struct {
         const char *name;
@@ -50,13 +51,16 @@ void stage_close(stage *s);
 void stage_frame(stage *s);
 // Median time of a frame; passes: each of them too, in a run of its own.
 void stage_measure(stage *s, bool passes, stage_figures *f);
-// The full-screen pass of 6 bilinear look-ups at this size [ms]: the median of several runs.
-double stage_yardstick(stage *s);
+// The full-screen pass of 6 bilinear look-ups at this size: the median of several runs.
+typedef struct stage_yard {
+    double ms, cpu_ms;
+} stage_yard;
+stage_yard stage_yardstick(stage *s);
 
 // Printing: what was measured on, and a list of figures with their passes.
-void stage_print_machine(const stage_options *o, double yardstick);
-void stage_print_table(const stage_figures *figures, uint32_t count, double yardstick);
-void stage_print_machine_json(const stage_options *o, double yardstick); // keys of an object that is open
-void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count, double yardstick);
+void stage_print_machine(const stage_options *o, stage_yard yard);
+void stage_print_table(const stage_figures *figures, uint32_t count, stage_yard yard);
+void stage_print_machine_json(const stage_options *o, stage_yard yard); // keys of an open object
+void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count, stage_yard yard);
 
 #endif

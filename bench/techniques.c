@@ -24,7 +24,7 @@ typedef struct row {
 } row;
 
 typedef struct results {
-    double yardstick;
+    stage_yard yard;
     stage_figures techniques[TECHNIQUES];
     row_a a[A_ROWS];
     row b[B_ROWS], c[C_ROWS], d[D_ROWS];
@@ -75,7 +75,7 @@ static bolan_result measure_yardstick(const stage_options *o, results *r) {
     stage s;
     bolan_result result = stage_open(&s, "open-sea", o, NULL, NULL);
     if (result != BOLAN_OK) return result;
-    r->yardstick = stage_yardstick(&s);
+    r->yard = stage_yardstick(&s);
     stage_close(&s);
     return BOLAN_OK;
 }
@@ -179,18 +179,19 @@ static double constancy(const results *r) {
     return (most - least) / (most + least);
 }
 
-static void print_rows(const char *title, const row *rows, int count, double yardstick) {
-    printf("\n%s\n%-38s %10s %9s %8s %7s %6s\n", title, "", "triangles", "water", "ms", "fps", "ratio");
+static void print_rows(const char *title, const row *rows, int count, stage_yard yard) {
+    printf("\n%s\n%-38s %10s %9s %8s %7s %6s %9s\n", title, "", "triangles", "water", "ms", "fps", "ratio",
+           "cpu ratio");
     for (int i = 0; i < count; ++i) {
         const stage_figures *f = &rows[i].figures;
-        printf("%-38s %10u %9u %8.2f %7.1f %6.2f\n", rows[i].what, f->triangles, f->water_triangles, f->ms, 1e3 / f->ms,
-               f->ms / yardstick);
+        printf("%-38s %10u %9u %8.2f %7.1f %6.2f %9.2f\n", rows[i].what, f->triangles, f->water_triangles, f->ms,
+               1e3 / f->ms, f->ms / yard.ms, f->cpu_ms / yard.cpu_ms);
     }
 }
 
 static void print_table(const stage_options *o, const results *r) {
-    stage_print_machine(o, r->yardstick);
-    stage_print_table(r->techniques, TECHNIQUES, r->yardstick);
+    stage_print_machine(o, r->yard);
+    stage_print_table(r->techniques, TECHNIQUES, r->yard);
     printf("\nA, table 2: frames a second of the scene alone, with two triangles of water, with a mesh of water\n"
            "%-22s %21s %21s   paper: %s\n",
            "without", "two triangles", "mesh", "without, two triangles");
@@ -199,31 +200,31 @@ static void print_table(const stage_options *o, const results *r) {
                r->a[i].triangles[1], r->a[i].fps[1], r->a[i].triangles[2], r->a[i].fps[2], paper_a[i].without,
                paper_a[i].fps_without, paper_a[i].with, paper_a[i].fps_with);
     print_rows("B, table 1: four ways to the water of the pond (the paper's figures are lost; its order: mesh slowest)",
-               r->b, B_ROWS, r->yardstick);
+               r->b, B_ROWS, r->yard);
     print_rows("C, section 6: 6 levels of 32 x 32 cells (paper: 16 x 8 waves, 9728 triangles, 40 frames a second)",
-               r->c, C_ROWS, r->yardstick);
-    print_rows("D: the view from these heights (paper: steady at 62 frames a second)", r->d, D_ROWS, r->yardstick);
+               r->c, C_ROWS, r->yard);
+    print_rows("D: the view from these heights (paper: steady at 62 frames a second)", r->d, D_ROWS, r->yard);
     printf("over the flight the time of a frame stays within +- %.0f %%\n", 100.0 * constancy(r));
 }
 
-static void print_rows_json(const char *key, const row *rows, int count, double yardstick) {
+static void print_rows_json(const char *key, const row *rows, int count, stage_yard yard) {
     printf("    \"%s\": [\n", key);
     for (int i = 0; i < count; ++i) {
         const stage_figures *f = &rows[i].figures;
         printf("      {\"what\": \"%s\", \"triangles\": %u, \"water_triangles\": %u, \"ms\": %.3f, \"fps\": %.2f, "
                "\"ratio\": "
-               "%.3f}%s\n",
-               rows[i].what, f->triangles, f->water_triangles, f->ms, 1e3 / f->ms, f->ms / yardstick,
-               i + 1 < count ? "," : "");
+               "%.3f, \"cpu_ratio\": %.3f}%s\n",
+               rows[i].what, f->triangles, f->water_triangles, f->ms, 1e3 / f->ms, f->ms / yard.ms,
+               f->cpu_ms / yard.cpu_ms, i + 1 < count ? "," : "");
     }
     printf("    ],\n");
 }
 
 static void print_json(const stage_options *o, const results *r) {
     printf("{\n");
-    stage_print_machine_json(o, r->yardstick);
+    stage_print_machine_json(o, r->yard);
     printf("  \"techniques\": [\n");
-    stage_print_json(o, r->techniques, TECHNIQUES, r->yardstick);
+    stage_print_json(o, r->techniques, TECHNIQUES, r->yard);
     printf("  ],\n  \"papers\": {\n    \"a\": [\n");
     for (int i = 0; i < A_ROWS; ++i)
         printf("      {\"triangles\": %u, \"fps\": %.2f, \"triangles_with_water\": %u, \"fps_with_water\": %.2f, "
@@ -232,9 +233,9 @@ static void print_json(const stage_options *o, const results *r) {
                r->a[i].triangles[0], r->a[i].fps[0], r->a[i].triangles[1], r->a[i].fps[1], r->a[i].triangles[2],
                r->a[i].fps[2], paper_a[i].fps_without, paper_a[i].fps_with, i + 1 < A_ROWS ? "," : "");
     printf("    ],\n");
-    print_rows_json("b", r->b, B_ROWS, r->yardstick);
-    print_rows_json("c", r->c, C_ROWS, r->yardstick);
-    print_rows_json("d", r->d, D_ROWS, r->yardstick);
+    print_rows_json("b", r->b, B_ROWS, r->yard);
+    print_rows_json("c", r->c, C_ROWS, r->yard);
+    print_rows_json("d", r->d, D_ROWS, r->yard);
     printf("    \"c_paper_fps\": 40, \"d_paper_fps\": 62, \"d_constancy\": %.4f\n  }\n}\n", constancy(r));
 }
 
