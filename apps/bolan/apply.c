@@ -116,6 +116,9 @@ static int apply_picture(const options *o, bolan_scene *scene) {
         c->pitch_deg = o->camera[4];
         c->roll_deg = 0.0;
         if (given(o->camera[5])) c->fov_deg = o->camera[5];
+        scene->camera_key_count = 0; // it was told where to stand
+    } else {
+        scene->camera = bolan_scene_camera_at(scene, scene->time);
     }
     if (given(o->sun[0])) {
         scene->sky.sun_azimuth_deg = o->sun[0];

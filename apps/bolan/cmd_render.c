@@ -120,13 +120,15 @@ static bool write_frame(const job *j, stage *s, uint32_t number) {
     return bolan_png_write(path, j->width, j->height, s->rgb) == BOLAN_OK;
 }
 
-static bool render_frame(const job *j, const session *w, stage *s, uint32_t number) {
+static bool render_frame(const job *j, session *w, stage *s, uint32_t number) {
     const double time = w->scene.time + number / j->fps;
     if (number == 0) {
         bolan_sea_settle(w->sea, time); // with the foam that the seconds before would have left
     } else {
         bolan_sea_step(w->sea, time);
     }
+    w->scene.camera = bolan_scene_camera_at(&w->scene, time);
+    session_lift_camera(w);
     bolan_frame_desc frame = bolan_frame_desc_default();
     frame.scene = &w->scene;
     frame.sea = w->sea;
@@ -141,7 +143,7 @@ static bool render_frame(const job *j, const session *w, stage *s, uint32_t numb
     return write_frame(j, s, number);
 }
 
-static int render_all(const job *j, const session *w) {
+static int render_all(const job *j, session *w) {
     stage s;
     bool ok = open_stage(j, &s);
     progress bar = progress_start(j->frames, j->quiet || !ok);

@@ -4,8 +4,7 @@
 
 #include <math.h>
 
-// A camera inside the ground shows nothing: it is lifted to the height of somebody standing there.
-static void lift_camera(session *s) {
+void session_lift_camera(session *s) {
     if (!s->assets.terrain) return;
     bolan_dvec3 *p = &s->scene.camera.position;
     const double ground = (double)bolan_terrain_elevation(s->assets.terrain, p->x, p->y, 0.0);
@@ -19,7 +18,7 @@ static int open_scene(const options *o, session *s, bool with_terrain) {
     bolan_set_threads(isnan(o->threads) ? 0 : (uint32_t)o->threads);
     if (!with_terrain) s->scene.terrain.kind = BOLAN_TERRAIN_NONE, s->scene.object_count = 0;
     if (bolan_scene_assets_load(&s->scene, &s->assets)) return EXIT_FAILED;
-    lift_camera(s);
+    session_lift_camera(s);
     if (bolan_scene_create_sea(&s->scene, &s->assets, &s->sea)) {
         session_close(s);
         return EXIT_FAILED;

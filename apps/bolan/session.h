@@ -15,6 +15,8 @@ typedef struct session {
 int session_open(const options *o, session *s);
 // The same without the terrain, for what looks at the open sea only.
 int session_open_sea(const options *o, session *s);
+// A camera inside the ground shows nothing: it is lifted to the height of somebody standing there.
+void session_lift_camera(session *s);
 void session_close(session *s);
 
 #endif

@@ -194,6 +194,13 @@ typedef struct bolan_camera {
     double fov_deg;       ///< vertical field of view [deg], 1..150; default 50
 } bolan_camera;
 
+/// Where a moving camera is at a moment.
+typedef struct bolan_camera_key {
+    double time; ///< [s], +-1e9
+    bolan_camera camera;
+} bolan_camera_key;
+#define BOLAN_MAX_CAMERA_KEYS 32 ///< of a scene's path
+
 /// The sun, the air and the clouds.
 typedef struct bolan_sky {
     double sun_azimuth_deg;   ///< compass [deg], -360..360; default 220
@@ -256,6 +263,8 @@ typedef struct bolan_scene {
     char spectrum_path[BOLAN_PATH_MAX]; ///< "" or a measured spectrum file
     uint32_t spectrum_record;           ///< which record in time, from 0, the earliest; default 0
     bolan_camera camera;
+    uint32_t camera_key_count;                           ///< 0..BOLAN_MAX_CAMERA_KEYS; 0: the camera stays where it is
+    bolan_camera_key camera_keys[BOLAN_MAX_CAMERA_KEYS]; ///< its path, times ascending
     bolan_sky sky;
     bolan_water water;
     bolan_terrain_source terrain;
@@ -276,6 +285,10 @@ void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg
 /// Gives the scene another technique: the wave model of its sea follows, and the wind sea is built anew where the
 /// technique has a spectrum of its own.
 void bolan_scene_set_technique(bolan_scene *scene, const bolan_technique *technique);
+/// The camera at @p time [s]: on the path through the keys, where it begins before the first and ends after the last;
+/// without keys scene->camera. Smooth, and never beyond the keys it lies between (monotone cubic pieces, Fritsch &
+/// Carlson 1980); headings turn the short way.
+bolan_camera bolan_scene_camera_at(const bolan_scene *scene, double time);
 /// The desc of the scene's sea as its look wants it: scene->sea, and in paper mode the papers' own choices (sharpness 1,
 /// equal width of frequencies).
 bolan_sea_desc bolan_scene_sea_desc(const bolan_scene *scene);

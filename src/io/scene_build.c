@@ -61,6 +61,9 @@ void scene_file_clear(scene_file *file) {
     for (int i = 0; i < BOLAN_MAX_WAVE_SYSTEMS; i++)
         file->sea.swell[i] = (struct scene_file_swell){0, absent, absent, absent, absent};
     for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) file->objects[i].scale = 1.0;
+    for (int i = 0; i < BOLAN_MAX_CAMERA_KEYS; i++)
+        file->camera.path[i] =
+            (struct scene_file_key){0, absent, {absent, absent, absent}, absent, absent, absent, absent};
     file->look.effects = d.look.effects;
     file->sea.frequencies = d.sea.frequencies;
     file->sea.directions = d.sea.directions;
@@ -246,6 +249,28 @@ static void build_camera(const struct scene_file_camera *c, bolan_camera *out) {
     set(&out->fov_deg, c->fov, 1.0);
 }
 
+// A key has what it says, and the rest from the key before it; the first, from the camera.
+static bolan_result build_path(const struct scene_file_camera *c, const char *name, bolan_scene *scene) {
+    bolan_camera camera = scene->camera;
+    for (uint32_t i = 0; i < c->path_count; i++) {
+        const struct scene_file_key *k = &c->path[i];
+        if (isnan(k->time)) return refuse(name, k->line, "a key of camera.path needs time, in seconds");
+        if (i > 0 && !(k->time > scene->camera_keys[i - 1].time))
+            return refuse(name, k->line,
+                          "a key of camera.path is not later than the one before; expected times that grow");
+        const struct scene_file_camera at = {.position = {k->position[0], k->position[1], k->position[2]},
+                                             .heading = k->heading,
+                                             .pitch = k->pitch,
+                                             .roll = k->roll,
+                                             .fov = k->fov};
+        build_camera(&at, &camera);
+        scene->camera_keys[i] = (bolan_camera_key){k->time, camera};
+    }
+    scene->camera_key_count = c->path_count;
+    if (c->path_count > 0) scene->camera = bolan_scene_camera_at(scene, scene->time);
+    return BOLAN_OK;
+}
+
 // ---- look and objects -----------------------------------------------------------------------------------------------
 
 static void build_look(const struct scene_file_look *l, bolan_look *out) {
@@ -331,7 +356,8 @@ bolan_result scene_file_build(const scene_file *file, const char *name, bolan_sc
     build_camera(&file->camera, &scene->camera);
     build_look(&file->look, &scene->look);
     if (build_sea(&file->sea, name, scene) || build_sky(file, name, &scene->sky) ||
-        build_terrain(&file->terrain, name, &scene->terrain) || build_objects(file, name, scene))
+        build_terrain(&file->terrain, name, &scene->terrain) || build_objects(file, name, scene) ||
+        build_path(&file->camera, name, scene))
         return BOLAN_ERROR_FORMAT;
     return BOLAN_OK;
 }

@@ -90,6 +90,11 @@ typedef struct scene_file {
     struct scene_file_camera {
         uint32_t line;
         double position[3], heading, pitch, roll, fov;
+        uint32_t path_count;
+        struct scene_file_key {
+            uint32_t line;
+            double time, position[3], heading, pitch, roll, fov;
+        } path[BOLAN_MAX_CAMERA_KEYS];
     } camera;
 } scene_file;
 

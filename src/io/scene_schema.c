@@ -181,10 +181,27 @@ static const schema_key object_keys[] = {
 };
 #undef STRUCT
 
+#define STRUCT struct scene_file_key
+static const schema_key path_keys[] = {
+    NUMBER(time, -1e9, 1e9, "s"),
+    VECTOR(position, -1e7, 1e7, "m"),
+    NUMBER(heading, -360, 360, "degrees"),
+    NUMBER(pitch, -90, 90, "degrees"),
+    NUMBER(roll, -180, 180, "degrees"),
+    NUMBER(fov, 1, 150, "degrees"),
+    END,
+};
+#undef STRUCT
+
 #define STRUCT struct scene_file_camera
 static const schema_key camera_keys[] = {
-    VECTOR(position, -1e7, 1e7, "m"),   NUMBER(heading, -360, 360, "degrees"), NUMBER(pitch, -90, 90, "degrees"),
-    NUMBER(roll, -180, 180, "degrees"), NUMBER(fov, 1, 150, "degrees"),        END,
+    VECTOR(position, -1e7, 1e7, "m"),
+    NUMBER(heading, -360, 360, "degrees"),
+    NUMBER(pitch, -90, 90, "degrees"),
+    NUMBER(roll, -180, 180, "degrees"),
+    NUMBER(fov, 1, 150, "degrees"),
+    LIST(path, path_count, path_keys),
+    END,
 };
 #undef STRUCT
 

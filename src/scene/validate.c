@@ -88,6 +88,17 @@ static bolan_result check_camera(const bolan_camera *c) {
     return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
 }
 
+static bolan_result check_path(const bolan_scene *s) {
+    if (check("camera_key_count", s->camera_key_count, 0, BOLAN_MAX_CAMERA_KEYS, "")) return BOLAN_ERROR_ARGUMENT;
+    for (uint32_t i = 0; i < s->camera_key_count; i++) {
+        const bolan_camera_key *k = &s->camera_keys[i];
+        const double after = i > 0 ? k[-1].time + 1e-3 : -1e9;
+        if (check("camera_keys.time", k->time, after, 1e9, "s, later than the key before") || check_camera(&k->camera))
+            return BOLAN_ERROR_ARGUMENT;
+    }
+    return BOLAN_OK;
+}
+
 static bolan_result check_sky_and_water(const bolan_sky *k, const bolan_water *w) {
     const bool ok = !check("sky.sun_azimuth_deg", k->sun_azimuth_deg, -360, 360, "degrees") &&
                     !check("sky.sun_elevation_deg", k->sun_elevation_deg, -90, 90, "degrees") &&
@@ -128,7 +139,7 @@ bolan_result bolan_scene_validate(const bolan_scene *s) {
     const bool ok = !check_text("name", s->name, sizeof s->name) &&
                     !check_text("description", s->description, sizeof s->description) && !check_sea(s) &&
                     !check_technique(&s->technique, &s->look) && !check_objects(s) && !check_camera(&s->camera) &&
-                    !check_sky_and_water(&s->sky, &s->water) && !check_terrain(&s->terrain) &&
+                    !check_path(s) && !check_sky_and_water(&s->sky, &s->water) && !check_terrain(&s->terrain) &&
                     !check("time", s->time, -1e9, 1e9, "s") && !check("exposure", s->exposure, -10, 10, "stops");
     return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
 }

@@ -197,6 +197,20 @@ static void test_effects_as_words(void **state) {
     assert_int_equal(s.wind_spectrum, BOLAN_SPECTRUM_PHILLIPS);
 }
 
+static void test_a_key_of_the_path_keeps_what_it_does_not_say(void **state) {
+    (void)state;
+    bolan_scene s;
+    assert_int_equal(parse("time: 5\ncamera:\n  fov: 40\n  path:\n    - {time: 0, position: [0, 0, 100], pitch: -10}\n"
+                           "    - {time: 10, position: [0, 50, 20]}\n",
+                           &s),
+                     BOLAN_OK);
+    assert_int_equal(s.camera_key_count, 2);
+    assert_near(s.camera_keys[1].camera.pitch_deg, -10.0, 0.0);
+    assert_near(s.camera_keys[1].camera.fov_deg, 40.0, 0.0);
+    assert_near(s.camera.position.y, 25.0, 1e-9); // half-way at half the time: two keys make a straight line
+    assert_near(s.camera.position.z, 60.0, 1e-9);
+}
+
 static void test_what_is_wrong_is_refused_with_line_and_key(void **state) {
     (void)state;
     static const struct {
@@ -222,6 +236,10 @@ static void test_what_is_wrong_is_refused_with_line_and_key(void **state) {
          BOLAN_LOG_SCENE_BAD_VALUE},
         {"camera: {position: [1, 2, x]}\n", "camera.position is x; expected a number", BOLAN_LOG_SCENE_BAD_VALUE},
         {"camera: {position: [0, 0, -5000]}\n", "camera.position.z", BOLAN_LOG_OUT_OF_RANGE},
+        {"camera:\n  path:\n    - {position: [0, 0, 5]}\n", "test.yaml:3: a key of camera.path needs time",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"camera:\n  path:\n    - {time: 3}\n    - {time: 3}\n", "test.yaml:4: a key of camera.path is not later",
+         BOLAN_LOG_SCENE_BAD_VALUE},
         {"sea: {seed: 1.5}\n", "sea.seed is 1.5; expected a whole number", BOLAN_LOG_SCENE_BAD_VALUE},
         {"sea: {seed: -1}\n", "sea.seed is -1; expected a whole number", BOLAN_LOG_SCENE_BAD_VALUE},
         {"sea: {resolution: 100}\n", "test.yaml:1: sea.resolution is not a power of two", BOLAN_LOG_SCENE_BAD_VALUE},
@@ -316,7 +334,7 @@ static void test_paths_count_from_the_scenes_folder(void **state) {
     assert_string_equal(scene.name, "with_paths.yaml");
     remove("with_paths.yaml");
     assert_refusal(bolan_scene_load("no-such-scene", &scene), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_UNKNOWN_NAME,
-                   "no-such-scene: there is no such scene; expected coast, island");
+                   "no-such-scene: there is no such scene; expected approach, coast, island");
     assert_refusal(bolan_scene_load("./no.yaml", &scene), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN,
                    "./no.yaml: cannot be read");
     assert_refusal(bolan_scene_load("/", &scene), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN, "it is a folder");
@@ -344,6 +362,7 @@ int main(void) {
         cmocka_unit_test(test_a_raster_and_a_spectrum_file),
         cmocka_unit_test(test_tables_and_dates),
         cmocka_unit_test(test_effects_as_words),
+        cmocka_unit_test(test_a_key_of_the_path_keeps_what_it_does_not_say),
         cmocka_unit_test(test_what_is_wrong_is_refused_with_line_and_key),
         cmocka_unit_test(test_aliases_and_nesting_cost_nothing),
         cmocka_unit_test(test_built_in_scenes_load),

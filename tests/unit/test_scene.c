@@ -88,6 +88,60 @@ static void test_the_sun_stands_where_nrel_says(void **state) {
     assert_near(elevation, 90.0 - 50.11162 - 0.016, 0.02);
 }
 
+static bolan_scene with_path(void) {
+    bolan_scene s = bolan_scene_default();
+    s.camera_key_count = 3;
+    for (int i = 0; i < 3; i++) s.camera_keys[i] = (bolan_camera_key){10.0 * i, s.camera};
+    s.camera_keys[0].camera.position.z = 1000.0;
+    s.camera_keys[1].camera.position.z = 100.0;
+    s.camera_keys[2].camera.position.z = 3.0;
+    s.camera_keys[0].camera.heading_deg = 350.0;
+    s.camera_keys[1].camera.heading_deg = 10.0;
+    s.camera_keys[2].camera.heading_deg = 40.0;
+    return s;
+}
+
+static void the_camera_passes_through_its_keys(void **state) {
+    (void)state;
+    const bolan_scene s = with_path();
+    for (int i = 0; i < 3; i++) {
+        const bolan_camera c = bolan_scene_camera_at(&s, 10.0 * i);
+        assert_near(c.position.z, s.camera_keys[i].camera.position.z, 1e-9);
+        assert_near(remainder(c.heading_deg - s.camera_keys[i].camera.heading_deg, 360.0), 0.0, 1e-9);
+    }
+    assert_near(bolan_scene_camera_at(&s, -5.0).position.z, 1000.0, 1e-9);
+    assert_near(bolan_scene_camera_at(&s, 99.0).position.z, 3.0, 1e-9);
+}
+
+static void a_descent_only_descends(void **state) {
+    (void)state;
+    const bolan_scene s = with_path();
+    double before = 1000.0;
+    for (int i = 0; i <= 2000; i++) {
+        const double z = bolan_scene_camera_at(&s, 0.01 * i).position.z;
+        assert_true(z <= before + 1e-9 && z >= 3.0 - 1e-9);
+        assert_true(before - z < 1.5 * 900.0 / 10.0 * 0.01 * 2.0); // no jump: at most 3 times the mean slope of its piece
+        before = z;
+    }
+}
+
+static void headings_turn_the_short_way(void **state) {
+    (void)state;
+    const bolan_scene s = with_path();
+    for (int i = 0; i <= 100; i++) {
+        const double heading = remainder(bolan_scene_camera_at(&s, 0.1 * i).heading_deg, 360.0);
+        assert_true(heading >= -10.0 - 1e-9 && heading <= 10.0 + 1e-9);
+    }
+}
+
+static void a_path_out_of_order_is_refused(void **state) {
+    (void)state;
+    bolan_scene s = with_path();
+    assert_int_equal(bolan_scene_validate(&s), BOLAN_OK);
+    s.camera_keys[2].time = 10.0;
+    assert_int_equal(bolan_scene_validate(&s), BOLAN_ERROR_ARGUMENT);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_default_scene_is_valid),
@@ -95,6 +149,10 @@ int main(void) {
         cmocka_unit_test(test_another_wind_keeps_the_swell),
         cmocka_unit_test(test_techniques_are_found_by_name),
         cmocka_unit_test(test_the_sun_stands_where_nrel_says),
+        cmocka_unit_test(the_camera_passes_through_its_keys),
+        cmocka_unit_test(a_descent_only_descends),
+        cmocka_unit_test(headings_turn_the_short_way),
+        cmocka_unit_test(a_path_out_of_order_is_refused),
     };
     return cmocka_run_group_tests(tests, listen_to_log, NULL);
 }
