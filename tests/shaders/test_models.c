@@ -82,6 +82,7 @@ static const bolan_vec4 everything = {0.0f, 0.0f, 1.0f, 0.0f};
 // clip: the frame's, see frame_uniforms.
 static void draw(rig *r, bolan_vec4 clip) {
     frame *f = &r->frame;
+    f->picture = clip.x != 0.0f;
     const bool zero_to_one = r->caps.clip_control;
     f->eye = bolan_dv3(0.0, -20.0, 0.0);
     f->triangles = 0;
@@ -183,7 +184,7 @@ static void the_vertical_scale_raises_the_bottom(void **state) {
     rig r;
     float low, high;
     rig_open(&r, -4.0f);
-    draw(&r, (bolan_vec4){-1.0f, 0.0f, 0.75f, 0.0f});
+    draw(&r, (bolan_vec4){-1.0f, 0.0f, 0.75f, 1.0f});
     assert_true(extent(&r, &low, &high));
     assert_near(low, -3.0, PIXEL);
     assert_near(high, 0.0, PIXEL);
