@@ -41,9 +41,9 @@ static bolan_vec3 meadow(double x, double y, float z) {
 // Fields, hedges and woods of the country around.
 static bolan_vec3 country(double x, double y) {
     const bolan_vec3 wood = {0.022f, 0.036f, 0.014f}, field = {0.090f, 0.100f, 0.036f},
-                     stubble = {0.19f, 0.155f, 0.075f};
+                     reaped = {0.19f, 0.155f, 0.075f};
     const float patch = fractal_noise(x / 260.0, y / 260.0, 2, 81), kind = fractal_noise(x / 420.0, y / 420.0, 2, 82);
-    const bolan_vec3 open = build_mix(field, stubble, smoothstepf(0.05f, 0.35f, kind));
+    const bolan_vec3 open = build_mix(field, reaped, smoothstepf(0.05f, 0.35f, kind));
     return build_mix(open, wood, smoothstepf(-0.12f, 0.12f, patch));
 }
 
