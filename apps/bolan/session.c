@@ -8,7 +8,7 @@ void session_lift_camera(session *s) {
     if (!s->assets.terrain) return;
     bolan_dvec3 *p = &s->scene.camera.position;
     const double ground = (double)bolan_terrain_elevation(s->assets.terrain, p->x, p->y, 0.0);
-    if (ground > s->scene.water.level) p->z = fmax(p->z, ground + 1.8);
+    p->z = fmax(p->z, ground + (ground > s->scene.water.level ? 1.8 : 0.3)); // a diver's mask, over the sea bed
 }
 
 static int open_scene(const options *o, session *s, bool with_terrain) {
