@@ -163,11 +163,32 @@ static uint32_t fill_seams(const bolan_nested *placed, uint32_t *out) {
     return count;
 }
 
-static uint32_t build_nested(water_mesh *m, const bolan_surface_view *view) {
-    bolan_nested placed = bolan_surface_nested_place(&m->nested, view);
+enum { PAPER_CELLS = 32, PAPER_LEVELS = 6, LEVELS = 9 };
+
+// To the letter: 6 levels of 32 cells, which then end three pixels below the horizon; more of them reach it with cells as fine.
+static bolan_nested_desc nested_desc(const water_mesh *m, const bolan_surface_view *view, bool paper) {
+    bolan_nested_desc desc = m->nested;
+    desc.levels = LEVELS;
+    if (!paper) return desc;
+    const double height = fmax(fabs(view->eye.z - view->water_level), 1.0);
+    const double dip = sqrt(2.0 * height / BOLAN_EARTH_RADIUS), pixels = 3.0 * view->fov_y / view->pixel_height;
+    return (bolan_nested_desc){PAPER_CELLS, PAPER_LEVELS, height / (dip + pixels) / (PAPER_CELLS / 2)};
+}
+
+// To see which vertices get waves, the paper's figure 5 takes a narrower view for the choice than for the picture.
+static void narrow_choice(water_mesh *m, const bolan_nested *placed, const bolan_surface_view *view) {
+    bolan_surface_view narrow = *view;
+    narrow.fov_y *= 0.5;
+    bolan_surface_nested_vertices(placed, &narrow, NULL, NULL, m->cpu_visible);
+}
+
+static uint32_t build_nested(water_mesh *m, const bolan_surface_view *view, const bolan_look *look) {
+    const bolan_nested_desc desc = nested_desc(m, view, look->paper);
+    bolan_nested placed = bolan_surface_nested_place(&desc, view);
     bool same = m->kind == BOLAN_SURFACE_NESTED && same_shape(&placed, &m->placed);
     m->placed = placed;
     bolan_surface_nested_vertices(&placed, view, m->cpu_rest, m->cpu_vertices, m->cpu_visible);
+    if (look->paper && look->show == BOLAN_SHOW_MESH) narrow_choice(m, &placed, view);
     if (!same) {
         uint32_t count = 0;
         for (uint32_t l = 0; l < placed.levels; ++l)
@@ -244,7 +265,7 @@ void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, wa
         return;
     }
     uint32_t count = kind == BOLAN_SURFACE_QUAD     ? build_quad(m, &view)
-                     : kind == BOLAN_SURFACE_NESTED ? build_nested(m, &view)
+                     : kind == BOLAN_SURFACE_NESTED ? build_nested(m, &view, &f->scene->look)
                                                     : build_projected(m, &view);
     m->kind = kind;
     if (count < 3) {
