@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Objects. All light is computed at the vertices, so that the pixels cost little: this is drawn up to three times a frame.
-// GROUND is defined for models that lie flat, PICTURE for what the water mirrors and refracts, and for an eye under it.
+// GROUND is defined for models that lie flat, PICTURE for what the water mirrors and refracts, and for an eye under it; CUT where the
+// picture's plane cuts the triangles, WET where they may lie under the water; FAR for what stands kilometres away.
 // As in terrain.glsl, points under the water are left as if dry and without haze: the water pass puts the water over them.
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
@@ -8,6 +9,7 @@
 
 uniform vec4 place[3];     // rows of the matrix from model to eye-relative world
 uniform float grain_scale; // 1 / period of the grain [1/m]
+uniform float pixel;       // of this picture [rad]
 uniform vec4 caster[64];   // pairs: centre (eye-relative), 1 / horizontal radius; x: 1 / vertical radius [1/m]
 uniform int caster_count;
 uniform int own_caster;    // an object does not stand in its own shadow
@@ -18,11 +20,15 @@ layout(location = 1) in vec3 vertex_normal;
 layout(location = 2) in vec4 vertex_color; // albedo; open sky
 out vec3 light;     // radiance of the surface as it arrives
 out vec3 inscatter; // of the air before it
-out vec3 grain;     // noise coordinates, strength
-#ifdef PICTURE
+out vec4 grain;     // noise coordinates, strength, level
+#ifdef CUT
 out float over;     // height above the clip level [m]
+#endif
+#ifdef WET
 out vec3 bottom;    // level place relative to the eye, depth under the water [m]
 #endif
+
+const float NOISE_SIZE = 256.0; // texels
 
 const float PI = 3.14159265;
 
@@ -63,11 +69,12 @@ void main() {
     light = albedo / PI * (sun_light.rgb * lit + ambient);
 
     vec3 transmittance;
-#ifdef PICTURE // objects stand near, and this is drawn often: haze of one extinction
-    transmittance = exp(-length(position) * (RAYLEIGH + mie_extinction()));
-    inscatter = sky_light.rgb / PI * (1.0 - transmittance);
-#else
+    float away = length(position);
+#if defined(FAR) || (defined(GROUND) && !defined(PICTURE))
     aerial_perspective(position, transmittance, inscatter);
+#else // near things, and what is drawn small: haze of one extinction
+    transmittance = exp(-away * (RAYLEIGH + mie_extinction()));
+    inscatter = sky_light.rgb / PI * (1.0 - transmittance);
 #endif
     float dry = smoothstep(-0.3, 0.0, height);
     light *= mix(vec3(1.0), transmittance, dry);
@@ -75,18 +82,26 @@ void main() {
 
 #ifdef GROUND
     // The noise's period must divide the 4096 m after which eye.xy wraps.
-    grain = vec3((eye.xy + position.xy) / 4.0, mix(0.7, 1.1, leafy));
+    float period = 4.0;
+    grain = vec4((eye.xy + position.xy) / period, mix(0.7, 1.1, leafy), 0.0);
 #else
     // Along no axis, so that no wall is smeared.
-    grain = vec3((vertex.xz + vertex.y * vec2(0.61, 0.37)) * grain_scale, mix(0.3, 1.3, leafy));
+    float period = 1.0 / grain_scale;
+    grain = vec4((vertex.xz + vertex.y * vec2(0.61, 0.37)) * grain_scale, mix(0.3, 1.3, leafy), 0.0);
 #endif
+    float tilted = max(abs(dot(n, position)), 0.03 * away) / max(away, 1e-3); // the long side of a footprint
+    grain.w = log2(max(away * pixel * NOISE_SIZE / (period * tilted), 1.0));
 #ifdef PICTURE
     vec3 through, veil;
     through_water(position, height, through, veil);
     light *= through;
     inscatter = inscatter * through + veil;
+#ifdef CUT
     over = clip.x * (height - clip.y);
+#endif
+#ifdef WET
     bottom = vec3(position.xy, -height);
+#endif
     position.z += seen_height(position.xy, height) - height;
 #endif
     gl_Position = view_projection * vec4(position, 1.0);
@@ -96,9 +111,11 @@ void main() {
 #ifdef FRAGMENT
 in vec3 light;
 in vec3 inscatter;
-in vec3 grain;
-#ifdef PICTURE
+in vec4 grain;
+#ifdef CUT
 in float over;
+#endif
+#ifdef WET
 in vec3 bottom;
 #endif
 out vec4 color;
@@ -107,13 +124,13 @@ out vec4 color;
 uniform sampler2D ground_noise; // billows, their gradient, patches; mean 0.5
 
 void main() {
-#ifdef PICTURE
+#ifdef CUT
     if (over < 0.0) discard;
 #endif
-    vec4 noise = texture(ground_noise, grain.xy);
+    vec4 noise = textureLod(ground_noise, grain.xy, floor(grain.w + 0.5)); // one level: software blends two at twice the price
     float tone = noise.r + noise.a - 1.0;
     vec3 radiance = light * max(1.0 + grain.z * tone, 0.2);
-#ifdef PICTURE
+#ifdef WET
     radiance *= mix(1.0, gathered_light(bottom.xy, bottom.z), 0.75); // the rest is light of the sky
 #endif
     color = vec4(radiance + inscatter, 1.0);

@@ -45,7 +45,7 @@ uniform sampler2D reflection_picture;
 uniform sampler2D refraction_picture;
 uniform highp sampler2D reflection_depth;
 uniform highp sampler2D refraction_depth;
-uniform sampler2D tile_slopes;    // slopes along the tile's sides, their squares' sum, brightness of the water's own texture; PAPER: unit normal
+uniform sampler2D tile_slopes;    // slopes along the world's axes, their squares' sum, brightness of the water's own texture; PAPER: unit normal
 uniform sampler2D ripple_slopes;  // of shorter waves
 uniform sampler2D glint_texture;  // r: the sun as the slide has it
 uniform vec4 tile_place;          // xy: eye in the tile, zw: cos, sin of its turn over its side [1/m]
@@ -86,12 +86,12 @@ waves_here look_at_waves(water_pixel p, vec3 view, float dist) {
     w.variance = 1e-4;
 #else
     float keep = far_share(tile_place, dist);
-    w.slope = keep * out_of_tile(tile_place, t.xy);
+    w.slope = keep * t.xy;
     float lost = max(t.z - keep * keep * dot(t.xy, t.xy), 0.0);
 #ifdef RIPPLES
     vec4 r = textureLod(ripple_slopes, in_tile(ripple_place, p.rest), lod + tile_law.y);
     keep = far_share(ripple_place, dist);
-    w.slope += tile_law.z * keep * out_of_tile(ripple_place, r.xy);
+    w.slope += tile_law.z * keep * r.xy;
     lost += tile_law.z * tile_law.z * max(r.z - keep * keep * dot(r.xy, r.xy), 0.0);
 #endif
     w.variance = 0.5 * (lost + tile_law.w);
@@ -168,9 +168,9 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     if (effect_is_on(EFFECT_GLITTER)) {
         // a facet turns the ray by twice its tilt; the texture's own sun has the rms radius disturbance.w
         ray = to + 2.0 * flat_facing * flat2 * vec3(-w.slope, 1.0);
-        float sigma = sqrt(4.0 * w.variance + disturbance.w * disturbance.w);
-        float peak = min(1.0 / (2.0 * PI * sigma * sigma), 90.0);
-        float glint = slide(vec3(ray.xy, abs(ray.z)), vec2(0.0), disturbance.w / sigma);
+        float narrow = inversesqrt(4.0 * w.variance + disturbance.w * disturbance.w);
+        float peak = min(narrow * narrow * (0.5 / PI), 90.0);
+        float glint = slide(vec3(ray.xy, abs(ray.z)), vec2(0.0), disturbance.w * narrow);
         float half_way = sqrt(0.5 + 0.5 * clamp(dot(view, sun.xyz), -1.0, 1.0)), grazing = 1.0 - half_way, grazing2 = grazing * grazing;
         result += light * ((0.021 + 0.979 * grazing2 * grazing2 * grazing) * peak * glint); // Schlick at the facet that mirrors
     }

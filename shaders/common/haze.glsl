@@ -36,7 +36,9 @@ flat in vec3 haze_bend;
 // Light that arrives from the water at that distance along `to`.
 vec3 through_haze(vec3 light, vec3 to, float dist) {
     float c = dot(to.xy, sun.xy) * inversesqrt(max(dot(to.xy, to.xy) * dot(sun.xy, sun.xy), 1e-9));
-    vec3 left = exp(-haze_extinction * dist);
+    vec3 x = haze_extinction * dist, q = 1.0 + x * (0.25 + x * (0.03125 + x * 0.0026041667));
+    q *= q;
+    vec3 left = 1.0 / (q * q); // exp(-x), to 0.003
     return light * left + max(haze_level + c * (haze_slope + c * haze_bend), vec3(0.0)) * (1.0 - left);
 }
 #endif

@@ -72,7 +72,7 @@ static const schema_key sea_keys[] = {
     COUNT(cascades, 1, BOLAN_MAX_CASCADES),
     NUMBER(length, 10, 1e5, "m"),
     NUMBER(choppiness, 0, 2, NULL),
-    NUMBER(loop, 10, 1e6, "s"),
+    NUMBER(loop, 1, 1e6, "s"),
     NUMBER(foam_decay, 0.1, 60, "s"),
     COUNT(frequencies, 1, BOLAN_MAX_FREQUENCIES),
     COUNT(directions, 1, BOLAN_MAX_DIRECTIONS),

@@ -37,13 +37,6 @@ static bolan_vec4 place_of(const bolan_tiles_view *v, const frame *f) {
                         (float)(s / v->length)};
 }
 
-// The ripples lie across the other tile, so that their repetitions never line up.
-static bolan_tiles_view turned(const bolan_tiles *tiles) {
-    bolan_tiles_view v = bolan_tiles_get_view(tiles);
-    v.angle += 0.9;
-    return v;
-}
-
 static void set_caustics(frame *f, const water_tiles *t) {
     const bolan_look *look = &f->scene->look;
     const bolan_tiles_view v = bolan_tiles_get_view(water_tiles_fine(t));
@@ -99,7 +92,8 @@ static void set_waves(const gl_program *g, const frame *f, const water_tiles *t)
     gl_program_vec4(g, "tile_place", place_of(&v, f));
     const double texels = log2(v.n / v.length);
     if (fine != base) {
-        v = turned(fine);
+        v = bolan_tiles_get_view(fine);
+        v.angle = water_tiles_ripple_angle(t);
         gl_program_vec4(g, "ripple_place", place_of(&v, f));
         share = fmin(1.0, sqrt(missing / fmax(t->fine_variance, 1e-9)));
         missing = fmax(missing - share * share * t->fine_variance, 0.0);

@@ -5,12 +5,22 @@
 #include "bolan/query.h"
 #include "scene/model.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define VERTEX_FLOATS 10    // position, normal, colour and openness
 #define MAX_CASTERS 32      // twin of caster[] in models.glsl
 #define WIDEST_CASTER 30.0f // [m]: what is larger is a landscape
 #define SOFTENING 0.7       // of the tilt: a hull averages over more than the points that are asked for
+#define OVERLAP 0.25f // [m], as in pass_mirror.c: what stands clear of the water by more is cut by no picture's plane
+#define FAR_AWAY 1000.0f // [m]: from there on the air's colour depends on where one looks
+
+enum { ABOVE, ACROSS, BELOW, CLASSES }; // the paper's three classes (section 2.2), of triangles
+
+// What a program is for: models that lie flat or things; the main view near and far, a picture's whole triangles, cut ones, and both
+// where they may lie under the water.
+enum { MAIN, MAIN_FAR, WHOLE, CUT, WET_WHOLE, WET_CUT, KINDS };
 
 // A model on the GPU.
 typedef struct gpu_model {
@@ -23,18 +33,32 @@ typedef struct gpu_model {
     bool wanted;  // by this frame
 } gpu_model;
 
+// The indices of a still object that stands in the water, its triangles sorted by class.
+typedef struct sorted {
+    uint64_t id; // of the model; 0: empty
+    float place[4];
+    gl_buffer indices;
+    gl_mesh mesh;
+    uint32_t counts[CLASSES];
+} sorted;
+
 // An object as it stands in this frame.
 typedef struct placed {
     const gpu_model *gpu;
-    float rows[12];         // model to eye-relative world
-    double lowest, highest; // of its box, above the water level [m]
-    int caster;             // its own, or -1
+    const gl_mesh *mesh;
+    uint32_t counts[CLASSES]; // indices
+    float rows[12];           // model to eye-relative world
+    bolan_vec3 low, high;     // of its box in the model
+    double lowest, highest;   // of its box, above the water level [m]
+    float nearest;            // about as near as it comes to the eye [m]
+    int caster;               // its own, or -1
 } placed;
 
 struct pass_models {
-    gl_program programs[2][2]; // [flat][picture]
+    gl_program programs[2][KINDS]; // [flat]
     gpu_model models[BOLAN_MAX_OBJECTS];
-    placed objects[BOLAN_MAX_OBJECTS];
+    sorted sorted[BOLAN_MAX_OBJECTS];  // by the scene's order
+    placed objects[BOLAN_MAX_OBJECTS]; // the nearest first: what they hide is not shaded
     uint32_t count;
     float casters[MAX_CASTERS * 2 * 4];
     uint32_t caster_count;
@@ -42,13 +66,21 @@ struct pass_models {
 
 bolan_result pass_models_create(const gl_caps *caps, pass_models **out) {
     (void)caps;
-    static const char *const defines[2][2] = {{NULL, "PICTURE 1\n"}, {"GROUND 1\n", "GROUND 1\nPICTURE 1\n"}};
+    static const char *const defines[KINDS] = {[MAIN] = "",
+                                               [MAIN_FAR] = "FAR 1\n",
+                                               [WHOLE] = "PICTURE 1\n",
+                                               [CUT] = "PICTURE 1\nCUT 1\n",
+                                               [WET_WHOLE] = "PICTURE 1\nWET 1\n",
+                                               [WET_CUT] = "PICTURE 1\nCUT 1\nWET 1\n"};
     *out = NULL;
     pass_models *p = bolan_allocate(sizeof *p);
     if (!p) return BOLAN_ERROR_MEMORY;
     bolan_result r = BOLAN_OK;
-    for (int i = 0; i < 4 && r == BOLAN_OK; i++)
-        r = gl_program_create("models", defines[i / 2][i % 2], &p->programs[i / 2][i % 2]);
+    for (int i = 0; i < 2 * KINDS && r == BOLAN_OK; i++) {
+        char text[64];
+        snprintf(text, sizeof text, "%s%s", i / KINDS ? "GROUND 1\n" : "", defines[i % KINDS]);
+        r = gl_program_create("models", text, &p->programs[i / KINDS][i % KINDS]);
+    }
     if (r != BOLAN_OK) {
         pass_models_destroy(&p);
         return r;
@@ -59,7 +91,7 @@ bolan_result pass_models_create(const gl_caps *caps, pass_models **out) {
 
 bolan_result pass_models_reload(pass_models *p) {
     bolan_result r = BOLAN_OK;
-    for (int i = 0; i < 4 && r == BOLAN_OK; i++) r = gl_program_reload(&p->programs[i / 2][i % 2]);
+    for (int i = 0; i < 2 * KINDS && r == BOLAN_OK; i++) r = gl_program_reload(&p->programs[i / KINDS][i % KINDS]);
     return r;
 }
 
@@ -70,11 +102,18 @@ static void free_model(gpu_model *g) {
     *g = (gpu_model){0};
 }
 
+static void free_sorted(sorted *s) {
+    gl_mesh_free(&s->mesh);
+    gl_buffer_free(&s->indices);
+    *s = (sorted){0};
+}
+
 void pass_models_destroy(pass_models **pass) {
     if (!pass || !*pass) return;
     pass_models *p = *pass;
     for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) free_model(&p->models[i]);
-    for (int i = 0; i < 4; i++) gl_program_free(&p->programs[i / 2][i % 2]);
+    for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) free_sorted(&p->sorted[i]);
+    for (int i = 0; i < 2 * KINDS; i++) gl_program_free(&p->programs[i / KINDS][i % KINDS]);
     bolan_release(p, sizeof *p);
     *pass = NULL;
 }
@@ -135,6 +174,70 @@ static gpu_model *keep(pass_models *p, const bolan_model *model) {
     return g;
 }
 
+// ---- classes --------------------------------------------------------------------------------------------------------
+
+static int class_of(double lowest, double highest) {
+    return lowest > (double)OVERLAP ? ABOVE : highest < (double)-OVERLAP ? BELOW : ACROSS;
+}
+
+// place: the row of the matrix that makes heights over the water.
+static int class_of_triangle(const bolan_model_view *v, const uint32_t *triangle, const float place[4]) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (int k = 0; k < 3; k++) {
+        const bolan_vec3 at = v->positions[triangle[k]];
+        const double z = (double)(place[0] * at.x + place[1] * at.y + place[2] * at.z + place[3]);
+        low = fmin(low, z), high = fmax(high, z);
+    }
+    return class_of(low, high);
+}
+
+static bolan_result upload_sorted(const bolan_model_view *v, const gpu_model *g, sorted *s) {
+    static const uint8_t components[] = {3, 3, 4};
+    const size_t bytes = v->index_count * sizeof *v->indices;
+    uint32_t *staging = bolan_allocate(bytes);
+    if (!staging) return BOLAN_ERROR_MEMORY;
+    uint32_t n = 0;
+    for (int c = 0; c < CLASSES; c++) {
+        const uint32_t start = n;
+        for (uint32_t i = 0; i + 2 < v->index_count; i += 3) {
+            if (class_of_triangle(v, v->indices + i, s->place) != c) continue;
+            memcpy(staging + n, v->indices + i, 3 * sizeof *staging);
+            n += 3;
+        }
+        s->counts[c] = n - start;
+    }
+    bolan_result r = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, bytes, staging, &s->indices);
+    if (r == BOLAN_OK)
+        r = gl_mesh_create(&g->vertices, &s->indices, components, 3, VERTEX_FLOATS * sizeof(float), &s->mesh);
+    bolan_release(staging, bytes);
+    return r;
+}
+
+// Which of the object's indices are of which class: by triangles where it stands still in the water, else as a whole.
+static void sort_triangles(sorted *s, placed *o, const bolan_model *model, bool floats, float eye_over_water) {
+    const int whole = class_of(o->lowest, o->highest);
+    o->mesh = &o->gpu->mesh;
+    memset(o->counts, 0, sizeof o->counts);
+    o->counts[whole] = o->gpu->index_count;
+    if (whole != ACROSS || floats) return;
+    float place[4];
+    memcpy(place, o->rows + 8, sizeof place);
+    place[3] += eye_over_water;
+    const bool same = s->mesh.vao && s->id == o->gpu->id && memcmp(place, s->place, sizeof(float[3])) == 0;
+    if (!same || fabsf(place[3] - s->place[3]) > 1e-3f) { // the eye's height is added to a rounded difference
+        free_sorted(s);
+        memcpy(s->place, place, sizeof place);
+        const bolan_model_view v = bolan_model_get_view(model);
+        s->id = o->gpu->id;
+        if (upload_sorted(&v, o->gpu, s) != BOLAN_OK) {
+            free_sorted(s);
+            return;
+        }
+    }
+    o->mesh = &s->mesh;
+    memcpy(o->counts, s->counts, sizeof o->counts);
+}
+
 // ---- places ---------------------------------------------------------------------------------------------------------
 
 typedef struct pose {
@@ -193,16 +296,29 @@ static bolan_vec3 transformed(const float rows[12], bolan_vec3 v) {
                     rows[8] * v.x + rows[9] * v.y + rows[10] * v.z + rows[11]);
 }
 
-// The object's height over the water: of the corners of its box.
-static void measure_height(placed *to, bolan_vec3 low, bolan_vec3 high, double eye_over_water) {
+static bolan_vec3 corner_of(const placed *o, int i) {
+    const bolan_vec3 corner = {i & 1 ? o->high.x : o->low.x, i & 2 ? o->high.y : o->low.y,
+                               i & 4 ? o->high.z : o->low.z};
+    return transformed(o->rows, corner);
+}
+
+// The object's height over the water and its distance: of the corners of its box.
+static void measure_box(placed *to, double eye_over_water) {
     to->lowest = HUGE_VAL;
     to->highest = -HUGE_VAL;
+    to->nearest = HUGE_VALF;
     for (int i = 0; i < 8; i++) {
-        const bolan_vec3 corner = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
-        const double z = (double)transformed(to->rows, corner).z + eye_over_water;
+        const bolan_vec3 corner = corner_of(to, i);
+        const double z = (double)corner.z + eye_over_water;
         to->lowest = fmin(to->lowest, z);
         to->highest = fmax(to->highest, z);
+        to->nearest = fminf(to->nearest, bolan_v3_length(corner));
     }
+}
+
+static int by_distance(const void *a, const void *b) {
+    const float x = ((const placed *)a)->nearest, y = ((const placed *)b)->nearest;
+    return (x > y) - (x < y);
 }
 
 // What stands up throws a shadow: an ellipsoid in the upper part of its box, where crowns and roofs are.
@@ -232,42 +348,86 @@ void pass_models_prepare(pass_models *p, frame *f) {
         const bolan_model *model = f->desc->models[i];
         placed *to = &p->objects[p->count];
         if (!model || !(to->gpu = keep(p, model))) continue;
-        bolan_vec3 low, high;
-        model_bounds(model, &low, &high);
+        model_bounds(model, &to->low, &to->high);
         pose at = standing(&s->objects[i]);
-        if (s->objects[i].floats) float_on_water(&at, f, &s->objects[i], low, high);
+        if (s->objects[i].floats) float_on_water(&at, f, &s->objects[i], to->low, to->high);
         fill_rows(to, &at, s->objects[i].scale, f->eye);
-        measure_height(to, low, high, f->eye.z - s->water.level);
-        add_caster(p, to, low, high, (float)s->objects[i].scale);
+        measure_box(to, f->eye.z - s->water.level);
+        add_caster(p, to, to->low, to->high, (float)s->objects[i].scale);
+        sort_triangles(&p->sorted[i], to, model, s->objects[i].floats, f->uniforms.eye.z);
         p->count++;
     }
+    qsort(p->objects, p->count, sizeof *p->objects, by_distance);
 }
 
 // ---- drawing --------------------------------------------------------------------------------------------------------
 
-// The paper's three classes: fully above the water, fully below, straddling it. A picture of one side has no use for the other.
-static bool is_wanted(const placed *o, float side) {
-    if (o->lowest >= 0.0) return side >= 0.0f;
-    return o->highest > 0.0 || side <= 0.0f;
+// Whether all corners of its box lie beyond one side of the picture. Refraction raises what lies in the water, so nothing is told
+// of its top and bottom.
+static bool is_beside(const placed *o, const frame *f) {
+    int left = 0, right = 0, behind = 0;
+    for (int i = 0; i < 8; i++) {
+        const bolan_vec3 at = corner_of(o, i);
+        const float *m = f->uniforms.view_projection.m;
+        const float x = m[0] * at.x + m[4] * at.y + m[8] * at.z + m[12],
+                    w = m[3] * at.x + m[7] * at.y + m[11] * at.z + m[15];
+        left += x<-w, right += x> w, behind += w <= 0.0f;
+    }
+    return left == 8 || right == 8 || behind == 8;
+}
+
+static int kind_of(const frame *f, const placed *o, int class) {
+    const float side = f->uniforms.clip.x;
+    if (!f->picture) return o->nearest > FAR_AWAY ? MAIN_FAR : MAIN;
+    return (side > 0.0f ? WHOLE : WET_WHOLE) + (class == ACROSS && side != 0.0f);
+}
+
+// A picture of one side has no use for what lies wholly on the other.
+static bool is_wanted(int class, float side) {
+    return class == ABOVE ? side >= 0.0f : class == BELOW ? side <= 0.0f : true;
+}
+
+static const gl_program *use(pass_models *p, int flat, int kind, float pixel) {
+    const gl_program *program = &p->programs[flat][kind];
+    gl_program_use(program);
+    gl_program_float(program, "pixel", pixel);
+    gl_program_int(program, "caster_count", (int)p->caster_count);
+    if (p->caster_count) gl_program_vec4_array(program, "caster", p->casters, 2 * p->caster_count);
+    return program;
+}
+
+static void draw_part(const gl_program *program, const placed *o, uint32_t first, uint32_t count, frame *f) {
+    gl_program_vec4_array(program, "place", o->rows, 3);
+    gl_program_float(program, "grain_scale", 1.0f / o->gpu->period);
+    gl_program_int(program, "own_caster", o->caster);
+    gl_mesh_draw(o->mesh, first, count);
+    f->triangles += count / 3;
+}
+
+// All of one kind together, for a change of program costs.
+static void draw_kind(pass_models *p, frame *f, int flat, int kind) {
+    const float side = f->uniforms.clip.x;
+    const float pixel = f->uniforms.lens.x * (float)f->desc->height / f->uniforms.viewport.y;
+    const gl_program *program = NULL;
+    for (uint32_t i = 0; i < p->count; i++) {
+        const placed *o = &p->objects[i];
+        if (o->gpu->flat != (flat == 1) || (side != 0.0f && is_beside(o, f))) continue;
+        uint32_t first = 0, from = 0, count = 0;
+        for (int c = 0; c < CLASSES; first += o->counts[c], c++) {
+            if (o->counts[c] == 0 || !is_wanted(c, side) || kind_of(f, o, c) != kind) continue;
+            from = count == 0 ? first : from; // classes of one kind follow each other
+            count += o->counts[c];
+        }
+        if (count == 0) continue;
+        if (!program) program = use(p, flat, kind, pixel);
+        draw_part(program, o, from, count, f);
+    }
 }
 
 void pass_models_draw(pass_models *p, frame *f) {
     if (p->count == 0) return;
-    const float side = f->uniforms.clip.x;
     gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
-    for (int flat = 0; flat < 2; flat++) {
-        const gl_program *program = &p->programs[flat][f->picture];
-        gl_program_use(program);
-        gl_program_int(program, "caster_count", (int)p->caster_count);
-        if (p->caster_count) gl_program_vec4_array(program, "caster", p->casters, 2 * p->caster_count);
-        for (uint32_t i = 0; i < p->count; i++) {
-            const placed *o = &p->objects[i];
-            if (o->gpu->flat != (flat == 1) || !is_wanted(o, side)) continue;
-            gl_program_vec4_array(program, "place", o->rows, 3);
-            gl_program_float(program, "grain_scale", 1.0f / o->gpu->period);
-            gl_program_int(program, "own_caster", o->caster);
-            gl_mesh_draw(&o->gpu->mesh, 0, o->gpu->index_count);
-            f->triangles += o->gpu->index_count / 3;
-        }
-    }
+    for (int flat = 0; flat < 2; flat++)
+        for (int kind = f->picture ? WHOLE : MAIN; kind < (f->picture ? KINDS : WHOLE); kind++)
+            draw_kind(p, f, flat, kind);
 }

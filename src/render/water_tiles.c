@@ -6,7 +6,7 @@
 #include <string.h>
 
 #define FINE_LENGTH 12.0   // [m] of the ripples' tile: waves that gather light in shallow water
-#define FINE_PERIOD 6.0    // [s] of its loop
+#define FINE_PERIOD 4.0    // [s] of its loop
 #define COARSE_LENGTH 40.0 // [m]: a tile as long as this has no such waves
 #define SUN_STEPS 8.0      // degrees that the sun moves before the light on the bottom is made anew
 #define LOWEST_SUN 0.12    // sine of the height from which the light on the bottom comes at least
@@ -56,6 +56,8 @@ void water_tiles_free(water_tiles *t) {
 const bolan_tiles *water_tiles_base(const water_tiles *t) { return t->given ? t->given : t->base; }
 
 const bolan_tiles *water_tiles_fine(const water_tiles *t) { return t->fine ? t->fine : water_tiles_base(t); }
+
+double water_tiles_ripple_angle(const water_tiles *t) { return bolan_tiles_get_view(water_tiles_fine(t)).angle + 0.9; }
 
 void water_tiles_bind(const water_tiles *t) {
     gl_texture_bind(&t->slopes, UNIT_OPTICS);
@@ -168,19 +170,23 @@ static moment moment_of(const bolan_tiles *tiles, double time, bool paper) {
     return (moment){at, (at + 1) % bolan_tiles_get_view(tiles).frames, paper ? 0.0f : (float)share};
 }
 
-static void fill_slopes(water_tiles *t, const bolan_tiles *tiles, const moment *m, gl_texture *to) {
+// Along the world's axes, the tile lying at that angle: so the pixels need not turn them.
+static void fill_slopes(water_tiles *t, const bolan_tiles *tiles, const moment *m, double angle, gl_texture *to) {
     enum { MASK = TILE - 1 };
     const bolan_tiles_view v = bolan_tiles_get_view(tiles);
     const float *a = v.height + (size_t)m->a * TILE * TILE, *b = v.height + (size_t)m->b * TILE * TILE;
     const uint8_t *own = v.detail + (size_t)m->a * TILE * TILE * 3 + t->brightest;
     const float s = (float)(0.5 * TILE / v.length), sa = s * (1.0f - m->share), sb = s * m->share;
+    const float c = (float)cos(angle), d = (float)sin(angle);
     for (int j = 0; j < TILE; ++j) {
         const int here = j * TILE, up = ((j + 1) & MASK) * TILE, down = ((j - 1) & MASK) * TILE;
         float *out = t->staging + (size_t)here * 4;
         for (int i = 0; i < TILE; ++i, out += 4) {
             const int e = here + ((i + 1) & MASK), w = here + ((i - 1) & MASK);
-            out[0] = sa * (a[e] - a[w]) + sb * (b[e] - b[w]);
-            out[1] = sa * (a[up + i] - a[down + i]) + sb * (b[up + i] - b[down + i]);
+            const float x = sa * (a[e] - a[w]) + sb * (b[e] - b[w]);
+            const float y = sa * (a[up + i] - a[down + i]) + sb * (b[up + i] - b[down + i]);
+            out[0] = c * x - d * y;
+            out[1] = d * x + c * y;
             out[2] = out[0] * out[0] + out[1] * out[1];
             out[3] = (float)own[3 * (here + i)] / 127.5f;
         }
@@ -233,8 +239,8 @@ void water_tiles_prepare(water_tiles *t, const frame *f) {
         const bolan_tiles *base = water_tiles_base(t), *fine = water_tiles_fine(t);
         const moment mf = moment_of(fine, f->time, t->paper), mb = base ? moment_of(base, f->time, t->paper) : mf;
         if (base && t->paper) fill_normals(t, base, &mb, &t->slopes);
-        if (base && !t->paper) fill_slopes(t, base, &mb, &t->slopes);
-        if (base && !t->paper && fine != base) fill_slopes(t, fine, &mf, &t->ripples);
+        if (base && !t->paper) fill_slopes(t, base, &mb, bolan_tiles_get_view(base).angle, &t->slopes);
+        if (base && !t->paper && fine != base) fill_slopes(t, fine, &mf, water_tiles_ripple_angle(t), &t->ripples);
         fill_own(t, &mb, &mf);
         t->shown = f->time;
     }

@@ -9,7 +9,7 @@
 
 typedef struct water_tiles {
     gl_texture slopes,
-        ripples;    // RGBA16F: slopes along the sides, the sum of their squares, brightness; in paper mode unit normals
+        ripples;    // RGBA16F: slopes along the world's axes, the sum of their squares, brightness; in paper mode unit normals
     gl_texture own; // RGBA8: the water's own texture; a: light on the bottom
     gl_texture glint;
     bolan_tiles *base, *fine; // baked here; base NULL: the sea has other waves than textures
@@ -31,6 +31,8 @@ void water_tiles_prepare(water_tiles *t, const frame *f);
 const bolan_tiles *water_tiles_base(const water_tiles *t);
 // Those of shorter waves, and of the light on the bottom: the same, where the sea's are short enough. NULL: there are none.
 const bolan_tiles *water_tiles_fine(const water_tiles *t);
+// At which the ripples lie: across the other tile, so that their repetitions never line up [rad].
+double water_tiles_ripple_angle(const water_tiles *t);
 void water_tiles_bind(const water_tiles *t);
 void water_tiles_free(water_tiles *t);
 

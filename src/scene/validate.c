@@ -34,7 +34,7 @@ static bolan_result check_sea(const bolan_scene *s) {
         !check("sea.cascade_count", d->cascade_count, 1, BOLAN_MAX_CASCADES, "") &&
         !(d->length != 0.0 && check("sea.length", d->length, 10, 1e5, "m")) &&
         !check("sea.choppiness", d->choppiness, 0, 2, "") &&
-        !(d->loop_period != 0.0 && check("sea.loop_period", d->loop_period, 10, 1e6, "s")) &&
+        !(d->loop_period != 0.0 && check("sea.loop_period", d->loop_period, 1, 1e6, "s")) &&
         !check("sea.cpu", (double)d->cpu, 0, BOLAN_CPU_AVX512, "(a bolan_cpu)") &&
         !check("sea.foam_decay", d->foam_decay, 0.1, 60, "s") && !check("fetch", s->fetch, 100, 1e7, "m") &&
         !check("wind_spectrum", (double)s->wind_spectrum, 0, BOLAN_SPECTRUM_KINDS - 1, "(a bolan_spectrum_kind)") &&
