@@ -48,11 +48,16 @@ phong_surface surface_here() {
     s.dist = length(s.here.position);
     s.view = -s.here.position / s.dist;
     footprint f = water_footprint(s.here, s.view, s.dist);
+#ifdef WAVES_EXP
+    s.slope = waves_of_footprint(s.here.rest, f, s.here.gust, s.here.depth, s.covariance).slope;
+#else
     s.slope = waves_at(s.here.rest, f, s.here.gust, s.here.depth, s.here.mesh).slope;
 #ifdef WAVES_CASCADES
     f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
 #endif
-    s.covariance = unresolved_slopes(f) * (s.here.gust * s.here.gust);
+    s.covariance = unresolved_slopes(f);
+#endif
+    s.covariance *= s.here.gust * s.here.gust;
 #ifndef PAPER
     add_ripples(s.here.rest, f, s.here.gust, s.here.depth, s.slope, s.covariance);
 #endif
