@@ -13,8 +13,18 @@
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 
+#if defined(QUAD) && !defined(FINE)
+#include "common/haze.glsl"
+#define HAZE
+#endif
+
 #ifdef VERTEX
-void main() { water_vertex(); }
+void main() {
+    water_vertex();
+#ifdef HAZE
+    haze_vertex();
+#endif
+}
 #endif
 
 #ifdef FRAGMENT
@@ -47,8 +57,12 @@ phong_surface surface_here() {
     s.here = water_here();
     s.dist = length(s.here.position);
     s.view = -s.here.position / s.dist;
+#ifdef HAZE
+    s.here.transmittance = haze_transmittance(s.dist);
+    s.here.inscatter = haze_inscatter(-s.view, s.here.transmittance);
+#endif
     footprint f = water_footprint(s.here, s.view, s.dist);
-#ifdef WAVES_EXP
+#if defined(WAVES_EXP) || defined(WAVES_SUM)
     s.slope = waves_of_footprint(s.here.rest, f, s.here.gust, s.here.depth, s.covariance).slope;
 #else
     s.slope = waves_at(s.here.rest, f, s.here.gust, s.here.depth, s.here.mesh).slope;

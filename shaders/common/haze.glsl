@@ -33,10 +33,17 @@ flat in vec3 haze_level;
 flat in vec3 haze_slope;
 flat in vec3 haze_bend;
 
+vec3 haze_transmittance(float dist) { return exp(-haze_extinction * dist); }
+
+// What the haze adds along `to`, where `left` of the light passes.
+vec3 haze_inscatter(vec3 to, vec3 left) {
+    float c = dot(to.xy, sun.xy) * inversesqrt(max(dot(to.xy, to.xy) * dot(sun.xy, sun.xy), 1e-9));
+    return max(haze_level + c * (haze_slope + c * haze_bend), vec3(0.0)) * (1.0 - left);
+}
+
 // Light that arrives from the water at that distance along `to`.
 vec3 through_haze(vec3 light, vec3 to, float dist) {
-    float c = dot(to.xy, sun.xy) * inversesqrt(max(dot(to.xy, to.xy) * dot(sun.xy, sun.xy), 1e-9));
-    vec3 left = exp(-haze_extinction * dist);
-    return light * left + max(haze_level + c * (haze_slope + c * haze_bend), vec3(0.0)) * (1.0 - left);
+    vec3 left = haze_transmittance(dist);
+    return light * left + haze_inscatter(to, left);
 }
 #endif

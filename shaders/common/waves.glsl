@@ -26,16 +26,15 @@ uniform vec4 sea_law; // x: significant height [m], y: peak wave length [m], z: 
 #if defined(WAVES_EXP) || defined(WAVES_SUM)
 #ifdef WAVES_EXP
 uniform vec4 wave_component[16]; // kx, ky [turns/m], amplitude [m], phase at the eye [turns]
-uniform vec4 wave_square[16];    // kx kx, kx ky, ky ky [rad^2/m^2]; their factor to the slope covariance
 uniform vec4 exp_law;            // x: sharpness s, y: mean e^-s I0(s) of the shape; zw: c4, c5
 uniform vec4 exp_slope;          // c0..c3: the shape's derivative by the phase [turns] is sin cos of half of it times c0 + c1 sin^2 + ...
-uniform vec4 wave_beyond;        // xyz: slope covariance of what is no part of the waves
 vec4 wave_of(int i) { return wave_component[i]; }
 #else
 #pragma unit wave_table 8
 uniform highp sampler2D wave_table; // likewise, a texel a wave, 64 in a row; longest first
 vec4 wave_of(int i) { return texelFetch(wave_table, ivec2(i & 63, i >> 6), 0); }
 #endif
+uniform vec4 wave_total; // xyz: slope covariance with what is no part of the waves; w: a wave's by its amplitude and turns/m
 // WAVE_COUNT: how many, where that is known: a loop of so many is a fifth faster
 #ifndef WAVE_COUNT
 uniform int wave_count;
@@ -254,31 +253,24 @@ float faded16(float u) {
 }
 
 // Each wave fades by its own footprint, a Gaussian of 0.4 of the widths. `hidden`: the slope covariance of what they lose and of
-// what is no part of them (known for the few: the many leave it to the table).
+// what is no part of them.
 wave_fields waves_of_footprint(vec2 rest, footprint f, float gust, float depth, out vec3 hidden) {
     vec2 slope = vec2(0.0), a = f.axis;
-    float major = 0.005 * f.major * f.major, minor = 0.005 * f.minor * f.minor; // 0.4^2 / 2 / 16
+    float major = 0.19739209 * f.major * f.major, minor = 0.19739209 * f.minor * f.minor; // (0.4 2 pi)^2 / 2 / 16
     vec3 spread = vec3(a.x * a.x, 2.0 * a.x * a.y, a.y * a.y) * (major - minor) + vec3(minor, 0.0, minor);
-    hidden = vec3(0.0);
+    vec3 seen = vec3(0.0);
     for (int i = 0; i < WAVE_COUNT; ++i) {
         vec4 w = wave_of(i);
-#ifdef WAVES_EXP
-        vec4 square = wave_square[i];
-        float keep = faded16(dot(spread, square.xyz));
-        hidden += square.w * (1.0 - keep * keep) * square.xyz;
-#else
-        float keep = faded16(dot(spread, w.xxy * w.xyy) * 39.4784176);
-#endif
-        slope += w.z * keep * wave_derivative(dot(w.xy, rest) + w.w) * w.xy;
+        vec3 square = w.xxy * w.xyy;
+        float keep = faded16(dot(spread, square)), kept = keep * w.z;
+        slope += kept * wave_derivative(dot(w.xy, rest) + w.w) * w.xy;
+        seen += kept * kept * square;
     }
 #ifdef LAND
     float shallow = shore_attenuation(depth, sea_law.x);
     slope *= shallow;
-    hidden *= shallow * shallow;
 #endif
-#ifdef WAVES_EXP
-    hidden += wave_beyond.xyz + vec3(6e-6, 0.0, 6e-6); // as unresolved_slopes()
-#endif
+    hidden = max(wave_total.xyz - wave_total.w * seen, vec3(0.0, -1.0, 0.0)) + vec3(6e-6, 0.0, 6e-6); // as unresolved_slopes()
     return wave_fields(slope * gust, 1.0, 0.0);
 }
 

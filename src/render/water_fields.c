@@ -258,33 +258,39 @@ static void fit_slope(double s, double factor, double out[SLOPE_TERMS]) {
     }
 }
 
-// The mean square of the shape's derivative by the phase is s^2 e^-2s I1(2s) / 2s.
-static void fill_square(const frame *f, uint32_t index, double s, double range, float out[4]) {
-    bolan_sea_component w = bolan_sea_get_component(f->desc->sea, index);
-    const double a = w.amplitude * range * s;
-    out[0] = (float)(w.kx * w.kx);
-    out[1] = (float)(w.kx * w.ky);
-    out[2] = (float)(w.ky * w.ky);
-    out[3] = (float)(a * a * exp(-2.0 * s) * bessel_i1_share(2.0 * s));
+// What the shader's sum knows of the covariance of slopes. `square`: of a wave of amplitude 1, by its phase [rad], the mean square
+// of the derivative.
+static void set_total(const gl_program *g, const frame *f, double amplitude_factor, double square) {
+    float total[3];
+    bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, total); // what is no part of the waves
+    for (uint32_t i = 0; i < bolan_sea_component_count(f->desc->sea); ++i) {
+        bolan_sea_component w = bolan_sea_get_component(f->desc->sea, i);
+        const double a = w.amplitude * amplitude_factor, v = a * a * square;
+        total[0] += (float)(v * w.kx * w.kx);
+        total[1] += (float)(v * w.kx * w.ky);
+        total[2] += (float)(v * w.ky * w.ky);
+    }
+    gl_program_vec4(g, "wave_total",
+                    (bolan_vec4){total[0], total[1], total[2], (float)(square * 4.0 * BOLAN_PI * BOLAN_PI)});
 }
 
 // Liu & Xie 2010, in zero-mean, unit-range form: amplitude * 2 / (1 - e^-2s) * (e^{s (cos th - 1)} - e^-s I0(s)).
 static void set_exp_waves(const gl_program *g, const frame *f) {
-    float waves[4 * BOLAN_MAX_EXP_WAVES] = {0}, squares[4 * BOLAN_MAX_EXP_WAVES] = {0}, beyond[3];
+    float waves[4 * BOLAN_MAX_EXP_WAVES] = {0};
     double s = bolan_sea_get_desc(f->desc->sea)->sharpness, range = 2.0 / (1.0 - exp(-2.0 * s)), c[SLOPE_TERMS];
     uint32_t count = bolan_sea_component_count(f->desc->sea);
-    for (uint32_t i = 0; i < count; ++i) {
-        fill_wave(f, i, range, waves + 4 * i);
-        fill_square(f, i, s, range, squares + 4 * i);
-    }
+    for (uint32_t i = 0; i < count; ++i) fill_wave(f, i, range, waves + 4 * i);
     fit_slope(s, -4.0 * BOLAN_PI * s, c);
-    bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, beyond);
     gl_program_int(g, "wave_count", (int)count);
     gl_program_vec4_array(g, "wave_component", waves, BOLAN_MAX_EXP_WAVES);
-    gl_program_vec4_array(g, "wave_square", squares, BOLAN_MAX_EXP_WAVES);
     gl_program_vec4(g, "exp_law", (bolan_vec4){(float)s, (float)(exp(-s) * bessel_i0(s)), (float)c[4], (float)c[5]});
     gl_program_vec4(g, "exp_slope", (bolan_vec4){(float)c[0], (float)c[1], (float)c[2], (float)c[3]});
-    gl_program_vec4(g, "wave_beyond", (bolan_vec4){beyond[0], beyond[1], beyond[2], 0.0f});
+    set_total(g, f, range, s * s * exp(-2.0 * s) * bessel_i1_share(2.0 * s)); // s^2 e^-2s I1(2s) / 2s
+}
+
+static void set_sum(const gl_program *g, const frame *f) {
+    gl_program_int(g, "wave_count", (int)bolan_sea_component_count(f->desc->sea));
+    set_total(g, f, 1.0, 0.5);
 }
 
 static void upload_table(water_fields *p, const frame *f) {
@@ -335,5 +341,5 @@ void water_fields_apply(const gl_program *g, const frame *f, water_waves waves) 
     if (f->shore->present) shore_map_apply(f->shore, g);
     if (waves == WATER_CASCADES) set_cascades(g, f);
     if (waves == WATER_EXP) set_exp_waves(g, f);
-    if (waves == WATER_SUM) gl_program_int(g, "wave_count", (int)bolan_sea_component_count(f->desc->sea));
+    if (waves == WATER_SUM) set_sum(g, f);
 }
