@@ -12,7 +12,7 @@ typedef struct phong {
 
 static const char *const quality_defines[] = {
     [BOLAN_QUALITY_LOW] = "TAPS 1\nRIPPLES 1\n",
-    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRIPPLES 2\n",
+    [BOLAN_QUALITY_MEDIUM] = "TAPS 1\nRIPPLES 2\n",
     [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\nFINE 1\n",
     [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\nFINE 1\n",
 };
