@@ -13,8 +13,18 @@
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 
+#if defined(QUAD) && !defined(FINE)
+#include "common/haze.glsl"
+#define HAZE
+#endif
+
 #ifdef VERTEX
-void main() { water_vertex(); }
+void main() {
+    water_vertex();
+#ifdef HAZE
+    haze_vertex();
+#endif
+}
 #endif
 
 #ifdef FRAGMENT
@@ -42,17 +52,45 @@ struct phong_surface {
     rough_facets seen;
 };
 
+#if !defined(WAVES_CASCADES) && !defined(PAPER)
+// Some way off [m], the same for kilometres' worth of sea: what bends the crests of waves that would run straight for ever.
+vec2 wander_of(vec2 rest) {
+    float tile = 1.0 / max(32.0 * sea_law.y, 1.0);
+    vec2 at = (haze.zw + rest) * tile;
+    return 0.25 * sea_law.y * (textureLod(ripple_map, at, 5.0).xy + textureLod(ripple_map, at.yx * 0.37, 5.0).yx);
+}
+#endif
+
 phong_surface surface_here() {
     phong_surface s;
     s.here = water_here();
     s.dist = length(s.here.position);
     s.view = -s.here.position / s.dist;
+#ifdef HAZE
+    s.here.transmittance = haze_transmittance(s.dist);
+    s.here.inscatter = haze_inscatter(-s.view, s.here.transmittance);
+#endif
     footprint f = water_footprint(s.here, s.view, s.dist);
+#if defined(WAVES_EXP) || defined(WAVES_SUM)
+    footprint wide = f;
+    vec2 at = s.here.rest;
+#ifndef PAPER
+    // few waves make a pattern that repeats: it goes over into roughness where ten of its pixels are a wave, and from high up, where
+    // much of it is in sight, the tile's longest waves bend it
+    wide.minor *= 10.0;
+    wide.major = max(f.major, wide.minor);
+    for (int i = 0; i < 1 && eye.z > 30.0; ++i) // a loop: software OpenGL takes both ways of an if
+        at += wander_of(at) * smoothstep(30.0, 200.0, eye.z);
+#endif
+    s.slope = waves_of_footprint(at, wide, s.here.gust, s.here.depth, s.covariance).slope;
+#else
     s.slope = waves_at(s.here.rest, f, s.here.gust, s.here.depth, s.here.mesh).slope;
 #ifdef WAVES_CASCADES
     f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
 #endif
-    s.covariance = unresolved_slopes(f) * (s.here.gust * s.here.gust);
+    s.covariance = unresolved_slopes(f);
+#endif
+    s.covariance *= s.here.gust * s.here.gust;
 #ifndef PAPER
     add_ripples(s.here.rest, f, s.here.gust, s.here.depth, s.slope, s.covariance);
 #endif
@@ -119,8 +157,9 @@ vec3 reflection(phong_surface s) {
 #endif
 
 // The bed through the water: what of its light arrives, and in `passed` the share that does.
-vec3 refraction(phong_surface s, out vec3 passed) {
+vec3 refraction(phong_surface s, out vec3 passed, out vec4 bed) {
     passed = vec3(0.0);
+    bed = vec4(0.0);
 #ifndef PICTURES
     return vec3(0.0);
 #else
@@ -130,7 +169,7 @@ vec3 refraction(phong_surface s, out vec3 passed) {
 #else
     float shift = -0.25 * depth; // (1/n - 1) of it
 #endif
-    vec4 bed = behind_water(refraction_picture, s.here.position + vec3(shift * bending() * s.normal.xy, 0.0), s.here);
+    bed = behind_water(refraction_picture, s.here.position + vec3(shift * bending() * s.normal.xy, 0.0), s.here);
 #ifdef PAPER
     passed = vec3(bed.a);
     return bed.rgb;
@@ -160,8 +199,9 @@ void main() {
     float f = rough_fresnel(s.view, s.slope, s.seen, water_deep.w);
 #endif
     vec3 mirrored = vec3(0.0), passed = vec3(0.0), through = vec3(0.0);
+    vec4 bed = vec4(0.0); // as it is seen
     if (effect_is_on(EFFECT_REFLECTION)) mirrored = reflection(s);
-    if (effect_is_on(EFFECT_REFRACTION)) through = refraction(s, passed);
+    if (effect_is_on(EFFECT_REFRACTION)) through = refraction(s, passed, bed);
     vec3 light = f * mirrored + (1.0 - f) * through;
 
     vec3 water = water_deep.rgb * (sunlight * facing + sky_light.rgb), diffuse = sunlight * facing * 0.31830989;
@@ -175,9 +215,8 @@ void main() {
     if (effect_is_on(EFFECT_DIFFUSE)) light += look_light.y * diffuse;
     if (effect_is_on(EFFECT_SPECULAR)) light += look_light.z * highlight(s) * sunlight * step(-0.01, sun.z);
 #if defined(PICTURES) && !defined(PAPER)
-    // the last centimetres over the sand
-    vec4 shore = behind_water(refraction_picture, s.here.position, s.here);
-    light = mix(shore.rgb, light, max(smoothstep(0.0, 0.12, s.here.depth), 1.0 - shore.a));
+    // the last centimetres over the sand, where nothing is bent any more
+    light = mix(bed.rgb, light, max(smoothstep(0.0, 0.12, s.here.depth), 1.0 - bed.a));
 #endif
     color = vec4(light * s.here.transmittance + s.here.inscatter, 1.0);
 }

@@ -25,47 +25,48 @@ uniform vec4 sea_law; // x: significant height [m], y: peak wave length [m], z: 
 
 #if defined(WAVES_EXP) || defined(WAVES_SUM)
 #ifdef WAVES_EXP
-uniform vec4 wave_component[16]; // kx, ky [rad/m], amplitude [m], phase at the eye [rad]
-uniform vec4 exp_law;            // x: sharpness s, y: mean e^-s I0(s) of the shape
+uniform vec4 wave_component[16]; // kx, ky [turns/m], amplitude [m], phase at the eye [turns]
+uniform vec4 exp_law;            // x: sharpness s, y: mean e^-s I0(s) of the shape; zw: c4, c5
+uniform vec4 exp_slope;          // c0..c3: the shape's derivative by the phase [turns] is sin cos of half of it times c0 + c1 sin^2 + ...
 vec4 wave_of(int i) { return wave_component[i]; }
 #else
 #pragma unit wave_table 8
 uniform highp sampler2D wave_table; // likewise, a texel a wave, 64 in a row; longest first
 vec4 wave_of(int i) { return texelFetch(wave_table, ivec2(i & 63, i >> 6), 0); }
 #endif
+uniform vec4 wave_total; // xyz: slope covariance with what is no part of the waves; w: a wave's by its amplitude and turns/m
 // WAVE_COUNT: how many, where that is known: a loop of so many is a fifth faster
 #ifndef WAVE_COUNT
 uniform int wave_count;
 #define WAVE_COUNT wave_count
 #endif
 
-// Sine and cosine of a phase [rad], to 4e-6: Taylor's series of the half angle, the last coefficient moved towards the next term.
-vec2 wave_sincos(float phase) {
-    float x = phase * 0.15915494;
-    x -= floor(x + 0.5);
+float within_half_a_turn(float turns) { return turns - floor(turns + 0.5); }
+
+// Sine and cosine of half of a phase within half a turn, to 4e-6: Taylor's series, the last coefficient moved towards the next term.
+vec2 half_sincos(float x) {
     float x2 = x * x;
     float s = x * (3.14159265 + x2 * (-5.16771278 + x2 * (2.55016404 + x2 * (-0.59926453 + x2 * 0.08041384))));
     float c = 1.0 + x2 * (-4.93480220 + x2 * (4.05871213 + x2 * (-1.33526277 + x2 * 0.22931763)));
-    return vec2(2.0 * s * c, 1.0 - 2.0 * s * s);
+    return vec2(s, c);
 }
 
-// Height of unit amplitude. `faded`: log2 of what is kept of the wave.
+// Height of unit amplitude at a phase [rad], and its derivative by the phase. `faded`: log2 of what is kept of the wave.
 float wave_height(float phase, float faded) {
-    vec2 w = wave_sincos(phase);
+    float s = half_sincos(within_half_a_turn(phase * 0.15915494)).x;
 #ifdef WAVES_EXP
-    return exp2(exp_law.x * 1.44269504 * (w.y - 1.0) + faded) - exp_law.y * exp2(faded);
+    return exp2(exp_law.x * -2.88539008 * s * s + faded) - exp_law.y * exp2(faded);
 #else
-    return w.y * exp2(faded);
+    return (1.0 - 2.0 * s * s) * exp2(faded);
 #endif
 }
 
-// Its derivative by the phase.
 float wave_slope(float phase, float faded) {
-    vec2 w = wave_sincos(phase);
+    vec2 w = half_sincos(within_half_a_turn(phase * 0.15915494));
 #ifdef WAVES_EXP
-    return -exp_law.x * w.x * exp2(exp_law.x * 1.44269504 * (w.y - 1.0) + faded);
+    return -2.0 * exp_law.x * w.x * w.y * exp2(exp_law.x * -2.88539008 * w.x * w.x + faded);
 #else
-    return -w.x * exp2(faded);
+    return -2.0 * w.x * w.y * exp2(faded);
 #endif
 }
 #endif
@@ -133,10 +134,10 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #ifdef WAVES_EXP
     for (int i = 0; i < WAVE_COUNT; ++i) {
         vec4 w = wave_of(i);
-        float samples = 6.28318531 * inversesqrt(max(dot(w.xy, w.xy), 1e-12)) / spacing; // of a wave
-        float keep = w.z * clamp(0.5 * samples - 1.0, 0.0, 1.0), phase = dot(w.xy, rest) + w.w;
+        float samples = inversesqrt(max(dot(w.xy, w.xy), 1e-12)) / spacing; // of a wave
+        float keep = w.z * clamp(0.5 * samples - 1.0, 0.0, 1.0), phase = 6.28318531 * (dot(w.xy, rest) + w.w);
         offset.z += keep * wave_height(phase, 0.0);
-        fields.xy += keep * wave_slope(phase, 0.0) * w.xy;
+        fields.xy += keep * wave_slope(phase, 0.0) * 6.28318531 * w.xy;
     }
 #ifdef LAND
     float shallow = shore_attenuation(depth, sea_law.x);
@@ -232,19 +233,50 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
 #endif
 
 #if defined(WAVES_EXP) || defined(WAVES_SUM)
-// Each wave fades by its own footprint, a Gaussian of 0.4 of the widths; what it loses is in the table of unresolved slopes.
-wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
-    vec2 slope = vec2(0.0), major = 0.4 * f.major * f.axis, minor = 0.4 * f.minor * vec2(-f.axis.y, f.axis.x);
+// The derivative by the phase [turns] of unit amplitude.
+float wave_derivative(float turns) {
+    vec2 w = half_sincos(within_half_a_turn(turns));
+#ifdef WAVES_EXP
+    float t = w.x * w.x; // exp(-2 s t) by a polynomial: an exponential is dear on the CPU
+    return w.x * w.y *
+           (exp_slope.x + t * (exp_slope.y + t * (exp_slope.z + t * (exp_slope.w + t * (exp_law.z + t * exp_law.w)))));
+#else
+    return -12.5663706 * w.x * w.y;
+#endif
+}
+
+// exp(-16 u) to 1e-3 of 1.
+float faded16(float u) {
+    u = min(u, 1.0);
+    float e = 1.0 - u * (1.0 - 0.5 * u), e2 = e * e, e4 = e2 * e2, e8 = e4 * e4;
+    return e8 * e8;
+}
+
+// Each wave fades by its own footprint, a Gaussian of 0.4 of the widths. `hidden`: the slope covariance of what they lose and of
+// what is no part of them.
+wave_fields waves_of_footprint(vec2 rest, footprint f, float gust, float depth, out vec3 hidden) {
+    vec2 slope = vec2(0.0), a = f.axis;
+    float major = 0.19739209 * f.major * f.major, minor = 0.19739209 * f.minor * f.minor; // (0.4 2 pi)^2 / 2 / 16
+    vec3 spread = vec3(a.x * a.x, 2.0 * a.x * a.y, a.y * a.y) * (major - minor) + vec3(minor, 0.0, minor);
+    vec3 seen = vec3(0.0);
     for (int i = 0; i < WAVE_COUNT; ++i) {
         vec4 w = wave_of(i);
-        float along = dot(w.xy, major), across = dot(w.xy, minor);
-        float faded = -0.72134752 * (along * along + across * across);
-        slope += w.z * wave_slope(dot(w.xy, rest) + w.w, max(faded, -60.0)) * w.xy;
+        vec3 square = w.xxy * w.xyy;
+        float keep = faded16(dot(spread, square)), kept = keep * w.z;
+        slope += kept * wave_derivative(dot(w.xy, rest) + w.w) * w.xy;
+        seen += kept * kept * square;
     }
 #ifdef LAND
-    slope *= shore_attenuation(depth, sea_law.x);
+    float shallow = shore_attenuation(depth, sea_law.x);
+    slope *= shallow;
 #endif
+    hidden = max(wave_total.xyz - wave_total.w * seen, vec3(0.0, -1.0, 0.0)) + vec3(6e-6, 0.0, 6e-6); // as unresolved_slopes()
     return wave_fields(slope * gust, 1.0, 0.0);
+}
+
+wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
+    vec3 unused;
+    return waves_of_footprint(rest, f, gust, depth, unused);
 }
 #endif
 

@@ -12,9 +12,9 @@ typedef struct phong {
 
 static const char *const quality_defines[] = {
     [BOLAN_QUALITY_LOW] = "TAPS 1\nRIPPLES 1\n",
-    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRIPPLES 2\n",
-    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\n",
-    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\n",
+    [BOLAN_QUALITY_MEDIUM] = "TAPS 1\nRIPPLES 2\n",
+    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\nFINE 1\n",
+    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\nFINE 1\n",
 };
 
 // dC of the paper's look-ups, which gives no numbers: the mirrored as far behind the water as 1 m, the refracted 1 m under it, of
@@ -30,7 +30,7 @@ static bolan_result create(void *state, bolan_quality quality) {
 static void draw(void *state, const water_draw *d) {
     const phong *p = state;
     const bool pictures = pass_water_mirrors(d->f), paper = d->f->scene->look.paper;
-    char defines[48];
+    char defines[64];
     snprintf(defines, sizeof defines, "%s%s%s", quality_defines[p->quality], pictures ? "PICTURES 1\n" : "",
              paper ? "PAPER 1\n" : "");
     const gl_program *g = water_program(d, "water_phong", (uint32_t)pictures | (uint32_t)paper << 1, defines);

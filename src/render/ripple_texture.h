@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A tile of short waves, for the seas that are sums of few long ones: slopes of a wind sea over four octaves, each with as much
+// A tile of short waves, for the seas that are sums of few long ones: slopes of a wind sea over five octaves, each with as much
 // slope variance as the next, running along +u. Read by shaders/common/ripples.glsl.
 #ifndef BOLAN_RIPPLE_TEXTURE_H
 #define BOLAN_RIPPLE_TEXTURE_H
 
 #include "water_fields.h"
 
-#define RIPPLE_TEXTURE_SIZE 512
+#define RIPPLE_TEXTURE_SIZE 1024
 #define RIPPLE_LONGEST 8 // waves along the tile's side: the longest
-#define RIPPLE_OCTAVES 4
+#define RIPPLE_OCTAVES 5
 
 // Slope along u, along v (together of variance 1), their squared sum, 0: size * size * 4 floats.
 void ripple_texture_fill(float *out);

@@ -209,35 +209,88 @@ static void set_cascades(const gl_program *g, const frame *f) {
 
 // ---- sums -----------------------------------------------------------------------------------------------------------
 
-// One wave as the shader has it: kx, ky, amplitude, and the phase at the eye now, reduced in double.
+// One wave as the shader has it: kx, ky, amplitude, and the phase at the eye now, reduced in double; in turns.
 static void fill_wave(const frame *f, uint32_t index, double amplitude_factor, float out[4]) {
     bolan_sea_component w = bolan_sea_get_component(f->desc->sea, index);
     double turns = (w.kx * f->eye.x + w.ky * f->eye.y - w.omega * f->time + w.phase) / (2.0 * BOLAN_PI);
-    out[0] = (float)w.kx;
-    out[1] = (float)w.ky;
+    out[0] = (float)(w.kx / (2.0 * BOLAN_PI));
+    out[1] = (float)(w.ky / (2.0 * BOLAN_PI));
     out[2] = (float)(w.amplitude * amplitude_factor);
-    out[3] = (float)(2.0 * BOLAN_PI * (turns - floor(turns + 0.5)));
+    out[3] = (float)(turns - floor(turns + 0.5));
 }
 
-// Modified Bessel function I0, by its series: s is at most 2, so that ten terms are enough for a float.
-static double bessel_i0(double s) {
+// Modified Bessel functions I0 and I1(x) / x, by their series: x is at most 4, so that 16 terms are enough for a float.
+static double bessel_i0(double x) {
     double term = 1.0, sum = 1.0;
-    for (int i = 1; i < 12; ++i) {
-        term *= 0.25 * s * s / ((double)i * i);
+    for (int i = 1; i < 16; ++i) {
+        term *= 0.25 * x * x / ((double)i * i);
         sum += term;
     }
     return sum;
 }
 
+static double bessel_i1_share(double x) {
+    double term = 0.5, sum = 0.5;
+    for (int i = 1; i < 16; ++i) {
+        term *= 0.25 * x * x / ((double)i * (i + 1));
+        sum += term;
+    }
+    return sum;
+}
+
+enum { SLOPE_TERMS = 6 };
+
+// factor * exp(-2 s t) for t in 0..1 as a polynomial through Chebyshev's points, by Newton's divided differences: to 5e-4 of the
+// factor at s = 2, 2e-6 at 0.5.
+static void fit_slope(double s, double factor, double out[SLOPE_TERMS]) {
+    double at[SLOPE_TERMS], difference[SLOPE_TERMS];
+    for (int i = 0; i < SLOPE_TERMS; ++i) {
+        at[i] = 0.5 - 0.5 * cos(BOLAN_PI * (i + 0.5) / SLOPE_TERMS);
+        difference[i] = factor * exp(-2.0 * s * at[i]);
+    }
+    for (int n = 1; n < SLOPE_TERMS; ++n)
+        for (int i = SLOPE_TERMS - 1; i >= n; --i)
+            difference[i] = (difference[i] - difference[i - 1]) / (at[i] - at[i - n]);
+    for (int i = 0; i < SLOPE_TERMS; ++i) out[i] = 0.0;
+    for (int n = SLOPE_TERMS - 1; n >= 0; --n) { // out = out * (t - at[n]) + difference[n]
+        for (int i = SLOPE_TERMS - 1; i > 0; --i) out[i] = out[i - 1] - at[n] * out[i];
+        out[0] = difference[n] - at[n] * out[0];
+    }
+}
+
+// What the shader's sum knows of the covariance of slopes. `square`: of a wave of amplitude 1, by its phase [rad], the mean square
+// of the derivative.
+static void set_total(const gl_program *g, const frame *f, double amplitude_factor, double square) {
+    float total[3];
+    bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, total); // what is no part of the waves
+    for (uint32_t i = 0; i < bolan_sea_component_count(f->desc->sea); ++i) {
+        bolan_sea_component w = bolan_sea_get_component(f->desc->sea, i);
+        const double a = w.amplitude * amplitude_factor, v = a * a * square;
+        total[0] += (float)(v * w.kx * w.kx);
+        total[1] += (float)(v * w.kx * w.ky);
+        total[2] += (float)(v * w.ky * w.ky);
+    }
+    gl_program_vec4(g, "wave_total",
+                    (bolan_vec4){total[0], total[1], total[2], (float)(square * 4.0 * BOLAN_PI * BOLAN_PI)});
+}
+
 // Liu & Xie 2010, in zero-mean, unit-range form: amplitude * 2 / (1 - e^-2s) * (e^{s (cos th - 1)} - e^-s I0(s)).
 static void set_exp_waves(const gl_program *g, const frame *f) {
     float waves[4 * BOLAN_MAX_EXP_WAVES] = {0};
-    double s = bolan_sea_get_desc(f->desc->sea)->sharpness, range = 2.0 / (1.0 - exp(-2.0 * s));
+    double s = bolan_sea_get_desc(f->desc->sea)->sharpness, range = 2.0 / (1.0 - exp(-2.0 * s)), c[SLOPE_TERMS];
     uint32_t count = bolan_sea_component_count(f->desc->sea);
     for (uint32_t i = 0; i < count; ++i) fill_wave(f, i, range, waves + 4 * i);
+    fit_slope(s, -4.0 * BOLAN_PI * s, c);
     gl_program_int(g, "wave_count", (int)count);
     gl_program_vec4_array(g, "wave_component", waves, BOLAN_MAX_EXP_WAVES);
-    gl_program_vec4(g, "exp_law", (bolan_vec4){(float)s, (float)(exp(-s) * bessel_i0(s)), 0.0f, 0.0f});
+    gl_program_vec4(g, "exp_law", (bolan_vec4){(float)s, (float)(exp(-s) * bessel_i0(s)), (float)c[4], (float)c[5]});
+    gl_program_vec4(g, "exp_slope", (bolan_vec4){(float)c[0], (float)c[1], (float)c[2], (float)c[3]});
+    set_total(g, f, range, s * s * exp(-2.0 * s) * bessel_i1_share(2.0 * s)); // s^2 e^-2s I1(2s) / 2s
+}
+
+static void set_sum(const gl_program *g, const frame *f) {
+    gl_program_int(g, "wave_count", (int)bolan_sea_component_count(f->desc->sea));
+    set_total(g, f, 1.0, 0.5);
 }
 
 static void upload_table(water_fields *p, const frame *f) {
@@ -288,5 +341,5 @@ void water_fields_apply(const gl_program *g, const frame *f, water_waves waves) 
     if (f->shore->present) shore_map_apply(f->shore, g);
     if (waves == WATER_CASCADES) set_cascades(g, f);
     if (waves == WATER_EXP) set_exp_waves(g, f);
-    if (waves == WATER_SUM) gl_program_int(g, "wave_count", (int)bolan_sea_component_count(f->desc->sea));
+    if (waves == WATER_SUM) set_sum(g, f);
 }
