@@ -94,7 +94,7 @@ crest_pixel pixel_here(vec4 shape) {
 
 wave_fields waves_here(crest_pixel p) {
 #if defined(WAVES_CASCADES) && defined(PACKED)
-    return waves_of_width(p.rest, p.width, p.fine, p.gust, p.depth);
+    return waves_of_width(p.rest, p.fine, p.gust, p.depth);
 #else
     return waves_at(p.rest, footprint(vec2(1.0, 0.0), p.width, p.width), p.gust, p.depth, p.mesh);
 #endif

@@ -2,9 +2,20 @@
 // The cascades of the sea as textures; twin of bolan_sea_sample_rest() in src/waves. Positions are eye-relative; each
 // cascade's tile coordinates of the eye were reduced in double on the CPU.
 #pragma unit displacement_map 8
-#pragma unit slope_map 9
 uniform sampler2DArray displacement_map; // dx, dy, height
-uniform sampler2DArray slope_map;        // slope x, slope y, dxx, dyy; PACKED: slope, dxx + dyy, foam memory
+#ifndef PACKED
+#pragma unit slope_map 9
+uniform sampler2DArray slope_map; // slope x, slope y, dxx, dyy
+#else
+#pragma unit slope_map0 9
+#pragma unit slope_map1 20
+#pragma unit slope_map2 21
+#pragma unit slope_map3 22
+uniform sampler2D slope_map0; // slope, dxx + dyy, foam memory
+uniform sampler2D slope_map1;
+uniform sampler2D slope_map2;
+uniform sampler2D slope_map3;
+#endif
 uniform int cascade_count;
 uniform vec4 cascade_tile[4]; // xy: the eye in the tile [0,1), zw: cos(angle), sin(angle) over the side [1/m]
 uniform vec4 cascade_band[4]; // x: significant height of the band [m], y: texel [m], z: longest wave [m], w: log2 of the texel

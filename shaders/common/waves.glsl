@@ -4,7 +4,8 @@
 //   WAVES_SUM   many cosines, here for each pixel: only the quad needs that (Liu, Xu & Chen 2009)
 //   WAVES_MESH  the same, made on the CPU for each vertex; the pixels interpolate
 //   none        cascades: tiles of an FFT
-// PACKED: the cascades' slope_map holds slope, dxx + dyy, foam memory, and there is no fold_map (water_fields.h).
+// PACKED: slope_map0 to slope_map3, one for each cascade, hold slope, dxx + dyy, foam memory, and there is no slope_map or fold_map
+// (water_fields.h). CASCADES: how many of them pixels look up, longest waves first.
 // Twins of bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
 #if !defined(WAVES_EXP) && !defined(WAVES_SUM) && !defined(WAVES_MESH)
 #define WAVES_CASCADES
@@ -157,7 +158,9 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
         keep = shore_attenuation(depth, band.x);
 #endif
         offset += keep * vec3(choppiness * s.xy, s.z);
+#ifndef PACKED
         fields.xy += keep * textureLod(slope_map, uv, lod).xy;
+#endif
     }
 #endif
     return offset;
@@ -172,20 +175,32 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #endif
 
 #if defined(WAVES_CASCADES) && defined(PACKED)
-// One look-up a cascade, at the level of a width [m] whose log2 is `fine`. Slopes over the displaced surface as if waves came
-// from all sides.
-wave_fields waves_of_width(vec2 rest, float width, float fine, float gust, float depth) {
-    vec4 sum = vec4(0.0);
-    for (int c = 0; c < cascade_count; ++c) {
-        vec4 band = cascade_band[c];
-        if (width > 0.4 * band.z) break; // a tenth of its slopes would be left
-        vec4 s = textureLod(slope_map, vec3(cascade_uv(c, rest), float(c)), fine - band.w);
-        float keep = band.z < 20.0 ? gust : 1.0;
-#ifdef LAND
-        keep *= shore_attenuation(depth, band.x);
+#ifndef CASCADES
+#define CASCADES 4
 #endif
-        sum += keep * s;
-    }
+
+vec4 cascade_share(int c, vec4 fields, float gust, float depth) {
+    vec4 band = cascade_band[c];
+    float keep = band.z < 20.0 ? gust : 1.0;
+#ifdef LAND
+    keep *= shore_attenuation(depth, band.x);
+#endif
+    return keep * fields;
+}
+
+// One look-up a cascade, at the level of a width whose log2 is `fine`. Slopes over the displaced surface as if waves came from all
+// sides. Textures of their own and no loop: an array, and a loop that pixels leave at different times, cost twice as much.
+wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
+    vec4 sum = cascade_share(0, textureLod(slope_map0, cascade_uv(0, rest), fine - cascade_band[0].w), gust, depth);
+#if CASCADES > 1
+    sum += cascade_share(1, textureLod(slope_map1, cascade_uv(1, rest), fine - cascade_band[1].w), gust, depth);
+#endif
+#if CASCADES > 2
+    sum += cascade_share(2, textureLod(slope_map2, cascade_uv(2, rest), fine - cascade_band[2].w), gust, depth);
+#endif
+#if CASCADES > 3
+    sum += cascade_share(3, textureLod(slope_map3, cascade_uv(3, rest), fine - cascade_band[3].w), gust, depth);
+#endif
     float pinch = choppiness * sum.z;
     vec2 slope = sum.xy / max(1.0 + 0.75 * pinch, 0.3);
     return wave_fields(slope * min(1.0, 1.2 * inversesqrt(max(dot(slope, slope), 1e-6))), 1.0 + pinch, sum.w);
@@ -193,7 +208,7 @@ wave_fields waves_of_width(vec2 rest, float width, float fine, float gust, float
 
 wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
     float width = max(f.minor, f.major / float(TAPS));
-    return waves_of_width(rest, width, log2(width), gust, depth);
+    return waves_of_width(rest, log2(width), gust, depth);
 }
 #elif defined(WAVES_CASCADES)
 #pragma unit fold_map 10

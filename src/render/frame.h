@@ -42,6 +42,7 @@ enum {
     UNIT_TILE = 19,            // 2D RGBA8  the water's own texture, light on the bottom
     UNIT_REFLECTION_DEPTH = 7, // depths of those pictures, for optics without foam structure
     UNIT_REFRACTION_DEPTH = 15,
+    UNIT_CASCADES = 20,    // 20-22: 2D RGBA16F  packed cascades after the first, which is on UNIT_SLOPES
     UNIT_GLINT = 3, // 2D R8  the sun on a slide, for optics that see nothing behind the water
 };
 

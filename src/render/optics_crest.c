@@ -7,6 +7,7 @@
 #include "water_optics.h"
 
 #include <math.h>
+#include <stdio.h>
 
 enum {
     AIR_COUNT = 3,
@@ -16,6 +17,7 @@ enum {
 
 typedef struct crest {
     const char *defines; // of this quality
+    double taps;
     gl_texture densities, ramps, rough;
     gl_texture rest, mesh; // outputs of water_crest_shape.glsl
     gl_target shape, shape_mesh;
@@ -30,6 +32,8 @@ static const char *const quality_defines[] = {
     [BOLAN_QUALITY_HIGH] = "TAPS 3\n",
     [BOLAN_QUALITY_ULTRA] = "TAPS 4\n",
 };
+
+static const double quality_taps[] = {2.0, 2.0, 3.0, 4.0};
 
 static bolan_result create_densities(crest *p) {
     const size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
@@ -66,6 +70,7 @@ static bolan_result create_ramps(crest *p) {
 static bolan_result create(void *state, bolan_quality quality) {
     crest *p = state;
     p->defines = quality_defines[quality];
+    p->taps = quality_taps[quality];
     gl_texture_desc rough = {.format = GL_FMT_RGBA16F,
                              .width = BOLAN_SLOPE_TABLE_MAJOR,
                              .height = 1,
@@ -199,8 +204,24 @@ static bool draw_air(crest *p, const water_draw *d) {
     return true;
 }
 
-static void draw_light(crest *p, const water_draw *d) {
-    const gl_program *g = water_program(d, "water_crest", 0, p->defines);
+// Rows of the picture, from the bottom, above which all waves of a cascade are shorter than 2.5 widths of a pixel: a tenth of its
+// slopes is left. Crests are nearer than the mean water on their rays: reckoned from as high as most of them reach.
+static uint32_t rows_of_cascade(const frame *f, const bolan_cascade_view *v, double taps, uint32_t rows) {
+    const bolan_camera *c = &f->scene->camera;
+    const double above = f->uniforms.eye.z - 0.7 * bolan_sea_get_summary(f->desc->sea)->hs;
+    if (v->k_min <= 0.0 || c->roll_deg != 0.0 || above <= 0.0) return rows;
+    const double longest = 2.0 * BOLAN_PI / v->k_min, steep = above * f->uniforms.lens.x / (0.4 * longest * taps);
+    if (steep >= 1.0) return 0; // even straight below
+    const double down = bolan_radians(c->pitch_deg) + asin(sqrt(steep)); // from the middle of the picture
+    if (fabs(down) > 1.5) return down > 0.0 ? 0 : rows;
+    const double y = -tan(down) / tan(0.5 * bolan_radians(c->fov_deg));
+    return (uint32_t)fmin(fmax((0.5 + 0.5 * y) * f->desc->height + 2.0, 0.0), rows);
+}
+
+static void draw_rows(crest *p, const water_draw *d, uint32_t cascades, uint32_t from, uint32_t to) {
+    char defines[64];
+    snprintf(defines, sizeof defines, "%sCASCADES %u\n", p->defines, cascades);
+    const gl_program *g = water_program(d, "water_crest", cascades, defines);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
     set_foam(g, d->f);
@@ -212,9 +233,24 @@ static void draw_light(crest *p, const water_draw *d) {
     gl_texture_bind(&p->air[0], UNIT_OPTICS);
     gl_texture_bind(&p->air[1], UNIT_OPTICS + 1);
     gl_texture_bind(&p->air[2], UNIT_FOLD); // packed cascades have no such map
-    gl_target_bind_part(&d->f->hdr, 0, 0, d->f->hdr.width, water_rows(d->f, d->vertical));
+    gl_target_bind_part(&d->f->hdr, 0, from, d->f->hdr.width, to - from);
     gl_set_state(&(gl_state){.color_write = true});
     gl_draw_fullscreen();
+}
+
+// Far rows look up fewer cascades.
+static void draw_light(crest *p, const water_draw *d) {
+    const uint32_t rows = water_rows(d->f, d->vertical);
+    uint32_t count = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->f->desc->sea) : 1, from = 0;
+    for (; count > 0 && from < rows; --count) {
+        uint32_t to = rows;
+        if (count > 1) {
+            const bolan_cascade_view v = bolan_sea_cascade(d->f->desc->sea, count - 1);
+            to = rows_of_cascade(d->f, &v, p->taps, rows);
+        }
+        if (to > from) draw_rows(p, d, count, from, to);
+        from = to > from ? to : from;
+    }
 }
 
 static void draw(void *state, const water_draw *d) {

@@ -68,24 +68,43 @@ static water_texel_work *create_work(uint32_t n) {
     return w;
 }
 
-void water_fields_free(water_fields *p) {
-    free_work(p);
+static void free_textures(water_fields *p) {
     gl_texture_free(&p->displacement);
     gl_texture_free(&p->slopes);
     gl_texture_free(&p->fold);
+    for (int c = 0; c < BOLAN_MAX_CASCADES; ++c) gl_texture_free(&p->packed_slopes[c]);
+    bolan_release(p->cpu_fold, p->cpu_fold_bytes);
+    p->cpu_fold = NULL;
+    p->cpu_fold_bytes = 0;
+}
+
+void water_fields_free(water_fields *p) {
+    free_work(p);
+    free_textures(p);
     gl_texture_free(&p->table);
     gl_texture_free(&p->slope_table);
-    bolan_release(p->cpu_fold, p->cpu_fold_bytes);
 }
 
 // ---- cascades -------------------------------------------------------------------------------------------------------
 
-// Arrays that fit this sea; kept while n and the number of cascades stay.
-static void fit_textures(water_fields *p, uint32_t n, uint32_t count) {
-    if (p->displacement.width == n && p->displacement.depth == count) return;
-    gl_texture_free(&p->displacement);
-    gl_texture_free(&p->slopes);
-    gl_texture_free(&p->fold);
+static void create_packed(water_fields *p, gl_texture_desc desc, uint32_t count) {
+    desc.array = false;
+    desc.depth = 0;
+    for (uint32_t c = 0; c < count; ++c) gl_texture_create(&desc, &p->packed_slopes[c]);
+}
+
+static void create_whole(water_fields *p, gl_texture_desc desc, uint32_t n) {
+    gl_texture_create(&desc, &p->slopes);
+    desc.format = GL_FMT_RG16F;
+    gl_texture_create(&desc, &p->fold);
+    p->cpu_fold_bytes = sizeof(uint16_t) * 2 * n * n;
+    p->cpu_fold = bolan_allocate(p->cpu_fold_bytes);
+}
+
+// Textures that fit this sea; kept while n, the number of cascades and what they hold stay.
+static void fit_textures(water_fields *p, uint32_t n, uint32_t count, bool packed) {
+    if (p->displacement.width == n && p->displacement.depth == count && p->packed == packed) return;
+    free_textures(p);
     gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
                             .width = n,
                             .height = n,
@@ -94,12 +113,11 @@ static void fit_textures(water_fields *p, uint32_t n, uint32_t count) {
                             .filter = GL_FILTER_MIPMAP,
                             .wrap = GL_WRAP_REPEAT};
     gl_texture_create(&desc, &p->displacement);
-    gl_texture_create(&desc, &p->slopes);
-    desc.format = GL_FMT_RG16F;
-    gl_texture_create(&desc, &p->fold);
-    bolan_release(p->cpu_fold, p->cpu_fold_bytes);
-    p->cpu_fold_bytes = sizeof(uint16_t) * 2 * n * n;
-    p->cpu_fold = bolan_allocate(p->cpu_fold_bytes);
+    p->packed = packed;
+    if (packed)
+        create_packed(p, desc, count);
+    else
+        create_whole(p, desc, n);
 }
 
 // dxy and foam side by side, so that the fragment shader gets both by one look-up.
@@ -163,23 +181,24 @@ static void upload_fold(water_fields *p, const bolan_sea *sea, uint32_t count) {
 // On software GL the levels are made here; a GPU makes them in no time.
 static void upload_cascades(water_fields *p, const bolan_sea *sea, bool packed, bool software) {
     const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade(sea, 0).n;
-    fit_textures(p, n, count);
-    p->packed = packed;
+    fit_textures(p, n, count, packed);
     if (!fit_work(p, n, count)) return;
     texel_job job = {.fields = p, .sea = sea, .packed = packed, .levels = software};
     if (packed || software) bolan_parallel(2 * count, 1, make_texels, &job);
     for (uint32_t c = 0; c < count; ++c) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
         gl_texture_upload(&p->displacement, 0, (int)c, v.displacement_half, true);
-        gl_texture_upload(&p->slopes, 0, (int)c, packed ? p->work[c]->packed : v.slope_half, true);
-        if (!software) continue;
-        upload_levels(&p->displacement, (int)c, p->work[c]->levels[0]);
-        upload_levels(&p->slopes, (int)c, p->work[c]->levels[1]);
+        gl_texture *slopes = packed ? &p->packed_slopes[c] : &p->slopes;
+        const int layer = packed ? -1 : (int)c;
+        gl_texture_upload(slopes, 0, layer, packed ? p->work[c]->packed : v.slope_half, true);
+        if (software) upload_levels(&p->displacement, (int)c, p->work[c]->levels[0]);
+        if (software) upload_levels(slopes, layer, p->work[c]->levels[1]);
+        if (!software && packed) gl_texture_generate_mipmaps(slopes);
     }
     if (!packed) upload_fold(p, sea, count);
     if (software) return;
     gl_texture_generate_mipmaps(&p->displacement);
-    gl_texture_generate_mipmaps(&p->slopes);
+    if (!packed) gl_texture_generate_mipmaps(&p->slopes);
 }
 
 // Where the eye stands in each tile, reduced in double so that the GPU never sees a large coordinate.
@@ -327,8 +346,10 @@ void water_fields_prepare(water_fields *p, const frame *f, water_waves waves, wa
 
 void water_fields_bind(const water_fields *p, water_waves waves) {
     gl_texture_bind(waves == WATER_SUM ? &p->table : &p->displacement, UNIT_DISPLACEMENT);
-    gl_texture_bind(&p->slopes, UNIT_SLOPES);
-    gl_texture_bind(&p->fold, UNIT_FOLD);
+    gl_texture_bind(p->packed ? &p->packed_slopes[0] : &p->slopes, UNIT_SLOPES);
+    for (int c = 1; p->packed && c < BOLAN_MAX_CASCADES; ++c)
+        if (p->packed_slopes[c].id != 0) gl_texture_bind(&p->packed_slopes[c], UNIT_CASCADES + c - 1);
+    if (!p->packed) gl_texture_bind(&p->fold, UNIT_FOLD);
     gl_texture_bind(&p->slope_table, UNIT_SLOPE_TABLE);
 }
 

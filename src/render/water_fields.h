@@ -15,13 +15,14 @@ const char *water_waves_define(water_waves waves);
 // What an optics reads of the cascades' textures, besides the displacement.
 typedef enum water_textures {
     WATER_TEXTURES_ALL,    // slope_map: slope, dxx, dyy; fold_map: dxy, foam memory
-    WATER_TEXTURES_PACKED, // slope_map: slope, dxx + dyy, foam memory; no fold_map: one look-up for all
+    WATER_TEXTURES_PACKED, // slope_map0...: slope, dxx + dyy, foam memory; no fold_map: one look-up a cascade for all
     WATER_TEXTURES_NONE,   // only the table of unresolved slopes (the optics has the waves by other means)
 } water_textures;
 
 typedef struct water_fields {
     gl_texture displacement, slopes, fold;             // cascades: arrays, a layer each
-    bool packed;                                       // what slopes holds
+    gl_texture packed_slopes[BOLAN_MAX_CASCADES];      // instead of slopes and fold
+    bool packed;                                       // which of them hold this frame's waves
     struct water_texel_work *work[BOLAN_MAX_CASCADES]; // levels made on the CPU
     uint32_t work_n;
     gl_texture table; // WATER_SUM: a texel a wave
