@@ -163,13 +163,11 @@ static uint32_t fill_seams(const bolan_nested *placed, uint32_t *out) {
     return count;
 }
 
-enum { PAPER_CELLS = 32, PAPER_LEVELS = 6, LEVELS = 9 };
+enum { PAPER_CELLS = 32, PAPER_LEVELS = 6 };
 
-// To the letter: 6 levels of 32 cells, which then end three pixels below the horizon; more of them reach it with cells as fine.
+// To the letter: 6 levels of 32 cells that are fine near the eye and end three pixels below the horizon.
 static bolan_nested_desc nested_desc(const water_mesh *m, const bolan_surface_view *view, bool paper) {
-    bolan_nested_desc desc = m->nested;
-    desc.levels = LEVELS;
-    if (!paper) return desc;
+    if (!paper) return m->nested;
     const double height = fmax(fabs(view->eye.z - view->water_level), 1.0);
     const double dip = sqrt(2.0 * height / BOLAN_EARTH_RADIUS), pixels = 3.0 * view->fov_y / view->pixel_height;
     return (bolan_nested_desc){PAPER_CELLS, PAPER_LEVELS, height / (dip + pixels) / (PAPER_CELLS / 2)};
