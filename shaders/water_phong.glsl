@@ -75,12 +75,13 @@ phong_surface surface_here() {
     footprint wide = f;
     vec2 at = s.here.rest;
 #ifndef PAPER
-    // few waves make a pattern that repeats: it goes over into roughness where ten of its pixels are a wave, and from high up, where
-    // much of it is in sight, the tile's longest waves bend it
-    wide.minor *= 10.0;
+    // few waves make a pattern that repeats: it goes over into roughness where a wave is a few pixels long, and from high up, where
+    // much of it is in sight, earlier, and the tile's longest waves bend it
+    float high = smoothstep(30.0, 200.0, eye.z);
+    wide.minor *= 3.0 + 7.0 * high;
     wide.major = max(f.major, wide.minor);
     for (int i = 0; i < 1 && eye.z > 30.0; ++i) // a loop: software OpenGL takes both ways of an if
-        at += wander_of(at) * smoothstep(30.0, 200.0, eye.z);
+        at += wander_of(at) * high;
 #endif
     s.slope = waves_of_footprint(at, wide, s.here.gust, s.here.depth, s.covariance).slope;
 #else
@@ -110,8 +111,8 @@ vec2 picture_of(vec3 point) {
 
 #ifdef PICTURES
 // A picture has the air between the eye and what it shows; of that, the part before the water is laid over the water itself.
-vec4 behind_water(sampler2D picture, vec3 point, water_pixel p) {
-    vec4 c = textureLod(picture, picture_of(point), 0.0);
+vec4 behind_water(sampler2D picture, vec3 point, float level, water_pixel p) {
+    vec4 c = textureLod(picture, picture_of(point), level);
     return vec4(max(c.rgb - c.a * p.inscatter, 0.0) / max(p.transmittance, vec3(0.02)), c.a);
 }
 #endif
@@ -123,7 +124,7 @@ vec3 reflection(phong_surface s) {
     vec3 ray = normalize(at);
     vec3 sky = environment_radiance(vec3(ray.xy, abs(ray.z)), 0.0);
 #ifdef PICTURES
-    vec4 land = behind_water(reflection_picture, at, s.here);
+    vec4 land = behind_water(reflection_picture, at, 0.0, s.here);
     sky = sky * (1.0 - land.a) + land.rgb;
 #endif
     return sky;
@@ -143,10 +144,13 @@ vec3 reflection(phong_surface s) {
     vec3 sky = environment_radiance(mirrored_ray(s.view, leaning), s.seen.sigma);
 #ifdef PICTURES
     vec4 land = vec4(0.0);
+    // a facet's slope turns the ray by twice that, of which the other side of the picture's place shows half, and across the view little
+    float texels = 0.25 * s.seen.sigma / float(TAPS) * float(textureSize(reflection_picture, 0).y) * viewport.w / lens.x;
+    float level = log2(clamp(texels, 1.0, 4.0)); // further up, the steps from one to the next would show
     for (int i = 0; i < TAPS; ++i) {
         float tilt = (float(2 * i + 1) / float(TAPS) - 1.0) * 1.3;
         vec3 ray = mirrored_ray(s.view, leaning - bending() * tilt * s.seen.sigma * toward);
-        land += behind_water(reflection_picture, s.here.position + 0.5 * s.dist * vec3(ray.xy, -ray.z), s.here);
+        land += behind_water(reflection_picture, s.here.position + 0.5 * s.dist * vec3(ray.xy, -ray.z), level, s.here);
     }
     land *= 1.0 / float(TAPS);
     sky = sky * (1.0 - land.a) + land.rgb;
@@ -169,7 +173,7 @@ vec3 refraction(phong_surface s, out vec3 passed, out vec4 bed) {
 #else
     float shift = -0.25 * depth; // (1/n - 1) of it
 #endif
-    bed = behind_water(refraction_picture, s.here.position + vec3(shift * bending() * s.normal.xy, 0.0), s.here);
+    bed = behind_water(refraction_picture, s.here.position + vec3(shift * bending() * s.normal.xy, 0.0), 0.0, s.here);
 #ifdef PAPER
     passed = vec3(bed.a);
     return bed.rgb;

@@ -27,8 +27,8 @@ uniform vec4 sea_law; // x: significant height [m], y: peak wave length [m], z: 
 #if defined(WAVES_EXP) || defined(WAVES_SUM)
 #ifdef WAVES_EXP
 uniform vec4 wave_component[16]; // kx, ky [turns/m], amplitude [m], phase at the eye [turns]
-uniform vec4 exp_law;            // x: sharpness s, y: mean e^-s I0(s) of the shape; zw: c4, c5
-uniform vec4 exp_slope;          // c0..c3: the shape's derivative by the phase [turns] is sin cos of half of it times c0 + c1 sin^2 + ...
+uniform vec4 exp_law;            // x: sharpness s, y: mean e^-s I0(s) of the shape
+uniform vec4 exp_slope[2];       // c0..c3, c4..c7: the shape's derivative by the phase [turns] is sin cos of half of it times c0 + c1 sin^2 + ...
 vec4 wave_of(int i) { return wave_component[i]; }
 #else
 #pragma unit wave_table 8
@@ -253,8 +253,9 @@ float wave_derivative(float turns) {
     vec2 w = half_sincos(within_half_a_turn(turns));
 #ifdef WAVES_EXP
     float t = w.x * w.x; // exp(-2 s t) by a polynomial: an exponential is dear on the CPU
-    return w.x * w.y *
-           (exp_slope.x + t * (exp_slope.y + t * (exp_slope.z + t * (exp_slope.w + t * (exp_law.z + t * exp_law.w)))));
+    vec4 c = exp_slope[0], d = exp_slope[1];
+    float high = d.x + t * (d.y + t * (d.z + t * d.w));
+    return w.x * w.y * (c.x + t * (c.y + t * (c.z + t * (c.w + t * high))));
 #else
     return -12.5663706 * w.x * w.y;
 #endif

@@ -257,10 +257,10 @@ static double bessel_i1_share(double x) {
     return sum;
 }
 
-enum { SLOPE_TERMS = 6 };
+enum { SLOPE_TERMS = 8 };
 
-// factor * exp(-2 s t) for t in 0..1 as a polynomial through Chebyshev's points, by Newton's divided differences: to 5e-4 of the
-// factor at s = 2, 2e-6 at 0.5.
+// factor * exp(-2 s t) for t in 0..1 as a polynomial through Chebyshev's points, by Newton's divided differences: to 1e-5 of the
+// factor at s = 2.
 static void fit_slope(double s, double factor, double out[SLOPE_TERMS]) {
     double at[SLOPE_TERMS], difference[SLOPE_TERMS];
     for (int i = 0; i < SLOPE_TERMS; ++i) {
@@ -295,15 +295,16 @@ static void set_total(const gl_program *g, const frame *f, double amplitude_fact
 
 // Liu & Xie 2010, in zero-mean, unit-range form: amplitude * 2 / (1 - e^-2s) * (e^{s (cos th - 1)} - e^-s I0(s)).
 static void set_exp_waves(const gl_program *g, const frame *f) {
-    float waves[4 * BOLAN_MAX_EXP_WAVES] = {0};
+    float waves[4 * BOLAN_MAX_EXP_WAVES] = {0}, terms[SLOPE_TERMS];
     double s = bolan_sea_get_desc(f->desc->sea)->sharpness, range = 2.0 / (1.0 - exp(-2.0 * s)), c[SLOPE_TERMS];
     uint32_t count = bolan_sea_component_count(f->desc->sea);
     for (uint32_t i = 0; i < count; ++i) fill_wave(f, i, range, waves + 4 * i);
     fit_slope(s, -4.0 * BOLAN_PI * s, c);
+    for (int i = 0; i < SLOPE_TERMS; ++i) terms[i] = (float)c[i];
     gl_program_int(g, "wave_count", (int)count);
     gl_program_vec4_array(g, "wave_component", waves, BOLAN_MAX_EXP_WAVES);
-    gl_program_vec4(g, "exp_law", (bolan_vec4){(float)s, (float)(exp(-s) * bessel_i0(s)), (float)c[4], (float)c[5]});
-    gl_program_vec4(g, "exp_slope", (bolan_vec4){(float)c[0], (float)c[1], (float)c[2], (float)c[3]});
+    gl_program_vec4(g, "exp_law", (bolan_vec4){(float)s, (float)(exp(-s) * bessel_i0(s)), 0.0f, 0.0f});
+    gl_program_vec4_array(g, "exp_slope", terms, SLOPE_TERMS / 4);
     set_total(g, f, range, s * s * exp(-2.0 * s) * bessel_i1_share(2.0 * s)); // s^2 e^-2s I1(2s) / 2s
 }
 
