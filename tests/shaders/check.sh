@@ -53,8 +53,14 @@ for file in *.glsl; do
         try "$file" STATIC_GRID PACKED LAND
         try "$file" STATIC_GRID WAVES_EXP
         ;;
-    terrain.glsl | models.glsl)
+    terrain.glsl)
         try "$file" CLIP
+        ;;
+    models.glsl)
+        try "$file" FAR
+        try "$file" PICTURE CUT
+        try "$file" GROUND PICTURE WET
+        try "$file" GROUND PICTURE CUT WET
         ;;
     esac
 done
