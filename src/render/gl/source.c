@@ -109,10 +109,11 @@ static bool parse_include(const char *line, size_t length, char path[SOURCE_NAME
 static void note_unit(shader_text *s, const char *line, size_t length) {
     char copy[160], name[SOURCE_NAME];
     int unit = 0;
-    if (length >= sizeof copy || s->unit_count == SOURCE_MAX_UNITS) return;
+    if (length >= sizeof copy) return;
     memcpy(copy, line, length);
     copy[length] = '\0';
     if (sscanf(copy, " #pragma unit %47s %d", name, &unit) != 2) return;
+    BOLAN_ASSERT(s->unit_count < SOURCE_MAX_UNITS); // a sampler left out would read unit 0
     memcpy(s->units[s->unit_count].name, name, sizeof name);
     s->units[s->unit_count++].unit = unit;
 }
