@@ -14,7 +14,6 @@
 #define WIDEST_CASTER 30.0f // [m]: what is larger is a landscape
 #define SOFTENING 0.7       // of the tilt: a hull averages over more than the points that are asked for
 #define OVERLAP 0.25f // [m], as in pass_mirror.c: what stands clear of the water by more is cut by no picture's plane
-#define FAR_AWAY 1000.0f // [m]: from there on the air's colour depends on where one looks
 
 enum { ABOVE, ACROSS, BELOW, CLASSES }; // the paper's three classes (section 2.2), of triangles
 
