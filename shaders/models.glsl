@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Objects. All light is computed at the vertices, so that the pixels cost little: this is drawn up to three times a frame.
 // GROUND is defined for models that lie flat, PICTURE for what the water mirrors and refracts, and for an eye under it; CUT where the
-// picture's plane cuts the triangles, WET where they may lie under the water; FAR for what stands kilometres away.
+// picture's plane cuts the triangles, WET where they may lie under the water.
 // As in terrain.glsl, points under the water are left as if dry and without haze: the water pass puts the water over them.
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
@@ -70,9 +70,9 @@ void main() {
 
     vec3 transmittance;
     float away = length(position);
-#if defined(FAR) || (defined(GROUND) && !defined(PICTURE))
+#ifndef PICTURE
     aerial_perspective(position, transmittance, inscatter);
-#else // near things, and what is drawn small: haze of one extinction
+#else // near and blurred: haze of one extinction
     transmittance = exp(-away * (RAYLEIGH + mie_extinction()));
     inscatter = sky_light.rgb / PI * (1.0 - transmittance);
 #endif

@@ -14,13 +14,12 @@
 #define WIDEST_CASTER 30.0f // [m]: what is larger is a landscape
 #define SOFTENING 0.7       // of the tilt: a hull averages over more than the points that are asked for
 #define OVERLAP 0.25f // [m], as in pass_mirror.c: what stands clear of the water by more is cut by no picture's plane
-#define FAR_AWAY 1000.0f // [m]: from there on the air's colour depends on where one looks
 
 enum { ABOVE, ACROSS, BELOW, CLASSES }; // the paper's three classes (section 2.2), of triangles
 
-// What a program is for: models that lie flat or things; the main view near and far, a picture's whole triangles, cut ones, and both
+// What a program is for: models that lie flat or things; the main view, a picture's whole triangles, cut ones, and both
 // where they may lie under the water.
-enum { MAIN, MAIN_FAR, WHOLE, CUT, WET_WHOLE, WET_CUT, KINDS };
+enum { MAIN, WHOLE, CUT, WET_WHOLE, WET_CUT, KINDS };
 
 // A model on the GPU.
 typedef struct gpu_model {
@@ -67,7 +66,6 @@ struct pass_models {
 bolan_result pass_models_create(const gl_caps *caps, pass_models **out) {
     (void)caps;
     static const char *const defines[KINDS] = {[MAIN] = "",
-                                               [MAIN_FAR] = "FAR 1\n",
                                                [WHOLE] = "PICTURE 1\n",
                                                [CUT] = "PICTURE 1\nCUT 1\n",
                                                [WET_WHOLE] = "PICTURE 1\nWET 1\n",
@@ -376,9 +374,9 @@ static bool is_beside(const placed *o, const frame *f) {
     return left == 8 || right == 8 || behind == 8;
 }
 
-static int kind_of(const frame *f, const placed *o, int class) {
+static int kind_of(const frame *f, int class) {
     const float side = f->uniforms.clip.x;
-    if (!f->picture) return o->nearest > FAR_AWAY ? MAIN_FAR : MAIN;
+    if (!f->picture) return MAIN;
     return (side > 0.0f ? WHOLE : WET_WHOLE) + (class == ACROSS && side != 0.0f);
 }
 
@@ -414,7 +412,7 @@ static void draw_kind(pass_models *p, frame *f, int flat, int kind) {
         if (o->gpu->flat != (flat == 1) || (side != 0.0f && is_beside(o, f))) continue;
         uint32_t first = 0, from = 0, count = 0;
         for (int c = 0; c < CLASSES; first += o->counts[c], c++) {
-            if (o->counts[c] == 0 || !is_wanted(c, side) || kind_of(f, o, c) != kind) continue;
+            if (o->counts[c] == 0 || !is_wanted(c, side) || kind_of(f, c) != kind) continue;
             from = count == 0 ? first : from; // classes of one kind follow each other
             count += o->counts[c];
         }

@@ -57,7 +57,6 @@ for file in *.glsl; do
         try "$file" CLIP
         ;;
     models.glsl)
-        try "$file" FAR
         try "$file" PICTURE CUT
         try "$file" GROUND PICTURE WET
         try "$file" GROUND PICTURE CUT WET
