@@ -12,7 +12,7 @@
 // (water_crest_air.glsl). The facets that the eye sees lean towards it; their mean tilt, their area and the mean Fresnel
 // reflectance are rational and quadratic forms (common/facets.glsl).
 //
-// LAND: there is terrain. TAPS: how much sharper than its long side a footprint is looked up. Waves: see common/waves.glsl.
+// LAND: there is terrain. FOAM_TILE: pixels are so narrow that foam has a structure; FINE_FOAM: and a finer one beside the eye. TAPS: how much sharper than its long side a footprint is looked up. Waves: see common/waves.glsl.
 #include "common/frame.glsl"
 #include "common/fullscreen.glsl"
 
@@ -23,6 +23,8 @@ void main() { fullscreen(0.0); }
 #ifdef FRAGMENT
 #ifndef TAPS // set by quality; this serves an offline compiler
 #define TAPS 2
+#define FOAM_TILE
+#define FINE_FOAM
 #endif
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
@@ -105,6 +107,7 @@ wave_fields waves_here(crest_pixel p) {
 uniform sampler2D foam_densities; // opacity of thin, middling and dense foam; a: its bubbles
 uniform sampler2D foam_ramps;     // by intensity (s) and zone (t): the shares of the three; a: foam without holes
 
+const vec3 FOAM_DENSITIES = vec3(0.22, 0.5, 0.82); // mean opacity of the three: FOAM_DENSITY of foam_ramps.h
 const float RAMP_SWASH = 0.125, RAMP_SURF = 0.375, RAMP_OPEN = 0.625; // rows of foam_ramps
 
 const vec3 PAPER_TINT = vec3(0.088, 0.497, 0.456);
@@ -144,15 +147,23 @@ float open_foam(wave_fields w, vec3 slopes) {
 
 // Opacity; a: brightness of the bubbles.
 vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
-    vec4 ramp = textureLod(foam_ramps, vec2(intensity, zone), 0.0);
     vec2 at = mod(eye.xy + rest, 4096.0);
     float level = width_log2 + 9.0; // a tile has 512 texels
     vec4 tile = textureLod(foam_densities, at * (1.0 / 16.0), max(level - 4.0, 0.0));
+#ifdef FINE_FOAM
     if (width_log2 < -4.0) {
         vec4 close = textureLod(foam_densities, at.yx * (1.0 / 4.0), max(level - 2.0, 0.0));
         tile = mix(tile, sqrt(tile * close) , clamp(-4.0 - width_log2, 0.0, 1.0) * 0.6);
     }
-    return vec2(clamp(dot(tile.rgb, ramp.rgb) + ramp.a, 0.0, 1.0), 0.75 + 0.25 * tile.a);
+#endif
+#ifdef LAND
+    vec4 ramp = textureLod(foam_ramps, vec2(intensity, zone), 0.0);
+    float opacity = clamp(dot(tile.rgb, ramp.rgb) + ramp.a, 0.0, 1.0);
+#else // the row of the open sea: between nothing, thin, middling, dense, everything
+    vec4 share = clamp((intensity - vec4(0.0, FOAM_DENSITIES)) / (vec4(FOAM_DENSITIES, 1.0) - vec4(0.0, FOAM_DENSITIES)), 0.0, 1.0);
+    float opacity = mix(mix(mix(tile.r * share.x, tile.g, share.y), tile.b, share.z), 1.0, share.w);
+#endif
+    return vec2(opacity, 0.75 + 0.25 * tile.a);
 }
 
 #ifdef LAND
@@ -257,7 +268,9 @@ void main() {
     if (effect_is_on(EFFECT_GLITTER)) surface += sun_glitter(p, w.slope, seen.area, sunlight);
     if (effect_is_on(EFFECT_FOAM) && foam > 0.0) {
         vec2 lather = vec2(foam, 0.87); // from afar, the mean
+#ifdef FOAM_TILE
         if (foam > 0.02 && p.fine < 2.0) lather = foam_opacity(p.rest, p.fine, foam, zone);
+#endif
         vec3 light = (sunlight * max(dot(sun.xyz, normal), 0.0) + sky_light.rgb) * (lather.y * 0.66 / 3.14159265);
         surface = mix(surface, light, lather.x * min(water_kd.w, 1.0));
     }

@@ -35,14 +35,14 @@ static const char *const quality_defines[] = {
 
 static const double quality_taps[] = {2.0, 2.0, 3.0, 4.0};
 
-static bolan_result create_densities(crest *p) {
+static bolan_result create_densities(crest *p, bolan_quality quality) {
     const size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
     uint8_t *pixels = bolan_allocate(bytes);
     if (pixels == NULL) return BOLAN_ERROR_MEMORY;
     gl_texture_desc desc = {.format = GL_FMT_RGBA8,
                             .width = FOAM_TEXTURE_SIZE,
                             .height = FOAM_TEXTURE_SIZE,
-                            .filter = GL_FILTER_MIPMAP,
+                            .filter = quality < BOLAN_QUALITY_HIGH ? GL_FILTER_MIPMAP_NEAREST : GL_FILTER_MIPMAP,
                             .wrap = GL_WRAP_REPEAT};
     bolan_result result = foam_densities_fill(pixels);
     if (result == BOLAN_OK) result = gl_texture_create(&desc, &p->densities);
@@ -76,7 +76,7 @@ static bolan_result create(void *state, bolan_quality quality) {
                              .height = 1,
                              .filter = GL_FILTER_LINEAR,
                              .wrap = GL_WRAP_CLAMP};
-    bolan_result result = create_densities(p);
+    bolan_result result = create_densities(p, quality);
     if (result == BOLAN_OK) result = create_ramps(p);
     return result == BOLAN_OK ? gl_texture_create(&rough, &p->rough) : result;
 }
@@ -131,9 +131,11 @@ static void free_all(void *state) {
     gl_texture_free(&p->ramps);
 }
 
-#define FRESH_EDGE 0.09    // standard deviation that softens the edge of breaking crests, in pinch
-#define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
-#define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
+#define FOAM_WIDTH 4.0         // of a pixel beyond which foam has no structure [m]
+#define FINE_FOAM_WIDTH 0.0625 // likewise its finer structure
+#define FRESH_EDGE 0.09        // standard deviation that softens the edge of breaking crests, in pinch
+#define OLD_EDGE 0.1           // likewise for old foam, as a share of the memory's variance
+#define OLD_FOAM_SHARE 2.0     // decaying foam covers about twice what the breaking crests do
 
 static void set_foam(const gl_program *g, const frame *f) {
     const bolan_sea *sea = f->desc->sea;
@@ -204,24 +206,31 @@ static bool draw_air(crest *p, const water_draw *d) {
     return true;
 }
 
-// Rows of the picture, from the bottom, above which all waves of a cascade are shorter than 2.5 widths of a pixel: a tenth of its
-// slopes is left. Crests are nearer than the mean water on their rays: reckoned from as high as most of them reach.
-static uint32_t rows_of_cascade(const frame *f, const bolan_cascade_view *v, double taps, uint32_t rows) {
+// Rows of the picture, from the bottom, where pixels may be narrower than that [m]. Crests are nearer than the mean water on their
+// rays: reckoned from as high as most of them reach.
+static uint32_t rows_of_width(const frame *f, double width, double taps, uint32_t rows) {
     const bolan_camera *c = &f->scene->camera;
     const double above = f->uniforms.eye.z - 0.7 * bolan_sea_get_summary(f->desc->sea)->hs;
-    if (v->k_min <= 0.0 || c->roll_deg != 0.0 || above <= 0.0) return rows;
-    const double longest = 2.0 * BOLAN_PI / v->k_min, steep = above * f->uniforms.lens.x / (0.4 * longest * taps);
-    if (steep >= 1.0) return 0; // even straight below
+    if (c->roll_deg != 0.0 || above <= 0.0) return rows;
+    const double steep = above * f->uniforms.lens.x / (width * taps);    // squared sine
+    if (steep >= 1.0) return 0;                                          // even straight below
     const double down = bolan_radians(c->pitch_deg) + asin(sqrt(steep)); // from the middle of the picture
     if (fabs(down) > 1.5) return down > 0.0 ? 0 : rows;
     const double y = -tan(down) / tan(0.5 * bolan_radians(c->fov_deg));
     return (uint32_t)fmin(fmax((0.5 + 0.5 * y) * f->desc->height + 2.0, 0.0), rows);
 }
 
-static void draw_rows(crest *p, const water_draw *d, uint32_t cascades, uint32_t from, uint32_t to) {
-    char defines[64];
-    snprintf(defines, sizeof defines, "%sCASCADES %u\n", p->defines, cascades);
-    const gl_program *g = water_program(d, "water_crest", cascades, defines);
+typedef struct light_rows {
+    uint32_t from, to;
+    uint32_t cascades; // to look up
+    uint32_t foam;     // tiles of its structure: none, one, and beside the eye a finer one
+} light_rows;
+
+static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
+    static const char *const foam_defines[] = {"", "FOAM_TILE 1\n", "FOAM_TILE 1\nFINE_FOAM 1\n"};
+    char defines[96];
+    snprintf(defines, sizeof defines, "%sCASCADES %u\n%s", p->defines, rows.cascades, foam_defines[rows.foam]);
+    const gl_program *g = water_program(d, "water_crest", rows.cascades | rows.foam << 3, defines);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
     set_foam(g, d->f);
@@ -233,23 +242,35 @@ static void draw_rows(crest *p, const water_draw *d, uint32_t cascades, uint32_t
     gl_texture_bind(&p->air[0], UNIT_OPTICS);
     gl_texture_bind(&p->air[1], UNIT_OPTICS + 1);
     gl_texture_bind(&p->air[2], UNIT_FOLD); // packed cascades have no such map
-    gl_target_bind_part(&d->f->hdr, 0, from, d->f->hdr.width, to - from);
+    gl_target_bind_part(&d->f->hdr, 0, rows.from, d->f->hdr.width, rows.to - rows.from);
     gl_set_state(&(gl_state){.color_write = true});
     gl_draw_fullscreen();
 }
 
-// Far rows look up fewer cascades.
+// Rows where the widths of pixels still show waves of that cascade: 2.5 of them are its longest wave, and a tenth of its slopes left.
+static uint32_t rows_of_cascade(const water_draw *d, uint32_t cascade, double taps, uint32_t rows) {
+    const bolan_cascade_view v = bolan_sea_cascade(d->f->desc->sea, cascade);
+    return v.k_min > 0.0 ? rows_of_width(d->f, 0.4 * 2.0 * BOLAN_PI / v.k_min, taps, rows) : rows;
+}
+
+static uint32_t least(uint32_t a, uint32_t b) { return a < b ? a : b; }
+
+// Far rows look up fewer cascades, and no structure of foam.
 static void draw_light(crest *p, const water_draw *d) {
     const uint32_t rows = water_rows(d->f, d->vertical);
-    uint32_t count = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->f->desc->sea) : 1, from = 0;
-    for (; count > 0 && from < rows; --count) {
-        uint32_t to = rows;
-        if (count > 1) {
-            const bolan_cascade_view v = bolan_sea_cascade(d->f->desc->sea, count - 1);
-            to = rows_of_cascade(d->f, &v, p->taps, rows);
+    const uint32_t foam_ends[] = {rows, rows_of_width(d->f, FOAM_WIDTH, p->taps, rows),
+                                  rows_of_width(d->f, FINE_FOAM_WIDTH, p->taps, rows)};
+    light_rows part = {.cascades = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->f->desc->sea) : 1,
+                       .foam = 2};
+    while (part.from < rows) {
+        const uint32_t end = part.cascades > 1 ? rows_of_cascade(d, part.cascades - 1, p->taps, rows) : rows;
+        part.to = least(end, foam_ends[part.foam]);
+        if (part.to > part.from) {
+            draw_rows(p, d, part);
+            part.from = part.to;
         }
-        if (to > from) draw_rows(p, d, count, from, to);
-        from = to > from ? to : from;
+        if (end <= part.from && part.cascades > 1) part.cascades--;
+        if (foam_ends[part.foam] <= part.from && part.foam > 0) part.foam--;
     }
 }
 
