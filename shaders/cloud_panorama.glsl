@@ -18,9 +18,9 @@ const int STEPS = 64, LIGHT_STEPS = 5;
 const float FARTHEST = 120000.0;
 
 vec3 panorama_direction() { // inverse of cloud_uv()
-    float h = max(eye.z, 0.0), dip = horizon_dip(h), y = air.y > 0.5 ? uv.y * 2.0 - 1.0 : uv.y;
-    float range = y > 0.0 ? 0.5 * AIR_PI + dip : 0.5 * AIR_PI - dip;
-    float elevation = sign(y) * y * y * range - dip, azimuth = 2.0 * AIR_PI * (strip.x + strip.y * uv.x);
+    float h = max(eye.z, 0.0), dip = horizon_dip(h), horizon = air.y > 0.5 ? CLOUD_HORIZON : 0.0;
+    float up = max(uv.y - horizon, 0.0) / (1.0 - horizon), down = max(horizon - uv.y, 0.0) / CLOUD_HORIZON;
+    float elevation = up * up * (0.5 * AIR_PI + dip) - pow(down, 1.5) * (0.5 * AIR_PI - dip) - dip, azimuth = 2.0 * AIR_PI * (strip.x + strip.y * uv.x);
     return vec3(cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation));
 }
 
@@ -84,18 +84,20 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
         float d = span.x + (float(i) + 0.5) * step_length, h = air_height(h0, dir.z, d);
         vec2 position = dir.xy * d;
         float footprint = d * texel_angle, extinction = cloud_extinction(position, h, footprint);
-        if (extinction <= 0.0) continue;
-        float depth = depth_towards_sun(position, h, footprint);
-        float level = clamp((h - cloud_base()) / cloud_origin.z, 0.0, 1.0);
-        // light scattered many times falls off as by diffusion; thin edges scatter once
-        float many = 2.5 / (4.0 * AIR_PI * (1.0 + 0.16 * depth)) * (1.0 - 0.35 * exp(-2.0 * depth));
-        vec3 source = sun_above * (0.55 * forward * exp(-depth)) + entering * many +
-                      ambient * mix(0.25, 0.60, level);
-        float through = exp(-extinction * step_length), gained = left * (1.0 - through);
-        light += gained * source;
-        mean_distance += gained * d;
-        weight += gained;
-        left *= through;
+        // a loop: software OpenGL goes past a loop that no pixel enters, but through a branch
+        for (int inside = 0; inside < 1 && extinction > 0.0; ++inside) {
+            float depth = depth_towards_sun(position, h, footprint);
+            float level = clamp((h - cloud_base()) / cloud_origin.z, 0.0, 1.0);
+            // light scattered many times falls off as by diffusion; thin edges scatter once
+            float many = 2.5 / (4.0 * AIR_PI * (1.0 + 0.16 * depth)) * (1.0 - 0.35 * exp(-2.0 * depth));
+            vec3 source = sun_above * (0.55 * forward * exp(-depth)) + entering * many +
+                          ambient * mix(0.25, 0.60, level);
+            float through = exp(-extinction * step_length), gained = left * (1.0 - through);
+            light += gained * source;
+            mean_distance += gained * d;
+            weight += gained;
+            left *= through;
+        }
         if (left < 0.01) break;
     }
     mean_distance = weight > 0.0 ? mean_distance / weight : span.x;

@@ -55,12 +55,14 @@ float cloud_shadow(vec2 position) {
 }
 
 // The panorama of the clouds round the eye. Below the clouds it covers the sky (air.y = 0), above them the whole
-// sphere.
+// sphere, most of it what lies below the horizon. Rows are closest at the horizon.
+const float CLOUD_HORIZON = 0.85; // the horizon's place in the whole sphere's map
+
 vec2 cloud_uv(vec3 dir) {
     float h = max(eye.z, 0.0), above = angle_above_horizon(dir, h), dip = horizon_dip(h);
-    float range = above > 0.0 ? 0.5 * AIR_PI + dip : 0.5 * AIR_PI - dip;
-    float y = sign(above) * sqrt(abs(above) / range);
-    return vec2(atan(dir.y, dir.x) / (2.0 * AIR_PI), air.y > 0.5 ? 0.5 + 0.5 * y : max(y, 0.0));
+    float up = sqrt(max(above, 0.0) / (0.5 * AIR_PI + dip));
+    float down = pow(max(-above, 0.0) / (0.5 * AIR_PI - dip), 2.0 / 3.0);
+    return vec2(atan(dir.y, dir.x) / (2.0 * AIR_PI), air.y > 0.5 ? CLOUD_HORIZON + (1.0 - CLOUD_HORIZON) * up - CLOUD_HORIZON * down : up);
 }
 
 vec4 cloud_radiance(vec3 dir) { return textureLod(cloud_map, vec3(cloud_uv(dir), 0.0), 0.0); }

@@ -28,8 +28,7 @@ float cloud_extinction(vec2 position, float h, float footprint) {
     float shape = billows + 0.55 * (weather.b - 0.5) - cloud_origin.w - 0.26 * level * level * level - 0.10 * level;
     float contrast = mix(6.0, 2.5, wind.w * wind.w); // a deck varies more softly
     shape = clamp(shape * contrast, 0.0, 1.0) * smoothstep(0.0, 0.07, level);
-    if (shape <= 0.0) return 0.0;
-    if (footprint > 0.0) {
+    for (int inside = 0; inside < 1 && shape > 0.0 && footprint > 0.0; ++inside) { // a loop: see cloud_panorama.glsl
         float lod = cloud_level(footprint, DETAIL_TILE);
         float cells = textureLod(cloud_noise, (q + vec3(0.0, 0.0, 37.0)) / DETAIL_TILE, lod).g;
         shape = clamp((shape - 0.55 * (1.0 - cells) * (1.0 - 0.6 * shape)) * 1.35, 0.0, 1.0);

@@ -25,8 +25,10 @@ static void free_maps(cloud_maps *m) {
     gl_texture_free(&m->map);
 }
 
+// From above, clouds are seen against the sea from near to far: their map is one quality finer.
 static bolan_result create_maps(cloud_maps *m, bolan_quality quality) {
-    const uint32_t width = panorama_size[quality].width, height = panorama_size[quality].height;
+    const int size = m->above && quality < BOLAN_QUALITY_ULTRA ? quality + 1 : quality;
+    const uint32_t width = panorama_size[size].width, height = panorama_size[size].height;
     if (m->map.id && m->map.width == width) return BOLAN_OK;
     const gl_texture_desc d = {.format = GL_FMT_RGBA16F,
                                .width = width,
