@@ -40,23 +40,23 @@ wave_fields waves_here(water_pixel p, footprint f) {
     return w;
 }
 
-// Opacity of the foam. Its bubbles are looked up only where there is any.
-float foam_here(water_pixel p, footprint f, wave_fields w, vec3 covariance) {
-    float edge = foam_law.y + foam_law.z * sqrt(max(covariance.x + covariance.z - foam_law.w, 0.0));
-    float cover = clamp((foam_law.x - w.jacobian) / edge * 0.5 + 0.5, 0.0, 1.0);
-    cover *= cover;
+// Opacity of the foam, for a pixel of that width [m]. Its bubbles are looked up only where there is any.
+float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
+    float hidden = foam_law.z * foam_law.z * max(covariance.x + covariance.z - foam_law.w, 0.0);
+    float cover = clamp(0.5 + (foam_law.x - w.jacobian) * inversesqrt(6.2831853 * (hidden + foam_law.y * foam_law.y)), 0.0, 1.0);
 #ifdef LAND
     cover = max(cover, smoothstep(0.7, 0.0, p.least / clamp(sea_law.x, 0.3, 3.0)) * 0.5);
 #endif
     float alpha = 0.0;
     for (int i = 0; i < 1 && cover > 0.02; ++i) { // a loop: some drivers sample textures in both branches of an if
         vec2 at = mod(eye.xy + p.rest, 4096.0);
-        float detail = log2(f.minor * 64.0), far = clamp(detail * 0.2, 0.0, 1.0); // texels of a tile of 8 m
+        float detail = log2(width * 64.0), far = clamp(detail * 0.2, 0.0, 1.0); // texels of a tile of 8 m
         vec4 broad = textureLod(foam_detail, at * 0.015625, max(detail - 3.0, 0.0));
         vec4 fine = textureLod(foam_detail, at.yx * 0.125, max(detail, 0.0));
         // two values as likely as any: where their mean is above 1 - cover there is foam, torn and full of holes
-        float value = 0.5 * (broad.r + mix(fine.r, 0.5, far)), edge = min(0.3 + 0.2 * far, cover);
-        alpha = smoothstep(1.0 - edge - cover, 1.0 + edge - cover, value) * mix(0.6 + 0.4 * fine.g, 0.8, far);
+        float value = 0.5 * (broad.r + fine.r), edge = min(0.3, cover);
+        alpha = smoothstep(1.0 - edge - cover, 1.0 + edge - cover, value) * (0.6 + 0.4 * fine.g);
+        alpha = mix(alpha, 0.8 * cover, far); // from afar, the mean
     }
     return alpha * water_kd.w;
 }
@@ -96,7 +96,8 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
     f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
 #endif
     vec3 hidden = water_hidden_slopes(f) * (p.gust * p.gust), covariance = hidden;
-    add_ripples(p.rest, pixel_footprint(view, length(p.position), p.mesh.xy), p.gust, p.depth, w.slope, covariance);
+    footprint pixel = pixel_footprint(view, length(p.position), p.mesh.xy);
+    add_ripples(p.rest, pixel, p.gust, p.depth, w.slope, covariance);
     covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
     rough_facets seen = rough_seen(view, w.slope, covariance);
     float reflectance = rough_fresnel(view, w.slope, seen, water_deep.w), film = 1.0;
@@ -117,7 +118,7 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
         light += look_light.z * sunlight * step(-0.01, sun.z) *
                  rough_glint(view, sun.xyz, w.slope, covariance, seen, water_deep.w);
     if (effect_is_on(EFFECT_FOAM))
-        light = mix(light, (sunlight * facing + sky_light.rgb) * 0.23, foam_here(p, f, w, hidden)); // albedo 0.72 / pi
+        light = mix(light, (sunlight * facing + sky_light.rgb) * 0.23, foam_here(p, pixel.minor, w, hidden)); // albedo 0.72 / pi
 #ifdef LAND
     light = mix(textureLod(scene_color, gl_FragCoord.xy * viewport.zw, 0.0).rgb, light, film);
 #endif
