@@ -96,8 +96,7 @@ vec3 mirror_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, vi
 }
 
 // The bed's share of the radiance that leaves the water, and the depth of water over it [m].
-vec3 bed_radiance(vec3 deep, vec3 position, vec3 view, vec3 normal, out float water_path) {
-    vec2 uv = gl_FragCoord.xy * viewport.zw;
+vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, out float water_path) {
     vec3 refracted = refract(-view, normal, 1.0 / water_deep.w);
     float down = max(-refracted.z, 0.3);
     vec3 bed, bent_bed;
@@ -140,12 +139,13 @@ void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float o
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 pixel = sampled_pixel();
+    vec2 uv = (vec2(pixel) + 0.5) * viewport.zw;
     vec4 through_air = texelFetch(surface_transmittance, pixel, 0);
     if (through_air.w < 0.5) discard; // no water here
     vec4 rest_depth = texelFetch(surface_rest, pixel, 0), slope_light = texelFetch(surface_slope, pixel, 0);
     vec4 from_air = texelFetch(surface_inscatter, pixel, 0);
-    vec3 position = frame_ray(gl_FragCoord.xy * viewport.zw) / rest_depth.w;
+    vec3 position = frame_ray(uv) / rest_depth.w;
     vec2 rest = rest_depth.xy;
     float gust = slope_light.z, shade = slope_light.w;
     float dist = length(position);
@@ -195,7 +195,7 @@ void main() {
     foam_texels texels = foam_look_up(rest, f.minor);
 #ifdef LAND
     float water_path;
-    below = bed_radiance(below, position, view, normal, water_path);
+    below = bed_radiance(uv, below, position, view, normal, water_path);
     fresh = max(fresh, shore_cover(rest, rest_depth.z, from_air.w, water_path, texels.broad));
     film = smoothstep(0.0, 0.12, water_path); // the last centimetres over the sand
 #endif

@@ -60,19 +60,19 @@ struct crest_pixel {
     vec4 mesh;
 };
 
-crest_pixel pixel_here(vec4 shape) {
+crest_pixel pixel_here(ivec2 at, vec4 shape) {
     crest_pixel p;
-    vec2 uv = gl_FragCoord.xy * viewport.zw;
+    vec2 uv = (vec2(at) + 0.5) * viewport.zw;
     p.position = frame_ray(uv) / shape.w;
     p.rest = shape.xy;
     p.dist = sqrt(dot(p.position, p.position));
     p.view = -p.position / p.dist;
     p.mesh = vec4(0.0, 0.0, 1.0, 0.0);
 #ifdef WAVES_MESH
-    p.mesh = texelFetch(shape_mesh, ivec2(gl_FragCoord.xy), 0);
+    p.mesh = texelFetch(shape_mesh, at, 0);
 #endif
     p.width = max(p.dist * lens.x, 1e-4);
-    p.width = max(p.width, p.width / (float(TAPS) * clamp(p.view.z, 0.02, 1.0)));
+    p.width = max(p.width * sampling.x, p.width / (float(TAPS) * clamp(p.view.z, 0.02, 1.0)));
     p.fine = log2(p.width);
     vec4 through = textureLod(air_transmittance_map, uv, 0.0), from = textureLod(air_inscatter_map, uv, 0.0);
     // a crest before the horizon is nearer than the mean water on its ray
@@ -201,8 +201,7 @@ float bed_depth(ivec2 at, vec3 position) {
 }
 
 // The bed through the water, bent by the waves, or the deep water's light where it is out of sight.
-vec3 bed_light(vec3 deep, vec3 position, vec3 view, vec2 slope, inout float bed) {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+vec3 bed_light(ivec2 at, vec3 deep, vec3 position, vec3 view, vec2 slope, inout float bed) {
     vec3 both_ways = exp(-water_kd.rgb * bed * (1.0 + 1.0 / max(0.66, sqrt(0.44 + 0.56 * view.z * view.z))));
     if (max(both_ways.b, both_ways.g) < 0.01) return deep;
     float bend = min(bed, 3.0) * 0.25 / (length(position) * lens.x);
@@ -235,9 +234,10 @@ vec3 false_colors(float mask, float foam, float reflectance, vec3 normal) {
 }
 
 void main() {
-    vec4 shape = texelFetch(shape_rest, ivec2(gl_FragCoord.xy), 0);
+    ivec2 at = sampled_pixel();
+    vec4 shape = texelFetch(shape_rest, at, 0);
     if (shape.w == 0.0) discard; // no water here
-    crest_pixel p = pixel_here(shape);
+    crest_pixel p = pixel_here(at, shape);
     wave_fields w = waves_here(p);
     float flat_length = max(sqrt(dot(p.view.xy, p.view.xy)), 1e-4);
     vec2 toward = p.view.xy / flat_length;
@@ -251,13 +251,13 @@ void main() {
     float mask = crest_mask(p, w, rise, toward);
     float foam = open_foam(w, p.slopes), zone = RAMP_OPEN;
 #ifdef LAND
-    float bed = bed_depth(ivec2(gl_FragCoord.xy), p.position);
+    float bed = bed_depth(at, p.position);
     vec2 surf = shore_foam(p, bed);
     if (surf.x > foam) {
         foam = surf.x;
         zone = surf.y;
     }
-    if (effect_is_on(EFFECT_REFRACTION)) below = bed_light(below, p.position, p.view, w.slope, bed);
+    if (effect_is_on(EFFECT_REFRACTION)) below = bed_light(at, below, p.position, p.view, w.slope, bed);
 #endif
     if (effect_is_on(EFFECT_SCATTERING)) below += crest_light(mask, p.view, sunlight);
     vec3 surface = (1.0 - reflectance) * below;
@@ -278,7 +278,7 @@ void main() {
     if (look_mix.w > 0.5 && look_mix.w < 1.5) surface = false_colors(mask, foam, reflectance, normal);
 #ifdef LAND
     float film = smoothstep(0.0, 0.15, bed); // the last centimetres over the sand
-    if (film < 1.0) surface = mix(texelFetch(scene_color, ivec2(gl_FragCoord.xy), 0).rgb, surface, film);
+    if (film < 1.0) surface = mix(texelFetch(scene_color, at, 0).rgb, surface, film);
 #endif
     color = vec4(surface, 1.0);
 }

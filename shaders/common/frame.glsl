@@ -20,7 +20,13 @@ layout(std140) uniform Frame {
                       // mirrored picture of an eye under water
     vec4 caustic;     // xy: eye in the caustics' tile; zw: cos, sin of its turn over its side [1/m]
     vec4 caustic_sun; // xy: level travel of sunlight in the water for each metre it falls; z: their disturbance
+    vec4 sampling;    // x: columns of the picture that a sample of the water stands for (water_sparse.h)
 };
+
+#ifdef FRAGMENT
+// The pixel of the picture whose kept shape is lit here.
+ivec2 sampled_pixel() { return ivec2(min(gl_FragCoord.xy * vec2(sampling.x, 1.0), viewport.xy - 0.5)); }
+#endif
 
 // Eye-relative direction through a point of the picture, uv in [0,1], not normalised. Depth 1 is the near plane.
 vec3 frame_ray(vec2 uv) {

@@ -68,6 +68,7 @@ static void fill_scene(frame *f) {
     frame_uniforms *u = &f->uniforms;
     const bolan_sea_state *state = &bolan_sea_get_desc(f->desc->sea)->sea_state;
     f->time = bolan_sea_time(f->desc->sea);
+    u->sampling.x = 1.0f;
     f->eye = eye_clear_of_water(f->desc);
     u->under.x = f->eye.z < s->water.level ? 1.0f : 0.0f;
     f->sun_direction = sun_direction(&s->sky);
@@ -176,6 +177,19 @@ static void draw_mirrors(bolan_renderer *r, frame *f) {
     pass_mirror_bind(r->mirror);
 }
 
+static void light_water(bolan_renderer *r, frame *f) {
+    frame sparse = pass_water_sparse(r->water, f);
+    const bool fewer = sparse.uniforms.sampling.x > 1.0f;
+    if (fewer) upload_uniforms(r, &sparse);
+    gl_target_bind(&sparse.hdr);
+    pass_water_draw(r->water, &sparse);
+    f->triangles = sparse.triangles;
+    f->water_triangles = sparse.water_triangles;
+    if (!fewer) return;
+    upload_uniforms(r, f);
+    pass_water_lay(r->water, f);
+}
+
 static void draw_water(bolan_renderer *r, frame *f) {
     const bool water = !f->desc->without_water, mirrors = water && pass_water_mirrors(f);
     begin_part(r, PART_COPY);
@@ -186,8 +200,7 @@ static void draw_water(bolan_renderer *r, frame *f) {
     if (mirrors) draw_mirrors(r, f);
     end_part(r, PART_MIRROR);
     begin_part(r, PART_WATER);
-    gl_target_bind(&f->hdr);
-    if (water) pass_water_draw(r->water, f);
+    if (water) light_water(r, f);
     end_part(r, PART_WATER);
 }
 

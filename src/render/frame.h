@@ -42,8 +42,9 @@ enum {
     UNIT_TILE = 19,            // 2D RGBA8  the water's own texture, light on the bottom
     UNIT_REFLECTION_DEPTH = 7, // depths of those pictures, for optics without foam structure
     UNIT_REFRACTION_DEPTH = 15,
-    UNIT_CASCADES = 20,    // 20-22: 2D RGBA16F  packed cascades after the first, which is on UNIT_SLOPES
-    UNIT_GLINT = 3, // 2D R8  the sun on a slide, for optics that see nothing behind the water
+    UNIT_CASCADES = 20, // 20-22: 2D RGBA16F  packed cascades after the first, which is on UNIT_SLOPES
+    UNIT_SPARSE = 23,   // 2D  water lit at fewer places; while that begins, the picture's depth
+    UNIT_GLINT = 3,     // 2D R8  the sun on a slide, for optics that see nothing behind the water
 };
 
 // The uniform block `Frame` of shaders/common/frame.glsl: std140, keep in step.
@@ -71,6 +72,7 @@ typedef struct frame_uniforms {
                // mirrored picture of an eye under water
     bolan_vec4 caustic;     // x, y: eye in the caustics' tile; z, w: cos, sin of its turn over its side [1/m]
     bolan_vec4 caustic_sun; // x, y: level travel of sunlight in the water for each metre it falls; z: their disturbance
+    bolan_vec4 sampling;    // x: columns of the picture that a sample of the water stands for: see water_sparse.h
 } frame_uniforms;
 
 typedef struct frame {
@@ -115,16 +117,19 @@ void pass_terrain_destroy(pass_terrain **p);
 
 bolan_result pass_models_create(const gl_caps *caps, pass_models **out);
 void pass_models_prepare(pass_models *p, frame *f); // places of this frame; uploads what is new
-void pass_models_draw(pass_models *p, frame *f);    // one side of uniforms.clip; reads UNIT_TERRAIN2 (the terrain pass's noise)
+void pass_models_draw(pass_models *p,
+                      frame *f); // one side of uniforms.clip; reads UNIT_TERRAIN2 (the terrain pass's noise)
 bolan_result pass_models_reload(pass_models *p);
 void pass_models_destroy(pass_models **p);
 
 bolan_result pass_water_create(bolan_quality quality, pass_water **out);
-void pass_water_prepare(pass_water *p, frame *f);      // uploads the sea
-void pass_water_draw(pass_water *p, frame *f);         // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
-bool pass_water_mirrors(const frame *f);               // its optics looks up the pictures of pass_mirror
-bool pass_water_mirrors_sky(const frame *f);           // and the sky in them
-bool pass_water_seen_from_below(const bolan_scene *s); // its optics has a picture for an eye under water
+void pass_water_prepare(pass_water *p, frame *f);       // uploads the sea
+void pass_water_draw(pass_water *p, frame *f);          // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
+frame pass_water_sparse(pass_water *p, const frame *f); // this frame as the water is lit in it, at fewer places maybe
+void pass_water_lay(pass_water *p, frame *f);           // what was lit in that one, into this frame's picture
+bool pass_water_mirrors(const frame *f);                // its optics looks up the pictures of pass_mirror
+bool pass_water_mirrors_sky(const frame *f);            // and the sky in them
+bool pass_water_seen_from_below(const bolan_scene *s);  // its optics has a picture for an eye under water
 void pass_water_cover(pass_water *p,
                       frame *f); // puts the depth of two triangles first, so that nothing behind them is shaded
 uint32_t pass_water_rows(const frame *f); // from the bottom of the picture, that can show water

@@ -93,12 +93,12 @@ static void free_pictures(crest *p) {
 
 static bolan_result create_pictures(crest *p, const frame *f) {
     gl_texture_desc rest = {
-        .format = GL_FMT_RGBA32F, .width = f->hdr.width, .height = f->hdr.height, .filter = GL_FILTER_NEAREST};
+        .format = GL_FMT_RGBA32F, .width = f->desc->width, .height = f->desc->height, .filter = GL_FILTER_NEAREST};
     gl_texture_desc mesh = {
-        .format = GL_FMT_RGBA16F, .width = f->hdr.width, .height = f->hdr.height, .filter = GL_FILTER_NEAREST};
+        .format = GL_FMT_RGBA16F, .width = f->desc->width, .height = f->desc->height, .filter = GL_FILTER_NEAREST};
     gl_texture_desc air = {.format = GL_FMT_RGBA16F,
-                           .width = (f->hdr.width + AIR_COLUMN - 1) / AIR_COLUMN,
-                           .height = (f->hdr.height + AIR_ROW - 1) / AIR_ROW,
+                           .width = (f->desc->width + AIR_COLUMN - 1) / AIR_COLUMN,
+                           .height = (f->desc->height + AIR_ROW - 1) / AIR_ROW,
                            .filter = GL_FILTER_LINEAR,
                            .wrap = GL_WRAP_CLAMP};
     const gl_texture *shapes[] = {&p->rest, &p->mesh}, *airs[AIR_COUNT] = {&p->air[0], &p->air[1], &p->air[2]};
@@ -112,7 +112,7 @@ static bolan_result create_pictures(crest *p, const frame *f) {
 }
 
 static bool fit_pictures(crest *p, const frame *f) {
-    if (p->depth_id == f->hdr_depth->id && p->rest.width == f->hdr.width && p->rest.height == f->hdr.height)
+    if (p->depth_id == f->hdr_depth->id && p->rest.width == f->desc->width && p->rest.height == f->desc->height)
         return true;
     free_pictures(p);
     if (create_pictures(p, f) != BOLAN_OK) {
@@ -282,7 +282,9 @@ static void draw(void *state, const water_draw *d) {
 }
 
 const water_optics optics_crest = {.size = sizeof(crest),
+                                   .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
                                    .static_grid = true,
+                                   .keeps_shape = true,
                                    .packed = true,
                                    .create = create,
                                    .prepare = prepare,

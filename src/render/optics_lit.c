@@ -55,4 +55,8 @@ static void free_all(void *state) {
     gl_texture_free(&p->ripples);
 }
 
-const water_optics optics_lit = {.size = sizeof(lit), .create = create, .draw = draw, .free = free_all};
+const water_optics optics_lit = {.size = sizeof(lit),
+                                 .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
+                                 .create = create,
+                                 .draw = draw,
+                                 .free = free_all};

@@ -43,5 +43,10 @@ static void draw(void *state, const water_draw *d) {
 
 static void free_all(void *state) { gl_texture_free(&((phong *)state)->ripples); }
 
-const water_optics optics_phong = {
-    .size = sizeof(phong), .mirrors = true, .own_sky = true, .create = create, .draw = draw, .free = free_all};
+const water_optics optics_phong = {.size = sizeof(phong),
+                                   .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
+                                   .mirrors = true,
+                                   .own_sky = true,
+                                   .create = create,
+                                   .draw = draw,
+                                   .free = free_all};

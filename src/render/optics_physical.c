@@ -38,16 +38,16 @@ static void free_shape(physical *p) {
 
 // Textures of the frame's size, with its depth.
 static bolan_result fit_shape(physical *p, const frame *f) {
-    if (p->depth_id == f->hdr_depth->id && p->shape_map[0].width == f->hdr.width &&
-        p->shape_map[0].height == f->hdr.height)
+    if (p->depth_id == f->hdr_depth->id && p->shape_map[0].width == f->desc->width &&
+        p->shape_map[0].height == f->desc->height)
         return BOLAN_OK;
     free_shape(p);
     const gl_texture *colors[SURFACE_COUNT];
     bolan_result result = BOLAN_OK;
     for (int i = 0; i < SURFACE_COUNT && result == BOLAN_OK; ++i) {
         gl_texture_desc desc = {.format = i == 0 ? GL_FMT_RGBA32F : GL_FMT_RGBA16F,
-                                .width = f->hdr.width,
-                                .height = f->hdr.height,
+                                .width = f->desc->width,
+                                .height = f->desc->height,
                                 .filter = GL_FILTER_NEAREST,
                                 .wrap = GL_WRAP_CLAMP};
         result = gl_texture_create(&desc, &p->shape_map[i]);
@@ -119,4 +119,9 @@ static void draw(void *state, const water_draw *d) {
     draw_light(p, d);
 }
 
-const water_optics optics_physical = {.size = sizeof(physical), .create = create, .draw = draw, .free = free_all};
+const water_optics optics_physical = {.size = sizeof(physical),
+                                      .keeps_shape = true,
+                                      .columns = {[BOLAN_QUALITY_LOW] = 2},
+                                      .create = create,
+                                      .draw = draw,
+                                      .free = free_all};

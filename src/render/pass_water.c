@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The water: the sea's waves on the GPU (water_fields.c), the surface of this view (water_mesh.c), and the optics that the scene's
 // technique names (water_optics.h). Which of each runs is nobody else's business.
-#include "water_optics.h"
+#include "water_sparse.h"
 
 #include <string.h>
 
@@ -10,6 +10,7 @@ struct pass_water {
     water_fields fields;
     water_mesh mesh;
     water_programs programs;
+    water_sparse sparse;
     void *state[BOLAN_OPTICS_KINDS]; // of the optics, made when it is first needed
     bool failed[BOLAN_OPTICS_KINDS]; // it could not be made, and the log says why
 };
@@ -42,6 +43,7 @@ void pass_water_destroy(pass_water **pass) {
         bolan_release(p->state[i], optics_table[i]->size);
     }
     for (uint32_t i = 0; i < p->programs.count; ++i) gl_program_free(&p->programs.list[i].program);
+    water_sparse_free(&p->sparse);
     water_fields_free(&p->fields);
     water_mesh_free(&p->mesh);
     bolan_release(p, sizeof *p);
@@ -52,7 +54,7 @@ bolan_result pass_water_reload(pass_water *p) {
     bolan_result result = BOLAN_OK;
     for (uint32_t i = 0; i < p->programs.count && result == BOLAN_OK; ++i)
         result = gl_program_reload(&p->programs.list[i].program);
-    return result;
+    return result == BOLAN_OK ? water_sparse_reload(&p->sparse) : result;
 }
 
 static void make_state(pass_water *p, bolan_optics_kind kind) {
@@ -119,6 +121,18 @@ static void draw_edges(pass_water *p, const water_draw *d) {
     if (!water_mesh_find_edges(&p->mesh) || !water_program(d, "water_mesh", 1, "FILL 1\n")) return;
     water_draw_forward(d);
     if (water_program(d, "water_mesh", 0, "")) water_mesh_draw_edges(&p->mesh);
+}
+
+frame pass_water_sparse(pass_water *p, const frame *f) {
+    const bool opaque = f->desc->terrain != NULL || (f->desc->models != NULL && f->scene->object_count > 0);
+    const water_optics *o = optics_table[f->scene->technique.optics];
+    const uint32_t columns = water_mesh_triangles(&p->mesh) > 0 ? water_sparse_columns(f, o->columns) : 1;
+    return water_sparse_begin(&p->sparse, f, columns, o->keeps_shape, opaque);
+}
+
+void pass_water_lay(pass_water *p, frame *f) {
+    water_draw d = draw_of(p, f);
+    water_sparse_lay(&p->sparse, &d, optics_table[f->scene->technique.optics]->keeps_shape);
 }
 
 void pass_water_draw(pass_water *p, frame *f) {

@@ -47,7 +47,9 @@ typedef struct water_optics {
     bool own_sky;     // but not their sky: where nothing else is in sight it needs none
     bool from_below;  // it has a picture for an eye under water
     bool static_grid; // it lights each pixel from textures: the static grid is fine enough
-    bool packed;      // of the cascades it reads slopes, pinch and foam, nothing else: see water_fields.h
+    bool keeps_shape; // it lights each pixel from a shape that it keeps, on UNIT_SURFACE: see water_sparse.h
+    uint32_t columns[BOLAN_QUALITY_ULTRA + 1]; // of pixels that share a sample, by quality; 0: each has its own
+    bool packed; // of the cascades it reads slopes, pinch and foam, nothing else: see water_fields.h
     bool (*table_only)(const bolan_scene *scene); // true: it has no use for the cascades' textures; NULL: it has
     bolan_result (*create)(void *state, bolan_quality quality);
     void (*prepare)(void *state, const water_draw *d); // once a frame, before anything is drawn; may be NULL

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The depth of what stands before or behind the water, for a picture with fewer columns (src/render/water_sparse.c): the farthest of
+// the pixels that one of it stands for, and a little farther, so that water whose own depth is in there passes.
+#include "common/fullscreen.glsl"
+
+#ifdef VERTEX
+void main() { fullscreen(0.0); }
+#endif
+
+#ifdef FRAGMENT
+#pragma unit picture_depth 23
+uniform highp sampler2D picture_depth;
+uniform int columns;
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy) * ivec2(columns, 1);
+    int last = textureSize(picture_depth, 0).x - 1;
+    float depth = 1.0;
+    for (int i = 0; i < columns; ++i) depth = min(depth, texelFetch(picture_depth, ivec2(min(at.x + i, last), at.y), 0).x);
+    gl_FragDepth = depth * 0.99999;
+}
+#endif

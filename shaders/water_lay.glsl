@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Water that was lit at fewer places (src/render/water_sparse.c), over the picture. KEPT: where there is water stands in the shape that
+// its optics keeps; else the mesh says it.
+#include "common/frame.glsl"
+#ifdef KEPT
+#include "common/fullscreen.glsl"
+#else
+#include "common/water_vertex.glsl"
+#endif
+
+#ifdef VERTEX
+#ifdef KEPT
+void main() { fullscreen(0.0); }
+#else
+void main() { water_vertex(); }
+#endif
+#endif
+
+#ifdef FRAGMENT
+out vec4 color;
+#pragma unit sparse_light 23
+uniform sampler2D sparse_light; // premultiplied by the share of water
+uniform vec4 places;            // x, y: from a pixel's column to the samples': scale, origin; z: the last of those
+#ifdef KEPT
+#pragma unit shape_rest 16
+uniform highp sampler2D shape_rest; // w: 0 where there is no water
+#endif
+
+void main() {
+#ifdef KEPT
+    if (texelFetch(shape_rest, ivec2(gl_FragCoord.xy), 0).w == 0.0) discard;
+#endif
+    // columns of the samples on both sides; none of them lies between rows
+    float at = gl_FragCoord.x * places.x + places.y, left = floor(at);
+    ivec2 from = ivec2(int(left), int(gl_FragCoord.y));
+    vec4 light = mix(texelFetch(sparse_light, max(from, 0), 0), texelFetch(sparse_light, ivec2(min(from.x + 1, int(places.z)), from.y), 0), at - left);
+    if (light.a < 0.05) discard; // a tip of water between two samples
+    color = vec4(light.rgb / light.a, 1.0);
+}
+#endif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// See water_sparse.h.
+#include "water_sparse.h"
+
+#include <math.h>
+
+#define STEEPEST_DEG \
+    35.0            // of the picture's middle below the horizontal: further down, pixels are as wide as they are long
+#define SMALLEST 64 // columns of a picture: below, there is nothing to save
+
+uint32_t water_sparse_columns(const frame *f, const uint32_t by_quality[]) {
+    const bolan_look *look = &f->scene->look;
+    const bool plain = !look->paper && look->show == BOLAN_SHOW_PICTURE && f->uniforms.under.x < 0.5f;
+    if (!plain || f->scene->camera.pitch_deg < -STEEPEST_DEG || f->desc->width < SMALLEST) return 1;
+    return by_quality[f->quality] > 1 ? by_quality[f->quality] : 1;
+}
+
+static void free_target(water_sparse *s) {
+    gl_target_free(&s->target);
+    gl_texture_free(&s->color);
+    gl_texture_free(&s->depth);
+}
+
+static bool fit(water_sparse *s, uint32_t width, uint32_t height) {
+    if (s->target.id != 0 && s->target.width == width && s->target.height == height) return true;
+    free_target(s);
+    gl_texture_desc color = {
+        .format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
+    gl_texture_desc depth = {.format = GL_FMT_DEPTH32F, .width = width, .height = height, .filter = GL_FILTER_NEAREST};
+    const gl_texture *colors[] = {&s->color};
+    bolan_result result = gl_texture_create(&color, &s->color);
+    if (result == BOLAN_OK) result = gl_texture_create(&depth, &s->depth);
+    if (result == BOLAN_OK) result = gl_target_create(colors, 1, &s->depth, -1, 0, &s->target);
+    if (result != BOLAN_OK) free_target(s);
+    return result == BOLAN_OK;
+}
+
+// Of the pixels that a sample serves, the farthest: whatever shows water is lit.
+static bool fill_depth(water_sparse *s, const frame *f, uint32_t columns) {
+    if (s->farthest.id == 0 && gl_program_create("water_behind", NULL, &s->farthest) != BOLAN_OK) return false;
+    gl_texture_bind(f->hdr_depth, UNIT_SPARSE);
+    gl_program_use(&s->farthest);
+    gl_program_int(&s->farthest, "columns", (int)columns);
+    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true});
+    gl_draw_fullscreen();
+    return true;
+}
+
+frame water_sparse_begin(water_sparse *s, const frame *f, uint32_t columns, bool keeps_shape, bool depth) {
+    const uint32_t width = (f->desc->width + columns - 1) / columns, height = f->desc->height;
+    frame sparse = *f;
+    if (columns == 1 || !fit(s, width, height)) return sparse;
+    gl_target_bind(&s->target);
+    gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    if (!keeps_shape) {
+        gl_target_clear_depth(0.0f);
+        if (depth && !fill_depth(s, f, columns)) return sparse;
+        sparse.uniforms.viewport = (bolan_vec4){(float)width, (float)height, 1.0f / (float)width, 1.0f / (float)height};
+        sparse.hdr_depth = &s->depth;
+    }
+    sparse.hdr = s->target;
+    sparse.uniforms.sampling.x = (float)columns;
+    return sparse;
+}
+
+// A shape is lit at the pixels' middles, half a pixel off the samples' own.
+static bolan_vec4 places(const water_sparse *s, const frame *f, bool keeps_shape) {
+    const uint32_t width = f->desc->width, columns = (width + s->target.width - 1) / s->target.width;
+    const float scale = keeps_shape ? 1.0f / (float)columns : (float)s->target.width / (float)width;
+    return (bolan_vec4){scale, keeps_shape ? -0.5f * scale - 0.5f : -0.5f, (float)(s->target.width - 1), 0.0f};
+}
+
+void water_sparse_lay(const water_sparse *s, const water_draw *d, bool keeps_shape) {
+    const gl_program *g = water_program(d, "water_lay", keeps_shape, keeps_shape ? "KEPT 1\n" : "");
+    if (!g) return;
+    gl_program_vec4(g, "places", places(s, d->f, keeps_shape));
+    gl_texture_bind(&s->color, UNIT_SPARSE);
+    if (!keeps_shape) {
+        water_draw_forward(d);
+        return;
+    }
+    gl_target_bind_part(&d->f->hdr, 0, 0, d->f->hdr.width, water_rows(d->f, d->vertical));
+    gl_set_state(&(gl_state){.color_write = true});
+    gl_draw_fullscreen();
+    gl_target_bind(&d->f->hdr);
+}
+
+bolan_result water_sparse_reload(water_sparse *s) {
+    return s->farthest.id == 0 ? BOLAN_OK : gl_program_reload(&s->farthest);
+}
+
+void water_sparse_free(water_sparse *s) {
+    free_target(s);
+    gl_program_free(&s->farthest);
+}
