@@ -119,7 +119,7 @@ void pass_models_draw(pass_models *p, frame *f);    // one side of uniforms.clip
 bolan_result pass_models_reload(pass_models *p);
 void pass_models_destroy(pass_models **p);
 
-bolan_result pass_water_create(bolan_quality quality, pass_water **out);
+bolan_result pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out);
 void pass_water_prepare(pass_water *p, frame *f);      // uploads the sea
 void pass_water_draw(pass_water *p, frame *f);         // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
 bool pass_water_mirrors(const frame *f);               // its optics looks up the pictures of pass_mirror
