@@ -75,6 +75,7 @@ bolan_result stage_open(stage *s, const char *name, const stage_options *o,
     *s = (stage){.width = o->width, .height = o->height};
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = o->quality;
+    desc.max_vertices = o->max_vertices;
     bolan_result result = bolan_scene_load(name, &s->scene);
     if (result == BOLAN_OK && change) change(&s->scene, context);
     if (result == BOLAN_OK) result = bolan_scene_validate(&s->scene);

@@ -13,6 +13,7 @@ typedef struct stage_options {
     bool json;
     uint32_t width, height, threads;
     bolan_quality quality;
+    uint32_t max_vertices; // of the water; 0: by quality. No option of the command line: a row of a table sets it
 } stage_options;
 // The usual: 1024 x 768, medium.
 stage_options stage_options_default(void);

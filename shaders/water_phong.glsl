@@ -52,6 +52,11 @@ struct phong_surface {
     rough_facets seen;
 };
 
+// The triangle mesh of the paper's table 1: waves and normals are those of its vertices, and the pixels interpolate.
+#if defined(PAPER) && defined(WAVES_EXP) && !defined(QUAD)
+#define VERTEX_NORMALS
+#endif
+
 #if !defined(WAVES_CASCADES) && !defined(PAPER)
 // Some way off [m], the same for kilometres' worth of sea: what bends the crests of waves that would run straight for ever.
 vec2 wander_of(vec2 rest) {
@@ -71,7 +76,10 @@ phong_surface surface_here() {
     s.here.inscatter = haze_inscatter(-s.view, s.here.transmittance);
 #endif
     footprint f = water_footprint(s.here, s.view, s.dist);
-#if defined(WAVES_EXP) || defined(WAVES_SUM)
+#if defined(VERTEX_NORMALS)
+    s.slope = s.here.mesh.xy;
+    s.covariance = vec3(0.0);
+#elif defined(WAVES_EXP) || defined(WAVES_SUM)
     footprint wide = f;
     vec2 at = s.here.rest;
 #ifndef PAPER

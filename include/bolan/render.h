@@ -45,6 +45,9 @@ typedef struct bolan_renderer bolan_renderer;
 /// How a renderer is made.
 typedef struct bolan_renderer_desc {
     bolan_quality quality; ///< default MEDIUM
+    /// Most vertices of the water on BOLAN_SURFACE_PROJECTED, 1024..1000000, whatever the quality and the picture's size;
+    /// 0 (default): as the quality has it. Raised: smaller triangles, down to what the quality asks for
+    uint32_t max_vertices;
     const char
         *shader_directory; ///< NULL: built-in shaders; else read from there, and re-read by bolan_renderer_reload()
     bool no_clip_control;  ///< true: take the fallback path even where clip control exists (tests)
@@ -53,7 +56,7 @@ typedef struct bolan_renderer_desc {
 
 /// The defaults named beside the fields.
 bolan_renderer_desc bolan_renderer_desc_default(void);
-/// Needs a current context. Errors: GL (sentence in the log), MEMORY.
+/// Needs a current context. Errors: GL (sentence in the log), ARGUMENT (a field out of range: the log names it), MEMORY.
 bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out);
 /// NULL-safe; NULLs. The context must be current.
 void bolan_renderer_destroy(bolan_renderer **renderer);

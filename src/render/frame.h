@@ -122,7 +122,7 @@ void pass_models_draw(pass_models *p,
 bolan_result pass_models_reload(pass_models *p);
 void pass_models_destroy(pass_models **p);
 
-bolan_result pass_water_create(bolan_quality quality, pass_water **out);
+bolan_result pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out);
 void pass_water_prepare(pass_water *p, frame *f);       // uploads the sea
 void pass_water_draw(pass_water *p, frame *f);          // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
 frame pass_water_sparse(pass_water *p, const frame *f); // this frame as the water is lit in it, at fewer places maybe

@@ -21,12 +21,12 @@ static const water_optics *const optics_table[BOLAN_OPTICS_KINDS] = {
     [BOLAN_OPTICS_CREST] = &optics_crest,
 };
 
-bolan_result pass_water_create(bolan_quality quality, pass_water **out) {
+bolan_result pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out) {
     pass_water *p = bolan_allocate(sizeof *p);
     if (p == NULL) return BOLAN_ERROR_MEMORY;
     p->quality = quality;
     bolan_result result = water_fields_create(&p->fields);
-    if (result == BOLAN_OK) result = water_mesh_create(&p->mesh, quality);
+    if (result == BOLAN_OK) result = water_mesh_create(&p->mesh, quality, max_vertices);
     if (result != BOLAN_OK) {
         pass_water_destroy(&p);
         return result;

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <time.h>
 
+enum { LEAST_VERTICES = 1024, MOST_VERTICES = 1000000 }; // of bolan_renderer_desc::max_vertices
+
 bolan_renderer_desc bolan_renderer_desc_default(void) { return (bolan_renderer_desc){.quality = BOLAN_QUALITY_MEDIUM}; }
 
 bolan_frame_desc bolan_frame_desc_default(void) {
@@ -15,7 +17,7 @@ static bolan_result create_passes(bolan_renderer *r) {
     bolan_result result = pass_sky_create(&r->caps, &r->sky);
     if (result == BOLAN_OK) result = pass_terrain_create(&r->caps, &r->terrain);
     if (result == BOLAN_OK) result = pass_models_create(&r->caps, &r->models);
-    if (result == BOLAN_OK) result = pass_water_create(r->desc.quality, &r->water);
+    if (result == BOLAN_OK) result = pass_water_create(r->desc.quality, r->desc.max_vertices, &r->water);
     if (result == BOLAN_OK) result = pass_mirror_create(&r->mirror);
     if (result == BOLAN_OK) result = pass_tonemap_create(&r->caps, &r->tonemap);
     if (result == BOLAN_OK)
@@ -32,6 +34,12 @@ bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_render
     if ((int)desc->quality < BOLAN_QUALITY_LOW || desc->quality > BOLAN_QUALITY_ULTRA) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
                   "renderer: quality %d is not one of low, medium, high, ultra", (int)desc->quality);
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    if (desc->max_vertices != 0 && (desc->max_vertices < LEAST_VERTICES || desc->max_vertices > MOST_VERTICES)) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
+                  "renderer: max_vertices is %u; expected 0 (by quality) or %d to %d", desc->max_vertices,
+                  LEAST_VERTICES, MOST_VERTICES);
         return BOLAN_ERROR_ARGUMENT;
     }
     bolan_renderer *r = bolan_allocate(sizeof *r);

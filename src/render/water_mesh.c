@@ -17,8 +17,8 @@ static const struct {
 };
 
 static bolan_result allocate(water_mesh *m) {
-    size_t n = m->projected.max_vertices;
-    m->index_capacity = 6 * m->projected.max_vertices;
+    const size_t n = m->capacity;
+    m->index_capacity = 6 * m->capacity;
     m->cpu_vertices = bolan_allocate(n * sizeof *m->cpu_vertices);
     m->cpu_waves = bolan_allocate(n * sizeof *m->cpu_waves);
     m->cpu_rest = bolan_allocate(n * sizeof *m->cpu_rest);
@@ -58,13 +58,22 @@ static bolan_result create_mesh(const water_mesh *m, const gl_buffer *indices, g
     return r;
 }
 
-bolan_result water_mesh_create(water_mesh *m, bolan_quality quality) {
+// As the quality has it, or as much smaller each way as the bound asks.
+static bolan_surface_size fixed_within(bolan_surface_size size, uint32_t max_vertices) {
+    const double share = sqrt((double)max_vertices / ((double)size.columns * size.rows));
+    if (share >= 1.0) return size;
+    return (bolan_surface_size){(uint32_t)(size.columns * share), (uint32_t)(size.rows * share)};
+}
+
+bolan_result water_mesh_create(water_mesh *m, bolan_quality quality, uint32_t max_vertices) {
     *m = (water_mesh){.projected = bolan_surface_desc_default(), .nested = bolan_nested_desc_default()};
     m->projected.pixels_per_vertex = quality_table[quality].pixels_per_vertex;
-    m->projected.max_vertices = quality_table[quality].max_vertices;
+    m->projected.max_vertices = max_vertices > 0 ? max_vertices : quality_table[quality].max_vertices;
     m->nested.cells = quality_table[quality].nested_cells;
+    m->capacity = quality_table[quality].max_vertices; // the bound is not one of the nested levels
+    if (m->capacity < m->projected.max_vertices) m->capacity = m->projected.max_vertices;
     bolan_result r = allocate(m);
-    size_t n = m->projected.max_vertices;
+    const size_t n = m->capacity;
     if (r == BOLAN_OK)
         r = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STREAM, n * sizeof *m->cpu_vertices, NULL, &m->vertices);
     if (r == BOLAN_OK)
@@ -72,11 +81,11 @@ bolan_result water_mesh_create(water_mesh *m, bolan_quality quality) {
     if (r == BOLAN_OK)
         r = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, m->index_capacity * sizeof(uint32_t), NULL, &m->indices);
     if (r == BOLAN_OK) r = create_mesh(m, &m->indices, &m->mesh);
-    return r == BOLAN_OK ? create_fixed(m, quality_table[quality].fixed) : r;
+    return r == BOLAN_OK ? create_fixed(m, fixed_within(quality_table[quality].fixed, m->projected.max_vertices)) : r;
 }
 
 void water_mesh_free(water_mesh *m) {
-    size_t n = m->projected.max_vertices;
+    const size_t n = m->capacity;
     gl_mesh_free(&m->mesh);
     gl_mesh_free(&m->edges);
     gl_buffer_free(&m->lines);
@@ -235,7 +244,7 @@ static void stitch_waves(water_mesh *m, uint32_t count) {
 static void average_normals(water_mesh *m, uint32_t count) {
     bolan_vec3 *positions = (bolan_vec3 *)(void *)m->cpu_rest,
                *normals = positions + count; // free by now, and large enough
-    BOLAN_ASSERT(2 * sizeof(bolan_vec3) * count <= sizeof *m->cpu_rest * m->projected.max_vertices);
+    BOLAN_ASSERT(2 * sizeof(bolan_vec3) * count <= sizeof *m->cpu_rest * m->capacity);
     for (uint32_t i = 0; i < count; ++i)
         positions[i] = bolan_v3(m->cpu_vertices[i].x + m->cpu_waves[i].dx, m->cpu_vertices[i].y + m->cpu_waves[i].dy,
                                 m->cpu_vertices[i].z + m->cpu_waves[i].height);

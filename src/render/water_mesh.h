@@ -19,7 +19,7 @@ typedef struct water_mesh {
     float *cpu_spacing;
     uint8_t *cpu_visible;
     uint32_t *cpu_indices;
-    uint32_t index_capacity;
+    uint32_t capacity, index_capacity; // of the buffers: vertices of whichever surface has most, and indices
     // What the index buffer holds
     bolan_surface_kind kind;
     bolan_surface_size grid;
@@ -35,7 +35,8 @@ typedef struct water_mesh {
     bool fixed; // it is what this view draws
 } water_mesh;
 
-bolan_result water_mesh_create(water_mesh *m, bolan_quality quality);
+// max_vertices: of the projected surface, as bolan_renderer_desc has it; 0: by quality.
+bolan_result water_mesh_create(water_mesh *m, bolan_quality quality, uint32_t max_vertices);
 // Makes the mesh of this view; WATER_MESH: with waves on its vertices. `fixed`: the projected surface as the static grid, for
 // optics that light each pixel from textures and need few vertices; not with waves that are made on the CPU.
 void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves, bool fixed);

@@ -165,6 +165,66 @@ static void the_pond_with_its_water_has_two_triangles_more(void **state) {
     bolan_context_destroy(&context);
 }
 
+static uint32_t triangles_within(const bolan_technique *technique, uint32_t max_vertices) {
+    bolan_scene scene = load("pond");
+    bolan_scene_set_technique(&scene, technique);
+    stage s;
+    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+    bolan_renderer_destroy(&s.renderer);
+    bolan_renderer_desc desc = bolan_renderer_desc_default();
+    desc.quality = BOLAN_QUALITY_ULTRA; // so small a picture has enough vertices by no other
+    desc.max_vertices = max_vertices;
+    assert_int_equal(bolan_renderer_create(&desc, &s.renderer), BOLAN_OK);
+    look_at(&s, technique->name);
+    const uint32_t triangles = bolan_renderer_statistics(s.renderer).water_triangles;
+    stage_close(&s);
+    return triangles;
+}
+
+// On the grid that is made for each view, and on the one that never changes.
+static void the_mesh_keeps_to_the_most_vertices_that_it_may_have(void **state) {
+    (void)state;
+    static const bolan_technique each_view = {"each view", BOLAN_WAVES_EXP_COSINE, BOLAN_SURFACE_PROJECTED,
+                                              BOLAN_OPTICS_LIT, -1},
+                                 fixed = {"fixed", BOLAN_WAVES_EXP_COSINE, BOLAN_SURFACE_PROJECTED, BOLAN_OPTICS_CREST,
+                                          -1};
+    const bolan_technique *const list[] = {&each_view, &fixed};
+    bolan_context *context = NULL;
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    for (int i = 0; i < 2; i++) {
+        const uint32_t quality = triangles_within(list[i], 0), least = triangles_within(list[i], 1024);
+        assert_in_range(least, 2 * 800, 2 * 1024); // few are lost to whole columns and rows
+        assert_true(quality > 2 * 1024);
+        assert_int_equal(triangles_within(list[i], 1000000), quality); // a bound: it makes nothing finer
+    }
+    bolan_context_destroy(&context);
+}
+
+static int out_of_range;
+
+static void count_out_of_range(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
+    (void)user;
+    out_of_range += level == BOLAN_LOG_ERROR && id == BOLAN_LOG_OUT_OF_RANGE && strstr(sentence, "max_vertices");
+}
+
+static void a_bound_of_the_mesh_out_of_range_is_refused(void **state) {
+    (void)state;
+    static const uint32_t wrong[] = {1, 1023, 1000001, UINT32_MAX};
+    bolan_context *context = NULL;
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    bolan_set_hooks(&(bolan_hooks){.log = count_out_of_range});
+    for (int i = 0; i < 4; i++) {
+        bolan_renderer_desc desc = bolan_renderer_desc_default();
+        bolan_renderer *renderer = NULL;
+        desc.max_vertices = wrong[i];
+        assert_int_equal(bolan_renderer_create(&desc, &renderer), BOLAN_ERROR_ARGUMENT);
+        assert_null(renderer);
+        assert_int_equal(out_of_range, i + 1);
+    }
+    bolan_set_hooks(NULL);
+    bolan_context_destroy(&context);
+}
+
 static int allocations;
 
 static void *counted(void *user, size_t size, size_t align) {
@@ -224,6 +284,8 @@ int main(void) {
         cmocka_unit_test(paper_modes_draw_water),
         cmocka_unit_test(core_and_es_draw_the_same),
         cmocka_unit_test(the_pond_with_its_water_has_two_triangles_more),
+        cmocka_unit_test(the_mesh_keeps_to_the_most_vertices_that_it_may_have),
+        cmocka_unit_test(a_bound_of_the_mesh_out_of_range_is_refused),
         cmocka_unit_test(later_frames_allocate_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

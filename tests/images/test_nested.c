@@ -68,7 +68,7 @@ static void rig_open(rig *r) {
     r->desc.sea = r->sea;
     r->desc.width = WIDTH;
     r->desc.height = HEIGHT;
-    assert_int_equal(water_mesh_create(&r->mesh, BOLAN_QUALITY_LOW), BOLAN_OK);
+    assert_int_equal(water_mesh_create(&r->mesh, BOLAN_QUALITY_LOW, 0), BOLAN_OK);
     make_program(&r->program);
     gl_texture_desc color = {.format = GL_FMT_RGBA8, .width = WIDTH, .height = HEIGHT, .filter = GL_FILTER_NEAREST};
     assert_int_equal(gl_texture_create(&color, &r->color), BOLAN_OK);
