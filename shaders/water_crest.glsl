@@ -173,10 +173,10 @@ vec2 shore_foam(crest_pixel p, float bed) {
     float hs = clamp(sea_law.x, 0.25, 4.0), period = clamp(sea_law.z, 3.0, 12.0);
     float depth = min(bed, max(p.depth, 0.0) + hs), reach = 2.2 * hs;
     float near = clamp(1.0 - depth / reach, 0.0, 1.0); // the paper's t = 1 - depth / foam depth
+    float distance = p.shore, length = period * sqrt(7.0 * hs); // of a bore in water as deep as it is high
+    near *= smoothstep(6.0, 2.0, distance / length); // where the bed hardly rises, waves broke before they came there
     if (near <= 0.0) return vec2(0.0, RAMP_SURF);
-    float distance = p.shore;
     // up a slope the fronts follow the depth; over flats they travel the way the sea goes
-    float length = period * sqrt(7.0 * hs); // of a bore in water as deep as it is high
     vec2 place = mod(eye.xy + p.rest, 4096.0), at = place * (6.2831853 / 4096.0);
     float wobble = sin(61.0 * at.x + 2.0 * sin(37.0 * at.y)) + sin(83.0 * at.y + 2.0 * sin(49.0 * at.x));
     float travelled = dot(place, vec2(cos(sea_law.w), sin(sea_law.w))) / length;
