@@ -233,10 +233,7 @@ vec3 false_colors(float mask, float foam, float reflectance, vec3 normal) {
     return vec3(mask, foam, rest) * (0.35 + 0.65 * reflectance + 0.3 * normal.x) / max(sun_light.w, 1e-9);
 }
 
-void main() {
-    ivec2 at = sampled_pixel();
-    vec4 shape = texelFetch(shape_rest, at, 0);
-    if (shape.w == 0.0) discard; // no water here
+vec3 light_here(ivec2 at, vec4 shape) {
     crest_pixel p = pixel_here(at, shape);
     wave_fields w = waves_here(p);
     float flat_length = max(sqrt(dot(p.view.xy, p.view.xy)), 1e-4);
@@ -269,7 +266,7 @@ void main() {
     if (effect_is_on(EFFECT_FOAM) && foam > 0.0) {
         vec2 lather = vec2(foam, 0.87); // from afar, the mean
 #ifdef FOAM_TILE
-        if (foam > 0.02 && p.fine < 2.0) lather = foam_opacity(p.rest, p.fine, foam, zone);
+        for (int near = 0; near < 1 && foam > 0.02 && p.fine < 2.0; ++near) lather = foam_opacity(p.rest, p.fine, foam, zone);
 #endif
         vec3 light = (sunlight * max(dot(sun.xyz, normal), 0.0) + sky_light.rgb) * (lather.y * 0.66 / 3.14159265);
         surface = mix(surface, light, lather.x * min(water_kd.w, 1.0));
@@ -280,6 +277,15 @@ void main() {
     float film = smoothstep(0.0, 0.15, bed); // the last centimetres over the sand
     if (film < 1.0) surface = mix(texelFetch(scene_color, at, 0).rgb, surface, film);
 #endif
-    color = vec4(surface, 1.0);
+    return surface;
+}
+
+void main() {
+    ivec2 at = sampled_pixel();
+    vec4 shape = texelFetch(shape_rest, at, 0);
+    color = vec4(0.0);
+    // a loop: software OpenGL goes past one that no pixel enters, and on to the end of a discard
+    for (int water = 0; water < 1 && shape.w > 0.0; ++water) color = vec4(light_here(at, shape), 1.0);
+    if (shape.w == 0.0) discard;
 }
 #endif
