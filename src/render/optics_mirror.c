@@ -135,6 +135,7 @@ static void draw(void *state, const water_draw *d) {
 }
 
 const water_optics optics_mirror = {.size = sizeof(water_tiles),
+ .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
                                     .mirrors = true,
                                     .from_below = true,
                                     .table_only = table_only,
