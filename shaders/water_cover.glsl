@@ -9,5 +9,10 @@ void main() { water_vertex(); }
 
 #ifdef FRAGMENT
 out vec4 color;
-void main() { color = vec4(0.0); }
+void main() {
+    color = vec4(0.0);
+#ifdef QUAD
+    color.a = round_earth(water_place.xy); // ends where the quad does
+#endif
+}
 #endif

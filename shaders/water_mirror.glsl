@@ -2,8 +2,8 @@
 // Two pictures, of the world mirrored in the water and of the world seen through it, looked up where the waves bend them to; the
 // water's own texture, lit as a bumpy surface; the sun's glitter by a texture that the sun projects (Ma, Zhu & Gong 2006).
 //
-// TILES: the waves are tiles baked from the sea, else waves_at() has them. RIPPLES: with a second, finer tile. HIGH: cloud shadows lie on the water apart. PAPER: the paper to the
-// letter: its normal maps, its disturbance, its sums. BELOW: the eye is under water.
+// TILES: the waves are tiles baked from the sea, else waves_at() has them. RIPPLES: with a second, finer tile. HIGH: cloud shadows lie on the water apart, and the air
+// thins with height. PAPER: the paper to the letter: its normal maps, its disturbance, its sums. BELOW: the eye is under water.
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 #ifdef QUAD
@@ -234,7 +234,7 @@ void main() {
 #else
     vec3 light = light_of_water(p, w, to, screen);
 #endif
-#ifdef QUAD
+#if defined(QUAD) && !defined(HIGH)
     color = vec4(through_haze(light, to, dist), 1.0);
 #else
     color = vec4(light * p.transmittance + p.inscatter, 1.0);

@@ -84,8 +84,9 @@ void bolan_surface_projector_vertices(const bolan_surface_projector *projector, 
 /// above; azimuth in the middle (snapped to the columns), half, guard, earth radius.
 void bolan_surface_projector_uniforms(const bolan_surface_projector *projector, bolan_surface_size size, float out[8]);
 
-/// The quad: 4 vertices (south-west, south-east, north-west, north-east) of a square round the point under the eye,
-/// large enough to reach the horizon of @p view, on the flat plane of the mean water. Pure, thread-safe. Source: Ma, Zhu & Gong 2006, section 2.1.
+/// The quad: 4 vertices (south-west, south-east, north-west, north-east) of a square round the point under the eye, on the
+/// flat plane of the mean water. Its sides are a horizon's distance long: seen from above, half of that away the plane lies as far
+/// below the level as the horizon of the round earth, and what lies beyond, in its corners, is not to be drawn. Pure, thread-safe. Source: Ma, Zhu & Gong 2006, section 2.1.
 void bolan_surface_quad(const bolan_surface_view *view, bolan_surface_vertex vertices[4]);
 /// Its 6 indices, counter-clockwise seen from above.
 extern const uint32_t bolan_surface_quad_indices[6];

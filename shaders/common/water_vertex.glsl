@@ -153,6 +153,14 @@ struct water_pixel {
 };
 
 #ifdef QUAD
+// From above, how much farther away than this plane the round earth's water is on the same ray. At twice as far it ends, in the
+// horizon: there the plane does not, and a square would end in corners.
+float round_earth(vec2 position) {
+    float left = 1.0 - 2.0 * dot(position, position) / (lens.w * max(eye.z, 0.5));
+    if (left < 0.0 && under.x < 0.5) discard;
+    return under.x < 0.5 ? 2.0 / (1.0 + sqrt(max(left, 0.0))) : 1.0;
+}
+
 // acos to 7e-5 (Abramowitz & Stegun 4.4.45), and asin, near 0 by its series: the function itself costs as much as look-ups.
 float quick_acos(float x) {
     float a = abs(x), y = sqrt(max(1.0 - a, 0.0)) * (1.5707288 + a * (-0.2121144 + a * (0.0742610 - 0.0187293 * a)));
@@ -181,6 +189,9 @@ water_pixel water_here() {
     p.position = water_place.xyz;
     p.rest = water_rest;
 #ifdef QUAD
+    float away = round_earth(p.position.xy);
+    p.position *= away;
+    p.rest *= away;
 #ifdef LAND
     p.depth = -shore_elevation(p.rest);
 #else

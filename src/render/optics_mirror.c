@@ -14,7 +14,8 @@
 
 enum { TILES = 1, RIPPLES = 2, PAPER = 4, BELOW = 8, HIGH = 16 };
 
-#define HIGH_EYE 40.0f // [m]: below it the shadow of one cloud is all that is seen of the sea
+// [m]. Below it the shadow of one cloud is all that is seen of the sea, and the air is alike all the way.
+#define HIGH_EYE 40.0f
 
 static bolan_result create(void *state, bolan_quality quality) {
     (void)quality;
@@ -135,7 +136,7 @@ static void draw(void *state, const water_draw *d) {
 }
 
 const water_optics optics_mirror = {.size = sizeof(water_tiles),
- .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
+                                    .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
                                     .mirrors = true,
                                     .from_below = true,
                                     .table_only = table_only,

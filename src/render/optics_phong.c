@@ -13,9 +13,11 @@ typedef struct phong {
 static const char *const quality_defines[] = {
     [BOLAN_QUALITY_LOW] = "TAPS 1\nRIPPLES 1\n",
     [BOLAN_QUALITY_MEDIUM] = "TAPS 1\nRIPPLES 2\n",
-    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\nFINE 1\n",
-    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\nFINE 1\n",
+    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\n",
+    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\n",
 };
+
+#define HIGH_EYE 400.0f // [m]: from there on the haze of common/haze.glsl, which is alike all the way, would be another
 
 // dC of the paper's look-ups, which gives no numbers: the mirrored as far behind the water as 1 m, the refracted 1 m under it, of
 // which refraction takes 1 - 1/1.333 [m].
@@ -30,10 +32,12 @@ static bolan_result create(void *state, bolan_quality quality) {
 static void draw(void *state, const water_draw *d) {
     const phong *p = state;
     const bool pictures = pass_water_mirrors(d->f), paper = d->f->scene->look.paper;
+    const bool fine = p->quality >= BOLAN_QUALITY_HIGH || d->f->uniforms.eye.z > HIGH_EYE;
     char defines[64];
-    snprintf(defines, sizeof defines, "%s%s%s", quality_defines[p->quality], pictures ? "PICTURES 1\n" : "",
-             paper ? "PAPER 1\n" : "");
-    const gl_program *g = water_program(d, "water_phong", (uint32_t)pictures | (uint32_t)paper << 1, defines);
+    snprintf(defines, sizeof defines, "%s%s%s%s", quality_defines[p->quality], pictures ? "PICTURES 1\n" : "",
+             paper ? "PAPER 1\n" : "", fine ? "FINE 1\n" : "");
+    const uint32_t extra = (uint32_t)pictures | (uint32_t)paper << 1 | (uint32_t)fine << 2;
+    const gl_program *g = water_program(d, "water_phong", extra, defines);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
     ripple_apply(&p->ripples, g, d->f, d->waves);

@@ -225,6 +225,33 @@ static void a_bound_of_the_mesh_out_of_range_is_refused(void **state) {
     bolan_context_destroy(&context);
 }
 
+// From 10 km the round earth's horizon lies acos(R / (R + h)) = 3.209 degrees below the level (R = 6371 km), and so must that of the
+// plane that two triangles are.
+static void two_triangles_end_at_the_horizon(void **state) {
+    (void)state;
+    static const bolan_technique *const flat[] = {&bolan_technique_two_triangle, &bolan_technique_exp_cosine};
+    bolan_context *context = NULL;
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    for (int i = 0; i < 2; i++) {
+        bolan_scene scene = load("open-sea");
+        scene.sea.resolution = 128;
+        scene.camera =
+            (bolan_camera){.position = {0.0, 0.0, 10000.0}, .heading_deg = 40.0, .pitch_deg = -6.0, .fov_deg = 12.0};
+        bolan_scene_set_technique(&scene, flat[i]);
+        stage s;
+        assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+        picture p = stage_draw(&s, 240, 180, 1);
+        int sky = 0; // rows above the water in the middle of the picture
+        while (sky < 180 && !isfinite(p.distance[sky * 240 + 120])) sky++;
+        const double degree = acos(-1.0) / 180.0;
+        const double row = 90.0 * (1.0 - tan((6.0 - 3.209) * degree) / tan(6.0 * degree));
+        if (fabs(sky - row) > 1.0) fail_msg("%s: the horizon is in row %d instead of %.1f", flat[i]->name, sky, row);
+        picture_free(&p);
+        stage_close(&s);
+    }
+    bolan_context_destroy(&context);
+}
+
 static int allocations;
 
 static void *counted(void *user, size_t size, size_t align) {
@@ -286,6 +313,7 @@ int main(void) {
         cmocka_unit_test(the_pond_with_its_water_has_two_triangles_more),
         cmocka_unit_test(the_mesh_keeps_to_the_most_vertices_that_it_may_have),
         cmocka_unit_test(a_bound_of_the_mesh_out_of_range_is_refused),
+        cmocka_unit_test(two_triangles_end_at_the_horizon),
         cmocka_unit_test(later_frames_allocate_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

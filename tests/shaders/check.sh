@@ -52,6 +52,7 @@ for file in *.glsl; do
         try "$file" WAVES_MESH LAND
         try "$file" STATIC_GRID PACKED LAND
         try "$file" STATIC_GRID WAVES_EXP
+        try "$file" KEPT
         ;;
     terrain.glsl)
         try "$file" CLIP
