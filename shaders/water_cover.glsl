@@ -11,7 +11,7 @@ void main() { water_vertex(); }
 out vec4 color;
 void main() {
     color = vec4(0.0);
-#ifdef QUAD
+#ifdef TRIM
     color.a = round_earth(water_place.xy); // ends where the quad does
 #endif
 }

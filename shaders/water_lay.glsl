@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Water that was lit at fewer places (src/render/water_sparse.c), over the picture. KEPT: where there is water stands in the shape that
-// its optics keeps; else the mesh says it.
+// its optics keeps; else the mesh says it. OPAQUE: there is something else in the picture. To discard is dear, for software OpenGL
+// tests depth late then.
 #include "common/frame.glsl"
 #ifdef KEPT
 #include "common/fullscreen.glsl"
@@ -27,14 +28,19 @@ uniform highp sampler2D shape_rest; // w: 0 where there is no water
 #endif
 
 void main() {
-#ifdef KEPT
+#if defined(KEPT) && defined(OPAQUE)
     if (texelFetch(shape_rest, ivec2(gl_FragCoord.xy), 0).w == 0.0) discard;
+#endif
+#ifdef TRIM
+    round_earth(water_place.xy);
 #endif
     // columns of the samples on both sides; none of them lies between rows
     float at = gl_FragCoord.x * places.x + places.y, left = floor(at);
     ivec2 from = ivec2(int(left), int(gl_FragCoord.y));
     vec4 light = mix(texelFetch(sparse_light, max(from, 0), 0), texelFetch(sparse_light, ivec2(min(from.x + 1, int(places.z)), from.y), 0), at - left);
-    if (light.a < 0.05) discard; // a tip of water between two samples
-    color = vec4(light.rgb / light.a, 1.0);
+#if !defined(QUAD) || defined(KEPT) // a tip of a wave between two samples, or water behind an object
+    if (light.a < 0.05) discard;
+#endif
+    color = vec4(light.rgb / max(light.a, 0.05), 1.0);
 }
 #endif

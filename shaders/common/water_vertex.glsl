@@ -4,7 +4,8 @@
 // four, so there the pixels make it themselves, and the vertices only what is the same for the whole picture.
 //
 // STATIC_GRID: the vertices are places of the unit square, which the projector puts onto the water.
-// LAND: there is terrain, and shallow water attenuates the waves. QUAD: the surface is the quad. ROUGH_VERTICES: the vertices look up
+// LAND: there is terrain, and shallow water attenuates the waves. QUAD: the surface is the quad; TRIM: of which the corners beyond the
+// horizon can be seen, and are left out. ROUGH_VERTICES: the vertices look up
 // the roughness too.
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
@@ -157,7 +158,9 @@ struct water_pixel {
 // horizon: there the plane does not, and a square would end in corners.
 float round_earth(vec2 position) {
     float left = 1.0 - 2.0 * dot(position, position) / (lens.w * max(eye.z, 0.5));
+#ifdef TRIM
     if (left < 0.0 && under.x < 0.5) discard;
+#endif
     return under.x < 0.5 ? 2.0 / (1.0 + sqrt(max(left, 0.0))) : 1.0;
 }
 

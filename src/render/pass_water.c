@@ -93,10 +93,14 @@ void pass_water_cover(pass_water *p, frame *f) {
     water_mesh_draw(&p->mesh);
 }
 
+// Something other than water may be in the picture.
+static bool is_opaque(const frame *f) {
+    return f->desc->terrain != NULL || (f->desc->models != NULL && f->scene->object_count > 0);
+}
+
 bool pass_water_mirrors(const frame *f) {
     const water_optics *o = optics_table[f->scene->technique.optics];
-    return o->mirrors &&
-           (!o->own_sky || f->desc->terrain != NULL || (f->desc->models != NULL && f->scene->object_count > 0));
+    return o->mirrors && (!o->own_sky || is_opaque(f));
 }
 
 bool pass_water_mirrors_sky(const frame *f) { return !optics_table[f->scene->technique.optics]->own_sky; }
@@ -124,15 +128,14 @@ static void draw_edges(pass_water *p, const water_draw *d) {
 }
 
 frame pass_water_sparse(pass_water *p, const frame *f) {
-    const bool opaque = f->desc->terrain != NULL || (f->desc->models != NULL && f->scene->object_count > 0);
     const water_optics *o = optics_table[f->scene->technique.optics];
     const uint32_t columns = water_mesh_triangles(&p->mesh) > 0 ? water_sparse_columns(f, o->columns) : 1;
-    return water_sparse_begin(&p->sparse, f, columns, o->keeps_shape, opaque);
+    return water_sparse_begin(&p->sparse, f, columns, o->keeps_shape, is_opaque(f));
 }
 
 void pass_water_lay(pass_water *p, frame *f) {
     water_draw d = draw_of(p, f);
-    water_sparse_lay(&p->sparse, &d, optics_table[f->scene->technique.optics]->keeps_shape);
+    water_sparse_lay(&p->sparse, &d, optics_table[f->scene->technique.optics]->keeps_shape, is_opaque(f));
 }
 
 void pass_water_draw(pass_water *p, frame *f) {

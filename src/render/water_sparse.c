@@ -46,7 +46,7 @@ static bool fill_depth(water_sparse *s, const frame *f, uint32_t columns) {
     return true;
 }
 
-frame water_sparse_begin(water_sparse *s, const frame *f, uint32_t columns, bool keeps_shape, bool depth) {
+frame water_sparse_begin(water_sparse *s, const frame *f, uint32_t columns, bool keeps_shape, bool opaque) {
     const uint32_t width = (f->desc->width + columns - 1) / columns, height = f->desc->height;
     frame sparse = *f;
     if (columns == 1 || !fit(s, width, height)) return sparse;
@@ -54,7 +54,7 @@ frame water_sparse_begin(water_sparse *s, const frame *f, uint32_t columns, bool
     gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     if (!keeps_shape) {
         gl_target_clear_depth(0.0f);
-        if (depth && !fill_depth(s, f, columns)) return sparse;
+        if (opaque && !fill_depth(s, f, columns)) return sparse;
         sparse.uniforms.viewport = (bolan_vec4){(float)width, (float)height, 1.0f / (float)width, 1.0f / (float)height};
         sparse.hdr_depth = &s->depth;
     }
@@ -70,8 +70,10 @@ static bolan_vec4 places(const water_sparse *s, const frame *f, bool keeps_shape
     return (bolan_vec4){scale, keeps_shape ? -0.5f * scale - 0.5f : -0.5f, (float)(s->target.width - 1), 0.0f};
 }
 
-void water_sparse_lay(const water_sparse *s, const water_draw *d, bool keeps_shape) {
-    const gl_program *g = water_program(d, "water_lay", keeps_shape, keeps_shape ? "KEPT 1\n" : "");
+void water_sparse_lay(const water_sparse *s, const water_draw *d, bool keeps_shape, bool opaque) {
+    static const char *const defines[] = {"", "KEPT 1\n", "OPAQUE 1\n", "KEPT 1\nOPAQUE 1\n"};
+    const uint32_t which = (uint32_t)keeps_shape | (uint32_t)opaque << 1;
+    const gl_program *g = water_program(d, "water_lay", which, defines[which]);
     if (!g) return;
     gl_program_vec4(g, "places", places(s, d->f, keeps_shape));
     gl_texture_bind(&s->color, UNIT_SPARSE);

@@ -19,11 +19,12 @@ typedef struct water_sparse {
 
 // How many columns of this picture one sample serves, of what an optics has; 1: each pixel has its own.
 uint32_t water_sparse_columns(const frame *f, const uint32_t by_quality[]);
-// The frame to light the water in: cleared, and with the depth of what stands before the water where `depth`. Its sampling.x is 1 and
+// The frame to light the water in: cleared, and with the depth of what stands before the water where
+// something is `opaque`. Its sampling.x is 1 and
 // it is `f` itself where it cannot be had (logged).
-frame water_sparse_begin(water_sparse *s, const frame *f, uint32_t columns, bool keeps_shape, bool depth);
+frame water_sparse_begin(water_sparse *s, const frame *f, uint32_t columns, bool keeps_shape, bool opaque);
 // Into the frame's picture; d->f is the frame that water_sparse_begin() had. With its own shape bound (UNIT_SURFACE) or by the mesh.
-void water_sparse_lay(const water_sparse *s, const water_draw *d, bool keeps_shape);
+void water_sparse_lay(const water_sparse *s, const water_draw *d, bool keeps_shape, bool opaque);
 bolan_result water_sparse_reload(water_sparse *s);
 void water_sparse_free(water_sparse *s);
 

@@ -52,7 +52,8 @@ for file in *.glsl; do
         try "$file" WAVES_MESH LAND
         try "$file" STATIC_GRID PACKED LAND
         try "$file" STATIC_GRID WAVES_EXP
-        try "$file" KEPT
+        try "$file" QUAD TRIM
+        try "$file" KEPT OPAQUE SPARSE
         ;;
     terrain.glsl)
         try "$file" CLIP
