@@ -20,11 +20,10 @@ static void change(bolan_scene *scene, void *context) {
     if (o->technique) bolan_scene_set_technique(scene, o->technique);
 }
 
-static bolan_result measure(const char *name, frame_options *o, stage_figures *f, stage_yard *yard) {
+static bolan_result measure(const char *name, frame_options *o, stage_figures *f) {
     stage s;
     bolan_result result = stage_open(&s, name, &o->stage, change, o);
     if (result != BOLAN_OK) return result;
-    if (yard->ms == 0.0) *yard = stage_yardstick(&s);
     stage_measure(&s, true, f);
     stage_close(&s);
     return BOLAN_OK;
@@ -32,17 +31,17 @@ static bolan_result measure(const char *name, frame_options *o, stage_figures *f
 
 // ---- printing -------------------------------------------------------------------------------------------------------
 
-static void print_json(const frame_options *o, const stage_figures *figures, stage_yard yard) {
+static void print_json(const frame_options *o, const stage_figures *figures) {
     printf("{\n");
-    stage_print_machine_json(&o->stage, yard);
+    stage_print_machine_json(&o->stage, figures[0].yard);
     printf("  \"frame\": [\n");
-    stage_print_json(&o->stage, figures, o->scene_count, yard);
+    stage_print_json(&o->stage, figures, o->scene_count);
     printf("  ]\n}\n");
 }
 
-static void print_table(const frame_options *o, const stage_figures *figures, stage_yard yard) {
-    stage_print_machine(&o->stage, yard);
-    stage_print_table(figures, o->scene_count, yard);
+static void print_table(const frame_options *o, const stage_figures *figures) {
+    stage_print_machine(&o->stage, figures[0].yard);
+    stage_print_table(figures, o->scene_count);
 }
 
 // ---- the command ----------------------------------------------------------------------------------------------------
@@ -86,10 +85,9 @@ int bench_frame(int argc, char **argv) {
     bolan_context *context = NULL;
     if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) return 1;
     stage_figures figures[SCENES_MAX];
-    stage_yard yard = {0.0, 0.0};
     for (uint32_t i = 0; i < o.scene_count && status == 0; ++i)
-        if (measure(o.scenes[i], &o, &figures[i], &yard) != BOLAN_OK) status = 1;
-    if (status == 0) (o.stage.json ? print_json : print_table)(&o, figures, yard);
+        if (measure(o.scenes[i], &o, &figures[i]) != BOLAN_OK) status = 1;
+    if (status == 0) (o.stage.json ? print_json : print_table)(&o, figures);
     bolan_context_destroy(&context);
     return status;
 }

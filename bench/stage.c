@@ -166,17 +166,7 @@ static void time_passes(stage *s, stage_figures *f) {
     }
 }
 
-void stage_measure(stage *s, bool passes, stage_figures *f) {
-    *f = (stage_figures){.technique = s->scene.technique.name};
-    memcpy(f->scene, s->scene.name, sizeof f->scene);
-    time_frames(s, f);
-    bolan_frame_statistics statistics = bolan_renderer_statistics(s->renderer);
-    f->triangles = statistics.triangles;
-    f->water_triangles = statistics.water_triangles;
-    if (passes) time_passes(s, f);
-}
-
-stage_yard stage_yardstick(stage *s) {
+static stage_yard time_yardstick(stage *s) {
     double ms[YARDSTICK_RUNS], cpu[YARDSTICK_RUNS];
     for (int i = 0; i < YARDSTICK_RUNS; ++i) {
         const double start = bench_cpu_ms();
@@ -184,6 +174,19 @@ stage_yard stage_yardstick(stage *s) {
         cpu[i] = (bench_cpu_ms() - start) / (YARDSTICK_REPEATS + 1); // it warms up with one more
     }
     return (stage_yard){median(ms, YARDSTICK_RUNS), median(cpu, YARDSTICK_RUNS)};
+}
+
+void stage_measure(stage *s, bool passes, stage_figures *f) {
+    *f = (stage_figures){.technique = s->scene.technique.name};
+    memcpy(f->scene, s->scene.name, sizeof f->scene);
+    const stage_yard before = time_yardstick(s);
+    time_frames(s, f);
+    const stage_yard after = time_yardstick(s);
+    f->yard = (stage_yard){0.5 * (before.ms + after.ms), 0.5 * (before.cpu_ms + after.cpu_ms)};
+    bolan_frame_statistics statistics = bolan_renderer_statistics(s->renderer);
+    f->triangles = statistics.triangles;
+    f->water_triangles = statistics.water_triangles;
+    if (passes) time_passes(s, f);
 }
 
 // ---- printing -------------------------------------------------------------------------------------------------------
@@ -194,13 +197,13 @@ void stage_print_machine(const stage_options *o, stage_yard yard) {
     printf("yardstick (6 bilinear look-ups a pixel): %.2f ms, %.2f ms of the processors\n\n", yard.ms, yard.cpu_ms);
 }
 
-void stage_print_table(const stage_figures *figures, uint32_t count, stage_yard yard) {
+void stage_print_table(const stage_figures *figures, uint32_t count) {
     printf("%-12s %-12s %10s %9s %8s %7s %6s %9s\n", "scene", "technique", "triangles", "water", "ms", "fps", "ratio",
            "cpu ratio");
     for (uint32_t i = 0; i < count; ++i) {
         const stage_figures *f = &figures[i];
         printf("%-12s %-12s %10u %9u %8.2f %7.1f %6.2f %9.2f\n", f->scene, f->technique, f->triangles,
-               f->water_triangles, f->ms, 1e3 / f->ms, f->ms / yard.ms, f->cpu_ms / yard.cpu_ms);
+               f->water_triangles, f->ms, 1e3 / f->ms, f->ms / f->yard.ms, f->cpu_ms / f->yard.cpu_ms);
     }
     printf("\npasses [ms] ");
     for (uint32_t p = 0; p < figures[0].pass_count; ++p) printf(" %10s", figures[0].passes[p].name);
@@ -217,14 +220,14 @@ void stage_print_machine_json(const stage_options *o, stage_yard yard) {
            bench_machine(), bolan_gl_get_info().renderer, bolan_threads(), o->width, o->height, yard.ms, yard.cpu_ms);
 }
 
-void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count, stage_yard yard) {
+void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
         const stage_figures *f = &figures[i];
         printf("    {\"scene\": \"%s\", \"technique\": \"%s\", \"width\": %u, \"height\": %u, \"triangles\": %u, "
                "\"water_triangles\": %u, \"ms\": %.3f, \"fps\": %.2f, \"ratio\": %.3f, \"cpu_ratio\": %.3f,\n     "
                "\"passes\": {",
                f->scene, f->technique, o->width, o->height, f->triangles, f->water_triangles, f->ms, 1e3 / f->ms,
-               f->ms / yard.ms, f->cpu_ms / yard.cpu_ms);
+               f->ms / f->yard.ms, f->cpu_ms / f->yard.cpu_ms);
         for (uint32_t p = 0; p < f->pass_count; ++p)
             printf("%s\"%s\": %.3f", p > 0 ? ", " : "", f->passes[p].name, f->passes[p].ms);
         printf("}}%s\n", i + 1 < count ? "," : "");

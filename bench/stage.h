@@ -31,12 +31,18 @@ typedef struct stage {
     bool without_water;
 } stage;
 
+// The yardstick: a full-screen pass of 6 bilinear look-ups at the stage's size.
+typedef struct stage_yard {
+    double ms, cpu_ms;
+} stage_yard;
+
 typedef struct stage_figures {
     char scene[BOLAN_NAME_MAX];
     const char *technique;
     uint32_t triangles, water_triangles;
-    double ms;     // median of a frame, synthesis included
-    double cpu_ms; // processor time of all threads, of the same frames: little moved by what else the machine does
+    double ms;       // median of a frame, synthesis included
+    double cpu_ms;   // processor time of all threads, of the same frames: little moved by what else the machine does
+    stage_yard yard; // timed right before and after these frames, since a machine's speed changes from minute to minute
     uint32_t pass_count;
     struct {
         const char *name;
@@ -52,16 +58,11 @@ void stage_close(stage *s);
 void stage_frame(stage *s);
 // Median time of a frame; passes: each of them too, in a run of its own.
 void stage_measure(stage *s, bool passes, stage_figures *f);
-// The full-screen pass of 6 bilinear look-ups at this size: the median of several runs.
-typedef struct stage_yard {
-    double ms, cpu_ms;
-} stage_yard;
-stage_yard stage_yardstick(stage *s);
 
 // Printing: what was measured on, and a list of figures with their passes.
 void stage_print_machine(const stage_options *o, stage_yard yard);
-void stage_print_table(const stage_figures *figures, uint32_t count, stage_yard yard);
+void stage_print_table(const stage_figures *figures, uint32_t count);
 void stage_print_machine_json(const stage_options *o, stage_yard yard); // keys of an open object
-void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count, stage_yard yard);
+void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count);
 
 #endif
