@@ -215,7 +215,7 @@ bool clouds_march(clouds *c, const frame *f, cloud_work work) {
         draw_maps(c, m, 0, 1);
         return true;
     }
-    const uint32_t strips = f->caps->software ? 24 : 4;
+    const uint32_t strips = f->caps->software ? (m->above ? 64 : 24) : 4; // a wider map, of clouds that are farther away
     draw_maps(c, m, c->strip - 1, strips);
     if (c->strip++ < strips) return false;
     c->strip = 0;
