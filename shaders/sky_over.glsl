@@ -14,14 +14,24 @@ void main() {
 #include "common/atmosphere.glsl"
 uniform sampler2D scene_depth; // of land and sea bed
 #pragma unit scene_depth 4
+uniform float rise; // of the eye since the map was made [m]
 in vec3 ray;
 out vec4 color;
+
+const float MIDDLE = 400.0; // of the layer, above its base [m]
+
+// Towards the same place of the layer's middle from where the map was made: clouds stay where they are while the eye flies on.
+vec3 from_map(vec3 dir, float h) {
+    float r = earth_radius(), b = (r + h) * dir.z, above = h - haze.y - MIDDLE, c = above * (2.0 * r + h + haze.y + MIDDLE);
+    float root = sqrt(max(b * b - c, 0.0)), d = c / max(root - b, 1.0); // nearest to it, where the ray passes over it
+    return normalize(dir * d + vec3(air.zw, rise));
+}
 
 void main() {
     vec3 dir = normalize(ray);
     float depth = texelFetch(scene_depth, ivec2(gl_FragCoord.xy), 0).r, h = max(eye.z, 0.0);
     float land = depth > 0.0 ? air_height(h, dir.z, length(ray) / depth) : 0.0;
     float below = step(angle_above_horizon(dir, h), 0.0) * (1.0 - smoothstep(haze.y, haze.y + 300.0, land));
-    color = cloud_radiance(dir) * below;
+    color = textureLod(cloud_map, vec3(cloud_uv(from_map(dir, h), max(h - rise, 0.0)), 0.0), 0.0) * below;
 }
 #endif

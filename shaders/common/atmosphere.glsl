@@ -58,14 +58,14 @@ float cloud_shadow(vec2 position) {
 // sphere, most of it what lies below the horizon. Rows are closest at the horizon.
 const float CLOUD_HORIZON = 0.85; // the horizon's place in the whole sphere's map
 
-vec2 cloud_uv(vec3 dir) {
-    float h = max(eye.z, 0.0), above = angle_above_horizon(dir, h), dip = horizon_dip(h);
+vec2 cloud_uv(vec3 dir, float h) {
+    float above = angle_above_horizon(dir, h), dip = horizon_dip(h);
     float up = sqrt(max(above, 0.0) / (0.5 * AIR_PI + dip));
     float down = pow(max(-above, 0.0) / (0.5 * AIR_PI - dip), 2.0 / 3.0);
     return vec2(atan(dir.y, dir.x) / (2.0 * AIR_PI), air.y > 0.5 ? CLOUD_HORIZON + (1.0 - CLOUD_HORIZON) * up - CLOUD_HORIZON * down : up);
 }
 
-vec4 cloud_radiance(vec3 dir) { return textureLod(cloud_map, vec3(cloud_uv(dir), 0.0), 0.0); }
+vec4 cloud_radiance(vec3 dir) { return textureLod(cloud_map, vec3(cloud_uv(dir, max(eye.z, 0.0)), 0.0), 0.0); }
 
 // ---- the air between the eye and a point
 

@@ -72,6 +72,8 @@ bolan_result clouds_reload(clouds *c) {
 
 const gl_texture *clouds_map(const clouds *c) { return &c->maps[c->shown].map; }
 
+double clouds_rise(const clouds *c, const frame *f) { return f->eye.z - c->maps[c->shown].eye.z; }
+
 // ---- when ---------------------------------------------------------------------------------------------------------
 
 // A deck of stratocumulus is thinner than heaped cumulus.
@@ -215,7 +217,8 @@ bool clouds_march(clouds *c, const frame *f, cloud_work work) {
         draw_maps(c, m, 0, 1);
         return true;
     }
-    const uint32_t strips = f->caps->software ? (m->above ? 64 : 24) : 4; // a wider map, of clouds that are farther away
+    const uint32_t strips =
+        f->caps->software ? (m->above ? 64 : 24) : 4; // a wider map, of clouds that are farther away
     draw_maps(c, m, c->strip - 1, strips);
     if (c->strip++ < strips) return false;
     c->strip = 0;

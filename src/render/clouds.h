@@ -40,6 +40,7 @@ cloud_work clouds_plan(clouds *c, const frame *f, frame_uniforms *u);
 bool clouds_march(clouds *c, const frame *f, cloud_work work);
 void clouds_place(const clouds *c, const frame *f, frame_uniforms *u);
 const gl_texture *clouds_map(const clouds *c);
+double clouds_rise(const clouds *c, const frame *f); // of the eye since the maps shown were made [m]
 void clouds_free(clouds *c);
 
 #endif

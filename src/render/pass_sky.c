@@ -256,6 +256,7 @@ void pass_sky_draw_over(pass_sky *p, const frame *f) {
     if (f->uniforms.air.y < 0.5f || f->uniforms.wind.w <= 0.0f) return;
     gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_PREMULTIPLIED});
     gl_program_use(&p->over_program);
+    gl_program_float(&p->over_program, "rise", (float)clouds_rise(&p->clouds, f));
     gl_draw_fullscreen();
 }
 
