@@ -50,11 +50,12 @@ float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
     float alpha = 0.0;
     for (int i = 0; i < 1 && cover > 0.02; ++i) { // a loop: some drivers sample textures in both branches of an if
         vec2 at = mod(eye.xy + p.rest, 4096.0);
-        float detail = log2(width * 64.0), far = clamp(detail * 0.2, 0.0, 1.0); // texels of a tile of 8 m
+        float detail = log2(width * 64.0); // texels of a tile of 8 m
+        float blurred = clamp(detail * 0.2, 0.0, 1.0), far = clamp(detail * 0.2 - 0.6, 0.0, 1.0);
         vec4 broad = textureLod(foam_detail, at * 0.015625, max(detail - 3.0, 0.0));
         vec4 fine = textureLod(foam_detail, at.yx * 0.125, max(detail, 0.0));
-        // two values as likely as any: where their mean is above 1 - cover there is foam, torn and full of holes
-        float value = 0.5 * (broad.r + fine.r), edge = min(0.3, cover);
+        // values as likely as any: above 1 - cover there is foam, torn and full of holes
+        float value = mix(0.5 * (broad.r + fine.r), broad.r, blurred), edge = min(0.3, cover);
         alpha = smoothstep(1.0 - edge - cover, 1.0 + edge - cover, value) * (0.6 + 0.4 * fine.g);
         alpha = mix(alpha, 0.8 * cover, far); // from afar, the mean
     }
