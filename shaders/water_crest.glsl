@@ -12,7 +12,8 @@
 // (water_crest_air.glsl). The facets that the eye sees lean towards it; their mean tilt, their area and the mean Fresnel
 // reflectance are rational and quadratic forms (common/facets.glsl).
 //
-// LAND: there is terrain. FOAM_TILE: pixels are so narrow that foam has a structure; FINE_FOAM: and a finer one beside the eye. TAPS: how much sharper than its long side a footprint is looked up. Waves: see common/waves.glsl.
+// LAND: there is terrain. FOAM_TILE: pixels are so narrow that foam has a structure; FINE_FOAM: and a finer one beside the eye. SPARSE: into a cleared picture of
+// fewer columns. TAPS: how much sharper than its long side a footprint is looked up. Waves: see common/waves.glsl.
 #include "common/frame.glsl"
 #include "common/fullscreen.glsl"
 

@@ -56,7 +56,7 @@ float cloud_shadow(vec2 position) {
 
 // The panorama of the clouds round the eye. Below the clouds it covers the sky (air.y = 0), above them the whole
 // sphere, most of it what lies below the horizon. Rows are closest at the horizon.
-const float CLOUD_HORIZON = 0.85; // the horizon's place in the whole sphere's map
+const float CLOUD_HORIZON = 0.625; // the horizon's place in the whole sphere's map; cirrus above needs its rows too
 
 vec2 cloud_uv(vec3 dir, float h) {
     float above = angle_above_horizon(dir, h), dip = horizon_dip(h);

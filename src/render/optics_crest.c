@@ -229,8 +229,11 @@ typedef struct light_rows {
 static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
     static const char *const foam_defines[] = {"", "FOAM_TILE 1\n", "FOAM_TILE 1\nFINE_FOAM 1\n"};
     char defines[96];
-    snprintf(defines, sizeof defines, "%sCASCADES %u\n%s", p->defines, rows.cascades, foam_defines[rows.foam]);
-    const gl_program *g = water_program(d, "water_crest", rows.cascades | rows.foam << 3, defines);
+    const bool sparse = d->f->uniforms.sampling.x > 1.0f;
+    snprintf(defines, sizeof defines, "%sCASCADES %u\n%s%s", p->defines, rows.cascades, foam_defines[rows.foam],
+             sparse ? "SPARSE 1\n" : "");
+    const uint32_t extra = rows.cascades | rows.foam << 3 | (uint32_t)sparse << 5;
+    const gl_program *g = water_program(d, "water_crest", extra, defines);
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
     set_foam(g, d->f);

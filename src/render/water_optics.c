@@ -14,23 +14,23 @@ static bool is_trimmed(const frame *f) {
 }
 
 // Bits 0-1 the waves, 2 the quad, 3 land, 4 the static grid, 5 packed cascades, 6-10 the number of exp-cosine waves, 11 the trimmed
-// quad, 12 fewer samples, from 13 on the optics' own.
+// quad, from 12 on the optics' own.
 static uint32_t key_of(const water_draw *d, uint32_t extra) {
     uint32_t quad = water_surface(d->f) == BOLAN_SURFACE_QUAD, land = d->f->shore->present;
     uint32_t fixed = d->mesh->fixed, packed = d->waves == WATER_CASCADES && d->fields->packed;
     uint32_t count = d->waves == WATER_EXP ? bolan_sea_component_count(d->f->desc->sea) : 0;
-    uint32_t trim = quad && is_trimmed(d->f), sparse = d->f->uniforms.sampling.x > 1.0f;
+    uint32_t trim = quad && is_trimmed(d->f);
     return (uint32_t)d->waves | quad << 2 | land << 3 | fixed << 4 | packed << 5 | count << 6 | trim << 11 |
-           sparse << 12 | extra << 13;
+           extra << 12;
 }
 
 static const gl_program *make(const water_draw *d, const char *stem, uint32_t key, const char *extra) {
     water_programs *all = d->programs;
     char defines[160], count[24] = "";
     if (d->waves == WATER_EXP) snprintf(count, sizeof count, "WAVE_COUNT %u\n", key >> 6 & 31u);
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s", water_waves_define(d->waves), count,
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s", water_waves_define(d->waves), count,
              key & 4 ? "QUAD 1\n" : "", key & 8 ? "LAND 1\n" : "", key & 16 ? "STATIC_GRID 1\n" : "",
-             key & 32 ? "PACKED 1\n" : "", key & 1u << 11 ? "TRIM 1\n" : "", key & 1u << 12 ? "SPARSE 1\n" : "", extra);
+             key & 32 ? "PACKED 1\n" : "", key & 1u << 11 ? "TRIM 1\n" : "", extra);
     if (all->count == WATER_PROGRAMS) { // a tour of everything: start anew
         for (uint32_t i = 0; i < all->count; ++i) gl_program_free(&all->list[i].program);
         all->count = 0;

@@ -12,7 +12,11 @@ uint32_t water_sparse_columns(const frame *f, const uint32_t by_quality[]) {
     const bolan_look *look = &f->scene->look;
     const bool plain = !look->paper && look->show == BOLAN_SHOW_PICTURE && f->uniforms.under.x < 0.5f;
     if (!plain || f->scene->camera.pitch_deg < -STEEPEST_DEG || f->desc->width < SMALLEST) return 1;
-    return by_quality[f->quality] > 1 ? by_quality[f->quality] : 1;
+    // Where the camera rolls, a row runs partly along the view, and there every pixel shows other water.
+    const double along = fabs(sin(bolan_radians(f->scene->camera.roll_deg)));
+    uint32_t columns = by_quality[f->quality] > 1 ? by_quality[f->quality] : 1;
+    while (columns > 1 && columns * along > 1.0) columns /= 2;
+    return columns;
 }
 
 static void free_target(water_sparse *s) {

@@ -6,7 +6,7 @@
 #include "gl.h"
 #include <epoxy/gl.h>
 
-// Passes bind units 0..15; the layer itself binds on this one, so that creating or filling a texture disturbs no pass.
+// Passes bind units 0..23; the layer itself binds on this one, so that creating or filling a texture disturbs no pass.
 // Every GL 3.3 has 48 combined units, every ES 3.0 has 32.
 enum { SCRATCH_UNIT = 24 };
 
