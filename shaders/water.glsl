@@ -22,6 +22,7 @@ void main() { fullscreen(0.0); }
 #include "common/fresnel.glsl"
 #include "common/slopes.glsl"
 #include "common/foam.glsl"
+#include "common/surf.glsl"
 
 out vec4 color;
 
@@ -115,15 +116,10 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, out
 // Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash at
 // the edge. Up a slope the fronts follow the depth; over flats they travel the way the sea goes.
 float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 noise) {
-    float hs = clamp(sea_law.x, 0.25, 4.0), period = clamp(sea_law.z, 3.0, 12.0), wobble = noise.b - 0.5;
+    float hs = surf_height(), wobble = noise.b - 0.5;
     float zone = smoothstep(1.6 * hs, 0.35 * hs, depth + wobble * hs);
-    float length = period * sqrt(7.0 * hs); // of a bore in water as deep as it is high
-    vec2 going = vec2(cos(sea_law.w), sin(sea_law.w));
-    float travelled = dot(mod(eye.xy + rest, 4096.0), going) / length;
-    float behind_front = fract(depth / (0.9 * hs) - travelled + sky_light.w / period + 0.9 * wobble + 0.5 * noise.a);
-    float bore = smoothstep(0.0, 0.06, behind_front) * exp(-3.0 * behind_front);
-    float cover = zone * (0.1 + 0.9 * bore);
-    float surge = 0.55 + 0.45 * sin(2.0 * SLOPES_PI * (sky_light.w / period + 2.0 * wobble));
+    float cover = zone * (0.1 + 0.9 * bore(behind_front(rest, depth, 0.9 * wobble + 0.5 * noise.a)));
+    float surge = 0.55 + 0.45 * sin(2.0 * SLOPES_PI * (surf.w + 2.0 * wobble));
     float rocks = smoothstep(0.8, -1.5, least) * surge;
     float swash = smoothstep(0.35, 0.02, water_path) * 0.75;
     return clamp(max(max(cover, rocks), swash), 0.0, 1.0);

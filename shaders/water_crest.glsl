@@ -31,6 +31,9 @@ void main() { fullscreen(0.0); }
 #include "common/atmosphere.glsl"
 #include "common/facets.glsl"
 #include "common/look.glsl"
+#ifdef LAND
+#include "common/surf.glsl"
+#endif
 out vec4 color;
 
 #pragma unit shape_rest 16
@@ -171,21 +174,19 @@ vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
 // Foam of the shore: bores that run in over the shallows, denser with less depth, and swash at the edge. bed: depth of the bed below
 // the surface here [m]. Gives intensity and zone.
 vec2 shore_foam(crest_pixel p, float bed) {
-    float hs = clamp(sea_law.x, 0.25, 4.0), period = clamp(sea_law.z, 3.0, 12.0);
+    float hs = surf_height();
     float depth = min(bed, max(p.depth, 0.0) + hs), reach = 2.2 * hs;
     float near = clamp(1.0 - depth / reach, 0.0, 1.0); // the paper's t = 1 - depth / foam depth
-    float distance = p.shore, length = period * sqrt(7.0 * hs); // of a bore in water as deep as it is high
+    float distance = p.shore, length = bore_length();
     near *= smoothstep(6.0, 2.0, distance / length); // where the bed hardly rises, waves broke before they came there
     if (near <= 0.0) return vec2(0.0, RAMP_SURF);
-    // up a slope the fronts follow the depth; over flats they travel the way the sea goes
-    vec2 place = mod(eye.xy + p.rest, 4096.0), at = place * (6.2831853 / 4096.0);
+    vec2 at = mod(eye.xy + p.rest, 4096.0) * (6.2831853 / 4096.0);
     float wobble = sin(61.0 * at.x + 2.0 * sin(37.0 * at.y)) + sin(83.0 * at.y + 2.0 * sin(49.0 * at.x));
-    float travelled = dot(place, vec2(cos(sea_law.w), sin(sea_law.w))) / length;
-    float behind = fract(max(p.depth, 0.0) / (0.9 * hs) - travelled + sky_light.w / period + 0.22 * wobble);
-    float bore = mix(0.3, smoothstep(0.0, 0.07, behind) * exp(-3.0 * behind), clamp(length / (6.0 * p.width), 0.0, 1.0));
-    float surf = smoothstep(0.0, 0.6, near) * (0.06 + 0.94 * bore);
-    float edge = smoothstep(0.5, 0.05, bed) * (0.6 + 0.3 * sin(6.2831853 * (sky_light.w / period + 0.2 * wobble)));
-    return vec2(clamp(max(surf, edge), 0.0, 1.0), mix(RAMP_SURF, RAMP_SWASH, clamp(1.0 - distance / 12.0, 0.0, 1.0)));
+    float front = bore(behind_front(p.rest, max(p.depth, 0.0), 0.22 * wobble));
+    float running = mix(0.3, front, clamp(length / (6.0 * p.width), 0.0, 1.0));
+    float breaking = smoothstep(0.0, 0.6, near) * (0.06 + 0.94 * running);
+    float edge = smoothstep(0.5, 0.05, bed) * (0.6 + 0.3 * sin(6.2831853 * (surf.w + 0.2 * wobble)));
+    return vec2(clamp(max(breaking, edge), 0.0, 1.0), mix(RAMP_SURF, RAMP_SWASH, clamp(1.0 - distance / 12.0, 0.0, 1.0)));
 }
 
 #pragma unit scene_color 3

@@ -58,11 +58,13 @@ struct phong_surface {
 #endif
 
 #if !defined(WAVES_CASCADES) && !defined(PAPER)
+uniform vec4 wander_eye;   // the eye in the two tiles of wander_of() [0,1)
+uniform vec2 wander_tiles; // tiles per metre
+
 // Some way off [m], the same for kilometres' worth of sea: what bends the crests of waves that would run straight for ever.
 vec2 wander_of(vec2 rest) {
-    float tile = 1.0 / max(32.0 * sea_law.y, 1.0);
-    vec2 at = (haze.zw + rest) * tile;
-    return 0.25 * sea_law.y * (textureLod(ripple_map, at, 5.0).xy + textureLod(ripple_map, at.yx * 0.37, 5.0).yx);
+    vec2 at = wander_eye.xy + rest * wander_tiles.x, broad = wander_eye.zw + rest.yx * wander_tiles.y;
+    return 0.25 * sea_law.y * (textureLod(ripple_map, at, 5.0).xy + textureLod(ripple_map, broad, 5.0).yx);
 }
 #endif
 

@@ -6,7 +6,7 @@ layout(std140) uniform Frame {
     vec4 eye;        // xy: eye position modulo 4096 m, z: height above mean water [m], w: water level [m]
     vec4 sun;        // direction to the sun; w: cosine of its angular radius
     vec4 sun_light;  // solar irradiance at the eye's height (rgb); w: exposure factor
-    vec4 sky_light;  // irradiance of the sky on a horizontal surface (rgb); w: time [s]
+    vec4 sky_light;  // irradiance of the sky on a horizontal surface (rgb)
     vec4 viewport;   // width, height, 1/width, 1/height [px]
     vec4 lens;       // x: radians per pixel, y: near [m], z: 1 if clip depth is [0,1], w: earth radius [m]
     vec4 wind;       // xy: unit direction it blows TO, z: U10 [m/s], w: cloud cover
@@ -21,6 +21,8 @@ layout(std140) uniform Frame {
     vec4 caustic;     // xy: eye in the caustics' tile; zw: cos, sin of its turn over its side [1/m]
     vec4 caustic_sun; // xy: level travel of sunlight in the water for each metre it falls; z: their disturbance
     vec4 sampling;    // x: columns of the picture that a sample of the water stands for (water_sparse.h)
+    vec4 surf;        // bores; xy: cycles per metre the way they run, z: phase at the eye [cycles], w: time in periods
+    vec4 streaks;     // tile of wind streaks; xy: the eye in it [0,1), zw: tiles per metre across, along the wind
 };
 
 #ifdef FRAGMENT

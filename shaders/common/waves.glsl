@@ -22,7 +22,7 @@ struct wave_fields {
     float foam;     // foam memory
 };
 
-uniform vec4 sea_law; // x: significant height [m], y: peak wave length [m], z: peak period [s], w: where the sea goes [rad]
+uniform vec2 sea_law; // x: significant height [m], y: peak wave length [m]
 
 #if defined(WAVES_EXP) || defined(WAVES_SUM)
 #ifdef WAVES_EXP

@@ -47,6 +47,34 @@ static void fill_camera(frame *f, bool zero_to_one, double near_m, bolan_vec2 sh
 
 static float reduced(double x, double period) { return (float)(x - period * floor(x / period)); }
 
+double sea_peak_period(const bolan_sea_summary *sea) { return sea->tp > 0.0 ? sea->tp : 8.0; }
+
+double sea_peak_length(const bolan_sea_summary *sea) {
+    const double period = sea_peak_period(sea);
+    return BOLAN_GRAVITY * period * period / (2.0 * BOLAN_PI);
+}
+
+#define BORE_DEPTH 0.71            // of the water under a bore, in heights of the bore
+#define STREAK_ACROSS (1.0 / 16.0) // tiles of wind streaks per metre
+#define STREAK_ALONG (0.4 * STREAK_ACROSS)
+
+// Bores run with the speed of shallow water, one in each period of the sea.
+static void fill_surf(frame *f, const bolan_sea_summary *sea) {
+    const double hs = fmin(fmax(sea->hs, 0.25), 4.0), period = fmin(fmax(sea_peak_period(sea), 3.0), 12.0);
+    const double length = period * sqrt(BOLAN_GRAVITY * BORE_DEPTH * hs);
+    const double to = bolan_compass_from_to_math(sea->from_deg), x = cos(to) / length, y = sin(to) / length;
+    const double periods = f->time / period;
+    f->uniforms.surf =
+        (bolan_vec4){(float)x, (float)y, reduced(periods - x * f->eye.x - y * f->eye.y, 1.0), reduced(periods, 1.0)};
+}
+
+static void fill_streaks(frame *f, double wind_to) {
+    const double c = cos(wind_to), s = sin(wind_to);
+    f->uniforms.streaks = (bolan_vec4){reduced((c * f->eye.y - s * f->eye.x) * STREAK_ACROSS, 1.0),
+                                       reduced((c * f->eye.x + s * f->eye.y) * STREAK_ALONG, 1.0),
+                                       (float)STREAK_ACROSS, (float)STREAK_ALONG};
+}
+
 #define LEAST_DEPTH 0.12 // [m] of an eye under water, for the near plane's sake
 
 // An eye that a wave would swallow rides over it, unless the optics has a picture from below.
@@ -76,12 +104,13 @@ static void fill_scene(frame *f) {
     u->eye = (bolan_vec4){reduced(f->eye.x, 4096.0), reduced(f->eye.y, 4096.0), (float)(f->eye.z - s->water.level),
                           (float)s->water.level};
     u->sun = with_w(f->sun_direction, 0.99998919f); // cos 0.2664 deg
-    u->sky_light.w = (float)fmod(f->time, 3600.0);
     u->wind =
         (bolan_vec4){(float)cos(wind_to), (float)sin(wind_to), (float)state->wind_speed, (float)s->sky.cloud_cover};
     u->haze = (bolan_vec4){(float)s->sky.visibility, (float)s->sky.cloud_base, reduced(f->eye.x, 131072.0),
                            reduced(f->eye.y, 131072.0)};
     fill_water(u, &s->water);
+    fill_surf(f, bolan_sea_get_summary(f->desc->sea));
+    fill_streaks(f, wind_to);
     const bool under =
         u->under.x > 0.5f; // the paper names the fog as work to come, so above the water its mode has none
     u->under.y = s->look.effects & BOLAN_EFFECT_FOG && (under || !s->look.paper) ? 1.0f : 0.0f;
@@ -242,9 +271,10 @@ void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *desc) {
         fill_camera(&f, zero_to_one, r->near_plane, (bolan_vec2){0.0f, 0.0f});
         prepare(r, &f);
         uint32_t samples = desc->samples < 1 ? 1 : desc->samples;
+        // The unshifted sample comes last, so that the depth that remains is that of the pixels' middles.
         for (uint32_t s = 0; s < samples; ++s) {
             f.triangles = f.water_triangles = 0;
-            fill_camera(&f, zero_to_one, r->near_plane, sample_shift(s));
+            fill_camera(&f, zero_to_one, r->near_plane, sample_shift(samples - 1 - s));
             f.picture = f.uniforms.under.x > 0.5f;
             upload_uniforms(r, &f);
             draw_opaque(r, &f);

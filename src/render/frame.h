@@ -54,7 +54,7 @@ typedef struct frame_uniforms {
     bolan_vec4 eye; // x, y: eye position modulo 4096 m (for noise), z: height above mean water [m], w: water level [m]
     bolan_vec4 sun; // direction to the sun; w: cosine of its angular radius
     bolan_vec4 sun_light;  // solar irradiance at the eye's height after the atmosphere (rgb); w: exposure factor
-    bolan_vec4 sky_light;  // irradiance of the sky on a horizontal surface (rgb); w: time [s]
+    bolan_vec4 sky_light;  // irradiance of the sky on a horizontal surface (rgb)
     bolan_vec4 viewport;   // width, height, 1/width, 1/height [px]
     bolan_vec4 lens;       // x: radians per pixel, y: near [m], z: 1 if clip depth is [0,1], w: earth radius [m]
     bolan_vec4 wind;       // x, y: unit direction it blows TO, z: U10 [m/s], w: cloud cover
@@ -73,6 +73,9 @@ typedef struct frame_uniforms {
     bolan_vec4 caustic;     // x, y: eye in the caustics' tile; z, w: cos, sin of its turn over its side [1/m]
     bolan_vec4 caustic_sun; // x, y: level travel of sunlight in the water for each metre it falls; z: their disturbance
     bolan_vec4 sampling;    // x: columns of the picture that a sample of the water stands for: see water_sparse.h
+    bolan_vec4 surf;        // bores; x, y: cycles per metre the way they run, z: phase at the eye [cycles], w: time in
+                            // periods. The CPU reduces both to [0,1): see common/surf.glsl
+    bolan_vec4 streaks;     // tile of wind streaks; x, y: the eye in it [0,1), z, w: tiles per metre across, along the wind
 } frame_uniforms;
 
 typedef struct frame {
@@ -92,6 +95,10 @@ typedef struct frame {
     const struct shore_map *shore;       // set by pass_terrain_prepare's caller
     uint32_t triangles, water_triangles; // counted by the passes
 } frame;
+
+// Period [s] and length [m] of the waves at the peak of the sea's spectrum, in deep water; a calm has those of an 8 s swell.
+double sea_peak_period(const bolan_sea_summary *sea);
+double sea_peak_length(const bolan_sea_summary *sea);
 
 // Every pass: create once, draw per frame, free. prepare() may run before targets are bound and fills textures it owns.
 typedef struct pass_sky pass_sky;         // atmosphere tables, sky, clouds, environment map; sets sun_light, sky_light
@@ -152,6 +159,9 @@ void pass_mirror_destroy(pass_mirror **p);
 bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);
 void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample,
                        uint32_t samples); // into the bound target
+// Of a picture of several samples: the sum of their radiance, width * height * 4 floats, row 0 at the bottom. Returns how many
+// were added up; 0: the picture had one sample, and @p rgba is untouched.
+uint32_t pass_tonemap_read_sum(const pass_tonemap *p, float *rgba);
 bolan_result pass_tonemap_reload(pass_tonemap *p);
 void pass_tonemap_destroy(pass_tonemap **p);
 

@@ -3,6 +3,7 @@
 #include "ripple_texture.h"
 #include "water_optics.h"
 
+#include <math.h>
 #include <stdio.h>
 
 typedef struct phong {
@@ -29,6 +30,16 @@ static bolan_result create(void *state, bolan_quality quality) {
     return ripple_texture_create(&p->ripples);
 }
 
+// Two broad tiles of the ripples, the second turned by a right angle, bend the crests: see wander_of() in the shader.
+static void set_wander(const gl_program *g, const frame *f) {
+    const double peak_length = sea_peak_length(bolan_sea_get_summary(f->desc->sea));
+    const double fine = 1.0 / fmax(32.0 * peak_length, 1.0), broad = 0.37 * fine;
+    const double x = f->eye.x * fine, y = f->eye.y * fine, u = f->eye.y * broad, v = f->eye.x * broad;
+    gl_program_vec4(g, "wander_eye", (bolan_vec4){(float)(x - floor(x)), (float)(y - floor(y)), (float)(u - floor(u)),
+                                                  (float)(v - floor(v))});
+    gl_program_vec2(g, "wander_tiles", (float)fine, (float)broad);
+}
+
 static void draw(void *state, const water_draw *d) {
     const phong *p = state;
     const bool pictures = pass_water_mirrors(d->f), paper = d->f->scene->look.paper;
@@ -41,6 +52,7 @@ static void draw(void *state, const water_draw *d) {
     if (!g) return;
     water_look_apply(g, &d->f->scene->look);
     ripple_apply(&p->ripples, g, d->f, d->waves);
+    set_wander(g, d->f);
     gl_program_vec2(g, "bend", paper_bend.x, paper_bend.y);
     water_draw_forward(d);
 }

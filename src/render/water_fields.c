@@ -356,10 +356,7 @@ void water_fields_bind(const water_fields *p, water_waves waves) {
 
 void water_fields_apply(const gl_program *g, const frame *f, water_waves waves) {
     const bolan_sea_summary *s = bolan_sea_get_summary(f->desc->sea);
-    double period = s->tp > 0.0 ? s->tp : 8.0, omega = 2.0 * BOLAN_PI / period;
-    gl_program_vec4(g, "sea_law",
-                    (bolan_vec4){(float)s->hs, (float)(2.0 * BOLAN_PI * BOLAN_GRAVITY / (omega * omega)), (float)period,
-                                 (float)bolan_compass_from_to_math(s->from_deg)});
+    gl_program_vec2(g, "sea_law", (float)s->hs, (float)sea_peak_length(s));
     if (f->shore->present) shore_map_apply(f->shore, g);
     if (waves == WATER_CASCADES) set_cascades(g, f);
     if (waves == WATER_EXP) set_exp_waves(g, f);
