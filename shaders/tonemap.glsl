@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Exposure, film curve, display encoding, dither. With GLOW: what a lens and an eye scatter of bright light. With
-// ACCUMULATE: adds the display value to a sum and writes that. With RESOLVE: writes out the mean of the sum.
+// ACCUMULATE: adds the display value to a sum and the radiance to another, and writes both. With RESOLVE: writes out the mean
+// of the first sum.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }
@@ -16,13 +17,24 @@ uniform sampler2D sum;
 #pragma unit sum 4
 // x: share of the glow, y: 1 encode sRGB, z: dither [1/255], w: weight of the sum (RESOLVE), of the old sum (ACCUMULATE)
 uniform vec4 settings;
+#ifdef ACCUMULATE
+uniform sampler2D radiance_sum;
+#pragma unit radiance_sum 16
+layout(location = 0) out vec4 color;
+layout(location = 1) out vec4 radiance;
+#else
 out vec4 color;
+#endif
 
 // Interleaved gradient noise (Jimenez 2014), -1..1: at half a level either way the mean is the value.
 float dither_noise(vec2 p) { return 2.0 * fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))) - 1.0; }
 
 void main() {
     vec3 c = texelFetch(source, ivec2(gl_FragCoord.xy), 0).rgb;
+#ifdef ACCUMULATE
+    bool first = settings.w <= 0.0;
+    radiance = vec4(c + (first ? vec3(0.0) : texelFetch(radiance_sum, ivec2(gl_FragCoord.xy), 0).rgb), 1.0);
+#endif
 #ifdef RESOLVE
     vec3 display = c * settings.w;
 #else
@@ -35,8 +47,7 @@ void main() {
     vec3 display = tonemap(c);
 #endif
 #ifdef ACCUMULATE
-    vec3 before = settings.w > 0.0 ? texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb : vec3(0.0);
-    color = vec4(before + display, 1.0);
+    color = vec4(display + (first ? vec3(0.0) : texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb), 1.0);
     return;
 #endif
     if (settings.y > 0.5) display = srgb_encode(display);

@@ -10,8 +10,11 @@ static const float glow_share = 0.06f;
 struct pass_tonemap {
     gl_program single[2], accumulate[2]; // without and with glow
     gl_program resolve, shrink;
-    gl_texture sum[2]; // one is read while the other is written: floats of 32 bits cannot be blended everywhere
+    // Sums over samples of what is displayed and of radiance. One pair is read while the other is written: floats of 32
+    // bits cannot be blended everywhere.
+    gl_texture sum[2], radiance_sum[2];
     gl_target sum_target[2];
+    uint32_t summed, latest; // samples in the sums of the last picture (0: one sample, no sums), the pair that holds them
     gl_texture glow;
     gl_target glow_target;
 };
@@ -49,6 +52,7 @@ static void free_sums(pass_tonemap *p) {
     for (int i = 0; i < 2; i++) {
         gl_target_free(&p->sum_target[i]);
         gl_texture_free(&p->sum[i]);
+        gl_texture_free(&p->radiance_sum[i]);
     }
 }
 
@@ -57,9 +61,10 @@ static bool resize(pass_tonemap *p, uint32_t width, uint32_t height) {
     free_sums(p);
     const gl_texture_desc d = {.format = GL_FMT_RGBA32F, .width = width, .height = height};
     for (int i = 0; i < 2; i++) {
-        const gl_texture *color = &p->sum[i];
+        const gl_texture *color[] = {&p->sum[i], &p->radiance_sum[i]};
         if (gl_texture_create(&d, &p->sum[i]) != BOLAN_OK) return false;
-        if (gl_target_create(&color, 1, NULL, -1, 0, &p->sum_target[i]) != BOLAN_OK) return false;
+        if (gl_texture_create(&d, &p->radiance_sum[i]) != BOLAN_OK) return false;
+        if (gl_target_create(color, 2, NULL, -1, 0, &p->sum_target[i]) != BOLAN_OK) return false;
     }
     return true;
 }
@@ -108,15 +113,24 @@ void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_co
                        uint32_t samples) {
     gl_set_state(&(gl_state){.color_write = true});
     const bool glow = draw_glow(p, f, hdr_color);
+    p->summed = 0;
     if (samples <= 1 || !resize(p, f->desc->width, f->desc->height)) {
         draw_out(&p->single[glow], hdr_color, f, 1.0f);
         return;
     }
     const uint32_t to = sample & 1u;
+    p->summed = sample + 1;
+    p->latest = to;
     gl_target_bind(&p->sum_target[to]);
     gl_texture_bind(&p->sum[to ^ 1u], UNIT_SCENE_DEPTH);
+    gl_texture_bind(&p->radiance_sum[to ^ 1u], UNIT_SURFACE);
     draw(&p->accumulate[glow], hdr_color, false, 0.0f, sample > 0 ? 1.0f : 0.0f);
     if (sample + 1 == samples) draw_out(&p->resolve, &p->sum[to], f, 1.0f / (float)samples);
+}
+
+uint32_t pass_tonemap_read_sum(const pass_tonemap *p, float *rgba) {
+    if (p->summed > 0) gl_target_read_float(&p->sum_target[p->latest], 1, rgba);
+    return p->summed;
 }
 
 void pass_tonemap_destroy(pass_tonemap **pp) {

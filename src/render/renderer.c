@@ -139,11 +139,13 @@ void bolan_renderer_read_linear(bolan_renderer *r, float *rgb, float *distance) 
     if (scratch == NULL) return;
     gl_save(r->saved);
     if (rgb != NULL) {
-        gl_target_read_float(&r->hdr, 0, scratch);
+        const uint32_t samples = pass_tonemap_read_sum(r->tonemap, scratch);
+        if (samples == 0) gl_target_read_float(&r->hdr, 0, scratch);
+        const float unit = r->radiance_unit * (float)(samples > 0 ? samples : 1);
         for (size_t j = 0; j < height; ++j)
             for (size_t i = 0; i < width; ++i)
                 for (size_t c = 0; c < 3; ++c)
-                    rgb[3 * ((height - 1 - j) * width + i) + c] = scratch[4 * (j * width + i) + c] / r->radiance_unit;
+                    rgb[3 * ((height - 1 - j) * width + i) + c] = scratch[4 * (j * width + i) + c] / unit;
     }
     if (distance != NULL) {
         gl_target_read_depth(&r->hdr, &r->hdr_depth, scratch);
