@@ -110,6 +110,7 @@ static void draw(stage *s) {
     frame.framebuffer = bolan_target_framebuffer(s->target);
     frame.width = s->width;
     frame.height = s->height;
+    frame.progressive = true; // as a window is drawn
     bolan_renderer_draw(s->renderer, &frame);
     uint8_t pixel[3]; // to read one pixel is to wait for all of them
     bolan_renderer_read_rgb8(s->renderer, frame.framebuffer, 1, 1, pixel);

@@ -9,7 +9,8 @@ void main() { fullscreen(0.5); }
 #include "common/atmosphere.glsl"
 out vec4 color;
 
-const int RINGS = 16, SECTORS = 32;
+const int RINGS = 32, SECTORS = 64;
+const float LEVEL = 2.0; // its texels are as far apart as the places that are summed
 
 vec3 sky_irradiance() {
     vec3 sum = vec3(0.0);
@@ -18,7 +19,7 @@ vec3 sky_irradiance() {
         for (int j = 0; j < SECTORS; ++j) {
             float azimuth = 2.0 * AIR_PI * (float(j) + 0.5) / float(SECTORS);
             vec3 dir = vec3(s * cos(azimuth), s * sin(azimuth), sqrt(1.0 - s * s));
-            sum += textureLod(environment_map, environment_uv(dir), 4.0).rgb;
+            sum += textureLod(environment_map, environment_uv(dir), LEVEL).rgb;
         }
     }
     return sum * AIR_PI / float(RINGS * SECTORS);

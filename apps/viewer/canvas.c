@@ -42,6 +42,7 @@ static bool need_target(canvas *c, uint32_t width, uint32_t height) {
 
 static void draw(canvas *c, const world *w, uint32_t framebuffer, uint32_t width, uint32_t height, uint32_t samples) {
     bolan_frame_desc frame = bolan_frame_desc_default();
+    frame.progressive = samples == 1; // a saved picture waits for all that is in it
     frame.scene = &w->scene;
     frame.sea = w->sea;
     frame.terrain = w->assets.terrain;

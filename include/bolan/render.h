@@ -75,6 +75,10 @@ typedef struct bolan_frame_desc {
     uint32_t width, height;           ///< of the framebuffer [px], 1..16384
     uint32_t samples;                 ///< supersampling: pictures with shifted pixels that are averaged, 1..256
     bool srgb_framebuffer;            ///< true: the framebuffer encodes sRGB itself
+    /// false (default): the picture is a function of this desc alone, whatever the renderer drew before.
+    /// true: new clouds and new ground are made over several frames, so that a moving eye never waits; until they are
+    /// done the old ones are shown. For windows.
+    bool progressive;
 } bolan_frame_desc;
 /// One sample, everything else 0 or NULL: set scene, sea, width and height.
 bolan_frame_desc bolan_frame_desc_default(void);
@@ -82,8 +86,9 @@ bolan_frame_desc bolan_frame_desc_default(void);
 /// BOLAN_OPTICS_MIRROR, which has views from below. After the first frames nothing is allocated unless the size, the terrain or the sea changes.
 void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame);
 
-/// The colour buffer of the last picture before the tone map, linear radiance relative to a sun irradiance of 1 in space at
-/// normal incidence, and the distance from the eye along the view axis [m] (infinity: sky). Row 0 at the top. Each pointer may be NULL; the buffers hold
+/// Radiance and distance of the last picture. @p rgb: linear radiance before the tone map, relative to a sun irradiance of 1 in
+/// space at normal incidence; the mean over the picture's samples. @p distance: from the eye along the view axis, at the
+/// middle of the pixel [m]; infinity is the sky. Row 0 at the top. Each pointer may be NULL; the buffers hold
 /// width * height * 3 and width * height floats.
 void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, float *distance);
 /// The 8-bit picture of @p framebuffer, row 0 at the top: width * height * 3 bytes.

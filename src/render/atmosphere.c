@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Fills the tables of clear air by drawing them, when the sun's height, the haze or the eye's height have changed
-// enough.
+// Fills the tables of clear air by drawing them, when the sun's height, the haze or the eye's height have changed.
 #include "atmosphere.h"
 
-#include <math.h>
 #include <string.h>
 
 static bolan_result create_table(gl_texture *texture, gl_target *target, uint32_t width, uint32_t height) {
@@ -83,11 +81,9 @@ static bool air_is_stale(const atmosphere *a, const frame_uniforms *u) {
     return !a->filled || u->haze.x != a->visibility;
 }
 
-// The tables are finer than what these steps change: half a sun's diameter, and 2 % of the height or half a metre.
 static bool views_are_stale(const atmosphere *a, const frame_uniforms *u) {
-    const float step = fmaxf(0.5f, 0.02f * fabsf(a->eye_height));
-    return fabsf(u->sun.z - a->sun_height) > 0.002f || fabsf(u->eye.z - a->eye_height) > step ||
-           u->wind.w != a->cover || u->haze.y != a->cloud_base || u->air.x != a->unit;
+    return u->sun.z != a->sun_height || u->eye.z != a->eye_height || u->wind.w != a->cover ||
+           u->haze.y != a->cloud_base || u->air.x != a->unit;
 }
 
 bool atmosphere_update(atmosphere *a, const frame_uniforms *u) {
@@ -96,7 +92,7 @@ bool atmosphere_update(atmosphere *a, const frame_uniforms *u) {
     const gl_state drawing = {.color_write = true};
     gl_set_state(&drawing);
     if (air) draw_air(a);
-    draw_views(a, fmaxf(u->eye.z, 0.0f));
+    draw_views(a, u->eye.z);
     a->filled = true;
     a->visibility = u->haze.x;
     a->cover = u->wind.w;

@@ -28,7 +28,8 @@ typedef struct atmosphere {
 
 bolan_result atmosphere_create(atmosphere *a);
 bolan_result atmosphere_reload(atmosphere *a);
-// Refills what no longer fits the frame's uniforms, which must be bound in slot 0. True when something changed.
+// Refills what was not made for these uniforms, which must be bound in slot 0, with sun and eye on the lattice of
+// sky_lattice.h. True when something changed.
 bool atmosphere_update(atmosphere *a, const frame_uniforms *u);
 // Binds what common/atmosphere.glsl reads.
 void atmosphere_bind(const atmosphere *a);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Keeps the cloud panorama and the shadow map: noise once, both maps again when the eye or the sun has moved.
+// Keeps the cloud panorama and the shadow map: noise once, both maps again for another place of the eye or the sun.
 #include "clouds.h"
+
+#include "sky_lattice.h"
 
 #include <math.h>
 #include <string.h>
@@ -86,10 +88,10 @@ static float billow_threshold(float cover) {
     return (float)(0.462 + (quantile > 0.0 ? 0.118 : 0.125) * quantile);
 }
 
-// How far the eye may move before the panorama is wrong by more than one sees: a part of the distance to the clouds.
-static double allowed_shift(const cloud_maps *m, const frame *f) {
-    return fmax(150.0, 0.12 * fabs((double)m->base - f->eye.z));
-}
+// How far from the eye a panorama may be made before it is wrong by more than one sees: a part of the distance to the clouds.
+static double allowed_shift(double base, double height) { return fmax(150.0, 0.12 * fabs(base - height)); }
+
+#define SUN_STEP 0.01 // between suns that clouds are lit by [rad]
 
 static double shift(const cloud_maps *m, const frame *f) {
     const double dx = f->eye.x - m->eye.x, dy = f->eye.y - m->eye.y, dz = f->eye.z - m->eye.z;
@@ -100,55 +102,77 @@ static double sun_turn(const cloud_maps *m, const frame *f) {
     return (double)bolan_v3_length(bolan_v3_sub(f->sun_direction, m->sun));
 }
 
-static bool is_another_sky(const clouds *c, const cloud_maps *m, const frame *f, const frame_uniforms *u) {
-    return !c->filled || m->quality != f->quality || m->cover != u->wind.w || m->base != u->haze.y ||
-           m->visibility != u->haze.x || m->seed != f->scene->sky.cloud_seed;
+// Where on the lattice a map for this eye is made, on the same side of the clouds' base.
+static bolan_dvec3 place_of(const frame *f, double base, bool above) {
+    const double margin = 1.0, sea_level = f->scene->water.level;
+    const double octave = floor(log2(allowed_shift(base, f->eye.z - sea_level) / 150.0));
+    bolan_dvec3 eye = sky_lattice_point(f->eye, 150.0 * exp2(octave));
+    eye.z = above ? fmax(eye.z, sea_level + base + margin) : fmin(eye.z, sea_level + base - margin);
+    return eye;
 }
 
-static bool is_above(const frame_uniforms *u) { return u->eye.z > u->haze.y; }
-
-static void describe(cloud_maps *m, const frame *f, const frame_uniforms *u) {
-    m->eye = f->eye;
-    m->sun = f->sun_direction;
+// Everything that a pair of maps depends on. An empty sky is the same from everywhere.
+static void describe(cloud_maps *m, const frame *f) {
+    const frame_uniforms *u = &f->uniforms;
     m->seed = f->scene->sky.cloud_seed;
     m->cover = u->wind.w;
     m->base = u->haze.y;
     m->visibility = u->haze.x;
-    m->unit = u->air.x;
     m->quality = f->quality;
-    m->above = is_above(u);
+    m->above = u->eye.z > u->haze.y;
+    m->unit = m->cover > 0.0f ? u->air.x : 0.0f;
+    m->sun = m->cover > 0.0f ? sky_lattice_direction(f->sun_direction, SUN_STEP) : (bolan_vec3){0};
+    m->eye = m->cover > 0.0f ? place_of(f, (double)m->base, m->above) : (bolan_dvec3){0};
+}
+
+static bool is_another_sky(const cloud_maps *a, const cloud_maps *b) {
+    return a->quality != b->quality || a->cover != b->cover || a->base != b->base || a->visibility != b->visibility ||
+           a->seed != b->seed || a->unit != b->unit;
+}
+
+static bool is_same(const cloud_maps *a, const cloud_maps *b) {
+    return !is_another_sky(a, b) && a->above == b->above && a->eye.x == b->eye.x && a->eye.y == b->eye.y &&
+           a->eye.z == b->eye.z && a->sun.x == b->sun.x && a->sun.y == b->sun.y && a->sun.z == b->sun.z;
 }
 
 void clouds_place(const clouds *c, const frame *f, frame_uniforms *u) {
     const cloud_maps *m = &c->maps[c->shown];
     u->air.y = m->above ? 1.0f : 0.0f;
-    u->air.z = (float)(f->eye.x - m->eye.x);
-    u->air.w = (float)(f->eye.y - m->eye.y);
+    u->air.z = m->cover > 0.0f ? (float)(f->eye.x - m->eye.x) : 0.0f;
+    u->air.w = m->cover > 0.0f ? (float)(f->eye.y - m->eye.y) : 0.0f;
 }
 
-static void begin_strips(clouds *c, const frame *f, const frame_uniforms *u) {
-    describe(&c->maps[c->shown ^ 1], f, u);
-    c->uniforms = *u;
-    c->uniforms.air.y = is_above(u) ? 1.0f : 0.0f;
+// The frame as an eye at the maps' own place and under their own sun sees it.
+static void set_uniforms(clouds *c, const cloud_maps *m, const frame *f) {
+    c->uniforms = f->uniforms;
+    c->uniforms.eye.z = (float)fmax(m->eye.z - f->scene->water.level, 0.0);
+    c->uniforms.sun = (bolan_vec4){m->sun.x, m->sun.y, m->sun.z, f->uniforms.sun.w};
+    c->uniforms.air.y = m->above ? 1.0f : 0.0f;
     c->uniforms.air.z = c->uniforms.air.w = 0.0f;
-    c->strip = 1;
 }
 
-cloud_work clouds_plan(clouds *c, const frame *f, frame_uniforms *u) {
-    cloud_maps *m = &c->maps[c->shown];
-    const double moved = shift(m, f), allowed = allowed_shift(m, f), turned = sun_turn(m, f);
-    cloud_work work = CLOUDS_KEEP;
-    if (is_another_sky(c, m, f, u) ||
-        (m->cover > 0.0f && (m->unit != u->air.x || moved > 8.0 * allowed || turned > 0.1))) {
-        describe(m, f, u);
+cloud_work clouds_plan(clouds *c, const frame *f) {
+    cloud_maps *shown = &c->maps[c->shown], *made = &c->maps[c->shown ^ 1], wanted = *shown;
+    describe(&wanted, f);
+    const bool fits = c->filled && is_same(shown, &wanted), gradual = f->desc->progressive;
+    if (fits && !(gradual && c->strip > 0)) {
         c->strip = 0;
-        work = CLOUDS_ALL;
-    } else if (m->cover > 0.0f) {
-        if (c->strip == 0 && (moved > allowed || turned > 0.01 || m->above != is_above(u))) begin_strips(c, f, u);
-        if (c->strip > 0) work = CLOUDS_STRIP;
+        return CLOUDS_KEEP;
     }
-    clouds_place(c, f, u);
-    return work;
+    const bool jump = !c->filled || is_another_sky(shown, &wanted) || sun_turn(shown, f) > 0.1 ||
+                      shift(shown, f) > 8.0 * allowed_shift((double)shown->base, shown->eye.z - f->scene->water.level);
+    if (jump || !gradual) {
+        *shown = wanted;
+        set_uniforms(c, shown, f);
+        c->strip = 0;
+        return CLOUDS_ALL;
+    }
+    if (c->strip == 0) {
+        describe(made, f);
+        set_uniforms(c, made, f);
+        c->strip = 1;
+    }
+    return CLOUDS_STRIP;
 }
 
 // ---- how ----------------------------------------------------------------------------------------------------------

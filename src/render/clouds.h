@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Clouds: marched once into a panorama round the eye and a map of their shadow on the sea, and again when the eye or
-// the sun has moved. Shaders: cloud_noise, cloud_panorama, cloud_shadow.
+// the sun has moved to another place of the lattice (sky_lattice.h). Shaders: cloud_noise, cloud_panorama, cloud_shadow.
 #ifndef BOLAN_RENDER_CLOUDS_H
 #define BOLAN_RENDER_CLOUDS_H
 
@@ -10,8 +10,8 @@
 typedef struct cloud_maps {
     gl_texture map; // layer 0 panorama, layer 1 shadow (see common/atmosphere.glsl)
     gl_target panorama, shadow;
-    bolan_dvec3 eye; // where
-    bolan_vec3 sun;
+    bolan_dvec3 eye; // where, on the lattice
+    bolan_vec3 sun;  // on the lattice
     uint64_t seed;
     float cover, base, visibility, unit;
     bool above; // the eye stood above the base
@@ -25,19 +25,19 @@ typedef struct clouds {
     int shown;
     bool filled, noise_filled;
     uint32_t strip;          // next of the one in the making; 0: nothing is
-    frame_uniforms uniforms; // of the frame it was begun in
+    frame_uniforms uniforms; // that the maps in the making are drawn with
 } clouds;
 
 typedef enum cloud_work { CLOUDS_KEEP, CLOUDS_ALL, CLOUDS_STRIP } cloud_work;
 
 bolan_result clouds_create(clouds *c);
 bolan_result clouds_reload(clouds *c);
-// What this frame must do: nothing, make the maps at once (first frame, another sky, a jump), or one strip of new
-// ones, so that a moving eye never waits. Sets the uniforms that belong to the maps shown.
-cloud_work clouds_plan(clouds *c, const frame *f, frame_uniforms *u);
-// Does it. The uniforms (for a strip: c->uniforms) and the air's tables must be bound, the sea's view at UNIT_PASS.
-// True when other maps are shown now; clouds_place() then says where they were made.
+// What this frame must do: nothing, make the maps at once, or one strip of new ones. Strips are for progressive frames,
+// where a moving eye never waits, unless it is the first frame, another sky or a jump. Sets c->uniforms.
+cloud_work clouds_plan(clouds *c, const frame *f);
+// Does it. c->uniforms and the air's tables must be bound, the sea's view at UNIT_PASS. True when other maps are shown now.
 bool clouds_march(clouds *c, const frame *f, cloud_work work);
+// Sets the uniforms that say where the maps shown were made.
 void clouds_place(const clouds *c, const frame *f, frame_uniforms *u);
 const gl_texture *clouds_map(const clouds *c);
 double clouds_rise(const clouds *c, const frame *f); // of the eye since the maps shown were made [m]

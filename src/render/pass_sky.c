@@ -3,6 +3,7 @@
 // the background. Shader: shaders/sky.glsl; atmosphere.c and clouds.c fill the tables.
 #include "atmosphere.h"
 #include "clouds.h"
+#include "sky_lattice.h"
 
 #include <math.h>
 #include <string.h>
@@ -20,7 +21,7 @@ struct pass_sky {
     gl_mesh mesh;
     gl_texture panorama; // clear sky and clouds together
     gl_target panorama_target;
-    bolan_vec4 panorama_sun; // direction to the sun in it
+    bolan_vec4 lattice_sun; // direction to the sun that all of this was made for
     gl_program sun_program, over_program, environment_program, prefilter_program, light_program;
     gl_texture plain, environment, light; // the environment before and after its levels are blurred
     gl_target plain_target, environment_target[ENVIRONMENT_LEVELS], light_target;
@@ -157,24 +158,18 @@ static bool resize_panorama(pass_sky *p, uint32_t width, uint32_t height) {
            gl_target_create(&color, 1, NULL, -1, 0, &p->panorama_target) == BOLAN_OK;
 }
 
-// The tables turn with the sun; this map does not.
-static bool sun_has_turned(const pass_sky *p, const bolan_vec4 *sun) {
-    const float turn = fabsf(p->panorama_sun.x * sun->y - p->panorama_sun.y * sun->x);
-    return turn > 1e-3f || p->panorama_sun.x * sun->x + p->panorama_sun.y * sun->y < 0.0f;
-}
-
-static void draw_panorama(pass_sky *p, const frame_uniforms *u) {
+static void draw_panorama(pass_sky *p) {
     const gl_texture *map = clouds_map(&p->clouds);
     if (!resize_panorama(p, map->width, map->height)) return;
-    p->panorama_sun = u->sun;
     gl_set_state(&(gl_state){.color_write = true});
     gl_target_bind(&p->panorama_target);
     gl_program_use(&p->panorama_program);
     gl_draw_fullscreen();
 }
 
+// Of the map before its levels are blurred, which spreads the bright horizon.
 static void measure_light(pass_sky *p) {
-    gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
+    gl_texture_bind(&p->plain, UNIT_ENVIRONMENT);
     gl_target_bind(&p->light_target);
     gl_program_use(&p->light_program);
     gl_draw_fullscreen();
@@ -211,30 +206,48 @@ static void bind_uniforms(pass_sky *p, const frame_uniforms *u) {
     gl_buffer_bind_uniform(&p->uniforms, 0);
 }
 
+#define SUN_STEP 0.002 // between suns that the tables are made for, a fifth of the sun's diameter [rad]
+
+// The frame's uniforms with sun and eye where the tables are made for them.
+static frame_uniforms on_lattice(const frame *f) {
+    frame_uniforms u = f->uniforms;
+    const bolan_vec3 sun = sky_lattice_direction(f->sun_direction, SUN_STEP);
+    u.sun = (bolan_vec4){sun.x, sun.y, sun.z, u.sun.w};
+    u.eye.z = (float)sky_lattice_height(u.eye.z);
+    return u;
+}
+
+// Clouds are lit through the air of their own place and sun.
 static bool update_clouds(pass_sky *p, frame *f, cloud_work work) {
+    bind_uniforms(p, &p->clouds.uniforms);
+    if (work == CLOUDS_ALL) (void)atmosphere_update(&p->air, &p->clouds.uniforms);
+    atmosphere_bind(&p->air);
     gl_set_state(&(gl_state){.color_write = true});
     gl_texture_bind(&p->air.sea_view, UNIT_PASS);
-    if (work == CLOUDS_STRIP) bind_uniforms(p, &p->clouds.uniforms);
-    const bool changed = clouds_march(&p->clouds, f, work);
-    clouds_place(&p->clouds, f, &f->uniforms);
-    if (work == CLOUDS_STRIP) bind_uniforms(p, &f->uniforms);
-    return changed;
+    return clouds_march(&p->clouds, f, work);
+}
+
+// Everything made of the tables and the clouds together.
+static void draw_maps(pass_sky *p) {
+    draw_panorama(p);
+    gl_set_state(&(gl_state){.color_write = true});
+    draw_environment(p);
+    measure_light(p);
 }
 
 void pass_sky_prepare(pass_sky *p, frame *f) {
     f->uniforms.air.x = radiance_unit(f->uniforms.sun.z);
-    const cloud_work work = clouds_plan(&p->clouds, f, &f->uniforms);
-    bind_uniforms(p, &f->uniforms);
-    bool changed = atmosphere_update(&p->air, &f->uniforms);
+    const cloud_work work = clouds_plan(&p->clouds, f);
+    bool changed = work != CLOUDS_KEEP && update_clouds(p, f, work);
+    clouds_place(&p->clouds, f, &f->uniforms);
+    frame_uniforms u = on_lattice(f);
+    u.air.z = u.air.w = 0.0f; // the light is measured in the middle of the clouds' maps
+    bind_uniforms(p, &u);
+    if (atmosphere_update(&p->air, &u)) changed = true;
     atmosphere_bind(&p->air);
-    if (work != CLOUDS_KEEP && update_clouds(p, f, work)) changed = true;
     gl_texture_bind(clouds_map(&p->clouds), UNIT_CLOUDS);
-    if (changed || sun_has_turned(p, &f->uniforms.sun)) draw_panorama(p, &f->uniforms);
-    if (changed) {
-        gl_set_state(&(gl_state){.color_write = true});
-        draw_environment(p);
-        measure_light(p);
-    }
+    if (changed || u.sun.x != p->lattice_sun.x || u.sun.y != p->lattice_sun.y) draw_maps(p);
+    p->lattice_sun = u.sun;
     gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
     set_light(p, f);
 }

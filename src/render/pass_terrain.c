@@ -3,12 +3,15 @@
 // maps on the GPU, draws them, and fills the shore map (terrain_shore.c). Shader: shaders/terrain.glsl.
 #include "frame.h"
 
+#include "sky_lattice.h"
 #include "terrain_shore.h"
 #include "terrain_texture.h"
 #include "terrain_tree.h"
 
 // Chunks with smaller texels [m] show the grain of 16 m period.
 #define FINEST_GRAIN 0.8
+
+#define SHADOW_STEP 0.003 // between suns that shadows are cast for [rad]
 
 // A slot's twin on the GPU.
 typedef struct gpu_chunk {
@@ -213,9 +216,9 @@ static tree_view view_of(const pass_terrain *p, const frame *f) {
         .mirrors = pass_water_mirrors(f),
         .pixel = f->uniforms.lens.x,
         .water_level = f->scene->water.level,
-        .sun = chunk_sun_from(f->sun_direction),
-        // A jump of the eye is a new picture, and a picture is complete; a flight spreads the work.
-        .complete = !p->settled || leap > 0.1 * fabs(f->eye.z - f->scene->water.level) + 20.0,
+        .sun = chunk_sun_from(sky_lattice_direction(f->sun_direction, SHADOW_STEP)),
+        // A jump of the eye is a new picture, and a picture is complete; a flight in a window spreads the work.
+        .complete = !f->desc->progressive || !p->settled || leap > 0.1 * fabs(f->eye.z - f->scene->water.level) + 20.0,
         .budget = quality_table[f->quality].budget,
         .texel_pixels = quality_table[f->quality].texel_pixels,
         .error_pixels = quality_table[f->quality].error_pixels,

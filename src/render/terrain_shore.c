@@ -86,15 +86,13 @@ static void upload(shore_builder *b, int l) {
     gl_texture_upload(&b->map.texture, 0, l, b->halfs, true);
 }
 
-// The finest texel [m]: two metres near the ground, doubling with the eye's height. A little stickiness keeps it from
-// flickering at a threshold.
-static double finest_texel(const shore_builder *b, double height) {
+// The finest texel [m]: two metres near the ground, doubling with the eye's height.
+static double finest_texel(double height) {
     double want = 2.0 * fmax(height, 1.0) / 400.0, texel = 2.0;
     while (texel < want) {
         texel *= 2.0;
     }
-    double old = b->level[0].texel;
-    return b->level[0].valid && old > 0.5 * want && old < 4.0 * fmax(want, 0.5001) ? old : texel;
+    return texel;
 }
 
 void shore_builder_update(shore_builder *b, const frame *f) {
@@ -114,7 +112,7 @@ void shore_builder_update(shore_builder *b, const frame *f) {
     if (!terrain) {
         return;
     }
-    double texel = finest_texel(b, fabs(f->eye.z - f->scene->water.level));
+    double texel = finest_texel(fabs(f->eye.z - f->scene->water.level));
     for (int l = 0; l < SHORE_LEVELS; l++, texel *= 4.0) {
         double grain = SNAP * texel, half = 0.5 * SHORE_SIZE * texel;
         double west = floor(f->eye.x / grain + 0.5) * grain - half,

@@ -308,8 +308,7 @@ static void finish_level(terrain_tree *t) {
 }
 
 static bool sun_moved(const chunk_sun *a, const chunk_sun *b) {
-    return fabsf(a->x - b->x) + fabsf(a->y - b->y) > 0.003f ||
-           fabsf(a->slope - b->slope) > 0.003f * (1.0f + b->slope * b->slope);
+    return a->x != b->x || a->y != b->y || a->slope != b->slope;
 }
 
 void terrain_tree_select(terrain_tree *t, const tree_view *view) {

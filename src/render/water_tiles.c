@@ -2,13 +2,15 @@
 // See water_tiles.h. Baking takes a moment when the sea, the sun or the water changes; afterwards nothing is allocated.
 #include "water_tiles.h"
 
+#include "sky_lattice.h"
+
 #include <math.h>
 #include <string.h>
 
 #define FINE_LENGTH 12.0   // [m] of the ripples' tile: waves that gather light in shallow water
 #define FINE_PERIOD 4.0    // [s] of its loop
 #define COARSE_LENGTH 40.0 // [m]: a tile as long as this has no such waves
-#define SUN_STEPS 8.0      // degrees that the sun moves before the light on the bottom is made anew
+#define SUN_STEP 8.0       // between suns that the light on the bottom is made for [deg]
 #define LOWEST_SUN 0.12    // sine of the height from which the light on the bottom comes at least
 #define GLINT_SIZE 64
 
@@ -71,7 +73,7 @@ void water_tiles_bind(const water_tiles *t) {
 static bolan_tiles_desc how(const frame *f) {
     bolan_tiles_desc d = bolan_tiles_desc_default();
     const bolan_vec4 deep = f->uniforms.water_deep;
-    const bolan_vec3 sun = f->sun_direction;
+    const bolan_vec3 sun = sky_lattice_direction(f->sun_direction, bolan_radians(SUN_STEP));
     d.paper = f->scene->look.paper;
     d.color = bolan_v3(deep.x, deep.y, deep.z);
     // A darkish blue-green whatever the water is, as animation programs paint it.
@@ -106,8 +108,7 @@ static double slope_variance(const bolan_tiles *tiles) {
     return sum / ((double)v.n * v.n);
 }
 
-static void bake_all(water_tiles *t, const frame *f) {
-    const bolan_tiles_desc desc = how(f);
+static void bake_all(water_tiles *t, const frame *f, const bolan_tiles_desc desc) {
     t->brightest = desc.color.z >= desc.color.y && desc.color.z >= desc.color.x ? 2
                    : desc.color.y >= desc.color.x                               ? 1
                                                                                 : 0;
@@ -134,25 +135,23 @@ static void bake_all(water_tiles *t, const frame *f) {
     t->shown = NAN;
 }
 
-static bool changed(const water_tiles *t, const frame *f, const int sun[2]) {
-    return !t->ready || t->given != f->desc->tiles || t->paper != f->scene->look.paper || t->sun[0] != sun[0] ||
-           t->sun[1] != sun[1] || t->water != (int)f->scene->water.type ||
+static bool changed(const water_tiles *t, const frame *f, bolan_vec3 sun) {
+    return !t->ready || t->given != f->desc->tiles || t->paper != f->scene->look.paper || t->sun.x != sun.x ||
+           t->sun.y != sun.y || t->sun.z != sun.z || t->water != (int)f->scene->water.type ||
            memcmp(&t->sea, bolan_sea_get_desc(f->desc->sea), sizeof t->sea) != 0;
 }
 
 static void keep(water_tiles *t, const frame *f) {
-    const bolan_sky *sky = &f->scene->sky;
-    const int sun[2] = {(int)lround(bolan_wrap_degrees(sky->sun_azimuth_deg) / SUN_STEPS),
-                        (int)lround(sky->sun_elevation_deg / SUN_STEPS)};
-    if (!changed(t, f, sun)) return;
+    const bolan_tiles_desc desc = how(f);
+    if (!changed(t, f, desc.sun)) return;
     memcpy(&t->sea, bolan_sea_get_desc(f->desc->sea), sizeof t->sea); // with its padding, for memcmp
     t->given = t->sea.waves == BOLAN_WAVES_TEXTURES ? f->desc->tiles : NULL;
     if (t->given != NULL && bolan_tiles_get_view(t->given).n != TILE) t->given = NULL;
     t->paper = f->scene->look.paper;
-    t->sun[0] = sun[0], t->sun[1] = sun[1];
+    t->sun = desc.sun;
     t->water = (int)f->scene->water.type;
     t->ready = true;
-    bake_all(t, f);
+    bake_all(t, f, desc);
     if (f->desc->tiles != NULL) t->given = f->desc->tiles; // so that it is not asked for again
 }
 

@@ -15,7 +15,8 @@ typedef struct water_tiles {
     bolan_tiles *base, *fine; // baked here; base NULL: the sea has other waves than textures
     bolan_sea_desc sea;       // what they were baked of
     const bolan_tiles *given;
-    int sun[2], water;
+    bolan_vec3 sun; // that the light on the bottom is made for
+    int water;
     bool ready, failed, paper, whole; // whole: the sea's waves are in the tiles
     int brightest;                    // channel of the water's own texture
     double shown;                     // time that the textures show
