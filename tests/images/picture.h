@@ -31,6 +31,7 @@ typedef struct stage {
     bolan_scene_assets assets;
     bolan_sea *sea;
     bolan_renderer *renderer;
+    bool progressive; // as a window is drawn: see bolan_frame_desc
 } stage;
 
 static inline bool stage_open(stage *s, const bolan_scene *scene, bolan_quality quality, bool no_clip_control) {
@@ -63,6 +64,7 @@ static inline picture stage_draw(stage *s, uint32_t width, uint32_t height, uint
     frame.width = width;
     frame.height = height;
     frame.samples = samples;
+    frame.progressive = s->progressive;
     bolan_renderer_draw(s->renderer, &frame);
     bolan_renderer_read_rgb8(s->renderer, frame.framebuffer, width, height, p.rgb);
     bolan_renderer_read_linear(s->renderer, NULL, p.distance);

@@ -33,6 +33,7 @@ static void clouds_stay_while_the_eye_flies_on(void **state) {
     // less than a tenth of the way to the clouds, so that the map is kept
     scene.camera.position = (bolan_dvec3){200.0, 550.0, 7850.0};
     flown.scene.camera.position = scene.camera.position;
+    flown.progressive = true;
     picture got = stage_draw(&flown, WIDTH, HEIGHT, 1);
     assert_true(stage_open(&fresh, &scene, BOLAN_QUALITY_LOW, false));
     picture expected = stage_draw(&fresh, WIDTH, HEIGHT, 1);

@@ -253,6 +253,42 @@ static void the_sky_is_positive_and_finite_for_every_sun_and_height(void **state
     rig_destroy(&r);
 }
 
+static void the_light_on_the_sea_is_the_integral_of_the_sky(void **state) {
+    (void)state;
+    enum { RINGS = 40, SECTORS = 36 };
+    static const double suns[] = {60.0, 35.0, 5.0};
+    sky_rig r;
+    probe p;
+    rig_create(&r, 16, 16);
+    probe_create(&p);
+    r.scene.camera.position.z = 2.0; // the height that the sea's own sky is made for
+    r.scene.sky.cloud_cover = 0.0;
+    for (int s = 0; s < 3; s++) {
+        r.scene.sky.sun_elevation_deg = suns[s];
+        rig_prepare(&r);
+        double sum[3] = {0.0, 0.0, 0.0};
+        float got[QUESTIONS][4];
+        for (int i = 0; i < RINGS; i++) {
+            const double elevation = (i + 0.5) * 0.5 * BOLAN_PI / RINGS;
+            const double weight = sin(elevation) * cos(elevation) * (0.5 * BOLAN_PI / RINGS) * (2.0 * BOLAN_PI / SECTORS);
+            for (int j = 0; j < SECTORS; j++) {
+                const double azimuth = 2.0 * BOLAN_PI * (j + 0.5) / SECTORS;
+                probe_ask(&p, cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation), 0.0, got);
+                for (int c = 0; c < 3; c++) sum[c] += weight * got[0][c];
+            }
+        }
+        const float light[3] = {r.f.uniforms.sky_light.x, r.f.uniforms.sky_light.y, r.f.uniforms.sky_light.z};
+        // Both sums have steps of 3 to 5 degrees, in which the glare round the sun is coarse: 1 % of the whole.
+        for (int c = 0; c < 3; c++) {
+            if (fabs(light[c] / sum[c] - 1.0) > 0.015)
+                print_message("sun at %g: %g of %g\n", suns[s], (double)light[c], sum[c]);
+            assert_true(fabs(light[c] / sum[c] - 1.0) <= 0.015);
+        }
+    }
+    probe_destroy(&p);
+    rig_destroy(&r);
+}
+
 // Illuminance on a level surface, in lux: 128 klx is the sun's above the air.
 static double illuminance(sky_rig *r, double elevation) {
     r->scene.sky.sun_elevation_deg = elevation;
@@ -371,6 +407,7 @@ int main(void) {
         IN_BOTH_APIS(heights_along_a_ray_keep_their_precision),
         IN_BOTH_APIS(the_environment_map_unfolds_to_the_direction_it_was_asked),
         IN_BOTH_APIS(the_sky_is_positive_and_finite_for_every_sun_and_height),
+        IN_BOTH_APIS(the_light_on_the_sea_is_the_integral_of_the_sky),
         IN_BOTH_APIS(day_and_twilight_are_as_bright_as_measured),
         IN_BOTH_APIS(the_noon_zenith_is_blue_and_the_setting_sun_is_red),
         IN_BOTH_APIS(the_far_sea_fades_into_the_sky_above_it),

@@ -25,6 +25,7 @@ static void clouds_marched_in_strips_are_those_marched_at_once(void **state) {
     static uint8_t moved[SIZE], fresh[SIZE];
     sky_rig r;
     rig_create(&r, WIDTH, HEIGHT);
+    r.desc.progressive = true;
     set_view(&r, 0, 0, 5);
     rig_prepare(&r);
     draw(&r, moved);
@@ -48,16 +49,23 @@ static void a_still_eye_makes_no_new_clouds(void **state) {
     assert_int_equal(clouds_create(&c), BOLAN_OK);
     set_view(&r, 0, 0, 5);
     rig_prepare(&r);
-    assert_int_equal(clouds_plan(&c, &r.f, &r.f.uniforms), CLOUDS_ALL);
+    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_ALL);
     assert_true(clouds_march(&c, &r.f, CLOUDS_ALL));
-    assert_int_equal(clouds_plan(&c, &r.f, &r.f.uniforms), CLOUDS_KEEP);
-    r.f.eye.x += 100;
-    assert_int_equal(clouds_plan(&c, &r.f, &r.f.uniforms), CLOUDS_KEEP);
-    assert_near(r.f.uniforms.air.z, 100, 0);
+    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_KEEP);
+    r.f.eye.x += 60;
+    r.f.eye.y -= 70;
+    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_KEEP);
+    clouds_place(&c, &r.f, &r.f.uniforms);
+    assert_near(r.f.uniforms.air.z, 60, 0);
+    assert_near(r.f.uniforms.air.w, -70, 0);
     r.f.eye.x += 200;
-    assert_int_equal(clouds_plan(&c, &r.f, &r.f.uniforms), CLOUDS_STRIP);
+    r.desc.progressive = true;
+    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_STRIP);
+    r.desc.progressive = false; // a picture waits for its clouds
+    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_ALL);
+    r.desc.progressive = true;
     r.f.eye.x += 1e6;
-    assert_int_equal(clouds_plan(&c, &r.f, &r.f.uniforms), CLOUDS_ALL);
+    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_ALL);
     clouds_free(&c);
     rig_destroy(&r);
 }
@@ -68,7 +76,7 @@ static double open_share(sky_rig *r, clouds *c, double cover) {
     r->f.uniforms.wind.w = (float)cover;
     for (uint64_t seed = 1; seed <= 2; seed++) {
         r->scene.sky.cloud_seed = seed;
-        assert_int_equal(clouds_plan(c, &r->f, &r->f.uniforms), CLOUDS_ALL);
+        assert_int_equal(clouds_plan(c, &r->f), CLOUDS_ALL);
         rig_upload(r);
         clouds_march(c, &r->f, CLOUDS_ALL);
         const uint32_t n = clouds_map(c)->width * clouds_map(c)->height;
