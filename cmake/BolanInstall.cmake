@@ -1,19 +1,60 @@
 # SPDX-License-Identifier: MIT
-# make install: libraries, public headers, bolan.pc and a CMake package (find_package(bolan); bolan::bolan, ...).
+# make install: program, libraries, public headers, a .pc file per library, and a CMake package (find_package(bolan);
+# bolan::bolan, bolan::bolan_io, bolan::bolan_render).
 include(CMakePackageConfigHelpers)
 
-if(BOLAN_LIBRARIES)
-    install(TARGETS ${BOLAN_LIBRARIES} EXPORT bolanTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-    install(DIRECTORY include/bolan DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
-    set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/bolan)
-    install(EXPORT bolanTargets NAMESPACE bolan:: DESTINATION ${package_folder})
-    configure_package_config_file(cmake/bolanConfig.cmake.in bolanConfig.cmake INSTALL_DESTINATION ${package_folder})
-    write_basic_package_version_file(bolanConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/bolanConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/bolanConfigVersion.cmake
-        DESTINATION ${package_folder})
-    # The prefix is known at installation only: state it from where bolan.pc lies.
+# Installed programs and libraries find the libraries from where they lie themselves.
+if(TARGET bolan_cli)
+    file(RELATIVE_PATH bin_to_lib /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+    set_target_properties(bolan_cli PROPERTIES INSTALL_RPATH $ORIGIN/${bin_to_lib})
+    install(TARGETS bolan_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+install(TARGETS ${BOLAN_LIBRARIES} EXPORT bolanTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY include/bolan DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+
+# An archive leaves its own needs to whoever links it: the CMake package looks for these, and the .pc files name them.
+set(bolan_package_modules "")
+if(NOT BUILD_SHARED_LIBS AND TARGET bolan_io)
+    list(APPEND bolan_package_modules gdal=gdal yaml=yaml-0.1 assimp=assimp)
+endif()
+if(NOT BUILD_SHARED_LIBS AND TARGET bolan_render)
+    list(APPEND bolan_package_modules epoxy=epoxy egl=egl)
+endif()
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/bolan)
+install(EXPORT bolanTargets NAMESPACE bolan:: DESTINATION ${package_folder})
+configure_package_config_file(cmake/bolanConfig.cmake.in bolanConfig.cmake INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(bolanConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/bolanConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/bolanConfigVersion.cmake
+    DESTINATION ${package_folder})
+
+# bolan_install_pc(library description "required .pc files" needs of the archive...)
+function(bolan_install_pc pc_name pc_description pc_requires)
+    # The prefix is known at installation only: state it from where the .pc file lies.
     file(RELATIVE_PATH pc_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
-    configure_file(cmake/bolan.pc.in bolan.pc @ONLY)
-    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/bolan.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+    set(pc_needs "")
+    if(NOT BUILD_SHARED_LIBS)
+        # In Libs, not Libs.private: with archives alone a plain `pkg-config --libs` has to be enough too.
+        foreach(need IN LISTS ARGN)
+            string(REGEX REPLACE "^-L" "" folder ${need})
+            if(NOT folder IN_LIST CMAKE_C_IMPLICIT_LINK_DIRECTORIES)
+                string(APPEND pc_needs " ${need}")
+            endif()
+        endforeach()
+    endif()
+    configure_file(cmake/bolan.pc.in ${pc_name}.pc @ONLY)
+    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+bolan_install_pc(bolan "the core, without files and OpenGL" "" -pthread -lm)
+if(TARGET bolan_io)
+    get_filename_component(openexr_folder ${OPENEXR_CORE_LIBRARY} DIRECTORY)
+    get_filename_component(openexr_name ${OPENEXR_CORE_LIBRARY} NAME_WE)
+    string(REGEX REPLACE "^lib" "-l" openexr_name ${openexr_name})
+    bolan_install_pc(bolan_io "files: scenes, rasters, models, images, video" "bolan = ${PROJECT_VERSION}"
+        ${gdal_LDFLAGS} ${yaml_LDFLAGS} ${assimp_LDFLAGS} -L${openexr_folder} ${openexr_name} -lm)
+endif()
+if(TARGET bolan_render)
+    bolan_install_pc(bolan_render "drawing with OpenGL" "bolan = ${PROJECT_VERSION}" ${epoxy_LDFLAGS} ${egl_LDFLAGS} -lm)
 endif()

@@ -14,6 +14,9 @@ set(bolan_kernel_width_sse2 4)
 set(bolan_kernel_width_avx2 8)
 set(bolan_kernel_width_avx512 16)
 
+set(BOLAN_KERNEL_OPTIMISATION -O3 CACHE STRING "Optimisation level of the wide kernels, whatever that of the rest")
+mark_as_advanced(BOLAN_KERNEL_OPTIMISATION)
+
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set(bolan_kernel_sets scalar sse2 avx2 avx512)
     add_compile_definitions($<$<COMPILE_LANGUAGE:C>:BOLAN_KERNELS_X86=1>)
@@ -34,7 +37,7 @@ function(bolan_add_kernels target file)
         set_source_files_properties(${unit} PROPERTIES
             COMPILE_DEFINITIONS
                 "BOLAN_KERNEL_SUFFIX=${set};BOLAN_KERNEL_WIDTH=${bolan_kernel_width_${set}};BOLAN_KERNEL_${capitals}=1"
-            COMPILE_OPTIONS "-O3;-fno-trapping-math;${bolan_kernel_flags_${set}}")
+            COMPILE_OPTIONS "${BOLAN_KERNEL_OPTIMISATION};-fno-trapping-math;${bolan_kernel_flags_${set}}")
         target_sources(${target} PRIVATE ${unit})
     endforeach()
 endfunction()

@@ -26,6 +26,9 @@ foreach(kind unit physics determinism kernels shaders images)
     foreach(file IN LISTS sources)
         get_filename_component(name ${file} NAME_WE)
         set(libraries "")
+        if(kind STREQUAL images AND NOT TARGET bolan_io)
+            continue()
+        endif()
         if(kind MATCHES "shaders|images")
             if(NOT TARGET bolan_render)
                 continue()
@@ -55,19 +58,24 @@ foreach(kind unit physics determinism kernels shaders images)
     endforeach()
 endforeach()
 
-# Fuzzers: with Clang real ones; otherwise a driver that runs the corpus tests/fuzz/corpus/<name>/ and a fixed number of
+# Fuzzers: real ones with BOLAN_FUZZ, which instruments the libraries too, since libFuzzer is guided by the branches that
+# an input reaches there. Otherwise a driver that runs the corpus tests/fuzz/corpus/<name>/ and a fixed number of
 # mutations of it, the same every time.
 file(GLOB fuzz_sources CONFIGURE_DEPENDS ${test_folder}/fuzz/fuzz_*.c)
+add_custom_target(bolan_fuzzers)
 foreach(file IN LISTS fuzz_sources)
     get_filename_component(name ${file} NAME_WE)
+    bolan_missing_libraries(missing ${file})
+    if(missing)
+        continue()
+    endif()
     set(libraries bolan)
     if(TARGET bolan_io)
         list(PREPEND libraries bolan_io)
     endif()
     set(corpus ${test_folder}/fuzz/corpus/${name})
-    if(CMAKE_C_COMPILER_ID MATCHES Clang)
+    if(BOLAN_FUZZ)
         add_executable(${name} ${file})
-        target_compile_options(${name} PRIVATE -fsanitize=fuzzer)
         target_link_options(${name} PRIVATE -fsanitize=fuzzer)
         # libFuzzer writes what it finds to its first folder: give it one in the build tree.
         file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz/${name})
@@ -86,6 +94,7 @@ foreach(file IN LISTS fuzz_sources)
     add_test(NAME fuzz/${name} COMMAND ${name} ${arguments})
     set_tests_properties(fuzz/${name} PROPERTIES LABELS fuzz TIMEOUT 300)
     add_dependencies(bolan_tests_core ${name})
+    add_dependencies(bolan_fuzzers ${name})
 endforeach()
 
 # The command line: shell scripts with the program in $BOLAN and an empty folder of their own as working directory.
@@ -108,6 +117,17 @@ foreach(file IN LISTS example_sources)
             ${CMAKE_BINARY_DIR}/tests/examples/${name} $<TARGET_FILE:example_${name}>)
         set_tests_properties(examples/${name} PROPERTIES LABELS examples TIMEOUT 120 SKIP_RETURN_CODE 77)
     endif()
+endforeach()
+
+# Builds as others make them: Bolan configured anew, without this or that, installed to a scratch folder, and used.
+file(GLOB packaging_tests CONFIGURE_DEPENDS ${test_folder}/packaging/*.sh)
+foreach(file IN LISTS packaging_tests)
+    get_filename_component(name ${file} NAME_WE)
+    add_test(NAME packaging/${name} COMMAND sh ${PROJECT_SOURCE_DIR}/tools/in_scratch.sh
+        ${CMAKE_BINARY_DIR}/tests/packaging/${name} sh ${file})
+    set_tests_properties(packaging/${name} PROPERTIES LABELS packaging TIMEOUT 600 SKIP_RETURN_CODE 77
+        ENVIRONMENT
+        "BOLAN_SOURCE_DIR=${PROJECT_SOURCE_DIR};BOLAN_BUILD_DIR=${CMAKE_BINARY_DIR};CC=${CMAKE_C_COMPILER}")
 endforeach()
 
 # Checks of the sources themselves.

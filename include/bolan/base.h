@@ -18,9 +18,9 @@ extern "C" {
 #endif
 
 #define BOLAN_VERSION_MAJOR 0        ///< raised when a caller must change
-#define BOLAN_VERSION_MINOR 1        ///< raised when a caller may use more
+#define BOLAN_VERSION_MINOR 2        ///< raised when a caller may use more
 #define BOLAN_VERSION_PATCH 0        ///< raised when only defects went
-#define BOLAN_VERSION_STRING "0.1.0" ///< of the headers; bolan_version() is that of the library
+#define BOLAN_VERSION_STRING "0.2.0" ///< of the headers; bolan_version() is that of the library
 
 /// The version of the linked library, "major.minor.patch". Static storage. Thread-safe.
 const char *bolan_version(void);

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+# Shared libraries, installed to a prefix that the loader does not know: they are versioned, the program starts, and C programs
+# build and run through pkg-config and find_package. The program is built without the viewer where there is no C++.
+set -eu
+. "$BOLAN_SOURCE_DIR/tests/packaging/common"
+write_programs
+
+export CXX=/there/is/no/compiler
+configure shared -DBUILD_SHARED_LIBS=ON -DBOLAN_BENCH=OFF -DBOLAN_EXAMPLES=OFF
+grep -q 'The program is built without the viewer: it needs a C++ compiler' shared.log || fail 'no word of the viewer'
+build_and_install shared "$PWD/first"
+mv first prefix
+
+minor=$(version)
+minor=${minor%.*}
+for library in bolan bolan_io bolan_render; do
+    file=$(find prefix -name "lib$library.so")
+    [ -n "$file" ] || fail "lib$library.so is not installed"
+    readelf -d "$file" | grep -q "SONAME.*\[lib$library\.so\.$minor\]" || fail "the SONAME of $library is not $minor"
+    [ -e "$file.$minor" ] && [ -e "$file.$(version)" ] || fail "$file has no file of its version beside it"
+    readelf -d "$file" | grep -q 'RUNPATH.*\[\$ORIGIN\]' || fail "the RUNPATH of $library is not its own folder"
+done
+said=$(env -u LD_LIBRARY_PATH prefix/bin/bolan --version) || fail 'the installed program does not start'
+[ "$said" = "bolan $(version)" ] || fail "the installed program said '$said'"
+status=0
+prefix/bin/bolan view > view.log 2>&1 || status=$?
+[ $status = 2 ] && grep -q 'unknown command view' view.log || fail "bolan view without a viewer: $status, $(cat view.log)"
+no_paths prefix "$BOLAN_SOURCE_DIR" "$PWD/shared"
+
+use_pkg_config "$PWD/prefix" bolan bolan_io bolan_render
+use_find_package "$PWD/prefix" bolan bolan_io bolan_render
