@@ -48,7 +48,8 @@ double spectrum_system_mean_cosine(const spectrum_system *system, double omega) 
     enum { STEPS = 64 }; // the midpoint rule: the integrand and its slope vanish at both ends
     double sum = 0.0;
     for (int i = 0; i < STEPS; i++) {
-        const double cosine = cos(((i + 0.5) / STEPS - 0.5) * BOLAN_PI);
+        double sine, cosine;
+        bolan_sincos(((i + 0.5) / STEPS - 0.5) * BOLAN_PI, &sine, &cosine);
         sum += cosine * cos2_spreading(cosine, swell_s);
     }
     return sum * BOLAN_PI / STEPS;

@@ -3,6 +3,7 @@
 // maker prints.
 #include "bolan/math.h"
 #include "spectrum/measured.h"
+#include "spectrum/portable.h"
 #include "spectrum/spectrum_eval.h"
 
 #include <math.h>
@@ -21,16 +22,19 @@ static void add_sample(moments *sum, double density, double omega, double weight
 }
 
 // S(w) of one row of the grid, with its direction sums.
-static double row_density(const bolan_measured_spectrum *measured, uint32_t row, double *cosine, double *sine) {
+static double row_density(const bolan_measured_spectrum *measured, uint32_t row, double *cosine_sum,
+                          double *sine_sum) {
     double sum = 0.0, c = 0.0, s = 0.0;
     for (uint32_t j = 0; j < measured->direction_count; j++) {
         const double density = measured->density[row * measured->direction_count + j];
         sum += density;
-        c += density * cos(measured->theta[j]);
-        s += density * sin(measured->theta[j]);
+        double sine, cosine;
+        bolan_sincos(measured->theta[j], &sine, &cosine);
+        c += density * cosine;
+        s += density * sine;
     }
-    *cosine = c * measured->direction_step;
-    *sine = s * measured->direction_step;
+    *cosine_sum = c * measured->direction_step;
+    *sine_sum = s * measured->direction_step;
     return sum * measured->direction_step;
 }
 
@@ -58,7 +62,7 @@ enum { STEPS_BELOW = 280, STEPS = 1680 };
 #define STEP 0.005
 
 static double node_omega(const spectrum_system *system, int node) {
-    return system->peak_omega * exp((node - STEPS_BELOW) * STEP);
+    return system->peak_omega * portable_exp((node - STEPS_BELOW) * STEP);
 }
 
 static double relative_depth(const spectrum_eval *eval, double omega) {
@@ -119,14 +123,14 @@ bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state) {
     if (eval.measured) add_measured(&sum, eval.measured);
     for (uint32_t i = 0; i < eval.system_count; i++) add_system(&sum, &eval, &eval.systems[i]);
     if (!(sum.m0 > 0.0)) return summary;
-    const double turn = 2.0 * BOLAN_PI, r1 = fmin(hypot(sum.cosine, sum.sine) / sum.m0, 1.0);
+    const double turn = 2.0 * BOLAN_PI, r1 = fmin(sqrt(sum.cosine * sum.cosine + sum.sine * sum.sine) / sum.m0, 1.0);
     summary.m0 = sum.m0;
     summary.hs = 4.0 * sqrt(sum.m0);
     summary.tp = turn / find_peak(&eval);
     summary.tm01 = turn * sum.m0 / sum.m1;
     summary.tm02 = turn * sqrt(sum.m0 / sum.m2);
     summary.te = turn * sum.minus1 / sum.m0;
-    summary.from_deg = bolan_math_to_compass_from(atan2(sum.sine, sum.cosine));
+    summary.from_deg = bolan_math_to_compass_from(portable_angle(sum.sine, sum.cosine));
     summary.spread_deg = bolan_degrees(sqrt(2.0 * (1.0 - r1)));
     return summary;
 }

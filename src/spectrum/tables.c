@@ -2,6 +2,7 @@
 // Sea-state tables and the empirical laws of the short waves.
 #include "bolan/math.h"
 #include "bolan/spectrum.h"
+#include "spectrum/portable.h"
 
 // WMO Manual on Codes, code table 3700 "state of the sea".
 const bolan_douglas_row bolan_douglas_table[10] = {
@@ -52,6 +53,6 @@ void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cross) {
 // J. Phys. Oceanogr. 10 (1980), the robust fit.
 double bolan_monahan_cover(double wind_speed) {
     if (!(wind_speed > 0.0)) return 0.0;
-    const double cover = 3.84e-6 * pow(wind_speed, 3.41);
+    const double cover = 3.84e-6 * portable_pow(wind_speed, 3.41);
     return cover < 1.0 ? cover : 1.0;
 }

@@ -9,6 +9,7 @@
 // tile is shorter by a ratio that leaves at least 10 modes below its own first wave (fewer at low resolution): with 6
 // the waves at the edge are too coarse in direction and their variance is off by 4 %. Ratios and angles are
 // incommensurate, so that repetitions never line up.
+#include "spectrum/portable.h"
 #include "waves/sea.h"
 
 static const double ratio_of_ratio[BOLAN_MAX_CASCADES - 1] = {0.99713, 0.96189, 0.93407};
@@ -43,7 +44,7 @@ static double length_ratio(double length, uint32_t n, uint32_t count) {
     const double largest = RING_END * 0.5 * n / modes_to_inner_edge(n);
     if (count < 2) return largest;
     const double last = LAST_RING_END * BOLAN_PI * n / length;
-    const double enough = pow(2.0 * BOLAN_PI / SHORTEST_WAVE / last, 1.0 / (count - 1));
+    const double enough = portable_pow(2.0 * BOLAN_PI / SHORTEST_WAVE / last, 1.0 / (count - 1));
     return fmin(largest, fmax(enough, 2.0));
 }
 

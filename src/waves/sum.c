@@ -66,6 +66,7 @@ static void load(const batch *b, uint32_t first, block *to) {
 
 static sea_sums lane_of(const block *b, uint32_t l, double choppiness) {
     const double dxx = b->field[FIELD_DXX][l], dyy = b->field[FIELD_DYY][l];
+    const double pinch = -(dxx + dyy) * choppiness; // fmax(-0.0, 0.0) may be either zero
     return (sea_sums){.height = b->field[FIELD_HEIGHT][l],
                       .dx = b->field[FIELD_DX][l],
                       .dy = b->field[FIELD_DY][l],
@@ -74,7 +75,7 @@ static sea_sums lane_of(const block *b, uint32_t l, double choppiness) {
                       .dxx = dxx,
                       .dyy = dyy,
                       .dxy = b->field[FIELD_DXY][l],
-                      .foam = fmax(-(dxx + dyy) * choppiness, 0.0)};
+                      .foam = pinch > 0.0 ? pinch : 0.0};
 }
 
 // Task: blocks [begin, end).
