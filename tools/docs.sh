@@ -2,19 +2,43 @@
 # SPDX-License-Identifier: MIT
 # docs.sh SOURCE-FOLDER OUTPUT-FOLDER: builds the API reference. Any warning is a failure: a function, type, enum or macro
 # without a comment, a reference that leads nowhere. A plain member of a documented struct may stand by its name alone.
+# So is a picture that a page shows and the folder lacks, and a page named after a folder of this machine.
 set -eu
 cd "$1"
+root=$PWD
 if ! command -v doxygen >/dev/null; then
     echo 'doxygen is missing: skipped'
     exit 77
 fi
+rm -rf "$2/html"
 mkdir -p "$2"
 {
     cat docs/Doxyfile
     echo "OUTPUT_DIRECTORY = $2"
-    for page in README.md CONTRIBUTING.md CHANGELOG.md; do
-        if [ -e $page ]; then echo "INPUT += $page"; fi
-    done
-    if [ -e README.md ]; then echo 'USE_MDFILE_AS_MAINPAGE = README.md'; fi
 } | doxygen - 2>"$2/log"
 if grep -v 'Member .* (variable) .* is not documented' "$2/log"; then exit 1; fi
+
+cd "$2/html"
+failures=0
+fail() {
+    echo "$*"
+    failures=$((failures + 1))
+}
+# Doxygen leaves out a picture that it does not find, without a warning: count them on both sides.
+grep -oh '<img [^>]*src="[^"]*"\|<object [^>]*data="[^"]*"' ./*.html | sed 's/.*"\([^"]*\)"$/\1/' | grep -v '^http' | sort -u >../shown
+while read -r picture; do
+    [ -s "$picture" ] || fail "a page shows $picture, which is not there"
+done <../shown
+(cd "$root" && sed -n 's/!\[/\n![/gp' README.md docs/*.md | sed -n 's/^!\[[^]]*\](\([^)]*\)).*/\1/p' | sed 's|.*/||' | sort -u) >../wanted
+for picture in $(cat ../wanted); do
+    grep -q "^$picture\$" ../shown || fail "no page shows $picture"
+done
+[ -s ../wanted ] || fail 'the pages have no pictures'
+for page in ./md_*.html; do
+    case $page in
+    ./md_docs_* | ./md_CONTRIBUTING.html | ./md_CHANGELOG.html) ;;
+    *) fail "$page is named after a folder" ;;
+    esac
+done
+grep -q 'A volcanic island' index.html || fail 'the front page is not the README'
+[ $failures = 0 ]
