@@ -3,6 +3,10 @@
 # `bolan view` opens a real window under a virtual X server and shows the sea in it, the right way up, with its panel.
 set -eu
 if ! command -v xvfb-run >/dev/null; then
+    if [ "${BOLAN_REQUIRE_GL:-}" = 1 ]; then
+        echo 'xvfb-run is not installed, and BOLAN_REQUIRE_GL is 1'
+        exit 1
+    fi
     echo 'skipped: xvfb-run is not installed'
     exit 77
 fi

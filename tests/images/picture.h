@@ -5,6 +5,7 @@
 
 #include "bolan/io.h"
 #include "bolan/render.h"
+#include "need_gl.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -55,7 +55,7 @@ static void every_mix_draws_water(void **state) {
     bolan_set_hooks(&(bolan_hooks){.log = count_errors});
     for (int c = 0; c < 2; c++) {
         bolan_context *context = NULL;
-        if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+        if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
         double expected = 0.0;
         for (int w = 0; w < BOLAN_WAVE_MODELS; w++) {
             bolan_scene scene = load(scenes[c]);
@@ -89,7 +89,7 @@ static void every_mix_draws_water(void **state) {
 static void paper_modes_draw_water(void **state) {
     (void)state;
     bolan_context *context = NULL;
-    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     bolan_set_hooks(&(bolan_hooks){.log = count_errors});
     uint32_t count = 0;
     const bolan_technique *all = bolan_techniques(&count);
@@ -118,7 +118,7 @@ static void paper_modes_draw_water(void **state) {
 
 static picture draw(const bolan_technique *technique, bolan_gl_api api) {
     bolan_context *context = NULL;
-    if (bolan_context_create(api, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(api, &context) != BOLAN_OK) skip_without_gl();
     bolan_scene scene = load("pond");
     scene.sea.resolution = 128;
     bolan_scene_set_technique(&scene, technique);
@@ -152,7 +152,7 @@ static void core_and_es_draw_the_same(void **state) {
 static void the_pond_with_its_water_has_two_triangles_more(void **state) {
     (void)state;
     bolan_context *context = NULL;
-    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     bolan_scene scene = load("pond");
     stage s;
     assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
@@ -190,7 +190,7 @@ static void the_mesh_keeps_to_the_most_vertices_that_it_may_have(void **state) {
                                           -1};
     const bolan_technique *const list[] = {&each_view, &fixed};
     bolan_context *context = NULL;
-    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     for (int i = 0; i < 2; i++) {
         const uint32_t quality = triangles_within(list[i], 0), least = triangles_within(list[i], 1024);
         assert_in_range(least, 2 * 800, 2 * 1024); // few are lost to whole columns and rows
@@ -211,7 +211,7 @@ static void a_bound_of_the_mesh_out_of_range_is_refused(void **state) {
     (void)state;
     static const uint32_t wrong[] = {1, 1023, 1000001, UINT32_MAX};
     bolan_context *context = NULL;
-    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     bolan_set_hooks(&(bolan_hooks){.log = count_out_of_range});
     for (int i = 0; i < 4; i++) {
         bolan_renderer_desc desc = bolan_renderer_desc_default();
@@ -231,7 +231,7 @@ static void two_triangles_end_at_the_horizon(void **state) {
     (void)state;
     static const bolan_technique *const flat[] = {&bolan_technique_two_triangle, &bolan_technique_exp_cosine};
     bolan_context *context = NULL;
-    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     for (int i = 0; i < 2; i++) {
         bolan_scene scene = load("open-sea");
         scene.sea.resolution = 128;
@@ -271,7 +271,7 @@ static void later_frames_allocate_nothing(void **state) {
     bolan_set_hooks(&(bolan_hooks){.allocate = counted, .release = uncounted, .log = count_errors});
     errors = 0;
     bolan_context *context = NULL;
-    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     uint32_t count = 0;
     const bolan_technique *all = bolan_techniques(&count);
     for (uint32_t i = 0; i < count; i++) {

@@ -42,7 +42,7 @@ static bolan_scene scene_of(const shot *s) {
 
 static picture draw(const bolan_scene *scene, bolan_gl_api api, bool no_clip_control) {
     bolan_context *context = NULL;
-    if (bolan_context_create(api, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(api, &context) != BOLAN_OK) skip_without_gl();
     stage s;
     assert_true(stage_open(&s, scene, BOLAN_QUALITY_MEDIUM, no_clip_control));
     picture p = stage_draw(&s, WIDTH, HEIGHT, 2);
@@ -116,7 +116,7 @@ static bolan_dvec3 pixel_ray(const bolan_camera *c, double x, double y) {
 static void the_sea_has_no_holes(void **state) {
     (void)state;
     bolan_context *context = NULL;
-    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     bolan_scene scene = scene_of(&shots[4]);
     stage s;
     assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
@@ -161,7 +161,7 @@ static void frames_after_the_first_allocate_nothing(void **state) {
     (void)state;
     bolan_set_hooks(&(bolan_hooks){.allocate = counted, .release = uncounted});
     bolan_context *context = NULL;
-    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     bolan_scene scene = scene_of(&shots[0]);
     stage s;
     assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));

@@ -3,20 +3,17 @@
 #ifndef BOLAN_TESTS_GL_SUPPORT_H
 #define BOLAN_TESTS_GL_SUPPORT_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <math.h>
-
 #include "bolan/render.h"
+#include "need_gl.h"
+
+#include <math.h>
 
 static inline int gl_setup(void **state, bolan_gl_api api) {
     bolan_context *context = NULL;
     if (bolan_context_create(api, &context) != BOLAN_OK) {
-        print_message("[  SKIP  ] no %s context on this machine\n", api == BOLAN_GL_ES ? "ES 3" : "core");
+        print_message("no %s context on this machine\n", api == BOLAN_GL_ES ? "ES 3" : "core");
+        // cmocka skips no test from its set-up: where there is no OpenGL at all the whole program is skipped.
+        if (!gl_is_required() && bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) exit(77);
         return -1;
     }
     *state = context;
