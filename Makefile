@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # A thin front for CMake. Everything lands in build*/ and out/, which git ignores.
 .POSIX:
-.PHONY: help build run test bench install docs figures format setup
+.PHONY: help build run test bench install docs figures format mutate setup
 
 PREFIX = /usr/local
 
@@ -13,6 +13,7 @@ help:
 	@echo 'make install  install the program, libraries and headers under PREFIX (default /usr/local)'
 	@echo 'make docs     the API reference: build/docs/html/index.html'
 	@echo 'make figures  the figures of the four papers again: docs/images/techniques/'
+	@echo 'make mutate   try whether the tests can fail: hours (tools/mutate.sh --only REGEX for some)'
 	@echo 'make format   clang-format every C, C++ and header file'
 	@echo 'Each installs missing Debian or Ubuntu packages first (tools/setup.sh).'
 
@@ -39,6 +40,9 @@ docs: setup
 
 figures: build
 	@tools/figures.sh
+
+mutate: setup
+	@tools/mutate.sh
 
 format: setup
 	@tools/format.sh

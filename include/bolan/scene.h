@@ -19,7 +19,7 @@ extern "C" {
 
 // ---- technique ------------------------------------------------------------------------------------------------------
 
-/// What becomes of light at the water.
+/// How the surface is shaded.
 typedef enum bolan_optics_kind {
     BOLAN_OPTICS_PHYSICAL, ///< filtered slopes, Fresnel, sky, absorption, foam
     BOLAN_OPTICS_MIRROR, ///< pictures of what is mirrored and refracted, looked up where waves bend them (Ma, Zhu & Gong 2006)
@@ -80,7 +80,7 @@ typedef enum bolan_show {
 /// Names by bolan_show, "picture" ...; NULL at the end.
 extern const char *const bolan_show_names[BOLAN_SHOWS + 1];
 
-/// How a technique is carried out.
+/// Shading options.
 typedef struct bolan_look {
     bool paper;        ///< follow the technique's paper to the letter, where we know better; default false
     uint32_t effects;  ///< bits of bolan_effect; default all

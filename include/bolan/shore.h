@@ -37,7 +37,7 @@ typedef struct bolan_island_desc {
     double radius;          ///< of the land [m], 200..20000; default 2200
     double peak;            ///< height of the summit [m], 10..3000; default 620
     double sea_floor;       ///< elevation of the sea bed far out [m], -11000..-20; default -900
-    double lagoon_from_deg; ///< compass side where the sandy shallows lie [deg], -1e6..1e6 (wrapped); default 225
+    double lagoon_from_deg; ///< compass side where the sandy shallows lie [deg], -360..360; default 225
 } bolan_island_desc;
 
 /// Immutable ground: data, interpolated, with procedural detail below their spacing.

@@ -85,8 +85,9 @@ void bolan_surface_projector_vertices(const bolan_surface_projector *projector, 
 void bolan_surface_projector_uniforms(const bolan_surface_projector *projector, bolan_surface_size size, float out[8]);
 
 /// The quad: 4 vertices (south-west, south-east, north-west, north-east) of a square round the point under the eye, on the
-/// flat plane of the mean water. Its sides are a horizon's distance long: seen from above, half of that away the plane lies as far
-/// below the level as the horizon of the round earth, and what lies beyond, in its corners, is not to be drawn. Pure, thread-safe. Source: Ma, Zhu & Gong 2006, section 2.1.
+/// flat plane of the mean water. Its sides are as long as the horizon is far. Do not draw what lies farther from the eye's
+/// foot than half a side, in the corners: there the plane would stand above the horizon of the round earth. Pure,
+/// thread-safe. Source: Ma, Zhu & Gong 2006, section 2.1.
 void bolan_surface_quad(const bolan_surface_view *view, bolan_surface_vertex vertices[4]);
 /// Its 6 indices, counter-clockwise seen from above.
 extern const uint32_t bolan_surface_quad_indices[6];
@@ -117,14 +118,14 @@ typedef struct bolan_nested_level {
 typedef struct bolan_nested {
     uint32_t cells, levels;
     bolan_dvec2 centre;   ///< the point that the levels lie round [m]
-    double least_spacing; ///< no vertex carries less [m], so that detail comes and goes smoothly with the eye's height
+    double least_spacing; ///< smallest spacing of any vertex [m], so that detail comes and goes smoothly with the eye's height
     bolan_nested_level level[BOLAN_NESTED_MAX_LEVELS];
 } bolan_nested;
 /// Places the levels round the point of the mean water in the middle of the view, or nearer to the eye where that point is
 /// so far that the finest level would be lost there: at most twice as far as the nearest water in the picture
 /// (or the eye's height).
 /// Every level stands on multiples of its own spacing, exactly, and moves in steps of two: no vertex moves over the water,
-/// and where a level stands depends on the centre and its spacing alone (n > 4; with n = 4 a hole has one place only).
+/// and where a level stands depends on the centre and its spacing alone (n > 4; for n = 4 the hole cannot move).
 /// Levels whose cells would be below two pixels are left out. Pure, thread-safe, the same on every machine. Misuse:
 /// @p desc out of range is clamped. Source: Liu, Xu & Chen 2009, section 1.
 bolan_nested bolan_surface_nested_place(const bolan_nested_desc *desc, const bolan_surface_view *view);

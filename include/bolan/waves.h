@@ -179,7 +179,7 @@ typedef struct bolan_sea_sample {
 /// Samples at @p count rest points in world metres. The sums have no foam memory: their foam is what there is at the
 /// moment, -(dDx/dx + dDy/dy) choppiness where that is > 0. They use the task hook. Thread-safe between steps.
 void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
-/// The same as a grid of that spacing can carry it: @p spacing[i] >= 0 [m] is the distance of point i to its
+/// Like bolan_sea_sample_rest(), low-passed for a grid of that spacing: @p spacing[i] >= 0 [m] is the distance of point i to its
 /// neighbours, and waves fade out from 4 to 2 spacings of length, so that nothing aliases; NULL: everything. For the
 /// sums this is the fast way to displace a mesh: SIMD over the points, on the task hook. A cascade of FFT and TEXTURES
 /// is averaged over a square of two spacings by up to 4 x 4 look-ups, and fades as a whole from 4 to 2 spacings of its

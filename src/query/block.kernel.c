@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The lanes of a query block, compiled once per instruction set. Bilinear look-ups in the planes of all cascades, and
 // Newton's method on the equation of block.h. The shader twin of the look-up is the texture unit, in the vertex shader of
-// shaders/water.glsl.
+// shaders/common/water_vertex.glsl.
 #include "query/block.h"
 
 #include <math.h>

@@ -17,7 +17,8 @@
 #include "bolan/render.h"
 #include "gl/gl.h"
 
-// Texture units are fixed, one meaning each, so that no pass binds over another's. Shaders name them by `#pragma unit`.
+// Texture units are fixed; shaders name them by `#pragma unit`. Units 3, 4, 6 to 10 and 15 to 19 have several meanings: a
+// pass or an optics that has no use for one binds its own there, for the time of its draw calls.
 enum {
     UNIT_TRANSMITTANCE = 0, // 2D  RGBA16F  atmosphere transmittance, see common/atmosphere.glsl
     UNIT_SKY_VIEW = 1,      // 2D  RGBA16F  sky radiance round the eye
@@ -132,8 +133,8 @@ void pass_models_destroy(pass_models **p);
 bolan_result pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out);
 void pass_water_prepare(pass_water *p, frame *f);       // uploads the sea
 void pass_water_draw(pass_water *p, frame *f);          // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
-frame pass_water_sparse(pass_water *p, const frame *f); // this frame as the water is lit in it, at fewer places maybe
-void pass_water_lay(pass_water *p, frame *f);           // what was lit in that one, into this frame's picture
+frame pass_water_sparse(pass_water *p, const frame *f); // a copy of the frame that targets the half-rate buffer, or as it is
+void pass_water_lay(pass_water *p, frame *f);           // upsamples that buffer into the frame
 bool pass_water_mirrors(const frame *f);                // its optics looks up the pictures of pass_mirror
 bool pass_water_mirrors_sky(const frame *f);            // and the sky in them
 bool pass_water_seen_from_below(const bolan_scene *s);  // its optics has a picture for an eye under water
@@ -165,8 +166,8 @@ uint32_t pass_tonemap_read_sum(const pass_tonemap *p, float *rgba);
 bolan_result pass_tonemap_reload(pass_tonemap *p);
 void pass_tonemap_destroy(pass_tonemap **p);
 
-// The shore map: a texture array of BOLAN_SHORE_LEVELS square levels of elevation above the water level [m], centred near the
-// eye, each twice.. four times as wide as the one before. Level l covers the square from (west, south), eye-relative, of side `size`.
+// The shore map: a texture array of SHORE_LEVELS square levels of elevation above the water level [m], centred near the
+// eye, each four times as wide as the one before. Level l covers the square from (west, south), eye-relative, of side `size`.
 #define SHORE_LEVELS 4
 #define SHORE_SIZE 256
 typedef struct shore_map {

@@ -27,7 +27,7 @@ static bolan_result create(void *state, bolan_quality quality) {
 
 #define FOAM_EDGE 0.1 // how widely a breaking patch's edge is drawn, in Jacobian
 
-// What is hidden of the slopes is hidden of the Jacobian too, and more of the water lies below the threshold.
+// Unresolved slopes widen the Jacobian's distribution, so that more area falls below the threshold.
 static void set_foam(const gl_program *g, const frame *f) {
     const double choppiness = bolan_sea_get_desc(f->desc->sea)->choppiness;
     float beyond[3]; // what is no part of the waves whose Jacobian the threshold is made for

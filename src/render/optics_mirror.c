@@ -82,8 +82,8 @@ static void set_slide(const gl_program *g, const frame *f) {
     gl_program_vec4_array(g, "sun_slide", rows, 3);
 }
 
-// Slope variance that neither tile has: the sea's total less what they hold. The ripples' tile has waves of the other, too: it is taken as
-// much of as is missing.
+// Slope variance that neither tile has: the sea's total less what they hold. The fine tile overlaps the base
+// tile; it is scaled to supply only the missing variance.
 static void set_waves(const gl_program *g, const frame *f, const water_tiles *t) {
     const bolan_tiles *base = water_tiles_base(t), *fine = water_tiles_fine(t);
     float rest[3];

@@ -31,7 +31,7 @@ static const gl_program *make(const water_draw *d, const char *stem, uint32_t ke
     snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s", water_waves_define(d->waves), count,
              key & 4 ? "QUAD 1\n" : "", key & 8 ? "LAND 1\n" : "", key & 16 ? "STATIC_GRID 1\n" : "",
              key & 32 ? "PACKED 1\n" : "", key & 1u << 11 ? "TRIM 1\n" : "", extra);
-    if (all->count == WATER_PROGRAMS) { // a tour of everything: start anew
+    if (all->count == WATER_PROGRAMS) { // the cache is full: drop every program
         for (uint32_t i = 0; i < all->count; ++i) gl_program_free(&all->list[i].program);
         all->count = 0;
     }

@@ -44,7 +44,7 @@ bolan_surface_kind water_surface(const frame *f);
 typedef struct water_optics {
     size_t size;      // of its state, which starts as zeros
     bool mirrors;     // it looks up the pictures of pass_mirror.c
-    bool own_sky;     // but not their sky: where nothing else is in sight it needs none
+    bool own_sky;     // draws its own sky, so skips the planar views where the scene is empty
     bool from_below;  // it has a picture for an eye under water
     bool static_grid; // it lights each pixel from textures: the static grid is fine enough
     bool keeps_shape; // it lights each pixel from a shape that it keeps, on UNIT_SURFACE: see water_sparse.h

@@ -26,7 +26,7 @@ static bolan_result validate(const bolan_island_desc *d) {
     bolan_result r = check("radius", d->radius, 200.0, 20000.0);
     r = r == BOLAN_OK ? check("peak", d->peak, 10.0, 3000.0) : r;
     r = r == BOLAN_OK ? check("sea_floor", d->sea_floor, -11000.0, -20.0) : r;
-    return r == BOLAN_OK ? check("lagoon_from_deg", d->lagoon_from_deg, -1e6, 1e6) : r;
+    return r == BOLAN_OK ? check("lagoon_from_deg", d->lagoon_from_deg, -360.0, 360.0) : r;
 }
 
 typedef struct island_job {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file text.h
 /// Reading words and numbers from text in memory that need not end in NUL. Independent of the locale; knows the line
-/// for messages. Private to src/spectrum.
+/// for messages. Private to the library.
 #ifndef BOLAN_SPECTRUM_TEXT_H
 #define BOLAN_SPECTRUM_TEXT_H
 

@@ -172,7 +172,7 @@ static uint32_t triangles_within(const bolan_technique *technique, uint32_t max_
     assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
     bolan_renderer_destroy(&s.renderer);
     bolan_renderer_desc desc = bolan_renderer_desc_default();
-    desc.quality = BOLAN_QUALITY_ULTRA; // so small a picture has enough vertices by no other
+    desc.quality = BOLAN_QUALITY_ULTRA; // only ULTRA exceeds the bound at this size
     desc.max_vertices = max_vertices;
     assert_int_equal(bolan_renderer_create(&desc, &s.renderer), BOLAN_OK);
     look_at(&s, technique->name);
