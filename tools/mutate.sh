@@ -7,7 +7,7 @@
 # The copy and its one build folder stay in ${TMPDIR:-/tmp}/bolan-mutate (or $BOLAN_MUTATE_DIR), so that each mutant is an
 # incremental build; CMAKE_C_COMPILER_LAUNCHER is honoured. A mutation whose old text does not stand exactly once in its
 # file is STALE, one that does not compile is NOT BUILT: both make the run fail, survivors do not.
-# BOLAN_MUTATE_TIMEOUT: seconds for the tests of one mutant, 1800 without it; what hangs is killed, and counts as killed.
+# A mutant that hangs is killed by the time limit of its test.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 table=$root/tools/mutations.txt only='' jobs=2 list=''
@@ -121,10 +121,9 @@ build_for() {
 run_tests() {
     rm -f "$build/Testing/Temporary/LastTestsFailed.log"
     status=0
-    timeout "${BOLAN_MUTATE_TIMEOUT:-1800}" ctest --test-dir "$build" -j "$jobs" -R "$1" -E "$never$broken" --timeout 300 \
-        $stop >"$log" 2>&1 || status=$?
+    ctest --test-dir "$build" -j "$jobs" -R "$1" -E "$never$broken" --timeout 300 \
+        --no-tests=ignore $stop >"$log" 2>&1 || status=$?
     sed 's/^[0-9]*://' "$build/Testing/Temporary/LastTestsFailed.log" >"$scratch/failed" 2>/dev/null || : >"$scratch/failed"
-    [ $status = 124 ] && echo 'the time is up' >>"$scratch/failed"
     [ $status = 0 ]
 }
 
@@ -169,7 +168,6 @@ try() {
     for regex in $tests; do
         if ! build_for "$regex"; then
             result='NOT BUILT' detail=$(grep -m 1 -i 'error' "$log" || tail -n 1 "$log")
-            # A shader that does not compile, or a table that a check refuses, is found by building; a timeout is not.
             break
         fi
         if ! run_tests "$regex"; then
