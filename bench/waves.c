@@ -77,8 +77,11 @@ static double time_step(bolan_sea *sea, double time) {
     return bench_now_ms() - start;
 }
 
+static bolan_cpu cpu; // --cpu: the kernels of both the cascades and the sums
+
 static bool measure(row *r) {
     bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.cpu = cpu;
     desc.resolution = r->n;
     desc.cascade_count = r->cascades;
     bolan_sea *sea = NULL;
@@ -111,6 +114,7 @@ typedef struct sum_row {
 
 static bolan_sea_desc sum_desc(uint32_t index) {
     bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.cpu = cpu;
     desc.waves = index == 2 ? BOLAN_WAVES_EXP_COSINE : BOLAN_WAVES_COSINES;
     if (index == 1) desc.frequencies = BOLAN_MAX_FREQUENCIES;
     if (index == 1) desc.directions = BOLAN_MAX_DIRECTIONS;
@@ -177,17 +181,39 @@ static void print_row(const row *r) {
     fflush(stdout);
 }
 
+// The instruction set of that name; -1 where there is none, or this machine lacks it.
+static int cpu_of(const char *name) {
+    for (int i = BOLAN_CPU_AUTO; name && i <= (int)bolan_cpu_best(); i++)
+        if (strcmp(name, bolan_cpu_name((bolan_cpu)i)) == 0) return i;
+    return -1;
+}
+
+static int parse(int argc, char **argv, bool *json) {
+    for (int i = 1; i < argc; i++) {
+        int found = BOLAN_CPU_AUTO;
+        if (strcmp(argv[i], "--json") == 0) {
+            *json = true;
+        } else if (strcmp(argv[i], "--cpu") == 0 && (found = cpu_of(argv[++i])) >= 0) {
+            cpu = (bolan_cpu)found;
+        } else {
+            fprintf(stderr, "bolan-bench waves: unexpected %s; usage: waves [--json] [--cpu auto|scalar|sse2|avx2|avx512]\n",
+                    argv[i] ? argv[i] : "end after --cpu");
+            return 2;
+        }
+    }
+    return 0;
+}
+
 int bench_waves(int argc, char **argv) {
     static const uint32_t sizes[] = {128, 256, 512, 1024}, cascades[] = {1, 4};
     row rows[16];
     uint32_t count = 0;
-    const bool json = argc > 1 && strcmp(argv[1], "--json") == 0;
-    if (argc > 2 || (argc > 1 && !json)) {
-        fprintf(stderr, "bolan-bench waves: unknown option '%s'; usage: waves [--json]\n", argv[json ? 2 : 1]);
-        return 2;
-    }
+    bool json = false;
+    const int status = parse(argc, argv, &json);
+    if (status != 0) return status;
     if (!json) {
-        printf("%s\nratio: a step of the sea over FFTW's bare transforms, 4 a cascade\n\n", bench_machine());
+        printf("%s; kernels: %s\nratio: a step of the sea over FFTW's bare transforms, 4 a cascade\n\n", bench_machine(),
+               bolan_cpu_name(cpu));
         printf("%6s %9s %8s %10s %10s %7s\n", "n", "cascades", "threads", "ms", "FFTW ms", "ratio");
     }
     for (uint32_t threads = 1; threads <= 2; threads++) {
