@@ -38,7 +38,7 @@ row() {
     shift
     awk -v label="$label" -v to="$to" -v ms="$(number "$file" ms "$@")" -v ratio="$(number "$file" ratio "$@")" '
         function two(x) { return x >= 10 ? sprintf("%.0f", x) : sprintf("%.1f", x) }
-        BEGIN { if (ms == "" || ratio == "") exit 1; printf "| %s | %s ms | %s | %s |\n", label, two(ms), two(ratio), to }' ||
+        BEGIN { if (ms == "" || ratio == "") exit 1; printf "| %s | %s ms | %s | %s|\n", label, two(ms), two(ratio), to == "" ? "" : to " " }' ||
         {
             echo "bench.sh: $folder/$file.json has no figure for: $label" >&2
             exit 1

@@ -6,7 +6,7 @@ core='-DBOLAN_IO=OFF -DBOLAN_RENDER=OFF -DBOLAN_APPS=OFF -DBOLAN_BENCH=OFF -DBOL
 
 # flags FOLDER: how the folder compiles one file of the core.
 flags() {
-    ninja -C "$1" -t commands libbolan.a | grep 'src/waves/sea\.c\.o' || fail "$1 does not compile src/waves/sea.c"
+    ninja -C "$1" -t commands libbolan.a | grep 'src/waves/sea\.c$' || fail "$1 does not compile src/waves/sea.c"
 }
 # compiles FOLDER WITH|WITHOUT FLAG
 compiles() {
@@ -59,7 +59,7 @@ add_subdirectory($BOLAN_SOURCE_DIR bolan)
 install(FILES CMakeLists.txt DESTINATION share/parent)
 END
 cmake -S parent -B parent.build -G Ninja -DCMAKE_BUILD_TYPE=Release > parent.log 2>&1 || fail 'as a part of another project'
-ninja -C parent.build -t commands bolan/libbolan.a | grep 'src/waves/sea\.c\.o' | grep -q -- '-O1 -DPARENT' ||
+ninja -C parent.build -t commands bolan/libbolan.a | grep 'src/waves/sea\.c$' | grep -q -- '-O1 -DPARENT' ||
     fail 'the flags of the parent project do not reach Bolan'
 cmake --install parent.build --prefix "$PWD/prefix" > install.log 2>&1 || fail 'the installation of the parent project'
 [ "$(find prefix -type f)" = prefix/share/parent/CMakeLists.txt ] || fail "installed: $(find prefix -type f)"
