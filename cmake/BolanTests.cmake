@@ -2,8 +2,6 @@
 # tests/<kind>/test_*.c: one cmocka program each, with the kind as its ctest label. Target bolan_tests_core: those of them
 # that need no GL, and the fuzzers (what the sanitizer builds run).
 
-set(BOLAN_SHARED_DATA "${PROJECT_SOURCE_DIR}/../shared/data" CACHE PATH
-    "Measured spectra, rasters and optics tables that some tests use; they skip where it is absent")
 pkg_check_modules(cmocka REQUIRED IMPORTED_TARGET cmocka)
 add_custom_target(bolan_tests_core)
 set(test_folder ${PROJECT_SOURCE_DIR}/tests)
@@ -13,8 +11,7 @@ function(bolan_add_test kind file)
     add_executable(${name} ${file})
     bolan_compile_options(${name})
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${test_folder})
-    target_compile_definitions(${name} PRIVATE BOLAN_SHARED_DATA="${BOLAN_SHARED_DATA}"
-        BOLAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    target_compile_definitions(${name} PRIVATE BOLAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     target_link_libraries(${name} PRIVATE ${ARGN} PkgConfig::cmocka Threads::Threads m)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
     add_test(NAME ${kind}/${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
@@ -105,7 +102,7 @@ if(TARGET bolan_cli)
         set(scratch ${CMAKE_BINARY_DIR}/tests/cli/${name})
         add_test(NAME cli/${name} COMMAND sh ${PROJECT_SOURCE_DIR}/tools/in_scratch.sh ${scratch} sh ${file})
         set_tests_properties(cli/${name} PROPERTIES LABELS cli TIMEOUT 600 SKIP_RETURN_CODE 77 ENVIRONMENT
-            "BOLAN=$<TARGET_FILE:bolan_cli>;BOLAN_SOURCE_DIR=${PROJECT_SOURCE_DIR};BOLAN_SHARED_DATA=${BOLAN_SHARED_DATA};BOLAN_BUILD_DIR=${CMAKE_BINARY_DIR};CC=${CMAKE_C_COMPILER}")
+            "BOLAN=$<TARGET_FILE:bolan_cli>;BOLAN_SOURCE_DIR=${PROJECT_SOURCE_DIR};BOLAN_BUILD_DIR=${CMAKE_BINARY_DIR};CC=${CMAKE_C_COMPILER}")
     endforeach()
 endif()
 

@@ -18,10 +18,6 @@
 
 #include <cmocka.h>
 
-#ifndef BOLAN_SHARED_DATA
-#define BOLAN_SHARED_DATA ""
-#endif
-
 /// |actual - expected| <= tolerance, shown when not.
 #define assert_near(actual, expected, tolerance) \
     assert_near_at((actual), (expected), (tolerance), #actual, __FILE__, __LINE__)
@@ -36,10 +32,11 @@ static inline void assert_near_at(double actual, double expected, double toleran
 
 static bolan_log_id last_log_id;
 static char last_sentence[512];
+static int warning_count; ///< since the last parse() or assert_refused() began
 
 static inline void remember_log(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
     (void)user;
-    (void)level;
+    warning_count += level == BOLAN_LOG_WARNING;
     last_log_id = id;
     snprintf(last_sentence, sizeof last_sentence, "%s", sentence);
 }
@@ -61,16 +58,13 @@ static inline int release_log(void **state) {
     return 0;
 }
 
-/// A file of the shared data, below the folder that BOLAN_SHARED_DATA names; skips the test when it is not there.
-static inline bolan_spectrum_text load_shared(const char *name) {
-    const char *folder = getenv("BOLAN_SHARED_DATA");
+/// A file of tests/data/spectra, in memory that the test frees.
+static inline bolan_spectrum_text load_text(const char *name) {
     char path[1024];
-    snprintf(path, sizeof path, "%s/spectra/%s", folder ? folder : BOLAN_SHARED_DATA, name);
+    snprintf(path, sizeof path, "%s/tests/data/spectra/%s", BOLAN_SOURCE_DIR, name);
     FILE *file = fopen(path, "rb");
-    if (!file) {
-        print_message("skipped: %s is not there\n", path);
-        skip();
-    }
+    if (!file) print_error("%s is not there\n", path);
+    assert_non_null(file);
     enum { CAPACITY = 1 << 20 };
     char *data = malloc(CAPACITY);
     assert_non_null(data);
@@ -84,14 +78,28 @@ static inline bolan_spectrum_text literal(const char *name, const char *data) {
     return text;
 }
 
+/// The options that choose record number @p record.
+static inline bolan_spectrum_options record_number(uint32_t record) {
+    bolan_spectrum_options options = bolan_spectrum_options_default();
+    options.record = record;
+    return options;
+}
+
 /// Parses or fails the test.
-static inline bolan_measured_spectrum *parse(const bolan_spectrum_texts *texts, uint32_t record) {
+static inline bolan_measured_spectrum *parse_with(const bolan_spectrum_texts *texts,
+                                                  const bolan_spectrum_options *options) {
     bolan_measured_spectrum *spectrum = NULL;
-    const bolan_result result = bolan_measured_spectrum_parse(texts, record, &spectrum);
+    warning_count = 0;
+    const bolan_result result = bolan_measured_spectrum_parse(texts, options, &spectrum);
     if (result) print_error("%s\n", last_sentence);
     assert_int_equal(result, BOLAN_OK);
     assert_non_null(spectrum);
     return spectrum;
+}
+
+static inline bolan_measured_spectrum *parse(const bolan_spectrum_texts *texts, uint32_t record) {
+    const bolan_spectrum_options options = record_number(record);
+    return parse_with(texts, &options);
 }
 
 static inline bolan_sea_state sea_of(const bolan_measured_spectrum *spectrum) {
@@ -100,19 +108,46 @@ static inline bolan_sea_state sea_of(const bolan_measured_spectrum *spectrum) {
     return sea_state;
 }
 
-/// The text must be refused with this message id, in a sentence that holds @p part, and leave nothing behind.
-static inline void assert_refused(const bolan_spectrum_texts *texts, uint32_t record, bolan_result result,
-                                  bolan_log_id id, const char *part) {
+static inline bolan_sea_summary summary_with(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options) {
+    bolan_measured_spectrum *spectrum = parse_with(texts, options);
+    const bolan_sea_state sea_state = sea_of(spectrum);
+    const bolan_sea_summary summary = bolan_sea_state_summary(&sea_state);
+    bolan_measured_spectrum_destroy(&spectrum);
+    return summary;
+}
+
+/// The last parse() gave exactly one warning, with this id, in a sentence that holds @p part.
+static inline void assert_warned(bolan_log_id id, const char *part) {
+    if (warning_count != 1 || last_log_id != id || !strstr(last_sentence, part))
+        print_error("got %d warnings, %d \"%s\", expected \"%s\"\n", warning_count, (int)last_log_id, last_sentence,
+                    part);
+    assert_int_equal(warning_count, 1);
+    assert_int_equal(last_log_id, id);
+    assert_non_null(strstr(last_sentence, part));
+}
+
+/// The text must be refused with this message id and no warning, in a sentence that holds @p part, and leave nothing
+/// behind.
+static inline void assert_refused_with(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
+                                       bolan_result result, bolan_log_id id, const char *part) {
     bolan_measured_spectrum *spectrum = (bolan_measured_spectrum *)&last_log_id;
     const size_t before = bolan_memory_in_use();
     last_log_id = (bolan_log_id)0;
-    assert_int_equal(bolan_measured_spectrum_parse(texts, record, &spectrum), result);
+    warning_count = 0;
+    assert_int_equal(bolan_measured_spectrum_parse(texts, options, &spectrum), result);
     if (last_log_id != id || !strstr(last_sentence, part))
         print_error("got %d \"%s\", expected \"%s\"\n", (int)last_log_id, last_sentence, part);
     assert_int_equal(last_log_id, id);
     assert_non_null(strstr(last_sentence, part));
+    assert_int_equal(warning_count, 0);
     assert_null(spectrum);
     assert_int_equal(bolan_memory_in_use(), before);
+}
+
+static inline void assert_refused(const bolan_spectrum_texts *texts, uint32_t record, bolan_result result,
+                                  bolan_log_id id, const char *part) {
+    const bolan_spectrum_options options = record_number(record);
+    assert_refused_with(texts, &options, result, id, part);
 }
 
 /// The variance over all directions and wave numbers k0..k1: the integral of Psi, midpoint rule in ln k and th.

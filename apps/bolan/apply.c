@@ -30,8 +30,31 @@ static int check_sea(const options *o) {
 // A measured sea takes the place of every wave system; --wind still roughens it.
 static void use_file(const options *o, bolan_scene *scene) {
     snprintf(scene->spectrum_path, sizeof scene->spectrum_path, "%s", o->spectrum);
-    scene->spectrum_record = 0;
+    scene->spectrum = bolan_spectrum_options_default();
     scene->sea.sea_state.system_count = 0;
+}
+
+// What is read of the spectrum file.
+static int apply_spectrum(const options *o, bolan_scene *scene) {
+    bolan_spectrum_options *spectrum = &scene->spectrum;
+    const char *name = o->record          ? "record"
+                       : o->location      ? "location"
+                       : given(o->from)   ? "from"
+                       : given(o->spread) ? "spread"
+                                          : NULL;
+    if (!name) return EXIT_OK;
+    if (!scene->spectrum_path[0])
+        return usage_error("--%s %s a spectrum file; give --spectrum FILE", name,
+                           o->record || o->location ? "chooses from" : "completes");
+    if (o->record && !bolan_spectrum_options_set_record(spectrum, o->record))
+        return usage_error("--record is %.60s; expected a whole number from 0, or a date such as 2018-01-01T06:00",
+                           o->record);
+    if (o->location && !bolan_spectrum_options_set_location(spectrum, o->location))
+        return usage_error("--location is %.60s; expected a whole number from 1, or LON,LAT such as 174.67,-38.17",
+                           o->location);
+    if (given(o->from)) spectrum->from_deg = o->from;
+    if (given(o->spread)) spectrum->spread_s = o->spread;
+    return EXIT_OK;
 }
 
 static void apply_wind(const options *o, bolan_scene *scene) {
@@ -64,9 +87,7 @@ static int apply_sea(const options *o, bolan_scene *scene) {
         given(o->wind) || given(o->wind_from) || given(o->fetch_km) || given(o->beaufort) || given(o->sea_state);
     if (shape >= 0 || given(o->beaufort) || given(o->sea_state))
         scene->spectrum_path[0] = '\0'; // a model sea was asked for
-    if (given(o->record) && !scene->spectrum_path[0])
-        return usage_error("--record chooses from a spectrum file; give --spectrum FILE");
-    if (given(o->record)) scene->spectrum_record = (uint32_t)o->record;
+    if (apply_spectrum(o, scene)) return EXIT_USAGE;
     if (wind || shape >= 0) apply_wind(o, scene);
     if (given(o->seed)) scene->sea.seed = (uint64_t)o->seed;
     if (given(o->time)) scene->time = o->time;

@@ -19,10 +19,10 @@ typedef struct options {
     double at[2], camera[6], sun[2]; // latitude, longitude; x, y, z, heading, pitch[, fov]; azimuth, elevation
     double wind, wind_from, fetch_km, depth, beaufort, sea_state;
     double time, fps;
-    double seed, record, frames, samples, threads;
+    double seed, from, spread, frames, samples, threads;
     double size[2];
     int technique, waves, surface, optics, show, water, quality, backend, cpu;
-    const char *spectrum, *effects, *terrain, *points, *output, *screenshot;
+    const char *spectrum, *record, *location, *effects, *terrain, *points, *output, *screenshot;
     bool json, paper, quiet, help;
 } options;
 

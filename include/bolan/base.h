@@ -60,6 +60,15 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(204, SPECTRUM_NO_ENERGY)      \
     X(205, SPECTRUM_UNKNOWN_FORMAT) \
     X(206, SPECTRUM_TIME_INDEX)     \
+    X(207, SPECTRUM_WRONG_TABLE)    \
+    X(208, SPECTRUM_NO_DIRECTIONS)  \
+    X(209, SPECTRUM_MISSING)        \
+    X(210, SPECTRUM_LOCATION)       \
+    X(211, SPECTRUM_IMPOSSIBLE)     \
+    X(212, SPECTRUM_DATE)           \
+    X(213, SPECTRUM_NEAREST_TIME)   \
+    X(214, SPECTRUM_UNUSED)         \
+    X(215, SPECTRUM_GAP)            \
     X(300, FILE_OPEN)               \
     X(301, FILE_READ)               \
     X(302, FILE_WRITE)              \

@@ -71,11 +71,12 @@ bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out);
 
 // ---- spectra, rasters, points ---------------------------------------------------------------------------------------
 
-/// Reads a measured spectrum file of at most 64 MiB; @p record in time, 0 the earliest. For an NDBC real-time
-/// .data_spec the companions of the same stem beside it (.swdir, .swdir2, .swr1, .swr2) are used where they are. A path
-/// that begins with "builtin:" names a shipped spectrum ("builtin:synthetic-bimodal"). Errors: IO, FORMAT, MEMORY,
-/// ARGUMENT (record).
-bolan_result bolan_spectrum_load(const char *path, uint32_t record, bolan_measured_spectrum **out);
+/// Reads a measured spectrum file of at most 64 MiB; @p options NULL: the defaults. The tables of directions that NDBC
+/// publishes beside a density are used where they lie beside it: for NAME.data_spec (real time) NAME.swdir, .swdir2, .swr1,
+/// .swr2; for NAMEwYEAR.txt (history) the same name with d, i, j, k. A path that begins with "builtin:" names a shipped
+/// spectrum ("builtin:synthetic-bimodal"). Errors: IO, and those of bolan_measured_spectrum_parse().
+bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options *options,
+                                 bolan_measured_spectrum **out);
 
 /// Reads part of a raster (band 1; any GDAL format; projected or geographic) as elevations on a square local grid in
 /// metres around (@p latitude, @p longitude) [deg] (NAN: its centre): azimuthal equidistant, x east, y north, +-@p

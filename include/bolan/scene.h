@@ -261,7 +261,7 @@ typedef struct bolan_scene {
     double fetch;                       ///< of the wind sea [m], 100..1e7; default 2e5. See bolan_scene_set_wind()
     bolan_spectrum_kind wind_spectrum;  ///< shape of the wind sea; default JONSWAP. See bolan_scene_set_wind()
     char spectrum_path[BOLAN_PATH_MAX]; ///< "" or a measured spectrum file
-    uint32_t spectrum_record;           ///< which record in time, from 0, the earliest; default 0
+    bolan_spectrum_options spectrum;    ///< what is read of that file, and what stands in for what it lacks
     bolan_camera camera;
     uint32_t camera_key_count;                           ///< 0..BOLAN_MAX_CAMERA_KEYS; 0: the camera stays where it is
     bolan_camera_key camera_keys[BOLAN_MAX_CAMERA_KEYS]; ///< its path, times ascending

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file spectrum.h
 /// Tier 1. Sea states as directional wave spectra: model spectra (Pierson-Moskowitz, JONSWAP, TMA), directional
-/// spreading, measured spectra (SWAN, NDBC), dispersion, and sea-state tables. Pure functions; every one is
+/// spreading, measured spectra (SWAN, WAVEWATCH III, NDBC), dispersion, and sea-state tables. Pure functions; every one is
 /// thread-safe. Densities use no libm function that differs between machines, so a sea state gives the same bits
 /// everywhere.
 ///
@@ -65,7 +65,8 @@ typedef struct bolan_wave_system {
 
 #define BOLAN_MAX_WAVE_SYSTEMS 8 ///< of a sea state
 
-/// A spectrum that was measured or forecast: see bolan_spectrum_text for what is read.
+/// A spectrum that was measured or forecast, on a frequency x direction grid: see bolan_spectrum_text for what is read.
+/// Immutable once parsed, then safe to share between threads.
 typedef struct bolan_measured_spectrum bolan_measured_spectrum;
 
 /// A sea: wave systems, or a measured spectrum, over water of one depth, with the local wind that roughens it.
@@ -164,44 +165,79 @@ int bolan_beaufort_from_wind(double wind_speed);          ///< 0..12
 
 // ---- measured spectra -----------------------------------------------------------------------------------------------
 
-/// A directional spectrum on a frequency x direction grid, read from memory (io.h reads files). Immutable once parsed,
-/// then safe to share between threads.
+/// One text that a measured spectrum is read from (io.h reads files). The formats are recognised by their content.
 ///
-/// Text of SWAN ("SWAN 1", 2-D) and of NDBC (history and real-time) is recognised by its content. NDBC's real-time
-/// set is several texts: pass density first; the direction texts are optional. Their rows are matched by time, their
-/// bands by frequency. Per band, by what is known:
-/// - swdir, swdir2, swr1, swr2: the distribution of maximum entropy with these four moments (Kobune & Hashimoto
-/// 1986). It
+/// **SWAN** ("SWAN 1"), 2-D or 1-D, of one or several times and locations. A 1-D file has a mean direction and a spread
+/// a band: cos-2s with that spread. ZERO is a calm. The exception value counts as no energy, with a warning.
+///
+/// **WAVEWATCH III**, point spectra as text ("'WAVEWATCH III SPECTRA'"), of one or several times and points.
+///
+/// **NDBC**, history and real time, is a set of texts: pass the density; the direction texts are optional. Their rows
+/// are matched by time, their bands by frequency. Per band, by what is known:
+/// - alpha1, alpha2, r1, r2: the distribution of maximum entropy with these four moments (Kobune & Hashimoto 1986). It
 ///   is never negative and keeps the reported direction and spread, where the plain Fourier sum is negative in every
 ///   eighth bin. Moments that fit no distribution (noise): that sum, clipped and renormalised;
-/// - swdir, swr1: cos-2s with s = r1 / (1 - r1);
-/// - swdir: cos-2s with @ref bolan_spectrum_texts::spread_s;
-/// - nothing: the same around the direction of the nearest lower band, or @ref bolan_spectrum_texts::from_deg.
+/// - alpha1, r1: cos-2s with s = r1 / (1 - r1);
+/// - alpha1: cos-2s with @ref bolan_spectrum_options::spread_s;
+/// - nothing: as the nearest lower band that has a direction, or the lowest that has one; where no band has one,
+///   @ref bolan_spectrum_options::from_deg.
 ///
-/// 999 (NDBC) and the exception value (SWAN) count as no energy. Of a SWAN file with several locations the first is
-/// read; directions may be in any order, also a sector of the circle. Limits: 2..1000 frequencies of 1e-5..100 Hz,
-/// 3..720 directions. Numbers are read independently of the locale; "nan" and "inf" are refused.
+/// Missing densities (999) between two others are interpolated. A row of directions that is missing is replaced by the
+/// nearest within an hour. All that stands in for missing data is a warning.
+///
+/// Directions may be in any order, also a sector of the circle, or with both 0 and 360. Where their step varies, the
+/// density is linear between neighbours. Limits: 2..1000 frequencies of 1e-3..10 Hz, 3..720 directions,
+/// Hs up to 40 m. Numbers are read independently of the locale; "nan" and "inf" are refused. A record or location that
+/// is not asked for need not be readable, only its date.
 typedef struct bolan_spectrum_text {
-    const char *name; ///< for messages: the file name
+    const char *name; ///< for messages: the file name. NDBC's history files name their quantity in it: 41004w2018.txt
     const char *data; ///< text, need not end in NUL
     size_t size;      ///< bytes
 } bolan_spectrum_text;
 
 /// The texts of one measurement.
 typedef struct bolan_spectrum_texts {
-    bolan_spectrum_text density;                   ///< SWAN, NDBC history, or NDBC real-time .data_spec
-    bolan_spectrum_text swdir, swdir2, swr1, swr2; ///< NDBC directional companions; data NULL where absent
-    double from_deg; ///< direction FROM [deg] for a spectrum without directions (NDBC history), -360..360; default 270
-    double spread_s; ///< its cos-2s exponent, 0..200; default 10
+    bolan_spectrum_text density;                   ///< SWAN, WAVEWATCH III, NDBC history (w), or NDBC real-time .data_spec
+    bolan_spectrum_text swdir, swdir2, swr1, swr2; ///< NDBC alpha1, alpha2, r1, r2 (d, i, j, k); data NULL where absent
 } bolan_spectrum_texts;
 
-/// No text, and the defaults named beside the fields.
+/// No text.
 bolan_spectrum_texts bolan_spectrum_texts_default(void);
-/// Parses record number @p record in time. 0 is the earliest; the newest is record_count - 1 (NDBC real-time texts
-/// list it first: they are reversed). The texts are not kept. On failure @p out is NULL and one sentence with name
-/// and line is logged: FORMAT (also for a record without energy), MEMORY, or ARGUMENT for a record beyond the last or
-/// a from_deg or spread_s outside its range.
-bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, uint32_t record,
+
+/// What to read of a measured spectrum, and what stands in for what it lacks.
+typedef struct bolan_spectrum_options {
+    /// Which record in time; 0 (default) is the earliest, whatever the order in the text. Unused where @ref time is
+    /// set.
+    uint32_t record;
+    /// The date of the record, UTC: ISO 8601, "2018-01-01T06:00", seconds and Z optional. "" (default): by number. The
+    /// nearest record within an hour is taken, with a warning where it is not that time.
+    char time[32];
+    /// Which location of a SWAN or WAVEWATCH III text, from 1. 0 (default): the one nearest to @ref place, or the
+    /// first, with a warning where there are several.
+    uint32_t location;
+    /// Longitude and latitude [deg], or x and y [m]; NAN (default): no place.
+    double place[2];
+    /// Where the waves come FROM, compass [deg], -360..360, for a spectrum without directions. NAN (default): not
+    /// known; 270 stands in, with a warning.
+    double from_deg;
+    /// The exponent s of cos-2s, 0..200, for a spectrum without spreads. NAN (default): not known; 10 stands in, with a
+    /// warning.
+    double spread_s;
+} bolan_spectrum_options;
+
+/// The defaults named beside the fields.
+bolan_spectrum_options bolan_spectrum_options_default(void);
+/// Reads "3" or "2018-01-01T06:00" into record and time. False, and nothing changed or logged, if it is neither.
+bool bolan_spectrum_options_set_record(bolan_spectrum_options *options, const char *text);
+/// Reads "2" or "174.67,-38.17" into location and place. False, and nothing changed or logged, if it is neither.
+bool bolan_spectrum_options_set_location(bolan_spectrum_options *options, const char *text);
+/// Checks every field against its range; logs a sentence and returns ARGUMENT at the first that is not.
+bolan_result bolan_spectrum_options_validate(const bolan_spectrum_options *options);
+
+/// Parses one record. The texts are not kept; @p options NULL: the defaults. On failure @p out is NULL and one sentence
+/// with name and line is logged: FORMAT, also for a location without data or a sea that cannot be; MEMORY; or ARGUMENT
+/// for options outside their ranges or beyond what the text holds.
+bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
                                            bolan_measured_spectrum **out);
 /// NULL-safe; NULLs the pointer.
 void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectrum);
@@ -211,7 +247,7 @@ void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectrum);
 typedef struct bolan_measured_view {
     uint32_t frequency_count, direction_count, record_count;
     const double *omega, *theta, *density;
-    const char *time; ///< ISO 8601 ("2020-06-08T03:50Z"), or "" when the file gives none
+    const char *time; ///< of the record: ISO 8601 ("2020-06-08T03:50Z"), or "" when the text gives none
 } bolan_measured_view;
 /// Valid while the spectrum lives. Thread-safe.
 bolan_measured_view bolan_measured_spectrum_view(const bolan_measured_spectrum *spectrum);

@@ -53,7 +53,7 @@ bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_asset
     *out = (bolan_scene_assets){.spectrum = NULL};
     bolan_result result = BOLAN_OK;
     if (scene->spectrum_path[0])
-        result = bolan_spectrum_load(scene->spectrum_path, scene->spectrum_record, &out->spectrum);
+        result = bolan_spectrum_load(scene->spectrum_path, &scene->spectrum, &out->spectrum);
     if (!result) result = load_terrain(scene, &out->terrain);
     if (!result && scene->tiles_path[0]) result = bolan_tiles_load(scene->tiles_path, &out->tiles);
     if (!result) result = load_models(scene, out);

@@ -17,6 +17,8 @@ void scene_file_clear(scene_file *file) {
         &file->exposure,
         &file->sea.wind.speed,
         &file->sea.wind.from,
+        &file->sea.spectrum.from,
+        &file->sea.spectrum.spread,
         &file->sea.fetch_km,
         &file->sea.beaufort,
         &file->sea.douglas,
@@ -132,11 +134,28 @@ static void set_wind(const struct scene_file_sea *sea, bolan_scene *scene) {
     bolan_scene_set_wind(scene, speed, from);
 }
 
+static bolan_result build_spectrum(const struct scene_file_spectrum *spectrum, const char *name, bolan_scene *scene) {
+    bolan_spectrum_options *o = &scene->spectrum;
+    snprintf(scene->spectrum_path, sizeof scene->spectrum_path, "%s", spectrum->file);
+    const bool any = spectrum->record[0] || spectrum->location[0] || !isnan(spectrum->from) || !isnan(spectrum->spread);
+    if (any && !spectrum->file[0])
+        return refuse(name, spectrum->line,
+                      "sea.spectrum has record, location, from or spread but no file; expected file");
+    if (spectrum->record[0] && !bolan_spectrum_options_set_record(o, spectrum->record))
+        return refuse(name, spectrum->line,
+                      "sea.spectrum.record is neither a whole number from 0 nor a date such as 2018-01-01T06:00");
+    if (spectrum->location[0] && !bolan_spectrum_options_set_location(o, spectrum->location))
+        return refuse(name, spectrum->line,
+                      "sea.spectrum.location is neither a whole number from 1 nor LON,LAT such as 174.67,-38.17");
+    set(&o->from_deg, spectrum->from, 1.0);
+    set(&o->spread_s, spectrum->spread, 1.0);
+    return BOLAN_OK;
+}
+
 static bolan_result build_sea(const struct scene_file_sea *sea, const char *name, bolan_scene *scene) {
     if (check_sea(sea, name)) return BOLAN_ERROR_FORMAT;
     bolan_sea_desc *d = &scene->sea;
-    snprintf(scene->spectrum_path, sizeof scene->spectrum_path, "%s", sea->spectrum.file);
-    scene->spectrum_record = (uint32_t)sea->spectrum.record;
+    if (build_spectrum(&sea->spectrum, name, scene)) return BOLAN_ERROR_FORMAT;
     set(&scene->fetch, sea->fetch_km, 1000.0);
     set(&d->sea_state.depth, sea->depth, 1.0);
     set_wind(sea, scene);

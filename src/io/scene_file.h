@@ -30,7 +30,8 @@ typedef struct scene_file {
             uint32_t line;
             int shape;
             char file[BOLAN_PATH_MAX];
-            uint64_t record;
+            char record[32], location[64];
+            double from, spread;
         } spectrum;
         uint32_t swell_count;
         struct scene_file_swell {

@@ -43,7 +43,10 @@ static const schema_key wind_keys[] = {
 static const schema_key spectrum_keys[] = {
     NAME(shape, bolan_spectrum_kind_names),
     TEXT(file),
-    COUNT(record, 0, 1e6),
+    TEXT(record),
+    TEXT(location),
+    NUMBER(from, -360, 360, "degrees"),
+    NUMBER(spread, 0, 200, NULL),
     END,
 };
 #undef STRUCT

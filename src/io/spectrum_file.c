@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Measured spectra from files: one text, or NDBC's set of five that share a stem.
+// Measured spectra from files: one text, or one of NDBC's sets of five, whose names differ in one part:
+//
+//     real time   41010.data_spec   41010.swdir     41010.swdir2    41010.swr1      41010.swr2
+//     history     41004w2018.txt    41004d2018.txt  41004i2018.txt  41004j2018.txt  41004k2018.txt
 #include "io/file.h"
 #include "io/scene_source.h"
+#include "spectrum/measured.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -9,10 +13,9 @@
 
 enum { SPECTRUM_FILE_LIMIT = 64 << 20, COMPANIONS = 4 };
 
-static const char *const density_suffix = ".data_spec";
-
 // "builtin:NAME" is scenes/spectra/NAME.spec.
-static bolan_result load_builtin(const char *name, uint32_t record, bolan_measured_spectrum **out) {
+static bolan_result load_builtin(const char *name, const bolan_spectrum_options *options,
+                                 bolan_measured_spectrum **out) {
     char path[BOLAN_PATH_MAX];
     snprintf(path, sizeof path, "spectra/%s.spec", name);
     for (unsigned i = 0; i < bolan_scene_source_count; i++) {
@@ -20,27 +23,35 @@ static bolan_result load_builtin(const char *name, uint32_t record, bolan_measur
         if (strcmp(source->path, path) != 0) continue;
         bolan_spectrum_texts texts = bolan_spectrum_texts_default();
         texts.density = (bolan_spectrum_text){source->path, source->text, strlen(source->text)};
-        return bolan_measured_spectrum_parse(&texts, record, out);
+        return bolan_measured_spectrum_parse(&texts, options, out);
     }
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_UNKNOWN_NAME, "builtin:%s: there is no such spectrum; expected %s", name,
               "builtin:synthetic-bimodal");
     return BOLAN_ERROR_ARGUMENT;
 }
 
-// The path with another suffix, when it ends in .data_spec and that file exists.
-static bool companion_path(const char *path, const char *suffix, char out[BOLAN_PATH_MAX]) {
-    const size_t length = strlen(path), tail = strlen(density_suffix);
-    if (length < tail || strcmp(path + length - tail, density_suffix) != 0) return false;
-    return snprintf(out, BOLAN_PATH_MAX, "%.*s%s", (int)(length - tail), path, suffix) < BOLAN_PATH_MAX &&
-           access(out, R_OK) == 0;
+// The name of companion @p i beside the density's, where that is one of a set and the file exists.
+static bool companion_path(const char *path, int i, char out[BOLAN_PATH_MAX]) {
+    static const char density[] = ".data_spec";
+    static const char *const suffixes[COMPANIONS] = {".swdir", ".swdir2", ".swr1", ".swr2"};
+    static const char small[COMPANIONS] = {'d', 'i', 'j', 'k'}, capital[COMPANIONS] = {'D', 'I', 'J', 'K'};
+    const size_t length = strlen(path), tail = sizeof density - 1;
+    const char *letter = spectrum_ndbc_letter(path);
+    int used = BOLAN_PATH_MAX;
+    if (length > tail && strcmp(path + length - tail, density) == 0)
+        used = snprintf(out, BOLAN_PATH_MAX, "%.*s%s", (int)(length - tail), path, suffixes[i]);
+    else if (letter && (*letter == 'w' || *letter == 'W'))
+        used = snprintf(out, BOLAN_PATH_MAX, "%.*s%c%s", (int)(letter - path), path,
+                        *letter == 'w' ? small[i] : capital[i], letter + 1);
+    return used < BOLAN_PATH_MAX && access(out, F_OK) == 0;
 }
 
-bolan_result bolan_spectrum_load(const char *path, uint32_t record, bolan_measured_spectrum **out) {
+bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options *options,
+                                 bolan_measured_spectrum **out) {
     BOLAN_ASSERT(path && out);
     *out = NULL;
-    if (strncmp(path, "builtin:", 8) == 0) return load_builtin(path + 8, record, out);
+    if (strncmp(path, "builtin:", 8) == 0) return load_builtin(path + 8, options, out);
     bolan_spectrum_texts texts = bolan_spectrum_texts_default();
-    static const char *const suffixes[COMPANIONS] = {".swdir", ".swdir2", ".swr1", ".swr2"};
     bolan_spectrum_text *const companions[COMPANIONS] = {&texts.swdir, &texts.swdir2, &texts.swr1, &texts.swr2};
     char names[COMPANIONS][BOLAN_PATH_MAX];
     file_text density, files[COMPANIONS] = {{NULL, 0}};
@@ -48,11 +59,11 @@ bolan_result bolan_spectrum_load(const char *path, uint32_t record, bolan_measur
     bolan_result result = file_read(path, SPECTRUM_FILE_LIMIT, &density);
     texts.density = (bolan_spectrum_text){path, density.data, density.size};
     for (int i = 0; i < COMPANIONS && !result; i++) {
-        if (!companion_path(path, suffixes[i], names[i])) continue;
+        if (!companion_path(path, i, names[i])) continue;
         result = file_read(names[i], SPECTRUM_FILE_LIMIT, &files[i]);
         *companions[i] = (bolan_spectrum_text){names[i], files[i].data, files[i].size};
     }
-    if (!result) result = bolan_measured_spectrum_parse(&texts, record, out);
+    if (!result) result = bolan_measured_spectrum_parse(&texts, options, out);
     for (int i = 0; i < COMPANIONS; i++) file_release(&files[i]);
     file_release(&density);
     return result;

@@ -13,6 +13,7 @@ bolan_scene bolan_scene_default(void) {
     scene.sea = bolan_sea_desc_default();
     scene.fetch = 200e3;
     scene.wind_spectrum = BOLAN_SPECTRUM_JONSWAP;
+    scene.spectrum = bolan_spectrum_options_default();
     scene.camera.position = bolan_dv3(0.0, 0.0, 3.0);
     scene.camera.fov_deg = 50.0;
     scene.sky.sun_azimuth_deg = 220.0;

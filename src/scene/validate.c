@@ -45,6 +45,7 @@ static bolan_result check_sea(const bolan_scene *s) {
         !check("sea.sharpness", d->sharpness, 0.01, 2, "") &&
         !check("sea.loop_frames", d->loop_frames, 2, BOLAN_MAX_LOOP_FRAMES, "") &&
         !check_text("spectrum_path", s->spectrum_path, sizeof s->spectrum_path) &&
+        !bolan_spectrum_options_validate(&s->spectrum) &&
         !check_text("tiles_path", s->tiles_path, sizeof s->tiles_path);
     return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
 }

@@ -2,11 +2,11 @@
 // Measured spectra: recognising the format, and bringing what a parser found to one regular grid.
 //
 //     parser ──► spectrum_grid ──► sort directions ──► constant step ──► [m2 s/rad per rad] ──► + tail
-//                (hertz, any order)                 (energy conserved)
+//                (hertz, any order)                    (energy conserved)
 #include "spectrum/measured.h"
 
 #include "bolan/math.h"
-#include "spectrum/text.h"
+#include "spectrum/ndbc_table.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -34,6 +34,17 @@ bool spectrum_grid_allocate(spectrum_grid *grid) {
     return true;
 }
 
+bolan_result spectrum_grid_begin(spectrum_grid *grid, const double *hertz, uint32_t frequencies, const double *to,
+                                 uint32_t directions) {
+    grid->frequency_count = frequencies;
+    grid->direction_count = directions;
+    grid->own_directions = true;
+    if (!spectrum_grid_allocate(grid)) return BOLAN_ERROR_MEMORY;
+    memcpy(grid->hertz, hertz, frequencies * sizeof(double));
+    memcpy(grid->to, to, directions * sizeof(double));
+    return BOLAN_OK;
+}
+
 void spectrum_grid_release(spectrum_grid *grid) {
     if (grid->hertz) bolan_release(grid->hertz, grid_bytes(grid));
     grid->hertz = NULL;
@@ -41,9 +52,12 @@ void spectrum_grid_release(spectrum_grid *grid) {
 
 // ---- directions -----------------------------------------------------------------------------------------------------
 
+// Closer than this [rad] two directions of a file are the same: 0 and 360, or one that was rounded.
+#define SAME_DIRECTION 1e-4
+
 typedef struct direction {
     double to;        // [0, 2 pi)
-    double low, high; // the sector that this bin stands for
+    double low, high; // where its triangle begins and ends
     uint32_t column;  // in the file
 } direction;
 
@@ -52,30 +66,96 @@ static int by_angle(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+static int by_size(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
 static double gap_after(const direction *directions, uint32_t count, uint32_t i) {
     return i + 1 < count ? directions[i + 1].to - directions[i].to
                          : directions[0].to + 2.0 * BOLAN_PI - directions[i].to;
 }
 
-// Sorts; gives each bin half of the gap to its neighbours, but no more than half the smallest gap times two, so that a
-// file that covers only a sector does not leak into the rest of the circle. Returns the smallest gap.
-static double sort_directions(const spectrum_grid *grid, direction *directions) {
-    const uint32_t count = grid->direction_count;
+static bool same_columns(const spectrum_grid *grid, uint32_t a, uint32_t b) {
+    for (uint32_t i = 0; i < grid->frequency_count; i++) {
+        const double *row = grid->energy + (size_t)i * grid->direction_count;
+        if (row[a] != row[b]) return false;
+    }
+    return true;
+}
+
+// Sorts, and drops directions that come twice with the same densities. Returns how many are left, 0 where two columns
+// contradict each other.
+static uint32_t sort_directions(const spectrum_grid *grid, direction *directions) {
+    uint32_t count = grid->direction_count;
     for (uint32_t j = 0; j < count; j++) {
         const double turns = grid->to[j] / (2.0 * BOLAN_PI);
         const double to = (turns - floor(turns)) * 2.0 * BOLAN_PI;
         directions[j] = (direction){.to = to < 2.0 * BOLAN_PI ? to : 0.0, .column = j};
     }
     qsort(directions, count, sizeof *directions, by_angle);
-    double smallest = HUGE_VAL;
-    for (uint32_t j = 0; j < count; j++) smallest = fmin(smallest, gap_after(directions, count, j));
+    for (uint32_t j = 0; j < count && count > 1;) {
+        const uint32_t next = (j + 1) % count;
+        if (gap_after(directions, count, j) > SAME_DIRECTION) {
+            j++;
+            continue;
+        }
+        if (!same_columns(grid, directions[j].column, directions[next].column)) return 0;
+        const uint32_t dropped = next > j ? next : j;
+        memmove(directions + dropped, directions + dropped + 1, (count - dropped - 1) * sizeof *directions);
+        count--;
+    }
+    return count;
+}
+
+// The gaps between neighbours, for what they say of the list as a whole.
+typedef struct direction_gaps {
+    double smallest, median, largest, second; // [rad]; second: the largest but one
+    uint32_t before_largest;                  // the direction that the largest gap follows
+} direction_gaps;
+
+static direction_gaps measure_gaps(const direction *directions, uint32_t count) {
+    double sizes[SPECTRUM_MAX_DIRECTIONS];
+    direction_gaps gaps = {.before_largest = 0};
+    for (uint32_t j = 0; j < count; j++) {
+        sizes[j] = gap_after(directions, count, j);
+        if (sizes[j] > sizes[gaps.before_largest]) gaps.before_largest = j;
+    }
+    qsort(sizes, count, sizeof *sizes, by_size);
+    gaps.smallest = sizes[0];
+    gaps.median = sizes[(count - 1) / 2];
+    gaps.largest = sizes[count - 1];
+    gaps.second = sizes[count - 2];
+    return gaps;
+}
+
+// A grid over a sector of the circle has one step and one gap: outside it there are no waves. Steps are rounded.
+static bool is_sector(const direction_gaps *gaps) {
+    return gaps->second < 1.02 * gaps->smallest && gaps->largest > 1.5 * gaps->second;
+}
+
+// Between two directions the density is linear, so that each bin is a triangle up to both neighbours: integrated over
+// the circle, the trapezoid rule. At the rims of a sector it falls to 0 within a step.
+static void set_widths(direction *directions, uint32_t count, const direction_gaps *gaps) {
+    const double widest = is_sector(gaps) ? gaps->second : 2.0 * BOLAN_PI;
     for (uint32_t j = 0; j < count; j++) {
         const uint32_t next = (j + 1) % count;
-        const double half = 0.5 * fmin(gap_after(directions, count, j), 2.0 * smallest);
-        directions[j].high = directions[j].to + half;
-        directions[next].low = directions[next].to - half;
+        const double gap = fmin(gap_after(directions, count, j), widest);
+        directions[j].high = directions[j].to + gap;
+        directions[next].low = directions[next].to - gap;
     }
-    return smallest;
+}
+
+static void say_gap(const char *name, const direction *directions, uint32_t count, const direction_gaps *gaps,
+                    spectrum_notes *notes) {
+    if (is_sector(gaps) || gaps->largest <= 2.0 * gaps->median) return;
+    const direction *before = &directions[gaps->before_largest];
+    const direction *after = &directions[(gaps->before_largest + 1) % count];
+    spectrum_note(notes, BOLAN_LOG_SPECTRUM_GAP,
+                  "%s: the directions have a gap of %.0f degrees, between waves from %.0f and from %.0f; across it the "
+                  "density is taken as linear",
+                  name, bolan_degrees(gaps->largest), bolan_math_to_compass_from(after->to),
+                  bolan_math_to_compass_from(before->to));
 }
 
 static bool is_regular(const direction *directions, uint32_t count) {
@@ -85,23 +165,39 @@ static bool is_regular(const direction *directions, uint32_t count) {
     return true;
 }
 
-// Adds one file bin to the regular bins it overlaps, in proportion: the sum over the circle is kept.
+// Directions of the regular grid for an irregular list: a step that divides the smallest gap, of 5 degrees or less.
+static uint32_t regular_count(double smallest) {
+    const double ideal = fmin(round(2.0 * BOLAN_PI / smallest), SPECTRUM_MAX_DIRECTIONS);
+    return (uint32_t)fmin(ideal * ceil(72.0 / ideal), SPECTRUM_MAX_DIRECTIONS);
+}
+
+// The integral of a bin's triangle, of height 1, up to the angle x.
+static double triangle_up_to(const direction *bin, double x) {
+    const double rise = bin->to - bin->low, fall = bin->high - bin->to;
+    if (x <= bin->low) return 0.0;
+    if (x <= bin->to) return 0.5 * (x - bin->low) * (x - bin->low) / rise;
+    const double left = fmax(bin->high - x, 0.0);
+    return 0.5 * (rise + fall - left * left / fall);
+}
+
+// Adds one file bin to the regular bins it overlaps: the sum over the circle is kept.
 static void spread_bin(const direction *bin, const double *column, uint32_t stride, bolan_measured_spectrum *m) {
     const double step = m->direction_step, origin = m->theta[0] - 0.5 * step;
     const int first = (int)floor((bin->low - origin) / step), last = (int)floor((bin->high - origin) / step);
     for (int t = first; t <= last; t++) {
-        const double low = fmax(bin->low, origin + t * step), high = fmin(bin->high, origin + (t + 1) * step);
-        if (!(high > low)) continue;
+        const double share =
+            (triangle_up_to(bin, origin + (t + 1) * step) - triangle_up_to(bin, origin + t * step)) / step;
         const int count = (int)m->direction_count, target = ((t % count) + count) % count;
         for (uint32_t i = 0; i < m->frequency_count; i++)
-            m->density[i * m->direction_count + (uint32_t)target] += column[(size_t)i * stride] * (high - low) / step;
+            m->density[i * m->direction_count + (uint32_t)target] += column[(size_t)i * stride] * share;
     }
 }
 
-static void fill_directions(const spectrum_grid *grid, const direction *directions, bolan_measured_spectrum *m) {
-    const bool regular = m->direction_count == grid->direction_count && is_regular(directions, m->direction_count);
+static void fill_directions(const spectrum_grid *grid, const direction *directions, uint32_t count,
+                            bolan_measured_spectrum *m) {
+    const bool regular = m->direction_count == count && is_regular(directions, count);
     for (uint32_t j = 0; j < m->direction_count; j++) m->theta[j] = directions[0].to + j * m->direction_step;
-    for (uint32_t j = 0; j < grid->direction_count; j++) {
+    for (uint32_t j = 0; j < count; j++) {
         const double *column = grid->energy + directions[j].column;
         if (!regular) spread_bin(&directions[j], column, grid->direction_count, m);
         for (uint32_t i = 0; regular && i < m->frequency_count; i++)
@@ -156,35 +252,45 @@ static bolan_measured_spectrum *allocate_measured(const spectrum_grid *grid, uin
     return m;
 }
 
-static bolan_result check_energy(const char *name, const spectrum_grid *grid) {
-    double largest = 0.0;
-    for (size_t i = 0; i < grid_cells(grid->frequency_count, grid->direction_count); i++)
-        largest = fmax(largest, grid->energy[i]);
-    if (largest > 0.0) return BOLAN_OK;
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_NO_ENERGY,
-              "%s: the record%s%s has no energy at any frequency; expected at least one density above 0", name,
-              grid->time[0] ? " of " : "", grid->time);
+double spectrum_trapezoid_weight(const double *x, uint32_t count, uint32_t i) {
+    return 0.5 * (x[i + 1 < count ? i + 1 : i] - x[i > 0 ? i - 1 : 0]);
+}
+
+static bolan_result check_height(const char *name, const bolan_measured_spectrum *m) {
+    double m0 = 0.0;
+    for (uint32_t i = 0; i < m->frequency_count; i++)
+        m0 += row_sum(m, i) * m->direction_step * spectrum_trapezoid_weight(m->omega, m->frequency_count, i);
+    if (4.0 * sqrt(m0) <= SPECTRUM_MAX_HS) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_IMPOSSIBLE,
+              "%s: the record%s%s has a significant wave height of %.4g m; expected at most %g m, which no sea exceeds",
+              name, m->time[0] ? " of " : "", m->time, 4.0 * sqrt(m0), SPECTRUM_MAX_HS);
     return BOLAN_ERROR_FORMAT;
 }
 
-bolan_result spectrum_measured_build(const char *name, const spectrum_grid *grid, bolan_measured_spectrum **out) {
-    if (check_energy(name, grid)) return BOLAN_ERROR_FORMAT;
+bolan_result spectrum_measured_build(const char *name, spectrum_grid *grid, bolan_measured_spectrum **out) {
     direction directions[SPECTRUM_MAX_DIRECTIONS];
-    const double smallest = sort_directions(grid, directions);
-    if (!(smallest > 1e-4)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_SYNTAX,
-                  "%s: two directions are the same; expected distinct directions", name);
+    const uint32_t given = sort_directions(grid, directions);
+    if (given < SPECTRUM_MIN_DIRECTIONS) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_SYNTAX, "%s: %s; expected at least %d distinct directions", name,
+                  given ? "too few directions are distinct" : "two directions are the same, with other densities",
+                  SPECTRUM_MIN_DIRECTIONS);
         return BOLAN_ERROR_FORMAT;
     }
-    const double ideal = fmin(round(2.0 * BOLAN_PI / smallest), SPECTRUM_MAX_DIRECTIONS);
-    const uint32_t count = is_regular(directions, grid->direction_count) ? grid->direction_count : (uint32_t)ideal;
-    bolan_measured_spectrum *m = allocate_measured(grid, count);
+    const direction_gaps gaps = measure_gaps(directions, given);
+    set_widths(directions, given, &gaps);
+    bolan_measured_spectrum *m =
+        allocate_measured(grid, is_regular(directions, given) ? given : regular_count(gaps.smallest));
     if (!m) return BOLAN_ERROR_MEMORY;
-    fill_directions(grid, directions, m);
+    fill_directions(grid, directions, given, m);
     for (uint32_t i = 0; i < m->frequency_count; i++) m->omega[i] = 2.0 * BOLAN_PI * grid->hertz[i];
     for (size_t i = 0; i < grid_cells(m->frequency_count, m->direction_count); i++)
         m->density[i] /= 2.0 * BOLAN_PI; // S(w) dw = S(f) df
+    if (check_height(name, m)) {
+        bolan_measured_spectrum_destroy(&m);
+        return BOLAN_ERROR_FORMAT;
+    }
     add_tail(m);
+    say_gap(name, directions, given, &gaps, &grid->notes);
     *out = m;
     return BOLAN_OK;
 }
@@ -222,47 +328,56 @@ double spectrum_measured_density(const bolan_measured_spectrum *m, double omega,
 // ---- public ---------------------------------------------------------------------------------------------------------
 
 bolan_spectrum_texts bolan_spectrum_texts_default(void) {
-    const bolan_spectrum_texts texts = {.from_deg = 270.0, .spread_s = 10.0};
+    const bolan_spectrum_texts texts = {.density = {.name = NULL}};
     return texts;
 }
 
-// NDBC tables begin with a header such as "YYYY MM DD hh", "YY MM DD hh" or "#YY  MM DD hh mm".
-static bool is_ndbc(text_word first) {
-    return text_equals(first, "YY") || text_equals(first, "YYYY") || text_equals(first, "#YY") ||
-           text_equals(first, "#YYYY");
+bolan_result spectrum_read_frequencies(text_cursor *text, double *hertz, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        text_word word;
+        if (!text_next_word(text, &word)) return text_unexpected(text, NULL, "a frequency");
+        if (!text_number(word, &hertz[i]) || (i > 0 && !(hertz[i] > hertz[i - 1])) ||
+            !(hertz[i] >= SPECTRUM_MIN_HERTZ && hertz[i] <= SPECTRUM_MAX_HERTZ))
+            return text_unexpected(text, &word, "an ascending frequency, 0.001 to 10 Hz");
+    }
+    return BOLAN_OK;
 }
 
-static bolan_result parse_any(const bolan_spectrum_texts *texts, uint32_t record, spectrum_grid *grid) {
+static bolan_result parse_any(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
+                              spectrum_grid *grid) {
     text_cursor cursor = text_open(&texts->density);
     text_word first;
     if (!text_next_word(&cursor, &first)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_EMPTY, "%s: the text is empty; expected a SWAN or NDBC spectrum",
-                  cursor.name);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_EMPTY,
+                  "%s: the text is empty; expected a SWAN, WAVEWATCH III or NDBC spectrum", cursor.name);
         return BOLAN_ERROR_FORMAT;
     }
-    if (text_equals(first, "SWAN")) return spectrum_parse_swan(texts, record, grid);
-    if (is_ndbc(first)) return spectrum_parse_ndbc(texts, record, grid);
+    if (text_equals(first, "SWAN")) return spectrum_parse_swan(texts, options, grid);
+    if (spectrum_is_ww3(first)) return spectrum_parse_ww3(texts, options, grid);
+    if (ndbc_is_header(first)) return spectrum_parse_ndbc(texts, options, grid);
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_UNKNOWN_FORMAT,
-              "%s:%u: the format is not known; expected \"SWAN\" (SWAN) or \"YYYY MM DD hh\" (NDBC) at the start",
+              "%s:%u: the format is not known; expected \"SWAN\", \"'WAVEWATCH III SPECTRA'\", "
+              "\"YYYY MM DD hh\" (NDBC history) or \"#YY MM DD hh mm\" (NDBC real time) at the start",
               cursor.name, (unsigned)first.line);
     return BOLAN_ERROR_FORMAT;
 }
 
-bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, uint32_t record,
+bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
                                            bolan_measured_spectrum **out) {
     BOLAN_ASSERT(texts && out);
     *out = NULL;
-    const bool direction_ok = texts->from_deg >= -360.0 && texts->from_deg <= 360.0;
-    if (!direction_ok || !(texts->spread_s >= 0.0 && texts->spread_s <= 200.0)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "bolan_spectrum_texts: %s is %g; expected %s",
-                  direction_ok ? "spread_s" : "from_deg", direction_ok ? texts->spread_s : texts->from_deg,
-                  direction_ok ? "0 to 200" : "-360 to 360 degrees");
-        return BOLAN_ERROR_ARGUMENT;
-    }
-    spectrum_grid grid = {0};
-    bolan_result result = parse_any(texts, record, &grid);
-    if (!result) result = spectrum_measured_build(texts->density.name ? texts->density.name : "spectrum", &grid, out);
+    const bolan_spectrum_options defaults = bolan_spectrum_options_default();
+    if (!options) options = &defaults;
+    if (bolan_spectrum_options_validate(options)) return BOLAN_ERROR_ARGUMENT;
+    spectrum_grid grid = {.hertz = NULL};
+    bolan_result result = parse_any(texts, options, &grid);
+    const char *name = texts->density.name ? texts->density.name : "spectrum";
+    if (!result && grid.own_directions && (!isnan(options->from_deg) || !isnan(options->spread_s)))
+        spectrum_note(&grid.notes, BOLAN_LOG_SPECTRUM_UNUSED,
+                      "%s: has directions of its own; from and spread are not used", name);
+    if (!result) result = spectrum_measured_build(name, &grid, out);
     spectrum_grid_release(&grid);
+    if (!result) spectrum_notes_log(&grid.notes);
     return result;
 }
 

@@ -1,302 +1,245 @@
-// SPDX-License-Identifier: MIT Spectral wave density tables of the US National Data Buoy Center (NDBC, "Measurement
-// descriptions and units"), in both of their layouts, and the four tables of directions that may come with them:
-//
-//   history     YYYY MM DD hh [mm]  .030  .040 ...            frequencies in the header; r1, r2 in hundredths
-//               2000 01 01 00        .00   .12 ...            oldest first
-//   real time   #YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) ... >
-//               2020 06 08 03 50 0.225 0.000 (0.033) ...      newest first; r1, r2 as fractions
-//
-// 999 is a missing value everywhere. Directions are compass degrees FROM. Rows of the tables are matched by their time,
-// columns by their frequency.
-#include "spectrum/measured.h"
-
-#include "bolan/math.h"
-#include "spectrum/directional.h"
-#include "spectrum/text.h"
+// SPDX-License-Identifier: MIT
+// NDBC's spectra: a table of densities, and up to four of directions. Directions are compass degrees FROM. Rows of the
+// tables are matched by their time, columns by their frequency. The layouts are in ndbc_table.h, what stands in for
+// missing values in bands.h.
+#include "spectrum/bands.h"
+#include "spectrum/ndbc_table.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#define MISSING 999.0
-#define ENERGY_MAX 1e6 // [m2/Hz]
+#define ENERGY_MAX 1e6        // [m2/Hz]
+#define FREQUENCY_NEAR 6e-4   // [Hz]: real-time tables print three decimals
+#define WHOLE_NUMBERS_HS 10.0 // [m]: densities of so high a sea have decimals, directions have none
 
-typedef struct ndbc_date {
-    int field[5]; // year, month, day, hour, minute
-} ndbc_date;
+// ---- the table of densities -----------------------------------------------------------------------------------------
 
-// One table, opened at its header.
-typedef struct ndbc_table {
-    text_cursor rows; // after the header
-    text_cursor header;
-    int date_words;  // 4 or 5
-    bool pairs;      // "value (frequency)"
-    bool separation; // a Sep_Freq column
-} ndbc_table;
-
-// One row: the values at frequencies.
-typedef struct ndbc_row {
-    uint32_t count;
-    double hertz[SPECTRUM_MAX_FREQUENCIES], value[SPECTRUM_MAX_FREQUENCIES];
-} ndbc_row;
-
-// ---- tables ---------------------------------------------------------------------------------------------------------
-
-static bool is_header(text_cursor line) {
-    text_word word;
-    return text_next_word(&line, &word) && (word.begin[0] == '#' || word.begin[0] == 'Y' || word.begin[0] == 'y');
-}
-
-static bolan_result open_table(const bolan_spectrum_text *text, ndbc_table *table) {
-    *table = (ndbc_table){.rows = text_open(text)};
-    text_word word;
-    double number;
-    if (!text_next_line(&table->rows, &table->header))
-        return text_unexpected(&table->rows, NULL, "the header YYYY MM DD hh");
-    text_cursor line = table->header;
-    static const char *const names[2] = {"hh", "mm"};
-    while (text_next_word(&line, &word) && !text_equals(word, names[0])) table->date_words++;
-    table->date_words++;
-    table->header = line; // the frequencies of the history layout begin here, or after mm
-    if (text_next_word(&line, &word) && text_equals(word, names[1])) {
-        table->date_words++;
-        table->header = line;
-        if (!text_next_word(&line, &word)) return text_unexpected(&line, NULL, "a frequency in the header");
+const char *spectrum_ndbc_letter(const char *path) {
+    const char *slash = path ? strrchr(path, '/') : NULL, *name = slash ? slash + 1 : path, *found = NULL;
+    for (const char *p = name; p && *p; p++) {
+        const bool year = strspn(p + 1, "0123456789") == 4;
+        if (p > name && year && strchr("wdijkWDIJK", *p)) found = p;
     }
-    if (table->date_words != 4 && table->date_words != 5)
-        return text_unexpected(&line, word.length ? &word : NULL, "the header YYYY MM DD hh");
-    table->pairs = !text_number(word, &number);
-    table->separation = table->pairs && text_equals(word, "Sep_Freq");
-    return BOLAN_OK;
+    return found;
 }
 
-static bolan_result read_date(const ndbc_table *table, text_cursor *line, ndbc_date *date) {
-    static const int low[5] = {0, 1, 1, 0, 0}, high[5] = {9999, 12, 31, 24, 59};
-    static const char *const expected[5] = {"a year", "a month 1 to 12", "a day 1 to 31", "an hour 0 to 24",
-                                            "a minute 0 to 59"};
-    *date = (ndbc_date){{0}};
-    for (int i = 0; i < table->date_words; i++) {
-        text_word word;
-        double value;
-        if (!text_next_word(line, &word)) return text_unexpected(line, NULL, expected[i]);
-        if (!text_number(word, &value) || !(value >= low[i] && value <= high[i]))
-            return text_unexpected(line, &word, expected[i]);
-        date->field[i] = (int)value;
-    }
-    if (date->field[0] < 100) // tables before 1999 have two digits
-        date->field[0] += date->field[0] < 70 ? 2000 : 1900;
-    return BOLAN_OK;
+static ndbc_quantity quantity_by_name(const char *path) {
+    const char *letter = spectrum_ndbc_letter(path);
+    static const char letters[] = "wdijk"; // in the order of ndbc_quantity, from SPEC
+    const char *at = letter ? strchr(letters, *letter | 0x20) : NULL;
+    return at ? (ndbc_quantity)(NDBC_SPEC + (at - letters)) : NDBC_UNNAMED;
 }
 
-static int compare_dates(const ndbc_date *a, const ndbc_date *b) {
-    for (int i = 0; i < 5; i++)
-        if (a->field[i] != b->field[i]) return a->field[i] < b->field[i] ? -1 : 1;
-    return 0;
+static bolan_result refuse_quantity(const char *name, uint32_t line, ndbc_quantity quantity) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_WRONG_TABLE,
+              "%s:%u: this is NDBC's table of %s, not of spectral densities; give the density (.data_spec, or w in the "
+              "name as in 41004w2018.txt), beside which it is found",
+              name, (unsigned)line, ndbc_quantity_names[quantity]);
+    return BOLAN_ERROR_FORMAT;
 }
 
-static bool next_row(ndbc_table *table, text_cursor *line) {
-    while (text_next_line(&table->rows, line))
-        if (!is_header(*line)) return true;
-    return false;
-}
-
-// ---- rows -----------------------------------------------------------------------------------------------------------
-
-static bolan_result add_frequency(ndbc_row *row, text_cursor *line, text_word word, const char *expected,
-                                  double hertz) {
-    const double before = row->count ? row->hertz[row->count - 1] : SPECTRUM_MIN_HERTZ;
-    if (row->count == SPECTRUM_MAX_FREQUENCIES)
-        return text_unexpected(line, &word, "the end of the line after 1000 frequencies");
-    if (!(hertz > before && hertz <= SPECTRUM_MAX_HERTZ)) return text_unexpected(line, &word, expected);
-    row->hertz[row->count++] = hertz;
-    return BOLAN_OK;
-}
-
-// "value (frequency)" up to the end of the line.
-static bolan_result read_pairs(text_cursor *line, ndbc_row *row) {
-    static const char expected[] = "an ascending frequency in hertz such as (0.033)";
-    text_word word;
-    while (text_next_word(line, &word)) {
-        double value, hertz;
-        if (!text_number(word, &value)) return text_unexpected(line, &word, "a number");
-        if (!text_next_word(line, &word)) return text_unexpected(line, NULL, expected);
-        const text_word inside = {word.begin + 1, word.length > 2 ? word.length - 2 : 0, word.line};
-        if (word.begin[0] != '(' || word.begin[word.length - 1] != ')' || !text_number(inside, &hertz))
-            return text_unexpected(line, &word, expected);
-        if (add_frequency(row, line, word, expected, hertz)) return BOLAN_ERROR_FORMAT;
-        row->value[row->count - 1] = value;
-    }
-    return BOLAN_OK;
-}
-
-// As many values as the header has frequencies.
-static bolan_result read_columns(text_cursor header, text_cursor *line, ndbc_row *row) {
-    text_word word;
-    while (text_next_word(&header, &word)) {
-        double hertz;
-        if (!text_number(word, &hertz)) return text_unexpected(&header, &word, "a frequency in hertz");
-        if (add_frequency(row, &header, word, "an ascending frequency in hertz", hertz) ||
-            text_read_number(line, "a value for every frequency of the header", &row->value[row->count - 1]))
-            return BOLAN_ERROR_FORMAT;
-    }
-    return text_next_word(line, &word) ? text_unexpected(line, &word, "the end of the line") : BOLAN_OK;
-}
-
-static bolan_result read_row(const ndbc_table *table, text_cursor line, ndbc_row *row) {
-    ndbc_date date;
-    double separation;
-    row->count = 0;
-    if (read_date(table, &line, &date) ||
-        (table->separation && text_read_number(&line, "the separation frequency", &separation)))
-        return BOLAN_ERROR_FORMAT;
-    return table->pairs ? read_pairs(&line, row) : read_columns(table->header, &line, row);
-}
-
-// The line of record number @p record in time, its date, and the number of records.
-static bolan_result find_record(ndbc_table *table, uint32_t record, text_cursor *found, ndbc_date *date,
-                                uint32_t *count) {
-    ndbc_table scan = *table;
-    ndbc_date first = {{0}}, last = {{0}};
-    text_cursor line;
-    for (*count = 0; next_row(&scan, &line); ++*count)
-        if (read_date(table, &line, *count ? &last : &first)) return BOLAN_ERROR_FORMAT;
-    if (*count == 0) return text_unexpected(&scan.rows, NULL, "a row of densities");
-    if (record >= *count) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TIME_INDEX, "%s: record %u was asked for; expected 0 to %u",
-                  table->rows.name, (unsigned)record, (unsigned)(*count - 1));
-        return BOLAN_ERROR_ARGUMENT;
-    }
-    const bool newest_first = *count > 1 && compare_dates(&last, &first) < 0;
-    const uint32_t row = newest_first ? *count - 1 - record : record;
-    scan = *table;
-    for (uint32_t i = 0; i <= row; i++) next_row(&scan, found);
-    line = *found;
-    return read_date(table, &line, date);
-}
-
-// ---- directions -----------------------------------------------------------------------------------------------------
-
-typedef enum companion { SWDIR, SWDIR2, SWR1, SWR2, COMPANIONS } companion;
-
-// The values of one companion at the density's frequencies; MISSING where there are none.
-static bolan_result read_companion(const bolan_spectrum_text *text, companion kind, const ndbc_date *date,
-                                   const ndbc_row *density, ndbc_row *scratch, double *value) {
-    for (uint32_t i = 0; i < density->count; i++) value[i] = MISSING;
-    if (!text->data) return BOLAN_OK;
-    ndbc_table table;
-    text_cursor line;
-    ndbc_date found;
-    int order = 1;
-    if (open_table(text, &table)) return BOLAN_ERROR_FORMAT;
-    while (order != 0 && next_row(&table, &line)) {
-        text_cursor start = line;
-        if (read_date(&table, &start, &found)) return BOLAN_ERROR_FORMAT;
-        order = compare_dates(&found, date);
-    }
-    if (order != 0) return BOLAN_OK; // the buoy sent no directions at that time
-    if (read_row(&table, line, scratch)) return BOLAN_ERROR_FORMAT;
-    const bool is_ratio = kind == SWR1 || kind == SWR2;
-    for (uint32_t i = 0, j = 0; i < density->count; i++) {
-        while (j < scratch->count && scratch->hertz[j] < density->hertz[i] - 6e-4) j++;
-        if (j == scratch->count || scratch->hertz[j] > density->hertz[i] + 6e-4 || scratch->value[j] == MISSING)
-            continue;
-        const double v = scratch->value[j] * (is_ratio && !table.pairs ? 0.01 : 1.0);
-        if (!(v >= 0.0 && v <= (is_ratio ? 1.0 : 360.0))) {
-            bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_SYNTAX, "%s:%u: %g at %g Hz; expected %s, or 999 for missing",
-                      line.name, (unsigned)line.line, scratch->value[j], scratch->hertz[j],
-                      is_ratio ? (table.pairs ? "0 to 1" : "0 to 100") : "0 to 360 degrees");
-            return BOLAN_ERROR_FORMAT;
-        }
-        value[i] = v;
-    }
-    return BOLAN_OK;
-}
-
-// Bands without a direction take the one of the nearest lower band, or of the lowest that has one.
-static void fill_missing(double *swdir, uint32_t count, double from_deg) {
-    uint32_t first = 0;
-    while (first < count && swdir[first] == MISSING) first++;
-    double previous = first < count ? swdir[first] : from_deg;
-    for (uint32_t i = 0; i < count; i++) previous = swdir[i] = swdir[i] == MISSING ? previous : swdir[i];
-}
-
-typedef double companion_values[COMPANIONS][SPECTRUM_MAX_FREQUENCIES];
-
-// D on the bins for band i: by four moments, by one, or by cos-2s with the caller's exponent, as far as they are known.
-static void spread_band(companion_values values, uint32_t i, double spread_s, double spread[DIRECTIONAL_BINS]) {
-    const double to = bolan_compass_from_to_math(values[SWDIR][i]);
-    const double r1 = values[SWR1][i], r2 = values[SWR2][i], a2 = values[SWDIR2][i];
-    if (r1 == MISSING)
-        directional_cos2s(to, spread_s, spread);
-    else if (r2 == MISSING || a2 == MISSING)
-        directional_cos2s(to, r1 < 0.995 ? r1 / (1.0 - r1) : 200.0, spread); // r1 of cos-2s is s / (s + 1)
-    else
-        directional_from_moments((directional_moments){to, bolan_compass_from_to_math(a2), r1, r2}, spread);
-}
-
-// ---- the whole ------------------------------------------------------------------------------------------------------
-
-static bolan_result check_densities(const text_cursor *line, ndbc_row *row) {
+// Hs as if the row were densities, and whether all values are whole numbers.
+static double height_of(const ndbc_row *row, bool *whole) {
+    double m0 = 0.0;
+    *whole = true;
     for (uint32_t i = 0; i < row->count; i++) {
-        if (row->value[i] == MISSING) row->value[i] = 0.0;
-        if (row->value[i] < 0.0) return text_negative(line, row->value[i]);
-        if (row->value[i] > ENERGY_MAX) {
+        if (row->value[i] == NDBC_MISSING) continue;
+        m0 += row->value[i] * spectrum_trapezoid_weight(row->hertz, row->count, i);
+        *whole &= row->value[i] == floor(row->value[i]);
+    }
+    return 4.0 * sqrt(fmax(m0, 0.0));
+}
+
+// The history layout does not say what it holds: the name does, and directions and ratios in hundredths are whole
+// numbers.
+static bolan_result check_is_density(const ndbc_table *table, const text_cursor *line, const ndbc_row *row) {
+    if (table->quantity > NDBC_SPEC) return refuse_quantity(line->name, table->header.line, table->quantity);
+    if (table->quantity == NDBC_SPEC) return BOLAN_OK;
+    bool whole;
+    const ndbc_quantity named = quantity_by_name(line->name);
+    const bool high = height_of(row, &whole) > WHOLE_NUMBERS_HS;
+    if (named > NDBC_SPEC && (whole || high)) return refuse_quantity(line->name, line->line, named);
+    if (!whole || !high) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_WRONG_TABLE,
+              "%s:%u: whole numbers alone, which would be a sea of more than %g m: a table of directions or ratios; "
+              "expected spectral densities",
+              line->name, (unsigned)line->line, WHOLE_NUMBERS_HS);
+    return BOLAN_ERROR_FORMAT;
+}
+
+static bolan_result take_densities(const text_cursor *line, const ndbc_row *row, spectrum_bands *bands) {
+    bands->count = row->count;
+    memcpy(bands->hertz, row->hertz, row->count * sizeof(double));
+    for (uint32_t i = 0; i < row->count; i++) {
+        const double value = row->value[i];
+        if (value == NDBC_MISSING) continue;
+        if (value < 0.0) return text_negative(line, value);
+        if (value > ENERGY_MAX) {
             bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_SYNTAX, "%s:%u: the density %g m2/Hz; expected 0 to %g",
-                      line->name, (unsigned)line->line, row->value[i], ENERGY_MAX);
+                      line->name, (unsigned)line->line, value, ENERGY_MAX);
             return BOLAN_ERROR_FORMAT;
         }
+        bands->density[i] = value;
     }
     text_cursor at = *line;
     at.next = at.end;
     return row->count >= SPECTRUM_MIN_FREQUENCIES ? BOLAN_OK : text_unexpected(&at, NULL, "a second frequency");
 }
 
-static bolan_result fill_grid(const ndbc_row *row, companion_values values, double spread_s, spectrum_grid *grid) {
-    grid->frequency_count = row->count;
-    grid->direction_count = DIRECTIONAL_BINS;
-    if (!spectrum_grid_allocate(grid)) return BOLAN_ERROR_MEMORY;
-    for (uint32_t j = 0; j < DIRECTIONAL_BINS; j++) grid->to[j] = directional_angle(j);
-    for (uint32_t i = 0; i < row->count; i++) {
-        double *energy = grid->energy + (size_t)i * DIRECTIONAL_BINS;
-        grid->hertz[i] = row->hertz[i];
-        if (!(row->value[i] > 0.0)) continue;
-        spread_band(values, i, spread_s, energy);
-        for (uint32_t j = 0; j < DIRECTIONAL_BINS; j++) energy[j] *= row->value[i];
+static bolan_result list_records(ndbc_table table, record_list *list) {
+    text_cursor line;
+    *list = (record_list){.timed = true, .style = RECORD_UTC_MINUTES};
+    while (ndbc_next_row(&table, &line)) {
+        const text_cursor start = line;
+        record_date date;
+        if (ndbc_read_date(&table, &line, &date)) return BOLAN_ERROR_FORMAT;
+        const bolan_result result = record_list_add(list, &date, start);
+        if (result) return result;
+    }
+    return list->count ? BOLAN_OK : text_unexpected(&table.rows, NULL, "a row of densities");
+}
+
+// ---- the tables of directions ---------------------------------------------------------------------------------------
+
+typedef struct companion {
+    const bolan_spectrum_text *text;
+    double *values; // of the bands
+    bool ratio;
+    ndbc_table table;
+} companion;
+
+// A direction is refused as a ratio by its range; a ratio as a direction only by the header.
+static bolan_result open_companion(companion *c) {
+    if (ndbc_open(c->text, &c->table)) return BOLAN_ERROR_FORMAT;
+    const ndbc_quantity q = c->table.quantity;
+    const bool wrong = q == NDBC_SPEC || (!c->ratio && (q == NDBC_R1 || q == NDBC_R2));
+    if (!wrong) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_WRONG_TABLE, "%s:%u: this is NDBC's table of %s; expected %s",
+              c->table.header.name, (unsigned)c->table.header.line, ndbc_quantity_names[q],
+              c->ratio ? "r1 or r2" : "alpha1 or alpha2");
+    return BOLAN_ERROR_FORMAT;
+}
+
+// The row whose time is nearest to @p seconds; @p off is how far away [s], INT64_MAX where the table has no row.
+static bolan_result nearest_row(ndbc_table table, int64_t seconds, text_cursor *found, record_date *date,
+                                int64_t *off) {
+    text_cursor line;
+    *off = INT64_MAX;
+    while (ndbc_next_row(&table, &line)) {
+        text_cursor start = line;
+        record_date at;
+        if (ndbc_read_date(&table, &start, &at)) return BOLAN_ERROR_FORMAT;
+        const int64_t distance = llabs(record_date_seconds(&at) - seconds);
+        if (distance >= *off) continue;
+        *off = distance;
+        *found = line;
+        *date = at;
     }
     return BOLAN_OK;
 }
 
-typedef struct ndbc_scratch {
-    ndbc_row density, companion;
-    companion_values values;
-} ndbc_scratch;
-
-static bolan_result read_all(const bolan_spectrum_texts *texts, uint32_t record, ndbc_scratch *s, spectrum_grid *grid) {
-    const bolan_spectrum_text *companions[COMPANIONS] = {&texts->swdir, &texts->swdir2, &texts->swr1, &texts->swr2};
-    ndbc_table table;
-    text_cursor line;
-    ndbc_date date;
-    bolan_result result = open_table(&texts->density, &table);
-    if (!result) result = find_record(&table, record, &line, &date, &grid->record_count);
-    if (!result) result = read_row(&table, line, &s->density);
-    if (!result) result = check_densities(&line, &s->density);
-    for (companion kind = SWDIR; !result && kind < COMPANIONS; kind++)
-        result = read_companion(companions[kind], kind, &date, &s->density, &s->companion, s->values[kind]);
-    if (result) return result;
-    fill_missing(s->values[SWDIR], s->density.count, texts->from_deg);
-    const int *d = date.field;
-    snprintf(grid->time, sizeof grid->time, "%04d-%02d-%02dT%02d:%02dZ", d[0], d[1], d[2], d[3], d[4]);
-    return fill_grid(&s->density, s->values, texts->spread_s, grid);
+// The values of one row at the density's frequencies.
+static bolan_result take_companion(const companion *c, text_cursor line, ndbc_row *row, const spectrum_bands *bands) {
+    if (ndbc_read_row(&c->table, line, row)) return BOLAN_ERROR_FORMAT;
+    for (uint32_t i = 0, j = 0; i < bands->count; i++) {
+        while (j < row->count && row->hertz[j] < bands->hertz[i] - FREQUENCY_NEAR) j++;
+        if (j == row->count || row->hertz[j] > bands->hertz[i] + FREQUENCY_NEAR || row->value[j] == NDBC_MISSING)
+            continue;
+        const double v = row->value[j] * (c->ratio && !c->table.pairs ? 0.01 : 1.0);
+        if (!(v >= 0.0 && v <= (c->ratio ? 1.0 : 360.0))) {
+            bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_SYNTAX, "%s:%u: %g at %g Hz; expected %s, or 999 for missing",
+                      line.name, (unsigned)line.line, row->value[j], row->hertz[j],
+                      c->ratio ? (c->table.pairs ? "0 to 1" : "0 to 100") : "0 to 360 degrees");
+            return BOLAN_ERROR_FORMAT;
+        }
+        c->values[i] = v;
+    }
+    return BOLAN_OK;
 }
 
-bolan_result spectrum_parse_ndbc(const bolan_spectrum_texts *texts, uint32_t record, spectrum_grid *grid) {
+// Why a record has no directions, for the warning that names what stands in.
+typedef struct reason {
+    char text[320];
+} reason;
+
+static bolan_result read_companions(const bolan_spectrum_texts *texts, const record_date *date, spectrum_bands *bands,
+                                    ndbc_row *row, reason *why, spectrum_notes *notes) {
+    companion all[4] = {{.text = &texts->swdir, .values = bands->alpha1},
+                        {.text = &texts->swdir2, .values = bands->alpha2},
+                        {.text = &texts->swr1, .values = bands->r1, .ratio = true},
+                        {.text = &texts->swr2, .values = bands->r2, .ratio = true}};
+    char wanted[RECORD_TIME_SIZE], taken[RECORD_TIME_SIZE];
+    int64_t seconds = record_date_seconds(date);
+    record_date_print(date, RECORD_UTC_MINUTES, wanted);
+    snprintf(why->text, sizeof why->text, "has no table of directions beside it");
+    for (companion *c = all; c < all + 4; c++) {
+        text_cursor line;
+        record_date found;
+        int64_t off;
+        if (!c->text->data) continue;
+        if (open_companion(c) || nearest_row(c->table, seconds, &line, &found, &off)) return BOLAN_ERROR_FORMAT;
+        const bool first = c == all;
+        if (first)
+            snprintf(why->text, sizeof why->text, off ? "has no row within an hour in %s" : "has only 999 in %s",
+                     c->table.rows.name);
+        // The directions' time is that of alpha1, and all four are of one time.
+        if (off > (first ? RECORD_NEAR_SECONDS : 0)) continue;
+        if (off) {
+            record_date_print(&found, RECORD_UTC_MINUTES, taken);
+            spectrum_note(notes, BOLAN_LOG_SPECTRUM_NEAREST_TIME,
+                          "%s: there is no row of %s; the nearest, of %s, is taken", line.name, wanted, taken);
+            seconds = record_date_seconds(&found);
+        }
+        if (take_companion(c, line, row, bands)) return BOLAN_ERROR_FORMAT;
+    }
+    return BOLAN_OK;
+}
+
+// ---- the whole ------------------------------------------------------------------------------------------------------
+
+typedef struct ndbc_scratch {
+    ndbc_row row;
+    spectrum_bands bands;
+    record_list list;
+    reason why;
+} ndbc_scratch;
+
+static bolan_result read_all(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options, ndbc_scratch *s,
+                             spectrum_grid *grid) {
+    ndbc_table table;
+    const record_entry *entry = NULL;
+    bolan_result result = ndbc_open(&texts->density, &table);
+    if (!result) result = list_records(table, &s->list);
+    if (!result) result = record_list_choose(&s->list, table.rows.name, options, &grid->notes, &entry);
+    if (result) return result;
+    spectrum_bands_clear(&s->bands);
+    grid->record_count = s->list.count;
+    record_date_print(&entry->date, s->list.style, grid->time);
+    if (ndbc_read_row(&table, entry->at, &s->row) || check_is_density(&table, &entry->at, &s->row) ||
+        take_densities(&entry->at, &s->row, &s->bands) ||
+        read_companions(texts, &entry->date, &s->bands, &s->row, &s->why, &grid->notes))
+        return BOLAN_ERROR_FORMAT;
+    return spectrum_bands_to_grid(&s->bands, table.rows.name, s->why.text, options, grid);
+}
+
+bolan_result spectrum_parse_ndbc(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
+                                 spectrum_grid *grid) {
+    if (options->location > 0 || !isnan(options->place[0])) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_LOCATION,
+                  "%s: a location was asked for, but an NDBC table is of one buoy; expected none",
+                  texts->density.name ? texts->density.name : "spectrum");
+        return BOLAN_ERROR_ARGUMENT;
+    }
     ndbc_scratch *scratch = bolan_allocate(sizeof *scratch);
     if (!scratch) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY,
                   "an NDBC spectrum needs %zu bytes, which could not be allocated", sizeof *scratch);
         return BOLAN_ERROR_MEMORY;
     }
-    const bolan_result result = read_all(texts, record, scratch, grid);
+    const bolan_result result = read_all(texts, options, scratch, grid);
+    record_list_release(&scratch->list);
     bolan_release(scratch, sizeof *scratch);
     return result;
 }

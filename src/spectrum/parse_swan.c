@@ -1,217 +1,338 @@
 // SPDX-License-Identifier: MIT
-// SWAN spectral files, 2-D ("SWAN 1"; SWAN user manual, appendix D).
+// SWAN spectral files, 2-D and 1-D (SWAN user manual, appendix D). After the header (swan_header.h):
 //
-//     SWAN 1 / TIME code / LONLAT n, n points / AFREQ n, n values / NDIR n, n values / QUANT 1, name, unit, exception
-//     then for each time:  date, and for each location:  FACTOR f, then frequencies x directions whole numbers
-//                                                        or ZERO, or NODATA
-// Words matter, lines only where a remark may follow a value. The first location is read.
-#include "spectrum/measured.h"
+//     for each time:  date, and for each location:
+//         2-D:  FACTOR f, then frequencies x directions whole numbers      or ZERO, or NODATA
+//         1-D:  LOCATION n, then for each frequency a value a quantity     or ZERO, or NODATA
+//
+// The text is walked twice. First all blocks are stepped over, without a look at their numbers, for the list of
+// records; then the one block that is asked for is read strictly.
+#include "spectrum/bands.h"
+#include "spectrum/locations.h"
+#include "spectrum/records.h"
+#include "spectrum/swan_header.h"
 
 #include "bolan/math.h"
-#include "spectrum/text.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-#define SEA_WATER_DENSITY 1025.0 // SWAN's default rho, by which EnDens [J/m2/Hz/degr] is rho g times VaDens
-#define ENERGY_MAX 1e9           // [m2/Hz/rad]: far above any sea, far below overflow
+#define SPREAD_MAX 81.1 // [deg]: sqrt(2) rad, the circular spread of waves from everywhere
 
-enum { MAX_LOCATIONS = 1000000 };
+// ---- words ----------------------------------------------------------------------------------------------------------
 
-typedef struct swan_reader {
-    text_cursor text;
-    bool has_times, ready;
-    uint32_t locations, frequencies, directions;
-    double hertz[SPECTRUM_MAX_FREQUENCIES], to[SPECTRUM_MAX_DIRECTIONS];
-    double exception; // marks a missing value
-    double scale;     // from the file's unit to m2/Hz/rad
-} swan_reader;
+typedef enum block_kind { BLOCK_NONE, BLOCK_VALUES, BLOCK_ZERO, BLOCK_NODATA } block_kind;
 
-// The next word that is not in a $ comment.
-static bool next_word(text_cursor *text, text_word *word) {
-    while (text_next_word(text, word)) {
-        if (word->begin[0] != '$') return true;
-        text_skip_line(text);
-    }
-    return false;
+static block_kind kind_of(const swan_header *h, text_word word) {
+    if (text_equals(word, "ZERO")) return BLOCK_ZERO;
+    if (text_equals(word, "NODATA")) return BLOCK_NODATA;
+    return text_equals(word, h->directions ? "FACTOR" : "LOCATION") ? BLOCK_VALUES : BLOCK_NONE;
 }
 
-static bolan_result read_locations(swan_reader *r) {
-    text_skip_line(&r->text);
-    if (text_read_count(&r->text, "a number of locations", 1, MAX_LOCATIONS, &r->locations)) return BOLAN_ERROR_FORMAT;
-    for (uint32_t i = 0; i < r->locations; i++) {
-        double x, y;
-        text_skip_line(&r->text);
-        if (text_read_number(&r->text, "the x of a location", &x) ||
-            text_read_number(&r->text, "the y of a location", &y))
+static const char *block_words(const swan_header *h) {
+    return h->directions ? "FACTOR, ZERO or NODATA"
+                         : "LOCATION, ZERO or NODATA (a 1-D spectrum, since there is no section NDIR or CDIR)";
+}
+
+// Is it ISO notation, "20161011.013000"? Digits that are left out at the end are 0.
+static bool looks_like_date(const swan_header *h, text_word word) {
+    if (!h->has_times || h->time_code != 1 || word.length < 8 || word.length > 15) return false;
+    for (size_t i = 0; i < word.length; i++)
+        if (i == 8 ? word.begin[i] != '.' : word.begin[i] < '0' || word.begin[i] > '9') return false;
+    return true;
+}
+
+static record_date date_of(text_word word) {
+    static const uint8_t part[15] = {0, 0, 0, 0, 1, 1, 2, 2, 9, 3, 3, 4, 4, 5, 5};
+    record_date date = {{0}};
+    for (size_t i = 0; i < 15; i++)
+        if (i != 8) date.field[part[i]] = date.field[part[i]] * 10 + (i < word.length ? word.begin[i] - '0' : 0);
+    return date;
+}
+
+// ---- the list of records --------------------------------------------------------------------------------------------
+
+// Steps over one block. A block that is cut short by the next one, by a date or by the end of the text is not this
+// function's business: it need not be read.
+static bolan_result skip_block(const swan_header *h, text_cursor *text, block_kind *kind) {
+    text_word word;
+    text_cursor before = *text;
+    *kind = BLOCK_NODATA;
+    if (!swan_next_word(text, &word)) return BOLAN_OK;
+    *kind = kind_of(h, word);
+    if (*kind == BLOCK_NONE) return text_unexpected(text, &word, block_words(h));
+    if (*kind != BLOCK_VALUES) return BOLAN_OK;
+    const size_t columns = h->directions ? h->directions : h->quantities;
+    size_t count = (size_t)h->frequencies * columns + 1; // and the factor, or the number of the location
+    bool energy = false;
+    for (size_t i = 0; i < count; i++) {
+        double value = 0.0;
+        before = *text;
+        if (!swan_next_word(text, &word)) break;
+        const block_kind next = kind_of(h, word);
+        if (i == 1 && !h->directions && (next == BLOCK_ZERO || next == BLOCK_NODATA)) {
+            *kind = next; // LOCATION 3 NODATA
+            return BOLAN_OK;
+        }
+        if (next != BLOCK_NONE || looks_like_date(h, word)) {
+            *text = before;
+            break;
+        }
+        energy |= i > 0 && text_fortran_number(word, &value) && value > 0.0;
+    }
+    if (!energy) *kind = BLOCK_ZERO;
+    return BOLAN_OK;
+}
+
+static bolan_result skip_record(const swan_header *h, text_cursor *text) {
+    for (uint32_t i = 0; i < h->locations; i++) {
+        block_kind kind;
+        if (skip_block(h, text, &kind)) return BOLAN_ERROR_FORMAT;
+    }
+    return BOLAN_OK;
+}
+
+static bolan_result read_date(const swan_header *h, text_cursor *text, text_word word, record_date *date) {
+    *date = (record_date){{0}};
+    if (h->time_code == 1) {
+        if (!looks_like_date(h, word))
+            return text_unexpected(text, &word, "the date of the next time, such as 20161011.013000");
+        *date = date_of(word);
+        if (!record_date_is_valid(date)) {
+            bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_DATE,
+                      "%s:%u: there is no date %.*s; expected one of the calendar, as yyyymmdd.hhmmss", text->name,
+                      (unsigned)word.line, (int)word.length, word.begin);
             return BOLAN_ERROR_FORMAT;
+        }
+    } else if (word.begin[0] < '0' || word.begin[0] > '9') {
+        return text_unexpected(text, &word, "the date of the next time");
     }
+    text_skip_line(text);
     return BOLAN_OK;
 }
 
-static bolan_result read_frequencies(swan_reader *r) {
-    text_skip_line(&r->text);
-    if (text_read_count(&r->text, "a number of frequencies", SPECTRUM_MIN_FREQUENCIES, SPECTRUM_MAX_FREQUENCIES,
-                        &r->frequencies))
-        return BOLAN_ERROR_FORMAT;
-    text_skip_line(&r->text);
-    for (uint32_t i = 0; i < r->frequencies; i++) {
-        text_word word;
-        if (!text_next_word(&r->text, &word)) return text_unexpected(&r->text, NULL, "a frequency");
-        if (!text_number(word, &r->hertz[i]) || !(r->hertz[i] > (i ? r->hertz[i - 1] : SPECTRUM_MIN_HERTZ)) ||
-            r->hertz[i] > SPECTRUM_MAX_HERTZ)
-            return text_unexpected(&r->text, &word, "an ascending frequency, 1e-5 to 100 Hz");
-    }
-    return BOLAN_OK;
-}
-
-static bolan_result read_directions(swan_reader *r, bool nautical) {
-    text_skip_line(&r->text);
-    if (text_read_count(&r->text, "a number of directions", SPECTRUM_MIN_DIRECTIONS, SPECTRUM_MAX_DIRECTIONS,
-                        &r->directions))
-        return BOLAN_ERROR_FORMAT;
-    text_skip_line(&r->text);
-    for (uint32_t j = 0; j < r->directions; j++) {
-        text_word word;
-        double degrees;
-        if (!text_next_word(&r->text, &word)) return text_unexpected(&r->text, NULL, "a direction");
-        if (!text_number(word, &degrees) || fabs(degrees) > 720.0)
-            return text_unexpected(&r->text, &word, "a direction in degrees");
-        // NDIR: compass, where waves come FROM. CDIR: counter-clockwise from the x axis, where they go TO.
-        r->to[j] = nautical ? bolan_compass_from_to_math(degrees) : bolan_radians(degrees);
-    }
-    return BOLAN_OK;
-}
-
-static bolan_result read_quantity(swan_reader *r) {
-    uint32_t quantities;
+static bolan_result list_records(const swan_header *h, record_list *list) {
+    text_cursor text = h->text;
     text_word word;
-    text_skip_line(&r->text);
-    if (text_read_count(&r->text, "one quantity (a 2-D spectrum): a number", 1, 1, &quantities))
-        return BOLAN_ERROR_FORMAT;
-    text_skip_line(&r->text);
-    if (!text_next_word(&r->text, &word)) return text_unexpected(&r->text, NULL, "VaDens or EnDens");
-    r->scale = 180.0 / BOLAN_PI; // per degree to per radian
-    if (text_equals(word, "EnDens"))
-        r->scale /= SEA_WATER_DENSITY * BOLAN_GRAVITY;
-    else if (!text_equals(word, "VaDens"))
-        return text_unexpected(&r->text, &word, "VaDens or EnDens");
-    text_skip_line(&r->text); // the unit is implied
-    text_skip_line(&r->text);
-    if (text_read_number(&r->text, "the exception value", &r->exception)) return BOLAN_ERROR_FORMAT;
-    text_skip_line(&r->text);
-    r->ready = true;
-    return BOLAN_OK;
-}
-
-static bolan_result read_section(swan_reader *r, text_word keyword) {
-    if (text_equals(keyword, "TIME")) {
-        double code;
-        r->has_times = true;
-        text_skip_line(&r->text);
-        const bolan_result result = text_read_number(&r->text, "the time coding option", &code);
-        text_skip_line(&r->text);
-        return result;
+    *list = (record_list){.timed = h->has_times && h->time_code == 1, .style = RECORD_LOCAL_SECONDS};
+    while (h->has_times ? swan_next_word(&text, &word) : list->count == 0) {
+        record_date date = {{0}};
+        if (h->has_times && read_date(h, &text, word, &date)) return BOLAN_ERROR_FORMAT;
+        const bolan_result result = record_list_add(list, &date, text);
+        if (result) return result;
+        if (skip_record(h, &text)) return BOLAN_ERROR_FORMAT;
     }
-    bolan_result result;
-    if (text_equals(keyword, "LOCATIONS") || text_equals(keyword, "LONLAT"))
-        result = read_locations(r);
-    else if (text_equals(keyword, "AFREQ") || text_equals(keyword, "RFREQ"))
-        result = read_frequencies(r);
-    else if (text_equals(keyword, "NDIR") || text_equals(keyword, "CDIR"))
-        result = read_directions(r, text_equals(keyword, "NDIR"));
-    else if (text_equals(keyword, "QUANT"))
-        return read_quantity(r);
-    else
-        return text_unexpected(&r->text, &keyword, "TIME, LOCATIONS, LONLAT, AFREQ, RFREQ, NDIR, CDIR or QUANT");
-    text_skip_line(&r->text);
-    return result;
+    if (list->count == 0) return text_unexpected(&text, NULL, "the date of the first time");
+    return swan_next_word(&text, &word) ? text_unexpected(&text, &word, "the end of the text after the last location")
+                                        : BOLAN_OK;
 }
 
-static bolan_result read_header(swan_reader *r) {
+// ---- the location ---------------------------------------------------------------------------------------------------
+
+static bolan_result choose_location(const swan_header *h, const bolan_spectrum_options *options, location_choice *out) {
+    text_cursor places = h->places;
+    *out = location_choice_begin(options, h->spherical);
+    for (uint32_t i = 0; i < h->locations; i++) {
+        double place[2];
+        if (swan_read_place(&places, place)) return BOLAN_ERROR_FORMAT;
+        location_choice_offer(out, place);
+    }
+    return location_choice_end(out, h->text.name);
+}
+
+// The chosen location is dry: the sentence counts the locations and says which have energy at this time.
+static bolan_result refuse_dry(const swan_header *h, const location_choice *chosen, const char *time,
+                               text_cursor text) {
+    enum { SHOWN = 8 };
+    char list[96] = "";
+    uint32_t wet = 0;
+    for (uint32_t i = 0; i < h->locations; i++) {
+        block_kind kind;
+        if (skip_block(h, &text, &kind)) return BOLAN_ERROR_FORMAT;
+        if (kind != BLOCK_VALUES || wet++ >= SHOWN) continue;
+        const size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%u", used ? ", " : "", (unsigned)i + 1);
+    }
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_NO_ENERGY,
+              "%s: location %u of %u, at %g, %g, has no data (NODATA)%s%s; %u of the %u have energy%s%s%s",
+              h->text.name, (unsigned)chosen->index + 1, (unsigned)h->locations, chosen->place[0], chosen->place[1],
+              time[0] ? " at " : "", time, (unsigned)wet, (unsigned)h->locations, wet ? ": " : "", list,
+              wet > SHOWN ? ", ..."
+              : wet       ? "; give location to choose"
+                          : "");
+    return BOLAN_ERROR_FORMAT;
+}
+
+// ---- the values -----------------------------------------------------------------------------------------------------
+
+// After the last value comes a block, a date or the end.
+static bolan_result expect_end_of_block(const swan_header *h, text_cursor *text) {
     text_word word;
-    text_next_word(&r->text, &word); // SWAN
-    text_skip_line(&r->text);
-    while (!r->ready) {
-        if (!next_word(&r->text, &word))
-            return text_unexpected(&r->text, NULL, "a section, and QUANT at the end of the header");
-        if (read_section(r, word)) return BOLAN_ERROR_FORMAT;
-    }
-    const char *missing = !r->locations ? "LOCATIONS or LONLAT" : !r->frequencies ? "AFREQ or RFREQ" : "NDIR or CDIR";
-    return r->locations && r->frequencies && r->directions ? BOLAN_OK : text_unexpected(&r->text, &word, missing);
+    if (!swan_next_word(text, &word) || kind_of(h, word) != BLOCK_NONE || (h->has_times && h->time_code != 1) ||
+        looks_like_date(h, word))
+        return BOLAN_OK;
+    return text_unexpected(text, &word, "the end of the densities");
 }
 
-// ---- the blocks -----------------------------------------------------------------------------------------------------
+static bolan_result read_value(const swan_header *h, text_cursor *text, const char *expected, text_word *word,
+                               double *value) {
+    if (!text_next_word(text, word)) return text_unexpected(text, NULL, expected);
+    return !looks_like_date(h, *word) && text_fortran_number(*word, value) ? BOLAN_OK
+                                                                           : text_unexpected(text, word, expected);
+}
 
-static bolan_result read_values(swan_reader *r, double factor, double *energy) {
-    const size_t count = (size_t)r->frequencies * r->directions;
+static bolan_result read_matrix(const swan_header *h, text_cursor *text, double factor, spectrum_grid *grid) {
+    const size_t count = (size_t)h->frequencies * h->directions;
+    size_t missing = 0;
     for (size_t i = 0; i < count; i++) {
         text_word word;
         double value;
-        if (!text_next_word(&r->text, &word)) return text_unexpected(&r->text, NULL, "a density");
-        if (!text_number(word, &value)) return text_unexpected(&r->text, &word, "a density");
-        if (value == r->exception) value = 0.0; // missing
-        if (value < 0.0) return text_negative(&r->text, value);
-        const double density = value * factor * r->scale;
-        if (!(density <= ENERGY_MAX)) return text_unexpected(&r->text, &word, "a density that a sea can have");
-        if (energy) energy[i] = density;
+        if (read_value(h, text, "a density", &word, &value)) return BOLAN_ERROR_FORMAT;
+        const bool exception = value == h->quantity[0].exception;
+        missing += exception;
+        if (exception) value = 0.0;
+        if (value < 0.0) return text_negative(text, value);
+        grid->energy[i] = value * factor * h->scale;
+        if (!(grid->energy[i] <= SPECTRUM_MAX_DENSITY))
+            return text_unexpected(text, &word, "a density that a sea can have");
+    }
+    if (missing == count) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_NO_ENERGY,
+                  "%s:%u: every density of the record is the exception value; expected at least one that is not",
+                  text->name, (unsigned)text->line);
+        return BOLAN_ERROR_FORMAT;
+    }
+    if (missing > 0)
+        spectrum_note(&grid->notes, BOLAN_LOG_SPECTRUM_MISSING,
+                      "%s: %.1f %% of the densities of the record are missing (the exception value): they count as 0",
+                      text->name, 100.0 * (double)missing / (double)count);
+    return BOLAN_OK;
+}
+
+// FACTOR and a matrix, into the grid.
+static bolan_result read_2d(const swan_header *h, text_cursor *text, block_kind kind, spectrum_grid *grid) {
+    if (spectrum_grid_begin(grid, h->hertz, h->frequencies, h->to, h->directions)) return BOLAN_ERROR_MEMORY;
+    if (kind == BLOCK_ZERO) return BOLAN_OK; // a calm
+    text_word word;
+    double factor;
+    if (read_value(h, text, "the factor", &word, &factor)) return BOLAN_ERROR_FORMAT;
+    if (factor < 0.0) return text_negative(text, factor);
+    return read_matrix(h, text, factor, grid) || expect_end_of_block(h, text) ? BOLAN_ERROR_FORMAT : BOLAN_OK;
+}
+
+// One value of a band by what it is. r1 follows from the circular spread sqrt(2 (1 - r1)).
+static bolan_result take_value(const swan_header *h, const text_cursor *text, text_word word, swan_quantity quantity,
+                               double value, spectrum_bands *bands, uint32_t i) {
+    if (value == quantity.exception) return BOLAN_OK;
+    switch (quantity.role) {
+    case SWAN_DENSITY:
+        if (value < 0.0) return text_negative(text, value);
+        bands->density[i] = value * h->scale;
+        return bands->density[i] <= SPECTRUM_MAX_DENSITY
+                   ? BOLAN_OK
+                   : text_unexpected(text, &word, "a density that a sea can have");
+    case SWAN_SPREAD:
+        if (!(value >= 0.0 && value <= SPREAD_MAX)) return text_unexpected(text, &word, "a spread of 0 to 81 degrees");
+        bands->r1[i] = fmax(1.0 - 0.5 * bolan_radians(value) * bolan_radians(value), 0.0);
+        return BOLAN_OK;
+    case SWAN_FROM:
+    case SWAN_TO:
+        if (!(fabs(value) <= 720.0)) return text_unexpected(text, &word, "a direction in degrees");
+        bands->alpha1[i] = quantity.role == SWAN_FROM ? value : 270.0 - value;
+        return BOLAN_OK;
     }
     return BOLAN_OK;
 }
 
-// One location at one time, into @p energy, or skipped where that is NULL.
-static bolan_result read_block(swan_reader *r, double *energy) {
-    text_word word;
-    double factor;
-    if (!next_word(&r->text, &word)) return text_unexpected(&r->text, NULL, "FACTOR, ZERO or NODATA");
-    if (text_equals(word, "ZERO") || text_equals(word, "NODATA")) return BOLAN_OK;
-    if (!text_equals(word, "FACTOR")) return text_unexpected(&r->text, &word, "FACTOR, ZERO or NODATA");
-    if (text_read_number(&r->text, "the factor", &factor)) return BOLAN_ERROR_FORMAT;
-    return factor < 0.0 ? text_negative(&r->text, factor) : read_values(r, factor, energy);
-}
-
-// "20161011.013000" -> "2016-10-11T01:30:00"; other codings of time are left out.
-static void format_time(text_word word, char time[32]) {
-    if (word.length != 15 || word.begin[8] != '.') return;
-    for (size_t i = 0; i < 15; i++)
-        if (i != 8 && (word.begin[i] < '0' || word.begin[i] > '9')) return;
-    static const char pattern[] = "YYYY-YY-YYTYY:YY:YY";
-    const char *digit = word.begin;
-    for (size_t i = 0; i < sizeof pattern; i++) {
-        time[i] = pattern[i];
-        if (pattern[i] != 'Y') continue;
-        if (*digit == '.') digit++;
-        time[i] = *digit++;
-    }
-}
-
-static bolan_result read_records(swan_reader *r, uint32_t record, spectrum_grid *grid) {
-    text_word word;
-    while (r->has_times ? next_word(&r->text, &word) : grid->record_count == 0) {
-        const bool wanted = grid->record_count++ == record;
-        if (r->has_times) {
-            if (word.begin[0] < '0' || word.begin[0] > '9')
-                return text_unexpected(&r->text, &word, "the date of the next time");
-            text_skip_line(&r->text);
-            if (wanted) format_time(word, grid->time);
+// LOCATION n and a table, into the bands.
+static bolan_result read_table(const swan_header *h, text_cursor *text, block_kind kind, spectrum_bands *bands) {
+    spectrum_bands_clear(bands);
+    bands->count = h->frequencies;
+    memcpy(bands->hertz, h->hertz, h->frequencies * sizeof(double));
+    for (uint32_t i = 0; kind == BLOCK_ZERO && i < bands->count; i++) bands->density[i] = 0.0;
+    if (kind == BLOCK_ZERO) return BOLAN_OK; // a calm
+    uint32_t number;
+    if (text_read_count(text, "the number of the location", 1, h->locations, &number)) return BOLAN_ERROR_FORMAT;
+    for (uint32_t i = 0; i < h->frequencies; i++)
+        for (uint32_t q = 0; q < h->quantities; q++) {
+            text_word word;
+            double value;
+            if (read_value(h, text, "a value for every quantity", &word, &value) ||
+                take_value(h, text, word, h->quantity[q], value, bands, i))
+                return BOLAN_ERROR_FORMAT;
         }
-        for (uint32_t location = 0; location < r->locations; location++)
-            if (read_block(r, wanted && location == 0 ? grid->energy : NULL)) return BOLAN_ERROR_FORMAT;
-    }
-    if (grid->record_count == 0) return text_unexpected(&r->text, NULL, "the date of the first time");
-    if (record < grid->record_count) return BOLAN_OK;
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TIME_INDEX, "%s: record %u was asked for; expected 0 to %u",
-              r->text.name, (unsigned)record, (unsigned)(grid->record_count - 1));
-    return BOLAN_ERROR_ARGUMENT;
+    return expect_end_of_block(h, text);
 }
 
-bolan_result spectrum_parse_swan(const bolan_spectrum_texts *texts, uint32_t record, spectrum_grid *grid) {
-    swan_reader r = {.text = text_open(&texts->density)};
-    if (read_header(&r)) return BOLAN_ERROR_FORMAT;
-    grid->frequency_count = r.frequencies;
-    grid->direction_count = r.directions;
-    if (!spectrum_grid_allocate(grid)) return BOLAN_ERROR_MEMORY;
-    memcpy(grid->hertz, r.hertz, r.frequencies * sizeof(double));
-    memcpy(grid->to, r.to, r.directions * sizeof(double));
-    return read_records(&r, record, grid);
+static bolan_result read_1d(const swan_header *h, text_cursor *text, block_kind kind,
+                            const bolan_spectrum_options *options, spectrum_grid *grid) {
+    spectrum_bands *bands = bolan_allocate(sizeof *bands);
+    if (!bands) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY,
+                  "a 1-D spectrum needs %zu bytes, which could not be allocated", sizeof *bands);
+        return BOLAN_ERROR_MEMORY;
+    }
+    bolan_spectrum_options calm = *options;
+    if (kind == BLOCK_ZERO) calm.from_deg = 270.0, calm.spread_s = 0.0; // a calm needs no direction, nor a word on it
+    bolan_result result = read_table(h, text, kind, bands);
+    if (!result) result = spectrum_bands_to_grid(bands, h->text.name, "has no directions", &calm, grid);
+    bolan_release(bands, sizeof *bands);
+    return result;
+}
+
+// ---- the whole ------------------------------------------------------------------------------------------------------
+
+// "LOCATION 3" may be followed by NODATA or ZERO in place of its values.
+static block_kind block_after_number(const swan_header *h, text_cursor text) {
+    text_word word;
+    if (!text_next_word(&text, &word) || !swan_next_word(&text, &word)) return BLOCK_VALUES;
+    const block_kind kind = kind_of(h, word);
+    return kind == BLOCK_NONE ? BLOCK_VALUES : kind;
+}
+
+static bolan_result read_record(const swan_header *h, const record_entry *entry, const bolan_spectrum_options *options,
+                                spectrum_grid *grid) {
+    location_choice chosen;
+    text_cursor text = entry->at;
+    text_word word;
+    bolan_result result = choose_location(h, options, &chosen);
+    if (result) return result;
+    for (uint32_t i = 0; i < chosen.index; i++) {
+        block_kind skipped;
+        if (skip_block(h, &text, &skipped)) return BOLAN_ERROR_FORMAT;
+    }
+    if (!swan_next_word(&text, &word)) return text_unexpected(&text, NULL, block_words(h));
+    block_kind kind = kind_of(h, word);
+    if (kind == BLOCK_VALUES && !h->directions) kind = block_after_number(h, text);
+    if (kind == BLOCK_NONE) return text_unexpected(&text, &word, block_words(h));
+    if (kind == BLOCK_NODATA) return refuse_dry(h, &chosen, grid->time, entry->at);
+    result = h->directions ? read_2d(h, &text, kind, grid) : read_1d(h, &text, kind, options, grid);
+    if (!result) location_choice_say(&chosen, h->text.name, &grid->notes);
+    return result;
+}
+
+static void say_times(const swan_header *h, spectrum_notes *notes) {
+    if (h->has_times && h->time_code != 1)
+        spectrum_note(notes, BOLAN_LOG_SPECTRUM_DATE,
+                      "%s: times are coded by option %u, which is not read; records count as in the text", h->text.name,
+                      (unsigned)h->time_code);
+}
+
+bolan_result spectrum_parse_swan(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
+                                 spectrum_grid *grid) {
+    swan_header h;
+    record_list list = {.entries = NULL};
+    const record_entry *entry = NULL;
+    if (swan_read_header(&texts->density, &h)) return BOLAN_ERROR_FORMAT;
+    bolan_result result = list_records(&h, &list);
+    if (!result) result = record_list_choose(&list, h.text.name, options, &grid->notes, &entry);
+    if (!result) {
+        grid->record_count = list.count;
+        if (list.timed) record_date_print(&entry->date, list.style, grid->time);
+        result = read_record(&h, entry, options, grid);
+    }
+    if (!result) say_times(&h, &grid->notes);
+    record_list_release(&list);
+    return result;
 }

@@ -2,11 +2,12 @@
 // Sea states from a wind, a table or a swell, and their validation.
 #include "bolan/math.h"
 #include "bolan/spectrum.h"
+#include "spectrum/measured.h"
 #include "spectrum/portable.h"
 
 #include <math.h>
 
-#define HS_MAX 40.0
+#define HS_MAX SPECTRUM_MAX_HS
 #define PEAK_OMEGA_MIN 0.1
 #define PEAK_OMEGA_MAX 50.0
 #define WIND_MAX 70.0

@@ -38,16 +38,10 @@ static double row_density(const bolan_measured_spectrum *measured, uint32_t row,
     return sum * measured->direction_step;
 }
 
-static double trapezoid_weight(const bolan_measured_spectrum *measured, uint32_t row) {
-    const double *w = measured->omega;
-    const uint32_t last = measured->frequency_count - 1;
-    return 0.5 * (w[row < last ? row + 1 : last] - w[row > 0 ? row - 1 : 0]);
-}
-
 static void add_measured(moments *sum, const bolan_measured_spectrum *measured) {
     for (uint32_t i = 0; i < measured->frequency_count; i++) {
         double cosine, sine;
-        const double weight = trapezoid_weight(measured, i);
+        const double weight = spectrum_trapezoid_weight(measured->omega, measured->frequency_count, i);
         add_sample(sum, row_density(measured, i, &cosine, &sine), measured->omega[i], weight);
         sum->cosine += cosine * weight;
         sum->sine += sine * weight;

@@ -6,16 +6,22 @@
 #include <stdio.h>
 #include <string.h>
 
+static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
+
+// Without the white space at the end, so that a text that ends too early is reported at its last word.
+static void trim(text_cursor *cursor) {
+    while (cursor->end > cursor->next && is_space(cursor->end[-1])) cursor->end--;
+}
+
 text_cursor text_open(const bolan_spectrum_text *text) {
-    text_cursor cursor = {text->name ? text->name : "spectrum", text->data, text->data, 1};
+    text_cursor cursor = {text->name ? text->name : "spectrum", text->data, text->data, 1, false};
     if (!text->data) return cursor;
     cursor.end += text->size;
     if (text->size >= 3 && memcmp(text->data, "\xEF\xBB\xBF", 3) == 0) // a byte-order mark
         cursor.next += 3;
+    trim(&cursor);
     return cursor;
 }
-
-static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
 
 bool text_next_word(text_cursor *cursor, text_word *word) {
     while (cursor->next < cursor->end && is_space(*cursor->next)) cursor->line += *cursor->next++ == '\n';
@@ -38,6 +44,8 @@ bool text_next_line(text_cursor *cursor, text_cursor *line) {
         *line = *cursor;
         text_skip_line(cursor);
         line->end = cursor->next;
+        line->one_line = true;
+        trim(line);
         text_cursor probe = *line;
         text_word word;
         if (text_next_word(&probe, &word)) return true;
@@ -66,10 +74,14 @@ static double scale_decimal(double value, int exponent) {
     return exponent >= 0 ? value * powers[exponent] : exponent >= -22 ? value / powers[-exponent] : 0.0;
 }
 
-// An exponent such as E-05 (Fortran also writes D) at *p; false if the letter is not followed by digits.
-static bool parse_exponent(const char **p, const char *end, int *exponent) {
-    if (*p == end || !memchr("eEdD", **p, 4)) return true;
-    (*p)++;
+// Fortran leaves the letter out where an exponent has three digits: -104.
+static bool is_bare_exponent(const char *p, const char *end) { return end - p == 4 && (*p == '-' || *p == '+'); }
+
+// An exponent such as E-05 (Fortran also writes D) at *p; false if the letter or sign is not followed by digits.
+static bool parse_exponent(const char **p, const char *end, bool fortran, int *exponent) {
+    const bool bare = fortran && is_bare_exponent(*p, end);
+    if (*p == end || (!bare && !memchr("eEdD", **p, 4))) return true;
+    *p += !bare;
     const bool negative = *p < end && **p == '-';
     if (*p < end && (**p == '-' || **p == '+')) (*p)++;
     const char *digits = *p;
@@ -79,7 +91,7 @@ static bool parse_exponent(const char **p, const char *end, int *exponent) {
     return *p > digits;
 }
 
-bool text_number(text_word word, double *value) {
+static bool parse_number(text_word word, bool fortran, double *value) {
     const char *p = word.begin, *end = word.begin + word.length;
     if (word.length == 0 || word.length > 400) return false;
     const bool negative = *p == '-';
@@ -100,18 +112,22 @@ bool text_number(text_word word, double *value) {
             exponent += !fraction;
         }
     }
-    if (digits == 0 || !parse_exponent(&p, end, &exponent) || p != end) return false;
+    if (digits == 0 || !parse_exponent(&p, end, fortran, &exponent) || p != end) return false;
     const double magnitude = scale_decimal((double)mantissa, exponent);
     *value = negative ? -magnitude : magnitude;
     return isfinite(magnitude);
 }
 
+bool text_number(text_word word, double *value) { return parse_number(word, false, value); }
+
+bool text_fortran_number(text_word word, double *value) { return parse_number(word, true, value); }
+
 // ---- messages -------------------------------------------------------------------------------------------------------
 
 bolan_result text_unexpected(const text_cursor *cursor, const text_word *word, const char *what) {
     if (!word) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TRUNCATED, "%s:%u: the text ends where %s was expected",
-                  cursor->name, (unsigned)cursor->line, what);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TRUNCATED, "%s:%u: the %s ends where %s was expected",
+                  cursor->name, (unsigned)cursor->line, cursor->one_line ? "line" : "text", what);
         return BOLAN_ERROR_FORMAT;
     }
     char shown[24];

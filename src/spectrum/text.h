@@ -13,6 +13,7 @@ typedef struct text_cursor {
     const char *name; ///< of the text, for messages
     const char *next, *end;
     uint32_t line; ///< of @ref next, from 1
+    bool one_line; ///< the text is one line of a longer one: for messages
 } text_cursor;
 
 typedef struct text_word {
@@ -26,16 +27,18 @@ text_cursor text_open(const bolan_spectrum_text *text);
 bool text_next_word(text_cursor *cursor, text_word *word);
 /// Moves past the end of the current line.
 void text_skip_line(text_cursor *cursor);
-/// The next line that is not blank, as a text of its own.
+/// The next line that is not blank, as a text of its own, without its end and the white space before that.
 bool text_next_line(text_cursor *cursor, text_cursor *line);
 
 /// Equal, but for the case of ASCII letters.
 bool text_equals(text_word word, const char *expected);
 /// A decimal number that fills the word: no "nan", "inf" or hexadecimal, and no overflow.
 bool text_number(text_word word, double *value);
+/// The same, and Fortran's form of an exponent of three digits, which has no letter: "0.67027118-104".
+bool text_fortran_number(text_word word, double *value);
 
-/// Logs "NAME:LINE: expected WHAT, found WORD" (SPECTRUM_SYNTAX), or, when @p word is NULL, that the text ends where
-/// WHAT was expected (SPECTRUM_TRUNCATED). Returns BOLAN_ERROR_FORMAT.
+/// Logs "NAME:LINE: expected WHAT, found WORD" (SPECTRUM_SYNTAX), or, when @p word is NULL, that the text or line ends
+/// where WHAT was expected (SPECTRUM_TRUNCATED). Returns BOLAN_ERROR_FORMAT.
 bolan_result text_unexpected(const text_cursor *cursor, const text_word *word, const char *what);
 
 /// The next word as a number, whole number, or non-negative density; an error is logged as above, and negative

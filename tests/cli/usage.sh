@@ -55,6 +55,11 @@ refuse 2 '--effects: sparkle is unknown; expected none, or some of reflection' r
 refuse 2 '--effects: ' render --effects foam,,fog -o a.png
 refuse 2 '--effects does not go with bolan measure' measure --effects foam
 refuse 2 '--record chooses from a spectrum file' measure --record 2
+refuse 2 '--location chooses from a spectrum file' measure --location 2
+refuse 2 '--from completes a spectrum file' measure --from 2
+refuse 2 '--spread completes a spectrum file' measure --spread 2
+refuse 2 '--from is 361; expected a number from -360 to 360 degrees' measure --spectrum a.spec --from 361
+refuse 2 '--spread is 201; expected a number from 0 to 200' measure --spectrum a.spec --spread 201
 refuse 2 '--wind, --beaufort and --sea-state exclude each other' measure --wind 3 --beaufort 4
 refuse 2 '--fetch does not go with --beaufort' measure --fetch 30 --beaufort 4
 refuse 2 '--spectrum tma is a sea of finite depth; give --depth' measure --spectrum tma

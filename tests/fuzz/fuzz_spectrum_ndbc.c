@@ -23,10 +23,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         next = cut ? cut + 1 : end;
     }
     bolan_measured_spectrum *spectrum = NULL;
-    if (!bolan_measured_spectrum_parse(&texts, 0, &spectrum)) {
+    if (!bolan_measured_spectrum_parse(&texts, NULL, &spectrum)) {
         bolan_sea_state sea_state = bolan_sea_state_default();
         sea_state.measured = spectrum;
-        if (!(bolan_sea_state_summary(&sea_state).m0 > 0.0)) abort();
+        const bolan_sea_summary summary = bolan_sea_state_summary(&sea_state);
+        if (!(summary.m0 >= 0.0 && summary.hs <= 40.01)) abort();
     }
     bolan_measured_spectrum_destroy(&spectrum);
     return bolan_memory_in_use() == 0 ? 0 : (abort(), 0);

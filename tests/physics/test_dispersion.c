@@ -88,7 +88,7 @@ static int read_array(const char **at, const char *key, double *values, int capa
 
 static void sixty_validation_points_of_mhkit_agree(void **state) {
     (void)state;
-    bolan_spectrum_text text = load_shared("mhkit_ValData1.json");
+    bolan_spectrum_text text = load_text("mhkit_ValData1.json");
     char *json = calloc(text.size + 1, 1);
     memcpy(json, text.data, text.size);
     int points = 0;

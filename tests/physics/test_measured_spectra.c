@@ -25,17 +25,17 @@ static void assert_sea(const bolan_spectrum_texts *texts, uint32_t record, expec
 
 static bolan_spectrum_texts swan_texts(void) {
     bolan_spectrum_texts texts = bolan_spectrum_texts_default();
-    texts.density = load_shared("swan_maari_lonlat_24f36d.spec");
+    texts.density = load_text("swan_maari_lonlat_24f36d.spec");
     return texts;
 }
 
 static bolan_spectrum_texts buoy_41010(void) {
     bolan_spectrum_texts texts = bolan_spectrum_texts_default();
-    texts.density = load_shared("ndbc_41010.data_spec");
-    texts.swdir = load_shared("ndbc_41010.swdir");
-    texts.swdir2 = load_shared("ndbc_41010.swdir2");
-    texts.swr1 = load_shared("ndbc_41010.swr1");
-    texts.swr2 = load_shared("ndbc_41010.swr2");
+    texts.density = load_text("ndbc_41010.data_spec");
+    texts.swdir = load_text("ndbc_41010.swdir");
+    texts.swdir2 = load_text("ndbc_41010.swdir2");
+    texts.swr1 = load_text("ndbc_41010.swr1");
+    texts.swr2 = load_text("ndbc_41010.swr2");
     return texts;
 }
 
@@ -49,6 +49,7 @@ static void a_swan_model_off_taranaki_reads_as_published(void **state) {
     bolan_spectrum_texts texts = swan_texts();
     assert_sea(&texts, 0, (expected_sea){1.7158, 13.5685, 7.6839, 10.7262, 250.02, 21.06});
     assert_sea(&texts, 4, (expected_sea){4.2587, 13.5685, 7.3809, 10.1755, 254.11, 23.27});
+    assert_int_equal(warning_count, 0);
     bolan_measured_spectrum *spectrum = parse(&texts, 4);
     const bolan_measured_view view = bolan_measured_spectrum_view(spectrum);
     assert_int_equal(view.frequency_count, 24);
@@ -62,8 +63,9 @@ static void a_swan_model_off_taranaki_reads_as_published(void **state) {
 static void an_ndbc_history_table_reads_as_published(void **state) {
     (void)state;
     bolan_spectrum_texts texts = bolan_spectrum_texts_default();
-    texts.density = load_shared("ndbc_44004w2000.txt");
+    texts.density = load_text("ndbc_44004w2000.txt");
     assert_sea(&texts, 0, (expected_sea){1.2881, 7.6923, 4.5871, 5.6040, -1, 0});
+    assert_warned(BOLAN_LOG_SPECTRUM_NO_DIRECTIONS, "270 degrees");
     release_texts(&texts);
 }
 
@@ -79,6 +81,25 @@ static void an_ndbc_directional_buoy_reads_as_published(void **state) {
     assert_string_equal(bolan_measured_spectrum_view(spectrum).time, "2020-06-08T03:50Z"); // the first row, the newest
     bolan_measured_spectrum_destroy(&spectrum);
     assert_sea(&texts, 148, (expected_sea){1.1188, 5.5556, 5.0274, 5.9151, 158.6, 49.6});
+    assert_int_equal(warning_count, 0);
+    release_texts(&texts);
+}
+
+// The first record's values are published with the file's other readers; the last was summed from the same text.
+static void a_wavewatch_point_reads_as_published(void **state) {
+    (void)state;
+    bolan_spectrum_texts texts = bolan_spectrum_texts_default();
+    texts.density = load_text("ww3_44097_50f36d.spec");
+    assert_sea(&texts, 0, (expected_sea){1.1573, 13.5685, 8.1275, 11.5393, 113.48, 25.91});
+    assert_sea(&texts, 3, (expected_sea){1.0821, 13.5685, 8.5778, 11.6489, 113.08, 23.47});
+    assert_int_equal(warning_count, 0);
+    bolan_measured_spectrum *spectrum = parse(&texts, 3);
+    const bolan_measured_view view = bolan_measured_spectrum_view(spectrum);
+    assert_int_equal(view.record_count, 4);
+    assert_int_equal(view.frequency_count, 50);
+    assert_int_equal(view.direction_count, 36);
+    assert_string_equal(view.time, "2022-09-12T09:00:00");
+    bolan_measured_spectrum_destroy(&spectrum);
     release_texts(&texts);
 }
 
@@ -181,11 +202,12 @@ int main(void) {
         cmocka_unit_test(a_swan_model_off_taranaki_reads_as_published),
         cmocka_unit_test(an_ndbc_history_table_reads_as_published),
         cmocka_unit_test(an_ndbc_directional_buoy_reads_as_published),
+        cmocka_unit_test(a_wavewatch_point_reads_as_published),
         cmocka_unit_test(no_buoy_record_turns_negative),
         cmocka_unit_test(wave_vectors_hold_the_variance_of_the_file),
         cmocka_unit_test(the_short_waves_continue_the_file_as_the_inverse_fifth_power),
         cmocka_unit_test(the_short_waves_run_like_the_last_three_bands),
         cmocka_unit_test(a_measured_sea_and_a_swell_add_up),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, capture_log, release_log);
 }

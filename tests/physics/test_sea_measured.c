@@ -40,7 +40,7 @@ static void assert_synthesis(const bolan_spectrum_texts *texts, uint32_t record,
 static void a_swan_spectrum_becomes_its_sea(void **state) {
     (void)state;
     bolan_spectrum_texts texts = bolan_spectrum_texts_default();
-    texts.density = load_shared("swan_maari_lonlat_24f36d.spec");
+    texts.density = load_text("swan_maari_lonlat_24f36d.spec");
     assert_synthesis(&texts, 0, (expected_sea){1.7158, 7.6839, 250.02, 21.06, 6.0});
     assert_synthesis(&texts, 4, (expected_sea){4.2587, 7.3809, 254.11, 23.27, 15.0});
     free((char *)texts.density.data);
@@ -50,7 +50,7 @@ static void a_swan_spectrum_becomes_its_sea(void **state) {
 static void a_swan_spectrum_becomes_a_sum_of_cosines(void **state) {
     (void)state;
     bolan_spectrum_texts texts = bolan_spectrum_texts_default();
-    texts.density = load_shared("swan_maari_lonlat_24f36d.spec");
+    texts.density = load_text("swan_maari_lonlat_24f36d.spec");
     for (uint32_t record = 0; record <= 4; record += 4) {
         bolan_measured_spectrum *spectrum = parse(&texts, record);
         bolan_sea_desc desc = bolan_sea_desc_default();

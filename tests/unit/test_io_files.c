@@ -201,33 +201,82 @@ static void test_a_film_appears_when_it_is_whole(void **state) {
 static void test_spectrum_files(void **state) {
     (void)state;
     bolan_measured_spectrum *spectrum = NULL;
-    assert_refusal(bolan_spectrum_load("none.spec", 0, &spectrum), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN,
+    assert_refusal(bolan_spectrum_load("none.spec", NULL, &spectrum), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN,
                    "none.spec: cannot be read");
-    assert_refusal(bolan_spectrum_load("builtin:none", 0, &spectrum), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_UNKNOWN_NAME,
+    assert_refusal(bolan_spectrum_load("builtin:none", NULL, &spectrum), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_UNKNOWN_NAME,
                    "builtin:none");
     write_text("files_g.spec", "");
-    assert_refusal(bolan_spectrum_load("files_g.spec", 0, &spectrum), BOLAN_ERROR_FORMAT, BOLAN_LOG_SPECTRUM_EMPTY,
+    assert_refusal(bolan_spectrum_load("files_g.spec", NULL, &spectrum), BOLAN_ERROR_FORMAT, BOLAN_LOG_SPECTRUM_EMPTY,
                    "files_g.spec");
     remove("files_g.spec");
-    assert_int_equal(bolan_spectrum_load("builtin:synthetic-bimodal", 0, &spectrum), BOLAN_OK);
+    assert_int_equal(bolan_spectrum_load("builtin:synthetic-bimodal", NULL, &spectrum), BOLAN_OK);
     assert_int_equal(bolan_measured_spectrum_view(spectrum).direction_count, 36);
     bolan_measured_spectrum_destroy(&spectrum);
-    assert_refusal(bolan_spectrum_load("builtin:synthetic-bimodal", 7, &spectrum), BOLAN_ERROR_ARGUMENT,
+    bolan_spectrum_options options = bolan_spectrum_options_default();
+    options.record = 7;
+    assert_refusal(bolan_spectrum_load("builtin:synthetic-bimodal", &options, &spectrum), BOLAN_ERROR_ARGUMENT,
                    BOLAN_LOG_SPECTRUM_TIME_INDEX, "synthetic-bimodal");
+}
+
+static bolan_sea_summary load_sea(const char *path, const bolan_spectrum_options *options) {
+    bolan_measured_spectrum *spectrum = NULL;
+    assert_int_equal(bolan_spectrum_load(path, options, &spectrum), BOLAN_OK);
+    bolan_sea_state sea = bolan_sea_state_default();
+    sea.measured = spectrum;
+    const bolan_sea_summary summary = bolan_sea_state_summary(&sea);
+    bolan_measured_spectrum_destroy(&spectrum);
+    return summary;
 }
 
 static void test_ndbc_companions_are_found(void **state) {
     (void)state;
     char path[1024];
-    bolan_measured_spectrum *spectrum = NULL;
-    assert_int_equal(bolan_spectrum_load(test_data("spectra/ndbc_41010.data_spec", path, sizeof path), 148, &spectrum),
-                     BOLAN_OK);
-    bolan_sea_state sea = bolan_sea_state_default();
-    sea.measured = spectrum;
+    bolan_spectrum_options options = bolan_spectrum_options_default();
+    options.record = 148;
     // The newest record, 2020-06-08 03:50: 1.1188 m from 158.6 degrees; the direction is in the companions alone.
-    assert_near(bolan_sea_state_summary(&sea).hs, 1.1188, 0.006);
-    assert_near(bolan_sea_state_summary(&sea).from_deg, 158.6, 0.5);
-    bolan_measured_spectrum_destroy(&spectrum);
+    bolan_sea_summary s = load_sea(test_data("spectra/ndbc_41010.data_spec", path, sizeof path), &options);
+    assert_near(s.hs, 1.1188, 0.006);
+    assert_near(s.from_deg, 158.6, 0.5);
+    // The set of a year: w, and d, i, j, k beside it. All from 180 with r1 = 0.85.
+    options.record = 0;
+    s = load_sea(test_data("spectra/41004w2018.txt", path, sizeof path), &options);
+    assert_near(s.hs, 1.99544, 1e-5); // trapezoid rule over the text
+    assert_near(s.from_deg, 180.0, 1e-3);
+    assert_near(s.spread_deg, sqrt(2.0 * 0.15) * 180.0 / acos(-1.0), 1e-3);
+    // No row of that time: that of an hour before is taken.
+    s = load_sea(test_data("spectra/rtmiss.data_spec", path, sizeof path), &options);
+    assert_near(s.hs, 1.99510, 1e-5);
+    assert_near(s.from_deg, 180.0, 1e-3);
+}
+
+// Each companion by its own letter, also in capitals, and only where the density's name has its own.
+static void test_letters_in_names_of_the_history(void **state) {
+    (void)state;
+    static const char head[] = "YYYY MM DD hh .1 .2\n2000 01 01 00 ";
+    static const char *const rows[] = {"1.5 2.5", "40 40", "50 50", "80 80", "55 55"};
+    for (int capital = 0; capital < 2; capital++) {
+        const char *letters = capital ? "WDIJK" : "wdijk";
+        char name[64], text[128];
+        for (int i = 0; i < 5; i++) {
+            snprintf(name, sizeof name, "files%c2000w.txt", letters[i]);
+            snprintf(text, sizeof text, "%s%s\n", head, rows[i]);
+            write_text(name, text);
+        }
+        snprintf(name, sizeof name, "files%c2000w.txt", letters[0]);
+        bolan_sea_summary s = load_sea(name, NULL);
+        assert_near(s.from_deg, 40.0, 1e-3);
+        assert_near(s.spread_deg, sqrt(2.0 * 0.2) * 180.0 / acos(-1.0), 1e-3);
+        snprintf(name, sizeof name, "files%c2000w.txt", letters[1]);
+        remove(name);
+        bolan_spectrum_options options = bolan_spectrum_options_default();
+        options.from_deg = 90.0;
+        snprintf(name, sizeof name, "files%c2000w.txt", letters[0]);
+        assert_near(load_sea(name, &options).from_deg, 90.0, 1e-3);
+        for (int i = 0; i < 5; i++) {
+            snprintf(name, sizeof name, "files%c2000w.txt", letters[i]);
+            remove(name);
+        }
+    }
 }
 
 int main(void) {
@@ -243,6 +292,7 @@ int main(void) {
         cmocka_unit_test(test_a_film_appears_when_it_is_whole),
         cmocka_unit_test(test_spectrum_files),
         cmocka_unit_test(test_ndbc_companions_are_found),
+        cmocka_unit_test(test_letters_in_names_of_the_history),
     };
     return cmocka_run_group_tests(tests, listen_to_log, NULL);
 }

@@ -151,9 +151,45 @@ static void test_a_raster_and_a_spectrum_file(void **state) {
     assert_near(s.terrain.radius, 80e3, 0);
     assert_near(s.terrain.vertical_scale, 0.01, 0);
     assert_string_equal(s.spectrum_path, "b.spec");
-    assert_int_equal(s.spectrum_record, 3);
+    assert_int_equal(s.spectrum.record, 3);
+    assert_string_equal(s.spectrum.time, "");
+    assert_true(isnan(s.spectrum.from_deg) && isnan(s.spectrum.spread_s) && isnan(s.spectrum.place[0]));
     assert_int_equal(s.sea.sea_state.system_count, 0); // the waves are the file's
     assert_near(s.sea.sea_state.wind_speed, 9, 0);
+}
+
+static void refuse_scene(const char *text, const char *words) {
+    bolan_scene scene;
+    assert_refusal(parse(text, &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_BAD_VALUE, words);
+}
+
+static void test_what_is_read_of_a_spectrum_file(void **state) {
+    (void)state;
+    bolan_scene s;
+    assert_int_equal(
+        parse("sea: {spectrum: {file: b.spec, record: 2018-01-01T06:00, location: 2, from: 30, spread: 50}}\n", &s),
+        BOLAN_OK);
+    assert_string_equal(s.spectrum.time, "2018-01-01T06:00");
+    assert_int_equal(s.spectrum.location, 2);
+    assert_near(s.spectrum.from_deg, 30, 0);
+    assert_near(s.spectrum.spread_s, 50, 0);
+    assert_int_equal(parse("sea:\n  spectrum:\n    file: b.spec\n    location: 174.67, -38.17\n", &s), BOLAN_OK);
+    assert_int_equal(s.spectrum.location, 0);
+    assert_near(s.spectrum.place[0], 174.67, 0);
+    assert_near(s.spectrum.place[1], -38.17, 0);
+    s.spectrum.from_deg = 361;
+    assert_refusal(bolan_scene_validate(&s), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_OUT_OF_RANGE, "from_deg is 361");
+    refuse_scene("sea: {spectrum: {file: b.spec, record: 2018-02-30}}\n", "sea.spectrum.record is neither");
+    refuse_scene("sea: {spectrum: {file: b.spec, record: -1}}\n", "sea.spectrum.record is neither");
+    refuse_scene("sea: {spectrum: {file: b.spec, location: 0}}\n", "sea.spectrum.location is neither");
+    refuse_scene("sea: {spectrum: {file: b.spec, from: 400}}\n", "sea.spectrum.from is 400");
+    refuse_scene("sea: {spectrum: {file: b.spec, spread: 201}}\n", "sea.spectrum.spread is 201");
+    static const char *const lone[] = {"record: 1", "location: 2", "from: 3", "spread: 4"};
+    for (int i = 0; i < 4; i++) {
+        char text[128];
+        snprintf(text, sizeof text, "sea:\n  spectrum: {%s}\n", lone[i]);
+        refuse_scene(text, "but no file");
+    }
 }
 
 static void test_tables_and_dates(void **state) {
@@ -360,6 +396,7 @@ int main(void) {
         cmocka_unit_test(test_an_empty_document_is_the_default_scene),
         cmocka_unit_test(test_every_key_arrives),
         cmocka_unit_test(test_a_raster_and_a_spectrum_file),
+        cmocka_unit_test(test_what_is_read_of_a_spectrum_file),
         cmocka_unit_test(test_tables_and_dates),
         cmocka_unit_test(test_effects_as_words),
         cmocka_unit_test(test_a_key_of_the_path_keeps_what_it_does_not_say),

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+/// @file bands.h
+/// A spectrum by frequency bands, as a buoy or a 1-D file gives it, and what stands in for what it lacks. Private to
+/// src/spectrum.
+#ifndef BOLAN_SPECTRUM_BANDS_H
+#define BOLAN_SPECTRUM_BANDS_H
+
+#include "spectrum/measured.h"
+
+/// NAN marks what is missing.
+typedef struct spectrum_bands {
+    uint32_t count;
+    double hertz[SPECTRUM_MAX_FREQUENCIES];
+    double density[SPECTRUM_MAX_FREQUENCIES];                                  ///< [m2/Hz]
+    double alpha1[SPECTRUM_MAX_FREQUENCIES], alpha2[SPECTRUM_MAX_FREQUENCIES]; ///< compass FROM [deg]
+    double r1[SPECTRUM_MAX_FREQUENCIES], r2[SPECTRUM_MAX_FREQUENCIES];         ///< 0..1
+} spectrum_bands;
+
+/// Every value missing; @ref count and hertz stay.
+void spectrum_bands_clear(spectrum_bands *bands);
+/// Fills the gaps and spreads each band over direction, into the grid's arrays, which it allocates. Each kind of
+/// stand-in is one warning; @p why says how the directions come to be missing ("has no table of directions beside it").
+/// FORMAT where no band has a density; MEMORY.
+bolan_result spectrum_bands_to_grid(spectrum_bands *bands, const char *name, const char *why,
+                                    const bolan_spectrum_options *options, spectrum_grid *grid);
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+/// @file records.h
+/// The records of a text: their dates, their order in time, and the choice of one. Private to src/spectrum.
+#ifndef BOLAN_SPECTRUM_RECORDS_H
+#define BOLAN_SPECTRUM_RECORDS_H
+
+#include "spectrum/notes.h"
+#include "spectrum/text.h"
+
+/// Year, month, day, hour, minute, second of the Gregorian calendar, UTC.
+typedef struct record_date {
+    int field[6];
+} record_date;
+
+/// Days of a month, 28 to 31; 31 for a month that is none.
+int record_days_in_month(int year, int month);
+/// Is there such a moment? Years 1900 to 2999, hours 0 to 23.
+bool record_date_is_valid(const record_date *date);
+/// Seconds since 1970. Of a valid date.
+int64_t record_date_seconds(const record_date *date);
+/// "2018-01-01", "2018-01-01T06:00" or "2018-01-01T06:00:00", with or without Z; false if it is none, or impossible.
+bool record_date_from_text(const char *text, record_date *date);
+
+/// How a format's times are printed: as exact as the format, and UTC only where the format says so.
+typedef enum record_style {
+    RECORD_UTC_MINUTES,   ///< "2018-01-01T06:00Z"
+    RECORD_LOCAL_SECONDS, ///< "2018-01-01T06:00:00"
+} record_style;
+enum { RECORD_TIME_SIZE = 32 };
+void record_date_print(const record_date *date, record_style style, char out[RECORD_TIME_SIZE]);
+
+typedef struct record_entry {
+    int64_t seconds; ///< since 1970; where the text has no readable times, the place in the text
+    uint32_t order;  ///< in the text
+    record_date date;
+    text_cursor at; ///< where the record's content begins
+} record_entry;
+
+typedef struct record_list {
+    record_entry *entries; ///< in the order of the text until one is chosen
+    uint32_t count, capacity;
+    bool timed; ///< the entries have dates
+    record_style style;
+} record_list;
+
+/// Appends an entry; MEMORY (logged). Sets seconds by the date, or by the order where the list is not timed.
+bolan_result record_list_add(record_list *list, const record_date *date, text_cursor at);
+void record_list_release(record_list *list);
+/// Sorts by time, equal times as in the text, and gives the record that the options ask for. ARGUMENT (one sentence) if
+/// there is none. A date that is not exact, but within an hour, is a note.
+bolan_result record_list_choose(record_list *list, const char *name, const bolan_spectrum_options *options,
+                                spectrum_notes *notes, const record_entry **chosen);
+
+/// How far apart [s] two times may be for one to stand in for the other.
+#define RECORD_NEAR_SECONDS 3600
+
+#endif

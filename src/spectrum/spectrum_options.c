@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The options of a measured spectrum: which record and location, and what stands in for directions.
+#include "bolan/spectrum.h"
+#include "spectrum/records.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+bolan_spectrum_options bolan_spectrum_options_default(void) {
+    const double none = (double)NAN;
+    const bolan_spectrum_options options = {.place = {none, none}, .from_deg = none, .spread_s = none};
+    return options;
+}
+
+// A number from @p low that fills the text up to @p end.
+static bool read_number(const char *text, const char *end, double low, double high, double *value) {
+    return text_number((text_word){text, (size_t)(end - text), 1}, value) && *value >= low && *value <= high;
+}
+
+static bool read_whole(const char *text, double low, uint32_t *out) {
+    double value;
+    if (!read_number(text, text + strlen(text), low, 1e9, &value) || value != floor(value)) return false;
+    *out = (uint32_t)value;
+    return true;
+}
+
+bool bolan_spectrum_options_set_record(bolan_spectrum_options *options, const char *text) {
+    BOLAN_ASSERT(options && text);
+    record_date date;
+    uint32_t record = 0;
+    const bool is_date = record_date_from_text(text, &date);
+    if (!is_date && !read_whole(text, 0.0, &record)) return false;
+    options->record = record;
+    snprintf(options->time, sizeof options->time, "%s", is_date ? text : "");
+    return true;
+}
+
+bool bolan_spectrum_options_set_location(bolan_spectrum_options *options, const char *text) {
+    BOLAN_ASSERT(options && text);
+    const char *comma = strchr(text, ',');
+    uint32_t location = 0;
+    double x = (double)NAN, y = (double)NAN;
+    if (comma) {
+        const char *second = comma + 1 + strspn(comma + 1, " ");
+        if (!read_number(text, comma, -1e9, 1e9, &x) || !read_number(second, text + strlen(text), -1e9, 1e9, &y))
+            return false;
+    } else if (!read_whole(text, 1.0, &location)) {
+        return false;
+    }
+    options->location = location;
+    options->place[0] = x;
+    options->place[1] = y;
+    return true;
+}
+
+// NAN stands for "not given".
+static bolan_result check(const char *field, double value, double low, double high, const char *unit) {
+    if (isnan(value) || (value >= low && value <= high)) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "bolan_spectrum_options: %s is %g; expected %g to %g%s", field,
+              value, low, high, unit);
+    return BOLAN_ERROR_ARGUMENT;
+}
+
+bolan_result bolan_spectrum_options_validate(const bolan_spectrum_options *o) {
+    BOLAN_ASSERT(o);
+    record_date date;
+    if (!memchr(o->time, '\0', sizeof o->time) || (o->time[0] && !record_date_from_text(o->time, &date))) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT,
+                  "bolan_spectrum_options: time is %.31s; expected a date such as 2018-01-01T06:00", o->time);
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    if (isnan(o->place[0]) != isnan(o->place[1])) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_NOT_FINITE, "bolan_spectrum_options: one coordinate of place is missing");
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    const bool ok = !check("place[0]", o->place[0], -1e9, 1e9, "") && !check("place[1]", o->place[1], -1e9, 1e9, "") &&
+                    !check("from_deg", o->from_deg, -360, 360, " degrees") &&
+                    !check("spread_s", o->spread_s, 0, 200, "");
+    return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
+}
