@@ -13,12 +13,12 @@ extern "C" {
 #endif
 
 /// A regular grid of elevations in local metres. Sample (i, j) is at (west + i * step_x, south + j * step_y) and stands at
-/// elevation[j * width + i] [m above mean sea level], row 0 in the south.
+/// elevation[j * width + i] [m above mean sea level], row 0 in the south. All samples lie within +-1e8 m of the origin.
 typedef struct bolan_heightfield {
     uint32_t width, height; ///< 2..32768 each
     double west, south;     ///< position of sample (0, 0) [m east, north of the scene origin]
-    double step_x, step_y;  ///< [m] > 0
-    const float *elevation; ///< width * height finite values
+    double step_x, step_y;  ///< [m] 1e-3..1e7
+    const float *elevation; ///< width * height values within +-1e6 m
 } bolan_heightfield;
 
 /// How a terrain is made of a grid.
@@ -26,7 +26,7 @@ typedef struct bolan_terrain_desc {
     bolan_heightfield field; ///< copied
     double detail; ///< strength of the procedural detail below the grid's spacing, 0..2; default 1; 0: the data alone
     uint64_t seed; ///< of the detail; default 1
-    double edge_elevation; ///< elevation far outside the grid [m]; the grid's rim blends to it; default -4000
+    double edge_elevation; ///< elevation far outside the grid [m], +-1e6; its rim blends to it; default -4000
 } bolan_terrain_desc;
 
 /// A generated volcanic island with a lagoon side: a horseshoe of eroded peaks, cliffs and rock stacks to windward, sandy

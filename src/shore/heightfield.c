@@ -217,6 +217,9 @@ static surface_point level_at(height_cursor *c, uint32_t slot, uint32_t level, d
 }
 
 float terrain_inside(const bolan_terrain *t, double x, double y) {
+    if (!isfinite(x + y)) { // outside of everything, also where it is no number
+        return 0.0f;
+    }
     double dx = fmax(fmax(t->west - x, x - t->east), 0.0), dy = fmax(fmax(t->south - y, y - t->north), 0.0);
     if (dx == 0.0 && dy == 0.0) {
         return 1.0f;
