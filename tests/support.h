@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every test includes: cmocka with the headers it forgets, and the data that some tests use where it is present.
+// What every test includes: cmocka with the headers it forgets, and the data of tests/data.
 #ifndef BOLAN_TESTS_SUPPORT_H
 #define BOLAN_TESTS_SUPPORT_H
 
@@ -31,18 +31,9 @@ static inline void assert_near_at(double a, double b, double tolerance, const ch
     _fail(file, line);
 }
 
-/// The path of a file of the test data, in @p path. Skips the test where the file is absent. The folder is
-/// BOLAN_SHARED_DATA: in the environment, else what the build was configured with.
+/// The path of a file of tests/data, in @p path.
 static inline const char *test_data(const char *name, char *path, size_t size) {
-    const char *folder = getenv("BOLAN_SHARED_DATA");
-    snprintf(path, size, "%s/%s", folder ? folder : BOLAN_SHARED_DATA, name);
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        print_message("skipped: there is no %s\n", path);
-        skip();
-    } else {
-        fclose(file);
-    }
+    snprintf(path, size, "%s/tests/data/%s", BOLAN_SOURCE_DIR, name);
     return path;
 }
 

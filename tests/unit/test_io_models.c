@@ -12,12 +12,16 @@ static const char *const square_obj = "mtllib square.mtl\n"
                                       "f 1 2 3 4\n";
 static const char *const square_mtl = "newmtl red\nKd 0.8 0.1 0.2\n";
 
+static bolan_result load(const char *path, bolan_model **out) {
+    return bolan_model_load(&(bolan_model_desc){.path = path}, out);
+}
+
 static void test_an_obj_is_read_with_its_material(void **state) {
     (void)state;
     write_text("square.obj", square_obj);
     write_text("square.mtl", square_mtl);
     bolan_model *model = NULL;
-    assert_int_equal(bolan_model_load("square.obj", &model), BOLAN_OK);
+    assert_int_equal(load("square.obj", &model), BOLAN_OK);
     const bolan_model_view v = bolan_model_get_view(model);
     assert_int_equal(v.index_count, 6);
     for (uint32_t i = 0; i < v.vertex_count; i++) {
@@ -54,7 +58,7 @@ static void test_a_gltf_is_read_with_its_nodes(void **state) {
     (void)state;
     write_text("triangle.gltf", triangle_gltf);
     bolan_model *model = NULL;
-    assert_int_equal(bolan_model_load("triangle.gltf", &model), BOLAN_OK);
+    assert_int_equal(load("triangle.gltf", &model), BOLAN_OK);
     const bolan_model_view v = bolan_model_get_view(model);
     assert_int_equal(v.index_count, 3);
     float west = 0.0f, top = 0.0f;
@@ -75,8 +79,8 @@ static void test_a_gltf_is_read_with_its_nodes(void **state) {
 static void test_what_is_no_model_is_refused(void **state) {
     (void)state;
     bolan_model *model = NULL;
-    assert_refusal(bolan_model_load("no-such.obj", &model), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN, "no-such.obj");
-    assert_refusal(bolan_model_load(".", &model), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN, "is not a file");
+    assert_refusal(load("no-such.obj", &model), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN, "no-such.obj");
+    assert_refusal(load(".", &model), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN, "is not a file");
     static const struct {
         const char *name, *text;
     } bad[] = {
@@ -91,7 +95,7 @@ static void test_what_is_no_model_is_refused(void **state) {
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         write_text(bad[i].name, bad[i].text);
-        assert_refusal(bolan_model_load(bad[i].name, &model), BOLAN_ERROR_FORMAT, BOLAN_LOG_MODEL_FORMAT, bad[i].name);
+        assert_refusal(load(bad[i].name, &model), BOLAN_ERROR_FORMAT, BOLAN_LOG_MODEL_FORMAT, bad[i].name);
         assert_null(model);
     }
 }
@@ -119,7 +123,7 @@ static void test_a_lying_gltf_does_no_harm(void **state) {
                  at + strlen(lies[i].true_text));
         write_text("lie.gltf", text);
         bolan_model *model = NULL;
-        const bolan_result result = bolan_model_load("lie.gltf", &model);
+        const bolan_result result = load("lie.gltf", &model);
         assert_true((result == BOLAN_OK) == (model != NULL));
         bolan_model_destroy(&model);
     }
