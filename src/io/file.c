@@ -47,7 +47,10 @@ static bolan_result read_stream(FILE *stream, const char *path, size_t limit, fi
     // Give the exact size back, so that the owner need not remember the capacity.
     char *exact = result ? NULL : bolan_allocate(size + 1);
     if (exact) memcpy(exact, data, size);
-    if (!result && !exact) result = BOLAN_ERROR_MEMORY;
+    if (!result && !exact) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory to read it", path);
+        result = BOLAN_ERROR_MEMORY;
+    }
     bolan_release(data, capacity + 1);
     *out = (file_text){exact, exact ? size : 0};
     return result;

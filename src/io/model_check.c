@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 
 enum { MOST_DIGITS = 64, MOST_CORNERS = 1024, DEEPEST = 128, HEAD = 1024 };
+enum { MOST_MATERIAL_FILES = 64, MATERIAL_FILE_LIMIT = 1 << 20 };
 
 bolan_result model_refuse(const char *path, const char *what) {
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_MODEL_LIMIT, "%s: %s", path, what);
@@ -58,6 +59,28 @@ static bolan_result check_faces(const char *path, const file_text *t) {
     return BOLAN_OK;
 }
 
+// The material files that an OBJ file names: the library opens and reads them too.
+static bolan_result check_materials(const char *path, const file_text *t) {
+    int files = 0;
+    for (const char *at = t->data; (at = strstr(at, "mtllib ")); at++) {
+        char name[BOLAN_PATH_MAX], file[BOLAN_PATH_MAX];
+        if (at > t->data && at[-1] != '\n') continue;
+        if (++files > MOST_MATERIAL_FILES) return model_refuse(path, "it names more than 64 material files");
+        const char *start = at + strlen("mtllib ");
+        snprintf(name, sizeof name, "%.*s", (int)(strcspn(start, "\r\n") & 0xffff), start);
+        file_text text;
+        struct stat s;
+        if (!file_resolve(path, name, file) || stat(file, &s) != 0) continue; // it is read without its colours
+        if (!S_ISREG(s.st_mode)) return model_refuse(file, "is not a file; expected materials (MTL)");
+        bolan_result result = file_read(file, MATERIAL_FILE_LIMIT, &text);
+        if (result) return result;
+        result = check_digits(file, &text);
+        file_release(&text);
+        if (result) return result;
+    }
+    return BOLAN_OK;
+}
+
 // Brackets, and elements of XML.
 static bolan_result check_depth(const char *path, const file_text *t) {
     size_t line = 1;
@@ -94,7 +117,9 @@ static bolan_result check_text(const char *path, const file_text *t, model_forma
     if (ends_with(path, ".ply") && check_ply(path, t)) return BOLAN_ERROR_FORMAT;
     if (memchr(t->data, '\0', t->size < HEAD ? t->size : HEAD)) return BOLAN_OK; // binary
     if (check_digits(path, t)) return BOLAN_ERROR_FORMAT;
-    return format == MODEL_OBJ ? check_faces(path, t) : check_depth(path, t);
+    if (format != MODEL_OBJ) return check_depth(path, t);
+    const bolan_result result = check_faces(path, t);
+    return result ? result : check_materials(path, t);
 }
 
 // ---- the file -----------------------------------------------------------------------------------------------------------

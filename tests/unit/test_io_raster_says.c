@@ -435,6 +435,31 @@ static void test_coordinates_that_are_metres(void **state) {
     remove("local.vrt");
 }
 
+static bolan_result load_land_only(void) {
+    bolan_terrain *t = NULL;
+    const bolan_raster_desc d = data_desc("landonly.tif");
+    const bolan_result result = bolan_raster_load(&d, &t);
+    assert_true((result == BOLAN_OK) == (t != NULL));
+    bolan_terrain_destroy(&t);
+    return result;
+}
+
+static bolan_result load_filled(void) {
+    bolan_terrain *t = NULL;
+    bolan_raster_desc d = data_desc("mask.tif");
+    d.nodata = BOLAN_NODATA_FILL;
+    const bolan_result result = bolan_raster_load(&d, &t);
+    bolan_terrain_destroy(&t);
+    return result;
+}
+
+static void test_memory_that_runs_out_is_called_so(void **state) {
+    (void)state;
+    assert_memory_failures(load_land_only);
+    assert_memory_failures(load_filled);
+    listen(NULL);
+}
+
 static void test_what_is_no_raster(void **state) {
     (void)state;
     bolan_terrain *t = NULL;
@@ -465,6 +490,7 @@ int main(void) {
         cmocka_unit_test(test_masks_and_voids_are_holes),
         cmocka_unit_test(test_land_only_elevations),
         cmocka_unit_test(test_coordinates_that_are_metres),
+        cmocka_unit_test(test_memory_that_runs_out_is_called_so),
         cmocka_unit_test(test_what_is_no_raster),
     };
     return cmocka_run_group_tests(tests, listen, NULL);
