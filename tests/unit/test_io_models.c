@@ -365,6 +365,41 @@ static void test_edges_of_45_degrees_are_kept_in_an_obj(void **state) {
     assert_near(normal_at_the_fold("obj", 90.0), 0.0, 1e-6);
 }
 
+// The same fold of 20 degrees in a glTF without normals: flat, as 3.7.2.1 of its specification demands.
+static void test_a_gltf_without_normals_is_flat_however_gentle_the_fold(void **state) {
+    (void)state;
+    const float c = (float)cos(BOLAN_PI / 9.0), s = (float)sin(BOLAN_PI / 9.0);
+    const float positions[6][3] = {{-1, 0, 0}, {-1, 0, 9}, {0, 0, 9}, {0, 0, 0}, {c, s, 9}, {c, s, 0}};
+    const uint16_t indices[12] = {0, 1, 2, 0, 2, 3, 3, 2, 4, 3, 4, 5};
+    FILE *file = fopen("fold.bin", "wb");
+    assert_non_null(file);
+    fwrite(positions, sizeof positions, 1, file);
+    fwrite(indices, sizeof indices, 1, file);
+    fclose(file);
+    write_text("fold.gltf",
+               GLTF "\"scene\": 0, \"scenes\": [{\"nodes\": [0]}], \"nodes\": [{\"mesh\": 0}], \"meshes\": "
+                    "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1}]}], \"accessors\": "
+                    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 6, \"type\": \"VEC3\"}, "
+                    "{\"bufferView\": 1, \"componentType\": 5123, \"count\": 12, \"type\": \"SCALAR\"}], "
+                    "\"bufferViews\": [{\"buffer\": 0, \"byteLength\": 72}, "
+                    "{\"buffer\": 0, \"byteOffset\": 72, \"byteLength\": 24}], "
+                    "\"buffers\": [{\"uri\": \"fold.bin\", \"byteLength\": 96}]}");
+    bolan_model *model = NULL;
+    assert_int_equal(load("fold.gltf", &model), BOLAN_OK);
+    const bolan_model_view v = bolan_model_get_view(model);
+    assert_int_equal(v.vertex_count, 8);
+    uint32_t level = 0;
+    for (uint32_t i = 0; i < v.vertex_count; i++) {
+        const bool first = v.normals[i].z > 0.99f;
+        level += first;
+        assert_near(v.normals[i].x, first ? 0.0 : -sin(BOLAN_PI / 9.0), 1e-5);
+    }
+    assert_int_equal(level, 4);
+    bolan_model_destroy(&model);
+    remove("fold.gltf");
+    remove("fold.bin");
+}
+
 static void test_up_and_offset(void **state) {
     (void)state;
     // A triangle in UTM coordinates, z up; exact in floats, which hold halves of a metre there.
@@ -433,9 +468,11 @@ static void test_a_scene_finds_its_models_beside_it(void **state) {
     write_text("square.obj", square_obj);
     write_text("objects.yaml", "objects:\n  - {model: square.obj, position: [1, 2, 3], heading: 90, scale: 2}\n"
                                "  - {model: \"builtin:rock\", floats: yes}\n  - {model: square.obj}\n"
-                               "  - {model: square.obj, up: z, offset: [1, 2, -3]}\n  - {model: square.obj, up: y}\n");
+                               "  - {model: square.obj, up: z, offset: [1, 2, -3]}\n  - {model: square.obj, up: y}\n"
+                               "  - {model: square.obj, up: z}\n  - {model: square.obj, offset: [1, 2, 0]}\n"
+                               "  - {model: square.obj, offset: [1, 0, 0]}\n  - {model: square.obj, up: z}\n");
     assert_int_equal(bolan_scene_load("./objects.yaml", &scene), BOLAN_OK);
-    assert_int_equal(scene.object_count, 5);
+    assert_int_equal(scene.object_count, 9);
     assert_int_equal(scene.objects[3].up, BOLAN_UP_Z);
     assert_near(scene.objects[3].offset.x, 1.0, 0.0);
     assert_near(scene.objects[3].offset.z, -3.0, 0.0);
@@ -447,7 +484,8 @@ static void test_a_scene_finds_its_models_beside_it(void **state) {
     assert_true(scene.objects[1].floats);
     assert_near(scene.objects[1].scale, 1.0, 0.0);
     assert_int_equal(bolan_scene_assets_load(&scene, &assets), BOLAN_OK);
-    assert_int_equal(assets.model_count, 3); // the file once as it is, once with z up
+    assert_int_equal(assets.model_count, 6); // the rock, and the file by its axes and offsets
+    assert_ptr_equal(assets.object_models[5], assets.object_models[8]);
     assert_ptr_equal(assets.object_models[0], assets.object_models[2]);
     assert_ptr_equal(assets.object_models[0], assets.object_models[4]);
     assert_near(bolan_model_get_view(assets.object_models[3]).positions[0].z, 3.0, 0.0);
@@ -481,6 +519,7 @@ int main(void) {
         cmocka_unit_test(test_required_extensions_are_refused_by_name),
         cmocka_unit_test(test_a_cube_without_normals_has_flat_sides),
         cmocka_unit_test(test_edges_of_45_degrees_are_kept_in_an_obj),
+        cmocka_unit_test(test_a_gltf_without_normals_is_flat_however_gentle_the_fold),
         cmocka_unit_test(test_up_and_offset),
         cmocka_unit_test(test_memory_that_runs_out_is_called_so),
         cmocka_unit_test(test_the_pond_has_the_triangles_of_the_paper),

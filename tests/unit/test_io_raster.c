@@ -189,6 +189,29 @@ static void test_holes_take_the_height_around_them(void **state) {
     remove("hole.asc");
 }
 
+// A canal in land of 20 m, a cell wide: from the north to the middle, from there to the east and to the west, and at its
+// ends north again and south. A pond beside it is not connected.
+static double canals(double longitude, double latitude) {
+    const double x = rint((longitude - 50e3) / 100.0), y = rint((latitude - 90e3) / 100.0);
+    const bool stem = x == 0.0 && y >= 0.0, bar = y == 0.0 && fabs(x) <= 10.0;
+    const bool up = x == 10.0 && y >= 0.0 && y <= 8.0, down = x == -10.0 && y <= 0.0 && y >= -8.0;
+    const bool pond = x >= 4.0 && x <= 6.0 && y >= 4.0 && y <= 6.0;
+    return stem || bar || up || down || pond ? (double)NAN : 20.0;
+}
+
+static void test_no_data_is_followed_from_the_rim_round_corners(void **state) {
+    (void)state;
+    write_grid("canals.asc", COLUMNS, ROWS, 50e3, 90e3, 100.0, canals);
+    bolan_terrain *t = load("canals.asc", (double)NAN, (double)NAN, 1e4);
+    const double wet = -0.1 * cbrt(50.0 * 50.0); // half a cell from the land
+    assert_near(height_at(t, 0, 1900), wet, 1e-4);
+    assert_near(height_at(t, 1000, 700), wet, 1e-4);
+    assert_near(height_at(t, -1000, -700), wet, 1e-4);
+    assert_near(height_at(t, 500, 500), 20.0, 1e-4);
+    bolan_terrain_destroy(&t);
+    remove("canals.asc");
+}
+
 static double nothing_but_holes(double longitude, double latitude) {
     return (void)longitude, (void)latitude, (double)NAN;
 }
@@ -334,6 +357,7 @@ int main(void) {
         cmocka_unit_test(test_coarse_cells_cover_the_whole_area),
         cmocka_unit_test(test_no_data_around_land_is_sea_and_within_it_land),
         cmocka_unit_test(test_zero_is_sea_where_it_is_said),
+        cmocka_unit_test(test_no_data_is_followed_from_the_rim_round_corners),
         cmocka_unit_test(test_a_hole_in_deep_water_stays_deep),
         cmocka_unit_test(test_a_degree_has_its_length),
         cmocka_unit_test(test_at_60_north_a_degree_of_longitude_is_half_as_long),

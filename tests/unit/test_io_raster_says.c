@@ -94,6 +94,20 @@ static void write_vrt(const char *path, const char *in_band, const char *in_sour
     write_vrt_in(path, "<SRS>EPSG:4326</SRS>" IN_HAWAII, in_band, in_source);
 }
 
+// Two bands over base.tif, the first of them twice as high.
+static void write_bands(const char *path, const char *in_first, const char *in_second) {
+    char text[4096], base[1024];
+    test_data("rasters/base.tif", base, sizeof base);
+    snprintf(text, sizeof text,
+             "<VRTDataset rasterXSize=\"60\" rasterYSize=\"60\"><SRS>EPSG:4326</SRS>" IN_HAWAII
+             "<VRTRasterBand dataType=\"Float32\" band=\"1\">%s<ComplexSource><SourceFilename>%s</SourceFilename>"
+             "<SourceBand>1</SourceBand><ScaleRatio>2</ScaleRatio></ComplexSource></VRTRasterBand>"
+             "<VRTRasterBand dataType=\"Float32\" band=\"2\">%s<SimpleSource><SourceFilename>%s</SourceFilename>"
+             "<SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>",
+             in_first, base, in_second, base);
+    write_text(path, text);
+}
+
 // ---- unit, direction, scale -----------------------------------------------------------------------------------------
 
 static void test_the_plain_raster(void **state) {
@@ -127,6 +141,7 @@ static void test_units(void **state) {
                  {"centimeters", 0.01},
                  {"m", 1.0},
                  {"fathoms", 1.8288},
+                 {"fathom", 1.8288},
                  {"metres above sea level", 1.0},
                  {"US_survey_foot", 1200.0 / 3937.0},
                  {"yd", 0.9144},
@@ -137,7 +152,10 @@ static void test_units(void **state) {
         snprintf(band, sizeof band, "<UnitType>%s</UnitType>", units[i].unit);
         write_vrt("unit.vrt", band, "");
         d = desc_of("unit.vrt");
-        check_heights(&d, -200.0 * units[i].metres, 92.9289 * units[i].metres, 92.9289 * units[i].metres, 2e-4);
+        check_heights(&d, -200.0 * units[i].metres, 92.9289 * units[i].metres, 92.9289 * units[i].metres, 1e-4);
+        bolan_terrain *t = load(&d); // a US foot is 2e-6 longer than a foot: floats of 61 m tell them apart
+        assert_near(bolan_terrain_get_extent(t).lowest, -200.0 * units[i].metres, 1.6e-5);
+        bolan_terrain_destroy(&t);
         expect_no_warning();
     }
     write_vrt("unit.vrt", "<UnitType>kelvin</UnitType>", "");
@@ -207,6 +225,18 @@ static void test_scale_and_offset_of_the_file(void **state) {
     d.vertical_scale = -0.1;
     check_heights(&d, -118.58578, -60.0, -118.58578, 1e-4);
     remove("scaled.vrt");
+    d = data_desc("scaled.tif"); // hundredths of a metre over -100 m in 16 bits
+    check_cone(&d, 6e-3);
+    expect_no_warning();
+}
+
+// Latitudes 0.01 degrees apart in the south and up to 0.06 in the north: GDAL lays them out evenly and warns.
+static void test_what_gdal_warns_of_is_handed_on(void **state) {
+    (void)state;
+    const bolan_raster_desc d = data_desc("irreg.nc");
+    bolan_terrain *t = load(&d);
+    expect_warning(BOLAN_LOG_RASTER_LIBRARY, "irreg.nc: GDAL warns: Latitude grid not spaced evenly");
+    bolan_terrain_destroy(&t);
 }
 
 // ---- variables and bands --------------------------------------------------------------------------------------------
@@ -289,27 +319,31 @@ static void test_the_band_that_is_an_elevation(void **state) {
     snprintf(d.variable, sizeof d.variable, "uncertainty");
     check_heights(&d, 0.3, 0.3, 0.3, 1e-6);
     d.variable[0] = '\0';
-    // Two bands that say nothing of themselves.
-    char base[1024], text[2048];
-    test_data("rasters/base.tif", base, sizeof base);
-    static const char *const colors[] = {"Undefined", "Red"};
+    // Two bands that say nothing of themselves, or are colours.
+    static const char *const said[] = {"<ColorInterp>Undefined</ColorInterp>", "<ColorInterp>Red</ColorInterp>"};
     static const char *const sentences[] = {"choose with band: 1, 2", "its bands are colours"};
     for (int i = 0; i < 2; i++) {
-        const char *band =
-            "<VRTRasterBand dataType=\"Float32\" band=\"%d\"><ColorInterp>%s</ColorInterp><SimpleSource>"
-            "<SourceFilename>%s</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand>";
-        int n = snprintf(text, sizeof text,
-                         "<VRTDataset rasterXSize=\"60\" rasterYSize=\"60\"><SRS>EPSG:4326</SRS>"
-                         "<GeoTransform>-156, 0.0016666666666667, 0, 19.5, 0, -0.0016666666666667</GeoTransform>");
-        n += snprintf(text + n, sizeof text - (size_t)n, band, 1, colors[i], base);
-        n += snprintf(text + n, sizeof text - (size_t)n, band, 2, "Undefined", base);
-        snprintf(text + n, sizeof text - (size_t)n, "</VRTDataset>");
-        write_text("bands.vrt", text);
+        write_bands("bands.vrt", said[i], "");
         d = desc_of("bands.vrt");
         assert_refusal(bolan_raster_load(&d, &t), BOLAN_ERROR_FORMAT, BOLAN_LOG_RASTER_CHOICE, sentences[i]);
         d.band = 1;
+        check_heights(&d, -400.0, 185.8578, 185.8578, 2e-4);
+    }
+    // The second is the elevation, whatever the first is called.
+    static const char *const others[] = {"elevation_error", "depth uncertainty", "TID", "temperature",
+                                         "source_elevation"};
+    for (int i = 0; i < 5; i++) {
+        char first[128];
+        snprintf(first, sizeof first, "<Description>%s</Description>", others[i]);
+        write_bands("bands.vrt", first, "<Description>Elevation</Description>");
+        d = desc_of("bands.vrt");
         check_cone(&d, 1e-4);
     }
+    write_bands("bands.vrt", "<Description>elevation</Description><UnitType>K</UnitType>", "<UnitType>m</UnitType>");
+    check_cone(&d, 1e-4);
+    write_bands("bands.vrt", "<Description>elevation</Description>", "<Description>height</Description>");
+    assert_refusal(bolan_raster_load(&d, &t), BOLAN_ERROR_FORMAT, BOLAN_LOG_RASTER_CHOICE,
+                   "choose with band: 1 elevation, 2 height");
     remove("bands.vrt");
 }
 
@@ -385,6 +419,27 @@ static void test_land_only_elevations(void **state) {
     expect_no_warning();
     assert_near(bolan_terrain_elevation(t, 0, -4000, 200), -0.1 * cbrt(2200.0 * 2200.0), 0.9);
     bolan_terrain_destroy(&t);
+}
+
+// Cells that are twice as wide as they are high: the bed falls off by metres, not by cells.
+static void test_the_bed_falls_off_in_metres(void **state) {
+    (void)state;
+    char text[2048], base[1024];
+    snprintf(text, sizeof text,
+             "<VRTDataset rasterXSize=\"60\" rasterYSize=\"60\"><GeoTransform>9000, 100, 0, 9000, 0, -50</GeoTransform>"
+             "<VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource><SourceFilename>%s</SourceFilename>"
+             "<SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>",
+             test_data("rasters/sea0.tif", base, sizeof base));
+    write_text("wide.vrt", text);
+    bolan_raster_desc d = desc_of("wide.vrt");
+    snprintf(d.crs, sizeof d.crs, "metres");
+    d.zero = BOLAN_ZERO_SEA;
+    bolan_terrain *t = load(&d);
+    // The land reaches 10 cells: 1000 m east, 500 m north. Give or take a cell.
+    assert_near(bolan_terrain_elevation(t, 2500, 0, 50), -0.1 * cbrt(1500.0 * 1500.0), 0.6);
+    assert_near(bolan_terrain_elevation(t, 0, 1250, 50), -0.1 * cbrt(750.0 * 750.0), 0.4);
+    bolan_terrain_destroy(&t);
+    remove("wide.vrt");
 }
 
 // ---- coordinates ----------------------------------------------------------------------------------------------------
@@ -484,6 +539,8 @@ int main(void) {
         cmocka_unit_test(test_units),
         cmocka_unit_test(test_depths_are_turned_over),
         cmocka_unit_test(test_scale_and_offset_of_the_file),
+        cmocka_unit_test(test_what_gdal_warns_of_is_handed_on),
+        cmocka_unit_test(test_the_bed_falls_off_in_metres),
         cmocka_unit_test(test_the_variable_that_is_an_elevation),
         cmocka_unit_test(test_a_scene_names_a_variable_beside_it),
         cmocka_unit_test(test_the_band_that_is_an_elevation),
