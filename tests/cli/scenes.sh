@@ -38,7 +38,7 @@ refuse 1 'it has no such variable; expected one of: 1 interpolation_flag, 2 z' q
 printf 'terrain: {raster: {file: none.tif, vertical_scale: 0.0001}}\n' > small.yaml
 refuse 1 'small.yaml:1: terrain.raster.vertical_scale is too small' measure small.yaml
 printf 'terrain: {raster: {file: none.tif, nodata: hole}}\n' > nodata.yaml
-refuse 1 'nodata.yaml:1: terrain.raster.nodata is hole; expected one of fill, sea' measure nodata.yaml
+refuse 1 'nodata.yaml:1: terrain.raster.nodata is hole; expected fill, sea' measure nodata.yaml
 
 # What is right is taken; an option goes over the scene.
 printf 'sea: {wind: {speed: 12, from: 200}, seed: 5}\nwater: {type: II}\n' > good.yaml

@@ -79,6 +79,25 @@ static void test_a_vertical_scale_multiplies_and_turns_over(void **state) {
     remove("scale.asc");
 }
 
+// 41 x 4 cells of 100 m, of which 1030 m to both sides are asked for: 21 steps of 98.1 m to the east, 3 of 100 to the north.
+static void test_steps_to_the_east_and_to_the_north_differ(void **state) {
+    (void)state;
+    write_grid("steps.asc", 41, 4, 50e3, 9000.0, 100.0, column_and_row);
+    bolan_terrain *t = NULL;
+    bolan_raster_desc d = desc_at("steps.asc", (double)NAN, (double)NAN, 1030.0);
+    d.vertical_scale = 0.01;
+    assert_int_equal(bolan_raster_load(&d, &t), BOLAN_OK);
+    const bolan_terrain_extent e = bolan_terrain_get_extent(t);
+    assert_near(e.east, 1030.0, 1e-6);
+    assert_near(e.north, 150.0, 1e-6);
+    assert_near(e.step, 100.0, 1e-6);
+    // The plane, in floats of 870 m.
+    assert_near(height_at(t, 0, 150) - height_at(t, 0, -150), -7.0 * 3.0, 1e-3);
+    assert_near(height_at(t, 900, 0) - height_at(t, -900, 0), 3.0 * 18.0, 1e-3); // within the rim of cells
+    bolan_terrain_destroy(&t);
+    remove("steps.asc");
+}
+
 static double rim_of_sea_and_land(double longitude, double latitude) {
     const bool south = latitude<9000.0 - 39.0, west = longitude<5000.0 - 39.0, east = longitude> 5000.0 + 39.0,
                                 north = latitude> 9000.0 +
@@ -353,6 +372,7 @@ static void test_hawaii(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_vertical_scale_multiplies_and_turns_over),
+        cmocka_unit_test(test_steps_to_the_east_and_to_the_north_differ),
         cmocka_unit_test(test_the_depth_beyond_is_that_of_the_rim),
         cmocka_unit_test(test_coarse_cells_cover_the_whole_area),
         cmocka_unit_test(test_no_data_around_land_is_sea_and_within_it_land),

@@ -339,6 +339,9 @@ static void test_the_band_that_is_an_elevation(void **state) {
         d = desc_of("bands.vrt");
         check_cone(&d, 1e-4);
     }
+    write_bands("bands.vrt", "<Description>error of elevation</Description>",
+                "<Description>ground elevation</Description>");
+    check_cone(&d, 1e-4);
     write_bands("bands.vrt", "<Description>elevation</Description><UnitType>K</UnitType>", "<UnitType>m</UnitType>");
     check_cone(&d, 1e-4);
     write_bands("bands.vrt", "<Description>elevation</Description>", "<Description>height</Description>");
