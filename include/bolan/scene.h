@@ -233,7 +233,8 @@ typedef enum bolan_terrain_kind {
 
 /// What a sample without a value is.
 typedef enum bolan_raster_nodata {
-    BOLAN_NODATA_AUTO, ///< SEA where the holes reach the rim of what is read, FILL where data enclose them; a warning says so
+    /// SEA where the holes reach the rim of what is read, FILL where data enclose them; a warning says so.
+    BOLAN_NODATA_AUTO,
     BOLAN_NODATA_FILL, ///< takes the elevation around it
     BOLAN_NODATA_SEA,  ///< a sea bed that falls off from the data: land-only elevations
 } bolan_raster_nodata;
@@ -249,20 +250,23 @@ typedef enum bolan_raster_zero {
 
 /// Elevations from a raster, and what overrules the file: see bolan_raster_load().
 typedef struct bolan_raster_desc {
-    /// Any file that GDAL reads, or a name with a prefix of GDAL's (NETCDF:f.nc:z, HDF5:..., GTIFF_DIR:2:f.tif). Default "".
+    /// Any file that GDAL reads, or a name with a prefix of GDAL's (NETCDF:f.nc:z, HDF5:..., GTIFF_DIR:2:f.tif).
+    /// Default "".
     char path[BOLAN_PATH_MAX];
-    /// Name of the variable, or of the band; default "": the one that is an elevation by its standard_name, name or unit.
+    /// Name of the variable, or of the band; default "": the one that is an elevation by its standard_name, name or
+    /// unit.
     char variable[BOLAN_NAME_MAX];
     /// Number of the band, from 1; default 0: the only one, or the one that is an elevation by its name.
     uint32_t band;
-    /// Coordinates of the file: "metres", "degrees", or a CRS that PROJ knows ("EPSG:32604", WKT); default "": the file's.
+    /// Coordinates of the file: "metres", "degrees", or a CRS that PROJ knows ("EPSG:32604", WKT); default "": the
+    /// file's.
     char crs[BOLAN_CRS_MAX];
     /// Place of the scene's origin [deg], latitude +-90, longitude +-360; default NAN: the centre of the raster.
     double latitude, longitude;
     /// Half side of the square that is read [m], 100..5e6; default 150000.
     double radius;
-    /// Metres upwards per unit of the raster, +-(1e-3..1e3), negative for depths; default NAN: by the unit and the sign that
-    /// the file states. Scale and offset of the file apply first.
+    /// Metres upwards per unit of the raster, +-(1e-3..1e3), negative for depths; default NAN: by the unit and the sign
+    /// that the file states. Scale and offset of the file apply first.
     double vertical_scale;
     /// The number that stands for no-data, as in the file; default NAN: what the file declares.
     double nodata_value;

@@ -79,7 +79,8 @@ bool file_resolve(const char *beside, const char *name, char out[BOLAN_PATH_MAX]
     return snprintf(out, BOLAN_PATH_MAX, "%.*s%s", folder, beside, name) < BOLAN_PATH_MAX;
 }
 
-// Length of a driver's prefix with its colon: capitals, digits and _ (at least two, so that no letter of a drive counts).
+// Length of a driver's prefix with its colon: capitals, digits and _ (at least two, so that no letter of a drive
+// counts).
 static size_t prefix_length(const char *name) {
     const size_t length = strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
     return length >= 2 && name[length] == ':' ? length + 1 : 0;

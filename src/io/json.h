@@ -2,8 +2,8 @@
 /// @file json.h
 /// A JSON text as a flat list of values, for checks before another library reads it. Private to src/io.
 ///
-/// Values stand in the order of the text, each followed by what is in it; the members of an object are a key and a value in
-/// turns. The syntax is checked as far as the structure needs it: brackets that match, strings that end.
+/// Values stand in the order of the text, each followed by what is in it; the members of an object are a key and a
+/// value in turns. The syntax is checked as far as the structure needs it: brackets that match, strings that end.
 #ifndef BOLAN_IO_JSON_H
 #define BOLAN_IO_JSON_H
 
@@ -30,8 +30,8 @@ typedef struct json_text {
     size_t capacity;
 } json_text;
 
-/// Lists the values of @p text. FORMAT, with a sentence that names the line, where it is no JSON or beyond the limits above;
-/// MEMORY. json_release() is due in any case.
+/// Lists the values of @p text. FORMAT, with a sentence that names the line, where it is no JSON or beyond the limits
+/// above; MEMORY. json_release() is due in any case.
 bolan_result json_read(const char *name, const char *text, size_t size, json_text *out);
 void json_release(json_text *json);
 

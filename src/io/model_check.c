@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Model files before assimp sees them. Its importers recurse into brackets and nodes, take quadratic time for long numbers
-// and large polygons, and believe counts: each is bounded here.
+// Model files before assimp sees them. Its importers recurse into brackets and nodes, take quadratic time for long
+// numbers and large polygons, and believe counts: each is bounded here.
 #include "io/file.h"
 #include "io/model_file.h"
 
@@ -30,7 +30,7 @@ static bool ends_with(const char *path, const char *suffix) {
     return true;
 }
 
-// ---- text ---------------------------------------------------------------------------------------------------------------
+// ---- text -----------------------------------------------------------------------------------------------------------
 
 static bolan_result check_digits(const char *path, const file_text *t) {
     size_t line = 1, run = 0;
@@ -122,7 +122,7 @@ static bolan_result check_text(const char *path, const file_text *t, model_forma
     return result ? result : check_materials(path, t);
 }
 
-// ---- the file -----------------------------------------------------------------------------------------------------------
+// ---- the file -------------------------------------------------------------------------------------------------------
 
 static uint32_t word_at(const char *data) {
     const unsigned char *b = (const unsigned char *)data;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a glTF 2.0 file must not ask of the library that imports it (Khronos, glTF 2.0 specification, section numbers below).
+// What a glTF 2.0 file must not ask of the library that imports it (Khronos, glTF 2.0 specification, section numbers
+// below).
 #include "io/file.h"
 #include "io/json.h"
 #include "io/model_file.h"
@@ -28,7 +29,7 @@ static uint64_t whole_member(const gltf *g, int object, const char *key, uint64_
     for (int element = json_first(&(g)->json, (array)); element >= 0; \
          element = json_after(&(g)->json, (array), element))
 
-// ---- version and extensions (3.2, 3.12) ---------------------------------------------------------------------------------
+// ---- version and extensions (3.2, 3.12) -----------------------------------------------------------------------------
 
 static bolan_result check_version(const gltf *g) {
     const int version = json_member(&g->json, member_of_root(g, "asset"), "version");
@@ -63,7 +64,7 @@ static bolan_result check_extensions(const gltf *g) {
     return BOLAN_OK;
 }
 
-// ---- nodes (3.5.2): a forest ----------------------------------------------------------------------------------------------
+// ---- nodes (3.5.2): a forest ----------------------------------------------------------------------------------------
 
 static bolan_result find_parents(const gltf *g, int nodes, uint32_t count, uint32_t *parent) {
     uint32_t n = 0;
@@ -101,7 +102,7 @@ static bolan_result check_nodes(const gltf *g) {
     return result;
 }
 
-// ---- buffers and accessors (3.6) ------------------------------------------------------------------------------------------
+// ---- buffers and accessors (3.6) ------------------------------------------------------------------------------------
 
 // Files beside it. What is not there is left to the library, which says so.
 static bolan_result check_buffers(const gltf *g) {

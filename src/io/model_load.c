@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Models from files, by assimp's C interface: the meshes of all nodes with their transforms, turned from y-up to z-up, in
-// one colour a vertex. The file is checked before the library sees it (model_check.c), and nothing that the library hands
-// over is trusted: counts, indices and numbers are checked.
+// Models from files, by assimp's C interface: the meshes of all nodes with their transforms, turned from y-up to z-up,
+// in one colour a vertex. The file is checked before the library sees it (model_check.c), and nothing that the library
+// hands over is trusted: counts, indices and numbers are checked.
 #include "io/model_file.h"
 
 #include <assimp/cimport.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Normals for meshes that have none. Triangles that meet at a point, whichever vertices of the file they use there, are
-// averaged, weighted by their angles at the point (Thürmer & Wüthrich, J. Graphics Tools 3, 1998), but only with those that
-// turn away from each other by less than the crease: a house keeps its edges, a hull its curves.
+// averaged, weighted by their angles at the point (Thürmer & Wüthrich, J. Graphics Tools 3, 1998), but only with those
+// that turn away from each other by less than the crease: a house keeps its edges, a hull its curves.
 #include "io/model_file.h"
 
 #include <string.h>
@@ -35,7 +35,7 @@ static uint32_t hash3(uint32_t h, bolan_vec3 v) {
     return h;
 }
 
-// ---- points and their corners -------------------------------------------------------------------------------------------
+// ---- points and their corners ---------------------------------------------------------------------------------------
 
 static void weld_points(scratch *s) {
     const uint32_t mask = s->table_size - 1;
@@ -67,7 +67,7 @@ static void face_triangles(scratch *s) {
     }
 }
 
-// ---- normals ------------------------------------------------------------------------------------------------------------
+// ---- normals --------------------------------------------------------------------------------------------------------
 
 static float angle_at(const scratch *s, uint32_t corner) {
     const uint32_t t = corner / 3 * 3;
@@ -110,7 +110,7 @@ static uint32_t vertex_of(scratch *s, model_mesh *m, uint32_t old, bolan_vec3 no
     return v;
 }
 
-// ---- scratch memory -----------------------------------------------------------------------------------------------------
+// ---- scratch memory -------------------------------------------------------------------------------------------------
 
 static void *carve(scratch *s, size_t count, size_t size) {
     void *part = s->block ? s->block + s->bytes : NULL;

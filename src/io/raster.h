@@ -61,7 +61,7 @@ typedef struct raster_window {
     size_t bytes;
 } raster_window;
 
-// ---- raster_names.c: what a raster says of a band -----------------------------------------------------------------------
+// ---- raster_names.c: what a raster says of a band -------------------------------------------------------------------
 
 /// What is written about a band, "" where nothing is.
 typedef struct raster_words {
@@ -78,7 +78,7 @@ raster_direction raster_direction_of(const raster_words *words);
 /// strcmp() == 0, whatever the case.
 bool raster_same_text(const char *a, const char *b);
 
-// ---- the steps ----------------------------------------------------------------------------------------------------------
+// ---- the steps ------------------------------------------------------------------------------------------------------
 
 /// Opens the file and chooses variable, band, mask, unit and direction. IO or FORMAT.
 bolan_result raster_open(raster_source *source);
@@ -91,8 +91,8 @@ void raster_map_point(const double affine[6], double x, double y, double *u, dou
 
 bolan_result raster_window_read(raster_source *source, const raster_plan *plan, raster_window *out);
 void raster_window_release(raster_window *window);
-/// Gives every sample a value, as the desc says what holes and zeros are. A sample is @p width x @p height metres. FORMAT
-/// where there is no data at all, MEMORY.
+/// Gives every sample a value, as the desc says what holes and zeros are. A sample is @p width x @p height metres.
+/// FORMAT where there is no data at all, MEMORY.
 bolan_result raster_holes(const raster_source *source, raster_window *window, double width, double height);
 /// Replaces NAN by values around it. FORMAT, without a sentence, when there is nothing but NAN; MEMORY, with one.
 bolan_result raster_fill(const char *path, float *values, int width, int height);

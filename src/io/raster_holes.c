@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What samples without a value are: ground like that around them, or a sea bed.
 //
-// A sea bed begins at the coast and falls off as a sandy beach does, depth = 0.1 m^(1/3) distance^(2/3) (Dean, J. Coastal
-// Research 7, 1991, eq. 1, for sand of 0.2 mm), down to a shelf. It lies nowhere above the data around it, so that a hole
-// in a survey of deep water stays deep. Distances are exact: Felzenszwalb & Huttenlocher, Theory of Computing 8, 2012.
+// A sea bed begins at the coast and falls off as a sandy beach does, depth = 0.1 m^(1/3) distance^(2/3) (Dean, J.
+// Coastal Research 7, 1991, eq. 1, for sand of 0.2 mm), down to a shelf. It lies nowhere above the data around it, so
+// that a hole in a survey of deep water stays deep. Distances are exact: Felzenszwalb & Huttenlocher, Theory of
+// Computing 8, 2012.
 #include "io/raster.h"
 
 #include <string.h>
@@ -20,7 +21,7 @@ typedef struct hole_map {
     size_t known, holes, seas;
 } hole_map;
 
-// ---- which holes are sea ------------------------------------------------------------------------------------------------
+// ---- which holes are sea --------------------------------------------------------------------------------------------
 
 typedef struct seeds {
     uint32_t *at;
@@ -116,7 +117,7 @@ static bool classify(const raster_source *s, float *values, hole_map *m) {
     return true;
 }
 
-// ---- the bed ------------------------------------------------------------------------------------------------------------
+// ---- the bed --------------------------------------------------------------------------------------------------------
 
 #define FAR 1e15f // squared metres, beyond everything
 

@@ -21,7 +21,7 @@ typedef struct candidate {
     int score;
 } candidate;
 
-// ---- what is written about a band ---------------------------------------------------------------------------------------
+// ---- what is written about a band -----------------------------------------------------------------------------------
 
 static void copy_text(char *out, size_t size, const char *text) {
     snprintf(out, size, "%s", text ? text : "");
@@ -46,7 +46,7 @@ static bool is_color(GDALRasterBandH band) {
 
 static bool is_alpha(GDALRasterBandH band) { return GDALGetRasterColorInterpretation(band) == GCI_AlphaBand; }
 
-// ---- choosing -----------------------------------------------------------------------------------------------------------
+// ---- choosing -------------------------------------------------------------------------------------------------------
 
 static void list_candidates(const candidate *list, int count, char out[LIST_MAX]) {
     size_t used = 0;
@@ -79,7 +79,7 @@ static int choose(const candidate *list, int count, const char *wanted) {
     return equals == 1 ? best : -1;
 }
 
-// ---- the file -----------------------------------------------------------------------------------------------------------
+// ---- the file -------------------------------------------------------------------------------------------------------
 
 static GDALDatasetH open_quietly(raster_source *s, const char *name) {
     s->messages.count = 0; // those of other variables are none of this one's
@@ -193,7 +193,7 @@ static bolan_result choose_band(raster_source *s) {
     return BOLAN_OK;
 }
 
-// ---- mask, unit and direction -------------------------------------------------------------------------------------------
+// ---- mask, unit and direction ---------------------------------------------------------------------------------------
 
 static void find_mask(raster_source *s) {
     const int flags = GDALGetMaskFlags(s->band);

@@ -19,7 +19,7 @@ void raster_map_point(const double m[6], double x, double y, double *u, double *
     *v = m[3] + m[4] * x + m[5] * y;
 }
 
-// ---- the coordinates of the map -----------------------------------------------------------------------------------------
+// ---- the coordinates of the map -------------------------------------------------------------------------------------
 
 static OGRSpatialReferenceH reference_from(const char *definition) {
     OGRSpatialReferenceH reference = OSRNewSpatialReference(NULL);
@@ -113,7 +113,7 @@ static bolan_result own_reference(raster_source *s, OGRSpatialReferenceH *out) {
     return result;
 }
 
-// ---- the way from local metres ------------------------------------------------------------------------------------------
+// ---- the way from local metres --------------------------------------------------------------------------------------
 
 // Where the raster's centre lies [deg].
 static bool centre_of(const raster_source *s, OGRSpatialReferenceH map, double *latitude, double *longitude) {

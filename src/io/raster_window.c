@@ -64,7 +64,8 @@ static bool read_piece(const raster_source *source, const raster_window *w, cons
                        int column) {
     GDALRasterIOExtraArg how;
     INIT_RASTERIO_EXTRA_ARG(how);
-    // GDAL leaves declared no-data and masked pixels out of its averages; a value that only the desc names, it does not.
+    // GDAL leaves declared no-data and masked pixels out of its averages; a value that only the desc names, it does
+    // not.
     const bool average = w->pixels_per_sample > 1.0 && p->type == GDT_Float32 && isnan(source->desc->nodata_value);
     how.eResampleAlg = average ? GRIORA_Average : GRIORA_NearestNeighbour;
     const int columns = (int)fmin(count * w->pixels_per_sample, source->width - column);

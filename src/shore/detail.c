@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The ground between the nodes of the data: octaves from twice the spacing down to a metre.
 //
-// Water has shaped a hillside, so its detail is not isotropic: ridges and gullies run downhill and branch. Each octave adds
-// directed noise across the slope that the coarser octaves have built, which makes smaller gullies run into larger ones;
-// where the ground is flat there is only a little isotropic noise. Amplitudes go with the slope of the data: a coastline is
-// moved sideways by amplitude / slope, so a gentle and a steep coast become equally ragged.
+// Water has shaped a hillside, so its detail is not isotropic: ridges and gullies run downhill and branch. Each octave
+// adds directed noise across the slope that the coarser octaves have built, which makes smaller gullies run into larger
+// ones; where the ground is flat there is only a little isotropic noise. Amplitudes go with the slope of the data: a
+// coastline is moved sideways by amplitude / slope, so a gentle and a steep coast become equally ragged.
 #include "shore/noise.h"
 #include "shore/terrain.h"
 

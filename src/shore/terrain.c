@@ -137,7 +137,7 @@ void bolan_terrain_destroy(bolan_terrain **terrain) {
     }
 }
 
-// ---- queries ---------------------------------------------------------------------------------------------------------
+// ---- queries --------------------------------------------------------------------------------------------------------
 
 static float elevation_at(height_cursor *c, double x, double y, double resolution) {
     surface_point p = height_cursor_at(c, x, y, resolution);

@@ -134,7 +134,7 @@ static void test_a_lying_gltf_does_no_harm(void **state) {
     }
 }
 
-// ---- what takes too long ---------------------------------------------------------------------------------------------
+// ---- what takes too long --------------------------------------------------------------------------------------------
 
 // Text that is put together: a head, a part so many times, a tail.
 static void write_repeated(const char *path, const char *head, const char *part, int times, const char *tail) {
@@ -150,8 +150,8 @@ static void write_repeated(const char *path, const char *head, const char *part,
 #define POINT_ACCESSOR \
     "\"nodes\": [{\"mesh\": 0}], \"accessors\": [{\"componentType\": 5126, \"count\": 1000000, \"type\": \"VEC3\"}], "
 
-// Each is small, and took seconds, gigabytes or the stack in the importing library. Refused before it is asked: within 2 s
-// and 256 MB, which is far above what the checks take, and far below what the library took.
+// Each is small, and took seconds, gigabytes or the stack in the importing library. Refused before it is asked: within
+// 2 s and 256 MB, which is far above what the checks take, and far below what the library took.
 static void test_what_would_take_too_long_is_refused_at_once(void **state) {
     (void)state;
     static const struct {
@@ -307,7 +307,8 @@ static void test_memory_that_runs_out_is_called_so(void **state) {
 
 // ---- normals, axes, offset ------------------------------------------------------------------------------------------
 
-// A cube of 10 m about the origin: six flat sides of four vertices, each normal along its own axis, away from the middle.
+// A cube of 10 m about the origin: six flat sides of four vertices, each normal along its own axis, away from the
+// middle.
 static void test_a_cube_without_normals_has_flat_sides(void **state) {
     (void)state;
     static const char *const names[] = {"models/ok.gltf", "models/quads.obj"};

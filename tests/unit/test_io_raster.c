@@ -79,7 +79,8 @@ static void test_a_vertical_scale_multiplies_and_turns_over(void **state) {
     remove("scale.asc");
 }
 
-// 41 x 4 cells of 100 m, of which 1030 m to both sides are asked for: 21 steps of 98.1 m to the east, 3 of 100 to the north.
+// 41 x 4 cells of 100 m, of which 1030 m to both sides are asked for: 21 steps of 98.1 m to the east, 3 of 100 to the
+// north.
 static void test_steps_to_the_east_and_to_the_north_differ(void **state) {
     (void)state;
     write_grid("steps.asc", 41, 4, 50e3, 9000.0, 100.0, column_and_row);
@@ -145,8 +146,9 @@ static void test_a_degree_has_its_length(void **state) {
     (void)state;
     write_grid("plane.asc", COLUMNS, ROWS, 0.0, 0.0, 0.1, slope_in_degrees);
     bolan_terrain *t = load("plane.asc", 0.0, 0.0, 150e3);
-    // The grid is a plane in degrees; over 1 degree it rises 1000 m to the east, 300 m to the north. 0.3 m is what the map's
-    // curvature over a cell of 11 km leaves; on a sphere of the mean radius the figures would be off by 1.1 and 1.7 m.
+    // The grid is a plane in degrees; over 1 degree it rises 1000 m to the east, 300 m to the north. 0.3 m is what the
+    // map's curvature over a cell of 11 km leaves; on a sphere of the mean radius the figures would be off by 1.1 and
+    // 1.7 m.
     const double middle = height_at(t, 0, 0);
     assert_near(middle, -500.0, 0.3);
     assert_near(height_at(t, 111320.0, 0) - middle, 1000.0, 0.3);
@@ -208,8 +210,8 @@ static void test_holes_take_the_height_around_them(void **state) {
     remove("hole.asc");
 }
 
-// A canal in land of 20 m, a cell wide: from the north to the middle, from there to the east and to the west, and at its
-// ends north again and south. A pond beside it is not connected.
+// A canal in land of 20 m, a cell wide: from the north to the middle, from there to the east and to the west, and at
+// its ends north again and south. A pond beside it is not connected.
 static double canals(double longitude, double latitude) {
     const double x = rint((longitude - 50e3) / 100.0), y = rint((latitude - 90e3) / 100.0);
     const bool stem = x == 0.0 && y >= 0.0, bar = y == 0.0 && fabs(x) <= 10.0;

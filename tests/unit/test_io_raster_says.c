@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a raster says of itself: unit, direction, scale, band, variable, mask, voids, coordinates; and what overrules it.
-// Most are GDAL's VRT texts over tests/data/rasters/base.tif: a cone of 92.93 m (92.9289 in its float) on a plain at -200 m.
+// What a raster says of itself: unit, direction, scale, band, variable, mask, voids, coordinates; and what overrules
+// it. Most are GDAL's VRT texts over tests/data/rasters/base.tif: a cone of 92.93 m (92.9289 in its float) on a plain
+// at -200 m.
 #include "bolan/io.h"
 #include "io_support.h"
 

@@ -192,8 +192,8 @@ static void test_the_pond_is_ninety_metres_across(void **state) {
 
 static void test_no_water_is_seen_behind_the_meadow(void **state) {
     (void)state;
-    // An eye 2.4 m over the water sees the plane of the water nowhere beyond the pond: on each ray the ground rises above
-    // that height.
+    // An eye 2.4 m over the water sees the plane of the water nowhere beyond the pond: on each ray the ground rises
+    // above that height.
     for (int i = 0; i < 360; i++) {
         double s, c;
         float highest = 0.0f;

@@ -143,8 +143,8 @@ static void elevation_is_continuous_everywhere(void **state) {
     (void)state;
     bolan_terrain_desc d = hills(300.0, 1.0);
     bolan_terrain *t = create(&d);
-    // A walk across cells, the rim and the blend outside. A millimetre may rise a decimetre: the cliff of 1500 m in 300 m
-    // has a slope of 10, and gullies on its flank a few times that; a step in the surface would be metres.
+    // A walk across cells, the rim and the blend outside. A millimetre may rise a decimetre: the cliff of 1500 m in 300
+    // m has a slope of 10, and gullies on its flank a few times that; a step in the surface would be metres.
     for (double y = -3170.0; y < 7000.0; y += 1171.0) {
         for (double x = -8000.0; x < 8000.0; x += 3.7) {
             float a = bolan_terrain_elevation(t, x, y, 0.0), b = bolan_terrain_elevation(t, x + 0.001, y, 0.0);
