@@ -430,9 +430,13 @@ static void test_up_and_offset(void **state) {
     write_text("utm.obj", "v 0 0 0\nv 1.1e7 0 0\nv 0 1 0\nf 1 2 3\n");
     assert_refusal(load("utm.obj", &model), BOLAN_ERROR_FORMAT, BOLAN_LOG_MODEL_FORMAT,
                    "more than 1e7 m from the origin");
-    write_text("utm.obj", "v 0 0 0\nv 0 0 -1.1e7\nv 0 1 0\nf 1 2 3\n");
-    assert_refusal(load("utm.obj", &model), BOLAN_ERROR_FORMAT, BOLAN_LOG_MODEL_FORMAT,
-                   "more than 1e7 m from the origin");
+    static const char *const far_away[] = {"0 0 -1.1e7", "0 1.1e7 0", "-1.1e7 0 0"};
+    for (int i = 0; i < 3; i++) {
+        char text[128];
+        snprintf(text, sizeof text, "v 0 0 0\nv %s\nv 1 1 1\nf 1 2 3\n", far_away[i]);
+        write_text("utm.obj", text);
+        assert_refusal(load("utm.obj", &model), BOLAN_ERROR_FORMAT, BOLAN_LOG_MODEL_FORMAT, "more than 1e7 m from");
+    }
     remove("utm.obj");
 }
 
