@@ -49,6 +49,46 @@ static inline void check_refusal(bolan_result actual, bolan_result expected, bol
     _assert_true(good, words, file, line);
 }
 
+// ---- memory that runs out -------------------------------------------------------------------------------------------
+
+static int allocations_left; ///< how many more succeed before one fails; below 0: all do
+
+static inline void *scarce_allocate(void *user, size_t size, size_t align) {
+    (void)user;
+    if (allocations_left >= 0 && allocations_left-- == 0) return NULL;
+    return aligned_alloc(align, (size + align - 1) / align * align);
+}
+static inline void scarce_release(void *user, void *memory, size_t size) {
+    (void)user, (void)size;
+    free(memory);
+}
+
+/// Lets each allocation of @p attempt fail once: it returns MEMORY with one sentence, and keeps nothing.
+static inline void assert_memory_failures(bolan_result (*attempt)(void)) {
+    bolan_hooks hooks = {.log = remember, .allocate = scarce_allocate, .release = scarce_release};
+    bolan_set_hooks(&hooks);
+    const size_t before = bolan_memory_in_use();
+    for (int n = 0; n < 1000; n++) {
+        allocations_left = n;
+        error_count = 0;
+        const bolan_result result = attempt();
+        const bool failed = allocations_left < 0;
+        allocations_left = -1;
+        assert_int_equal(bolan_memory_in_use(), before);
+        if (!failed) {
+            assert_int_equal(result, BOLAN_OK);
+            assert_true(n > 3);
+            break;
+        }
+        if (result != BOLAN_ERROR_MEMORY || error_count != 1)
+            print_error("allocation %d: result %d, %u sentences, %s\n", n, (int)result, error_count, last_sentence);
+        assert_int_equal(result, BOLAN_ERROR_MEMORY);
+        assert_int_equal(error_count, 1);
+    }
+    hooks.allocate = NULL, hooks.release = NULL;
+    bolan_set_hooks(&hooks);
+}
+
 static inline bool file_exists(const char *path) {
     FILE *file = fopen(path, "rb");
     if (file) fclose(file);

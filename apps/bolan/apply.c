@@ -119,13 +119,13 @@ static int apply_terrain(const options *o, bolan_scene *scene) {
         t->kind = BOLAN_TERRAIN_ISLAND;
     } else if (o->terrain) {
         t->kind = BOLAN_TERRAIN_RASTER;
-        snprintf(t->path, sizeof t->path, "%s", o->terrain);
+        snprintf(t->raster.path, sizeof t->raster.path, "%s", o->terrain);
     }
     if (!given(o->at[0])) return EXIT_OK;
     if (t->kind != BOLAN_TERRAIN_RASTER) return usage_error("--at is a place in a raster; give --terrain FILE too");
     if (fabs(o->at[0]) > 90.0) return usage_error("--at has a latitude beyond 90 degrees; expected LAT,LON");
-    t->latitude = o->at[0];
-    t->longitude = o->at[1];
+    t->raster.latitude = o->at[0];
+    t->raster.longitude = o->at[1];
     return EXIT_OK;
 }
 

@@ -79,9 +79,18 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(320, RASTER_OPEN)             \
     X(321, RASTER_EMPTY)            \
     X(322, RASTER_PROJECTION)       \
+    X(323, RASTER_CHOICE)           \
+    X(324, RASTER_UNIT)             \
+    X(325, RASTER_HOLES)            \
+    X(326, RASTER_VALUES)           \
+    X(327, RASTER_LIBRARY)          \
+    X(328, RASTER_CRS)              \
+    X(329, RASTER_READ)             \
     X(330, IMAGE_FORMAT)            \
     X(331, IMAGE_WRITE)             \
     X(335, MODEL_FORMAT)            \
+    X(336, MODEL_EXTENSION)         \
+    X(337, MODEL_LIMIT)             \
     X(340, VIDEO_PROGRAM)           \
     X(341, VIDEO_WRITE)             \
     X(400, GL_CONTEXT)              \

@@ -51,12 +51,22 @@ void bolan_scene_assets_destroy(bolan_scene_assets *assets);
 /// Creates the scene's sea: its desc with the measured spectrum of @p assets put in.
 bolan_result bolan_scene_create_sea(const bolan_scene *scene, const bolan_scene_assets *assets, bolan_sea **out);
 
-/// Reads a model with the assimp library: OBJ, glTF 2.0 and what else it knows. Files count as y-up and are turned:
-/// (x, y, z) becomes (x, -z, y). Node transforms are applied; the base colour of the material times the colour of the
-/// vertex, taken as linear, is the albedo, and the sky is open; textures are not read. Normals are made where there are
-/// none. At most 256 MiB and 16777216 vertices. Errors: IO, FORMAT (no triangle in it, a vertex that is not finite),
-/// MEMORY.
-bolan_result bolan_model_load(const char *path, bolan_model **out);
+/// A model file.
+typedef struct bolan_model_desc {
+    const char *path; ///< must be given; read during the call only
+    bolan_up up;      ///< which axis of the file points up; default Y
+    /// Subtracted from the coordinates of the file, in its axes and units, +-1e8; default 0. The file's numbers have
+    /// become floats before: of coordinates around 5e6 (UTM) half a metre is lost, so take the offset off in the file
+    /// for fine models.
+    bolan_dvec3 offset;
+} bolan_model_desc;
+
+/// Reads a model with the assimp library: OBJ, glTF 2.0 and what else it knows. Node transforms are applied; the base
+/// colour of the material times the colour of the vertex, taken as linear, is the albedo, and the sky is open; textures
+/// are not read. A mesh without normals gets flat ones (glTF 2.0, 3.7.2.1), in other formats smooth ones but for edges
+/// of 45 degrees and more. At most 64 MiB, 8388608 vertices, nodes 64 deep. Errors: IO; FORMAT (a glTF that requires an
+/// extension, no triangle, a vertex that is not finite or beyond 1e7 m); ARGUMENT (offset); MEMORY.
+bolan_result bolan_model_load(const bolan_model_desc *desc, bolan_model **out);
 
 // ---- tiles ----------------------------------------------------------------------------------------------------------
 
@@ -78,14 +88,25 @@ bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out);
 bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options *options,
                                  bolan_measured_spectrum **out);
 
-/// Reads part of a raster (band 1; any GDAL format; projected or geographic) as elevations on a square local grid in
-/// metres around (@p latitude, @p longitude) [deg] (NAN: its centre): azimuthal equidistant, x east, y north, +-@p
-/// radius. No-data becomes the mean of its neighbours, and outside the raster the rim continues. The grid's step
-/// follows the raster's own resolution, coarser where that would need more than 4096 samples a side; longitudes may run
-/// -180..180 or 0..360. Of a file with several rasters (NetCDF) the first is read. Errors: IO, FORMAT, ARGUMENT (the
-/// place is outside), MEMORY.
-bolan_result bolan_raster_load(const char *path, double latitude, double longitude, double radius,
-                               double vertical_scale, bolan_terrain **out);
+/// Reads part of a raster (any GDAL format; projected or geographic) as elevations on a local grid in metres around
+/// (desc->latitude, longitude): azimuthal equidistant, x east, y north, +-radius. The grid's step follows the raster's
+/// own resolution, coarser where that would need more than 4096 samples a side; longitudes may run -180..180 or 0..360;
+/// outside the raster the rim continues.
+///
+/// What the file says of itself is used, and the desc overrules it:
+/// - which variable or band is the elevation: by CF standard_name, name, description, unit; several that may be:
+///   FORMAT, with their names;
+/// - unit (of the band, else of the vertical CRS), scale and offset, and direction (CF `positive`, standard names of
+///   depths, a vertical CRS that counts down);
+/// - no-data: the declared value, NaN, mask and alpha bands. Values below -12000 m or above 9000 m, which no place on
+///   Earth has, and a lone -9999 are no-data too, with a warning;
+/// - coordinates: the CRS; a local CRS is metres. Without any: degrees where the step is below 0.5 and the numbers can
+///   be degrees, or where they span the globe, else metres, with a warning.
+///
+/// A sea in place of no-data or 0 has a bed that is nowhere above the data around it, and falls off from the coast as a
+/// sandy beach does (Dean 1991: 0.1 m^(1/3) distance^(2/3)), to 50 m. One message of level INFO names what was chosen.
+/// Errors: IO, FORMAT, ARGUMENT (a field of the desc; the place is outside), MEMORY.
+bolan_result bolan_raster_load(const bolan_raster_desc *desc, bolan_terrain **out);
 
 /// A growable list of points.
 typedef struct bolan_points {

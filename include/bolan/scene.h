@@ -231,15 +231,63 @@ typedef enum bolan_terrain_kind {
     BOLAN_TERRAIN_POND, ///< bolan_terrain_create_pond(); its ground is drawn as the model "builtin:pond-ground"
 } bolan_terrain_kind;
 
+/// What a sample without a value is.
+typedef enum bolan_raster_nodata {
+    /// SEA where the holes reach the rim of what is read, FILL where data enclose them; a warning says so.
+    BOLAN_NODATA_AUTO,
+    BOLAN_NODATA_FILL, ///< takes the elevation around it
+    BOLAN_NODATA_SEA,  ///< a sea bed that falls off from the data: land-only elevations
+} bolan_raster_nodata;
+
+/// What an elevation of exactly 0 is.
+typedef enum bolan_raster_zero {
+    BOLAN_ZERO_AUTO, ///< LAND, with a warning where much of the raster is 0
+    BOLAN_ZERO_LAND, ///< ground at mean sea level
+    BOLAN_ZERO_SEA,  ///< like BOLAN_NODATA_SEA: elevations of land whose sea is 0
+} bolan_raster_zero;
+
+#define BOLAN_CRS_MAX 256 ///< of bolan_raster_desc.crs, with its NUL
+
+/// Elevations from a raster, and what overrules the file: see bolan_raster_load().
+typedef struct bolan_raster_desc {
+    /// Any file that GDAL reads, or a name with a prefix of GDAL's (NETCDF:f.nc:z, HDF5:..., GTIFF_DIR:2:f.tif).
+    /// Default "".
+    char path[BOLAN_PATH_MAX];
+    /// Name of the variable, or of the band; default "": the one that is an elevation by its standard_name, name or
+    /// unit.
+    char variable[BOLAN_NAME_MAX];
+    /// Number of the band, from 1; default 0: the only one, or the one that is an elevation by its name.
+    uint32_t band;
+    /// Coordinates of the file: "metres", "degrees", or a CRS that PROJ knows ("EPSG:32604", WKT); default "": the
+    /// file's.
+    char crs[BOLAN_CRS_MAX];
+    /// Place of the scene's origin [deg], latitude +-90, longitude +-360; default NAN: the centre of the raster.
+    double latitude, longitude;
+    /// Half side of the square that is read [m], 100..5e6; default 150000.
+    double radius;
+    /// Metres upwards per unit of the raster, +-(1e-3..1e3), negative for depths; default NAN: by the unit and the sign
+    /// that the file states. Scale and offset of the file apply first.
+    double vertical_scale;
+    /// The number that stands for no-data, as in the file; default NAN: what the file declares.
+    double nodata_value;
+    bolan_raster_nodata nodata; ///< default AUTO
+    bolan_raster_zero zero;     ///< default AUTO
+} bolan_raster_desc;
+/// The defaults named beside the fields.
+bolan_raster_desc bolan_raster_desc_default(void);
+
 /// The ground, by description; loaded by bolan_scene_assets_load().
 typedef struct bolan_terrain_source {
-    bolan_terrain_kind kind;    ///< default NONE: open sea
-    bolan_island_desc island;   ///< for ISLAND
-    char path[BOLAN_PATH_MAX];  ///< for RASTER: any file GDAL reads
-    double latitude, longitude; ///< for RASTER: place of the scene's origin [deg]; NAN (default): its centre
-    double radius;              ///< for RASTER: half side of the square that is read [m], 100..5e6; default 150000
-    double vertical_scale;      ///< metres per raster unit, 1e-3..1e3; default 1
+    bolan_terrain_kind kind;  ///< default NONE: open sea
+    bolan_island_desc island; ///< for ISLAND
+    bolan_raster_desc raster; ///< for RASTER; an empty path: the global relief (see bolan_scene_assets_load())
 } bolan_terrain_source;
+
+/// Which axis of a model file points up.
+typedef enum bolan_up {
+    BOLAN_UP_Y, ///< OBJ, glTF: (x, y, z) becomes (x, -z, y)
+    BOLAN_UP_Z, ///< files of geographic information systems: (x, y, z) stays
+} bolan_up;
 
 /// A thing in the scene: a model and where it stands.
 typedef struct bolan_object {
@@ -248,6 +296,8 @@ typedef struct bolan_object {
     double heading_deg;   ///< compass direction of its +y axis [deg], -360..360
     double scale;         ///< 1e-3..1e3
     bool floats;          ///< rides on the waves: z is its height above the water under it
+    bolan_up up;          ///< of a file; default Y
+    bolan_dvec3 offset;   ///< subtracted from a file's coordinates, in the file's axes [file units], +-1e8; default 0
 } bolan_object;
 #define BOLAN_MAX_OBJECTS 64 ///< of a scene
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file shore.h
-/// Tier 2. The ground under and beside the sea: elevation of land and sea bed, water depth, and what shallow water does to
-/// waves.
+/// Tier 2. The ground under and beside the sea: elevation of land and sea bed, water depth, and what shallow water does
+/// to waves.
 #ifndef BOLAN_SHORE_H
 #define BOLAN_SHORE_H
 
@@ -12,13 +12,14 @@
 extern "C" {
 #endif
 
-/// A regular grid of elevations in local metres. Sample (i, j) is at (west + i * step_x, south + j * step_y) and stands at
-/// elevation[j * width + i] [m above mean sea level], row 0 in the south.
+/// A regular grid of elevations in local metres. Sample (i, j) is at (west + i * step_x, south + j * step_y) and stands
+/// at elevation[j * width + i] [m above mean sea level], row 0 in the south. All samples lie within +-1e8 m of the
+/// origin.
 typedef struct bolan_heightfield {
     uint32_t width, height; ///< 2..32768 each
     double west, south;     ///< position of sample (0, 0) [m east, north of the scene origin]
-    double step_x, step_y;  ///< [m] > 0
-    const float *elevation; ///< width * height finite values
+    double step_x, step_y;  ///< [m] 1e-3..1e7
+    const float *elevation; ///< width * height values within +-1e6 m
 } bolan_heightfield;
 
 /// How a terrain is made of a grid.
@@ -26,12 +27,12 @@ typedef struct bolan_terrain_desc {
     bolan_heightfield field; ///< copied
     double detail; ///< strength of the procedural detail below the grid's spacing, 0..2; default 1; 0: the data alone
     uint64_t seed; ///< of the detail; default 1
-    double edge_elevation; ///< elevation far outside the grid [m]; the grid's rim blends to it; default -4000
+    double edge_elevation; ///< elevation far outside the grid [m], +-1e6; its rim blends to it; default -4000
 } bolan_terrain_desc;
 
-/// A generated volcanic island with a lagoon side: a horseshoe of eroded peaks, cliffs and rock stacks to windward, sandy
-/// bays between headlands to leeward, turquoise shallows 1-6 m deep behind a barrier reef with sand islets, and a deep sea
-/// bed beyond. The land is centred on the scene origin.
+/// A generated volcanic island with a lagoon side: a horseshoe of eroded peaks, cliffs and rock stacks to windward,
+/// sandy bays between headlands to leeward, turquoise shallows 1-6 m deep behind a barrier reef with sand islets, and a
+/// deep sea bed beyond. The land is centred on the scene origin.
 typedef struct bolan_island_desc {
     uint64_t seed;          ///< default 7
     double radius;          ///< of the land [m], 200..20000; default 2200
@@ -49,47 +50,49 @@ bolan_terrain_desc bolan_terrain_desc_default(void);
 /// The defaults named beside the fields.
 bolan_island_desc bolan_island_desc_default(void);
 /// Makes a terrain of a grid. Between the nodes the data are interpolated by limited bicubic patches (C1, no overshoot;
-/// Fritsch & Carlson 1980); below twice the spacing the detail adds ridges and gullies that run down the slopes of the data.
+/// Fritsch & Carlson 1980); below twice the spacing the detail adds ridges and gullies that run down the slopes of the
+/// data.
 /// @param out receives the terrain, NULL on failure. Errors: ARGUMENT (the sentence names the field), MEMORY.
 bolan_result bolan_terrain_create(const bolan_terrain_desc *desc, bolan_terrain **out);
-/// Generates the island deterministically from its desc (no data, same bits everywhere) and makes a terrain of it. Takes
-/// about a second; uses the task hook. Errors: ARGUMENT, MEMORY.
+/// Generates the island deterministically from its desc (no data, same bits everywhere) and makes a terrain of it.
+/// Takes about a second; uses the task hook. Errors: ARGUMENT, MEMORY.
 bolan_result bolan_terrain_create_island(const bolan_island_desc *desc, bolan_terrain **out);
-/// The pond of the scene of that name: a basin 90 m across in a meadow, 0.4 to 4 m deep, with a sandy shelf in the south.
-/// Errors: MEMORY.
+/// The pond of the scene of that name: a basin 90 m across in a meadow, 0.4 to 4 m deep, with a sandy shelf in the
+/// south. Errors: MEMORY.
 bolan_result bolan_terrain_create_pond(bolan_terrain **out);
 /// The elevation it is made of [m]; thread-safe.
 float bolan_pond_elevation(double x, double y);
 /// NULL-safe; NULLs the pointer.
 void bolan_terrain_destroy(bolan_terrain **terrain);
 
-/// Elevation [m above mean sea level] at world (x, y) [m] as a grid of spacing @p resolution [m] can carry it: the data are
-/// low-passed where the spacing is coarser than theirs, and detail of a wavelength below twice the spacing is left out (it
-/// fades in up to four times). 0: everything. Continuous in x, y and resolution, finite everywhere. Thread-safe.
+/// Elevation [m above mean sea level] at world (x, y) [m] as a grid of spacing @p resolution [m] can carry it: the data
+/// are low-passed where the spacing is coarser than theirs, and detail of a wavelength below twice the spacing is left
+/// out (it fades in up to four times). 0: everything. Continuous in x, y and resolution, finite everywhere.
+/// Thread-safe.
 float bolan_terrain_elevation(const bolan_terrain *terrain, double x, double y, double resolution);
-/// The same at a regular grid of @p nx x @p ny points from (@p west, @p south) with @p step [m], which is the resolution
-/// too: out[j * nx + i]. Uses the task hook; equal to single calls for any number of threads. Thread-safe.
+/// The same at a regular grid of @p nx x @p ny points from (@p west, @p south) with @p step [m], which is the
+/// resolution too: out[j * nx + i]. Uses the task hook; equal to single calls for any number of threads. Thread-safe.
 void bolan_terrain_elevations(const bolan_terrain *terrain, double west, double south, double step, uint32_t nx,
                               uint32_t ny, float *out);
-/// Where the data are: west, south, east, north [m], the lowest and highest elevation of the data [m], and their spacing [m]
-/// (the coarser of the two).
+/// Where the data are: west, south, east, north [m], the lowest and highest elevation of the data [m], and their
+/// spacing [m] (the coarser of the two).
 typedef struct bolan_terrain_extent {
     double west, south, east, north, lowest, highest, step;
 } bolan_terrain_extent;
 /// Of the data the terrain was made from. Thread-safe.
 bolan_terrain_extent bolan_terrain_get_extent(const bolan_terrain *terrain);
-/// A number made of everything the terrain was created from: equal for equal terrains, different for others (64-bit hash).
-/// Thread-safe.
+/// A number made of everything the terrain was created from: equal for equal terrains, different for others (64-bit
+/// hash). Thread-safe.
 uint64_t bolan_terrain_id(const bolan_terrain *terrain);
-/// Bounds [m] that no elevation, at any resolution, inside the square of side @p size [m] from (@p west, @p south) leaves.
-/// Not tight; costs a few look-ups, for culling. Thread-safe.
+/// Bounds [m] that no elevation, at any resolution, inside the square of side @p size [m] from (@p west, @p south)
+/// leaves. Not tight; costs a few look-ups, for culling. Thread-safe.
 void bolan_terrain_bounds(const bolan_terrain *terrain, double west, double south, double size, float *lowest,
                           float *highest);
 
-/// How much of its deep-water amplitude a wave band of significant height @p band_hs [m] keeps in @p depth [m] of water:
-/// 1 in deep water, falling to 0 at the waterline so that the local height stays below the breaking limit (about 0.6 of the
-/// depth). tanh form: f = tanh(0.6 depth / band_hs), 0 for depth <= 0. The shader twin is shaders/common/shore.glsl.
-/// Thread-safe.
+/// How much of its deep-water amplitude a wave band of significant height @p band_hs [m] keeps in @p depth [m] of
+/// water: 1 in deep water, falling to 0 at the waterline so that the local height stays below the breaking limit (about
+/// 0.6 of the depth). tanh form: f = tanh(0.6 depth / band_hs), 0 for depth <= 0. The shader twin is
+/// shaders/common/shore.glsl. Thread-safe.
 float bolan_shore_attenuation(float depth, float band_hs);
 
 #ifdef __cplusplus

@@ -2,6 +2,7 @@
 // What a scene refers to: its spectrum, its terrain and its models.
 #include "bolan/io.h"
 
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -21,24 +22,31 @@ static bolan_result load_terrain(const bolan_scene *scene, bolan_terrain **out) 
     if (t->kind == BOLAN_TERRAIN_NONE) return BOLAN_OK;
     if (t->kind == BOLAN_TERRAIN_ISLAND) return bolan_terrain_create_island(&t->island, out);
     if (t->kind == BOLAN_TERRAIN_POND) return bolan_terrain_create_pond(out);
-    const char *path = t->path[0] ? t->path : global_relief;
-    if (!t->path[0] && access(path, R_OK) != 0) return no_raster(scene);
-    return bolan_raster_load(path, t->latitude, t->longitude, t->radius, t->vertical_scale, out);
+    bolan_raster_desc desc = t->raster;
+    if (!desc.path[0]) snprintf(desc.path, sizeof desc.path, "%s", global_relief);
+    if (!t->raster.path[0] && access(desc.path, R_OK) != 0) return no_raster(scene);
+    return bolan_raster_load(&desc, out);
 }
 
-static bolan_result load_model(const char *name, bolan_model **out) {
+static bolan_result load_model(const bolan_object *object, bolan_model **out) {
     static const char *const builtin = "builtin:";
+    const char *name = object->model;
     if (strncmp(name, builtin, strlen(builtin)) == 0) return bolan_model_create_builtin(name + strlen(builtin), out);
-    return bolan_model_load(name, out);
+    return bolan_model_load(&(bolan_model_desc){.path = name, .up = object->up, .offset = object->offset}, out);
+}
+
+static bool same_model(const bolan_object *a, const bolan_object *b) {
+    return strcmp(a->model, b->model) == 0 && a->up == b->up && a->offset.x == b->offset.x &&
+           a->offset.y == b->offset.y && a->offset.z == b->offset.z;
 }
 
 // Each different model once.
 static bolan_result load_models(const bolan_scene *scene, bolan_scene_assets *out) {
     for (uint32_t i = 0; i < scene->object_count; i++) {
         uint32_t same = 0;
-        while (same < i && strcmp(scene->objects[same].model, scene->objects[i].model) != 0) same++;
+        while (same < i && !same_model(&scene->objects[same], &scene->objects[i])) same++;
         if (same == i) {
-            const bolan_result result = load_model(scene->objects[i].model, &out->models[out->model_count]);
+            const bolan_result result = load_model(&scene->objects[i], &out->models[out->model_count]);
             if (result) return result;
             out->object_models[i] = out->models[out->model_count++];
         } else {

@@ -47,7 +47,10 @@ static bolan_result read_stream(FILE *stream, const char *path, size_t limit, fi
     // Give the exact size back, so that the owner need not remember the capacity.
     char *exact = result ? NULL : bolan_allocate(size + 1);
     if (exact) memcpy(exact, data, size);
-    if (!result && !exact) result = BOLAN_ERROR_MEMORY;
+    if (!result && !exact) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory to read it", path);
+        result = BOLAN_ERROR_MEMORY;
+    }
     bolan_release(data, capacity + 1);
     *out = (file_text){exact, exact ? size : 0};
     return result;
@@ -74,6 +77,44 @@ bool file_resolve(const char *beside, const char *name, char out[BOLAN_PATH_MAX]
     const char *slash = strrchr(beside, '/');
     const int folder = name[0] == '/' || !slash ? 0 : (int)(slash - beside + 1);
     return snprintf(out, BOLAN_PATH_MAX, "%.*s%s", folder, beside, name) < BOLAN_PATH_MAX;
+}
+
+// Length of a driver's prefix with its colon: capitals, digits and _ (at least two, so that no letter of a drive
+// counts).
+static size_t prefix_length(const char *name) {
+    const size_t length = strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
+    return length >= 2 && name[length] == ':' ? length + 1 : 0;
+}
+
+const char *file_of_raster(const char *name, size_t *length) {
+    const char *file = name + prefix_length(name);
+    *length = strlen(file);
+    if (file == name) return file;
+    // GTIFF_DIR:2:f.tif and GTIFF_DIR:off:8192:f.tif have numbers before the file.
+    if (strncmp(file, "off:", 4) == 0) file += 4;
+    const size_t digits = strspn(file, "0123456789");
+    if (digits > 0 && file[digits] == ':') file += digits + 1;
+    const char end = file[0] == '"' ? '"' : ':';
+    if (end == '"') file++;
+    const char *stop = strchr(file, end);
+    *length = stop ? (size_t)(stop - file) : strlen(file);
+    return file;
+}
+
+bool file_resolve_raster(const char *beside, char name[BOLAN_PATH_MAX]) {
+    char resolved[BOLAN_PATH_MAX];
+    size_t length;
+    const char *file = file_of_raster(name, &length), *slash = strrchr(beside, '/');
+    if (length == 0 || file[0] == '/' || !slash) return true;
+    const int folder = (int)(slash - beside + 1), before = (int)(file - name);
+    // A colon in the folder would end the file's name, but not between quotes.
+    const bool quote = before > 0 && name[before - 1] != '"' && memchr(beside, ':', (size_t)folder);
+    const char *mark = quote ? "\"" : "";
+    const int written = snprintf(resolved, sizeof resolved, "%.*s%s%.*s%.*s%s%s", before, name, mark, folder, beside,
+                                 (int)length, file, mark, file + length);
+    if (written >= BOLAN_PATH_MAX) return false;
+    memcpy(name, resolved, (size_t)written + 1);
+    return true;
 }
 
 // ---- writing --------------------------------------------------------------------------------------------------------

@@ -27,4 +27,10 @@ bolan_result file_cannot_write(const char *path);
 /// @p name as seen from the folder of the file @p beside, into @p out; false when that is too long.
 bool file_resolve(const char *beside, const char *name, char out[BOLAN_PATH_MAX]);
 
+/// The part of a raster's name that is a file: all of it, or what stands behind a prefix of GDAL's, as in
+/// NETCDF:f.nc:z, NETCDF:"f.nc":z or GTIFF_DIR:2:f.tif. Its first character; @p length receives how many.
+const char *file_of_raster(const char *name, size_t *length);
+/// Puts the folder of the file @p beside before that part, where it is a relative path; false when that is too long.
+bool file_resolve_raster(const char *beside, char name[BOLAN_PATH_MAX]);
+
 #endif

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Models from files, by assimp's C interface: the meshes of all nodes with their transforms, turned from y-up to z-up, in
-// one colour a vertex. Nothing that the library hands over is trusted: counts, indices and numbers are checked.
-#include "bolan/io.h"
+// Models from files, by assimp's C interface: the meshes of all nodes with their transforms, turned from y-up to z-up,
+// in one colour a vertex. The file is checked before the library sees it (model_check.c), and nothing that the library
+// hands over is trusted: counts, indices and numbers are checked.
+#include "io/model_file.h"
 
 #include <assimp/cimport.h>
 #include <assimp/config.h>
@@ -10,22 +11,20 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
-#define FILE_LIMIT (256ull << 20)
-#define VERTEX_LIMIT (1u << 24) // as many indices, too: more than anybody draws
-#define DEPTH_LIMIT 64          // of nodes in nodes
+#define CREASE 0.70710678f // cosine of 45 degrees
+#define FLAT 2.0f          // no cosine: triangles are not averaged
 
 // What is gathered: first counted, then filled.
 typedef struct gathered {
     const struct aiScene *scene;
-    uint32_t vertex_count, index_count, vertex_room, index_room, nodes;
-    bolan_vec3 *positions, *normals;
-    bolan_vec4 *colors;
-    uint32_t *indices;
+    const bolan_model_desc *desc;
+    float crease; // of normals that are made
+    model_mesh mesh;
+    uint32_t nodes;
+    bolan_result result;
 } gathered;
 
 // ---- one mesh -------------------------------------------------------------------------------------------------------
@@ -33,8 +32,10 @@ typedef struct gathered {
 static bool finite3(struct aiVector3D v) { return isfinite(v.x) && isfinite(v.y) && isfinite(v.z); }
 static float share(float x) { return x >= 0.0f ? fminf(x, 1.0f) : 0.0f; } // also of what is no number
 
-// Files are y-up: x stays, what was up becomes z, and what looked to the viewer (+z) looks to -y.
-static bolan_vec3 turned(float x, float y, float z) { return bolan_v3(x, -z, y); }
+// y-up: x stays, what was up becomes z, and what looked to the viewer (+z) looks to -y.
+static bolan_vec3 turned(bolan_up up, float x, float y, float z) {
+    return up == BOLAN_UP_Y ? bolan_v3(x, -z, y) : bolan_v3(x, y, z);
+}
 
 static bolan_vec4 base_color(const struct aiScene *scene, const struct aiMesh *mesh) {
     struct aiColor4D c = {0.6f, 0.6f, 0.6f, 1.0f};
@@ -46,9 +47,13 @@ static bolan_vec4 base_color(const struct aiScene *scene, const struct aiMesh *m
     return (bolan_vec4){share(c.r), share(c.g), share(c.b), 1.0f};
 }
 
-static bolan_vec3 moved(const struct aiMatrix4x4 *m, struct aiVector3D v) {
-    return turned(m->a1 * v.x + m->a2 * v.y + m->a3 * v.z + m->a4, m->b1 * v.x + m->b2 * v.y + m->b3 * v.z + m->b4,
-                  m->c1 * v.x + m->c2 * v.y + m->c3 * v.z + m->c4);
+// The offset is taken off in double: the large parts of both cancel before the rounding to float.
+static bolan_vec3 moved(const gathered *g, const struct aiMatrix4x4 *m, struct aiVector3D v) {
+    const double x = (double)v.x, y = (double)v.y, z = (double)v.z;
+    const bolan_dvec3 o = g->desc->offset;
+    return turned(g->desc->up, (float)((double)m->a1 * x + (double)m->a2 * y + (double)m->a3 * z + (double)m->a4 - o.x),
+                  (float)((double)m->b1 * x + (double)m->b2 * y + (double)m->b3 * z + (double)m->b4 - o.y),
+                  (float)((double)m->c1 * x + (double)m->c2 * y + (double)m->c3 * z + (double)m->c4 - o.z));
 }
 
 static float determinant(const struct aiMatrix4x4 *m) {
@@ -58,10 +63,10 @@ static float determinant(const struct aiMatrix4x4 *m) {
 
 // By the cofactors: the inverse transpose but for a factor, also where the matrix has none. A mirroring node turns the
 // cofactors over; the sign turns the normal back.
-static bolan_vec3 moved_normal(const struct aiMatrix4x4 *m, struct aiVector3D n, float sign) {
+static bolan_vec3 moved_normal(bolan_up up, const struct aiMatrix4x4 *m, struct aiVector3D n, float sign) {
     const bolan_vec3 a = {m->a1, m->a2, m->a3}, b = {m->b1, m->b2, m->b3}, c = {m->c1, m->c2, m->c3};
     const bolan_vec3 v = {n.x, n.y, n.z};
-    const bolan_vec3 t = turned(bolan_v3_dot(bolan_v3_cross(b, c), v), bolan_v3_dot(bolan_v3_cross(c, a), v),
+    const bolan_vec3 t = turned(up, bolan_v3_dot(bolan_v3_cross(b, c), v), bolan_v3_dot(bolan_v3_cross(c, a), v),
                                 bolan_v3_dot(bolan_v3_cross(a, b), v));
     const float length = bolan_v3_length(t);
     return length > 1e-20f && isfinite(length) ? bolan_v3_scale(t, sign / length) : bolan_v3(0.0f, 0.0f, 1.0f);
@@ -71,28 +76,31 @@ static void add_vertices(gathered *g, const struct aiMesh *mesh, const struct ai
     const bolan_vec4 base = base_color(g->scene, mesh);
     const struct aiColor4D *painted = mesh->mColors[0];
     const float sign = determinant(m) < 0.0f ? -1.0f : 1.0f;
+    model_mesh *to = &g->mesh;
     for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
-        const uint32_t n = g->vertex_count + i;
+        const uint32_t n = to->vertex_count++;
         const struct aiVector3D up = {0.0f, 1.0f, 0.0f};
-        g->positions[n] = moved(m, mesh->mVertices[i]);
-        g->normals[n] = moved_normal(m, mesh->mNormals && finite3(mesh->mNormals[i]) ? mesh->mNormals[i] : up, sign);
-        g->colors[n] = base;
+        const bool known = mesh->mNormals && finite3(mesh->mNormals[i]);
+        to->positions[n] = moved(g, m, mesh->mVertices[i]);
+        to->normals[n] = moved_normal(g->desc->up, m, known ? mesh->mNormals[i] : up, sign);
+        to->colors[n] = base;
         if (!painted) continue;
-        g->colors[n].x *= share(painted[i].r);
-        g->colors[n].y *= share(painted[i].g);
-        g->colors[n].z *= share(painted[i].b);
+        to->colors[n].x *= share(painted[i].r);
+        to->colors[n].y *= share(painted[i].g);
+        to->colors[n].z *= share(painted[i].b);
     }
 }
 
-static void add_triangles(gathered *g, const struct aiMesh *mesh, bool mirrored) {
+static void add_triangles(gathered *g, const struct aiMesh *mesh, uint32_t first, bool mirrored) {
+    model_mesh *to = &g->mesh;
     for (uint32_t f = 0; f < mesh->mNumFaces; f++) {
         const struct aiFace *face = &mesh->mFaces[f];
         if (face->mNumIndices != 3) continue;
         const unsigned *i = face->mIndices;
         if (i[0] >= mesh->mNumVertices || i[1] >= mesh->mNumVertices || i[2] >= mesh->mNumVertices) continue;
-        g->indices[g->index_count++] = g->vertex_count + i[0];
-        g->indices[g->index_count++] = g->vertex_count + i[mirrored ? 2 : 1];
-        g->indices[g->index_count++] = g->vertex_count + i[mirrored ? 1 : 2];
+        to->indices[to->index_count++] = first + i[0];
+        to->indices[to->index_count++] = first + i[mirrored ? 2 : 1];
+        to->indices[to->index_count++] = first + i[mirrored ? 1 : 2];
     }
 }
 
@@ -100,27 +108,37 @@ static void add_triangles(gathered *g, const struct aiMesh *mesh, bool mirrored)
 
 static bool is_drawn(const struct aiMesh *mesh) { return mesh->mVertices && mesh->mFaces && mesh->mNumVertices >= 3; }
 
+// What a mesh needs: a vertex for each corner where its normals are to be made.
+static void count_mesh(model_mesh *to, const struct aiMesh *mesh) {
+    const uint32_t faces = mesh->mNumFaces < MODEL_VERTEX_LIMIT ? mesh->mNumFaces : MODEL_VERTEX_LIMIT;
+    const uint32_t split = mesh->mNormals ? 0 : 3 * faces;
+    to->vertex_count += mesh->mNumVertices > split ? mesh->mNumVertices : split;
+    to->index_count += 3 * faces;
+}
+
 static void add_mesh(gathered *g, const struct aiMesh *mesh, const struct aiMatrix4x4 *m) {
-    if (g->positions) { // the second time
-        add_vertices(g, mesh, m);
-        add_triangles(g, mesh, determinant(m) < 0.0f);
+    if (!g->mesh.positions) { // the first time
+        count_mesh(&g->mesh, mesh);
+        return;
     }
-    g->vertex_count += mesh->mNumVertices;
-    if (!g->positions) g->index_count += 3 * (mesh->mNumFaces < VERTEX_LIMIT ? mesh->mNumFaces : VERTEX_LIMIT);
+    const uint32_t first = g->mesh.vertex_count, first_index = g->mesh.index_count;
+    add_vertices(g, mesh, m);
+    add_triangles(g, mesh, first, determinant(m) < 0.0f);
+    if (!mesh->mNormals && !g->result) g->result = model_make_normals(&g->mesh, first, first_index, g->crease);
 }
 
 // False when the file is larger or deeper than a model can be.
 static bool walk(gathered *g, const struct aiNode *node, const struct aiMatrix4x4 *parent, int depth) {
-    if (depth > DEPTH_LIMIT || ++g->nodes > VERTEX_LIMIT) return false;
+    if (depth > MODEL_DEPTH_LIMIT || ++g->nodes > MODEL_VERTEX_LIMIT) return false;
     struct aiMatrix4x4 m = *parent;
     aiMultiplyMatrix4(&m, &node->mTransformation);
     for (uint32_t i = 0; i < node->mNumMeshes; i++) {
         if (node->mMeshes[i] >= g->scene->mNumMeshes) continue;
         const struct aiMesh *mesh = g->scene->mMeshes[node->mMeshes[i]];
         if (!is_drawn(mesh)) continue;
-        if (mesh->mNumVertices > VERTEX_LIMIT) return false;
+        if (mesh->mNumVertices > MODEL_VERTEX_LIMIT) return false;
         add_mesh(g, mesh, &m);
-        if (g->vertex_count > VERTEX_LIMIT || g->index_count > 3 * VERTEX_LIMIT) return false;
+        if (g->mesh.vertex_count > MODEL_VERTEX_LIMIT || g->mesh.index_count > 3 * MODEL_VERTEX_LIMIT) return false;
     }
     for (uint32_t i = 0; i < node->mNumChildren; i++)
         if (!walk(g, node->mChildren[i], &m, depth + 1)) return false;
@@ -134,30 +152,12 @@ static bolan_result refuse(const char *path, const char *what) {
     return BOLAN_ERROR_FORMAT;
 }
 
-static bolan_result check_file(const char *path) {
-    struct stat s;
-    if (stat(path, &s) != 0) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_OPEN, "%s: cannot be read: %s", path, strerror(errno));
-        return BOLAN_ERROR_IO;
-    }
-    if (!S_ISREG(s.st_mode)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_OPEN, "%s: is not a file; expected a model (OBJ, glTF)", path);
-        return BOLAN_ERROR_IO;
-    }
-    if ((unsigned long long)s.st_size > FILE_LIMIT) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_TOO_LARGE, "%s: larger than a model can be; expected at most 256 MiB",
-                  path);
-        return BOLAN_ERROR_IO;
-    }
-    return BOLAN_OK;
-}
-
 static const struct aiScene *import(const char *path) {
     struct aiPropertyStore *store = aiCreatePropertyStore();
     if (!store) return NULL;
     aiSetImportPropertyInteger(store, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const unsigned steps = aiProcess_ValidateDataStructure | aiProcess_FindInvalidData | aiProcess_Triangulate |
-                           aiProcess_SortByPType | aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices;
+                           aiProcess_SortByPType | aiProcess_JoinIdenticalVertices;
     const struct aiScene *scene = aiImportFileExWithProperties(path, steps, NULL, store);
     aiReleasePropertyStore(store);
     return scene;
@@ -174,45 +174,73 @@ static bolan_result cannot_import(const char *path) {
     return BOLAN_ERROR_FORMAT;
 }
 
+static bool allocate(model_mesh *m) {
+    m->vertex_room = m->vertex_count;
+    m->index_room = m->index_count;
+    m->positions = bolan_allocate(m->vertex_room * sizeof *m->positions);
+    m->normals = bolan_allocate(m->vertex_room * sizeof *m->normals);
+    m->colors = bolan_allocate(m->vertex_room * sizeof *m->colors);
+    m->indices = bolan_allocate(m->index_room * sizeof *m->indices);
+    m->vertex_count = m->index_count = 0;
+    return m->positions && m->normals && m->colors && m->indices;
+}
+
+static void release(model_mesh *m) {
+    bolan_release(m->positions, m->vertex_room * sizeof *m->positions);
+    bolan_release(m->normals, m->vertex_room * sizeof *m->normals);
+    bolan_release(m->colors, m->vertex_room * sizeof *m->colors);
+    bolan_release(m->indices, m->index_room * sizeof *m->indices);
+}
+
+static bolan_result check_positions(const char *path, const model_mesh *m) {
+    for (uint32_t i = 0; i < m->vertex_count; i++) {
+        const bolan_vec3 p = m->positions[i];
+        if (!isfinite(p.x + p.y + p.z)) return refuse(path, "a vertex is not finite");
+        if (fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))) > MODEL_REACH)
+            return refuse(path, "a vertex lies more than 1e7 m from the origin; an offset brings it back");
+    }
+    return BOLAN_OK;
+}
+
 static bolan_result fill(gathered *g, const char *path, bolan_model **out) {
     const struct aiMatrix4x4 still = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    g->nodes = 0;
+    model_mesh *m = &g->mesh;
     if (!g->scene->mRootNode || !walk(g, g->scene->mRootNode, &still, 0))
-        return refuse(path, "more than a model can hold; expected at most 16777216 vertices, and nodes 64 deep");
-    if (g->vertex_count < 3 || g->index_count < 3) return refuse(path, "there is no triangle in it");
-    g->vertex_room = g->vertex_count;
-    g->index_room = g->index_count;
-    g->positions = bolan_allocate(g->vertex_room * sizeof *g->positions);
-    g->normals = bolan_allocate(g->vertex_room * sizeof *g->normals);
-    g->colors = bolan_allocate(g->vertex_room * sizeof *g->colors);
-    g->indices = bolan_allocate(g->index_room * sizeof *g->indices);
-    if (!g->positions || !g->normals || !g->colors || !g->indices) {
+        return refuse(path, "more than a model can hold; expected at most 8388608 vertices, and nodes 64 deep");
+    if (m->vertex_count < 3 || m->index_count < 3) return refuse(path, "there is no triangle in it");
+    if (!allocate(m)) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory for %u vertices", path,
-                  (unsigned)g->vertex_count);
+                  (unsigned)m->vertex_room);
         return BOLAN_ERROR_MEMORY;
     }
-    g->vertex_count = g->index_count = g->nodes = 0;
+    g->nodes = 0;
     walk(g, g->scene->mRootNode, &still, 0);
-    if (g->index_count < 3) return refuse(path, "there is no triangle in it");
-    for (uint32_t i = 0; i < g->vertex_count; i++)
-        if (!isfinite(g->positions[i].x + g->positions[i].y + g->positions[i].z))
-            return refuse(path, "a vertex is not finite");
-    const bolan_model_view view = {g->vertex_count, g->index_count, g->positions, g->normals, g->colors, g->indices};
+    if (g->result) return g->result;
+    if (m->vertex_count < 3 || m->index_count < 3) return refuse(path, "there is no triangle in it");
+    if (check_positions(path, m)) return BOLAN_ERROR_FORMAT;
+    const bolan_model_view view = {m->vertex_count, m->index_count, m->positions, m->normals, m->colors, m->indices};
     return bolan_model_create(&view, out);
 }
 
-bolan_result bolan_model_load(const char *path, bolan_model **out) {
-    BOLAN_ASSERT(path && out);
+static bolan_result check_desc(const bolan_model_desc *d) {
+    const bolan_dvec3 o = d->offset;
+    if (fabs(o.x) <= 1e8 && fabs(o.y) <= 1e8 && fabs(o.z) <= 1e8 && (unsigned)d->up <= BOLAN_UP_Z) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "%s: offset (%g, %g, %g), up %d; expected +-1e8 each, 0 or 1",
+              d->path, o.x, o.y, o.z, (int)d->up);
+    return BOLAN_ERROR_ARGUMENT;
+}
+
+bolan_result bolan_model_load(const bolan_model_desc *desc, bolan_model **out) {
+    BOLAN_ASSERT(desc && desc->path && out);
     *out = NULL;
-    bolan_result result = check_file(path);
+    model_format format;
+    bolan_result result = check_desc(desc);
+    if (!result) result = model_file_check(desc->path, &format);
     if (result) return result;
-    gathered g = {.scene = import(path)};
-    if (!g.scene) return cannot_import(path);
-    result = fill(&g, path, out);
-    bolan_release(g.positions, g.vertex_room * sizeof *g.positions);
-    bolan_release(g.normals, g.vertex_room * sizeof *g.normals);
-    bolan_release(g.colors, g.vertex_room * sizeof *g.colors);
-    bolan_release(g.indices, g.index_room * sizeof *g.indices);
+    gathered g = {.scene = import(desc->path), .desc = desc, .crease = format == MODEL_GLTF ? FLAT : CREASE};
+    if (!g.scene) return cannot_import(desc->path);
+    result = fill(&g, desc->path, out);
+    release(&g.mesh);
     aiReleaseImport(g.scene);
     return result;
 }

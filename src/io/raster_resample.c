@@ -69,8 +69,8 @@ static void make_net(const raster_source *source, const raster_window *window, c
     for (uint32_t j = 0; j < height; j++) {
         double *row_x = x + (size_t)j * width, *row_y = y + (size_t)j * width;
         for (uint32_t i = 0; i < width; i++) {
-            row_x[i] = plan->west + plan->step * i * NET;
-            row_y[i] = plan->south + plan->step * j * NET;
+            row_x[i] = plan->west + plan->step_x * i * NET;
+            row_y[i] = plan->south + plan->step_y * j * NET;
         }
         raster_local_to_pixel(source, (int)width, row_x, row_y);
         for (uint32_t i = 0; i < width; i++) { // from pixels to the window's samples, whose centres are whole numbers
@@ -80,14 +80,15 @@ static void make_net(const raster_source *source, const raster_window *window, c
     }
 }
 
-void raster_resample(const raster_source *source, const raster_window *window, const raster_plan *plan, float *out) {
+bolan_result raster_resample(const raster_source *source, const raster_window *window, const raster_plan *plan,
+                             float *out) {
     const uint32_t width = (plan->width - 1) / NET + 2, height = (plan->height - 1) / NET + 2;
     const size_t count = (size_t)width * height, bytes = 2 * count * sizeof(double);
     double *net = bolan_allocate(bytes);
-    for (size_t i = 0; !net && i < (size_t)plan->width * plan->height; i++) out[i] = NAN; // which the caller refuses
-    if (!net) return;
+    if (!net) return raster_no_memory(source->path, count, "places");
     make_net(source, window, plan, width, height, net, net + count);
     resample_job job = {window, plan, net, net + count, width, out};
     bolan_parallel(plan->height, 16, resample_rows, &job);
     bolan_release(net, bytes);
+    return BOLAN_OK;
 }

@@ -51,6 +51,7 @@ void scene_file_clear(scene_file *file) {
         &file->terrain.raster.at[1],
         &file->terrain.raster.radius_km,
         &file->terrain.raster.vertical_scale,
+        &file->terrain.raster.nodata_value,
         &file->camera.position[0],
         &file->camera.position[1],
         &file->camera.position[2],
@@ -62,7 +63,8 @@ void scene_file_clear(scene_file *file) {
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) *numbers[i] = absent;
     for (int i = 0; i < BOLAN_MAX_WAVE_SYSTEMS; i++)
         file->sea.swell[i] = (struct scene_file_swell){0, absent, absent, absent, absent};
-    for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) file->objects[i].scale = 1.0;
+    file->terrain.raster.nodata = file->terrain.raster.zero_is = -1;
+    for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) file->objects[i].scale = 1.0, file->objects[i].up = -1;
     for (int i = 0; i < BOLAN_MAX_CAMERA_KEYS; i++)
         file->camera.path[i] =
             (struct scene_file_key){0, absent, {absent, absent, absent}, absent, absent, absent, absent};
@@ -235,12 +237,29 @@ static bolan_result build_sky(const scene_file *file, const char *name, bolan_sk
     return build_sun(&file->sky.sun, name, sky);
 }
 
+static bolan_result build_raster(const struct scene_file_raster *r, const char *name, bolan_raster_desc *out) {
+    if (!isnan(r->at[0]) && fabs(r->at[0]) > 90.0)
+        return refuse(name, r->line, "terrain.raster.at has a latitude beyond 90; expected [latitude, longitude]");
+    if (fabs(r->vertical_scale) < 1e-3)
+        return refuse(name, r->line,
+                      "terrain.raster.vertical_scale is too small; expected 0.001 to 1000, negative for depths");
+    snprintf(out->path, sizeof out->path, "%s", r->file);
+    memcpy(out->variable, r->variable, sizeof out->variable);
+    memcpy(out->crs, r->crs, sizeof out->crs);
+    out->band = (uint32_t)r->band;
+    out->latitude = r->at[0];
+    out->longitude = r->at[1];
+    set(&out->radius, r->radius_km, 1000.0);
+    out->vertical_scale = r->vertical_scale;
+    out->nodata_value = r->nodata_value;
+    out->nodata = (bolan_raster_nodata)(r->nodata + 1); // an absent name is -1: AUTO
+    out->zero = (bolan_raster_zero)(r->zero_is + 1);
+    return BOLAN_OK;
+}
+
 static bolan_result build_terrain(const struct scene_file_terrain *t, const char *name, bolan_terrain_source *out) {
     if ((t->island.line != 0) + (t->raster.line != 0) + (t->pond.line != 0) > 1)
         return refuse(name, t->line, "terrain has more than one of island, raster and pond; expected one");
-    if (t->raster.line && !isnan(t->raster.at[0]) && fabs(t->raster.at[0]) > 90.0)
-        return refuse(name, t->raster.line,
-                      "terrain.raster.at has a latitude beyond 90; expected [latitude, longitude]");
     out->kind = t->island.line   ? BOLAN_TERRAIN_ISLAND
                 : t->raster.line ? BOLAN_TERRAIN_RASTER
                 : t->pond.line   ? BOLAN_TERRAIN_POND
@@ -250,12 +269,7 @@ static bolan_result build_terrain(const struct scene_file_terrain *t, const char
     set(&out->island.peak, t->island.peak, 1.0);
     set(&out->island.sea_floor, t->island.sea_floor, 1.0);
     set(&out->island.lagoon_from_deg, t->island.lagoon_from, 1.0);
-    snprintf(out->path, sizeof out->path, "%s", t->raster.file);
-    out->latitude = t->raster.at[0];
-    out->longitude = t->raster.at[1];
-    set(&out->radius, t->raster.radius_km, 1000.0);
-    set(&out->vertical_scale, t->raster.vertical_scale, 1.0);
-    return BOLAN_OK;
+    return build_raster(&t->raster, name, &out->raster);
 }
 
 static void build_camera(const struct scene_file_camera *c, bolan_camera *out) {
@@ -327,7 +341,11 @@ static bolan_result build_object(const struct scene_file_object *o, const char *
            strcmp(bolan_model_builtin_name(i), o->model + strlen(builtin)) != 0)
         i++;
     if (is_builtin(o->model) && !bolan_model_builtin_name(i)) return unknown_model(name, o->line, o->model);
+    if (is_builtin(o->model) && (o->up >= 0 || o->offset[0] != 0.0 || o->offset[1] != 0.0 || o->offset[2] != 0.0))
+        return refuse(name, o->line, "up and offset are of model files; expected neither with a builtin: model");
     memcpy(out->model, o->model, sizeof out->model);
+    out->up = o->up == BOLAN_UP_Z ? BOLAN_UP_Z : BOLAN_UP_Y;
+    out->offset = bolan_dv3(o->offset[0], o->offset[1], o->offset[2]);
     out->position = bolan_dv3(o->position[0], o->position[1], o->position[2]);
     out->heading_deg = o->heading;
     out->scale = o->scale;

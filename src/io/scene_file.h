@@ -75,7 +75,10 @@ typedef struct scene_file {
         struct scene_file_raster {
             uint32_t line;
             char file[BOLAN_PATH_MAX];
-            double at[2], radius_km, vertical_scale;
+            double at[2], radius_km, vertical_scale, nodata_value;
+            char variable[BOLAN_NAME_MAX], crs[BOLAN_CRS_MAX];
+            uint64_t band;
+            int nodata, zero_is;
         } raster;
         struct scene_file_pond {
             uint32_t line;
@@ -86,7 +89,8 @@ typedef struct scene_file {
         uint32_t line;
         bool floats;
         char model[256];
-        double position[3], heading, scale;
+        double position[3], heading, scale, offset[3];
+        int up;
     } objects[BOLAN_MAX_OBJECTS];
     struct scene_file_camera {
         uint32_t line;

@@ -92,7 +92,7 @@ static bolan_result load_file(const char *path, bolan_scene *out) {
     result = parse(path, text.data, text.size, true, &scene);
     file_release(&text);
     if (!result) result = resolve(path, scene.spectrum_path);
-    if (!result) result = resolve(path, scene.terrain.path);
+    if (!result && !file_resolve_raster(path, scene.terrain.raster.path)) result = too_long(path);
     if (!result) result = resolve(path, scene.tiles_path);
     if (!result) *out = scene;
     return result;

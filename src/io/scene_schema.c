@@ -29,6 +29,10 @@ static const char *const water_names[] = {"I",  "IA", "IB", "II", "III", "1C",
 
 static const char *const split_names[] = {"equal-energy", "equal-width", NULL}; // bolan_frequency_split
 
+static const char *const nodata_names[] = {"fill", "sea", NULL}; // bolan_raster_nodata, from 1
+static const char *const zero_names[] = {"land", "sea", NULL};   // bolan_raster_zero, from 1
+static const char *const up_names[] = {"y", "z", NULL};          // bolan_up
+
 // Offsets of an inner map count from the start of that map: STRUCT is its type.
 
 #define STRUCT struct scene_file_wind
@@ -155,7 +159,13 @@ static const schema_key raster_keys[] = {
     TEXT(file),
     VECTOR(at, -360, 360, "degrees"),
     NUMBER(radius_km, 0.1, 5000, "km"),
-    NUMBER(vertical_scale, 1e-3, 1e3, NULL),
+    NUMBER(vertical_scale, -1e3, 1e3, NULL),
+    TEXT(variable),
+    COUNT(band, 1, 65535),
+    TEXT(crs),
+    NAME(nodata, nodata_names),
+    NUMBER(nodata_value, -1e39, 1e39, NULL),
+    NAME(zero_is, zero_names),
     END,
 };
 #undef STRUCT
@@ -180,6 +190,8 @@ static const schema_key object_keys[] = {
     NUMBER(heading, -360, 360, "degrees"),
     NUMBER(scale, 1e-3, 1e3, NULL),
     FLAG(floats),
+    NAME(up, up_names),
+    VECTOR(offset, -1e8, 1e8, NULL),
     END,
 };
 #undef STRUCT

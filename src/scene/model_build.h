@@ -51,7 +51,8 @@ typedef struct build_lump {
 } build_lump;
 void build_blob(model_builder *b, const build_lump *lump);
 
-/// Uniform in [0, 1); moves the state on.
+/// Uniform in [0, 1); moves the state on. At most one call that moves the state in a full expression: C leaves the
+/// order of arguments and initialisers to the compiler.
 float build_random(uint32_t *state);
 /// Uniform in [low, high).
 float build_between(uint32_t *state, float low, float high);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A broad-leaved tree, a spruce and a clump of reeds. Crowns are lumps that carry loose leaves: the lumps give body and a
-// dark inside, the leaves break the outline. Their normals point out of the crown, so that it is shaded as a whole.
+// A broad-leaved tree, a spruce and a clump of reeds. Crowns are lumps that carry loose leaves: the lumps give body and
+// a dark inside, the leaves break the outline. Their normals point out of the crown, so that it is shaded as a whole.
 #include "scene/model_build.h"
 
 // Leaves on the surface of a lump, thicker above.
@@ -40,11 +40,13 @@ void model_tree(model_builder *b) {
     }
     for (int i = 0; i < count; i++) {
         const float r = crown[i].r, high = crown[i].z / 8.5f;
+        const bolan_vec3 low = build_vary(&chance, bolan_v3(0.026f, 0.043f, 0.013f), 0.15f);
+        const bolan_vec3 top = build_vary(&chance, bolan_v3(0.066f, 0.097f, 0.025f), 0.15f);
         build_lump l = {.center = {crown[i].x, crown[i].y, crown[i].z},
                         .radius = {r, r, 0.86f * r},
                         .core = {0.0f, 0.0f, 5.2f},
-                        .low_color = build_vary(&chance, bolan_v3(0.026f, 0.043f, 0.013f), 0.15f),
-                        .high_color = build_vary(&chance, bolan_v3(0.066f, 0.097f, 0.025f), 0.15f),
+                        .low_color = low,
+                        .high_color = top,
                         .low_open = 0.16f,
                         .high_open = 0.45f + 0.5f * high,
                         .rough = 0.17f,
@@ -102,8 +104,8 @@ static void blade(model_builder *b, uint32_t *chance, bolan_vec3 foot, float hei
     const float lean = build_between(chance, 0.08f, 0.34f) * height;
     const bolan_vec3 to = {(float)c, (float)s, 0.0f}, side = {-(float)s * width, (float)c * width, 0.0f};
     const bolan_vec3 young = {0.085f, 0.115f, 0.035f}, old = {0.19f, 0.165f, 0.08f};
-    const bolan_vec3 color =
-        build_vary(chance, build_mix(young, old, build_random(chance) * build_random(chance)), 0.2f);
+    const float first = build_random(chance), age = first * build_random(chance);
+    const bolan_vec3 color = build_vary(chance, build_mix(young, old, age), 0.2f);
     const bolan_vec3 n = bolan_v3_normalize(bolan_v3(to.x * 0.5f, to.y * 0.5f, 0.8f));
     const bolan_vec3 half = bolan_v3_add(foot, bolan_v3(to.x * 0.3f * lean, to.y * 0.3f * lean, 0.6f * height));
     const bolan_vec3 tip = bolan_v3_add(foot, bolan_v3(to.x * lean, to.y * lean, height));
@@ -121,8 +123,8 @@ void model_reeds(model_builder *b) {
     uint32_t chance = 21;
     for (int i = 0; i < 34; i++) {
         const float x = build_between(&chance, -1.0f, 1.0f), y = build_between(&chance, -0.6f, 0.6f);
-        blade(b, &chance, bolan_v3(x * 1.2f, y, -0.5f), build_between(&chance, 1.3f, 2.5f),
-              build_between(&chance, 0.026f, 0.046f));
+        const float width = build_between(&chance, 0.026f, 0.046f), height = build_between(&chance, 1.3f, 2.5f);
+        blade(b, &chance, bolan_v3(x * 1.2f, y, -0.5f), height, width);
     }
     for (int i = 0; i < 4; i++) { // cattails
         const float x = build_between(&chance, -0.9f, 0.9f), y = build_between(&chance, -0.4f, 0.4f),

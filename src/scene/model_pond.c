@@ -137,9 +137,9 @@ static void far_crown(model_builder *b, uint32_t *chance, bolan_vec3 foot, float
     l.core = bolan_v3(foot.x, foot.y, foot.z + 0.45f * height);
     for (int k = 0; k < 2; k++) {
         const float r = height * (k ? 0.25f : 0.34f);
-        l.center = bolan_v3(foot.x + (k ? build_between(chance, -0.5f, 0.5f) * r : 0.0f),
-                            foot.y + (k ? build_between(chance, -0.5f, 0.5f) * r : 0.0f),
-                            foot.z + height * (k ? 0.70f : 0.33f));
+        const float y = k ? build_between(chance, -0.5f, 0.5f) * r : 0.0f;
+        const float x = k ? build_between(chance, -0.5f, 0.5f) * r : 0.0f;
+        l.center = bolan_v3(foot.x + x, foot.y + y, foot.z + height * (k ? 0.70f : 0.33f));
         l.radius = bolan_v3(r, r, r * (k ? 0.95f : 1.15f));
         l.low_open = k ? 0.5f : 0.2f;
         l.high_open = k ? 1.0f : 0.75f;

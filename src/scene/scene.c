@@ -26,11 +26,14 @@ bolan_scene bolan_scene_default(void) {
     scene.water.foam = 1.0;
     scene.terrain.kind = BOLAN_TERRAIN_NONE;
     scene.terrain.island = bolan_island_desc_default();
-    scene.terrain.latitude = (double)NAN;
-    scene.terrain.longitude = (double)NAN;
-    scene.terrain.radius = 150e3;
-    scene.terrain.vertical_scale = 1.0;
+    scene.terrain.raster = bolan_raster_desc_default();
     return scene;
+}
+
+bolan_raster_desc bolan_raster_desc_default(void) {
+    const double none = (double)NAN;
+    return (bolan_raster_desc){
+        .latitude = none, .longitude = none, .radius = 150e3, .vertical_scale = none, .nodata_value = none};
 }
 
 static bolan_sea_state wind_sea_of(const bolan_scene *scene, double wind_speed, double from_deg) {

@@ -72,7 +72,11 @@ static bolan_result check_objects(const bolan_scene *s) {
                         !check("objects.position.y", o->position.y, -1e7, 1e7, "m") &&
                         !check("objects.position.z", o->position.z, -11000, 10000, "m") &&
                         !check("objects.heading_deg", o->heading_deg, -360, 360, "degrees") &&
-                        !check("objects.scale", o->scale, 1e-3, 1e3, "");
+                        !check("objects.scale", o->scale, 1e-3, 1e3, "") &&
+                        !check("objects.up", (double)o->up, 0, BOLAN_UP_Z, "(a bolan_up)") &&
+                        !check("objects.offset.x", o->offset.x, -1e8, 1e8, "") &&
+                        !check("objects.offset.y", o->offset.y, -1e8, 1e8, "") &&
+                        !check("objects.offset.z", o->offset.z, -1e8, 1e8, "");
         if (!ok) return BOLAN_ERROR_ARGUMENT;
     }
     return BOLAN_OK;
@@ -119,12 +123,19 @@ static bolan_result check_island(const bolan_island_desc *d) {
     return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
 }
 
-static bolan_result check_raster(const bolan_terrain_source *t) {
-    const bool ok = !check_text("terrain.path", t->path, sizeof t->path) &&
-                    !(!isnan(t->latitude) && check("terrain.latitude", t->latitude, -90, 90, "degrees")) &&
-                    !(!isnan(t->longitude) && check("terrain.longitude", t->longitude, -360, 360, "degrees")) &&
-                    !check("terrain.radius", t->radius, 100, 5e6, "m") &&
-                    !check("terrain.vertical_scale", t->vertical_scale, 1e-3, 1e3, "");
+static bolan_result check_raster(const bolan_raster_desc *r) {
+    const bool ok =
+        !check_text("terrain.raster.path", r->path, sizeof r->path) &&
+        !check_text("terrain.raster.variable", r->variable, sizeof r->variable) &&
+        !check_text("terrain.raster.crs", r->crs, sizeof r->crs) &&
+        !check("terrain.raster.band", r->band, 0, 65535, "") &&
+        !(!isnan(r->latitude) && check("terrain.raster.latitude", r->latitude, -90, 90, "degrees")) &&
+        !(!isnan(r->longitude) && check("terrain.raster.longitude", r->longitude, -360, 360, "degrees")) &&
+        !check("terrain.raster.radius", r->radius, 100, 5e6, "m") &&
+        !(!isnan(r->vertical_scale) &&
+          check("terrain.raster.vertical_scale (without its sign)", fabs(r->vertical_scale), 1e-3, 1e3, "")) &&
+        !check("terrain.raster.nodata", (double)r->nodata, 0, BOLAN_NODATA_SEA, "(a bolan_raster_nodata)") &&
+        !check("terrain.raster.zero", (double)r->zero, 0, BOLAN_ZERO_SEA, "(a bolan_raster_zero)");
     return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
 }
 
@@ -132,7 +143,7 @@ static bolan_result check_terrain(const bolan_terrain_source *t) {
     if (check("terrain.kind", (double)t->kind, 0, BOLAN_TERRAIN_POND, "(a bolan_terrain_kind)"))
         return BOLAN_ERROR_ARGUMENT;
     if (t->kind == BOLAN_TERRAIN_ISLAND) return check_island(&t->island);
-    return t->kind == BOLAN_TERRAIN_RASTER ? check_raster(t) : BOLAN_OK;
+    return t->kind == BOLAN_TERRAIN_RASTER ? check_raster(&t->raster) : BOLAN_OK;
 }
 
 bolan_result bolan_scene_validate(const bolan_scene *s) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The ground between the nodes of the data: octaves from twice the spacing down to a metre.
 //
-// Water has shaped a hillside, so its detail is not isotropic: ridges and gullies run downhill and branch. Each octave adds
-// directed noise across the slope that the coarser octaves have built, which makes smaller gullies run into larger ones;
-// where the ground is flat there is only a little isotropic noise. Amplitudes go with the slope of the data: a coastline is
-// moved sideways by amplitude / slope, so a gentle and a steep coast become equally ragged.
+// Water has shaped a hillside, so its detail is not isotropic: ridges and gullies run downhill and branch. Each octave
+// adds directed noise across the slope that the coarser octaves have built, which makes smaller gullies run into larger
+// ones; where the ground is flat there is only a little isotropic noise. Amplitudes go with the slope of the data: a
+// coastline is moved sideways by amplitude / slope, so a gentle and a steep coast become equally ragged.
 #include "shore/noise.h"
 #include "shore/terrain.h"
 
 #define SHORTEST_WAVELENGTH 1.0 // [m]
+#define MOST_OCTAVES 25         // from twice the coarsest step, 2e7 m, to a metre
 #define FAINT 0.003f            // amplitude per wavelength that is not worth its time at short wavelengths
 #define GULLY_SHORTEST 12.0     // below this there is rubble, not drainage [m]
 
@@ -31,15 +32,7 @@ float detail_bound(const bolan_terrain *t) {
     return (float)(t->detail * 0.5 * t->detail_wavelength * roll_off(t->detail_wavelength));
 }
 
-typedef struct octave {
-    double x, y; // lattice coordinates
-    float c, s;  // the lattice's turn
-    float wavelength;
-    uint32_t seed;
-} octave;
-
-// One octave at a point with total gradient (*dx, *dy): its height; the gradient is moved on.
-static float octave_height(const octave *o, float slope, float gully, float rubble, float *dx, float *dy) {
+float detail_octave(const detail_lattice *o, float slope, float gully, float rubble, float *dx, float *dy) {
     float height = 0.0f, gx = 0.0f, gy = 0.0f;
     float total = sqrtf(*dx * *dx + *dy * *dy);
     if (gully > 0.0f && total > 1e-4f) {
@@ -84,9 +77,9 @@ float detail_apply(const bolan_terrain *t, surface_point base, double x, double 
     float z = base.z, dx = base.dx, dy = base.dy;
     float slope = sqrtf(dx * dx + dy * dy);
     float rough = strength * roughness(z, slope);
-    octave o = {0.0, 0.0, 1.0f, 0.0f, 0.0f, t->seed};
-    double c = 1.0, s = 0.0;
-    for (double wavelength = t->detail_wavelength; wavelength >= SHORTEST_WAVELENGTH; wavelength *= 0.5) {
+    detail_lattice o = {0.0, 0.0, 1.0f, 0.0f, 0.0f, t->seed};
+    double c = 1.0, s = 0.0, wavelength = t->detail_wavelength;
+    for (int n = 0; n < MOST_OCTAVES && wavelength >= SHORTEST_WAVELENGTH; n++, wavelength *= 0.5) {
         float band = resolution > 0.0 ? smoothstepf(2.0f, 4.0f, (float)fmin(wavelength / resolution, 8.0)) : 1.0f;
         if (band <= 0.0f) {
             break;
@@ -98,7 +91,7 @@ float detail_apply(const bolan_terrain *t, surface_point base, double x, double 
         float faint = FAINT * 50.0f / (o.wavelength + 50.0f); // beaches and lagoons cost nothing
         float gully = wavelength >= GULLY_SHORTEST ? fmaxf(k * gully_depth(slope) - faint, 0.0f) : 0.0f;
         float rubble = fmaxf(k * (0.004f + 0.16f * slope / (0.5f + slope)) - faint, 0.0f);
-        z += octave_height(&o, slope, gully, rubble, &dx, &dy);
+        z += detail_octave(&o, slope, gully, rubble, &dx, &dy);
         o.seed += 0x9e3779b9u;
         double turned = 0.8 * c - 0.6 * s;
         s = 0.6 * c + 0.8 * s, c = turned;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Grids of heights: the pyramid, limited bicubic interpolation, and bounds.
 //
-// The interpolant is the bicubic Hermite patch with Catmull-Rom derivatives, limited where a cubic would overshoot its data
-// (Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17, 238: a derivative of at most three times the smaller neighbouring
-// difference, and none at an extremum): a steep sea bed beside a flat coast must not raise a ghost island. It is C1.
+// The interpolant is the bicubic Hermite patch with Catmull-Rom derivatives, limited where a cubic would overshoot its
+// data (Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17, 238: a derivative of at most three times the smaller
+// neighbouring difference, and none at an extremum): a steep sea bed beside a flat coast must not raise a ghost island.
+// It is C1.
 #include "shore/terrain.h"
 
 #include "shore/noise.h"
@@ -12,7 +13,7 @@
 
 static size_t grid_bytes(uint32_t width, uint32_t height) { return (size_t)width * height * sizeof(float); }
 
-// ---- pyramid ---------------------------------------------------------------------------------------------------------
+// ---- pyramid --------------------------------------------------------------------------------------------------------
 
 static float node(const height_level *l, int64_t i, int64_t j) {
     i = i < 0 ? 0 : i >= (int64_t)l->width ? (int64_t)l->width - 1 : i;
@@ -133,7 +134,7 @@ void heightfield_free(bolan_terrain *t) {
     }
 }
 
-// ---- interpolation ---------------------------------------------------------------------------------------------------
+// ---- interpolation --------------------------------------------------------------------------------------------------
 
 static float limited(float left, float right) {
     if (left * right <= 0.0f) {
@@ -217,6 +218,9 @@ static surface_point level_at(height_cursor *c, uint32_t slot, uint32_t level, d
 }
 
 float terrain_inside(const bolan_terrain *t, double x, double y) {
+    if (!isfinite(x + y)) { // outside of everything, also where it is no number
+        return 0.0f;
+    }
     double dx = fmax(fmax(t->west - x, x - t->east), 0.0), dy = fmax(fmax(t->south - y, y - t->north), 0.0);
     if (dx == 0.0 && dy == 0.0) {
         return 1.0f;

@@ -6,6 +6,13 @@
 
 #include <string.h>
 
+// Bounds of a desc. Within them every coordinate of the detail's lattices fits 31 bits (the shortest wavelength is a
+// metre, and the blend outside the grid is at most 8 steps or a tenth of its size), and no sum of elevations overflows.
+#define STEP_MIN 1e-3     // [m]
+#define STEP_MAX 1e7      // [m]
+#define REACH 1e8         // of the grid's corners from the origin [m]
+#define ELEVATION_MAX 1e6 // [m]
+
 bolan_terrain_desc bolan_terrain_desc_default(void) {
     bolan_terrain_desc d = {{0, 0, 0.0, 0.0, 1.0, 1.0, NULL}, 1.0, 1u, -4000.0};
     return d;
@@ -16,6 +23,21 @@ static bolan_result refuse(bolan_log_id id, const char *field, double value, con
     return BOLAN_ERROR_ARGUMENT;
 }
 
+static bolan_log_id id_of(double value) { return isfinite(value) ? BOLAN_LOG_OUT_OF_RANGE : BOLAN_LOG_NOT_FINITE; }
+static bool is_elevation(double z) { return fabs(z) <= ELEVATION_MAX; }
+
+// One axis of the grid: its first node, its step and its last node.
+static bolan_result refuse_axis(const char *from_name, double from, const char *step_name, double step,
+                                uint32_t count) {
+    if (!(step >= STEP_MIN && step <= STEP_MAX)) {
+        return refuse(id_of(step), step_name, step, "1e-3 to 1e7 m");
+    }
+    if (!(fabs(from) <= REACH && fabs(from + (count - 1) * step) <= REACH)) {
+        return refuse(id_of(from), from_name, from, "a grid that lies within +-1e8 m of the origin");
+    }
+    return BOLAN_OK;
+}
+
 static bolan_result validate(const bolan_terrain_desc *d) {
     const bolan_heightfield *f = &d->field;
     if (f->width < 2 || f->width > 32768) {
@@ -24,20 +46,15 @@ static bolan_result validate(const bolan_terrain_desc *d) {
     if (f->height < 2 || f->height > 32768) {
         return refuse(BOLAN_LOG_OUT_OF_RANGE, "field.height", f->height, "2..32768");
     }
-    if (!(f->step_x > 0.0) || !isfinite(f->step_x)) {
-        return refuse(BOLAN_LOG_OUT_OF_RANGE, "field.step_x", f->step_x, "a finite number above 0");
-    }
-    if (!(f->step_y > 0.0) || !isfinite(f->step_y)) {
-        return refuse(BOLAN_LOG_OUT_OF_RANGE, "field.step_y", f->step_y, "a finite number above 0");
-    }
-    if (!isfinite(f->west) || !isfinite(f->south)) {
-        return refuse(BOLAN_LOG_NOT_FINITE, isfinite(f->west) ? "field.south" : "field.west", NAN, "a finite position");
+    if (refuse_axis("field.west", f->west, "field.step_x", f->step_x, f->width) ||
+        refuse_axis("field.south", f->south, "field.step_y", f->step_y, f->height)) {
+        return BOLAN_ERROR_ARGUMENT;
     }
     if (!(d->detail >= 0.0 && d->detail <= 2.0)) {
         return refuse(BOLAN_LOG_OUT_OF_RANGE, "detail", d->detail, "0..2");
     }
-    if (!isfinite(d->edge_elevation)) {
-        return refuse(BOLAN_LOG_NOT_FINITE, "edge_elevation", d->edge_elevation, "a finite elevation");
+    if (!is_elevation(d->edge_elevation)) {
+        return refuse(id_of(d->edge_elevation), "edge_elevation", d->edge_elevation, "an elevation within +-1e6 m");
     }
     if (!f->elevation) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT,
@@ -45,8 +62,9 @@ static bolan_result validate(const bolan_terrain_desc *d) {
         return BOLAN_ERROR_ARGUMENT;
     }
     for (size_t n = 0; n < (size_t)f->width * f->height; n++) {
-        if (!isfinite(f->elevation[n])) {
-            return refuse(BOLAN_LOG_NOT_FINITE, "field.elevation[]", f->elevation[n], "finite elevations");
+        const double z = (double)f->elevation[n];
+        if (!is_elevation(z)) {
+            return refuse(id_of(z), "field.elevation[]", z, "elevations within +-1e6 m");
         }
     }
     return BOLAN_OK;
@@ -119,7 +137,7 @@ void bolan_terrain_destroy(bolan_terrain **terrain) {
     }
 }
 
-// ---- queries ---------------------------------------------------------------------------------------------------------
+// ---- queries --------------------------------------------------------------------------------------------------------
 
 static float elevation_at(height_cursor *c, double x, double y, double resolution) {
     surface_point p = height_cursor_at(c, x, y, resolution);

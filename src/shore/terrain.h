@@ -61,6 +61,15 @@ surface_point height_cursor_at(height_cursor *c, double x, double y, double reso
 
 // Adds the detail to an interpolated point. @inside is 1 within the data and falls to 0 across the margin.
 float detail_apply(const bolan_terrain *t, surface_point base, double x, double y, double resolution, float inside);
+// One octave: where a point lies in its lattice, which is turned against the world.
+typedef struct detail_lattice {
+    double x, y; // lattice coordinates
+    float c, s;  // cosine and sine of the turn
+    float wavelength;
+    uint32_t seed;
+} detail_lattice;
+// Its height at a point whose total gradient so far is (*dx, *dy), in the world; the octave's own gradient is added.
+float detail_octave(const detail_lattice *o, float slope, float gully, float rubble, float *dx, float *dy);
 // No detail raises or lowers the ground by more than this [m].
 float detail_bound(const bolan_terrain *t);
 

@@ -28,6 +28,18 @@ if [ ! -e /usr/share/ferret-vis/data/etopo5.cdf ]; then
     refuse 1 'coast: the scene needs a raster of elevations' render coast -o a.png
 fi
 
+# A raster by a name of GDAL's, on the command line and beside a scene; a warning where a default stands in for data.
+rasters=$BOLAN_SOURCE_DIR/tests/data/rasters
+printf '0,0\n' > middle.csv
+run query open-sea --terrain "NETCDF:$rasters/multi.nc:z" --points middle.csv
+run query "$rasters/sub.yaml" --points middle.csv
+printf 'terrain: {raster: {file: %s, variable: none}}\n' "$rasters/multi.nc" > variable.yaml
+refuse 1 'it has no such variable; expected one of: 1 interpolation_flag, 2 z' query variable.yaml --points middle.csv
+printf 'terrain: {raster: {file: none.tif, vertical_scale: 0.0001}}\n' > small.yaml
+refuse 1 'small.yaml:1: terrain.raster.vertical_scale is too small' measure small.yaml
+printf 'terrain: {raster: {file: none.tif, nodata: hole}}\n' > nodata.yaml
+refuse 1 'nodata.yaml:1: terrain.raster.nodata is hole; expected fill, sea' measure nodata.yaml
+
 # What is right is taken; an option goes over the scene.
 printf 'sea: {wind: {speed: 12, from: 200}, seed: 5}\nwater: {type: II}\n' > good.yaml
 run measure good.yaml --json

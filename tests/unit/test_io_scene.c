@@ -140,16 +140,23 @@ static void test_every_key_arrives(void **state) {
 static void test_a_raster_and_a_spectrum_file(void **state) {
     (void)state;
     bolan_scene s;
-    assert_int_equal(parse("terrain:\n  raster: {file: a.tif, at: [19.6, -156], radius_km: 80, vertical_scale: 0.01}\n"
+    assert_int_equal(parse("terrain:\n  raster: {file: a.tif, at: [19.6, -156], radius_km: 80, vertical_scale: -0.01,\n"
+                           "    variable: z, band: 3, crs: EPSG:32604, nodata: sea, nodata_value: -99, zero_is: land}\n"
                            "sea: {spectrum: {file: b.spec, record: 3}, wind: {speed: 9}}\n",
                            &s),
                      BOLAN_OK);
     assert_int_equal(s.terrain.kind, BOLAN_TERRAIN_RASTER);
-    assert_string_equal(s.terrain.path, "a.tif");
-    assert_near(s.terrain.latitude, 19.6, 1e-12);
-    assert_near(s.terrain.longitude, -156, 0);
-    assert_near(s.terrain.radius, 80e3, 0);
-    assert_near(s.terrain.vertical_scale, 0.01, 0);
+    assert_string_equal(s.terrain.raster.path, "a.tif");
+    assert_near(s.terrain.raster.latitude, 19.6, 1e-12);
+    assert_near(s.terrain.raster.longitude, -156, 0);
+    assert_near(s.terrain.raster.radius, 80e3, 0);
+    assert_near(s.terrain.raster.vertical_scale, -0.01, 0);
+    assert_string_equal(s.terrain.raster.variable, "z");
+    assert_int_equal(s.terrain.raster.band, 3);
+    assert_string_equal(s.terrain.raster.crs, "EPSG:32604");
+    assert_int_equal(s.terrain.raster.nodata, BOLAN_NODATA_SEA);
+    assert_near(s.terrain.raster.nodata_value, -99, 0);
+    assert_int_equal(s.terrain.raster.zero, BOLAN_ZERO_LAND);
     assert_string_equal(s.spectrum_path, "b.spec");
     assert_int_equal(s.spectrum.record, 3);
     assert_string_equal(s.spectrum.time, "");
@@ -366,7 +373,7 @@ static void test_paths_count_from_the_scenes_folder(void **state) {
     bolan_scene scene;
     assert_int_equal(bolan_scene_load("./with_paths.yaml", &scene), BOLAN_OK);
     assert_string_equal(scene.spectrum_path, "./buoy.spec");
-    assert_string_equal(scene.terrain.path, "/data/dem.tif");
+    assert_string_equal(scene.terrain.raster.path, "/data/dem.tif");
     assert_string_equal(scene.name, "with_paths.yaml");
     remove("with_paths.yaml");
     assert_refusal(bolan_scene_load("no-such-scene", &scene), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_UNKNOWN_NAME,

@@ -60,6 +60,50 @@ static void test_what_is_no_mesh_is_refused(void **state) {
     assert_null(model);
 }
 
+// FNV-1a over the 32-bit words of an array (Fowler, Noll & Vo).
+static uint64_t hash_of(uint64_t h, const void *array, size_t bytes) {
+    for (size_t n = 0; n < bytes; n += 4) {
+        uint32_t word;
+        memcpy(&word, (const char *)array + n, sizeof word);
+        h = (h ^ word) * 0x100000001b3u;
+    }
+    return h;
+}
+
+// "The same on every machine" (scene.h): the bits of every array, as GCC and Clang make them at every optimisation. A
+// change of a model on purpose changes its line.
+static void test_builtin_models_have_the_same_bits_everywhere(void **state) {
+    (void)state;
+    static const struct {
+        const char *name;
+        uint64_t hash;
+    } known[] = {
+        {"pond-ground", UINT64_C(0x570343593daca836)}, {"pond-wood", UINT64_C(0x47f61696f8f73366)},
+        {"house", UINT64_C(0x2a39228a194d99be)},       {"boat", UINT64_C(0x71f8a82d3c7e71e1)},
+        {"stick", UINT64_C(0x607e8184350c2c37)},       {"tree", UINT64_C(0x8f9dbe784a328a2d)},
+        {"conifer", UINT64_C(0xe6280fbca72ae477)},     {"reeds", UINT64_C(0x4d93190990c8036b)},
+        {"jetty", UINT64_C(0xea8a3577fa5b1199)},       {"rock", UINT64_C(0xc541b2bd84fd1c99)},
+    };
+    uint32_t wrong = 0;
+    for (uint32_t n = 0; n < sizeof known / sizeof *known || bolan_model_builtin_name(n); n++) {
+        assert_true(n < sizeof known / sizeof *known);
+        assert_string_equal(bolan_model_builtin_name(n), known[n].name);
+        bolan_model *model = NULL;
+        assert_int_equal(bolan_model_create_builtin(known[n].name, &model), BOLAN_OK);
+        const bolan_model_view v = bolan_model_get_view(model);
+        uint64_t h = hash_of(UINT64_C(0xcbf29ce484222325), v.positions, v.vertex_count * sizeof *v.positions);
+        h = hash_of(h, v.normals, v.vertex_count * sizeof *v.normals);
+        h = hash_of(h, v.colors, v.vertex_count * sizeof *v.colors);
+        h = hash_of(h, v.indices, v.index_count * sizeof *v.indices);
+        if (h != known[n].hash) {
+            print_error("%s: 0x%016llx\n", known[n].name, (unsigned long long)h);
+            wrong++;
+        }
+        bolan_model_destroy(&model);
+    }
+    assert_int_equal(wrong, 0);
+}
+
 static void check_builtin(const char *name) {
     bolan_model *model = NULL, *again = NULL;
     assert_int_equal(bolan_model_create_builtin(name, &model), BOLAN_OK);
@@ -148,8 +192,8 @@ static void test_the_pond_is_ninety_metres_across(void **state) {
 
 static void test_no_water_is_seen_behind_the_meadow(void **state) {
     (void)state;
-    // An eye 2.4 m over the water sees the plane of the water nowhere beyond the pond: on each ray the ground rises above
-    // that height.
+    // An eye 2.4 m over the water sees the plane of the water nowhere beyond the pond: on each ray the ground rises
+    // above that height.
     for (int i = 0; i < 360; i++) {
         double s, c;
         float highest = 0.0f;
@@ -188,6 +232,7 @@ static void test_the_model_of_the_ground_lies_on_it(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_builtin_models_have_the_same_bits_everywhere),
         cmocka_unit_test(test_a_model_is_a_copy),
         cmocka_unit_test(test_what_is_no_mesh_is_refused),
         cmocka_unit_test(test_built_in_models_are_sound),

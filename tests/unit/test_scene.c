@@ -35,8 +35,8 @@ static void test_a_field_outside_its_range_is_named(void **state) {
     refuse(&s, "spectrum_path", BOLAN_LOG_BAD_ARGUMENT);
     s = bolan_scene_default(), s.terrain.kind = BOLAN_TERRAIN_ISLAND, s.terrain.island.radius = 100.0;
     refuse(&s, "terrain.island.radius", BOLAN_LOG_OUT_OF_RANGE);
-    s = bolan_scene_default(), s.terrain.kind = BOLAN_TERRAIN_RASTER, s.terrain.latitude = 91.0;
-    refuse(&s, "terrain.latitude", BOLAN_LOG_OUT_OF_RANGE);
+    s = bolan_scene_default(), s.terrain.kind = BOLAN_TERRAIN_RASTER, s.terrain.raster.latitude = 91.0;
+    refuse(&s, "terrain.raster.latitude", BOLAN_LOG_OUT_OF_RANGE);
 }
 
 static void test_another_wind_keeps_the_swell(void **state) {

@@ -3,6 +3,8 @@
 #include "support.h"
 
 #include "bolan/shore.h"
+#include "shore/noise.h"
+#include "shore/terrain.h"
 
 #define W 33
 #define H 27
@@ -77,12 +79,72 @@ static void a_plane_stays_a_plane(void **state) {
     bolan_terrain_destroy(&t);
 }
 
+// z = x y has the twist 1 / m and no curvature along either axis: the bicubic patch of the right twist is the surface.
+// Off the middle of the cell, where the twists of its corners cancel. 1e-3 m: float rounding of 100 m in a cubic.
+static void a_saddle_stays_a_saddle(void **state) {
+    (void)state;
+    static float saddle[20 * 20];
+    for (int n = 0; n < 400; n++) {
+        saddle[n] = (float)((100.0 + n % 20 * 50.0) * (30.0 + n / 20 * 20.0) * 1e-3);
+    }
+    bolan_terrain_desc d = bolan_terrain_desc_default();
+    d.field = (bolan_heightfield){20, 20, 100.0, 30.0, 50.0, 20.0, saddle};
+    d.detail = 0.0;
+    bolan_terrain *t = create(&d);
+    height_cursor c;
+    height_cursor_start(&c, t);
+    for (int n = 0; n < 400; n++) {
+        double x = 160.0 + n % 20 * 43.0, y = 54.0 + n / 20 * 17.1; // 43 / 50 and 17.1 / 20: every part of a cell
+        assert_near(bolan_terrain_elevation(t, x, y, 0.0), x * y * 1e-3, 1e-3);
+        surface_point p = height_cursor_at(&c, x, y, 0.0);
+        assert_near(p.dx, y * 1e-3, 1e-5);
+        assert_near(p.dy, x * 1e-3, 1e-5);
+    }
+    bolan_terrain_destroy(&t);
+}
+
+// Height of an octave whose lattice is turned by 37 degrees, at world metres; (*dx, *dy) receives its own gradient.
+static float turned_octave(double x, double y, float gully, float rubble, float *dx, float *dy) {
+    const double c = 0.8, s = 0.6, wavelength = 40.0;
+    const detail_lattice o = {
+        (c * x - s * y) / wavelength, (s * x + c * y) / wavelength, (float)c, (float)s, (float)wavelength, 3u};
+    *dx = 0.24f, *dy = -0.1f;
+    float z = detail_octave(&o, 0.26f, gully, rubble, dx, dy);
+    *dx -= 0.24f, *dy += 0.1f;
+    return z;
+}
+
+static double octave_alone(double x, double y, float gully, float rubble) {
+    float dx, dy;
+    return (double)turned_octave(x, y, gully, rubble, &dx, &dy);
+}
+
+static void check_gradient(double x, double y, float gully, float rubble) {
+    const double h = 0.02;
+    float dx, dy;
+    turned_octave(x, y, gully, rubble, &dx, &dy);
+    // Central differences of floats of some metres over 4 cm, slopes up to 1; the cosine of the waves is good to 2e-4.
+    assert_near(dx, (octave_alone(x + h, y, gully, rubble) - octave_alone(x - h, y, gully, rubble)) / (2.0 * h), 1e-3);
+    assert_near(dy, (octave_alone(x, y + h, gully, rubble) - octave_alone(x, y - h, gully, rubble)) / (2.0 * h), 1e-3);
+}
+
+// The gradient that steers the next octave is that of the height, in the world's axes. Of gullies at the corners of the
+// lattice, where one wave alone is left and its gradient is the whole one.
+static void an_octave_returns_the_gradient_of_its_height(void **state) {
+    (void)state;
+    for (int n = 0; n < 60; n++) {
+        check_gradient(3.0 + 7.3 * n, 400.0 - 11.9 * n, 0.0f, 0.2f);
+        const double u = n % 8 * 40.0, v = n / 8 * 40.0; // lattice -> world: turned back
+        check_gradient(0.8 * u + 0.6 * v, -0.6 * u + 0.8 * v, 0.15f, 1e-30f);
+    }
+}
+
 static void elevation_is_continuous_everywhere(void **state) {
     (void)state;
     bolan_terrain_desc d = hills(300.0, 1.0);
     bolan_terrain *t = create(&d);
-    // A walk across cells, the rim and the blend outside. A millimetre may rise a decimetre: the cliff of 1500 m in 300 m
-    // has a slope of 10, and gullies on its flank a few times that; a step in the surface would be metres.
+    // A walk across cells, the rim and the blend outside. A millimetre may rise a decimetre: the cliff of 1500 m in 300
+    // m has a slope of 10, and gullies on its flank a few times that; a step in the surface would be metres.
     for (double y = -3170.0; y < 7000.0; y += 1171.0) {
         for (double x = -8000.0; x < 8000.0; x += 3.7) {
             float a = bolan_terrain_elevation(t, x, y, 0.0), b = bolan_terrain_elevation(t, x + 0.001, y, 0.0);
@@ -215,7 +277,21 @@ static void wrong_descriptions_are_refused(void **state) {
     bolan_terrain_desc good = hills(300.0, 1.0), d = good;
     d.field.width = 1, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
     d.field.step_y = 0.0, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
+    d.field.step_x = 0.99e-3, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
+    d.field.step_y = NAN, refuses(&d, BOLAN_LOG_NOT_FINITE), d = good;
+    const double long_steps[] = {1.01e7, 1e30, 1e308};
+    for (int n = 0; n < 3; n++) {
+        d.field.step_x = long_steps[n], refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
+        d.field.step_y = long_steps[n], refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
+    }
     d.field.west = NAN, refuses(&d, BOLAN_LOG_NOT_FINITE), d = good;
+    d.field.west = -1.01e8, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
+    d.field.west = 1e308, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
+    d.field.south = -1e308, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
+    d.field.south = 1e8 - 26 * 374.0, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good; // the last row, not the first
+    d.field.west = 1e8 - 32 * 299.0, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
+    d.edge_elevation = -1.01e6, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
+    data[3] = 3e38f, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), good = hills(300.0, 1.0), d = good;
     d.field.elevation = NULL, refuses(&d, BOLAN_LOG_BAD_ARGUMENT), d = good;
     d.detail = 2.5, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
     d.edge_elevation = INFINITY, refuses(&d, BOLAN_LOG_NOT_FINITE), d = good;
@@ -224,7 +300,23 @@ static void wrong_descriptions_are_refused(void **state) {
     assert_int_equal(bolan_memory_in_use(), 0);
 }
 
-RUN_TESTS(cmocka_unit_test(the_data_alone_are_met_at_every_node),
+// The widest grid that is taken: every look-up ends and is finite.
+static void the_largest_terrain_is_finite(void **state) {
+    (void)state;
+    bolan_terrain_desc d = hills(300.0, 2.0);
+    d.field.width = d.field.height = 11;
+    d.field.step_x = d.field.step_y = 1e7;
+    d.field.west = -1e8, d.field.south = 0.0;
+    bolan_terrain *t = create(&d);
+    const double places[] = {-1e8, -3e7, 0.0, 1e7, 1.9e8, 1e308, -1e308, INFINITY, NAN};
+    for (int n = 0; n < 81; n++) {
+        assert_true(isfinite(bolan_terrain_elevation(t, places[n % 9], places[n / 9], 0.0)));
+    }
+    bolan_terrain_destroy(&t);
+}
+
+RUN_TESTS(cmocka_unit_test(a_saddle_stays_a_saddle), cmocka_unit_test(an_octave_returns_the_gradient_of_its_height),
+          cmocka_unit_test(the_largest_terrain_is_finite), cmocka_unit_test(the_data_alone_are_met_at_every_node),
           cmocka_unit_test(interpolation_does_not_overshoot_a_cliff), cmocka_unit_test(a_plane_stays_a_plane),
           cmocka_unit_test(elevation_is_continuous_everywhere),
           cmocka_unit_test(elevation_is_continuous_in_the_resolution),

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+/// @file json.h
+/// A JSON text as a flat list of values, for checks before another library reads it. Private to src/io.
+///
+/// Values stand in the order of the text, each followed by what is in it; the members of an object are a key and a
+/// value in turns. The syntax is checked as far as the structure needs it: brackets that match, strings that end.
+#ifndef BOLAN_IO_JSON_H
+#define BOLAN_IO_JSON_H
+
+#include "bolan/base.h"
+
+enum {
+    JSON_MOST_VALUES = 1 << 20,
+    JSON_DEEPEST = 64,
+    JSON_LONGEST_WORD = 64, ///< of a number or literal [characters]
+    JSON_NONE = -1
+};
+
+typedef struct json_value {
+    char kind;      ///< the first character of its text: { [ " or that of a number or literal
+    uint32_t start; ///< its text, of a string without the quotes
+    uint32_t length;
+    int next; ///< index of the value after it and all that is in it
+} json_value;
+
+typedef struct json_text {
+    const char *text;
+    json_value *values;
+    int count;
+    size_t capacity;
+} json_text;
+
+/// Lists the values of @p text. FORMAT, with a sentence that names the line, where it is no JSON or beyond the limits
+/// above; MEMORY. json_release() is due in any case.
+bolan_result json_read(const char *name, const char *text, size_t size, json_text *out);
+void json_release(json_text *json);
+
+/// The value of a key of an object; JSON_NONE where there is none, or @p object is JSON_NONE or no object.
+int json_member(const json_text *json, int object, const char *key);
+/// The first element of an array, or the one after @p element of it; JSON_NONE at the end, or where it is no array.
+int json_first(const json_text *json, int array);
+int json_after(const json_text *json, int array, int element);
+/// A number of the file, or @p otherwise where it is none or @p value is JSON_NONE. Whole numbers only.
+uint64_t json_whole(const json_text *json, int value, uint64_t otherwise);
+
+#endif

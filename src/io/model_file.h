@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+/// @file model_file.h
+/// Model files: what is looked at before assimp reads them, and the mesh that is gathered from them. Private to src/io.
+#ifndef BOLAN_IO_MODEL_FILE_H
+#define BOLAN_IO_MODEL_FILE_H
+
+#include "bolan/io.h"
+
+#define MODEL_FILE_LIMIT ((size_t)64 << 20) // [bytes]
+#define MODEL_VERTEX_LIMIT (1u << 23)       // and three times as many indices: more than anybody draws
+#define MODEL_DEPTH_LIMIT 64                // of nodes in nodes
+#define MODEL_REACH 1e7f                    // of a vertex from the origin [m]
+
+typedef enum model_format { MODEL_GLTF, MODEL_OBJ, MODEL_OTHER } model_format;
+
+/// Refuses what would take the importing library too long, too much memory or too much stack: numbers of hundreds of
+/// digits, deep brackets and nodes, counts that the file does not hold; a glTF that requires an extension or is not of
+/// version 2. FORMAT, IO, MEMORY.
+bolan_result model_file_check(const char *path, model_format *format);
+/// The glTF part of it: the JSON of the file @p path.
+bolan_result model_gltf_check(const char *path, const char *text, size_t size);
+/// Logs a sentence with MODEL_LIMIT and returns FORMAT.
+bolan_result model_refuse(const char *path, const char *what);
+
+/// A mesh that grows up to the room that was made for it.
+typedef struct model_mesh {
+    uint32_t vertex_count, index_count, vertex_room, index_room;
+    bolan_vec3 *positions, *normals;
+    bolan_vec4 *colors;
+    uint32_t *indices;
+} model_mesh;
+
+/// Gives the vertices [first, vertex_count) of a mesh normals by their triangles, the indices from @p first_index on:
+/// flat ones where @p crease is above 1, else the mean over the triangles around the vertex whose normals lie within
+/// the angle of cosine @p crease. A vertex is split where its triangles differ, and those that are equal become one:
+/// the mesh must have room for a vertex of each index. MEMORY.
+bolan_result model_make_normals(model_mesh *mesh, uint32_t first, uint32_t first_index, float crease);
+
+#endif
