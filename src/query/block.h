@@ -35,7 +35,8 @@ typedef struct query_sea {
     uint32_t count;
     float choppiness;
     query_cascade cascade[BOLAN_MAX_CASCADES];
-    const sum_tables *sum; // waves instead of cascades, as if they were one; or NULL
+    float lift[BOLAN_MAX_CASCADES]; // [m] of each cascade; bolan_sea_lift()
+    const sum_tables *sum;          // waves instead of cascades, as if they were one; or NULL
     sum_fields_function *sum_fields;
 } query_sea;
 
