@@ -68,7 +68,7 @@ static int apply_sea(const options *o, bolan_scene *scene) {
         return usage_error("--record chooses from a spectrum file; give --spectrum FILE");
     if (given(o->record)) scene->spectrum_record = (uint32_t)o->record;
     if (wind || shape >= 0) apply_wind(o, scene);
-    if (given(o->seed)) scene->sea.seed = (uint64_t)o->seed;
+    if (o->seed.given) scene->sea.seed = o->seed.value;
     if (given(o->time)) scene->time = o->time;
     return EXIT_OK;
 }
