@@ -248,6 +248,83 @@ static void a_footprint_removes_what_a_blur_removes(void **state) {
     bolan_sea_destroy(&sea);
 }
 
+// Of a wind without waves all of Cox & Munk's slopes are left: 3.16e-3 U along it and 0.003 + 1.92e-3 U across, whichever way it
+// blows. From 240 degrees it goes 30 degrees north of east, from 330 60 degrees south of east.
+static void what_the_waves_leave_lies_along_the_wind(void **state) {
+    (void)state;
+    static const double wind[][2] = {{240.0, 30.0}, {330.0, -60.0}, {120.0, 150.0}, {270.0, 0.0}};
+    for (int i = 0; i < 4; i++) {
+        bolan_sea_desc desc = test_calm_desc(32);
+        desc.sea_state.wind_speed = 10.0;
+        desc.sea_state.wind_from_deg = wind[i][0];
+        bolan_sea *sea = test_sea(desc);
+        const double c = cos(bolan_radians(wind[i][1])), s = sin(bolan_radians(wind[i][1])), up = 0.0316, cross = 0.0222;
+        float rest[3];
+        bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
+        assert_near(rest[0], c * c * up + s * s * cross, 1e-7);
+        assert_near(rest[1], c * s * (up - cross), 1e-7);
+        assert_near(rest[2], s * s * up + c * c * cross, 1e-7);
+        assert_near(bolan_sea_slope_table(sea)[1], rest[1], 1e-6); // a footprint of 4 mm takes nothing more
+        bolan_sea_destroy(&sea);
+    }
+}
+
+// Peaks all over a bin of 5 %: without the parabola through its neighbours they would be off by up to 2.5 %.
+static void the_peak_period_is_found_between_the_bins(void **state) {
+    (void)state;
+    double worst = 0.0, signed_sum = 0.0;
+    for (int i = 0; i < 8; i++) {
+        bolan_sea_desc desc = test_calm_desc(512);
+        desc.cascade_count = 1;
+        desc.length = 8000.0; // many rings of the lattice in a bin
+        const double tp = 9.0 * pow(1.05, i / 8.0);
+        assert_int_equal(bolan_sea_state_add_swell(&desc.sea_state, 1.0, tp, 250.0, 10.0), BOLAN_OK);
+        desc.sea_state.systems[0].gamma = 1.0; // a peak wider than a bin
+        bolan_sea *sea = test_sea(desc);
+        const double error = bolan_sea_measure(sea).tp / tp - 1.0;
+        worst = fmax(worst, fabs(error));
+        signed_sum += error / 8.0;
+        bolan_sea_destroy(&sea);
+    }
+    print_message("Tp: worst error %.4f, mean %.4f\n", worst, signed_sum);
+    assert_true(worst < 0.006); // the parabola fits a peak that is steeper below
+    assert_near(signed_sum, 0.0, 0.004);
+}
+
+// A square of two spacings takes a wave of two out and leaves sin(pi/2)/(pi/2) = 0.64 of one of four. The swell is as good as one
+// wave, and runs along x, or along y.
+static void a_coarse_grid_averages_over_two_spacings(void **state) {
+    (void)state;
+    enum { COUNT = 4000 };
+    static bolan_dvec2 at[COUNT];
+    static float spacing[COUNT];
+    static bolan_sea_sample whole[COUNT], some[COUNT];
+    for (double from = 180.0; from <= 270.0; from += 90.0) {
+        bolan_sea_desc desc = test_calm_desc(128);
+        assert_int_equal(bolan_sea_state_add_swell(&desc.sea_state, 1.0, 8.0, from, 200.0), BOLAN_OK); // 99.92 m
+        desc.sea_state.systems[0].gamma = 10.0;
+        desc.cascade_count = 1;
+        desc.choppiness = 0.0;
+        bolan_sea *sea = test_sea(desc);
+        static const double kept[][2] = {{2.0, 0.06}, {4.0, 0.637}, {8.0, 0.90}, {100.0, 1.0}};
+        for (int k = 0; k < 4; k++) {
+            double all = 0.0, left = 0.0;
+            for (int i = 0; i < COUNT; i++) {
+                at[i] = (bolan_dvec2){3.1 * i, 5.3 * (i % 997)};
+                spacing[i] = (float)(99.92 / kept[k][0]);
+            }
+            bolan_sea_sample_rest(sea, at, COUNT, whole);
+            bolan_sea_sample_grid(sea, at, spacing, COUNT, some);
+            for (int i = 0; i < COUNT; i++) {
+                all += (double)(whole[i].height * whole[i].height);
+                left += (double)(some[i].height * whole[i].height);
+            }
+            assert_near(left / all, kept[k][1], k == 0 ? 0.1 : 0.08); // waves beside the peak, most of them shorter
+        }
+        bolan_sea_destroy(&sea);
+    }
+}
+
 static void the_slope_table_is_the_function(void **state) {
     (void)state;
     bolan_sea_desc desc = bolan_sea_desc_default();
@@ -274,4 +351,7 @@ RUN_TESTS(cmocka_unit_test(a_linear_sea_is_gaussian), cmocka_unit_test(a_choppy_
           cmocka_unit_test(a_wind_without_waves_has_no_foam),
           cmocka_unit_test(the_surface_is_measured_as_a_query_answers_it), cmocka_unit_test(a_flat_calm_is_flat),
           cmocka_unit_test(foam_decays_from_its_peaks), cmocka_unit_test(bounds_hold),
-          cmocka_unit_test(a_footprint_removes_what_a_blur_removes), cmocka_unit_test(the_slope_table_is_the_function))
+          cmocka_unit_test(a_footprint_removes_what_a_blur_removes), cmocka_unit_test(the_slope_table_is_the_function),
+          cmocka_unit_test(what_the_waves_leave_lies_along_the_wind),
+          cmocka_unit_test(the_peak_period_is_found_between_the_bins),
+          cmocka_unit_test(a_coarse_grid_averages_over_two_spacings))
