@@ -25,6 +25,13 @@ static void test_a_field_outside_its_range_is_named(void **state) {
     refuse(&s, "sky.visibility", BOLAN_LOG_NOT_FINITE);
     s = bolan_scene_default(), s.water.level = -21.0;
     refuse(&s, "water.level", BOLAN_LOG_OUT_OF_RANGE);
+    s = bolan_scene_default();
+    s.sea.current_x = NAN;
+    refuse(&s, "sea.current_x", BOLAN_LOG_NOT_FINITE);
+    s = bolan_scene_default();
+    s.sea.current_y = -5.5;
+    refuse(&s, "sea.current_y", BOLAN_LOG_OUT_OF_RANGE);
+    s = bolan_scene_default();
     s = bolan_scene_default(), s.sea.resolution = 300;
     refuse(&s, "sea.resolution", BOLAN_LOG_OUT_OF_RANGE);
     s = bolan_scene_default(), s.sea.sea_state.wind_speed = 71.0;
