@@ -34,9 +34,9 @@ uniform highp sampler2D surface_rest; // water_surface.glsl's outputs
 uniform sampler2D surface_slope;
 uniform sampler2D surface_transmittance;
 uniform sampler2D surface_inscatter;
-uniform vec4 foam_law;    // x: Jacobian threshold, y: slope variance beyond the cascades
+uniform vec4 foam_law;    // x: Jacobian threshold (below -999: nothing foams), y: slope variance beyond the cascades
 uniform vec4 foam_edge;   // x, y: variances that soften the edges of fresh and of old foam; the thresholds allow for them; z: choppiness squared
-uniform vec4 foam_memory; // x: threshold of the foam memory, y: its variance, z: variance of the Jacobian, all scales
+uniform vec4 foam_memory; // x: threshold of the foam memory (above 999: none), y: its variance, z: variance of the Jacobian, all scales
 
 #ifdef LAND
 #pragma unit scene_color 3
@@ -129,9 +129,9 @@ float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 no
 // Covered shares by breaking crests and by what they leave (Dupuy & Bruneton 2012: the mean and the hidden variance of the Jacobian).
 void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float old) {
     float variance = max(covariance.x + covariance.z - foam_law.y, 0.0) * foam_edge.z;
-    fresh = normal_cdf((foam_law.x - w.jacobian) * inversesqrt(variance + foam_edge.x));
+    fresh = foam_law.x < -999.0 ? 0.0 : normal_cdf((foam_law.x - w.jacobian) * inversesqrt(variance + foam_edge.x));
     float hidden = clamp(variance / max(foam_memory.z, 1e-6), 0.0, 1.0);
-    old = normal_cdf((w.foam - foam_memory.x) * inversesqrt(foam_memory.y * (hidden + foam_edge.y)));
+    old = foam_memory.x > 999.0 ? 0.0 : normal_cdf((w.foam - foam_memory.x) * inversesqrt(foam_memory.y * (hidden + foam_edge.y)));
 }
 
 void main() {

@@ -55,7 +55,7 @@ float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
         vec4 broad = textureLod(foam_detail, at * 0.015625, max(detail - 3.0, 0.0));
         vec4 fine = textureLod(foam_detail, at.yx * 0.125, max(detail, 0.0));
         // values as likely as any: above 1 - cover there is foam, torn and full of holes
-        float value = mix(0.5 * (broad.r + fine.r), broad.r, blurred), edge = min(0.3, cover);
+        float value = mix(0.5 * (broad.r + fine.r), broad.r, blurred), edge = min(0.3, min(cover, 1.0 - cover)) + 1e-4;
         alpha = smoothstep(1.0 - edge - cover, 1.0 + edge - cover, value) * (0.6 + 0.4 * fine.g);
         alpha = mix(alpha, 0.8 * cover, far); // from afar, the mean
     }

@@ -89,7 +89,7 @@ static int apply_sea(const options *o, bolan_scene *scene) {
         scene->spectrum_path[0] = '\0'; // a model sea was asked for
     if (apply_spectrum(o, scene)) return EXIT_USAGE;
     if (wind || shape >= 0) apply_wind(o, scene);
-    if (given(o->seed)) scene->sea.seed = (uint64_t)o->seed;
+    if (o->seed.given) scene->sea.seed = o->seed.value;
     if (given(o->time)) scene->time = o->time;
     return EXIT_OK;
 }

@@ -11,7 +11,7 @@ typedef struct quantity {
     double value;
 } quantity;
 
-enum { QUANTITIES = 16 };
+enum { QUANTITIES = 17 };
 
 static void list_quantities(const bolan_sea_statistics *s, quantity out[QUANTITIES]) {
     const quantity list[QUANTITIES] = {
@@ -26,11 +26,12 @@ static void list_quantities(const bolan_sea_statistics *s, quantity out[QUANTITI
         {"mss_cross", "", "  across the wind", s->mss_cross},
         {"skewness", "", "skewness of the height", s->skewness},
         {"kurtosis", "", "kurtosis of the height", s->kurtosis},
+        {"mean_level", "m", "mean of the height", s->mean_level},
         {"jacobian_min", "", "smallest Jacobian", s->jacobian_min},
         {"jacobian_mean", "", "mean Jacobian", s->jacobian_mean},
         {"whitecap_fraction", "", "whitecap fraction", s->whitecap_fraction},
         {"m0_spectrum", "m2", "variance asked for", s->m0_spectrum},
-        {"m0_field", "m2", "variance of the field", s->m0_field},
+        {"m0_field", "m2", "variance of the surface", s->m0_field},
     };
     for (int i = 0; i < QUANTITIES; i++) out[i] = list[i];
 }
@@ -58,7 +59,8 @@ static void print_json(const bolan_sea *sea, const quantity *list, const char *h
         printf("    {\"n\": %u, \"length\": %.9g, \"k_min\": %.9g, \"k_max\": %.9g, \"variance\": %.9g}%s\n",
                (unsigned)c.n, c.length, c.k_min, c.k_max, c.variance, i + 1 < count ? "," : "");
     }
-    printf("  ],\n  \"components\": %u,\n  \"hash\": \"%s\"\n}\n", (unsigned)bolan_sea_component_count(sea), hash);
+    printf("  ],\n  \"components\": %u,\n  \"record_time\": \"%s\",\n  \"hash\": \"%s\"\n}\n",
+           (unsigned)bolan_sea_component_count(sea), bolan_sea_record_time(sea), hash);
 }
 
 // What the sea is made of: cascades, or the waves of a sum, of which the first and last tell the rest.
@@ -83,6 +85,7 @@ static void print_waves(const bolan_sea *sea) {
 static void print_table(const bolan_scene *scene, const bolan_sea *sea, const quantity *list, const char *hash) {
     printf("%s, seed %llu, at %g s\n\n", scene->name, (unsigned long long)scene->sea.seed, scene->time);
     for (int i = 0; i < QUANTITIES; i++) printf("  %-26s %12.5g %s\n", list[i].what, list[i].value, list[i].unit);
+    if (bolan_sea_record_time(sea)[0]) printf("  %-26s %s\n", "spectrum taken at", bolan_sea_record_time(sea));
     print_waves(sea);
     printf("\n  hash %s\n", hash);
 }

@@ -9,6 +9,7 @@
 
 #define SCENE_COMMANDS (ON_VIEW | ON_RENDER | ON_MEASURE | ON_QUERY | ON_BAKE)
 #define PICTURE_COMMANDS (ON_VIEW | ON_RENDER)
+#define GROUND_COMMANDS (PICTURE_COMMANDS | ON_QUERY) // the others have no use for a sea bed
 
 static const char *const technique_names[] = {"ocean",       "two-triangle", "exp-cosine",
                                               "nested-grid", "flight-sim",   NULL}; // the order of bolan_techniques()
@@ -22,7 +23,6 @@ static const char *const cpu_names[] = {"auto", "scalar", "sse2", "avx2", "avx51
         .name = (long_name), .kind = OPTION_##type, .offset = offsetof(options, member), .commands = (goes_with), \
         .argument = (value), __VA_ARGS__                                                                          \
     }
-#define SEED_MAX 9007199254740992.0 // 2^53: whole numbers that a double holds exactly
 
 // clang-format off
 const option_info option_table[] = {
@@ -31,9 +31,9 @@ const option_info option_table[] = {
            .help = "a way to make water: ocean, two-triangle, exp-cosine, nested-grid or flight-sim"),
     OPTION("waves", NAME, waves, SCENE_COMMANDS, "MODEL",
            .names = bolan_wave_model_names, .help = "its wave model: fft, cosines, exp-cosine or textures"),
-    OPTION("surface", NAME, surface, SCENE_COMMANDS, "KIND",
+    OPTION("surface", NAME, surface, PICTURE_COMMANDS, "KIND",
            .names = bolan_surface_kind_names, .help = "its geometry: projected, nested or quad"),
-    OPTION("optics", NAME, optics, SCENE_COMMANDS, "KIND",
+    OPTION("optics", NAME, optics, PICTURE_COMMANDS, "KIND",
            .names = bolan_optics_kind_names, .help = "its light: physical, mirror, phong, lit or crest"),
     OPTION("paper", FLAG, paper, SCENE_COMMANDS, NULL,
            .help = "follow the technique's paper to the letter, also where we know better"),
@@ -65,13 +65,13 @@ const option_info option_table[] = {
            .low = 0, .high = 200, .help = "exponent of its cos-2s spreading, 0..200, if it does not say"),
     OPTION("depth", NUMBER, depth, SCENE_COMMANDS, "M",
            .low = 0.1, .high = BOLAN_DEEP, .unit = "m", .help = "water depth for the waves"),
-    OPTION("seed", WHOLE, seed, SCENE_COMMANDS, "N",
-           .low = 0, .high = SEED_MAX, .help = "which sea of this state"),
+    OPTION("seed", INTEGER, seed, SCENE_COMMANDS, "N",
+           .low = 0, .high = 0x1p64, .help = "which sea of this state"),
     OPTION("time", NUMBER, time, SCENE_COMMANDS, "S",
            .low = -1e9, .high = 1e9, .unit = "s", .help = "seconds"),
-    OPTION("terrain", TEXT, terrain, SCENE_COMMANDS, "FILE",
+    OPTION("terrain", TEXT, terrain, GROUND_COMMANDS, "FILE",
            .help = "a raster of elevations (any GDAL format), island, or none"),
-    OPTION("at", NUMBERS, at, SCENE_COMMANDS, "LAT,LON",
+    OPTION("at", NUMBERS, at, GROUND_COMMANDS, "LAT,LON",
            .low = -360, .high = 360, .least = 2, .most = 2, .unit = "degrees",
            .help = "where in the raster the scene's origin lies"),
     OPTION("water", NAME, water, PICTURE_COMMANDS | ON_BAKE, "TYPE",
@@ -158,6 +158,7 @@ static int bad_value(const option_info *info, const char *value) {
         for (int i = 0; info->names[i]; i++)
             used += (size_t)snprintf(expected + used, sizeof expected - used, "%s%s", i ? ", " : "", info->names[i]);
         break;
+    case OPTION_INTEGER: snprintf(expected, sizeof expected, "a whole number from 0 to 18446744073709551615"); break;
     case OPTION_NUMBERS: snprintf(expected, sizeof expected, "%s", info->argument); break;
     case OPTION_SIZE:
         snprintf(expected, sizeof expected, "WIDTHxHEIGHT, each %.0f to %.0f", info->low, info->high);
@@ -187,6 +188,19 @@ static bool numbers(const option_info *info, const char *text, char separator, i
     return count + 1 >= least;
 }
 
+// A whole number of 64 bits, every one exactly, written with nothing but digits.
+static bool integer(const char *text, option_integer *out) {
+    uint64_t value = 0;
+    for (const char *p = text; *p; p++) {
+        if (*p < '0' || *p > '9') return false;
+        const uint64_t digit = (uint64_t)(*p - '0');
+        if (value > (UINT64_MAX - digit) / 10) return false;
+        value = 10 * value + digit;
+    }
+    *out = (option_integer){*text != '\0', value};
+    return out->given;
+}
+
 static bool set_value(const option_info *info, const char *value, options *o) {
     void *member = (char *)o + info->offset;
     switch (info->kind) {
@@ -194,6 +208,7 @@ static bool set_value(const option_info *info, const char *value, options *o) {
     case OPTION_TEXT: *(const char **)member = value; return *value != '\0' && strlen(value) < BOLAN_PATH_MAX;
     case OPTION_NUMBER:
     case OPTION_WHOLE: return numbers(info, value, '\0', 1, 1, member);
+    case OPTION_INTEGER: return integer(value, member);
     case OPTION_NUMBERS: return numbers(info, value, ',', info->least, info->most, member);
     case OPTION_SIZE: return numbers(info, value, 'x', 2, 2, member);
     case OPTION_NAME:

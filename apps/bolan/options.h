@@ -13,13 +13,19 @@ enum { EXIT_OK = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 // Commands, as bits of option_info.commands.
 enum { ON_VIEW = 1, ON_RENDER = 2, ON_MEASURE = 4, ON_QUERY = 8, ON_INFO = 16, ON_BAKE = 32 };
 
+typedef struct option_integer {
+    bool given;
+    uint64_t value;
+} option_integer;
+
 // What was given. A number that was not given is NAN, a count or name -1, a text NULL.
 typedef struct options {
     const char *scene;
     double at[2], camera[6], sun[2]; // latitude, longitude; x, y, z, heading, pitch[, fov]; azimuth, elevation
     double wind, wind_from, fetch_km, depth, beaufort, sea_state;
     double time, fps;
-    double seed, from, spread, frames, samples, threads;
+    option_integer seed;
+    double from, spread, frames, samples, threads;
     double size[2];
     int technique, waves, surface, optics, show, water, quality, backend, cpu;
     const char *spectrum, *record, *location, *effects, *terrain, *points, *output, *screenshot;
@@ -30,6 +36,7 @@ typedef enum option_kind {
     OPTION_FLAG,
     OPTION_NUMBER,
     OPTION_WHOLE,
+    OPTION_INTEGER, // of 64 bits: more than a double holds
     OPTION_NUMBERS, // separated by commas
     OPTION_SIZE,    // WxH
     OPTION_NAME,

@@ -100,7 +100,8 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(404, GL_DEBUG)                \
     X(500, SEA_CASCADES)            \
     X(501, SEA_INFO)                \
-    X(502, POINTS_SYNTAX)
+    X(502, POINTS_SYNTAX)           \
+    X(503, SEA_LIMITED)
 
 /// The ids of ::BOLAN_LOG_TABLE as BOLAN_LOG_&lt;NAME&gt;, their value the id.
 typedef enum bolan_log_id {

@@ -86,8 +86,9 @@ bolan_sea_state bolan_sea_state_default(void);
 /// 0..70; @p from_deg compass degrees FROM; @p fetch [m] > 0, HUGE_VAL for no limit.
 ///
 /// alpha = 0.076 (U^2/(g F))^0.22, wp = 22 (g^2/(U F))^(1/3), gamma 3.3 (Hasselmann et al. 1973), until wp falls to
-/// the Pierson-Moskowitz peak 0.877 g / (1.026 U10); within 10 % of it height and gamma pass linearly into that sea.
-/// Hs is kept to 40 m. No wind, no fetch, or a peak above 50 rad/s (ripples) give no system. A @p wind_speed outside
+/// the Pierson-Moskowitz peak 0.877 g / (1.026 U10); within 10 % of it gamma passes linearly into 1. Hs grows with the
+/// fetch up to that of the fully developed sea, 0.209 (1.026 U10)^2 / g, which it reaches at 0.63 of the fetch at which
+/// the peak does. Hs is kept to 40 m. No wind, no fetch, or a peak above 50 rad/s (ripples) give no system. A @p wind_speed outside
 /// its range is kept for bolan_sea_state_validate() to refuse.
 bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, double fetch);
 /// The wind sea of a Phillips spectrum: Psi(k) = 2 A exp(-1/(kL)^2) k^-4 cos^2(th) e^{-k^2 l^2} on the half plane that the
@@ -108,6 +109,19 @@ bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, do
                                        double spread_s);
 /// Checks every field against its range; logs a sentence and returns ARGUMENT at the first that is not.
 bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state);
+
+/// How much lower than asked for the waves have to be, so that water of their depth carries them: factors on the height,
+/// in (0, 1]; 1 where nothing is too high. bolan_sea_create() applies the smaller one to all waves and warns.
+typedef struct bolan_sea_limit {
+    /// Depth: Hs <= 0.6 depth (waves that break over a flat beach have Hrms = 0.42 depth: Thornton & Guza 1982).
+    double by_depth;
+    /// Steepness: the sum over the systems of (Hs / (0.142 L tanh(2 pi depth / L)))^2 is at most 1. L is the length of
+    /// the waves at the system's spectral peak: the significant wave of a lone system may be as steep as the steepest
+    /// single wave there is (Miche 1944), and of several the energies add. A measured spectrum counts as one system.
+    double by_steepness;
+} bolan_sea_limit;
+/// The limits of a valid sea state. Integrates the whole spectrum: milliseconds. Thread-safe.
+bolan_sea_limit bolan_sea_state_limit(const bolan_sea_state *sea_state);
 
 /// S(w) of one system [m2 s/rad], integrated over direction, in water of @p depth [m] (TMA only); 0 at @p omega <= 0.
 /// S = (5/16) Hs^2 wp^4 C(gamma) w^-5 exp(-1.25 (wp/w)^4) gamma^r, with C by quadrature, so that 4 sqrt(m0) is Hs
@@ -140,7 +154,8 @@ bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state);
 /// Cox & Munk (1954) clean-surface slope variance for a wind of @p wind_speed [m/s] at 12.5 m; up- and crosswind parts:
 /// 3.16e-3 U and 0.003 + 1.92e-3 U (+- 0.004 and 0.002).
 void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cross);
-/// Whitecap cover fraction of Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41, at most 1.
+/// Whitecap cover fraction of Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41, at most 0.95, which 38 m/s reaches:
+/// their winds end at 17 m/s, and even a hurricane leaves dark water between its foam. 0 without wind.
 double bolan_monahan_cover(double wind_speed);
 
 // ---- sea-state tables -----------------------------------------------------------------------------------------------

@@ -14,8 +14,16 @@
 /// the seed and its length only: a finer resolution adds shorter waves to the same longer ones.
 ///
 /// **Fields.** With eta the height, D the horizontal displacement that gathers water at crests (choppiness not
-/// applied): a water parcel at rest at x0 is found at x = x0 + choppiness * D(x0), z = eta(x0). Fields live on x0.
+/// applied): a water parcel at rest at x0 is found at x = x0 + choppiness * D(x0), z = eta(x0) + lift. Fields live on x0.
 /// Vectors are in world axes (east, north), whatever the angle of the tile.
+///
+/// **Level.** Parcels stand closer at crests and cover less there, so that the mean of eta at fixed points is
+/// -choppiness * integral of k coth(k depth) S dw. The lift, a constant of the sea, is the opposite of that for the
+/// interpolated fields: the mean of the surface at fixed points is the water level. Every height of a sample, a query and
+/// a picture has it; the cascades' fields do not. Where shallow water attenuates waves by f it is f^2 of that.
+///
+/// **Limits.** A sea state that is too high for its depth or too steep is lowered as a whole, with one warning
+/// (SEA_LIMITED): bolan_sea_state_limit() has the rules. No query is then asked of waves that no water could carry.
 ///
 /// **Synthesis.** eta(x, t) = sum over k of h(k, t) e^{i k.x}, h(k, t) = h0(k) e^{-i w t} + conj(h0(-k)) e^{+i w t},
 /// h0(k) = (xr + i xi)/2 sqrt(integral of Psi over the cell of k), xr and xi normal: waves run toward k and the
@@ -60,7 +68,8 @@ typedef enum bolan_frequency_split {
 
 /// How a sea is made.
 typedef struct bolan_sea_desc {
-    bolan_sea_state sea_state; ///< default: wind 8 m/s from 240 deg, fetch 200 km
+    bolan_sea_state sea_state; ///< default: wind 8 m/s from 240 deg, fetch 200 km. Kept as it was given, also where
+                               ///< the sea is limited; bolan_sea_get_summary() has the limited one
     bolan_wave_model waves;    ///< default FFT
     uint64_t seed;             ///< which sea of this state, any value; default 1
     uint32_t resolution;       ///< samples along a cascade's side, a power of two 32..1024; default 256. Raised:
@@ -123,8 +132,15 @@ double bolan_sea_time(const bolan_sea *sea);
 /// The desc the sea was made from, defaults resolved (measured is NULL). Valid while the sea lives.
 const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
 
-/// Integral parameters of the sea state, a measured spectrum included; computed at creation.
+/// Integral parameters of the sea state, a measured spectrum included, lowered by bolan_sea_state_limit(); computed at
+/// creation.
 const bolan_sea_summary *bolan_sea_get_summary(const bolan_sea *sea);
+/// When the measured spectrum was taken, ISO 8601; "" when it does not say or there is none. Valid while the sea lives.
+const char *bolan_sea_record_time(const bolan_sea *sea);
+/// What cascade @p index adds to every height to keep the mean of the surface at the level [m], >= 0, as a grid of
+/// @p spacing [m] carries it (0: a single point); a sum has index 0 alone. 0 without choppiness and for EXP_COSINE, whose
+/// parcels do not move sideways. Thread-safe.
+double bolan_sea_lift(const bolan_sea *sea, uint32_t index, double spacing);
 
 /// One cascade, read-only; pointers stay valid while the sea lives, contents change with each step. Sample (i, j) of
 /// a field is at [j * n + i], at tile coordinates (i, j) * length / n. World to tile: rotate by -angle:
@@ -168,7 +184,7 @@ bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint32_t index
 /// TEXTURES: which frame of the loop the fields show, 0..loop_frames - 1; 0 for the others. Thread-safe.
 uint32_t bolan_sea_loop_frame(const bolan_sea *sea);
 
-/// Everything the sea is at one rest point, all cascades summed (bilinear between samples), choppiness applied.
+/// Everything the sea is at one rest point, all cascades summed (bilinear between samples), choppiness and lift applied.
 typedef struct bolan_sea_sample {
     float height, dx, dy;   ///< displacement of the parcel: (x, y, z) = (x0 + dx, y0 + dy, height) [m]
     float slope_x, slope_y; ///< surface slope dz/dx, dz/dy *after* displacement; where |jacobian| < 0.1, as if it
@@ -187,11 +203,11 @@ void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint
 void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
                            bolan_sea_sample *out);
 /// The oracle: the same quantities at one rest point and time by the direct sum over every mode, O(n^2) a point, in
-/// double. The result's foam is 0. Thread-safe, also during a step.
+/// double, with the same lift. The result's foam is 0. Thread-safe, also during a step.
 bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time);
 
-/// Bounds that the surface does not leave (6 standard deviations; horizontal with choppiness): vertical and
-/// horizontal [m].
+/// Bounds that the surface does not leave (6 standard deviations; vertical with the lift, horizontal with choppiness):
+/// vertical and horizontal [m].
 void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal);
 
 /// Slope covariance that a filter removes: what a picture's pixel (or a radar cell) cannot resolve and must treat as
@@ -210,24 +226,27 @@ void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double mino
 /// yy, 0. Computed at creation. Valid while the sea lives.
 const float *bolan_sea_slope_table(const bolan_sea *sea);
 
-/// Foam appears where the Jacobian is below this, so that the covered fraction is Monahan's at this wind (0 where
-/// there is no wind: then it is -1e30). Computed at creation.
+/// Foam appears where the Jacobian is below this, so that the covered fraction is bolan_monahan_cover() of the wind: a
+/// quantile of the Jacobian, above 1 where more than about half is covered. -1e30 where nothing foams: without wind,
+/// without waves, and with EXP_COSINE. Computed at creation.
 double bolan_sea_foam_threshold(const bolan_sea *sea);
 
-/// Statistics of the fields at the present time: the JSON keys of `bolan measure`. Variances and means are exact
-/// averages over the tiles, which are independent; what depends on all cascades at once is taken at n x n points.
+/// Statistics of the surface at the present time, as it is asked and drawn: the JSON keys of `bolan measure`. They are taken
+/// at 65536 places. At fixed points a parcel counts by the area that it covers, its Jacobian.
 typedef struct bolan_sea_statistics {
-    double hs;                     ///< 4 sqrt(variance of the field) [m]
-    double tp, tm02, te;           ///< of the discrete spectrum that is synthesised [s]
-    double direction_from, spread; ///< from the realised amplitudes [deg]
-    double mss, mss_up, mss_cross; ///< slope variance; up- and crosswind parts (of the mean direction when calm)
-    double skewness, kurtosis;     ///< of the height at fixed world points (choppiness matters)
-    double jacobian_min, jacobian_mean;
-    double whitecap_fraction;     ///< area fraction with Jacobian below the foam threshold
-    double m0_spectrum, m0_field; ///< [m2]
+    double hs;                     ///< 4 sqrt(m0_field) [m]
+    double tp, tm02, te;           ///< of the discrete spectrum that is synthesised [s]; of a measured one, of the file
+    double direction_from, spread; ///< from the realised amplitudes [deg]; of a measured spectrum, of the file
+    double mss, mss_up, mss_cross; ///< slope variance of the displaced surface at fixed points; up- and crosswind parts (of
+                                   ///< the mean direction when calm)
+    double skewness, kurtosis;     ///< of the height at fixed points; 0 and 3 for linear waves, with choppiness too
+    double mean_level;             ///< mean height at fixed points [m]; 0 but for sampling
+    double jacobian_min, jacobian_mean; ///< over all parcels
+    double whitecap_fraction;           ///< of the parcels: those with a Jacobian below the foam threshold
+    double m0_spectrum;                 ///< of the sea state, limited; of a measured one over its own frequencies [m2]
+    double m0_field;                    ///< variance of the height at fixed points [m2]
 } bolan_sea_statistics;
-/// Measures every field of every cascade, or a sum at 65536 places over 50 of its longest waves; as slow as several
-/// steps. Thread-safe between steps.
+/// Measures over the largest tile, or a sum over 50 of its longest waves; as slow as a step. Thread-safe between steps.
 bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea);
 /// Digest of every field (foam memory excluded; of a sum: at 4096 places) at the present time, as 16 lower-case hex
 /// digits and NUL. Equal for any thread count and any instruction set.

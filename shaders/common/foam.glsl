@@ -25,6 +25,7 @@ foam_texels foam_look_up(vec2 rest, float width) {
 // The part of a value's range above 1 - share, with a soft edge; the mean over all values is the share.
 float foam_pattern(float value, float share, float soft) {
     soft = min(soft, 2.0 * min(share, 1.0 - share)) + 1e-4;
+    if (share <= 0.0) return 0.0; // the edge's least width would leave specks
     return smoothstep(1.0 - share - soft * 0.5, 1.0 - share + soft * 0.5, value);
 }
 

@@ -20,6 +20,23 @@ uniform int cascade_count;
 uniform vec4 cascade_tile[4]; // xy: the eye in the tile [0,1), zw: cos(angle), sin(angle) over the side [1/m]
 uniform vec4 cascade_band[4]; // x: significant height of the band [m], y: texel [m], z: longest wave [m], w: log2 of the texel
 uniform float choppiness;
+// What each cascade adds to every height by log2 of the mesh's spacing in texels, two octaves more than that: bolan_sea_lift().
+uniform vec4 cascade_lift[13];
+
+// Share of the amplitude that depth leaves of each cascade.
+#ifdef LAND
+vec4 cascades_kept(float depth) {
+    return shore_attenuations(depth, vec4(cascade_band[0].x, cascade_band[1].x, cascade_band[2].x, cascade_band[3].x));
+}
+#else
+vec4 cascades_kept(float depth) { return vec4(1.0); }
+#endif
+
+float lift_of(int c, float spacing) {
+    float at = clamp(log2(spacing) - cascade_band[c].w + 2.0, 0.0, 12.0);
+    int i = int(min(at, 11.0));
+    return mix(cascade_lift[i][c], cascade_lift[i + 1][c], at - float(i));
+}
 
 vec2 cascade_uv(int c, vec2 rest) {
     vec4 t = cascade_tile[c];

@@ -7,12 +7,12 @@
 // PACKED: slope_map0 to slope_map3, one for each cascade, hold slope, dxx + dyy, foam memory, and there is no slope_map or fold_map
 // (water_fields.h). CASCADES: how many of them pixels look up, longest waves first.
 // Twins of bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
+#ifdef LAND
+#include "common/shore.glsl"
+#endif
 #if !defined(WAVES_EXP) && !defined(WAVES_SUM) && !defined(WAVES_MESH)
 #define WAVES_CASCADES
 #include "common/sea.glsl"
-#endif
-#ifdef LAND
-#include "common/shore.glsl"
 #endif
 
 // What the waves do at a place. slope: dz/dx, dz/dy of the displaced surface.
@@ -116,6 +116,7 @@ vec3 unresolved_slopes(footprint f) {
 
 #ifdef VERTEX
 #ifdef WAVES_MESH
+uniform float mesh_lift; // what is in the mesh's heights to keep their mean at the level [m]: bolan_sea_lift()
 layout(location = 2) in vec3 mesh_offset; // height, dx, dy
 layout(location = 3) in vec4 mesh_fields; // slope, jacobian, foam
 #endif
@@ -132,6 +133,7 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #endif
     fields.xy *= keep;
     offset = keep * mesh_offset.yzx;
+    offset.z -= keep * (1.0 - keep) * mesh_lift; // it goes with the square of what is kept
 #endif
 #ifdef WAVES_EXP
     for (int i = 0; i < WAVE_COUNT; ++i) {
@@ -148,17 +150,15 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #endif
 #endif
 #ifdef WAVES_CASCADES
+    vec4 kept = cascades_kept(depth);
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
         if (spacing > band.z) break; // every wave of it is shorter than the mesh
         float lod = max(log2(spacing) - band.w - 0.5, 0.0); // the triangles blur too: half a level is theirs
         vec3 uv = vec3(cascade_uv(c, rest), float(c));
         vec4 s = textureLod(displacement_map, uv, lod);
-        float keep = 1.0;
-#ifdef LAND
-        keep = shore_attenuation(depth, band.x);
-#endif
-        offset += keep * vec3(choppiness * s.xy, s.z);
+        float keep = kept[c];
+        offset += keep * vec3(choppiness * s.xy, s.z + keep * lift_of(c, spacing));
 #ifndef PACKED
         fields.xy += keep * textureLod(slope_map, uv, lod).xy;
 #endif
@@ -180,27 +180,23 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #define CASCADES 4
 #endif
 
-vec4 cascade_share(int c, vec4 fields, float gust, float depth) {
-    vec4 band = cascade_band[c];
-    float keep = band.z < 20.0 ? gust : 1.0;
-#ifdef LAND
-    keep *= shore_attenuation(depth, band.x);
-#endif
-    return keep * fields;
+vec4 cascade_share(int c, vec4 fields, float gust, float kept) {
+    return (cascade_band[c].z < 20.0 ? gust : 1.0) * kept * fields;
 }
 
 // One look-up a cascade, at the level of a width whose log2 is `fine`. Slopes over the displaced surface as if waves came from all
 // sides. Textures of their own and no loop: an array, and a loop that pixels leave at different times, cost twice as much.
 wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
-    vec4 sum = cascade_share(0, textureLod(slope_map0, cascade_uv(0, rest), fine - cascade_band[0].w), gust, depth);
+    vec4 kept = cascades_kept(depth);
+    vec4 sum = cascade_share(0, textureLod(slope_map0, cascade_uv(0, rest), fine - cascade_band[0].w), gust, kept.x);
 #if CASCADES > 1
-    sum += cascade_share(1, textureLod(slope_map1, cascade_uv(1, rest), fine - cascade_band[1].w), gust, depth);
+    sum += cascade_share(1, textureLod(slope_map1, cascade_uv(1, rest), fine - cascade_band[1].w), gust, kept.y);
 #endif
 #if CASCADES > 2
-    sum += cascade_share(2, textureLod(slope_map2, cascade_uv(2, rest), fine - cascade_band[2].w), gust, depth);
+    sum += cascade_share(2, textureLod(slope_map2, cascade_uv(2, rest), fine - cascade_band[2].w), gust, kept.z);
 #endif
 #if CASCADES > 3
-    sum += cascade_share(3, textureLod(slope_map3, cascade_uv(3, rest), fine - cascade_band[3].w), gust, depth);
+    sum += cascade_share(3, textureLod(slope_map3, cascade_uv(3, rest), fine - cascade_band[3].w), gust, kept.w);
 #endif
     float pinch = choppiness * sum.z;
     vec2 slope = sum.xy / max(1.0 + 0.75 * pinch, 0.3);
@@ -221,6 +217,7 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
     vec2 slope = vec2(0.0);
     vec3 gradient = vec3(0.0); // dxx, dyy, dxy of the displacement, choppiness applied
     float foam = 0.0;
+    vec4 kept = cascades_kept(depth);
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
         if (f.minor > 0.6 * band.z) break;
@@ -231,10 +228,7 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
         vec2 uv = centre - along * (0.5 * taps - 0.5);
         vec4 slopes = vec4(0.0);
         for (float i = 0.0; i < taps; i += 1.0) slopes += textureLod(slope_map, vec3(uv + along * i, float(c)), lod);
-        float keep = band.z < 20.0 ? gust : 1.0;
-#ifdef LAND
-        keep *= shore_attenuation(depth, band.x);
-#endif
+        float keep = (band.z < 20.0 ? gust : 1.0) * kept[c];
         vec2 fold = textureLod(fold_map, vec3(centre, float(c)), lod).xy;
         slope += keep / taps * slopes.xy;
         gradient += keep * choppiness * vec3(slopes.zw / taps, fold.x);

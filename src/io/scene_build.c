@@ -61,7 +61,7 @@ void scene_file_clear(scene_file *file) {
         &file->camera.fov,
     };
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) *numbers[i] = absent;
-    for (int i = 0; i < BOLAN_MAX_WAVE_SYSTEMS; i++)
+    for (int i = 0; i < BOLAN_MAX_WAVE_SYSTEMS - 1; i++)
         file->sea.swell[i] = (struct scene_file_swell){0, absent, absent, absent, absent};
     file->terrain.raster.nodata = file->terrain.raster.zero_is = -1;
     for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) file->objects[i].scale = 1.0, file->objects[i].up = -1;
@@ -113,8 +113,6 @@ static bolan_result add_swells(const struct scene_file_sea *sea, const char *nam
         const struct scene_file_swell *s = &sea->swell[i];
         if (isnan(s->hs) || isnan(s->tp))
             return refuse(name, s->line, "a swell needs hs, its height in metres, and tp, its period in seconds");
-        if (state->system_count >= BOLAN_MAX_WAVE_SYSTEMS)
-            return refuse(name, s->line, "sea.swell is too long; expected at most 7 swells beside a wind sea");
         if (bolan_sea_state_add_swell(state, s->hs, s->tp, isnan(s->from) ? state->wind_from_deg : s->from,
                                       isnan(s->spread) ? 30.0 : s->spread))
             return BOLAN_ERROR_FORMAT;

@@ -37,7 +37,7 @@ typedef struct scene_file {
         struct scene_file_swell {
             uint32_t line;
             double hs, tp, from, spread;
-        } swell[BOLAN_MAX_WAVE_SYSTEMS];
+        } swell[BOLAN_MAX_WAVE_SYSTEMS - 1]; // beside the wind sea
     } sea;
     struct scene_file_look {
         uint32_t line;

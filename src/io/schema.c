@@ -62,15 +62,28 @@ static bolan_result number(const reader *r, const yaml_node_t *node, const schem
     return refuse(r, node, path, expected);
 }
 
+// Digits alone, every one counts: a double would change numbers beyond 2^53.
+static bool read_digits(const yaml_node_t *node, uint64_t *value) {
+    if (node->type != YAML_SCALAR_NODE || node->data.scalar.length == 0) return false;
+    *value = 0;
+    for (size_t i = 0; i < node->data.scalar.length; i++) {
+        const unsigned char c = node->data.scalar.value[i];
+        if (c < '0' || c > '9' || *value > (UINT64_MAX - (uint64_t)(c - '0')) / 10) return false;
+        *value = 10 * *value + (uint64_t)(c - '0');
+    }
+    return true;
+}
+
 static bolan_result count(const reader *r, const yaml_node_t *node, const schema_key *key, const char *path,
                           uint64_t *out) {
-    double value = 0.0;
-    if (read_number(node, &value) && value >= key->low && value <= key->high && value == (double)(uint64_t)value) {
-        *out = (uint64_t)value;
+    uint64_t value = 0;
+    if (read_digits(node, &value) && (double)value >= key->low && (double)value <= key->high) {
+        *out = value;
         return BOLAN_OK;
     }
     char expected[80];
-    snprintf(expected, sizeof expected, "a whole number from %.0f to %.0f", key->low, key->high);
+    snprintf(expected, sizeof expected, "a whole number from %.0f to %llu", key->low,
+             key->high < 0x1p64 ? (unsigned long long)key->high : (unsigned long long)UINT64_MAX);
     return refuse(r, node, path, expected);
 }
 

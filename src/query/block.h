@@ -35,7 +35,8 @@ typedef struct query_sea {
     uint32_t count;
     float choppiness;
     query_cascade cascade[BOLAN_MAX_CASCADES];
-    const sum_tables *sum; // waves instead of cascades, as if they were one; or NULL
+    float lift[BOLAN_MAX_CASCADES]; // [m] of each cascade; bolan_sea_lift()
+    const sum_tables *sum;          // waves instead of cascades, as if they were one; or NULL
     sum_fields_function *sum_fields;
 } query_sea;
 
@@ -100,6 +101,8 @@ enum { QUERY_STEPS = 5, QUERY_SEARCH_STEPS = 10 };
 void query_solve(const query *q, uint32_t steps, bool graded, query_block *block);
 // Attenuation at the present offsets, then the evaluate kernel.
 void query_evaluate(const query *q, bool full, query_block *block);
+// Unit vector along which the Jacobian matrix (xx, xy; xy, yy) compresses most: the eigenvector of the smaller eigenvalue.
+bolan_vec2 query_compressed_direction(float xx, float yy, float xy);
 // Where steps did not converge or the surface is about to fold: looks for every root near lane `lane` and puts the highest into
 // the lane (all members). The block must have been evaluated in full.
 void query_search_folds(const query *q, query_block *block, uint32_t lane);

@@ -126,6 +126,7 @@ void KERNEL(query_evaluate)(const query_sea *sea, bool full, query_block *block)
         add_plane(t->dx, &at, weight, dx);
         add_plane(t->dy, &at, weight, dy);
         add_plane(t->height, &at, weight, height);
+        LANES(l) height[l] += weight[l] * weight[l] * sea->lift[i]; // a product of two that are attenuated
         if (!full) continue;
         add_plane(t->slope_x, &at, weight, slope_x);
         add_plane(t->slope_y, &at, weight, slope_y);

@@ -9,8 +9,7 @@
 
 static const float FOUND = 1e-3f; // [m] a residual below this is a root
 
-// Unit vector along which the Jacobian matrix (xx, xy; xy, yy) compresses most: the eigenvector of the smaller eigenvalue.
-static bolan_vec2 compressed_direction(float xx, float yy, float xy) {
+bolan_vec2 query_compressed_direction(float xx, float yy, float xy) {
     const float half = 0.5f * (xx - yy);
     const float root = sqrtf(half * half + xy * xy);
     // Of the two rows of (M - least I) the larger one, turned by 90 degrees.
@@ -39,7 +38,7 @@ static void spread_place(const query *q, const query_block *from, uint32_t lane,
 // Starts around what `lane` of `from` has found (which may be in `to` itself): lane 0 goes on from there, lane 1 starts at
 // the point itself, the others at +-reach / 2^i along the direction of compression.
 static void spread_starts(const query *q, const query_block *from, uint32_t lane, query_block *to) {
-    const bolan_vec2 along = compressed_direction(from->jxx[lane], from->jyy[lane], from->jxy[lane]);
+    const bolan_vec2 along = query_compressed_direction(from->jxx[lane], from->jyy[lane], from->jxy[lane]);
     const float ox = from->ox[lane], oy = from->oy[lane];
     float distance = q->reach;
     to->ox[0] = ox;

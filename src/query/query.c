@@ -28,7 +28,9 @@ static float depth_at(const query *q, const query_block *b, uint32_t l) {
 }
 
 static void attenuate_lane(const query *q, float depth, query_block *b, uint32_t l) {
-    for (uint32_t c = 0; c < q->sea.count; c++) b->attenuation[c][l] = bolan_shore_attenuation(depth, q->band_hs[c]);
+    float keep[BOLAN_MAX_CASCADES];
+    bolan_shore_attenuations(depth, q->band_hs, q->sea.count, keep);
+    for (uint32_t c = 0; c < q->sea.count; c++) b->attenuation[c][l] = keep[c];
 }
 
 // Ground is dear to evaluate. Beyond 8 Hs of depth the attenuation is 1, on land it is 0, and a rest point is about Hs away at
@@ -161,6 +163,7 @@ static query query_of(const bolan_sea *sea, const bolan_terrain *terrain, double
     for (uint32_t i = 0; i < q.sea.count; i++) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, i);
         q.sea.cascade[i] = cascade_of(&v);
+        q.sea.lift[i] = (float)bolan_sea_lift(sea, i, 0.0);
         q.band_hs[i] = (float)(4.0 * sqrt(v.variance));
         variance += v.variance;
     }
@@ -169,6 +172,7 @@ static query query_of(const bolan_sea *sea, const bolan_terrain *terrain, double
         q.sea.sum_fields = sum_fields_for(desc->cpu);
         q.kernels = &query_sum_kernels;
         q.sea.count = 1;
+        q.sea.lift[0] = (float)bolan_sea_lift(sea, 0, 0.0);
         variance = sea->sum->total;
         q.band_hs[0] = (float)(4.0 * sqrt(variance));
     }

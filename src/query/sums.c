@@ -56,7 +56,8 @@ static void evaluate(const query_sea *sea, bool full, query_block *block) {
     fields_of(sea, block, &f);
     set_residual(sea, &f, block);
     for (int l = 0; l < QUERY_LANES; l++) {
-        block->height[l] = f.at[FIELD_HEIGHT][l];
+        const float keep = block->attenuation[0][l];
+        block->height[l] = f.at[FIELD_HEIGHT][l] + keep * keep * sea->lift[0]; // a product of two that are attenuated
         block->slope_x[l] = f.at[FIELD_SLOPE_X][l];
         block->slope_y[l] = f.at[FIELD_SLOPE_Y][l];
         block->jxx[l] = 1.0f + c * f.at[FIELD_DXX][l];

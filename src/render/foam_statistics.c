@@ -16,7 +16,8 @@ double foam_quantile(double p) {
     return 0.5 * (low + high);
 }
 
-void foam_memory_moments(const bolan_sea *sea, double *mean, double *variance) {
+// Mean and variance of the summed foam memory, from a sparse lattice of each cascade.
+static void memory_moments(const bolan_sea *sea, double *mean, double *variance) {
     *mean = *variance = 0.0;
     for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
         bolan_cascade_view v = bolan_sea_cascade(sea, c);
@@ -31,8 +32,7 @@ void foam_memory_moments(const bolan_sea *sea, double *mean, double *variance) {
     }
 }
 
-// Slope variance of all waves, whichever model makes them.
-static double slope_variance(const bolan_sea *sea) {
+double foam_slope_variance(const bolan_sea *sea) {
     double mss = 0.0;
     for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) mss += bolan_sea_cascade(sea, c).mss;
     for (uint32_t i = 0; i < bolan_sea_component_count(sea); ++i) {
@@ -42,9 +42,16 @@ static double slope_variance(const bolan_sea *sea) {
     return mss;
 }
 
+double foam_memory_threshold(const bolan_sea *sea, double share, double softness, double *variance) {
+    double mean;
+    memory_moments(sea, &mean, variance);
+    return share > 0.0 && *variance > 0.0 ? mean - foam_quantile(share) * sqrt(*variance * (1.0 + softness))
+                                          : FOAM_NEVER;
+}
+
 double foam_breaking_pinch(const bolan_sea *sea, double edge, double *spread) {
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     const double cover = bolan_monahan_cover(desc->sea_state.wind_speed);
-    *spread = fmax(desc->choppiness * desc->choppiness * slope_variance(sea), 1e-9);
-    return cover > 1e-7 ? foam_quantile(fmin(cover, 0.4)) * sqrt(*spread + edge * edge) : -1e3;
+    *spread = fmax(desc->choppiness * desc->choppiness * foam_slope_variance(sea), 1e-9);
+    return cover > 1e-7 ? foam_quantile(cover) * sqrt(*spread + edge * edge) : -FOAM_NEVER;
 }

@@ -141,12 +141,10 @@ static void set_foam(const gl_program *g, const frame *f) {
     const bolan_sea *sea = f->desc->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     const double cover = bolan_monahan_cover(desc->sea_state.wind_speed), edge = FRESH_EDGE * FRESH_EDGE;
-    double memory_mean, memory_variance, spread;
+    double memory_variance, spread;
     const double breaks = foam_breaking_pinch(sea, FRESH_EDGE, &spread);
-    foam_memory_moments(sea, &memory_mean, &memory_variance);
     const double share = fmin(0.3, OLD_FOAM_SHARE * cover);
-    const bool remembers = share > 1e-7 && memory_variance > 0.0; // sums of waves do not
-    const double old = remembers ? memory_mean - foam_quantile(share) * sqrt(memory_variance * (1.0 + OLD_EDGE)) : 1e3;
+    const double old = foam_memory_threshold(sea, share, OLD_EDGE, &memory_variance);
     float rest[3];
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
     gl_program_vec4(

@@ -74,14 +74,12 @@ static void free_all(void *state) {
 static void set_foam(const gl_program *g, const frame *f) {
     const bolan_sea *sea = f->desc->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
-    double mss = 0.0, memory_mean, memory_variance;
-    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) mss += bolan_sea_cascade(sea, c).mss;
+    double memory_variance;
     // A soft edge widens a Gaussian field; the covered share stays when the threshold moves out with the standard deviation.
-    double spread = fmax(desc->choppiness * desc->choppiness * mss, 1e-9);
+    double spread = fmax(desc->choppiness * desc->choppiness * foam_slope_variance(sea), 1e-9);
     double threshold = 1.0 - (1.0 - bolan_sea_foam_threshold(sea)) * sqrt(1.0 + FOAM_EDGE * FOAM_EDGE / spread);
-    foam_memory_moments(sea, &memory_mean, &memory_variance);
     double share = fmin(0.3, OLD_FOAM_SHARE * bolan_monahan_cover(desc->sea_state.wind_speed));
-    double old = memory_mean - foam_quantile(share) * sqrt(memory_variance * (1.0 + OLD_EDGE));
+    double old = foam_memory_threshold(sea, share, OLD_EDGE, &memory_variance);
     float rest[3];
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
     gl_program_vec4(g, "foam_law", (bolan_vec4){(float)fmax(threshold, -1e30), rest[0] + rest[2], 0.0f, 0.0f});

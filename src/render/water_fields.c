@@ -201,6 +201,18 @@ static void upload_cascades(water_fields *p, const bolan_sea *sea, bool packed, 
     if (!packed) gl_texture_generate_mipmaps(&p->slopes);
 }
 
+enum { LIFT_OCTAVES = 13 }; // from a quarter of a texel up to a tile of 1024
+
+static void set_lift(const gl_program *g, const bolan_sea *sea) {
+    float lift[LIFT_OCTAVES][4] = {{0}};
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        for (int i = 0; i < LIFT_OCTAVES; ++i)
+            lift[i][c] = (float)bolan_sea_lift(sea, c, v.length / v.n * exp2(i - 2.0));
+    }
+    gl_program_vec4_array(g, "cascade_lift", lift[0], LIFT_OCTAVES);
+}
+
 // Where the eye stands in each tile, reduced in double so that the GPU never sees a large coordinate.
 static void set_cascades(const gl_program *g, const frame *f) {
     float tile[4 * BOLAN_MAX_CASCADES] = {0}, band[4 * BOLAN_MAX_CASCADES] = {0};
@@ -224,6 +236,7 @@ static void set_cascades(const gl_program *g, const frame *f) {
     gl_program_vec4_array(g, "cascade_tile", tile, BOLAN_MAX_CASCADES);
     gl_program_vec4_array(g, "cascade_band", band, BOLAN_MAX_CASCADES);
     gl_program_float(g, "choppiness", (float)bolan_sea_get_desc(f->desc->sea)->choppiness);
+    set_lift(g, f->desc->sea);
 }
 
 // ---- sums -----------------------------------------------------------------------------------------------------------
@@ -361,4 +374,5 @@ void water_fields_apply(const gl_program *g, const frame *f, water_waves waves) 
     if (waves == WATER_CASCADES) set_cascades(g, f);
     if (waves == WATER_EXP) set_exp_waves(g, f);
     if (waves == WATER_SUM) set_sum(g, f);
+    if (waves == WATER_MESH) gl_program_float(g, "mesh_lift", (float)bolan_sea_lift(f->desc->sea, 0, 0.0));
 }

@@ -34,6 +34,7 @@ static bolan_result check_sea(const bolan_scene *s) {
         !check("sea.cascade_count", d->cascade_count, 1, BOLAN_MAX_CASCADES, "") &&
         !(d->length != 0.0 && check("sea.length", d->length, 10, 1e5, "m")) &&
         !check("sea.choppiness", d->choppiness, 0, 2, "") &&
+        !check("sea.current_x", d->current_x, -5, 5, "m/s") && !check("sea.current_y", d->current_y, -5, 5, "m/s") &&
         !(d->loop_period != 0.0 && check("sea.loop_period", d->loop_period, 1, 1e6, "s")) &&
         !check("sea.cpu", (double)d->cpu, 0, BOLAN_CPU_AVX512, "(a bolan_cpu)") &&
         !check("sea.foam_decay", d->foam_decay, 0.1, 60, "s") && !check("fetch", s->fetch, 100, 1e7, "m") &&

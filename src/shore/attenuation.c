@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shallow water leaves of a wave. Twin of shore_attenuation() in shaders/common/shore.glsl.
+// What shallow water leaves of a wave. Twins of shore_attenuation() and shore_attenuations() in shaders/common/shore.glsl.
 #include "bolan/shore.h"
 
 // Lambert's continued fraction of tanh to seven terms: error below 4e-6 up to 3.4 and below 1.3e-4 up to 4.9, where it
@@ -12,12 +12,24 @@ static float rational_tanh(float x) {
     return x > 4.9f || t > 1.0f ? 1.0f : t;
 }
 
-float bolan_shore_attenuation(float depth, float band_hs) {
+float bolan_shore_attenuation(float depth, float hs) {
     if (!(depth > 0.0f)) {
         return 0.0f;
     }
-    if (!(band_hs > 0.0f)) {
+    if (!(hs > 0.0f)) {
         return 1.0f;
     }
-    return rational_tanh(fminf(0.6f * depth / band_hs, 10.0f));
+    return rational_tanh(fminf(0.6f * depth / hs, 10.0f));
+}
+
+void bolan_shore_attenuations(float depth, const float *band_hs, uint32_t count, float *out) {
+    float deep = 0.0f, local = 0.0f; // Hs squared: asked for, and left if each band were alone
+    for (uint32_t i = 0; i < count; i++) {
+        out[i] = bolan_shore_attenuation(depth, band_hs[i]);
+        deep += band_hs[i] * band_hs[i];
+        local += out[i] * out[i] * band_hs[i] * band_hs[i];
+    }
+    if (!(local > 0.0f)) return;
+    const float whole = bolan_shore_attenuation(depth, sqrtf(deep)), share = sqrtf(whole * whole * deep / local);
+    for (uint32_t i = 0; i < count; i++) out[i] *= share;
 }

@@ -56,10 +56,10 @@ bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, do
     double peak = 22.0 * portable_pow(g * g / (wind_speed * fetch), 1.0 / 3.0), hs = PM_HEIGHT * wind_pm * wind_pm / g,
            gamma = 1.0;
     if (peak > peak_pm) {
-        // Over the last tenth the JONSWAP shape gives way to the fully developed one, so that height has no jump.
-        const double young = fmin((peak / peak_pm - 1.0) / 0.1, 1.0);
-        hs += young * (jonswap_height(wind_speed, fetch, peak) - hs);
-        gamma += young * 2.3;
+        // JONSWAP's height reaches that of the fully developed sea before its peak does: from there on only the peak
+        // moves. Over the last tenth of the peak its enhancement gives way, so that the shape has no jump.
+        hs = fmin(jonswap_height(wind_speed, fetch, peak), hs);
+        gamma += fmin((peak / peak_pm - 1.0) / 0.1, 1.0) * 2.3;
     } else {
         peak = peak_pm;
     }

@@ -7,7 +7,7 @@
 #include "spectrum/portable.h"
 
 spectrum_eval spectrum_eval_prepare(const bolan_sea_state *sea_state) {
-    spectrum_eval eval = {.measured = sea_state->measured, .depth = sea_state->depth};
+    spectrum_eval eval = {.measured = sea_state->measured, .measured_level = 1.0, .depth = sea_state->depth};
     for (uint32_t i = 0; i < sea_state->system_count && i < BOLAN_MAX_WAVE_SYSTEMS; i++) {
         if (!(sea_state->systems[i].hs > 0.0)) continue;
         const spectrum_system system = spectrum_system_prepare(&sea_state->systems[i]);
@@ -15,6 +15,15 @@ spectrum_eval spectrum_eval_prepare(const bolan_sea_state *sea_state) {
         eval.systems[eval.system_count++] = system;
     }
     return eval;
+}
+
+void spectrum_eval_scale(spectrum_eval *eval, double factor) {
+    for (uint32_t i = 0; i < eval->system_count; i++) eval->systems[i].level *= factor * factor;
+    eval->measured_level *= factor * factor;
+}
+
+static double measured_density(const spectrum_eval *eval, double omega, double theta, bool with_tail) {
+    return eval->measured_level * spectrum_measured_density(eval->measured, omega, theta, with_tail);
 }
 
 // The sum over systems for a wave that goes along the unit vector (ux, uy).
@@ -37,7 +46,7 @@ double spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky) {
     const double omega = sqrt((BOLAN_GRAVITY + tension) * k * t);
     const double slope = (BOLAN_GRAVITY + 3.0 * tension) * t + (BOLAN_GRAVITY + tension) * kh * (1.0 - t * t);
     double density = systems_density(eval, omega, kh, kx / k, ky / k);
-    if (eval->measured) density += spectrum_measured_density(eval->measured, omega, portable_angle(ky, kx), true);
+    if (eval->measured) density += measured_density(eval, omega, portable_angle(ky, kx), true);
     return density * slope / (2.0 * omega * k);
 }
 
@@ -49,7 +58,7 @@ double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, doub
 double spectrum_eval_density(const spectrum_eval *eval, double omega, double ux, double uy) {
     const double kh = eval->any_depth_limited ? eval->depth * bolan_k_from_omega(omega, eval->depth) : 0.0;
     double density = systems_density(eval, omega, kh, ux, uy);
-    if (eval->measured) density += spectrum_measured_density(eval->measured, omega, portable_angle(uy, ux), false);
+    if (eval->measured) density += measured_density(eval, omega, portable_angle(uy, ux), false);
     return density;
 }
 

@@ -29,11 +29,15 @@ typedef struct spectrum_eval {
     bool any_depth_limited;
     spectrum_system systems[BOLAN_MAX_WAVE_SYSTEMS];
     const bolan_measured_spectrum *measured; ///< or NULL
+    double measured_level;                   ///< factor on its densities
     double depth;
 } spectrum_eval;
 
 /// Prepares a valid sea state (bolan_sea_state_validate()). Allocates nothing.
 spectrum_eval spectrum_eval_prepare(const bolan_sea_state *sea_state);
+
+/// Multiplies the height of all waves by @p factor.
+void spectrum_eval_scale(spectrum_eval *eval, double factor);
 
 /// Psi(kx, ky) [m4], tail included; 0 at k = 0. As bolan_sea_state_wavenumber_density(). Thread-safe.
 double spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky);

@@ -86,7 +86,7 @@ static double measured_density_at(const bolan_measured_spectrum *measured, doubl
 }
 
 double spectrum_eval_omnidirectional(const spectrum_eval *eval, double omega) {
-    double sum = measured_density_at(eval->measured, omega);
+    double sum = eval->measured_level * measured_density_at(eval->measured, omega);
     for (uint32_t i = 0; i < eval->system_count; i++)
         sum += spectrum_system_density(&eval->systems[i], omega, relative_depth(eval, omega));
     return sum;
@@ -108,6 +108,41 @@ static double find_peak(const spectrum_eval *eval) {
         for (int node = 0; node <= 2 * STEPS_BELOW; node++) // up to four times the peak: TMA moves it upwards
             keep_larger(eval, node_omega(&eval->systems[s], node), &best_omega, &best);
     return best_omega;
+}
+
+// ---- limits ---------------------------------------------------------------------------------------------------------
+
+#define DEPTH_SHARE 0.6 // Hs over the depth
+#define MICHE 0.142     // H over L tanh kd
+
+// The square of Hs over what its peak lets it have; 0 for no waves.
+static double steepness_share(const moments *sum, double peak_omega, double depth) {
+    if (!(sum->m0 > 0.0)) return 0.0;
+    const double k = bolan_k_from_omega(peak_omega, depth);
+    const double highest = MICHE * 2.0 * BOLAN_PI / k * tanh(k * depth);
+    return 16.0 * sum->m0 / (highest * highest);
+}
+
+bolan_sea_limit bolan_sea_state_limit(const bolan_sea_state *sea_state) {
+    BOLAN_ASSERT(sea_state);
+    const spectrum_eval eval = spectrum_eval_prepare(sea_state);
+    double m0 = 0.0, steepness = 0.0;
+    for (uint32_t i = 0; i <= eval.system_count; i++) { // the last is the measured spectrum
+        spectrum_eval one = {.measured_level = 1.0, .depth = eval.depth, .any_depth_limited = eval.any_depth_limited};
+        moments sum = {0};
+        if (i < eval.system_count) {
+            one.systems[one.system_count++] = eval.systems[i];
+            add_system(&sum, &one, &one.systems[0]);
+        } else if (eval.measured) {
+            one.measured = eval.measured;
+            add_measured(&sum, eval.measured);
+        }
+        m0 += sum.m0;
+        steepness += steepness_share(&sum, sum.m0 > 0.0 ? find_peak(&one) : 0.0, eval.depth);
+    }
+    const double hs = 4.0 * sqrt(m0);
+    return (bolan_sea_limit){.by_depth = hs > 0.0 ? fmin(DEPTH_SHARE * eval.depth / hs, 1.0) : 1.0,
+                             .by_steepness = steepness > 1.0 ? 1.0 / sqrt(steepness) : 1.0};
 }
 
 bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state) {

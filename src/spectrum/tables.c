@@ -51,8 +51,9 @@ void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cross) {
 
 // Monahan & O'Muircheartaigh, "Optimal power-law description of oceanic whitecap coverage dependence on wind speed",
 // J. Phys. Oceanogr. 10 (1980), the robust fit.
+#define MOST_COVER 0.95
 double bolan_monahan_cover(double wind_speed) {
     if (!(wind_speed > 0.0)) return 0.0;
     const double cover = 3.84e-6 * portable_pow(wind_speed, 3.41);
-    return cover < 1.0 ? cover : 1.0;
+    return cover < MOST_COVER ? cover : MOST_COVER;
 }

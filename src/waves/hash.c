@@ -24,7 +24,7 @@ static uint64_t add_sum(uint64_t hash, const bolan_sea *sea) {
         double x[SUM_LANES], y[SUM_LANES];
         float field[SEA_FIELDS][SUM_LANES];
         for (uint32_t l = 0; l < SUM_LANES; l++) {
-            const bolan_dvec2 place = sea_sum_place(sea->sum, first + l);
+            const bolan_dvec2 place = sea_place(sea, first + l);
             x[l] = place.x;
             y[l] = place.y;
         }
@@ -35,6 +35,7 @@ static uint64_t add_sum(uint64_t hash, const bolan_sea *sea) {
 }
 
 void bolan_sea_hash(const bolan_sea *sea, char out[17]) {
+    BOLAN_ASSERT(sea && out);
     uint64_t hash = 0xcbf29ce484222325u;
     if (sea->sum) hash = add_sum(hash, sea);
     for (uint32_t i = 0; i < sea->count; i++) {

@@ -55,12 +55,13 @@ static void add_cascade(const sea_cascade *c, double x, double y, double weight,
 }
 
 void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out) {
+    BOLAN_ASSERT(sea && (count == 0 || (points && out)));
     if (sea->sum) {
         sea_sum_sample(sea, points, NULL, count, out);
         return;
     }
     for (uint32_t p = 0; p < count; p++) {
-        sea_sums v = {0};
+        sea_sums v = {.height = sea->lift};
         for (uint32_t i = 0; i < sea->count; i++) add_cascade(&sea->cascade[i], points[p].x, points[p].y, 1.0, 1.0, &v);
         out[p] = sea_displaced(&v, sea->desc.choppiness);
     }
@@ -78,6 +79,7 @@ static void add_filtered(const sea_cascade *c, bolan_dvec2 at, double spacing, s
     const double fade = t * t * (3.0 - 2.0 * t), width = 2.0 * spacing;
     const int taps = (int)fmin(fmax(ceil(width * c->n / c->length), 1.0), fade > 0.0 ? MOST_TAPS : FOAM_TAPS);
     const double share = 1.0 / (taps * taps);
+    v->height += fade * fade * sea_lift_at(&c->lift, spacing); // a product of two that fade
     for (int j = 0; j < taps; j++) {
         for (int i = 0; i < taps; i++) {
             const double x = at.x + ((i + 0.5) / taps - 0.5) * width, y = at.y + ((j + 0.5) / taps - 0.5) * width;
@@ -112,6 +114,7 @@ static void sample_grid_points(void *context, uint32_t begin, uint32_t end, uint
 
 void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
                            bolan_sea_sample *out) {
+    BOLAN_ASSERT(sea && (count == 0 || (points && out)));
     if (sea->sum) {
         sea_sum_sample(sea, points, spacing, count, out);
         return;
@@ -156,7 +159,8 @@ static void add_mode(void *context, const sea_mode *m) {
 }
 
 bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time) {
-    direct d = {.x = x, .y = y, .time = sea_shown_time(sea, time, NULL)};
+    BOLAN_ASSERT(sea && isfinite(time));
+    direct d = {.x = x, .y = y, .time = sea_shown_time(sea, time, NULL), .v.height = sea->lift};
     if (sea->sum) sea_sum_direct(sea, x, y, d.time, &d.v);
     for (uint32_t i = 0; i < sea->count; i++) sea_each_mode(&sea->cascade[i], add_mode, &d);
     return sea_displaced(&d.v, sea->desc.choppiness);

@@ -6,6 +6,7 @@
 
 #include <sched.h>
 #include <stdatomic.h>
+#include <stdio.h>
 #include <string.h>
 
 #define LONGEST_TICK 0.5    // [s] a step forward that the foam memory survives
@@ -52,9 +53,11 @@ void *sea_reserve(bolan_sea *sea, size_t bytes) {
 
 // Everything that needs memory. A worker that a later bolan_set_threads() adds finds no scratch and stays idle.
 static bool build(bolan_sea *sea) {
-    const spectrum_eval eval = spectrum_eval_prepare(&sea->desc.sea_state);
+    spectrum_eval eval = spectrum_eval_prepare(&sea->desc.sea_state);
+    spectrum_eval_scale(&eval, sea->limit);
     if (sea->desc.waves == BOLAN_WAVES_COSINES || sea->desc.waves == BOLAN_WAVES_EXP_COSINE)
-        return sea_sum_create(sea, &eval) && sea_slopes_create(sea) && sea_whitecaps_create(sea);
+        return sea_sum_create(sea, &eval) && sea_lift_create(sea) && sea_slopes_create(sea) &&
+               sea_whitecaps_create(sea);
     double up, cross;
     bolan_cox_munk(sea->desc.sea_state.wind_speed, &up, &cross);
     sea_radial radial;
@@ -64,7 +67,36 @@ static bool build(bolan_sea *sea) {
     sea->scratch_floats = SEA_SCRATCH_BUFFERS * sea_scratch_pitch(sea->desc.resolution);
     sea->scratch = sea_reserve(sea, sea->slots * sea->scratch_floats * sizeof(float));
     return sea->scratch && fft_plan_create(sea->desc.resolution, &sea->plan) && sea_modes_create(sea, &eval, &radial) &&
-           sea_slopes_create(sea) && sea_whitecaps_create(sea);
+           sea_lift_create(sea) && sea_slopes_create(sea) && sea_whitecaps_create(sea);
+}
+
+// Sets the summary, and the factor that brings the waves down to what their depth carries.
+static void set_limit(bolan_sea *sea) {
+    const bolan_sea_limit limit = bolan_sea_state_limit(&sea->desc.sea_state);
+    sea->summary = bolan_sea_state_summary(&sea->desc.sea_state);
+    const double asked = sea->summary.hs;
+    sea->limit = fmin(limit.by_depth, limit.by_steepness);
+    if (sea->limit == 1.0) return;
+    sea->summary.hs *= sea->limit;
+    sea->summary.m0 *= sea->limit * sea->limit;
+    if (limit.by_depth <= limit.by_steepness) {
+        bolan_log(BOLAN_LOG_WARNING, BOLAN_LOG_SEA_LIMITED,
+                  "the sea is too high for its depth of %.4g m: Hs lowered from %.3g to %.3g m, 0.6 of the depth",
+                  sea->desc.sea_state.depth, asked, sea->summary.hs);
+    } else {
+        bolan_log(BOLAN_LOG_WARNING, BOLAN_LOG_SEA_LIMITED,
+                  "the sea is too steep: Hs lowered from %.3g to %.3g m, by Miche's limit 0.142 L tanh(2 pi depth / L) "
+                  "at its peak period of %.3g s",
+                  asked, sea->summary.hs, sea->summary.tp);
+    }
+}
+
+// What is kept of the measured spectrum, which need not live on.
+static void forget_measured(bolan_sea *sea) {
+    const bolan_measured_spectrum *measured = sea->desc.sea_state.measured;
+    if (measured) snprintf(sea->record_time, sizeof sea->record_time, "%s", bolan_measured_spectrum_view(measured).time);
+    sea->is_measured = measured != NULL;
+    sea->desc.sea_state.measured = NULL;
 }
 
 bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {
@@ -76,12 +108,12 @@ bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {
     if (!sea) return BOLAN_ERROR_MEMORY;
     sea->desc = *desc;
     sea->kernels = sea_kernels_for(desc->cpu);
-    sea->summary = bolan_sea_state_summary(&desc->sea_state);
+    set_limit(sea);
     if (!build(sea)) {
         bolan_sea_destroy(&sea);
         return BOLAN_ERROR_MEMORY;
     }
-    sea->desc.sea_state.measured = NULL;
+    forget_measured(sea);
     *out = sea;
     return BOLAN_OK;
 }
@@ -194,13 +226,30 @@ void sea_each_wave(const bolan_sea *sea, void (*visit)(void *context, const sea_
 
 // ---- reading --------------------------------------------------------------------------------------------------------
 
-double bolan_sea_time(const bolan_sea *sea) { return sea->time; }
+double bolan_sea_time(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return sea->time;
+}
 
-const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea) { return &sea->desc; }
+const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return &sea->desc;
+}
 
-const bolan_sea_summary *bolan_sea_get_summary(const bolan_sea *sea) { return &sea->summary; }
+const bolan_sea_summary *bolan_sea_get_summary(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return &sea->summary;
+}
 
-uint32_t bolan_sea_cascade_count(const bolan_sea *sea) { return sea->count; }
+const char *bolan_sea_record_time(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return sea->record_time;
+}
+
+uint32_t bolan_sea_cascade_count(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return sea->count;
+}
 
 bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index) {
     BOLAN_ASSERT(sea && index < sea->count);
@@ -226,22 +275,29 @@ bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index) {
                                 .foam_half = c->foam_half};
 }
 
-uint32_t bolan_sea_component_count(const bolan_sea *sea) { return sea->sum ? sea->sum->tables.count : 0; }
+uint32_t bolan_sea_component_count(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return sea->sum ? sea->sum->tables.count : 0;
+}
 
 bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint32_t index) {
     BOLAN_ASSERT(sea && index < bolan_sea_component_count(sea));
     return sea->sum->component[index];
 }
 
-uint32_t bolan_sea_loop_frame(const bolan_sea *sea) { return sea->loop_frame; }
+uint32_t bolan_sea_loop_frame(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return sea->loop_frame;
+}
 
 // The sum of few waves may not even reach 6 standard deviations.
 static void sum_bounds(const sea_sum *sum, double choppiness, double *vertical, double *horizontal) {
-    *vertical = fmin(6.0 * sqrt(sum->total), sum->highest);
+    *vertical = fmin(6.0 * sqrt(sum->total), sum->highest) + sum->lift.level[0];
     *horizontal = fmin(6.0 * sqrt(sum->displacement), sum->farthest) * choppiness;
 }
 
 void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal) {
+    BOLAN_ASSERT(sea && vertical && horizontal);
     if (sea->sum) {
         sum_bounds(sea->sum, sea->desc.choppiness, vertical, horizontal);
         return;
@@ -251,6 +307,6 @@ void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal
         variance += sea->cascade[i].variance;
         displacement += sea->cascade[i].displacement;
     }
-    *vertical = 6.0 * sqrt(variance);
+    *vertical = 6.0 * sqrt(variance) + sea->lift;
     *horizontal = 6.0 * sqrt(displacement) * sea->desc.choppiness;
 }

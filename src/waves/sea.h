@@ -25,12 +25,21 @@ enum {
     SEA_MAX_BLOCKS = 32,
 };
 
+// By log2 of the spacing of a grid: level l > 0 is that of finest * 2^(l / LIFT_PER_OCTAVE), level 0 of a point. See lift.c.
+enum { LIFT_LEVELS = 49 };
+#define LIFT_PER_OCTAVE 4.0
+typedef struct sea_lift {
+    double finest;             // spacing [m] below which nothing fades; 0 without waves
+    double level[LIFT_LEVELS]; // [m]
+} sea_lift;
+
 typedef struct sea_cascade {
     uint32_t n;
     double length, angle, cosine, sine, k_min, k_max;
     double variance;     // expected, discrete sum [m2]
     double slope[3];     // expected slope covariance xx, xy, yy in world axes
     double displacement; // expected variance of dx plus that of dy [m2]
+    sea_lift lift;
 
     uint32_t strips;                // strips of 16 j that hold modes
     uint32_t reach[SEA_MAX_STRIPS]; // in a strip modes have |i| < reach
@@ -74,7 +83,11 @@ struct bolan_sea {
     struct slope_map *slope_map;
     float *slope_table;
     double foam_threshold;
-    bolan_sea_summary summary; // of the sea state
+    double lift;               // of all waves, added to every height [m]
+    bolan_sea_summary summary; // of the sea state, limited
+    bool is_measured;          // it has a measured spectrum
+    double limit;              // factor on the height that the sea state asks for
+    char record_time[32];      // of the measured spectrum, or empty
     double tp, tm02, te;       // of the discrete modes [s]
     uint32_t block_count;
     sea_block block[SEA_MAX_BLOCKS]; // all memory
@@ -112,6 +125,9 @@ double sea_wind_peak(const bolan_sea_state *state, const bolan_sea_summary *summ
 void sea_layout(bolan_sea *sea, const sea_radial *radial);
 // Mode tables of every cascade. False when memory is short.
 bool sea_modes_create(bolan_sea *sea, const spectrum_eval *eval, const sea_radial *radial);
+// The lift of every cascade or of the sum. False when memory is short.
+bool sea_lift_create(bolan_sea *sea);
+double sea_lift_at(const sea_lift *lift, double spacing);
 // rest_slope and slope_table. False when memory is short.
 bool sea_slopes_create(bolan_sea *sea);
 // foam_threshold, from fields at a few times; leaves the sea at time 0. False when memory is short.
@@ -132,17 +148,17 @@ void sea_each_wave(const bolan_sea *sea, void (*visit)(void *context, const sea_
 // Calls `visit` for every mode with energy, in a fixed order.
 void sea_each_mode(const sea_cascade *cascade, void (*visit)(void *context, const sea_mode *mode), void *context);
 
-// All fields, summed over the cascades, at the node of each that is nearest to cascade 0's node (i, j): independent
-// tiles need no interpolation to be added, and it would take power from the short waves.
-typedef struct sea_node {
-    float height, sx, sy, dxx, dyy, dxy;
-} sea_node;
 // Sums over the cascades or waves of the fields at one rest point, choppiness not applied, and what becomes of them with it.
 typedef struct sea_sums {
     double height, dx, dy, sx, sy, dxx, dyy, dxy, foam;
 } sea_sums;
 bolan_sea_sample sea_displaced(const sea_sums *sums, double choppiness);
-sea_node sea_nearest_node(const bolan_sea *sea, uint32_t i, uint32_t j);
-float sea_node_jacobian(const bolan_sea *sea, const sea_node *node);
+
+// Where the sea is measured: SEA_MEASURED places, SEA_PLACES at a time.
+enum { SEA_PLACES = 64, SEA_MEASURED = 1 << 16 };
+// Place `index`: over the largest tile, or over 50 of a sum's longest waves.
+bolan_dvec2 sea_place(const bolan_sea *sea, uint32_t index);
+// The surface at the rest points of the places [first, first + SEA_PLACES).
+void sea_sample_places(const bolan_sea *sea, uint32_t first, bolan_sea_sample out[SEA_PLACES]);
 
 #endif

@@ -78,13 +78,17 @@ static void unresolved(const bolan_sea *sea, double major, double minor, double 
 }
 
 void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double minor, double angle, float out[3]) {
+    BOLAN_ASSERT(sea && out);
     double covariance[3];
     const double turned = isfinite(angle) ? fmod(angle, 2.0 * BOLAN_PI) : 0.0;
     unresolved(sea, major, minor, turned, covariance);
     for (int i = 0; i < 3; i++) out[i] = (float)covariance[i];
 }
 
-const float *bolan_sea_slope_table(const bolan_sea *sea) { return sea->slope_table; }
+const float *bolan_sea_slope_table(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return sea->slope_table;
+}
 
 // Task: rows [begin, end) of the table, one for each (angle, aspect).
 static void fill_table(void *context, uint32_t begin, uint32_t end, uint32_t worker) {

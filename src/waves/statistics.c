@@ -1,150 +1,85 @@
 // SPDX-License-Identifier: MIT
-// Statistics of the fields at the present time, of the realised amplitudes, and of the discrete spectrum.
+// Statistics of the surface at the present time, of the realised amplitudes, and of the discrete spectrum.
 #include "spectrum/portable.h"
 #include "waves/sum.h"
 
-sea_node sea_nearest_node(const bolan_sea *sea, uint32_t i, uint32_t j) {
-    const sea_cascade *first = &sea->cascade[0];
-    const double x = i * first->length / first->n, y = j * first->length / first->n; // tile 0 lies along the world axes
-    sea_node v = {0};
-    for (uint32_t a = 0; a < sea->count; a++) {
-        const sea_cascade *c = &sea->cascade[a];
-        const double scale = c->n / c->length;
-        const uint32_t mask = c->n - 1;
-        const uint32_t u = (uint32_t)(int64_t)floor((x * c->cosine + y * c->sine) * scale + 0.5) & mask;
-        const uint32_t w = (uint32_t)(int64_t)floor((y * c->cosine - x * c->sine) * scale + 0.5) & mask;
-        const size_t at = (size_t)w * c->n + u;
-        v.height += c->field[FIELD_HEIGHT][at];
-        v.sx += c->field[FIELD_SLOPE_X][at];
-        v.sy += c->field[FIELD_SLOPE_Y][at];
-        v.dxx += c->field[FIELD_DXX][at];
-        v.dyy += c->field[FIELD_DYY][at];
-        v.dxy += c->field[FIELD_DXY][at];
-    }
-    return v;
+// Additive recurrence by the plastic number (Roberts 2018): even in the plane, and no lattice that waves could be in step with.
+bolan_dvec2 sea_place(const bolan_sea *sea, uint32_t index) {
+    double side = 1.0;
+    if (sea->count > 0) side = sea->cascade[0].length;
+    if (sea->sum && sea->sum->tables.count > 0) side = 50.0 * (double)sea->sum->tables.wave[0].length;
+    const double x = index * 0.75487766624669276, y = index * 0.56984029099805327;
+    return (bolan_dvec2){side * (x - floor(x)), side * (y - floor(y))};
 }
 
-float sea_node_jacobian(const bolan_sea *sea, const sea_node *v) {
-    const float l = (float)sea->desc.choppiness;
-    return (1.0f + l * v->dxx) * (1.0f + l * v->dyy) - (l * v->dxy) * (l * v->dxy);
+void sea_sample_places(const bolan_sea *sea, uint32_t first, bolan_sea_sample out[SEA_PLACES]) {
+    bolan_dvec2 place[SEA_PLACES];
+    for (uint32_t i = 0; i < SEA_PLACES; i++) place[i] = sea_place(sea, first + i);
+    bolan_sea_sample_rest(sea, place, SEA_PLACES, out);
 }
 
-// ---- fields, tile by tile -------------------------------------------------------------------------------------------
-
-static double mean_product(const sea_cascade *c, int a, int b) {
-    const size_t points = (size_t)c->n * c->n;
-    double sum = 0.0;
-    for (size_t p = 0; p < points; p++) sum += (double)c->field[a][p] * c->field[b][p];
-    return sum / (double)points;
-}
-
-static double mean_of(const sea_cascade *c, int a) {
-    const size_t points = (size_t)c->n * c->n;
-    double sum = 0.0;
-    for (size_t p = 0; p < points; p++) sum += c->field[a][p];
-    return sum / (double)points;
-}
-
-static void set_slopes(const bolan_sea *sea, const double slope[3], bolan_sea_statistics *out) {
-    double s, c;
-    const double from = sea->desc.sea_state.wind_speed > 0.0 ? sea->desc.sea_state.wind_from_deg : out->direction_from;
-    bolan_sincos(bolan_compass_from_to_math(from), &s, &c);
-    out->mss = slope[0] + slope[2];
-    out->mss_up = c * c * slope[0] + 2.0 * c * s * slope[1] + s * s * slope[2];
-    out->mss_cross = out->mss - out->mss_up;
-}
-
-// Tiles are independent, so the variances add, and so do the means of the Jacobian's second-order terms.
-static void measure_tiles(const bolan_sea *sea, bolan_sea_statistics *out) {
-    double slope[3] = {0}, dxx = 0.0, dyy = 0.0, dxy = 0.0, second = 0.0;
-    for (uint32_t i = 0; i < sea->count; i++) {
-        const sea_cascade *t = &sea->cascade[i];
-        out->m0_field += mean_product(t, FIELD_HEIGHT, FIELD_HEIGHT);
-        slope[0] += mean_product(t, FIELD_SLOPE_X, FIELD_SLOPE_X);
-        slope[1] += mean_product(t, FIELD_SLOPE_X, FIELD_SLOPE_Y);
-        slope[2] += mean_product(t, FIELD_SLOPE_Y, FIELD_SLOPE_Y);
-        const double xx = mean_of(t, FIELD_DXX), yy = mean_of(t, FIELD_DYY), xy = mean_of(t, FIELD_DXY);
-        second += mean_product(t, FIELD_DXX, FIELD_DYY) - xx * yy - (mean_product(t, FIELD_DXY, FIELD_DXY) - xy * xy);
-        dxx += xx;
-        dyy += yy;
-        dxy += xy;
-    }
-    const double l = sea->desc.choppiness;
-    out->hs = 4.0 * sqrt(out->m0_field);
-    out->jacobian_mean = (1.0 + l * dxx) * (1.0 + l * dyy) - l * l * dxy * dxy + l * l * second;
-    set_slopes(sea, slope, out);
-}
-
-// ---- fields, all tiles at once --------------------------------------------------------------------------------------
+// ---- fields ---------------------------------------------------------------------------------------------------------
 
 // At fixed world points a parcel counts by the area it covers, the Jacobian; folded parcels lie under others.
 typedef struct moments {
     double weight, first, second, third, fourth;
+    double slope[3];
 } moments;
 
-static void add_moment(moments *m, double height, double weight) {
-    const double h2 = height * height;
+static void add_moment(moments *m, const bolan_sea_sample *v) {
+    const double height = v->height, h2 = height * height, weight = fmax(v->jacobian, 0.0);
+    const double sx = v->slope_x, sy = v->slope_y;
     m->weight += weight;
     m->first += weight * height;
     m->second += weight * h2;
     m->third += weight * h2 * height;
     m->fourth += weight * h2 * h2;
+    m->slope[0] += weight * sx * sx;
+    m->slope[1] += weight * sx * sy;
+    m->slope[2] += weight * sy * sy;
 }
 
 static void set_shape(const moments *m, bolan_sea_statistics *out) {
-    if (!(m->weight > 0.0)) return;
     const double a = m->first / m->weight, b = m->second / m->weight, c = m->third / m->weight,
                  d = m->fourth / m->weight;
     const double variance = b - a * a;
+    out->mean_level = a;
     if (!(variance > 0.0)) return;
+    out->m0_field = variance;
+    out->hs = 4.0 * sqrt(variance);
     out->skewness = (c - 3.0 * a * b + 2.0 * a * a * a) / (variance * sqrt(variance));
     out->kurtosis = (d - 4.0 * a * c + 6.0 * a * a * b - 3.0 * a * a * a * a) / (variance * variance);
 }
 
-static void measure_nodes(const bolan_sea *sea, bolan_sea_statistics *out) {
-    const uint32_t n = sea->desc.resolution;
+static void set_slopes(const bolan_sea *sea, const moments *m, bolan_sea_statistics *out) {
+    double s, c;
+    const double from = sea->desc.sea_state.wind_speed > 0.0 ? sea->desc.sea_state.wind_from_deg : out->direction_from;
+    bolan_sincos(bolan_compass_from_to_math(from), &s, &c);
+    const double xx = m->slope[0] / m->weight, xy = m->slope[1] / m->weight, yy = m->slope[2] / m->weight;
+    out->mss = xx + yy;
+    out->mss_up = c * c * xx + 2.0 * c * s * xy + s * s * yy;
+    out->mss_cross = out->mss - out->mss_up;
+}
+
+static void measure_places(const bolan_sea *sea, bolan_sea_statistics *out) {
     moments m = {0};
-    double lowest = 1e30, covered = 0.0;
-    for (uint32_t j = 0; j < n; j++) {
-        for (uint32_t i = 0; i < n; i++) {
-            const sea_node v = sea_nearest_node(sea, i, j);
-            const double jacobian = sea_node_jacobian(sea, &v);
+    double lowest = 1e30, covered = 0.0, jacobians = 0.0;
+    bolan_sea_sample sample[SEA_PLACES];
+    for (uint32_t first = 0; first < SEA_MEASURED; first += SEA_PLACES) {
+        sea_sample_places(sea, first, sample);
+        for (uint32_t i = 0; i < SEA_PLACES; i++) {
+            const double jacobian = sample[i].jacobian;
             lowest = fmin(lowest, jacobian);
             covered += jacobian < sea->foam_threshold ? 1.0 : 0.0;
-            add_moment(&m, v.height, fmax(jacobian, 0.0));
+            jacobians += jacobian;
+            add_moment(&m, &sample[i]);
         }
     }
     out->jacobian_min = lowest;
-    out->whitecap_fraction = covered / ((double)n * n);
+    out->jacobian_mean = jacobians / SEA_MEASURED;
+    out->whitecap_fraction = covered / SEA_MEASURED;
     set_shape(&m, out);
-}
-
-// A sum has no tile to average over exactly: everything at SUM_SAMPLES places.
-static void measure_places(const bolan_sea *sea, bolan_sea_statistics *out) {
-    moments m = {0};
-    double slope[3] = {0}, lowest = 1e30, covered = 0.0, jacobians = 0.0, squares = 0.0;
-    sea_node node[SUM_LANES];
-    for (uint32_t i = 0; i < SUM_SAMPLES; i++) {
-        if (i % SUM_LANES == 0) sea_sum_nodes(sea, i, node);
-        const sea_node *v = &node[i % SUM_LANES];
-        const double jacobian = sea_node_jacobian(sea, v), sx = v->sx, sy = v->sy;
-        lowest = fmin(lowest, jacobian);
-        covered += jacobian < sea->foam_threshold ? 1.0 : 0.0;
-        jacobians += jacobian;
-        squares += (double)v->height * v->height;
-        slope[0] += sx * sx;
-        slope[1] += sx * sy;
-        slope[2] += sy * sy;
-        add_moment(&m, v->height, fmax(jacobian, 0.0));
-    }
-    for (int i = 0; i < 3; i++) slope[i] /= SUM_SAMPLES;
-    out->m0_field = squares / SUM_SAMPLES;
-    out->hs = 4.0 * sqrt(out->m0_field);
-    out->jacobian_min = lowest;
-    out->jacobian_mean = jacobians / SUM_SAMPLES;
-    out->whitecap_fraction = covered / SUM_SAMPLES;
-    set_slopes(sea, slope, out);
-    set_shape(&m, out);
+    set_slopes(sea, &m, out);
 }
 
 // ---- modes ----------------------------------------------------------------------------------------------------------
@@ -206,6 +141,16 @@ static double peak_of_lines(const sea_sum *sum) {
     return curve < 0.0 ? 2.0 * BOLAN_PI / (0.5 * (x0 + x1) - 0.5 * rise / curve) : peak;
 }
 
+// A measured spectrum has no energy above its last frequency; the tail that continues it is the sea's own. So the integrals are
+// those of the file, over its own frequencies, as m0_spectrum is.
+static void measure_file(const bolan_sea_summary *summary, bolan_sea_statistics *out) {
+    out->tp = summary->tp;
+    out->tm02 = summary->tm02;
+    out->te = summary->te;
+    out->direction_from = summary->from_deg;
+    out->spread = summary->spread_deg;
+}
+
 static void measure_modes(const bolan_sea *sea, bolan_sea_statistics *out) {
     spectrum_sums s = {0};
     sea_each_wave(sea, sum_mode, &s);
@@ -219,13 +164,13 @@ static void measure_modes(const bolan_sea *sea, bolan_sea_statistics *out) {
 }
 
 bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
     bolan_sea_statistics out = {.m0_spectrum = sea->summary.m0, .kurtosis = 3.0};
-    measure_modes(sea, &out);
-    if (sea->sum) {
-        measure_places(sea, &out);
+    if (sea->is_measured) {
+        measure_file(&sea->summary, &out);
     } else {
-        measure_tiles(sea, &out);
-        measure_nodes(sea, &out);
+        measure_modes(sea, &out);
     }
+    measure_places(sea, &out);
     return out;
 }

@@ -64,10 +64,10 @@ static void load(const batch *b, uint32_t first, block *to) {
     }
 }
 
-static sea_sums lane_of(const block *b, uint32_t l, double choppiness) {
+static sea_sums lane_of(const block *b, uint32_t l, double choppiness, double lift) {
     const double dxx = b->field[FIELD_DXX][l], dyy = b->field[FIELD_DYY][l];
     const double pinch = -(dxx + dyy) * choppiness; // fmax(-0.0, 0.0) may be either zero
-    return (sea_sums){.height = b->field[FIELD_HEIGHT][l],
+    return (sea_sums){.height = b->field[FIELD_HEIGHT][l] + lift,
                       .dx = b->field[FIELD_DX][l],
                       .dy = b->field[FIELD_DY][l],
                       .sx = b->field[FIELD_SLOPE_X][l],
@@ -89,7 +89,8 @@ static void sample_blocks(void *context, uint32_t begin, uint32_t end, uint32_t 
         load(b, first, &k);
         b->fields(&b->sea->sum->tables, k.x, k.y, b->spacing ? k.fade : NULL, k.field);
         for (uint32_t l = 0; l < SUM_LANES && first + l < b->count; l++) {
-            const sea_sums sums = lane_of(&k, l, choppiness);
+            const double spacing = b->spacing ? (double)b->spacing[first + l] : 0.0;
+            const sea_sums sums = lane_of(&k, l, choppiness, sea_lift_at(&b->sea->sum->lift, spacing));
             b->out[first + l] = sea_displaced(&sums, choppiness);
         }
     }
@@ -149,27 +150,4 @@ void sea_sum_each(const sea_sum *sum, void (*visit)(void *context, const sea_mod
                                .expected = sum->variance[i]};
         visit(context, &mode);
     }
-}
-
-// Additive recurrence by the plastic number (Roberts 2018): even in the plane, and no lattice that waves could be in step with.
-bolan_dvec2 sea_sum_place(const sea_sum *sum, uint32_t index) {
-    const double side = sum->tables.count > 0 ? 50.0 * (double)sum->tables.wave[0].length : 1.0;
-    return (bolan_dvec2){side * fraction(index * 0.75487766624669276), side * fraction(index * 0.56984029099805327)};
-}
-
-void sea_sum_nodes(const bolan_sea *sea, uint32_t first, sea_node out[SUM_LANES]) {
-    block k;
-    for (uint32_t l = 0; l < SUM_LANES; l++) {
-        const bolan_dvec2 place = sea_sum_place(sea->sum, first + l);
-        k.x[l] = place.x;
-        k.y[l] = place.y;
-    }
-    sum_fields_for(sea->desc.cpu)(&sea->sum->tables, k.x, k.y, NULL, k.field);
-    for (uint32_t l = 0; l < SUM_LANES; l++)
-        out[l] = (sea_node){.height = k.field[FIELD_HEIGHT][l],
-                            .sx = k.field[FIELD_SLOPE_X][l],
-                            .sy = k.field[FIELD_SLOPE_Y][l],
-                            .dxx = k.field[FIELD_DXX][l],
-                            .dyy = k.field[FIELD_DYY][l],
-                            .dxy = k.field[FIELD_DXY][l]};
 }

@@ -19,7 +19,6 @@
 enum {
     SUM_LANES = 16,
     SUM_MAX_LINES = BOLAN_MAX_FREQUENCIES,
-    SUM_SAMPLES = 1 << 16, // points of bolan_sea_measure()
 };
 
 // One wave as the kernels read it. COSINES: field += factor * (cos th or sin th). EXP_COSINE: with e = e^{s cos th},
@@ -53,6 +52,7 @@ typedef struct sea_sum {
     double slope[3];     // covariance xx, xy, yy
     double displacement; // variance of dx plus that of dy [m2]
     double total;        // variance [m2]
+    sea_lift lift;
     double highest;      // no crest or trough is farther from the mean [m]
     double farthest;     // sum of the amplitudes of D [m]
     uint32_t line_count;
@@ -69,11 +69,6 @@ void sea_sum_sample(const bolan_sea *sea, const bolan_dvec2 *points, const float
                     bolan_sea_sample *out);
 void sea_sum_direct(const bolan_sea *sea, double x, double y, double shown, sea_sums *out);
 void sea_sum_each(const sea_sum *sum, void (*visit)(void *context, const sea_mode *mode), void *context);
-
-// Sample `index` of the places where a sum is measured: over 50 of its longest waves, evenly and without a lattice.
-bolan_dvec2 sea_sum_place(const sea_sum *sum, uint32_t index);
-// The nodes of the places [first, first + SUM_LANES).
-void sea_sum_nodes(const bolan_sea *sea, uint32_t first, sea_node out[SUM_LANES]);
 
 // 16 points' fields, by FIELD_HEIGHT ...: choppiness not applied. `fade` NULL, or 1 / (2 spacing) for each lane.
 typedef void sum_fields_function(const sum_tables *tables, const double *x, const double *y, const float *fade,

@@ -48,8 +48,8 @@ refuse 2 '--threads is 65' measure --threads 65
 refuse 2 '--cpu is mmx; expected auto, scalar' measure --cpu mmx
 refuse 2 '--technique is lava; expected ocean' measure --technique lava
 refuse 2 '--waves is exp; expected fft, cosines, exp-cosine, textures' measure --waves exp
-refuse 2 '--surface is flat; expected projected, nested, quad' measure --surface flat
-refuse 2 '--optics is none; expected physical, mirror, phong, lit, crest' measure --optics none
+refuse 2 '--surface is flat; expected projected, nested, quad' render --surface flat
+refuse 2 '--optics is none; expected physical, mirror, phong, lit, crest' render --optics none
 refuse 2 '--show is all; expected picture, mask, mesh' render --show all -o a.png
 refuse 2 '--effects: sparkle is unknown; expected none, or some of reflection' render --effects foam,sparkle -o a.png
 refuse 2 '--effects: ' render --effects foam,,fog -o a.png
@@ -63,9 +63,9 @@ refuse 2 '--spread is 201; expected a number from 0 to 200' measure --spectrum a
 refuse 2 '--wind, --beaufort and --sea-state exclude each other' measure --wind 3 --beaufort 4
 refuse 2 '--fetch does not go with --beaufort' measure --fetch 30 --beaufort 4
 refuse 2 '--spectrum tma is a sea of finite depth; give --depth' measure --spectrum tma
-refuse 2 '--at is a place in a raster' measure --at 3,4
-refuse 2 '--at has a latitude beyond 90' measure coast --at 94,3
-refuse 2 '--at is 3; expected LAT,LON' measure --at 3
+refuse 2 '--at is a place in a raster' render --at 3,4 -o a.png
+refuse 2 '--at has a latitude beyond 90' render coast --at 94,3 -o a.png
+refuse 2 '--at is 3; expected LAT,LON' render --at 3 -o a.png
 refuse 1 '--backend compute is not in this build' measure --backend compute
 refuse 2 '--camera is 1,2,3; expected X,Y,Z,HEADING,PITCH[,FOV]' render -o a.png --camera 1,2,3
 refuse 2 '--camera is 1,2,3,4,nan' render -o a.png --camera 1,2,3,4,nan

@@ -81,6 +81,21 @@ static void a_narrow_swell_loses_nothing_between_the_modes(void **state) {
     bolan_sea_destroy(&sea);
 }
 
+// Small tiles: the peak is narrower than a cell of the lattice, and lies anywhere in it. What one sample at the cell's middle
+// would say is off by tens of percent; 8 x 8 samples are good to a percent.
+static void a_peak_narrower_than_a_cell_is_not_missed(void **state) {
+    (void)state;
+    for (int i = 0; i < 8; i++) {
+        bolan_sea_desc desc = test_calm_desc(64);
+        assert_int_equal(bolan_sea_state_add_swell(&desc.sea_state, 2.0, 14.0, 300.0, 200.0), BOLAN_OK);
+        desc.sea_state.systems[0].gamma = 10.0;
+        desc.length = 900.0 + 70.0 * i; // 3 to 4.5 peak wave lengths
+        bolan_sea *sea = test_sea(desc);
+        assert_near(expected_variance(sea) / 0.25, 1.0, 0.03);
+        bolan_sea_destroy(&sea);
+    }
+}
+
 // Integral of k^2 Psi over the ring, on a polar grid, by the public spectrum alone.
 static double ring_slope_variance(const bolan_sea_state *state, double k_min, double k_max) {
     double sum = 0.0;
@@ -190,6 +205,7 @@ RUN_TESTS(cmocka_unit_test(forty_seas_have_the_energy_of_their_modes),
           cmocka_unit_test(the_cascades_hold_the_spectrum_once),
           cmocka_unit_test(one_cascade_and_its_tail_hold_the_spectrum),
           cmocka_unit_test(a_narrow_swell_loses_nothing_between_the_modes),
+          cmocka_unit_test(a_peak_narrower_than_a_cell_is_not_missed),
           cmocka_unit_test(slopes_are_those_of_the_spectrum),
           cmocka_unit_test(slopes_resolved_and_not_add_up_to_cox_and_munk), cmocka_unit_test(a_calm_has_few_ripples),
           cmocka_unit_test(waves_come_from_where_they_were_asked_to),

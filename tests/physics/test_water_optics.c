@@ -84,11 +84,33 @@ static void test_names_go_both_ways(void **state) {
     assert_int_equal(bolan_jerlov_from_name("IIII"), -1);
 }
 
+// Coastal water holds minerals: 0.0183 of what particles scatter goes back (Petzold 1972), at every wave length; in the open ocean
+// 0.002 + 0.02 (0.5 - 0.25 log10 C) 550 nm / l (Morel 1988), here of type II, C = 0.5. Pure water gives half of its own.
+static void test_the_share_that_goes_back_is_petzold_s_at_the_coast(void **state) {
+    (void)state;
+    static const double pure[3] = {0.000927, 0.001908, 0.004540}, length[3] = {650.0, 550.0, 450.0};
+    for (int type = BOLAN_JERLOV_I; type <= BOLAN_JERLOV_9C; type++) {
+        const bolan_water_optics o = bolan_water_optics_from_jerlov((bolan_jerlov)type);
+        const float b[3] = {o.scattering.x, o.scattering.y, o.scattering.z};
+        const float bb[3] = {o.backscatter.x, o.backscatter.y, o.backscatter.z};
+        for (int i = 0; i < 3; i++) {
+            const double share = ((double)bb[i] - 0.5 * pure[i]) / ((double)b[i] - pure[i]);
+            if (type >= BOLAN_JERLOV_1C) assert_true(fabs(share - 0.0183) < 2e-6);
+            if (type == BOLAN_JERLOV_II)
+                assert_true(fabs(share - (0.002 + 0.02 * (0.5 - 0.25 * log10(0.5)) * 550.0 / length[i])) < 2e-6);
+        }
+        // particles scatter 0.30 C^0.62 at 550 nm (Gordon & Morel 1983)
+        if (type == BOLAN_JERLOV_1C) assert_true(fabs((double)b[1] - pure[1] - 0.30 * pow(3.0, 0.62)) < 1e-6);
+        if (type == BOLAN_JERLOV_9C) assert_true(fabs((double)b[1] - pure[1] - 0.30 * pow(40.0, 0.62)) < 1e-6);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_kd_is_jerlovs),
         cmocka_unit_test(test_ten_metres_of_water_let_through_what_the_atlas_says),
         cmocka_unit_test(test_kd_absorption_and_backscatter_agree),
+        cmocka_unit_test(test_the_share_that_goes_back_is_petzold_s_at_the_coast),
         cmocka_unit_test(test_the_clearest_water_is_nearly_pure_water),
         cmocka_unit_test(test_deep_water_turns_from_blue_over_green_to_brown),
         cmocka_unit_test(test_names_go_both_ways),

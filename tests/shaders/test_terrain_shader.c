@@ -25,6 +25,21 @@ static void attenuation_is_the_twin_of_the_library_s(void **state) {
     }
 }
 
+static void attenuations_of_bands_are_the_twin_of_the_library_s(void **state) {
+    (void)state;
+    enum { COUNT = 200 };
+    static const float band_hs[4] = {2.5f, 3.1f, 0.6f, 0.0f};
+    float in[COUNT][4] = {{0}}, out[COUNT][4];
+    for (int i = 0; i < COUNT; i++) in[i][0] = i < 5 ? -1.0f + 0.25f * (float)i : 0.02f * expf(0.04f * (float)i);
+    probe_run("#include \"common/frame.glsl\"\n#include \"common/shore.glsl\"",
+              "vec4 probe(vec4 x) { return shore_attenuations(x.x, vec4(2.5, 3.1, 0.6, 0.0)); }", in, COUNT, out);
+    for (int i = 0; i < COUNT; i++) {
+        float keep[4];
+        bolan_shore_attenuations(in[i][0], band_hs, 3, keep);
+        for (int c = 0; c < 3; c++) assert_near(out[i][c], keep[c], 4e-6); // a square root and a quotient more
+    }
+}
+
 // ---- a frame by hand -------------------------------------------------------------------------------------------------
 
 enum { WIDTH = 480, HEIGHT = 320 };
@@ -211,6 +226,7 @@ static void the_shore_map_follows_the_eye_without_changing_a_texel(void **state)
 int main(void) {
     const struct CMUnitTest tests[] = {
         IN_BOTH_APIS(attenuation_is_the_twin_of_the_library_s),
+        IN_BOTH_APIS(attenuations_of_bands_are_the_twin_of_the_library_s),
         IN_BOTH_APIS(no_background_shows_through_the_ground),
         IN_BOTH_APIS(flying_on_leaves_no_holes_while_chunks_are_rationed),
         IN_BOTH_APIS(what_is_drawn_lies_where_the_terrain_is),

@@ -3,6 +3,8 @@
 // and instruction set, bad input, no allocation, shallow water.
 #include "bolan/query.h"
 
+#include "query/block.h"
+
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -34,15 +36,18 @@ static bolan_sea *make_sea(double wind, double choppiness, uint32_t cascades, bo
 }
 
 // Steeper than any wind makes it, so that it folds.
-static bolan_sea *make_folded_sea(uint32_t cascades) {
+static bolan_sea *make_folded_sea_of(uint64_t seed, double from_deg, uint32_t cascades) {
     bolan_sea_desc d = bolan_sea_desc_default();
-    d.sea_state = bolan_sea_state_from_wind(20.0, 240.0, 300e3);
+    d.sea_state = bolan_sea_state_from_wind(20.0, from_deg, 300e3);
     d.sea_state.systems[0].hs *= 1.6;
     d.choppiness = 2.0;
     d.cascade_count = cascades;
     d.resolution = 128;
+    d.seed = seed;
     return make(&d);
 }
+
+static bolan_sea *make_folded_sea(uint32_t cascades) { return make_folded_sea_of(1, 240.0, cascades); }
 
 // Points of a square of 2 km, the same ones every time.
 static void scatter(bolan_dvec2 *xy, uint32_t count) {
@@ -163,15 +168,10 @@ static int find_folds(const bolan_sea *sea, bolan_dvec2 *places, int capacity) {
     return count;
 }
 
-static void test_no_parcel_lies_above_the_answer_in_a_fold(void **state) {
-    (void)state;
-    enum { PLACES = 40 };
-    bolan_dvec2 place[PLACES];
-    bolan_sea *sea = make_folded_sea(4);
-    const int count = find_folds(sea, place, PLACES);
-    assert_true(count >= PLACES / 2);
-    bolan_query_surface(sea, NULL, 0.0, place, (uint32_t)count, answers);
+// How many of the answers over `count` folds have a layer above them.
+static int count_covered(const bolan_sea *sea, const bolan_dvec2 *place, int count) {
     int covered = 0;
+    bolan_query_surface(sea, NULL, 0.0, place, (uint32_t)count, answers);
     for (int i = 0; i < count; i++) {
         assert_true(answers[i].residual < 1e-2f); // the promise of 1 mm is for unfolded water
         // All rest points within 3 m at 2 cm: a parcel that lands within 1 cm of the place must not be higher than the answer
@@ -185,10 +185,45 @@ static void test_no_parcel_lies_above_the_answer_in_a_fold(void **state) {
         }
         covered += above;
     }
-    // The search tries sixteen starts, not all: one layer in twenty may be missed.
+    return covered;
+}
+
+// Several seas, whose waves run along x, along y and between: folds lie across each.
+static void test_no_parcel_lies_above_the_answer_in_a_fold(void **state) {
+    (void)state;
+    enum { PLACES = 24 };
+    static const double from[] = {240.0, 270.0, 0.0};
+    int covered = 0, count = 0;
+    for (int i = 0; i < 3; i++) {
+        bolan_dvec2 place[PLACES];
+        bolan_sea *sea = make_folded_sea_of((uint64_t)i + 1, from[i], 4);
+        const int found = find_folds(sea, place, PLACES);
+        assert_true(found >= PLACES / 2);
+        const int above = count_covered(sea, place, found);
+        // The search tries sixteen starts, not all. How many layers it misses depends on the sea: one in twenty of the first.
+        if (i == 0) assert_true(above <= found / 20);
+        covered += above;
+        count += found;
+        bolan_sea_destroy(&sea);
+    }
     print_message("%d of %d folds have a layer above the answer\n", covered, count);
-    assert_true(covered <= count / 20);
-    bolan_sea_destroy(&sea);
+    assert_true(covered <= count / 6); // one in eight of all, at twice the displacement of linear waves
+}
+
+// M v = least v for the symmetric M = (xx, xy; xy, yy), whichever axis is compressed.
+static void test_the_direction_of_compression_is_an_eigenvector(void **state) {
+    (void)state;
+    static const float m[][3] = {{0.1f, 1.0f, 0.0f}, {1.0f, 0.1f, 0.0f},   {0.5f, 0.5f, 0.4f},   {0.5f, 0.5f, -0.4f},
+                                 {0.2f, 0.9f, 0.3f}, {0.9f, 0.2f, 0.3f},   {0.9f, 0.2f, -0.3f},  {0.2f, 0.9f, -0.3f},
+                                 {-0.4f, 1.1f, 0.1f}, {1.1f, -0.4f, 0.1f}, {1.3f, 0.7f, -0.01f}, {0.7f, 1.3f, 0.01f}};
+    for (size_t i = 0; i < sizeof m / sizeof *m; i++) {
+        const double xx = (double)m[i][0], yy = (double)m[i][1], xy = (double)m[i][2];
+        const bolan_vec2 v = query_compressed_direction(m[i][0], m[i][1], m[i][2]);
+        const double x = (double)v.x, y = (double)v.y;
+        const double least = 0.5 * (xx + yy) - sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
+        assert_true(fabs(x * x + y * y - 1.0) < 1e-6);
+        assert_true(fabs(xx * x + xy * y - least * x) < 1e-6 && fabs(xy * x + yy * y - least * y) < 1e-6);
+    }
 }
 
 static void test_a_batch_gives_what_single_questions_give_on_any_number_of_threads(void **state) {
@@ -327,10 +362,13 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
     // water gathers at crests, which changes the variance at fixed points by a few percent; 3000 points know theirs to about
     // sqrt(2 / independent waves), some 10 %.
     double expected = 0.0, unattenuated = 0.0;
+    float band_hs[BOLAN_MAX_CASCADES], keep[BOLAN_MAX_CASCADES];
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); c++)
+        band_hs[c] = (float)(4.0 * sqrt(bolan_sea_cascade(sea, c).variance));
+    bolan_shore_attenuations(1.0f, band_hs, bolan_sea_cascade_count(sea), keep);
     for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); c++) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
-        double f = bolan_shore_attenuation(1.0f, (float)(4.0 * sqrt(v.variance)));
-        expected += f * f * v.variance;
+        expected += (double)(keep[c] * keep[c]) * v.variance;
         unattenuated += v.variance;
     }
     assert_true(expected < 0.5 * unattenuated);
@@ -355,7 +393,8 @@ static void test_a_parcel_over_a_sloping_bed_is_found_where_it_went(void **state
     for (int i = 0; i < POINTS; i++) {
         const float depth = 0.5f - bolan_terrain_elevation(bed, points[i].x, points[i].y, 2.0);
         const float keep = bolan_shore_attenuation(depth, band_hs);
-        parcel[i].height *= keep;
+        const float lift = (float)bolan_sea_lift(sea, 0, 0.0); // comes of two fields that are attenuated
+        parcel[i].height = keep * (parcel[i].height - lift) + keep * keep * lift;
         moved[i] =
             (bolan_dvec2){points[i].x + (double)(keep * parcel[i].dx), points[i].y + (double)(keep * parcel[i].dy)};
     }
@@ -376,6 +415,7 @@ int main(void) {
         cmocka_unit_test(test_the_residual_is_below_a_millimetre_where_the_surface_does_not_fold),
         cmocka_unit_test(test_folded_water_is_finite_and_its_normals_point_up),
         cmocka_unit_test(test_no_parcel_lies_above_the_answer_in_a_fold),
+        cmocka_unit_test(test_the_direction_of_compression_is_an_eigenvector),
         cmocka_unit_test(test_a_batch_gives_what_single_questions_give_on_any_number_of_threads),
         cmocka_unit_test(test_instruction_sets_agree_to_the_bit),
         cmocka_unit_test(test_a_tile_away_is_the_same_even_a_thousand_kilometres_off),

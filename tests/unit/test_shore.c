@@ -34,6 +34,32 @@ static void waves_stay_below_the_breaking_limit(void **state) {
     }
 }
 
+// The bands of a gale over a swell, together and one by one.
+static void bands_together_stay_below_the_limit_of_one_sea(void **state) {
+    (void)state;
+    static const float band_hs[4] = {2.5f, 3.1f, 0.6f, 0.1f};
+    const double whole = sqrt(2.5 * 2.5 + 3.1 * 3.1 + 0.6 * 0.6 + 0.1 * 0.1);
+    for (float depth = 0.05f; depth < 60.0f; depth *= 1.3f) {
+        float keep[4];
+        double local = 0.0;
+        bolan_shore_attenuations(depth, band_hs, 4, keep);
+        for (int i = 0; i < 4; i++) local += (double)(keep[i] * keep[i]) * (double)(band_hs[i] * band_hs[i]);
+        assert_near(sqrt(local) / whole, tanh(0.6 * (double)depth / whole), 1.4e-4);
+        assert_true(sqrt(local) <= 0.6001 * (double)depth);
+        // the lower a band the more it keeps; each keeps what it would alone times one factor
+        assert_true(keep[0] >= keep[1] && keep[2] >= keep[0] && keep[3] >= keep[2] && keep[3] <= 1.000001f);
+        const float alone = bolan_shore_attenuation(depth, 2.5f) / bolan_shore_attenuation(depth, 0.6f);
+        assert_near(keep[0] / keep[2], alone, 1e-5);
+        float one;
+        bolan_shore_attenuations(depth, band_hs + 1, 1, &one);
+        assert_near(one, bolan_shore_attenuation(depth, 3.1f), 1e-6);
+    }
+    float land[2] = {1.0f, 1.0f};
+    bolan_shore_attenuations(-0.1f, band_hs, 2, land);
+    assert_true(land[0] == 0.0f && land[1] == 0.0f);
+}
+
 RUN_TESTS(cmocka_unit_test(attenuation_is_the_hyperbolic_tangent),
           cmocka_unit_test(attenuation_is_none_on_land_and_full_in_deep_water),
-          cmocka_unit_test(waves_stay_below_the_breaking_limit))
+          cmocka_unit_test(waves_stay_below_the_breaking_limit),
+          cmocka_unit_test(bands_together_stay_below_the_limit_of_one_sea))

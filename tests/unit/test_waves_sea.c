@@ -186,7 +186,42 @@ static void more_threads_after_creation_do_no_harm(void **state) {
     bolan_sea_destroy(&sea);
 }
 
-RUN_TESTS(cmocka_unit_test(every_bad_field_is_named_in_one_sentence),
+// Every default that waves.h and spectrum.h name.
+static void defaults_are_those_of_the_headers(void **state) {
+    (void)state;
+    const bolan_sea_desc d = bolan_sea_desc_default();
+    assert_int_equal(d.waves, BOLAN_WAVES_FFT);
+    assert_true(d.seed == 1 && d.resolution == 256 && d.cascade_count == 4);
+    assert_true(d.length == 0.0 && d.choppiness == 1.0 && d.loop_period == 0.0 && d.foam_decay == 3.5);
+    assert_int_equal(d.cpu, BOLAN_CPU_AUTO);
+    assert_true(d.current_x == 0.0 && d.current_y == 0.0);
+    assert_true(d.frequencies == 16 && d.directions == 8 && d.wave_count == 8 && d.loop_frames == 32);
+    assert_int_equal(d.split, BOLAN_SPLIT_EQUAL_ENERGY);
+    assert_true(d.sharpness == 0.5);
+    const bolan_sea_state *s = &d.sea_state;
+    assert_true(s->system_count == 1 && s->wind_speed == 8.0 && s->wind_from_deg == 240.0);
+    assert_true(s->depth == BOLAN_DEEP && s->measured == NULL);
+    const bolan_sea_state of_fetch = bolan_sea_state_from_wind(8.0, 240.0, 200e3);
+    assert_true(s->systems[0].hs == of_fetch.systems[0].hs && s->systems[0].peak_omega == of_fetch.systems[0].peak_omega);
+    const bolan_wave_system young = bolan_sea_state_from_wind(10.0, 10.0, 50e3).systems[0];
+    assert_int_equal(young.kind, BOLAN_SPECTRUM_JONSWAP);
+    assert_int_equal(young.spreading, BOLAN_SPREADING_HASSELMANN);
+    assert_true(young.gamma == 3.3 && young.spread_s == 10.0 && young.swell == 0.0);
+    assert_true(young.wind_speed == 10.0 && young.from_deg == 10.0);
+    const bolan_sea_state calm = bolan_sea_state_default();
+    assert_true(calm.system_count == 0 && calm.depth == BOLAN_DEEP && calm.wind_speed == 0.0 && calm.measured == NULL);
+    bolan_sea_state with_swell = bolan_sea_state_default();
+    assert_int_equal(bolan_sea_state_add_swell(&with_swell, 2.0, 12.5, 300.0, 40.0), BOLAN_OK);
+    const bolan_wave_system *w = &with_swell.systems[0];
+    assert_int_equal(w->kind, BOLAN_SPECTRUM_JONSWAP);
+    assert_int_equal(w->spreading, BOLAN_SPREADING_COS2S);
+    assert_true(w->hs == 2.0 && w->gamma == 5.0 && w->spread_s == 40.0 && w->from_deg == 300.0 && w->wind_speed == 0.0);
+    assert_near(2.0 * BOLAN_PI / w->peak_omega, 12.5, 1e-12);
+    const bolan_spectrum_texts texts = bolan_spectrum_texts_default();
+    assert_true(texts.from_deg == 270.0 && texts.spread_s == 10.0 && texts.density.data == NULL && texts.swdir.data == NULL);
+}
+
+RUN_TESTS(cmocka_unit_test(defaults_are_those_of_the_headers), cmocka_unit_test(every_bad_field_is_named_in_one_sentence),
           cmocka_unit_test(stepping_allocates_nothing_and_all_memory_comes_back),
           cmocka_unit_test(refused_memory_is_an_error_and_leaks_nothing),
           cmocka_unit_test(rings_are_disjoint_and_leave_no_gap),
