@@ -20,7 +20,7 @@
 #define END {.name = NULL}
 // clang-format on
 
-#define SEED_MAX 9007199254740992.0 // 2^53: whole numbers that a double holds exactly
+#define SEED_MAX 9007199254740991.0 // 2^53 - 1: the next whole number but one is read as another
 
 static const char *const technique_names[] = {"ocean",       "two-triangle", "exp-cosine",
                                               "nested-grid", "flight-sim",   NULL}; // order of bolan_techniques()

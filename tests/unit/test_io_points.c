@@ -47,7 +47,7 @@ static void test_bad_lines_are_named(void **state) {
         {"1,,2\n", "p.csv:1: found nothing; expected y"},
         {",1\n", "p.csv:1: found nothing; expected x"},
         {"x,y\n1,2\nx,y\n", "p.csv:3: found x; expected x"},
-        {"\x01\x02\x03", "p.csv:1: found ???; expected x"},
+        {"\x01\x02\x03", "p.csv:1: found \\x01\\x02\\x03; expected x"},
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         bolan_points points;
