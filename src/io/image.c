@@ -50,9 +50,24 @@ static bolan_result not_a_picture(const char *path, const char *reason) {
     return BOLAN_ERROR_FORMAT;
 }
 
+// The decoder reserves as much as a chunk of a PNG says that it is long, before it looks whether it is there.
+static bool png_chunks_fit(const file_text *file) {
+    static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    const uint8_t *data = (const uint8_t *)file->data;
+    if (file->size < 8 || memcmp(data, signature, 8) != 0) return true; // another format
+    for (size_t at = 8; file->size - at >= 8;) { // length, type, data, checksum
+        const size_t length = (size_t)data[at] << 24 | (size_t)data[at + 1] << 16 | (size_t)data[at + 2] << 8 | data[at + 3];
+        if (memcmp(data + at + 4, "IEND", 4) == 0) return true;
+        if (length > file->size - at - 8 || file->size - at - 8 - length < 4) return false;
+        at += 12 + length;
+    }
+    return false;
+}
+
 // The decoder reserves what the header asks for: a few bytes would cost a gigabyte.
 static bolan_result check_header(const char *path, const file_text *file) {
     int w = 0, h = 0, channels = 0;
+    if (!png_chunks_fit(file)) return not_a_picture(path, "a part of the PNG is longer than the file; is it cut off?");
     if (!stbi_info_from_memory((const stbi_uc *)file->data, (int)file->size, &w, &h, &channels))
         return not_a_picture(path, stbi_failure_reason());
     const bool good = w >= 1 && w <= LARGEST_SIDE && h >= 1 && h <= LARGEST_SIDE;
