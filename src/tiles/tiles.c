@@ -221,10 +221,13 @@ bolan_result bolan_tiles_bake(bolan_sea *sea, const bolan_tiles_desc *desc, bola
                                     .depth = desc->depth > 0.0 ? desc->depth : best_depth(&c, desc->index),
                                     .paper = desc->paper};
     const size_t scratch = (size_t)bolan_threads() * c.n * c.n * sizeof(float);
-    bake b = {desc, reserve(&shape), bolan_allocate(scratch)};
-    if (b.tiles == NULL || b.scratch == NULL) {
+    bake b = {desc, reserve(&shape), NULL};
+    if (b.tiles == NULL) return BOLAN_ERROR_MEMORY;
+    b.scratch = bolan_allocate(scratch);
+    if (b.scratch == NULL) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory to gather the light of %u x %u texels",
+                  (unsigned)shape.n, (unsigned)shape.n);
         bolan_tiles_destroy(&b.tiles);
-        bolan_release(b.scratch, scratch);
         return BOLAN_ERROR_MEMORY;
     }
     const double before = bolan_sea_time(sea);
