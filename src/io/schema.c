@@ -277,8 +277,10 @@ static unsigned line_at(const char *text, size_t size, size_t offset) {
 
 static bolan_result syntax_error(const reader *r, const yaml_parser_t *parser) {
     if (parser->error == YAML_MEMORY_ERROR) return no_memory(r->name);
-    const unsigned line = parser->error == YAML_READER_ERROR ? line_at(r->text, r->size, parser->problem_offset)
-                                                             : (unsigned)parser->problem_mark.line + 1;
+    const unsigned last = line_at(r->text, r->size, r->size > 0 ? r->size - 1 : 0);
+    unsigned line = parser->error == YAML_READER_ERROR ? line_at(r->text, r->size, parser->problem_offset)
+                                                       : (unsigned)parser->problem_mark.line + 1;
+    if (line > last) line = last; // libyaml puts the end of the text into a line of its own
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_SYNTAX, "%s:%u: not YAML: %s", r->name, line,
               parser->problem ? parser->problem : "it cannot be understood");
     return BOLAN_ERROR_FORMAT;
