@@ -2,7 +2,8 @@
 /// @file io.h
 /// Tier 3, library bolan_io. Files: scenes (YAML), rasters (GDAL), measured spectra, images (PNG, EXR), video (the
 /// ffmpeg program), query points (CSV). Every writer writes under a temporary name beside the file and renames at the
-/// end: no partial file is left, and a file that stood there is replaced whole or not at all. Errors are ::bolan_result
+/// end: no partial file is left, and a file that stood there is replaced whole or not at all. Numbers in files and
+/// arguments of programs are those of the C locale, whatever locale the host program has set. Errors are ::bolan_result
 /// with one logged sentence: file, line or field, what was expected; on failure nothing is returned. Not thread-safe
 /// unless said.
 #ifndef BOLAN_IO_H
@@ -99,7 +100,7 @@ typedef struct bolan_points {
     bolan_dvec3 *points;
     size_t capacity;
 } bolan_points;
-/// CSV of x,y[,z] [m] with an optional header line; blank lines and # comments are skipped, numbers may be separated by
+/// CSV of x,y[,z] [m] with an optional header line, which begins with x; numbers may stand in double quotes; blank lines and # comments are skipped, numbers may be separated by
 /// commas, semicolons or white space. A number that is missing, not finite or beyond 1e8 m is refused with its line.
 bolan_result bolan_points_parse(const char *name, const char *text, size_t size, bolan_points *out);
 /// The same from a file. IO where it cannot be read.
@@ -111,7 +112,8 @@ void bolan_points_destroy(bolan_points *points);
 
 /// 8-bit sRGB, 3 channels, row 0 at the top, to PNG. Width and height 1..16384.
 bolan_result bolan_png_write(const char *path, uint32_t width, uint32_t height, const uint8_t *rgb);
-/// Reads any image stb_image can, as 8-bit RGB; release with bolan_release(pixels, width * height * 3).
+/// Reads any image stb_image can, as 8-bit RGB; release with bolan_release(pixels, width * height * 3). Errors: IO;
+/// FORMAT, also for a header that asks for more pixels than the file can hold, or than 16384 each way; MEMORY.
 bolan_result bolan_image_read(const char *path, uint32_t *width, uint32_t *height, uint8_t **rgb);
 /// One plane of an EXR; pixels row 0 at the top.
 typedef struct bolan_exr_channel {
@@ -119,6 +121,7 @@ typedef struct bolan_exr_channel {
     const float *pixels;
 } bolan_exr_channel;
 /// Multi-channel 32-bit float EXR, ZIP compressed. Channels may come in any order; 1..64 of them, with different names.
+/// Errors: ARGUMENT, IO, MEMORY: the file is made in memory first.
 bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height, const bolan_exr_channel *channels,
                              uint32_t count);
 
