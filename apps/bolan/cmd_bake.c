@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bolan bake: the scene's water as looping tiles, into a folder that other programs, and the scene key `tiles`, can use.
+// bolan bake: the scene's water as looping tiles, into a folder that other programs, and the scene key `tiles`, can
+// use.
 #include "commands.h"
 #include "help.h"
 #include "output.h"

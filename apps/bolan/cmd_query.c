@@ -34,8 +34,8 @@ static bool append_rows(text *t, const bolan_dvec2 *xy, const bolan_query_point 
     for (uint32_t i = 0; i < count; i++) {
         const bolan_query_point *a = &answers[i];
         t->size += (size_t)bolan_format(t->data + t->size, LINE_CAPACITY, "%.12g,%.12g,%.7g,%.7g,%.7g,%.7g,%.6g,%.3g\n",
-                                    xy[i].x, xy[i].y, (double)a->height, (double)a->normal.x, (double)a->normal.y,
-                                    (double)a->normal.z, (double)a->jacobian, (double)a->residual);
+                                        xy[i].x, xy[i].y, (double)a->height, (double)a->normal.x, (double)a->normal.y,
+                                        (double)a->normal.z, (double)a->jacobian, (double)a->residual);
     }
     return true;
 }

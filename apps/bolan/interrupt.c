@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // See interrupt.h.
 //
-// The handler itself clears away and ends the program: bolan_files_abandon() may be called there. A flag that loops look
-// at would not do: a frame of many samples, a driver that compiles, a raster that is read or an ffmpeg that hangs would
-// each let the user wait.
+// The handler itself clears away and ends the program: bolan_files_abandon() may be called there. A flag that loops
+// look at would not do: a frame of many samples, a driver that compiles, a raster that is read or an ffmpeg that hangs
+// would each let the user wait.
 #include "interrupt.h"
 
 #include "options.h"

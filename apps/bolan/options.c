@@ -177,7 +177,8 @@ static bool numbers(const option_info *info, const char *text, char separator, i
     int count = 0;
     for (const char *p = text;; count++) {
         const char *next = separator ? strchr(p, separator) : NULL, *end = next ? next : p + strlen(p);
-        if (count == most || !bolan_parse_number(p, (size_t)(end - p), &out[count]) || !in_range(info, out[count])) return false;
+        if (count == most || !bolan_parse_number(p, (size_t)(end - p), &out[count]) || !in_range(info, out[count]))
+            return false;
         if (!next) break;
         p = next + 1;
     }

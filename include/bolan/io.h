@@ -26,15 +26,15 @@ bolan_result bolan_file_write(const char *path, const void *data, size_t size);
 /// not.
 bolan_result bolan_file_check_writable(const char *path);
 /// Removes every file and folder of this library that is being written and not finished, and ends the ffmpeg processes.
-/// For a signal handler that ends the program: async-signal-safe, from any thread. No file is written after it: a thread
-/// that tries to waits for ever, so call _exit() next.
+/// For a signal handler that ends the program: async-signal-safe, from any thread. No file is written after it: a
+/// thread that tries to waits for ever, so call _exit() next.
 void bolan_files_abandon(void);
 
 // ---- scenes ---------------------------------------------------------------------------------------------------------
 
-/// Reads a scene: the name of a built-in scene ("island"), or a path to a YAML file of at most 256 KiB. Relative paths in
-/// the file are taken from the file's folder. On failure @p scene is untouched: IO, or FORMAT with file, line and key
-/// (an unknown key, a value outside its range, text that is not YAML).
+/// Reads a scene: the name of a built-in scene ("island"), or a path to a YAML file of at most 256 KiB. Relative paths
+/// in the file are taken from the file's folder. On failure @p scene is untouched: IO, or FORMAT with file, line and
+/// key (an unknown key, a value outside its range, text that is not YAML).
 bolan_result bolan_scene_load(const char *name_or_path, bolan_scene *scene);
 /// Parses YAML text of @p size bytes; @p name is used in messages; relative paths stay as they are.
 bolan_result bolan_scene_parse(const char *name, const char *text, size_t size, bolan_scene *scene);
@@ -67,14 +67,14 @@ bolan_result bolan_model_load(const char *path, bolan_model **out);
 
 // ---- tiles ----------------------------------------------------------------------------------------------------------
 
-/// Writes tiles into the new folder @p folder, whole or not at all: index.json and, for each frame NNN from 000, height_NNN.pgm (16-bit
-/// grey: (value - 32768) * height_step metres), normal_NNN.png, detail_NNN.png, caustics_NNN.png. Row 0 of a picture is row 0 of
-/// the tile. IO: it is there already, or cannot be written; MEMORY.
+/// Writes tiles into the new folder @p folder, whole or not at all: index.json and, for each frame NNN from 000,
+/// height_NNN.pgm (16-bit grey: (value - 32768) * height_step metres), normal_NNN.png, detail_NNN.png,
+/// caustics_NNN.png. Row 0 of a picture is row 0 of the tile. IO: it is there already, or cannot be written; MEMORY.
 bolan_result bolan_tiles_save(const bolan_tiles *tiles, const char *folder);
 /// Would the folder be written? Leaves nothing behind. IO if not.
 bolan_result bolan_tiles_check_writable(const char *folder);
-/// Reads such a folder. Errors: IO; FORMAT with the file and what is wrong with it (index.json is one JSON object with the
-/// numbers that bolan_tiles_save() writes, each once, and nothing else); ARGUMENT, MEMORY.
+/// Reads such a folder. Errors: IO; FORMAT with the file and what is wrong with it (index.json is one JSON object with
+/// the numbers that bolan_tiles_save() writes, each once, and nothing else); ARGUMENT, MEMORY.
 bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out);
 
 // ---- spectra, rasters, points ---------------------------------------------------------------------------------------
@@ -100,8 +100,9 @@ typedef struct bolan_points {
     bolan_dvec3 *points;
     size_t capacity;
 } bolan_points;
-/// CSV of x,y[,z] [m] with an optional header line, which begins with x; numbers may stand in double quotes; blank lines and # comments are skipped, numbers may be separated by
-/// commas, semicolons or white space. A number that is missing, not finite or beyond 1e8 m is refused with its line.
+/// CSV of x,y[,z] [m] with an optional header line, which begins with x; numbers may stand in double quotes; blank
+/// lines and # comments are skipped, numbers may be separated by commas, semicolons or white space. A number that is
+/// missing, not finite or beyond 1e8 m is refused with its line.
 bolan_result bolan_points_parse(const char *name, const char *text, size_t size, bolan_points *out);
 /// The same from a file. IO where it cannot be read.
 bolan_result bolan_points_load(const char *path, bolan_points *out);

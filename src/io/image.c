@@ -55,8 +55,9 @@ static bool png_chunks_fit(const file_text *file) {
     static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     const uint8_t *data = (const uint8_t *)file->data;
     if (file->size < 8 || memcmp(data, signature, 8) != 0) return true; // another format
-    for (size_t at = 8; file->size - at >= 8;) { // length, type, data, checksum
-        const size_t length = (size_t)data[at] << 24 | (size_t)data[at + 1] << 16 | (size_t)data[at + 2] << 8 | data[at + 3];
+    for (size_t at = 8; file->size - at >= 8;) {                        // length, type, data, checksum
+        const size_t length =
+            (size_t)data[at] << 24 | (size_t)data[at + 1] << 16 | (size_t)data[at + 2] << 8 | data[at + 3];
         if (memcmp(data + at + 4, "IEND", 4) == 0) return true;
         if (length > file->size - at - 8 || file->size - at - 8 - length < 4) return false;
         at += 12 + length;
@@ -73,8 +74,8 @@ static bolan_result check_header(const char *path, const file_text *file) {
     const bool good = w >= 1 && w <= LARGEST_SIDE && h >= 1 && h <= LARGEST_SIDE;
     if (good && (size_t)w * (size_t)h <= file->size * MOST_PIXELS_PER_BYTE) return BOLAN_OK;
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_IMAGE_FORMAT,
-              "%s: its header says %d x %d pixels; expected 1 to %d each way, and no more than %zu bytes can hold", path,
-              w, h, LARGEST_SIDE, file->size);
+              "%s: its header says %d x %d pixels; expected 1 to %d each way, and no more than %zu bytes can hold",
+              path, w, h, LARGEST_SIDE, file->size);
     return BOLAN_ERROR_FORMAT;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See schema.h. libyaml gives the tree with the line of every node; the tables give it meaning. What libyaml itself may cost
-// is bounded before it sees the text (yaml_limits.h); depth here is bounded by the tables.
+// See schema.h. libyaml gives the tree with the line of every node; the tables give it meaning. What libyaml itself may
+// cost is bounded before it sees the text (yaml_limits.h); depth here is bounded by the tables.
 #include "io/schema.h"
 
 #include "io/yaml_limits.h"

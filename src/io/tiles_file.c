@@ -227,7 +227,8 @@ static bolan_result check_sizes(const char *folder, const bolan_tiles_view *v) {
             bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_OPEN, "%s: cannot be read: %s", path, strerror(errno));
             return BOLAN_ERROR_IO;
         }
-        if (status.st_size < (off_t)v->n * v->n * 2) return bad(path, "not a 16-bit PGM of the size that the index says");
+        if (status.st_size < (off_t)v->n * v->n * 2)
+            return bad(path, "not a 16-bit PGM of the size that the index says");
     }
     return BOLAN_OK;
 }

@@ -31,9 +31,11 @@ static const key keys[KEYS] = {
 
 size_t tiles_index_print(const bolan_tiles_view *v, double step, char out[TILES_INDEX_CAPACITY]) {
     const double values[KEYS] = {
-        [VERSION] = 1,          [N] = v->n,           [FRAMES] = v->frames, [LENGTH] = v->length,
-        [ANGLE] = v->angle,     [PERIOD] = v->period, [DEPTH] = v->depth,   [PAPER] = v->paper ? 1 : 0,
-        [HEIGHT_STEP] = step,   [CAUSTICS] = BOLAN_CAUSTICS_RANGE,
+        [VERSION] = 1,        [N] = v->n,
+        [FRAMES] = v->frames, [LENGTH] = v->length,
+        [ANGLE] = v->angle,   [PERIOD] = v->period,
+        [DEPTH] = v->depth,   [PAPER] = v->paper ? 1 : 0,
+        [HEIGHT_STEP] = step, [CAUSTICS] = BOLAN_CAUSTICS_RANGE,
     };
     size_t size = 0;
     for (int i = 0; i < KEYS; i++)

@@ -8,8 +8,8 @@
 ///                                                                     or unfinished_forget()  it was not made
 ///     ... write ...       -> rename or remove                         -> unfinished_forget()
 ///
-/// Between claim and own this thread takes no signal, and a handler in another thread waits for the owner: so there is no
-/// moment in which a file is there and not in the register, or the other way round.
+/// Between claim and own this thread takes no signal, and a handler in another thread waits for the owner: so there is
+/// no moment in which a file is there and not in the register, or the other way round.
 #ifndef BOLAN_IO_UNFINISHED_H
 #define BOLAN_IO_UNFINISHED_H
 

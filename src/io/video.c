@@ -58,10 +58,9 @@ static void make_command(command *c, const bolan_video *video, uint32_t width, u
                                       "-movflags", "+faststart", "-f",      "mp4",    NULL};
     static const char *const webm_codec[] = {"-c:v",    "libvpx-vp9", "-b:v", "0",    "-crf", "28",
                                              "-row-mt", "1",          "-f",   "webm", NULL};
-    const char *const input[] = {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-xerror",
-                                 "-y",     "-f",       "rawvideo",     "-pix_fmt",  "rgb24", "-s",
-                                 c->size,  "-r",       c->rate,        "-i",        "pipe:0", "-an",
-                                 NULL};
+    const char *const input[] = {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-xerror", "-y",
+                                 "-f",     "rawvideo", "-pix_fmt",     "rgb24",     "-s",    c->size,   "-r",
+                                 c->rate,  "-i",       "pipe:0",       "-an",       NULL};
     // The picture is sRGB; say so, and convert by the matrix that players assume for it.
     static const char *const colour[] = {"-vf",
                                          "scale=out_color_matrix=bt709:out_range=tv",

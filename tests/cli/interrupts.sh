@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# INT, TERM, HUP and QUIT end every long command within a second (two on a loaded machine), also when they come twice, and
-# leave nothing behind. INT is sent as well although a shell starts background jobs with it ignored: the program listens.
+# INT, TERM, HUP and QUIT end every long command within a second (two on a loaded machine), also when they come twice,
+# and leave nothing behind. INT is sent as well although a shell starts background jobs with it ignored: the program
+# listens.
 set -eu
 . "$BOLAN_SOURCE_DIR/tests/cli/common"
 
@@ -13,8 +14,8 @@ now() { echo $(($(date +%s%N) / 1000000)); }
 # listens: the program has begun to catch signals.
 listens() { grep -q '^SigCgt:[[:space:]]*0*[1-9a-f]' "/proc/$process/status"; }
 
-# interrupt 'SIGNALS' READY ARGUMENTS...: starts the program, waits until the shell command READY succeeds (and then a little),
-# sends the signals, 10 ms apart.
+# interrupt 'SIGNALS' READY ARGUMENTS...: starts the program, waits until the shell command READY succeeds (and then a
+# little), sends the signals, 10 ms apart.
 interrupt() {
     signals=$1
     ready=$2

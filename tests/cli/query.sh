@@ -18,8 +18,9 @@ cmp first.csv second.csv || fail '-o differs from stdout, or threads changed the
 run query open-sea --points points.csv --time 21
 ! cmp -s out first.csv || fail 'the sea stands still'
 
-# 4 standard deviations of the heights over many points are the sea's hs: within 5 % by chance for a net of 60 x 60 points,
-# and up to 7 % below it, since the fields are interpolated linearly between samples, which shaves waves of few samples.
+# 4 standard deviations of the heights over many points are the sea's hs: within 5 % by chance for a net of 60 x 60
+# points, and up to 7 % below it, since the fields are interpolated linearly between samples, which shaves waves of few
+# samples.
 awk 'BEGIN { for (i = 0; i < 60; i++) for (j = 0; j < 60; j++) print i * 101 "," j * 97 }' > net.csv
 run query open-sea --points net.csv
 spread=$(awk -F, 'NR > 1 { s += $3; q += $3 * $3; n++ } END { print 4 * sqrt(q / n - (s / n) ^ 2) }' out)

@@ -34,7 +34,8 @@ static void every_number_comes_back_as_it_went(void **state) {
 static void numbers_are_rounded_correctly(void **state) {
     (void)state;
     double value = 0.0;
-    // Halfway between two doubles and just above it: David Gay's cases, "Correctly rounded binary-decimal conversions", 1990.
+    // Halfway between two doubles and just above it: David Gay's cases, "Correctly rounded binary-decimal conversions",
+    // 1990.
     assert_true(bolan_parse_number("9007199254740993", 16, &value) && value == 9007199254740992.0);
     assert_true(bolan_parse_number("9007199254740993.00000000000000000000000000001", 46, &value) &&
                 value == 9007199254740994.0);
@@ -45,8 +46,9 @@ static void numbers_are_rounded_correctly(void **state) {
 static void only_decimal_numbers_count(void **state) {
     (void)state;
     static const char *const good[] = {"1", "+1", "-1", "1.", ".5", "1.5e3", "1E-3", "007", "1e+05"};
-    static const char *const bad[] = {"",    " ",   "+",  ".",   "-.",  "e5",   "1e",     "1e+",  " 1",  "1 ",  "1,5", "0x10",
-                                      "nan", "inf", "1_", "1.5.", "--1", "1e5.", "1e999", "1d3", "1e5e", "\t1", "1f"};
+    static const char *const bad[] = {"",    " ",    "+",     ".",    "-.",   "e5",  "1e", "1e+",
+                                      " 1",  "1 ",   "1,5",   "0x10", "nan",  "inf", "1_", "1.5.",
+                                      "--1", "1e5.", "1e999", "1d3",  "1e5e", "\t1", "1f"};
     double value;
     for (size_t i = 0; i < sizeof good / sizeof *good; i++)
         assert_true(bolan_parse_number(good[i], strlen(good[i]), &value));
@@ -80,10 +82,16 @@ static void control_characters_are_escaped(void **state) {
         {"plain, 100 %", "plain, 100 %"},
         {"\x1b[31mred", "\\x1b[31mred"},
         {"a\nb\tc\rd\x7f", "a\\nb\\tc\\x0dd\\x7f"},
-        {"\xc2\x9b" "31m", "\\u009b31m"},       // CSI of C1, in UTF-8
+        {"\xc2\x9b"
+         "31m",
+         "\\u009b31m"},                          // CSI of C1, in UTF-8
         {"\xc2\x80\xc2\xa0", "\\u0080\xc2\xa0"}, // the blank that does not break is no control character
-        {"\x9b" "31m", "\\x9b31m"},              // and as one byte
-        {"\xe2\x80\xae" "txt\xe2\x81\xa6\xe2\x80\xa8", "\\u202etxt\\u2066\\u2028"},
+        {"\x9b"
+         "31m",
+         "\\x9b31m"}, // and as one byte
+        {"\xe2\x80\xae"
+         "txt\xe2\x81\xa6\xe2\x80\xa8",
+         "\\u202etxt\\u2066\\u2028"},
         {"\xc3\xbc\xe6\xb5\xb7\xf0\x9f\x8c\x8a", "\xc3\xbc\xe6\xb5\xb7\xf0\x9f\x8c\x8a"},
         {"\xc0\xaf \xe0\x80\x80 \xed\xa0\x80 \xf8 .", "\\xc0\\xaf \\xe0\\x80\\x80 \\xed\\xa0\\x80 \\xf8 ."}, // no UTF-8
         {"\xf4\x90\x80\x80.", "\\xf4\\x90\\x80\\x80."},
@@ -144,5 +152,6 @@ static void a_task_system_without_workers_is_misuse_and_counts_as_one(void **sta
 
 RUN_TESTS(cmocka_unit_test(every_number_comes_back_as_it_went), cmocka_unit_test(numbers_are_rounded_correctly),
           cmocka_unit_test(only_decimal_numbers_count), cmocka_unit_test(text_is_cut_between_characters),
-          cmocka_unit_test(control_characters_are_escaped), cmocka_unit_test(a_sentence_is_one_line_of_whole_characters),
+          cmocka_unit_test(control_characters_are_escaped),
+          cmocka_unit_test(a_sentence_is_one_line_of_whole_characters),
           cmocka_unit_test(a_task_system_without_workers_is_misuse_and_counts_as_one))

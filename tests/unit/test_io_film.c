@@ -122,8 +122,8 @@ static void success_of_ffmpeg_is_not_believed(void **state) {
         {"printf '\\0\\0\\0\\001moov\\0\\0\\0\\0\\0\\0\\0\\020\\0\\0\\0\\010mdat' > \"$f\"; echo oh >&2", "failed: oh"},
     };
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
-        snprintf(script, sizeof script,
-                 "#!/bin/sh\nfor f; do :; done\nf=${f#file:}\ncat > /dev/null\n%s\nexit 0\n", ways[i].write);
+        snprintf(script, sizeof script, "#!/bin/sh\nfor f; do :; done\nf=${f#file:}\ncat > /dev/null\n%s\nexit 0\n",
+                 ways[i].write);
         put_ffmpeg(script);
         snprintf(name, sizeof name, "way%d.mp4", (int)i);
         assert_refusal(make_film(name, 30, 2), BOLAN_ERROR_IO, BOLAN_LOG_VIDEO_WRITE, ways[i].words);
@@ -136,6 +136,10 @@ static void success_of_ffmpeg_is_not_believed(void **state) {
     put_ffmpeg("#!/bin/sh\nfor f; do :; done\ncat > /dev/null\n"
                "printf '\\032\\105\\337\\243\\201x\\030\\123\\200\\147\\100\\002yz' > \"${f#file:}\"\n");
     assert_int_equal(make_film("whole.webm", 30, 2), BOLAN_OK);
+    // Bytes behind the segment: it was not closed.
+    put_ffmpeg("#!/bin/sh\nfor f; do :; done\ncat > /dev/null\n"
+               "printf '\\032\\105\\337\\243\\201x\\030\\123\\200\\147\\100\\002yzz' > \"${f#file:}\"\n");
+    assert_refusal(make_film("more.webm", 30, 2), BOLAN_ERROR_IO, BOLAN_LOG_VIDEO_WRITE, "the file is cut off");
     // A segment of unknown size is one that nobody came back to.
     put_ffmpeg("#!/bin/sh\nfor f; do :; done\ncat > /dev/null\n"
                "printf '\\032\\105\\337\\243\\201x\\030\\123\\200\\147\\377yz' > \"${f#file:}\"\n");
@@ -164,6 +168,36 @@ static void abandon(int signal_number) {
     _exit(77);
 }
 
+// What the script below has started ended with it, if perhaps it is not yet collected.
+static void assert_sleeper_is_dead(void) {
+    int sleeper = 0;
+    FILE *file = fopen("sleeper", "r");
+    assert_true(file && fscanf(file, "%d", &sleeper) == 1 && sleeper > 1);
+    fclose(file);
+    char command[96];
+    snprintf(command, sizeof command, "case $(ps -o stat= -p %d) in ''|Z*) ;; *) exit 1 ;; esac", sleeper);
+    assert_int_equal(system(command), 0);
+}
+
+static void wait_for_sleeper(void) {
+    for (int i = 0; i < 500 && access("sleeper", R_OK) != 0; i++) nanosleep(&(struct timespec){0, 20000000}, NULL);
+    nanosleep(&(struct timespec){0, 100000000}, NULL);
+}
+
+static void a_film_that_is_thrown_away_ends_ffmpeg(void **state) {
+    (void)state;
+    put_ffmpeg("#!/bin/sh\nsleep 60 &\necho $! > sleeper\nwait\n");
+    bolan_video *video = NULL;
+    assert_int_equal(bolan_video_open("a.mp4", WIDTH, HEIGHT, 30, &video), BOLAN_OK);
+    wait_for_sleeper();
+    const time_t before = time(NULL);
+    assert_int_equal(bolan_video_close(&video, false), BOLAN_OK);
+    assert_true(time(NULL) - before <= 2 && !video);
+    assert_sleeper_is_dead();
+    remove("sleeper");
+    assert_true(is_alone());
+}
+
 // ffmpeg neither reads nor ends, and neither does what it has started.
 static void an_interrupt_ends_an_ffmpeg_that_hangs(void **state) {
     (void)state;
@@ -174,8 +208,7 @@ static void an_interrupt_ends_an_ffmpeg_that_hangs(void **state) {
         make_film("a.mp4", 30, 1 << 20); // stops at a full pipe
         _exit(0);
     }
-    for (int i = 0; i < 500 && access("sleeper", R_OK) != 0; i++) nanosleep(&(struct timespec){0, 20000000}, NULL);
-    nanosleep(&(struct timespec){0, 100000000}, NULL);
+    wait_for_sleeper();
     const time_t before = time(NULL);
     kill(child, SIGHUP);
     kill(child, SIGHUP); // twice does not matter
@@ -183,14 +216,7 @@ static void an_interrupt_ends_an_ffmpeg_that_hangs(void **state) {
     waitpid(child, &status, 0);
     assert_true(time(NULL) - before <= 2);
     assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 77);
-    int sleeper = 0;
-    FILE *file = fopen("sleeper", "r");
-    assert_true(file && fscanf(file, "%d", &sleeper) == 1 && sleeper > 1);
-    fclose(file);
-    // It is dead, if perhaps not yet collected.
-    char command[96];
-    snprintf(command, sizeof command, "case $(ps -o stat= -p %d) in ''|Z*) ;; *) exit 1 ;; esac", sleeper);
-    assert_int_equal(system(command), 0);
+    assert_sleeper_is_dead();
     remove("sleeper");
     assert_true(is_alone());
 }
@@ -200,7 +226,8 @@ static void a_film_that_cannot_be_is_found_before_the_work(void **state) {
     assert_int_equal(bolan_video_check("a.mp4", WIDTH, HEIGHT, 30), BOLAN_OK);
     assert_true(is_alone());
     assert_refusal(bolan_video_check("no/a.mp4", WIDTH, HEIGHT, 30), BOLAN_ERROR_IO, BOLAN_LOG_FILE_WRITE, "no/a.mp4");
-    assert_refusal(bolan_video_check("a.mp4", WIDTH, HEIGHT, 0.5), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT, "a.mp4");
+    assert_refusal(bolan_video_check("a.mp4", WIDTH, HEIGHT, 0.5), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT,
+                   "a.mp4");
     setenv("PATH", "/nowhere", 1);
     assert_refusal(bolan_video_check("a.mp4", WIDTH, HEIGHT, 30), BOLAN_ERROR_UNSUPPORTED, BOLAN_LOG_VIDEO_PROGRAM,
                    "the program ffmpeg was not found");
@@ -216,6 +243,7 @@ int main(void) {
         IN_FOLDER(a_film_that_is_cut_off_is_an_error),
         IN_FOLDER(success_of_ffmpeg_is_not_believed),
         IN_FOLDER(the_first_line_of_ffmpeg_is_the_cause),
+        IN_FOLDER(a_film_that_is_thrown_away_ends_ffmpeg),
         IN_FOLDER(an_interrupt_ends_an_ffmpeg_that_hangs),
         IN_FOLDER(a_film_that_cannot_be_is_found_before_the_work),
     };

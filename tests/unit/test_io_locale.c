@@ -14,10 +14,16 @@ static int speak_german(void **state) {
     char command[256], path[256];
     snprintf(folder, sizeof folder, "locale_%ld", (long)getpid());
     snprintf(command, sizeof command, "mkdir %s && localedef -i de_DE -f UTF-8 %s/de_DE.UTF-8", folder, folder);
-    if (system(command) != 0) return print_error("localedef cannot make de_DE; install the package locales" "\n"), 1;
+    if (system(command) != 0)
+        return print_error("localedef cannot make de_DE; install the package locales"
+                           "\n"),
+               1;
     snprintf(path, sizeof path, "%s", folder);
     setenv("LOCPATH", path, 1);
-    if (!setlocale(LC_ALL, "de_DE.UTF-8")) return print_error("de_DE.UTF-8 cannot be set" "\n"), 1;
+    if (!setlocale(LC_ALL, "de_DE.UTF-8"))
+        return print_error("de_DE.UTF-8 cannot be set"
+                           "\n"),
+               1;
     return listen_to_log(state);
 }
 
@@ -84,7 +90,8 @@ static void scenes_points_and_spectra_are_read(void **state) {
     bolan_scene scene;
     assert_int_equal(bolan_scene_parse("s.yaml", text, sizeof text - 1, &scene), BOLAN_OK);
     assert_true(scene.time == 1.5 && scene.sea.sea_state.wind_speed == 7.25);
-    assert_refusal(bolan_scene_parse("s.yaml", "sea: {fetch_km: x}", 18, &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_BAD_VALUE,
+    assert_refusal(bolan_scene_parse("s.yaml", "sea: {fetch_km: x}", 18, &scene), BOLAN_ERROR_FORMAT,
+                   BOLAN_LOG_SCENE_BAD_VALUE,
                    "expected a number from 0.1 to"); // not "0,1"
     bolan_points points;
     assert_int_equal(bolan_points_parse("p.csv", "1.25,-2.5\n", 10, &points), BOLAN_OK);
@@ -124,8 +131,8 @@ static void films_have_their_rate(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(this_program_writes_a_comma),         cmocka_unit_test(numbers_keep_their_point),
-        cmocka_unit_test(tiles_keep_their_numbers),            cmocka_unit_test(scenes_points_and_spectra_are_read),
+        cmocka_unit_test(this_program_writes_a_comma), cmocka_unit_test(numbers_keep_their_point),
+        cmocka_unit_test(tiles_keep_their_numbers),    cmocka_unit_test(scenes_points_and_spectra_are_read),
         cmocka_unit_test(films_have_their_rate),
     };
     return cmocka_run_group_tests(tests, speak_german, clean);

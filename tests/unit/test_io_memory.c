@@ -74,7 +74,7 @@ static void sweep_some(const char *name, maker *make, destroyer *destroy, long s
 
 static void sweep(const char *name, maker *make, destroyer *destroy) { sweep_some(name, make, destroy, 1); }
 
-// ---- seas and tiles ---------------------------------------------------------------------------------------------------
+// ---- seas and tiles -------------------------------------------------------------------------------------------------
 
 static bolan_sea_desc small_sea(bolan_wave_model waves) {
     bolan_sea_desc d = bolan_sea_desc_default();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stands in the picture files, value by value: read back by other code than Bolan's readers and writers. Row is told
-// from column, and each channel from every other.
+// What stands in the picture files, value by value: read back by other code than Bolan's readers and writers. Row is
+// told from column, and each channel from every other.
 #include "bolan/io.h"
 #include "io_support.h"
 
@@ -17,7 +17,8 @@ static void png_rows_columns_and_channels_are_in_order(void **state) {
     (void)state;
     uint8_t rgb[HEIGHT][WIDTH][3];
     for (int y = 0; y < HEIGHT; y++)
-        for (int x = 0; x < WIDTH; x++) rgb[y][x][0] = (uint8_t)(7 * y), rgb[y][x][1] = (uint8_t)(50 * x), rgb[y][x][2] = 3;
+        for (int x = 0; x < WIDTH; x++)
+            rgb[y][x][0] = (uint8_t)(7 * y), rgb[y][x][1] = (uint8_t)(50 * x), rgb[y][x][2] = 3;
     assert_int_equal(bolan_png_write("order.png", WIDTH, HEIGHT, &rgb[0][0][0]), BOLAN_OK);
     int w = 0, h = 0, channels = 0;
     FILE *file = fopen("order.png", "rb");
@@ -41,7 +42,7 @@ static void png_rows_columns_and_channels_are_in_order(void **state) {
     remove("order.png");
 }
 
-// ---- EXR, after the OpenEXR project's "OpenEXR File Layout" -----------------------------------------------------------
+// ---- EXR, after the OpenEXR project's "OpenEXR File Layout" ---------------------------------------------------------
 
 static uint32_t word(const uint8_t *p) {
     return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
@@ -105,7 +106,8 @@ static void exr_planes_have_their_values_by_name(void **state) {
         assert_int_equal(word(list + 18 * c + 2), 2);
     }
     const uint8_t *window = attribute(file, "dataWindow", &table);
-    assert_true(word(window) == 0 && word(window + 4) == 0 && word(window + 8) == WIDTH - 1 && word(window + 12) == HEIGHT - 1);
+    assert_true(word(window) == 0 && word(window + 4) == 0 && word(window + 8) == WIDTH - 1 &&
+                word(window + 12) == HEIGHT - 1);
     assert_int_equal(*attribute(file, "compression", &table), 3); // ZIP, 16 lines
     for (int block = 0; block < 3; block++) {
         const uint8_t *at = file + word(table + 8 * block);
@@ -131,9 +133,10 @@ static void a_picture_cannot_ask_for_more_than_it_holds(void **state) {
 #if !defined(__SANITIZE_ADDRESS__)
     setrlimit(RLIMIT_AS, &(struct rlimit){512u << 20, before.rlim_max});
 #endif
-    assert_refusal(bolan_image_read(BOLAN_SOURCE_DIR "/tests/data/hostile/png_1GB_allocation_340B.png", &width, &height,
-                                    &rgb),
-                   BOLAN_ERROR_FORMAT, BOLAN_LOG_IMAGE_FORMAT, "png_1GB_allocation_340B.png: not a picture that can be read: a part of the PNG is longer");
+    assert_refusal(
+        bolan_image_read(BOLAN_SOURCE_DIR "/tests/data/hostile/png_1GB_allocation_340B.png", &width, &height, &rgb),
+        BOLAN_ERROR_FORMAT, BOLAN_LOG_IMAGE_FORMAT,
+        "png_1GB_allocation_340B.png: not a picture that can be read: a part of the PNG is longer");
     assert_null(rgb);
     // And one whose size is the lie: 16384 x 16384 of 1 bit, which could be 4 kB, in 57 bytes.
     static const uint8_t lie[57] = "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x40\0\0\0\x40\0\1\0\0\0\0\0\0\0\0"

@@ -83,8 +83,11 @@ static void test_quoted_numbers(void **state) {
         {"\"x\",\"y\"\n\"a\",\"1\"\n", "q.csv:2: found \"a\"; expected x"},
         {"\"1\",\"2\"\n\"x\",\"y\"\n", "q.csv:2: found \"x\"; expected x"}, // a header is the first line
         {"\"name\",\"2\"\n", "q.csv:1: found \"name\"; expected x"},
-        {"1,\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\n",
-         "found \xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7; expected y"},
+        {"1,"
+         "\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7"
+         "\n",
+         "found \xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7\xe6\xb5\xb7; "
+         "expected y"},
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         assert_refusal(bolan_points_parse("q.csv", bad[i].text, strlen(bad[i].text), &points), BOLAN_ERROR_FORMAT,

@@ -294,15 +294,37 @@ static void test_what_is_wrong_is_refused_with_line_and_key(void **state) {
 // The sun at a moment that is written in two ways is the same; a date that no calendar has is refused.
 static void test_dates_are_those_of_the_calendar(void **state) {
     (void)state;
-    static const char *const good[] = {"2028-02-29T12:00Z",         "2000-02-29T00:00:00Z", "2026-12-31T23:59:60Z",
+    static const char *const good[] = {"2028-02-29T12:00Z", "2000-02-29T00:00:00Z", "2026-12-31T23:59:60Z",
                                        "1900-01-01T00:00+14:00", "2100-12-31T23:59-00:30"};
-    static const char *const bad[] = {
-        "2026-02-31T12:00Z",  "2026-02-29T12:00Z",    "2100-02-29T12:00Z",     "2026-04-31T12:00Z", "2026-11-31T12:00Z",
-        "2026-00-10T12:00Z",  "2026-06-00T12:00Z",    "2026-06-21T24:00Z",     "2026-06-21T12:60Z", "2026-06-21T12:00:61Z",
-        "2026-06-21T 8: 0Z",  "2026-06-21T+8:-0Z",    "2026-06-21T8:00Z",      "2026-6-21T08:00Z",  "2026-06-21 12:00Z",
-        "2026-06-21T12:00",   "2026-06-21T12:00z",    "2026-06-21T12:00ZZ",    "2026-06-21T12:00Z ", " 2026-06-21T12:00Z",
-        "-026-06-21T12:00Z",  "1899-06-21T12:00Z",    "2101-06-21T12:00Z",     "2026-06-21T12:00+15:00",
-        "2026-06-21T12:00+2:00", "2026-06-21T12:00+02:60", "2026-06-21T12:00+02", "2026-06-21T12:00:Z", "2026-06-21"};
+    static const char *const bad[] = {"2026-02-31T12:00Z",
+                                      "2026-02-29T12:00Z",
+                                      "2100-02-29T12:00Z",
+                                      "2026-04-31T12:00Z",
+                                      "2026-11-31T12:00Z",
+                                      "2026-00-10T12:00Z",
+                                      "2026-06-00T12:00Z",
+                                      "2026-06-21T24:00Z",
+                                      "2026-06-21T12:60Z",
+                                      "2026-06-21T12:00:61Z",
+                                      "2026-06-21T 8: 0Z",
+                                      "2026-06-21T+8:-0Z",
+                                      "2026-06-21T8:00Z",
+                                      "2026-6-21T08:00Z",
+                                      "2026-06-21 12:00Z",
+                                      "2026-06-21T12:00",
+                                      "2026-06-21T12:00z",
+                                      "2026-06-21T12:00ZZ",
+                                      "2026-06-21T12:00Z ",
+                                      " 2026-06-21T12:00Z",
+                                      "-026-06-21T12:00Z",
+                                      "1899-06-21T12:00Z",
+                                      "2101-06-21T12:00Z",
+                                      "2026-06-21T12:00+15:00",
+                                      "2026-06-21T12:00+2:00",
+                                      "2026-06-21T12:00+02:60",
+                                      "2026-06-21T12:00+02",
+                                      "2026-06-21T12:00:Z",
+                                      "2026-06-21"};
     bolan_scene s;
     char text[128];
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
@@ -368,13 +390,15 @@ static void test_limits_of_the_text(void **state) {
     snprintf(text + length, sizeof text - (size_t)length, "\"\n");
     assert_refusal(parse(text, &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_BAD_VALUE, "description is [[[");
     text[length] = '{', snprintf(text + length + 1, 8, "\"\n");
-    assert_refusal(parse(text, &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_TOO_DEEP, "test.yaml:1: more than 4096 brackets");
+    assert_refusal(parse(text, &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_TOO_DEEP,
+                   "test.yaml:1: more than 4096 brackets");
     // Anchors and aliases; stars and ampersands that name nothing do not count.
     length = 0;
     for (int i = 0; i < 5000; i++) length += snprintf(text + length, sizeof text - (size_t)length, "# ** & **\n");
     assert_int_equal(parse(text, &scene), BOLAN_OK);
     length = 0;
-    for (int i = 0; i < 4097; i++) length += snprintf(text + length, sizeof text - (size_t)length, "- %ca\n", i % 2 ? '*' : '&');
+    for (int i = 0; i < 4097; i++)
+        length += snprintf(text + length, sizeof text - (size_t)length, "- %ca\n", i % 2 ? '*' : '&');
     assert_refusal(parse(text, &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_TOO_DEEP,
                    "test.yaml:4097: more than 4096 anchors and aliases");
     // 256 KiB, and one byte more.

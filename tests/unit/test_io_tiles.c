@@ -124,8 +124,15 @@ static void the_index_is_json_in_range(void **state) {
     static float height[2 * 8 * 8];
     static uint8_t bytes[2 * 8 * 8 * 7];
     bolan_tiles *tiles = NULL;
-    const bolan_tiles_view view = {.n = 8, .frames = 2, .length = 1, .period = 1, .depth = 1,
-                                   .height = height, .normal = bytes, .detail = bytes, .caustics = bytes};
+    const bolan_tiles_view view = {.n = 8,
+                                   .frames = 2,
+                                   .length = 1,
+                                   .period = 1,
+                                   .depth = 1,
+                                   .height = height,
+                                   .normal = bytes,
+                                   .detail = bytes,
+                                   .caustics = bytes};
     assert_int_equal(bolan_tiles_create(&view, &tiles), BOLAN_OK);
     assert_int_equal(bolan_tiles_save(tiles, folder), BOLAN_OK);
     bolan_tiles_destroy(&tiles);
@@ -184,7 +191,8 @@ static void the_index_is_json_in_range(void **state) {
     bolan_set_hooks(NULL);
 }
 
-// Rows are told from columns, and frames from each other: height 1 + x/10 + y/3 in the first, its negative in the second.
+// Rows are told from columns, and frames from each other: height 1 + x/10 + y/3 in the first, its negative in the
+// second.
 static void files_of_tiles_hold_what_they_should(void **state) {
     (void)state;
     enum { N = 8 };
@@ -195,12 +203,21 @@ static void files_of_tiles_hold_what_they_should(void **state) {
             for (int x = 0; x < N; x++) {
                 height[f][y][x] = (f ? -1.0f : 1.0f) * (1.0f + (float)x / 10 + (float)y / 3);
                 normal[f][y][x][0] = (uint8_t)(10 * x + f), normal[f][y][x][1] = (uint8_t)(20 * y);
-                detail[f][y][x][2] = (uint8_t)(5 * x + 11 * y + f), caustics[f][y][x] = (uint8_t)(3 * x + 17 * y + 2 * f);
+                detail[f][y][x][2] = (uint8_t)(5 * x + 11 * y + f),
+                caustics[f][y][x] = (uint8_t)(3 * x + 17 * y + 2 * f);
             }
     bolan_tiles *tiles = NULL;
-    const bolan_tiles_view view = {.n = N, .frames = 2, .length = 2.5, .angle = 0.7, .period = 3.5, .depth = 1.25,
-                                   .paper = true, .height = &height[0][0][0], .normal = &normal[0][0][0][0],
-                                   .detail = &detail[0][0][0][0], .caustics = &caustics[0][0][0]};
+    const bolan_tiles_view view = {.n = N,
+                                   .frames = 2,
+                                   .length = 2.5,
+                                   .angle = 0.7,
+                                   .period = 3.5,
+                                   .depth = 1.25,
+                                   .paper = true,
+                                   .height = &height[0][0][0],
+                                   .normal = &normal[0][0][0][0],
+                                   .detail = &detail[0][0][0][0],
+                                   .caustics = &caustics[0][0][0]};
     assert_int_equal(bolan_tiles_create(&view, &tiles), BOLAN_OK);
     assert_int_equal(bolan_tiles_save(tiles, folder), BOLAN_OK);
     bolan_tiles_destroy(&tiles);

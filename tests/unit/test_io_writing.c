@@ -117,7 +117,9 @@ static void a_file_of_another_user_is_kept(void **state) {
     const pid_t child = fork();
     if (child == 0) {
         if (setgid(65534) || setuid(65534)) _exit(3);
-        _exit(bolan_file_write("theirs", "new", 3) == BOLAN_ERROR_IO && bolan_file_write("mine", "new", 3) == BOLAN_OK ? 0 : 4);
+        _exit(bolan_file_write("theirs", "new", 3) == BOLAN_ERROR_IO && bolan_file_write("mine", "new", 3) == BOLAN_OK
+                  ? 0
+                  : 4);
     }
     int status = -1;
     waitpid(child, &status, 0);
@@ -259,7 +261,8 @@ static void abandon(int signal_number) {
     _exit(77);
 }
 
-// A process that is ended while it writes, many times and at many moments: nothing may be left of what was not finished.
+// A process that is ended while it writes, many times and at many moments: nothing may be left of what was not
+// finished.
 static void an_interrupted_writer_leaves_whole_files_or_none(void **state) {
     (void)state;
     static char text[1 << 16];
@@ -325,6 +328,60 @@ static void an_interrupted_folder_is_removed(void **state) {
     bolan_tiles_destroy(&tiles);
 }
 
+// ---- misuse ---------------------------------------------------------------------------------------------------------
+
+static jmp_buf before_the_call;
+
+static void leave_the_call(void *user, const char *expression, const char *file, int line) {
+    (void)user, (void)expression, (void)file, (void)line;
+    longjmp(before_the_call, 1);
+}
+
+#define assert_misuse(call)                               \
+    do {                                                  \
+        if (setjmp(before_the_call) == 0) call, _exit(1); \
+    } while (0)
+
+// The assertion comes before the crash. In a child: longjmp() out of the library leaves what it had begun.
+static void misuse_is_asserted(void **state) {
+    (void)state;
+    const pid_t child = fork();
+    if (child == 0) {
+        bolan_set_hooks(&(bolan_hooks){.assert_failed = leave_the_call});
+        static const float height[64];
+        static const uint8_t bytes[192];
+        bolan_tiles *tiles = NULL;
+        const bolan_tiles_view whole = {.n = 8,
+                                        .frames = 1,
+                                        .length = 1,
+                                        .period = 1,
+                                        .depth = 1,
+                                        .height = height,
+                                        .normal = bytes,
+                                        .detail = bytes,
+                                        .caustics = bytes};
+        bolan_tiles_view v = whole;
+        assert_misuse(bolan_file_write(NULL, "x", 1));
+        assert_misuse(bolan_file_write("x", NULL, 1));
+        assert_misuse(bolan_file_check_writable(NULL));
+        assert_misuse(bolan_video_check(NULL, 64, 36, 30));
+        assert_misuse(bolan_tiles_create(NULL, &tiles));
+        assert_misuse(bolan_tiles_create(&whole, NULL));
+        v = whole, v.height = NULL;
+        assert_misuse(bolan_tiles_create(&v, &tiles));
+        v = whole, v.normal = NULL;
+        assert_misuse(bolan_tiles_create(&v, &tiles));
+        v = whole, v.detail = NULL;
+        assert_misuse(bolan_tiles_create(&v, &tiles));
+        v = whole, v.caustics = NULL;
+        assert_misuse(bolan_tiles_create(&v, &tiles));
+        _exit(bolan_file_write("x", NULL, 0) || bolan_tiles_create(&whole, &tiles)); // and these are none
+    }
+    int status = -1;
+    waitpid(child, &status, 0);
+    assert_int_equal(status, 0);
+}
+
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter, leave)
 
 int main(void) {
@@ -341,6 +398,7 @@ int main(void) {
         IN_FOLDER(signals_of_writing_are_sentences),
         IN_FOLDER(an_interrupted_writer_leaves_whole_files_or_none),
         IN_FOLDER(an_interrupted_folder_is_removed),
+        IN_FOLDER(misuse_is_asserted),
     };
     return cmocka_run_group_tests(tests, listen_to_log, NULL);
 }
