@@ -20,6 +20,7 @@ static int speak_german(void **state) {
                1;
     snprintf(path, sizeof path, "%s", folder);
     setenv("LOCPATH", path, 1);
+    setenv("LC_ALL", "de_DE.UTF-8", 1);
     if (!setlocale(LC_ALL, "de_DE.UTF-8"))
         return print_error("de_DE.UTF-8 cannot be set"
                            "\n"),
