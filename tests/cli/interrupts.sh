@@ -12,7 +12,8 @@ cd work
 now() { echo $(($(date +%s%N) / 1000000)); }
 
 # listens: the program has begun to catch signals.
-listens() { grep -q '^SigCgt:[[:space:]]*0*[1-9a-f]' "/proc/$process/status"; }
+# The last digit holds HUP (1), INT (2) and QUIT (4); a shell that has yet to become the program catches none of them.
+listens() { grep -q '^SigCgt:.*[67]$' "/proc/$process/status"; }
 
 # interrupt 'SIGNALS' READY ARGUMENTS...: starts the program, waits until the shell command READY succeeds (and then a
 # little), sends the signals, 10 ms apart.
