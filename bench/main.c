@@ -3,6 +3,7 @@
 // synthesis, FFTW, is under the GPL and must not be linked to the library's own program.
 #include "bench.h"
 
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -53,6 +54,20 @@ const char *bench_machine(void) {
     return text;
 }
 
+// As the program does: a benchmark writes no file, so there is nothing to clear away.
+static void end_program(int signal_number) {
+    (void)signal_number;
+    _exit(130);
+}
+
+static void end_on_signals(void) {
+    static const int ends[] = {SIGINT, SIGTERM, SIGQUIT, SIGHUP};
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = end_program;
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) sigaction(ends[i], &action, NULL);
+}
+
 static int usage(void) {
     fprintf(stderr, "usage: bolan-bench COMMAND [--json] [...]\n");
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
@@ -61,6 +76,7 @@ static int usage(void) {
 }
 
 int main(int argc, char **argv) {
+    end_on_signals();
     if (argc < 2) return usage();
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
         if (strcmp(argv[1], commands[i].name) == 0) return commands[i].run(argc - 1, argv + 1);

@@ -95,15 +95,11 @@ static int apply_sea(const options *o, bolan_scene *scene) {
 }
 
 static int apply_cpu(const options *o, bolan_scene *scene) {
-    if (o->backend == 1) {
-        fprintf(stderr, "bolan: --backend compute is not in this build; expected cpu\n");
-        return EXIT_FAILED;
-    }
+    if (o->backend == 1) return failure("--backend compute is not in this build; expected cpu");
     if (o->cpu < 0) return EXIT_OK;
     if ((bolan_cpu)o->cpu > bolan_cpu_best()) {
-        fprintf(stderr, "bolan: --cpu %s: this machine does not have it; its widest set is %s\n",
-                bolan_cpu_name((bolan_cpu)o->cpu), bolan_cpu_name(bolan_cpu_best()));
-        return EXIT_FAILED;
+        return failure("--cpu %s: this machine does not have it; its widest set is %s",
+                       bolan_cpu_name((bolan_cpu)o->cpu), bolan_cpu_name(bolan_cpu_best()));
     }
     scene->sea.cpu = (bolan_cpu)o->cpu;
     return EXIT_OK;
@@ -165,7 +161,7 @@ static int apply_effects(const char *list, uint32_t *effects) {
         if (effect < 0)
             return usage_error("--effects: %.*s is unknown; expected none, or some of reflection, refraction, bump, "
                                "distortion, glitter, caustics, ambient, diffuse, specular, scattering, foam, fog",
-                               (int)(length < 40 ? length : 40), p);
+                               (int)(length < 40 ? length : bolan_text_fit(p, 40)), p);
         bits |= 1u << effect;
         p += length;
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// bolan bake: the scene's water as looping tiles, into a folder that other programs, and the scene key `tiles`, can use.
+// bolan bake: the scene's water as looping tiles, into a folder that other programs, and the scene key `tiles`, can
+// use.
 #include "commands.h"
 #include "help.h"
+#include "output.h"
 #include "session.h"
 
 #include <math.h>
@@ -37,8 +39,9 @@ static int bake(const options *o, const session *w, bolan_sea *sea) {
     const bool ok = !bolan_tiles_bake(sea, &desc, &tiles) && !bolan_tiles_save(tiles, o->output);
     if (ok && !o->quiet) {
         const bolan_tiles_view v = bolan_tiles_get_view(tiles);
-        printf("%s: %u frames of %u x %u texels, %.4g m, loop of %.4g s\n", o->output, (unsigned)v.frames,
-               (unsigned)v.n, (unsigned)v.n, v.length, v.period);
+        output_print(o->output);
+        printf(": %u frames of %u x %u texels, %.4g m, loop of %.4g s\n", (unsigned)v.frames, (unsigned)v.n,
+               (unsigned)v.n, v.length, v.period);
     }
     bolan_tiles_destroy(&tiles);
     return ok ? EXIT_OK : EXIT_FAILED;

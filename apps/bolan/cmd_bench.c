@@ -32,15 +32,13 @@ int bench_is_there(void) {
 int command_bench(int count, char **arguments) {
     char path[BOLAN_PATH_MAX];
     if (!find_bench(path)) {
-        fprintf(stderr, "bolan: the program bolan-bench is not beside this one; build it from the source tree\n");
-        return EXIT_FAILED;
+        return failure("the program bolan-bench is not beside this one; build it from the source tree");
     }
     char **list = calloc((size_t)count + 2, sizeof *list);
-    if (!list) return EXIT_FAILED;
+    if (!list) return failure("no memory for %d arguments", count);
     list[0] = path;
     for (int i = 0; i < count; i++) list[i + 1] = arguments[i];
     execv(path, list);
     free(list);
-    fprintf(stderr, "bolan: %s cannot be started\n", path);
-    return EXIT_FAILED;
+    return failure("%s cannot be started", path);
 }

@@ -9,7 +9,16 @@
 #include <string.h>
 #include <unistd.h>
 
-static char gl_message[256];
+// GCC's __VERSION__ is a bare number.
+#if defined(__clang__)
+static const char compiler[] = "Clang " __clang_version__;
+#elif defined(__GNUC__)
+static const char compiler[] = "GCC " __VERSION__;
+#else
+static const char compiler[] = "an unknown compiler";
+#endif
+
+static char gl_message[2048];
 
 // Without OpenGL its reason is part of the answer, not an error.
 static void keep_message(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
@@ -24,7 +33,7 @@ typedef struct facts {
 } facts;
 
 static void print_text(const facts *f) {
-    printf("bolan %s, compiled by %s\n", bolan_version(), __VERSION__);
+    printf("bolan %s, compiled by %s\n", bolan_version(), compiler);
     printf("processors   %ld; wide kernels:", f->processors);
     for (int cpu = BOLAN_CPU_SCALAR; cpu <= (int)bolan_cpu_best(); cpu++) printf(" %s", bolan_cpu_name((bolan_cpu)cpu));
     if (f->has_gl) {
@@ -58,7 +67,7 @@ static void print_quoted(const char *text) {
 
 static void print_json(const facts *f) {
     printf("{\n  \"version\": \"%s\",\n  \"compiler\": ", bolan_version());
-    print_quoted(__VERSION__);
+    print_quoted(compiler);
     printf(",\n  \"processors\": %ld,\n  \"cpu\": [", f->processors);
     for (int cpu = BOLAN_CPU_SCALAR; cpu <= (int)bolan_cpu_best(); cpu++)
         printf("%s\"%s\"", cpu > BOLAN_CPU_SCALAR ? ", " : "", bolan_cpu_name((bolan_cpu)cpu));

@@ -2,6 +2,7 @@
 // bolan measure: what the synthesised sea is, as JSON or as a table.
 #include "commands.h"
 #include "help.h"
+#include "output.h"
 #include "session.h"
 
 #include <math.h>
@@ -38,11 +39,9 @@ static void list_quantities(const bolan_sea_statistics *s, quantity out[QUANTITI
 
 // JSON has no NaN or infinity.
 static void print_number(double value) {
-    if (isfinite(value)) {
-        printf("%.9g", value);
-    } else {
-        printf("null");
-    }
+    char text[32] = "null";
+    if (isfinite(value)) bolan_format(text, sizeof text, "%.9g", value);
+    printf("%s", text);
 }
 
 static void print_json(const bolan_sea *sea, const quantity *list, const char *hash) {
@@ -56,8 +55,11 @@ static void print_json(const bolan_sea *sea, const quantity *list, const char *h
     const uint32_t count = bolan_sea_cascade_count(sea);
     for (uint32_t i = 0; i < count; i++) {
         const bolan_cascade_view c = bolan_sea_cascade(sea, i);
-        printf("    {\"n\": %u, \"length\": %.9g, \"k_min\": %.9g, \"k_max\": %.9g, \"variance\": %.9g}%s\n",
-               (unsigned)c.n, c.length, c.k_min, c.k_max, c.variance, i + 1 < count ? "," : "");
+        char text[192];
+        bolan_format(text, sizeof text,
+                     "{\"n\": %u, \"length\": %.9g, \"k_min\": %.9g, \"k_max\": %.9g, \"variance\": %.9g}",
+                     (unsigned)c.n, c.length, c.k_min, c.k_max, c.variance);
+        printf("    %s%s\n", text, i + 1 < count ? "," : "");
     }
     printf("  ],\n  \"components\": %u,\n  \"record_time\": \"%s\",\n  \"hash\": \"%s\"\n}\n",
            (unsigned)bolan_sea_component_count(sea), bolan_sea_record_time(sea), hash);
@@ -83,7 +85,8 @@ static void print_waves(const bolan_sea *sea) {
 }
 
 static void print_table(const bolan_scene *scene, const bolan_sea *sea, const quantity *list, const char *hash) {
-    printf("%s, seed %llu, at %g s\n\n", scene->name, (unsigned long long)scene->sea.seed, scene->time);
+    output_print(scene->name);
+    printf(", seed %llu, at %g s\n\n", (unsigned long long)scene->sea.seed, scene->time);
     for (int i = 0; i < QUANTITIES; i++) printf("  %-26s %12.5g %s\n", list[i].what, list[i].value, list[i].unit);
     if (bolan_sea_record_time(sea)[0]) printf("  %-26s %s\n", "spectrum taken at", bolan_sea_record_time(sea));
     print_waves(sea);

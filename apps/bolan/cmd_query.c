@@ -33,9 +33,9 @@ static bool append_rows(text *t, const bolan_dvec2 *xy, const bolan_query_point 
     if (!reserve(t, (size_t)count * LINE_CAPACITY)) return false;
     for (uint32_t i = 0; i < count; i++) {
         const bolan_query_point *a = &answers[i];
-        t->size += (size_t)snprintf(t->data + t->size, LINE_CAPACITY, "%.12g,%.12g,%.7g,%.7g,%.7g,%.7g,%.6g,%.3g\n",
-                                    xy[i].x, xy[i].y, (double)a->height, (double)a->normal.x, (double)a->normal.y,
-                                    (double)a->normal.z, (double)a->jacobian, (double)a->residual);
+        t->size += (size_t)bolan_format(t->data + t->size, LINE_CAPACITY, "%.12g,%.12g,%.7g,%.7g,%.7g,%.7g,%.6g,%.3g\n",
+                                        xy[i].x, xy[i].y, (double)a->height, (double)a->normal.x, (double)a->normal.y,
+                                        (double)a->normal.z, (double)a->jacobian, (double)a->residual);
     }
     return true;
 }
@@ -64,8 +64,7 @@ static int write_answers(const session *s, const bolan_points *points, const cha
     text rows = {NULL, 0, 0};
     int result = EXIT_OK;
     if (!answer_all(s, points, &rows)) {
-        fprintf(stderr, "bolan: no memory for the answers to %u points\n", (unsigned)points->count);
-        result = EXIT_FAILED;
+        result = failure("no memory for the answers to %u points", (unsigned)points->count);
     } else if (output) {
         result = bolan_file_write(output, rows.data, rows.size) ? EXIT_FAILED : EXIT_OK;
     } else {

@@ -9,7 +9,6 @@
 #include "bolan/render.h"
 
 #include <math.h>
-#include <signal.h>
 #include <string.h>
 
 typedef struct job {
@@ -31,13 +30,6 @@ typedef struct stage {
     size_t rgb_bytes, linear_bytes;
 } stage;
 
-static volatile sig_atomic_t interrupted;
-
-static void on_interrupt(int signal_number) {
-    (void)signal_number;
-    interrupted = 1;
-}
-
 // ---- what to do -----------------------------------------------------------------------------------------------------
 
 static double otherwise(double value, double fallback) { return isnan(value) ? fallback : value; }
@@ -46,10 +38,11 @@ static int make_job(const options *o, job *j) {
     if (!o->output) return usage_error("render needs -o FILE: .png, .exr, a numbered sequence (%%04d), .mp4 or .webm");
     *j = (job){.path = o->output, .name = output_parse(o->output), .quiet = o->quiet};
     if (j->name.kind == OUTPUT_UNKNOWN)
-        return usage_error(
-            "-o %.200s: expected a name that ends in .png, .exr, .mp4 or .webm; a sequence of pictures has one "
-            "%%d or %%04d in it",
-            o->output);
+        return usage_error("-o %s: expected a name that ends in .png, .exr, .mp4 or .webm", o->output);
+    if (j->name.wrong_pattern)
+        return usage_error("-o %s: expected %%d or %%04d, once, in the name of a sequence of pictures and of no video; "
+                           "%%%% is a percent sign",
+                           o->output);
     const bool video = j->name.kind == OUTPUT_VIDEO, moving = video || j->name.numbered;
     if (!moving && o->frames > 1.0)
         return usage_error("--frames %.0f into one picture; expected a video, or a numbered name such as sea-%%04d.png",
@@ -67,6 +60,12 @@ static int make_job(const options *o, job *j) {
     return EXIT_OK;
 }
 
+static bool frame_path(const job *j, uint32_t number, char out[BOLAN_PATH_MAX]) {
+    if (output_frame_path(&j->name, j->path, number, out)) return true;
+    usage_error("-o: the name is longer than %d bytes", BOLAN_PATH_MAX - 1);
+    return false;
+}
+
 // ---- the stage ------------------------------------------------------------------------------------------------------
 
 static bool open_stage(const job *j, stage *s) {
@@ -80,11 +79,12 @@ static bool open_stage(const job *j, stage *s) {
     s->rgb = bolan_allocate(s->rgb_bytes);
     s->linear = bolan_allocate(s->linear_bytes);
     if (!s->rgb || (s->linear_bytes && !s->linear)) {
-        fprintf(stderr, "bolan: no memory for a picture of %ux%u\n", (unsigned)j->width, (unsigned)j->height);
+        failure("no memory for a picture of %ux%u", (unsigned)j->width, (unsigned)j->height);
         return false;
     }
+    char path[BOLAN_PATH_MAX];
     return j->name.kind != OUTPUT_VIDEO ||
-           bolan_video_open(j->path, j->width, j->height, j->fps, &s->video) == BOLAN_OK;
+           (frame_path(j, 0, path) && !bolan_video_open(path, j->width, j->height, j->fps, &s->video));
 }
 
 // @p keep: the film is whole. False when its last act failed.
@@ -113,7 +113,7 @@ static bool write_exr(const job *j, stage *s, const char *path) {
 
 static bool write_frame(const job *j, stage *s, uint32_t number) {
     char path[BOLAN_PATH_MAX];
-    if (!output_frame_path(&j->name, j->path, number, path)) return usage_error("-o: the name is too long"), false;
+    if (!frame_path(j, number, path)) return false;
     if (j->name.kind == OUTPUT_EXR) return write_exr(j, s, path);
     bolan_renderer_read_rgb8(s->renderer, bolan_target_framebuffer(s->target), j->width, j->height, s->rgb);
     if (s->video) return bolan_video_write(s->video, s->rgb) == BOLAN_OK;
@@ -143,27 +143,34 @@ static bool render_frame(const job *j, session *w, stage *s, uint32_t number) {
     return write_frame(j, s, number);
 }
 
+// Of a sequence, the pattern.
+static void print_name(const job *j) {
+    char path[BOLAN_PATH_MAX];
+    output_print(!j->name.numbered && frame_path(j, 0, path) ? path : j->path);
+    printf("\n");
+}
+
 static int render_all(const job *j, session *w) {
     stage s;
     bool ok = open_stage(j, &s);
     progress bar = progress_start(j->frames, j->quiet || !ok);
-    for (uint32_t i = 0; i < j->frames && ok && !interrupted; i++) {
+    for (uint32_t i = 0; i < j->frames && ok; i++) {
         ok = render_frame(j, w, &s, i);
         progress_update(&bar, i + 1);
     }
     progress_end(&bar);
-    const bool whole = ok && !interrupted;
-    if (!close_stage(&s, whole)) ok = false;
-    if (interrupted) return EXIT_INTERRUPTED;
-    if (ok && !j->quiet) printf("%s\n", j->path);
+    if (!close_stage(&s, ok)) ok = false;
+    if (ok && !j->quiet) print_name(j);
     return ok ? EXIT_OK : EXIT_FAILED;
 }
 
 // A place that cannot be written to is found before the work, not after it.
 static bool can_write(const job *j) {
     char path[BOLAN_PATH_MAX];
-    return j->name.kind == OUTPUT_VIDEO ||
-           (output_frame_path(&j->name, j->path, 0, path) && !bolan_file_check_writable(path));
+    // The last number is the longest; the first is what a folder is tried with.
+    if (!frame_path(j, j->frames - 1, path) || !frame_path(j, 0, path)) return false;
+    if (j->name.kind == OUTPUT_VIDEO) return !bolan_video_check(path, j->width, j->height, j->fps);
+    return !bolan_file_check_writable(path);
 }
 
 int command_render(int count, char **arguments) {
@@ -188,8 +195,6 @@ int command_render(int count, char **arguments) {
             "the camera stands %g m below the water; expected above it: only --optics mirror has views from below",
             below);
     }
-    signal(SIGINT, on_interrupt);
-    signal(SIGTERM, on_interrupt);
     result = render_all(&j, &w);
     session_close(&w);
     return result;

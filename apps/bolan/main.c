@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command line of Bolan: `bolan COMMAND [SCENE] [OPTIONS]`.
 #include "commands.h"
+#include "interrupt.h"
 #include "options.h"
 
 #include <string.h>
@@ -37,22 +38,24 @@ static int print_help(FILE *file) {
     return EXIT_OK;
 }
 
-// Standard output may be a full disk or a closed pipe: then the result is not there, and the exit code says so.
-static int flush_output(int code) {
-    const bool failed = fflush(stdout) != 0 || ferror(stdout);
-    if (failed && code == EXIT_OK) fputs("bolan: standard output cannot be written\n", stderr);
-    return failed && code == EXIT_OK ? EXIT_FAILED : code;
-}
-
-// Library messages look like the program's own.
+// Every message of the library and of the program itself. bolan_log() has made one line without control characters of
+// it.
 static void print_message(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
     (void)user, (void)id;
     if (level == BOLAN_LOG_INFO) return;
     fprintf(stderr, "bolan: %s%s\n", level == BOLAN_LOG_WARNING ? "warning: " : "", sentence);
 }
 
+// Standard output may be a full disk or a closed pipe: then the result is not there, and the exit code says so.
+static int flush_output(int code) {
+    const bool failed = fflush(stdout) != 0 || ferror(stdout);
+    bolan_set_hooks(&(bolan_hooks){.log = print_message}); // a command may have had its own
+    return failed && code == EXIT_OK ? failure("standard output cannot be written") : code;
+}
+
 int main(int count, char **arguments) {
     bolan_set_hooks(&(bolan_hooks){.log = print_message});
+    interrupt_install();
     if (count < 2) return print_help(stderr), EXIT_USAGE;
     const char *name = arguments[1];
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0)
@@ -60,5 +63,6 @@ int main(int count, char **arguments) {
     if (strcmp(name, "--version") == 0) return printf("bolan %s\n", bolan_version()), flush_output(EXIT_OK);
     for (int i = 0; i < COMMANDS; i++)
         if (strcmp(name, commands[i].name) == 0) return flush_output(commands[i].run(count - 2, arguments + 2));
-    return usage_error("unknown command %.60s; see bolan --help", name);
+    char word[SHORT_WORD];
+    return usage_error("unknown command %s; see bolan --help", shorten(name, word));
 }

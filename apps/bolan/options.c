@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define SCENE_COMMANDS (ON_VIEW | ON_RENDER | ON_MEASURE | ON_QUERY | ON_BAKE)
@@ -113,13 +112,29 @@ const option_info option_table[] = {
 // clang-format on
 
 int usage_error(const char *format, ...) {
+    char sentence[2048];
     va_list arguments;
     va_start(arguments, format);
-    fputs("bolan: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    vsnprintf(sentence, sizeof sentence, format, arguments);
     va_end(arguments);
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT, "%s", sentence);
     return EXIT_USAGE;
+}
+
+int failure(const char *format, ...) {
+    char sentence[2048];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(sentence, sizeof sentence, format, arguments);
+    va_end(arguments);
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_UNSUPPORTED, "%s", sentence);
+    return EXIT_FAILED;
+}
+
+const char *shorten(const char *text, char out[SHORT_WORD]) {
+    const size_t length = bolan_text_fit(text, 60);
+    snprintf(out, SHORT_WORD, "%.*s%s", (int)length, text, text[length] ? "..." : "");
+    return out;
 }
 
 static options nothing_given(void) {
@@ -138,19 +153,8 @@ static options nothing_given(void) {
 
 // ---- values ---------------------------------------------------------------------------------------------------------
 
-// A decimal number and nothing else up to @p end: no "nan", "inf", hexadecimal, or space before it.
-static bool decimal(const char *text, const char *end, double *value) {
-    const size_t length = (size_t)(end - text);
-    if (length == 0 || length > 63 || strspn(text, "+-.0123456789eE") < length) return false;
-    char copy[64], *stop = NULL;
-    memcpy(copy, text, length);
-    copy[length] = '\0';
-    *value = strtod(copy, &stop);
-    return *stop == '\0' && isfinite(*value);
-}
-
 static int bad_value(const option_info *info, const char *value) {
-    char expected[256] = "";
+    char expected[256] = "", word[SHORT_WORD];
     const char *unit = info->unit ? info->unit : "";
     size_t used = 0;
     switch (info->kind) {
@@ -161,14 +165,14 @@ static int bad_value(const option_info *info, const char *value) {
     case OPTION_INTEGER: snprintf(expected, sizeof expected, "a whole number from 0 to 18446744073709551615"); break;
     case OPTION_NUMBERS: snprintf(expected, sizeof expected, "%s", info->argument); break;
     case OPTION_SIZE:
-        snprintf(expected, sizeof expected, "WIDTHxHEIGHT, each %.0f to %.0f", info->low, info->high);
+        bolan_format(expected, sizeof expected, "WIDTHxHEIGHT, each %.0f to %.0f", info->low, info->high);
         break;
     case OPTION_TEXT: snprintf(expected, sizeof expected, "%s", info->argument); break;
     default:
-        snprintf(expected, sizeof expected, "a %snumber from %.10g to %.10g%s%s",
-                 info->kind == OPTION_WHOLE ? "whole " : "", info->low, info->high, *unit ? " " : "", unit);
+        bolan_format(expected, sizeof expected, "a %snumber from %.10g to %.10g%s%s",
+                     info->kind == OPTION_WHOLE ? "whole " : "", info->low, info->high, *unit ? " " : "", unit);
     }
-    return usage_error("--%s is %.60s; expected %s", info->name, *value ? value : "empty", expected);
+    return usage_error("--%s is %s; expected %s", info->name, *value ? shorten(value, word) : "empty", expected);
 }
 
 static bool in_range(const option_info *info, double value) {
@@ -181,7 +185,8 @@ static bool numbers(const option_info *info, const char *text, char separator, i
     int count = 0;
     for (const char *p = text;; count++) {
         const char *next = separator ? strchr(p, separator) : NULL, *end = next ? next : p + strlen(p);
-        if (count == most || !decimal(p, end, &out[count]) || !in_range(info, out[count])) return false;
+        if (count == most || !bolan_parse_number(p, (size_t)(end - p), &out[count]) || !in_range(info, out[count]))
+            return false;
         if (!next) break;
         p = next + 1;
     }
@@ -239,7 +244,8 @@ static int parse_option(unsigned command, const char *command_name, int count, c
     const char *argument = arguments[*index], *equals = argument[1] == '-' ? strchr(argument, '=') : NULL;
     const size_t length = equals ? (size_t)(equals - argument) : strlen(argument);
     const option_info *info = argument[1] == '-' || length == 2 ? find_option(argument, length) : NULL;
-    if (!info) return usage_error("unknown option %.60s; see bolan %s --help", argument, command_name);
+    char word[SHORT_WORD];
+    if (!info) return usage_error("unknown option %s; see bolan %s --help", shorten(argument, word), command_name);
     if (!(info->commands & command)) return usage_error("--%s does not go with bolan %s", info->name, command_name);
     if (info->kind == OPTION_FLAG && equals) return usage_error("--%s takes no value", info->name);
     const char *value = equals ? equals + 1 : "";
@@ -260,7 +266,8 @@ int options_parse(unsigned command, const char *command_name, int count, char **
             const int result = parse_option(command, command_name, count, arguments, &i, out);
             if (result) return result;
         } else if (out->scene || command == ON_INFO) {
-            return usage_error("unexpected %.60s; bolan %s takes %s", arguments[i], command_name,
+            char word[SHORT_WORD];
+            return usage_error("unexpected %s; bolan %s takes %s", shorten(arguments[i], word), command_name,
                                command == ON_INFO ? "only options" : "one scene");
         } else {
             out->scene = arguments[i];

@@ -61,11 +61,19 @@ extern const option_info option_table[]; // a NULL name ends it
 
 // Reads the arguments after the command's name. Prints one sentence and returns EXIT_USAGE on an error.
 int options_parse(unsigned command, const char *command_name, int count, char **arguments, options *out);
-// Prints one sentence after "bolan: " on stderr and returns EXIT_USAGE.
+// Say one sentence through bolan_log(), which keeps control characters of the arguments from the terminal; they return
+// EXIT_USAGE and EXIT_FAILED.
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
 #endif
 int usage_error(const char *format, ...);
+#if defined(__GNUC__)
+__attribute__((format(printf, 1, 2)))
+#endif
+int failure(const char *format, ...);
+// A word of the user for a sentence: at most 60 bytes, cut between characters, with "..." where there was more.
+enum { SHORT_WORD = 64 };
+const char *shorten(const char *text, char out[SHORT_WORD]);
 // The options of a command, for its help.
 void options_print(FILE *file, unsigned command);
 

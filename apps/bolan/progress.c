@@ -2,6 +2,8 @@
 // See progress.h.
 #include "progress.h"
 
+#include "interrupt.h"
+
 #include <stdio.h>
 #include <time.h>
 #include <unistd.h>
@@ -16,6 +18,7 @@ static double now(void) {
 
 progress progress_start(uint32_t total, bool quiet) {
     progress p = {!quiet && total > 1 && isatty(STDERR_FILENO), total, now(), 0.0};
+    interrupt_bar_is_shown(p.shown);
     progress_update(&p, 0);
     return p;
 }
@@ -39,4 +42,5 @@ void progress_update(progress *p, uint32_t done) {
 void progress_end(progress *p) {
     if (p->shown) fputs("\r\033[K", stderr);
     p->shown = false;
+    interrupt_bar_is_shown(false);
 }

@@ -4,8 +4,8 @@
 /// and tasks.
 ///
 /// Three kinds of error are never mixed: *misuse* (a NULL that must not be NULL, an index out of range) goes to the
-/// assert hook; *creation and I/O* return a ::bolan_result and log one sentence that says what was wrong, where, and what
-/// was expected; *per-frame calls* cannot fail.
+/// assert hook; *creation and I/O* return a ::bolan_result and log one sentence that says what was wrong, where, and
+/// what was expected; *per-frame calls* cannot fail.
 #ifndef BOLAN_BASE_H
 #define BOLAN_BASE_H
 
@@ -73,6 +73,7 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(301, FILE_READ)               \
     X(302, FILE_WRITE)              \
     X(303, FILE_TOO_LARGE)          \
+    X(304, SCENE_TOO_DEEP)          \
     X(310, SCENE_SYNTAX)            \
     X(311, SCENE_UNKNOWN_KEY)       \
     X(312, SCENE_BAD_VALUE)         \
@@ -128,7 +129,7 @@ typedef struct bolan_hooks {
                 const char *sentence); ///< default: one line on stderr
     void (*assert_failed)(void *user, const char *expression, const char *file, int line); ///< default: print and abort
     bolan_parallel_fn *parallel; ///< your task system; NULL: the built-in pool (see bolan_set_threads())
-    uint32_t parallel_workers;   ///< how many workers @ref parallel can use at once, >= 1
+    uint32_t parallel_workers;   ///< how many workers @ref parallel can use at once, >= 1; 0 is misuse and counts as 1
 } bolan_hooks;
 
 /// Replaces the hooks. NULL restores the built-in ones. Call it before anything is created and while no other thread is
@@ -136,8 +137,8 @@ typedef struct bolan_hooks {
 void bolan_set_hooks(const bolan_hooks *hooks);
 
 /// Threads of the built-in pool, the calling thread included: 1 (default: the library starts no thread) to 64.
-/// 0 means one per online processor. The threads sleep between loops; setting 1 ends them. Not thread-safe; results never
-/// depend on it.
+/// 0 means one per online processor. The threads sleep between loops; setting 1 ends them. Not thread-safe; results
+/// never depend on it.
 void bolan_set_threads(uint32_t threads);
 
 /// Workers that a parallel loop may use now, >= 1. Thread-safe.
@@ -154,7 +155,9 @@ void bolan_release(void *memory, size_t size);
 /// Bytes that the library holds now. Thread-safe.
 size_t bolan_memory_in_use(void);
 
-/// Emits one log sentence (printf style). For the library's own modules and tools built on it. Thread-safe.
+/// Emits one log sentence (printf style, numbers in the C locale). Control characters and bytes that are not UTF-8 are
+/// escaped as by bolan_text_escape(), so a sentence is one line and no input can steer a terminal. A sentence ends
+/// after 2047 bytes. For the library's own modules and tools built on it. Thread-safe.
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
@@ -164,6 +167,26 @@ void bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...);
 void bolan_assert_failed(const char *expression, const char *file, int line);
 /// Reports misuse where @p x does not hold; in every build, and execution goes on if the hook returns.
 #define BOLAN_ASSERT(x) ((x) ? (void)0 : bolan_assert_failed(#x, __FILE__, __LINE__))
+
+// ---- numbers and text -----------------------------------------------------------------------------------------------
+
+/// snprintf() in the C locale, whatever locale the program has set: a decimal point, no grouping. For everything that a
+/// machine reads. Thread-safe.
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+int bolan_format(char *out, size_t capacity, const char *format, ...);
+/// Reads a decimal number, [+-]digits[.digits][e[+-]digits], that fills all @p size bytes of @p text, correctly rounded
+/// and in the C locale. False for anything else: blanks, "nan", "inf", hexadecimal, more than 400 bytes, and a number
+/// beyond the range of a double. Thread-safe.
+bool bolan_parse_number(const char *text, size_t size, double *value);
+
+/// How many bytes of @p text fit into @p most without a cut inside a UTF-8 character; for "%.*s". Thread-safe.
+size_t bolan_text_fit(const char *text, size_t most);
+/// Copies @p text for a terminal: control characters (C0, DEL, C1, line breaks, changes of direction) and bytes that
+/// are not UTF-8 become \\n, \\t, \\x1b or \\u009b. A character that is cut off at the end is left out. What does not
+/// fit into @p capacity bytes, NUL included, is left out, never half of a character. Thread-safe.
+void bolan_text_escape(const char *text, char *out, size_t capacity);
 
 // ---- instruction sets -----------------------------------------------------------------------------------------------
 

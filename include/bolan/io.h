@@ -2,7 +2,8 @@
 /// @file io.h
 /// Tier 3, library bolan_io. Files: scenes (YAML), rasters (GDAL), measured spectra, images (PNG, EXR), video (the
 /// ffmpeg program), query points (CSV). Every writer writes under a temporary name beside the file and renames at the
-/// end: no partial file is left, and a file that stood there is replaced whole or not at all. Errors are ::bolan_result
+/// end: no partial file is left, and a file that stood there is replaced whole or not at all. Numbers in files and
+/// arguments of programs are those of the C locale, whatever locale the host program has set. Errors are ::bolan_result
 /// with one logged sentence: file, line or field, what was expected; on failure nothing is returned. Not thread-safe
 /// unless said.
 #ifndef BOLAN_IO_H
@@ -17,17 +18,23 @@ extern "C" {
 
 // ---- files ----------------------------------------------------------------------------------------------------------
 
-/// Writes a whole file. IO where it cannot be written.
+/// Writes a whole file. Symbolic links are followed, also to a name that is not there yet; the mode of a file that is
+/// replaced is kept, hard links to it keep the old content. A device or pipe is opened once and written straight. IO
+/// where it cannot be written, and for a file that has no permission to write for anybody.
 bolan_result bolan_file_write(const char *path, const void *data, size_t size);
 /// Would a file be written at @p path? Leaves nothing behind; for long work that should fail before it starts. IO if
 /// not.
 bolan_result bolan_file_check_writable(const char *path);
+/// Removes every file and folder of this library that is being written and not finished, and ends the ffmpeg processes.
+/// For a signal handler that ends the program: async-signal-safe, from any thread. No file is written after it: a
+/// thread that tries to waits for ever, so call _exit() next.
+void bolan_files_abandon(void);
 
 // ---- scenes ---------------------------------------------------------------------------------------------------------
 
-/// Reads a scene: the name of a built-in scene ("island"), or a path to a YAML file of at most 1 MiB. Relative paths in
-/// the file are taken from the file's folder. On failure @p scene is untouched: IO, or FORMAT with file, line and key
-/// (an unknown key, a value outside its range, text that is not YAML).
+/// Reads a scene: the name of a built-in scene ("island"), or a path to a YAML file of at most 256 KiB. Relative paths
+/// in the file are taken from the file's folder. On failure @p scene is untouched: IO, or FORMAT with file, line and
+/// key (an unknown key, a value outside its range, text that is not YAML).
 bolan_result bolan_scene_load(const char *name_or_path, bolan_scene *scene);
 /// Parses YAML text of @p size bytes; @p name is used in messages; relative paths stay as they are.
 bolan_result bolan_scene_parse(const char *name, const char *text, size_t size, bolan_scene *scene);
@@ -70,13 +77,14 @@ bolan_result bolan_model_load(const bolan_model_desc *desc, bolan_model **out);
 
 // ---- tiles ----------------------------------------------------------------------------------------------------------
 
-/// Writes tiles into the new folder @p folder, whole or not at all: index.json and, for each frame NNN from 000, height_NNN.pgm (16-bit
-/// grey: (value - 32768) * height_step metres), normal_NNN.png, detail_NNN.png, caustics_NNN.png. Row 0 of a picture is row 0 of
-/// the tile. IO: it is there already, or cannot be written.
+/// Writes tiles into the new folder @p folder, whole or not at all: index.json and, for each frame NNN from 000,
+/// height_NNN.pgm (16-bit grey: (value - 32768) * height_step metres), normal_NNN.png, detail_NNN.png,
+/// caustics_NNN.png. Row 0 of a picture is row 0 of the tile. IO: it is there already, or cannot be written; MEMORY.
 bolan_result bolan_tiles_save(const bolan_tiles *tiles, const char *folder);
 /// Would the folder be written? Leaves nothing behind. IO if not.
 bolan_result bolan_tiles_check_writable(const char *folder);
-/// Reads such a folder. Errors: IO; FORMAT with the file and what is wrong with it; ARGUMENT, MEMORY.
+/// Reads such a folder. Errors: IO; FORMAT with the file and what is wrong with it (index.json is one JSON object with
+/// the numbers that bolan_tiles_save() writes, each once, and nothing else); ARGUMENT, MEMORY.
 bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out);
 
 // ---- spectra, rasters, points ---------------------------------------------------------------------------------------
@@ -114,8 +122,9 @@ typedef struct bolan_points {
     bolan_dvec3 *points;
     size_t capacity;
 } bolan_points;
-/// CSV of x,y[,z] [m] with an optional header line; blank lines and # comments are skipped, numbers may be separated by
-/// commas, semicolons or white space. A number that is missing, not finite or beyond 1e8 m is refused with its line.
+/// CSV of x,y[,z] [m] with an optional header line, which begins with x; numbers may stand in double quotes; blank
+/// lines and # comments are skipped, numbers may be separated by commas, semicolons or white space. A number that is
+/// missing, not finite or beyond 1e8 m is refused with its line.
 bolan_result bolan_points_parse(const char *name, const char *text, size_t size, bolan_points *out);
 /// The same from a file. IO where it cannot be read.
 bolan_result bolan_points_load(const char *path, bolan_points *out);
@@ -126,7 +135,8 @@ void bolan_points_destroy(bolan_points *points);
 
 /// 8-bit sRGB, 3 channels, row 0 at the top, to PNG. Width and height 1..16384.
 bolan_result bolan_png_write(const char *path, uint32_t width, uint32_t height, const uint8_t *rgb);
-/// Reads any image stb_image can, as 8-bit RGB; release with bolan_release(pixels, width * height * 3).
+/// Reads any image stb_image can, as 8-bit RGB; release with bolan_release(pixels, width * height * 3). Errors: IO;
+/// FORMAT, also for a header that asks for more pixels than the file can hold, or than 16384 each way; MEMORY.
 bolan_result bolan_image_read(const char *path, uint32_t *width, uint32_t *height, uint8_t **rgb);
 /// One plane of an EXR; pixels row 0 at the top.
 typedef struct bolan_exr_channel {
@@ -134,17 +144,24 @@ typedef struct bolan_exr_channel {
     const float *pixels;
 } bolan_exr_channel;
 /// Multi-channel 32-bit float EXR, ZIP compressed. Channels may come in any order; 1..64 of them, with different names.
+/// Errors: ARGUMENT, IO, MEMORY: the file is made in memory first.
 bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height, const bolan_exr_channel *channels,
                              uint32_t count);
 
 /// A film that is being written.
 typedef struct bolan_video bolan_video;
+/// Could a film be begun? Leaves nothing behind; for long work that should fail before it starts. Errors as for
+/// bolan_video_open().
+bolan_result bolan_video_check(const char *path, uint32_t width, uint32_t height, double fps);
 /// Starts the `ffmpeg` program: .mp4 (H.264, yuv420p) or .webm (VP9) by the suffix. Width and height must be even, @p
-/// fps 1..240. UNSUPPORTED where ffmpeg is not installed; ARGUMENT; IO with ffmpeg's own words.
+/// fps 1..240. UNSUPPORTED where ffmpeg is not installed; ARGUMENT, also for a device or pipe; MEMORY; IO with ffmpeg's
+/// own words.
 bolan_result bolan_video_open(const char *path, uint32_t width, uint32_t height, double fps, bolan_video **out);
 /// Appends a frame, rgb as for bolan_png_write(). IO when ffmpeg gave up; then only bolan_video_close() is left to do.
 bolan_result bolan_video_write(bolan_video *video, const uint8_t *rgb);
-/// Ends the stream; on success the file stands under its name. @p keep false: throws it away. NULL-safe, NULLs.
+/// Ends the stream and waits for ffmpeg. The file gets its name when ffmpeg succeeded without a complaint and the
+/// container is complete; otherwise IO, with the first line that ffmpeg said. @p keep false: throws it away. NULL-safe,
+/// NULLs.
 bolan_result bolan_video_close(bolan_video **video, bool keep);
 
 #ifdef __cplusplus

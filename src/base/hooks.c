@@ -2,9 +2,13 @@
 // The hooks, and log and assertions through them.
 #include "base/hooks.h"
 
+#include "base/number.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+enum { SENTENCE_CAPACITY = 2048 }; // a path of BOLAN_PATH_MAX bytes, and what is said of it
 
 static bolan_hooks hooks; // with the pool (pool.c) and the byte count (memory.c), all the state that is process-wide
 
@@ -24,11 +28,12 @@ static void print_line(bolan_log_level level, const char *sentence) {
 }
 
 void bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...) {
-    char sentence[1024];
+    char raw[SENTENCE_CAPACITY], sentence[SENTENCE_CAPACITY];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(sentence, sizeof sentence, format, arguments);
+    number_format_list(raw, sizeof raw, format, arguments);
     va_end(arguments);
+    bolan_text_escape(raw, sentence, sizeof sentence);
     if (hooks.log) {
         hooks.log(hooks.user, level, id, sentence);
     } else {

@@ -122,7 +122,8 @@ void bolan_set_threads(uint32_t threads) {
 
 uint32_t bolan_threads(void) {
     const bolan_hooks *hooks = bolan_active_hooks();
-    return hooks->parallel ? hooks->parallel_workers : pool.threads;
+    if (!hooks->parallel) return pool.threads;
+    return hooks->parallel_workers ? hooks->parallel_workers : 1; // 0 is misuse, which bolan_set_hooks() reported
 }
 
 // Posts the loop, works on it, and returns when the last helper has left it. The caller holds in_loop.

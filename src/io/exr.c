@@ -2,12 +2,11 @@
 // Float pictures: OpenEXR, through its C library.
 //
 // The file is a single part of scan lines in blocks of 16 lines, each compressed by itself (ZIP). The encoder takes,
-// for each channel of the header, a pointer to the block's first line.
+// for each channel of the header, a pointer to the block's first line. The file grows in memory, for the encoder writes its
+// table of blocks last and a pipe cannot go back; then it is written like every other file.
 #include "io/file.h"
 
-#include <errno.h>
 #include <openexr.h>
-#include <stdio.h>
 #include <string.h>
 
 enum { LARGEST_SIDE = 16384, MOST_CHANNELS = 64 };
@@ -71,9 +70,37 @@ static exr_result_t write_blocks(exr_context_t file, const picture *p, exr_encod
     return result;
 }
 
-static exr_result_t write_picture(const char *path, const picture *p) {
+typedef struct memory {
+    uint8_t *data;
+    size_t size, capacity;
+} memory;
+
+static bool grow(memory *m, size_t size) {
+    if (size <= m->capacity) return true;
+    const size_t capacity = size + size / 2 + 65536;
+    uint8_t *data = bolan_allocate(capacity);
+    if (!data) return false;
+    if (m->size) memcpy(data, m->data, m->size);
+    bolan_release(m->data, m->capacity);
+    m->data = data;
+    m->capacity = capacity;
+    return true;
+}
+
+static int64_t write_to_memory(exr_const_context_t file, void *user, const void *bytes, uint64_t size, uint64_t at,
+                               exr_stream_error_func_ptr_t report) {
+    memory *m = user;
+    if (!grow(m, (size_t)(at + size))) return report(file, EXR_ERR_OUT_OF_MEMORY, "no memory"), -1;
+    memcpy(m->data + at, bytes, (size_t)size);
+    if (at + size > m->size) m->size = (size_t)(at + size);
+    return (int64_t)size;
+}
+
+static exr_result_t write_picture(const char *path, const picture *p, memory *m) {
     exr_context_initializer_t initializer = EXR_DEFAULT_CONTEXT_INITIALIZER;
     initializer.error_handler_fn = ignore_message;
+    initializer.user_data = m;
+    initializer.write_fn = write_to_memory;
     exr_context_t file = NULL;
     exr_result_t result = exr_start_write(&file, path, EXR_WRITE_FILE_DIRECTLY, &initializer);
     if (result != EXR_ERR_SUCCESS) return result;
@@ -105,13 +132,18 @@ bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height, 
                              uint32_t count) {
     BOLAN_ASSERT(path && channels);
     const picture p = {width, height, channels, count};
-    char temporary[FILE_NAME_CAPACITY];
     if (check(path, &p)) return BOLAN_ERROR_ARGUMENT;
-    if (file_temporary_name(path, temporary)) return BOLAN_ERROR_IO;
-    errno = 0;
-    const exr_result_t result = write_picture(temporary, &p);
-    if (result == EXR_ERR_SUCCESS) return file_finish(temporary, path, true);
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_IMAGE_WRITE, "%s: cannot be written: %s", path,
-              errno ? strerror(errno) : exr_get_default_error_message(result));
-    return file_finish(temporary, path, false), BOLAN_ERROR_IO;
+    memory m = {NULL, 0, 0};
+    const exr_result_t result = write_picture(path, &p, &m);
+    bolan_result written = BOLAN_OK;
+    if (result == EXR_ERR_SUCCESS) {
+        written = bolan_file_write(path, m.data, m.size);
+    } else {
+        // Into memory everything goes but for its end; the library may call that by another name.
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory to compress the picture: %s", path,
+                  exr_get_default_error_message(result));
+        written = BOLAN_ERROR_MEMORY;
+    }
+    bolan_release(m.data, m.capacity);
+    return written;
 }

@@ -3,9 +3,12 @@
 #include "io/file.h"
 
 #include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 // ---- reading --------------------------------------------------------------------------------------------------------
@@ -13,6 +16,11 @@
 static bolan_result cannot_read(bolan_log_id id, const char *path, const char *reason) {
     bolan_log(BOLAN_LOG_ERROR, id, "%s: cannot be read: %s", path, reason);
     return BOLAN_ERROR_IO;
+}
+
+static bolan_result no_memory(const char *path) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory to read it", path);
+    return BOLAN_ERROR_MEMORY;
 }
 
 static bolan_result read_stream(FILE *stream, const char *path, size_t limit, file_text *out) {
@@ -25,10 +33,7 @@ static bolan_result read_stream(FILE *stream, const char *path, size_t limit, fi
             char *next = bolan_allocate(larger + 1);
             if (next && data) memcpy(next, data, size);
             bolan_release(data, capacity + 1);
-            if (!next) {
-                bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory to read it", path);
-                return BOLAN_ERROR_MEMORY;
-            }
+            if (!next) return no_memory(path);
             data = next;
             capacity = larger;
         }
@@ -40,17 +45,14 @@ static bolan_result read_stream(FILE *stream, const char *path, size_t limit, fi
     if (ferror(stream)) {
         result = cannot_read(BOLAN_LOG_FILE_READ, path, strerror(errno));
     } else if (size > limit) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_TOO_LARGE, "%s: larger than %zu MiB; expected a smaller file", path,
-                  limit >> 20);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_TOO_LARGE, "%s: larger than %zu KiB; expected a smaller file", path,
+                  limit >> 10);
         result = BOLAN_ERROR_IO;
     }
     // Give the exact size back, so that the owner need not remember the capacity.
     char *exact = result ? NULL : bolan_allocate(size + 1);
     if (exact) memcpy(exact, data, size);
-    if (!result && !exact) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory to read it", path);
-        result = BOLAN_ERROR_MEMORY;
-    }
+    if (!result && !exact) result = no_memory(path);
     bolan_release(data, capacity + 1);
     *out = (file_text){exact, exact ? size : 0};
     return result;
@@ -117,55 +119,156 @@ bool file_resolve_raster(const char *beside, char name[BOLAN_PATH_MAX]) {
     return true;
 }
 
-// ---- writing --------------------------------------------------------------------------------------------------------
+// ---- where to write --------------------------------------------------------------------------------------------------
+
+enum { MOST_LINKS = 40, MOST_ATTEMPTS = 100, NAME_BYTES = 255 }; // NAME_BYTES: what Linux and BSD folders hold
 
 bolan_result file_cannot_write(const char *path) {
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_WRITE, "%s: cannot be written: %s", path, strerror(errno));
     return BOLAN_ERROR_IO;
 }
 
-bolan_result file_temporary_name(const char *path, char out[FILE_NAME_CAPACITY]) {
-    struct stat status;
-    const bool exists = stat(path, &status) == 0;
-    errno = strlen(path) >= BOLAN_PATH_MAX ? ENAMETOOLONG : exists && S_ISDIR(status.st_mode) ? EISDIR : 0;
-    if (errno) return file_cannot_write(path);
-    if (exists && !S_ISREG(status.st_mode)) {
-        snprintf(out, FILE_NAME_CAPACITY, "%s", path);
-    } else {
-        snprintf(out, FILE_NAME_CAPACITY, "%s.part%ld", path, (long)getpid());
-    }
-    return BOLAN_OK;
+void file_temporary_name(const char *target, int attempt, char out[FILE_NAME_CAPACITY]) {
+    char tail[32];
+    const char *slash = strrchr(target, '/'), *name = slash ? slash + 1 : target;
+    snprintf(tail, sizeof tail, attempt ? ".part%ld-%d" : ".part%ld", (long)getpid(), attempt);
+    const size_t stem = bolan_text_fit(name, NAME_BYTES - strlen(tail));
+    snprintf(out, FILE_NAME_CAPACITY, "%.*s%.*s%s", (int)(name - target), target, (int)stem, name, tail);
 }
 
-bolan_result file_finish(const char *temporary, const char *path, bool keep) {
-    if (strcmp(temporary, path) == 0) return BOLAN_OK;
-    if (keep && rename(temporary, path) == 0) return BOLAN_OK;
+// Symbolic links, followed to the end: the last may lead to a name that is not there yet. False with errno.
+static bool follow_links(const char *path, char out[BOLAN_PATH_MAX]) {
+    char link[BOLAN_PATH_MAX], next[BOLAN_PATH_MAX];
+    snprintf(out, BOLAN_PATH_MAX, "%s", path);
+    for (int i = 0; i < MOST_LINKS; i++) {
+        const ssize_t length = readlink(out, link, sizeof link - 1);
+        if (length < 0) return errno == EINVAL || errno == ENOENT; // no link; or nothing there, as it should be
+        link[length] = '\0';
+        errno = ENAMETOOLONG;
+        if (length == sizeof link - 1 || !file_resolve(out, link, next)) return false;
+        memcpy(out, next, sizeof next);
+    }
+    errno = ELOOP;
+    return false;
+}
+
+// Fills path and target. *old: what stands there now, all zero for nothing; *straight: a device or pipe.
+static bolan_result find_target(const char *path, file_output *out, struct stat *old, bool *straight) {
+    memset(old, 0, sizeof *old);
+    *out = (file_output){.file = -1, .entry = {.slot = -1}};
+    *straight = false;
+    errno = *path ? ENAMETOOLONG : ENOENT;
+    if (!*path || strlen(path) >= BOLAN_PATH_MAX) return file_cannot_write(path);
+    snprintf(out->path, sizeof out->path, "%s", path);
+    snprintf(out->target, sizeof out->target, "%s", path);
+    const bool exists = stat(path, old) == 0;
+    if (!exists && errno != ENOENT) return file_cannot_write(path);
+    errno = EISDIR;
+    if (exists && S_ISDIR(old->st_mode)) return file_cannot_write(path);
+    // A file that nobody may write is kept, also from root, to whom the system would allow it.
+    errno = EACCES;
+    if (exists && (old->st_mode & 0222) == 0) return file_cannot_write(path);
+    if (exists && faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) != 0) return file_cannot_write(path);
+    *straight = exists && !S_ISREG(old->st_mode);
+    if (*straight || follow_links(path, out->target)) return BOLAN_OK;
+    return file_cannot_write(path);
+}
+
+static void remove_file(const char *path) { unlink(path); }
+
+// A name of its own: what stands there under such a name belongs to somebody else.
+static bool make_temporary(file_output *out, const struct stat *old) {
+    const bool replaces = old->st_nlink > 0;
+    for (int attempt = 0; attempt < MOST_ATTEMPTS; attempt++) {
+        file_temporary_name(out->target, attempt, out->temporary);
+        out->entry = unfinished_claim(out->temporary, remove_file);
+        out->file = open(out->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, replaces ? 0600 : 0666);
+        const int reason = errno;
+        if (out->file >= 0) {
+            unfinished_own(&out->entry, 0);
+            // Another's file can be given back to him by root alone; without that its mode is enough.
+            const bool given = replaces && fchown(out->file, old->st_uid, old->st_gid) == 0;
+            return !replaces || fchmod(out->file, old->st_mode & (given ? 07777 : 0777)) == 0;
+        }
+        unfinished_forget(&out->entry);
+        errno = reason;
+        if (errno != EEXIST) return false;
+    }
+    return false;
+}
+
+bolan_result file_output_open(const char *path, file_output *out) {
+    struct stat old;
+    bool straight;
+    if (find_target(path, out, &old, &straight)) return BOLAN_ERROR_IO;
+    if (straight) {
+        out->file = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+        return out->file >= 0 ? BOLAN_OK : file_cannot_write(path);
+    }
+    if (make_temporary(out, &old)) return BOLAN_OK;
+    const bolan_result result = file_cannot_write(path);
+    if (out->file < 0) out->temporary[0] = '\0'; // not made: what stands there is another's
+    file_output_finish(out, false);
+    return result;
+}
+
+bolan_result file_output_finish(file_output *out, bool keep) {
+    bolan_result result = BOLAN_OK;
+    // A network folder or a quota may speak up no sooner than here.
+    if (out->file >= 0 && close(out->file) != 0 && keep) result = file_cannot_write(out->path);
+    out->file = -1;
+    if (!out->temporary[0]) return result;
+    unfinished_wait_if_abandoned();
+    if (!result && keep && rename(out->temporary, out->target) != 0) result = file_cannot_write(out->path);
+    if (result || !keep) unlink(out->temporary);
+    out->temporary[0] = '\0';
+    unfinished_forget(&out->entry);
+    return result;
+}
+
+// ---- writing --------------------------------------------------------------------------------------------------------
+
+bool file_write_all(int file, const void *data, size_t size) {
+    sigset_t ours, before, pending;
+    sigemptyset(&ours);
+    sigpending(&pending);
+    if (!sigismember(&pending, SIGPIPE)) sigaddset(&ours, SIGPIPE); // one that came earlier is not ours to take off
+    if (!sigismember(&pending, SIGXFSZ)) sigaddset(&ours, SIGXFSZ);
+    pthread_sigmask(SIG_BLOCK, &ours, &before);
+    const uint8_t *at = data;
+    bool ok = true;
+    while (size > 0 && ok) {
+        const ssize_t written = write(file, at, size);
+        ok = written > 0 || (written < 0 && errno == EINTR);
+        if (written > 0) at += written, size -= (size_t)written;
+    }
     const int reason = errno;
-    remove(temporary);
+    if (!ok) {
+        const struct timespec now = {0, 0};
+        while (sigtimedwait(&ours, NULL, &now) < 0 && errno == EINTR) continue;
+    }
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
     errno = reason;
-    return keep ? file_cannot_write(path) : BOLAN_OK;
+    return ok;
 }
 
 bolan_result bolan_file_check_writable(const char *path) {
-    char temporary[FILE_NAME_CAPACITY];
-    if (file_temporary_name(path, temporary)) return BOLAN_ERROR_IO;
-    FILE *stream = fopen(temporary, "wb");
-    if (!stream) return file_cannot_write(path);
-    fclose(stream);
-    return file_finish(temporary, path, false);
+    BOLAN_ASSERT(path);
+    file_output output;
+    struct stat old;
+    bool straight;
+    if (find_target(path, &output, &old, &straight)) return BOLAN_ERROR_IO;
+    if (straight) return BOLAN_OK; // a pipe is opened once: its reader takes the close for the end
+    const bolan_result result = file_output_open(path, &output);
+    return result ? result : file_output_finish(&output, false);
 }
 
 bolan_result bolan_file_write(const char *path, const void *data, size_t size) {
-    char temporary[FILE_NAME_CAPACITY];
-    if (file_temporary_name(path, temporary)) return BOLAN_ERROR_IO;
-    FILE *stream = fopen(temporary, "wb");
-    if (!stream) return file_cannot_write(path);
-    const bool written = fwrite(data, 1, size, stream) == size;
-    // The last bytes leave the buffer at the close: a full disk shows there.
-    if (fclose(stream) != 0 || !written) {
-        const bolan_result result = file_cannot_write(path);
-        file_finish(temporary, path, false);
-        return result;
-    }
-    return file_finish(temporary, path, true);
+    BOLAN_ASSERT(path && (data || size == 0));
+    file_output output;
+    if (file_output_open(path, &output)) return BOLAN_ERROR_IO;
+    const bool written = file_write_all(output.file, data, size);
+    const bolan_result result = written ? BOLAN_OK : file_cannot_write(path);
+    const bolan_result finished = file_output_finish(&output, written);
+    return result ? result : finished;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file file.h
-/// Whole files in memory, and names for files that are being written. Private to src/io.
+/// Whole files in memory, and files that are being written. Private to src/io.
 #ifndef BOLAN_IO_FILE_H
 #define BOLAN_IO_FILE_H
 
 #include "bolan/io.h"
+#include "io/unfinished.h"
 
 typedef struct file_text {
     char *data;  ///< a NUL follows the last byte
@@ -16,11 +17,29 @@ bolan_result file_read(const char *path, size_t limit, file_text *out);
 void file_release(file_text *text);
 
 enum { FILE_NAME_CAPACITY = BOLAN_PATH_MAX + 32 };
-/// Where to write what shall stand at @p path in the end: a name beside it, or @p path itself when that is a device or
-/// pipe, which cannot be replaced. IO with a sentence when @p path is a folder or too long.
-bolan_result file_temporary_name(const char *path, char out[FILE_NAME_CAPACITY]);
-/// Moves the finished file to its name (@p keep), or removes it.
-bolan_result file_finish(const char *temporary, const char *path, bool keep);
+
+/// A file on its way to its place. A regular file grows under a temporary name beside its target and is renamed at the
+/// end; a device or pipe cannot be replaced and is written straight.
+typedef struct file_output {
+    char path[BOLAN_PATH_MAX];          ///< as the caller wrote it, for messages
+    char target[BOLAN_PATH_MAX];        ///< the same with symbolic links followed to the end
+    char temporary[FILE_NAME_CAPACITY]; ///< what is written now; "" for a device or pipe
+    int file;                           ///< open for writing, or -1
+    unfinished entry;
+} file_output;
+
+/// Finds the target, makes the temporary file and opens it. The new file takes over mode and owner of the one that it
+/// will replace. IO with a sentence: a folder, a file that nobody may write, a folder that cannot be written to.
+bolan_result file_output_open(const char *path, file_output *out);
+/// Closes the file and gives it its name (@p keep), or removes it. IO with a sentence when that fails; nothing is left.
+bolan_result file_output_finish(file_output *out, bool keep);
+
+/// Writes everything; false with errno. A signal for a closed pipe (SIGPIPE) or a file that grows too large (SIGXFSZ)
+/// would end the caller's program: it is held back in this thread, and errno says the same.
+bool file_write_all(int file, const void *data, size_t size);
+/// The temporary name number @p attempt beside @p target, in the same folder: NAME.partPID. A long name is shortened to
+/// what a folder can hold.
+void file_temporary_name(const char *target, int attempt, char out[FILE_NAME_CAPACITY]);
 /// Logs "PATH: cannot be written: REASON" by errno, and returns IO.
 bolan_result file_cannot_write(const char *path);
 

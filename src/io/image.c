@@ -2,7 +2,6 @@
 // 8-bit pictures: PNG out, what stb_image knows in.
 #include "io/file.h"
 
-#include <stdio.h>
 #include <string.h>
 
 // stb's code as static functions of this file: an application may have its own stb.
@@ -20,7 +19,10 @@
 #define STBI_WRITE_NO_STDIO
 #include <stb/stb_image_write.h>
 
-enum { LARGEST_SIDE = 16384, IMAGE_FILE_LIMIT = 512 << 20 };
+enum { LARGEST_SIDE = STBI_MAX_DIMENSIONS, IMAGE_FILE_LIMIT = 512 << 20 };
+// Deflate makes at most 1032 bytes of one (zlib, "Maximum Compression Factor"), and a byte of a PNG holds 8 pixels at most.
+// The other formats compress less.
+enum { MOST_PIXELS_PER_BYTE = 8 * 1032 };
 
 static bolan_result check_size(const char *path, uint32_t width, uint32_t height) {
     if (width >= 1 && width <= LARGEST_SIDE && height >= 1 && height <= LARGEST_SIDE) return BOLAN_OK;
@@ -43,25 +45,63 @@ bolan_result bolan_png_write(const char *path, uint32_t width, uint32_t height, 
     return result;
 }
 
+static bolan_result not_a_picture(const char *path, const char *reason) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_IMAGE_FORMAT, "%s: not a picture that can be read: %s", path, reason);
+    return BOLAN_ERROR_FORMAT;
+}
+
+// The decoder reserves as much as a chunk of a PNG says that it is long, before it looks whether it is there.
+static bool png_chunks_fit(const file_text *file) {
+    static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    const uint8_t *data = (const uint8_t *)file->data;
+    if (file->size < 8 || memcmp(data, signature, 8) != 0) return true; // another format
+    for (size_t at = 8; file->size - at >= 8;) {                        // length, type, data, checksum
+        const size_t length =
+            (size_t)data[at] << 24 | (size_t)data[at + 1] << 16 | (size_t)data[at + 2] << 8 | data[at + 3];
+        if (memcmp(data + at + 4, "IEND", 4) == 0) return true;
+        if (length > file->size - at - 8 || file->size - at - 8 - length < 4) return false;
+        at += 12 + length;
+    }
+    return false;
+}
+
+// The decoder reserves what the header asks for: a few bytes would cost a gigabyte.
+static bolan_result check_header(const char *path, const file_text *file) {
+    int w = 0, h = 0, channels = 0;
+    if (!png_chunks_fit(file)) return not_a_picture(path, "a part of the PNG is longer than the file; is it cut off?");
+    if (!stbi_info_from_memory((const stbi_uc *)file->data, (int)file->size, &w, &h, &channels))
+        return not_a_picture(path, stbi_failure_reason());
+    const bool good = w >= 1 && w <= LARGEST_SIDE && h >= 1 && h <= LARGEST_SIDE;
+    if (good && (size_t)w * (size_t)h <= file->size * MOST_PIXELS_PER_BYTE) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_IMAGE_FORMAT,
+              "%s: its header says %d x %d pixels; expected 1 to %d each way, and no more than %zu bytes can hold",
+              path, w, h, LARGEST_SIDE, file->size);
+    return BOLAN_ERROR_FORMAT;
+}
+
+static bool is_out_of_memory(void) { return strcmp(stbi_failure_reason(), "outofmem") == 0; }
+
+static bolan_result no_memory(const char *path) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory for the picture", path);
+    return BOLAN_ERROR_MEMORY;
+}
+
 bolan_result bolan_image_read(const char *path, uint32_t *width, uint32_t *height, uint8_t **rgb) {
     BOLAN_ASSERT(path && width && height && rgb);
     *rgb = NULL;
     file_text file;
     bolan_result result = file_read(path, IMAGE_FILE_LIMIT, &file);
-    if (result) return result;
+    if (!result) result = check_header(path, &file);
+    if (result) return file_release(&file), result;
     int w = 0, h = 0, channels = 0;
     stbi_uc *pixels = stbi_load_from_memory((const stbi_uc *)file.data, (int)file.size, &w, &h, &channels, 3);
     file_release(&file);
-    if (!pixels) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_IMAGE_FORMAT, "%s: not a picture that can be read: %s", path,
-                  stbi_failure_reason());
-        return BOLAN_ERROR_FORMAT;
-    }
+    if (!pixels) return is_out_of_memory() ? no_memory(path) : not_a_picture(path, stbi_failure_reason());
     const size_t bytes = (size_t)w * (size_t)h * 3;
     *rgb = bolan_allocate(bytes);
     if (*rgb) memcpy(*rgb, pixels, bytes);
     stbi_image_free(pixels);
     *width = (uint32_t)w;
     *height = (uint32_t)h;
-    return *rgb ? BOLAN_OK : BOLAN_ERROR_MEMORY;
+    return *rgb ? BOLAN_OK : no_memory(path);
 }

@@ -38,25 +38,31 @@ static field_list split(const char *begin, const char *end) {
 }
 
 static bolan_result refuse(const char *name, uint32_t line, const text_word *field, const char *expected) {
-    char found[32] = "the end of the line";
+    char found[32] = "the end of the line", word[32];
     if (field) {
-        size_t n = 0;
-        for (; n < field->length && n < 24; n++)
-            found[n] = field->begin[n] >= 32 && field->begin[n] < 127 ? field->begin[n] : '?';
-        found[n] = '\0';
-        if (n == 0) snprintf(found, sizeof found, "nothing");
+        const size_t length = field->length < sizeof word - 1 ? field->length : sizeof word - 1;
+        snprintf(word, sizeof word, "%.*s", (int)length, field->begin);
+        const size_t shown = bolan_text_fit(word, 24);
+        snprintf(found, sizeof found, "%s", "nothing");
+        if (shown > 0) snprintf(found, sizeof found, "%.*s", (int)shown, word);
     }
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_POINTS_SYNTAX, "%s:%u: found %s; expected %s", name, (unsigned)line, found,
               expected);
     return BOLAN_ERROR_FORMAT;
 }
 
-static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '"'; }
-
-// A line of column names: it begins with x. "nan" and "inf" are no names.
+// A line of column names: it begins with x, quoted or not.
 static bool is_header(const field_list *list) {
-    return list->count > 0 && list->fields[0].length > 0 && is_letter(list->fields[0].begin[0]) &&
-           memchr("xX\"", list->fields[0].begin[0], 3);
+    const text_word *first = &list->fields[0];
+    const size_t quote = first->length > 0 && first->begin[0] == '"';
+    return first->length > quote && memchr("xX", first->begin[quote], 2);
+}
+
+// Programs that quote everything quote numbers too.
+static bool read_number(text_word field, double *value) {
+    const bool quoted = field.length > 2 && field.begin[0] == '"' && field.begin[field.length - 1] == '"';
+    if (quoted) field = (text_word){field.begin + 1, field.length - 2, field.line};
+    return text_number(field, value);
 }
 
 static bolan_result read_point(const char *name, uint32_t line, const field_list *list, bolan_dvec3 *point) {
@@ -65,7 +71,7 @@ static bolan_result read_point(const char *name, uint32_t line, const field_list
                                             "z, a number of metres within 1e8"};
     if (list->count > 3) return refuse(name, line, &list->fields[3], "x,y or x,y,z");
     for (int i = 0; i < list->count; i++)
-        if (!text_number(list->fields[i], &values[i]) || fabs(values[i]) > FARTHEST)
+        if (!read_number(list->fields[i], &values[i]) || fabs(values[i]) > FARTHEST)
             return refuse(name, line, &list->fields[i], expected[i]);
     if (list->count < 2) return refuse(name, line, NULL, expected[1]);
     *point = bolan_dv3(values[0], values[1], values[2]);

@@ -185,22 +185,52 @@ static int days_since_1970(int year, int month, int day) {
     return julian - 2440588;
 }
 
-bool scene_file_date(const char *text, double *unix_time) {
-    int year, month, day, hour, minute, second = 0, used = 0, zone_hour = 0, zone_minute = 0, end = 0;
-    char sign = 'Z';
-    if (sscanf(text, "%4d-%2d-%2dT%2d:%2d%n", &year, &month, &day, &hour, &minute, &used) != 5) return false;
-    text += used;
-    if (*text == ':') {
-        if (sscanf(text, ":%2d%n", &second, &used) != 1) return false;
-        text += used;
+// Exactly @p count digits at *text, which is moved behind them; -1 for anything else: no sign, no blank.
+static int digits(const char **text, int count) {
+    int value = 0;
+    for (int i = 0; i < count; i++, (*text)++) {
+        if (**text < '0' || **text > '9') return -1;
+        value = value * 10 + (**text - '0');
     }
-    if (strcmp(text, "Z") != 0 && (sscanf(text, "%c%2d:%2d%n", &sign, &zone_hour, &zone_minute, &end) != 3 ||
-                                   text[end] != '\0' || (sign != '+' && sign != '-')))
+    return value;
+}
+
+// That many digits behind the character @p before.
+static int digits_behind(char before, const char **text, int count) {
+    return **text == before ? ((*text)++, digits(text, count)) : -1;
+}
+
+static int days_of_month(int year, int month) {
+    static const int days[12] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+    return month == 2 && leap ? 29 : days[month - 1];
+}
+
+// ISO 8601: YYYY-MM-DDTHH:MM, :SS if you like, and Z or +HH:MM or -HH:MM.
+bool scene_file_date(const char *text, double *unix_time) {
+    const int year = digits(&text, 4);
+    if (year < 1900 || year > 2100) return false;
+    const int month = digits_behind('-', &text, 2);
+    if (month < 1 || month > 12) return false;
+    const int day = digits_behind('-', &text, 2);
+    if (day < 1 || day > days_of_month(year, month)) return false;
+    const int hour = digits_behind('T', &text, 2);
+    if (hour < 0 || hour > 23) return false;
+    const int minute = digits_behind(':', &text, 2);
+    if (minute < 0 || minute > 59) return false;
+    const int second = *text == ':' ? digits_behind(':', &text, 2) : 0;
+    if (second < 0 || second > 60) return false; // 60: a leap second
+    const char sign = *text;
+    int zone_hour = 0, zone_minute = 0;
+    if (sign == '+' || sign == '-') {
+        zone_hour = digits_behind(sign, &text, 2);
+        if (zone_hour < 0 || zone_hour > 14) return false;
+        zone_minute = digits_behind(':', &text, 2);
+        if (zone_minute < 0 || zone_minute > 59) return false;
+    } else if (*text++ != 'Z') {
         return false;
-    if (year < 1900 || year > 2100 || month < 1 || month > 12 || day < 1 || day > 31 || hour < 0 || hour > 23 ||
-        minute < 0 || minute > 59 || second < 0 || second > 60 || zone_hour < 0 || zone_hour > 14 || zone_minute < 0 ||
-        zone_minute > 59)
-        return false;
+    }
+    if (*text) return false;
     const double zone = (zone_hour * 60.0 + zone_minute) * 60.0 * (sign == '-' ? -1.0 : 1.0);
     *unix_time = days_since_1970(year, month, day) * 86400.0 + (hour * 60.0 + minute) * 60.0 + second - zone;
     return true;
@@ -326,9 +356,8 @@ static bolan_result unknown_model(const char *name, uint32_t line, const char *m
         const size_t used = strlen(list);
         snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", bolan_model_builtin_name(i));
     }
-    snprintf(sentence, sizeof sentence, "there is no model %.64s; expected builtin: and one of %s", model, list);
-    for (char *c = sentence; *c; c++)
-        if ((unsigned char)*c < 32) *c = '?';
+    snprintf(sentence, sizeof sentence, "there is no model %.*s; expected builtin: and one of %s",
+             (int)bolan_text_fit(model, 64), model, list);
     return refuse(name, line, sentence);
 }
 
@@ -367,7 +396,8 @@ bolan_result scene_file_find_models(const scene_file *file, const char *name, bo
             return refuse(name, file->objects[i].line, "the path of a model is longer than 255 characters");
         if (access(path, R_OK) != 0) {
             snprintf(sentence, sizeof sentence,
-                     "the model %.300s cannot be read; expected a file (OBJ, glTF), or builtin:NAME", path);
+                     "the model %.*s cannot be read; expected a file (OBJ, glTF), or builtin:NAME",
+                     (int)bolan_text_fit(path, 300), path);
             return refuse(name, file->objects[i].line, sentence);
         }
         memcpy(o->model, path, strlen(path) + 1);

@@ -3,11 +3,10 @@
 #include "io/file.h"
 #include "io/scene_file.h"
 #include "io/scene_source.h"
+#include "io/yaml_limits.h"
 
 #include <stdio.h>
 #include <string.h>
-
-enum { SCENE_FILE_LIMIT = 1 << 20 };
 
 static const char *const suffix = ".yaml";
 
@@ -45,11 +44,6 @@ const char *bolan_scene_builtin_name(uint32_t index) {
 
 // `on_disk`: the name is a path, and models are looked for beside it.
 static bolan_result parse(const char *name, const char *text, size_t size, bool on_disk, bolan_scene *out) {
-    if (size > SCENE_FILE_LIMIT) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_TOO_LARGE, "%s: larger than a scene can be; expected at most 1 MiB",
-                  name);
-        return BOLAN_ERROR_FORMAT;
-    }
     scene_file file;
     scene_file_clear(&file);
     bolan_result result = schema_read(name, text, size, scene_file_keys, &file);
@@ -59,7 +53,8 @@ static bolan_result parse(const char *name, const char *text, size_t size, bool 
     if (!result) result = bolan_scene_validate(&scene);
     if (result) return result;
     const char *slash = strrchr(name, '/');
-    snprintf(scene.name, sizeof scene.name, "%s", slash ? slash + 1 : name);
+    const char *part = slash ? slash + 1 : name;
+    snprintf(scene.name, sizeof scene.name, "%.*s", (int)bolan_text_fit(part, sizeof scene.name - 1), part);
     *out = scene;
     return BOLAN_OK;
 }
@@ -86,7 +81,7 @@ static bolan_result resolve(const char *beside, char path[BOLAN_PATH_MAX]) {
 
 static bolan_result load_file(const char *path, bolan_scene *out) {
     file_text text;
-    bolan_result result = file_read(path, SCENE_FILE_LIMIT, &text);
+    bolan_result result = file_read(path, YAML_SIZE_LIMIT, &text);
     if (result) return result;
     bolan_scene scene;
     result = parse(path, text.data, text.size, true, &scene);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// See schema.h. libyaml gives the tree with the line of every node; the tables give it meaning. Depth is bounded by the
-// tables, so neither nesting nor aliases in a hostile file cost more than the file is long.
+// See schema.h. libyaml gives the tree with the line of every node; the tables give it meaning. What libyaml itself may
+// cost is bounded before it sees the text (yaml_limits.h); depth here is bounded by the tables.
 #include "io/schema.h"
 
+#include "io/yaml_limits.h"
 #include "spectrum/text.h"
 
 #include <stdio.h>
@@ -12,25 +13,23 @@
 enum { PATH_MAX_LENGTH = 96, LIST_MAX_LENGTH = 512 };
 
 typedef struct reader {
-    const char *name;
+    const char *name, *text;
+    size_t size;
     yaml_document_t document;
 } reader;
 
 static unsigned line_of(const yaml_node_t *node) { return (unsigned)node->start_mark.line + 1; }
 
-// The scalar of a node for a message: short, on one line.
+// The scalar of a node for a message: short.
 static void describe(const yaml_node_t *node, char out[48]) {
     if (node->type == YAML_MAPPING_NODE || node->type == YAML_SEQUENCE_NODE) {
         snprintf(out, 48, "%s", node->type == YAML_MAPPING_NODE ? "a map" : "a list");
         return;
     }
-    size_t n = 0;
-    for (; n < 40 && n < node->data.scalar.length; n++) {
-        const unsigned char c = node->data.scalar.value[n];
-        out[n] = (char)(c < 32 || c == 127 ? '?' : c);
-    }
-    snprintf(out + n, 48 - n, "%s", n < node->data.scalar.length ? "..." : "");
-    if (n == 0) snprintf(out, 48, "nothing");
+    const char *text = (const char *)node->data.scalar.value; // libyaml puts a NUL behind it
+    const size_t n = bolan_text_fit(text, 40);
+    snprintf(out, 48, "%.*s%s", (int)n, text, n < node->data.scalar.length ? "..." : "");
+    if (node->data.scalar.length == 0) snprintf(out, 48, "nothing");
 }
 
 static bolan_result refuse(const reader *r, const yaml_node_t *node, const char *path, const char *expected) {
@@ -45,8 +44,7 @@ static bolan_result refuse(const reader *r, const yaml_node_t *node, const char 
 
 static bool read_number(const yaml_node_t *node, double *value) {
     if (node->type != YAML_SCALAR_NODE) return false;
-    const text_word word = {(const char *)node->data.scalar.value, node->data.scalar.length, 0};
-    return text_number(word, value);
+    return bolan_parse_number((const char *)node->data.scalar.value, node->data.scalar.length, value);
 }
 
 static bolan_result number(const reader *r, const yaml_node_t *node, const schema_key *key, const char *path,
@@ -57,8 +55,8 @@ static bolan_result number(const reader *r, const yaml_node_t *node, const schem
         return BOLAN_OK;
     }
     char expected[80];
-    snprintf(expected, sizeof expected, "a number from %g to %g%s%s", key->low, key->high, key->unit ? " " : "",
-             key->unit ? key->unit : "");
+    bolan_format(expected, sizeof expected, "a number from %g to %g%s%s", key->low, key->high, key->unit ? " " : "",
+                 key->unit ? key->unit : "");
     return refuse(r, node, path, expected);
 }
 
@@ -82,7 +80,7 @@ static bolan_result count(const reader *r, const yaml_node_t *node, const schema
         return BOLAN_OK;
     }
     char expected[80];
-    snprintf(expected, sizeof expected, "a whole number from %.0f to %llu", key->low,
+    bolan_format(expected, sizeof expected, "a whole number from %.0f to %llu", key->low,
              key->high < 0x1p64 ? (unsigned long long)key->high : (unsigned long long)UINT64_MAX);
     return refuse(r, node, path, expected);
 }
@@ -278,12 +276,26 @@ static bolan_result map(reader *r, yaml_node_t *node, const schema_key *keys, co
 
 // ---- the document ---------------------------------------------------------------------------------------------------
 
-static bolan_result syntax_error(const char *name, const yaml_parser_t *parser) {
-    const bool marked = parser->error == YAML_SCANNER_ERROR || parser->error == YAML_PARSER_ERROR ||
-                        parser->error == YAML_COMPOSER_ERROR;
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_SYNTAX, "%s:%u: not YAML: %s", name,
-              marked ? (unsigned)parser->problem_mark.line + 1 : 1,
-              parser->problem ? parser->problem : "out of memory");
+static bolan_result no_memory(const char *name) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory for the YAML parser", name);
+    return BOLAN_ERROR_MEMORY;
+}
+
+// Of an error of the reader (bytes that are no UTF-8) the place is known, not the line.
+static unsigned line_at(const char *text, size_t size, size_t offset) {
+    unsigned line = 1;
+    for (size_t i = 0; i < size && i < offset; i++) line += text[i] == '\n';
+    return line;
+}
+
+static bolan_result syntax_error(const reader *r, const yaml_parser_t *parser) {
+    if (parser->error == YAML_MEMORY_ERROR) return no_memory(r->name);
+    const unsigned last = line_at(r->text, r->size, r->size > 0 ? r->size - 1 : 0);
+    unsigned line = parser->error == YAML_READER_ERROR ? line_at(r->text, r->size, parser->problem_offset)
+                                                       : (unsigned)parser->problem_mark.line + 1;
+    if (line > last) line = last; // libyaml puts the end of the text into a line of its own
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_SYNTAX, "%s:%u: not YAML: %s", r->name, line,
+              parser->problem ? parser->problem : "it cannot be understood");
     return BOLAN_ERROR_FORMAT;
 }
 
@@ -295,7 +307,7 @@ static bolan_result read_root(reader *r, const schema_key *keys, void *out) {
 // A second document in the file would be ignored, and somebody would wonder why.
 static bolan_result expect_end(const reader *r, yaml_parser_t *parser) {
     yaml_document_t next;
-    if (!yaml_parser_load(parser, &next)) return syntax_error(r->name, parser);
+    if (!yaml_parser_load(parser, &next)) return syntax_error(r, parser);
     const yaml_node_t *root = yaml_document_get_root_node(&next);
     const bolan_result result = root ? refuse(r, root, "a second document", "one document in the file") : BOLAN_OK;
     yaml_document_delete(&next);
@@ -304,15 +316,13 @@ static bolan_result expect_end(const reader *r, yaml_parser_t *parser) {
 
 bolan_result schema_read(const char *name, const char *text, size_t size, const schema_key *keys, void *out) {
     yaml_parser_t parser;
-    if (!yaml_parser_initialize(&parser)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory for the YAML parser", name);
-        return BOLAN_ERROR_MEMORY;
-    }
+    if (yaml_check_limits(name, text, size)) return BOLAN_ERROR_FORMAT;
+    if (!yaml_parser_initialize(&parser)) return no_memory(name);
     yaml_parser_set_input_string(&parser, (const unsigned char *)text, size);
-    reader r = {.name = name};
+    reader r = {.name = name, .text = text, .size = size};
     bolan_result result;
     if (!yaml_parser_load(&parser, &r.document)) {
-        result = syntax_error(name, &parser);
+        result = syntax_error(&r, &parser);
     } else {
         const bool empty = !yaml_document_get_root_node(&r.document);
         result = read_root(&r, keys, out);

@@ -2,23 +2,29 @@
 // Folders of tiles: index.json, and for each frame height_NNN.pgm (16-bit grey), normal_NNN.png, detail_NNN.png, caustics_NNN.png.
 // Row 0 of a picture is row 0 of the tile.
 #include "io/file.h"
+#include "io/tiles_index.h"
 
-#include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
+#include <poll.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { PGM_HEADER = 32, INDEX_LIMIT = 1 << 16, PICTURE_LIMIT = 1 << 24, TILE_NAME = FILE_NAME_CAPACITY + 32 };
+enum { PGM_HEADER = 32, PICTURE_LIMIT = 1 << 24, TILE_NAME = FILE_NAME_CAPACITY + 32 };
 static const char *const kinds[] = {"height", "normal", "detail", "caustics"};
 static const char *const endings[] = {"pgm", "png", "png", "png"};
 enum { HEIGHT, NORMAL, DETAIL, CAUSTICS, KINDS };
 
 static void name_of(const char *folder, int kind, uint32_t frame, char out[TILE_NAME]) {
     snprintf(out, TILE_NAME, "%s/%s_%03u.%s", folder, kinds[kind], (unsigned)frame, endings[kind]);
+}
+
+static bolan_result no_memory(const char *path) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory for a frame of tiles", path);
+    return BOLAN_ERROR_MEMORY;
 }
 
 // ---- writing --------------------------------------------------------------------------------------------------------
@@ -33,7 +39,7 @@ static double height_step(const bolan_tiles_view *v) {
 static bolan_result write_height(const char *path, const float *height, uint32_t n, double step) {
     const size_t size = (size_t)n * n * 2 + PGM_HEADER;
     uint8_t *data = bolan_allocate(size);
-    if (!data) return BOLAN_ERROR_MEMORY;
+    if (!data) return no_memory(path);
     const int header = snprintf((char *)data, PGM_HEADER, "P5\n%u %u\n65535\n", (unsigned)n, (unsigned)n);
     uint8_t *out = data + header;
     for (size_t i = 0; i < (size_t)n * n; i++, out += 2) {
@@ -48,7 +54,7 @@ static bolan_result write_height(const char *path, const float *height, uint32_t
 static bolan_result write_grey(const char *path, const uint8_t *grey, uint32_t n) {
     const size_t size = (size_t)n * n;
     uint8_t *rgb = bolan_allocate(3 * size);
-    if (!rgb) return BOLAN_ERROR_MEMORY;
+    if (!rgb) return no_memory(path);
     for (size_t i = 0; i < 3 * size; i++) rgb[i] = grey[i / 3];
     const bolan_result result = bolan_png_write(path, n, n, rgb);
     bolan_release(rgb, 3 * size);
@@ -66,39 +72,71 @@ static bolan_result write_frame(const char *folder, const bolan_tiles_view *v, u
 }
 
 static bolan_result write_index(const char *folder, const bolan_tiles_view *v, double step) {
-    char text[1024], path[TILE_NAME];
+    char text[TILES_INDEX_CAPACITY], path[TILE_NAME];
     snprintf(path, sizeof path, "%s/index.json", folder);
-    const int size = snprintf(
-        text, sizeof text,
-        "{\n  \"bolan_tiles\": 1,\n  \"n\": %u,\n  \"frames\": %u,\n  \"length\": %.17g,\n  \"angle\": %.17g,\n"
-        "  \"period\": %.17g,\n  \"depth\": %.17g,\n  \"paper\": %d,\n  \"height_step\": %.17g,\n"
-        "  \"caustics_range\": %g\n}\n",
-        (unsigned)v->n, (unsigned)v->frames, v->length, v->angle, v->period, v->depth, v->paper ? 1 : 0, step,
-        BOLAN_CAUSTICS_RANGE);
-    return bolan_file_write(path, text, (size_t)size);
+    return bolan_file_write(path, text, tiles_index_print(v, step, text));
 }
 
-// A folder with nothing but files in it.
-static void remove_folder(const char *folder) {
-    DIR *d = opendir(folder);
-    char path[TILE_NAME + 256];
-    for (struct dirent *e; d && (e = readdir(d)) != NULL;) {
-        snprintf(path, sizeof path, "%s/%s", folder, e->d_name);
-        if (e->d_name[0] != '.') unlink(path);
+// As name_of(), without the folder and with nothing that a signal handler may not call.
+static void bare_name_of(int kind, uint32_t frame, char out[32]) {
+    const char digits[5] = {'_', (char)('0' + frame / 100 % 10), (char)('0' + frame / 10 % 10),
+                            (char)('0' + frame % 10), '\0'};
+    const char *const parts[] = {kinds[kind], digits, ".", endings[kind]};
+    for (size_t i = 0; i < 4; i++)
+        for (const char *c = parts[i]; *c; c++) *out++ = *c;
+    *out = '\0';
+}
+
+// A folder of tiles that is not whole. Async-signal-safe. Another thread may just be writing a file: then once more.
+static void remove_folder(const char *path) {
+    const int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    char name[32];
+    for (int attempt = 0; attempt < 50 && folder >= 0; attempt++) {
+        for (uint32_t f = 0; f < BOLAN_MAX_LOOP_FRAMES; f++)
+            for (int k = 0; k < KINDS; k++) bare_name_of(k, f, name), unlinkat(folder, name, 0);
+        unlinkat(folder, "index.json", 0);
+        if (rmdir(path) == 0 || errno == ENOENT) break;
+        poll(NULL, 0, 5);
     }
-    if (d) closedir(d);
-    rmdir(folder);
+    if (folder >= 0) close(folder);
+}
+
+// The folder without a slash at its end. IO with a sentence where something stands there already.
+static bolan_result find_folder(const char *folder, char out[BOLAN_PATH_MAX]) {
+    struct stat status;
+    size_t length = strlen(folder);
+    while (length > 1 && folder[length - 1] == '/') length--;
+    errno = length == 0 ? ENOENT : ENAMETOOLONG;
+    if (length == 0 || length >= BOLAN_PATH_MAX) return file_cannot_write(folder);
+    memcpy(out, folder, length);
+    out[length] = '\0';
+    errno = EEXIST; // also for a link that leads nowhere
+    return lstat(out, &status) == 0 ? file_cannot_write(folder) : BOLAN_OK;
+}
+
+// Makes an empty folder under a temporary name that is nobody else's.
+static bolan_result make_folder(const char *folder, char temporary[FILE_NAME_CAPACITY], unfinished *entry) {
+    char target[BOLAN_PATH_MAX];
+    if (find_folder(folder, target)) return BOLAN_ERROR_IO;
+    for (int attempt = 0; attempt < 100; attempt++) {
+        file_temporary_name(target, attempt, temporary);
+        *entry = unfinished_claim(temporary, remove_folder);
+        if (mkdir(temporary, 0777) == 0) return unfinished_own(entry, 0), BOLAN_OK;
+        const int reason = errno;
+        unfinished_forget(entry);
+        errno = reason;
+        if (errno != EEXIST) break;
+    }
+    return file_cannot_write(folder);
 }
 
 bolan_result bolan_tiles_check_writable(const char *folder) {
     BOLAN_ASSERT(folder);
     char temporary[FILE_NAME_CAPACITY];
-    struct stat status;
-    errno = strlen(folder) >= BOLAN_PATH_MAX ? ENAMETOOLONG : stat(folder, &status) == 0 ? EEXIST : 0;
-    if (errno) return file_cannot_write(folder);
-    snprintf(temporary, sizeof temporary, "%s.part%ld", folder, (long)getpid());
-    if (mkdir(temporary, 0777) != 0) return file_cannot_write(folder);
+    unfinished entry;
+    if (make_folder(folder, temporary, &entry)) return BOLAN_ERROR_IO;
     rmdir(temporary);
+    unfinished_forget(&entry);
     return BOLAN_OK;
 }
 
@@ -106,15 +144,16 @@ bolan_result bolan_tiles_save(const bolan_tiles *tiles, const char *folder) {
     BOLAN_ASSERT(tiles && folder);
     const bolan_tiles_view v = bolan_tiles_get_view(tiles);
     const double step = height_step(&v);
-    char temporary[FILE_NAME_CAPACITY];
-    bolan_result result = bolan_tiles_check_writable(folder);
-    if (result) return result;
-    snprintf(temporary, sizeof temporary, "%s.part%ld", folder, (long)getpid());
-    if (mkdir(temporary, 0777) != 0) return file_cannot_write(folder);
-    result = write_index(temporary, &v, step);
+    char temporary[FILE_NAME_CAPACITY], target[BOLAN_PATH_MAX];
+    unfinished entry;
+    if (make_folder(folder, temporary, &entry)) return BOLAN_ERROR_IO;
+    bolan_result result = write_index(temporary, &v, step);
     for (uint32_t f = 0; f < v.frames && !result; f++) result = write_frame(temporary, &v, f, step);
-    if (!result && rename(temporary, folder) != 0) result = file_cannot_write(folder);
+    unfinished_wait_if_abandoned();
+    if (!result) result = find_folder(folder, target);
+    if (!result && rename(temporary, target) != 0) result = file_cannot_write(folder);
     if (result) remove_folder(temporary);
+    unfinished_forget(&entry);
     return result;
 }
 
@@ -125,49 +164,14 @@ static bolan_result bad(const char *path, const char *what) {
     return BOLAN_ERROR_FORMAT;
 }
 
-// The number after "key": in a flat object; NAN where it is not.
-static double number_of(const char *text, const char *key) {
-    char quoted[32];
-    snprintf(quoted, sizeof quoted, "\"%s\"", key);
-    const char *at = strstr(text, quoted);
-    at = at ? strchr(at, ':') : NULL;
-    char *end = NULL;
-    const double value = at ? strtod(at + 1, &end) : 0.0;
-    return at && end != at + 1 ? value : (double)NAN;
-}
-
-static bool whole(double x, double low, double high) { return x >= low && x <= high && x == floor(x); }
-
 static bolan_result read_index(const char *folder, bolan_tiles_view *v, double *step) {
-    char path[TILE_NAME], sentence[96];
+    char path[TILE_NAME];
     snprintf(path, sizeof path, "%s/index.json", folder);
     file_text text;
-    const bolan_result result = file_read(path, INDEX_LIMIT, &text);
-    if (result) return result;
-    static const char *const keys[] = {"n", "frames", "length", "angle", "period", "depth", "paper", "height_step"};
-    double x[8];
-    int missing = -1;
-    for (int i = 7; i >= 0; i--) {
-        x[i] = number_of(text.data, keys[i]);
-        if (isnan(x[i])) missing = i;
-    }
+    bolan_result result = file_read(path, TILES_INDEX_LIMIT, &text);
+    if (!result) result = tiles_index_parse(path, text.data, text.size, v, step);
     file_release(&text);
-    snprintf(sentence, sizeof sentence, "no number \"%s\"; expected the index of a folder of tiles",
-             missing < 0 ? "" : keys[missing]);
-    if (missing >= 0) return bad(path, sentence);
-    if (!whole(x[0], 8, 1024) || ((uint32_t)x[0] & ((uint32_t)x[0] - 1)) != 0)
-        return bad(path, "\"n\" is not a power of two 8..1024");
-    if (!whole(x[1], 1, BOLAN_MAX_LOOP_FRAMES)) return bad(path, "\"frames\" is not 1..64");
-    if (!(x[7] > 0.0 && x[7] < 1e3)) return bad(path, "\"height_step\" is not above 0");
-    *v = (bolan_tiles_view){.n = (uint32_t)x[0],
-                            .frames = (uint32_t)x[1],
-                            .length = x[2],
-                            .angle = x[3],
-                            .period = x[4],
-                            .depth = x[5],
-                            .paper = x[6] != 0.0};
-    *step = x[7];
-    return BOLAN_OK;
+    return result;
 }
 
 static bolan_result read_height(const char *path, uint32_t n, double step, float *height) {
@@ -213,17 +217,34 @@ static bolan_result read_frames(const char *folder, const bolan_tiles_view *v, d
     return result;
 }
 
+// An index of a few bytes may ask for a gigabyte: the heights that it speaks of must be there first.
+static bolan_result check_sizes(const char *folder, const bolan_tiles_view *v) {
+    for (uint32_t f = 0; f < v->frames; f++) {
+        char path[TILE_NAME];
+        struct stat status;
+        name_of(folder, HEIGHT, f, path);
+        if (stat(path, &status) != 0) {
+            bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_OPEN, "%s: cannot be read: %s", path, strerror(errno));
+            return BOLAN_ERROR_IO;
+        }
+        if (status.st_size < (off_t)v->n * v->n * 2)
+            return bad(path, "not a 16-bit PGM of the size that the index says");
+    }
+    return BOLAN_OK;
+}
+
 bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out) {
     BOLAN_ASSERT(folder && out);
     *out = NULL;
     bolan_tiles_view v;
     double step;
     bolan_result result = read_index(folder, &v, &step);
+    if (!result) result = check_sizes(folder, &v);
     if (result) return result;
     const size_t all = (size_t)v.frames * v.n * v.n;
     float *height = bolan_allocate(all * sizeof *height);
     uint8_t *bytes = bolan_allocate(7 * all);
-    result = height && bytes ? read_frames(folder, &v, step, height, bytes) : BOLAN_ERROR_MEMORY;
+    result = height && bytes ? read_frames(folder, &v, step, height, bytes) : no_memory(folder);
     v.height = height, v.normal = bytes;
     if (!result) v.detail = bytes + 3 * all, v.caustics = bytes + 6 * all;
     if (!result) result = bolan_tiles_create(&v, out);

@@ -6,7 +6,11 @@
 //
 // Without the program, no video; it is started directly, without a shell, and the film appears under its name at the
 // end.
+//
+// ffmpeg's exit code alone is not believed: a full disk ends with code 0 and half a film. A film is whole when the code is
+// 0, and nothing was complained of, and the container says so itself (film_check.c).
 #include "io/file.h"
+#include "io/film_check.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -14,12 +18,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 struct bolan_video {
-    char path[BOLAN_PATH_MAX];
-    char temporary[FILE_NAME_CAPACITY];
+    file_output output;
+    bool webm;
     size_t frame_bytes;
     pid_t process;
     int input;      // the pipe's writing end
@@ -43,19 +48,19 @@ static void add(command *c, const char *const *words) {
     for (; *words; words++) c->arguments[n++] = *words;
 }
 
-static void make_command(command *c, const bolan_video *video, uint32_t width, uint32_t height, double fps, bool webm) {
+static void make_command(command *c, const bolan_video *video, uint32_t width, uint32_t height, double fps) {
     memset(c, 0, sizeof *c);
     snprintf(c->size, sizeof c->size, "%ux%u", (unsigned)width, (unsigned)height);
-    snprintf(c->rate, sizeof c->rate, "%.6f", fps);
-    snprintf(c->output, sizeof c->output, "file:%s",
-             video->temporary); // a name with '-' in front or a ':' stays a name
+    bolan_format(c->rate, sizeof c->rate, "%.6f", fps);
+    // A name with '-' in front or a ':' stays a name.
+    snprintf(c->output, sizeof c->output, "file:%s", video->output.temporary);
     static const char *const mp4[] = {"-c:v",      "libx264",    "-preset", "medium", "-crf", "18",
                                       "-movflags", "+faststart", "-f",      "mp4",    NULL};
     static const char *const webm_codec[] = {"-c:v",    "libvpx-vp9", "-b:v", "0",    "-crf", "28",
                                              "-row-mt", "1",          "-f",   "webm", NULL};
-    const char *const input[] = {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y",
-                                 "-f",     "rawvideo", "-pix_fmt",     "rgb24",     "-s",    c->size,
-                                 "-r",     c->rate,    "-i",           "pipe:0",    "-an",   NULL};
+    const char *const input[] = {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-xerror", "-y",
+                                 "-f",     "rawvideo", "-pix_fmt",     "rgb24",     "-s",    c->size,   "-r",
+                                 c->rate,  "-i",       "pipe:0",       "-an",       NULL};
     // The picture is sRGB; say so, and convert by the matrix that players assume for it.
     static const char *const colour[] = {"-vf",
                                          "scale=out_color_matrix=bt709:out_range=tv",
@@ -71,86 +76,82 @@ static void make_command(command *c, const bolan_video *video, uint32_t width, u
     const char *const output[] = {c->output, NULL};
     add(c, input);
     add(c, colour);
-    add(c, webm ? webm_codec : mp4);
+    add(c, video->webm ? webm_codec : mp4);
     add(c, output);
 }
 
-static void become_ffmpeg(const command *c, int input, int sink, int messages) {
+static void become_ffmpeg(const command *c, int input, int sink, int messages, const sigset_t *mask) {
     if (dup2(input, STDIN_FILENO) < 0 || dup2(sink, STDOUT_FILENO) < 0 || dup2(messages, STDERR_FILENO) < 0)
         _exit(NOT_FOUND - 1);
-    // An interrupt on the terminal goes to the whole group; ffmpeg must wait for the parent's decision.
-    signal(SIGINT, SIG_IGN);
+    // A group of its own: an interrupt on the terminal is for the parent to decide, and what ffmpeg starts ends with it.
+    setpgid(0, 0);
+    static const int reset[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
+    for (size_t i = 0; i < sizeof reset / sizeof *reset; i++) signal(reset[i], SIG_DFL);
+    signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error that ffmpeg can report
+    sigprocmask(SIG_SETMASK, mask, NULL);
     execvp("ffmpeg", (char *const *)(uintptr_t)c->arguments);
     _exit(NOT_FOUND);
 }
 
 // ---- errors ---------------------------------------------------------------------------------------------------------
 
-// The last line that ffmpeg printed.
-static void last_message(FILE *messages, char *out, size_t capacity) {
+// The first line that ffmpeg printed: the cause, of which the others are consequences. The address of the part that
+// speaks, "[mp4 @ 0x55d0c8] ", is left out.
+static void first_message(FILE *messages, char *out, size_t capacity) {
     char line[512];
     out[0] = '\0';
     rewind(messages);
-    while (fgets(line, sizeof line, messages)) {
+    while (!out[0] && fgets(line, sizeof line, messages)) {
         line[strcspn(line, "\r\n")] = '\0';
-        if (line[0] != '\0') snprintf(out, capacity, "%s", line);
+        const char *address = strstr(line, " @ 0x"), *end = address ? strstr(address, "] ") : NULL;
+        snprintf(out, capacity, "%s", line[0] == '[' && end ? end + 2 : line);
     }
 }
 
-static bolan_result report_exit(bolan_video *video, int status) {
-    const bool missing = WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND;
-    char message[512];
-    last_message(video->messages, message, sizeof message);
-    if (missing) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_VIDEO_PROGRAM,
-                  "%s: the program ffmpeg was not found; install it (package ffmpeg), or write numbered pictures",
-                  video->path);
-    } else {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_VIDEO_WRITE, "%s: ffmpeg failed: %s", video->path,
-                  message[0] ? message : "it ended early without a message");
-    }
+static bolan_result report_missing(const char *path) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_VIDEO_PROGRAM,
+              "%s: the program ffmpeg was not found; install it (package ffmpeg), or write numbered pictures", path);
+    return BOLAN_ERROR_UNSUPPORTED;
+}
+
+static bolan_result report_failure(bolan_video *video, const char *reason) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_VIDEO_WRITE, "%s: ffmpeg failed: %s", video->output.path, reason);
     video->failed = true;
-    return missing ? BOLAN_ERROR_UNSUPPORTED : BOLAN_ERROR_IO;
+    return BOLAN_ERROR_IO;
 }
 
-static int wait_for(pid_t process) {
+// What became of ffmpeg, which has ended. @p finished: it was to finish the film.
+static bolan_result judge(bolan_video *video, int status, bool finished) {
+    char message[512];
+    if (WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND) {
+        video->failed = true;
+        return report_missing(video->output.path);
+    }
+    first_message(video->messages, message, sizeof message);
+    if (message[0]) return report_failure(video, message);
+    if (status != 0 || !finished) return report_failure(video, "it ended early without a message");
+    const char *wrong = film_check(video->output.temporary, video->webm);
+    return wrong ? report_failure(video, wrong) : BOLAN_OK;
+}
+
+static int wait_for(bolan_video *video) {
     int status = 0;
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+    while (waitpid(video->process, &status, 0) < 0 && errno == EINTR) continue;
+    unfinished_reclaim(&video->output.entry); // the number may soon be another process's
+    video->process = -1;
+    unfinished_own(&video->output.entry, 0);
     return status;
 }
 
 // ---- frames ---------------------------------------------------------------------------------------------------------
 
-// Writes it all. A pipe whose reader has gone raises SIGPIPE, which would end the caller's program: it is held back in
-// this thread and, if it came, taken off again.
-static bool write_quietly(int file, const uint8_t *data, size_t size) {
-    sigset_t pipe_signal, before;
-    sigemptyset(&pipe_signal);
-    sigaddset(&pipe_signal, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &pipe_signal, &before);
-    bool ok = true;
-    while (size > 0 && ok) {
-        const ssize_t written = write(file, data, size);
-        ok = written > 0 || (written < 0 && errno == EINTR);
-        if (written > 0) data += written, size -= (size_t)written;
-    }
-    if (!ok) {
-        const struct timespec now = {0, 0};
-        while (sigtimedwait(&pipe_signal, NULL, &now) < 0 && errno == EINTR) continue;
-    }
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return ok;
-}
-
 bolan_result bolan_video_write(bolan_video *video, const uint8_t *rgb) {
     BOLAN_ASSERT(video && rgb);
     if (video->failed) return BOLAN_ERROR_IO;
-    if (write_quietly(video->input, rgb, video->frame_bytes)) return BOLAN_OK;
+    if (file_write_all(video->input, rgb, video->frame_bytes)) return BOLAN_OK;
     close(video->input);
     video->input = -1;
-    const int status = wait_for(video->process);
-    video->process = -1;
-    return report_exit(video, status);
+    return judge(video, wait_for(video), false);
 }
 
 bolan_result bolan_video_close(bolan_video **handle, bool keep) {
@@ -159,11 +160,13 @@ bolan_result bolan_video_close(bolan_video **handle, bool keep) {
     if (!video) return BOLAN_OK;
     *handle = NULL;
     if (video->input >= 0) close(video->input); // the end of the stream
-    if (!keep && video->process > 0) kill(video->process, SIGKILL);
-    const int status = video->process > 0 ? wait_for(video->process) : 0;
+    if (!keep && video->process > 0) kill(-video->process, SIGKILL);
     bolan_result result = video->failed ? BOLAN_ERROR_IO : BOLAN_OK;
-    if (keep && !video->failed && status != 0) result = report_exit(video, status);
-    const bolan_result finished = file_finish(video->temporary, video->path, keep && !result);
+    if (video->process > 0) {
+        const int status = wait_for(video);
+        if (keep && !result) result = judge(video, status, true);
+    }
+    const bolan_result finished = file_output_finish(&video->output, keep && !result);
     if (video->messages) fclose(video->messages);
     bolan_release(video, sizeof *video);
     return result ? result : finished;
@@ -178,12 +181,15 @@ static bool has_suffix(const char *path, const char *suffix) {
 
 static bolan_result check(const char *path, uint32_t width, uint32_t height, double fps) {
     const char *wrong = NULL;
+    struct stat status;
     if (!has_suffix(path, ".mp4") && !has_suffix(path, ".webm")) {
         wrong = "a video's name ends in .mp4 or .webm";
     } else if (width < 16 || width > 16384 || height < 16 || height > 16384 || width % 2 != 0 || height % 2 != 0) {
         wrong = "a video's width and height are even numbers from 16 to 16384";
     } else if (!(fps >= 1.0 && fps <= 240.0)) {
         wrong = "a video has 1 to 240 frames a second";
+    } else if (stat(path, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
+        wrong = "a video cannot go into a device or pipe, for its index is written last; expected the name of a file";
     }
     if (!wrong) return BOLAN_OK;
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT, "%s: %s", path, wrong);
@@ -203,19 +209,32 @@ static bool program_exists(const char *name) {
     return false;
 }
 
+bolan_result bolan_video_check(const char *path, uint32_t width, uint32_t height, double fps) {
+    BOLAN_ASSERT(path);
+    if (check(path, width, height, fps)) return BOLAN_ERROR_ARGUMENT;
+    if (bolan_file_check_writable(path)) return BOLAN_ERROR_IO;
+    return program_exists("ffmpeg") ? BOLAN_OK : report_missing(path);
+}
+
 static bool start(bolan_video *video, uint32_t width, uint32_t height, double fps) {
     int ends[2];
     command c;
-    make_command(&c, video, width, height, fps, has_suffix(video->path, ".webm"));
-    const int sink = open("/dev/null", O_WRONLY);
+    make_command(&c, video, width, height, fps);
+    const int sink = open("/dev/null", O_WRONLY | O_CLOEXEC);
     video->messages = tmpfile();
     const bool ready = sink >= 0 && video->messages && pipe(ends) == 0;
     if (ready) {
         fcntl(ends[1], F_SETFD, FD_CLOEXEC); // or ffmpeg would never see the end of its input
+        unfinished *entry = &video->output.entry;
+        unfinished_reclaim(entry);
         video->process = fork();
-        if (video->process == 0) become_ffmpeg(&c, ends[0], sink, fileno(video->messages));
+        if (video->process == 0) become_ffmpeg(&c, ends[0], sink, fileno(video->messages), &entry->before);
+        const int reason = errno;
+        if (video->process > 0) setpgid(video->process, video->process); // whichever of the two comes first
+        unfinished_own(entry, video->process > 0 ? video->process : 0);
         close(ends[0]);
         video->input = ends[1];
+        errno = reason;
     }
     if (sink >= 0) close(sink);
     return ready && video->process > 0;
@@ -224,25 +243,26 @@ static bool start(bolan_video *video, uint32_t width, uint32_t height, double fp
 bolan_result bolan_video_open(const char *path, uint32_t width, uint32_t height, double fps, bolan_video **out) {
     BOLAN_ASSERT(path && out);
     *out = NULL;
-    if (check(path, width, height, fps)) return BOLAN_ERROR_ARGUMENT;
-    if (bolan_file_check_writable(path)) return BOLAN_ERROR_IO;
-    if (!program_exists("ffmpeg")) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_VIDEO_PROGRAM,
-                  "%s: the program ffmpeg was not found; install it (package ffmpeg), or write numbered pictures",
-                  path);
-        return BOLAN_ERROR_UNSUPPORTED;
-    }
+    bolan_result result = bolan_video_check(path, width, height, fps);
+    if (result) return result;
     bolan_video *video = bolan_allocate(sizeof *video);
-    if (!video) return BOLAN_ERROR_MEMORY;
-    snprintf(video->path, sizeof video->path, "%s", path);
+    if (!video) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory for the video", path);
+        return BOLAN_ERROR_MEMORY;
+    }
+    video->webm = has_suffix(path, ".webm");
     video->frame_bytes = (size_t)width * height * 3;
     video->input = -1;
     video->process = -1;
-    if (file_temporary_name(path, video->temporary) || !start(video, width, height, fps)) {
+    result = file_output_open(path, &video->output);
+    if (!result && !start(video, width, height, fps)) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_VIDEO_PROGRAM, "%s: ffmpeg could not be started: %s", path,
                   strerror(errno));
+        result = BOLAN_ERROR_IO;
+    }
+    if (result) {
         bolan_video_close(&video, false);
-        return BOLAN_ERROR_IO;
+        return result;
     }
     *out = video;
     return BOLAN_OK;

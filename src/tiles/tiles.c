@@ -29,11 +29,12 @@ void bolan_tiles_destroy(bolan_tiles **tiles) {
 // With arrays that are not filled yet.
 static bolan_tiles *reserve(const bolan_tiles_view *shape) {
     bolan_tiles *t = bolan_allocate(sizeof *t);
-    if (t == NULL) return NULL;
-    t->view = *shape;
-    t->height = bolan_allocate(texels(shape) * sizeof(float));
-    t->bytes = bolan_allocate(texels(shape) * 7);
-    if (t->height == NULL || t->bytes == NULL) {
+    if (t != NULL) {
+        t->view = *shape;
+        t->height = bolan_allocate(texels(shape) * sizeof(float));
+        t->bytes = bolan_allocate(texels(shape) * 7);
+    }
+    if (t == NULL || t->height == NULL || t->bytes == NULL) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for %u tiles of %u x %u",
                   (unsigned)shape->frames, (unsigned)shape->n, (unsigned)shape->n);
         bolan_tiles_destroy(&t);
@@ -55,6 +56,7 @@ static bool within(double value, double low, double high) { return value >= low 
 
 bolan_result bolan_tiles_create(const bolan_tiles_view *view, bolan_tiles **out) {
     BOLAN_ASSERT(view != NULL && out != NULL);
+    BOLAN_ASSERT(view->height != NULL && view->normal != NULL && view->detail != NULL && view->caustics != NULL);
     *out = NULL;
     if (!within(view->n, 8, 1024) || (view->n & (view->n - 1)) != 0)
         return refuse("texels of a side", view->n, "a power of two 8..1024");
@@ -219,10 +221,13 @@ bolan_result bolan_tiles_bake(bolan_sea *sea, const bolan_tiles_desc *desc, bola
                                     .depth = desc->depth > 0.0 ? desc->depth : best_depth(&c, desc->index),
                                     .paper = desc->paper};
     const size_t scratch = (size_t)bolan_threads() * c.n * c.n * sizeof(float);
-    bake b = {desc, reserve(&shape), bolan_allocate(scratch)};
-    if (b.tiles == NULL || b.scratch == NULL) {
+    bake b = {desc, reserve(&shape), NULL};
+    if (b.tiles == NULL) return BOLAN_ERROR_MEMORY;
+    b.scratch = bolan_allocate(scratch);
+    if (b.scratch == NULL) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory to gather the light of %u x %u texels",
+                  (unsigned)shape.n, (unsigned)shape.n);
         bolan_tiles_destroy(&b.tiles);
-        bolan_release(b.scratch, scratch);
         return BOLAN_ERROR_MEMORY;
     }
     const double before = bolan_sea_time(sea);

@@ -18,13 +18,28 @@ cmp first.csv second.csv || fail '-o differs from stdout, or threads changed the
 run query open-sea --points points.csv --time 21
 ! cmp -s out first.csv || fail 'the sea stands still'
 
-# 4 standard deviations of the heights over many points are the sea's hs: within 5 % by chance for a net of 60 x 60 points,
-# and up to 7 % below it, since the fields are interpolated linearly between samples, which shaves waves of few samples.
+# 4 standard deviations of the heights over many points are the sea's hs: within 5 % by chance for a net of 60 x 60
+# points, and up to 7 % below it, since the fields are interpolated linearly between samples, which shaves waves of few
+# samples.
 awk 'BEGIN { for (i = 0; i < 60; i++) for (j = 0; j < 60; j++) print i * 101 "," j * 97 }' > net.csv
 run query open-sea --points net.csv
 spread=$(awk -F, 'NR > 1 { s += $3; q += $3 * $3; n++ } END { print 4 * sqrt(q / n - (s / n) ^ 2) }' out)
 run measure open-sea --json
 near "$spread" "$(value hs)" "$(awk -v h="$(value hs)" 'BEGIN { print h * 0.12 }')"
+
+# The normal is that of the heights around, each column by itself: of 300 points, the squares of the difference are less
+# than half of the squares of the slope (a quarter and a third: the slope over half a metre lacks the waves shorter than
+# that). Columns that change places, or a sign, give 2 and more. The Jacobian is 1 on average.
+awk 'BEGIN { d = 0.25; for (i = 0; i < 300; i++) { x = i * 37.3; y = i * 11.7 - 900
+    print x "," y; print x + d "," y; print x - d "," y; print x "," y + d; print x "," y - d } }' > cross.csv
+run query open-sea --points cross.csv
+awk -F, 'NR > 1 {
+    k = (NR - 2) % 5; h[k] = $3
+    if (k == 0) { nx = $4 / $6; ny = $5 / $6; j += $7; n++ }
+    if (k == 4) { sx = (h[1] - h[2]) / 0.5; sy = (h[3] - h[4]) / 0.5
+        ex += (nx + sx) ^ 2; ey += (ny + sy) ^ 2; qx += sx ^ 2; qy += sy ^ 2 }
+} END { exit !(n == 300 && ex < 0.5 * qx && ey < 0.5 * qy && j / n > 0.9 && j / n < 1.1) }' out ||
+    fail 'the normals are not those of the heights'
 
 # On the land of the island the water has no waves: its height is the water level.
 printf '0,0\n' > land.csv

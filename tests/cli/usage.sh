@@ -79,10 +79,9 @@ refuse 2 '--size is 99999x10' render -o a.png --size 99999x10
 refuse 2 '--samples is 0' render -o a.png --samples 0
 refuse 2 'render needs -o FILE' render
 refuse 2 'expected a name that ends in .png' render -o a.jpg
-refuse 2 'expected a name that ends in .png' render -o 'a%s.png'
-refuse 2 'expected a name that ends in .png' render -o 'a%d%d.png'
-refuse 2 'expected a name that ends in .png' render -o 'a%99999d.png'
-refuse 2 'expected a name that ends in .png' render -o 'a%d.mp4'
+for bad in 'a%d%d.png' 'a%99999d.png' 'a%4d.png' 'a%00d.png' 'a%04d-%d.exr' 'f%d/a%+d.png' 'a%d.mp4'; do
+    refuse 2 "-o $bad: expected %d or %04d, once" render -o "$bad"
+done
 refuse 2 '--frames 3 into one picture' render -o a.png --frames 3
 refuse 2 'width and height are even' render -o a.mp4 --size 101x100
 refuse 2 'query needs --points FILE' query

@@ -334,6 +334,65 @@ static void test_what_is_wrong_is_refused_with_line_and_key(void **state) {
     }
 }
 
+// The sun at a moment that is written in two ways is the same; a date that no calendar has is refused.
+static void test_dates_are_those_of_the_calendar(void **state) {
+    (void)state;
+    static const char *const good[] = {"2028-02-29T12:00Z", "2000-02-29T00:00:00Z", "2026-12-31T23:59:60Z",
+                                       "1900-01-01T00:00+14:00", "2100-12-31T23:59-00:30"};
+    static const char *const bad[] = {"2026-02-31T12:00Z",
+                                      "2026-02-29T12:00Z",
+                                      "2100-02-29T12:00Z",
+                                      "2026-04-31T12:00Z",
+                                      "2026-11-31T12:00Z",
+                                      "2026-00-10T12:00Z",
+                                      "2026-06-00T12:00Z",
+                                      "2026-06-21T24:00Z",
+                                      "2026-06-21T12:60Z",
+                                      "2026-06-21T12:00:61Z",
+                                      "2026-06-21T 8: 0Z",
+                                      "2026-06-21T+8:-0Z",
+                                      "2026-06-21T8:00Z",
+                                      "2026-6-21T08:00Z",
+                                      "2026-06-21 12:00Z",
+                                      "2026-06-21T12:00",
+                                      "2026-06-21T12:00z",
+                                      "2026-06-21T12:00ZZ",
+                                      "2026-06-21T12:00Z ",
+                                      " 2026-06-21T12:00Z",
+                                      "-026-06-21T12:00Z",
+                                      "1899-06-21T12:00Z",
+                                      "2101-06-21T12:00Z",
+                                      "2026-06-21T12:00+15:00",
+                                      "2026-06-21T12:00+2:00",
+                                      "2026-06-21T12:00+02:60",
+                                      "2026-06-21T12:00+02",
+                                      "2026-06-21T12:00:Z",
+                                      "2026-06-21"};
+    bolan_scene s;
+    char text[128];
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        snprintf(text, sizeof text, "sky: {sun: {date: \"%s\", place: [10, 20]}}", good[i]);
+        assert_int_equal(parse(text, &s), BOLAN_OK);
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        snprintf(text, sizeof text, "time: 1\nsky: {sun: {date: \"%s\", place: [10, 20]}}", bad[i]);
+        assert_refusal(parse(text, &s), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_BAD_VALUE, ":2: sky.sun.date is no date");
+    }
+    static const char *const same[] = {"2026-06-21T18:20:00Z", "2026-06-21T20:20+02:00", "2026-06-21T14:50:00-03:30",
+                                       "2026-06-22T00:05+05:45"};
+    double azimuth = 0.0, elevation = 0.0;
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+        snprintf(text, sizeof text, "sky: {sun: {date: \"%s\", place: [10, 20]}}", same[i]);
+        assert_int_equal(parse(text, &s), BOLAN_OK);
+        if (i == 0) azimuth = s.sky.sun_azimuth_deg, elevation = s.sky.sun_elevation_deg;
+        assert_true(s.sky.sun_azimuth_deg == azimuth && s.sky.sun_elevation_deg == elevation);
+    }
+    // A second is 1/240 of a degree of the sky.
+    snprintf(text, sizeof text, "sky: {sun: {date: \"2026-06-21T18:20:30Z\", place: [10, 20]}}");
+    assert_int_equal(parse(text, &s), BOLAN_OK);
+    assert_near(fabs(s.sky.sun_elevation_deg - elevation), 30.0 / 240.0 * cos(bolan_radians(10.0)) * 0.92, 0.01);
+}
+
 static void test_aliases_and_nesting_cost_nothing(void **state) {
     (void)state;
     // The "billion laughs": ten levels of ten references each. And a map that holds itself.
@@ -350,6 +409,47 @@ static void test_aliases_and_nesting_cost_nothing(void **state) {
     assert_int_equal(bolan_scene_parse("deep", deep, DEEP, &scene), BOLAN_ERROR_FORMAT);
     assert_int_equal(error_count, 1);
     free(deep);
+    // The line of an error is a line of the text, also at its end and for bytes that are no UTF-8.
+    assert_refusal(parse("time: 1\n[", &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_SYNTAX, "test.yaml:2: not YAML");
+    assert_refusal(parse("time: 1\n[\n", &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_SYNTAX, "test.yaml:2: not YAML");
+    assert_refusal(parse("time: 1\n\n# \xff\n", &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_SYNTAX,
+                   "test.yaml:3: not YAML");
+    assert_refusal(parse("time: 1\ntime: [\n]}\ntime: 2\n", &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_SYNTAX,
+                   "test.yaml:3: not YAML");
+    // A seed that no double holds is not rounded to another.
+    assert_int_equal(parse("sea: {seed: 9007199254740991}", &scene), BOLAN_OK);
+    assert_true(scene.sea.seed == 9007199254740991u);
+    assert_refusal(parse("sea: {seed: 9007199254740993}", &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_BAD_VALUE,
+                   "sea.seed is 9007199254740993; expected a whole number");
+}
+
+static void test_limits_of_the_text(void **state) {
+    (void)state;
+    static char text[300000];
+    bolan_scene scene;
+    // Brackets in quotes and comments count as well: a text cannot hide them.
+    int length = snprintf(text, sizeof text, "description: \"");
+    memset(text + length, '[', 4096), length += 4096;
+    snprintf(text + length, sizeof text - (size_t)length, "\"\n");
+    assert_refusal(parse(text, &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_BAD_VALUE, "description is [[[");
+    text[length] = '{', snprintf(text + length + 1, 8, "\"\n");
+    assert_refusal(parse(text, &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_TOO_DEEP,
+                   "test.yaml:1: more than 4096 brackets");
+    // Anchors and aliases; stars and ampersands that name nothing do not count.
+    length = 0;
+    for (int i = 0; i < 5000; i++) length += snprintf(text + length, sizeof text - (size_t)length, "# ** & **\n");
+    assert_int_equal(parse(text, &scene), BOLAN_OK);
+    length = 0;
+    for (int i = 0; i < 4097; i++)
+        length += snprintf(text + length, sizeof text - (size_t)length, "- %ca\n", i % 2 ? '*' : '&');
+    assert_refusal(parse(text, &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_TOO_DEEP,
+                   "test.yaml:4097: more than 4096 anchors and aliases");
+    // 256 KiB, and one byte more.
+    memset(text, '#', 256 << 10);
+    text[256 << 10] = '\0';
+    assert_int_equal(parse(text, &scene), BOLAN_OK);
+    text[256 << 10] = '#', text[(256 << 10) + 1] = '\0';
+    assert_refusal(parse(text, &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_FILE_TOO_LARGE, "expected at most 256 KiB");
 }
 
 static void test_built_in_scenes_load(void **state) {
@@ -408,7 +508,9 @@ int main(void) {
         cmocka_unit_test(test_effects_as_words),
         cmocka_unit_test(test_a_key_of_the_path_keeps_what_it_does_not_say),
         cmocka_unit_test(test_what_is_wrong_is_refused_with_line_and_key),
+        cmocka_unit_test(test_dates_are_those_of_the_calendar),
         cmocka_unit_test(test_aliases_and_nesting_cost_nothing),
+        cmocka_unit_test(test_limits_of_the_text),
         cmocka_unit_test(test_built_in_scenes_load),
         cmocka_unit_test(test_paths_count_from_the_scenes_folder),
         cmocka_unit_test(test_the_measured_scene_needs_no_data),
