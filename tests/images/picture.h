@@ -3,6 +3,7 @@
 #ifndef BOLAN_TESTS_PICTURE_H
 #define BOLAN_TESTS_PICTURE_H
 
+#include "../gl_watch.h"
 #include "bolan/io.h"
 #include "bolan/render.h"
 #include "need_gl.h"
@@ -26,6 +27,9 @@ static inline void picture_free(picture *p) {
     *p = (picture){0};
 }
 
+static const char
+    *stage_shaders; // the folder that the renderers of stages take their shaders from; NULL: the built-in ones
+
 // Everything a scene needs to be drawn; the context must be current.
 typedef struct stage {
     bolan_scene scene;
@@ -36,10 +40,12 @@ typedef struct stage {
 } stage;
 
 static inline bool stage_open(stage *s, const bolan_scene *scene, bolan_quality quality, bool no_clip_control) {
+    watch_begin();
     *s = (stage){.scene = *scene};
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = quality;
     desc.no_clip_control = no_clip_control;
+    desc.shader_directory = stage_shaders;
     if (bolan_scene_assets_load(scene, &s->assets) != BOLAN_OK) return false;
     if (bolan_scene_create_sea(scene, &s->assets, &s->sea) != BOLAN_OK) return false;
     bolan_sea_settle(s->sea, scene->time);
@@ -50,6 +56,7 @@ static inline void stage_close(stage *s) {
     bolan_renderer_destroy(&s->renderer);
     bolan_sea_destroy(&s->sea);
     bolan_scene_assets_destroy(&s->assets);
+    assert_true(watch_is_clean("at the end of a stage"));
 }
 
 static inline picture stage_draw(stage *s, uint32_t width, uint32_t height, uint32_t samples) {
@@ -70,6 +77,7 @@ static inline picture stage_draw(stage *s, uint32_t width, uint32_t height, uint
     bolan_renderer_read_rgb8(s->renderer, frame.framebuffer, width, height, p.rgb);
     bolan_renderer_read_linear(s->renderer, NULL, p.distance);
     bolan_target_destroy(&target);
+    assert_true(watch_is_clean("after a picture"));
     return p;
 }
 
