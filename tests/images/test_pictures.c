@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whole pictures: the same in both APIs, with and without clip control, and without holes. What they should look like is in
-// test_references.c.
+// Whole pictures: the same in both APIs, with and without clip control, and without holes. What they should look like
+// is in test_references.c.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

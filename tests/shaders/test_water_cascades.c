@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sea of cascades as the shaders have it (shaders/common/waves.glsl) against its twins on the CPU: vertices, pixels, gusts, shallow
-// water, and what a pixel's footprint leaves to the roughness.
+// The sea of cascades as the shaders have it (shaders/common/waves.glsl) against its twins on the CPU: vertices,
+// pixels, gusts, shallow water, and what a pixel's footprint leaves to the roughness.
 #include "probe.h"
 
 #include "render/terrain_shore.h"
@@ -127,8 +127,8 @@ static const struct {
 } cases[] = {{250.0, 0.0, 0.0, 0.0}, {20.0, 123456.7, -98765.4, 4321.5}, {140.0, -3.3e6, 2.1e6, 17.25}};
 enum { CASES = 3 };
 
-// Half floats carry 11 bits: a field is rounded by 2^-12 of itself in each of four cascades, and a place in the smallest tile, some
-// hundred tiles away, by 0.002 texels. Heights of 3 m, slopes of 0.5.
+// Half floats carry 11 bits: a field is rounded by 2^-12 of itself in each of four cascades, and a place in the
+// smallest tile, some hundred tiles away, by 0.002 texels. Heights of 3 m, slopes of 0.5.
 #define HEIGHT_ERROR 2e-3
 #define SLOPE_ERROR 1e-3
 #define JACOBIAN_ERROR 2e-3
@@ -162,8 +162,9 @@ static void vertices_stand_where_the_cpu_has_them(void **state) {
     }
 }
 
-// On a coarse mesh the shader fetches a level of its textures, the CPU averages samples: the same waves but for the last octave, which
-// holds the energy that `errors` allows, relative to the rms height of all waves (12, 33 and 30 % were measured).
+// On a coarse mesh the shader fetches a level of its textures, the CPU averages samples: the same waves but for the
+// last octave, which holds the energy that `errors` allows, relative to the rms height of all waves (12, 33 and 30 %
+// were measured).
 static void vertices_of_a_coarse_mesh_have_the_long_waves(void **state) {
     (void)state;
     const double spacings[] = {4.0, 16.0, 64.0}, errors[] = {0.135, 0.35, 0.32};
@@ -235,25 +236,24 @@ static void pixels_have_the_slopes_of_the_cpu(void **state) {
 // ---- footprints -----------------------------------------------------------------------------------------------------
 
 // Mean squares of the slopes of pixels at 4096 places of a square of 5 km, by R2 sequence; w: the unresolved xx + yy.
-static const char *const energy_probe =
-    "vec4 probe(vec4 x) {\n"
-    "    footprint f = footprint(vec2(cos(x.z), sin(x.z)), x.x, x.y);\n"
-    "    vec3 sum = vec3(0.0);\n"
-    "    for (int i = 0; i < 4096; ++i) {\n"
-    "        vec2 at = 5000.0 * fract(float(i) * vec2(0.75487766, 0.56984029));\n"
-    "        vec2 s = waves_at(at, f, 1.0, 1e3, vec4(0.0)).slope;\n"
-    "        sum += s.xxy * s.xyy / 4096.0;\n"
-    "    }\n"
-    "    return vec4(sum, 0.0);\n"
-    "}\n";
+static const char *const energy_probe = "vec4 probe(vec4 x) {\n"
+                                        "    footprint f = footprint(vec2(cos(x.z), sin(x.z)), x.x, x.y);\n"
+                                        "    vec3 sum = vec3(0.0);\n"
+                                        "    for (int i = 0; i < 4096; ++i) {\n"
+                                        "        vec2 at = 5000.0 * fract(float(i) * vec2(0.75487766, 0.56984029));\n"
+                                        "        vec2 s = waves_at(at, f, 1.0, 1e3, vec4(0.0)).slope;\n"
+                                        "        sum += s.xxy * s.xyy / 4096.0;\n"
+                                        "    }\n"
+                                        "    return vec4(sum, 0.0);\n"
+                                        "}\n";
 static const char *const rest_probe =
     "vec4 probe(vec4 x) { footprint f = footprint(vec2(cos(x.z), sin(x.z)), x.x, x.y);\n"
     "f.minor = max(f.minor, f.major / x.w); return vec4(unresolved_slopes(f), 0.0); }";
 
-// What a pixel shows of the slopes and what it leaves to the roughness make the same sum from 1 cm to 1 km, in each component of
-// the covariance. Bilinear interpolation loses up to 7 % of the sum where the pixel is narrower than the texels of the
-// shortest waves, (2 + cos kh) / 3 of a wave's power along each axis; a wide pixel shows nothing. Nothing may be gained: 1 % is
-// the scatter of 4096 places.
+// What a pixel shows of the slopes and what it leaves to the roughness make the same sum from 1 cm to 1 km, in each
+// component of the covariance. Bilinear interpolation loses up to 7 % of the sum where the pixel is narrower than the
+// texels of the shortest waves, (2 + cos kh) / 3 of a wave's power along each axis; a wide pixel shows nothing. Nothing
+// may be gained: 1 % is the scatter of 4096 places.
 static double least_sum(double width) { return width < 0.15 ? -0.075 : width < 3.0 ? -0.055 : -0.03; }
 
 static void check_energy(double from, bool packed, uint32_t taps, double aspect) {
