@@ -195,6 +195,38 @@ static void the_glint_of_turned_water_lies_where_its_slopes_are(void **state) {
     assert_near(square[2] / sum, w.yy, 0.03 * w.xx);
 }
 
+// Over the facets that the eye sees of round water, by their areas.
+static double mean_reflectance(double elevation, double sigma) {
+    const double flat = cos(elevation), up = sin(elevation), step = sigma / 8.0;
+    double light = 0.0, area = 0.0;
+    for (int j = -40; j <= 40; ++j)
+        for (int i = -40; i <= 40; ++i) {
+            const double x = i * step, y = j * step, facing = up - x * flat;
+            if (facing <= 0.0) continue;
+            const double weight = facing * exp(-0.5 * (i * i + j * j) / 64.0);
+            light += weight * (double)bolan_fresnel((float)(facing / sqrt(1.0 + x * x + y * y)), 1.34f);
+            area += weight;
+        }
+    return light / area;
+}
+
+// The exact dielectric's mean over the facets in sight, which the fit follows to 5 % (at a rms slope of 0.03).
+// Schlick's curve alone would be 13 % low at 60 degrees.
+static void nearly_flat_water_reflects_as_the_exact_dielectric(void **state) {
+    (void)state;
+    enum { ANGLES = 3, SIGMAS = 3 };
+    const double elevations[ANGLES] = {1.0, 0.5, 0.3}, sigmas[SIGMAS] = {0.001, 0.01, 0.03};
+    float in[ANGLES * SIGMAS][4] = {{0}}, out[ANGLES * SIGMAS][4];
+    for (int i = 0; i < ANGLES * SIGMAS; ++i)
+        in[i][0] = (float)sin(elevations[i / SIGMAS]), in[i][1] = (float)sigmas[i % SIGMAS];
+    probe_run("#include \"common/fresnel.glsl\"", "vec4 probe(vec4 x) { return vec4(mean_fresnel(x.x, 1.34, x.y)); }",
+              in, ANGLES * SIGMAS, out);
+    for (int i = 0; i < ANGLES * SIGMAS; ++i) {
+        const double want = mean_reflectance(elevations[i / SIGMAS], sigmas[i % SIGMAS]);
+        assert_near(out[i][0], want, 0.06 * want);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         IN_BOTH_APIS(facets_in_sight_are_nearly_those_of_a_gaussian),
@@ -202,6 +234,7 @@ int main(void) {
         IN_BOTH_APIS(the_glint_has_the_suns_energy_whatever_the_roughness),
         IN_BOTH_APIS(facets_of_leaning_turned_water_are_those_of_the_integral),
         IN_BOTH_APIS(the_glint_of_turned_water_lies_where_its_slopes_are),
+        IN_BOTH_APIS(nearly_flat_water_reflects_as_the_exact_dielectric),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
