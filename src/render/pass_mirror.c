@@ -124,6 +124,8 @@ frame pass_mirror_refract(pass_mirror *p, const frame *f) {
     m.uniforms.clip =
         (bolan_vec4){side, under ? 0.0f : overlap, (float)paper_factor(&f->scene->camera), paper ? 1.0f : 2.0f};
     m.uniforms.viewport = viewport_of(&p->refraction);
+    // An optics with a sky of its own attenuates the bed itself: once is enough.
+    if (!pass_water_mirrors_sky(f)) m.uniforms.under.y = 0.0f;
     m.background = under ? (bolan_vec4){0.0f, 0.0f, 0.0f, 0.0f} : deep_water(&f->uniforms);
     m.picture = true;
     m.hdr = p->refraction_target;

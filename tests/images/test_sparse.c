@@ -161,7 +161,7 @@ static void rounding_of_depth_changes_nothing(void **state) {
         {"water_lay", "gl_Position.z -= 4.8e-7 * gl_Position.w;"},
     };
     bolan_context *context = NULL;
-    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     look plain = draw("pond", &bolan_technique_exp_cosine, BOLAN_QUALITY_MEDIUM, 320);
     for (size_t i = 0; i < sizeof list / sizeof *list; ++i) {
         look l = draw_perturbed(list[i].stem, list[i].change);
@@ -178,7 +178,7 @@ static void rounding_of_depth_changes_nothing(void **state) {
 static void a_pixel_without_samples_is_lit(void **state) {
     (void)state;
     bolan_context *context = NULL;
-    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     look plain = draw("pond", &bolan_technique_exp_cosine, BOLAN_QUALITY_MEDIUM, 320);
     look l = draw_perturbed("water_phong", "gl_Position.z *= 0.5;");
     const double rms = distance_of("no samples", &l, &plain);

@@ -33,7 +33,7 @@ static inline void probe_run_with(const char *includes, const char *body, const 
     fprintf(file,
             "#include \"common/fullscreen.glsl\"\n#ifdef VERTEX\nvoid main() { fullscreen(0.0); }\n#endif\n#ifdef "
             "FRAGMENT\n%s\n"
-            "uniform sampler2D inputs;\nout vec4 result;\n%s\n"
+            "uniform sampler2D inputs;\nlayout(location = 0) out vec4 result;\n%s\n"
             "void main() { result = probe(texelFetch(inputs, ivec2(gl_FragCoord.xy), 0)); }\n#endif\n",
             includes, body);
     fclose(file);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The clouds: as many as asked for, none when none are, and the same whether marched at once or strip by strip.
+#include "probe.h"
 #include "sky_support.h"
 
 #include "render/clouds.h"
@@ -109,10 +110,60 @@ static void as_many_clouds_stand_as_were_asked_for(void **state) {
     rig_destroy(&r);
 }
 
+enum { SHADOWS = 256 };
+
+static void bind_shadow(const gl_program *program, const void *context) {
+    (void)program;
+    gl_buffer_bind_uniform(&((const sky_rig *)context)->uniforms, 0);
+}
+
+// Share of the sun at places of the world, for the eye that the rig has.
+static void shadows_at(const sky_rig *r, float (*world)[2], float (*out)[4]) {
+    float in[SHADOWS][4] = {{0}};
+    for (int i = 0; i < SHADOWS; i++)
+        for (int k = 0; k < 2; k++) in[i][k] = world[i][k] - (float)(k ? r->f.eye.y : r->f.eye.x);
+    probe_run_with("#include \"common/atmosphere.glsl\"", "vec4 probe(vec4 x) { return vec4(cloud_shadow(x.xy)); }",
+                   NULL, bind_shadow, r, in, SHADOWS, out);
+}
+
+static void cloud_shadows_stay_where_they_are_while_the_eye_moves(void **state) {
+    (void)state;
+    static const double moves[][2] = {{120, 0}, {0, -130}, {5000, 3000}};
+    float world[SHADOWS][2], before[SHADOWS][4], after[SHADOWS][4];
+    uint32_t random = 1;
+    for (int i = 0; i < 2 * SHADOWS; i++) {
+        random = random * 1664525u + 1013904223u;
+        world[i / 2][i % 2] = ((float)(random >> 8) / 8388608.0f - 1.0f) * 15000.0f;
+    }
+    for (int k = 0; k < 3; k++) {
+        sky_rig r;
+        rig_create(&r, WIDTH, HEIGHT);
+        set_view(&r, 0, 0, 5);
+        rig_prepare(&r);
+        shadows_at(&r, world, before);
+        set_view(&r, moves[k][0], moves[k][1], 5);
+        rig_prepare(&r);
+        shadows_at(&r, world, after);
+        double off = 0, spread = 0, mean = 0;
+        for (int i = 0; i < SHADOWS; i++) mean += before[i][0] / (double)SHADOWS;
+        for (int i = 0; i < SHADOWS; i++) {
+            off += pow(after[i][0] - before[i][0], 2) / SHADOWS;
+            spread += pow(before[i][0] - mean, 2) / SHADOWS;
+        }
+        print_message("moved by %.0f, %.0f m: shadows differ by %.4f, spread %.3f\n", moves[k][0], moves[k][1],
+                      sqrt(off), sqrt(spread));
+        assert_true(sqrt(spread) > 0.2);
+        // the same map while it is kept; a new one, 100 km wide, has its texels elsewhere
+        assert_true(sqrt(off) < (k == 2 ? 0.5 * sqrt(spread) : 1e-3));
+        rig_destroy(&r);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         IN_BOTH_APIS(clouds_marched_in_strips_are_those_marched_at_once),
         IN_BOTH_APIS(a_still_eye_makes_no_new_clouds),
+        IN_BOTH_APIS(cloud_shadows_stay_where_they_are_while_the_eye_moves),
         cmocka_unit_test_setup_teardown(as_many_clouds_stand_as_were_asked_for, gl_setup_core, gl_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

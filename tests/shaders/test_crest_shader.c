@@ -9,6 +9,7 @@
 #include "bolan/waves.h"
 #include "render/foam_ramps.h"
 #include "render/foam_statistics.h"
+#include "render/frame.h"
 #include "render/water_texels.h"
 
 // ---- the static grid ------------------------------------------------------------------------------------------------
@@ -107,6 +108,75 @@ static void quadratic_fresnel_falls_with_roughness_as_published(void **state) {
         in, 3, out);
     for (int i = 0; i < 3; ++i)
         assert_true(fabs(out[i][0] - expected[i]) < 0.035); // Schlick's curve alone is 0.05 off at this angle
+}
+
+// ---- light through crests -------------------------------------------------------------------------------------------
+
+// The technique's own functions: its main() by another name, and its output beside the probe's.
+#define CREST_INCLUDES "#define main crest_main\n#include \"common/../water_crest.glsl\"\n#undef main"
+
+typedef struct crest_rig {
+    gl_buffer uniforms;
+    frame_uniforms frame;
+} crest_rig;
+
+static void set_crest(const gl_program *program, const void *context) {
+    const crest_rig *r = context;
+    gl_buffer_bind_uniform(&r->uniforms, 0);
+    gl_program_vec4(program, "sea_law", (bolan_vec4){2.0f, 60.0f, 7.0f, 0.0f});
+}
+
+// Sunlight leaves a crest through the side that leans to the eye: water that falls towards it. The higher and the more pinched, the
+// more. x, y: to the eye; z: slope towards it; w: height over the mean water.
+static void crests_glow_on_the_side_that_leans_to_the_eye(void **state) {
+    (void)state;
+    float in[16][4], out[16][4];
+    for (int i = 0; i < 16; ++i) {
+        const double a = 0.5 + BOLAN_PI / 2.0 * (i / 4);
+        in[i][0] = (float)cos(a), in[i][1] = (float)sin(a);
+        in[i][2] = (const float[]){-0.15f, 0.0f, 0.15f, -0.15f}[i % 4];
+        in[i][3] = i % 4 == 3 ? -0.5f : 1.0f;
+    }
+    probe_run_with(CREST_INCLUDES,
+                   "vec4 probe(vec4 x) { crest_pixel p; p.position = vec3(0.0); p.rest = vec2(0.0); return vec4("
+                   "crest_mask(p, wave_fields(x.z * x.xy, 0.7, 0.0), x.w, x.xy), crest_mask(p, wave_fields(x.z * x.xy, "
+                   "1.0, 0.0), x.w, x.xy), 0.0, 0.0); }",
+                   "CASCADES 4\nTAPS 2\n", set_crest, &(crest_rig){0}, in, 16, out);
+    for (int i = 0; i < 16; i += 4) {
+        // the face that leans to the eye is 0.4 + 0.3, level water 0.4, the back 0.4 - 0.3 of full
+        assert_near(out[i][0] / out[i + 1][0], 7.0 / 4.0, 0.01);
+        assert_near(out[i + 2][0] / out[i + 1][0], 1.0 / 4.0, 0.01);
+        assert_true(out[i][0] > 3.0f * out[i + 3][0]); // troughs are dark
+        assert_near(out[i][0] / out[i][1], (0.25 + 1.3 * 0.3) / 0.25, 0.01);
+    }
+}
+
+// Against the sun the light is forward scattered (fifth power of the cosine), with it only the rest from all around; by Beer's law the
+// red goes first. x: elevation of the eye over the water, sun 0.3 rad high in the north-east.
+static void light_through_crests_is_brightest_against_the_sun(void **state) {
+    (void)state;
+    const double elevation = 0.3, c = cos(elevation) * sqrt(0.5);
+    crest_rig r = {.frame = {.sun = {(float)c, (float)c, (float)sin(elevation), 1.0f},
+                             .sky_light = {0.0f, 0.0f, 0.0f, 0.0f},
+                             .water_kd = {0.4f, 0.08f, 0.04f, 1.0f}}};
+    assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof r.frame, &r.frame, &r.uniforms),
+                     BOLAN_OK);
+    float in[3][4] = {{(float)-c, (float)-c, -0.1f}, {(float)c, (float)c, -0.1f}, {(float)-c, (float)c, -0.1f}},
+          out[3][4];
+    for (int i = 0; i < 3; ++i) in[i][2] = 0.2955202f;
+    probe_run_with(
+        CREST_INCLUDES,
+        "vec4 probe(vec4 x) { vec3 v = normalize(x.xyz); return vec4(crest_light(0.5, v, vec3(2.0)), -dot(v, "
+        "sun.xyz)); }",
+        "CASCADES 4\nTAPS 2\n", set_crest, &r, in, 3, out);
+    for (int i = 0; i < 3; ++i) {
+        const double ahead = fmax((double)out[i][3], 0.0), up = 0.2955202;
+        const double share = (0.16 * pow(ahead, 5.0) + 0.012) * (1.0 - up * up) * 0.5 * 2.0;
+        for (int k = 0; k < 3; ++k) // a path of 1.2 Hs = 2.4 m
+            assert_near(out[i][k], share * exp(-2.4 * (const double[]){0.4, 0.08, 0.04}[k]), 2e-4 * share + 1e-6);
+    }
+    assert_true(out[0][1] > 5.0f * out[1][1] && out[0][1] > 3.0f * out[2][1]);
+    gl_buffer_free(&r.uniforms);
 }
 
 // ---- foam -----------------------------------------------------------------------------------------------------------
@@ -229,6 +299,9 @@ int main(void) {
         IN_BOTH_APIS(the_vertex_shader_puts_the_grid_where_the_cpu_does),
         IN_BOTH_APIS(rational_facets_stay_near_quadrature),
         IN_BOTH_APIS(quadratic_fresnel_falls_with_roughness_as_published),
+        // two outputs, which ES wants placed: the technique's is not
+        cmocka_unit_test_setup_teardown(crests_glow_on_the_side_that_leans_to_the_eye, gl_setup_core, gl_teardown),
+        cmocka_unit_test_setup_teardown(light_through_crests_is_brightest_against_the_sun, gl_setup_core, gl_teardown),
         cmocka_unit_test(densities_have_their_means_and_tile),
         cmocka_unit_test(the_open_seas_ramp_has_the_intensity_as_its_mean),
         cmocka_unit_test(breaking_crests_cover_monahans_share),

@@ -117,12 +117,91 @@ static void the_fitted_curves_stay_within_half_a_level_of_the_exact_ones(void **
     assert_true(worst < 0.4);
 }
 
+// ---- glow
+
+enum { GLOW_SIZE = 256, GLOW_CELLS = GLOW_SIZE / 4 };
+
+// Mean over the block of `size` cells of 4 x 4 pixels that a pixel of a level lies in; blocks of powers of 2.
+static double block_mean(const float *rgba, int x, int y, int size) {
+    const int pixels = 4 * size, x0 = x / pixels * pixels, y0 = y / pixels * pixels;
+    double sum = 0.0;
+    for (int j = y0; j < y0 + pixels; j++)
+        for (int i = x0; i < x0 + pixels; i++) sum += fmin(40.0, (double)rgba[4 * (j * GLOW_SIZE + i)]);
+    return sum / (pixels * pixels);
+}
+
+// A bright square on grey; 1000 is cut to 40, as tonemap_glow.glsl does, so that no glint outshines all.
+static void fill_square(float *rgba) {
+    for (int j = 0; j < GLOW_SIZE; j++)
+        for (int i = 0; i < GLOW_SIZE; i++) {
+            float *p = rgba + 4 * (j * GLOW_SIZE + i);
+            p[0] = p[1] = p[2] = i >= 64 && i < 96 && j >= 128 && j < 144 ? 1000.0f : 0.1f;
+            p[3] = 1.0f;
+        }
+}
+
+static void draw_square(sky_rig *r, const float *rgba, bolan_quality quality, uint32_t samples, uint8_t *rgb) {
+    r->f.quality = quality;
+    r->f.uniforms.sun_light.w = 1.0f;
+    rig_upload(r);
+    gl_texture_upload(&r->color, 0, -1, rgba, false);
+    for (uint32_t s = 0; s < samples; s++) {
+        gl_target_bind(&r->display);
+        pass_tonemap_draw(r->tonemap, &r->f, &r->color, s, samples);
+    }
+    read_bytes(r->display.id, GLOW_SIZE, GLOW_SIZE, rgb);
+    assert_true(watch_is_clean("glow"));
+}
+
+// At high quality 6 % of every pixel's light is spread: half over 8 pixels, 30 % over 32, 20 % over 128 (levels 1, 3
+// and 5 of the quarter-size copy).
+static void six_percent_of_the_light_glows_at_high_quality(void **state) {
+    (void)state;
+    float *rgba = malloc(sizeof(float) * 4 * GLOW_SIZE * GLOW_SIZE);
+    uint8_t *glow = malloc(3 * GLOW_SIZE * GLOW_SIZE), *plain = malloc(3 * GLOW_SIZE * GLOW_SIZE);
+    static float in[PROBE_WIDTH][4], want[PROBE_WIDTH][4];
+    sky_rig r;
+    rig_create(&r, GLOW_SIZE, GLOW_SIZE);
+    fill_square(rgba);
+    draw_square(&r, rgba, BOLAN_QUALITY_MEDIUM, 1, plain);
+    // places in the middle of the blocks of 8, 32 and 128 pixels, or so near that the bilinear weight of each level is
+    // known
+    static const int places[][2] = {{64, 64}, {192, 64}, {64, 192}, {192, 192}};
+    for (int samples = 1; samples <= 2; samples++) {
+        draw_square(&r, rgba, BOLAN_QUALITY_HIGH, (uint32_t)samples, glow);
+        int far = 0;
+        for (int k = 0; k < 4; k++) {
+            const int x = places[k][0], y = places[k][1];
+            // between two blocks of 8 and of 32 the level is the mean of four; of 128 it is one block's middle
+            double around = 0.2 * block_mean(rgba, x, y, 32);
+            for (int c = 0; c < 4; c++)
+                around += 0.25 * (0.5 * block_mean(rgba, x - 1 + c % 2, y - 1 + c / 2, 2) +
+                                  0.3 * block_mean(rgba, x - 1 + c % 2, y - 1 + c / 2, 8));
+            in[k][0] = in[k][1] = in[k][2] = (float)(0.94 * (double)rgba[4 * (y * GLOW_SIZE + x)] + 0.06 * around);
+            far += glow[3 * (y * GLOW_SIZE + x)] - plain[3 * (y * GLOW_SIZE + x)];
+        }
+        probe_run("#include \"common/tonemap.glsl\"",
+                  "vec4 probe(vec4 x) { return vec4(srgb_encode(tonemap(x.rgb)), 1.0); }", in, 4, want);
+        for (int k = 0; k < 4; k++) {
+            const int x = places[k][0], y = GLOW_SIZE - 1 - places[k][1]; // row 0 of the picture is at the top
+            // half a level of dither and rounding, and half floats in the glow
+            assert_near(glow[3 * (y * GLOW_SIZE + x)], 255.0 * (double)want[k][0], 1.6);
+        }
+        assert_true(far != 0);
+    }
+    free(rgba);
+    free(glow);
+    free(plain);
+    rig_destroy(&r);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         IN_BOTH_APIS(the_tone_map_is_monotone_from_black_to_white),
         IN_BOTH_APIS(grey_stays_grey_and_middle_grey_stays_where_it_was),
         IN_BOTH_APIS(the_fitted_curves_stay_within_half_a_level_of_the_exact_ones),
         IN_BOTH_APIS(the_mean_of_equal_samples_is_the_sample),
+        IN_BOTH_APIS(six_percent_of_the_light_glows_at_high_quality),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

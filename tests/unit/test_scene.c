@@ -12,6 +12,30 @@ static void test_the_default_scene_is_valid(void **state) {
     assert_near(scene.sky.sun_elevation_deg, 35.0, 0.0);
 }
 
+// The numbers that scene.h promises; a picture shows only some of them.
+static void test_the_default_look_is_the_documented_one(void **state) {
+    (void)state;
+    const bolan_look look = bolan_look_default(), scene = bolan_scene_default().look;
+    assert_false(look.paper);
+    assert_int_equal(look.effects, 0xfff);
+    assert_int_equal(look.show, BOLAN_SHOW_PICTURE);
+    assert_near(look.distortion, 1.0, 0.0);
+    assert_near(look.blend, 0.85, 0.0);
+    assert_near(look.ambient, 1.0, 0.0);
+    assert_near(look.diffuse, 0.05, 0.0);
+    assert_near(look.specular, 1.0, 0.0);
+    assert_near(look.shininess, 300.0, 0.0);
+    assert_int_equal(scene.effects, look.effects);
+    assert_int_equal(scene.paper, look.paper);
+    assert_int_equal(scene.show, look.show);
+    assert_near(scene.distortion, look.distortion, 0.0);
+    assert_near(scene.blend, look.blend, 0.0);
+    assert_near(scene.ambient, look.ambient, 0.0);
+    assert_near(scene.diffuse, look.diffuse, 0.0);
+    assert_near(scene.specular, look.specular, 0.0);
+    assert_near(scene.shininess, look.shininess, 0.0);
+}
+
 static void refuse(const bolan_scene *scene, const char *field, bolan_log_id id) {
     assert_refusal(bolan_scene_validate(scene), BOLAN_ERROR_ARGUMENT, id, field);
 }
@@ -146,7 +170,8 @@ static void a_descent_only_descends(void **state) {
     for (int i = 0; i <= 2000; i++) {
         const double z = bolan_scene_camera_at(&s, 0.01 * i).position.z;
         assert_true(z <= before + 1e-9 && z >= 3.0 - 1e-9);
-        assert_true(before - z < 1.5 * 900.0 / 10.0 * 0.01 * 2.0); // no jump: at most 3 times the mean slope of its piece
+        assert_true(before - z <
+                    1.5 * 900.0 / 10.0 * 0.01 * 2.0); // no jump: at most 3 times the mean slope of its piece
         before = z;
     }
 }
@@ -171,6 +196,7 @@ static void a_path_out_of_order_is_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_default_scene_is_valid),
+        cmocka_unit_test(test_the_default_look_is_the_documented_one),
         cmocka_unit_test(test_a_field_outside_its_range_is_named),
         cmocka_unit_test(test_another_wind_keeps_the_swell),
         cmocka_unit_test(test_techniques_are_found_by_name),

@@ -79,6 +79,26 @@ static void a_sine_gathers_light_at_its_first_focus(void **state) {
     assert_true(most > 8.0);
 }
 
+// The same waves along y, lit by the sun turned with them, give the same light turned.
+static void light_on_the_bottom_turns_with_the_waves(void **state) {
+    (void)state;
+    static float turned[N * N], expected[N * N];
+    const bolan_vec3 sun = bolan_v3_normalize(bolan_v3(0.5f, 0.2f, 0.8f)), turned_sun = {sun.y, sun.x, sun.z};
+    sine(0.05, 2.0, 2.0);
+    bolan_tile_caustics(height, N, 2.0, 3.0, sun, 1.333, light);
+    memcpy(expected, light, sizeof light);
+    for (int j = 0; j < N; j++)
+        for (int i = 0; i < N; i++) turned[j * N + i] = height[i * N + j];
+    bolan_tile_caustics(turned, N, 2.0, 3.0, turned_sun, 1.333, light);
+    double contrast = 0.0;
+    for (int j = 0; j < N; j++)
+        for (int i = 0; i < N; i++) {
+            assert_near(light[j * N + i], expected[i * N + j], 0.01); // rounding of landing places
+            contrast = fmax(contrast, fabs((double)light[j * N + i] - 1.0));
+        }
+    assert_true(contrast > 0.3);
+}
+
 static bolan_sea *textures_sea(void) {
     bolan_sea_desc d = bolan_sea_desc_default();
     d.waves = BOLAN_WAVES_TEXTURES;
@@ -148,6 +168,7 @@ int main(void) {
         cmocka_unit_test(normals_are_the_printed_cross_product),
         cmocka_unit_test(no_light_is_lost_on_the_way_to_the_bottom),
         cmocka_unit_test(flat_water_lights_the_bottom_evenly),
+        cmocka_unit_test(light_on_the_bottom_turns_with_the_waves),
         cmocka_unit_test(a_sine_gathers_light_at_its_first_focus),
         cmocka_unit_test(tiles_are_the_frames_of_the_sea),
         cmocka_unit_test(bad_descriptions_are_refused_by_name),

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: MIT
+// The sea of cascades as the shaders have it (shaders/common/waves.glsl) against its twins on the CPU: vertices,
+// pixels, gusts, shallow water, and what a pixel's footprint leaves to the roughness.
+#include "probe.h"
+
+#include "render/terrain_shore.h"
+#include "render/water_fields.h"
+
+typedef struct rig {
+    bolan_sea *sea;
+    bolan_scene scene;
+    bolan_frame_desc desc;
+    gl_caps caps;
+    shore_map shore;
+    frame f;
+    water_fields fields;
+    bool packed;
+} rig;
+
+static void rig_open(rig *r, double from_deg, double choppiness, bolan_dvec2 eye, double time, bool packed) {
+    memset(r, 0, sizeof *r);
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.sea_state = bolan_sea_state_from_wind(9.0, from_deg, 200e3);
+    desc.resolution = 128;
+    desc.choppiness = choppiness;
+    desc.foam_decay = 1.0;
+    assert_int_equal(bolan_sea_create(&desc, &r->sea), BOLAN_OK);
+    bolan_sea_settle(r->sea, time);
+    r->scene = bolan_scene_default();
+    r->desc = bolan_frame_desc_default();
+    r->desc.scene = &r->scene;
+    r->desc.sea = r->sea;
+    r->caps = gl_get_caps();
+    r->packed = packed;
+    r->f = (frame){.desc = &r->desc,
+                   .scene = &r->scene,
+                   .caps = &r->caps,
+                   .time = time,
+                   .eye = {eye.x, eye.y, 5.0},
+                   .shore = &r->shore};
+    assert_int_equal(water_fields_create(&r->fields), BOLAN_OK);
+    water_fields_prepare(&r->fields, &r->f, WATER_CASCADES, packed ? WATER_TEXTURES_PACKED : WATER_TEXTURES_ALL);
+}
+
+static void rig_close(rig *r) {
+    water_fields_free(&r->fields);
+    bolan_sea_destroy(&r->sea);
+}
+
+static void set_waves(const gl_program *program, const void *context) {
+    const rig *r = context;
+    water_fields_bind(&r->fields, WATER_CASCADES);
+    water_fields_apply(program, &r->f, WATER_CASCADES);
+}
+
+// Both stages' functions in one. LAND: depth attenuates each band.
+static void run(const rig *r, const char *body, uint32_t taps, float (*in)[4], uint32_t count, float (*out)[4]) {
+    char defines[64];
+    snprintf(defines, sizeof defines, "LAND 1\nTAPS %u\n%s", taps, r->packed ? "PACKED 1\n" : "");
+    probe_run_with("#include \"common/frame.glsl\"\n#define VERTEX\n#include \"common/waves.glsl\"\n#undef VERTEX",
+                   body, defines, set_waves, r, in, count, out);
+}
+
+// ---- the twin -------------------------------------------------------------------------------------------------------
+
+typedef struct sums {
+    double dx, dy, z, sx, sy, xx, yy, xy, foam;
+} sums;
+
+typedef struct place {
+    size_t at[4];
+    double weight[4];
+} place;
+
+static place place_in(const bolan_cascade_view *v, double x, double y) {
+    const double c = cos(v->angle), s = sin(v->angle);
+    double u = (x * c + y * s) / v->length, w = (y * c - x * s) / v->length;
+    u = (u - floor(u)) * v->n, w = (w - floor(w)) * v->n;
+    const uint32_t i = (uint32_t)u % v->n, j = (uint32_t)w % v->n, i1 = (i + 1) % v->n, j1 = (j + 1) % v->n;
+    const double a = u - floor(u), b = w - floor(w);
+    return (place){
+        {(size_t)j * v->n + i, (size_t)j * v->n + i1, (size_t)j1 * v->n + i, (size_t)j1 * v->n + i1},
+        {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b},
+    };
+}
+
+static double blend(const float *field, const place *p) {
+    double sum = 0.0;
+    for (int k = 0; k < 4; ++k) sum += p->weight[k] * (double)field[p->at[k]];
+    return sum;
+}
+
+// gust: a factor on the cascades of waves below 20 m; depth: of the water, which takes its share of each band.
+static sums twin(const bolan_sea *sea, double x, double y, double gust, double depth) {
+    sums t = {0};
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        const place p = place_in(&v, x, y);
+        const double shallow = (double)bolan_shore_attenuation((float)depth, (float)(4.0 * sqrt(v.variance)));
+        const double keep = v.k_min > 0.0 && 2.0 * BOLAN_PI / v.k_min < 20.0 ? gust * shallow : shallow;
+        t.dx += shallow * blend(v.dx, &p), t.dy += shallow * blend(v.dy, &p), t.z += shallow * blend(v.height, &p);
+        t.sx += keep * blend(v.slope_x, &p), t.sy += keep * blend(v.slope_y, &p);
+        t.xx += keep * blend(v.dxx, &p), t.yy += keep * blend(v.dyy, &p), t.xy += keep * blend(v.dxy, &p);
+        t.foam += keep * blend(v.foam, &p);
+    }
+    return t;
+}
+
+// ---- fields ---------------------------------------------------------------------------------------------------------
+
+enum { COUNT = 256 };
+#define REACH 400.0f // from the eye [m]
+
+static void scatter(float (*in)[4], float z, float w) {
+    uint32_t h = 1;
+    for (int i = 0; i < COUNT; ++i) {
+        for (int k = 0; k < 2; ++k) {
+            h = h * 1664525u + 1013904223u;
+            in[i][k] = ((float)(h >> 8) / 8388608.0f - 1.0f) * REACH;
+        }
+        in[i][2] = z, in[i][3] = w;
+    }
+}
+
+static const struct {
+    double from, x, y, time;
+} cases[] = {{250.0, 0.0, 0.0, 0.0}, {20.0, 123456.7, -98765.4, 4321.5}, {140.0, -3.3e6, 2.1e6, 17.25}};
+enum { CASES = 3 };
+
+// Half floats carry 11 bits: a field is rounded by 2^-12 of itself in each of four cascades, and a place in the
+// smallest tile, some hundred tiles away, by 0.002 texels. Heights of 3 m, slopes of 0.5.
+#define HEIGHT_ERROR 2e-3
+#define SLOPE_ERROR 1e-3
+#define JACOBIAN_ERROR 2e-3
+
+static const char *const vertex_probe = "vec4 probe(vec4 x) { vec4 fields; return vec4(wave_offset(x.xy, 1e-3, x.w, "
+                                        "fields), fields.x); }";
+
+static void vertices_stand_where_the_cpu_has_them(void **state) {
+    (void)state;
+    const float depths[] = {1e3f, 2.0f};
+    for (int k = 0; k < CASES * 2; ++k) {
+        rig r;
+        rig_open(&r, cases[k / 2].from, 0.8, (bolan_dvec2){cases[k / 2].x, cases[k / 2].y}, cases[k / 2].time, false);
+        float in[COUNT][4], out[COUNT][4];
+        scatter(in, 1.0f, depths[k % 2]);
+        run(&r, vertex_probe, 4, in, COUNT, out);
+        for (int i = 0; i < COUNT; ++i) {
+            const bolan_dvec2 at = {r.f.eye.x + (double)in[i][0], r.f.eye.y + (double)in[i][1]};
+            const sums t = twin(r.sea, at.x, at.y, 1.0, (double)in[i][3]);
+            assert_near(out[i][0], 0.8 * t.dx, HEIGHT_ERROR);
+            assert_near(out[i][1], 0.8 * t.dy, HEIGHT_ERROR);
+            assert_near(out[i][2], t.z, HEIGHT_ERROR);
+            assert_near(out[i][3], t.sx, SLOPE_ERROR);
+            if (k % 2 == 1) continue;
+            bolan_sea_sample s; // deep water: what queries answer
+            bolan_sea_sample_rest(r.sea, &at, 1, &s);
+            assert_near(out[i][0], s.dx, HEIGHT_ERROR);
+            assert_near(out[i][2], s.height, HEIGHT_ERROR);
+        }
+        rig_close(&r);
+    }
+}
+
+// On a coarse mesh the shader fetches a level of its textures, the CPU averages samples: the same waves but for the
+// last octave, which holds the energy that `errors` allows, relative to the rms height of all waves (12, 33 and 30 %
+// were measured).
+static void vertices_of_a_coarse_mesh_have_the_long_waves(void **state) {
+    (void)state;
+    const double spacings[] = {4.0, 16.0, 64.0}, errors[] = {0.135, 0.35, 0.32}, ratios[] = {1.035, 1.36, 2.06};
+    rig r;
+    rig_open(&r, 20.0, 1.0, (bolan_dvec2){5000.0, -777.0}, 33.0, false);
+    for (int k = 0; k < 3; ++k) {
+        float in[COUNT][4], out[COUNT][4];
+        scatter(in, (float)spacings[k], 1e3f);
+        run(&r, "vec4 probe(vec4 x) { vec4 fields; return vec4(wave_offset(x.xy, x.z, x.w, fields), 0.0); }", 4, in,
+            COUNT, out);
+        double error = 0.0, energy = 0.0, shader = 0.0, cpu = 0.0;
+        for (int i = 0; i < COUNT; ++i) {
+            const bolan_dvec2 at = {r.f.eye.x + (double)in[i][0], r.f.eye.y + (double)in[i][1]};
+            const float spacing = in[i][2];
+            bolan_sea_sample all, s;
+            bolan_sea_sample_rest(r.sea, &at, 1, &all);
+            bolan_sea_sample_grid(r.sea, &at, &spacing, 1, &s);
+            shader += pow((double)out[i][2], 2.0), cpu += pow((double)s.height, 2.0);
+            error += pow((double)(out[i][2] - s.height), 2.0), energy += pow((double)all.height, 2.0);
+        }
+        if (!(sqrt(error / energy) < errors[k]))
+            fail_msg("on a mesh of %.0f m off by %.3f of the rms height", spacings[k], sqrt(error / energy));
+        // the shader's level is half a level finer, because its triangles blur too: more is left at the vertices
+        assert_near(sqrt(shader / cpu), ratios[k], 0.05 * ratios[k]);
+    }
+    rig_close(&r);
+}
+
+static void compare_pixels(const rig *r, double choppiness, double gust, double depth) {
+    float in[COUNT][4], out[COUNT][4];
+    scatter(in, (float)gust, (float)depth);
+    run(r,
+        "vec4 probe(vec4 x) { wave_fields w = waves_at(x.xy, footprint(vec2(1.0, 0.0), 1e-4, 1e-4), x.z, x.w, "
+        "vec4(0.0)); return vec4(w.slope, w.jacobian, w.foam); }",
+        4, in, COUNT, out);
+    int plain = 0;
+    for (int i = 0; i < COUNT; ++i) {
+        const bolan_dvec2 at = {r->f.eye.x + (double)in[i][0], r->f.eye.y + (double)in[i][1]};
+        const sums t = twin(r->sea, at.x, at.y, gust, depth);
+        const double xx = 1.0 + choppiness * t.xx, yy = 1.0 + choppiness * t.yy, xy = choppiness * t.xy;
+        const double jacobian = r->packed ? xx + yy - 1.0 : xx * yy - xy * xy;
+        assert_near(out[i][2], jacobian, JACOBIAN_ERROR);
+        assert_near(out[i][3], t.foam, JACOBIAN_ERROR);
+        double sx = (t.sx * yy - t.sy * xy) / jacobian, sy = (t.sy * xx - t.sx * xy) / jacobian;
+        if (r->packed) sx = t.sx / (0.25 + 0.75 * jacobian), sy = t.sy / (0.25 + 0.75 * jacobian);
+        if (jacobian < 0.4 || hypot(sx, sy) > 1.15) continue; // there the shader bounds them
+        assert_near(out[i][0], sx, SLOPE_ERROR / jacobian / jacobian);
+        assert_near(out[i][1], sy, SLOPE_ERROR / jacobian / jacobian);
+        if (!r->packed && gust == 1.0 && depth > 100.0) { // what queries answer
+            bolan_sea_sample s;
+            bolan_sea_sample_rest(r->sea, &at, 1, &s);
+            assert_near(out[i][0], s.slope_x, SLOPE_ERROR / jacobian / jacobian);
+            assert_near(out[i][1], s.slope_y, SLOPE_ERROR / jacobian / jacobian);
+        }
+        ++plain;
+    }
+    assert_true(plain > COUNT * 9 / 10);
+}
+
+static void pixels_have_the_slopes_of_the_cpu(void **state) {
+    (void)state;
+    const double gusts[] = {1.0, 1.4, 0.7}, depths[] = {1e3, 1e3, 3.0};
+    for (int k = 0; k < CASES * 2; ++k) {
+        rig r;
+        const bolan_dvec2 eye = {cases[k / 2].x, cases[k / 2].y};
+        rig_open(&r, cases[k / 2].from, 0.9, eye, cases[k / 2].time, k % 2 == 1);
+        for (int i = 0; i < 3; ++i) compare_pixels(&r, 0.9, gusts[i], depths[i]);
+        rig_close(&r);
+    }
+}
+
+// ---- footprints -----------------------------------------------------------------------------------------------------
+
+// Mean squares of the slopes of pixels at 4096 places of a square of 5 km, by R2 sequence; w: the unresolved xx + yy.
+static const char *const energy_probe = "vec4 probe(vec4 x) {\n"
+                                        "    footprint f = footprint(vec2(cos(x.z), sin(x.z)), x.x, x.y);\n"
+                                        "    vec3 sum = vec3(0.0);\n"
+                                        "    for (int i = 0; i < 4096; ++i) {\n"
+                                        "        vec2 at = 5000.0 * fract(float(i) * vec2(0.75487766, 0.56984029));\n"
+                                        "        vec2 s = waves_at(at, f, 1.0, 1e3, vec4(0.0)).slope;\n"
+                                        "        sum += s.xxy * s.xyy / 4096.0;\n"
+                                        "    }\n"
+                                        "    return vec4(sum, 0.0);\n"
+                                        "}\n";
+static const char *const rest_probe =
+    "vec4 probe(vec4 x) { footprint f = footprint(vec2(cos(x.z), sin(x.z)), x.x, x.y);\n"
+    "f.minor = max(f.minor, f.major / x.w); return vec4(unresolved_slopes(f), 0.0); }";
+
+// What a pixel shows of the slopes and what it leaves to the roughness make the same sum from 1 cm to 1 km, in each
+// component of the covariance. Bilinear interpolation loses up to 7 % of the sum where the pixel is narrower than the
+// texels of the shortest waves, (2 + cos kh) / 3 of a wave's power along each axis; a wide pixel shows nothing. Nothing
+// may be gained: 1 % is the scatter of 4096 places.
+static double least_sum(double width) { return width < 0.15 ? -0.075 : width < 3.0 ? -0.055 : -0.03; }
+
+static void check_energy(double from, bool packed, uint32_t taps, double aspect) {
+    enum { WIDTHS = 17 };
+    rig r;
+    rig_open(&r, from, 0.0, (bolan_dvec2){4321.0, -1234.0}, 12.0, packed);
+    float all[3], in[WIDTHS * 2][4], seen[WIDTHS * 2][4], left[WIDTHS * 2][4];
+    bolan_sea_unresolved_slopes(r.sea, 1e5, 1e5, 0.0, all);
+    for (int i = 0; i < WIDTHS * 2; ++i) {
+        in[i][1] = (float)(0.01 * pow(10.0, 5.0 * (i % WIDTHS) / (WIDTHS - 1.0)));
+        in[i][0] = (float)(aspect * (double)in[i][1]);
+        in[i][2] = i < WIDTHS ? 0.3f : 1.9f;
+        in[i][3] = (float)taps;
+    }
+    run(&r, energy_probe, taps, in, WIDTHS * 2, seen);
+    run(&r, rest_probe, taps, in, WIDTHS * 2, left);
+    const double total = (double)(all[0] + all[2]);
+    for (int i = 0; i < WIDTHS * 2; ++i) {
+        const double width = (double)in[i][1], least = least_sum(width);
+        double gain[3];
+        for (int k = 0; k < 3; ++k) gain[k] = (double)(seen[i][k] + left[i][k] - all[k]) / total;
+        if (!(gain[0] + gain[2] > least && gain[0] + gain[2] < 0.01))
+            fail_msg("a pixel of %.2f m, aspect %.0f: %.3f of the slope variance gained", width, aspect,
+                     gain[0] + gain[2]);
+        for (int k = 0; k < 3; ++k) // the loss is not the same along and across the wind
+            if (!(fabs(gain[k]) < 0.01 - 0.6 * least))
+                fail_msg("a pixel of %.2f m, aspect %.0f: %.3f gained in component %d", width, aspect, gain[k], k);
+    }
+    rig_close(&r);
+}
+
+static void no_footprint_loses_or_gains_slope_variance(void **state) {
+    (void)state;
+    check_energy(250.0, false, 4, 1.0);
+    check_energy(20.0, false, 4, 4.0);
+    check_energy(20.0, false, 2, 8.0);
+    check_energy(20.0, true, 1, 1.0);
+}
+
+// The look-up of the table, at any width, aspect and direction, against the function that it tabulates. Texels lie 2/3
+// of an octave and 22.5 degrees apart: 1 % of the sum between them. The sun's radius adds 6e-6.
+static void the_table_of_unresolved_slopes_is_looked_up_where_it_should_be(void **state) {
+    (void)state;
+    rig r;
+    rig_open(&r, 20.0, 0.0, (bolan_dvec2){0.0, 0.0}, 1.0, false);
+    float all[3], in[COUNT][4], out[COUNT][4];
+    bolan_sea_unresolved_slopes(r.sea, 1e5, 1e5, 0.0, all);
+    for (int i = 0; i < COUNT; ++i) {
+        in[i][0] = (float)(0.05 * pow(2000.0, i % 16 / 15.0));
+        in[i][1] = in[i][0] / (float[]){1.0f, 3.0f, 10.0f, 40.0f}[i / 16 % 4];
+        in[i][2] = (float)(BOLAN_PI * (0.03 + i / 64 * 0.25));
+    }
+    run(&r,
+        "vec4 probe(vec4 x) { return vec4(unresolved_slopes(footprint(vec2(cos(x.z), sin(x.z)), x.x, x.y)), 0.0); }", 4,
+        in, COUNT, out);
+    const double total = (double)(all[0] + all[2]);
+    double worst = 0.0;
+    for (int i = 0; i < COUNT; ++i) {
+        float want[3];
+        bolan_sea_unresolved_slopes(r.sea, 0.4 * (double)in[i][0], 0.4 * (double)in[i][1], (double)in[i][2], want);
+        for (int k = 0; k < 3; ++k) worst = fmax(worst, fabs((double)(out[i][k] - want[k])) / total);
+    }
+    assert_true(worst < 0.01); // half a per cent was measured
+    rig_close(&r);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        IN_BOTH_APIS(vertices_stand_where_the_cpu_has_them),
+        IN_BOTH_APIS(vertices_of_a_coarse_mesh_have_the_long_waves),
+        IN_BOTH_APIS(pixels_have_the_slopes_of_the_cpu),
+        IN_BOTH_APIS(the_table_of_unresolved_slopes_is_looked_up_where_it_should_be),
+        IN_BOTH_APIS(no_footprint_loses_or_gains_slope_variance),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
