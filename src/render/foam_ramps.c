@@ -3,6 +3,7 @@
 // mix of neighbours looks like a density between them. The tiles are those of foam_texture.c, added, flattened again by rank,
 // and cut where the wanted share is left.
 #include "foam_ramps.h"
+#include "memory.h"
 
 #include <math.h>
 #include <string.h>
@@ -39,12 +40,8 @@ static void cut(const uint8_t *tiles, int density, uint8_t *out) {
 }
 
 bolan_result foam_densities_fill(uint8_t *out) {
-    uint8_t *tiles = bolan_allocate(4 * PIXELS);
-    if (tiles == NULL) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "foam texture: %zu bytes could not be allocated",
-                  4 * PIXELS);
-        return BOLAN_ERROR_MEMORY;
-    }
+    uint8_t *tiles = allocate_for("the densities of foam", 4 * PIXELS);
+    if (tiles == NULL) return BOLAN_ERROR_MEMORY;
     const bolan_result result = foam_texture_fill(tiles);
     for (int density = 0; result == BOLAN_OK && density < 3; ++density) cut(tiles, density, out);
     for (size_t i = 0; i < PIXELS; ++i) out[4 * i + 3] = tiles[4 * i + 1];

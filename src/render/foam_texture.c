@@ -3,6 +3,7 @@
 // pattern (Worley 1996: distance to the second nearest point less that to the nearest) at three sizes, displaced by smooth
 // noise. The histogram is then flattened by rank.
 #include "foam_texture.h"
+#include "memory.h"
 
 #include <math.h>
 #include <string.h>
@@ -94,11 +95,8 @@ static void flatten(const float *values, int channel, uint8_t *out) {
 
 bolan_result foam_texture_fill(uint8_t *out) {
     size_t bytes = sizeof(float) * 4 * PIXELS;
-    float *values = bolan_allocate(bytes);
-    if (values == NULL) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "foam texture: %zu bytes could not be allocated", bytes);
-        return BOLAN_ERROR_MEMORY;
-    }
+    float *values = allocate_for("the texture of foam", bytes);
+    if (values == NULL) return BOLAN_ERROR_MEMORY;
     bolan_parallel(SIZE, 16, fill_rows, values);
     for (int channel = 0; channel < 4; ++channel) flatten(values, channel, out);
     bolan_release(values, bytes);
@@ -107,7 +105,7 @@ bolan_result foam_texture_fill(uint8_t *out) {
 
 bolan_result foam_texture_create(gl_texture *out) {
     size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
-    uint8_t *pixels = bolan_allocate(bytes);
+    uint8_t *pixels = allocate_for("the texture of foam", bytes);
     if (pixels == NULL) return BOLAN_ERROR_MEMORY;
     bolan_result result = foam_texture_fill(pixels);
     gl_texture_desc desc = {.format = GL_FMT_RGBA8,

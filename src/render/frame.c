@@ -122,12 +122,12 @@ static bolan_vec2 sample_shift(uint32_t i) {
     return (bolan_vec2){(float)(x < 0.5 ? x : x - 1.0), (float)(y < 0.5 ? y : y - 1.0)};
 }
 
-static void begin_part(bolan_renderer *r, frame_part part) {
-    gl_timer_begin(&r->timers[part], r->measure && !r->caps.timers);
+static gl_timing timing_of(const bolan_renderer *r) {
+    if (!r->measure) return GL_TIMING_OFF;
+    return r->caps.timers ? GL_TIMING_GPU : GL_TIMING_FINISH;
 }
-static void end_part(bolan_renderer *r, frame_part part) {
-    gl_timer_end(&r->timers[part], r->measure && !r->caps.timers);
-}
+static void begin_part(bolan_renderer *r, frame_part part) { gl_timer_begin(&r->timers[part], timing_of(r)); }
+static void end_part(bolan_renderer *r, frame_part part) { gl_timer_end(&r->timers[part], timing_of(r)); }
 
 static void upload_uniforms(bolan_renderer *r, const frame *f) {
     gl_buffer_update(&r->uniforms, 0, sizeof f->uniforms, &f->uniforms);
@@ -256,37 +256,45 @@ static void keep_statistics(bolan_renderer *r, const frame *f) {
     }
 }
 
-void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *desc) {
-    BOLAN_ASSERT(r != NULL && desc != NULL && desc->scene != NULL && desc->sea != NULL);
-    BOLAN_ASSERT(desc->width >= 1 && desc->width <= 16384 && desc->height >= 1 && desc->height <= 16384);
-    gl_save(r->saved);
+static void draw_sample(bolan_renderer *r, frame *f, uint32_t sample) {
+    const bolan_frame_desc *d = f->desc;
+    f->triangles = f->water_triangles = 0;
+    fill_camera(f, f->uniforms.lens.z > 0.5f, r->near_plane, sample_shift(d->samples - 1 - sample));
+    f->picture = f->uniforms.under.x > 0.5f;
+    upload_uniforms(r, f);
+    draw_opaque(r, f);
+    draw_water(r, f);
+    draw_sky(r, f);
+    begin_part(r, PART_TONEMAP);
+    gl_target_bind_external(d->framebuffer, d->width, d->height);
+    pass_tonemap_draw(r->tonemap, f, &r->hdr_color, sample, d->samples);
+    end_part(r, PART_TONEMAP);
+}
+
+static void draw_frame(bolan_renderer *r, const bolan_frame_desc *desc) {
     frame f = {.desc = desc, .scene = desc->scene, .caps = &r->caps, .quality = r->desc.quality};
-    bool zero_to_one = r->caps.clip_control && !r->desc.no_clip_control;
-    if (renderer_resize(r, desc->width, desc->height) == BOLAN_OK) {
-        if (r->caps.clip_control) gl_set_clip_zero_to_one(zero_to_one);
-        f.hdr = r->hdr;
-        f.hdr_depth = &r->hdr_depth;
-        fill_scene(&f);
-        r->near_plane = near_plane(f.uniforms.eye.z, zero_to_one);
-        fill_camera(&f, zero_to_one, r->near_plane, (bolan_vec2){0.0f, 0.0f});
-        prepare(r, &f);
-        uint32_t samples = desc->samples < 1 ? 1 : desc->samples;
-        // The unshifted sample comes last, so that the depth that remains is that of the pixels' middles.
-        for (uint32_t s = 0; s < samples; ++s) {
-            f.triangles = f.water_triangles = 0;
-            fill_camera(&f, zero_to_one, r->near_plane, sample_shift(samples - 1 - s));
-            f.picture = f.uniforms.under.x > 0.5f;
-            upload_uniforms(r, &f);
-            draw_opaque(r, &f);
-            draw_water(r, &f);
-            draw_sky(r, &f);
-            begin_part(r, PART_TONEMAP);
-            gl_target_bind_external(desc->framebuffer, desc->width, desc->height);
-            pass_tonemap_draw(r->tonemap, &f, &r->hdr_color, s, samples);
-            end_part(r, PART_TONEMAP);
-        }
-        r->radiance_unit = f.uniforms.air.x;
-        keep_statistics(r, &f);
+    const bool zero_to_one = r->caps.clip_control && !r->desc.no_clip_control;
+    if (r->caps.clip_control) gl_set_clip_zero_to_one(zero_to_one);
+    f.hdr = r->hdr;
+    f.hdr_depth = &r->hdr_depth;
+    fill_scene(&f);
+    r->near_plane = near_plane(f.uniforms.eye.z, zero_to_one);
+    fill_camera(&f, zero_to_one, r->near_plane, (bolan_vec2){0.0f, 0.0f});
+    prepare(r, &f);
+    // The unshifted sample comes last, so that the depth that remains is that of the pixels' middles.
+    for (uint32_t s = 0; s < desc->samples; ++s) draw_sample(r, &f, s);
+    r->radiance_unit = f.uniforms.air.x;
+    keep_statistics(r, &f);
+}
+
+void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *desc) {
+    const bool given = r != NULL && desc != NULL && desc->scene != NULL && desc->sea != NULL;
+    BOLAN_ASSERT(given);
+    if (!given || !frame_is_valid(r, desc)) return;
+    renderer_enter(r);
+    if (frame_has_framebuffer(r, desc)) {
+        renderer_accept(r, CALL_DRAW);
+        if (renderer_resize(r, desc->width, desc->height) == BOLAN_OK) draw_frame(r, desc);
     }
-    gl_restore(r->saved);
+    renderer_leave(r);
 }

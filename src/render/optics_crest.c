@@ -5,6 +5,7 @@
 #include "foam_ramps.h"
 #include "foam_statistics.h"
 #include "water_optics.h"
+#include "memory.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -37,7 +38,7 @@ static const double quality_taps[] = {2.0, 2.0, 3.0, 4.0};
 
 static bolan_result create_densities(crest *p, bolan_quality quality) {
     const size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
-    uint8_t *pixels = bolan_allocate(bytes);
+    uint8_t *pixels = allocate_for("the texture of foam", bytes);
     if (pixels == NULL) return BOLAN_ERROR_MEMORY;
     gl_texture_desc desc = {.format = GL_FMT_RGBA8,
                             .width = FOAM_TEXTURE_SIZE,

@@ -4,6 +4,7 @@
 // water plane stays where it is in both, so that a place of the water finds what it mirrors and what lies behind it at its own
 // place in them.
 #include "frame.h"
+#include "memory.h"
 
 #include <math.h>
 
@@ -22,7 +23,7 @@ struct pass_mirror {
 };
 
 bolan_result pass_mirror_create(pass_mirror **out) {
-    pass_mirror *p = bolan_allocate(sizeof *p);
+    pass_mirror *p = allocate_for("the pass of mirrored pictures", sizeof *p);
     if (p == NULL) return BOLAN_ERROR_MEMORY;
     const bolan_result result = gl_program_create("water_body", NULL, &p->body);
     if (result != BOLAN_OK) pass_mirror_destroy(&p);

@@ -4,6 +4,7 @@
 
 #include "bolan/query.h"
 #include "scene/model.h"
+#include "memory.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -71,7 +72,7 @@ bolan_result pass_models_create(const gl_caps *caps, pass_models **out) {
                                                [WET_WHOLE] = "PICTURE 1\nWET 1\n",
                                                [WET_CUT] = "PICTURE 1\nCUT 1\nWET 1\n"};
     *out = NULL;
-    pass_models *p = bolan_allocate(sizeof *p);
+    pass_models *p = allocate_for("the pass of objects", sizeof *p);
     if (!p) return BOLAN_ERROR_MEMORY;
     bolan_result r = BOLAN_OK;
     for (int i = 0; i < 2 * KINDS && r == BOLAN_OK; i++) {
@@ -128,7 +129,7 @@ static bolan_result upload(const bolan_model *model, gpu_model *g) {
     static const uint8_t components[] = {3, 3, 4};
     const bolan_model_view v = bolan_model_get_view(model);
     const size_t stride = VERTEX_FLOATS * sizeof(float), bytes = v.vertex_count * stride;
-    float *staging = bolan_allocate(bytes);
+    float *staging = allocate_for("the vertices of an object", bytes);
     if (!staging) return BOLAN_ERROR_MEMORY;
     for (uint32_t i = 0; i < v.vertex_count; i++) {
         memcpy(staging + i * VERTEX_FLOATS, &v.positions[i], 3 * sizeof(float));
@@ -192,7 +193,7 @@ static int class_of_triangle(const bolan_model_view *v, const uint32_t *triangle
 static bolan_result upload_sorted(const bolan_model_view *v, const gpu_model *g, sorted *s) {
     static const uint8_t components[] = {3, 3, 4};
     const size_t bytes = v->index_count * sizeof *v->indices;
-    uint32_t *staging = bolan_allocate(bytes);
+    uint32_t *staging = allocate_for("the triangles of an object", bytes);
     if (!staging) return BOLAN_ERROR_MEMORY;
     uint32_t n = 0;
     for (int c = 0; c < CLASSES; c++) {

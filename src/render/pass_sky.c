@@ -3,6 +3,7 @@
 // the background. Shader: shaders/sky.glsl; atmosphere.c and clouds.c fill the tables.
 #include "atmosphere.h"
 #include "clouds.h"
+#include "memory.h"
 #include "sky_lattice.h"
 
 #include <math.h>
@@ -86,7 +87,7 @@ bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out) {
                   "this OpenGL ES lacks EXT_color_buffer_float, which the sky needs");
         return BOLAN_ERROR_UNSUPPORTED;
     }
-    pass_sky *p = bolan_allocate(sizeof *p);
+    pass_sky *p = allocate_for("the sky", sizeof *p);
     if (!p) return BOLAN_ERROR_MEMORY;
     bolan_result result = atmosphere_create(&p->air);
     if (result == BOLAN_OK) result = clouds_create(&p->clouds);

@@ -7,6 +7,7 @@
 #include "terrain_shore.h"
 #include "terrain_texture.h"
 #include "terrain_tree.h"
+#include "memory.h"
 
 // Chunks with smaller texels [m] show the grain of 16 m period.
 #define FINEST_GRAIN 0.8
@@ -47,7 +48,7 @@ static const struct {
 
 static bolan_result create_indices(pass_terrain *p) {
     const size_t bytes = chunk_first_index(CHUNK_MESHES) * sizeof(uint32_t);
-    uint32_t *indices = bolan_allocate(bytes);
+    uint32_t *indices = allocate_for("the triangles of the ground", bytes);
     if (!indices) {
         return BOLAN_ERROR_MEMORY;
     }
@@ -59,7 +60,7 @@ static bolan_result create_indices(pass_terrain *p) {
 
 static bolan_result create_noise(pass_terrain *p) {
     const size_t bytes = (size_t)TERRAIN_TEXTURE_SIZE * TERRAIN_TEXTURE_SIZE * 4;
-    uint8_t *texels = bolan_allocate(bytes);
+    uint8_t *texels = allocate_for("the texture of the ground", bytes);
     bolan_result r = texels ? terrain_texture_fill(texels) : BOLAN_ERROR_MEMORY;
     gl_texture_desc d = {.format = GL_FMT_RGBA8,
                          .width = TERRAIN_TEXTURE_SIZE,
@@ -78,7 +79,7 @@ static bolan_result create_noise(pass_terrain *p) {
 bolan_result pass_terrain_create(const gl_caps *caps, pass_terrain **out) {
     (void)caps;
     *out = NULL;
-    pass_terrain *p = bolan_allocate(sizeof *p);
+    pass_terrain *p = allocate_for("the pass of the ground", sizeof *p);
     if (!p) {
         return BOLAN_ERROR_MEMORY;
     }
@@ -90,9 +91,9 @@ bolan_result pass_terrain_create(const gl_caps *caps, pass_terrain **out) {
     r = r == BOLAN_OK ? create_indices(p) : r;
     r = r == BOLAN_OK ? create_noise(p) : r;
     r = r == BOLAN_OK ? shore_builder_create(&p->shore) : r;
-    p->vertices = bolan_allocate(CHUNK_VERTICES * 3 * sizeof(float));
-    if (r == BOLAN_OK && !p->vertices) {
-        r = BOLAN_ERROR_MEMORY;
+    if (r == BOLAN_OK) {
+        p->vertices = allocate_for("the vertices of the ground", CHUNK_VERTICES * 3 * sizeof(float));
+        r = p->vertices ? BOLAN_OK : BOLAN_ERROR_MEMORY;
     }
     if (r != BOLAN_OK) {
         pass_terrain_destroy(&p);
@@ -159,7 +160,7 @@ static bool create_gpu_chunk(pass_terrain *p, gpu_chunk *g) {
 static bool create_chunks(pass_terrain *p, uint32_t slots) {
     free_chunks(p);
     p->slots = slots;
-    p->gpu = bolan_allocate(slots * sizeof *p->gpu);
+    p->gpu = allocate_for("the chunks of the ground", slots * sizeof *p->gpu);
     bool all = p->gpu && terrain_tree_create(slots, &p->tree) == BOLAN_OK;
     for (uint32_t n = 0; all && n < slots; n++) {
         all = create_gpu_chunk(p, &p->gpu[n]);

@@ -3,6 +3,7 @@
 // tone mapped and added up (the mean of what is seen, not of radiance: a glint must not outshine its pixel), and the
 // last one writes the mean. High quality adds a glow round what is bright. Shaders: tonemap.glsl, tonemap_glow.glsl.
 #include "frame.h"
+#include "memory.h"
 
 enum { GLOW_LEVELS = 6, GLOW_PARTS = 4 }; // GLOW_PARTS: the picture's size over the glow's
 static const float glow_share = 0.06f;
@@ -22,7 +23,7 @@ struct pass_tonemap {
 bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) {
     (void)caps;
     *out = NULL;
-    pass_tonemap *p = bolan_allocate(sizeof *p);
+    pass_tonemap *p = allocate_for("the tone map", sizeof *p);
     if (!p) return BOLAN_ERROR_MEMORY;
     bolan_result result = gl_program_create("tonemap", NULL, &p->single[0]);
     if (result == BOLAN_OK) result = gl_program_create("tonemap", "GLOW 1\n", &p->single[1]);

@@ -2,6 +2,7 @@
 // The water: the sea's waves on the GPU (water_fields.c), the surface of this view (water_mesh.c), and the optics that the scene's
 // technique names (water_optics.h).
 #include "water_sparse.h"
+#include "memory.h"
 
 #include <string.h>
 
@@ -13,6 +14,7 @@ struct pass_water {
     water_sparse sparse;
     void *state[BOLAN_OPTICS_KINDS]; // of the optics, made when it is first needed
     bool failed[BOLAN_OPTICS_KINDS]; // it could not be made, and the log says why
+    bool ready;                      // the waves of this frame are on the GPU
 };
 
 static const water_optics *const optics_table[BOLAN_OPTICS_KINDS] = {
@@ -22,7 +24,7 @@ static const water_optics *const optics_table[BOLAN_OPTICS_KINDS] = {
 };
 
 bolan_result pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out) {
-    pass_water *p = bolan_allocate(sizeof *p);
+    pass_water *p = allocate_for("the pass of the water", sizeof *p);
     if (p == NULL) return BOLAN_ERROR_MEMORY;
     p->quality = quality;
     bolan_result result = water_fields_create(&p->fields);
@@ -60,7 +62,7 @@ bolan_result pass_water_reload(pass_water *p) {
 static void make_state(pass_water *p, bolan_optics_kind kind) {
     const water_optics *o = optics_table[kind];
     if (p->state[kind] != NULL || p->failed[kind]) return;
-    p->state[kind] = bolan_allocate(o->size);
+    p->state[kind] = allocate_for("the optics of the water", o->size);
     p->failed[kind] = p->state[kind] == NULL || o->create(p->state[kind], p->quality) != BOLAN_OK;
 }
 
@@ -111,10 +113,10 @@ void pass_water_prepare(pass_water *p, frame *f) {
     water_draw d = draw_of(p, f);
     make_state(p, t->optics);
     const bool table_only = o->table_only != NULL && o->table_only(f->scene);
-    water_fields_prepare(&p->fields, f, d.waves,
-                         table_only  ? WATER_TEXTURES_NONE
-                         : o->packed ? WATER_TEXTURES_PACKED
-                                     : WATER_TEXTURES_ALL);
+    p->ready = water_fields_prepare(&p->fields, f, d.waves,
+                                    table_only  ? WATER_TEXTURES_NONE
+                                    : o->packed ? WATER_TEXTURES_PACKED
+                                                : WATER_TEXTURES_ALL);
     const bool edges = f->scene->look.show == BOLAN_SHOW_MESH; // these are made of the mesh that the CPU has
     water_mesh_build(&p->mesh, f, water_surface(f), d.waves, o->static_grid && !edges);
     if (o->prepare != NULL && !p->failed[t->optics]) o->prepare(p->state[t->optics], &d);
@@ -140,7 +142,7 @@ void pass_water_lay(pass_water *p, frame *f) {
 
 void pass_water_draw(pass_water *p, frame *f) {
     const bolan_optics_kind kind = f->scene->technique.optics;
-    if (water_mesh_triangles(&p->mesh) == 0 || p->failed[kind]) return;
+    if (water_mesh_triangles(&p->mesh) == 0 || p->failed[kind] || !p->ready) return;
     water_draw d = draw_of(p, f);
     water_fields_bind(&p->fields, d.waves);
     if (f->scene->look.show == BOLAN_SHOW_MESH)

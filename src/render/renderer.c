@@ -3,9 +3,16 @@
 #include "renderer.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
 #include <time.h>
 
+#include "memory.h"
+
 enum { LEAST_VERTICES = 1024, MOST_VERTICES = 1000000 }; // of bolan_renderer_desc::max_vertices
+
+static bool is_size(uint32_t pixels) { return pixels >= 1 && pixels <= MOST_PIXELS; }
 
 bolan_renderer_desc bolan_renderer_desc_default(void) { return (bolan_renderer_desc){.quality = BOLAN_QUALITY_MEDIUM}; }
 
@@ -25,12 +32,36 @@ static bolan_result create_passes(bolan_renderer *r) {
     return result;
 }
 
-bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out) {
-    BOLAN_ASSERT(desc != NULL && out != NULL);
-    if (bolan_gl_get_info().version[0] == '\0') {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT, "renderer: no OpenGL context is current on this thread");
-        return BOLAN_ERROR_GL;
-    }
+// ---- entering and leaving -----------------------------------------------------------------------------------------
+
+void renderer_enter(bolan_renderer *r) {
+    gl_program_set_directory(r->shader_directory[0] ? r->shader_directory : NULL);
+    gl_save(&r->saved, &r->caps, r->desc.debug);
+}
+
+void renderer_leave(bolan_renderer *r) { gl_restore(&r->saved); }
+
+bool renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, const char *format, ...) {
+    char sentence[REFUSAL_BYTES];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(sentence, sizeof sentence, format, arguments);
+    va_end(arguments);
+    if (strcmp(sentence, r->refusal[call]) != 0) bolan_log(BOLAN_LOG_ERROR, id, "%s", sentence);
+    memcpy(r->refusal[call], sentence, sizeof sentence);
+    return false;
+}
+
+void renderer_accept(bolan_renderer *r, renderer_call call) { r->refusal[call][0] = '\0'; }
+
+static bool has_context(bolan_renderer *r, renderer_call call, const char *name) {
+    return gl_has_context() || renderer_refuse(r, call, BOLAN_LOG_GL_CONTEXT,
+                                               "%s: no OpenGL context is current on this thread", name);
+}
+
+// ---- life -----------------------------------------------------------------------------------------------------------
+
+static bolan_result check_desc(const bolan_renderer_desc *desc) {
     if ((int)desc->quality < BOLAN_QUALITY_LOW || desc->quality > BOLAN_QUALITY_ULTRA) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
                   "renderer: quality %d is not one of low, medium, high, ultra", (int)desc->quality);
@@ -42,20 +73,39 @@ bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_render
                   LEAST_VERTICES, MOST_VERTICES);
         return BOLAN_ERROR_ARGUMENT;
     }
-    bolan_renderer *r = bolan_allocate(sizeof *r);
-    if (r == NULL) return BOLAN_ERROR_MEMORY;
-    r->desc = *desc;
-    r->caps = gl_get_caps();
-    r->saved = bolan_allocate(gl_saved_size());
-    bolan_result result = r->saved != NULL ? BOLAN_OK : BOLAN_ERROR_MEMORY;
-    if (result == BOLAN_OK) {
-        gl_save(r->saved);
-        gl_debug_log(desc->debug);
-        gl_program_set_directory(desc->shader_directory);
-        result = create_passes(r);
-        for (int i = 0; i < PART_COUNT; ++i) gl_timer_create(&r->timers[i]);
-        gl_restore(r->saved);
+    if (desc->shader_directory != NULL && strlen(desc->shader_directory) >= DIRECTORY_BYTES) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
+                  "renderer: shader_directory has %zu characters; expected at most %d", strlen(desc->shader_directory),
+                  DIRECTORY_BYTES - 1);
+        return BOLAN_ERROR_ARGUMENT;
     }
+    return BOLAN_OK;
+}
+
+static bolan_renderer *allocate(const bolan_renderer_desc *desc) {
+    bolan_renderer *r = allocate_for("a renderer", sizeof *r);
+    if (r == NULL) return NULL;
+    r->desc = *desc;
+    r->desc.shader_directory = NULL; // the caller's memory; copied
+    if (desc->shader_directory != NULL)
+        snprintf(r->shader_directory, sizeof r->shader_directory, "%s", desc->shader_directory);
+    r->caps = gl_get_caps();
+    if (desc->force_timers) r->caps.timers = r->caps.timestamps;
+    return r;
+}
+
+bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out) {
+    BOLAN_ASSERT(desc != NULL && out != NULL);
+    if (desc == NULL || out == NULL) return BOLAN_ERROR_ARGUMENT;
+    *out = NULL;
+    bolan_result result = gl_check_context("renderer");
+    if (result == BOLAN_OK) result = check_desc(desc);
+    if (result != BOLAN_OK) return result;
+    bolan_renderer *r = allocate(desc);
+    if (r == NULL) return BOLAN_ERROR_MEMORY;
+    renderer_enter(r);
+    result = create_passes(r);
+    renderer_leave(r);
     if (result != BOLAN_OK) {
         bolan_renderer_destroy(&r);
         return result;
@@ -74,9 +124,14 @@ static void free_targets(bolan_renderer *r) {
     r->width = r->height = 0;
 }
 
+// Nothing is bound here, so nothing of the caller's is to be saved.
 void bolan_renderer_destroy(bolan_renderer **renderer) {
     if (renderer == NULL || *renderer == NULL) return;
     bolan_renderer *r = *renderer;
+    if (!gl_has_context())
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT,
+                  "renderer: destroyed while no OpenGL context is current; what it has on the GPU stays until its "
+                  "context is gone");
     pass_sky_destroy(&r->sky);
     pass_terrain_destroy(&r->terrain);
     pass_models_destroy(&r->models);
@@ -85,21 +140,31 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     pass_tonemap_destroy(&r->tonemap);
     gl_buffer_free(&r->uniforms);
     gl_program_free(&r->yardstick);
+    gl_depth_reader_free(&r->depth_reader);
     for (int i = 0; i < PART_COUNT; ++i) gl_timer_free(&r->timers[i]);
     free_targets(r);
-    bolan_release(r->saved, gl_saved_size());
+    bolan_release(r->scratch, r->scratch_bytes);
     bolan_release(r, sizeof *r);
     *renderer = NULL;
 }
 
-bolan_result bolan_renderer_reload(bolan_renderer *r) {
-    gl_program_set_directory(r->desc.shader_directory);
-    bolan_result results[] = {pass_sky_reload(r->sky),       pass_terrain_reload(r->terrain),
-                              pass_models_reload(r->models), pass_water_reload(r->water),
-                              pass_mirror_reload(r->mirror), pass_tonemap_reload(r->tonemap)};
+static bolan_result reload_passes(bolan_renderer *r) {
+    const bolan_result results[] = {pass_sky_reload(r->sky),       pass_terrain_reload(r->terrain),
+                                    pass_models_reload(r->models), pass_water_reload(r->water),
+                                    pass_mirror_reload(r->mirror), pass_tonemap_reload(r->tonemap)};
     for (size_t i = 0; i < sizeof results / sizeof results[0]; ++i)
         if (results[i] != BOLAN_OK) return results[i];
     return BOLAN_OK;
+}
+
+bolan_result bolan_renderer_reload(bolan_renderer *r) {
+    BOLAN_ASSERT(r != NULL);
+    bolan_result result = gl_check_context("renderer");
+    if (result != BOLAN_OK) return result;
+    renderer_enter(r);
+    result = reload_passes(r);
+    renderer_leave(r);
+    return result;
 }
 
 static bolan_result create_target(gl_texture *color, gl_texture *depth, gl_target *target, uint32_t width,
@@ -132,38 +197,77 @@ bolan_result renderer_resize(bolan_renderer *r, uint32_t width, uint32_t height)
     return BOLAN_OK;
 }
 
+// ---- reading back ---------------------------------------------------------------------------------------------------
+
+// Memory that is kept for the next reading; NULL: there is none (logged).
+static void *scratch_of(bolan_renderer *r, size_t bytes) {
+    if (r->scratch_bytes >= bytes) return r->scratch;
+    bolan_release(r->scratch, r->scratch_bytes);
+    r->scratch = allocate_for("reading a picture back", bytes);
+    r->scratch_bytes = r->scratch != NULL ? bytes : 0;
+    return r->scratch;
+}
+
+static void read_radiance(bolan_renderer *r, float *scratch, float *rgb) {
+    const size_t width = r->width, height = r->height;
+    const uint32_t samples = pass_tonemap_read_sum(r->tonemap, scratch);
+    if (samples == 0) gl_target_read_float(&r->hdr, 0, scratch);
+    const float unit = r->radiance_unit * (float)(samples > 0 ? samples : 1);
+    for (size_t j = 0; j < height; ++j)
+        for (size_t i = 0; i < width; ++i)
+            for (size_t c = 0; c < 3; ++c)
+                rgb[3 * ((height - 1 - j) * width + i) + c] = scratch[4 * (j * width + i) + c] / unit;
+}
+
+static void read_distance(bolan_renderer *r, float *scratch, float *distance) {
+    const size_t width = r->width, height = r->height;
+    if (gl_depth_read(&r->depth_reader, &r->hdr_depth, scratch) != BOLAN_OK) return;
+    for (size_t j = 0; j < height; ++j)
+        for (size_t i = 0; i < width; ++i) {
+            const float depth = scratch[4 * (j * width + i)];
+            distance[(height - 1 - j) * width + i] = depth > 0.0f ? (float)(r->near_plane / depth) : INFINITY;
+        }
+}
+
 void bolan_renderer_read_linear(bolan_renderer *r, float *rgb, float *distance) {
-    BOLAN_ASSERT(r != NULL && r->width > 0);
-    size_t width = r->width, height = r->height, bytes = width * height * 4 * sizeof(float);
-    float *scratch = bolan_allocate(bytes);
+    BOLAN_ASSERT(r != NULL);
+    if (r == NULL || !has_context(r, CALL_READ_LINEAR, "read_linear")) return;
+    if (r->width == 0) {
+        renderer_refuse(r, CALL_READ_LINEAR, BOLAN_LOG_BAD_ARGUMENT,
+                        "read_linear: this renderer has drawn no picture yet");
+        return;
+    }
+    float *scratch = scratch_of(r, (size_t)r->width * r->height * 4 * sizeof(float));
     if (scratch == NULL) return;
-    gl_save(r->saved);
-    if (rgb != NULL) {
-        const uint32_t samples = pass_tonemap_read_sum(r->tonemap, scratch);
-        if (samples == 0) gl_target_read_float(&r->hdr, 0, scratch);
-        const float unit = r->radiance_unit * (float)(samples > 0 ? samples : 1);
-        for (size_t j = 0; j < height; ++j)
-            for (size_t i = 0; i < width; ++i)
-                for (size_t c = 0; c < 3; ++c)
-                    rgb[3 * ((height - 1 - j) * width + i) + c] = scratch[4 * (j * width + i) + c] / unit;
-    }
-    if (distance != NULL) {
-        gl_target_read_depth(&r->hdr, &r->hdr_depth, scratch);
-        for (size_t j = 0; j < height; ++j)
-            for (size_t i = 0; i < width; ++i) {
-                float depth = scratch[j * width + i];
-                distance[(height - 1 - j) * width + i] = depth > 0.0f ? (float)(r->near_plane / depth) : INFINITY;
-            }
-    }
-    gl_restore(r->saved);
-    bolan_release(scratch, bytes);
+    renderer_accept(r, CALL_READ_LINEAR);
+    renderer_enter(r);
+    if (rgb != NULL) read_radiance(r, scratch, rgb);
+    if (distance != NULL) read_distance(r, scratch, distance);
+    renderer_leave(r);
 }
 
 void bolan_renderer_read_rgb8(bolan_renderer *r, uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb) {
-    gl_save(r->saved);
-    gl_read_rgb8(framebuffer, width, height, rgb);
-    gl_restore(r->saved);
+    BOLAN_ASSERT(r != NULL && rgb != NULL);
+    if (r == NULL || rgb == NULL || !has_context(r, CALL_READ_RGB8, "read_rgb8")) return;
+    if (!is_size(width) || !is_size(height)) {
+        renderer_refuse(r, CALL_READ_RGB8, BOLAN_LOG_OUT_OF_RANGE,
+                        "read_rgb8: %u x %u pixels; expected 1 to %d each way", width, height, MOST_PIXELS);
+        return;
+    }
+    uint8_t *scratch = scratch_of(r, (size_t)width * height * 4);
+    if (scratch == NULL) return;
+    renderer_enter(r);
+    const char *problem = gl_framebuffer_problem(framebuffer, GL_TO_READ);
+    if (problem == NULL) {
+        renderer_accept(r, CALL_READ_RGB8);
+        gl_read_rgb8(framebuffer, width, height, scratch, rgb);
+    } else {
+        renderer_refuse(r, CALL_READ_RGB8, BOLAN_LOG_GL_TARGET, "read_rgb8: framebuffer %u %s", framebuffer, problem);
+    }
+    renderer_leave(r);
 }
+
+// ---- measuring ------------------------------------------------------------------------------------------------------
 
 void bolan_renderer_measure_passes(bolan_renderer *r, bool on) { r->measure = on; }
 
@@ -175,48 +279,81 @@ static double now_ms(void) {
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
 }
 
+static double run_yardstick(bolan_renderer *r, const gl_texture *image, uint32_t repeats) {
+    gl_target_bind(&r->hdr);
+    gl_set_state(&(gl_state){.color_write = true});
+    gl_texture_bind(image, UNIT_PASS);
+    gl_program_use(&r->yardstick);
+    gl_program_int(&r->yardstick, "image", UNIT_PASS);
+    gl_draw_fullscreen(); // the first pays for compilation
+    gl_finish();
+    const double start = now_ms();
+    for (uint32_t i = 0; i < repeats; ++i) {
+        gl_draw_fullscreen();
+        gl_finish();
+    }
+    return (now_ms() - start) / (repeats > 0 ? repeats : 1);
+}
+
 double bolan_renderer_yardstick(bolan_renderer *r, uint32_t width, uint32_t height, uint32_t repeats) {
-    if (r->yardstick.id == 0 && gl_program_create("yardstick", NULL, &r->yardstick) != BOLAN_OK) return 0.0;
-    gl_save(r->saved);
+    BOLAN_ASSERT(r != NULL);
+    if (r == NULL || !has_context(r, CALL_YARDSTICK, "yardstick")) return 0.0;
+    if (!is_size(width) || !is_size(height)) {
+        renderer_refuse(r, CALL_YARDSTICK, BOLAN_LOG_OUT_OF_RANGE,
+                        "yardstick: %u x %u pixels; expected 1 to %d each way", width, height, MOST_PIXELS);
+        return 0.0;
+    }
+    renderer_accept(r, CALL_YARDSTICK);
+    renderer_enter(r);
     double elapsed = 0.0;
     gl_texture image = {0};
     gl_texture_desc desc = {
         .format = GL_FMT_RGBA16F, .width = 256, .height = 256, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_REPEAT};
-    if (renderer_resize(r, width, height) == BOLAN_OK && gl_texture_create(&desc, &image) == BOLAN_OK) {
-        gl_target_bind(&r->hdr);
-        gl_set_state(&(gl_state){.color_write = true});
-        gl_texture_bind(&image, UNIT_PASS);
-        gl_program_use(&r->yardstick);
-        gl_program_int(&r->yardstick, "image", UNIT_PASS);
-        gl_draw_fullscreen(); // the first pays for compilation
-        gl_finish();
-        double start = now_ms();
-        for (uint32_t i = 0; i < repeats; ++i) {
-            gl_draw_fullscreen();
-            gl_finish();
-        }
-        elapsed = (now_ms() - start) / (repeats > 0 ? repeats : 1);
-    }
+    bolan_result result = r->yardstick.id != 0 ? BOLAN_OK : gl_program_create("yardstick", NULL, &r->yardstick);
+    if (result == BOLAN_OK) result = renderer_resize(r, width, height);
+    if (result == BOLAN_OK) result = gl_texture_create(&desc, &image);
+    if (result == BOLAN_OK) elapsed = run_yardstick(r, &image, repeats);
     gl_texture_free(&image);
-    gl_restore(r->saved);
+    renderer_leave(r);
     return elapsed;
 }
 
 // ---- a target for callers without one ----
 
 struct bolan_target {
+    gl_caps caps;
     gl_texture color;
     gl_target target;
+    const char *refusal; // of bolan_target_show(), said once
 };
 
-bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out) {
-    bolan_target *t = bolan_allocate(sizeof *t);
-    if (t == NULL) return BOLAN_ERROR_MEMORY;
-    gl_texture_desc desc = {
+static bolan_result make_target(bolan_target *t, uint32_t width, uint32_t height) {
+    const gl_texture_desc desc = {
         .format = GL_FMT_RGBA8, .width = width, .height = height, .filter = GL_FILTER_NEAREST, .wrap = GL_WRAP_CLAMP};
-    bolan_result result = gl_texture_create(&desc, &t->color);
     const gl_texture *colors[] = {&t->color};
+    gl_saved saved;
+    t->caps = gl_get_caps();
+    gl_save(&saved, &t->caps, false);
+    bolan_result result = gl_texture_create(&desc, &t->color);
     if (result == BOLAN_OK) result = gl_target_create(colors, 1, NULL, -1, 0, &t->target);
+    gl_restore(&saved);
+    return result;
+}
+
+bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out) {
+    BOLAN_ASSERT(out != NULL);
+    if (out == NULL) return BOLAN_ERROR_ARGUMENT;
+    *out = NULL;
+    if (!is_size(width) || !is_size(height)) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "target: %u x %u pixels; expected 1 to %d each way", width,
+                  height, MOST_PIXELS);
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    bolan_result result = gl_check_context("target");
+    if (result != BOLAN_OK) return result;
+    bolan_target *t = allocate_for("a target", sizeof *t);
+    if (t == NULL) return BOLAN_ERROR_MEMORY;
+    result = make_target(t, width, height);
     if (result != BOLAN_OK) {
         bolan_target_destroy(&t);
         return result;
@@ -227,13 +364,38 @@ bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target *
 
 uint32_t bolan_target_framebuffer(const bolan_target *target) { return target->target.id; }
 
-void bolan_target_show(const bolan_target *target, uint32_t framebuffer, uint32_t width, uint32_t height) {
-    BOLAN_ASSERT(target != NULL && width > 0 && height > 0);
-    gl_target_show(&target->target, framebuffer, width, height);
+// Why the target cannot be shown there, as the end of a sentence; NULL: it was.
+static const char *show(bolan_target *t, uint32_t framebuffer, uint32_t width, uint32_t height) {
+    gl_saved saved;
+    if (framebuffer == t->target.id) return "is the target itself";
+    gl_save(&saved, &t->caps, false);
+    const char *problem = gl_framebuffer_problem(framebuffer, GL_TO_COPY);
+    if (problem == NULL) gl_target_show(&t->target, framebuffer, width, height);
+    gl_restore(&saved);
+    return problem;
+}
+
+void bolan_target_show(bolan_target *t, uint32_t framebuffer, uint32_t width, uint32_t height) {
+    BOLAN_ASSERT(t != NULL);
+    if (t == NULL) return;
+    const char *problem = NULL;
+    if (!gl_has_context())
+        problem = "cannot be reached: no OpenGL context is current on this thread";
+    else if (!is_size(width) || !is_size(height))
+        problem = "has a size that is not 1 to 16384 pixels each way";
+    else
+        problem = show(t, framebuffer, width, height);
+    if (problem != NULL && problem != t->refusal)
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET, "target: framebuffer %u to show it in %s", framebuffer, problem);
+    t->refusal = problem;
 }
 
 void bolan_target_destroy(bolan_target **target) {
     if (target == NULL || *target == NULL) return;
+    if (!gl_has_context())
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT,
+                  "target: destroyed while no OpenGL context is current; what it has on the GPU stays until its context "
+                  "is gone");
     gl_target_free(&(*target)->target);
     gl_texture_free(&(*target)->color);
     bolan_release(*target, sizeof **target);

@@ -20,10 +20,18 @@ typedef enum frame_part {
 } frame_part;
 extern const char *const frame_part_names[PART_COUNT];
 
+// Calls of a frame, which cannot fail: what they refuse they say once.
+typedef enum renderer_call { CALL_DRAW, CALL_READ_LINEAR, CALL_READ_RGB8, CALL_YARDSTICK, CALL_COUNT } renderer_call;
+
+enum { DIRECTORY_BYTES = 1024, REFUSAL_BYTES = 256 };
+enum { MOST_PIXELS = 16384, MOST_SAMPLES = 256 }; // of a picture each way; of a pixel
+
 struct bolan_renderer {
     bolan_renderer_desc desc;
     gl_caps caps;
-    gl_saved *saved;
+    gl_saved saved;                         // the caller's state, while a call runs
+    char shader_directory[DIRECTORY_BYTES]; // "": the built-in shaders
+    char refusal[CALL_COUNT][REFUSAL_BYTES]; // the last sentence of each call, "" after one that was done
     pass_sky *sky;
     pass_terrain *terrain;
     pass_models *models;
@@ -36,6 +44,10 @@ struct bolan_renderer {
     gl_texture hdr_color, hdr_depth, behind_color, behind_depth;
     gl_target hdr, behind;
     uint32_t width, height;
+    // reading back
+    gl_depth_reader depth_reader;
+    void *scratch;
+    size_t scratch_bytes;
     // timing
     gl_timer timers[PART_COUNT];
     bool measure;
@@ -46,5 +58,22 @@ struct bolan_renderer {
 
 // Makes the targets fit; logs and returns GL when they cannot be had.
 bolan_result renderer_resize(bolan_renderer *r, uint32_t width, uint32_t height);
+
+// Saves the caller's state, or gives it back. Between the two the shaders come from this renderer's directory.
+void renderer_enter(bolan_renderer *r);
+void renderer_leave(bolan_renderer *r);
+
+// Logs why the call is refused, unless the same call was refused for the same reason the last time. Returns false.
+#if defined(__GNUC__)
+__attribute__((format(printf, 4, 5)))
+#endif
+bool renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, const char *format, ...);
+// The next refusal of this call is a new one.
+void renderer_accept(bolan_renderer *r, renderer_call call);
+
+// Whether this frame can be drawn; if not, the log says why. The second asks about the framebuffer, and binds it: between
+// renderer_enter() and renderer_leave() only.
+bool frame_is_valid(bolan_renderer *r, const bolan_frame_desc *d);
+bool frame_has_framebuffer(bolan_renderer *r, const bolan_frame_desc *d);
 
 #endif

@@ -3,6 +3,7 @@
 // they are drawn from a tile, once for the five octaves below the shortest wave of the sum, and where there is time once more for
 // the next five. Their variance is taken from what the wind's law (Cox & Munk 1954) leaves over from the sum, in equal parts for each octave.
 #include "ripple_texture.h"
+#include "memory.h"
 
 #include <math.h>
 #include <string.h>
@@ -78,7 +79,7 @@ void ripple_texture_fill(float *out) {
 
 bolan_result ripple_texture_create(gl_texture *out) {
     size_t bytes = sizeof(float) * 4 * SIZE * SIZE;
-    float *pixels = bolan_allocate(bytes);
+    float *pixels = allocate_for("the texture of ripples", bytes);
     if (pixels == NULL) return BOLAN_ERROR_MEMORY;
     ripple_texture_fill(pixels);
     gl_texture_desc desc = {.format = GL_FMT_RGBA16F,

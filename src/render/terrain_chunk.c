@@ -10,6 +10,7 @@
 #include "terrain_chunk.h"
 
 #include "half.h"
+#include "memory.h"
 
 #define SHADOW_NONE (-1e9f)
 #define CLEARANCE_LIMIT 200.0f // [m]
@@ -28,8 +29,8 @@ chunk_sun chunk_sun_from(bolan_vec3 d) {
 }
 
 bolan_result chunk_allocate(terrain_chunk *c) {
-    c->heights = bolan_allocate(HEIGHTS_SIZE);
-    c->map = bolan_allocate(MAP_SIZE);
+    c->heights = allocate_for("the heights of a chunk of the ground", HEIGHTS_SIZE);
+    c->map = c->heights ? allocate_for("the map of a chunk of the ground", MAP_SIZE) : NULL;
     return c->heights && c->map ? BOLAN_OK : BOLAN_ERROR_MEMORY;
 }
 

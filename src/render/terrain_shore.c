@@ -5,11 +5,14 @@
 #include "terrain_shore.h"
 
 #include "half.h"
+#include "memory.h"
 
 #include <stdlib.h>
 
 #define SNAP 32
 #define PLANE ((size_t)SHORE_SIZE * SHORE_SIZE)
+
+#define SHORE "the shore map" // in the log
 
 bolan_result shore_builder_create(shore_builder *b) {
     gl_texture_desc d = {.format = GL_FMT_R16F,
@@ -20,14 +23,14 @@ bolan_result shore_builder_create(shore_builder *b) {
                          .filter = GL_FILTER_LINEAR,
                          .wrap = GL_WRAP_CLAMP};
     bolan_result r = gl_texture_create(&d, &b->map.texture);
-    b->scratch = bolan_allocate(PLANE * sizeof(float));
-    b->halfs = bolan_allocate(PLANE * sizeof(uint16_t));
-    bool all = b->scratch && b->halfs;
-    for (int l = 0; l < SHORE_LEVELS; l++) {
-        b->level[l].elevation = bolan_allocate(PLANE * sizeof(float));
-        all = all && b->level[l].elevation;
+    if (r != BOLAN_OK) return r;
+    bool all = (b->scratch = allocate_for(SHORE, PLANE * sizeof(float))) &&
+               (b->halfs = allocate_for(SHORE, PLANE * sizeof(uint16_t)));
+    for (int l = 0; l < SHORE_LEVELS && all; l++) {
+        b->level[l].elevation = allocate_for(SHORE, PLANE * sizeof(float));
+        all = b->level[l].elevation != NULL;
     }
-    return r == BOLAN_OK && !all ? BOLAN_ERROR_MEMORY : r;
+    return all ? BOLAN_OK : BOLAN_ERROR_MEMORY;
 }
 
 void shore_builder_free(shore_builder *b) {

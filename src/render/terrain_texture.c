@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Billows are the folded halves of gradient noise (Perlin 1985's "turbulence" turned over): round tops, sharp creases.
 #include "terrain_texture.h"
+#include "memory.h"
 
 #include <math.h>
 
@@ -60,7 +61,7 @@ static void fill_fields(float *billow, float *patch) {
 
 bolan_result terrain_texture_fill(uint8_t *rgba) {
     const size_t bytes = (size_t)2 * SIZE * SIZE * sizeof(float);
-    float *billow = bolan_allocate(bytes);
+    float *billow = allocate_for("the texture of the ground", bytes);
     if (!billow) {
         return BOLAN_ERROR_MEMORY;
     }

@@ -2,6 +2,7 @@
 // The quadtree of chunks. It is walked level by level from the root: all of a level's missing chunks are built in one
 // parallel loop before the next level looks at them, so that parents always hold what their children ask of them.
 #include "terrain_tree.h"
+#include "memory.h"
 
 #define HASH_SIZE 2048u
 #define NO_SLOT UINT32_MAX
@@ -23,20 +24,19 @@ struct terrain_tree {
 };
 
 bolan_result terrain_tree_create(uint32_t slots, terrain_tree **out) {
-    terrain_tree *t = bolan_allocate(sizeof *t);
+    terrain_tree *t = allocate_for("the tree of the ground", sizeof *t);
     *out = t;
     if (!t) {
         return BOLAN_ERROR_MEMORY;
     }
     t->slot_count = slots;
-    t->slots = bolan_allocate(slots * sizeof *t->slots);
-    t->current = bolan_allocate(4 * slots * sizeof *t->current);
+    t->slots = allocate_for("the tree of the ground", slots * sizeof *t->slots);
+    if (t->slots) t->current = allocate_for("the tree of the ground", 4 * slots * sizeof *t->current);
     bool all = t->slots && t->current;
     for (uint32_t n = 0; all && n < slots; n++) { // now, so that a flight allocates nothing
         all = chunk_allocate(&t->slots[n].chunk) == BOLAN_OK;
     }
     if (!all) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for a pool of %u terrain chunks", slots);
         terrain_tree_destroy(out);
         return BOLAN_ERROR_MEMORY;
     }

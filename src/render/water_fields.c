@@ -3,6 +3,7 @@
 #include "water_fields.h"
 
 #include "water_texels.h"
+#include "memory.h"
 
 #include <math.h>
 #include <string.h>
@@ -41,10 +42,20 @@ typedef struct water_texel_work {
     uint16_t *packed, *levels[2]; // first level, packed; levels below the first: of displacement, of slopes
 } water_texel_work;
 
+// Every array of the work starts on a cache line, as the whole does.
+static size_t whole_lines(size_t bytes) { return (bytes + 63) / 64 * 64; }
+
+static void *take(char **at, size_t bytes) {
+    void *taken = *at;
+    *at += whole_lines(bytes);
+    return taken;
+}
+
 static size_t work_bytes(uint32_t n) {
     const size_t texels = (size_t)n * n;
-    return sizeof(water_texel_work) + sizeof(float) * texels + sizeof(uint16_t) * 4 * texels +
-           2 * (texel_scratch_bytes(n) + texel_chain_bytes(n)) + 64;
+    return whole_lines(sizeof(water_texel_work)) + whole_lines(sizeof(float) * texels) +
+           whole_lines(sizeof(uint16_t) * 4 * texels) +
+           2 * (whole_lines(texel_scratch_bytes(n)) + whole_lines(texel_chain_bytes(n)));
 }
 
 static void free_work(water_fields *p) {
@@ -56,14 +67,14 @@ static void free_work(water_fields *p) {
 
 static water_texel_work *create_work(uint32_t n) {
     const size_t texels = (size_t)n * n;
-    water_texel_work *w = bolan_allocate(work_bytes(n));
+    water_texel_work *w = allocate_for("the texels of a cascade", work_bytes(n));
     if (w == NULL) return NULL;
-    char *at = (char *)w + (sizeof *w + 63) / 64 * 64;
-    w->sum = (float *)(void *)at, at += sizeof(float) * texels;
-    w->packed = (uint16_t *)(void *)at, at += sizeof(uint16_t) * 4 * texels;
+    char *at = (char *)w + whole_lines(sizeof *w);
+    w->sum = take(&at, sizeof(float) * texels);
+    w->packed = take(&at, sizeof(uint16_t) * 4 * texels);
     for (int i = 0; i < 2; ++i) {
-        w->scratch[i] = (float *)(void *)at, at += texel_scratch_bytes(n);
-        w->levels[i] = (uint16_t *)(void *)at, at += texel_chain_bytes(n);
+        w->scratch[i] = take(&at, texel_scratch_bytes(n));
+        w->levels[i] = take(&at, texel_chain_bytes(n));
     }
     return w;
 }
@@ -87,23 +98,28 @@ void water_fields_free(water_fields *p) {
 
 // ---- cascades -------------------------------------------------------------------------------------------------------
 
-static void create_packed(water_fields *p, gl_texture_desc desc, uint32_t count) {
+static bolan_result create_packed(water_fields *p, gl_texture_desc desc, uint32_t count) {
+    bolan_result result = BOLAN_OK;
     desc.array = false;
     desc.depth = 0;
-    for (uint32_t c = 0; c < count; ++c) gl_texture_create(&desc, &p->packed_slopes[c]);
+    for (uint32_t c = 0; c < count && result == BOLAN_OK; ++c) result = gl_texture_create(&desc, &p->packed_slopes[c]);
+    return result;
 }
 
-static void create_whole(water_fields *p, gl_texture_desc desc, uint32_t n) {
-    gl_texture_create(&desc, &p->slopes);
+static bolan_result create_whole(water_fields *p, gl_texture_desc desc, uint32_t n) {
+    bolan_result result = gl_texture_create(&desc, &p->slopes);
     desc.format = GL_FMT_RG16F;
-    gl_texture_create(&desc, &p->fold);
+    if (result == BOLAN_OK) result = gl_texture_create(&desc, &p->fold);
+    if (result != BOLAN_OK) return result;
     p->cpu_fold_bytes = sizeof(uint16_t) * 2 * n * n;
-    p->cpu_fold = bolan_allocate(p->cpu_fold_bytes);
+    p->cpu_fold = allocate_for("the foam of the cascades", p->cpu_fold_bytes);
+    return p->cpu_fold != NULL ? BOLAN_OK : BOLAN_ERROR_MEMORY;
 }
 
-// Textures that fit this sea; kept while n, the number of cascades and what they hold stay.
-static void fit_textures(water_fields *p, uint32_t n, uint32_t count, bool packed) {
-    if (p->displacement.width == n && p->displacement.depth == count && p->packed == packed) return;
+// Textures that fit this sea; kept while n, the number of cascades and what they hold stay. False: they cannot be had
+// (logged).
+static bool fit_textures(water_fields *p, uint32_t n, uint32_t count, bool packed) {
+    if (p->displacement.width == n && p->displacement.depth == count && p->packed == packed) return true;
     free_textures(p);
     gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
                             .width = n,
@@ -112,12 +128,11 @@ static void fit_textures(water_fields *p, uint32_t n, uint32_t count, bool packe
                             .array = true,
                             .filter = GL_FILTER_MIPMAP,
                             .wrap = GL_WRAP_REPEAT};
-    gl_texture_create(&desc, &p->displacement);
     p->packed = packed;
-    if (packed)
-        create_packed(p, desc, count);
-    else
-        create_whole(p, desc, n);
+    bolan_result result = gl_texture_create(&desc, &p->displacement);
+    if (result == BOLAN_OK) result = packed ? create_packed(p, desc, count) : create_whole(p, desc, n);
+    if (result != BOLAN_OK) free_textures(p);
+    return result == BOLAN_OK;
 }
 
 // dxy and foam side by side, so that the fragment shader gets both by one look-up.
@@ -163,7 +178,7 @@ static bool fit_work(water_fields *p, uint32_t n, uint32_t count) {
     p->work_n = n;
     bool all = true;
     for (uint32_t c = 0; c < count; ++c) {
-        if (p->work[c] == NULL) p->work[c] = create_work(n);
+        if (all && p->work[c] == NULL) p->work[c] = create_work(n);
         all = all && p->work[c] != NULL;
     }
     return all;
@@ -179,10 +194,9 @@ static void upload_fold(water_fields *p, const bolan_sea *sea, uint32_t count) {
 }
 
 // On software GL the levels are made here; a GPU makes them in no time.
-static void upload_cascades(water_fields *p, const bolan_sea *sea, bool packed, bool software) {
+static bool upload_cascades(water_fields *p, const bolan_sea *sea, bool packed, bool software) {
     const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade(sea, 0).n;
-    fit_textures(p, n, count, packed);
-    if (!fit_work(p, n, count)) return;
+    if (!fit_textures(p, n, count, packed) || !fit_work(p, n, count)) return false;
     texel_job job = {.fields = p, .sea = sea, .packed = packed, .levels = software};
     if (packed || software) bolan_parallel(2 * count, 1, make_texels, &job);
     for (uint32_t c = 0; c < count; ++c) {
@@ -196,9 +210,10 @@ static void upload_cascades(water_fields *p, const bolan_sea *sea, bool packed, 
         if (!software && packed) gl_texture_generate_mipmaps(slopes);
     }
     if (!packed) upload_fold(p, sea, count);
-    if (software) return;
+    if (software) return true;
     gl_texture_generate_mipmaps(&p->displacement);
     if (!packed) gl_texture_generate_mipmaps(&p->slopes);
+    return true;
 }
 
 enum { LIFT_OCTAVES = 13 }; // from a quarter of a texel up to a tile of 1024
@@ -350,20 +365,30 @@ static void upload_slope_table(water_fields *p, const bolan_sea *sea) {
     gl_texture_upload(&p->slope_table, 0, -1, table, false);
 }
 
-void water_fields_prepare(water_fields *p, const frame *f, water_waves waves, water_textures textures) {
+bool water_fields_prepare(water_fields *p, const frame *f, water_waves waves, water_textures textures) {
+    bool all = true;
     if (waves == WATER_CASCADES && textures != WATER_TEXTURES_NONE)
-        upload_cascades(p, f->desc->sea, textures == WATER_TEXTURES_PACKED, f->caps->software);
+        all = upload_cascades(p, f->desc->sea, textures == WATER_TEXTURES_PACKED, f->caps->software);
     if (waves == WATER_SUM) upload_table(p, f);
     upload_slope_table(p, f->desc->sea);
     water_fields_bind(p, waves);
+    return all;
+}
+
+static void bind_cascades(const water_fields *p) {
+    gl_texture_bind(&p->displacement, UNIT_DISPLACEMENT);
+    if (p->packed) {
+        gl_texture_bind(&p->packed_slopes[0], UNIT_SLOPES);
+        for (int c = 1; c < BOLAN_MAX_CASCADES; ++c) gl_texture_bind(&p->packed_slopes[c], UNIT_CASCADES + c - 1);
+    } else {
+        gl_texture_bind(&p->slopes, UNIT_SLOPES);
+        gl_texture_bind(&p->fold, UNIT_FOLD);
+    }
 }
 
 void water_fields_bind(const water_fields *p, water_waves waves) {
-    gl_texture_bind(waves == WATER_SUM ? &p->table : &p->displacement, UNIT_DISPLACEMENT);
-    gl_texture_bind(p->packed ? &p->packed_slopes[0] : &p->slopes, UNIT_SLOPES);
-    for (int c = 1; p->packed && c < BOLAN_MAX_CASCADES; ++c)
-        if (p->packed_slopes[c].id != 0) gl_texture_bind(&p->packed_slopes[c], UNIT_CASCADES + c - 1);
-    if (!p->packed) gl_texture_bind(&p->fold, UNIT_FOLD);
+    if (waves == WATER_SUM) gl_texture_bind(&p->table, UNIT_DISPLACEMENT);
+    if (waves == WATER_CASCADES) bind_cascades(p);
     gl_texture_bind(&p->slope_table, UNIT_SLOPE_TABLE);
 }
 

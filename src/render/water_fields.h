@@ -32,8 +32,8 @@ typedef struct water_fields {
 } water_fields;
 
 bolan_result water_fields_create(water_fields *p);
-// Uploads what this frame's waves need, and binds it.
-void water_fields_prepare(water_fields *p, const frame *f, water_waves waves, water_textures textures);
+// Uploads what this frame's waves need, and binds it. False: it cannot be had (logged).
+bool water_fields_prepare(water_fields *p, const frame *f, water_waves waves, water_textures textures);
 // Binds the textures again, for a pass that follows one which used their units.
 void water_fields_bind(const water_fields *p, water_waves waves);
 // Sets the uniforms of waves.glsl.

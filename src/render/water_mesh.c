@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // See water_mesh.h. Buffers have the size of the largest mesh from the start: later frames allocate nothing.
 #include "water_mesh.h"
+#include "memory.h"
 
 #include <math.h>
 #include <string.h>
+
+#define MESH "the mesh of the water" // in the log
 
 static const struct {
     double pixels_per_vertex;
@@ -19,13 +22,12 @@ static const struct {
 static bolan_result allocate(water_mesh *m) {
     const size_t n = m->capacity;
     m->index_capacity = 6 * m->capacity;
-    m->cpu_vertices = bolan_allocate(n * sizeof *m->cpu_vertices);
-    m->cpu_waves = bolan_allocate(n * sizeof *m->cpu_waves);
-    m->cpu_rest = bolan_allocate(n * sizeof *m->cpu_rest);
-    m->cpu_spacing = bolan_allocate(n * sizeof *m->cpu_spacing);
-    m->cpu_visible = bolan_allocate(n);
-    m->cpu_indices = bolan_allocate(m->index_capacity * sizeof *m->cpu_indices);
-    bool all = m->cpu_vertices && m->cpu_waves && m->cpu_rest && m->cpu_spacing && m->cpu_visible && m->cpu_indices;
+    const bool all = (m->cpu_vertices = allocate_for(MESH, n * sizeof *m->cpu_vertices)) &&
+                     (m->cpu_waves = allocate_for(MESH, n * sizeof *m->cpu_waves)) &&
+                     (m->cpu_rest = allocate_for(MESH, n * sizeof *m->cpu_rest)) &&
+                     (m->cpu_spacing = allocate_for(MESH, n * sizeof *m->cpu_spacing)) &&
+                     (m->cpu_visible = allocate_for(MESH, n)) &&
+                     (m->cpu_indices = allocate_for(MESH, m->index_capacity * sizeof *m->cpu_indices));
     return all ? BOLAN_OK : BOLAN_ERROR_MEMORY;
 }
 
@@ -324,7 +326,7 @@ bool water_mesh_find_edges(water_mesh *m) {
     if (m->lines.id == 0 && (gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, bytes, NULL, &m->lines) != BOLAN_OK ||
                              create_mesh(m, &m->lines, &m->edges) != BOLAN_OK))
         return false;
-    uint32_t *lines = bolan_allocate(bytes); // to look at a mesh is not what a frame is for: it may allocate
+    uint32_t *lines = allocate_for(MESH, bytes); // to look at a mesh is not what a frame is for: it may allocate
     if (lines == NULL) return false;
     m->line_count = fill_lines(m, lines);
     gl_buffer_update(&m->lines, 0, sizeof(uint32_t) * m->line_count, lines);

@@ -28,7 +28,8 @@ const texel_kernels *texel_kernels_best(void) {
     return &scalar;
 }
 
-size_t texel_scratch_bytes(uint32_t n) { return sizeof(float) * TEXEL_PLANES * n * n / 3 + 64; }
+// The levels below the first have a third of its texels all together.
+size_t texel_scratch_bytes(uint32_t n) { return sizeof(float) * TEXEL_PLANES * ((size_t)n * n / 3 + 16); }
 
 size_t texel_chain_bytes(uint32_t n) { return sizeof(uint16_t) * 4 * ((size_t)n * n / 3 + 16); }
 

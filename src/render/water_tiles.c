@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // See water_tiles.h. Baking takes a moment when the sea, the sun or the water changes; afterwards nothing is allocated.
 #include "water_tiles.h"
+#include "memory.h"
 
 #include "sky_lattice.h"
 
@@ -35,7 +36,7 @@ static void draw_glint(gl_texture *t) {
 
 bolan_result water_tiles_create(water_tiles *t) {
     *t = (water_tiles){.shown = NAN, .staging_bytes = (size_t)TILE * TILE * 4 * sizeof(float)};
-    t->staging = bolan_allocate(t->staging_bytes);
+    t->staging = allocate_for("the tiles of the water", t->staging_bytes);
     if (t->staging == NULL) return BOLAN_ERROR_MEMORY;
     bolan_result r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP_NEAREST, GL_WRAP_REPEAT, &t->slopes);
     if (r == BOLAN_OK) r = create_texture(GL_FMT_RGBA16F, TILE, GL_FILTER_MIPMAP_NEAREST, GL_WRAP_REPEAT, &t->ripples);

@@ -3,6 +3,7 @@
 #ifndef BOLAN_TESTS_PICTURE_H
 #define BOLAN_TESTS_PICTURE_H
 
+#include "../gl_watch.h"
 #include "bolan/io.h"
 #include "bolan/render.h"
 #include "need_gl.h"
@@ -36,6 +37,7 @@ typedef struct stage {
 } stage;
 
 static inline bool stage_open(stage *s, const bolan_scene *scene, bolan_quality quality, bool no_clip_control) {
+    watch_begin();
     *s = (stage){.scene = *scene};
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = quality;
@@ -50,6 +52,7 @@ static inline void stage_close(stage *s) {
     bolan_renderer_destroy(&s->renderer);
     bolan_sea_destroy(&s->sea);
     bolan_scene_assets_destroy(&s->assets);
+    assert_true(watch_is_clean("at the end of a stage"));
 }
 
 static inline picture stage_draw(stage *s, uint32_t width, uint32_t height, uint32_t samples) {
@@ -70,6 +73,7 @@ static inline picture stage_draw(stage *s, uint32_t width, uint32_t height, uint
     bolan_renderer_read_rgb8(s->renderer, frame.framebuffer, width, height, p.rgb);
     bolan_renderer_read_linear(s->renderer, NULL, p.distance);
     bolan_target_destroy(&target);
+    assert_true(watch_is_clean("after a picture"));
     return p;
 }
 

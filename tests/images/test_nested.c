@@ -121,7 +121,7 @@ static bolan_mat4 draw(rig *r) {
     gl_program_use(&r->program);
     gl_program_vec4_array(&r->program, "row", rows.m, 4);
     water_mesh_draw(&r->mesh);
-    gl_read_rgb8(r->target.id, WIDTH, HEIGHT, r->pixels);
+    read_bytes(r->target.id, WIDTH, HEIGHT, r->pixels);
     return bolan_m4_inverse(clip);
 }
 

@@ -4,9 +4,12 @@
 #define BOLAN_TESTS_GL_SUPPORT_H
 
 #include "bolan/render.h"
+#include "gl_watch.h"
 #include "need_gl.h"
+#include "render/gl/gl.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static inline int gl_setup(void **state, bolan_gl_api api) {
     bolan_context *context = NULL;
@@ -16,6 +19,7 @@ static inline int gl_setup(void **state, bolan_gl_api api) {
         if (!gl_is_required() && bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) exit(77);
         return -1;
     }
+    watch_begin();
     *state = context;
     return 0;
 }
@@ -23,8 +27,28 @@ static inline int gl_setup_core(void **state) { return gl_setup(state, BOLAN_GL_
 static inline int gl_setup_es(void **state) { return gl_setup(state, BOLAN_GL_ES); }
 static inline int gl_teardown(void **state) {
     bolan_context *context = *state;
+    bolan_context_make_current(context);
+    const bool clean = watch_is_clean("at the end of the test");
     bolan_context_destroy(&context);
-    return 0;
+    return clean ? 0 : -1;
+}
+
+// Bytes of a framebuffer, top row first.
+static inline void read_bytes(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb) {
+    uint8_t *scratch = malloc((size_t)width * height * 4);
+    gl_read_rgb8(framebuffer, width, height, scratch, rgb);
+    free(scratch);
+}
+
+// Depths, bottom row first.
+static inline void read_depths(const gl_texture *depth, float *out) {
+    const size_t pixels = (size_t)depth->width * depth->height;
+    float *rgba = malloc(pixels * 4 * sizeof *rgba);
+    gl_depth_reader reader = {0};
+    assert_int_equal(gl_depth_read(&reader, depth, rgba), BOLAN_OK);
+    for (size_t i = 0; i < pixels; i++) out[i] = rgba[4 * i];
+    gl_depth_reader_free(&reader);
+    free(rgba);
 }
 
 // Doubles, and both numbers in the message.

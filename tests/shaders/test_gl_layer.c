@@ -51,7 +51,7 @@ static void check_format(size_t c) {
     float back[W * H * 4];
     if (cases[c].bytes) { // ES reads bytes as bytes only
         uint8_t rgb[W * H * 3];
-        gl_read_rgb8(target.id, W, H, rgb);
+        read_bytes(target.id, W, H, rgb);
         for (uint32_t y = 0; y < H; y++) {
             for (uint32_t x = 0; x < W; x++) {
                 for (uint32_t k = 0; k < n && k < 3; k++) {
@@ -66,7 +66,7 @@ static void check_format(size_t c) {
                 assert_float_equal(back[4 * i + k], floats[i * n + k], cases[c].tolerance + 1e-7f);
         }
     }
-    assert_true(gl_check_errors("format test"));
+    assert_true(watch_is_clean("format test"));
     gl_target_free(&target);
     gl_texture_free(&t);
 }
@@ -130,9 +130,9 @@ static void depth_reads_back_exactly(void **state) {
     gl_target_bind(&target);
     gl_target_clear_depth(0.0123f);
     float back[W * H];
-    gl_target_read_depth(&target, &depth, back);
+    read_depths(&depth, back);
     for (int i = 0; i < W * H; i++) assert_float_equal(back[i], 0.0123f, 0);
-    assert_true(gl_check_errors("depth test"));
+    assert_true(watch_is_clean("depth test"));
     gl_target_free(&target);
     gl_texture_free(&depth);
     gl_texture_free(&color);
@@ -243,11 +243,10 @@ static void the_callers_state_is_left_as_it_was(void **state) {
         glPixelStorei(GL_UNPACK_ROW_LENGTH, 99);
     snapshot before, after;
     take(&before, caps.es);
-    gl_saved *saved = malloc(gl_saved_size());
-    gl_save(saved);
+    gl_saved saved;
+    gl_save(&saved, &caps, false);
     disturb(&caps);
-    gl_restore(saved);
-    free(saved);
+    gl_restore(&saved);
     take(&after, caps.es);
     assert_memory_equal(&before, &after, sizeof before);
     GLint64 start = 0;
@@ -258,7 +257,7 @@ static void the_callers_state_is_left_as_it_was(void **state) {
         glGetIntegerv(GL_CLIP_DEPTH_MODE, &mode);
         assert_int_equal(mode, GL_NEGATIVE_ONE_TO_ONE);
     }
-    assert_true(gl_check_errors("state test"));
+    assert_true(watch_is_clean("state test"));
 }
 
 // ---- programs -----------------------------------------------------------------------------------------------------

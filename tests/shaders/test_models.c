@@ -107,7 +107,7 @@ static void draw(rig *r, bolan_vec4 clip) {
     gl_target_clear_depth(0.0f);
     pass_models_draw(r->pass, f);
     gl_target_read_float(&f->hdr, 0, r->pixels);
-    assert_true(gl_check_errors("models"));
+    assert_true(watch_is_clean("models"));
 }
 
 // Lowest and highest height [m] of what is drawn in the column through the origin, in the plane of the box's south face,

@@ -130,7 +130,7 @@ static void draw(stage *s, bolan_dvec3 eye, double heading, double pitch) {
 // Pixels of a column that show the background although there is ground above them in the picture.
 static int holes(stage *s) {
     static float depth[WIDTH * HEIGHT];
-    gl_target_read_depth(&s->frame.hdr, &s->depth, depth);
+    read_depths(&s->depth, depth);
     int count = 0;
     for (int x = 0; x < WIDTH; x++) {
         bool ground_above = false;
@@ -175,7 +175,7 @@ static void what_is_drawn_lies_where_the_terrain_is(void **state) {
     static float depth[WIDTH * HEIGHT];
     const bolan_dvec3 eye = bolan_dv3(150.0, -220.0, 700.0);
     draw(&s, eye, 30.0, -35.0);
-    gl_target_read_depth(&s.frame.hdr, &s.depth, depth);
+    read_depths(&s.depth, depth);
     for (int y = 40; y < HEIGHT; y += 40) {
         for (int x = 20; x < WIDTH; x += 40) {
             float d = depth[y * WIDTH + x], window = s.caps.clip_control ? d : 2.0f * d - 1.0f;

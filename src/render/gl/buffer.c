@@ -9,11 +9,12 @@ bolan_result gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, 
     BOLAN_ASSERT(out && size > 0);
     gl_buffer b = {.size = size, .kind = kind, .usage = usage};
     const GLenum target = buffer_target(kind);
-    while (glGetError() != GL_NO_ERROR) {}
+    GLint64 got = 0;
     glGenBuffers(1, &b.id);
     glBindBuffer(target, b.id);
     glBufferData(target, (GLsizeiptr)size, data, usage == GL_USAGE_STREAM ? GL_STREAM_DRAW : GL_STATIC_DRAW);
-    if (glGetError() != GL_NO_ERROR) {
+    glGetBufferParameteri64v(target, GL_BUFFER_SIZE, &got);
+    if (got != (GLint64)size) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "GL has no memory for a buffer of %zu bytes", size);
         gl_buffer_free(&b);
         return BOLAN_ERROR_MEMORY;
@@ -35,7 +36,7 @@ void gl_buffer_update(gl_buffer *b, size_t offset, size_t size, const void *data
 void gl_buffer_bind_uniform(const gl_buffer *b, uint32_t slot) { glBindBufferBase(GL_UNIFORM_BUFFER, slot, b->id); }
 
 void gl_buffer_free(gl_buffer *b) {
-    if (b->id) glDeleteBuffers(1, &b->id);
+    if (b->id && gl_has_context()) glDeleteBuffers(1, &b->id);
     *b = (gl_buffer){0};
 }
 
@@ -84,7 +85,7 @@ void gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count) {
 }
 
 void gl_mesh_free(gl_mesh *m) {
-    if (m->vao) glDeleteVertexArrays(1, &m->vao);
+    if (m->vao && gl_has_context()) glDeleteVertexArrays(1, &m->vao);
     *m = (gl_mesh){0};
 }
 

@@ -10,15 +10,27 @@
 // What this context can do beyond GL 3.3 core / GLES 3.0.
 typedef struct gl_caps {
     bool es;              // OpenGL ES
+    bool compatibility;   // desktop: the compatibility profile, with the fixed functions' state
     bool software;        // llvmpipe, softpipe, swrast
     bool clip_control;    // reversed-Z with [0, 1] clip depth
-    bool timers;          // GPU timer queries
+    bool timestamps;      // the GPU's clock can be asked
+    bool timers;          // and its answers are worth having: not on software GL
     bool float_linear;    // linear filtering of 32F
     bool color_float;     // RGBA16F is renderable (ES 3.0: an extension)
+    bool debug;           // KHR_debug
+    bool feedback_pause;  // transform feedback can be paused
+    bool sample_mask, sample_shading, fixed_restart, depth_bounds, query_buffer; // state that a host may have set
+    bool buffer_masks;    // each draw buffer has its own blend switch and colour mask
+    bool buffer_blends;   // and its own blend function and equation
+    bool viewport_arrays; // each viewport has its own rectangle, scissor and depth range
+    int draw_buffers, viewports, clip_distances; // their numbers, at most those of gl_saved
     float max_anisotropy; // 1 when absent
     int max_texture_size;
 } gl_caps;
-gl_caps gl_get_caps(void);
+gl_caps gl_get_caps(void); // needs a context that gl_check_context() accepts
+bool gl_has_context(void); // one is current on this thread
+// OK: a context is current, and it is GL 3.3 or ES 3.0 at least. Else GL, and the log says for `whom` what is missing.
+bolan_result gl_check_context(const char *whom);
 
 // ---- textures ----
 typedef enum gl_format {
@@ -63,8 +75,29 @@ bolan_result gl_texture_create(const gl_texture_desc *desc, gl_texture *out);
 // Uploads a whole level: floats for *16F/*32F, bytes for *8. `half`: the data are halfs already. layer: -1 all (2D, 3D), else one layer/slice.
 void gl_texture_upload(gl_texture *t, uint32_t level, int layer, const void *data, bool half);
 void gl_texture_generate_mipmaps(gl_texture *t);
-void gl_texture_bind(const gl_texture *t, uint32_t unit);
+void gl_texture_bind(const gl_texture *t, uint32_t unit); // nothing for a texture that was not made
 void gl_texture_free(gl_texture *t);
+
+// ---- programs ----
+// Source is found by stem ("sky" -> shaders/sky.glsl), compiled twice with VERTEX / FRAGMENT defined, "#version 330 core" or
+// "#version 300 es" + precision put before it, and #include "common/x.glsl" resolved. `defines`: "A 1\nB 2\n" or NULL.
+// The uniform block Frame is bound to slot 0. A file is included once per shader. "#pragma unit NAME N" in any file sets the
+// sampler NAME to texture unit N, so a pass that includes it need not.
+typedef struct gl_program {
+    uint32_t id;
+    char stem[32];
+    char defines[160];
+} gl_program;
+void gl_program_set_directory(const char *directory); // NULL: the embedded sources
+bolan_result gl_program_create(const char *stem, const char *defines, gl_program *out);
+bolan_result gl_program_reload(gl_program *p); // keeps the old one on failure
+void gl_program_use(const gl_program *p);
+void gl_program_int(const gl_program *p, const char *name, int value); // samplers too: the unit
+void gl_program_float(const gl_program *p, const char *name, float value);
+void gl_program_vec2(const gl_program *p, const char *name, float x, float y);
+void gl_program_vec4(const gl_program *p, const char *name, bolan_vec4 v);
+void gl_program_vec4_array(const gl_program *p, const char *name, const float *xyzw, uint32_t count);
+void gl_program_free(gl_program *p);
 
 // ---- targets: framebuffers over our own textures ----
 typedef struct gl_target {
@@ -84,12 +117,25 @@ void gl_target_clear_color(float r, float g, float b, float a);
 void gl_target_clear_depth(float depth);
 void gl_target_copy_color(const gl_target *from, const gl_target *to);
 void gl_target_copy_depth(const gl_target *from, const gl_target *to); // same size and format
-void gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width,
-                    uint32_t height);                                            // the caller's, scaled; keeps bindings
+void gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width, uint32_t height); // the caller's, scaled
 void gl_target_read_float(const gl_target *t, uint32_t attachment, float *rgba); // bottom row first
-void gl_target_read_depth(const gl_target *t, const gl_texture *depth, float *out); // bottom row first; works on ES too
-void gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb); // top row first
+// Top row first. rgba: width * height * 4 bytes of scratch memory.
+void gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgba, uint8_t *rgb);
 void gl_target_free(gl_target *t);
+// What a framebuffer of the caller's is wanted for.
+typedef enum gl_purpose { GL_TO_DRAW, GL_TO_READ, GL_TO_COPY } gl_purpose;
+// NULL: it will do. Else why not, as the end of a sentence about it. Binds it.
+const char *gl_framebuffer_problem(uint32_t framebuffer, gl_purpose purpose);
+
+// Reads depth textures, on ES too. What that takes is made at the first reading and kept while the size stays.
+typedef struct gl_depth_reader {
+    gl_program program;
+    gl_texture copy;
+    gl_target target;
+} gl_depth_reader;
+// Bottom row first, a depth in the first of each four floats. Leaves its own target bound.
+bolan_result gl_depth_read(gl_depth_reader *r, const gl_texture *depth, float *rgba);
+void gl_depth_reader_free(gl_depth_reader *r);
 
 // ---- buffers and meshes ----
 typedef enum gl_usage { GL_USAGE_STATIC, GL_USAGE_STREAM } gl_usage;
@@ -118,27 +164,6 @@ void gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count); // two indices 
 void gl_mesh_free(gl_mesh *m);
 void gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers: see common/fullscreen.glsl
 
-// ---- programs ----
-// Source is found by stem ("sky" -> shaders/sky.glsl), compiled twice with VERTEX / FRAGMENT defined, "#version 330 core" or
-// "#version 300 es" + precision put before it, and #include "common/x.glsl" resolved. `defines`: "A 1\nB 2\n" or NULL.
-// The uniform block Frame is bound to slot 0. A file is included once per shader. "#pragma unit NAME N" in any file sets the
-// sampler NAME to texture unit N, so a pass that includes it need not.
-typedef struct gl_program {
-    uint32_t id;
-    char stem[32];
-    char defines[160];
-} gl_program;
-void gl_program_set_directory(const char *directory); // NULL: the embedded sources
-bolan_result gl_program_create(const char *stem, const char *defines, gl_program *out);
-bolan_result gl_program_reload(gl_program *p); // keeps the old one on failure
-void gl_program_use(const gl_program *p);
-void gl_program_int(const gl_program *p, const char *name, int value); // samplers too: the unit
-void gl_program_float(const gl_program *p, const char *name, float value);
-void gl_program_vec2(const gl_program *p, const char *name, float x, float y);
-void gl_program_vec4(const gl_program *p, const char *name, bolan_vec4 v);
-void gl_program_vec4_array(const gl_program *p, const char *name, const float *xyzw, uint32_t count);
-void gl_program_free(gl_program *p);
-
 // ---- state ----
 typedef struct gl_state {
     bool depth_test, depth_write, cull_back, color_write;
@@ -148,24 +173,55 @@ typedef struct gl_state {
 void gl_set_state(const gl_state *s);
 void gl_set_clip_zero_to_one(bool on); // only where caps.clip_control
 void gl_set_framebuffer_srgb(bool on); // desktop: let an sRGB framebuffer encode what is written; on ES it always does
-typedef struct gl_saved gl_saved;      // the caller's state
-size_t gl_saved_size(void);
-void gl_save(gl_saved *s);
-void gl_restore(const gl_saved *s);
-bool gl_check_errors(const char *where); // logs and drains; true when clean
-void gl_debug_log(bool on);
 
-// ---- timers ----
+// The caller's state: see saved.c.
+enum { GL_SAVED_UNITS = 25, GL_SAVED_BUFFERS = 8, GL_SAVED_VIEWPORTS = 16, GL_SAVED_CLIPS = 8, GL_SAVED_SLOTS = 24 };
+typedef struct gl_saved {
+    const gl_caps *caps;
+    int32_t draw_framebuffer, read_framebuffer, program, vertex_array, array_buffer;
+    int32_t uniform_buffer, uniform_slot, pixel_pack, pixel_unpack, query_buffer;
+    int64_t uniform_offset, uniform_size;
+    int32_t active_unit, textures[GL_SAVED_UNITS][3], samplers[GL_SAVED_UNITS];
+    struct {
+        bool blend;
+        uint8_t mask[4];
+        int32_t factors[4], equations[2];
+    } buffers[GL_SAVED_BUFFERS];
+    struct {
+        bool scissor;
+        float rectangle[4];
+        int32_t box[4];
+        double depth[2];
+    } viewports[GL_SAVED_VIEWPORTS];
+    bool toggles[GL_SAVED_SLOTS], clips[GL_SAVED_CLIPS], feedback;
+    int32_t cull_mode, front_face, depth_function, polygon_mode[2], clip_origin, clip_depth, clamp[3];
+    uint8_t depth_mask;
+    double depth_clear;
+    float color_clear[4], line_width, transfer[GL_SAVED_SLOTS];
+    int32_t pixel_store[GL_SAVED_SLOTS];
+    struct { // the caller's, while `on`; of the caller's debug output
+        bool on, output, synchronous;
+        void *callback, *user;
+    } debug;
+} gl_saved;
+// `debug`: until gl_restore() the driver's messages are logged, and handed on to the caller's callback. Both need a
+// context; *s must stay where it is in between.
+void gl_save(gl_saved *s, const gl_caps *caps, bool debug);
+void gl_restore(const gl_saved *s);
+
+// ---- timers: the GPU's clock read at both ends, or the CPU's between two glFinish() ----
+// Unlike GL_TIME_ELAPSED, timestamps do not collide with a query that the caller has open.
+enum { GL_TIMER_SLOTS = 4 }; // frames that a result may take to come
 typedef struct gl_timer {
-    uint32_t query[2];
-    int current;
+    uint32_t query[GL_TIMER_SLOTS][2];
+    bool pending[GL_TIMER_SLOTS], running;
+    int next, oldest;
     double ms;
-    bool pending[2];
     double cpu_start;
 } gl_timer;
-void gl_timer_create(gl_timer *t);
-void gl_timer_begin(gl_timer *t, bool finish); // finish: time with glFinish on the CPU clock (software GL, ES)
-void gl_timer_end(gl_timer *t, bool finish);
+typedef enum gl_timing { GL_TIMING_OFF, GL_TIMING_GPU, GL_TIMING_FINISH } gl_timing;
+void gl_timer_begin(gl_timer *t, gl_timing how);
+void gl_timer_end(gl_timer *t, gl_timing how); // ms: the last result that has come; 0 while there is none
 void gl_timer_free(gl_timer *t);
 void gl_finish(void);
 #endif

@@ -19,5 +19,6 @@ typedef struct format_info {
 const format_info *gl_format_info(gl_format format);
 
 bool gl_is_es(void);
+void gl_set_enabled(GLenum name, bool on);
 
 #endif

@@ -47,20 +47,19 @@ static void set_units(GLuint program, const shader_text *source) {
 static void set_defaults(GLuint id, const shader_text *vertex, const shader_text *fragment) {
     const GLuint block = glGetUniformBlockIndex(id, "Frame");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(id, block, 0);
-    GLint current = 0;
-    glGetIntegerv(GL_CURRENT_PROGRAM, &current);
     glUseProgram(id);
     set_units(id, vertex);
     set_units(id, fragment);
-    glUseProgram((GLuint)current);
+    glUseProgram(0);
 }
 
-static GLuint build(const char *stem, const char *defines) {
+static bolan_result build(const char *stem, const char *defines, GLuint *out) {
     shader_text source[2] = {{0}};
     GLuint vertex = 0, fragment = 0, id = 0;
     const bool es = gl_is_es();
-    if (shader_text_build(stem, "VERTEX", defines, es, &source[0]) == BOLAN_OK &&
-        shader_text_build(stem, "FRAGMENT", defines, es, &source[1]) == BOLAN_OK) {
+    bolan_result result = shader_text_build(stem, "VERTEX", defines, es, &source[0]);
+    if (result == BOLAN_OK) result = shader_text_build(stem, "FRAGMENT", defines, es, &source[1]);
+    if (result == BOLAN_OK) {
         vertex = compile(&source[0], GL_VERTEX_SHADER, "vertex");
         fragment = compile(&source[1], GL_FRAGMENT_SHADER, "fragment");
     }
@@ -70,7 +69,8 @@ static GLuint build(const char *stem, const char *defines) {
     if (fragment) glDeleteShader(fragment);
     shader_text_free(&source[0]);
     shader_text_free(&source[1]);
-    return id;
+    *out = id;
+    return result == BOLAN_OK && !id ? BOLAN_ERROR_GL : result;
 }
 
 bolan_result gl_program_create(const char *stem, const char *defines, gl_program *out) {
@@ -79,14 +79,15 @@ bolan_result gl_program_create(const char *stem, const char *defines, gl_program
     gl_program p = {0};
     snprintf(p.stem, sizeof p.stem, "%s", stem);
     snprintf(p.defines, sizeof p.defines, "%s", defines ? defines : "");
-    p.id = build(p.stem, p.defines);
+    const bolan_result result = build(p.stem, p.defines, &p.id);
     *out = p;
-    return p.id ? BOLAN_OK : BOLAN_ERROR_GL;
+    return result;
 }
 
 bolan_result gl_program_reload(gl_program *p) {
-    const GLuint id = build(p->stem, p->defines);
-    if (!id) return BOLAN_ERROR_GL;
+    GLuint id = 0;
+    const bolan_result result = build(p->stem, p->defines, &id);
+    if (result != BOLAN_OK) return result;
     glDeleteProgram(p->id);
     p->id = id;
     return BOLAN_OK;
@@ -113,6 +114,6 @@ void gl_program_vec4_array(const gl_program *p, const char *name, const float *x
 }
 
 void gl_program_free(gl_program *p) {
-    if (p->id) glDeleteProgram(p->id);
+    if (p->id && gl_has_context()) glDeleteProgram(p->id);
     *p = (gl_program){0};
 }

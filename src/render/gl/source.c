@@ -10,7 +10,8 @@
 
 // The file goes into the line number: Mesa forgets the file number of #line in some of its messages.
 enum { DIRECTORY_MAX = 1024, LINES_PER_FILE = 10000 };
-static char shader_directory[DIRECTORY_MAX]; // "": the embedded sources
+// "": the embedded sources. Each thread has its own, since each may draw in a context of its own.
+static _Thread_local char shader_directory[DIRECTORY_MAX];
 
 void gl_program_set_directory(const char *directory) {
     snprintf(shader_directory, sizeof shader_directory, "%s", directory ? directory : "");
@@ -25,30 +26,36 @@ static const char *find_embedded(const char *path) {
     return NULL;
 }
 
-static char *read_whole(FILE *file, size_t *size) {
-    if (fseek(file, 0, SEEK_END) != 0) return NULL;
+static bolan_result read_whole(FILE *file, const char **out, size_t *size) {
+    if (fseek(file, 0, SEEK_END) != 0) return BOLAN_OK;
     const long length = ftell(file);
-    if (length < 0 || fseek(file, 0, SEEK_SET) != 0) return NULL;
-    *size = (size_t)length + 1;
-    char *text = bolan_allocate(*size);
-    if (text && fread(text, 1, (size_t)length, file) != (size_t)length) {
-        bolan_release(text, *size);
-        text = NULL;
+    if (length < 0 || fseek(file, 0, SEEK_SET) != 0) return BOLAN_OK;
+    char *text = bolan_allocate((size_t)length + 1);
+    if (!text) return BOLAN_ERROR_MEMORY;
+    if (fread(text, 1, (size_t)length, file) != (size_t)length) {
+        bolan_release(text, (size_t)length + 1);
+        return BOLAN_OK;
     }
-    return text;
+    *size = (size_t)length + 1;
+    *out = text;
+    return BOLAN_OK;
 }
 
-// The text of a file; *owned is its allocated size, 0 when it is embedded.
-static const char *load(const char *path, size_t *owned) {
+// The text of a file, NULL where there is none; *owned is its allocated size, 0 when it is embedded.
+static bolan_result load(const char *path, const char **text, size_t *owned) {
     *owned = 0;
-    if (!shader_directory[0]) return find_embedded(path);
+    *text = NULL;
+    if (!shader_directory[0]) {
+        *text = find_embedded(path);
+        return BOLAN_OK;
+    }
     char full[DIRECTORY_MAX + 2 * SOURCE_NAME];
     snprintf(full, sizeof full, "%s/%s", shader_directory, path);
     FILE *file = fopen(full, "rb");
-    if (!file) return NULL;
-    const char *text = read_whole(file, owned);
+    if (!file) return BOLAN_OK;
+    const bolan_result result = read_whole(file, text, owned);
     fclose(file);
-    return text;
+    return result;
 }
 
 // ---- putting it together ------------------------------------------------------------------------------------------
@@ -168,7 +175,8 @@ static bolan_result append_lines(shader_text *s, const char *text, const char *p
 static bolan_result append_file(shader_text *s, const char *path, const char *from, uint32_t from_line) {
     if (already_included(s, path)) return BOLAN_OK;
     size_t owned = 0;
-    const char *text = load(path, &owned);
+    const char *text = NULL;
+    if (load(path, &text, &owned) != BOLAN_OK) return out_of_memory(path);
     if (!text) return missing(path, from, from_line);
     bolan_result result = BOLAN_ERROR_GL;
     if (s->file_count == SOURCE_MAX_FILES) {

@@ -93,18 +93,10 @@ void gl_target_copy_color(const gl_target *from, const gl_target *to) { blit(fro
 void gl_target_copy_depth(const gl_target *from, const gl_target *to) { blit(from, to, GL_DEPTH_BUFFER_BIT); }
 
 void gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width, uint32_t height) {
-    GLint draw = 0, read = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
-    const GLboolean scissor = glIsEnabled(GL_SCISSOR_TEST); // it would cut the copy
-    glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from->id);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glBlitFramebuffer(0, 0, (GLint)from->width, (GLint)from->height, 0, 0, (GLint)width, (GLint)height,
                       GL_COLOR_BUFFER_BIT, GL_LINEAR);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, (GLuint)read);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)draw);
-    if (scissor) glEnable(GL_SCISSOR_TEST);
 }
 
 void gl_target_read_float(const gl_target *t, uint32_t attachment, float *rgba) {
@@ -119,59 +111,40 @@ void gl_target_read_float(const gl_target *t, uint32_t attachment, float *rgba) 
 }
 
 // ES cannot read depth, so the depth texture is drawn into a float one, which both APIs can read.
-static bool draw_depth(const gl_texture *depth, float *rgba) {
-    gl_program program = {0};
-    gl_texture copy = {0};
-    gl_target target = {0};
-    const gl_texture *color = &copy;
-    const gl_texture_desc d = {.format = GL_FMT_RGBA32F, .width = depth->width, .height = depth->height};
-    bool ok = gl_program_create("depth_copy", NULL, &program) == BOLAN_OK && gl_texture_create(&d, &copy) == BOLAN_OK &&
-              gl_target_create(&color, 1, NULL, -1, 0, &target) == BOLAN_OK;
-    if (ok) {
-        gl_target_bind(&target);
-        const gl_state state = {.color_write = true};
-        gl_set_state(&state);
-        gl_program_use(&program);
-        glActiveTexture(GL_TEXTURE0 + SCRATCH_UNIT);
-        glBindTexture(GL_TEXTURE_2D, depth->id);
-        gl_program_int(&program, "depth_source", SCRATCH_UNIT);
-        gl_draw_fullscreen();
-        gl_target_read_float(&target, 0, rgba);
-    }
-    gl_target_free(&target);
-    gl_texture_free(&copy);
-    gl_program_free(&program);
-    return ok;
+static bolan_result fit_reader(gl_depth_reader *r, uint32_t width, uint32_t height) {
+    if (r->target.id && r->target.width == width && r->target.height == height) return BOLAN_OK;
+    const gl_texture *color = &r->copy;
+    const gl_texture_desc d = {.format = GL_FMT_RGBA32F, .width = width, .height = height};
+    gl_target_free(&r->target);
+    gl_texture_free(&r->copy);
+    bolan_result result = r->program.id ? BOLAN_OK : gl_program_create("depth_copy", NULL, &r->program);
+    if (result == BOLAN_OK) result = gl_texture_create(&d, &r->copy);
+    if (result == BOLAN_OK) result = gl_target_create(&color, 1, NULL, -1, 0, &r->target);
+    return result;
 }
 
-void gl_target_read_depth(const gl_target *t, const gl_texture *depth, float *out) {
-    const size_t pixels = (size_t)t->width * t->height;
-    float *rgba = bolan_allocate(pixels * 4 * sizeof(float));
-    if (!rgba) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory to read a depth buffer of %u x %u", t->width,
-                  t->height);
-        return;
-    }
-    GLint draw = 0, read = 0, viewport[4];
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
-    glGetIntegerv(GL_VIEWPORT, viewport);
-    if (draw_depth(depth, rgba)) {
-        for (size_t i = 0; i < pixels; i++) out[i] = rgba[4 * i];
-    }
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)draw);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, (GLuint)read);
-    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
-    bolan_release(rgba, pixels * 4 * sizeof(float));
+bolan_result gl_depth_read(gl_depth_reader *r, const gl_texture *depth, float *rgba) {
+    const bolan_result result = fit_reader(r, depth->width, depth->height);
+    if (result != BOLAN_OK) return result;
+    gl_target_bind(&r->target);
+    gl_set_state(&(gl_state){.color_write = true});
+    gl_program_use(&r->program);
+    glActiveTexture(GL_TEXTURE0 + SCRATCH_UNIT);
+    glBindTexture(GL_TEXTURE_2D, depth->id);
+    gl_program_int(&r->program, "depth_source", SCRATCH_UNIT);
+    gl_draw_fullscreen();
+    gl_target_read_float(&r->target, 0, rgba);
+    return BOLAN_OK;
 }
 
-void gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb) {
-    const size_t size = (size_t)width * height * 4;
-    uint8_t *rgba = bolan_allocate(size); // RGBA is the one byte format that every ES framebuffer can be read in
-    if (!rgba) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory to read a picture of %u x %u", width, height);
-        return;
-    }
+void gl_depth_reader_free(gl_depth_reader *r) {
+    gl_target_free(&r->target);
+    gl_texture_free(&r->copy);
+    gl_program_free(&r->program);
+}
+
+// RGBA is the one byte format that every ES framebuffer can be read in.
+void gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgba, uint8_t *rgb) {
     GLint read = 0;
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
@@ -185,10 +158,39 @@ void gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t
             for (uint32_t c = 0; c < 3; c++) to[3 * x + c] = from[4 * x + c];
         }
     }
-    bolan_release(rgba, size);
 }
 
 void gl_target_free(gl_target *t) {
-    if (t->id) glDeleteFramebuffers(1, &t->id);
+    if (t->id && gl_has_context()) glDeleteFramebuffers(1, &t->id);
     *t = (gl_target){0};
+}
+
+// ---- the caller's framebuffers --------------------------------------------------------------------------------------
+
+// Of the bound framebuffer's colour buffer; `buffer` is its attachment point.
+static const char *attachment_problem(GLenum buffer, gl_purpose purpose) {
+    const GLenum target = purpose == GL_TO_READ ? GL_READ_FRAMEBUFFER : GL_DRAW_FRAMEBUFFER;
+    GLint object = GL_NONE, type = GL_NONE;
+    glGetFramebufferAttachmentParameteriv(target, buffer, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &object);
+    if (object == GL_NONE) return "has no colour buffer";
+    glGetFramebufferAttachmentParameteriv(target, buffer, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+    if (type == GL_INT || type == GL_UNSIGNED_INT) return "holds integers, not colours";
+    if (type == GL_FLOAT && purpose == GL_TO_READ && gl_is_es()) return "holds floats, which OpenGL ES reads as no bytes";
+    return NULL;
+}
+
+const char *gl_framebuffer_problem(uint32_t framebuffer, gl_purpose purpose) {
+    if (framebuffer != 0 && !glIsFramebuffer(framebuffer)) return "is no framebuffer of this context";
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status == GL_FRAMEBUFFER_UNDEFINED) return "is the window's, and this context has no window";
+    if (status != GL_FRAMEBUFFER_COMPLETE) return "is not complete";
+    GLint samples = 0, buffer = GL_NONE;
+    glGetIntegerv(GL_SAMPLE_BUFFERS, &samples);
+    if (samples > 0 && purpose == GL_TO_READ) return "has several samples a pixel: copy it into one that has one first";
+    if (samples > 0 && purpose == GL_TO_COPY && gl_is_es())
+        return "has several samples a pixel, and OpenGL ES copies into none such";
+    glGetIntegerv(purpose == GL_TO_READ ? GL_READ_BUFFER : GL_DRAW_BUFFER0, &buffer);
+    if (buffer == GL_NONE) return purpose == GL_TO_READ ? "has no read buffer" : "has no draw buffer";
+    return framebuffer != 0 ? attachment_problem((GLenum)buffer, purpose) : NULL;
 }

@@ -76,6 +76,37 @@ static void allocate_levels(const gl_texture *t) {
     }
 }
 
+// Asked before, since a texture that GL refuses would leave an error behind.
+static bool is_possible(const gl_texture *t) {
+    const format_info *f = gl_format_info(t->format);
+    const GLsizei w = (GLsizei)t->width, h = (GLsizei)t->height, d = (GLsizei)t->depth;
+    GLint most = 0, got = 0;
+    glGetIntegerv(t->target == GL_TEXTURE_3D ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &most);
+    if (w > most || h > most || (t->target == GL_TEXTURE_3D && d > most)) return false;
+    if (gl_is_es()) return true; // which has no proxies
+    if (t->target == GL_TEXTURE_2D) {
+        glTexImage2D(GL_PROXY_TEXTURE_2D, 0, (GLint)f->internal_format, w, h, 0, f->format, f->type, NULL);
+        glGetTexLevelParameteriv(GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &got);
+    } else {
+        const GLenum proxy = t->target == GL_TEXTURE_3D ? GL_PROXY_TEXTURE_3D : GL_PROXY_TEXTURE_2D_ARRAY;
+        glTexImage3D(proxy, 0, (GLint)f->internal_format, w, h, d, 0, f->format, f->type, NULL);
+        glGetTexLevelParameteriv(proxy, 0, GL_TEXTURE_WIDTH, &got);
+    }
+    return got == w;
+}
+
+// Memory may still have run out. ES cannot be asked before 3.1.
+static bool is_allocated(const gl_texture *t) {
+    if (gl_is_es() && epoxy_gl_version() < 31) return true;
+    bool all = true;
+    for (uint32_t l = 0; l < t->levels; l++) {
+        GLint width = 0;
+        glGetTexLevelParameteriv(t->target, (GLint)l, GL_TEXTURE_WIDTH, &width);
+        all = all && width == (GLint)mip(t->width, l);
+    }
+    return all;
+}
+
 bolan_result gl_texture_create(const gl_texture_desc *d, gl_texture *out) {
     BOLAN_ASSERT(d && out && d->width > 0 && d->height > 0);
     gl_texture t = {.width = d->width, .height = d->height, .depth = d->depth ? d->depth : 1, .format = d->format};
@@ -84,19 +115,22 @@ bolan_result gl_texture_create(const gl_texture_desc *d, gl_texture *out) {
     if (!d->levels && is_mipmapped(d->filter)) {
         t.levels = full_chain(t.width, t.height, t.target == GL_TEXTURE_3D ? t.depth : 1);
     }
-    while (glGetError() != GL_NO_ERROR) {}
+    if (!is_possible(&t)) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET, "GL has no textures of %u x %u x %u texels of format %d", t.width,
+                  t.height, t.depth, (int)t.format);
+        return BOLAN_ERROR_GL;
+    }
     glGenTextures(1, &t.id);
     bind_scratch(&t);
     set_filter(&t, d);
     set_wrap(&t, d->wrap);
     allocate_levels(&t);
-    const GLenum error = glGetError();
-    if (error != GL_NO_ERROR) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET,
-                  "GL refused a texture of %u x %u x %u texels, format %d (error 0x%x)", t.width, t.height, t.depth,
-                  (int)t.format, error);
+    if (!is_allocated(&t)) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY,
+                  "GL has no memory for a texture of %u x %u x %u texels, format %d", t.width, t.height, t.depth,
+                  (int)t.format);
         gl_texture_free(&t);
-        return BOLAN_ERROR_GL;
+        return BOLAN_ERROR_MEMORY;
     }
     *out = t;
     return BOLAN_OK;
@@ -126,11 +160,12 @@ void gl_texture_generate_mipmaps(gl_texture *t) {
 
 void gl_texture_bind(const gl_texture *t, uint32_t unit) {
     BOLAN_ASSERT(unit < SCRATCH_UNIT);
+    if (!t->id) return;
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(t->target, t->id);
 }
 
 void gl_texture_free(gl_texture *t) {
-    if (t->id) glDeleteTextures(1, &t->id);
+    if (t->id && gl_has_context()) glDeleteTextures(1, &t->id);
     *t = (gl_texture){0};
 }
