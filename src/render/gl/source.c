@@ -9,7 +9,7 @@
 #include <string.h>
 
 // The file goes into the line number: Mesa forgets the file number of #line in some of its messages.
-enum { DIRECTORY_MAX = 1024, LINES_PER_FILE = 10000 };
+enum { DIRECTORY_MAX = 1024, LINES_PER_FILE = 10000, USUAL_BYTES = 128 * 1024 }; // the last: of most shaders
 // "": the embedded sources. Each thread has its own, since each may draw in a context of its own.
 static _Thread_local char shader_directory[DIRECTORY_MAX];
 
@@ -62,7 +62,7 @@ static bolan_result load(const char *path, const char **text, size_t *owned) {
 
 static bool append(shader_text *s, const char *text, size_t length) {
     if (s->size + length + 1 > s->capacity) {
-        const size_t capacity = (s->size + length + 1) * 2;
+        const size_t needed = (s->size + length + 1) * 2, capacity = needed > USUAL_BYTES ? needed : USUAL_BYTES;
         char *grown = bolan_allocate(capacity);
         if (!grown) return false;
         if (s->size) memcpy(grown, s->text, s->size);
