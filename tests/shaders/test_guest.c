@@ -1,0 +1,768 @@
+// SPDX-License-Identifier: MIT
+// The renderer as a guest: whatever state the host has set, the picture is the same, and each call leaves all of it as it was.
+#include "gl_support.h"
+
+#include "bolan/io.h"
+
+#include <epoxy/egl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { WIDTH = 64, HEIGHT = 48, PIXELS = WIDTH * HEIGHT, MOST_ENTRIES = 4096 };
+
+// ---- a small scene --------------------------------------------------------------------------------------------------
+
+typedef struct rig {
+    bolan_scene scene;
+    bolan_sea *sea;
+    bolan_renderer *renderer;
+    bolan_target *target;
+    bolan_frame_desc frame;
+} rig;
+
+static void open_rig(rig *r, const bolan_renderer_desc *desc) {
+    memset(r, 0, sizeof *r);
+    bolan_scene_assets assets = {0};
+    assert_int_equal(bolan_scene_load("open-sea", &r->scene), BOLAN_OK);
+    r->scene.sea.resolution = 64;
+    r->scene.sea.cascade_count = 2;
+    assert_int_equal(bolan_scene_create_sea(&r->scene, &assets, &r->sea), BOLAN_OK);
+    bolan_sea_step(r->sea, 3.0);
+    assert_int_equal(bolan_renderer_create(desc, &r->renderer), BOLAN_OK);
+    assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &r->target), BOLAN_OK);
+    r->frame = bolan_frame_desc_default();
+    r->frame.scene = &r->scene;
+    r->frame.sea = r->sea;
+    r->frame.framebuffer = bolan_target_framebuffer(r->target);
+    r->frame.width = WIDTH;
+    r->frame.height = HEIGHT;
+}
+
+static bolan_renderer_desc low_quality(void) {
+    bolan_renderer_desc desc = bolan_renderer_desc_default();
+    desc.quality = BOLAN_QUALITY_LOW;
+    return desc;
+}
+
+static void open_low(rig *r) {
+    const bolan_renderer_desc desc = low_quality();
+    open_rig(r, &desc);
+}
+
+static void close_rig(rig *r) {
+    bolan_target_destroy(&r->target);
+    bolan_renderer_destroy(&r->renderer);
+    bolan_sea_destroy(&r->sea);
+}
+
+typedef struct shot {
+    uint8_t rgb[PIXELS * 3];
+    float linear[PIXELS * 3], distance[PIXELS];
+} shot;
+
+static void take_shot(rig *r, shot *s) {
+    memset(s, 0, sizeof *s);
+    bolan_renderer_draw(r->renderer, &r->frame);
+    bolan_renderer_read_rgb8(r->renderer, r->frame.framebuffer, WIDTH, HEIGHT, s->rgb);
+    bolan_renderer_read_linear(r->renderer, s->linear, s->distance);
+}
+
+// ---- all the state that a host may look at --------------------------------------------------------------------------
+
+typedef struct entry {
+    char name[48];
+    double value;
+} entry;
+typedef struct snapshot {
+    entry entries[MOST_ENTRIES];
+    int count;
+} snapshot;
+
+static void put(snapshot *s, const char *name, int index, int part, double value) {
+    assert_true(s->count < MOST_ENTRIES);
+    entry *e = &s->entries[s->count++];
+    snprintf(e->name, sizeof e->name, "%s[%d].%d", name, index, part);
+    e->value = value;
+}
+
+#define NAMED(x) \
+    { #x, x }
+typedef struct named {
+    const char *name;
+    GLenum value;
+} named;
+
+static bool is_es(void) { return !epoxy_is_desktop_gl(); }
+
+static bool is_compatibility(void) {
+    GLint mask = 0;
+    if (!is_es()) glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &mask);
+    return (mask & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) != 0;
+}
+
+static const named switches[] = {
+    NAMED(GL_DEPTH_TEST),          NAMED(GL_CULL_FACE),
+    NAMED(GL_STENCIL_TEST),        NAMED(GL_POLYGON_OFFSET_FILL),
+    NAMED(GL_DITHER),              NAMED(GL_SAMPLE_ALPHA_TO_COVERAGE),
+    NAMED(GL_SAMPLE_COVERAGE),     NAMED(GL_RASTERIZER_DISCARD),
+    NAMED(GL_SAMPLE_MASK),         NAMED(GL_PRIMITIVE_RESTART_FIXED_INDEX),
+    NAMED(GL_DEBUG_OUTPUT),        NAMED(GL_DEBUG_OUTPUT_SYNCHRONOUS),
+};
+static const named desktop_switches[] = {
+    NAMED(GL_PRIMITIVE_RESTART), NAMED(GL_FRAMEBUFFER_SRGB), NAMED(GL_DEPTH_CLAMP),     NAMED(GL_COLOR_LOGIC_OP),
+    NAMED(GL_LINE_SMOOTH),       NAMED(GL_POLYGON_SMOOTH),   NAMED(GL_PROGRAM_POINT_SIZE), NAMED(GL_SAMPLE_ALPHA_TO_ONE),
+    NAMED(GL_SAMPLE_SHADING),    NAMED(GL_CLIP_DISTANCE0),   NAMED(GL_CLIP_DISTANCE3),  NAMED(GL_CLIP_DISTANCE7),
+    NAMED(GL_POLYGON_OFFSET_LINE),
+};
+static const named compatibility_switches[] = {NAMED(GL_ALPHA_TEST), NAMED(GL_POLYGON_STIPPLE), NAMED(GL_LINE_STIPPLE)};
+
+static const struct {
+    const char *name;
+    GLenum value;
+    int parts;
+} numbers[] = {
+#define NUMBER(x, parts) \
+    { #x, x, parts }
+    NUMBER(GL_DRAW_FRAMEBUFFER_BINDING, 1), NUMBER(GL_READ_FRAMEBUFFER_BINDING, 1), NUMBER(GL_CURRENT_PROGRAM, 1),
+    NUMBER(GL_VERTEX_ARRAY_BINDING, 1),     NUMBER(GL_ARRAY_BUFFER_BINDING, 1),     NUMBER(GL_UNIFORM_BUFFER_BINDING, 1),
+    NUMBER(GL_ELEMENT_ARRAY_BUFFER_BINDING, 1), NUMBER(GL_PIXEL_PACK_BUFFER_BINDING, 1),
+    NUMBER(GL_PIXEL_UNPACK_BUFFER_BINDING, 1),  NUMBER(GL_RENDERBUFFER_BINDING, 1), NUMBER(GL_ACTIVE_TEXTURE, 1),
+    NUMBER(GL_CULL_FACE_MODE, 1),           NUMBER(GL_FRONT_FACE, 1),               NUMBER(GL_DEPTH_FUNC, 1),
+    NUMBER(GL_DEPTH_WRITEMASK, 1),          NUMBER(GL_DEPTH_CLEAR_VALUE, 1),        NUMBER(GL_COLOR_CLEAR_VALUE, 4),
+    NUMBER(GL_DEPTH_RANGE, 2),              NUMBER(GL_LINE_WIDTH, 1),               NUMBER(GL_POLYGON_OFFSET_FACTOR, 1),
+    NUMBER(GL_POLYGON_OFFSET_UNITS, 1),     NUMBER(GL_SAMPLE_COVERAGE_VALUE, 1),    NUMBER(GL_STENCIL_FUNC, 1),
+    NUMBER(GL_STENCIL_WRITEMASK, 1),        NUMBER(GL_STENCIL_CLEAR_VALUE, 1),      NUMBER(GL_VIEWPORT, 4),
+    NUMBER(GL_SCISSOR_BOX, 4),              NUMBER(GL_BLEND_COLOR, 4),              NUMBER(GL_UNPACK_ALIGNMENT, 1),
+    NUMBER(GL_UNPACK_ROW_LENGTH, 1),        NUMBER(GL_UNPACK_SKIP_ROWS, 1),         NUMBER(GL_UNPACK_SKIP_PIXELS, 1),
+    NUMBER(GL_UNPACK_SKIP_IMAGES, 1),       NUMBER(GL_UNPACK_IMAGE_HEIGHT, 1),      NUMBER(GL_PACK_ALIGNMENT, 1),
+    NUMBER(GL_PACK_ROW_LENGTH, 1),          NUMBER(GL_PACK_SKIP_ROWS, 1),           NUMBER(GL_PACK_SKIP_PIXELS, 1),
+    NUMBER(GL_TRANSFORM_FEEDBACK_ACTIVE, 1), NUMBER(GL_TRANSFORM_FEEDBACK_PAUSED, 1),
+    NUMBER(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, 1),
+}, desktop_numbers[] = {
+    NUMBER(GL_CLIP_ORIGIN, 1),       NUMBER(GL_CLIP_DEPTH_MODE, 1),      NUMBER(GL_POLYGON_MODE, 2),
+    NUMBER(GL_CLAMP_READ_COLOR, 1),  NUMBER(GL_LOGIC_OP_MODE, 1),        NUMBER(GL_UNPACK_SWAP_BYTES, 1),
+    NUMBER(GL_UNPACK_LSB_FIRST, 1),  NUMBER(GL_PACK_SWAP_BYTES, 1),      NUMBER(GL_PACK_LSB_FIRST, 1),
+    NUMBER(GL_PACK_IMAGE_HEIGHT, 1), NUMBER(GL_PACK_SKIP_IMAGES, 1),     NUMBER(GL_PRIMITIVE_RESTART_INDEX, 1),
+    NUMBER(GL_PROVOKING_VERTEX, 1),  NUMBER(GL_QUERY_BUFFER_BINDING, 1), NUMBER(GL_POINT_SIZE, 1),
+    NUMBER(GL_MIN_SAMPLE_SHADING_VALUE, 1),
+}, compatibility_numbers[] = {
+    NUMBER(GL_CLAMP_FRAGMENT_COLOR, 1), NUMBER(GL_CLAMP_VERTEX_COLOR, 1), NUMBER(GL_RED_SCALE, 1), NUMBER(GL_RED_BIAS, 1),
+    NUMBER(GL_GREEN_SCALE, 1), NUMBER(GL_BLUE_BIAS, 1), NUMBER(GL_ALPHA_SCALE, 1), NUMBER(GL_MAP_COLOR, 1),
+    NUMBER(GL_DEPTH_SCALE, 1), NUMBER(GL_DEPTH_BIAS, 1), NUMBER(GL_ALPHA_TEST_FUNC, 1), NUMBER(GL_ALPHA_TEST_REF, 1),
+#undef NUMBER
+};
+#define COUNT(a) (sizeof(a) / sizeof *(a))
+
+static void get(GLenum name, int parts, double out[4]) {
+    GLfloat floats[4] = {0};
+    if (is_es()) {
+        glGetFloatv(name, floats);
+        for (int i = 0; i < parts; i++) out[i] = (double)floats[i];
+    } else {
+        glGetDoublev(name, out);
+    }
+}
+
+static void put_number(snapshot *s, const char *name, GLenum value, int parts) {
+    double v[4] = {0};
+    get(value, parts, v);
+    for (int i = 0; i < parts; i++) put(s, name, 0, i, v[i]);
+}
+
+static void put_textures(snapshot *s) {
+    static const named bindings[] = {NAMED(GL_TEXTURE_BINDING_2D), NAMED(GL_TEXTURE_BINDING_3D),
+                                     NAMED(GL_TEXTURE_BINDING_2D_ARRAY), NAMED(GL_TEXTURE_BINDING_CUBE_MAP),
+                                     NAMED(GL_SAMPLER_BINDING)};
+    GLint active = 0;
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+    for (int unit = 0; unit < 32; unit++) {
+        glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+        for (size_t k = 0; k < COUNT(bindings); k++) {
+            GLint name = 0;
+            glGetIntegerv(bindings[k].value, &name);
+            put(s, bindings[k].name, unit, 0, name);
+        }
+    }
+    glActiveTexture((GLenum)active);
+}
+
+static void put_buffers(snapshot *s) {
+    static const named blends[] = {NAMED(GL_BLEND_SRC_RGB),   NAMED(GL_BLEND_DST_RGB),      NAMED(GL_BLEND_SRC_ALPHA),
+                                   NAMED(GL_BLEND_DST_ALPHA), NAMED(GL_BLEND_EQUATION_RGB), NAMED(GL_BLEND_EQUATION_ALPHA)};
+    for (GLuint i = 0; i < 8; i++) {
+        GLboolean mask[4] = {0};
+        put(s, "GL_BLEND", (int)i, 0, glIsEnabledi(GL_BLEND, i));
+        glGetBooleani_v(GL_COLOR_WRITEMASK, i, mask);
+        for (int c = 0; c < 4; c++) put(s, "GL_COLOR_WRITEMASK", (int)i, c, mask[c]);
+        for (size_t k = 0; k < COUNT(blends); k++) {
+            GLint v = 0;
+            glGetIntegeri_v(blends[k].value, i, &v);
+            put(s, blends[k].name, (int)i, 0, v);
+        }
+    }
+    for (GLuint i = 0; i < 4; i++) {
+        GLint name = 0;
+        GLint64 start = 0, size = 0;
+        glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, i, &name);
+        glGetInteger64i_v(GL_UNIFORM_BUFFER_START, i, &start);
+        glGetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, i, &size);
+        put(s, "GL_UNIFORM_BUFFER", (int)i, 0, name);
+        put(s, "GL_UNIFORM_BUFFER", (int)i, 1, (double)start);
+        put(s, "GL_UNIFORM_BUFFER", (int)i, 2, (double)size);
+    }
+}
+
+static void put_viewports(snapshot *s) {
+    for (GLuint i = 0; i < 16; i++) {
+        GLfloat rectangle[4];
+        GLint box[4];
+        GLdouble range[2];
+        glGetFloati_v(GL_VIEWPORT, i, rectangle);
+        glGetIntegeri_v(GL_SCISSOR_BOX, i, box);
+        glGetDoublei_v(GL_DEPTH_RANGE, i, range);
+        put(s, "GL_SCISSOR_TEST", (int)i, 0, glIsEnabledi(GL_SCISSOR_TEST, i));
+        for (int c = 0; c < 4; c++) put(s, "GL_VIEWPORT", (int)i, c, (double)rectangle[c]);
+        for (int c = 0; c < 4; c++) put(s, "GL_SCISSOR_BOX", (int)i, c, box[c]);
+        for (int c = 0; c < 2; c++) put(s, "GL_DEPTH_RANGE", (int)i, c, range[c]);
+    }
+}
+
+static void take(snapshot *s) {
+    void *callback = NULL, *user = NULL;
+    s->count = 0;
+    for (size_t i = 0; i < COUNT(switches); i++) put(s, switches[i].name, 0, 0, glIsEnabled(switches[i].value));
+    for (size_t i = 0; i < COUNT(numbers); i++) put_number(s, numbers[i].name, numbers[i].value, numbers[i].parts);
+    put_textures(s);
+    put_buffers(s);
+    glGetPointerv(GL_DEBUG_CALLBACK_FUNCTION, &callback);
+    glGetPointerv(GL_DEBUG_CALLBACK_USER_PARAM, &user);
+    put(s, "callback", 0, 0, (double)(uintptr_t)callback);
+    put(s, "callback", 0, 1, (double)(uintptr_t)user);
+    if (is_es()) return;
+    put_viewports(s);
+    for (size_t i = 0; i < COUNT(desktop_switches); i++)
+        put(s, desktop_switches[i].name, 0, 0, glIsEnabled(desktop_switches[i].value));
+    for (size_t i = 0; i < COUNT(desktop_numbers); i++)
+        put_number(s, desktop_numbers[i].name, desktop_numbers[i].value, desktop_numbers[i].parts);
+    if (!is_compatibility()) return;
+    for (size_t i = 0; i < COUNT(compatibility_switches); i++)
+        put(s, compatibility_switches[i].name, 0, 0, glIsEnabled(compatibility_switches[i].value));
+    for (size_t i = 0; i < COUNT(compatibility_numbers); i++)
+        put_number(s, compatibility_numbers[i].name, compatibility_numbers[i].value, compatibility_numbers[i].parts);
+}
+
+static void assert_same(const snapshot *before, const char *after_what) {
+    static snapshot now;
+    take(&now);
+    assert_int_equal(now.count, before->count);
+    int differences = 0;
+    for (int i = 0; i < now.count; i++)
+        if (now.entries[i].value != before->entries[i].value) {
+            differences++;
+            print_error("%s: %s was %.17g, is %.17g\n", after_what, now.entries[i].name, before->entries[i].value,
+                        now.entries[i].value);
+        }
+    assert_int_equal(differences, 0);
+    assert_true(watch_is_clean(after_what));
+}
+
+// ---- a host that has set everything ---------------------------------------------------------------------------------
+
+typedef struct host {
+    GLuint textures[3 * 25], samplers[25], buffers[6], vertex_array, framebuffer, color, program;
+} host;
+
+static GLuint build_program(void) {
+    const GLchar *vertex = is_es() ? "#version 300 es\nout float v;\nvoid main() { v = 7.0; gl_Position = vec4(0.0); }"
+                                   : "#version 330\nout float v;\nvoid main() { v = 7.0; gl_Position = vec4(0.0); }";
+    const GLchar *fragment = is_es() ? "#version 300 es\nprecision highp float;\nout vec4 c;\nvoid main() { c = vec4(1); }"
+                                     : "#version 330\nout vec4 c;\nvoid main() { c = vec4(1); }";
+    const GLchar *varying = "v";
+    const GLuint program = glCreateProgram(), v = glCreateShader(GL_VERTEX_SHADER), f = glCreateShader(GL_FRAGMENT_SHADER);
+    GLint linked = GL_FALSE;
+    glShaderSource(v, 1, &vertex, NULL);
+    glShaderSource(f, 1, &fragment, NULL);
+    glCompileShader(v);
+    glCompileShader(f);
+    glAttachShader(program, v);
+    glAttachShader(program, f);
+    glTransformFeedbackVaryings(program, 1, &varying, GL_INTERLEAVED_ATTRIBS);
+    glLinkProgram(program);
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    assert_int_equal(linked, GL_TRUE);
+    glDeleteShader(v);
+    glDeleteShader(f);
+    return program;
+}
+
+static void open_host(host *h) {
+    memset(h, 0, sizeof *h);
+    glGenTextures(3 * 25, h->textures);
+    glGenSamplers(25, h->samplers);
+    glGenBuffers(6, h->buffers);
+    glGenVertexArrays(1, &h->vertex_array);
+    h->program = build_program();
+    glGenTextures(1, &h->color);
+    glBindTexture(GL_TEXTURE_2D, h->color);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, WIDTH, HEIGHT, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
+    glGenFramebuffers(1, &h->framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, h->color, 0);
+}
+
+static void bind_everything(const host *h) {
+    static const GLenum kinds[] = {GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_2D_ARRAY};
+    for (GLuint unit = 0; unit < 25; unit++) {
+        glActiveTexture(GL_TEXTURE0 + unit);
+        for (GLuint k = 0; k < 3; k++) glBindTexture(kinds[k], h->textures[3 * unit + k]);
+        glBindSampler(unit, h->samplers[unit]);
+        glSamplerParameteri(h->samplers[unit], GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    }
+    glActiveTexture(GL_TEXTURE5);
+    glBindVertexArray(h->vertex_array);
+    glBindBuffer(GL_ARRAY_BUFFER, h->buffers[0]);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, h->buffers[1]);
+    glBindBuffer(GL_UNIFORM_BUFFER, h->buffers[2]);
+    glBufferData(GL_UNIFORM_BUFFER, 1024, NULL, GL_STATIC_DRAW);
+    glBindBufferRange(GL_UNIFORM_BUFFER, 0, h->buffers[2], 256, 512);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, h->buffers[2]);
+    glBindBuffer(GL_UNIFORM_BUFFER, h->buffers[3]);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, h->buffers[4]);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, h->buffers[5]);
+    glUseProgram(h->program);
+}
+
+static void enable_all(const named *list, size_t count) {
+    for (size_t i = 0; i < count; i++) glEnable(list[i].value);
+}
+
+static void set_pixels_apart(void) {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 8), glPixelStorei(GL_UNPACK_ROW_LENGTH, 999), glPixelStorei(GL_UNPACK_SKIP_ROWS, 3);
+    glPixelStorei(GL_UNPACK_SKIP_PIXELS, 5), glPixelStorei(GL_UNPACK_SKIP_IMAGES, 2);
+    glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, 777), glPixelStorei(GL_PACK_ALIGNMENT, 2);
+    glPixelStorei(GL_PACK_ROW_LENGTH, 88), glPixelStorei(GL_PACK_SKIP_ROWS, 1), glPixelStorei(GL_PACK_SKIP_PIXELS, 2);
+    if (is_es()) return;
+    glPixelStorei(GL_UNPACK_SWAP_BYTES, 1), glPixelStorei(GL_UNPACK_LSB_FIRST, 1), glPixelStorei(GL_PACK_SWAP_BYTES, 1);
+    glPixelStorei(GL_PACK_LSB_FIRST, 1), glPixelStorei(GL_PACK_IMAGE_HEIGHT, 9), glPixelStorei(GL_PACK_SKIP_IMAGES, 1);
+    glClampColor(GL_CLAMP_READ_COLOR, GL_TRUE);
+}
+
+static void set_buffers_apart(void) {
+    for (GLuint i = 0; i < 8; i++) {
+        if (i % 2 == 0) glEnablei(GL_BLEND, i);
+        glColorMaski(i, i & 1, i & 2, i & 4, i % 3 == 0);
+        glBlendFuncSeparatei(i, GL_DST_COLOR, i % 2 ? GL_ONE : GL_ZERO, GL_ZERO, GL_SRC_ALPHA);
+        glBlendEquationSeparatei(i, i % 2 ? GL_MAX : GL_FUNC_SUBTRACT, GL_MIN);
+    }
+}
+
+static void set_viewports_apart(void) {
+    glViewport(1, 2, 3, 4), glScissor(5, 6, 7, 8), glEnable(GL_SCISSOR_TEST), glDepthRangef(0.75f, 0.25f);
+    if (is_es()) return;
+    for (GLuint i = 0; i < 16; i++) {
+        glViewportIndexedf(i, 0.5f + (float)i, 1.25f, 10.0f + (float)i, 20.5f);
+        glScissorIndexed(i, (GLint)i, 1, 2 + (GLsizei)i, 3);
+        glDepthRangeIndexed(i, 0.1 + 0.01 * i, 0.3);
+        if (i % 3 == 1) glDisablei(GL_SCISSOR_TEST, i);
+    }
+}
+
+static void set_fixed_functions_apart(void) {
+    static const GLubyte no_pixel[128] = {0};
+    enable_all(compatibility_switches, COUNT(compatibility_switches));
+    glAlphaFunc(GL_NEVER, 0.5f);
+    glPolygonMode(GL_FRONT, GL_POINT);
+    glPolygonMode(GL_BACK, GL_LINE);
+    glClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_TRUE);
+    glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+    glPixelTransferf(GL_RED_SCALE, 0.25f), glPixelTransferf(GL_RED_BIAS, 0.5f), glPixelTransferf(GL_GREEN_SCALE, 3.0f);
+    glPixelTransferf(GL_BLUE_BIAS, -0.5f), glPixelTransferf(GL_ALPHA_SCALE, 0.5f), glPixelTransferi(GL_MAP_COLOR, 1);
+    glPixelTransferf(GL_DEPTH_SCALE, 0.5f), glPixelTransferf(GL_DEPTH_BIAS, 0.125f);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0); // the stipple is read from memory
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0), glPixelStorei(GL_UNPACK_SKIP_ROWS, 0), glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
+    glPolygonStipple(no_pixel);
+}
+
+// Everything unusual at once. Each by itself would spoil the picture, or be lost.
+static void set_apart(const host *h) {
+    bind_everything(h);
+    enable_all(switches, COUNT(switches));
+    glCullFace(GL_FRONT_AND_BACK), glFrontFace(GL_CW), glDepthFunc(GL_NEVER), glDepthMask(GL_FALSE);
+    glClearDepthf(0.25f), glClearColor(0.1f, 0.2f, 0.3f, 0.4f), glStencilFunc(GL_NEVER, 1, 1);
+    glPolygonOffset(50.0f, 1e6f), glSampleCoverage(0.0f, GL_FALSE), glSampleMaski(0, 0), glLineWidth(1.0f);
+    set_buffers_apart();
+    set_viewports_apart();
+    set_pixels_apart();
+    if (is_es()) return;
+    enable_all(desktop_switches, COUNT(desktop_switches));
+    glLogicOp(GL_NOOP), glPrimitiveRestartIndex(0), glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
+    glClearDepth(0.1); // no float
+    glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+    glBindBuffer(GL_QUERY_BUFFER, h->buffers[0]);
+    if (is_compatibility()) {
+        set_fixed_functions_apart();
+    } else {
+        glPolygonMode(GL_FRONT_AND_BACK, GL_POINT);
+    }
+    glLineWidth(2.0f);
+}
+
+// Not this host's: back to what a context starts with.
+static void close_host(host *h) {
+    glDeleteTextures(3 * 25, h->textures);
+    glDeleteTextures(1, &h->color);
+    glDeleteSamplers(25, h->samplers);
+    glDeleteBuffers(6, h->buffers);
+    glDeleteVertexArrays(1, &h->vertex_array);
+    glDeleteFramebuffers(1, &h->framebuffer);
+    glUseProgram(0);
+    glDeleteProgram(h->program);
+}
+
+// ---- state ------------------------------------------------------------------------------------------------------------
+
+static void no_call_changes_any_state(void **state) {
+    (void)state;
+    static snapshot before;
+    static shot calm, wild;
+    host h;
+    rig r, second;
+    open_low(&r);
+    take_shot(&r, &calm);
+    open_host(&h);
+    set_apart(&h);
+    assert_true(watch_is_clean("the host itself"));
+    take(&before);
+    take_shot(&r, &wild);
+    assert_same(&before, "draw and read");
+    assert_memory_equal(&wild, &calm, sizeof wild);
+    r.frame.samples = 3;
+    bolan_renderer_draw(r.renderer, &r.frame);
+    assert_same(&before, "draw with 3 samples");
+    bolan_renderer_measure_passes(r.renderer, true);
+    bolan_renderer_draw(r.renderer, &r.frame);
+    bolan_renderer_measure_passes(r.renderer, false);
+    assert_same(&before, "draw with times");
+    assert_int_equal(bolan_renderer_reload(r.renderer), BOLAN_OK);
+    assert_same(&before, "reload");
+    bolan_renderer_yardstick(r.renderer, 16, 16, 1);
+    assert_same(&before, "yardstick");
+    bolan_target_show(r.target, h.framebuffer, 20, 30);
+    assert_same(&before, "show");
+    open_low(&second);
+    assert_same(&before, "create");
+    take_shot(&second, &wild);
+    assert_memory_equal(&wild, &calm, sizeof wild); // its textures and shaders were made amid all this
+    close_rig(&second);
+    assert_same(&before, "destroy");
+    close_rig(&r);
+    close_host(&h);
+}
+
+// Each technique has passes and textures of its own.
+static void no_technique_changes_any_state_or_leaves_an_error(void **state) {
+    (void)state;
+    static snapshot before;
+    uint32_t count = 0;
+    const bolan_technique *list = bolan_techniques(&count);
+    host h;
+    rig r;
+    open_low(&r);
+    open_host(&h);
+    set_apart(&h);
+    take(&before);
+    for (uint32_t i = 0; i < count; i++) {
+        bolan_scene_assets assets = {0};
+        bolan_sea_destroy(&r.sea);
+        bolan_scene_set_technique(&r.scene, &list[i]);
+        r.scene.sea.resolution = 64;
+        assert_int_equal(bolan_scene_create_sea(&r.scene, &assets, &r.sea), BOLAN_OK);
+        bolan_sea_step(r.sea, 1.0);
+        r.frame.sea = r.sea;
+        for (int show = 0; show < BOLAN_SHOWS; show++) {
+            r.scene.look.show = (bolan_show)show;
+            bolan_renderer_draw(r.renderer, &r.frame);
+            assert_same(&before, list[i].name);
+        }
+    }
+    close_rig(&r);
+    close_host(&h);
+}
+
+// ---- errors of the host -----------------------------------------------------------------------------------------------
+
+static void a_pending_error_stays_the_hosts(void **state) {
+    (void)state;
+    static shot s;
+    rig r, second;
+    open_low(&r);
+    glEnable(0xdead);
+    take_shot(&r, &s);
+    bolan_renderer_yardstick(r.renderer, 16, 16, 1);
+    assert_int_equal(bolan_renderer_reload(r.renderer), BOLAN_OK);
+    bolan_target_show(r.target, 9999, 16, 16);
+    open_low(&second);
+    close_rig(&second);
+    close_rig(&r);
+    (void)bolan_gl_get_info();
+    assert_int_equal(glGetError(), GL_INVALID_ENUM);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    assert_int_equal(watched.errors, 1); // the host's own
+    watched.errors = 0;
+}
+
+// ---- the debug callback -----------------------------------------------------------------------------------------------
+
+static int host_messages;
+static void APIENTRY count_message(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
+                                   const GLchar *message, const void *user) {
+    (void)source, (void)type, (void)id, (void)severity, (void)length, (void)message;
+    host_messages += user == &host_messages;
+}
+
+static int debug_sentences;
+static void note_debug(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
+    (void)user, (void)level, (void)sentence;
+    debug_sentences += id == BOLAN_LOG_GL_DEBUG;
+}
+
+static void say(void) {
+    static const char text[] = "hello";
+    glDebugMessageInsert(GL_DEBUG_SOURCE_APPLICATION, GL_DEBUG_TYPE_OTHER, 1, GL_DEBUG_SEVERITY_HIGH, -1, text);
+}
+
+// The layer itself, since a driver that is content says nothing.
+static void debug_messages_go_to_the_log_and_to_the_host(void **state) {
+    (void)state;
+    const gl_caps caps = gl_get_caps();
+    gl_saved saved;
+    bolan_set_hooks(&(bolan_hooks){.log = note_debug});
+    glEnable(GL_DEBUG_OUTPUT);
+    for (int with_host = 0; with_host < 2; with_host++)
+        for (int debug = 0; debug < 2; debug++) {
+            void *callback = NULL, *user = NULL;
+            glDebugMessageCallback(with_host ? count_message : NULL, with_host ? &host_messages : NULL);
+            host_messages = debug_sentences = 0;
+            gl_save(&saved, &caps, debug);
+            say();
+            assert_int_equal(host_messages, with_host);
+            assert_int_equal(debug_sentences, debug);
+            gl_restore(&saved);
+            glGetPointerv(GL_DEBUG_CALLBACK_FUNCTION, &callback);
+            glGetPointerv(GL_DEBUG_CALLBACK_USER_PARAM, &user);
+            assert_ptr_equal(user, with_host ? &host_messages : NULL);
+            assert_int_equal(callback != NULL, with_host);
+            say();
+            assert_int_equal(host_messages, 2 * with_host);
+            assert_int_equal(debug_sentences, debug);
+        }
+    glDisable(GL_DEBUG_OUTPUT); // what the host does not want it does not get
+    host_messages = debug_sentences = 0;
+    gl_save(&saved, &caps, true);
+    say();
+    gl_restore(&saved);
+    assert_int_equal(host_messages, 0);
+    assert_int_equal(debug_sentences, 1);
+    assert_int_equal(glIsEnabled(GL_DEBUG_OUTPUT), GL_FALSE);
+    bolan_set_hooks(NULL);
+    watch_begin();
+}
+
+static void a_renderer_with_debug_gives_the_callback_back(void **state) {
+    (void)state;
+    static snapshot before;
+    bolan_renderer_desc desc = low_quality();
+    rig r, second;
+    desc.debug = true;
+    take(&before);
+    open_rig(&r, &desc);
+    assert_same(&before, "create with debug");
+    open_rig(&second, &desc);
+    bolan_renderer_draw(r.renderer, &r.frame);
+    assert_same(&before, "draw with debug");
+    close_rig(&r);
+    bolan_renderer_draw(second.renderer, &second.frame);
+    close_rig(&second);
+    assert_same(&before, "destroy with debug");
+}
+
+// ---- queries of the host ------------------------------------------------------------------------------------------------
+
+static double sum_of_passes(const rig *r) {
+    const bolan_frame_statistics s = bolan_renderer_statistics(r->renderer);
+    double sum = 0.0;
+    for (uint32_t i = 0; i < s.pass_count; i++) {
+        assert_true(s.passes[i].ms >= 0.0);
+        sum += s.passes[i].ms;
+    }
+    return sum;
+}
+
+static void timers_leave_the_hosts_query_alone(void **state) {
+    (void)state;
+    bolan_renderer_desc desc = low_quality();
+    GLuint query = 0;
+    GLuint64 ns = 0;
+    GLint current = 0;
+    rig r;
+    desc.force_timers = true;
+    open_rig(&r, &desc);
+    bolan_renderer_measure_passes(r.renderer, true);
+    glGenQueries(1, &query);
+    for (int i = 0; i < 12; i++) {
+        glBeginQuery(GL_TIME_ELAPSED, query);
+        bolan_renderer_draw(r.renderer, &r.frame);
+        glGetQueryiv(GL_TIME_ELAPSED, GL_CURRENT_QUERY, &current);
+        assert_int_equal(current, query);
+        glEndQuery(GL_TIME_ELAPSED);
+        assert_true(watch_is_clean("a frame inside the host's query"));
+        glFinish();
+    }
+    glGetQueryObjectui64v(query, GL_QUERY_RESULT, &ns);
+    assert_true(ns > 0);
+    const double ms = sum_of_passes(&r);
+    assert_true(ms > 0.0 && ms < 1e5); // less than a minute and a half
+    bolan_renderer_measure_passes(r.renderer, false);
+    bolan_renderer_draw(r.renderer, &r.frame);
+    assert_true(sum_of_passes(&r) == 0.0);
+    glDeleteQueries(1, &query);
+    close_rig(&r);
+}
+
+static void times_come_without_timers_too(void **state) {
+    (void)state;
+    rig r;
+    open_low(&r);
+    bolan_renderer_draw(r.renderer, &r.frame);
+    assert_true(sum_of_passes(&r) == 0.0);
+    bolan_renderer_measure_passes(r.renderer, true);
+    bolan_renderer_draw(r.renderer, &r.frame);
+    assert_true(sum_of_passes(&r) > 0.0);
+    close_rig(&r);
+}
+
+static void transform_feedback_is_paused(void **state) {
+    (void)state;
+    static shot calm, amid;
+    host h;
+    rig r;
+    GLboolean active = GL_FALSE, paused = GL_TRUE;
+    GLfloat *written = NULL;
+    open_low(&r);
+    take_shot(&r, &calm);
+    open_host(&h);
+    glBindVertexArray(h.vertex_array);
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, h.buffers[0]);
+    glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 64, NULL, GL_STATIC_READ);
+    glUseProgram(h.program);
+    glBeginTransformFeedback(GL_POINTS);
+    glDrawArrays(GL_POINTS, 0, 1);
+    take_shot(&r, &amid);
+    glGetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &active);
+    glGetBooleanv(GL_TRANSFORM_FEEDBACK_PAUSED, &paused);
+    assert_true(active && !paused);
+    glDrawArrays(GL_POINTS, 0, 2);
+    glEndTransformFeedback();
+    assert_true(watch_is_clean("transform feedback"));
+    assert_memory_equal(&amid, &calm, sizeof amid);
+    written = glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 12, GL_MAP_READ_BIT);
+    for (int i = 0; i < 3; i++) assert_float_equal(written[i], 7.0f, 0.0f);
+    glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
+    close_host(&h);
+    close_rig(&r);
+}
+
+// ---- other contexts ------------------------------------------------------------------------------------------------------
+
+typedef struct plain_context {
+    EGLDisplay display;
+    EGLContext context;
+} plain_context;
+
+// As a host makes one that asks for nothing: the compatibility profile.
+static bool open_compatibility(plain_context *c) {
+    static const EGLint config[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    EGLConfig chosen = NULL;
+    EGLint count = 0;
+    c->display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+    if (c->display == EGL_NO_DISPLAY || !eglInitialize(c->display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API)) return false;
+    if (!eglChooseConfig(c->display, config, &chosen, 1, &count) || count == 0) return false;
+    c->context = eglCreateContext(c->display, chosen, EGL_NO_CONTEXT, NULL);
+    return c->context != EGL_NO_CONTEXT && eglMakeCurrent(c->display, EGL_NO_SURFACE, EGL_NO_SURFACE, c->context);
+}
+
+static void close_compatibility(plain_context *c) {
+    eglMakeCurrent(c->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(c->display, c->context);
+}
+
+static void the_compatibility_profile_is_a_host_too(void **state) {
+    (void)state;
+    plain_context c;
+    if (!open_compatibility(&c)) skip();
+    watch_begin();
+    if (!is_compatibility() || epoxy_gl_version() < 44) {
+        close_compatibility(&c);
+        skip();
+    }
+    no_call_changes_any_state(NULL);
+    close_compatibility(&c);
+}
+
+static int wrong_sentences, version_sentences;
+static void note_version(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
+    (void)user, (void)level;
+    version_sentences += id == BOLAN_LOG_GL_VERSION && strstr(sentence, "2.1") != NULL;
+    wrong_sentences += id != BOLAN_LOG_GL_VERSION;
+}
+
+// In a process of its own: the environment tells Mesa to be old. 0: refused as it should be; 77: no such context here.
+static int visit_old_context(void) {
+    plain_context c;
+    int something = 0;
+    bolan_renderer *renderer = (bolan_renderer *)(void *)&something;
+    bolan_target *target = (bolan_target *)(void *)&something;
+    const bolan_renderer_desc desc = low_quality();
+    if (!open_compatibility(&c) || epoxy_gl_version() != 21) return 77;
+    bolan_set_hooks(&(bolan_hooks){.log = note_version});
+    if (strncmp(bolan_gl_get_info().version, "2.1", 3) != 0) return 1;
+    if (bolan_renderer_create(&desc, &renderer) != BOLAN_ERROR_GL || renderer != NULL || version_sentences != 1) return 2;
+    if (bolan_target_create(8, 8, &target) != BOLAN_ERROR_GL || target != NULL || version_sentences != 2) return 3;
+    if (wrong_sentences != 0 || glGetError() != GL_NO_ERROR) return 4;
+    close_compatibility(&c);
+    return 0;
+}
+
+static void a_context_that_is_too_old_is_refused(void **state) {
+    (void)state;
+    const pid_t child = fork();
+    if (child == 0) {
+        setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
+        execl("/proc/self/exe", "test_guest", "old", (char *)NULL);
+        _exit(127);
+    }
+    int status = 0;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status));
+    if (WEXITSTATUS(status) == 77) skip();
+    assert_int_equal(WEXITSTATUS(status), 0);
+}
+
+int main(int argc, char **argv) {
+    if (argc == 2 && strcmp(argv[1], "old") == 0) return visit_old_context();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_context_that_is_too_old_is_refused),
+        cmocka_unit_test(the_compatibility_profile_is_a_host_too),
+        IN_BOTH_APIS(no_call_changes_any_state),
+        cmocka_unit_test_setup_teardown(no_technique_changes_any_state_or_leaves_an_error, gl_setup_core, gl_teardown),
+        IN_BOTH_APIS(a_pending_error_stays_the_hosts),
+        IN_BOTH_APIS(debug_messages_go_to_the_log_and_to_the_host),
+        cmocka_unit_test_setup_teardown(a_renderer_with_debug_gives_the_callback_back, gl_setup_core, gl_teardown),
+        cmocka_unit_test_setup_teardown(timers_leave_the_hosts_query_alone, gl_setup_core, gl_teardown),
+        cmocka_unit_test_setup_teardown(times_come_without_timers_too, gl_setup_core, gl_teardown),
+        IN_BOTH_APIS(transform_feedback_is_paused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
