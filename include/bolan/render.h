@@ -9,7 +9,8 @@
 /// - viewports, scissors and depth ranges of all viewports (arrays of them on desktop OpenGL);
 /// - blend switch, function and equation, and colour mask, of each draw buffer; logic op, dither, sRGB switch;
 /// - depth test, function, mask, clear value and clamp, clip control, clip distances, depth bounds test, stencil test;
-/// - cull face, front face, polygon mode (both of the compatibility profile's), offset, smoothing and stipple, line width;
+/// - cull face, front face, polygon mode (both of the compatibility profile's), offset, smoothing and stipple, line width,
+///   provoking vertex;
 /// - sample coverage, sample mask, sample shading, alpha to coverage and to one, alpha test, rasterizer discard,
 ///   primitive restart, clear colour, colour clamping, pixel store, pixel transfer;
 /// - transform feedback, which is paused meanwhile (OpenGL 3.3 without ARB_transform_feedback2 cannot pause it: end it first).

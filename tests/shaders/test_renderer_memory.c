@@ -106,7 +106,7 @@ static void a_renderer_without_memory_is_refused(void **state) {
 static void a_renderer_without_any_more_memory_is_refused(void **state) {
     (void)state;
     install();
-    sweep_creation(make_renderer, unmake_renderer, true, 7); // what follows a failure hardly varies
+    sweep_creation(make_renderer, unmake_renderer, true, 11); // what follows a failure hardly varies
     bolan_set_hooks(NULL);
 }
 
@@ -197,13 +197,13 @@ static void sweep_technique(const char *scene, const bolan_technique *technique,
 static void a_first_frame_without_memory_says_so(void **state) {
     (void)state;
     sweep_technique("open-sea", &bolan_technique_ocean, false, 1);
-    sweep_technique("open-sea", &bolan_technique_flight_sim, true, 3);
+    sweep_technique("open-sea", &bolan_technique_flight_sim, true, 4);
 }
 
 // Land, objects, tiles and mirrored pictures: the pool of land alone takes hundreds.
 static void a_first_frame_of_a_pond_without_memory_says_so(void **state) {
     (void)state;
-    sweep_technique("pond", &bolan_technique_two_triangle, false, 61);
+    sweep_technique("pond", &bolan_technique_two_triangle, false, 83);
     sweep_technique("pond", &bolan_technique_nested_grid, true, 97);
 }
 

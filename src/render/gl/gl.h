@@ -175,7 +175,7 @@ void gl_set_clip_zero_to_one(bool on); // only where caps.clip_control
 void gl_set_framebuffer_srgb(bool on); // desktop: let an sRGB framebuffer encode what is written; on ES it always does
 
 // The caller's state: see saved.c.
-enum { GL_SAVED_UNITS = 25, GL_SAVED_BUFFERS = 8, GL_SAVED_VIEWPORTS = 16, GL_SAVED_CLIPS = 8, GL_SAVED_SLOTS = 24 };
+enum { GL_SAVED_UNITS = 25, GL_SAVED_BUFFERS = 8, GL_SAVED_VIEWPORTS = 16, GL_SAVED_CLIPS = 8, GL_SAVED_SLOTS = 32 };
 typedef struct gl_saved {
     const gl_caps *caps;
     int32_t draw_framebuffer, read_framebuffer, program, vertex_array, array_buffer;
@@ -194,7 +194,7 @@ typedef struct gl_saved {
         double depth[2];
     } viewports[GL_SAVED_VIEWPORTS];
     bool toggles[GL_SAVED_SLOTS], clips[GL_SAVED_CLIPS], feedback;
-    int32_t cull_mode, front_face, depth_function, polygon_mode[2], clip_origin, clip_depth, clamp[3];
+    int32_t cull_mode, front_face, depth_function, polygon_mode[2], provoking, clip_origin, clip_depth, clamp[3];
     uint8_t depth_mask;
     double depth_clear;
     float color_clear[4], line_width, transfer[GL_SAVED_SLOTS];

@@ -42,6 +42,8 @@ static const struct {
     {GL_SAMPLE_COVERAGE, ANYWHERE},
     {GL_RASTERIZER_DISCARD, ANYWHERE},
     {GL_DITHER, ANYWHERE},
+    {GL_POLYGON_OFFSET_LINE, DESKTOP},
+    {GL_POLYGON_OFFSET_POINT, DESKTOP},
     {GL_PRIMITIVE_RESTART, DESKTOP},
     {GL_FRAMEBUFFER_SRGB, DESKTOP},
     {GL_DEPTH_CLAMP, DESKTOP},
@@ -270,7 +272,9 @@ static void save_rest(gl_saved *s) {
         glGetIntegerv(GL_CLIP_ORIGIN, &s->clip_origin);
         glGetIntegerv(GL_CLIP_DEPTH_MODE, &s->clip_depth);
     }
-    if (!s->caps->es) glGetIntegerv(GL_POLYGON_MODE, s->polygon_mode);
+    if (s->caps->es) return;
+    glGetIntegerv(GL_POLYGON_MODE, s->polygon_mode);
+    glGetIntegerv(GL_PROVOKING_VERTEX, &s->provoking);
 }
 
 // A program may be changed only while the caller's transform feedback rests.
@@ -305,7 +309,9 @@ static void set_defaults(const gl_caps *caps) {
     glDepthRangef(0.0f, 1.0f);
     glLineWidth(1.0f);
     if (caps->clip_control) set_clip(caps, GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-    if (!caps->es) glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    if (caps->es) return;
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
 }
 
 void gl_save(gl_saved *s, const gl_caps *caps, bool debug) {
@@ -411,8 +417,9 @@ static void restore_pixels(const gl_saved *s) {
     for (int i = 0; i < TRANSFER_COUNT && s->caps->compatibility; i++) glPixelTransferf(transfer[i].name, s->transfer[i]);
 }
 
-static void restore_polygon_mode(const gl_saved *s) {
+static void restore_polygons(const gl_saved *s) {
     if (s->caps->es) return;
+    glProvokingVertex((GLenum)s->provoking);
     if (s->caps->compatibility) {
         glPolygonMode(GL_FRONT, (GLenum)s->polygon_mode[0]);
         glPolygonMode(GL_BACK, (GLenum)s->polygon_mode[1]);
@@ -437,7 +444,7 @@ static void restore_rest(const gl_saved *s) {
     glClearColor(s->color_clear[0], s->color_clear[1], s->color_clear[2], s->color_clear[3]);
     glLineWidth(s->line_width);
     if (s->caps->clip_control) set_clip(s->caps, s->clip_origin, s->clip_depth);
-    restore_polygon_mode(s);
+    restore_polygons(s);
 }
 
 void gl_restore(const gl_saved *s) {
