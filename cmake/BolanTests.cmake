@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 # tests/<kind>/test_*.c: one cmocka program each, with the kind as its ctest label. Target bolan_tests_core: those of them
-# that need no GL, and the fuzzers (what the sanitizer builds run).
+# that need no GL, and the fuzzers. Target bolan_tests_gl: those that draw.
 
 pkg_check_modules(cmocka REQUIRED IMPORTED_TARGET cmocka)
 add_custom_target(bolan_tests_core)
+add_custom_target(bolan_tests_gl)
 set(test_folder ${PROJECT_SOURCE_DIR}/tests)
 
 function(bolan_add_test kind file)
@@ -48,7 +49,9 @@ foreach(kind unit physics determinism kernels shaders images)
         endif()
         if(TARGET bolan)
             bolan_add_test(${kind} ${file} ${libraries} bolan)
-            if(NOT kind MATCHES "shaders|images")
+            if(kind MATCHES "shaders|images")
+                add_dependencies(bolan_tests_gl ${name})
+            else()
                 add_dependencies(bolan_tests_core ${name})
             endif()
         endif()

@@ -38,10 +38,10 @@ void main() {
     float at = gl_FragCoord.x * places.x + places.y, left = floor(at);
     ivec2 from = ivec2(int(left), int(gl_FragCoord.y));
     vec4 light = mix(texelFetch(sparse_light, max(from, 0), 0), texelFetch(sparse_light, ivec2(min(from.x + 1, int(places.z)), from.y), 0), at - left);
-    // no sample covers this pixel: a wave's tip between two samples, or water between objects
-#ifdef KEPT // its depth keeps the sky pass out: fall back to skylight
+    // no sample covers this pixel: a wave's tip between two samples, water between objects, or the rim of the quad
+#if defined(KEPT) || defined(QUAD) // its depth keeps the sky pass out: fall back to skylight
     if (light.a < 0.05) light = vec4(sky_light.rgb * 0.31830989, 1.0);
-#elif !defined(QUAD)
+#else
     if (light.a < 0.05) discard;
 #endif
     color = vec4(light.rgb / max(light.a, 0.05), 1.0);

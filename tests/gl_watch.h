@@ -12,6 +12,7 @@
 #include <cmocka.h>
 #include <epoxy/gl.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 static struct {
     int errors;
@@ -24,6 +25,9 @@ static inline void APIENTRY watch_message(GLenum source, GLenum type, GLuint id,
     if (source != GL_DEBUG_SOURCE_API || type != GL_DEBUG_TYPE_ERROR) return; // a shader that does not compile is none
     if (watched.errors++ == 0) snprintf(watched.first, sizeof watched.first, "%s", message);
 }
+
+// Set where a test runs for the sanitizers' sake, which a few of its many cases serve as well.
+static inline bool test_is_short(void) { return getenv("BOLAN_TEST_SHORT") != NULL; }
 
 // From now on in the current context. Can be called again.
 static inline void watch_begin(void) {

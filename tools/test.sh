@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Every test: the release build, then the GL-free tests again under AddressSanitizer and UndefinedBehaviorSanitizer.
+# Every test: the release build, then those of the libraries again under AddressSanitizer and UndefinedBehaviorSanitizer.
 # Ends with the line "N passed, N failed, N skipped"; the exit status tells whether all that ran passed.
 set -eu
 cd "$(dirname "$0")/.."
@@ -46,6 +46,10 @@ build release all
 run build
 export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:allocator_may_return_null=1
 export UBSAN_OPTIONS=print_stacktrace=1
-build asan bolan_tests_core
+build asan bolan_tests_core bolan_tests_gl
 run build-asan -L '^(unit|physics|determinism|kernels|fuzz)$'
+# Those that draw: the image tests take their short form, and what the driver keeps is no leak of ours.
+LSAN_OPTIONS=suppressions=$PWD/tools/lsan.supp:print_suppressions=0 BOLAN_TEST_SHORT=1
+export LSAN_OPTIONS BOLAN_TEST_SHORT
+run build-asan -L '^(shaders|images)$'
 finish

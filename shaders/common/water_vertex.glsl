@@ -48,6 +48,7 @@ flat out vec4 quad_extinction;       // mean of the air's on the way here, a pol
 flat out vec3 quad_extinction1;
 flat out vec3 quad_extinction2;
 #endif
+invariant gl_Position; // several programs draw the same water over its own depth
 
 float water_depth(vec2 rest) {
 #ifdef LAND

@@ -27,6 +27,8 @@ static inline void picture_free(picture *p) {
     *p = (picture){0};
 }
 
+static const char *stage_shaders; // the folder that the renderers of stages take their shaders from; NULL: the built-in ones
+
 // Everything a scene needs to be drawn; the context must be current.
 typedef struct stage {
     bolan_scene scene;
@@ -42,6 +44,7 @@ static inline bool stage_open(stage *s, const bolan_scene *scene, bolan_quality 
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = quality;
     desc.no_clip_control = no_clip_control;
+    desc.shader_directory = stage_shaders;
     if (bolan_scene_assets_load(scene, &s->assets) != BOLAN_OK) return false;
     if (bolan_scene_create_sea(scene, &s->assets, &s->sea) != BOLAN_OK) return false;
     bolan_sea_settle(s->sea, scene->time);

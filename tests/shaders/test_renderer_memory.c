@@ -76,6 +76,7 @@ static void unmake_target(void **out) { bolan_target_destroy((bolan_target **)ou
 static void sweep_creation(bolan_result (*make)(void **), void (*unmake)(void **), bool on, long step) {
     static int something;
     const long before = world.bytes;
+    if (test_is_short()) step *= 9;
     for (long n = 0;; n += step) {
         void *made = &something;
         fail_at(n, on);
@@ -159,6 +160,7 @@ static void close_rig(rig *r) {
 static long sweep_frame(rig *r, bool on, long step) {
     static float linear[WIDTH * HEIGHT * 3], distance[WIDTH * HEIGHT];
     const long before = world.bytes;
+    if (test_is_short()) step *= 3;
     for (long n = 0;; n += step) {
         void *renderer = NULL;
         succeed();
