@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// An eye on the driver: an error that it reports to the debug callback, or that glGetError() has at the end, fails the test.
+// An eye on the driver: an error that it reports to the debug callback, or that glGetError() has at the end, fails the
+// test.
 #ifndef BOLAN_TESTS_GL_WATCH_H
 #define BOLAN_TESTS_GL_WATCH_H
 
+#include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <setjmp.h>
 
 #include <cmocka.h>
 #include <epoxy/gl.h>

@@ -1,33 +1,36 @@
 // SPDX-License-Identifier: MIT
 /// @file render.h
-/// Tier 4, library bolan_render. Draws a scene with OpenGL 3.3 core or OpenGL ES 3.0 in the caller's context, or in a headless
-/// one made here.
+/// Tier 4, library bolan_render. Draws a scene with OpenGL 3.3 core or OpenGL ES 3.0 in the caller's
+/// context, or in a headless one made here.
 ///
-/// **A guest in your frame.** Each function here that touches your context leaves this state as it found it, whatever it was:
-/// - framebuffer bindings, program, vertex array, buffers bound for vertices, uniforms, pixels and queries, uniform slot 0;
+/// **A guest in your frame.** Each function here that touches your context leaves this state as it found it, whatever
+/// it was:
+/// - framebuffer bindings, program, vertex array, buffers bound for vertices, uniforms, pixels and queries, uniform
+///   slot 0;
 /// - the active texture unit, and textures (2D, 3D, 2D array) and samplers of units 0 to 24;
 /// - viewports, scissors and depth ranges of all viewports (arrays of them on desktop OpenGL);
 /// - blend switch, function and equation, and colour mask, of each draw buffer; logic op, dither, sRGB switch;
 /// - depth test, function, mask, clear value and clamp, clip control, clip distances, depth bounds test, stencil test;
-/// - cull face, front face, polygon mode (both of the compatibility profile's), offset, smoothing and stipple, line width,
-///   provoking vertex;
+/// - cull face, front face, polygon mode (both of the compatibility profile's), offset, smoothing and stipple, line
+///   width, provoking vertex;
 /// - sample coverage, sample mask, sample shading, alpha to coverage and to one, alpha test, rasterizer discard,
 ///   primitive restart, clear colour, colour clamping, pixel store, pixel transfer;
-/// - transform feedback, which is paused meanwhile (OpenGL 3.3 without ARB_transform_feedback2 cannot pause it: end it first).
+/// - transform feedback, which is paused meanwhile (OpenGL 3.3 without ARB_transform_feedback2 cannot pause it: end it
+///   first).
 ///
-/// It asks for no error flag: an error of yours that is pending stays for you to find. What it refuses it logs, and leaves no
-/// error behind, unless the driver itself runs out of memory.
+/// It asks for no error flag: an error of yours that is pending stays for you to find. What it refuses it logs, and
+/// leaves no error behind, unless the driver itself runs out of memory.
 ///
 /// A query of yours that is open goes on and counts what is drawn here. Between glBeginConditionalRender() and
 /// glEndConditionalRender() nothing here may be called: OpenGL does not tell whether it would draw. A program that you
 /// deleted while it is in use is lost.
 ///
-/// **What a frame does to your framebuffer.** It overwrites the lower left width x height pixels of its first draw buffer with the
-/// whole picture: sky, land, objects and water, tone-mapped, alpha 1. It neither reads nor writes your depth and stencil. It
-/// cannot be drawn into another corner.
+/// **What a frame does to your framebuffer.** It overwrites the lower left width x height pixels of its first draw
+/// buffer with the whole picture: sky, land, objects and water, tone-mapped, alpha 1. It neither reads nor writes your
+/// depth and stencil. It cannot be drawn into another corner.
 ///
-/// All calls of one renderer must be made on the thread where its context is current. The calls of a frame (draw, read, show)
-/// return nothing: what they refuse they leave undone, and log it once, not in each frame.
+/// All calls of one renderer must be made on the thread where its context is current. The calls of a frame (draw, read,
+/// show) return nothing: what they refuse they leave undone, and log it once, not in each frame.
 #ifndef BOLAN_RENDER_H
 #define BOLAN_RENDER_H
 
@@ -66,27 +69,27 @@ typedef struct bolan_renderer bolan_renderer;
 /// How a renderer is made.
 typedef struct bolan_renderer_desc {
     bolan_quality quality; ///< default MEDIUM
-    /// Most vertices of the water on BOLAN_SURFACE_PROJECTED, 1024..1000000, whatever the quality and the picture's size;
-    /// 0 (default): as the quality has it. Raised: smaller triangles, down to what the quality asks for
+    /// Most vertices of the water on BOLAN_SURFACE_PROJECTED, 1024..1000000, whatever the quality and the picture's
+    /// size; 0 (default): as the quality has it. Raised: smaller triangles, down to what the quality asks for
     uint32_t max_vertices;
-    /// NULL (default): built-in shaders. Else shaders are read from there, and again by bolan_renderer_reload(). Copied; at most
-    /// 1023 characters.
+    /// NULL (default): built-in shaders. Else shaders are read from there, and again by bolan_renderer_reload().
+    /// Copied; at most 1023 characters.
     const char *shader_directory;
     bool no_clip_control; ///< true: take the fallback path even where clip control exists (tests)
     bool force_timers;    ///< true: use GPU timers even on software OpenGL, where their times mean little (tests)
-    /// true: log the driver's debug messages while a call of this renderer runs. Your own callback gets them too, and is the
-    /// only one again afterwards. False (default): debug output is left alone.
+    /// true: log the driver's debug messages while a call of this renderer runs. Your own callback gets them too, and
+    /// is the only one again afterwards. False (default): debug output is left alone.
     bool debug;
 } bolan_renderer_desc;
 
 /// The defaults named beside the fields.
 bolan_renderer_desc bolan_renderer_desc_default(void);
-/// Needs a current context. Errors: GL (no context, one older than OpenGL 3.3 or OpenGL ES 3.0, a shader that does not compile),
-/// ARGUMENT (a field out of range: the log names it), UNSUPPORTED (OpenGL ES without float targets), MEMORY. *out is NULL
-/// after an error.
+/// Needs a current context. Errors: GL (no context, one older than OpenGL 3.3 or OpenGL ES 3.0, a shader that does not
+/// compile), ARGUMENT (a field out of range: the log names it), UNSUPPORTED (OpenGL ES without float targets), MEMORY.
+/// *out is NULL after an error.
 bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out);
-/// NULL-safe; NULLs. The context must be current. Without any, the log says so and only the memory of the processor is released:
-/// that of the GPU goes with its context.
+/// NULL-safe; NULLs. The context must be current. Without any, the log says so and only the memory of the processor is
+/// released: that of the GPU goes with its context.
 void bolan_renderer_destroy(bolan_renderer **renderer);
 /// Compiles the shaders again from shader_directory; on an error the old ones stay and GL is returned.
 bolan_result bolan_renderer_reload(bolan_renderer *renderer);
@@ -99,10 +102,10 @@ typedef struct bolan_frame_desc {
     const bolan_tiles *tiles;     ///< for the mirror optics and a sea of textures; NULL: it bakes its own of the sea
     const bolan_model *const *models; ///< one for each object of the scene, or NULL: no object is drawn
     bool without_water;               ///< true: all but the water, to see what that costs
-    uint32_t framebuffer;             ///< GL name; 0 (default) is the window. Complete, with a colour buffer of no integers
-    uint32_t width, height;           ///< of the framebuffer [px], 1..16384; default 1280 x 720
-    uint32_t samples;                 ///< supersampling: pictures with shifted pixels that are averaged, 1..256; default 1
-    bool srgb_framebuffer;            ///< true: the framebuffer encodes sRGB itself
+    uint32_t framebuffer;   ///< GL name; 0 (default) is the window. Complete, with a colour buffer of no integers
+    uint32_t width, height; ///< of the framebuffer [px], 1..16384; default 1280 x 720
+    uint32_t samples;       ///< supersampling: pictures with shifted pixels that are averaged, 1..256; default 1
+    bool srgb_framebuffer;  ///< true: the framebuffer encodes sRGB itself
     /// false (default): the picture is a function of this desc alone, whatever the renderer drew before.
     /// true: new clouds and new ground are made over several frames, so that a moving eye never waits; until they are
     /// done the old ones are shown. For windows.
@@ -110,39 +113,40 @@ typedef struct bolan_frame_desc {
 } bolan_frame_desc;
 /// One sample, everything else 0 or NULL: set scene, sea, width and height.
 bolan_frame_desc bolan_frame_desc_default(void);
-/// Draws one picture. A field out of range, a technique whose wave model is not the sea's, a framebuffer that is none or not
-/// complete, or no current context: nothing is drawn and the log says why, once. An eye below the water or within 0.3 m of it is lifted to 0.3 m above, unless the technique's optics is
-/// BOLAN_OPTICS_MIRROR, which has views from below. After the first frames nothing is allocated unless the size, the terrain or the sea changes.
+/// Draws one picture. A field out of range, a technique whose wave model is not the sea's, a framebuffer that is none
+/// or not complete, or no current context: nothing is drawn and the log says why, once. An eye below the water or
+/// within 0.3 m of it is lifted to 0.3 m above, unless the technique's optics is BOLAN_OPTICS_MIRROR, which has views
+/// from below. After the first frames nothing is allocated unless the size, the terrain or the sea changes.
 void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame);
 
-/// Radiance and distance of the last picture. @p rgb: linear radiance before the tone map, relative to a sun irradiance of 1 in
-/// space at normal incidence; the mean over the picture's samples. @p distance: from the eye along the view axis, at the
-/// middle of the pixel [m]; infinity is the sky. Row 0 at the top. Each pointer may be NULL; the buffers hold
-/// width * height * 3 and width * height floats. Before the first picture, or without a
-/// context, they are left alone (logged once). Memory is allocated only when the picture has grown since the last reading.
+/// Radiance and distance of the last picture. @p rgb: linear radiance before the tone map, relative to a sun irradiance
+/// of 1 in space at normal incidence; the mean over the picture's samples. @p distance: from the eye along the view
+/// axis, at the middle of the pixel [m]; infinity is the sky. Row 0 at the top. Each pointer may be NULL; the buffers
+/// hold width * height * 3 and width * height floats. Before the first picture, or without a context, they are left
+/// alone (logged once). Memory is allocated only when the picture has grown since the last reading.
 void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, float *distance);
-/// The 8-bit picture of @p framebuffer, row 0 at the top: width * height * 3 bytes. It must be complete, with one sample a pixel
-/// and colours that can be read as bytes; else @p rgb is left alone (logged once).
+/// The 8-bit picture of @p framebuffer, row 0 at the top: width * height * 3 bytes. It must be complete, with one
+/// sample a pixel and colours that can be read as bytes; else @p rgb is left alone (logged once).
 void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, uint32_t width, uint32_t height,
                               uint8_t *rgb);
 
 /// An off-screen colour target of 8-bit sRGB values for callers without one.
 typedef struct bolan_target bolan_target;
-/// Makes a target of @p width x @p height pixels, 1..16384 each, in the current context. Errors: ARGUMENT (another size), GL (as
-/// for a renderer), MEMORY. *out is NULL after an error.
+/// Makes a target of @p width x @p height pixels, 1..16384 each, in the current context. Errors: ARGUMENT (another
+/// size), GL (as for a renderer), MEMORY. *out is NULL after an error.
 bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out);
 /// Its GL framebuffer name, for bolan_frame_desc::framebuffer.
 uint32_t bolan_target_framebuffer(const bolan_target *target);
-/// Copies the picture into the whole of @p framebuffer (GL name; 0 is the window), which is @p width x @p height pixels,
-/// scaled with bilinear filtering where the sizes differ. A framebuffer that cannot be drawn into, or a size that is not 1..16384
-/// each way: nothing is copied (logged once).
+/// Copies the picture into the whole of @p framebuffer (GL name; 0 is the window), which is @p width x @p height
+/// pixels, scaled with bilinear filtering where the sizes differ. A framebuffer that cannot be drawn into, or a size
+/// that is not 1..16384 each way: nothing is copied (logged once).
 void bolan_target_show(bolan_target *target, uint32_t framebuffer, uint32_t width, uint32_t height);
 /// NULL-safe; NULLs. The context must be current; see bolan_renderer_destroy().
 void bolan_target_destroy(bolan_target **target);
 
 #define BOLAN_MAX_PASSES 16 ///< of a frame
-/// Time of each pass of the last finished frame [ms], while @ref bolan_renderer_measure_passes is on; else 0. With several samples,
-/// of one of them.
+/// Time of each pass of the last finished frame [ms], while @ref bolan_renderer_measure_passes is on; else 0. With
+/// several samples, of one of them.
 typedef struct bolan_frame_statistics {
     uint32_t pass_count;
     struct {
@@ -152,12 +156,14 @@ typedef struct bolan_frame_statistics {
     uint32_t triangles; ///< all that were submitted
     uint32_t water_triangles;
 } bolan_frame_statistics;
-/// Measures the time of each pass; default off. By GPU timestamps, which disturb no query of yours, are some frames old when they
-/// come, and are never waited for; without them (software OpenGL, OpenGL ES) by glFinish() after each pass, which slows the frame.
+/// Measures the time of each pass; default off. By GPU timestamps, which disturb no query of yours, are some frames old
+/// when they come, and are never waited for; without them (software OpenGL, OpenGL ES) by glFinish() after each pass,
+/// which slows the frame.
 void bolan_renderer_measure_passes(bolan_renderer *renderer, bool on);
 /// Of the last finished frame.
 bolan_frame_statistics bolan_renderer_statistics(const bolan_renderer *renderer);
-/// The yardstick of the benchmarks: a full-screen pass of 6 bilinear RGBA16F look-ups at this size, mean of @p repeats [ms].
+/// The yardstick of the benchmarks: a full-screen pass of 6 bilinear RGBA16F look-ups at this size, mean of @p repeats
+/// [ms].
 double bolan_renderer_yardstick(bolan_renderer *renderer, uint32_t width, uint32_t height, uint32_t repeats);
 
 #ifdef __cplusplus

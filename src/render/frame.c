@@ -71,8 +71,8 @@ static void fill_surf(frame *f, const bolan_sea_summary *sea) {
 static void fill_streaks(frame *f, double wind_to) {
     const double c = cos(wind_to), s = sin(wind_to);
     f->uniforms.streaks = (bolan_vec4){reduced((c * f->eye.y - s * f->eye.x) * STREAK_ACROSS, 1.0),
-                                       reduced((c * f->eye.x + s * f->eye.y) * STREAK_ALONG, 1.0),
-                                       (float)STREAK_ACROSS, (float)STREAK_ALONG};
+                                       reduced((c * f->eye.x + s * f->eye.y) * STREAK_ALONG, 1.0), (float)STREAK_ACROSS,
+                                       (float)STREAK_ALONG};
 }
 
 #define LEAST_DEPTH 0.12 // [m] of an eye under water, for the near plane's sake

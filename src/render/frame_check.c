@@ -8,8 +8,8 @@ static bool check_numbers(bolan_renderer *r, const bolan_frame_desc *d) {
                                "draw: the frame is %u x %u pixels; expected 1 to %d each way", d->width, d->height,
                                MOST_PIXELS);
     if (d->samples < 1 || d->samples > MOST_SAMPLES)
-        return renderer_refuse(r, CALL_DRAW, BOLAN_LOG_OUT_OF_RANGE,
-                               "draw: the frame has %u samples; expected 1 to %d", d->samples, MOST_SAMPLES);
+        return renderer_refuse(r, CALL_DRAW, BOLAN_LOG_OUT_OF_RANGE, "draw: the frame has %u samples; expected 1 to %d",
+                               d->samples, MOST_SAMPLES);
     return true;
 }
 
@@ -34,8 +34,7 @@ static bool check_technique(bolan_renderer *r, const bolan_frame_desc *d) {
 
 bool frame_is_valid(bolan_renderer *r, const bolan_frame_desc *d) {
     if (!gl_has_context())
-        return renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GL_CONTEXT,
-                               "draw: no OpenGL context is current on this thread");
+        return renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GL_CONTEXT, "draw: no OpenGL context is current on this thread");
     return check_numbers(r, d) && check_technique(r, d);
 }
 

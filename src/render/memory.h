@@ -8,8 +8,7 @@
 // bolan_allocate(); `what` ends the sentence "no memory for ...".
 static inline void *allocate_for(const char *what, size_t size) {
     void *memory = bolan_allocate(size);
-    if (memory == NULL)
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for %s (%zu bytes)", what, size);
+    if (memory == NULL) bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for %s (%zu bytes)", what, size);
     return memory;
 }
 

@@ -4,8 +4,8 @@
 // once (water_crest.glsl).
 #include "foam_ramps.h"
 #include "foam_statistics.h"
-#include "water_optics.h"
 #include "memory.h"
+#include "water_optics.h"
 
 #include <math.h>
 #include <stdio.h>

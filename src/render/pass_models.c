@@ -3,8 +3,8 @@
 #include "frame.h"
 
 #include "bolan/query.h"
-#include "scene/model.h"
 #include "memory.h"
+#include "scene/model.h"
 
 #include <stdio.h>
 #include <stdlib.h>

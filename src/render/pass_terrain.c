@@ -3,11 +3,11 @@
 // maps on the GPU, draws them, and fills the shore map (terrain_shore.c). Shader: shaders/terrain.glsl.
 #include "frame.h"
 
+#include "memory.h"
 #include "sky_lattice.h"
 #include "terrain_shore.h"
 #include "terrain_texture.h"
 #include "terrain_tree.h"
-#include "memory.h"
 
 // Chunks with smaller texels [m] show the grain of 16 m period.
 #define FINEST_GRAIN 0.8

@@ -15,7 +15,8 @@ struct pass_tonemap {
     // bits cannot be blended everywhere.
     gl_texture sum[2], radiance_sum[2];
     gl_target sum_target[2];
-    uint32_t summed, latest; // samples in the sums of the last picture (0: one sample, no sums), the pair that holds them
+    uint32_t summed,
+        latest; // samples in the sums of the last picture (0: one sample, no sums), the pair that holds them
     gl_texture glow;
     gl_target glow_target;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The water: the sea's waves on the GPU (water_fields.c), the surface of this view (water_mesh.c), and the optics that the scene's
 // technique names (water_optics.h).
-#include "water_sparse.h"
 #include "memory.h"
+#include "water_sparse.h"
 
 #include <string.h>
 

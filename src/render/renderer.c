@@ -55,8 +55,8 @@ bool renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, con
 void renderer_accept(bolan_renderer *r, renderer_call call) { r->refusal[call][0] = '\0'; }
 
 static bool has_context(bolan_renderer *r, renderer_call call, const char *name) {
-    return gl_has_context() || renderer_refuse(r, call, BOLAN_LOG_GL_CONTEXT,
-                                               "%s: no OpenGL context is current on this thread", name);
+    return gl_has_context() ||
+           renderer_refuse(r, call, BOLAN_LOG_GL_CONTEXT, "%s: no OpenGL context is current on this thread", name);
 }
 
 // ---- life -----------------------------------------------------------------------------------------------------------
@@ -386,16 +386,18 @@ void bolan_target_show(bolan_target *t, uint32_t framebuffer, uint32_t width, ui
     else
         problem = show(t, framebuffer, width, height);
     if (problem != NULL && problem != t->refusal)
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET, "target: framebuffer %u to show it in %s", framebuffer, problem);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET, "target: framebuffer %u to show it in %s", framebuffer,
+                  problem);
     t->refusal = problem;
 }
 
 void bolan_target_destroy(bolan_target **target) {
     if (target == NULL || *target == NULL) return;
     if (!gl_has_context())
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT,
-                  "target: destroyed while no OpenGL context is current; what it has on the GPU stays until its context "
-                  "is gone");
+        bolan_log(
+            BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT,
+            "target: destroyed while no OpenGL context is current; what it has on the GPU stays until its context "
+            "is gone");
     gl_target_free(&(*target)->target);
     gl_texture_free(&(*target)->color);
     bolan_release(*target, sizeof **target);

@@ -29,8 +29,8 @@ enum { MOST_PIXELS = 16384, MOST_SAMPLES = 256 }; // of a picture each way; of a
 struct bolan_renderer {
     bolan_renderer_desc desc;
     gl_caps caps;
-    gl_saved saved;                         // the caller's state, while a call runs
-    char shader_directory[DIRECTORY_BYTES]; // "": the built-in shaders
+    gl_saved saved;                          // the caller's state, while a call runs
+    char shader_directory[DIRECTORY_BYTES];  // "": the built-in shaders
     char refusal[CALL_COUNT][REFUSAL_BYTES]; // the last sentence of each call, "" after one that was done
     pass_sky *sky;
     pass_terrain *terrain;
@@ -71,8 +71,8 @@ bool renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, con
 // The next refusal of this call is a new one.
 void renderer_accept(bolan_renderer *r, renderer_call call);
 
-// Whether this frame can be drawn; if not, the log says why. The second asks about the framebuffer, and binds it: between
-// renderer_enter() and renderer_leave() only.
+// Whether this frame can be drawn; if not, the log says why. The second asks about the framebuffer, and binds it:
+// between renderer_enter() and renderer_leave() only.
 bool frame_is_valid(bolan_renderer *r, const bolan_frame_desc *d);
 bool frame_has_framebuffer(bolan_renderer *r, const bolan_frame_desc *d);
 

@@ -2,8 +2,8 @@
 // See water_fields.h.
 #include "water_fields.h"
 
-#include "water_texels.h"
 #include "memory.h"
+#include "water_texels.h"
 
 #include <math.h>
 #include <string.h>

@@ -27,7 +27,8 @@ static inline void picture_free(picture *p) {
     *p = (picture){0};
 }
 
-static const char *stage_shaders; // the folder that the renderers of stages take their shaders from; NULL: the built-in ones
+static const char
+    *stage_shaders; // the folder that the renderers of stages take their shaders from; NULL: the built-in ones
 
 // Everything a scene needs to be drawn; the context must be current.
 typedef struct stage {

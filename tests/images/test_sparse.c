@@ -120,10 +120,11 @@ static void sparse_water_is_like_dense_water(void **state) {
 // A copy of the shaders in which the vertices of shaders/<stem>.glsl are moved by `change`.
 static void perturb(const char *folder, const char *stem, const char *change) {
     char command[1024];
-    snprintf(command, sizeof command,
-             "rm -rf %s && cp -r %s/shaders %s && sed -i '/^#ifdef VERTEX/,/^#endif/ s/water_vertex();/water_vertex(); %s/' "
-             "%s/%s.glsl && grep -qF 'water_vertex(); %.20s' %s/%s.glsl",
-             folder, BOLAN_SOURCE_DIR, folder, change, folder, stem, change, folder, stem);
+    snprintf(
+        command, sizeof command,
+        "rm -rf %s && cp -r %s/shaders %s && sed -i '/^#ifdef VERTEX/,/^#endif/ s/water_vertex();/water_vertex(); %s/' "
+        "%s/%s.glsl && grep -qF 'water_vertex(); %.20s' %s/%s.glsl",
+        folder, BOLAN_SOURCE_DIR, folder, change, folder, stem, change, folder, stem);
     assert_int_equal(system(command), 0);
 }
 
@@ -188,8 +189,8 @@ static void a_pixel_without_samples_is_lit(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rounding_of_depth_changes_nothing), cmocka_unit_test(a_pixel_without_samples_is_lit),
-        cmocka_unit_test(sparse_water_is_like_dense_water)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rounding_of_depth_changes_nothing),
+                                       cmocka_unit_test(a_pixel_without_samples_is_lit),
+                                       cmocka_unit_test(sparse_water_is_like_dense_water)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -270,7 +270,8 @@ static void the_light_on_the_sea_is_the_integral_of_the_sky(void **state) {
         float got[QUESTIONS][4];
         for (int i = 0; i < RINGS; i++) {
             const double elevation = (i + 0.5) * 0.5 * BOLAN_PI / RINGS;
-            const double weight = sin(elevation) * cos(elevation) * (0.5 * BOLAN_PI / RINGS) * (2.0 * BOLAN_PI / SECTORS);
+            const double weight =
+                sin(elevation) * cos(elevation) * (0.5 * BOLAN_PI / RINGS) * (2.0 * BOLAN_PI / SECTORS);
             for (int j = 0; j < SECTORS; j++) {
                 const double azimuth = 2.0 * BOLAN_PI * (j + 0.5) / SECTORS;
                 probe_ask(&p, cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation), 0.0, got);

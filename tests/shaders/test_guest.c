@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The renderer as a guest: whatever state the host has set, the picture is the same, and each call leaves all of it as it was.
+// The renderer as a guest: whatever state the host has set, the picture is the same, and each call leaves all of it as
+// it was.
 #include "gl_support.h"
 
 #include "bolan/io.h"
@@ -103,17 +104,18 @@ static bool is_compatibility(void) {
 }
 
 static const named switches[] = {
-    NAMED(GL_DEPTH_TEST),          NAMED(GL_CULL_FACE),
-    NAMED(GL_STENCIL_TEST),        NAMED(GL_POLYGON_OFFSET_FILL),
-    NAMED(GL_DITHER),              NAMED(GL_SAMPLE_ALPHA_TO_COVERAGE),
-    NAMED(GL_SAMPLE_COVERAGE),     NAMED(GL_RASTERIZER_DISCARD),
-    NAMED(GL_SAMPLE_MASK),         NAMED(GL_PRIMITIVE_RESTART_FIXED_INDEX),
-    NAMED(GL_DEBUG_OUTPUT),        NAMED(GL_DEBUG_OUTPUT_SYNCHRONOUS),
+    NAMED(GL_DEPTH_TEST),      NAMED(GL_CULL_FACE),
+    NAMED(GL_STENCIL_TEST),    NAMED(GL_POLYGON_OFFSET_FILL),
+    NAMED(GL_DITHER),          NAMED(GL_SAMPLE_ALPHA_TO_COVERAGE),
+    NAMED(GL_SAMPLE_COVERAGE), NAMED(GL_RASTERIZER_DISCARD),
+    NAMED(GL_SAMPLE_MASK),     NAMED(GL_PRIMITIVE_RESTART_FIXED_INDEX),
+    NAMED(GL_DEBUG_OUTPUT),    NAMED(GL_DEBUG_OUTPUT_SYNCHRONOUS),
 };
 static const named desktop_switches[] = {
-    NAMED(GL_PRIMITIVE_RESTART), NAMED(GL_FRAMEBUFFER_SRGB), NAMED(GL_DEPTH_CLAMP),     NAMED(GL_COLOR_LOGIC_OP),
-    NAMED(GL_LINE_SMOOTH),       NAMED(GL_POLYGON_SMOOTH),   NAMED(GL_PROGRAM_POINT_SIZE), NAMED(GL_SAMPLE_ALPHA_TO_ONE),
-    NAMED(GL_SAMPLE_SHADING),    NAMED(GL_CLIP_DISTANCE0),   NAMED(GL_CLIP_DISTANCE3),  NAMED(GL_CLIP_DISTANCE7),
+    NAMED(GL_PRIMITIVE_RESTART),   NAMED(GL_FRAMEBUFFER_SRGB),     NAMED(GL_DEPTH_CLAMP),
+    NAMED(GL_COLOR_LOGIC_OP),      NAMED(GL_LINE_SMOOTH),          NAMED(GL_POLYGON_SMOOTH),
+    NAMED(GL_PROGRAM_POINT_SIZE),  NAMED(GL_SAMPLE_ALPHA_TO_ONE),  NAMED(GL_SAMPLE_SHADING),
+    NAMED(GL_CLIP_DISTANCE0),      NAMED(GL_CLIP_DISTANCE3),       NAMED(GL_CLIP_DISTANCE7),
     NAMED(GL_POLYGON_OFFSET_LINE), NAMED(GL_POLYGON_OFFSET_POINT),
 };
 static const named compatibility_switches[] = {NAMED(GL_ALPHA_TEST), NAMED(GL_POLYGON_STIPPLE), NAMED(GL_LINE_STIPPLE)};
@@ -122,35 +124,76 @@ static const struct {
     const char *name;
     GLenum value;
     int parts;
-} numbers[] = {
+} numbers[] =
+    {
 #define NUMBER(x, parts) \
     { #x, x, parts }
-    NUMBER(GL_DRAW_FRAMEBUFFER_BINDING, 1), NUMBER(GL_READ_FRAMEBUFFER_BINDING, 1), NUMBER(GL_CURRENT_PROGRAM, 1),
-    NUMBER(GL_VERTEX_ARRAY_BINDING, 1),     NUMBER(GL_ARRAY_BUFFER_BINDING, 1),     NUMBER(GL_UNIFORM_BUFFER_BINDING, 1),
-    NUMBER(GL_ELEMENT_ARRAY_BUFFER_BINDING, 1), NUMBER(GL_PIXEL_PACK_BUFFER_BINDING, 1),
-    NUMBER(GL_PIXEL_UNPACK_BUFFER_BINDING, 1),  NUMBER(GL_RENDERBUFFER_BINDING, 1), NUMBER(GL_ACTIVE_TEXTURE, 1),
-    NUMBER(GL_CULL_FACE_MODE, 1),           NUMBER(GL_FRONT_FACE, 1),               NUMBER(GL_DEPTH_FUNC, 1),
-    NUMBER(GL_DEPTH_WRITEMASK, 1),          NUMBER(GL_DEPTH_CLEAR_VALUE, 1),        NUMBER(GL_COLOR_CLEAR_VALUE, 4),
-    NUMBER(GL_DEPTH_RANGE, 2),              NUMBER(GL_LINE_WIDTH, 1),               NUMBER(GL_POLYGON_OFFSET_FACTOR, 1),
-    NUMBER(GL_POLYGON_OFFSET_UNITS, 1),     NUMBER(GL_SAMPLE_COVERAGE_VALUE, 1),    NUMBER(GL_STENCIL_FUNC, 1),
-    NUMBER(GL_STENCIL_WRITEMASK, 1),        NUMBER(GL_STENCIL_CLEAR_VALUE, 1),      NUMBER(GL_VIEWPORT, 4),
-    NUMBER(GL_SCISSOR_BOX, 4),              NUMBER(GL_BLEND_COLOR, 4),              NUMBER(GL_UNPACK_ALIGNMENT, 1),
-    NUMBER(GL_UNPACK_ROW_LENGTH, 1),        NUMBER(GL_UNPACK_SKIP_ROWS, 1),         NUMBER(GL_UNPACK_SKIP_PIXELS, 1),
-    NUMBER(GL_UNPACK_SKIP_IMAGES, 1),       NUMBER(GL_UNPACK_IMAGE_HEIGHT, 1),      NUMBER(GL_PACK_ALIGNMENT, 1),
-    NUMBER(GL_PACK_ROW_LENGTH, 1),          NUMBER(GL_PACK_SKIP_ROWS, 1),           NUMBER(GL_PACK_SKIP_PIXELS, 1),
-    NUMBER(GL_TRANSFORM_FEEDBACK_ACTIVE, 1), NUMBER(GL_TRANSFORM_FEEDBACK_PAUSED, 1),
-    NUMBER(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, 1),
-}, desktop_numbers[] = {
-    NUMBER(GL_CLIP_ORIGIN, 1),       NUMBER(GL_CLIP_DEPTH_MODE, 1),      NUMBER(GL_POLYGON_MODE, 2),
-    NUMBER(GL_CLAMP_READ_COLOR, 1),  NUMBER(GL_LOGIC_OP_MODE, 1),        NUMBER(GL_UNPACK_SWAP_BYTES, 1),
-    NUMBER(GL_UNPACK_LSB_FIRST, 1),  NUMBER(GL_PACK_SWAP_BYTES, 1),      NUMBER(GL_PACK_LSB_FIRST, 1),
-    NUMBER(GL_PACK_IMAGE_HEIGHT, 1), NUMBER(GL_PACK_SKIP_IMAGES, 1),     NUMBER(GL_PRIMITIVE_RESTART_INDEX, 1),
-    NUMBER(GL_PROVOKING_VERTEX, 1),  NUMBER(GL_QUERY_BUFFER_BINDING, 1), NUMBER(GL_POINT_SIZE, 1),
-    NUMBER(GL_MIN_SAMPLE_SHADING_VALUE, 1),
-}, compatibility_numbers[] = {
-    NUMBER(GL_CLAMP_FRAGMENT_COLOR, 1), NUMBER(GL_CLAMP_VERTEX_COLOR, 1), NUMBER(GL_RED_SCALE, 1), NUMBER(GL_RED_BIAS, 1),
-    NUMBER(GL_GREEN_SCALE, 1), NUMBER(GL_BLUE_BIAS, 1), NUMBER(GL_ALPHA_SCALE, 1), NUMBER(GL_MAP_COLOR, 1),
-    NUMBER(GL_DEPTH_SCALE, 1), NUMBER(GL_DEPTH_BIAS, 1), NUMBER(GL_ALPHA_TEST_FUNC, 1), NUMBER(GL_ALPHA_TEST_REF, 1),
+        NUMBER(GL_DRAW_FRAMEBUFFER_BINDING, 1),
+        NUMBER(GL_READ_FRAMEBUFFER_BINDING, 1),
+        NUMBER(GL_CURRENT_PROGRAM, 1),
+        NUMBER(GL_VERTEX_ARRAY_BINDING, 1),
+        NUMBER(GL_ARRAY_BUFFER_BINDING, 1),
+        NUMBER(GL_UNIFORM_BUFFER_BINDING, 1),
+        NUMBER(GL_ELEMENT_ARRAY_BUFFER_BINDING, 1),
+        NUMBER(GL_PIXEL_PACK_BUFFER_BINDING, 1),
+        NUMBER(GL_PIXEL_UNPACK_BUFFER_BINDING, 1),
+        NUMBER(GL_RENDERBUFFER_BINDING, 1),
+        NUMBER(GL_ACTIVE_TEXTURE, 1),
+        NUMBER(GL_CULL_FACE_MODE, 1),
+        NUMBER(GL_FRONT_FACE, 1),
+        NUMBER(GL_DEPTH_FUNC, 1),
+        NUMBER(GL_DEPTH_WRITEMASK, 1),
+        NUMBER(GL_DEPTH_CLEAR_VALUE, 1),
+        NUMBER(GL_COLOR_CLEAR_VALUE, 4),
+        NUMBER(GL_DEPTH_RANGE, 2),
+        NUMBER(GL_LINE_WIDTH, 1),
+        NUMBER(GL_POLYGON_OFFSET_FACTOR, 1),
+        NUMBER(GL_POLYGON_OFFSET_UNITS, 1),
+        NUMBER(GL_SAMPLE_COVERAGE_VALUE, 1),
+        NUMBER(GL_STENCIL_FUNC, 1),
+        NUMBER(GL_STENCIL_WRITEMASK, 1),
+        NUMBER(GL_STENCIL_CLEAR_VALUE, 1),
+        NUMBER(GL_VIEWPORT, 4),
+        NUMBER(GL_SCISSOR_BOX, 4),
+        NUMBER(GL_BLEND_COLOR, 4),
+        NUMBER(GL_UNPACK_ALIGNMENT, 1),
+        NUMBER(GL_UNPACK_ROW_LENGTH, 1),
+        NUMBER(GL_UNPACK_SKIP_ROWS, 1),
+        NUMBER(GL_UNPACK_SKIP_PIXELS, 1),
+        NUMBER(GL_UNPACK_SKIP_IMAGES, 1),
+        NUMBER(GL_UNPACK_IMAGE_HEIGHT, 1),
+        NUMBER(GL_PACK_ALIGNMENT, 1),
+        NUMBER(GL_PACK_ROW_LENGTH, 1),
+        NUMBER(GL_PACK_SKIP_ROWS, 1),
+        NUMBER(GL_PACK_SKIP_PIXELS, 1),
+        NUMBER(GL_TRANSFORM_FEEDBACK_ACTIVE, 1),
+        NUMBER(GL_TRANSFORM_FEEDBACK_PAUSED, 1),
+        NUMBER(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, 1),
+},
+  desktop_numbers[] =
+      {
+          NUMBER(GL_CLIP_ORIGIN, 1),      NUMBER(GL_CLIP_DEPTH_MODE, 1),
+          NUMBER(GL_POLYGON_MODE, 2),     NUMBER(GL_CLAMP_READ_COLOR, 1),
+          NUMBER(GL_LOGIC_OP_MODE, 1),    NUMBER(GL_UNPACK_SWAP_BYTES, 1),
+          NUMBER(GL_UNPACK_LSB_FIRST, 1), NUMBER(GL_PACK_SWAP_BYTES, 1),
+          NUMBER(GL_PACK_LSB_FIRST, 1),   NUMBER(GL_PACK_IMAGE_HEIGHT, 1),
+          NUMBER(GL_PACK_SKIP_IMAGES, 1), NUMBER(GL_PRIMITIVE_RESTART_INDEX, 1),
+          NUMBER(GL_PROVOKING_VERTEX, 1), NUMBER(GL_QUERY_BUFFER_BINDING, 1),
+          NUMBER(GL_POINT_SIZE, 1),       NUMBER(GL_MIN_SAMPLE_SHADING_VALUE, 1),
+},
+  compatibility_numbers[] = {
+      NUMBER(GL_CLAMP_FRAGMENT_COLOR, 1),
+      NUMBER(GL_CLAMP_VERTEX_COLOR, 1),
+      NUMBER(GL_RED_SCALE, 1),
+      NUMBER(GL_RED_BIAS, 1),
+      NUMBER(GL_GREEN_SCALE, 1),
+      NUMBER(GL_BLUE_BIAS, 1),
+      NUMBER(GL_ALPHA_SCALE, 1),
+      NUMBER(GL_MAP_COLOR, 1),
+      NUMBER(GL_DEPTH_SCALE, 1),
+      NUMBER(GL_DEPTH_BIAS, 1),
+      NUMBER(GL_ALPHA_TEST_FUNC, 1),
+      NUMBER(GL_ALPHA_TEST_REF, 1),
 #undef NUMBER
 };
 #define COUNT(a) (sizeof(a) / sizeof *(a))
@@ -189,8 +232,9 @@ static void put_textures(snapshot *s) {
 }
 
 static void put_buffers(snapshot *s) {
-    static const named blends[] = {NAMED(GL_BLEND_SRC_RGB),   NAMED(GL_BLEND_DST_RGB),      NAMED(GL_BLEND_SRC_ALPHA),
-                                   NAMED(GL_BLEND_DST_ALPHA), NAMED(GL_BLEND_EQUATION_RGB), NAMED(GL_BLEND_EQUATION_ALPHA)};
+    static const named blends[] = {NAMED(GL_BLEND_SRC_RGB),      NAMED(GL_BLEND_DST_RGB),
+                                   NAMED(GL_BLEND_SRC_ALPHA),    NAMED(GL_BLEND_DST_ALPHA),
+                                   NAMED(GL_BLEND_EQUATION_RGB), NAMED(GL_BLEND_EQUATION_ALPHA)};
     for (GLuint i = 0; i < 8; i++) {
         GLboolean mask[4] = {0};
         put(s, "GL_BLEND", (int)i, 0, glIsEnabledi(GL_BLEND, i));
@@ -277,10 +321,12 @@ typedef struct host {
 static GLuint build_program(void) {
     const GLchar *vertex = is_es() ? "#version 300 es\nout float v;\nvoid main() { v = 7.0; gl_Position = vec4(0.0); }"
                                    : "#version 330\nout float v;\nvoid main() { v = 7.0; gl_Position = vec4(0.0); }";
-    const GLchar *fragment = is_es() ? "#version 300 es\nprecision highp float;\nout vec4 c;\nvoid main() { c = vec4(1); }"
-                                     : "#version 330\nout vec4 c;\nvoid main() { c = vec4(1); }";
+    const GLchar *fragment = is_es()
+                                 ? "#version 300 es\nprecision highp float;\nout vec4 c;\nvoid main() { c = vec4(1); }"
+                                 : "#version 330\nout vec4 c;\nvoid main() { c = vec4(1); }";
     const GLchar *varying = "v";
-    const GLuint program = glCreateProgram(), v = glCreateShader(GL_VERTEX_SHADER), f = glCreateShader(GL_FRAGMENT_SHADER);
+    const GLuint program = glCreateProgram(), v = glCreateShader(GL_VERTEX_SHADER),
+                 f = glCreateShader(GL_FRAGMENT_SHADER);
     GLint linked = GL_FALSE;
     glShaderSource(v, 1, &vertex, NULL);
     glShaderSource(f, 1, &fragment, NULL);
@@ -339,7 +385,8 @@ static void enable_all(const named *list, size_t count) {
 }
 
 static void set_pixels_apart(void) {
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 8), glPixelStorei(GL_UNPACK_ROW_LENGTH, 999), glPixelStorei(GL_UNPACK_SKIP_ROWS, 3);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 8), glPixelStorei(GL_UNPACK_ROW_LENGTH, 999),
+        glPixelStorei(GL_UNPACK_SKIP_ROWS, 3);
     glPixelStorei(GL_UNPACK_SKIP_PIXELS, 5), glPixelStorei(GL_UNPACK_SKIP_IMAGES, 2);
     glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, 777), glPixelStorei(GL_PACK_ALIGNMENT, 2);
     glPixelStorei(GL_PACK_ROW_LENGTH, 88), glPixelStorei(GL_PACK_SKIP_ROWS, 1), glPixelStorei(GL_PACK_SKIP_PIXELS, 2);
@@ -381,7 +428,8 @@ static void set_fixed_functions_apart(void) {
     glPixelTransferf(GL_BLUE_BIAS, -0.5f), glPixelTransferf(GL_ALPHA_SCALE, 0.5f), glPixelTransferi(GL_MAP_COLOR, 1);
     glPixelTransferf(GL_DEPTH_SCALE, 0.5f), glPixelTransferf(GL_DEPTH_BIAS, 0.125f);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0); // the stipple is read from memory
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0), glPixelStorei(GL_UNPACK_SKIP_ROWS, 0), glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0), glPixelStorei(GL_UNPACK_SKIP_ROWS, 0),
+        glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
     glPolygonStipple(no_pixel);
 }
 
@@ -421,7 +469,7 @@ static void close_host(host *h) {
     glDeleteProgram(h->program);
 }
 
-// ---- state ------------------------------------------------------------------------------------------------------------
+// ---- state ----------------------------------------------------------------------------------------------------------
 
 static void no_call_changes_any_state(void **state) {
     (void)state;
@@ -491,7 +539,7 @@ static void no_technique_changes_any_state_or_leaves_an_error(void **state) {
     close_host(&h);
 }
 
-// ---- errors of the host -----------------------------------------------------------------------------------------------
+// ---- errors of the host ---------------------------------------------------------------------------------------------
 
 static void a_pending_error_stays_the_hosts(void **state) {
     (void)state;
@@ -513,7 +561,7 @@ static void a_pending_error_stays_the_hosts(void **state) {
     watched.errors = 0;
 }
 
-// ---- the debug callback -----------------------------------------------------------------------------------------------
+// ---- the debug callback ---------------------------------------------------------------------------------------------
 
 static int host_messages;
 static void APIENTRY count_message(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
@@ -588,7 +636,7 @@ static void a_renderer_with_debug_gives_the_callback_back(void **state) {
     assert_same(&before, "destroy with debug");
 }
 
-// ---- queries of the host ------------------------------------------------------------------------------------------------
+// ---- queries of the host --------------------------------------------------------------------------------------------
 
 static double sum_of_passes(const rig *r) {
     const bolan_frame_statistics s = bolan_renderer_statistics(r->renderer);
@@ -674,7 +722,7 @@ static void transform_feedback_is_paused(void **state) {
     close_rig(&r);
 }
 
-// ---- other contexts ------------------------------------------------------------------------------------------------------
+// ---- other contexts -------------------------------------------------------------------------------------------------
 
 typedef struct plain_context {
     EGLDisplay display;
@@ -687,7 +735,8 @@ static bool open_compatibility(plain_context *c) {
     EGLConfig chosen = NULL;
     EGLint count = 0;
     c->display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-    if (c->display == EGL_NO_DISPLAY || !eglInitialize(c->display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API)) return false;
+    if (c->display == EGL_NO_DISPLAY || !eglInitialize(c->display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API))
+        return false;
     if (!eglChooseConfig(c->display, config, &chosen, 1, &count) || count == 0) return false;
     c->context = eglCreateContext(c->display, chosen, EGL_NO_CONTEXT, NULL);
     return c->context != EGL_NO_CONTEXT && eglMakeCurrent(c->display, EGL_NO_SURFACE, EGL_NO_SURFACE, c->context);
@@ -728,7 +777,8 @@ static int visit_old_context(void) {
     if (!open_compatibility(&c) || epoxy_gl_version() != 21) return 77;
     bolan_set_hooks(&(bolan_hooks){.log = note_version});
     if (strncmp(bolan_gl_get_info().version, "2.1", 3) != 0) return 1;
-    if (bolan_renderer_create(&desc, &renderer) != BOLAN_ERROR_GL || renderer != NULL || version_sentences != 1) return 2;
+    if (bolan_renderer_create(&desc, &renderer) != BOLAN_ERROR_GL || renderer != NULL || version_sentences != 1)
+        return 2;
     if (bolan_target_create(8, 8, &target) != BOLAN_ERROR_GL || target != NULL || version_sentences != 2) return 3;
     if (wrong_sentences != 0 || glGetError() != GL_NO_ERROR) return 4;
     close_compatibility(&c);

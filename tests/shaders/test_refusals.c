@@ -55,8 +55,8 @@ static void open_rig(rig *r) {
     memset(r, 0, sizeof *r);
     memset(&heard, 0, sizeof heard);
     asserted = 0;
-    bolan_set_hooks(&(bolan_hooks){
-        .log = hear, .allocate = count_allocation, .release = release, .assert_failed = note_assert});
+    bolan_set_hooks(
+        &(bolan_hooks){.log = hear, .allocate = count_allocation, .release = release, .assert_failed = note_assert});
     desc.quality = BOLAN_QUALITY_LOW;
     assert_int_equal(bolan_scene_load("open-sea", &r->scene), BOLAN_OK);
     r->scene.sea.resolution = 32;
@@ -123,8 +123,12 @@ static void a_frame_out_of_range_is_refused(void **state) {
     static const struct {
         uint32_t width, height, samples;
         const char *part;
-    } list[] = {{0, HEIGHT, 1, "0 x 24"},           {WIDTH, 0, 1, "32 x 0"},         {16385, HEIGHT, 1, "16385 x 24"},
-                {WIDTH, 16385, 1, "32 x 16385"},    {WIDTH, 0xffffffff, 1, "1 to 16384"}, {WIDTH, HEIGHT, 0, "0 samples"},
+    } list[] = {{0, HEIGHT, 1, "0 x 24"},
+                {WIDTH, 0, 1, "32 x 0"},
+                {16385, HEIGHT, 1, "16385 x 24"},
+                {WIDTH, 16385, 1, "32 x 16385"},
+                {WIDTH, 0xffffffff, 1, "1 to 16384"},
+                {WIDTH, HEIGHT, 0, "0 samples"},
                 {WIDTH, HEIGHT, 257, "257 samples"}};
     rig r;
     open_rig(&r);
@@ -198,8 +202,10 @@ static void a_framebuffer_that_will_not_do_is_refused(void **state) {
     const struct {
         GLuint framebuffer;
         const char *part;
-    } list[] = {{9999, "9999 is no framebuffer"},       {0, "no window"},
-                {odd.names[0], "is not complete"},      {odd.names[2], "has no draw buffer"},
+    } list[] = {{9999, "9999 is no framebuffer"},
+                {0, "no window"},
+                {odd.names[0], "is not complete"},
+                {odd.names[2], "has no draw buffer"},
                 {odd.names[3], "holds integers"}};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         bolan_frame_desc frame = r.frame;
@@ -238,8 +244,10 @@ static void reading_what_cannot_be_read_is_refused(void **state) {
     const struct {
         GLuint framebuffer;
         const char *part;
-    } list[] = {{9999, "9999 is no framebuffer"},       {odd.names[0], "is not complete"},
-                {odd.names[1], "several samples"},      {odd.names[2], "has no read buffer"},
+    } list[] = {{9999, "9999 is no framebuffer"},
+                {odd.names[0], "is not complete"},
+                {odd.names[1], "several samples"},
+                {odd.names[2], "has no read buffer"},
                 {odd.names[3], "holds integers"}};
     rgb[0] = 77;
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {

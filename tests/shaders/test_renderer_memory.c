@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Memory that runs out: each allocation of the renderer fails once, alone or with all that follow. Nothing crashes, nothing leaks,
-// the result is MEMORY, the log says so in one sentence, and *out is NULL.
+// Memory that runs out: each allocation of the renderer fails once, alone or with all that follow. Nothing crashes,
+// nothing leaks, the result is MEMORY, the log says so in one sentence, and *out is NULL.
 #include "gl_support.h"
 
 #include "bolan/io.h"
@@ -14,11 +14,11 @@ enum { WIDTH = 32, HEIGHT = 24 };
 // ---- a memory that fails at will ------------------------------------------------------------------------------------
 
 static struct {
-    long until;  // allocations that succeed before one fails
-    bool on;     // all that follow fail too
-    long count;  // allocations so far
-    long failed; // of those, refused
-    long bytes;  // in use
+    long until;                 // allocations that succeed before one fails
+    bool on;                    // all that follow fail too
+    long count;                 // allocations so far
+    long failed;                // of those, refused
+    long bytes;                 // in use
     long errors, memory_errors; // sentences
 } world;
 
@@ -155,8 +155,8 @@ static void close_rig(rig *r) {
     bolan_scene_assets_destroy(&r->assets);
 }
 
-// Each allocation of a first frame fails, or all from it on: said, no error in GL, nothing leaked. The frame after it, with memory,
-// is drawn. Returns how many allocations a first frame takes.
+// Each allocation of a first frame fails, or all from it on: said, no error in GL, nothing leaked. The frame after it,
+// with memory, is drawn. Returns how many allocations a first frame takes.
 static long sweep_frame(rig *r, bool on, long step) {
     static float linear[WIDTH * HEIGHT * 3], distance[WIDTH * HEIGHT];
     const long before = world.bytes;

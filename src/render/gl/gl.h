@@ -9,22 +9,22 @@
 
 // What this context can do beyond GL 3.3 core / GLES 3.0.
 typedef struct gl_caps {
-    bool es;              // OpenGL ES
-    bool compatibility;   // desktop: the compatibility profile, with the fixed functions' state
-    bool software;        // llvmpipe, softpipe, swrast
-    bool clip_control;    // reversed-Z with [0, 1] clip depth
-    bool timestamps;      // the GPU's clock can be asked
-    bool timers;          // and its answers are worth having: not on software GL
-    bool float_linear;    // linear filtering of 32F
-    bool color_float;     // RGBA16F is renderable (ES 3.0: an extension)
-    bool debug;           // KHR_debug
-    bool feedback_pause;  // transform feedback can be paused
+    bool es;             // OpenGL ES
+    bool compatibility;  // desktop: the compatibility profile, with the fixed functions' state
+    bool software;       // llvmpipe, softpipe, swrast
+    bool clip_control;   // reversed-Z with [0, 1] clip depth
+    bool timestamps;     // the GPU's clock can be asked
+    bool timers;         // and its answers are worth having: not on software GL
+    bool float_linear;   // linear filtering of 32F
+    bool color_float;    // RGBA16F is renderable (ES 3.0: an extension)
+    bool debug;          // KHR_debug
+    bool feedback_pause; // transform feedback can be paused
     bool sample_mask, sample_shading, fixed_restart, depth_bounds, query_buffer; // state that a host may have set
-    bool buffer_masks;    // each draw buffer has its own blend switch and colour mask
-    bool buffer_blends;   // and its own blend function and equation
-    bool viewport_arrays; // each viewport has its own rectangle, scissor and depth range
+    bool buffer_masks;                           // each draw buffer has its own blend switch and colour mask
+    bool buffer_blends;                          // and its own blend function and equation
+    bool viewport_arrays;                        // each viewport has its own rectangle, scissor and depth range
     int draw_buffers, viewports, clip_distances; // their numbers, at most those of gl_saved
-    float max_anisotropy; // 1 when absent
+    float max_anisotropy;                        // 1 when absent
     int max_texture_size;
 } gl_caps;
 gl_caps gl_get_caps(void); // needs a context that gl_check_context() accepts
@@ -117,7 +117,8 @@ void gl_target_clear_color(float r, float g, float b, float a);
 void gl_target_clear_depth(float depth);
 void gl_target_copy_color(const gl_target *from, const gl_target *to);
 void gl_target_copy_depth(const gl_target *from, const gl_target *to); // same size and format
-void gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width, uint32_t height); // the caller's, scaled
+void gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width,
+                    uint32_t height);                                            // the caller's, scaled
 void gl_target_read_float(const gl_target *t, uint32_t attachment, float *rgba); // bottom row first
 // Top row first. rgba: width * height * 4 bytes of scratch memory.
 void gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgba, uint8_t *rgb);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The caller's state: written down when the library is entered, given back when it is left. Between the two everything
-// that could change what our own calls mean (samplers, pixel store, stencil, clip distances, ...) stands at GL's defaults.
+// that could change what our own calls mean (samplers, pixel store, stencil, clip distances) stands at GL's defaults.
 //
 // No error flag is read here or anywhere else in this folder: an error that the caller has not yet asked for is the
 // caller's to find.
@@ -68,11 +68,11 @@ static const struct {
     where where;
     GLint ours;
 } pixel_store[] = {
-    {GL_UNPACK_ALIGNMENT, ANYWHERE, 4},    {GL_UNPACK_ROW_LENGTH, ANYWHERE, 0}, {GL_UNPACK_SKIP_ROWS, ANYWHERE, 0},
-    {GL_UNPACK_SKIP_PIXELS, ANYWHERE, 0},  {GL_UNPACK_SKIP_IMAGES, ANYWHERE, 0}, {GL_UNPACK_IMAGE_HEIGHT, ANYWHERE, 0},
-    {GL_PACK_ALIGNMENT, ANYWHERE, 4},      {GL_PACK_ROW_LENGTH, ANYWHERE, 0},   {GL_PACK_SKIP_ROWS, ANYWHERE, 0},
-    {GL_PACK_SKIP_PIXELS, ANYWHERE, 0},    {GL_UNPACK_SWAP_BYTES, DESKTOP, 0},  {GL_UNPACK_LSB_FIRST, DESKTOP, 0},
-    {GL_PACK_SWAP_BYTES, DESKTOP, 0},      {GL_PACK_LSB_FIRST, DESKTOP, 0},     {GL_PACK_IMAGE_HEIGHT, DESKTOP, 0},
+    {GL_UNPACK_ALIGNMENT, ANYWHERE, 4},   {GL_UNPACK_ROW_LENGTH, ANYWHERE, 0},  {GL_UNPACK_SKIP_ROWS, ANYWHERE, 0},
+    {GL_UNPACK_SKIP_PIXELS, ANYWHERE, 0}, {GL_UNPACK_SKIP_IMAGES, ANYWHERE, 0}, {GL_UNPACK_IMAGE_HEIGHT, ANYWHERE, 0},
+    {GL_PACK_ALIGNMENT, ANYWHERE, 4},     {GL_PACK_ROW_LENGTH, ANYWHERE, 0},    {GL_PACK_SKIP_ROWS, ANYWHERE, 0},
+    {GL_PACK_SKIP_PIXELS, ANYWHERE, 0},   {GL_UNPACK_SWAP_BYTES, DESKTOP, 0},   {GL_UNPACK_LSB_FIRST, DESKTOP, 0},
+    {GL_PACK_SWAP_BYTES, DESKTOP, 0},     {GL_PACK_LSB_FIRST, DESKTOP, 0},      {GL_PACK_IMAGE_HEIGHT, DESKTOP, 0},
     {GL_PACK_SKIP_IMAGES, DESKTOP, 0},
 };
 enum { PIXEL_STORE_COUNT = sizeof pixel_store / sizeof pixel_store[0] };
@@ -82,8 +82,9 @@ static const struct {
     GLenum name;
     GLfloat ours;
 } transfer[] = {
-    {GL_MAP_COLOR, 0},  {GL_RED_SCALE, 1},  {GL_RED_BIAS, 0},   {GL_GREEN_SCALE, 1}, {GL_GREEN_BIAS, 0}, {GL_BLUE_SCALE, 1},
-    {GL_BLUE_BIAS, 0},  {GL_ALPHA_SCALE, 1}, {GL_ALPHA_BIAS, 0}, {GL_DEPTH_SCALE, 1}, {GL_DEPTH_BIAS, 0},
+    {GL_MAP_COLOR, 0},  {GL_RED_SCALE, 1},   {GL_RED_BIAS, 0},   {GL_GREEN_SCALE, 1},
+    {GL_GREEN_BIAS, 0}, {GL_BLUE_SCALE, 1},  {GL_BLUE_BIAS, 0},  {GL_ALPHA_SCALE, 1},
+    {GL_ALPHA_BIAS, 0}, {GL_DEPTH_SCALE, 1}, {GL_DEPTH_BIAS, 0},
 };
 enum { TRANSFER_COUNT = sizeof transfer / sizeof transfer[0] };
 
@@ -298,7 +299,8 @@ static void set_defaults(const gl_caps *caps) {
         if (exists(caps, pixel_store[i].where)) glPixelStorei(pixel_store[i].name, pixel_store[i].ours);
     for (int i = 0; i < CLAMP_COUNT; i++)
         if (exists(caps, clamps[i].where)) glClampColor(clamps[i].name, GL_FALSE);
-    for (int i = 0; i < TRANSFER_COUNT && caps->compatibility; i++) glPixelTransferf(transfer[i].name, transfer[i].ours);
+    for (int i = 0; i < TRANSFER_COUNT && caps->compatibility; i++)
+        glPixelTransferf(transfer[i].name, transfer[i].ours);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     if (caps->query_buffer) glBindBuffer(GL_QUERY_BUFFER, 0);
@@ -414,7 +416,8 @@ static void restore_pixels(const gl_saved *s) {
         if (exists(s->caps, pixel_store[i].where)) glPixelStorei(pixel_store[i].name, s->pixel_store[i]);
     for (int i = 0; i < CLAMP_COUNT; i++)
         if (exists(s->caps, clamps[i].where)) glClampColor(clamps[i].name, (GLenum)s->clamp[i]);
-    for (int i = 0; i < TRANSFER_COUNT && s->caps->compatibility; i++) glPixelTransferf(transfer[i].name, s->transfer[i]);
+    for (int i = 0; i < TRANSFER_COUNT && s->caps->compatibility; i++)
+        glPixelTransferf(transfer[i].name, s->transfer[i]);
 }
 
 static void restore_polygons(const gl_saved *s) {

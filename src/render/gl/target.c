@@ -175,7 +175,8 @@ static const char *attachment_problem(GLenum buffer, gl_purpose purpose) {
     if (object == GL_NONE) return "has no colour buffer";
     glGetFramebufferAttachmentParameteriv(target, buffer, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
     if (type == GL_INT || type == GL_UNSIGNED_INT) return "holds integers, not colours";
-    if (type == GL_FLOAT && purpose == GL_TO_READ && gl_is_es()) return "holds floats, which OpenGL ES reads as no bytes";
+    if (type == GL_FLOAT && purpose == GL_TO_READ && gl_is_es())
+        return "holds floats, which OpenGL ES reads as no bytes";
     return NULL;
 }
 

@@ -116,8 +116,8 @@ bolan_result gl_texture_create(const gl_texture_desc *d, gl_texture *out) {
         t.levels = full_chain(t.width, t.height, t.target == GL_TEXTURE_3D ? t.depth : 1);
     }
     if (!is_possible(&t)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET, "GL has no textures of %u x %u x %u texels of format %d", t.width,
-                  t.height, t.depth, (int)t.format);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET, "GL has no textures of %u x %u x %u texels of format %d",
+                  t.width, t.height, t.depth, (int)t.format);
         return BOLAN_ERROR_GL;
     }
     glGenTextures(1, &t.id);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Timers: timestamps of the GPU, taken when they have come, so that nothing waits; or the CPU clock between two glFinish().
+// Timers: timestamps of the GPU, taken when they have come, so that nothing waits; or the CPU clock between two
+// glFinish().
 #include "gl_internal.h"
 #include <time.h>
 
