@@ -417,7 +417,7 @@ static void set_viewports_apart(void) {
 }
 
 static void set_fixed_functions_apart(void) {
-    static const GLubyte no_pixel[128] = {0};
+    static const GLubyte no_pixel[32 * 8] = {0}; // rows end at the alignment that was set
     enable_all(compatibility_switches, COUNT(compatibility_switches));
     glAlphaFunc(GL_NEVER, 0.5f);
     glPolygonMode(GL_FRONT, GL_POINT);
