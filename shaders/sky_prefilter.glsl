@@ -14,13 +14,13 @@ uniform sampler2D plain_map;
 uniform float level;
 out vec4 color;
 
-// Places along each axis of the pattern, and their distance in standard deviations: it reaches to 2.6 of them.
+// Places along each axis of the pattern, and their distance in standard deviations: it reaches to 2.25 of them.
 const int PLACES = 6;
 const float STEP = 0.9;
 
-// What the texels blur by themselves [standard deviations]: the plain map's are means (1/12 of a side squared) between which it is
-// interpolated (1/6), and so is the level that is made here (1/6); a side is 0.67 of the blur in the mean.
-const float OWN_VARIANCE = 0.19;
+// What the texels blur by themselves, as a variance along each side [sides squared]: the plain map's are means (1/12) between which it is
+// interpolated (1/6), and so is the level that is made here (1/6).
+const float OWN_VARIANCE = 0.417;
 
 void main() {
     if (level < 0.5) {
@@ -29,13 +29,14 @@ void main() {
     }
     vec3 to = environment_direction(uv);
     vec3 side = normalize(cross(to, abs(to.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0))), up = cross(side, to);
-    float spread = environment_blur(level) * sqrt(1.0 - OWN_VARIANCE), weights = 0.0;
+    float blur = environment_blur(level), texel = environment_texel(to, level);
+    float spread = sqrt(blur * blur - OWN_VARIANCE * texel * texel), weights = 0.0;
     vec3 sum = vec3(0.0);
     for (int i = 0; i < PLACES; ++i) {
         for (int j = 0; j < PLACES; ++j) {
-            vec2 offset = STEP * (vec2(float(i), float(j)) - 0.5 * float(PLACES - 1));
-            float w = exp(-0.5 * dot(offset, offset)), angle = spread * length(offset);
-            vec2 turn = spread * offset * (sin(angle) / max(angle, 1e-6));
+            vec2 place = STEP * (vec2(float(i), float(j)) - 0.5 * float(PLACES - 1));
+            float w = exp(-0.5 * dot(place, place)), angle = spread * length(place);
+            vec2 turn = spread * place * (sin(angle) / max(angle, 1e-6));
             vec3 from = to * cos(angle) + side * turn.x + up * turn.y;
             sum += w * textureLod(plain_map, environment_uv(vec3(from.xy, abs(from.z))), level).rgb;
             weights += w;

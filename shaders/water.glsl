@@ -220,8 +220,7 @@ vec3 reflected_light(water_here p, rough_reflection mirror) {
 #ifdef LAND
     light = with_land(light, p.position, p.view, p.slope, p.seen.toward, mirror);
 #endif
-    vec2 h = p.view.xy / max(length(p.view.xy), 1e-4);
-    float again = level_reflectance(sqrt(slope_variance(h, slope_total.xyz)));
+    float again = level_reflectance(sqrt(slope_variance(normalize(level_part(p.view)), slope_total.xyz)));
     return light + (mirror.reflectance - mirror.clear) * again * low_sky;
 }
 

@@ -39,7 +39,7 @@ float not_hidden(float u) { return 1.0 / (1.0 + smith_ratio(u)); }
 // him more often. The part beyond the mesh's plane is moved and narrowed as the visible part of a Gaussian is. `whole`: facets over the
 // mesh's plane; `unresolved`: slope covariance that the look-ups lack.
 vec2 seen_slope(vec3 v, vec2 slope, surroundings s, visible_facets whole, vec3 unresolved) {
-    vec2 h = v.xy / max(length(v.xy), 1e-4);
+    vec2 h = normalize(level_part(v));
     float share = clamp(1.0 - slope_variance(h, unresolved) / max(slope_variance(h, s.covariance), 1e-8), 0.0, 1.0);
     float tilt = dot(s.plane - slope, h), kept = 1.0 - whole.narrow;
     return slope - h * (share * whole.shift + tilt * (sqrt(1.0 - share * (1.0 - kept * kept)) - 1.0));
@@ -65,8 +65,9 @@ const float LAST_TILT = 2.8, TILT_RANGE = 5.4; // [rms of the visible tilts]
 
 // v: towards the observer. slope, seen: mean slope and facets of the pixel. One-dimensional, along the view.
 rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surroundings near, float index) {
-    float flat_length = max(length(v.xy), 1e-4);
-    vec2 h = v.xy / flat_length, aside = vec2(h.y, -h.x);
+    vec2 level = level_part(v);
+    float flat_length = length(level);
+    vec2 h = level / flat_length, aside = vec2(h.y, -h.x);
     float along = dot(slope, h), across = dot(slope, aside), across2 = across * across + seen.across * seen.across;
     float plane = dot(near.plane, h), observer = v.z / flat_length - plane; // elevations over the mesh's plane
     float per_local = per_deviation(slope_variance(h, near.covariance) * (1.0 - near.shared));
@@ -81,8 +82,8 @@ rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surround
         reflectance += w * facet_fresnel(v.z - flat_length * s, s, across2, index);
     }
     // half the angle from the view to the lowest ray, which clears the horizon and the mesh's plane
-    float level = plane < 0.0 ? inversesqrt(1.0 + plane * plane) : 1.0;
-    float lowest = along + (max(-plane, 0.0) * level - v.z) / (level + flat_length);
+    float cosine = plane < 0.0 ? inversesqrt(1.0 + plane * plane) : 1.0;
+    float lowest = along + (max(-plane, 0.0) * cosine - v.z) / (cosine + flat_length);
     float last = seen.shift + LAST_TILT * seen.sigma, range = clamp(last - lowest, 0.0, TILT_RANGE * seen.sigma);
     float per_facet = (1.0 - seen.narrow) / seen.sigma, sum = 1e-9, first = 1e-9 * last, second = 1e-9 * last * last;
     for (int i = 0; i < CLEAR_STEPS; ++i) {
@@ -107,22 +108,30 @@ rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surround
 float level_reflectance(float deviation) { return 1.0 / (1.0 + 11.5 * deviation); }
 
 // Share of the facets of slope `facet` in sight of the observer that also see a distant light at `to`; above 1 where the facets of that slope
-// are seen more often than others. The neighbourhood's slope has a Gaussian distribution about its share of the facet's: Gauss and
-// Hermite's three places. `whole`: facets over the mesh's plane.
+// are seen more often than others. The neighbourhood's slope has a Gaussian distribution about its share of the facet's.
+// `whole`: facets over the mesh's plane.
+const int LEAN_STEPS = 5;
 float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets whole) {
-    float flat_v = max(length(v.xy), 1e-4), flat_to = max(length(to.xy), 1e-4);
-    vec2 hv = v.xy / flat_v, hto = to.xy / flat_to;
+    vec2 hv = level_part(v), hto = level_part(to);
+    float flat_v = length(hv), flat_to = length(hto);
+    hv /= flat_v, hto /= flat_to;
     float variance_v = max(slope_variance(hv, near.covariance), 1e-8), variance_to = max(slope_variance(hto, near.covariance), 1e-8);
     float observer = v.z / flat_v - dot(near.plane, hv), light = to.z / flat_to - dot(near.plane, hto);
     float per_v = inversesqrt(variance_v * (1.0 - near.shared)), per_to = inversesqrt(variance_to * (1.0 - near.shared));
+    // the neighbourhood's slope: mean + x spread, where both sides can be seen from it
     vec2 mean = near.shared * (facet - near.plane);
-    vec2 spread = slope_along(hv, near.covariance) * sqrt(3.0 * near.shared * (1.0 - near.shared) / variance_v);
-    float sum = 0.0;
-    for (int i = -1; i <= 1; ++i) {
-        vec2 lean = mean + spread * float(i);
-        sum += (i == 0 ? 2.0 / 3.0 : 1.0 / 6.0) * not_hidden((observer - dot(lean, hv)) * per_v) *
-               not_hidden((light - dot(lean, hto)) * per_to);
+    vec2 spread = slope_along(hv, near.covariance) * sqrt(near.shared * (1.0 - near.shared) / variance_v);
+    observer -= dot(mean, hv), light -= dot(mean, hto);
+    float by_v = max(dot(spread, hv), 1e-6), by_to = dot(spread, hto);
+    by_to = abs(by_to) < 1e-6 ? 1e-6 : by_to;
+    float end = light / by_to, first = max(by_to < 0.0 ? end : -3.0, -3.0), last = min(observer / by_v, by_to > 0.0 ? end : 3.0);
+    float range = max(min(last, 3.0) - first, 0.0) / float(LEAN_STEPS), sum = 0.0;
+    for (int i = 0; i < LEAN_STEPS; ++i) {
+        float x = first + range * (float(i) + 0.5);
+        sum += normal_pdf(x) * not_hidden((observer - by_v * x) * per_v) * not_hidden((light - by_to * x) * per_to);
     }
+    sum *= range;
+    observer += dot(mean, hv), light += dot(mean, hto);
     // by the waves that a neighbourhood has in common, towards either side
     float shared_v = sqrt(max(near.shared, 1e-4) * variance_v), shared_to = sqrt(max(near.shared, 1e-4) * variance_to);
     float area = flat_v * shared_v * mean_facing(observer / shared_v);

@@ -30,6 +30,9 @@ struct visible_facets {
     vec2 toward;  // slope of a facet that leans by 1 towards the observer, on the average over its slope across
 };
 
+// Level part of a direction; from straight above any will do.
+vec2 level_part(vec3 v) { return dot(v.xy, v.xy) > 1e-6 ? v.xy : vec2(1e-3, 0.0); }
+
 // Covariance of the slope with its part along a horizontal direction of length 1; and the variance of that part.
 vec2 slope_along(vec2 h, vec3 c) { return vec2(c.x * h.x + c.y * h.y, c.y * h.x + c.z * h.y); }
 float slope_variance(vec2 h, vec3 c) { return dot(slope_along(h, c), h); }
@@ -42,10 +45,12 @@ float mean_facing(float u) {
 }
 
 visible_facets facets_seen(vec3 v, vec2 m, vec3 c) {
-    float horizontal = max(length(v.xy), 1e-4);
-    vec2 h = v.xy / horizontal, along = slope_along(h, c);
+    vec2 h = level_part(v);
+    float horizontal = length(h);
+    h /= horizontal;
+    vec2 along = slope_along(h, c);
     float variance = max(dot(along, h), 1e-8), sigma = sqrt(variance);
-    float z = v.z - dot(m, v.xy);
+    float z = v.z - dot(m, h) * horizontal;
     float u = clamp(z / (horizontal * sigma), -2.5, 1e4);
     float pdf = normal_pdf(u), cdf = normal_below(u, pdf);
     float norm = max(u * cdf + pdf, 1e-4);

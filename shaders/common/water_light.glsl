@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Light that comes out of the water, and off the foam on it. Constants that the optics share.
-// Needs common/slopes.glsl for SLOPES_PI.
 
 // Share of the sky's light that enters the water: 1 less the reflectance for light from all sides, 0.068 at index 1.34, and for that of
 // a sky brighter at the horizon.
@@ -31,4 +30,4 @@ vec3 crest_glow(vec3 deep, vec3 sunlight, vec3 view, vec3 to_sun, float height, 
 }
 
 // Radiance of foam of albedo 1 that the sun meets at that cosine: a Lambertian surface.
-vec3 foam_radiance(vec3 sunlight, float facing, vec3 sky) { return (sunlight * max(facing, 0.0) + sky) / SLOPES_PI; }
+vec3 foam_radiance(vec3 sunlight, float facing, vec3 sky) { return (sunlight * max(facing, 0.0) + sky) * 0.31830989; }

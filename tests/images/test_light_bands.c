@@ -194,7 +194,48 @@ static double neighbours(const double *light, uint32_t first, uint32_t last) { /
     return sqrt(squares / n) / (sum / n);
 }
 
-static int sample_count(void) { return getenv("BOLAN_LIGHT_SAMPLES") ? atoi(getenv("BOLAN_LIGHT_SAMPLES")) : 2; }
+// Bolan's radiance over the reference's.
+static void check(char name, int index, const char *part, const double got[3], const double want[3], double tolerance) {
+    for (int c = 0; c < 3; ++c) {
+        const double ratio = got[c] / want[c];
+        if (!(fabs(ratio - 1.0) <= tolerance))
+            fail_msg("view %c, band %d, %s, channel %d: %.3f of the reference, not 1 +- %.2f", name, index + 1, part, c, ratio,
+                     tolerance);
+    }
+}
+
+// The goal is 10 % for the mirrored sky. The rest is the sea's: a band of the low view shows one or two waves, and the reference's
+// smallest facets do not hide one another. Glitter at 5 degrees of sun, in bands of few waves: within a sixth, where a mean
+// factor for the shadows leaves 0.46 to 2.24. Light from below at low sun: an approximation of what enters, 7 %.
+#define SKY_TOLERANCE 0.13
+#define GLITTER_TOLERANCE 0.17
+#define BELOW_TOLERANCE 0.1
+#define SAMPLES 2
+
+static void check_view(const view *v, double *const light[PARTS]) {
+    band reference[BANDS];
+    read_reference(v->name, reference);
+    for (int i = 0; i < BANDS; ++i) {
+        double got[PARTS][3];
+        for (int part = 0; part < PARTS; ++part)
+            for (int c = 0; c < 3; ++c) got[part][c] = band_mean(light[part], &reference[i], c);
+        if (getenv("BOLAN_SHOW_BANDS") != NULL)
+            print_message("%c %2d sky %.3f %.3f %.3f glitter %.3f below %.3f %.3f %.3f\n", v->name, i + 1,
+                          got[SKY][0] / reference[i].light[SKY][0], got[SKY][1] / reference[i].light[SKY][1],
+                          got[SKY][2] / reference[i].light[SKY][2], got[GLITTER][1] / reference[i].light[GLITTER][1],
+                          got[BELOW][0] / reference[i].light[BELOW][0], got[BELOW][1] / reference[i].light[BELOW][1],
+                          got[BELOW][2] / reference[i].light[BELOW][2]);
+        check(v->name, i, "mirrored sky", got[SKY], reference[i].light[SKY], SKY_TOLERANCE);
+        check(v->name, i, "from below", got[BELOW], reference[i].light[BELOW], BELOW_TOLERANCE);
+        if (reference[i].light[GLITTER][1] > 1e-3)
+            check(v->name, i, "glitter", got[GLITTER], reference[i].light[GLITTER], GLITTER_TOLERANCE);
+    }
+    if (v->name == 'a') { // far waves keep outlines: the reference has 0.081 and 0.080; a mesh with a quarter of the look-ups 0.02
+        const uint32_t top = reference[0].first, step = (HEIGHT - top) * 15 / 100;
+        assert_true(neighbours(light[SKY], top, top + step - 1) > 0.03);
+        assert_true(neighbours(light[SKY], top + step, top + 2 * step - 1) > 0.033);
+    }
+}
 
 static void the_light_is_the_path_tracers(void **state) {
     (void)state;
@@ -205,27 +246,9 @@ static void the_light_is_the_path_tracers(void **state) {
     double *light[PARTS];
     for (int part = 0; part < PARTS; ++part) light[part] = malloc(sizeof(double) * 3 * PIXELS);
     for (size_t i = 0; i < sizeof views / sizeof views[0]; ++i) {
-        const char *only = getenv("BOLAN_LIGHT_VIEWS");
-        if (only && !strchr(only, views[i].name)) continue;
-        band reference[BANDS];
-        read_reference(views[i].name, reference);
         for (int part = 0; part < PARTS; ++part) memset(light[part], 0, sizeof(double) * 3 * PIXELS);
-        draw_parts(&views[i], shaders, sample_count(), light);
-        for (int b = 0; b < BANDS; ++b) {
-            printf("%c %2d", views[i].name, b + 1);
-            for (int part = 0; part < PARTS; ++part) {
-                printf("  |");
-                for (int c = 0; c < 3; ++c) {
-                    double want = reference[b].light[part][c], got = band_mean(light[part], &reference[b], c);
-                    printf(" %6.3f", got / want);
-                }
-            }
-            printf("\n");
-        }
-        const uint32_t top = reference[0].first, step = (HEIGHT - top) * 15 / 100;
-        for (uint32_t x = 0; x < 3 * PIXELS; ++x) light[SKY][x] += light[BELOW][x];
-        printf("%c across %.3f %.3f %.3f\n", views[i].name, neighbours(light[SKY], top, top + step - 1),
-               neighbours(light[SKY], top + step, top + 2 * step - 1), neighbours(light[SKY], HEIGHT - 50, HEIGHT - 1));
+        draw_parts(&views[i], shaders, SAMPLES, light);
+        check_view(&views[i], light);
     }
     for (int part = 0; part < PARTS; ++part) free(light[part]);
     remove_shaders(shaders);
