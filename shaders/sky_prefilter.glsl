@@ -18,8 +18,8 @@ out vec4 color;
 const int PLACES = 6;
 const float STEP = 0.9;
 
-// What the texels blur by themselves, as a variance along each side [sides squared]: the plain map's are means (1/12) between which it is
-// interpolated (1/6), and so is the level that is made here (1/6).
+// What the texels blur by themselves, as a variance along each side [sides squared]: the plain map's are means (1/12)
+// between which it is interpolated (1/6), and so is the level that is made here (1/6).
 const float OWN_VARIANCE = 0.417;
 
 void main() {

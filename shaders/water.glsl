@@ -55,7 +55,8 @@ uniform sampler2D scene_depth;
 vec3 reflected_ray(vec3 view, vec2 slope) { return reflect(-view, normalize(vec3(-slope, 1.0))); }
 
 #ifdef LAND
-// What lies behind the water at a place of the picture: its colour as lit in air, and where it is; w = 0 where there is nothing.
+// What lies behind the water at a place of the picture: its colour as lit in air, and where it is; w = 0 where there is
+// nothing.
 vec4 behind(vec2 uv, out vec3 where) {
     float depth = textureLod(scene_depth, uv, 0.0).x;
     where = frame_ray(uv) / max(depth, 1e-9);
@@ -94,8 +95,8 @@ vec4 mirrored_land(vec3 position, vec3 direction) {
 // A single ray stands for a lobe wider than itself: it counts for so much.
 const float LONE_RAY = 0.75;
 
-// The reflected sky with the land before it. Several tilts stand for the distribution of the facets: with one alone a hill is
-// reflected in scraps. Of the light of either, the share `mirror.clear` is not hidden by waves.
+// The reflected sky with the land before it. Several tilts stand for the distribution of the facets: with one alone a
+// hill is reflected in scraps. Of the light of either, the share `mirror.clear` is not hidden by waves.
 vec3 with_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, rough_reflection mirror) {
     vec4 land = vec4(0.0);
     for (int i = 0; i < RAYS; ++i) {
@@ -123,8 +124,8 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, out
     return radiance_of_bed(seen.rgb, deep, water_kd.rgb, water_path, down);
 }
 
-// Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash at
-// the edge. Up a slope the fronts follow the depth; over flats they travel the way the sea goes.
+// Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash
+// at the edge. Up a slope the fronts follow the depth; over flats they travel the way the sea goes.
 float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 noise) {
     float hs = surf_height(), wobble = noise.b - 0.5;
     float zone = smoothstep(1.6 * hs, 0.35 * hs, depth + wobble * hs);
@@ -136,7 +137,8 @@ float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 no
 }
 #endif
 
-// Covered shares by breaking crests and by what they leave (Dupuy & Bruneton 2012: the mean and the hidden variance of the Jacobian).
+// Covered shares by breaking crests and by what they leave (Dupuy & Bruneton 2012: the mean and the hidden variance of
+// the Jacobian).
 void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float old) {
     float variance = max(covariance.x + covariance.z - foam_law.y, 0.0) * foam_edge.z;
     fresh = normal_cdf((foam_law.x - w.jacobian) * inversesqrt(variance + foam_edge.x));
@@ -160,7 +162,8 @@ struct water_here {
     visible_facets whole, seen; // over the slope of the mesh, and over `slope`
 };
 
-// Slope covariance that the mesh lacks: a wave of three spacings fades to half on it, as it does under a pixel 1.4 spacings wide.
+// Slope covariance that the mesh lacks: a wave of three spacings fades to half on it, as it does under a pixel 1.4
+// spacings wide.
 const float MESH_WIDTH = 1.4;
 vec3 slopes_beyond_mesh(footprint f, float coded) {
 #ifndef WAVES_MESH // where the vertices carry all waves, the look-ups resolve what the mesh does
@@ -208,8 +211,9 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
     return p;
 }
 
-// The reflected sky and land: radiance times reflectance. Two look-ups along the lobe, which is long along the view and narrows across
-// it by the sine of the grazing angle. Rays that another wave stops are reflected again there, and come from the low sky.
+// The reflected sky and land: radiance times reflectance. Two look-ups along the lobe, which is long along the view and
+// narrows across it by the sine of the grazing angle. Rays that another wave stops are reflected again there, and come
+// from the low sky.
 vec3 reflected_light(water_here p, rough_reflection mirror) {
     float spread = mirror.spread, blur = clamp(p.seen.across * clamp(dot(p.view, p.normal), 0.0, 1.0), 0.5 * spread, spread);
     float apart = sqrt(spread * spread - blur * blur);

@@ -2,13 +2,15 @@
 // What rough water reflects towards an observer: the mean over the visible facets of Fresnel's reflectance, of whether the ray is
 // clear of other waves, and of the direction it comes from. Needs common/slopes.glsl and common/fresnel.glsl.
 //
-// Waves hide one another on two scales. The waves of the mesh stand in a ray's way by their height: Smith's function for a point of
-// known height, P(lower)^L (Bourlier, Berginc & Saillard 2002). The waves that the mesh lacks hide by Smith's function over the plane
-// of the mesh, and part of their slope belongs to waves so long that a facet shares it with all that stands near: what leans
-// towards the observer, and is therefore seen, leans away from a low sun and a low sky beyond.
+// Waves hide one another on two scales. The waves of the mesh stand in a ray's way by their height: Smith's function
+// for a point of known height, P(lower)^L (Bourlier, Berginc & Saillard 2002). The waves that the mesh lacks hide by
+// Smith's function over the plane of the mesh, and part of their slope belongs to waves so long that a facet shares it
+// with all that stands near: what leans towards the observer, and is therefore seen, leans away from a low sun and a
+// low sky beyond.
 
-// Share of the slope variance that the mesh lacks which a facet has in common with its neighbourhood. 0.2 to 0.35 give the glitter of
-// a path tracer at 1 to 10 degrees below the horizon (tests/images/test_light_bands.c); without it, 2.3 times as much at 1 degree.
+// Share of the slope variance that the mesh lacks which a facet has in common with its neighbourhood. 0.2 to 0.35 give
+// the glitter of a path tracer at 1 to 10 degrees below the horizon (tests/images/test_light_bands.c); without it, 2.3
+// times as much at 1 degree.
 const float SHARED_SLOPE = 0.25;
 
 // The sea round a place.
@@ -30,14 +32,15 @@ surroundings surroundings_of(vec2 plane, vec3 covariance, vec3 total, float heig
 // 1 over a standard deviation, finite for none.
 float per_deviation(float variance) { return inversesqrt(max(variance, 1e-8)); }
 
-// Share of rays of that elevation [tangent] which no wave of the mesh stops. per_slope: 1 over the rms slope of those along the ray.
+// Share of rays of that elevation [tangent] which no wave of the mesh stops. per_slope: 1 over the rms slope of those
+// along the ray.
 float clear_of_mesh(surroundings s, float elevation, float per_slope) { return exp2(s.log_lower * smith_ratio(elevation * per_slope)); }
 
 float not_hidden(float u) { return 1.0 / (1.0 + smith_ratio(u)); }
 
-// Slope of a place whose look-ups resolve more than the mesh: these find any slope alike, but an observer sees those that lean towards
-// him more often. The part beyond the mesh's plane is moved and narrowed as the visible part of a Gaussian is. `whole`: facets over the
-// mesh's plane; `unresolved`: slope covariance that the look-ups lack.
+// Slope of a place whose look-ups resolve more than the mesh: these find any slope alike, but an observer sees those
+// that lean towards him more often. The part beyond the mesh's plane is moved and narrowed as the visible part of a
+// Gaussian is. `whole`: facets over the mesh's plane; `unresolved`: slope covariance that the look-ups lack.
 vec2 seen_slope(vec3 v, vec2 slope, surroundings s, visible_facets whole, vec3 unresolved) {
     vec2 h = normalize(level_part(v));
     float share = clamp(1.0 - slope_variance(h, unresolved) / max(slope_variance(h, s.covariance), 1e-8), 0.0, 1.0);
@@ -52,14 +55,14 @@ struct rough_reflection {
     float spread;      // its rms about that
 };
 
-// Reflectance of a facet that has slope s towards the observer and mean square slope across2; facing: its cosine before its normal is
-// brought to length 1.
+// Reflectance of a facet that has slope s towards the observer and mean square slope across2; facing: its cosine before
+// its normal is brought to length 1.
 float facet_fresnel(float facing, float s, float across2, float index) {
     return fresnel(clamp(facing * inversesqrt(1.0 + s * s + across2), 0.0, 1.0), index);
 }
 
-// Places between the tilt whose ray is the lowest that can be clear and the tilt beyond which there are no facets; closer at the low end,
-// where the clear share rises as a square root does. Twenty change the result by less than 2 %.
+// Places between the tilt whose ray is the lowest that can be clear and the tilt beyond which there are no facets;
+// closer at the low end, where the clear share rises as a square root does. Twenty change the result by less than 2 %.
 const int CLEAR_STEPS = 5;
 const float LAST_TILT = 2.8, TILT_RANGE = 5.4; // [rms of the visible tilts]
 
@@ -103,13 +106,13 @@ rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surround
     return rough_reflection(reflectance, min(clear, reflectance), mean, sqrt(variance));
 }
 
-// Mean reflectance of rough water seen level, from slope deviation along the view: what a ray that another wave stops meets there. Within
-// 8 % of the sums over facets at 1 degree in tests/data/light/mean_fresnel.csv.
+// Mean reflectance of rough water seen level, from slope deviation along the view: what a ray that another wave stops
+// meets there. Within 8 % of the sums over facets at 1 degree in tests/data/light/mean_fresnel.csv.
 float level_reflectance(float deviation) { return 1.0 / (1.0 + 11.5 * deviation); }
 
-// Share of the facets of slope `facet` in sight of the observer that also see a distant light at `to`; above 1 where the facets of that slope
-// are seen more often than others. The neighbourhood's slope has a Gaussian distribution about its share of the facet's.
-// `whole`: facets over the mesh's plane.
+// Share of the facets of slope `facet` in sight of the observer that also see a distant light at `to`; above 1 where
+// the facets of that slope are seen more often than others. The neighbourhood's slope has a Gaussian distribution about
+// its share of the facet's. `whole`: facets over the mesh's plane.
 const int LEAN_STEPS = 5;
 float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets whole) {
     vec2 hv = level_part(v), hto = level_part(to);
@@ -139,8 +142,8 @@ float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets w
     return sum * whole.area / area * not_hidden(light / shared_to) * clear_of_mesh(near, to.z / flat_to, per_mesh);
 }
 
-// Radiance of the reflected sun for an irradiance of 1: density of the slope that reflects it (Cox & Munk 1954; Ross, Dion & Potvin 2005).
-// `seen`: facets of the pixel, of mean slope `slope` and covariance `unresolved`.
+// Radiance of the reflected sun for an irradiance of 1: density of the slope that reflects it (Cox & Munk 1954; Ross,
+// Dion & Potvin 2005). `seen`: facets of the pixel, of mean slope `slope` and covariance `unresolved`.
 const float MOST_GLINT = 400.0; // [1/sr] half floats and the glow about the sun's image end there
 float sun_glint(vec3 v, vec3 to_sun, vec2 slope, vec3 unresolved, visible_facets seen, surroundings near, visible_facets whole, float index) {
     vec3 middle = normalize(v + to_sun);

@@ -6,14 +6,16 @@
 
 const float SLOPES_PI = 3.14159265;
 
-// Standard normal distribution function, to 2e-4 (logistic form of tanh(sqrt(2/pi) (x + 0.044715 x^3)), one exponential).
+// Standard normal distribution function, to 2e-4 (logistic form of tanh(sqrt(2/pi) (x + 0.044715 x^3)), one
+// exponential).
 float normal_cdf(float x) {
     float t = clamp(x, -9.0, 9.0);
     return 1.0 / (1.0 + exp(-1.59576912 * (t + 0.044715 * t * t * t)));
 }
 float normal_pdf(float x) { return 0.39894228 * exp(-0.5 * x * x); }
 
-// The same function to 1e-5, relative to the density for x < 0, where the density is known (Abramowitz & Stegun 26.2.16).
+// The same function to 1e-5, relative to the density for x < 0, where the density is known (Abramowitz & Stegun
+// 26.2.16).
 float normal_below(float x, float pdf) {
     float t = 1.0 / (1.0 + 0.33267 * abs(x));
     float tail = pdf * t * (0.4361836 + t * (-0.1201676 + t * 0.9372980));
@@ -65,9 +67,10 @@ visible_facets facets_seen(vec3 v, vec2 m, vec3 c) {
     return f;
 }
 
-// Three tilts and weights that stand for all visible facets: means of polynomials to the fifth degree are exact (Gauss's quadrature
-// for the weight max(0, u + t) exp(-t^2 / 2); u is the observer's elevation in standard deviations). `offset`: from the mean, in
-// units of the rms. Cubics in `narrow`, good to 0.03: they keep the weights positive and mean and variance exact.
+// Three tilts and weights that stand for all visible facets: means of polynomials to the fifth degree are exact
+// (Gauss's quadrature for the weight max(0, u + t) exp(-t^2 / 2); u is the observer's elevation in standard
+// deviations). `offset`: from the mean, in units of the rms. Cubics in `narrow`, good to 0.03: they keep the weights
+// positive and mean and variance exact.
 void facet_nodes(visible_facets f, out vec3 offset, out vec3 weight) {
     float x = f.narrow;
     offset = vec3(-1.7320508, 0.0, 1.7320508) +
@@ -76,8 +79,9 @@ void facet_nodes(visible_facets f, out vec3 offset, out vec3 weight) {
     weight = (1.0 + next * last) / ((offset - next) * (offset - last));
 }
 
-// Smith's ratio of what other facets hide to what they leave, along a ray whose elevation is u standard deviations of the slope:
-// L(u) = phi(u) / u - Phi(-u), in the rational form of Walter et al. 2007 (within 0.005). Rays under the mean plane are hidden.
+// Smith's ratio of what other facets hide to what they leave, along a ray whose elevation is u standard deviations of
+// the slope: L(u) = phi(u) / u - Phi(-u), in the rational form of Walter et al. 2007 (within 0.005). Rays under the
+// mean plane are hidden.
 float smith_ratio(float u) {
     float a = 0.70710678 * max(u, 1e-4);
     return a < 1.6 ? (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 * a + 2.181 * a * a) : 0.0;

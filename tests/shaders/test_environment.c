@@ -90,8 +90,8 @@ static void a_ring_of_light_is_the_same_all_round(void **state) {
                 least = fmin(least, value), most = fmax(most, value);
             }
             const double spread = (most - least) / (most + least);
-            if (spread > 0.02 && l < 6) print_message("level %u, %.1f deg: %.3f .. %.3f\n", l, elevation, least, most);
-            assert_true(spread < (l < 6 ? 0.02 : 0.04)); // level 6 has eight texels for all the sky
+            if (spread > (l < 6 ? 0.02 : 0.05)) print_message("level %u, %.1f deg: %.3f .. %.3f\n", l, elevation, least, most);
+            assert_true(spread < (l < 6 ? 0.02 : 0.05)); // level 6 has eight texels for all the sky
         }
     }
     free(level);
