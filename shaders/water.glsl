@@ -203,7 +203,7 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
 #endif
     p.hidden = unresolved_slopes(p.place);
     p.roughness = p.hidden * gust * gust;
-    vec3 total = mix(beyond, max(slope_total.xyz, beyond), left * left);
+    vec3 total = mix(beyond, slope_total.xyz, left * left);
     p.near = surroundings_of(slope_light.xy, beyond, total, p.height / (slope_total.w * left));
     p.slope = seen_slope(p.view, p.waves.slope, p.near, p.whole, p.roughness);
     p.seen = facets_seen(p.view, p.slope, p.roughness);
@@ -216,7 +216,7 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
 // from the low sky.
 vec3 reflected_light(water_here p, rough_reflection mirror) {
     float spread = mirror.spread, blur = clamp(p.seen.across * clamp(dot(p.view, p.normal), 0.0, 1.0), 0.5 * spread, spread);
-    float apart = sqrt(spread * spread - blur * blur);
+    float apart = sqrt(max(spread * spread - blur * blur, 0.0));
     vec3 low = reflected_ray(p.view, p.slope + p.seen.toward * (mirror.tilt - apart));
     vec3 high = reflected_ray(p.view, p.slope + p.seen.toward * (mirror.tilt + apart));
     vec3 low_sky = environment_radiance(vec3(low.xy, abs(low.z)), blur), high_sky = environment_radiance(vec3(high.xy, abs(high.z)), blur);
@@ -224,7 +224,7 @@ vec3 reflected_light(water_here p, rough_reflection mirror) {
 #ifdef LAND
     light = with_land(light, p.position, p.view, p.slope, p.seen.toward, mirror);
 #endif
-    float again = level_reflectance(sqrt(slope_variance(normalize(level_part(p.view)), slope_total.xyz)));
+    float again = level_reflectance(slope_variance(normalize(level_part(p.view)), slope_total.xyz));
     return light + (mirror.reflectance - mirror.clear) * again * low_sky;
 }
 

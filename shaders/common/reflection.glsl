@@ -106,9 +106,9 @@ rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surround
     return rough_reflection(reflectance, min(clear, reflectance), mean, sqrt(variance));
 }
 
-// Mean reflectance of rough water seen level, from slope deviation along the view: what a ray that another wave stops
+// Mean reflectance of rough water seen level, from the slope variance along the view: what a ray that another wave stops
 // meets there. Within 8 % of the sums over facets at 1 degree in tests/data/light/mean_fresnel.csv.
-float level_reflectance(float deviation) { return 1.0 / (1.0 + 11.5 * deviation); }
+float level_reflectance(float variance) { return 1.0 / (1.0 + 11.5 * sqrt(max(variance, 0.0))); }
 
 // Share of the facets of slope `facet` in sight of the observer that also see a distant light at `to`; above 1 where
 // the facets of that slope are seen more often than others. The neighbourhood's slope has a Gaussian distribution about

@@ -270,6 +270,16 @@ static void detail_is_seen_where_it_leans_towards_the_observer(void **state) {
     assert_near(out[0][1], 0.03, 1e-5); // nothing happens across the view
 }
 
+// Seen level, rough water reflects what tests/data/light/mean_fresnel.csv has at 1 degree; a sea without waves, all. Rounding may leave a
+// variance a little below 0.
+static void level_water_reflects_less_the_rougher_it_is(void **state) {
+    (void)state;
+    float in[6][4] = {{0.008f}, {0.02528f}, {0.06f}, {0.01836f}, {0.04f}, {-1e-9f}}, out[6][4];
+    const double want[6] = {0.51671, 0.35414, 0.24258, 0.40081, 0.29649, 1.0};
+    probe_run(INCLUDES, "vec4 probe(vec4 x) { return vec4(level_reflectance(x.x)); }", in, 6, out);
+    for (int i = 0; i < 6; ++i) assert_near(out[i][0], want[i], 0.09 * want[i]); // as the function says
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         IN_BOTH_APIS(the_mean_reflectance_is_the_sum_over_visible_facets),
@@ -279,6 +289,7 @@ int main(void) {
         IN_BOTH_APIS(the_glitter_has_the_energy_of_the_facets),
         IN_BOTH_APIS(what_leans_towards_the_observer_leans_away_from_a_low_sun),
         IN_BOTH_APIS(waves_of_the_mesh_hide_low_rays_from_low_places),
+        IN_BOTH_APIS(level_water_reflects_less_the_rougher_it_is),
         IN_BOTH_APIS(detail_is_seen_where_it_leans_towards_the_observer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
