@@ -189,7 +189,7 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
     p.depth = rest_depth.z;
     p.least = least;
     p.shade = slope_light.w;
-    p.height = p.position.z + eye.z + dot(p.position.xy, p.position.xy) / (2.0 * lens.w);
+    p.height = height_over_sea(p.position, eye.z, lens.w);
     float gust = slope_light.z, dist = length(p.position), left = waves_left(p.depth);
     p.view = -p.position / dist;
     p.place = pixel_footprint(p.view, dist, slope_light.xy);

@@ -22,6 +22,11 @@ struct surroundings {
     float shared;    // SHARED_SLOPE, or 0 for facets without neighbourhood
 };
 
+// Height over the mean water of the round earth [m] of an eye-relative position; eye_height: over the water below it.
+float height_over_sea(vec3 position, float eye_height, float earth) {
+    return position.z + eye_height + dot(position.xy, position.xy) / (2.0 * earth);
+}
+
 // `height`: over the mean water, in standard deviations of the sea's; `total`: slope covariance of all waves.
 surroundings surroundings_of(vec2 plane, vec3 covariance, vec3 total, float height) {
     vec3 mesh = max(total - covariance, vec3(0.0, -1.0, 0.0));
