@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The light of the water, pixel by pixel over the surface that water_surface.glsl left. What the pixel cannot resolve of the
 // waves is in the covariance of its slopes (Bruneton, Neyret & Holzschuch 2010), which widens the sun's glitter, blurs the
-// mirrored sky and lowers the mean Fresnel reflectance; the light from below comes from the sea bed behind and from the water's
-// own backscatter (Gordon et al. 1988; Lee et al. 1998 for finite depth).
+// mirrored sky and lowers the mean Fresnel reflectance; waves hide sky and sun from one another (common/reflection.glsl); the light
+// from below comes from the sea bed behind and from the water's own backscatter (Gordon et al. 1988; Lee et al. 1998 for finite
+// depth).
 //
 // LAND: there is terrain: depth attenuates the waves, the bed shines through, land is mirrored, the shore foams.
 // TAPS: most look-ups along the long side of the pixel's footprint. RAYS: mirrored rays that look for land.
@@ -21,8 +22,12 @@ void main() { fullscreen(0.0); }
 #include "common/atmosphere.glsl"
 #include "common/fresnel.glsl"
 #include "common/slopes.glsl"
+#include "common/reflection.glsl"
+#include "common/rough.glsl"
+#include "common/water_light.glsl"
 #include "common/foam.glsl"
 #include "common/surf.glsl"
+#include "common/look.glsl"
 
 out vec4 color;
 
@@ -34,6 +39,7 @@ uniform highp sampler2D surface_rest; // water_surface.glsl's outputs
 uniform sampler2D surface_slope;
 uniform sampler2D surface_transmittance;
 uniform sampler2D surface_inscatter;
+uniform vec4 slope_total; // xyz: covariance of the slopes of all waves; w: standard deviation of their height [m]
 uniform vec4 foam_law;    // x: Jacobian threshold (below -999: nothing foams), y: slope variance beyond the cascades
 uniform vec4 foam_edge;   // x, y: variances that soften the edges of fresh and of old foam; the thresholds allow for them; z: choppiness squared
 uniform vec4 foam_memory; // x: threshold of the foam memory (above 999: none), y: its variance, z: variance of the Jacobian, all scales
@@ -45,8 +51,12 @@ uniform sampler2D scene_color; // what lies behind the water
 uniform sampler2D scene_depth;
 #endif
 
+// The ray that a facet of that slope reflects towards the observer.
+vec3 reflected_ray(vec3 view, vec2 slope) { return reflect(-view, normalize(vec3(-slope, 1.0))); }
+
 #ifdef LAND
-// What lies behind the water at a place of the picture: its colour as lit in air, and where it is; w = 0 where there is nothing.
+// What lies behind the water at a place of the picture: its colour as lit in air, and where it is; w = 0 where there is
+// nothing.
 vec4 behind(vec2 uv, out vec3 where) {
     float depth = textureLod(scene_depth, uv, 0.0).x;
     where = frame_ray(uv) / max(depth, 1e-9);
@@ -82,18 +92,21 @@ vec4 mirrored_land(vec3 position, vec3 direction) {
     return vec4(seen.rgb, dry ? smoothstep(0.0, 0.05, min(edge.x, edge.y)) : 0.0);
 }
 
-// The mirrored sky with the land before it. Several tilts stand for the distribution of the facets: with one alone a hill is
-// mirrored in scraps.
-vec3 mirror_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, visible_facets seen) {
+// A single ray stands for a lobe wider than itself: it counts for so much.
+const float LONE_RAY = 0.75;
+
+// The reflected sky with the land before it. Several tilts stand for the distribution of the facets: with one alone a
+// hill is reflected in scraps. Of the light of either, the share `mirror.clear` is not hidden by waves.
+vec3 with_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, rough_reflection mirror) {
     vec4 land = vec4(0.0);
     for (int i = 0; i < RAYS; ++i) {
         float tilt = RAYS == 1 ? 0.0 : float(i - 1) * 1.2;
-        vec3 ray = reflect(-view, normalize(vec3(-(slope - toward * (seen.shift + tilt * seen.sigma)), 1.0)));
+        vec3 ray = reflected_ray(view, slope + toward * (mirror.tilt + tilt * mirror.spread));
         vec4 one = mirrored_land(position, vec3(ray.xy, abs(ray.z)));
-        float weight = RAYS == 1 ? 0.75 : i == 1 ? 0.5 : 0.25;
+        float weight = RAYS == 1 ? LONE_RAY : i == 1 ? 0.5 : 0.25;
         land += weight * vec4(one.rgb * one.w, one.w);
     }
-    return sky * (1.0 - land.w) + land.rgb;
+    return sky * (1.0 - land.w) + land.rgb * mirror.clear;
 }
 
 // The bed's share of the radiance that leaves the water, and the depth of water over it [m].
@@ -108,13 +121,11 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, out
     vec4 s = behind(bent, bent_bed);
     if (s.w > 0.0 && bent_bed.z < position.z) { seen = s; bed = bent_bed; }
     water_path = seen.w > 0.0 ? max(position.z - bed.z, 0.0) : 1e4;
-    vec3 both_ways = exp(-water_kd.rgb * water_path * (1.0 + 1.0 / down));
-    // 0.54: through the surface twice, (1 - F)^2 / n^2 with the internal reflection's return
-    return seen.rgb * 0.54 * both_ways + deep * (1.0 - both_ways);
+    return radiance_of_bed(seen.rgb, deep, water_kd.rgb, water_path, down);
 }
 
-// Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash at
-// the edge. Up a slope the fronts follow the depth; over flats they travel the way the sea goes.
+// Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash
+// at the edge. Up a slope the fronts follow the depth; over flats they travel the way the sea goes.
 float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 noise) {
     float hs = surf_height(), wobble = noise.b - 0.5;
     float zone = smoothstep(1.6 * hs, 0.35 * hs, depth + wobble * hs);
@@ -126,7 +137,8 @@ float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 no
 }
 #endif
 
-// Covered shares by breaking crests and by what they leave (Dupuy & Bruneton 2012: the mean and the hidden variance of the Jacobian).
+// Covered shares by breaking crests and by what they leave (Dupuy & Bruneton 2012: the mean and the hidden variance of
+// the Jacobian).
 void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float old) {
     float variance = max(covariance.x + covariance.z - foam_law.y, 0.0) * foam_edge.z;
     fresh = foam_law.x < -999.0 ? 0.0 : normal_cdf((foam_law.x - w.jacobian) * inversesqrt(variance + foam_edge.x));
@@ -134,72 +146,126 @@ void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float o
     old = foam_memory.x > 999.0 ? 0.0 : normal_cdf((w.foam - foam_memory.x) * inversesqrt(foam_memory.y * (hidden + foam_edge.y)));
 }
 
+// What is known of a pixel of water before it is lit.
+struct water_here {
+    vec3 position, view;    // eye-relative; towards the eye
+    vec2 rest;              // undisplaced xy
+    float depth, least;     // of the mean water, and the least near here [m]
+    float shade;            // share of the sun that passes the clouds
+    float height;           // over the mean water [m]
+    footprint place;
+    wave_fields waves;
+    vec2 slope;             // of what the look-ups resolve, as the eye sees it
+    vec3 normal;            // of that
+    vec3 hidden, roughness; // slope covariance that the look-ups lack: of an even wind, and here
+    surroundings near;
+    visible_facets whole, seen; // over the slope of the mesh, and over `slope`
+};
+
+// Slope covariance that the mesh lacks: a wave of three spacings fades to half on it, as it does under a pixel 1.4
+// spacings wide.
+const float MESH_WIDTH = 1.4;
+vec3 slopes_beyond_mesh(footprint f, float coded) {
+#ifndef WAVES_MESH // where the vertices carry all waves, the look-ups resolve what the mesh does
+    f.major = f.minor = MESH_WIDTH * exp2(coded - 16.0);
+#endif
+    return unresolved_slopes(f);
+}
+
+// Waves that shallow water has left: share of the amplitude.
+float waves_left(float depth) {
+#ifdef LAND
+    return max(shore_attenuation(depth, sea_law.x), 0.05);
+#else
+    return 1.0;
+#endif
+}
+
+water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
+    vec4 rest_depth = texelFetch(surface_rest, pixel, 0), slope_light = texelFetch(surface_slope, pixel, 0);
+    water_here p;
+    p.position = frame_ray(uv) / rest_depth.w;
+    p.rest = rest_depth.xy;
+    p.depth = rest_depth.z;
+    p.least = least;
+    p.shade = slope_light.w;
+    p.height = height_over_sea(p.position, eye.z, lens.w);
+    float gust = slope_light.z, dist = length(p.position), left = waves_left(p.depth);
+    p.view = -p.position / dist;
+    p.place = pixel_footprint(p.view, dist, slope_light.xy);
+    vec3 beyond = slopes_beyond_mesh(p.place, coded) * gust * gust;
+    p.whole = facets_seen(p.view, slope_light.xy, beyond);
+    // the eye sees no more of the water under the pixel than what stands clear of other waves
+    p.place.major = max(p.place.minor, min(p.place.major, dist * lens.x / max(p.whole.area, 0.01)));
+    p.waves = waves_at(p.rest, p.place, gust, p.depth, vec4(slope_light.xy, coded - 4.0, 0.0));
+#ifdef WAVES_CASCADES
+    p.place.minor = max(p.place.minor, p.place.major / float(TAPS)); // what the look-ups really averaged over
+#endif
+    p.hidden = unresolved_slopes(p.place);
+    p.roughness = p.hidden * gust * gust;
+    vec3 total = mix(beyond, slope_total.xyz, left * left);
+    p.near = surroundings_of(slope_light.xy, beyond, total, p.height / (slope_total.w * left));
+    p.slope = seen_slope(p.view, p.waves.slope, p.near, p.whole, p.roughness);
+    p.seen = facets_seen(p.view, p.slope, p.roughness);
+    p.normal = normalize(vec3(-p.slope, 1.0));
+    return p;
+}
+
+// The reflected sky and land: radiance times reflectance. Two look-ups along the lobe, which is long along the view and
+// narrows across it by the sine of the grazing angle. Rays that another wave stops are reflected again there, and come
+// from the low sky.
+vec3 reflected_light(water_here p, rough_reflection mirror) {
+    float spread = mirror.spread, blur = clamp(p.seen.across * clamp(dot(p.view, p.normal), 0.0, 1.0), 0.5 * spread, spread);
+    float apart = sqrt(max(spread * spread - blur * blur, 0.0));
+    vec3 low = reflected_ray(p.view, p.slope + p.seen.toward * (mirror.tilt - apart));
+    vec3 high = reflected_ray(p.view, p.slope + p.seen.toward * (mirror.tilt + apart));
+    vec3 low_sky = environment_radiance(vec3(low.xy, abs(low.z)), blur), high_sky = environment_radiance(vec3(high.xy, abs(high.z)), blur);
+    vec3 light = mirror.clear * 0.5 * (low_sky + high_sky);
+#ifdef LAND
+    light = with_land(light, p.position, p.view, p.slope, p.seen.toward, mirror);
+#endif
+    float again = level_reflectance(slope_variance(normalize(level_part(p.view)), slope_total.xyz));
+    return light + (mirror.reflectance - mirror.clear) * again * low_sky;
+}
+
+// Radiance of the water itself: sunlight and skylight that entered it and were scattered back.
+vec3 water_light(vec3 sunlight) {
+    rough_facets to_sun = rough_seen(sun.xyz, vec2(0.0), slope_total.xyz);
+    float enters = 1.0 - rough_fresnel(sun.xyz, vec2(0.0), to_sun, water_deep.w);
+    return water_deep.rgb * (sunlight * (max(sun.z, 0.0) * enters) + sky_light.rgb * SKY_ENTERS);
+}
+
 void main() {
     ivec2 pixel = sampled_pixel();
     vec2 uv = (vec2(pixel) + 0.5) * viewport.zw;
     vec4 through_air = texelFetch(surface_transmittance, pixel, 0);
     if (through_air.w < 0.5) discard; // no water here
-    vec4 rest_depth = texelFetch(surface_rest, pixel, 0), slope_light = texelFetch(surface_slope, pixel, 0);
     vec4 from_air = texelFetch(surface_inscatter, pixel, 0);
-    vec3 position = frame_ray(uv) / rest_depth.w;
-    vec2 rest = rest_depth.xy;
-    float gust = slope_light.z, shade = slope_light.w;
-    float dist = length(position);
-    vec3 view = -position / dist;
-    footprint f = pixel_footprint(view, dist, slope_light.xy);
-    wave_fields w = waves_at(rest, f, gust, rest_depth.z, vec4(slope_light.xy, through_air.w - 4.0, 0.0));
-#ifdef WAVES_CASCADES
-    f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
-#endif
-    vec3 covariance = unresolved_slopes(f);
-    vec3 shaded = covariance * gust * gust;
-
-    vec2 slope = w.slope;
-    // the facets that the eye sees lean towards it
-    visible_facets seen = facets_seen(view, slope, shaded);
-    vec2 toward = view.xy / max(length(view.xy), 1e-4);
-    vec3 normal = normalize(vec3(-slope, 1.0));
-    vec3 leaning = normalize(vec3(-(slope - toward * seen.shift), 1.0));
-    float index = water_deep.w;
-    float reflectance = mean_fresnel(clamp(dot(view, normal), 0.02, 1.0), index, seen.sigma);
-    vec3 mirrored = reflect(-view, leaning);
-    mirrored.z = abs(mirrored.z);
-    vec3 sky = environment_radiance(mirrored, seen.sigma);
-#ifdef LAND
-    sky = mirror_land(sky, position, view, slope, toward, seen);
-#endif
-
-    vec3 half_vector = normalize(view + sun.xyz);
-    vec2 facet = -half_vector.xy / max(half_vector.z, 1e-3);
-    float hz2 = half_vector.z * half_vector.z;
-    float sun_seen = facets_seen(sun.xyz, slope, shaded).area;
-    float glint = slope_density(facet, slope, shaded) * fresnel(clamp(dot(view, half_vector), 0.0, 1.0), index) /
-                  (4.0 * hz2 * hz2 * max(seen.area, 0.01)) * clamp(max(sun.z, 0.0) / max(sun_seen, 1e-3), 0.0, 1.0);
-    vec3 sunlight = sun_light.rgb * shade;
-    vec3 glitter = sunlight * min(glint, 400.0) * step(-0.01, sun.z);
-
-    vec3 irradiance = sunlight * max(sun.z, 0.0) * (1.0 - fresnel(clamp(dot(sun.xyz, normal), 0.05, 1.0), index)) +
-                      sky_light.rgb * 0.93;
-    vec3 below = water_deep.rgb * irradiance;
-    // light that entered the far side of a crest leaves through the near one
-    float ahead = clamp(dot(-view, normalize(vec3(sun.xy, max(sun.z, 0.05)))), 0.0, 1.0);
-    float crest = clamp((position.z + eye.z) / max(sea_law.x, 0.3), 0.0, 1.0);
-    vec3 glow = water_deep.rgb * sunlight * (ahead * ahead * ahead * 5.0 + 0.6) * crest * clamp(1.2 - w.jacobian, 0.0, 1.0);
-
+    water_here p = water_at(pixel, uv, through_air.w, from_air.w);
+    vec3 sunlight = sun_light.rgb * p.shade, surface = vec3(0.0);
+    rough_reflection mirror = reflection_of(p.view, p.slope, p.seen, p.near, water_deep.w);
+    vec3 below = effect_is_on(EFFECT_AMBIENT) ? water_light(sunlight) : vec3(0.0);
     float fresh, old, film = 1.0;
-    breaking_cover(w, covariance, fresh, old);
-    foam_texels texels = foam_look_up(rest, f.minor);
+    breaking_cover(p.waves, p.hidden, fresh, old);
+    foam_texels texels = foam_look_up(p.rest, p.place.minor);
 #ifdef LAND
     float water_path;
-    below = bed_radiance(uv, below, position, view, normal, water_path);
-    fresh = max(fresh, shore_cover(rest, rest_depth.z, from_air.w, water_path, texels.broad));
+    vec3 over_bed = bed_radiance(uv, below, p.position, p.view, p.normal, water_path);
+    if (effect_is_on(EFFECT_REFRACTION)) below = over_bed;
+    fresh = max(fresh, shore_cover(p.rest, p.depth, p.least, water_path, texels.broad));
     film = smoothstep(0.0, 0.12, water_path); // the last centimetres over the sand
 #endif
-    vec3 surface = reflectance * sky + glitter + (1.0 - reflectance) * (below + glow);
-
-    float foam = foam_alpha(texels, f.minor, fresh, old) * water_kd.w;
-    vec3 foam_light = (sunlight * max(dot(sun.xyz, normal), 0.0) + sky_light.rgb) / SLOPES_PI;
-    surface = mix(surface, foam_light * 0.72, clamp(foam, 0.0, 1.0) * 0.92);
+    if (effect_is_on(EFFECT_SCATTERING))
+        below += crest_glow(water_deep.rgb, sunlight, p.view, sun.xyz, (p.position.z + eye.z) / max(sea_law.x, 0.3), p.waves.jacobian);
+    surface = (1.0 - mirror.reflectance) * below;
+    if (effect_is_on(EFFECT_REFLECTION)) surface += reflected_light(p, mirror);
+    if (effect_is_on(EFFECT_GLITTER) && sun.z > -0.01)
+        surface += sunlight * sun_glint(p.view, sun.xyz, p.slope, p.roughness, p.seen, p.near, p.whole, water_deep.w);
+    if (effect_is_on(EFFECT_FOAM)) {
+        float foam = foam_alpha(texels, p.place.minor, fresh, old) * water_kd.w;
+        vec3 light = foam_radiance(sunlight, dot(sun.xyz, p.normal), sky_light.rgb) * FOAM_ALBEDO;
+        surface = mix(surface, light, clamp(foam, 0.0, 1.0) * FOAM_DENSEST);
+    }
 #ifdef LAND
     surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, film);
 #endif

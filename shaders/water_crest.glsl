@@ -34,6 +34,7 @@ void main() { fullscreen(0.0); }
 #ifdef LAND
 #include "common/surf.glsl"
 #endif
+#include "common/water_light.glsl"
 out vec4 color;
 
 #pragma unit shape_rest 16
@@ -209,8 +210,7 @@ vec3 bed_light(ivec2 at, vec3 deep, vec3 position, vec3 view, vec2 slope, inout 
     float bend = min(bed, 3.0) * 0.25 / (length(position) * lens.x);
     ivec2 bent = clamp(at + ivec2(vec2(dot(slope, vec2(-view.y, view.x)), -dot(slope, view.xy)) * bend), ivec2(0), ivec2(viewport.xy) - 1);
     if (effect_is_on(EFFECT_DISTORTION) && bed_depth(bent, position) > 0.0) at = bent;
-    // 0.54: through the surface twice, (1 - F)^2 / n^2 with the internal reflection's return
-    return texelFetch(scene_color, at, 0).rgb * 0.54 * both_ways + deep * (1.0 - both_ways);
+    return texelFetch(scene_color, at, 0).rgb * BED_LEAVES * both_ways + deep * (1.0 - both_ways);
 }
 #endif
 
@@ -245,7 +245,7 @@ vec3 light_here(ivec2 at, vec4 shape) {
     float reflectance = facets_fresnel(max(dot(p.view, normal), 0.0), seen.rms, water_deep.w);
 
     vec3 sunlight = sun_light.rgb * p.shade;
-    vec3 below = water_deep.rgb * (sunlight * (max(sun.z, 0.0) * 0.95) + 0.93 * sky_light.rgb);
+    vec3 below = water_deep.rgb * (sunlight * (max(sun.z, 0.0) * 0.95) + SKY_ENTERS * sky_light.rgb);
     float rise = p.position.z + eye.z + dot(p.rest, p.rest) / (2.0 * lens.w);
     float mask = crest_mask(p, w, rise, toward);
     float foam = open_foam(w, p.slopes), zone = RAMP_OPEN;

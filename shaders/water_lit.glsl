@@ -18,6 +18,7 @@ void main() { water_vertex(); }
 #include "common/fresnel.glsl"
 #include "common/ripples.glsl"
 #include "common/rough.glsl"
+#include "common/water_light.glsl"
 out vec4 color;
 
 #pragma unit foam_detail 7
@@ -75,9 +76,8 @@ vec3 with_bed(vec3 deep, water_pixel p, vec3 view, vec2 slope, out float film) {
     }
     float path = depth > 0.0 ? max(p.position.z - bed.z, 0.0) : 1e4;
     float down = sqrt(1.0 - (1.0 - view.z * view.z) / (water_deep.w * water_deep.w));
-    vec3 passed = exp(-water_kd.rgb * path * (1.0 + 1.0 / down));
     film = smoothstep(0.0, 0.12, path);
-    return textureLod(scene_color, uv, 0.0).rgb * 0.54 * passed + deep * (1.0 - passed); // 0.54: as in water.glsl
+    return radiance_of_bed(textureLod(scene_color, uv, 0.0).rgb, deep, water_kd.rgb, path, down);
 }
 #endif
 
@@ -119,7 +119,7 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
         light += look_light.z * sunlight * step(-0.01, sun.z) *
                  rough_glint(view, sun.xyz, w.slope, covariance, seen, water_deep.w);
     if (effect_is_on(EFFECT_FOAM))
-        light = mix(light, (sunlight * facing + sky_light.rgb) * 0.23, foam_here(p, pixel.minor, w, hidden)); // albedo 0.72 / pi
+        light = mix(light, foam_radiance(sunlight, facing, sky_light.rgb) * FOAM_ALBEDO, foam_here(p, pixel.minor, w, hidden));
 #ifdef LAND
     light = mix(textureLod(scene_color, gl_FragCoord.xy * viewport.zw, 0.0).rgb, light, film);
 #endif

@@ -32,6 +32,7 @@ void main() {
 #include "common/fresnel.glsl"
 #include "common/ripples.glsl"
 #include "common/rough.glsl"
+#include "common/water_light.glsl"
 out vec4 color;
 
 #ifdef PICTURES
@@ -190,7 +191,7 @@ vec3 refraction(phong_surface s, out vec3 passed, out vec4 bed) {
 #else
     float down = sqrt(1.0 - (1.0 - s.view.z * s.view.z) / (water_deep.w * water_deep.w)); // of the refracted view
     passed = bed.a * exp(-water_kd.rgb * depth * (1.0 + 1.0 / down));
-    return bed.rgb * (0.54 / max(bed.a, 1e-3)) * passed; // 0.54: through the surface twice, (1 - F)^2 / n^2 and back inside
+    return bed.rgb * (BED_LEAVES / max(bed.a, 1e-3)) * passed;
 #endif
 #endif
 }

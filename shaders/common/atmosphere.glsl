@@ -2,6 +2,7 @@
 // The sky for the passes that draw something under it: radiance towards a direction, mirrored sky, haze between the
 // eye and a point, sunlight and cloud shadow. Reads tables that the sky pass keeps; all of it is in the unit of
 // common/air.glsl.
+#include "common/environment.glsl"
 #include "common/sky_table.glsl"
 
 uniform sampler2D sky_view_table;
@@ -16,26 +17,12 @@ uniform sampler3D aerial_table;
 // Clear sky without the sun's disc; below the horizon, the horizon's.
 vec3 sky_radiance(vec3 dir) { return textureLod(sky_view_table, sky_view_uv(dir, max(eye.z, 0.0)), 0.0).rgb; }
 
-// ---- the environment map: the upper hemisphere as seen from the sea, folded onto a square; the horizon is its rim
+// ---- the environment map
 
-const float ENVIRONMENT_SIZE = 512.0;
-
-vec2 environment_uv(vec3 dir) {
-    vec2 p = dir.xy / max(abs(dir.x) + abs(dir.y) + max(dir.z, 0.0), 1e-6);
-    return vec2(p.x + p.y, p.x - p.y) * 0.5 + 0.5;
-}
-
-vec3 environment_direction(vec2 square) {
-    vec2 t = square * 2.0 - 1.0, p = vec2(t.x + t.y, t.x - t.y) * 0.5;
-    return normalize(vec3(p, 1.0 - abs(p.x) - abs(p.y)));
-}
-
-// Sky and clouds towards a mirrored direction, blurred as facets of that rms slope blur it: the ray turns by twice
-// the slope, and level n is blurred by two of its texels (sky_prefilter.glsl). Below the horizon, the horizon's.
+// Sky and clouds towards a mirrored direction, blurred as facets of that rms slope blur it: the ray turns by twice the slope.
+// Below the horizon, the horizon's.
 vec3 environment_radiance(vec3 dir, float roughness) {
-    float texel = 2.0 / ENVIRONMENT_SIZE; // [rad] on the rim
-    float level = clamp(log2(max(roughness / texel, 1.0)), 0.0, 7.0);
-    return textureLod(environment_map, environment_uv(dir), level).rgb;
+    return textureLod(environment_map, environment_uv(dir), environment_level(2.0 * roughness)).rgb;
 }
 
 // ---- the sun

@@ -2,6 +2,7 @@
 // What water does to things in it, for the pictures that it mirrors and refracts and for an eye under it: raises them, dims them, puts
 // its own light before them, and gathers sunlight on them (Ma, Zhu & Gong 2006, sections 2.2.3, 3 (2) and 5).
 #include "common/refraction.glsl"
+#include "common/water_light.glsl"
 #ifdef PICTURE
 
 // Height above the water [m] at which what stands at that height is seen in this picture.
@@ -15,7 +16,7 @@ float seen_height(vec2 position, float height) {
 vec3 water_glow(float upward, float depth) {
     vec3 light = sun_light.rgb * max(sun.z, 0.0) + sky_light.rgb;
     float from_above = 0.5 + 0.5 * upward;
-    return water_deep.rgb / 0.54 * light * (1.0 + 3.0 * from_above * from_above) * exp(-water_kd.rgb * max(depth, 0.0));
+    return water_deep.rgb / BED_LEAVES * light * (1.0 + 3.0 * from_above * from_above) * exp(-water_kd.rgb * max(depth, 0.0));
 }
 
 // What becomes of light from a point at that height above the water, seen from above it or under it: light * through + veil.
@@ -34,7 +35,7 @@ void through_water(vec3 position, float height, out vec3 through, out vec3 veil)
     } else if (clip.x < 0.0) {
         float up = position.z / away, down = sqrt(max(1.0 - (1.0 - up * up) / (water_deep.w * water_deep.w), 0.1));
         vec3 both_ways = exp(-under.y * water_kd.rgb * depth * (1.0 + 1.0 / down));
-        through = 0.54 * both_ways; // (1 - F)^2 / n^2 with the internal reflection's return
+        through = BED_LEAVES * both_ways;
         veil = water_deep.rgb * (sun_light.rgb * max(sun.z, 0.0) + sky_light.rgb) * (1.0 - both_ways);
     }
 }

@@ -90,6 +90,16 @@ static void set_foam(const gl_program *g, const frame *f) {
                     (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread, 0.0f});
 }
 
+#define EVERY_WAVE 1e6 // standard deviation of a footprint that resolves none [m]
+
+// Covariance of the slopes of all waves, and the standard deviation of their height.
+static void set_total(const gl_program *g, const bolan_sea *sea) {
+    float total[3];
+    bolan_sea_unresolved_slopes(sea, EVERY_WAVE, EVERY_WAVE, 0.0, total);
+    const double height = 0.25 * bolan_sea_get_summary(sea)->hs;
+    gl_program_vec4(g, "slope_total", (bolan_vec4){total[0], total[1], total[2], (float)fmax(height, 1e-3)});
+}
+
 static void draw_shape(physical *p, const water_draw *d) {
     if (!water_program(d, "water_surface", 0, "")) return;
     gl_target_bind(&p->shape_target);
@@ -102,6 +112,8 @@ static void draw_light(physical *p, const water_draw *d) {
     const gl_program *g = water_program(d, "water", 0, p->defines);
     if (!g) return;
     set_foam(g, d->f);
+    set_total(g, d->f->desc->sea);
+    water_look_apply(g, &d->f->scene->look);
     gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
     for (uint32_t i = 0; i < SURFACE_COUNT; ++i) gl_texture_bind(&p->shape_map[i], UNIT_SURFACE + i);
     gl_target_bind_part(&d->f->hdr, 0, 0, d->f->hdr.width, water_rows(d->f, d->vertical));

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// What rough water reflects towards an observer: the mean over the visible facets of Fresnel's reflectance, of whether the ray is
+// clear of other waves, and of the direction it comes from. Needs common/slopes.glsl and common/fresnel.glsl.
+//
+// Waves hide one another on two scales. The waves of the mesh stand in a ray's way by their height: Smith's function
+// for a point of known height, P(lower)^L (Bourlier, Berginc & Saillard 2002). The waves that the mesh lacks hide by
+// Smith's function over the plane of the mesh, and part of their slope belongs to waves so long that a facet shares it
+// with all that stands near: what leans towards the observer, and is therefore seen, leans away from a low sun and a
+// low sky beyond.
+
+// Share of the slope variance that the mesh lacks which a facet has in common with its neighbourhood. 0.2 to 0.35 give
+// the glitter of a path tracer at 1 to 10 degrees below the horizon (tests/images/test_light_bands.c); without it, 2.3
+// times as much at 1 degree.
+const float SHARED_SLOPE = 0.25;
+
+// The sea round a place.
+struct surroundings {
+    vec2 plane;      // slope of the mesh
+    vec3 covariance; // of the slopes that the mesh lacks: xx, xy, yy
+    vec3 mesh;       // of the slopes of the mesh
+    float log_lower; // log2 of the share of the mesh that is lower than this place
+    float shared;    // SHARED_SLOPE, or 0 for facets without neighbourhood
+};
+
+// Height over the mean water of the round earth [m] of an eye-relative position; eye_height: over the water below it.
+float height_over_sea(vec3 position, float eye_height, float earth) {
+    return position.z + eye_height + dot(position.xy, position.xy) / (2.0 * earth);
+}
+
+// `height`: over the mean water, in standard deviations of the sea's; `total`: slope covariance of all waves.
+surroundings surroundings_of(vec2 plane, vec3 covariance, vec3 total, float height) {
+    vec3 mesh = max(total - covariance, vec3(0.0, -1.0, 0.0));
+    mesh.y = clamp(mesh.y, -sqrt(mesh.x * mesh.z), sqrt(mesh.x * mesh.z));
+    return surroundings(plane, covariance, mesh, log2(max(normal_cdf(height), 1e-4)), SHARED_SLOPE);
+}
+
+// 1 over a standard deviation, finite for none.
+float per_deviation(float variance) { return inversesqrt(max(variance, 1e-8)); }
+
+// Share of rays of that elevation [tangent] which no wave of the mesh stops. per_slope: 1 over the rms slope of those
+// along the ray.
+float clear_of_mesh(surroundings s, float elevation, float per_slope) { return exp2(s.log_lower * smith_ratio(elevation * per_slope)); }
+
+float not_hidden(float u) { return 1.0 / (1.0 + smith_ratio(u)); }
+
+// Slope of a place whose look-ups resolve more than the mesh: these find any slope alike, but an observer sees those
+// that lean towards him more often. The part beyond the mesh's plane is moved and narrowed as the visible part of a
+// Gaussian is. `whole`: facets over the mesh's plane; `unresolved`: slope covariance that the look-ups lack.
+vec2 seen_slope(vec3 v, vec2 slope, surroundings s, visible_facets whole, vec3 unresolved) {
+    vec2 h = normalize(level_part(v));
+    float share = clamp(1.0 - slope_variance(h, unresolved) / max(slope_variance(h, s.covariance), 1e-8), 0.0, 1.0);
+    float tilt = dot(s.plane - slope, h), kept = 1.0 - whole.narrow;
+    return slope - h * (share * whole.shift + tilt * (sqrt(1.0 - share * (1.0 - kept * kept)) - 1.0));
+}
+
+struct rough_reflection {
+    float reflectance; // mean over the visible facets, whether their rays are clear or not
+    float clear;       // of that, the part whose rays are clear
+    float tilt;        // mean slope towards the observer of the facets that reflect that part, over the mean slope
+    float spread;      // its rms about that
+};
+
+// Reflectance of a facet that has slope s towards the observer and mean square slope across2; facing: its cosine before
+// its normal is brought to length 1.
+float facet_fresnel(float facing, float s, float across2, float index) {
+    return fresnel(clamp(facing * inversesqrt(1.0 + s * s + across2), 0.0, 1.0), index);
+}
+
+// Places between the tilt whose ray is the lowest that can be clear and the tilt beyond which there are no facets;
+// closer at the low end, where the clear share rises as a square root does. Twenty change the result by less than 2 %.
+const int CLEAR_STEPS = 5;
+const float LAST_TILT = 2.8, TILT_RANGE = 5.4; // [rms of the visible tilts]
+
+// v: towards the observer. slope, seen: mean slope and facets of the pixel. One-dimensional, along the view.
+rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surroundings near, float index) {
+    vec2 level = level_part(v);
+    float flat_length = length(level);
+    vec2 h = level / flat_length, aside = vec2(h.y, -h.x);
+    float along = dot(slope, h), across = dot(slope, aside), across2 = across * across + seen.across * seen.across;
+    float plane = dot(near.plane, h), observer = v.z / flat_length - plane; // elevations over the mesh's plane
+    float per_local = per_deviation(slope_variance(h, near.covariance) * (1.0 - near.shared));
+    float per_mesh = per_deviation(slope_variance(h, near.mesh));
+    vec3 offset, weight;
+    facet_nodes(seen, offset, weight);
+    float reflectance = 0.0, visible = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        float s = along - seen.shift - offset[i] * seen.sigma;
+        float w = weight[i] * not_hidden((observer + near.shared * (plane - s)) * per_local);
+        visible += w;
+        reflectance += w * facet_fresnel(v.z - flat_length * s, s, across2, index);
+    }
+    // half the angle from the view to the lowest ray, which clears the horizon and the mesh's plane
+    float cosine = plane < 0.0 ? inversesqrt(1.0 + plane * plane) : 1.0;
+    float lowest = along + (max(-plane, 0.0) * cosine - v.z) / (cosine + flat_length);
+    float last = seen.shift + LAST_TILT * seen.sigma, range = clamp(last - lowest, 0.0, TILT_RANGE * seen.sigma);
+    float per_facet = (1.0 - seen.narrow) / seen.sigma, sum = 1e-9, first = 1e-9 * last, second = 1e-9 * last * last;
+    for (int i = 0; i < CLEAR_STEPS; ++i) {
+        float x = (float(i) + 0.5) / float(CLEAR_STEPS), tilt = last - range * (1.0 - x * x), s = along - tilt;
+        float up2 = 1.0 / (1.0 + s * s + across2), facing = max(v.z - flat_length * s, 0.0);
+        float z = clamp(2.0 * facing * up2 - v.z, -0.999, 0.999), ray = z * inversesqrt(1.0 - z * z), shared = near.shared * (plane - s);
+        float clear = x * normal_pdf(tilt * per_facet) * facing * facet_fresnel(facing, s, across2, index) *
+                      not_hidden((observer + shared) * per_local) * not_hidden((ray + plane - shared) * per_local) *
+                      clear_of_mesh(near, ray, per_mesh);
+        sum += clear;
+        first += clear * tilt;
+        second += clear * tilt * tilt;
+    }
+    float mean = first / sum, variance = max(second / sum - mean * mean, 0.02 * seen.sigma * seen.sigma);
+    reflectance /= max(visible, 1e-6);
+    float clear = sum * 2.0 * range / float(CLEAR_STEPS) * per_facet / (seen.area * max(visible, 1e-6));
+    return rough_reflection(reflectance, min(clear, reflectance), mean, sqrt(variance));
+}
+
+// Mean reflectance of rough water seen level, from the slope variance along the view: what a ray that another wave stops
+// meets there. Within 8 % of the sums over facets at 1 degree in tests/data/light/mean_fresnel.csv.
+float level_reflectance(float variance) { return 1.0 / (1.0 + 11.5 * sqrt(max(variance, 0.0))); }
+
+// Share of the facets of slope `facet` in sight of the observer that also see a distant light at `to`; above 1 where
+// the facets of that slope are seen more often than others. The neighbourhood's slope has a Gaussian distribution about
+// its share of the facet's. `whole`: facets over the mesh's plane.
+const int LEAN_STEPS = 5;
+float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets whole) {
+    vec2 hv = level_part(v), hto = level_part(to);
+    float flat_v = length(hv), flat_to = length(hto);
+    hv /= flat_v, hto /= flat_to;
+    float variance_v = max(slope_variance(hv, near.covariance), 1e-8), variance_to = max(slope_variance(hto, near.covariance), 1e-8);
+    float observer = v.z / flat_v - dot(near.plane, hv), light = to.z / flat_to - dot(near.plane, hto);
+    float per_v = inversesqrt(variance_v * (1.0 - near.shared)), per_to = inversesqrt(variance_to * (1.0 - near.shared));
+    // the neighbourhood's slope: mean + x spread, where both sides can be seen from it
+    vec2 mean = near.shared * (facet - near.plane);
+    vec2 spread = slope_along(hv, near.covariance) * sqrt(near.shared * (1.0 - near.shared) / variance_v);
+    observer -= dot(mean, hv), light -= dot(mean, hto);
+    float by_v = max(dot(spread, hv), 1e-6), by_to = dot(spread, hto);
+    by_to = abs(by_to) < 1e-6 ? 1e-6 : by_to;
+    float end = light / by_to, first = max(by_to < 0.0 ? end : -3.0, -3.0), last = min(observer / by_v, by_to > 0.0 ? end : 3.0);
+    float range = max(min(last, 3.0) - first, 0.0) / float(LEAN_STEPS), sum = 0.0;
+    for (int i = 0; i < LEAN_STEPS; ++i) {
+        float x = first + range * (float(i) + 0.5);
+        sum += normal_pdf(x) * not_hidden((observer - by_v * x) * per_v) * not_hidden((light - by_to * x) * per_to);
+    }
+    sum *= range;
+    observer += dot(mean, hv), light += dot(mean, hto);
+    // by the waves that a neighbourhood has in common, towards either side
+    float shared_v = sqrt(max(near.shared, 1e-4) * variance_v), shared_to = sqrt(max(near.shared, 1e-4) * variance_to);
+    float area = flat_v * shared_v * mean_facing(observer / shared_v);
+    float per_mesh = per_deviation(slope_variance(hto, near.mesh));
+    return sum * whole.area / area * not_hidden(light / shared_to) * clear_of_mesh(near, to.z / flat_to, per_mesh);
+}
+
+// Radiance of the reflected sun for an irradiance of 1: density of the slope that reflects it (Cox & Munk 1954; Ross,
+// Dion & Potvin 2005). `seen`: facets of the pixel, of mean slope `slope` and covariance `unresolved`.
+const float MOST_GLINT = 400.0; // [1/sr] half floats and the glow about the sun's image end there
+float sun_glint(vec3 v, vec3 to_sun, vec2 slope, vec3 unresolved, visible_facets seen, surroundings near, visible_facets whole, float index) {
+    vec3 middle = normalize(v + to_sun);
+    vec2 facet = -middle.xy / max(middle.z, 1e-3);
+    float up2 = middle.z * middle.z;
+    float glint = slope_density(facet, slope, unresolved) * fresnel(clamp(dot(v, middle), 0.0, 1.0), index) /
+                  (4.0 * up2 * up2 * max(seen.area, 0.01)) * lit_share(v, to_sun, facet, near, whole);
+    return min(glint, MOST_GLINT);
+}
