@@ -129,8 +129,7 @@ run_tests() {
 
 refresh
 {
-    cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBOLAN_WERROR=OFF \
-        "-DBOLAN_SHARED_DATA=${BOLAN_SHARED_DATA:-$root/../shared/data}"
+    cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBOLAN_WERROR=OFF
 } >"$log" 2>&1 || {
     cat "$log"
     exit 1
