@@ -152,7 +152,7 @@ typedef struct bolan_sea_summary {
 bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state);
 
 /// Cox & Munk (1954) clean-surface slope variance for a wind of @p wind_speed [m/s] at 12.5 m; up- and crosswind parts:
-/// 3.16e-3 U and 0.003 + 1.92e-3 U (+- 0.004 and 0.002).
+/// 3.16e-3 U and 0.003 + 1.92e-3 U (+- 0.004 and 0.002). Below 0.72 m/s the constant 0.003 fades, so that a calm is flat.
 void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cross);
 /// Whitecap cover fraction of Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41, at most 0.95, which 38 m/s reaches:
 /// their winds end at 17 m/s, and even a hurricane leaves dark water between its foam. 0 without wind.

@@ -10,7 +10,7 @@ const float BED_LEAVES = 0.54;
 // Albedo of fresh foam (Koepke 1984 has 0.22 for the mean over old and fresh foam; thick foam comes to 0.5 to 0.8) and
 // the share of it that its densest part covers.
 const float FOAM_ALBEDO = 0.72, FOAM_DENSEST = 0.92;
-// Light through crests: `GLOW_ALL` for every azimuth, GLOW_AHEAD more towards the sun, fitted to photographs by eye.
+// Light through crests: `GLOW_ALL` for every azimuth, GLOW_AHEAD more towards the sun, chosen by eye.
 const float GLOW_ALL = 0.6, GLOW_AHEAD = 5.0;
 
 // The bed's radiance and the water's own over a bed that lies `path` metres straight down; `down`: cosine of the

@@ -68,11 +68,11 @@ static void fill_surf(frame *f, const bolan_sea_summary *sea) {
         (bolan_vec4){(float)x, (float)y, reduced(periods - x * f->eye.x - y * f->eye.y, 1.0), reduced(periods, 1.0)};
 }
 
-static void fill_streaks(frame *f, double wind_to) {
+bolan_vec4 frame_streaks(bolan_dvec3 eye, double wind_to) {
     const double c = cos(wind_to), s = sin(wind_to);
-    f->uniforms.streaks = (bolan_vec4){reduced((c * f->eye.y - s * f->eye.x) * STREAK_ACROSS, 1.0),
-                                       reduced((c * f->eye.x + s * f->eye.y) * STREAK_ALONG, 1.0), (float)STREAK_ACROSS,
-                                       (float)STREAK_ALONG};
+    return (bolan_vec4){reduced((c * eye.y - s * eye.x) * STREAK_ACROSS, 1.0),
+                        reduced((c * eye.x + s * eye.y) * STREAK_ALONG, 1.0), (float)STREAK_ACROSS,
+                        (float)STREAK_ALONG};
 }
 
 #define LEAST_DEPTH 0.12 // [m] of an eye under water, for the near plane's sake
@@ -110,7 +110,7 @@ static void fill_scene(frame *f) {
                            reduced(f->eye.y, 131072.0)};
     fill_water(u, &s->water);
     fill_surf(f, bolan_sea_get_summary(f->desc->sea));
-    fill_streaks(f, wind_to);
+    u->streaks = frame_streaks(f->eye, wind_to);
     const bool under =
         u->under.x > 0.5f; // the paper names the fog as work to come, so above the water its mode has none
     u->under.y = s->look.effects & BOLAN_EFFECT_FOG && (under || !s->look.paper) ? 1.0f : 0.0f;

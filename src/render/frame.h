@@ -101,6 +101,9 @@ typedef struct frame {
 double sea_peak_period(const bolan_sea_summary *sea);
 double sea_peak_length(const bolan_sea_summary *sea);
 
+// frame_uniforms::streaks for an eye there and a wind that blows towards @p wind_to [rad, counter-clockwise from east].
+bolan_vec4 frame_streaks(bolan_dvec3 eye, double wind_to);
+
 // Every pass: create once, draw per frame, free. prepare() may run before targets are bound and fills textures it owns.
 typedef struct pass_sky pass_sky;         // atmosphere tables, sky, clouds, environment map; sets sun_light, sky_light
 typedef struct pass_terrain pass_terrain; // land and sea bed; the shore map

@@ -207,7 +207,7 @@ static void bind_uniforms(pass_sky *p, const frame_uniforms *u) {
     gl_buffer_bind_uniform(&p->uniforms, 0);
 }
 
-#define SUN_STEP 0.002 // between suns that the tables are made for, a fifth of the sun's diameter [rad]
+#define SUN_STEP 0.0005 // between suns that the tables are made for [rad]: 0.3 % of the light of a sun at 5 degrees
 
 // The frame's uniforms with sun and eye where the tables are made for them.
 static frame_uniforms on_lattice(const frame *f) {

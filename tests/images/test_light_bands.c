@@ -161,6 +161,8 @@ static void draw_parts(const view *v, const char *shaders, int samples, double *
     bolan_target *target = NULL;
     assert_true(open_stage(&s, &scene, shaders));
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
+    // The reference's surface had its mean below the level by what now lifts it: so its eye stood higher over the waves.
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(s.sea); ++c) s.scene.water.level -= bolan_sea_lift(s.sea, c, 0.0);
     float *rgb = malloc(sizeof(float) * 3 * PIXELS), *distance = malloc(sizeof(float) * PIXELS);
     const double pixel = 2.0 * bolan_degrees(tan(bolan_radians(20.0))) / HEIGHT;
     for (int i = 0; i < samples; ++i) { // the R2 sequence
@@ -211,7 +213,7 @@ static void check(char name, int index, const char *part, const double got[3], c
 #define SKY_TOLERANCE 0.13
 #define GLITTER_TOLERANCE 0.17
 #define BELOW_TOLERANCE 0.13
-#define SAMPLES 2
+#define SAMPLES 4
 
 static void check_view(const view *v, double *const light[PARTS]) {
     band reference[BANDS];
@@ -241,7 +243,7 @@ static void check_view(const view *v, double *const light[PARTS]) {
 static void the_light_is_the_path_tracers(void **state) {
     (void)state;
     bolan_context *context = NULL;
-    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip();
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     char shaders[] = "light_XXXXXX";
     make_shaders(shaders);
     double *light[PARTS];

@@ -128,7 +128,7 @@ static void shadows_at(const sky_rig *r, float (*world)[2], float (*out)[4]) {
 
 static void cloud_shadows_stay_where_they_are_while_the_eye_moves(void **state) {
     (void)state;
-    static const double moves[][2] = {{120, 0}, {0, -130}, {5000, 3000}};
+    static const double moves[][2] = {{60, 0}, {0, -70}, {5000, 3000}};
     float world[SHADOWS][2], before[SHADOWS][4], after[SHADOWS][4];
     uint32_t random = 1;
     for (int i = 0; i < 2 * SHADOWS; i++) {

@@ -41,7 +41,8 @@ static void old_foam_is_drawn_out_along_the_wind(void **state) {
     const double winds[] = {0.3, 1.9, -2.6};
     for (int k = 0; k < 3; ++k) {
         rig r = {.frame = {.eye = {700.0f, 100.0f, 3.0f, 0.0f},
-                           .wind = {(float)cos(winds[k]), (float)sin(winds[k]), 10.0f, 0.0f}}};
+                           .wind = {(float)cos(winds[k]), (float)sin(winds[k]), 10.0f, 0.0f},
+                           .streaks = frame_streaks(bolan_dv3(700.0, 100.0, 3.0), winds[k])}};
         float in[2][4] = {{0.1f}, {0.25f}}, out[2][4];
         assert_int_equal(foam_texture_create(&r.detail), BOLAN_OK);
         assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof r.frame, &r.frame, &r.uniforms),

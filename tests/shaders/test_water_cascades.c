@@ -93,12 +93,17 @@ static double blend(const float *field, const place *p) {
 // gust: a factor on the cascades of waves below 20 m; depth: of the water, which takes its share of each band.
 static sums twin(const bolan_sea *sea, double x, double y, double gust, double depth) {
     sums t = {0};
-    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
+    const uint32_t count = bolan_sea_cascade_count(sea);
+    float heights[BOLAN_MAX_CASCADES], shares[BOLAN_MAX_CASCADES];
+    for (uint32_t c = 0; c < count; ++c) heights[c] = (float)(4.0 * sqrt(bolan_sea_cascade(sea, c).variance));
+    bolan_shore_attenuations((float)depth, heights, count, shares);
+    for (uint32_t c = 0; c < count; ++c) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
         const place p = place_in(&v, x, y);
-        const double shallow = (double)bolan_shore_attenuation((float)depth, (float)(4.0 * sqrt(v.variance)));
+        const double shallow = (double)shares[c];
         const double keep = v.k_min > 0.0 && 2.0 * BOLAN_PI / v.k_min < 20.0 ? gust * shallow : shallow;
         t.dx += shallow * blend(v.dx, &p), t.dy += shallow * blend(v.dy, &p), t.z += shallow * blend(v.height, &p);
+        t.z += shallow * shallow * bolan_sea_lift(sea, c, 0.0);
         t.sx += keep * blend(v.slope_x, &p), t.sy += keep * blend(v.slope_y, &p);
         t.xx += keep * blend(v.dxx, &p), t.yy += keep * blend(v.dyy, &p), t.xy += keep * blend(v.dxy, &p);
         t.foam += keep * blend(v.foam, &p);

@@ -218,8 +218,10 @@ static void nearly_flat_water_reflects_as_the_exact_dielectric(void **state) {
     const double elevations[ANGLES] = {1.0, 0.5, 0.3}, sigmas[SIGMAS] = {0.001, 0.01, 0.03};
     float in[ANGLES * SIGMAS][4] = {{0}}, out[ANGLES * SIGMAS][4];
     for (int i = 0; i < ANGLES * SIGMAS; ++i)
-        in[i][0] = (float)sin(elevations[i / SIGMAS]), in[i][1] = (float)sigmas[i % SIGMAS];
-    probe_run("#include \"common/fresnel.glsl\"", "vec4 probe(vec4 x) { return vec4(mean_fresnel(x.x, 1.34, x.y)); }",
+        in[i][0] = (float)elevations[i / SIGMAS], in[i][1] = (float)sigmas[i % SIGMAS];
+    probe_run("#include \"common/slopes.glsl\"\n#include \"common/fresnel.glsl\"\n#include \"common/rough.glsl\"",
+              "vec4 probe(vec4 x) { vec3 v = vec3(cos(x.x), 0.0, sin(x.x)), c = vec3(x.y * x.y, 0.0, x.y * x.y);\n"
+              "    return vec4(rough_fresnel(v, vec2(0.0), rough_seen(v, vec2(0.0), c), 1.34)); }",
               in, ANGLES * SIGMAS, out);
     for (int i = 0; i < ANGLES * SIGMAS; ++i) {
         const double want = mean_reflectance(elevations[i / SIGMAS], sigmas[i % SIGMAS]);

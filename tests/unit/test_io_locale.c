@@ -55,6 +55,7 @@ static void numbers_keep_their_point(void **state) {
     snprintf(text, sizeof text, "%.1f", 0.5);
     assert_string_equal(text, "0,5"); // the host's own locale is as it was
     bolan_raster_desc raster = bolan_raster_desc_default();
+    snprintf(raster.path, sizeof raster.path, "none.tif");
     raster.latitude = 0.5;
     raster.radius = 1.0;
     assert_refusal(bolan_raster_load(&raster, &(bolan_terrain *){NULL}), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_OUT_OF_RANGE,

@@ -417,10 +417,10 @@ static void test_aliases_and_nesting_cost_nothing(void **state) {
     assert_refusal(parse("time: 1\ntime: [\n]}\ntime: 2\n", &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_SYNTAX,
                    "test.yaml:3: not YAML");
     // A seed that no double holds is not rounded to another.
-    assert_int_equal(parse("sea: {seed: 9007199254740991}", &scene), BOLAN_OK);
-    assert_true(scene.sea.seed == 9007199254740991u);
-    assert_refusal(parse("sea: {seed: 9007199254740993}", &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_BAD_VALUE,
-                   "sea.seed is 9007199254740993; expected a whole number");
+    assert_int_equal(parse("sea: {seed: 9007199254740993}", &scene), BOLAN_OK);
+    assert_true(scene.sea.seed == 9007199254740993u);
+    assert_refusal(parse("sea: {seed: 18446744073709551616}", &scene), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_BAD_VALUE,
+                   "sea.seed is 18446744073709551616; expected a whole number");
 }
 
 static void test_limits_of_the_text(void **state) {
