@@ -17,7 +17,8 @@ static bolan_vec3 hull_point(float t, float u, float thickness) {
     const float round = u * (2.0f - u), width = beam * (0.55f * round + 0.45f * sqrtf(u));
     const float lift = u * u * (1.35f - 0.35f * u);
     const float rake = 0.16f * bow * bow * u;
-    return bolan_v3(fmaxf(width - thickness, 0.0f), HALF_BOAT * (2.0f * t - 1.0f) + rake - thickness * bow,
+    const float half = width > thickness ? width - thickness : 0.0f; // fmaxf(-0.0f, 0.0f) may be either zero
+    return bolan_v3(half, HALF_BOAT * (2.0f * t - 1.0f) + rake - thickness * bow,
                     keel + (sheer - keel) * lift + (u < 0.5f ? thickness : 0.0f));
 }
 
