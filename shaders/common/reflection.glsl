@@ -19,7 +19,7 @@ struct surroundings {
     vec3 covariance; // of the slopes that the mesh lacks: xx, xy, yy
     vec3 mesh;       // of the slopes of the mesh
     float log_lower; // log2 of the share of the mesh that is lower than this place
-    float shared;    // SHARED_SLOPE, or 0 for facets without neighbourhood
+    float joint;    // SHARED_SLOPE, or 0 for facets without neighbourhood
 };
 
 // Height over the mean water of the round earth [m] of an eye-relative position; eye_height: over the water below it.
@@ -78,14 +78,14 @@ rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surround
     vec2 h = level / flat_length, aside = vec2(h.y, -h.x);
     float along = dot(slope, h), across = dot(slope, aside), across2 = across * across + seen.across * seen.across;
     float plane = dot(near.plane, h), observer = v.z / flat_length - plane; // elevations over the mesh's plane
-    float per_local = per_deviation(slope_variance(h, near.covariance) * (1.0 - near.shared));
+    float per_local = per_deviation(slope_variance(h, near.covariance) * (1.0 - near.joint));
     float per_mesh = per_deviation(slope_variance(h, near.mesh));
     vec3 offset, weight;
     facet_nodes(seen, offset, weight);
     float reflectance = 0.0, visible = 0.0;
     for (int i = 0; i < 3; ++i) {
         float s = along - seen.shift - offset[i] * seen.sigma;
-        float w = weight[i] * not_hidden((observer + near.shared * (plane - s)) * per_local);
+        float w = weight[i] * not_hidden((observer + near.joint * (plane - s)) * per_local);
         visible += w;
         reflectance += w * facet_fresnel(v.z - flat_length * s, s, across2, index);
     }
@@ -97,9 +97,9 @@ rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surround
     for (int i = 0; i < CLEAR_STEPS; ++i) {
         float x = (float(i) + 0.5) / float(CLEAR_STEPS), tilt = last - range * (1.0 - x * x), s = along - tilt;
         float up2 = 1.0 / (1.0 + s * s + across2), facing = max(v.z - flat_length * s, 0.0);
-        float z = clamp(2.0 * facing * up2 - v.z, -0.999, 0.999), ray = z * inversesqrt(1.0 - z * z), shared = near.shared * (plane - s);
+        float z = clamp(2.0 * facing * up2 - v.z, -0.999, 0.999), ray = z * inversesqrt(1.0 - z * z), joint = near.joint * (plane - s);
         float clear = x * normal_pdf(tilt * per_facet) * facing * facet_fresnel(facing, s, across2, index) *
-                      not_hidden((observer + shared) * per_local) * not_hidden((ray + plane - shared) * per_local) *
+                      not_hidden((observer + joint) * per_local) * not_hidden((ray + plane - joint) * per_local) *
                       clear_of_mesh(near, ray, per_mesh);
         sum += clear;
         first += clear * tilt;
@@ -125,10 +125,10 @@ float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets w
     hv /= flat_v, hto /= flat_to;
     float variance_v = max(slope_variance(hv, near.covariance), 1e-8), variance_to = max(slope_variance(hto, near.covariance), 1e-8);
     float observer = v.z / flat_v - dot(near.plane, hv), light = to.z / flat_to - dot(near.plane, hto);
-    float per_v = inversesqrt(variance_v * (1.0 - near.shared)), per_to = inversesqrt(variance_to * (1.0 - near.shared));
+    float per_v = inversesqrt(variance_v * (1.0 - near.joint)), per_to = inversesqrt(variance_to * (1.0 - near.joint));
     // the neighbourhood's slope: mean + x spread, where both sides can be seen from it
-    vec2 mean = near.shared * (facet - near.plane);
-    vec2 spread = slope_along(hv, near.covariance) * sqrt(near.shared * (1.0 - near.shared) / variance_v);
+    vec2 mean = near.joint * (facet - near.plane);
+    vec2 spread = slope_along(hv, near.covariance) * sqrt(near.joint * (1.0 - near.joint) / variance_v);
     observer -= dot(mean, hv), light -= dot(mean, hto);
     float by_v = max(dot(spread, hv), 1e-6), by_to = dot(spread, hto);
     by_to = abs(by_to) < 1e-6 ? 1e-6 : by_to;
@@ -141,7 +141,7 @@ float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets w
     sum *= range;
     observer += dot(mean, hv), light += dot(mean, hto);
     // by the waves that a neighbourhood has in common, towards either side
-    float shared_v = sqrt(max(near.shared, 1e-4) * variance_v), shared_to = sqrt(max(near.shared, 1e-4) * variance_to);
+    float shared_v = sqrt(max(near.joint, 1e-4) * variance_v), shared_to = sqrt(max(near.joint, 1e-4) * variance_to);
     float area = flat_v * shared_v * mean_facing(observer / shared_v);
     float per_mesh = per_deviation(slope_variance(hto, near.mesh));
     return sum * whole.area / area * not_hidden(light / shared_to) * clear_of_mesh(near, to.z / flat_to, per_mesh);
