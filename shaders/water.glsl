@@ -109,8 +109,12 @@ vec3 with_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, roug
     return sky * (1.0 - land.w) + land.rgb * mirror.clear;
 }
 
-// The bed's share of the radiance that leaves the water, and the depth of water over it [m].
-vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, out float water_path) {
+// The mesh of the bed may depart from the ground by some pixels (quality_table of src/render/pass_terrain.c): far away by more
+// than the water is deep. Within that error the depth is the shore map's, beyond it something else stands in the water.
+const float BED_ERROR = 4.0; // [px]
+
+// The bed's share of the radiance that leaves the water, and the depth of water over it [m]. mapped: that depth by the shore map.
+vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, float mapped, out float water_path) {
     vec3 refracted = refract(-view, normal, 1.0 / water_deep.w);
     float down = max(-refracted.z, 0.3);
     vec3 bed, bent_bed;
@@ -120,7 +124,8 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, out
     vec2 bent = clamp(target.xy / target.w * 0.5 + 0.5, 0.001, 0.999);
     vec4 s = behind(bent, bent_bed);
     if (s.w > 0.0 && bent_bed.z < position.z) { seen = s; bed = bent_bed; }
-    water_path = seen.w > 0.0 ? max(position.z - bed.z, 0.0) : 1e4;
+    float error = BED_ERROR * lens.x * length(position), measured = position.z - bed.z;
+    water_path = seen.w > 0.0 ? max(clamp(mapped, measured - error, measured + error), 0.0) : 1e4;
     return radiance_of_bed(seen.rgb, deep, water_kd.rgb, water_path, down);
 }
 
@@ -250,7 +255,7 @@ void main() {
     foam_texels texels = foam_look_up(p.rest, p.place.minor);
 #ifdef LAND
     float water_path;
-    vec3 over_bed = bed_radiance(uv, below, p.position, p.view, p.normal, water_path);
+    vec3 over_bed = bed_radiance(uv, below, p.position, p.view, p.normal, p.depth + p.height, water_path);
     if (effect_is_on(EFFECT_REFRACTION)) below = over_bed;
     fresh = max(fresh, shore_cover(p.rest, p.depth, p.least, water_path, texels.broad));
     film = smoothstep(0.0, 0.12, water_path); // the last centimetres over the sand
