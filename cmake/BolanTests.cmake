@@ -16,7 +16,7 @@ function(bolan_add_test kind file)
     target_link_libraries(${name} PRIVATE ${ARGN} PkgConfig::cmocka Threads::Threads m)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
     add_test(NAME ${kind}/${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-    set_tests_properties(${kind}/${name} PROPERTIES LABELS ${kind} TIMEOUT 300 SKIP_RETURN_CODE 77)
+    set_tests_properties(${kind}/${name} PROPERTIES LABELS ${kind} TIMEOUT 900 SKIP_RETURN_CODE 77)
 endfunction()
 
 foreach(kind unit physics determinism kernels shaders images)
@@ -92,7 +92,7 @@ foreach(file IN LISTS fuzz_sources)
     target_link_libraries(${name} PRIVATE ${libraries} m)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
     add_test(NAME fuzz/${name} COMMAND ${name} ${arguments})
-    set_tests_properties(fuzz/${name} PROPERTIES LABELS fuzz TIMEOUT 300)
+    set_tests_properties(fuzz/${name} PROPERTIES LABELS fuzz TIMEOUT 900)
     add_dependencies(bolan_tests_core ${name})
     add_dependencies(bolan_fuzzers ${name})
 endforeach()
@@ -104,7 +104,7 @@ if(TARGET bolan_cli)
         get_filename_component(name ${file} NAME_WE)
         set(scratch ${CMAKE_BINARY_DIR}/tests/cli/${name})
         add_test(NAME cli/${name} COMMAND sh ${PROJECT_SOURCE_DIR}/tools/in_scratch.sh ${scratch} sh ${file})
-        set_tests_properties(cli/${name} PROPERTIES LABELS cli TIMEOUT 600 SKIP_RETURN_CODE 77 ENVIRONMENT
+        set_tests_properties(cli/${name} PROPERTIES LABELS cli TIMEOUT 900 SKIP_RETURN_CODE 77 ENVIRONMENT
             "BOLAN=$<TARGET_FILE:bolan_cli>;BOLAN_SOURCE_DIR=${PROJECT_SOURCE_DIR};BOLAN_BUILD_DIR=${CMAKE_BINARY_DIR};CC=${CMAKE_C_COMPILER}")
     endforeach()
 endif()
@@ -125,7 +125,7 @@ foreach(file IN LISTS packaging_tests)
     get_filename_component(name ${file} NAME_WE)
     add_test(NAME packaging/${name} COMMAND sh ${PROJECT_SOURCE_DIR}/tools/in_scratch.sh
         ${CMAKE_BINARY_DIR}/tests/packaging/${name} sh ${file})
-    set_tests_properties(packaging/${name} PROPERTIES LABELS packaging TIMEOUT 600 SKIP_RETURN_CODE 77
+    set_tests_properties(packaging/${name} PROPERTIES LABELS packaging TIMEOUT 900 SKIP_RETURN_CODE 77
         ENVIRONMENT
         "BOLAN_SOURCE_DIR=${PROJECT_SOURCE_DIR};BOLAN_BUILD_DIR=${CMAKE_BINARY_DIR};CC=${CMAKE_C_COMPILER}")
 endforeach()
@@ -134,7 +134,7 @@ endforeach()
 function(bolan_add_check name script)
     if(EXISTS ${PROJECT_SOURCE_DIR}/${script})
         add_test(NAME sources/${name} COMMAND sh ${PROJECT_SOURCE_DIR}/${script} ${PROJECT_SOURCE_DIR} ${ARGN})
-        set_tests_properties(sources/${name} PROPERTIES LABELS sources TIMEOUT 300 SKIP_RETURN_CODE 77
+        set_tests_properties(sources/${name} PROPERTIES LABELS sources TIMEOUT 900 SKIP_RETURN_CODE 77
             ENVIRONMENT "CC=${CMAKE_C_COMPILER};CXX=${CMAKE_CXX_COMPILER}")
     endif()
 endfunction()
