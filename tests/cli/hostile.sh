@@ -60,8 +60,11 @@ quick 1 'sky.sun.date is no date' measure "$hostile/scene_date_feb31.yaml"
 
 # Numbers are read as they are, or not at all.
 printf 'sea: {seed: 9007199254740993}\n' > seed.yaml
-refuse 1 'seed is 9007199254740993; expected a whole number from 0 to 9007199254740991' measure ./seed.yaml
-refuse 2 '--seed is 9007199254740993; expected' measure --seed 9007199254740993
+run measure ./seed.yaml
+head -1 out | grep -q 'seed 9007199254740993' || fail 'a seed of 54 bits was rounded'
+printf 'sea: {seed: 18446744073709551616}\n' > seed.yaml
+refuse 1 'seed is 18446744073709551616; expected a whole number from 0 to 18446744073709551615' measure ./seed.yaml
+refuse 2 '--seed is 18446744073709551616; expected' measure --seed 18446744073709551616
 printf '"1","2"\n"3","4"\n' > quoted.csv
 run query open-sea --points quoted.csv
 [ "$(cut -d, -f1,2 out | tail -2 | tr '\n' ' ')" = '1,2 3,4 ' ] || fail 'quoted numbers'
