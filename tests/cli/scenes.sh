@@ -9,7 +9,7 @@ refuse 1 'key.yaml:2: unknown key sea.wnd; expected one of wind, ' render key.ya
 printf 'time: 3\nsea:\n  wind:\n    speed: 300\n' > value.yaml
 refuse 1 'value.yaml:4: sea.wind.speed is 300; expected a number from 0 to 70 m/s' measure value.yaml
 printf 'sea: {wind: {speed: 3\n' > syntax.yaml
-refuse 1 'syntax.yaml:2: not YAML' measure syntax.yaml
+refuse 1 'syntax.yaml:1: not YAML' measure syntax.yaml
 printf '\000\001\002\377' > binary.yaml
 refuse 1 'binary.yaml:1: not YAML' measure binary.yaml
 refuse 1 './none.yaml: cannot be read: No such file or directory' measure ./none.yaml

@@ -248,7 +248,7 @@ static void the_light_is_the_path_tracers(void **state) {
     make_shaders(shaders);
     double *light[PARTS];
     for (int part = 0; part < PARTS; ++part) light[part] = malloc(sizeof(double) * 3 * PIXELS);
-    for (size_t i = 0; i < sizeof views / sizeof views[0]; ++i) {
+    for (size_t i = 0; i < (test_is_short() ? 1 : sizeof views / sizeof views[0]); ++i) {
         for (int part = 0; part < PARTS; ++part) memset(light[part], 0, sizeof(double) * 3 * PIXELS);
         draw_parts(&views[i], shaders, SAMPLES, light);
         check_view(&views[i], light);
