@@ -50,5 +50,5 @@ run measure good.yaml --seed 6 --json
 [ "$(value hash)" != "$one" ] || fail '--seed did not change the sea'
 for name in island open-sea storm measured; do
     run measure "$name" --json
-    near "$(value jacobian_mean)" 1 1e-3 # mass is conserved
+    near "$(value jacobian_mean)" 1 3e-3 # mass is conserved; 65536 places of a Jacobian that spreads by 0.2
 done
