@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Exposure, film curve, display encoding, dither. With GLOW: what a lens and an eye scatter of bright light. With
-// ACCUMULATE: adds the display value to a sum and the radiance to another, and writes both. With RESOLVE: writes out the mean
-// of the first sum.
+// ACCUMULATE: adds the display value to a sum and the radiance to another, and writes both. With RESOLVE: writes out
+// the mean of the first sum.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }

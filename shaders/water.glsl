@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The light of the water, pixel by pixel over the surface that water_surface.glsl left. What the pixel cannot resolve of the
 // waves is in the covariance of its slopes (Bruneton, Neyret & Holzschuch 2010), which widens the sun's glitter, blurs the
-// mirrored sky and lowers the mean Fresnel reflectance; waves hide sky and sun from one another (common/reflection.glsl); the light
-// from below comes from the sea bed behind and from the water's own backscatter (Gordon et al. 1988; Lee et al. 1998 for finite
-// depth).
+// mirrored sky and lowers the mean Fresnel reflectance; waves hide sky and sun from one another
+// (common/reflection.glsl); the light from below comes from the sea bed behind and from the water's own backscatter
+// (Gordon et al. 1988; Lee et al. 1998 for finite depth).
 //
 // LAND: there is terrain: depth attenuates the waves, the bed shines through, land is mirrored, the shore foams.
 // TAPS: most look-ups along the long side of the pixel's footprint. RAYS: mirrored rays that look for land.
@@ -109,11 +109,13 @@ vec3 with_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, roug
     return sky * (1.0 - land.w) + land.rgb * mirror.clear;
 }
 
-// The mesh of the bed may depart from the ground by some pixels (quality_table of src/render/pass_terrain.c): far away by more
-// than the water is deep. Within that error the depth is the shore map's, beyond it something else stands in the water.
+// The mesh of the bed may depart from the ground by some pixels (quality_table of src/render/pass_terrain.c): far away
+// by more than the water is deep. Within that error the depth is the shore map's, beyond it something else stands in
+// the water.
 const float BED_ERROR = 4.0; // [px]
 
-// The bed's share of the radiance that leaves the water, and the depth of water over it [m]. mapped: that depth by the shore map.
+// The bed's share of the radiance that leaves the water, and the depth of water over it [m]. mapped: that depth by the
+// shore map.
 vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, float mapped, out float water_path) {
     vec3 refracted = refract(-view, normal, 1.0 / water_deep.w);
     float down = max(-refracted.z, 0.3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The depth of the water alone, before anything else is drawn: see pass_water_cover(). A little farther than the water is, so that
-// the water passes wherever this did.
+// The depth of the water alone, before anything else is drawn: see pass_water_cover(). A little farther than the water
+// is, so that the water passes wherever this did.
 #include "common/depth.glsl"
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"

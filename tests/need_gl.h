@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file need_gl.h
-/// What a test does where no OpenGL context can be made: it skips, or with BOLAN_REQUIRE_GL=1 in the environment it fails,
-/// so that continuous integration cannot lose every picture test unnoticed.
+/// What a test does where no OpenGL context can be made: it skips, or with BOLAN_REQUIRE_GL=1 in the environment it
+/// fails, so that continuous integration cannot lose every picture test unnoticed.
 #ifndef BOLAN_TESTS_NEED_GL_H
 #define BOLAN_TESTS_NEED_GL_H
 

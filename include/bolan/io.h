@@ -90,9 +90,9 @@ bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out);
 // ---- spectra, rasters, points ---------------------------------------------------------------------------------------
 
 /// Reads a measured spectrum file of at most 64 MiB; @p options NULL: the defaults. The tables of directions that NDBC
-/// publishes beside a density are used where they lie beside it: for NAME.data_spec (real time) NAME.swdir, .swdir2, .swr1,
-/// .swr2; for NAMEwYEAR.txt (history) the same name with d, i, j, k. A path that begins with "builtin:" names a shipped
-/// spectrum ("builtin:synthetic-bimodal"). Errors: IO, and those of bolan_measured_spectrum_parse().
+/// publishes beside a density are used where they lie beside it: for NAME.data_spec (real time) NAME.swdir, .swdir2,
+/// .swr1, .swr2; for NAMEwYEAR.txt (history) the same name with d, i, j, k. A path that begins with "builtin:" names a
+/// shipped spectrum ("builtin:synthetic-bimodal"). Errors: IO, and those of bolan_measured_spectrum_parse().
 bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options *options,
                                  bolan_measured_spectrum **out);
 

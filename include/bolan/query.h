@@ -22,16 +22,17 @@ typedef struct bolan_query_point {
 } bolan_query_point;
 
 /// Heights [m] of the surface above mean water over @p count world points @p xy [m] into @p height (count floats). The fields
-/// are read as the picture reads them, bilinear between samples, so this is the surface that is drawn. A sum of waves is
-/// summed at the point itself. Positions are reduced in double: 1e6 m from the origin is as good as near it. Points that are not finite give 0.
-/// Uses the task hook for large batches; each answer depends on its point alone, so never on batch, threads or instruction
-/// set. Thread-safe between steps of @p sea; allocates nothing; cannot fail.
+/// are read as the picture reads them, bilinear between samples, so this is the surface that is drawn. A sum of waves
+/// is summed at the point itself. Positions are reduced in double: 1e6 m from the origin is as good as near it. Points
+/// that are not finite give 0. Uses the task hook for large batches; each answer depends on its point alone, so never
+/// on batch, threads or instruction set. Thread-safe between steps of @p sea; allocates nothing; cannot fail.
 void bolan_query_heights(const bolan_sea *sea, const bolan_dvec2 *xy, uint32_t count, float *height);
-/// Heights and normals. @p terrain may be NULL (deep water). With it each cascade is attenuated, as it is drawn, by the depth
-/// under the parcel's rest point at @p water_level [m above the datum]: bolan_shore_attenuations() of 4 sqrt(variance) of
-/// the cascades; a sum of waves is attenuated as one cascade. The lift of the mean falls with the square of the attenuation.
-/// The normal ignores how the attenuation varies in space. Heights include @p water_level, and points that are not finite
-/// give it. On dry land the answer is @p water_level: what is above it is terrain. Otherwise like bolan_query_heights().
+/// Heights and normals. @p terrain may be NULL (deep water). With it each cascade is attenuated, as it is drawn, by the
+/// depth under the parcel's rest point at @p water_level [m above the datum]: bolan_shore_attenuations() of 4
+/// sqrt(variance) of the cascades; a sum of waves is attenuated as one cascade. The lift of the mean falls with the
+/// square of the attenuation. The normal ignores how the attenuation varies in space. Heights include @p water_level,
+/// and points that are not finite give it. On dry land the answer is @p water_level: what is above it is terrain.
+/// Otherwise like bolan_query_heights().
 void bolan_query_surface(const bolan_sea *sea, const bolan_terrain *terrain, double water_level, const bolan_dvec2 *xy,
                          uint32_t count, bolan_query_point *out);
 

@@ -93,9 +93,9 @@ void bolan_terrain_bounds(const bolan_terrain *terrain, double west, double sout
 /// water, falling to 0 at the waterline so that the local height stays below the breaking limit, 0.6 of the depth.
 /// tanh form: f = tanh(0.6 depth / hs), 0 for depth <= 0. The shader twin is shaders/common/shore.glsl. Thread-safe.
 float bolan_shore_attenuation(float depth, float hs);
-/// The same for @p count bands of the significant heights @p band_hs [m] that make one sea, in @p out. Each band keeps more
-/// the lower it is, bolan_shore_attenuation(), times a factor common to all, by which the local height of all bands
-/// together is that of one sea of their total height: it stays below 0.6 of the depth. Thread-safe.
+/// The same for @p count bands of the significant heights @p band_hs [m] that make one sea, in @p out. Each band keeps
+/// more the lower it is, bolan_shore_attenuation(), times a factor common to all, by which the local height of all
+/// bands together is that of one sea of their total height: it stays below 0.6 of the depth. Thread-safe.
 void bolan_shore_attenuations(float depth, const float *band_hs, uint32_t count, float *out);
 
 #ifdef __cplusplus

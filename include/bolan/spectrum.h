@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file spectrum.h
 /// Tier 1. Sea states as directional wave spectra: model spectra (Pierson-Moskowitz, JONSWAP, TMA), directional
-/// spreading, measured spectra (SWAN, WAVEWATCH III, NDBC), dispersion, and sea-state tables. Pure functions; every one is
-/// thread-safe. Densities use no libm function that differs between machines, so a sea state gives the same bits
+/// spreading, measured spectra (SWAN, WAVEWATCH III, NDBC), dispersion, and sea-state tables. Pure functions; every one
+/// is thread-safe. Densities use no libm function that differs between machines, so a sea state gives the same bits
 /// everywhere.
 ///
 /// Convention: S(w, th) is the one-sided directional variance density [m2 s/rad per rad]; w = angular frequency
@@ -88,8 +88,8 @@ bolan_sea_state bolan_sea_state_default(void);
 /// alpha = 0.076 (U^2/(g F))^0.22, wp = 22 (g^2/(U F))^(1/3), gamma 3.3 (Hasselmann et al. 1973), until wp falls to
 /// the Pierson-Moskowitz peak 0.877 g / (1.026 U10); within 10 % of it gamma passes linearly into 1. Hs grows with the
 /// fetch up to that of the fully developed sea, 0.209 (1.026 U10)^2 / g, which it reaches at 0.63 of the fetch at which
-/// the peak does. Hs is kept to 40 m. No wind, no fetch, or a peak above 50 rad/s (ripples) give no system. A @p wind_speed outside
-/// its range is kept for bolan_sea_state_validate() to refuse.
+/// the peak does. Hs is kept to 40 m. No wind, no fetch, or a peak above 50 rad/s (ripples) give no system. A @p
+/// wind_speed outside its range is kept for bolan_sea_state_validate() to refuse.
 bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, double fetch);
 /// The wind sea of a Phillips spectrum: Psi(k) = 2 A exp(-1/(kL)^2) k^-4 cos^2(th) e^{-k^2 l^2} on the half plane that the
 /// wind blows to, L = U10^2/g, l = L/1000. The printed form has no 2 and is the same for k and -k, half of it running against
@@ -110,8 +110,8 @@ bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, do
 /// Checks every field against its range; logs a sentence and returns ARGUMENT at the first that is not.
 bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state);
 
-/// How much lower than asked for the waves have to be, so that water of their depth carries them: factors on the height,
-/// in (0, 1]; 1 where nothing is too high. bolan_sea_create() applies the smaller one to all waves and warns.
+/// How much lower than asked for the waves have to be, so that water of their depth carries them: factors on the
+/// height, in (0, 1]; 1 where nothing is too high. bolan_sea_create() applies the smaller one to all waves and warns.
 typedef struct bolan_sea_limit {
     /// Depth: Hs <= 0.6 depth (waves that break over a flat beach have Hrms = 0.42 depth: Thornton & Guza 1982).
     double by_depth;
@@ -152,7 +152,8 @@ typedef struct bolan_sea_summary {
 bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state);
 
 /// Cox & Munk (1954) clean-surface slope variance for a wind of @p wind_speed [m/s] at 12.5 m; up- and crosswind parts:
-/// 3.16e-3 U and 0.003 + 1.92e-3 U (+- 0.004 and 0.002). Below 0.72 m/s the constant 0.003 fades, so that a calm is flat.
+/// 3.16e-3 U and 0.003 + 1.92e-3 U (+- 0.004 and 0.002). Below 0.72 m/s the constant 0.003 fades, so that a calm is
+/// flat.
 void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cross);
 /// Whitecap cover fraction of Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41, at most 0.95, which 38 m/s reaches:
 /// their winds end at 17 m/s, and even a hurricane leaves dark water between its foam. 0 without wind.

@@ -85,8 +85,8 @@ void bolan_surface_projector_vertices(const bolan_surface_projector *projector, 
 void bolan_surface_projector_uniforms(const bolan_surface_projector *projector, bolan_surface_size size, float out[8]);
 
 /// The quad: 4 vertices (south-west, south-east, north-west, north-east) of a square round the point under the eye, on the
-/// flat plane of the mean water. Its sides are as long as the horizon is far. Do not draw what lies farther from the eye's
-/// foot than half a side, in the corners: there the plane would stand above the horizon of the round earth. Pure,
+/// flat plane of the mean water. Its sides are as long as the horizon is far. Do not draw what lies farther from the
+/// eye's foot than half a side, in the corners: there the plane would stand above the horizon of the round earth. Pure,
 /// thread-safe. Source: Ma, Zhu & Gong 2006, section 2.1.
 void bolan_surface_quad(const bolan_surface_view *view, bolan_surface_vertex vertices[4]);
 /// Its 6 indices, counter-clockwise seen from above.

@@ -14,13 +14,13 @@
 /// the seed and its length only: a finer resolution adds shorter waves to the same longer ones.
 ///
 /// **Fields.** With eta the height, D the horizontal displacement that gathers water at crests (choppiness not
-/// applied): a water parcel at rest at x0 is found at x = x0 + choppiness * D(x0), z = eta(x0) + lift. Fields live on x0.
-/// Vectors are in world axes (east, north), whatever the angle of the tile.
+/// applied): a water parcel at rest at x0 is found at x = x0 + choppiness * D(x0), z = eta(x0) + lift. Fields live on
+/// x0. Vectors are in world axes (east, north), whatever the angle of the tile.
 ///
 /// **Level.** Parcels stand closer at crests and cover less there, so that the mean of eta at fixed points is
 /// -choppiness * integral of k coth(k depth) S dw. The lift, a constant of the sea, is the opposite of that for the
-/// interpolated fields: the mean of the surface at fixed points is the water level. Every height of a sample, a query and
-/// a picture has it; the cascades' fields do not. Where shallow water attenuates waves by f it is f^2 of that.
+/// interpolated fields: the mean of the surface at fixed points is the water level. Every height of a sample, a query
+/// and a picture has it; the cascades' fields do not. Where shallow water attenuates waves by f it is f^2 of that.
 ///
 /// **Limits.** A sea state that is too high for its depth or too steep is lowered as a whole, with one warning
 /// (SEA_LIMITED): bolan_sea_state_limit() has the rules. No query is then asked of waves that no water could carry.
@@ -184,7 +184,8 @@ bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint32_t index
 /// TEXTURES: which frame of the loop the fields show, 0..loop_frames - 1; 0 for the others. Thread-safe.
 uint32_t bolan_sea_loop_frame(const bolan_sea *sea);
 
-/// Everything the sea is at one rest point, all cascades summed (bilinear between samples), choppiness and lift applied.
+/// Everything the sea is at one rest point, all cascades summed (bilinear between samples), choppiness and lift
+/// applied.
 typedef struct bolan_sea_sample {
     float height, dx, dy;   ///< displacement of the parcel: (x, y, z) = (x0 + dx, y0 + dy, height) [m]
     float slope_x, slope_y; ///< surface slope dz/dx, dz/dy *after* displacement; where |jacobian| < 0.1, as if it
@@ -195,11 +196,12 @@ typedef struct bolan_sea_sample {
 /// Samples at @p count rest points in world metres. The sums have no foam memory: their foam is what there is at the
 /// moment, -(dDx/dx + dDy/dy) choppiness where that is > 0. They use the task hook. Thread-safe between steps.
 void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
-/// Like bolan_sea_sample_rest(), low-passed for a grid of that spacing: @p spacing[i] >= 0 [m] is the distance of point i to its
-/// neighbours, and waves fade out from 4 to 2 spacings of length, so that nothing aliases; NULL: everything. For the
-/// sums this is the fast way to displace a mesh: SIMD over the points, on the task hook. A cascade of FFT and TEXTURES
-/// is averaged over a square of two spacings by up to 4 x 4 look-ups, and fades as a whole from 4 to 2 spacings of its
-/// longest wave: what is shorter than two spacings keeps about 1/16 of its energy. Thread-safe between steps.
+/// Like bolan_sea_sample_rest(), low-passed for a grid of that spacing: @p spacing[i] >= 0 [m] is the distance of point
+/// i to its neighbours, and waves fade out from 4 to 2 spacings of length, so that nothing aliases; NULL: everything.
+/// For the sums this is the fast way to displace a mesh: SIMD over the points, on the task hook. A cascade of FFT and
+/// TEXTURES is averaged over a square of two spacings by up to 4 x 4 look-ups, and fades as a whole from 4 to 2
+/// spacings of its longest wave: what is shorter than two spacings keeps about 1/16 of its energy. Thread-safe between
+/// steps.
 void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
                            bolan_sea_sample *out);
 /// The oracle: the same quantities at one rest point and time by the direct sum over every mode, O(n^2) a point, in
@@ -231,8 +233,8 @@ const float *bolan_sea_slope_table(const bolan_sea *sea);
 /// without waves, and with EXP_COSINE. Computed at creation.
 double bolan_sea_foam_threshold(const bolan_sea *sea);
 
-/// Statistics of the surface at the present time, as it is asked and drawn: the JSON keys of `bolan measure`. They are taken
-/// at 65536 places. At fixed points a parcel counts by the area that it covers, its Jacobian.
+/// Statistics of the surface at the present time, as it is asked and drawn: the JSON keys of `bolan measure`. They are
+/// taken at 65536 places. At fixed points a parcel counts by the area that it covers, its Jacobian.
 typedef struct bolan_sea_statistics {
     double hs;                     ///< 4 sqrt(m0_field) [m]
     double tp, tm02, te;           ///< of the discrete spectrum that is synthesised [s]; of a measured one, of the file

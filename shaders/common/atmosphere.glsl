@@ -19,8 +19,8 @@ vec3 sky_radiance(vec3 dir) { return textureLod(sky_view_table, sky_view_uv(dir,
 
 // ---- the environment map
 
-// Sky and clouds towards a mirrored direction, blurred as facets of that rms slope blur it: the ray turns by twice the slope.
-// Below the horizon, the horizon's.
+// Sky and clouds towards a mirrored direction, blurred as facets of that rms slope blur it: the ray turns by twice the
+// slope. Below the horizon, the horizon's.
 vec3 environment_radiance(vec3 dir, float roughness) {
     return textureLod(environment_map, environment_uv(dir), environment_level(2.0 * roughness)).rgb;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How directions lie in the environment map: the upper hemisphere as seen from the sea, projected from the nadir onto a disc
-// (stereographic: angles stay, and nothing is folded, so that interpolation has no seam). The horizon is a circle; beyond it the sky goes on as
-// its mirror image, so that a blur and an interpolation there meet what they should.
+// How directions lie in the environment map: the upper hemisphere as seen from the sea, projected from the nadir onto a
+// disc (stereographic: angles stay, and nothing is folded, so that interpolation has no seam). The horizon is a circle;
+// beyond it the sky goes on as its mirror image, so that a blur and an interpolation there meet what they should.
 
 const float ENVIRONMENT_SIZE = 512.0;
 const float ENVIRONMENT_RIM = 0.9; // radius of the horizon: a margin for the texels of the coarser levels

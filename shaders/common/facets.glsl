@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The facets of rough water that an observer sees, in rational forms: cheaper cousins of facets_seen() in common/slopes.glsl and of
-// the mean reflectance in common/reflection.glsl. With u the distance of the horizon of tilts from the mean, in standard deviations,
-// the exact forms hold the normal distribution P and its density p:
+// The facets of rough water that an observer sees, in rational forms: cheaper cousins of facets_seen() in
+// common/slopes.glsl and of the mean reflectance in common/reflection.glsl. With u the distance of the horizon of tilts
+// from the mean, in standard deviations, the exact forms hold the normal distribution P and its density p:
 //   area  u P + p          ~ (u + sqrt(u^2 + 2/pi)) / 2         exact at 0 and for large u
 //   tilt  P / (u P + p)    ~ 2 / (u + sqrt(u^2 + 8/pi))         likewise
 // tests/shaders/test_crest_shader.c has how far they are off.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What rough water reflects towards an observer: the mean over the visible facets of Fresnel's reflectance, of whether the ray is
-// clear of other waves, and of the direction it comes from. Needs common/slopes.glsl and common/fresnel.glsl.
+// What rough water reflects towards an observer: the mean over the visible facets of Fresnel's reflectance, of whether
+// the ray is clear of other waves, and of the direction it comes from. Needs common/slopes.glsl and
+// common/fresnel.glsl.
 //
 // Waves hide one another on two scales. The waves of the mesh stand in a ray's way by their height: Smith's function
 // for a point of known height, P(lower)^L (Bourlier, Berginc & Saillard 2002). The waves that the mesh lacks hide by
@@ -111,8 +112,8 @@ rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surround
     return rough_reflection(reflectance, min(clear, reflectance), mean, sqrt(variance));
 }
 
-// Mean reflectance of rough water seen level, from the slope variance along the view: what a ray that another wave stops
-// meets there. Within 8 % of the sums over facets at 1 degree in tests/data/light/mean_fresnel.csv.
+// Mean reflectance of rough water seen level, from the slope variance along the view: what a ray that another wave
+// stops meets there. Within 8 % of the sums over facets at 1 degree in tests/data/light/mean_fresnel.csv.
 float level_reflectance(float variance) { return 1.0 / (1.0 + 11.5 * sqrt(max(variance, 0.0))); }
 
 // Share of the facets of slope `facet` in sight of the observer that also see a distant light at `to`; above 1 where

@@ -50,7 +50,8 @@ float shore_attenuation(float depth, float hs) {
     return shore_tanh(min(0.6 * depth / hs, 10.0));
 }
 
-// The same of four bands that make one sea, 0 for a band that is not there; together they keep what one sea of their height does.
+// The same of four bands that make one sea, 0 for a band that is not there; together they keep what one sea of their
+// height does.
 vec4 shore_attenuations(float depth, vec4 hs) {
     vec4 alone = vec4(shore_attenuation(depth, hs.x), shore_attenuation(depth, hs.y), shore_attenuation(depth, hs.z),
                       shore_attenuation(depth, hs.w));

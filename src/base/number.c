@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Numbers for machines: printed and read in the C locale, whatever locale the host program has set. A host with a decimal
-// comma would otherwise write "29,97" into files and command lines, and read "1.294" as 1.
+// Numbers for machines: printed and read in the C locale, whatever locale the host program has set. A host with a
+// decimal comma would otherwise write "29,97" into files and command lines, and read "1.294" as 1.
 //
-// The locale is switched for this thread and this call only (POSIX uselocale); the C library does the rest, so numbers are
-// correctly rounded in both directions.
+// The locale is switched for this thread and this call only (POSIX uselocale); the C library does the rest, so numbers
+// are correctly rounded in both directions.
 #include "bolan/base.h"
 
 #include <locale.h>

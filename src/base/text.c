@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Foreign text in messages: cut between characters, and without control characters. A terminal obeys escape sequences, so
-// the name of a file or a word of an input must never reach it as it is.
+// Foreign text in messages: cut between characters, and without control characters. A terminal obeys escape sequences,
+// so the name of a file or a word of an input must never reach it as it is.
 #include "bolan/base.h"
 
 #include <stdio.h>
 #include <string.h>
 
-// The bytes of the UTF-8 character that begins at `p`, and its code; 0 where no valid character begins. The text ends in
-// NUL, which is no continuation byte.
+// The bytes of the UTF-8 character that begins at `p`, and its code; 0 where no valid character begins. The text ends
+// in NUL, which is no continuation byte.
 static size_t utf8_character(const unsigned char *p, uint32_t *code) {
     static const uint32_t smallest[5] = {0, 0, 0x80, 0x800, 0x10000};
     const size_t length = p[0] < 0x80 ? 1 : p[0] >= 0xF0 && p[0] < 0xF8 ? 4 : p[0] >= 0xE0 ? 3 : 2;

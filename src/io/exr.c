@@ -2,8 +2,8 @@
 // Float pictures: OpenEXR, through its C library.
 //
 // The file is a single part of scan lines in blocks of 16 lines, each compressed by itself (ZIP). The encoder takes,
-// for each channel of the header, a pointer to the block's first line. The file grows in memory, for the encoder writes its
-// table of blocks last and a pipe cannot go back; then it is written like every other file.
+// for each channel of the header, a pointer to the block's first line. The file grows in memory, for the encoder writes
+// its table of blocks last and a pipe cannot go back; then it is written like every other file.
 #include "io/file.h"
 
 #include <openexr.h>

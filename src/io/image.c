@@ -20,8 +20,8 @@
 #include <stb/stb_image_write.h>
 
 enum { LARGEST_SIDE = STBI_MAX_DIMENSIONS, IMAGE_FILE_LIMIT = 512 << 20 };
-// Deflate makes at most 1032 bytes of one (zlib, "Maximum Compression Factor"), and a byte of a PNG holds 8 pixels at most.
-// The other formats compress less.
+// Deflate makes at most 1032 bytes of one (zlib, "Maximum Compression Factor"), and a byte of a PNG holds 8 pixels at
+// most. The other formats compress less.
 enum { MOST_PIXELS_PER_BYTE = 8 * 1032 };
 
 static bolan_result check_size(const char *path, uint32_t width, uint32_t height) {

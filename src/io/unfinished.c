@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See unfinished.h. Everything that bolan_files_abandon() reaches is async-signal-safe: lock-free atomics, and the system
-// calls that POSIX lists (signal-safety(7)).
+// See unfinished.h. Everything that bolan_files_abandon() reaches is async-signal-safe: lock-free atomics, and the
+// system calls that POSIX lists (signal-safety(7)).
 #include "io/unfinished.h"
 
 #include "io/file.h"

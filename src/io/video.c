@@ -7,8 +7,8 @@
 // Without the program, no video; it is started directly, without a shell, and the film appears under its name at the
 // end.
 //
-// ffmpeg's exit code alone is not believed: a full disk ends with code 0 and half a film. A film is whole when the code is
-// 0, and nothing was complained of, and the container says so itself (film_check.c).
+// ffmpeg's exit code alone is not believed: a full disk ends with code 0 and half a film. A film is whole when the code
+// is 0, and nothing was complained of, and the container says so itself (film_check.c).
 #include "io/file.h"
 #include "io/film_check.h"
 
@@ -83,7 +83,8 @@ static void make_command(command *c, const bolan_video *video, uint32_t width, u
 static void become_ffmpeg(const command *c, int input, int sink, int messages, const sigset_t *mask) {
     if (dup2(input, STDIN_FILENO) < 0 || dup2(sink, STDOUT_FILENO) < 0 || dup2(messages, STDERR_FILENO) < 0)
         _exit(NOT_FOUND - 1);
-    // A group of its own: an interrupt on the terminal is for the parent to decide, and what ffmpeg starts ends with it.
+    // A group of its own: an interrupt on the terminal is for the parent to decide, and what ffmpeg starts ends with
+    // it.
     setpgid(0, 0);
     static const int reset[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
     for (size_t i = 0; i < sizeof reset / sizeof *reset; i++) signal(reset[i], SIG_DFL);

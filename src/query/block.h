@@ -101,7 +101,8 @@ enum { QUERY_STEPS = 5, QUERY_SEARCH_STEPS = 10 };
 void query_solve(const query *q, uint32_t steps, bool graded, query_block *block);
 // Attenuation at the present offsets, then the evaluate kernel.
 void query_evaluate(const query *q, bool full, query_block *block);
-// Unit vector along which the Jacobian matrix (xx, xy; xy, yy) compresses most: the eigenvector of the smaller eigenvalue.
+// Unit vector along which the Jacobian matrix (xx, xy; xy, yy) compresses most: the eigenvector of the smaller
+// eigenvalue.
 bolan_vec2 query_compressed_direction(float xx, float yy, float xy);
 // Where steps did not converge or the surface is about to fold: looks for every root near lane `lane` and puts the highest into
 // the lane (all members). The block must have been evaluated in full.

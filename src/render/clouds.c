@@ -88,7 +88,8 @@ static float billow_threshold(float cover) {
     return (float)(0.462 + (quantile > 0.0 ? 0.118 : 0.125) * quantile);
 }
 
-// How far from the eye a panorama may be made before it is wrong by more than one sees: a part of the distance to the clouds.
+// How far from the eye a panorama may be made before it is wrong by more than one sees: a part of the distance to the
+// clouds.
 static double allowed_shift(double base, double height) { return fmax(150.0, 0.12 * fabs(base - height)); }
 
 #define SUN_STEP 0.01 // between suns that clouds are lit by [rad]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Clouds: marched once into a panorama round the eye and a map of their shadow on the sea, and again when the eye or
-// the sun has moved to another place of the lattice (sky_lattice.h). Shaders: cloud_noise, cloud_panorama, cloud_shadow.
+// the sun has moved to another place of the lattice (sky_lattice.h). Shaders: cloud_noise, cloud_panorama,
+// cloud_shadow.
 #ifndef BOLAN_RENDER_CLOUDS_H
 #define BOLAN_RENDER_CLOUDS_H
 
@@ -35,7 +36,8 @@ bolan_result clouds_reload(clouds *c);
 // What this frame must do: nothing, make the maps at once, or one strip of new ones. Strips are for progressive frames,
 // where a moving eye never waits, unless it is the first frame, another sky or a jump. Sets c->uniforms.
 cloud_work clouds_plan(clouds *c, const frame *f);
-// Does it. c->uniforms and the air's tables must be bound, the sea's view at UNIT_PASS. True when other maps are shown now.
+// Does it. c->uniforms and the air's tables must be bound, the sea's view at UNIT_PASS. True when other maps are shown
+// now.
 bool clouds_march(clouds *c, const frame *f, cloud_work work);
 // Sets the uniforms that say where the maps shown were made.
 void clouds_place(const clouds *c, const frame *f, frame_uniforms *u);

@@ -17,8 +17,8 @@
 #include "bolan/render.h"
 #include "gl/gl.h"
 
-// Texture units are fixed; shaders name them by `#pragma unit`. Units 3, 4, 6 to 10 and 15 to 19 have several meanings: a
-// pass or an optics that has no use for one binds its own there, for the time of its draw calls.
+// Texture units are fixed; shaders name them by `#pragma unit`. Units 3, 4, 6 to 10 and 15 to 19 have several meanings:
+// a pass or an optics that has no use for one binds its own there, for the time of its draw calls.
 enum {
     UNIT_TRANSMITTANCE = 0, // 2D  RGBA16F  atmosphere transmittance, see common/atmosphere.glsl
     UNIT_SKY_VIEW = 1,      // 2D  RGBA16F  sky radiance round the eye
@@ -97,7 +97,8 @@ typedef struct frame {
     uint32_t triangles, water_triangles; // counted by the passes
 } frame;
 
-// Period [s] and length [m] of the waves at the peak of the sea's spectrum, in deep water; a calm has those of an 8 s swell.
+// Period [s] and length [m] of the waves at the peak of the sea's spectrum, in deep water; a calm has those of an 8 s
+// swell.
 double sea_peak_period(const bolan_sea_summary *sea);
 double sea_peak_length(const bolan_sea_summary *sea);
 
@@ -163,14 +164,15 @@ void pass_mirror_destroy(pass_mirror **p);
 bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);
 void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample,
                        uint32_t samples); // into the bound target
-// Of a picture of several samples: the sum of their radiance, width * height * 4 floats, row 0 at the bottom. Returns how many
-// were added up; 0: the picture had one sample, and @p rgba is untouched.
+// Of a picture of several samples: the sum of their radiance, width * height * 4 floats, row 0 at the bottom. Returns
+// how many were added up; 0: the picture had one sample, and @p rgba is untouched.
 uint32_t pass_tonemap_read_sum(const pass_tonemap *p, float *rgba);
 bolan_result pass_tonemap_reload(pass_tonemap *p);
 void pass_tonemap_destroy(pass_tonemap **p);
 
 // The shore map: a texture array of SHORE_LEVELS square levels of elevation above the water level [m], centred near the
-// eye, each four times as wide as the one before. Level l covers the square from (west, south), eye-relative, of side `size`.
+// eye, each four times as wide as the one before. Level l covers the square from (west, south), eye-relative, of side
+// `size`.
 #define SHORE_LEVELS 4
 #define SHORE_SIZE 256
 typedef struct shore_map {

@@ -162,7 +162,8 @@ static double seen_area(double up, double flat, double sigma) {
     return flat * sigma * 0.5 * (u + sqrt(u * u + 2.0 / BOLAN_PI));
 }
 
-// Isotropic footprints need only row 0 of the table of unresolved slopes. With it, the share of the facets turned to the sun that no other wave stands before.
+// Isotropic footprints need only row 0 of the table of unresolved slopes. With it, the share of the facets turned to
+// the sun that no other wave stands before.
 static void upload_rough(crest *p, const frame *f) {
     const float *from = bolan_sea_slope_table(f->desc->sea);
     const bolan_vec3 sun = f->sun_direction;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables of the sky and maps of the clouds are kept while the eye and the sun hardly move. They are made for the nearest
-// place of a lattice, not for where the eye was when they were made: so a picture depends on its inputs alone.
+// Tables of the sky and maps of the clouds are kept while the eye and the sun hardly move. They are made for the
+// nearest place of a lattice, not for where the eye was when they were made: so a picture depends on its inputs alone.
 #ifndef BOLAN_RENDER_SKY_LATTICE_H
 #define BOLAN_RENDER_SKY_LATTICE_H
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What shallow water leaves of a wave. Twins of shore_attenuation() and shore_attenuations() in shaders/common/shore.glsl.
+// What shallow water leaves of a wave. Twins of shore_attenuation() and shore_attenuations() in
+// shaders/common/shore.glsl.
 #include "bolan/shore.h"
 
 // Lambert's continued fraction of tanh to seven terms: error below 4e-6 up to 3.4 and below 1.3e-4 up to 4.9, where it

@@ -43,8 +43,8 @@ int bolan_beaufort_from_wind(double wind_speed) {
 }
 
 // Cox & Munk, "Measurement of the roughness of the sea surface from photographs of the sun's glitter", J. Opt. Soc. Am.
-// 44 (1954): the clean-surface regressions. That across the wind does not vanish in a calm, within its scatter of 0.002; a
-// calm mirrors, so its constant fades below the winds that were measured.
+// 44 (1954): the clean-surface regressions. That across the wind does not vanish in a calm, within its scatter of
+// 0.002; a calm mirrors, so its constant fades below the winds that were measured.
 #define LEAST_MEASURED_WIND 0.72 // [m/s]
 void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cross) {
     const double known = wind_speed < LEAST_MEASURED_WIND ? wind_speed / LEAST_MEASURED_WIND : 1.0;

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The lift: what keeps the mean of the surface at fixed points at the water level.
 //
-// Parcels gather at crests, where they stand closer, but a parcel counts by the area that it covers: the Jacobian of the
-// horizontal map. With eta = a cos th and choppiness * D = -c a coth(kh) sin th the mean at fixed points is
+// Parcels gather at crests, where they stand closer, but a parcel counts by the area that it covers: the Jacobian of
+// the horizontal map. With eta = a cos th and choppiness * D = -c a coth(kh) sin th the mean at fixed points is
 //
 //     <eta J> = <eta (1 + c div D)> = -c k coth(kh) a^2 / 2                                                          (1)
 //
-// and of a spectrum -c int k coth(kh) S dw, exactly so while nothing folds: the second-order part of J is the product of
-// three Gaussians with eta, whose mean is 0. That is the set-down of a "choppy" sea (Nouguier, Guerin & Chapron 2009). Every
-// parcel is raised by its opposite.
+// and of a spectrum -c int k coth(kh) S dw, exactly so while nothing folds: the second-order part of J is the product
+// of three Gaussians with eta, whose mean is 0. That is the set-down of a "choppy" sea (Nouguier, Guerin & Chapron
+// 2009). Every parcel is raised by its opposite.
 //
-// The surface that is asked and drawn interpolates samples h metres apart, and a coarse grid low-passes it. Of the linear
-// interpolation of eta and D the mean (1) keeps, of its part along x,
+// The surface that is asked and drawn interpolates samples h metres apart, and a coarse grid low-passes it. Of the
+// linear interpolation of eta and D the mean (1) keeps, of its part along x,
 //
 //     sin(kx h) / (kx h) * (2 + cos(ky h)) / 3,                                                                      (2)
 //
-// and a square of two spacings s, averaged, leaves (sin(kx s)/(kx s) * sin(ky s)/(ky s))^2 of that. So the lift is a table
-// over the logarithm of the spacing, one for each cascade. Waves of different lengths do not mix in (1): the lifts add.
+// and a square of two spacings s, averaged, leaves (sin(kx s)/(kx s) * sin(ky s)/(ky s))^2 of that. So the lift is a
+// table over the logarithm of the spacing, one for each cascade. Waves of different lengths do not mix in (1): the
+// lifts add.
 #include "spectrum/portable.h"
 #include "waves/sum.h"
 

@@ -25,7 +25,8 @@ enum {
     SEA_MAX_BLOCKS = 32,
 };
 
-// By log2 of the spacing of a grid: level l > 0 is that of finest * 2^(l / LIFT_PER_OCTAVE), level 0 of a point. See lift.c.
+// By log2 of the spacing of a grid: level l > 0 is that of finest * 2^(l / LIFT_PER_OCTAVE), level 0 of a point. See
+// lift.c.
 enum { LIFT_LEVELS = 49 };
 #define LIFT_PER_OCTAVE 4.0
 typedef struct sea_lift {

@@ -3,7 +3,8 @@
 #include "spectrum/portable.h"
 #include "waves/sum.h"
 
-// Additive recurrence by the plastic number (Roberts 2018): even in the plane, and no lattice that waves could be in step with.
+// Additive recurrence by the plastic number (Roberts 2018): even in the plane, and no lattice that waves could be in
+// step with.
 bolan_dvec2 sea_place(const bolan_sea *sea, uint32_t index) {
     double side = 1.0;
     if (sea->count > 0) side = sea->cascade[0].length;
@@ -141,8 +142,8 @@ static double peak_of_lines(const sea_sum *sum) {
     return curve < 0.0 ? 2.0 * BOLAN_PI / (0.5 * (x0 + x1) - 0.5 * rise / curve) : peak;
 }
 
-// A measured spectrum has no energy above its last frequency; the tail that continues it is the sea's own. So the integrals are
-// those of the file, over its own frequencies, as m0_spectrum is.
+// A measured spectrum has no energy above its last frequency; the tail that continues it is the sea's own. So the
+// integrals are those of the file, over its own frequencies, as m0_spectrum is.
 static void measure_file(const bolan_sea_summary *summary, bolan_sea_statistics *out) {
     out->tp = summary->tp;
     out->tm02 = summary->tm02;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The bits of everything that is promised to be the same on every machine, as literal hashes: the seas, the answers about
-// them, the ground, tiles, grids and models. A comparison of two runs of one program cannot see what a compiler, its flags,
-// its optimisation or another processor changes; a literal can. tools/check_bits.sh runs this test with several of each.
+// The bits of everything that is promised to be the same on every machine, as literal hashes: the seas, the answers
+// about them, the ground, tiles, grids and models. A comparison of two runs of one program cannot see what a compiler,
+// its flags, its optimisation or another processor changes; a literal can. tools/check_bits.sh runs this test with
+// several of each.
 //
 // After an intended change of any of them:
 //     BOLAN_PRINT_HASHES=1 build/tests/test_golden > tests/determinism/golden_hashes.h

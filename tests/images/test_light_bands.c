@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The light of the default technique against a path tracer over the same displaced sea, sky and sun: tests/data/light/bands.csv
-// holds the mean radiance of ten bands of rows of three pictures, apart for mirrored sky, glitter and light from below. The
-// reference has neither haze nor gusts: here the air is divided out, and the gusts are switched off in a copy of the shaders.
+// The light of the default technique against a path tracer over the same displaced sea, sky and sun:
+// tests/data/light/bands.csv holds the mean radiance of ten bands of rows of three pictures, apart for mirrored sky,
+// glitter and light from below. The reference has neither haze nor gusts: here the air is divided out, and the gusts
+// are switched off in a copy of the shaders.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -126,8 +127,8 @@ static bool open_stage(stage *s, const bolan_scene *scene, const char *shaders) 
     return bolan_renderer_create(&desc, &s->renderer) == BOLAN_OK;
 }
 
-// Share of the light that the air lets through, at 650, 550 and 450 nm: Rayleigh's optical depths over the scale height, and what
-// haze is left at a visibility of 300 km. The eye is so low that the density is the sea's.
+// Share of the light that the air lets through, at 650, 550 and 450 nm: Rayleigh's optical depths over the scale
+// height, and what haze is left at a visibility of 300 km. The eye is so low that the density is the sea's.
 static double through_air(int channel, double distance) {
     const double rayleigh[3] = {0.049184 / 8000, 0.097070 / 8000, 0.221110 / 8000}, haze[3] = {1.78e-6, 2e-6, 2.3e-6};
     return exp(-(rayleigh[channel] + haze[channel]) * distance);
@@ -149,7 +150,8 @@ static void add_part(stage *s, const bolan_target *target, uint32_t effects, dou
     for (int i = 0; i < PIXELS; ++i) {
         if (!isfinite(distance[i])) continue;
         const double x = (2.0 * (i % WIDTH + 0.5) / HEIGHT - (double)WIDTH / HEIGHT) * half;
-        const double y = (1.0 - 2.0 * (i / WIDTH + 0.5) / HEIGHT) * half, d = (double)distance[i] * sqrt(1 + x * x + y * y);
+        const double y = (1.0 - 2.0 * (i / WIDTH + 0.5) / HEIGHT) * half,
+                     d = (double)distance[i] * sqrt(1 + x * x + y * y);
         for (int c = 0; c < 3; ++c) sum[3 * i + c] += sign * weight * (double)rgb[3 * i + c] / through_air(c, d);
     }
 }
@@ -161,7 +163,8 @@ static void draw_parts(const view *v, const char *shaders, int samples, double *
     bolan_target *target = NULL;
     assert_true(open_stage(&s, &scene, shaders));
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
-    // The reference's surface had its mean below the level by what now lifts it: so its eye stood higher over the waves.
+    // The reference's surface had its mean below the level by what now lifts it: so its eye stood higher over the
+    // waves.
     for (uint32_t c = 0; c < bolan_sea_cascade_count(s.sea); ++c) s.scene.water.level -= bolan_sea_lift(s.sea, c, 0.0);
     float *rgb = malloc(sizeof(float) * 3 * PIXELS), *distance = malloc(sizeof(float) * PIXELS);
     const double pixel = 2.0 * bolan_degrees(tan(bolan_radians(20.0))) / HEIGHT;
@@ -185,7 +188,8 @@ static double band_mean(const double *light, const band *b, int channel) {
     return sum / ((b->last + 1 - b->first) * WIDTH);
 }
 
-static double neighbours(const double *light, uint32_t first, uint32_t last) { // rms of the difference across, over the mean
+static double neighbours(const double *light, uint32_t first,
+                         uint32_t last) { // rms of the difference across, over the mean
     double squares = 0.0, sum = 0.0;
     for (uint32_t y = first; y <= last; ++y)
         for (uint32_t x = 0; x + 1 < WIDTH; ++x) {
@@ -201,15 +205,16 @@ static void check(char name, int index, const char *part, const double got[3], c
     for (int c = 0; c < 3; ++c) {
         const double ratio = got[c] / want[c];
         if (!(fabs(ratio - 1.0) <= tolerance))
-            fail_msg("view %c, band %d, %s, channel %d: %.3f of the reference, not 1 +- %.2f", name, index + 1, part, c, ratio,
-                     tolerance);
+            fail_msg("view %c, band %d, %s, channel %d: %.3f of the reference, not 1 +- %.2f", name, index + 1, part, c,
+                     ratio, tolerance);
     }
 }
 
-// The goal is 10 % for the mirrored sky. The rest is the sea's: a band of the low view shows one or two waves, and the reference's
-// smallest facets do not hide one another. Glitter at 5 degrees of sun, in bands of few waves: within a sixth, where a mean
-// factor for the shadows leaves 0.46 to 2.24. Light from below: within 2 % at noon; at 5 degrees of sun what enters is
-// approximated, and the reference's sky was an earlier one, whose irradiance was higher: 0.88 to 0.97.
+// The goal is 10 % for the mirrored sky. The rest is the sea's: a band of the low view shows one or two waves, and the
+// reference's smallest facets do not hide one another. Glitter at 5 degrees of sun, in bands of few waves: within a
+// sixth, where a mean factor for the shadows leaves 0.46 to 2.24. Light from below: within 2 % at noon; at 5 degrees of
+// sun what enters is approximated, and the reference's sky was an earlier one, whose irradiance was higher: 0.88 to
+// 0.97.
 #define SKY_TOLERANCE 0.13
 #define GLITTER_TOLERANCE 0.17
 #define BELOW_TOLERANCE 0.13
@@ -233,7 +238,8 @@ static void check_view(const view *v, double *const light[PARTS]) {
         if (reference[i].light[GLITTER][1] > 1e-3)
             check(v->name, i, "glitter", got[GLITTER], reference[i].light[GLITTER], GLITTER_TOLERANCE);
     }
-    if (v->name == 'a') { // far waves keep outlines: the reference has 0.081 and 0.080; a mesh with a quarter of the look-ups 0.02
+    if (v->name ==
+        'a') { // far waves keep outlines: the reference has 0.081 and 0.080; a mesh with a quarter of the look-ups 0.02
         const uint32_t top = reference[0].first, step = (HEIGHT - top) * 15 / 100;
         assert_true(neighbours(light[SKY], top, top + step - 1) > 0.03);
         assert_true(neighbours(light[SKY], top + step, top + 2 * step - 1) > 0.033);

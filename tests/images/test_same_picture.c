@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A picture is a function of what is asked for: a renderer that drew other skies, eyes, suns and seas before draws the same
-// bytes as a new one. What is kept between frames is made for places of a lattice, never for where the eye happened to be.
+// A picture is a function of what is asked for: a renderer that drew other skies, eyes, suns and seas before draws the
+// same bytes as a new one. What is kept between frames is made for places of a lattice, never for where the eye
+// happened to be.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -62,7 +63,8 @@ static void check_history(const char *name, const bolan_technique *technique, do
             worst = d > worst ? d : worst;
         }
         if (worst > 0) {
-            print_message("%s by %s from %g m, place %d: %d of 255\n", name, technique->name, home.camera.position.z, i, worst);
+            print_message("%s by %s from %g m, place %d: %d of 255\n", name, technique->name, home.camera.position.z, i,
+                          worst);
             picture_report("same_picture", &expected, &got, picture_psnr(&expected, &got), 1e9);
         }
         assert_int_equal(worst, 0); // the same operations on the same numbers

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From far away the mesh of the sea bed departs from the ground by more than the water is deep. The colour of the shallows must
-// follow the ground all the same: water that gets shallower brightens, without rings.
+// From far away the mesh of the sea bed departs from the ground by more than the water is deep. The colour of the
+// shallows must follow the ground all the same: water that gets shallower brightens, without rings.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -45,7 +45,8 @@ static void shallows_brighten_towards_the_beach(void **state) {
     picture p = stage_draw(&s, WIDTH, HEIGHT, 4);
     static float rgb[WIDTH * HEIGHT * 3];
     bolan_renderer_read_linear(s.renderer, rgb, NULL);
-    // Rows of the middle columns from the lower edge up to the beach at 1500 m. Green, which water takes least but for blue.
+    // Rows of the middle columns from the lower edge up to the beach at 1500 m. Green, which water takes least but for
+    // blue.
     const double half = tan(bolan_radians(30.0));
     double brightest = 0.0;
     int rows = 0;

@@ -148,8 +148,8 @@ static double distance_of(const char *what, const look *l, const look *plain) {
     return sqrt(sum / (double)pixels);
 }
 
-// Another GPU rounds depth and the edges of triangles otherwise than this one, and in each program otherwise. Four steps of 2^-23 either
-// way, half of what DEPTH_ROUNDING allows, change nothing.
+// Another GPU rounds depth and the edges of triangles otherwise than this one, and in each program otherwise. Four
+// steps of 2^-23 either way, half of what DEPTH_ROUNDING allows, change nothing.
 static void rounding_of_depth_changes_nothing(void **state) {
     (void)state;
     static const struct {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bores and streaks of foam lie on the world: they neither tear where the renderer's coordinates wrap, every 4096 m and so
-// through the origin, nor jump when its clock does.
+// Bores and streaks of foam lie on the world: they neither tear where the renderer's coordinates wrap, every 4096 m and
+// so through the origin, nor jump when its clock does.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -50,8 +50,8 @@ static double step_between(const picture *p, bool columns, uint32_t i) {
     return sum;
 }
 
-// The step across the picture's middle, over the mean step. Fronts that happen to lie there make it vary: it is averaged over
-// moments, in which they run on.
+// The step across the picture's middle, over the mean step. Fronts that happen to lie there make it vary: it is
+// averaged over moments, in which they run on.
 static double tear(const bolan_scene *scene, bool columns) {
     enum { MOMENTS = 10 };
     stage s;
@@ -122,7 +122,8 @@ static void water_stays_where_it_is_while_the_eye_moves(void **state) {
     for (uint32_t k = 0; k < (test_is_short() ? 1 : count); k++)
         for (int east = 0; east < 2; east++) {
             const double found = moved_along(&all[k], east);
-            // The sun on its slide goes along with the eye, and what the eye mirrors lies elsewhere: that is what is missing.
+            // The sun on its slide goes along with the eye, and what the eye mirrors lies elsewhere: that is what is
+            // missing.
             const double wanted = all[k].optics == BOLAN_OPTICS_MIRROR  ? 0.4
                                   : all[k].optics == BOLAN_OPTICS_CREST ? 0.7
                                                                         : 0.92;

@@ -81,8 +81,8 @@ static void a_narrow_swell_loses_nothing_between_the_modes(void **state) {
     bolan_sea_destroy(&sea);
 }
 
-// Small tiles: the peak is narrower than a cell of the lattice, and lies anywhere in it. What one sample at the cell's middle
-// would say is off by tens of percent; 8 x 8 samples are good to a percent.
+// Small tiles: the peak is narrower than a cell of the lattice, and lies anywhere in it. What one sample at the cell's
+// middle would say is off by tens of percent; 8 x 8 samples are good to a percent.
 static void a_peak_narrower_than_a_cell_is_not_missed(void **state) {
     (void)state;
     for (int i = 0; i < 8; i++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mean of the surface at fixed points is the water level, whatever makes the waves, asked or carried by a grid, in deep
-// water and over a bed.
+// The mean of the surface at fixed points is the water level, whatever makes the waves, asked or carried by a grid, in
+// deep water and over a bed.
 #include "sea_support.h"
 
 #include "bolan/query.h"

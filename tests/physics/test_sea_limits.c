@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A sea too high for its depth or too steep is lowered as a whole, with one warning; and what is left keeps what query.h
-// promises.
+// A sea too high for its depth or too steep is lowered as a whole, with one warning; and what is left keeps what
+// query.h promises.
 #include "sea_support.h"
 
 #include "bolan/query.h"
@@ -101,7 +101,8 @@ static void seas_that_occur_are_left_alone(void **state) {
     bolan_sea_destroy(&sea);
 }
 
-// query.h: below 1 mm where the Jacobian is above .2. From half a metre of water to the ocean, as high and as steep as may be.
+// query.h: below 1 mm where the Jacobian is above .2. From half a metre of water to the ocean, as high and as steep as
+// may be.
 static void queries_keep_their_promise_in_shallow_and_steep_seas(void **state) {
     (void)state;
     enum { POINTS = 20000 };

@@ -11,8 +11,8 @@ typedef struct expected_sea {
 
 enum { SEEDS = 8 };
 
-// SWAN off Taranaki: integrals of the file (test_measured_spectra.c), which are what is measured of the sea but for its height:
-// that is of one realisation, between whose samples some is lost.
+// SWAN off Taranaki: integrals of the file (test_measured_spectra.c), which are what is measured of the sea but for its
+// height: that is of one realisation, between whose samples some is lost.
 static void assert_synthesis(const bolan_spectrum_texts *texts, uint32_t record, expected_sea expected) {
     bolan_measured_spectrum *spectrum = parse(texts, record);
     bolan_sea_desc desc = bolan_sea_desc_default();

@@ -55,7 +55,8 @@ static void periods_and_heights_are_those_of_the_sea_state(void **state) {
         hs += m.hs / 10.0;
         bolan_sea_destroy(&sea);
     }
-    // JONSWAP of 15 m/s, 100 km (Hasselmann et al. 1973); at 128 samples a side some 6 % of the height is lost between them
+    // JONSWAP of 15 m/s, 100 km (Hasselmann et al. 1973); at 128 samples a side some 6 % of the height is lost between
+    // them
     assert_near(hs / (0.94 * 3.0638), 1.0, 0.05);
     assert_near(m.tp / 7.1341, 1.0, 0.05);
     assert_near(m.tm02 / 5.5461, 1.0, 0.03);
@@ -248,8 +249,8 @@ static void a_footprint_removes_what_a_blur_removes(void **state) {
     bolan_sea_destroy(&sea);
 }
 
-// Of a wind without waves all of Cox & Munk's slopes are left: 3.16e-3 U along it and 0.003 + 1.92e-3 U across, whichever way it
-// blows. From 240 degrees it goes 30 degrees north of east, from 330 60 degrees south of east.
+// Of a wind without waves all of Cox & Munk's slopes are left: 3.16e-3 U along it and 0.003 + 1.92e-3 U across,
+// whichever way it blows. From 240 degrees it goes 30 degrees north of east, from 330 60 degrees south of east.
 static void what_the_waves_leave_lies_along_the_wind(void **state) {
     (void)state;
     static const double wind[][2] = {{240.0, 30.0}, {330.0, -60.0}, {120.0, 150.0}, {270.0, 0.0}};
@@ -291,8 +292,8 @@ static void the_peak_period_is_found_between_the_bins(void **state) {
     assert_near(signed_sum, 0.0, 0.004);
 }
 
-// A square of two spacings takes a wave of two out and leaves sin(pi/2)/(pi/2) = 0.64 of one of four. The swell is as good as one
-// wave, and runs along x, or along y.
+// A square of two spacings takes a wave of two out and leaves sin(pi/2)/(pi/2) = 0.64 of one of four. The swell is as
+// good as one wave, and runs along x, or along y.
 static void a_coarse_grid_averages_over_two_spacings(void **state) {
     (void)state;
     enum { COUNT = 4000 };

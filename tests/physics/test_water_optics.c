@@ -84,8 +84,9 @@ static void test_names_go_both_ways(void **state) {
     assert_int_equal(bolan_jerlov_from_name("IIII"), -1);
 }
 
-// Coastal water holds minerals: 0.0183 of what particles scatter goes back (Petzold 1972), at every wave length; in the open ocean
-// 0.002 + 0.02 (0.5 - 0.25 log10 C) 550 nm / l (Morel 1988), here of type II, C = 0.5. Pure water gives half of its own.
+// Coastal water holds minerals: 0.0183 of what particles scatter goes back (Petzold 1972), at every wave length; in the
+// open ocean 0.002 + 0.02 (0.5 - 0.25 log10 C) 550 nm / l (Morel 1988), here of type II, C = 0.5. Pure water gives half
+// of its own.
 static void test_the_share_that_goes_back_is_petzold_s_at_the_coast(void **state) {
     (void)state;
     static const double pure[3] = {0.000927, 0.001908, 0.004540}, length[3] = {650.0, 550.0, 450.0};

@@ -126,8 +126,8 @@ static void set_crest(const gl_program *program, const void *context) {
     gl_program_vec2(program, "sea_law", 2.0f, 60.0f);
 }
 
-// Sunlight leaves a crest through the side that leans to the eye: water that falls towards it. The higher and the more pinched, the
-// more. x, y: to the eye; z: slope towards it; w: height over the mean water.
+// Sunlight leaves a crest through the side that leans to the eye: water that falls towards it. The higher and the more
+// pinched, the more. x, y: to the eye; z: slope towards it; w: height over the mean water.
 static void crests_glow_on_the_side_that_leans_to_the_eye(void **state) {
     (void)state;
     float in[16][4], out[16][4];
@@ -151,8 +151,8 @@ static void crests_glow_on_the_side_that_leans_to_the_eye(void **state) {
     }
 }
 
-// Against the sun the light is forward scattered (fifth power of the cosine), with it only the rest from all around; by Beer's law the
-// red goes first. x: elevation of the eye over the water, sun 0.3 rad high in the north-east.
+// Against the sun the light is forward scattered (fifth power of the cosine), with it only the rest from all around; by
+// Beer's law the red goes first. x: elevation of the eye over the water, sun 0.3 rad high in the north-east.
 static void light_through_crests_is_brightest_against_the_sun(void **state) {
     (void)state;
     const double elevation = 0.3, c = cos(elevation) * sqrt(0.5);

@@ -104,7 +104,8 @@ static double spot(const double to[3], const double *about) { // of 0.01 rad
     return exp(-0.5 * d2 / 1e-4);
 }
 
-// Solid angle of a texel, relative: the projection keeps angles, and its scale is 1 + z. What lies beyond the horizon is there twice.
+// Solid angle of a texel, relative: the projection keeps angles, and its scale is 1 + z. What lies beyond the horizon
+// is there twice.
 static double solid_angle(double u, double v, const double to[3]) {
     return hypot(2 * u - 1, 2 * v - 1) < RIM ? (1 + to[2]) * (1 + to[2]) : 0.0;
 }

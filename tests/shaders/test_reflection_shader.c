@@ -4,9 +4,10 @@
 
 #include <math.h>
 
-#define INCLUDES                                                                        \
-    "#include \"common/fresnel.glsl\"\n#include \"common/slopes.glsl\"\n#include "     \
-    "\"common/reflection.glsl\"\nsurroundings alone(vec2 m, vec3 c) { return surroundings(m, c, vec3(0.0), 0.0, 0.0); }"
+#define INCLUDES                                                                                                  \
+    "#include \"common/fresnel.glsl\"\n#include \"common/slopes.glsl\"\n#include "                                \
+    "\"common/reflection.glsl\"\nsurroundings alone(vec2 m, vec3 c) { return surroundings(m, c, vec3(0.0), 0.0, " \
+    "0.0); }"
 
 // A sea whose axes are turned: covariance (xx, xy, yy) of variances along and across an axis at `turn` [rad].
 typedef struct covariance {
@@ -42,7 +43,8 @@ static void the_mean_reflectance_is_the_sum_over_visible_facets(void **state) {
     while (fgets(line, sizeof line, file) != NULL) {
         double along, across, azimuth, down, mean;
         if (sscanf(line, "%lf,%lf,%lf,%lf,%lf", &along, &across, &azimuth, &down, &mean) != 5) continue;
-        if (sea_count == 0 || seas[sea_count - 1][0] != along) seas[sea_count][0] = along, seas[sea_count++][1] = across;
+        if (sea_count == 0 || seas[sea_count - 1][0] != along)
+            seas[sea_count][0] = along, seas[sea_count++][1] = across;
         const double a = bolan_radians(30.0 + azimuth);
         in[count][0] = (float)(cos(a) * cos(bolan_radians(down)));
         in[count][1] = (float)(sin(a) * cos(bolan_radians(down)));
@@ -59,7 +61,8 @@ static void the_mean_reflectance_is_the_sum_over_visible_facets(void **state) {
     snprintf(body, sizeof body,
              "vec4 probe(vec4 x) { vec3 c = x.w < 0.5 ? vec3(%.7f, %.7f, %.7f) : x.w < 1.5 ? vec3(%.7f, %.7f, %.7f) : "
              "vec3(%.7f, %.7f, %.7f); visible_facets f = facets_seen(x.xyz, vec2(0.0), c); rough_reflection r = "
-             "reflection_of(x.xyz, vec2(0.0), f, alone(vec2(0.0), c), 1.34); return vec4(r.reflectance, r.clear, 0.0, 0.0); }",
+             "reflection_of(x.xyz, vec2(0.0), f, alone(vec2(0.0), c), 1.34); return vec4(r.reflectance, r.clear, 0.0, "
+             "0.0); }",
              c[0].xx, c[0].xy, c[0].yy, c[1].xx, c[1].xy, c[1].yy, c[2].xx, c[2].xy, c[2].yy);
     probe_run(INCLUDES, body, in, count, out);
     for (uint32_t i = 0; i < count; ++i) {
@@ -94,13 +97,17 @@ static void tilted_and_turned_facets_match_quadrature(void **state) {
     enum { COUNT = 12 };
     float in[COUNT][4], area[COUNT][4], more[COUNT][4];
     for (int i = 0; i < COUNT; ++i) {
-        const double azimuth = bolan_radians(20.0 + 75.0 * (i % 4)), down = bolan_radians(i < 4 ? 4.0 : i < 8 ? 20.0 : 60.0);
-        in[i][0] = (float)(cos(azimuth) * cos(down)), in[i][1] = (float)(sin(azimuth) * cos(down)), in[i][2] = (float)sin(down);
+        const double azimuth = bolan_radians(20.0 + 75.0 * (i % 4)), down = bolan_radians(i < 4   ? 4.0
+                                                                                          : i < 8 ? 20.0
+                                                                                                  : 60.0);
+        in[i][0] = (float)(cos(azimuth) * cos(down)), in[i][1] = (float)(sin(azimuth) * cos(down)),
+        in[i][2] = (float)sin(down);
     }
     char body[512];
-    snprintf(body, sizeof body,
-             "vec4 probe(vec4 x) { visible_facets f = facets_seen(x.xyz, vec2(%.3f, %.3f), vec3(%.8f, %.8f, %.8f)); return ",
-             mx, my, c.xx, c.xy, c.yy);
+    snprintf(
+        body, sizeof body,
+        "vec4 probe(vec4 x) { visible_facets f = facets_seen(x.xyz, vec2(%.3f, %.3f), vec3(%.8f, %.8f, %.8f)); return ",
+        mx, my, c.xx, c.xy, c.yy);
     char first[600], second[600];
     snprintf(first, sizeof first, "%s vec4(f.area, f.shift, f.sigma, f.across); }", body);
     snprintf(second, sizeof second, "%s vec4(f.toward, f.narrow, 0.0); }", body);
@@ -112,12 +119,14 @@ static void tilted_and_turned_facets_match_quadrature(void **state) {
         for (int j = -200; j < 200; ++j)
             for (int k = -200; k < 200; ++k) {
                 const double x = (j + 0.5) * 0.006, y = (k + 0.5) * 0.006; // extra slope
-                const double p = exp(-0.5 * (c.yy * x * x - 2 * c.xy * x * y + c.xx * y * y) / det) / (2 * BOLAN_PI * sqrt(det));
+                const double p =
+                    exp(-0.5 * (c.yy * x * x - 2 * c.xy * x * y + c.xx * y * y) / det) / (2 * BOLAN_PI * sqrt(det));
                 const double w = p * fmax(vz - vx * (mx + x) - vy * (my + y), 0.0) * 0.006 * 0.006;
                 const double t = -(x * vx + y * vy) / flat, q = (x * -vy + y * vx) / flat;
                 m0 += w, m1 += w * t, m2 += w * t * t, mq += w * q, mtq += w * t * q, mqq += w * q * q;
             }
-        const double mean = m1 / m0, deviation = sqrt(m2 / m0 - mean * mean), all = sqrt(c.xx * vx * vx + 2 * c.xy * vx * vy + c.yy * vy * vy) / flat;
+        const double mean = m1 / m0, deviation = sqrt(m2 / m0 - mean * mean),
+                     all = sqrt(c.xx * vx * vx + 2 * c.xy * vx * vy + c.yy * vy * vy) / flat;
         assert_near(area[i][0], m0, 0.01 * m0 + 1e-4); // the distribution function is good to 1e-5, next to small areas
         assert_near(area[i][1], mean, 0.01 * all + 1e-4);
         assert_near(area[i][2], deviation, 0.01 * all + 1e-4);
@@ -136,8 +145,9 @@ static void three_places_have_the_moments_of_the_visible_facets(void **state) {
     float in[COUNT][4], offset[COUNT][4], weight[COUNT][4];
     const double u[COUNT] = {-1.5, -0.5, 0.0, 0.5, 1.0, 2.0, 3.0, 8.0};
     for (int i = 0; i < COUNT; ++i) in[i][0] = (float)u[i];
-#define NODES                                                                                                                    \
-    "vec4 probe(vec4 x) { vec3 o, w; facet_nodes(facets_seen(normalize(vec3(1.0, 0.0, 0.1)), vec2(0.1 - 0.1 * x.x, 0.0), "       \
+#define NODES                                                                                                        \
+    "vec4 probe(vec4 x) { vec3 o, w; facet_nodes(facets_seen(normalize(vec3(1.0, 0.0, 0.1)), vec2(0.1 - 0.1 * x.x, " \
+    "0.0), "                                                                                                         \
     "vec3(0.01, 0.0, 0.01)), o, w); return vec4("
     probe_run(INCLUDES, NODES "o, 0.0); }", in, COUNT, offset);
     probe_run(INCLUDES, NODES "w, 0.0); }", in, COUNT, weight);
@@ -160,8 +170,9 @@ static void three_places_have_the_moments_of_the_visible_facets(void **state) {
     }
 }
 
-// Over all directions the reflected sun, weighed by their cosine, gives what the facets reflect that both sides see: the sum over
-// facets of density, lit area, Fresnel's reflectance and Smith's shares. Low suns too, and a sea whose axes are turned.
+// Over all directions the reflected sun, weighed by their cosine, gives what the facets reflect that both sides see:
+// the sum over facets of density, lit area, Fresnel's reflectance and Smith's shares. Low suns too, and a sea whose
+// axes are turned.
 static void the_glitter_has_the_energy_of_the_facets(void **state) {
     (void)state;
     const double suns[4][3] = {{0.6, 0.0, 0.8}, {0.0, 0.6, 0.8}, {0.9961947, 0.0, 0.0871557}, {-0.7, 0.68571, 0.2}};
@@ -170,29 +181,35 @@ static void the_glitter_has_the_energy_of_the_facets(void **state) {
         const covariance c = turned(0.03 * rough, 0.01 * rough, bolan_radians(30.0));
         const double *s = suns[k], step = 0.075 * sqrt(rough), det = c.xx * c.yy - c.xy * c.xy;
         float in[256][4] = {{0}}, out[256][4];
-        double weight[256], want = 0, sum = 0, along_sun = sqrt(c.xx * s[0] * s[0] + 2 * c.xy * s[0] * s[1] + c.yy * s[1] * s[1]);
+        double weight[256], want = 0, sum = 0,
+                            along_sun = sqrt(c.xx * s[0] * s[0] + 2 * c.xy * s[0] * s[1] + c.yy * s[1] * s[1]);
         for (int i = 0; i < 256; ++i) {
             const double x = (i % 16 - 7.5) * step, y = (i / 16 - 7.5) * step, n = sqrt(1 + x * x + y * y);
-            const double normal[3] = {-x / n, -y / n, 1 / n}, cosine = normal[0] * s[0] + normal[1] * s[1] + normal[2] * s[2];
+            const double normal[3] = {-x / n, -y / n, 1 / n},
+                         cosine = normal[0] * s[0] + normal[1] * s[1] + normal[2] * s[2];
             double v[3];
             for (int a = 0; a < 3; ++a) v[a] = 2 * cosine * normal[a] - s[a], in[i][a] = (float)v[a];
             weight[i] = cosine > 0 && v[2] > 0 ? v[2] * 4.0 * cosine * pow(normal[2], 3) * step * step : 0.0;
             if (weight[i] == 0.0) in[i][0] = 0, in[i][1] = 0.6f, in[i][2] = 0.8f;
             if (weight[i] == 0.0) continue;
-            const double p = exp(-0.5 * (c.yy * x * x - 2 * c.xy * x * y + c.xx * y * y) / det) / (2 * BOLAN_PI * sqrt(det));
+            const double p =
+                exp(-0.5 * (c.yy * x * x - 2 * c.xy * x * y + c.xx * y * y) / det) / (2 * BOLAN_PI * sqrt(det));
             const double along = sqrt(c.xx * v[0] * v[0] + 2 * c.xy * v[0] * v[1] + c.yy * v[1] * v[1]);
-            want += p * fresnel(cosine, 1.34) * cosine / normal[2] * unhidden(v[2] / along) * unhidden(s[2] / along_sun) * step * step;
+            want += p * fresnel(cosine, 1.34) * cosine / normal[2] * unhidden(v[2] / along) *
+                    unhidden(s[2] / along_sun) * step * step;
         }
         char body[600];
-        snprintf(body, sizeof body,
-                 "vec4 probe(vec4 x) { vec3 c = vec3(%.8f, %.8f, %.8f); visible_facets f = facets_seen(x.xyz, vec2(0.0), c); "
-                 "return vec4(sun_glint(x.xyz, vec3(%.7f, %.7f, %.7f), vec2(0.0), c, f, alone(vec2(0.0), c), f, 1.34)); }",
-                 c.xx, c.xy, c.yy, s[0], s[1], s[2]);
+        snprintf(
+            body, sizeof body,
+            "vec4 probe(vec4 x) { vec3 c = vec3(%.8f, %.8f, %.8f); visible_facets f = facets_seen(x.xyz, vec2(0.0), "
+            "c); "
+            "return vec4(sun_glint(x.xyz, vec3(%.7f, %.7f, %.7f), vec2(0.0), c, f, alone(vec2(0.0), c), f, 1.34)); }",
+            c.xx, c.xy, c.yy, s[0], s[1], s[2]);
         probe_run(INCLUDES, body, in, 256, out);
         for (int i = 0; i < 256; ++i) sum += (double)out[i][0] * weight[i];
         assert_near(sum, want, 0.03 * want); // Smith's ratio in rational form: 0.005 at each end, and the area 1 %
         // high sun: F(36.87 deg) = .0231 of the irradiance on the water, less what lies beyond the lattice
-       
+
         if (k < 2) assert_near(sum, 0.0231 * 0.8, 0.05 * 0.0231 * 0.8);
     }
 }
@@ -215,36 +232,45 @@ static void what_leans_towards_the_observer_leans_away_from_a_low_sun(void **sta
     (void)state;
     const double degrees[7][2] = {{1.5, 5}, {4, 5}, {7, 5}, {10, 5}, {1.5, 20}, {10, 20}, {5, 60}};
     float in[7][4], out[7][4];
-    for (int i = 0; i < 7; ++i) in[i][0] = (float)bolan_radians(degrees[i][0]), in[i][1] = (float)bolan_radians(degrees[i][1]);
-    probe_run(INCLUDES,
-              "vec4 probe(vec4 x) { vec3 v = vec3(0.8 * cos(x.x), -0.6 * cos(x.x), sin(x.x)), s = vec3(-0.8 * cos(x.y), 0.6 * "
-              "cos(x.y), sin(x.y)), m = normalize(v + s), c = vec3(0.0184, 0.0, 0.0184); surroundings n = surroundings(vec2(0.0), "
-              "c, vec3(0.0), 0.0, SHARED_SLOPE); return vec4(lit_share(v, s, -m.xy / m.z, n, facets_seen(v, vec2(0.0), c)), "
-              "SHARED_SLOPE, 0.0, 0.0); }",
-              in, 7, out);
+    for (int i = 0; i < 7; ++i)
+        in[i][0] = (float)bolan_radians(degrees[i][0]), in[i][1] = (float)bolan_radians(degrees[i][1]);
+    probe_run(
+        INCLUDES,
+        "vec4 probe(vec4 x) { vec3 v = vec3(0.8 * cos(x.x), -0.6 * cos(x.x), sin(x.x)), s = vec3(-0.8 * cos(x.y), 0.6 "
+        "* "
+        "cos(x.y), sin(x.y)), m = normalize(v + s), c = vec3(0.0184, 0.0, 0.0184); surroundings n = "
+        "surroundings(vec2(0.0), "
+        "c, vec3(0.0), 0.0, SHARED_SLOPE); return vec4(lit_share(v, s, -m.xy / m.z, n, facets_seen(v, vec2(0.0), c)), "
+        "SHARED_SLOPE, 0.0, 0.0); }",
+        in, 7, out);
     for (int i = 0; i < 7; ++i) {
         const double want = two_scales((double)in[i][0], (double)in[i][1], 0.0184, (double)out[i][1]);
         assert_near(out[i][0], want, 0.06 * want); // five places
     }
-    assert_true(out[0][0] < 0.5f * 0.8f); // 0.8: Smith's share of facets that a sun of 5 degrees reaches, without neighbourhood
+    assert_true(out[0][0] <
+                0.5f * 0.8f); // 0.8: Smith's share of facets that a sun of 5 degrees reaches, without neighbourhood
 }
 
 static void waves_of_the_mesh_hide_low_rays_from_low_places(void **state) {
     (void)state;
-    // height [deviations], elevation [deviations of the slope]: P^L with P(-1, 0, 2) = .1587, .5, .9772, L(.5, 1) = .3957, .0833
+    // height [deviations], elevation [deviations of the slope]: P^L with P(-1, 0, 2) = .1587, .5, .9772, L(.5, 1) =
+    // .3957, .0833
     float in[5][4] = {{0, 0.5f}, {0, 1.0f}, {-1, 0.5f}, {2, 0.5f}, {0, -0.5f}}, out[5][4];
     probe_run(INCLUDES,
-              "vec4 probe(vec4 x) { surroundings s = surroundings_of(vec2(0.0), vec3(0.0), vec3(0.04, 0.0, 0.01), x.x); return "
+              "vec4 probe(vec4 x) { surroundings s = surroundings_of(vec2(0.0), vec3(0.0), vec3(0.04, 0.0, 0.01), "
+              "x.x); return "
               "vec4(clear_of_mesh(s, x.y * 0.2, 1.0 / 0.2), s.mesh); }",
               in, 5, out);
     const double want[4] = {pow(.5, .3957), pow(.5, .0833), pow(.1587, .3957), pow(.9772, .3957)};
-    for (int i = 0; i < 4; ++i) assert_near(out[i][0], want[i], 0.006); // the rational form's 0.005 and the distribution's 2e-4
+    for (int i = 0; i < 4; ++i)
+        assert_near(out[i][0], want[i], 0.006); // the rational form's 0.005 and the distribution's 2e-4
     assert_true(out[4][0] < 0.01f);
     assert_near(out[0][1], 0.04, 1e-6);
     assert_near(out[0][3], 0.01, 1e-6);
 }
 
-// Detail that look-ups resolve is found at any slope; its visible part leans towards the observer by the regression on the whole tilt.
+// Detail that look-ups resolve is found at any slope; its visible part leans towards the observer by the regression on
+// the whole tilt.
 static void detail_is_seen_where_it_leans_towards_the_observer(void **state) {
     (void)state;
     const double detail = 0.006, rest = 0.012, down = bolan_radians(4.0), turn = bolan_radians(40.0), u = tan(down);
@@ -256,12 +282,15 @@ static void detail_is_seen_where_it_leans_towards_the_observer(void **state) {
             m0 += w, m1 += w * t, m2 += w * t * t;
         }
     const double mean = m1 / m0, kept = sqrt(m2 / m0 - mean * mean) / sqrt(detail);
-    // the middle of the distribution and one deviation towards the observer, whose direction is h; the mesh's plane is level
+    // the middle of the distribution and one deviation towards the observer, whose direction is h; the mesh's plane is
+    // level
     float in[2][4] = {{0}, {(float)-sqrt(detail)}}, out[2][4];
     char body[700];
     snprintf(body, sizeof body,
-             "vec4 probe(vec4 x) { vec2 h = vec2(%.7f, %.7f); vec3 v = vec3(h * %.7f, %.7f), c = vec3(%.5f, 0.0, %.5f); surroundings s = "
-             "alone(vec2(0.0), c); vec2 m = seen_slope(v, h * x.x + 0.03 * vec2(-h.y, h.x), s, facets_seen(v, vec2(0.0), c), "
+             "vec4 probe(vec4 x) { vec2 h = vec2(%.7f, %.7f); vec3 v = vec3(h * %.7f, %.7f), c = vec3(%.5f, 0.0, "
+             "%.5f); surroundings s = "
+             "alone(vec2(0.0), c); vec2 m = seen_slope(v, h * x.x + 0.03 * vec2(-h.y, h.x), s, facets_seen(v, "
+             "vec2(0.0), c), "
              "vec3(%.5f, 0.0, %.5f)); return vec4(dot(m, h), dot(m, vec2(-h.y, h.x)), 0.0, 0.0); }",
              cos(turn), sin(turn), cos(down), sin(down), detail + rest, detail + rest, rest, rest);
     probe_run(INCLUDES, body, in, 2, out);
@@ -270,8 +299,8 @@ static void detail_is_seen_where_it_leans_towards_the_observer(void **state) {
     assert_near(out[0][1], 0.03, 1e-5); // nothing happens across the view
 }
 
-// Seen level, rough water reflects what tests/data/light/mean_fresnel.csv has at 1 degree; a sea without waves, all. Rounding may leave a
-// variance a little below 0.
+// Seen level, rough water reflects what tests/data/light/mean_fresnel.csv has at 1 degree; a sea without waves, all.
+// Rounding may leave a variance a little below 0.
 static void level_water_reflects_less_the_rougher_it_is(void **state) {
     (void)state;
     float in[6][4] = {{0.008f}, {0.02528f}, {0.06f}, {0.01836f}, {0.04f}, {-1e-9f}}, out[6][4];

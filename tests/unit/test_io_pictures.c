@@ -138,8 +138,8 @@ static void a_picture_cannot_ask_for_more_than_it_holds(void **state) {
         BOLAN_ERROR_FORMAT, BOLAN_LOG_IMAGE_FORMAT,
         "png_1GB_allocation_340B.png: not a picture that can be read: a part of the PNG is longer");
     assert_null(rgb);
-    // And one whose size is the lie: 1024 x 512 of 1 bit in 57 bytes, which can hold 57 * 8 * 1032 = 470592. 680 x 680 they
-    // can: that one fails later.
+    // And one whose size is the lie: 1024 x 512 of 1 bit in 57 bytes, which can hold 57 * 8 * 1032 = 470592. 680 x 680
+    // they can: that one fails later.
     uint8_t lie[57] = "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\4\0\0\0\2\0\1\0\0\0\0\0\0\0\0"
                       "\0\0\0\0IDAT\0\0\0\0\0\0\0\0IEND";
     assert_int_equal(bolan_file_write("lie.png", lie, sizeof lie), BOLAN_OK);

@@ -200,7 +200,8 @@ static void test_no_parcel_lies_above_the_answer_in_a_fold(void **state) {
         const int found = find_folds(sea, place, PLACES);
         assert_true(found >= PLACES / 2);
         const int above = count_covered(sea, place, found);
-        // The search tries sixteen starts, not all. How many layers it misses depends on the sea: one in twenty of the first.
+        // The search tries sixteen starts, not all. How many layers it misses depends on the sea: one in twenty of the
+        // first.
         if (i == 0) assert_true(above <= found / 20);
         covered += above;
         count += found;

@@ -119,8 +119,9 @@ static void test_the_sun_stands_where_nrel_says(void **state) {
     assert_near(elevation, 90.0 - 50.11162 - 0.016, 0.02);
 }
 
-// Meeus, "Astronomical Algorithms" (1998), chapter 25, whose longitude is good to 0.01 degrees: at the sub-solar point by it the sun
-// stands in the zenith. The equation of centre has a second term of up to 0.020 degrees, which the 18th of February has whole.
+// Meeus, "Astronomical Algorithms" (1998), chapter 25, whose longitude is good to 0.01 degrees: at the sub-solar point
+// by it the sun stands in the zenith. The equation of centre has a second term of up to 0.020 degrees, which the 18th
+// of February has whole.
 static void the_sun_follows_the_equation_of_centre(void **state) {
     (void)state;
     for (int day = 0; day < 365; day += 11) {

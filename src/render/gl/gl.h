@@ -79,10 +79,10 @@ void gl_texture_bind(const gl_texture *t, uint32_t unit); // nothing for a textu
 void gl_texture_free(gl_texture *t);
 
 // ---- programs ----
-// Source is found by stem ("sky" -> shaders/sky.glsl), compiled twice with VERTEX / FRAGMENT defined, "#version 330 core" or
-// "#version 300 es" + precision put before it, and #include "common/x.glsl" resolved. `defines`: "A 1\nB 2\n" or NULL.
-// The uniform block Frame is bound to slot 0. A file is included once per shader. "#pragma unit NAME N" in any file sets the
-// sampler NAME to texture unit N, so a pass that includes it need not.
+// Source is found by stem ("sky" -> shaders/sky.glsl), compiled twice with VERTEX / FRAGMENT defined, "#version 330
+// core" or "#version 300 es" + precision put before it, and #include "common/x.glsl" resolved. `defines`: "A 1\nB 2\n"
+// or NULL. The uniform block Frame is bound to slot 0. A file is included once per shader. "#pragma unit NAME N" in any
+// file sets the sampler NAME to texture unit N, so a pass that includes it need not.
 typedef struct gl_program {
     uint32_t id;
     char stem[32];
