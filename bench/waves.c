@@ -196,7 +196,8 @@ static int parse(int argc, char **argv, bool *json) {
         } else if (strcmp(argv[i], "--cpu") == 0 && (found = cpu_of(argv[++i])) >= 0) {
             cpu = (bolan_cpu)found;
         } else {
-            fprintf(stderr, "bolan-bench waves: unexpected %s; usage: waves [--json] [--cpu auto|scalar|sse2|avx2|avx512]\n",
+            fprintf(stderr,
+                    "bolan-bench waves: unexpected %s; usage: waves [--json] [--cpu auto|scalar|sse2|avx2|avx512]\n",
                     argv[i] ? argv[i] : "end after --cpu");
             return 2;
         }
@@ -212,8 +213,9 @@ int bench_waves(int argc, char **argv) {
     const int status = parse(argc, argv, &json);
     if (status != 0) return status;
     if (!json) {
-        printf("%s; kernels: %s\nratio: a step of the sea over FFTW's bare transforms, 4 a cascade\n\n", bench_machine(),
-               bolan_cpu_name(cpu));
+        printf("%s; kernels: %s\n"
+               "ratio: a step of the sea over FFTW's bare transforms, 4 a cascade\n\n",
+               bench_machine(), bolan_cpu_name(cpu));
         printf("%6s %9s %8s %10s %10s %7s\n", "n", "cascades", "threads", "ms", "FFTW ms", "ratio");
     }
     for (uint32_t threads = 1; threads <= 2; threads++) {

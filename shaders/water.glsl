@@ -42,7 +42,8 @@ uniform sampler2D surface_inscatter;
 uniform vec4 slope_total; // xyz: covariance of the slopes of all waves; w: standard deviation of their height [m]
 uniform vec4 foam_law;    // x: Jacobian threshold (below -999: nothing foams), y: slope variance beyond the cascades
 uniform vec4 foam_edge;   // x, y: variances that soften the edges of fresh and of old foam; the thresholds allow for them; z: choppiness squared
-uniform vec4 foam_memory; // x: threshold of the foam memory (above 999: none), y: its variance, z: variance of the Jacobian, all scales
+// x: threshold of the foam memory (above 999: none), y: its variance, z: variance of the Jacobian, all scales
+uniform vec4 foam_memory;
 
 #ifdef LAND
 #pragma unit scene_color 3
@@ -134,7 +135,7 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, flo
 // Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash
 // at the edge. Up a slope the fronts follow the depth; over flats they travel the way the sea goes.
 float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 noise) {
-    float hs = surf_height(), wobble = noise.b - 0.5;
+    float hs = sea_law.z, wobble = noise.b - 0.5;
     float zone = smoothstep(1.6 * hs, 0.35 * hs, depth + wobble * hs);
     float cover = zone * (0.1 + 0.9 * bore(behind_front(rest, depth, 0.9 * wobble + 0.5 * noise.a)));
     float surge = 0.55 + 0.45 * sin(2.0 * SLOPES_PI * (surf.w + 2.0 * wobble));
@@ -150,7 +151,8 @@ void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float o
     float variance = max(covariance.x + covariance.z - foam_law.y, 0.0) * foam_edge.z;
     fresh = foam_law.x < -999.0 ? 0.0 : normal_cdf((foam_law.x - w.jacobian) * inversesqrt(variance + foam_edge.x));
     float hidden = clamp(variance / max(foam_memory.z, 1e-6), 0.0, 1.0);
-    old = foam_memory.x > 999.0 ? 0.0 : normal_cdf((w.foam - foam_memory.x) * inversesqrt(foam_memory.y * (hidden + foam_edge.y)));
+    float excess = (w.foam - foam_memory.x) * inversesqrt(foam_memory.y * (hidden + foam_edge.y));
+    old = foam_memory.x > 999.0 ? 0.0 : normal_cdf(excess);
 }
 
 // What is known of a pixel of water before it is lit.
@@ -222,11 +224,13 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
 // narrows across it by the sine of the grazing angle. Rays that another wave stops are reflected again there, and come
 // from the low sky.
 vec3 reflected_light(water_here p, rough_reflection mirror) {
-    float spread = mirror.spread, blur = clamp(p.seen.across * clamp(dot(p.view, p.normal), 0.0, 1.0), 0.5 * spread, spread);
+    float spread = mirror.spread, across = p.seen.across * clamp(dot(p.view, p.normal), 0.0, 1.0);
+    float blur = clamp(across, 0.5 * spread, spread);
     float apart = sqrt(max(spread * spread - blur * blur, 0.0));
     vec3 low = reflected_ray(p.view, p.slope + p.seen.toward * (mirror.tilt - apart));
     vec3 high = reflected_ray(p.view, p.slope + p.seen.toward * (mirror.tilt + apart));
-    vec3 low_sky = environment_radiance(vec3(low.xy, abs(low.z)), blur), high_sky = environment_radiance(vec3(high.xy, abs(high.z)), blur);
+    vec3 low_sky = environment_radiance(vec3(low.xy, abs(low.z)), blur);
+    vec3 high_sky = environment_radiance(vec3(high.xy, abs(high.z)), blur);
     vec3 light = mirror.clear * 0.5 * (low_sky + high_sky);
 #ifdef LAND
     light = with_land(light, p.position, p.view, p.slope, p.seen.toward, mirror);
@@ -263,7 +267,8 @@ void main() {
     film = smoothstep(0.0, 0.12, water_path); // the last centimetres over the sand
 #endif
     if (effect_is_on(EFFECT_SCATTERING))
-        below += crest_glow(water_deep.rgb, sunlight, p.view, sun.xyz, (p.position.z + eye.z) / max(sea_law.x, 0.3), p.waves.jacobian);
+        below += crest_glow(water_deep.rgb, sunlight, p.view, sun.xyz, (p.position.z + eye.z) / max(sea_law.x, 0.3),
+                            p.waves.jacobian);
     surface = (1.0 - mirror.reflectance) * below;
     if (effect_is_on(EFFECT_REFLECTION)) surface += reflected_light(p, mirror);
     if (effect_is_on(EFFECT_GLITTER) && sun.z > -0.01)

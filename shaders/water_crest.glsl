@@ -175,7 +175,7 @@ vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
 // Foam of the shore: bores that run in over the shallows, denser with less depth, and swash at the edge. bed: depth of the bed below
 // the surface here [m]. Gives intensity and zone.
 vec2 shore_foam(crest_pixel p, float bed) {
-    float hs = surf_height();
+    float hs = sea_law.z;
     float depth = min(bed, max(p.depth, 0.0) + hs), reach = 2.2 * hs;
     float near = clamp(1.0 - depth / reach, 0.0, 1.0); // the paper's t = 1 - depth / foam depth
     float distance = p.shore, length = bore_length();
@@ -187,7 +187,8 @@ vec2 shore_foam(crest_pixel p, float bed) {
     float running = mix(0.3, front, clamp(length / (6.0 * p.width), 0.0, 1.0));
     float breaking = smoothstep(0.0, 0.6, near) * (0.06 + 0.94 * running);
     float edge = smoothstep(0.5, 0.05, bed) * (0.6 + 0.3 * sin(6.2831853 * (surf.w + 0.2 * wobble)));
-    return vec2(clamp(max(breaking, edge), 0.0, 1.0), mix(RAMP_SURF, RAMP_SWASH, clamp(1.0 - distance / 12.0, 0.0, 1.0)));
+    return vec2(clamp(max(breaking, edge), 0.0, 1.0),
+                mix(RAMP_SURF, RAMP_SWASH, clamp(1.0 - distance / 12.0, 0.0, 1.0)));
 }
 
 #pragma unit scene_color 3

@@ -119,7 +119,8 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
         light += look_light.z * sunlight * step(-0.01, sun.z) *
                  rough_glint(view, sun.xyz, w.slope, covariance, seen, water_deep.w);
     if (effect_is_on(EFFECT_FOAM))
-        light = mix(light, foam_radiance(sunlight, facing, sky_light.rgb) * FOAM_ALBEDO, foam_here(p, pixel.minor, w, hidden));
+        light = mix(light, foam_radiance(sunlight, facing, sky_light.rgb) * FOAM_ALBEDO,
+                    foam_here(p, pixel.minor, w, hidden));
 #ifdef LAND
     light = mix(textureLod(scene_color, gl_FragCoord.xy * viewport.zw, 0.0).rgb, light, film);
 #endif

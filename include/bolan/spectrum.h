@@ -213,7 +213,8 @@ typedef struct bolan_spectrum_text {
 
 /// The texts of one measurement.
 typedef struct bolan_spectrum_texts {
-    bolan_spectrum_text density;                   ///< SWAN, WAVEWATCH III, NDBC history (w), or NDBC real-time .data_spec
+    /// SWAN, WAVEWATCH III, NDBC history (w), or NDBC real-time .data_spec.
+    bolan_spectrum_text density;
     bolan_spectrum_text swdir, swdir2, swr1, swr2; ///< NDBC alpha1, alpha2, r1, r2 (d, i, j, k); data NULL where absent
 } bolan_spectrum_texts;
 

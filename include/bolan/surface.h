@@ -118,7 +118,8 @@ typedef struct bolan_nested_level {
 typedef struct bolan_nested {
     uint32_t cells, levels;
     bolan_dvec2 centre;   ///< the point that the levels lie round [m]
-    double least_spacing; ///< smallest spacing of any vertex [m], so that detail comes and goes smoothly with the eye's height
+    /// Smallest spacing of any vertex [m], so that detail comes and goes smoothly with the eye's height.
+    double least_spacing;
     bolan_nested_level level[BOLAN_NESTED_MAX_LEVELS];
 } bolan_nested;
 /// Places the levels round the point of the mean water in the middle of the view, or nearer to the eye where that point is

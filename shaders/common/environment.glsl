@@ -15,7 +15,9 @@ vec3 environment_direction(vec2 square) {
 }
 
 // Side of a texel of a level [rad].
-float environment_texel(vec3 dir, float level) { return exp2(level) * 2.0 / (ENVIRONMENT_SIZE * ENVIRONMENT_RIM) * (1.0 + dir.z); }
+float environment_texel(vec3 dir, float level) {
+    return exp2(level) * 2.0 / (ENVIRONMENT_SIZE * ENVIRONMENT_RIM) * (1.0 + dir.z);
+}
 
 // Standard deviation of the blur of a level from 1 on [rad]: 1.8 texels at the horizon, 0.9 overhead.
 float environment_blur(float level) { return exp2(level) * 4.0 / ENVIRONMENT_SIZE; }

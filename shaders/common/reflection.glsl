@@ -40,7 +40,9 @@ float per_deviation(float variance) { return inversesqrt(max(variance, 1e-8)); }
 
 // Share of rays of that elevation [tangent] which no wave of the mesh stops. per_slope: 1 over the rms slope of those
 // along the ray.
-float clear_of_mesh(surroundings s, float elevation, float per_slope) { return exp2(s.log_lower * smith_ratio(elevation * per_slope)); }
+float clear_of_mesh(surroundings s, float elevation, float per_slope) {
+    return exp2(s.log_lower * smith_ratio(elevation * per_slope));
+}
 
 float not_hidden(float u) { return 1.0 / (1.0 + smith_ratio(u)); }
 
@@ -98,7 +100,8 @@ rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surround
     for (int i = 0; i < CLEAR_STEPS; ++i) {
         float x = (float(i) + 0.5) / float(CLEAR_STEPS), tilt = last - range * (1.0 - x * x), s = along - tilt;
         float up2 = 1.0 / (1.0 + s * s + across2), facing = max(v.z - flat_length * s, 0.0);
-        float z = clamp(2.0 * facing * up2 - v.z, -0.999, 0.999), ray = z * inversesqrt(1.0 - z * z), joint = near.joint * (plane - s);
+        float z = clamp(2.0 * facing * up2 - v.z, -0.999, 0.999), ray = z * inversesqrt(1.0 - z * z);
+        float joint = near.joint * (plane - s);
         float clear = x * normal_pdf(tilt * per_facet) * facing * facet_fresnel(facing, s, across2, index) *
                       not_hidden((observer + joint) * per_local) * not_hidden((ray + plane - joint) * per_local) *
                       clear_of_mesh(near, ray, per_mesh);
@@ -124,7 +127,8 @@ float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets w
     vec2 hv = level_part(v), hto = level_part(to);
     float flat_v = length(hv), flat_to = length(hto);
     hv /= flat_v, hto /= flat_to;
-    float variance_v = max(slope_variance(hv, near.covariance), 1e-8), variance_to = max(slope_variance(hto, near.covariance), 1e-8);
+    float variance_v = max(slope_variance(hv, near.covariance), 1e-8);
+    float variance_to = max(slope_variance(hto, near.covariance), 1e-8);
     float observer = v.z / flat_v - dot(near.plane, hv), light = to.z / flat_to - dot(near.plane, hto);
     float per_v = inversesqrt(variance_v * (1.0 - near.joint)), per_to = inversesqrt(variance_to * (1.0 - near.joint));
     // the neighbourhood's slope: mean + x spread, where both sides can be seen from it
@@ -133,7 +137,8 @@ float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets w
     observer -= dot(mean, hv), light -= dot(mean, hto);
     float by_v = max(dot(spread, hv), 1e-6), by_to = dot(spread, hto);
     by_to = abs(by_to) < 1e-6 ? 1e-6 : by_to;
-    float end = light / by_to, first = max(by_to < 0.0 ? end : -3.0, -3.0), last = min(observer / by_v, by_to > 0.0 ? end : 3.0);
+    float end = light / by_to;
+    float first = max(by_to < 0.0 ? end : -3.0, -3.0), last = min(observer / by_v, by_to > 0.0 ? end : 3.0);
     float range = max(min(last, 3.0) - first, 0.0) / float(LEAN_STEPS), sum = 0.0;
     for (int i = 0; i < LEAN_STEPS; ++i) {
         float x = first + range * (float(i) + 0.5);
@@ -151,7 +156,8 @@ float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets w
 // Radiance of the reflected sun for an irradiance of 1: density of the slope that reflects it (Cox & Munk 1954; Ross,
 // Dion & Potvin 2005). `seen`: facets of the pixel, of mean slope `slope` and covariance `unresolved`.
 const float MOST_GLINT = 400.0; // [1/sr] half floats and the glow about the sun's image end there
-float sun_glint(vec3 v, vec3 to_sun, vec2 slope, vec3 unresolved, visible_facets seen, surroundings near, visible_facets whole, float index) {
+float sun_glint(vec3 v, vec3 to_sun, vec2 slope, vec3 unresolved, visible_facets seen, surroundings near,
+                visible_facets whole, float index) {
     vec3 middle = normalize(v + to_sun);
     vec2 facet = -middle.xy / max(middle.z, 1e-3);
     float up2 = middle.z * middle.z;

@@ -74,7 +74,8 @@ visible_facets facets_seen(vec3 v, vec2 m, vec3 c) {
 void facet_nodes(visible_facets f, out vec3 offset, out vec3 weight) {
     float x = f.narrow;
     offset = vec3(-1.7320508, 0.0, 1.7320508) +
-             x * (vec3(2.70599, 1.44674, 1.71310) + x * (vec3(-2.89540, -0.57469, 1.35003) + x * vec3(1.18576, 0.04205, -0.53444)));
+             x * (vec3(2.70599, 1.44674, 1.71310) +
+                  x * (vec3(-2.89540, -0.57469, 1.35003) + x * vec3(1.18576, 0.04205, -0.53444)));
     vec3 next = offset.yzx, last = offset.zxy;
     weight = (1.0 + next * last) / ((offset - next) * (offset - last));
 }

@@ -4,14 +4,12 @@
 // come reduced from the CPU (fill_surf() in src/render/frame.c): a phase of wrapped coordinates would tear where they
 // wrap. Needs common/frame.glsl and the uniform sea_law of common/waves.glsl.
 
-float surf_height() { return clamp(sea_law.x, 0.25, 4.0); } // significant height that the shore sees [m]
-
 float bore_length() { return inversesqrt(max(dot(surf.xy, surf.xy), 1e-12)); } // from front to front over flats [m]
 
 // Place between two fronts: 0 at a front, growing to 1 at the one that follows. rest: eye-relative [m]; shift: in
 // cycles.
 float behind_front(vec2 rest, float depth, float shift) {
-    return fract(depth / (0.9 * surf_height()) - dot(rest, surf.xy) + surf.z + shift);
+    return fract(depth / (0.9 * sea_law.z) - dot(rest, surf.xy) + surf.z + shift);
 }
 
 // Cover by foam behind a front.

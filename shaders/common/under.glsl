@@ -16,7 +16,8 @@ float seen_height(vec2 position, float height) {
 vec3 water_glow(float upward, float depth) {
     vec3 light = sun_light.rgb * max(sun.z, 0.0) + sky_light.rgb;
     float from_above = 0.5 + 0.5 * upward;
-    return water_deep.rgb / BED_LEAVES * light * (1.0 + 3.0 * from_above * from_above) * exp(-water_kd.rgb * max(depth, 0.0));
+    return water_deep.rgb / BED_LEAVES * light * (1.0 + 3.0 * from_above * from_above) *
+           exp(-water_kd.rgb * max(depth, 0.0));
 }
 
 // What becomes of light from a point at that height above the water, seen from above it or under it: light * through + veil.

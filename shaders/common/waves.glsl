@@ -22,7 +22,7 @@ struct wave_fields {
     float foam;     // foam memory
 };
 
-uniform vec2 sea_law; // x: significant height [m], y: peak wave length [m]
+uniform vec4 sea_law; // x: significant height, y: peak wave length, z: significant height that the shore sees [m]
 
 #if defined(WAVES_EXP) || defined(WAVES_SUM)
 #ifdef WAVES_EXP

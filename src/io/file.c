@@ -11,7 +11,7 @@
 #include <time.h>
 #include <unistd.h>
 
-// ---- reading --------------------------------------------------------------------------------------------------------
+// ---- reading -----------------------------------------------------------------------------------------------------
 
 static bolan_result cannot_read(bolan_log_id id, const char *path, const char *reason) {
     bolan_log(BOLAN_LOG_ERROR, id, "%s: cannot be read: %s", path, reason);
@@ -119,7 +119,7 @@ bool file_resolve_raster(const char *beside, char name[BOLAN_PATH_MAX]) {
     return true;
 }
 
-// ---- where to write --------------------------------------------------------------------------------------------------
+// ---- where to write -----------------------------------------------------------------------------------------------
 
 enum { MOST_LINKS = 40, MOST_ATTEMPTS = 100, NAME_BYTES = 255 }; // NAME_BYTES: what Linux and BSD folders hold
 
@@ -226,7 +226,7 @@ bolan_result file_output_finish(file_output *out, bool keep) {
     return result;
 }
 
-// ---- writing --------------------------------------------------------------------------------------------------------
+// ---- writing -----------------------------------------------------------------------------------------------------
 
 bool file_write_all(int file, const void *data, size_t size) {
     sigset_t ours, before, pending;

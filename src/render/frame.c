@@ -54,14 +54,16 @@ double sea_peak_length(const bolan_sea_summary *sea) {
     return BOLAN_GRAVITY * period * period / (2.0 * BOLAN_PI);
 }
 
+double sea_surf_height(const bolan_sea_summary *sea) { return fmin(fmax(sea->hs, 0.25), 4.0); }
+
 #define BORE_DEPTH 0.71            // of the water under a bore, in heights of the bore
 #define STREAK_ACROSS (1.0 / 16.0) // tiles of wind streaks per metre
 #define STREAK_ALONG (0.4 * STREAK_ACROSS)
 
 // Bores run with the speed of shallow water, one in each period of the sea.
 static void fill_surf(frame *f, const bolan_sea_summary *sea) {
-    const double hs = fmin(fmax(sea->hs, 0.25), 4.0), period = fmin(fmax(sea_peak_period(sea), 3.0), 12.0);
-    const double length = period * sqrt(BOLAN_GRAVITY * BORE_DEPTH * hs);
+    const double period = fmin(fmax(sea_peak_period(sea), 3.0), 12.0);
+    const double length = period * sqrt(BOLAN_GRAVITY * BORE_DEPTH * sea_surf_height(sea));
     const double to = bolan_compass_from_to_math(sea->from_deg), x = cos(to) / length, y = sin(to) / length;
     const double periods = f->time / period;
     f->uniforms.surf =

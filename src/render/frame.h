@@ -76,7 +76,8 @@ typedef struct frame_uniforms {
     bolan_vec4 sampling;    // x: columns of the picture that a sample of the water stands for: see water_sparse.h
     bolan_vec4 surf;        // bores; x, y: cycles per metre the way they run, z: phase at the eye [cycles], w: time in
                             // periods. The CPU reduces both to [0,1): see common/surf.glsl
-    bolan_vec4 streaks;     // tile of wind streaks; x, y: the eye in it [0,1), z, w: tiles per metre across, along the wind
+    bolan_vec4 streaks;     // tile of wind streaks; x, y: the eye in it [0,1), z, w: tiles per metre across and along
+                            // the wind
 } frame_uniforms;
 
 typedef struct frame {
@@ -101,6 +102,8 @@ typedef struct frame {
 // swell.
 double sea_peak_period(const bolan_sea_summary *sea);
 double sea_peak_length(const bolan_sea_summary *sea);
+// Significant height of the waves that break on a shore [m]: within what surf is drawn for.
+double sea_surf_height(const bolan_sea_summary *sea);
 
 // frame_uniforms::streaks for an eye there and a wind that blows towards @p wind_to [rad, counter-clockwise from east].
 bolan_vec4 frame_streaks(bolan_dvec3 eye, double wind_to);
@@ -137,7 +140,8 @@ void pass_models_destroy(pass_models **p);
 bolan_result pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out);
 void pass_water_prepare(pass_water *p, frame *f);       // uploads the sea
 void pass_water_draw(pass_water *p, frame *f);          // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
-frame pass_water_sparse(pass_water *p, const frame *f); // a copy of the frame that targets the half-rate buffer, or as it is
+// A copy of the frame that targets the half-rate buffer, or the frame as it is.
+frame pass_water_sparse(pass_water *p, const frame *f);
 void pass_water_lay(pass_water *p, frame *f);           // upsamples that buffer into the frame
 bool pass_water_mirrors(const frame *f);                // its optics looks up the pictures of pass_mirror
 bool pass_water_mirrors_sky(const frame *f);            // and the sky in them

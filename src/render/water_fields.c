@@ -394,7 +394,8 @@ void water_fields_bind(const water_fields *p, water_waves waves) {
 
 void water_fields_apply(const gl_program *g, const frame *f, water_waves waves) {
     const bolan_sea_summary *s = bolan_sea_get_summary(f->desc->sea);
-    gl_program_vec2(g, "sea_law", (float)s->hs, (float)sea_peak_length(s));
+    gl_program_vec4(g, "sea_law",
+                    (bolan_vec4){(float)s->hs, (float)sea_peak_length(s), (float)sea_surf_height(s), 0.0f});
     if (f->shore->present) shore_map_apply(f->shore, g);
     if (waves == WATER_CASCADES) set_cascades(g, f);
     if (waves == WATER_EXP) set_exp_waves(g, f);

@@ -96,8 +96,8 @@ static void say_default(const char *name, const char *of_time, const char *why, 
     char text[160] = "";
     if (from) bolan_format(text, sizeof text, "the waves come from %g degrees", DEFAULT_FROM);
     if (spread)
-        bolan_format(text + strlen(text), sizeof text - strlen(text), "%scos-2s has the exponent %g", from ? " and " : "",
-                 DEFAULT_SPREAD);
+        bolan_format(text + strlen(text), sizeof text - strlen(text), "%scos-2s has the exponent %g",
+                     from ? " and " : "", DEFAULT_SPREAD);
     spectrum_note(notes, BOLAN_LOG_SPECTRUM_NO_DIRECTIONS, "%s: the record%s %s; %s; give %s%s%s to choose", name,
                   of_time, why, text, from ? "from" : "", from && spread ? " and " : "", spread ? "spread" : "");
 }

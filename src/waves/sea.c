@@ -94,7 +94,8 @@ static void set_limit(bolan_sea *sea) {
 // What is kept of the measured spectrum, which need not live on.
 static void forget_measured(bolan_sea *sea) {
     const bolan_measured_spectrum *measured = sea->desc.sea_state.measured;
-    if (measured) snprintf(sea->record_time, sizeof sea->record_time, "%s", bolan_measured_spectrum_view(measured).time);
+    if (measured)
+        snprintf(sea->record_time, sizeof sea->record_time, "%s", bolan_measured_spectrum_view(measured).time);
     sea->is_measured = measured != NULL;
     sea->desc.sea_state.measured = NULL;
 }

@@ -51,7 +51,7 @@ static void read_reference(char name, band out[BANDS]) {
     assert_int_equal(count, BANDS);
 }
 
-// ---- shaders without gusts --------------------------------------------------------------------------------------------
+// ---- shaders without gusts -----------------------------------------------------------------------------------------
 
 static void link_folder(const char *from, const char *to, const char *but) {
     DIR *folder = opendir(from);
@@ -99,7 +99,7 @@ static void remove_shaders(const char *folder) {
     empty_folder(folder);
 }
 
-// ---- pictures ---------------------------------------------------------------------------------------------------------
+// ---- pictures ------------------------------------------------------------------------------------------------------
 
 static bolan_scene scene_of(const view *v) {
     bolan_scene scene = bolan_scene_default();

@@ -123,7 +123,7 @@ typedef struct crest_rig {
 static void set_crest(const gl_program *program, const void *context) {
     const crest_rig *r = context;
     gl_buffer_bind_uniform(&r->uniforms, 0);
-    gl_program_vec2(program, "sea_law", 2.0f, 60.0f);
+    gl_program_vec4(program, "sea_law", (bolan_vec4){2.0f, 60.0f, 2.0f, 0.0f});
 }
 
 // Sunlight leaves a crest through the side that leans to the eye: water that falls towards it. The higher and the more

@@ -90,7 +90,8 @@ static void a_ring_of_light_is_the_same_all_round(void **state) {
                 least = fmin(least, value), most = fmax(most, value);
             }
             const double spread = (most - least) / (most + least);
-            if (spread > (l < 6 ? 0.02 : 0.05)) print_message("level %u, %.1f deg: %.3f .. %.3f\n", l, elevation, least, most);
+            if (spread > (l < 6 ? 0.02 : 0.05))
+                print_message("level %u, %.1f deg: %.3f .. %.3f\n", l, elevation, least, most);
             assert_true(spread < (l < 6 ? 0.02 : 0.05)); // level 6 has eight texels for all the sky
         }
     }
@@ -134,7 +135,8 @@ static void a_point_becomes_a_gaussian_of_the_width_it_stands_for(void **state) 
             const double wanted = sqrt(pow((double)(1u << l) * 4.0 / SIZE, 2) + 1e-4); // with the spot's own
             assert_near(sqrt(across / sum), wanted, 0.1 * wanted); // texels overhead are as wide as the blur
             assert_near(sqrt(along / sum - pow(mean / sum, 2)), wanted, 0.1 * wanted);
-            assert_near(mean / sum, 0.0, 0.6 * wanted); // a point lies anywhere in a texel, up to a half from its middle
+            assert_near(mean / sum, 0.0,
+                        0.6 * wanted); // a point lies anywhere in a texel, up to a half from its middle
         }
         rig_close(&r);
     }
