@@ -108,17 +108,17 @@ static int apply_cpu(const options *o, bolan_scene *scene) {
 // ---- what is around it ----------------------------------------------------------------------------------------------
 
 static int apply_terrain(const options *o, bolan_scene *scene) {
-    bolan_terrain_source *t = &scene->terrain;
+    bolan_ground_source *t = &scene->terrain;
     if (o->terrain && strcmp(o->terrain, "none") == 0) {
-        t->kind = BOLAN_TERRAIN_NONE;
+        t->kind = BOLAN_GROUND_NONE;
     } else if (o->terrain && strcmp(o->terrain, "island") == 0) {
-        t->kind = BOLAN_TERRAIN_ISLAND;
+        t->kind = BOLAN_GROUND_ISLAND;
     } else if (o->terrain) {
-        t->kind = BOLAN_TERRAIN_RASTER;
+        t->kind = BOLAN_GROUND_RASTER;
         snprintf(t->raster.path, sizeof t->raster.path, "%s", o->terrain);
     }
     if (!given(o->at[0])) return EXIT_OK;
-    if (t->kind != BOLAN_TERRAIN_RASTER) return usage_error("--at is a place in a raster; give --terrain FILE too");
+    if (t->kind != BOLAN_GROUND_RASTER) return usage_error("--at is a place in a raster; give --terrain FILE too");
     if (fabs(o->at[0]) > 90.0) return usage_error("--at has a latitude beyond 90 degrees; expected LAT,LON");
     t->raster.latitude = o->at[0];
     t->raster.longitude = o->at[1];

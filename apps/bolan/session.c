@@ -7,7 +7,7 @@
 void session_lift_camera(session *s) {
     if (!s->assets.terrain) return;
     bolan_dvec3 *p = &s->scene.camera.position;
-    const double ground = (double)bolan_terrain_elevation(s->assets.terrain, p->x, p->y, 0.0);
+    const double ground = (double)bolan_ground_elevation(s->assets.terrain, p->x, p->y, 0.0);
     p->z = fmax(p->z, ground + (ground > s->scene.water.level ? 1.8 : 0.3)); // a diver's mask, over the sea bed
 }
 
@@ -16,7 +16,7 @@ static int open_scene(const options *o, session *s, bool with_terrain) {
     const int result = options_scene(o, &s->scene);
     if (result) return result;
     bolan_set_threads(isnan(o->threads) ? 0 : (uint32_t)o->threads);
-    if (!with_terrain) s->scene.terrain.kind = BOLAN_TERRAIN_NONE, s->scene.object_count = 0;
+    if (!with_terrain) s->scene.terrain.kind = BOLAN_GROUND_NONE, s->scene.object_count = 0;
     if (bolan_scene_assets_load(&s->scene, &s->assets)) return EXIT_FAILED;
     session_lift_camera(s);
     if (bolan_scene_create_sea(&s->scene, &s->assets, &s->sea)) {

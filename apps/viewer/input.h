@@ -15,7 +15,7 @@ typedef enum command {
     COMMAND_RELOAD = 1 << 5,
     COMMAND_FULLSCREEN = 1 << 6,
     COMMAND_SCREENSHOT = 1 << 7,
-    COMMAND_HOME = 1 << 8, // back to the scene's camera
+    COMMAND_HOME = 1 << 8,      // back to the scene's camera
     COMMAND_TECHNIQUE = 1 << 9, // the next technique
 } command;
 

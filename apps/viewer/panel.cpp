@@ -136,7 +136,7 @@ void sky_section(bolan_sky *sky) {
 
 unsigned water_section(const panel_edits *e) {
     if (!ImGui::CollapsingHeader("Water", ImGuiTreeNodeFlags_DefaultOpen)) return 0;
-    bolan_water *water = &e->scene->water;
+    bolan_seawater *water = &e->scene->water;
     if (begin_combo("Jerlov type", bolan_jerlov_name(water->type))) {
         for (int t = BOLAN_JERLOV_I; t <= BOLAN_JERLOV_9C; ++t)
             if (ImGui::Selectable(bolan_jerlov_name(static_cast<bolan_jerlov>(t)), t == water->type))

@@ -50,7 +50,7 @@ void world_step(world *w, double time) {
 double world_surface(const world *w, double x, double y, bool *land) {
     bolan_query_point point = {0};
     bolan_query_surface(w->sea, w->assets.terrain, w->scene.water.level, &(bolan_dvec2){x, y}, 1, &point);
-    double ground = w->assets.terrain != NULL ? bolan_terrain_elevation(w->assets.terrain, x, y, 0.0) : -INFINITY;
+    double ground = w->assets.terrain != NULL ? bolan_ground_elevation(w->assets.terrain, x, y, 0.0) : -INFINITY;
     *land = ground > point.height;
     return *land ? ground : point.height;
 }
@@ -59,7 +59,7 @@ double world_floor(const world *w, double x, double y) {
     bool land = false;
     double surface = world_surface(w, x, y, &land);
     if (!land && w->scene.technique.optics == BOLAN_OPTICS_MIRROR) { // which has views from below
-        double ground = w->assets.terrain != NULL ? bolan_terrain_elevation(w->assets.terrain, x, y, 0.0) : -INFINITY;
+        double ground = w->assets.terrain != NULL ? bolan_ground_elevation(w->assets.terrain, x, y, 0.0) : -INFINITY;
         return fmax(ground + 0.3, w->scene.water.level - 30.0);
     }
     // On land the eye of somebody standing; over water it may come close, but no wave runs over the lens.

@@ -7,15 +7,18 @@
 #include "bolan/base.h"
 #include "bolan/math.h"
 
+#include "bolan/optics.h"
 #include "bolan/spectrum.h"
 
 #include "bolan/waves.h"
 
+#include "bolan/coast.h"
+#include "bolan/ground.h"
 #include "bolan/query.h"
-#include "bolan/shore.h"
 #include "bolan/surface.h"
 #include "bolan/tiles.h"
 
+#include "bolan/model.h"
 #include "bolan/scene.h"
 
 #include "bolan/io.h"

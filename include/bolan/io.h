@@ -44,7 +44,7 @@ const char *bolan_scene_builtin_name(uint32_t index);
 /// What a scene refers to, loaded: the measured spectrum and the terrain (NULL where the scene has none), the models.
 typedef struct bolan_scene_assets {
     bolan_measured_spectrum *spectrum;
-    bolan_terrain *terrain;
+    bolan_ground *terrain;
     bolan_tiles *tiles;                                  ///< of scene->tiles_path, or NULL
     uint32_t model_count;                                ///< different models
     bolan_model *models[BOLAN_MAX_OBJECTS];              ///< owned
@@ -114,7 +114,7 @@ bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options 
 /// A sea in place of no-data or 0 has a bed that is nowhere above the data around it, and falls off from the coast as a
 /// sandy beach does (Dean 1991: 0.1 m^(1/3) distance^(2/3)), to 50 m. One message of level INFO names what was chosen.
 /// Errors: IO, FORMAT, ARGUMENT (a field of the desc; the place is outside), MEMORY.
-bolan_result bolan_raster_load(const bolan_raster_desc *desc, bolan_terrain **out);
+bolan_result bolan_raster_load(const bolan_raster_desc *desc, bolan_ground **out);
 
 /// A growable list of points.
 typedef struct bolan_points {

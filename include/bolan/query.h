@@ -4,8 +4,8 @@
 #ifndef BOLAN_QUERY_H
 #define BOLAN_QUERY_H
 
+#include "bolan/ground.h"
 #include "bolan/math.h"
-#include "bolan/shore.h"
 #include "bolan/waves.h"
 
 #ifdef __cplusplus
@@ -28,12 +28,12 @@ typedef struct bolan_query_point {
 /// on batch, threads or instruction set. Thread-safe between steps of @p sea; allocates nothing; cannot fail.
 void bolan_query_heights(const bolan_sea *sea, const bolan_dvec2 *xy, uint32_t count, float *height);
 /// Heights and normals. @p terrain may be NULL (deep water). With it each cascade is attenuated, as it is drawn, by the
-/// depth under the parcel's rest point at @p water_level [m above the datum]: bolan_shore_attenuations() of 4
+/// depth under the parcel's rest point at @p water_level [m above the datum]: bolan_coast_attenuations() of 4
 /// sqrt(variance) of the cascades; a sum of waves is attenuated as one cascade. The lift of the mean falls with the
 /// square of the attenuation. The normal ignores how the attenuation varies in space. Heights include @p water_level,
 /// and points that are not finite give it. On dry land the answer is @p water_level: what is above it is terrain.
 /// Otherwise like bolan_query_heights().
-void bolan_query_surface(const bolan_sea *sea, const bolan_terrain *terrain, double water_level, const bolan_dvec2 *xy,
+void bolan_query_surface(const bolan_sea *sea, const bolan_ground *terrain, double water_level, const bolan_dvec2 *xy,
                          uint32_t count, bolan_query_point *out);
 
 #ifdef __cplusplus

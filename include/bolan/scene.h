@@ -6,7 +6,9 @@
 #ifndef BOLAN_SCENE_H
 #define BOLAN_SCENE_H
 
-#include "bolan/shore.h"
+#include "bolan/ground.h"
+#include "bolan/model.h"
+#include "bolan/optics.h"
 #include "bolan/surface.h"
 #include "bolan/waves.h"
 
@@ -104,85 +106,6 @@ typedef enum bolan_quality {
     BOLAN_QUALITY_ULTRA,
 } bolan_quality;
 
-// ---- water optics ---------------------------------------------------------------------------------------------------
-
-/// Jerlov's water types: five of the ocean, from the clearest, and five of the coast, to the most turbid.
-typedef enum bolan_jerlov {
-    BOLAN_JERLOV_I,
-    BOLAN_JERLOV_IA,
-    BOLAN_JERLOV_IB,
-    BOLAN_JERLOV_II,
-    BOLAN_JERLOV_III,
-    BOLAN_JERLOV_1C,
-    BOLAN_JERLOV_3C,
-    BOLAN_JERLOV_5C,
-    BOLAN_JERLOV_7C,
-    BOLAN_JERLOV_9C,
-} bolan_jerlov;
-
-/// Optical coefficients at red, green, blue = 650, 550, 450 nm. They fit together: kd = (absorption + backscatter) /
-/// 0.9 within 7 %, and absorption is never below that of pure water.
-typedef struct bolan_water_optics {
-    bolan_vec3 kd;          ///< diffuse attenuation of downward irradiance [1/m]
-    bolan_vec3 absorption;  ///< a [1/m]
-    bolan_vec3 scattering;  ///< b [1/m]
-    bolan_vec3 backscatter; ///< bb [1/m]
-    bolan_vec3 deep;        ///< radiance leaving deep water (above it) per unit downward irradiance, Rrs [1/sr]
-    float index;            ///< of refraction; 1.34
-} bolan_water_optics;
-/// Jerlov's types by Kd (Austin & Petzold 1986 for I..1C, Jerlov 1976 for 3C..9C), pure water by Pope & Fry 1997 and
-/// Morel 1974, particles after Gordon & Morel 1983, Rrs by Gordon et al. 1988. I is the clearest ocean, 9C a muddy
-/// estuary.
-bolan_water_optics bolan_water_optics_from_jerlov(bolan_jerlov type);
-/// "I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C", in any case; -1 when unknown. And back; static storage.
-int bolan_jerlov_from_name(const char *name);
-/// The name of a type, "IB". Static storage.
-const char *bolan_jerlov_name(bolan_jerlov type);
-
-/// Fresnel reflectance of unpolarised light, exact dielectric. @p cos_incident 0..1; @p eta = n_transmitted /
-/// n_incident (1.34 from air into the sea, 1/1.34 from below: total reflection included).
-float bolan_fresnel(float cos_incident, float eta);
-
-/// The direction a mirror with unit normal @p n sends the direction @p i to, which points towards the mirror: i - 2 n (n . i).
-/// Ma, Zhu & Gong 2006, eq. 1, with its sign put right.
-bolan_vec3 bolan_reflect(bolan_vec3 i, bolan_vec3 n);
-/// Apparent depth over depth of what lies in water of index @p index > 1, seen from the air at @p theta [rad] from the vertical,
-/// 0..pi/2: cos theta / sqrt(index^2 - sin^2 theta). Ma, Zhu & Gong 2006, eq. 7 (there with index 1.333).
-double bolan_refraction_k(double theta, double index);
-/// The paper's two straight lines for it, its eq. 8: 0.75 - 0.16 theta up to 0.8 rad, 1.26 - 0.8 theta beyond. At most 0.037 from
-/// eq. 7 on the first, 0.081 on the second, and 22 % off near the horizon.
-double bolan_refraction_k_paper(double theta);
-/// Fermat's path from an eye @p height > 0 over the water to a point @p depth >= 0 under it, @p distance >= 0 aside [m]: where it
-/// crosses the surface, from the eye [m]. Newton's method on the tangent of the angle in the air, which comes from below without overshooting;
-/// the shaders do four steps of it.
-double bolan_refraction_crossing(double height, double depth, double distance, double index);
-/// How deep that point seems to lie, straight above where it is [m]: depth times eq. 7 at the angle of the path.
-double bolan_apparent_depth(double height, double depth, double distance, double index);
-
-// ---- models ---------------------------------------------------------------------------------------------------------
-
-/// A triangle mesh with colours, immutable. x right, y ahead, z up [m].
-/// Thread-safety: all reads may run at the same time.
-typedef struct bolan_model bolan_model;
-/// Read-only view of a model; valid while it lives.
-typedef struct bolan_model_view {
-    uint32_t vertex_count, index_count;
-    const bolan_vec3 *positions; ///< [m]
-    const bolan_vec3 *normals;   ///< unit
-    const bolan_vec4 *colors;    ///< linear albedo rgb, 0..1; w: share of the sky that is open above, 0..1
-    const uint32_t *indices;     ///< triangles, counter-clockwise from outside
-} bolan_model_view;
-/// Copies the view's arrays; indices beyond vertex_count are refused. Errors: ARGUMENT, MEMORY.
-bolan_result bolan_model_create(const bolan_model_view *view, bolan_model **out);
-/// A built-in model by name without "builtin:": the same on every machine. Errors: ARGUMENT (unknown name), MEMORY.
-bolan_result bolan_model_create_builtin(const char *name, bolan_model **out);
-/// Names of the built-in models; NULL past the last.
-const char *bolan_model_builtin_name(uint32_t index);
-/// NULL-safe; NULLs.
-void bolan_model_destroy(bolan_model **model);
-/// Its arrays. Thread-safe.
-bolan_model_view bolan_model_get_view(const bolan_model *model);
-
 // ---- the scene ------------------------------------------------------------------------------------------------------
 
 /// Where the picture is taken from.
@@ -217,19 +140,19 @@ typedef struct bolan_sky {
 void bolan_sun_position(double unix_time, double latitude, double longitude, double *azimuth, double *elevation);
 
 /// The water as light meets it, and its level.
-typedef struct bolan_water {
+typedef struct bolan_seawater {
     bolan_jerlov type; ///< default IB
     double level;      ///< mean water level above the terrain's datum [m], -20..20; default 0
     double foam;       ///< strength of the foam, 0..2; default 1
-} bolan_water;
+} bolan_seawater;
 
 /// Where the ground comes from.
-typedef enum bolan_terrain_kind {
-    BOLAN_TERRAIN_NONE,
-    BOLAN_TERRAIN_ISLAND,
-    BOLAN_TERRAIN_RASTER,
-    BOLAN_TERRAIN_POND, ///< bolan_terrain_create_pond(); its ground is drawn as the model "builtin:pond-ground"
-} bolan_terrain_kind;
+typedef enum bolan_ground_kind {
+    BOLAN_GROUND_NONE,
+    BOLAN_GROUND_ISLAND,
+    BOLAN_GROUND_RASTER,
+    BOLAN_GROUND_POND, ///< bolan_ground_create_pond(); its ground is drawn as the model "builtin:pond-ground"
+} bolan_ground_kind;
 
 /// What a sample without a value is.
 typedef enum bolan_raster_nodata {
@@ -277,11 +200,11 @@ typedef struct bolan_raster_desc {
 bolan_raster_desc bolan_raster_desc_default(void);
 
 /// The ground, by description; loaded by bolan_scene_assets_load().
-typedef struct bolan_terrain_source {
-    bolan_terrain_kind kind;  ///< default NONE: open sea
+typedef struct bolan_ground_source {
+    bolan_ground_kind kind;   ///< default NONE: open sea
     bolan_island_desc island; ///< for ISLAND
     bolan_raster_desc raster; ///< for RASTER; an empty path: the global relief (see bolan_scene_assets_load())
-} bolan_terrain_source;
+} bolan_ground_source;
 
 /// Which axis of a model file points up.
 typedef enum bolan_up {
@@ -316,8 +239,8 @@ typedef struct bolan_scene {
     uint32_t camera_key_count;                           ///< 0..BOLAN_MAX_CAMERA_KEYS; 0: the camera stays where it is
     bolan_camera_key camera_keys[BOLAN_MAX_CAMERA_KEYS]; ///< its path, times ascending
     bolan_sky sky;
-    bolan_water water;
-    bolan_terrain_source terrain;
+    bolan_seawater water;
+    bolan_ground_source terrain;
     char tiles_path[BOLAN_PATH_MAX]; ///< "", or a folder of baked tiles for the mirror optics: see bolan_tiles_load()
     uint32_t object_count;           ///< 0..BOLAN_MAX_OBJECTS
     bolan_object objects[BOLAN_MAX_OBJECTS];

@@ -68,12 +68,13 @@ bolan_surface_size bolan_surface_projected(const bolan_surface_desc *desc, const
 /// Tan, after Johanson 2004). Level, and at the eye's own vertical: it covers what the view can see of the water,
 /// raised and pushed by the displacement's bounds, and nothing of the sky.
 typedef struct bolan_surface_projector {
-    bool visible;                 ///< false: no water can be in view, nothing need be drawn
-    double height;                ///< of the eye over the water [m], as the steps take it: at least 0.5
-    double above;                 ///< of the eye over the water [m]
-    double near_parameter, range; ///< rows are even steps of s over this range; distance = height * x(s), see projected.c
-    double heading, half;         ///< azimuths, clockwise from north: heading +- half [rad]
-    double guard; ///< nearer than this the rows close to full circles, for waves that lean into view [m]
+    bool visible;  ///< false: no water can be in view, nothing need be drawn
+    double height; ///< of the eye over the water [m], as the steps take it: at least 0.5
+    double above;  ///< of the eye over the water [m]
+    double near_parameter,
+        range;            ///< rows are even steps of s over this range; distance = height * x(s), see projected.c
+    double heading, half; ///< azimuths, clockwise from north: heading +- half [rad]
+    double guard;         ///< nearer than this the rows close to full circles, for waves that lean into view [m]
 } bolan_surface_projector;
 /// Places it. Pure, thread-safe.
 bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *view);
@@ -117,7 +118,7 @@ typedef struct bolan_nested_level {
 /// All levels of a view, 0 the coarsest.
 typedef struct bolan_nested {
     uint32_t cells, levels;
-    bolan_dvec2 centre;   ///< the point that the levels lie round [m]
+    bolan_dvec2 centre; ///< the point that the levels lie round [m]
     /// Smallest spacing of any vertex [m], so that detail comes and goes smoothly with the eye's height.
     double least_spacing;
     bolan_nested_level level[BOLAN_NESTED_MAX_LEVELS];

@@ -239,10 +239,11 @@ typedef struct bolan_sea_statistics {
     double hs;                     ///< 4 sqrt(m0_field) [m]
     double tp, tm02, te;           ///< of the discrete spectrum that is synthesised [s]; of a measured one, of the file
     double direction_from, spread; ///< from the realised amplitudes [deg]; of a measured spectrum, of the file
-    double mss, mss_up, mss_cross; ///< slope variance of the displaced surface at fixed points; up- and crosswind parts (of
-                                   ///< the mean direction when calm)
-    double skewness, kurtosis;     ///< of the height at fixed points; 0 and 3 for linear waves, with choppiness too
-    double mean_level;             ///< mean height at fixed points [m]; 0 but for sampling
+    double mss, mss_up,
+        mss_cross;             ///< slope variance of the displaced surface at fixed points; up- and crosswind parts (of
+                               ///< the mean direction when calm)
+    double skewness, kurtosis; ///< of the height at fixed points; 0 and 3 for linear waves, with choppiness too
+    double mean_level;         ///< mean height at fixed points [m]; 0 but for sampling
     double jacobian_min, jacobian_mean; ///< over all parcels
     double whitecap_fraction;           ///< of the parcels: those with a Jacobian below the foam threshold
     double m0_spectrum;                 ///< of the sea state, limited; of a measured one over its own frequencies [m2]

@@ -20,7 +20,7 @@ layout(std140) uniform Frame {
                       // mirrored picture of an eye under water
     vec4 caustic;     // xy: eye in the caustics' tile; zw: cos, sin of its turn over its side [1/m]
     vec4 caustic_sun; // xy: level travel of sunlight in the water for each metre it falls; z: their disturbance
-    vec4 sampling;    // x: columns of the picture that a sample of the water stands for (water_sparse.h)
+    vec4 sampling;    // x: columns of the picture that a sample of the water stands for (half_rate.h)
     vec4 surf;        // bores; xy: cycles per metre the way they run, z: phase at the eye [cycles], w: time in periods
     vec4 streaks;     // tile of wind streaks; xy: the eye in it [0,1), zw: tiles per metre across, along the wind
 };

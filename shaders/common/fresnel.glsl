@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reflectance of the water surface. The exact dielectric is the twin of bolan_fresnel() in src/scene/fresnel.c.
+// Reflectance of the water surface. The exact dielectric is the twin of bolan_fresnel() in src/optics/fresnel.c.
 
 // Unpolarised light at cos_incident (0..1); eta = n_transmitted / n_incident.
 float fresnel(float cos_incident, float eta) {

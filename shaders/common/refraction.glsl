@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where things seem to lie through a flat water surface: Ma, Zhu & Gong 2006, section 2.2.3, and Fermat's path in place of its
-// one angle for all. Twin of src/scene/refraction.c.
+// one angle for all. Twin of src/optics/refraction.c.
 
 // Tangent of the angle in the air of the path between a point `air` above the water and one `water` below it, `aside` apart [m].
 // h t + d t / sqrt(n^2 + (n^2 - 1) t^2) = D: concave in t, so Newton's steps from below never overshoot.

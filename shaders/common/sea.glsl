@@ -27,7 +27,7 @@ uniform vec4 cascade_lift[13];
 // Share of the amplitude that depth leaves of each cascade.
 #ifdef LAND
 vec4 cascades_kept(float depth) {
-    return shore_attenuations(depth, vec4(cascade_band[0].x, cascade_band[1].x, cascade_band[2].x, cascade_band[3].x));
+    return coast_attenuations(depth, vec4(cascade_band[0].x, cascade_band[1].x, cascade_band[2].x, cascade_band[3].x));
 }
 #else
 vec4 cascades_kept(float depth) { return vec4(1.0); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The ground under the water, for any stage. shore_map holds nested square levels of elevation above the water level
-// around the eye, snapped to their texels so that nothing swims; src/render/terrain_shore.c fills it.
-// shore_attenuation() and shore_attenuations() are the twins of the functions in src/shore/attenuation.c.
+// around the eye, snapped to their texels so that nothing swims; src/render/shore_map.c fills it.
+// coast_attenuation() and coast_attenuations() are the twins of the functions in src/coast/attenuation.c.
 #pragma unit shore_map 5
 uniform highp sampler2DArray shore_map;
 uniform vec4 shore_level[4]; // west, south (eye-relative), side, texel [m]
@@ -44,7 +44,7 @@ float shore_tanh(float x) {
 }
 
 // Share of its deep-water amplitude that a sea of significant height hs [m] keeps in depth [m] of water.
-float shore_attenuation(float depth, float hs) {
+float coast_attenuation(float depth, float hs) {
     if (!(depth > 0.0)) return 0.0;
     if (!(hs > 0.0)) return 1.0;
     return shore_tanh(min(0.6 * depth / hs, 10.0));
@@ -52,10 +52,10 @@ float shore_attenuation(float depth, float hs) {
 
 // The same of four bands that make one sea, 0 for a band that is not there; together they keep what one sea of their
 // height does.
-vec4 shore_attenuations(float depth, vec4 hs) {
-    vec4 alone = vec4(shore_attenuation(depth, hs.x), shore_attenuation(depth, hs.y), shore_attenuation(depth, hs.z),
-                      shore_attenuation(depth, hs.w));
+vec4 coast_attenuations(float depth, vec4 hs) {
+    vec4 alone = vec4(coast_attenuation(depth, hs.x), coast_attenuation(depth, hs.y), coast_attenuation(depth, hs.z),
+                      coast_attenuation(depth, hs.w));
     vec4 left = alone * hs;
-    float deep = dot(hs, hs), local = dot(left, left), whole = shore_attenuation(depth, sqrt(deep));
+    float deep = dot(hs, hs), local = dot(left, left), whole = coast_attenuation(depth, sqrt(deep));
     return local > 0.0 ? alone * sqrt(whole * whole * deep / local) : alone;
 }

@@ -5,7 +5,7 @@
 //   WAVES_MESH  the same, made on the CPU for each vertex; the pixels interpolate
 //   none        cascades: tiles of an FFT
 // PACKED: slope_map0 to slope_map3, one for each cascade, hold slope, dxx + dyy, foam memory, and there is no slope_map or fold_map
-// (water_fields.h). CASCADES: how many of them pixels look up, longest waves first.
+// (sea_gpu.h). CASCADES: how many of them pixels look up, longest waves first.
 // Twins of bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
 #ifdef LAND
 #include "common/shore.glsl"
@@ -129,7 +129,7 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
     fields = mesh_fields;
     float keep = 1.0;
 #ifdef LAND
-    keep = shore_attenuation(depth, sea_law.x);
+    keep = coast_attenuation(depth, sea_law.x);
 #endif
     fields.xy *= keep;
     offset = keep * mesh_offset.yzx;
@@ -144,7 +144,7 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
         fields.xy += keep * wave_slope(phase, 0.0) * 6.28318531 * w.xy;
     }
 #ifdef LAND
-    float shallow = shore_attenuation(depth, sea_law.x);
+    float shallow = coast_attenuation(depth, sea_law.x);
     offset.z *= shallow;
     fields.xy *= shallow;
 #endif
@@ -278,7 +278,7 @@ wave_fields waves_of_footprint(vec2 rest, footprint f, float gust, float depth, 
         seen += kept * kept * square;
     }
 #ifdef LAND
-    float shallow = shore_attenuation(depth, sea_law.x);
+    float shallow = coast_attenuation(depth, sea_law.x);
     slope *= shallow;
 #endif
     hidden = max(wave_total.xyz - wave_total.w * seen, vec3(0.0, -1.0, 0.0)) + vec3(6e-6, 0.0, 6e-6); // as unresolved_slopes()

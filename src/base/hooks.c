@@ -31,7 +31,7 @@ void bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...) 
     char raw[SENTENCE_CAPACITY], sentence[SENTENCE_CAPACITY];
     va_list arguments;
     va_start(arguments, format);
-    number_format_list(raw, sizeof raw, format, arguments);
+    bolan_number_format_list(raw, sizeof raw, format, arguments);
     va_end(arguments);
     bolan_text_escape(raw, sentence, sizeof sentence);
     if (hooks.log) {

@@ -17,7 +17,7 @@
 
 enum { LONGEST_NUMBER = 400 }; // a double with all its decimals needs fewer than 350
 
-int number_format_list(char *out, size_t capacity, const char *format, va_list arguments) {
+int bolan_number_format_list(char *out, size_t capacity, const char *format, va_list arguments) {
     const locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0), before = uselocale(c);
     const int length = vsnprintf(out, capacity, format, arguments);
     uselocale(before);
@@ -28,7 +28,7 @@ int number_format_list(char *out, size_t capacity, const char *format, va_list a
 int bolan_format(char *out, size_t capacity, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    const int length = number_format_list(out, capacity, format, arguments);
+    const int length = bolan_number_format_list(out, capacity, format, arguments);
     va_end(arguments);
     return length;
 }

@@ -10,6 +10,6 @@
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 0)))
 #endif
-int number_format_list(char *out, size_t capacity, const char *format, va_list arguments);
+int bolan_number_format_list(char *out, size_t capacity, const char *format, va_list arguments);
 
 #endif

@@ -39,7 +39,7 @@ static uint32_t reversed(const fft_plan *plan, uint32_t y) {
     return row;
 }
 
-bool fft_plan_create(uint32_t n, fft_plan *plan) {
+bool bolan_fft_plan_create(uint32_t n, fft_plan *plan) {
     memset(plan, 0, sizeof *plan);
     plan->n = n;
     choose_radices(plan);
@@ -62,7 +62,7 @@ bool fft_plan_create(uint32_t n, fft_plan *plan) {
     return true;
 }
 
-void fft_plan_destroy(fft_plan *plan) {
+void bolan_fft_plan_destroy(fft_plan *plan) {
     bolan_release(plan->memory, plan->bytes);
     memset(plan, 0, sizeof *plan);
 }

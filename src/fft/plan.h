@@ -30,7 +30,7 @@ typedef struct fft_plan {
 } fft_plan;
 
 // `n` is a power of two in 32 .. 1024. False when memory is short (logged).
-bool fft_plan_create(uint32_t n, fft_plan *plan);
-void fft_plan_destroy(fft_plan *plan);
+bool bolan_fft_plan_create(uint32_t n, fft_plan *plan);
+void bolan_fft_plan_destroy(fft_plan *plan);
 
 #endif

@@ -8,6 +8,6 @@
 typedef void fft_strip_fn(const fft_plan *plan, float *rows);
 
 // Transforms 16 columns of n rows in place (strip.h). The kernel of `cpu`, or the widest where this machine lacks it.
-fft_strip_fn *fft_strip_for(bolan_cpu cpu);
+fft_strip_fn *bolan_fft_strip_for(bolan_cpu cpu);
 
 #endif

@@ -2,6 +2,6 @@
 #include "fft/transform.h"
 #include "fft/strip.h"
 
-fft_strip_fn KERNEL(fft_strip);
+fft_strip_fn KERNEL(bolan_fft_strip);
 
-void KERNEL(fft_strip)(const fft_plan *plan, float *rows) { fft_strip_of(plan, rows, NULL, rows); }
+void KERNEL(bolan_fft_strip)(const fft_plan *plan, float *rows) { fft_strip_of(plan, rows, NULL, rows); }

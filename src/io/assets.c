@@ -17,11 +17,11 @@ static bolan_result no_raster(const bolan_scene *scene) {
     return BOLAN_ERROR_IO;
 }
 
-static bolan_result load_terrain(const bolan_scene *scene, bolan_terrain **out) {
-    const bolan_terrain_source *t = &scene->terrain;
-    if (t->kind == BOLAN_TERRAIN_NONE) return BOLAN_OK;
-    if (t->kind == BOLAN_TERRAIN_ISLAND) return bolan_terrain_create_island(&t->island, out);
-    if (t->kind == BOLAN_TERRAIN_POND) return bolan_terrain_create_pond(out);
+static bolan_result load_terrain(const bolan_scene *scene, bolan_ground **out) {
+    const bolan_ground_source *t = &scene->terrain;
+    if (t->kind == BOLAN_GROUND_NONE) return BOLAN_OK;
+    if (t->kind == BOLAN_GROUND_ISLAND) return bolan_ground_create_island(&t->island, out);
+    if (t->kind == BOLAN_GROUND_POND) return bolan_ground_create_pond(out);
     bolan_raster_desc desc = t->raster;
     if (!desc.path[0]) snprintf(desc.path, sizeof desc.path, "%s", global_relief);
     if (!t->raster.path[0] && access(desc.path, R_OK) != 0) return no_raster(scene);
@@ -60,8 +60,7 @@ bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_asset
     BOLAN_ASSERT(scene && out);
     *out = (bolan_scene_assets){.spectrum = NULL};
     bolan_result result = BOLAN_OK;
-    if (scene->spectrum_path[0])
-        result = bolan_spectrum_load(scene->spectrum_path, &scene->spectrum, &out->spectrum);
+    if (scene->spectrum_path[0]) result = bolan_spectrum_load(scene->spectrum_path, &scene->spectrum, &out->spectrum);
     if (!result) result = load_terrain(scene, &out->terrain);
     if (!result && scene->tiles_path[0]) result = bolan_tiles_load(scene->tiles_path, &out->tiles);
     if (!result) result = load_models(scene, out);
@@ -72,7 +71,7 @@ bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_asset
 void bolan_scene_assets_destroy(bolan_scene_assets *assets) {
     if (!assets) return;
     bolan_measured_spectrum_destroy(&assets->spectrum);
-    bolan_terrain_destroy(&assets->terrain);
+    bolan_ground_destroy(&assets->terrain);
     bolan_tiles_destroy(&assets->tiles);
     for (uint32_t i = 0; i < BOLAN_MAX_OBJECTS; i++) bolan_model_destroy(&assets->models[i]);
     memset(assets->object_models, 0, sizeof assets->object_models);

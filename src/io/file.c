@@ -58,7 +58,7 @@ static bolan_result read_stream(FILE *stream, const char *path, size_t limit, fi
     return result;
 }
 
-bolan_result file_read(const char *path, size_t limit, file_text *out) {
+bolan_result bolan_file_read(const char *path, size_t limit, file_text *out) {
     *out = (file_text){NULL, 0};
     struct stat status;
     if (stat(path, &status) == 0 && S_ISDIR(status.st_mode))
@@ -70,12 +70,12 @@ bolan_result file_read(const char *path, size_t limit, file_text *out) {
     return result;
 }
 
-void file_release(file_text *text) {
+void bolan_file_release(file_text *text) {
     if (text->data) bolan_release(text->data, text->size + 1);
     *text = (file_text){NULL, 0};
 }
 
-bool file_resolve(const char *beside, const char *name, char out[BOLAN_PATH_MAX]) {
+bool bolan_file_resolve(const char *beside, const char *name, char out[BOLAN_PATH_MAX]) {
     const char *slash = strrchr(beside, '/');
     const int folder = name[0] == '/' || !slash ? 0 : (int)(slash - beside + 1);
     return snprintf(out, BOLAN_PATH_MAX, "%.*s%s", folder, beside, name) < BOLAN_PATH_MAX;
@@ -88,7 +88,7 @@ static size_t prefix_length(const char *name) {
     return length >= 2 && name[length] == ':' ? length + 1 : 0;
 }
 
-const char *file_of_raster(const char *name, size_t *length) {
+const char *bolan_file_of_raster(const char *name, size_t *length) {
     const char *file = name + prefix_length(name);
     *length = strlen(file);
     if (file == name) return file;
@@ -103,10 +103,10 @@ const char *file_of_raster(const char *name, size_t *length) {
     return file;
 }
 
-bool file_resolve_raster(const char *beside, char name[BOLAN_PATH_MAX]) {
+bool bolan_file_resolve_raster(const char *beside, char name[BOLAN_PATH_MAX]) {
     char resolved[BOLAN_PATH_MAX];
     size_t length;
-    const char *file = file_of_raster(name, &length), *slash = strrchr(beside, '/');
+    const char *file = bolan_file_of_raster(name, &length), *slash = strrchr(beside, '/');
     if (length == 0 || file[0] == '/' || !slash) return true;
     const int folder = (int)(slash - beside + 1), before = (int)(file - name);
     // A colon in the folder would end the file's name, but not between quotes.
@@ -123,12 +123,12 @@ bool file_resolve_raster(const char *beside, char name[BOLAN_PATH_MAX]) {
 
 enum { MOST_LINKS = 40, MOST_ATTEMPTS = 100, NAME_BYTES = 255 }; // NAME_BYTES: what Linux and BSD folders hold
 
-bolan_result file_cannot_write(const char *path) {
+bolan_result bolan_file_cannot_write(const char *path) {
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_WRITE, "%s: cannot be written: %s", path, strerror(errno));
     return BOLAN_ERROR_IO;
 }
 
-void file_temporary_name(const char *target, int attempt, char out[FILE_NAME_CAPACITY]) {
+void bolan_file_temporary_name(const char *target, int attempt, char out[FILE_NAME_CAPACITY]) {
     char tail[32];
     const char *slash = strrchr(target, '/'), *name = slash ? slash + 1 : target;
     snprintf(tail, sizeof tail, attempt ? ".part%ld-%d" : ".part%ld", (long)getpid(), attempt);
@@ -145,7 +145,7 @@ static bool follow_links(const char *path, char out[BOLAN_PATH_MAX]) {
         if (length < 0) return errno == EINVAL || errno == ENOENT; // no link; or nothing there, as it should be
         link[length] = '\0';
         errno = ENAMETOOLONG;
-        if (length == sizeof link - 1 || !file_resolve(out, link, next)) return false;
+        if (length == sizeof link - 1 || !bolan_file_resolve(out, link, next)) return false;
         memcpy(out, next, sizeof next);
     }
     errno = ELOOP;
@@ -158,20 +158,20 @@ static bolan_result find_target(const char *path, file_output *out, struct stat 
     *out = (file_output){.file = -1, .entry = {.slot = -1}};
     *straight = false;
     errno = *path ? ENAMETOOLONG : ENOENT;
-    if (!*path || strlen(path) >= BOLAN_PATH_MAX) return file_cannot_write(path);
+    if (!*path || strlen(path) >= BOLAN_PATH_MAX) return bolan_file_cannot_write(path);
     snprintf(out->path, sizeof out->path, "%s", path);
     snprintf(out->target, sizeof out->target, "%s", path);
     const bool exists = stat(path, old) == 0;
-    if (!exists && errno != ENOENT) return file_cannot_write(path);
+    if (!exists && errno != ENOENT) return bolan_file_cannot_write(path);
     errno = EISDIR;
-    if (exists && S_ISDIR(old->st_mode)) return file_cannot_write(path);
+    if (exists && S_ISDIR(old->st_mode)) return bolan_file_cannot_write(path);
     // A file that nobody may write is kept, also from root, to whom the system would allow it.
     errno = EACCES;
-    if (exists && (old->st_mode & 0222) == 0) return file_cannot_write(path);
-    if (exists && faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) != 0) return file_cannot_write(path);
+    if (exists && (old->st_mode & 0222) == 0) return bolan_file_cannot_write(path);
+    if (exists && faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) != 0) return bolan_file_cannot_write(path);
     *straight = exists && !S_ISREG(old->st_mode);
     if (*straight || follow_links(path, out->target)) return BOLAN_OK;
-    return file_cannot_write(path);
+    return bolan_file_cannot_write(path);
 }
 
 static void remove_file(const char *path) { unlink(path); }
@@ -180,55 +180,55 @@ static void remove_file(const char *path) { unlink(path); }
 static bool make_temporary(file_output *out, const struct stat *old) {
     const bool replaces = old->st_nlink > 0;
     for (int attempt = 0; attempt < MOST_ATTEMPTS; attempt++) {
-        file_temporary_name(out->target, attempt, out->temporary);
-        out->entry = unfinished_claim(out->temporary, remove_file);
+        bolan_file_temporary_name(out->target, attempt, out->temporary);
+        out->entry = bolan_unfinished_claim(out->temporary, remove_file);
         out->file = open(out->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, replaces ? 0600 : 0666);
         const int reason = errno;
         if (out->file >= 0) {
-            unfinished_own(&out->entry, 0);
+            bolan_unfinished_own(&out->entry, 0);
             // Another's file can be given back to him by root alone; without that its mode is enough.
             const bool given = replaces && fchown(out->file, old->st_uid, old->st_gid) == 0;
             return !replaces || fchmod(out->file, old->st_mode & (given ? 07777 : 0777)) == 0;
         }
-        unfinished_forget(&out->entry);
+        bolan_unfinished_forget(&out->entry);
         errno = reason;
         if (errno != EEXIST) return false;
     }
     return false;
 }
 
-bolan_result file_output_open(const char *path, file_output *out) {
+bolan_result bolan_file_output_open(const char *path, file_output *out) {
     struct stat old;
     bool straight;
     if (find_target(path, out, &old, &straight)) return BOLAN_ERROR_IO;
     if (straight) {
         out->file = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
-        return out->file >= 0 ? BOLAN_OK : file_cannot_write(path);
+        return out->file >= 0 ? BOLAN_OK : bolan_file_cannot_write(path);
     }
     if (make_temporary(out, &old)) return BOLAN_OK;
-    const bolan_result result = file_cannot_write(path);
+    const bolan_result result = bolan_file_cannot_write(path);
     if (out->file < 0) out->temporary[0] = '\0'; // not made: what stands there is another's
-    file_output_finish(out, false);
+    bolan_file_output_finish(out, false);
     return result;
 }
 
-bolan_result file_output_finish(file_output *out, bool keep) {
+bolan_result bolan_file_output_finish(file_output *out, bool keep) {
     bolan_result result = BOLAN_OK;
     // A network folder or a quota may speak up no sooner than here.
-    if (out->file >= 0 && close(out->file) != 0 && keep) result = file_cannot_write(out->path);
+    if (out->file >= 0 && close(out->file) != 0 && keep) result = bolan_file_cannot_write(out->path);
     out->file = -1;
     if (!out->temporary[0]) return result;
-    unfinished_wait_if_abandoned();
-    if (!result && keep && rename(out->temporary, out->target) != 0) result = file_cannot_write(out->path);
+    bolan_unfinished_wait_if_abandoned();
+    if (!result && keep && rename(out->temporary, out->target) != 0) result = bolan_file_cannot_write(out->path);
     if (result || !keep) unlink(out->temporary);
     out->temporary[0] = '\0';
-    unfinished_forget(&out->entry);
+    bolan_unfinished_forget(&out->entry);
     return result;
 }
 
 // ---- writing -----------------------------------------------------------------------------------------------------
 
-bool file_write_all(int file, const void *data, size_t size) {
+bool bolan_file_write_all(int file, const void *data, size_t size) {
     sigset_t ours, before, pending;
     sigemptyset(&ours);
     sigpending(&pending);
@@ -259,16 +259,16 @@ bolan_result bolan_file_check_writable(const char *path) {
     bool straight;
     if (find_target(path, &output, &old, &straight)) return BOLAN_ERROR_IO;
     if (straight) return BOLAN_OK; // a pipe is opened once: its reader takes the close for the end
-    const bolan_result result = file_output_open(path, &output);
-    return result ? result : file_output_finish(&output, false);
+    const bolan_result result = bolan_file_output_open(path, &output);
+    return result ? result : bolan_file_output_finish(&output, false);
 }
 
 bolan_result bolan_file_write(const char *path, const void *data, size_t size) {
     BOLAN_ASSERT(path && (data || size == 0));
     file_output output;
-    if (file_output_open(path, &output)) return BOLAN_ERROR_IO;
-    const bool written = file_write_all(output.file, data, size);
-    const bolan_result result = written ? BOLAN_OK : file_cannot_write(path);
-    const bolan_result finished = file_output_finish(&output, written);
+    if (bolan_file_output_open(path, &output)) return BOLAN_ERROR_IO;
+    const bool written = bolan_file_write_all(output.file, data, size);
+    const bolan_result result = written ? BOLAN_OK : bolan_file_cannot_write(path);
+    const bolan_result finished = bolan_file_output_finish(&output, written);
     return result ? result : finished;
 }

@@ -13,8 +13,8 @@ typedef struct file_text {
 } file_text;
 
 /// Reads at most @p limit bytes; a longer file, a folder or an unreadable one is refused with a sentence.
-bolan_result file_read(const char *path, size_t limit, file_text *out);
-void file_release(file_text *text);
+bolan_result bolan_file_read(const char *path, size_t limit, file_text *out);
+void bolan_file_release(file_text *text);
 
 enum { FILE_NAME_CAPACITY = BOLAN_PATH_MAX + 32 };
 
@@ -30,26 +30,26 @@ typedef struct file_output {
 
 /// Finds the target, makes the temporary file and opens it. The new file takes over mode and owner of the one that it
 /// will replace. IO with a sentence: a folder, a file that nobody may write, a folder that cannot be written to.
-bolan_result file_output_open(const char *path, file_output *out);
+bolan_result bolan_file_output_open(const char *path, file_output *out);
 /// Closes the file and gives it its name (@p keep), or removes it. IO with a sentence when that fails; nothing is left.
-bolan_result file_output_finish(file_output *out, bool keep);
+bolan_result bolan_file_output_finish(file_output *out, bool keep);
 
 /// Writes everything; false with errno. A signal for a closed pipe (SIGPIPE) or a file that grows too large (SIGXFSZ)
 /// would end the caller's program: it is held back in this thread, and errno says the same.
-bool file_write_all(int file, const void *data, size_t size);
+bool bolan_file_write_all(int file, const void *data, size_t size);
 /// The temporary name number @p attempt beside @p target, in the same folder: NAME.partPID. A long name is shortened to
 /// what a folder can hold.
-void file_temporary_name(const char *target, int attempt, char out[FILE_NAME_CAPACITY]);
+void bolan_file_temporary_name(const char *target, int attempt, char out[FILE_NAME_CAPACITY]);
 /// Logs "PATH: cannot be written: REASON" by errno, and returns IO.
-bolan_result file_cannot_write(const char *path);
+bolan_result bolan_file_cannot_write(const char *path);
 
 /// @p name as seen from the folder of the file @p beside, into @p out; false when that is too long.
-bool file_resolve(const char *beside, const char *name, char out[BOLAN_PATH_MAX]);
+bool bolan_file_resolve(const char *beside, const char *name, char out[BOLAN_PATH_MAX]);
 
 /// The part of a raster's name that is a file: all of it, or what stands behind a prefix of GDAL's, as in
 /// NETCDF:f.nc:z, NETCDF:"f.nc":z or GTIFF_DIR:2:f.tif. Its first character; @p length receives how many.
-const char *file_of_raster(const char *name, size_t *length);
+const char *bolan_file_of_raster(const char *name, size_t *length);
 /// Puts the folder of the file @p beside before that part, where it is a relative path; false when that is too long.
-bool file_resolve_raster(const char *beside, char name[BOLAN_PATH_MAX]);
+bool bolan_file_resolve_raster(const char *beside, char name[BOLAN_PATH_MAX]);
 
 #endif

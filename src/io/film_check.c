@@ -76,7 +76,7 @@ static const char *check_webm(const film *f) {
     return at == f->size ? NULL : cut_off;
 }
 
-const char *film_check(const char *path, bool webm) {
+const char *bolan_film_check(const char *path, bool webm) {
     struct stat status;
     const film f0 = {open(path, O_RDONLY | O_CLOEXEC), 0};
     if (f0.file < 0 || fstat(f0.file, &status) != 0) {

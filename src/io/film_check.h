@@ -7,6 +7,6 @@
 #include <stdbool.h>
 
 /// NULL for a finished film; otherwise what is wrong with it, as the end of a sentence. @p webm: else it is an MP4.
-const char *film_check(const char *path, bool webm);
+const char *bolan_film_check(const char *path, bool webm);
 
 #endif

@@ -90,12 +90,12 @@ bolan_result bolan_image_read(const char *path, uint32_t *width, uint32_t *heigh
     BOLAN_ASSERT(path && width && height && rgb);
     *rgb = NULL;
     file_text file;
-    bolan_result result = file_read(path, IMAGE_FILE_LIMIT, &file);
+    bolan_result result = bolan_file_read(path, IMAGE_FILE_LIMIT, &file);
     if (!result) result = check_header(path, &file);
-    if (result) return file_release(&file), result;
+    if (result) return bolan_file_release(&file), result;
     int w = 0, h = 0, channels = 0;
     stbi_uc *pixels = stbi_load_from_memory((const stbi_uc *)file.data, (int)file.size, &w, &h, &channels, 3);
-    file_release(&file);
+    bolan_file_release(&file);
     if (!pixels) return is_out_of_memory() ? no_memory(path) : not_a_picture(path, stbi_failure_reason());
     const size_t bytes = (size_t)w * (size_t)h * 3;
     *rgb = bolan_allocate(bytes);

@@ -80,7 +80,7 @@ static bolan_result read_bracket(reader *r, char c) {
     return BOLAN_OK;
 }
 
-bolan_result json_read(const char *name, const char *text, size_t size, json_text *out) {
+bolan_result bolan_json_read(const char *name, const char *text, size_t size, json_text *out) {
     *out = (json_text){text, NULL, 0, 0};
     reader r = {name, text, size, 0, {0}, 0, out};
     if (size > UINT32_MAX) return refuse(&r, BOLAN_LOG_MODEL_LIMIT, "larger than 4 GiB");
@@ -101,12 +101,12 @@ bolan_result json_read(const char *name, const char *text, size_t size, json_tex
     return result;
 }
 
-void json_release(json_text *json) {
+void bolan_json_release(json_text *json) {
     bolan_release(json->values, json->capacity * sizeof *json->values);
     *json = (json_text){NULL, NULL, 0, 0};
 }
 
-int json_member(const json_text *j, int object, const char *key) {
+int bolan_json_member(const json_text *j, int object, const char *key) {
     if (object < 0 || j->values[object].kind != '{') return JSON_NONE;
     const size_t length = strlen(key);
     const int end = j->values[object].next;
@@ -119,17 +119,17 @@ int json_member(const json_text *j, int object, const char *key) {
     return JSON_NONE;
 }
 
-int json_after(const json_text *j, int array, int element) {
+int bolan_json_after(const json_text *j, int array, int element) {
     const int next = j->values[element].next;
     return next < j->values[array].next ? next : JSON_NONE;
 }
 
-int json_first(const json_text *j, int array) {
+int bolan_json_first(const json_text *j, int array) {
     if (array < 0 || j->values[array].kind != '[') return JSON_NONE;
     return array + 1 < j->values[array].next ? array + 1 : JSON_NONE;
 }
 
-uint64_t json_whole(const json_text *j, int value, uint64_t otherwise) {
+uint64_t bolan_json_whole(const json_text *j, int value, uint64_t otherwise) {
     if (value < 0) return otherwise;
     const json_value *v = &j->values[value];
     uint64_t n = 0;

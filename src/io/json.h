@@ -31,16 +31,16 @@ typedef struct json_text {
 } json_text;
 
 /// Lists the values of @p text. FORMAT, with a sentence that names the line, where it is no JSON or beyond the limits
-/// above; MEMORY. json_release() is due in any case.
-bolan_result json_read(const char *name, const char *text, size_t size, json_text *out);
-void json_release(json_text *json);
+/// above; MEMORY. bolan_json_release() is due in any case.
+bolan_result bolan_json_read(const char *name, const char *text, size_t size, json_text *out);
+void bolan_json_release(json_text *json);
 
 /// The value of a key of an object; JSON_NONE where there is none, or @p object is JSON_NONE or no object.
-int json_member(const json_text *json, int object, const char *key);
+int bolan_json_member(const json_text *json, int object, const char *key);
 /// The first element of an array, or the one after @p element of it; JSON_NONE at the end, or where it is no array.
-int json_first(const json_text *json, int array);
-int json_after(const json_text *json, int array, int element);
+int bolan_json_first(const json_text *json, int array);
+int bolan_json_after(const json_text *json, int array, int element);
 /// A number of the file, or @p otherwise where it is none or @p value is JSON_NONE. Whole numbers only.
-uint64_t json_whole(const json_text *json, int value, uint64_t otherwise);
+uint64_t bolan_json_whole(const json_text *json, int value, uint64_t otherwise);
 
 #endif

@@ -12,7 +12,7 @@
 enum { MOST_DIGITS = 64, MOST_CORNERS = 1024, DEEPEST = 128, HEAD = 1024 };
 enum { MOST_MATERIAL_FILES = 64, MATERIAL_FILE_LIMIT = 1 << 20 };
 
-bolan_result model_refuse(const char *path, const char *what) {
+bolan_result bolan_model_refuse(const char *path, const char *what) {
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_MODEL_LIMIT, "%s: %s", path, what);
     return BOLAN_ERROR_FORMAT;
 }
@@ -65,17 +65,17 @@ static bolan_result check_materials(const char *path, const file_text *t) {
     for (const char *at = t->data; (at = strstr(at, "mtllib ")); at++) {
         char name[BOLAN_PATH_MAX], file[BOLAN_PATH_MAX];
         if (at > t->data && at[-1] != '\n') continue;
-        if (++files > MOST_MATERIAL_FILES) return model_refuse(path, "it names more than 64 material files");
+        if (++files > MOST_MATERIAL_FILES) return bolan_model_refuse(path, "it names more than 64 material files");
         const char *start = at + strlen("mtllib ");
         snprintf(name, sizeof name, "%.*s", (int)(strcspn(start, "\r\n") & 0xffff), start);
         file_text text;
         struct stat s;
-        if (!file_resolve(path, name, file) || stat(file, &s) != 0) continue; // it is read without its colours
-        if (!S_ISREG(s.st_mode)) return model_refuse(file, "is not a file; expected materials (MTL)");
-        bolan_result result = file_read(file, MATERIAL_FILE_LIMIT, &text);
+        if (!bolan_file_resolve(path, name, file) || stat(file, &s) != 0) continue; // it is read without its colours
+        if (!S_ISREG(s.st_mode)) return bolan_model_refuse(file, "is not a file; expected materials (MTL)");
+        bolan_result result = bolan_file_read(file, MATERIAL_FILE_LIMIT, &text);
         if (result) return result;
         result = check_digits(file, &text);
-        file_release(&text);
+        bolan_file_release(&text);
         if (result) return result;
     }
     return BOLAN_OK;
@@ -108,7 +108,7 @@ static bolan_result check_ply(const char *path, const file_text *t) {
         uint64_t count = 0;
         for (at += *at == ' '; *at >= '0' && *at <= '9' && count <= t->size; at++)
             count = 10 * count + (uint64_t)(*at - '0');
-        if (count > t->size) return model_refuse(path, "its header counts more elements than it has bytes");
+        if (count > t->size) return bolan_model_refuse(path, "its header counts more elements than it has bytes");
     }
     return BOLAN_OK;
 }
@@ -132,10 +132,10 @@ static uint32_t word_at(const char *data) {
 // GLB (glTF 2.0, 4.4): magic, version, length; then chunks, the first of which is JSON.
 static bolan_result check_glb(const char *path, const file_text *t) {
     if (t->size < 20 || word_at(t->data + 4) != 2 || memcmp(t->data + 16, "JSON", 4) != 0)
-        return model_refuse(path, "it is no GLB of version 2 that begins with JSON");
+        return bolan_model_refuse(path, "it is no GLB of version 2 that begins with JSON");
     const size_t size = word_at(t->data + 12);
-    if (size > t->size - 20) return model_refuse(path, "its JSON is longer than the file");
-    return model_gltf_check(path, t->data + 20, size);
+    if (size > t->size - 20) return bolan_model_refuse(path, "its JSON is longer than the file");
+    return bolan_model_gltf_check(path, t->data + 20, size);
 }
 
 static bool begins_like_json(const file_text *t) {
@@ -153,10 +153,10 @@ static bolan_result check_kind(const char *path) {
     return BOLAN_ERROR_IO;
 }
 
-bolan_result model_file_check(const char *path, model_format *format) {
+bolan_result bolan_model_file_check(const char *path, model_format *format) {
     file_text text;
     bolan_result result = check_kind(path);
-    if (!result) result = file_read(path, MODEL_FILE_LIMIT, &text);
+    if (!result) result = bolan_file_read(path, MODEL_FILE_LIMIT, &text);
     if (result) return result;
     const bool glb = text.size >= 4 && memcmp(text.data, "glTF", 4) == 0;
     const bool json = ends_with(path, ".gltf") || ends_with(path, ".glb") || begins_like_json(&text);
@@ -164,7 +164,7 @@ bolan_result model_file_check(const char *path, model_format *format) {
     if (glb)
         result = check_glb(path, &text);
     else
-        result = json ? model_gltf_check(path, text.data, text.size) : check_text(path, &text, *format);
-    file_release(&text);
+        result = json ? bolan_model_gltf_check(path, text.data, text.size) : check_text(path, &text, *format);
+    bolan_file_release(&text);
     return result;
 }

@@ -16,11 +16,11 @@ typedef enum model_format { MODEL_GLTF, MODEL_OBJ, MODEL_OTHER } model_format;
 /// Refuses what would take the importing library too long, too much memory or too much stack: numbers of hundreds of
 /// digits, deep brackets and nodes, counts that the file does not hold; a glTF that requires an extension or is not of
 /// version 2. FORMAT, IO, MEMORY.
-bolan_result model_file_check(const char *path, model_format *format);
+bolan_result bolan_model_file_check(const char *path, model_format *format);
 /// The glTF part of it: the JSON of the file @p path.
-bolan_result model_gltf_check(const char *path, const char *text, size_t size);
+bolan_result bolan_model_gltf_check(const char *path, const char *text, size_t size);
 /// Logs a sentence with MODEL_LIMIT and returns FORMAT.
-bolan_result model_refuse(const char *path, const char *what);
+bolan_result bolan_model_refuse(const char *path, const char *what);
 
 /// A mesh that grows up to the room that was made for it.
 typedef struct model_mesh {
@@ -34,6 +34,6 @@ typedef struct model_mesh {
 /// flat ones where @p crease is above 1, else the mean over the triangles around the vertex whose normals lie within
 /// the angle of cosine @p crease. A vertex is split where its triangles differ, and those that are equal become one:
 /// the mesh must have room for a vertex of each index. MEMORY.
-bolan_result model_make_normals(model_mesh *mesh, uint32_t first, uint32_t first_index, float crease);
+bolan_result bolan_model_make_normals(model_mesh *mesh, uint32_t first, uint32_t first_index, float crease);
 
 #endif

@@ -19,20 +19,20 @@ typedef struct gltf {
     uint64_t *counts; // of the accessors
 } gltf;
 
-static int member_of_root(const gltf *g, const char *key) { return json_member(&g->json, 0, key); }
+static int member_of_root(const gltf *g, const char *key) { return bolan_json_member(&g->json, 0, key); }
 
 static uint64_t whole_member(const gltf *g, int object, const char *key, uint64_t otherwise) {
-    return json_whole(&g->json, json_member(&g->json, object, key), otherwise);
+    return bolan_json_whole(&g->json, bolan_json_member(&g->json, object, key), otherwise);
 }
 
-#define EACH(element, array, g)                                       \
-    for (int element = json_first(&(g)->json, (array)); element >= 0; \
-         element = json_after(&(g)->json, (array), element))
+#define EACH(element, array, g)                                             \
+    for (int element = bolan_json_first(&(g)->json, (array)); element >= 0; \
+         element = bolan_json_after(&(g)->json, (array), element))
 
 // ---- version and extensions (3.2, 3.12) -----------------------------------------------------------------------------
 
 static bolan_result check_version(const gltf *g) {
-    const int version = json_member(&g->json, member_of_root(g, "asset"), "version");
+    const int version = bolan_json_member(&g->json, member_of_root(g, "asset"), "version");
     if (version >= 0 && g->json.text[g->json.values[version].start] == '2') return BOLAN_OK;
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_MODEL_FORMAT, "%s: it is not of glTF 2: asset.version does not begin with 2",
               g->path);
@@ -70,11 +70,11 @@ static bolan_result find_parents(const gltf *g, int nodes, uint32_t count, uint3
     uint32_t n = 0;
     for (uint32_t i = 0; i < count; i++) parent[i] = count; // none
     EACH(node, nodes, g) {
-        const int children = json_member(&g->json, node, "children");
+        const int children = bolan_json_member(&g->json, node, "children");
         EACH(c, children, g) {
-            const uint64_t child = json_whole(&g->json, c, UINT64_MAX);
-            if (child >= count) return model_refuse(g->path, "a node has a child that is no node");
-            if (parent[child] != count) return model_refuse(g->path, "a node has two parents");
+            const uint64_t child = bolan_json_whole(&g->json, c, UINT64_MAX);
+            if (child >= count) return bolan_model_refuse(g->path, "a node has a child that is no node");
+            if (parent[child] != count) return bolan_model_refuse(g->path, "a node has two parents");
             parent[child] = n;
         }
         n++;
@@ -96,7 +96,7 @@ static bolan_result check_nodes(const gltf *g) {
     for (uint32_t i = 0; i < count && !result; i++) {
         int depth = 0;
         for (uint32_t up = i; up != count && depth <= MODEL_DEPTH_LIMIT; up = parent[up]) depth++;
-        if (depth > MODEL_DEPTH_LIMIT) result = model_refuse(g->path, "its nodes are nested more than 64 deep");
+        if (depth > MODEL_DEPTH_LIMIT) result = bolan_model_refuse(g->path, "its nodes are nested more than 64 deep");
     }
     bolan_release(parent, count * sizeof *parent);
     return result;
@@ -109,18 +109,18 @@ static bolan_result check_buffers(const gltf *g) {
     uint64_t total = 0;
     const int buffers = member_of_root(g, "buffers");
     EACH(b, buffers, g) {
-        const int uri = json_member(&g->json, b, "uri");
+        const int uri = bolan_json_member(&g->json, b, "uri");
         if (uri < 0) continue;
         const json_value *v = &g->json.values[uri];
         char name[BOLAN_PATH_MAX], path[BOLAN_PATH_MAX];
         if (v->length > 5 && memcmp(g->json.text + v->start, "data:", 5) == 0) continue;
         snprintf(name, sizeof name, "%.*s", (int)v->length, g->json.text + v->start);
         struct stat s;
-        if (!file_resolve(g->path, name, path) || stat(path, &s) != 0) continue;
-        if (!S_ISREG(s.st_mode)) return model_refuse(g->path, "a buffer of it is no file");
+        if (!bolan_file_resolve(g->path, name, path) || stat(path, &s) != 0) continue;
+        if (!S_ISREG(s.st_mode)) return bolan_model_refuse(g->path, "a buffer of it is no file");
         total += (uint64_t)s.st_size;
     }
-    return total <= MODEL_FILE_LIMIT ? BOLAN_OK : model_refuse(g->path, "its buffers are larger than 64 MiB");
+    return total <= MODEL_FILE_LIMIT ? BOLAN_OK : bolan_model_refuse(g->path, "its buffers are larger than 64 MiB");
 }
 
 static bolan_result read_accessors(gltf *g) {
@@ -138,12 +138,13 @@ static bolan_result read_accessors(gltf *g) {
     EACH(a, accessors, g) {
         const uint64_t count = whole_member(g, a, "count", 0);
         if (count > 3ull * MODEL_VERTEX_LIMIT)
-            return model_refuse(g->path, "an accessor has more elements than a model can have vertices");
-        if (json_member(&g->json, a, "bufferView") < 0) unstored += count;
+            return bolan_model_refuse(g->path, "an accessor has more elements than a model can have vertices");
+        if (bolan_json_member(&g->json, a, "bufferView") < 0) unstored += count;
         g->counts[n++] = count;
     }
-    return unstored <= UNSTORED_LIMIT ? BOLAN_OK
-                                      : model_refuse(g->path, "more than 1048576 elements have no bytes in a buffer");
+    return unstored <= UNSTORED_LIMIT
+               ? BOLAN_OK
+               : bolan_model_refuse(g->path, "more than 1048576 elements have no bytes in a buffer");
 }
 
 static uint64_t count_of(const gltf *g, int object, const char *key) {
@@ -156,10 +157,10 @@ static uint64_t copied_by_meshes(const gltf *g) {
     uint64_t total = 0;
     const int meshes = member_of_root(g, "meshes");
     EACH(mesh, meshes, g) {
-        const int primitives = json_member(&g->json, mesh, "primitives");
+        const int primitives = bolan_json_member(&g->json, mesh, "primitives");
         EACH(p, primitives, g) {
-            const int attributes = json_member(&g->json, p, "attributes"),
-                      targets = json_member(&g->json, p, "targets");
+            const int attributes = bolan_json_member(&g->json, p, "attributes"),
+                      targets = bolan_json_member(&g->json, p, "targets");
             uint64_t kinds = attributes < 0 ? 0 : 1;
             if (attributes >= 0) kinds += (uint64_t)(g->json.values[attributes].next - attributes) / 2;
             EACH(t, targets, g) kinds += 3;
@@ -173,7 +174,8 @@ static uint64_t copied_by_animations(const gltf *g) {
     uint64_t total = 0;
     const int animations = member_of_root(g, "animations");
     EACH(a, animations, g) {
-        const int samplers = json_member(&g->json, a, "samplers"), channels = json_member(&g->json, a, "channels");
+        const int samplers = bolan_json_member(&g->json, a, "samplers"),
+                  channels = bolan_json_member(&g->json, a, "channels");
         uint64_t most = 0, uses = 0;
         EACH(s, samplers, g) {
             const uint64_t count = count_of(g, s, "input") + count_of(g, s, "output");
@@ -193,22 +195,22 @@ static uint64_t copied_by_images(const gltf *g) {
         const uint64_t length = whole_member(g, v, "byteLength", 0);
         longest = length > longest ? length : longest;
     }
-    EACH(i, images, g) uses += json_member(&g->json, i, "bufferView") >= 0;
+    EACH(i, images, g) uses += bolan_json_member(&g->json, i, "bufferView") >= 0;
     return longest > MODEL_FILE_LIMIT ? 0
                                       : longest * uses / 12; // a longer view than any buffer is refused by the library
 }
 
-bolan_result model_gltf_check(const char *path, const char *text, size_t size) {
+bolan_result bolan_model_gltf_check(const char *path, const char *text, size_t size) {
     gltf g = {.path = path};
-    bolan_result result = json_read(path, text, size, &g.json);
+    bolan_result result = bolan_json_read(path, text, size, &g.json);
     if (!result) result = check_version(&g);
     if (!result) result = check_extensions(&g);
     if (!result) result = check_nodes(&g);
     if (!result) result = check_buffers(&g);
     if (!result) result = read_accessors(&g);
     if (!result && copied_by_meshes(&g) + copied_by_animations(&g) + copied_by_images(&g) > COPIED_LIMIT)
-        result = model_refuse(path, "its meshes, animations or images use the same data too often");
+        result = bolan_model_refuse(path, "its meshes, animations or images use the same data too often");
     bolan_release(g.counts, g.accessor_count * sizeof *g.counts);
-    json_release(&g.json);
+    bolan_json_release(&g.json);
     return result;
 }

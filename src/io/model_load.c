@@ -124,7 +124,7 @@ static void add_mesh(gathered *g, const struct aiMesh *mesh, const struct aiMatr
     const uint32_t first = g->mesh.vertex_count, first_index = g->mesh.index_count;
     add_vertices(g, mesh, m);
     add_triangles(g, mesh, first, determinant(m) < 0.0f);
-    if (!mesh->mNormals && !g->result) g->result = model_make_normals(&g->mesh, first, first_index, g->crease);
+    if (!mesh->mNormals && !g->result) g->result = bolan_model_make_normals(&g->mesh, first, first_index, g->crease);
 }
 
 // False when the file is larger or deeper than a model can be.
@@ -235,7 +235,7 @@ bolan_result bolan_model_load(const bolan_model_desc *desc, bolan_model **out) {
     *out = NULL;
     model_format format;
     bolan_result result = check_desc(desc);
-    if (!result) result = model_file_check(desc->path, &format);
+    if (!result) result = bolan_model_file_check(desc->path, &format);
     if (result) return result;
     gathered g = {.scene = import(desc->path), .desc = desc, .crease = format == MODEL_GLTF ? FLAT : CREASE};
     if (!g.scene) return cannot_import(desc->path);

@@ -140,7 +140,7 @@ static void start_scratch(scratch *s, const model_mesh *m, uint32_t first, uint3
     face_triangles(s);
 }
 
-bolan_result model_make_normals(model_mesh *m, uint32_t first, uint32_t first_index, float crease) {
+bolan_result bolan_model_make_normals(model_mesh *m, uint32_t first, uint32_t first_index, float crease) {
     scratch s = {.vertices = m->vertex_count - first, .corners = m->index_count - first_index, .table_size = 16};
     if (s.corners == 0) return BOLAN_OK;
     while (s.table_size < 2 * s.corners || s.table_size < 2 * s.vertices) s.table_size *= 2;

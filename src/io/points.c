@@ -62,7 +62,7 @@ static bool is_header(const field_list *list) {
 static bool read_number(text_word field, double *value) {
     const bool quoted = field.length > 2 && field.begin[0] == '"' && field.begin[field.length - 1] == '"';
     if (quoted) field = (text_word){field.begin + 1, field.length - 2, field.line};
-    return text_number(field, value);
+    return bolan_text_number(field, value);
 }
 
 static bolan_result read_point(const char *name, uint32_t line, const field_list *list, bolan_dvec3 *point) {
@@ -134,9 +134,9 @@ bolan_result bolan_points_load(const char *path, bolan_points *out) {
     BOLAN_ASSERT(path && out);
     *out = (bolan_points){0, NULL, 0};
     file_text text;
-    bolan_result result = file_read(path, POINTS_FILE_LIMIT, &text);
+    bolan_result result = bolan_file_read(path, POINTS_FILE_LIMIT, &text);
     if (!result) result = bolan_points_parse(path, text.data, text.size, out);
-    file_release(&text);
+    bolan_file_release(&text);
     return result;
 }
 

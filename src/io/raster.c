@@ -33,7 +33,7 @@ static rectangle footprint(const raster_source *s) {
         const double px = i / EDGE_PROBES < 2 ? across : i / EDGE_PROBES == 2 ? 0.5 : s->width - 0.5;
         const double py = i / EDGE_PROBES >= 2 ? down : i / EDGE_PROBES == 0 ? 0.5 : s->height - 0.5;
         double x, y;
-        raster_map_point(s->to_map, px, py, &x, &y);
+        bolan_raster_map_point(s->to_map, px, py, &x, &y);
         ok = !to_local || OCTTransform(to_local, 1, &x, &y, NULL);
         include(&r, x - (s->planar ? s->origin_x : 0.0), y - (s->planar ? s->origin_y : 0.0));
     }
@@ -45,15 +45,15 @@ static rectangle footprint(const raster_source *s) {
 static double native_step(const raster_source *s, const rectangle *r) {
     const double east = 0.5 * (r->west + r->east), north = 0.5 * (r->south + r->north), metres = 100.0;
     double x[3] = {east, east + metres, east}, y[3] = {north, north, north + metres};
-    raster_local_to_pixel(s, 3, x, y);
+    bolan_raster_local_to_pixel(s, 3, x, y);
     const double per_metre = fmax(hypot(x[1] - x[0], y[1] - y[0]), hypot(x[2] - x[0], y[2] - y[0])) / metres;
     return per_metre > 0.0 && isfinite(per_metre) ? 1.0 / per_metre : 1000.0;
 }
 
 static bolan_result place_outside(const raster_source *s) {
     double west, north, east, south;
-    raster_map_point(s->to_map, 0, 0, &west, &north);
-    raster_map_point(s->to_map, s->width, s->height, &east, &south);
+    bolan_raster_map_point(s->to_map, 0, 0, &west, &north);
+    bolan_raster_map_point(s->to_map, s->width, s->height, &east, &south);
     bolan_log(
         BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
         "%s: the place that was asked for lies outside the raster, which covers %.6g to %.6g north and %.6g to %.6g "
@@ -96,31 +96,32 @@ static double elevation_beyond(const raster_plan *plan, const float *grid) {
     return count ? fmin(sum / (double)count, -10.0) : -50.0;
 }
 
-static bolan_result make_terrain(const raster_source *s, const raster_plan *plan, float *grid, bolan_terrain **out) {
+static bolan_result make_terrain(const raster_source *s, const raster_plan *plan, float *grid, bolan_ground **out) {
     // Places that no projection reaches have no value yet.
-    const bolan_result result = raster_fill(s->path, grid, (int)plan->width, (int)plan->height);
+    const bolan_result result = bolan_raster_fill(s->path, grid, (int)plan->width, (int)plan->height);
     if (result == BOLAN_ERROR_FORMAT)
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_RASTER_EMPTY, "%s: nothing of it lies around the place that was asked for",
                   s->path);
     if (result) return result;
-    bolan_terrain_desc d = bolan_terrain_desc_default();
+    bolan_ground_desc d = bolan_ground_desc_default();
     d.field = (bolan_heightfield){plan->width, plan->height, plan->west, plan->south, plan->step_x, plan->step_y, grid};
     d.edge_elevation = elevation_beyond(plan, grid);
-    return bolan_terrain_create(&d, out);
+    return bolan_ground_create(&d, out);
 }
 
-static bolan_result read_terrain(raster_source *s, bolan_terrain **out) {
+static bolan_result read_terrain(raster_source *s, bolan_ground **out) {
     raster_plan plan;
     raster_window window;
     bolan_result result = make_plan(s, s->desc->radius, &plan);
-    if (!result) result = raster_window_read(s, &plan, &window);
+    if (!result) result = bolan_raster_window_read(s, &plan, &window);
     if (result) return result;
     const size_t count = (size_t)plan.width * plan.height, bytes = count * sizeof(float);
     float *grid = bolan_allocate(bytes);
-    result = grid ? raster_resample(s, &window, &plan, grid) : raster_no_memory(s->path, count, "elevations");
+    result =
+        grid ? bolan_raster_resample(s, &window, &plan, grid) : bolan_raster_no_memory(s->path, count, "elevations");
     if (!result) result = make_terrain(s, &plan, grid, out);
     bolan_release(grid, bytes);
-    raster_window_release(&window);
+    bolan_raster_window_release(&window);
     if (!result)
         bolan_log(BOLAN_LOG_INFO, BOLAN_LOG_RASTER_READ,
                   "%s: band %d%s%s, unit \"%s\" at %g m upwards, in %s, %ux%u elevations %.4g x %.4g m apart", s->path,
@@ -166,15 +167,15 @@ static void CPL_STDCALL keep_message(CPLErr level, CPLErrorNum number, const cha
     m->count++;
 }
 
-bolan_result bolan_raster_load(const bolan_raster_desc *desc, bolan_terrain **out) {
+bolan_result bolan_raster_load(const bolan_raster_desc *desc, bolan_ground **out) {
     BOLAN_ASSERT(desc && out);
     *out = NULL;
     if (check(desc)) return BOLAN_ERROR_ARGUMENT;
     GDALAllRegister();
     raster_source source = {.desc = desc, .path = desc->path};
     CPLPushErrorHandlerEx(keep_message, &source.messages);
-    bolan_result result = raster_open(&source);
-    if (!result) result = raster_place(&source);
+    bolan_result result = bolan_raster_open(&source);
+    if (!result) result = bolan_raster_place(&source);
     if (!result) result = read_terrain(&source, out);
     if (source.local_to_map) OCTDestroyCoordinateTransformation(source.local_to_map);
     if (source.file) GDALClose(source.file);

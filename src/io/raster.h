@@ -69,38 +69,38 @@ typedef struct raster_words {
 } raster_words;
 
 /// Metres per @p unit; false for a text that is no unit of length.
-bool raster_unit(const char *unit, double *metres);
+bool bolan_raster_unit(const char *unit, double *metres);
 /// How likely the words name elevations: 0 not at all. The highest of several bands is taken.
-int raster_elevation_score(const raster_words *words);
+int bolan_raster_elevation_score(const raster_words *words);
 typedef enum raster_direction { RASTER_UP, RASTER_DOWN, RASTER_PERHAPS_DOWN } raster_direction;
 /// Whether the words name heights or depths.
-raster_direction raster_direction_of(const raster_words *words);
+raster_direction bolan_raster_direction_of(const raster_words *words);
 /// strcmp() == 0, whatever the case.
-bool raster_same_text(const char *a, const char *b);
+bool bolan_raster_same_text(const char *a, const char *b);
 
 // ---- the steps ------------------------------------------------------------------------------------------------------
 
 /// Opens the file and chooses variable, band, mask, unit and direction. IO or FORMAT.
-bolan_result raster_open(raster_source *source);
+bolan_result bolan_raster_open(raster_source *source);
 /// Georeference: the map coordinates, and the way to local metres. FORMAT.
-bolan_result raster_place(raster_source *source);
+bolan_result bolan_raster_place(raster_source *source);
 /// Local [m] -> pixel coordinates, @p count points in place. Points that cannot be mapped become NAN.
-void raster_local_to_pixel(const raster_source *source, int count, double *x, double *y);
+void bolan_raster_local_to_pixel(const raster_source *source, int count, double *x, double *y);
 /// Pixel -> map coordinates by an affine of GDAL's, or back.
-void raster_map_point(const double affine[6], double x, double y, double *u, double *v);
+void bolan_raster_map_point(const double affine[6], double x, double y, double *u, double *v);
 
-bolan_result raster_window_read(raster_source *source, const raster_plan *plan, raster_window *out);
-void raster_window_release(raster_window *window);
+bolan_result bolan_raster_window_read(raster_source *source, const raster_plan *plan, raster_window *out);
+void bolan_raster_window_release(raster_window *window);
 /// Gives every sample a value, as the desc says what holes and zeros are. A sample is @p width x @p height metres.
 /// FORMAT where there is no data at all, MEMORY.
-bolan_result raster_holes(const raster_source *source, raster_window *window, double width, double height);
+bolan_result bolan_raster_holes(const raster_source *source, raster_window *window, double width, double height);
 /// Replaces NAN by values around it. FORMAT, without a sentence, when there is nothing but NAN; MEMORY, with one.
-bolan_result raster_fill(const char *path, float *values, int width, int height);
+bolan_result bolan_raster_fill(const char *path, float *values, int width, int height);
 
 /// Fills plan->width * plan->height elevations, row 0 in the south. MEMORY.
-bolan_result raster_resample(const raster_source *source, const raster_window *window, const raster_plan *plan,
-                             float *out);
+bolan_result bolan_raster_resample(const raster_source *source, const raster_window *window, const raster_plan *plan,
+                                   float *out);
 /// Logs that there is no memory for @p count of @p what, and returns MEMORY.
-bolan_result raster_no_memory(const char *path, size_t count, const char *what);
+bolan_result bolan_raster_no_memory(const char *path, size_t count, const char *what);
 
 #endif

@@ -32,23 +32,23 @@ static float coarse_value(const float *coarse, int width, int height, int i, int
     return (low[x] * (1.0f - s) + low[x1] * s) * (1.0f - t) + (high[x] * (1.0f - s) + high[x1] * s) * t;
 }
 
-bolan_result raster_no_memory(const char *path, size_t count, const char *what) {
+bolan_result bolan_raster_no_memory(const char *path, size_t count, const char *what) {
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory for %zu %s", path, count, what);
     return BOLAN_ERROR_MEMORY;
 }
 
-bolan_result raster_fill(const char *path, float *values, int width, int height) {
+bolan_result bolan_raster_fill(const char *path, float *values, int width, int height) {
     const size_t count = (size_t)width * (size_t)height;
     if (!has_hole(values, count)) return BOLAN_OK;
     if (width <= 1 && height <= 1) return BOLAN_ERROR_FORMAT;
     const int w = (width + 1) / 2, h = (height + 1) / 2;
     const size_t bytes = (size_t)w * (size_t)h * sizeof(float);
     float *coarse = bolan_allocate(bytes);
-    if (!coarse) return raster_no_memory(path, count, "samples");
+    if (!coarse) return bolan_raster_no_memory(path, count, "samples");
     for (int y = 0; y < h; y++)
         for (int x = 0; x < w; x++)
             coarse[(size_t)y * (size_t)w + (size_t)x] = mean_of_known(values, width, height, x, y);
-    const bolan_result result = raster_fill(path, coarse, w, h);
+    const bolan_result result = bolan_raster_fill(path, coarse, w, h);
     for (int j = 0; j < height && !result; j++)
         for (int i = 0; i < width; i++) {
             float *value = &values[(size_t)j * (size_t)width + (size_t)i];

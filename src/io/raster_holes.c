@@ -200,21 +200,21 @@ static bool lay_bed(const hole_map *m, double width, double height, float *value
     return ok;
 }
 
-bolan_result raster_holes(const raster_source *source, raster_window *w, double width, double height) {
+bolan_result bolan_raster_holes(const raster_source *source, raster_window *w, double width, double height) {
     const size_t count = (size_t)w->width * (size_t)w->height;
     hole_map m = {w->width, w->height, bolan_allocate(count), 0, 0, 0};
     if (!m.kind || !classify(source, w->values, &m)) {
         bolan_release(m.kind, count);
-        return raster_no_memory(source->path, count, "samples");
+        return bolan_raster_no_memory(source->path, count, "samples");
     }
     bolan_result result = BOLAN_OK;
     const bool sea_was_said = source->desc->nodata == BOLAN_NODATA_SEA || source->desc->zero == BOLAN_ZERO_SEA;
     if (m.known == 0 && sea_was_said) { // open water, far from all land
         for (size_t i = 0; i < count; i++) w->values[i] = -SHELF_DEPTH;
     } else {
-        result = raster_fill(source->path, w->values, w->width, w->height);
+        result = bolan_raster_fill(source->path, w->values, w->width, w->height);
         if (!result && m.seas > 0 && !lay_bed(&m, width, height, w->values))
-            result = raster_no_memory(source->path, count, "samples");
+            result = bolan_raster_no_memory(source->path, count, "samples");
     }
     bolan_release(m.kind, count);
     if (result == BOLAN_ERROR_FORMAT)

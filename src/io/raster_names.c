@@ -10,7 +10,7 @@
 
 static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
 
-bool raster_same_text(const char *a, const char *b) {
+bool bolan_raster_same_text(const char *a, const char *b) {
     while (*a && lower(*a) == lower(*b)) a++, b++;
     return lower(*a) == lower(*b);
 }
@@ -38,7 +38,7 @@ static bool has_one_of(const char *text, const char *const *list) {
 
 // ---- units ----------------------------------------------------------------------------------------------------------
 
-bool raster_unit(const char *unit, double *metres) {
+bool bolan_raster_unit(const char *unit, double *metres) {
     static const struct {
         const char *names[9];
         double metres;
@@ -91,13 +91,13 @@ static const char *const parts_of_others[] = {"uncertain", "error", "flag",   "m
                                               "std",       "dev",   "count",  "tid",   "source",
                                               "density",   "slope", "aspect", "shade", NULL};
 
-int raster_elevation_score(const raster_words *words) {
+int bolan_raster_elevation_score(const raster_words *words) {
     char name[64], standard[64], description[128];
     double metres;
     normalise(words->name, name, sizeof name);
     normalise(words->standard, standard, sizeof standard);
     normalise(words->description, description, sizeof description);
-    const bool length = raster_unit(words->unit, &metres);
+    const bool length = bolan_raster_unit(words->unit, &metres);
     if (has_one_of(name, parts_of_others) || has_one_of(standard, parts_of_others)) return 0;
     if (words->unit[0] && !length) return 0;
     if (is_depth_name(standard) || is_one_of(standard, standard_heights)) return 5;
@@ -108,13 +108,13 @@ int raster_elevation_score(const raster_words *words) {
     return has_one_of(description, parts_of_names) ? 2 : length ? 1 : 0;
 }
 
-raster_direction raster_direction_of(const raster_words *words) {
+raster_direction bolan_raster_direction_of(const raster_words *words) {
     char name[64], standard[64], description[128];
     normalise(words->name, name, sizeof name);
     normalise(words->standard, standard, sizeof standard);
     normalise(words->description, description, sizeof description);
-    if (raster_same_text(words->positive, "down")) return RASTER_DOWN;
-    if (raster_same_text(words->positive, "up")) return RASTER_UP;
+    if (bolan_raster_same_text(words->positive, "down")) return RASTER_DOWN;
+    if (bolan_raster_same_text(words->positive, "up")) return RASTER_UP;
     if (is_depth_name(standard) || strcmp(standard, "depth") == 0) return RASTER_DOWN;
     if (standard[0]) return RASTER_UP;
     // ROMS: h is the bathymetry at its points, positive down.

@@ -70,7 +70,7 @@ static bolan_result refuse_choice(const raster_source *s, const candidate *list,
 static int choose(const candidate *list, int count, const char *wanted) {
     int best = -1, equals = 0;
     for (int i = 0; i < count; i++) {
-        const int score = wanted[0] ? (int)raster_same_text(list[i].words.name, wanted) : list[i].score;
+        const int score = wanted[0] ? (int)bolan_raster_same_text(list[i].words.name, wanted) : list[i].score;
         if (score == 0) continue;
         const int old = best < 0 ? 0 : wanted[0] ? 1 : list[best].score;
         if (score > old) best = i, equals = 0;
@@ -98,7 +98,7 @@ static size_t read_head(const char *path, unsigned char head[4]) {
 static bolan_result cannot_open(const raster_source *s) {
     char message[RASTER_MESSAGE_MAX], file[BOLAN_PATH_MAX];
     size_t length;
-    const char *part = file_of_raster(s->path, &length);
+    const char *part = bolan_file_of_raster(s->path, &length);
     snprintf(file, sizeof file, "%.*s", (int)length, part);
     unsigned char head[4] = {0};
     const size_t got = read_head(file, head);
@@ -142,7 +142,7 @@ static bolan_result open_variable(raster_source *s, GDALDatasetH outer) {
         if (inner && GDALGetRasterCount(inner) > 0) {
             read_words(GDALGetRasterBand(inner, 1), &c->words);
             copy_text(c->words.name, sizeof c->words.name, variable_of(name));
-            c->score = raster_elevation_score(&c->words);
+            c->score = bolan_raster_elevation_score(&c->words);
         }
         if (inner) GDALClose(inner);
     }
@@ -174,7 +174,7 @@ static bolan_result choose_band(raster_source *s) {
         candidate *c = &list[count++];
         *c = (candidate){.number = i};
         read_words(band, &c->words);
-        c->score = raster_elevation_score(&c->words);
+        c->score = bolan_raster_elevation_score(&c->words);
         colors += is_color(band);
     }
     if (count == 0 || (colors > 0 && !wanted))
@@ -227,20 +227,20 @@ static void find_unit(raster_source *s) {
     const double vertical = vertical_unit(s, &vertical_name);
     copy_text(s->unit, sizeof s->unit, words.unit[0] ? words.unit : vertical != 0.0 ? vertical_name : "");
     s->metres = vertical != 0.0 ? fabs(vertical) : 1.0;
-    if (words.unit[0] && !raster_unit(words.unit, &s->metres)) {
+    if (words.unit[0] && !bolan_raster_unit(words.unit, &s->metres)) {
         s->metres = 1.0;
         bolan_log(BOLAN_LOG_WARNING, BOLAN_LOG_RASTER_UNIT,
                   "%s: its unit is \"%s\", which is no known unit of length; metres are assumed (vertical_scale says "
                   "otherwise)",
                   s->path, words.unit);
     }
-    const raster_direction direction = raster_direction_of(&words);
+    const raster_direction direction = bolan_raster_direction_of(&words);
     const bool stated = words.positive[0] || direction == RASTER_DOWN;
     if (direction == RASTER_DOWN || (!stated && vertical < 0.0)) s->metres = -s->metres;
     s->perhaps_down = direction == RASTER_PERHAPS_DOWN && !(vertical < 0.0);
 }
 
-bolan_result raster_open(raster_source *s) {
+bolan_result bolan_raster_open(raster_source *s) {
     CPLErrorReset();
     s->file = open_quietly(s, s->path);
     if (!s->file) return cannot_open(s);

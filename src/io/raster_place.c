@@ -14,7 +14,7 @@ static bolan_result bad_projection(const raster_source *s, const char *what) {
     return BOLAN_ERROR_FORMAT;
 }
 
-void raster_map_point(const double m[6], double x, double y, double *u, double *v) {
+void bolan_raster_map_point(const double m[6], double x, double y, double *u, double *v) {
     *u = m[0] + m[1] * x + m[2] * y;
     *v = m[3] + m[4] * x + m[5] * y;
 }
@@ -34,8 +34,8 @@ static OGRSpatialReferenceH reference_from(const char *definition) {
 // Numbers that can be degrees: of a part of the globe in fine steps, or of the whole of it.
 static bool looks_like_degrees(const raster_source *s) {
     double west, north, east, south;
-    raster_map_point(s->to_map, 0, 0, &west, &north);
-    raster_map_point(s->to_map, s->width, s->height, &east, &south);
+    bolan_raster_map_point(s->to_map, 0, 0, &west, &north);
+    bolan_raster_map_point(s->to_map, s->width, s->height, &east, &south);
     const double step = fmax(fabs(s->to_map[1]), fabs(s->to_map[5]));
     const bool globe = fabs(east - west) >= 359.0 && fabs(north - south) >= 90.0;
     return (step < COARSEST_DEGREES || globe) && fabs(north) <= 91.0 && fabs(south) <= 91.0 && west >= -361.0 &&
@@ -67,11 +67,11 @@ static void make_planar(raster_source *s, double metres) {
 
 static bolan_result named_reference(raster_source *s, const char *name, OGRSpatialReferenceH *out) {
     snprintf(s->crs, sizeof s->crs, "%s", name);
-    if (raster_same_text(name, "metres") || raster_same_text(name, "meters")) {
+    if (bolan_raster_same_text(name, "metres") || bolan_raster_same_text(name, "meters")) {
         make_planar(s, 1.0);
         return BOLAN_OK;
     }
-    const bool degrees = raster_same_text(name, "degrees");
+    const bool degrees = bolan_raster_same_text(name, "degrees");
     *out = degrees ? reference_from("EPSG:4326") : is_crs_text(name) ? reference_from(name) : NULL;
     if (*out) return BOLAN_OK;
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_RASTER_PROJECTION,
@@ -117,7 +117,7 @@ static bolan_result own_reference(raster_source *s, OGRSpatialReferenceH *out) {
 
 // Where the raster's centre lies [deg].
 static bool centre_of(const raster_source *s, OGRSpatialReferenceH map, double *latitude, double *longitude) {
-    raster_map_point(s->to_map, 0.5 * s->width, 0.5 * s->height, longitude, latitude);
+    bolan_raster_map_point(s->to_map, 0.5 * s->width, 0.5 * s->height, longitude, latitude);
     OGRSpatialReferenceH degrees = reference_from("EPSG:4326");
     OGRCoordinateTransformationH to_degrees = degrees ? OCTNewCoordinateTransformation(map, degrees) : NULL;
     const bool ok = to_degrees && OCTTransform(to_degrees, 1, longitude, latitude, NULL);
@@ -143,7 +143,7 @@ static bolan_result project(raster_source *s, OGRSpatialReferenceH map) {
     return BOLAN_OK;
 }
 
-bolan_result raster_place(raster_source *s) {
+bolan_result bolan_raster_place(raster_source *s) {
     static const char *const nowhere = "it does not say where it lies; expected a raster with a georeference";
     if (GDALGetGeoTransform(s->file, s->to_map) != CE_None) return bad_projection(s, nowhere);
     OGRSpatialReferenceH map;
@@ -156,7 +156,7 @@ bolan_result raster_place(raster_source *s) {
             bad_projection(s, "it has no map projection, so a latitude and longitude cannot be found in it; leave the "
                               "place out to stand at its centre");
     } else if (!result) {
-        raster_map_point(s->to_map, 0.5 * s->width, 0.5 * s->height, &s->origin_x, &s->origin_y);
+        bolan_raster_map_point(s->to_map, 0.5 * s->width, 0.5 * s->height, &s->origin_x, &s->origin_y);
     }
     if (map) OSRDestroySpatialReference(map);
     return result;
@@ -171,13 +171,13 @@ static double near_raster(const raster_source *s, double longitude) {
     return unwrapped - 360.0 * rint((unwrapped - centre) / 360.0);
 }
 
-void raster_local_to_pixel(const raster_source *s, int count, double *x, double *y) {
+void bolan_raster_local_to_pixel(const raster_source *s, int count, double *x, double *y) {
     if (s->local_to_map) OCTTransform(s->local_to_map, count, x, y, NULL); // what fails becomes HUGE_VAL
     for (int i = 0; i < count; i++) {
         double u = s->planar ? x[i] + s->origin_x : x[i], v = s->planar ? y[i] + s->origin_y : y[i];
         if (s->geographic) u = near_raster(s, u);
         const bool known = isfinite(u) && isfinite(v);
-        raster_map_point(s->to_pixel, u, v, &x[i], &y[i]);
+        bolan_raster_map_point(s->to_pixel, u, v, &x[i], &y[i]);
         if (!known) x[i] = y[i] = (double)NAN;
     }
 }

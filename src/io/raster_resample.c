@@ -72,7 +72,7 @@ static void make_net(const raster_source *source, const raster_window *window, c
             row_x[i] = plan->west + plan->step_x * i * NET;
             row_y[i] = plan->south + plan->step_y * j * NET;
         }
-        raster_local_to_pixel(source, (int)width, row_x, row_y);
+        bolan_raster_local_to_pixel(source, (int)width, row_x, row_y);
         for (uint32_t i = 0; i < width; i++) { // from pixels to the window's samples, whose centres are whole numbers
             row_x[i] = (row_x[i] - window->x) / window->pixels_per_sample - 0.5;
             row_y[i] = (row_y[i] - window->y) / window->pixels_per_sample - 0.5;
@@ -80,12 +80,12 @@ static void make_net(const raster_source *source, const raster_window *window, c
     }
 }
 
-bolan_result raster_resample(const raster_source *source, const raster_window *window, const raster_plan *plan,
-                             float *out) {
+bolan_result bolan_raster_resample(const raster_source *source, const raster_window *window, const raster_plan *plan,
+                                   float *out) {
     const uint32_t width = (plan->width - 1) / NET + 2, height = (plan->height - 1) / NET + 2;
     const size_t count = (size_t)width * height, bytes = 2 * count * sizeof(double);
     double *net = bolan_allocate(bytes);
-    if (!net) return raster_no_memory(source->path, count, "places");
+    if (!net) return bolan_raster_no_memory(source->path, count, "places");
     make_net(source, window, plan, width, height, net, net + count);
     resample_job job = {window, plan, net, net + count, width, out};
     bolan_parallel(plan->height, 16, resample_rows, &job);

@@ -21,7 +21,7 @@ static bounds pixel_bounds(const raster_source *source, const raster_plan *plan)
             x[i] = plan->west + plan->step_x * (plan->width - 1) * i / (PROBES - 1);
             y[i] = plan->south + plan->step_y * (plan->height - 1) * j / (PROBES - 1);
         }
-        raster_local_to_pixel(source, PROBES, x, y);
+        bolan_raster_local_to_pixel(source, PROBES, x, y);
         for (int i = 0; i < PROBES; i++) {
             b.x0 = fmin(b.x0, x[i]), b.x1 = fmax(b.x1, x[i]); // fmin and fmax pass NAN by
             b.y0 = fmin(b.y0, y[i]), b.y1 = fmax(b.y1, y[i]);
@@ -181,7 +181,7 @@ static bolan_result read_window(raster_source *source, raster_window *w) {
     w->values = bolan_allocate(w->bytes);
     if (!w->values || (mask_bytes && !mask)) {
         bolan_release(mask, mask_bytes);
-        return raster_no_memory(source->path, count, "samples");
+        return bolan_raster_no_memory(source->path, count, "samples");
     }
     const piece values = {source->band, w->values, GDT_Float32, (int)sizeof(float)},
                 masked = {source->mask, mask, GDT_Byte, 1};
@@ -200,7 +200,7 @@ static void sample_size(const raster_source *source, const raster_plan *plan, do
     const double east = plan->west + 0.5 * plan->step_x * (plan->width - 1),
                  north = plan->south + 0.5 * plan->step_y * (plan->height - 1), metres = 100.0;
     double x[3] = {east, east + metres, east}, y[3] = {north, north, north + metres};
-    raster_local_to_pixel(source, 3, x, y);
+    bolan_raster_local_to_pixel(source, 3, x, y);
     // Pixels per metre eastwards (a, c) and northwards (b, d); the inverse has the vectors of a pixel.
     const double a = (x[1] - x[0]) / metres, b = (x[2] - x[0]) / metres, c = (y[1] - y[0]) / metres,
                  d = (y[2] - y[0]) / metres, determinant = fabs(a * d - b * c);
@@ -209,7 +209,7 @@ static void sample_size(const raster_source *source, const raster_plan *plan, do
     if (!isfinite(*width) || !isfinite(*height)) *width = *height = fmax(plan->step_x, plan->step_y);
 }
 
-bolan_result raster_window_read(raster_source *source, const raster_plan *plan, raster_window *out) {
+bolan_result bolan_raster_window_read(raster_source *source, const raster_plan *plan, raster_window *out) {
     const bounds b = pixel_bounds(source, plan);
     *out = (raster_window){0};
     place_window(source, &b, out);
@@ -217,13 +217,13 @@ bolan_result raster_window_read(raster_source *source, const raster_plan *plan, 
     if (!result) {
         double width, height;
         sample_size(source, plan, out->pixels_per_sample, &width, &height);
-        result = raster_holes(source, out, width, height);
+        result = bolan_raster_holes(source, out, width, height);
     }
-    if (result) raster_window_release(out);
+    if (result) bolan_raster_window_release(out);
     return result;
 }
 
-void raster_window_release(raster_window *window) {
+void bolan_raster_window_release(raster_window *window) {
     bolan_release(window->values, window->bytes);
     *window = (raster_window){0};
 }

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-void scene_file_clear(scene_file *file) {
+void bolan_scene_file_clear(scene_file *file) {
     const double absent = (double)NAN;
     const bolan_scene d = bolan_scene_default();
     memset(file, 0, sizeof *file);
@@ -207,7 +207,7 @@ static int days_of_month(int year, int month) {
 }
 
 // ISO 8601: YYYY-MM-DDTHH:MM, :SS if you like, and Z or +HH:MM or -HH:MM.
-bool scene_file_date(const char *text, double *unix_time) {
+bool bolan_scene_file_date(const char *text, double *unix_time) {
     const int year = digits(&text, 4);
     if (year < 1900 || year > 2100) return false;
     const int month = digits_behind('-', &text, 2);
@@ -245,7 +245,7 @@ static bolan_result build_sun(const struct scene_file_sun *sun, const char *name
                       "sky.sun has date and angles; expected date and place, or azimuth and elevation");
     if (dated) {
         double unix_time = 0.0;
-        if (!scene_file_date(sun->date, &unix_time))
+        if (!bolan_scene_file_date(sun->date, &unix_time))
             return refuse(name, sun->line,
                           "sky.sun.date is no date; expected one like 2026-06-21T18:00:00Z or ...+02:00");
         if (fabs(sun->place[0]) > 90.0)
@@ -285,13 +285,13 @@ static bolan_result build_raster(const struct scene_file_raster *r, const char *
     return BOLAN_OK;
 }
 
-static bolan_result build_terrain(const struct scene_file_terrain *t, const char *name, bolan_terrain_source *out) {
+static bolan_result build_terrain(const struct scene_file_terrain *t, const char *name, bolan_ground_source *out) {
     if ((t->island.line != 0) + (t->raster.line != 0) + (t->pond.line != 0) > 1)
         return refuse(name, t->line, "terrain has more than one of island, raster and pond; expected one");
-    out->kind = t->island.line   ? BOLAN_TERRAIN_ISLAND
-                : t->raster.line ? BOLAN_TERRAIN_RASTER
-                : t->pond.line   ? BOLAN_TERRAIN_POND
-                                 : BOLAN_TERRAIN_NONE;
+    out->kind = t->island.line   ? BOLAN_GROUND_ISLAND
+                : t->raster.line ? BOLAN_GROUND_RASTER
+                : t->pond.line   ? BOLAN_GROUND_POND
+                                 : BOLAN_GROUND_NONE;
     out->island.seed = t->island.seed;
     set(&out->island.radius, t->island.radius, 1.0);
     set(&out->island.peak, t->island.peak, 1.0);
@@ -387,12 +387,12 @@ static bolan_result build_objects(const scene_file *file, const char *name, bola
     return BOLAN_OK;
 }
 
-bolan_result scene_file_find_models(const scene_file *file, const char *name, bolan_scene *scene) {
+bolan_result bolan_scene_file_find_models(const scene_file *file, const char *name, bolan_scene *scene) {
     for (uint32_t i = 0; i < scene->object_count; i++) {
         bolan_object *o = &scene->objects[i];
         char path[BOLAN_PATH_MAX], sentence[512];
         if (is_builtin(o->model)) continue;
-        if (!file_resolve(name, o->model, path) || strlen(path) >= sizeof o->model)
+        if (!bolan_file_resolve(name, o->model, path) || strlen(path) >= sizeof o->model)
             return refuse(name, file->objects[i].line, "the path of a model is longer than 255 characters");
         if (access(path, R_OK) != 0) {
             snprintf(sentence, sizeof sentence,
@@ -405,7 +405,7 @@ bolan_result scene_file_find_models(const scene_file *file, const char *name, bo
     return BOLAN_OK;
 }
 
-bolan_result scene_file_build(const scene_file *file, const char *name, bolan_scene *scene) {
+bolan_result bolan_scene_file_build(const scene_file *file, const char *name, bolan_scene *scene) {
     *scene = bolan_scene_default();
     snprintf(scene->description, sizeof scene->description, "%s", file->description);
     snprintf(scene->tiles_path, sizeof scene->tiles_path, "%s", file->tiles);

@@ -103,17 +103,17 @@ typedef struct scene_file {
     } camera;
 } scene_file;
 
-extern const schema_key scene_file_keys[];
+extern const schema_key bolan_scene_file_keys[];
 
 /// Every key absent.
-void scene_file_clear(scene_file *file);
+void bolan_scene_file_clear(scene_file *file);
 /// Builds the scene; @p name is used in messages about keys that exclude or need each other. FORMAT.
-bolan_result scene_file_build(const scene_file *file, const char *name, bolan_scene *scene);
+bolan_result bolan_scene_file_build(const scene_file *file, const char *name, bolan_scene *scene);
 /// Takes the paths of the models from the folder of the scene file @p name, and looks whether the files are there.
 /// FORMAT, with the line of the object.
-bolan_result scene_file_find_models(const scene_file *file, const char *name, bolan_scene *scene);
+bolan_result bolan_scene_file_find_models(const scene_file *file, const char *name, bolan_scene *scene);
 /// "2026-06-21T18:00:00Z" (or +HH:MM instead of Z; seconds may be left out) as seconds since 1970 UTC; false if it is
 /// not one.
-bool scene_file_date(const char *text, double *unix_time);
+bool bolan_scene_file_date(const char *text, double *unix_time);
 
 #endif

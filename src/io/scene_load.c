@@ -45,11 +45,11 @@ const char *bolan_scene_builtin_name(uint32_t index) {
 // `on_disk`: the name is a path, and models are looked for beside it.
 static bolan_result parse(const char *name, const char *text, size_t size, bool on_disk, bolan_scene *out) {
     scene_file file;
-    scene_file_clear(&file);
-    bolan_result result = schema_read(name, text, size, scene_file_keys, &file);
+    bolan_scene_file_clear(&file);
+    bolan_result result = bolan_schema_read(name, text, size, bolan_scene_file_keys, &file);
     bolan_scene scene;
-    if (!result) result = scene_file_build(&file, name, &scene);
-    if (!result && on_disk) result = scene_file_find_models(&file, name, &scene);
+    if (!result) result = bolan_scene_file_build(&file, name, &scene);
+    if (!result && on_disk) result = bolan_scene_file_find_models(&file, name, &scene);
     if (!result) result = bolan_scene_validate(&scene);
     if (result) return result;
     const char *slash = strrchr(name, '/');
@@ -74,20 +74,20 @@ static bolan_result too_long(const char *path) {
 static bolan_result resolve(const char *beside, char path[BOLAN_PATH_MAX]) {
     char resolved[BOLAN_PATH_MAX];
     if (path[0] == '\0' || strncmp(path, "builtin:", 8) == 0) return BOLAN_OK;
-    if (!file_resolve(beside, path, resolved)) return too_long(beside);
+    if (!bolan_file_resolve(beside, path, resolved)) return too_long(beside);
     memcpy(path, resolved, sizeof resolved);
     return BOLAN_OK;
 }
 
 static bolan_result load_file(const char *path, bolan_scene *out) {
     file_text text;
-    bolan_result result = file_read(path, YAML_SIZE_LIMIT, &text);
+    bolan_result result = bolan_file_read(path, YAML_SIZE_LIMIT, &text);
     if (result) return result;
     bolan_scene scene;
     result = parse(path, text.data, text.size, true, &scene);
-    file_release(&text);
+    bolan_file_release(&text);
     if (!result) result = resolve(path, scene.spectrum_path);
-    if (!result && !file_resolve_raster(path, scene.terrain.raster.path)) result = too_long(path);
+    if (!result && !bolan_file_resolve_raster(path, scene.terrain.raster.path)) result = too_long(path);
     if (!result) result = resolve(path, scene.tiles_path);
     if (!result) *out = scene;
     return result;

@@ -221,7 +221,7 @@ static const schema_key camera_keys[] = {
 #undef STRUCT
 
 #define STRUCT scene_file
-const schema_key scene_file_keys[] = {
+const schema_key bolan_scene_file_keys[] = {
     TEXT(description),
     NAME(technique, technique_names),
     MAP(look, look_keys),

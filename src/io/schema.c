@@ -81,7 +81,7 @@ static bolan_result count(const reader *r, const yaml_node_t *node, const schema
     }
     char expected[80];
     bolan_format(expected, sizeof expected, "a whole number from %.0f to %llu", key->low,
-             key->high < 0x1p64 ? (unsigned long long)key->high : (unsigned long long)UINT64_MAX);
+                 key->high < 0x1p64 ? (unsigned long long)key->high : (unsigned long long)UINT64_MAX);
     return refuse(r, node, path, expected);
 }
 
@@ -94,8 +94,8 @@ static bolan_result name(const reader *r, const yaml_node_t *node, const schema_
     char expected[LIST_MAX_LENGTH] = "";
     for (int i = 0; key->names[i]; i++) {
         if (node->type == YAML_SCALAR_NODE &&
-            text_equals((text_word){(const char *)node->data.scalar.value, node->data.scalar.length, 0},
-                        key->names[i])) {
+            bolan_text_equals((text_word){(const char *)node->data.scalar.value, node->data.scalar.length, 0},
+                              key->names[i])) {
             *out = i;
             return BOLAN_OK;
         }
@@ -107,7 +107,8 @@ static bolan_result name(const reader *r, const yaml_node_t *node, const schema_
 static bolan_result flag(const reader *r, const yaml_node_t *node, const char *path, bool *out) {
     static const char *const words[] = {"false", "true", "no", "yes", "off", "on"};
     for (int i = 0; i < 6 && node->type == YAML_SCALAR_NODE; i++) {
-        if (!text_equals((text_word){(const char *)node->data.scalar.value, node->data.scalar.length, 0}, words[i]))
+        if (!bolan_text_equals((text_word){(const char *)node->data.scalar.value, node->data.scalar.length, 0},
+                               words[i]))
             continue;
         *out = i % 2 == 1;
         return BOLAN_OK;
@@ -152,7 +153,7 @@ static bolan_result vector(reader *r, yaml_node_t *node, const schema_key *key, 
 // Adds the bit of one name; false when there is none of that name.
 static bool add_name(const schema_key *key, text_word word, uint32_t *bits) {
     for (int i = 0; key->names[i]; i++)
-        if (text_equals(word, key->names[i])) return *bits |= 1u << i, true;
+        if (bolan_text_equals(word, key->names[i])) return *bits |= 1u << i, true;
     return false;
 }
 
@@ -182,8 +183,8 @@ static bolan_result set(reader *r, yaml_node_t *node, const schema_key *key, con
     }
     if (node->type == YAML_SCALAR_NODE && node->data.scalar.length > 0) {
         const text_word word = {(const char *)node->data.scalar.value, node->data.scalar.length, 0};
-        good = text_equals(word, "none") || text_equals(word, "all") || add_words(key, node, &bits);
-        if (text_equals(word, "all")) bits = all;
+        good = bolan_text_equals(word, "none") || bolan_text_equals(word, "all") || add_words(key, node, &bits);
+        if (bolan_text_equals(word, "all")) bits = all;
     }
     if (!good) return refuse(r, node, path, expected);
     *out = bits;
@@ -314,9 +315,9 @@ static bolan_result expect_end(const reader *r, yaml_parser_t *parser) {
     return result;
 }
 
-bolan_result schema_read(const char *name, const char *text, size_t size, const schema_key *keys, void *out) {
+bolan_result bolan_schema_read(const char *name, const char *text, size_t size, const schema_key *keys, void *out) {
     yaml_parser_t parser;
-    if (yaml_check_limits(name, text, size)) return BOLAN_ERROR_FORMAT;
+    if (bolan_yaml_check_limits(name, text, size)) return BOLAN_ERROR_FORMAT;
     if (!yaml_parser_initialize(&parser)) return no_memory(name);
     yaml_parser_set_input_string(&parser, (const unsigned char *)text, size);
     reader r = {.name = name, .text = text, .size = size};

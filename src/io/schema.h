@@ -34,6 +34,6 @@ typedef struct schema_key {
 /// Parses @p text and fills the struct @p out, whose members keep their values where the document has no key. The root
 /// is a map; an empty document is an empty map. FORMAT on failure, also beyond the limits of yaml_limits.h, and MEMORY
 /// (one sentence is logged; @p out is then partly filled).
-bolan_result schema_read(const char *name, const char *text, size_t size, const schema_key *keys, void *out);
+bolan_result bolan_schema_read(const char *name, const char *text, size_t size, const schema_key *keys, void *out);
 
 #endif

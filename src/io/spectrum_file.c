@@ -36,7 +36,7 @@ static bool companion_path(const char *path, int i, char out[BOLAN_PATH_MAX]) {
     static const char *const suffixes[COMPANIONS] = {".swdir", ".swdir2", ".swr1", ".swr2"};
     static const char small[COMPANIONS] = {'d', 'i', 'j', 'k'}, capital[COMPANIONS] = {'D', 'I', 'J', 'K'};
     const size_t length = strlen(path), tail = sizeof density - 1;
-    const char *letter = spectrum_ndbc_letter(path);
+    const char *letter = bolan_spectrum_ndbc_letter(path);
     int used = BOLAN_PATH_MAX;
     if (length > tail && strcmp(path + length - tail, density) == 0)
         used = snprintf(out, BOLAN_PATH_MAX, "%.*s%s", (int)(length - tail), path, suffixes[i]);
@@ -56,15 +56,15 @@ bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options 
     char names[COMPANIONS][BOLAN_PATH_MAX];
     file_text density, files[COMPANIONS] = {{NULL, 0}};
 
-    bolan_result result = file_read(path, SPECTRUM_FILE_LIMIT, &density);
+    bolan_result result = bolan_file_read(path, SPECTRUM_FILE_LIMIT, &density);
     texts.density = (bolan_spectrum_text){path, density.data, density.size};
     for (int i = 0; i < COMPANIONS && !result; i++) {
         if (!companion_path(path, i, names[i])) continue;
-        result = file_read(names[i], SPECTRUM_FILE_LIMIT, &files[i]);
+        result = bolan_file_read(names[i], SPECTRUM_FILE_LIMIT, &files[i]);
         *companions[i] = (bolan_spectrum_text){names[i], files[i].data, files[i].size};
     }
     if (!result) result = bolan_measured_spectrum_parse(&texts, options, out);
-    for (int i = 0; i < COMPANIONS; i++) file_release(&files[i]);
-    file_release(&density);
+    for (int i = 0; i < COMPANIONS; i++) bolan_file_release(&files[i]);
+    bolan_file_release(&density);
     return result;
 }

@@ -74,7 +74,7 @@ static bolan_result write_frame(const char *folder, const bolan_tiles_view *v, u
 static bolan_result write_index(const char *folder, const bolan_tiles_view *v, double step) {
     char text[TILES_INDEX_CAPACITY], path[TILE_NAME];
     snprintf(path, sizeof path, "%s/index.json", folder);
-    return bolan_file_write(path, text, tiles_index_print(v, step, text));
+    return bolan_file_write(path, text, bolan_tiles_index_print(v, step, text));
 }
 
 // As name_of(), without the folder and with nothing that a signal handler may not call.
@@ -107,11 +107,11 @@ static bolan_result find_folder(const char *folder, char out[BOLAN_PATH_MAX]) {
     size_t length = strlen(folder);
     while (length > 1 && folder[length - 1] == '/') length--;
     errno = length == 0 ? ENOENT : ENAMETOOLONG;
-    if (length == 0 || length >= BOLAN_PATH_MAX) return file_cannot_write(folder);
+    if (length == 0 || length >= BOLAN_PATH_MAX) return bolan_file_cannot_write(folder);
     memcpy(out, folder, length);
     out[length] = '\0';
     errno = EEXIST; // also for a link that leads nowhere
-    return lstat(out, &status) == 0 ? file_cannot_write(folder) : BOLAN_OK;
+    return lstat(out, &status) == 0 ? bolan_file_cannot_write(folder) : BOLAN_OK;
 }
 
 // Makes an empty folder under a temporary name that is nobody else's.
@@ -119,15 +119,15 @@ static bolan_result make_folder(const char *folder, char temporary[FILE_NAME_CAP
     char target[BOLAN_PATH_MAX];
     if (find_folder(folder, target)) return BOLAN_ERROR_IO;
     for (int attempt = 0; attempt < 100; attempt++) {
-        file_temporary_name(target, attempt, temporary);
-        *entry = unfinished_claim(temporary, remove_folder);
-        if (mkdir(temporary, 0777) == 0) return unfinished_own(entry, 0), BOLAN_OK;
+        bolan_file_temporary_name(target, attempt, temporary);
+        *entry = bolan_unfinished_claim(temporary, remove_folder);
+        if (mkdir(temporary, 0777) == 0) return bolan_unfinished_own(entry, 0), BOLAN_OK;
         const int reason = errno;
-        unfinished_forget(entry);
+        bolan_unfinished_forget(entry);
         errno = reason;
         if (errno != EEXIST) break;
     }
-    return file_cannot_write(folder);
+    return bolan_file_cannot_write(folder);
 }
 
 bolan_result bolan_tiles_check_writable(const char *folder) {
@@ -136,7 +136,7 @@ bolan_result bolan_tiles_check_writable(const char *folder) {
     unfinished entry;
     if (make_folder(folder, temporary, &entry)) return BOLAN_ERROR_IO;
     rmdir(temporary);
-    unfinished_forget(&entry);
+    bolan_unfinished_forget(&entry);
     return BOLAN_OK;
 }
 
@@ -149,11 +149,11 @@ bolan_result bolan_tiles_save(const bolan_tiles *tiles, const char *folder) {
     if (make_folder(folder, temporary, &entry)) return BOLAN_ERROR_IO;
     bolan_result result = write_index(temporary, &v, step);
     for (uint32_t f = 0; f < v.frames && !result; f++) result = write_frame(temporary, &v, f, step);
-    unfinished_wait_if_abandoned();
+    bolan_unfinished_wait_if_abandoned();
     if (!result) result = find_folder(folder, target);
-    if (!result && rename(temporary, target) != 0) result = file_cannot_write(folder);
+    if (!result && rename(temporary, target) != 0) result = bolan_file_cannot_write(folder);
     if (result) remove_folder(temporary);
-    unfinished_forget(&entry);
+    bolan_unfinished_forget(&entry);
     return result;
 }
 
@@ -168,15 +168,15 @@ static bolan_result read_index(const char *folder, bolan_tiles_view *v, double *
     char path[TILE_NAME];
     snprintf(path, sizeof path, "%s/index.json", folder);
     file_text text;
-    bolan_result result = file_read(path, TILES_INDEX_LIMIT, &text);
-    if (!result) result = tiles_index_parse(path, text.data, text.size, v, step);
-    file_release(&text);
+    bolan_result result = bolan_file_read(path, TILES_INDEX_LIMIT, &text);
+    if (!result) result = bolan_tiles_index_parse(path, text.data, text.size, v, step);
+    bolan_file_release(&text);
     return result;
 }
 
 static bolan_result read_height(const char *path, uint32_t n, double step, float *height) {
     file_text file;
-    const bolan_result result = file_read(path, PICTURE_LIMIT, &file);
+    const bolan_result result = bolan_file_read(path, PICTURE_LIMIT, &file);
     if (result) return result;
     unsigned width = 0, rows = 0, most = 0;
     int header = 0;
@@ -186,7 +186,7 @@ static bolan_result read_height(const char *path, uint32_t n, double step, float
     const uint8_t *in = (const uint8_t *)file.data + header + 1;
     for (size_t i = 0; fits && i < (size_t)n * n; i++, in += 2)
         height[i] = (float)(((in[0] << 8 | in[1]) - 32768) * step);
-    file_release(&file);
+    bolan_file_release(&file);
     return fits ? BOLAN_OK : bad(path, "not a 16-bit PGM of the size that the index says");
 }
 

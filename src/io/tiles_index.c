@@ -29,7 +29,7 @@ static const key keys[KEYS] = {
     [CAUSTICS] = {"caustics_range", BOLAN_CAUSTICS_RANGE, BOLAN_CAUSTICS_RANGE, false, "the range of this format"},
 };
 
-size_t tiles_index_print(const bolan_tiles_view *v, double step, char out[TILES_INDEX_CAPACITY]) {
+size_t bolan_tiles_index_print(const bolan_tiles_view *v, double step, char out[TILES_INDEX_CAPACITY]) {
     const double values[KEYS] = {
         [VERSION] = 1,        [N] = v->n,
         [FRAMES] = v->frames, [LENGTH] = v->length,
@@ -129,7 +129,8 @@ static bolan_result check(const reader *r, const double values[KEYS], const bool
     return (n & (n - 1)) == 0 ? BOLAN_OK : refuse(r->path, r->line, sentence);
 }
 
-bolan_result tiles_index_parse(const char *path, const char *text, size_t size, bolan_tiles_view *v, double *step) {
+bolan_result bolan_tiles_index_parse(const char *path, const char *text, size_t size, bolan_tiles_view *v,
+                                     double *step) {
     reader r = {path, text, text + size, 1};
     double values[KEYS] = {0};
     bool seen[KEYS] = {false};

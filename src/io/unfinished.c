@@ -26,7 +26,7 @@ typedef struct slot {
 static slot slots[SLOTS];
 static atomic_bool abandoned;
 
-void unfinished_wait_if_abandoned(void) {
+void bolan_unfinished_wait_if_abandoned(void) {
     while (atomic_load(&abandoned)) pause();
 }
 
@@ -48,10 +48,10 @@ static void stay_away_if_abandoned(unfinished *u) {
     if (!atomic_load(&abandoned)) return;
     if (u->slot >= 0) atomic_store(&slots[u->slot].state, FREE);
     release_signals(u);
-    unfinished_wait_if_abandoned();
+    bolan_unfinished_wait_if_abandoned();
 }
 
-unfinished unfinished_claim(const char *path, unfinished_discard *discard) {
+unfinished bolan_unfinished_claim(const char *path, unfinished_discard *discard) {
     unfinished u = {.slot = -1};
     hold_signals(&u);
     for (int i = 0; i < SLOTS && u.slot < 0; i++) {
@@ -67,7 +67,7 @@ unfinished unfinished_claim(const char *path, unfinished_discard *discard) {
     return u;
 }
 
-void unfinished_reclaim(unfinished *u) {
+void bolan_unfinished_reclaim(unfinished *u) {
     hold_signals(u);
     int expected = OWNED;
     // Where the handler was faster, the file is gone already.
@@ -75,7 +75,7 @@ void unfinished_reclaim(unfinished *u) {
     stay_away_if_abandoned(u);
 }
 
-void unfinished_own(unfinished *u, pid_t process) {
+void bolan_unfinished_own(unfinished *u, pid_t process) {
     if (u->slot >= 0) {
         atomic_store(&slots[u->slot].process, (int)process);
         atomic_store(&slots[u->slot].state, OWNED);
@@ -83,7 +83,7 @@ void unfinished_own(unfinished *u, pid_t process) {
     release_signals(u);
 }
 
-void unfinished_forget(unfinished *u) {
+void bolan_unfinished_forget(unfinished *u) {
     if (u->slot >= 0) atomic_store(&slots[u->slot].state, FREE);
     u->slot = -1;
     release_signals(u);

@@ -4,9 +4,9 @@
 /// processes that write some of them. bolan_files_abandon() clears it away from inside a signal handler. Private to
 /// src/io.
 ///
-///     unfinished_claim()  -> make the file, the folder or the process -> unfinished_own()     it is ours now
-///                                                                     or unfinished_forget()  it was not made
-///     ... write ...       -> rename or remove                         -> unfinished_forget()
+///     bolan_unfinished_claim()  -> make the file, the folder or the process -> bolan_unfinished_own()     it is ours now
+///                                                                     or bolan_unfinished_forget()  it was not made
+///     ... write ...       -> rename or remove                         -> bolan_unfinished_forget()
 ///
 /// Between claim and own this thread takes no signal, and a handler in another thread waits for the owner: so there is
 /// no moment in which a file is there and not in the register, or the other way round.
@@ -27,14 +27,14 @@ typedef struct unfinished {
 typedef void unfinished_discard(const char *path);
 
 /// Opens an entry for @p path. Never returns once bolan_files_abandon() has been called: the process is ending.
-unfinished unfinished_claim(const char *path, unfinished_discard *discard);
+unfinished bolan_unfinished_claim(const char *path, unfinished_discard *discard);
 /// Closes an entry again while something is made for it (a process).
-void unfinished_reclaim(unfinished *u);
+void bolan_unfinished_reclaim(unfinished *u);
 /// What was claimed exists. @p process: the leader of the process group that writes it, or 0.
-void unfinished_own(unfinished *u, pid_t process);
+void bolan_unfinished_own(unfinished *u, pid_t process);
 /// The entry is no more: nothing was made, or it has its final name, or it is removed.
-void unfinished_forget(unfinished *u);
+void bolan_unfinished_forget(unfinished *u);
 /// Never returns once bolan_files_abandon() has been called.
-void unfinished_wait_if_abandoned(void);
+void bolan_unfinished_wait_if_abandoned(void);
 
 #endif

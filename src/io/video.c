@@ -131,16 +131,16 @@ static bolan_result judge(bolan_video *video, int status, bool finished) {
     first_message(video->messages, message, sizeof message);
     if (message[0]) return report_failure(video, message);
     if (status != 0 || !finished) return report_failure(video, "it ended early without a message");
-    const char *wrong = film_check(video->output.temporary, video->webm);
+    const char *wrong = bolan_film_check(video->output.temporary, video->webm);
     return wrong ? report_failure(video, wrong) : BOLAN_OK;
 }
 
 static int wait_for(bolan_video *video) {
     int status = 0;
     while (waitpid(video->process, &status, 0) < 0 && errno == EINTR) continue;
-    unfinished_reclaim(&video->output.entry); // the number may soon be another process's
+    bolan_unfinished_reclaim(&video->output.entry); // the number may soon be another process's
     video->process = -1;
-    unfinished_own(&video->output.entry, 0);
+    bolan_unfinished_own(&video->output.entry, 0);
     return status;
 }
 
@@ -149,7 +149,7 @@ static int wait_for(bolan_video *video) {
 bolan_result bolan_video_write(bolan_video *video, const uint8_t *rgb) {
     BOLAN_ASSERT(video && rgb);
     if (video->failed) return BOLAN_ERROR_IO;
-    if (file_write_all(video->input, rgb, video->frame_bytes)) return BOLAN_OK;
+    if (bolan_file_write_all(video->input, rgb, video->frame_bytes)) return BOLAN_OK;
     close(video->input);
     video->input = -1;
     return judge(video, wait_for(video), false);
@@ -167,7 +167,7 @@ bolan_result bolan_video_close(bolan_video **handle, bool keep) {
         const int status = wait_for(video);
         if (keep && !result) result = judge(video, status, true);
     }
-    const bolan_result finished = file_output_finish(&video->output, keep && !result);
+    const bolan_result finished = bolan_file_output_finish(&video->output, keep && !result);
     if (video->messages) fclose(video->messages);
     bolan_release(video, sizeof *video);
     return result ? result : finished;
@@ -227,12 +227,12 @@ static bool start(bolan_video *video, uint32_t width, uint32_t height, double fp
     if (ready) {
         fcntl(ends[1], F_SETFD, FD_CLOEXEC); // or ffmpeg would never see the end of its input
         unfinished *entry = &video->output.entry;
-        unfinished_reclaim(entry);
+        bolan_unfinished_reclaim(entry);
         video->process = fork();
         if (video->process == 0) become_ffmpeg(&c, ends[0], sink, fileno(video->messages), &entry->before);
         const int reason = errno;
         if (video->process > 0) setpgid(video->process, video->process); // whichever of the two comes first
-        unfinished_own(entry, video->process > 0 ? video->process : 0);
+        bolan_unfinished_own(entry, video->process > 0 ? video->process : 0);
         close(ends[0]);
         video->input = ends[1];
         errno = reason;
@@ -255,7 +255,7 @@ bolan_result bolan_video_open(const char *path, uint32_t width, uint32_t height,
     video->frame_bytes = (size_t)width * height * 3;
     video->input = -1;
     video->process = -1;
-    result = file_output_open(path, &video->output);
+    result = bolan_file_output_open(path, &video->output);
     if (!result && !start(video, width, height, fps)) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_VIDEO_PROGRAM, "%s: ffmpeg could not be started: %s", path,
                   strerror(errno));

@@ -20,7 +20,7 @@ static bolan_result refuse(const char *name, unsigned line, int limit, const cha
     return BOLAN_ERROR_FORMAT;
 }
 
-bolan_result yaml_check_limits(const char *name, const char *text, size_t size) {
+bolan_result bolan_yaml_check_limits(const char *name, const char *text, size_t size) {
     if (size > YAML_SIZE_LIMIT) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_FILE_TOO_LARGE, "%s: larger than a scene can be; expected at most %d KiB",
                   name, YAML_SIZE_LIMIT >> 10);

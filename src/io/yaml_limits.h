@@ -10,6 +10,6 @@ enum { YAML_SIZE_LIMIT = 256 << 10, YAML_BRACKET_LIMIT = 4096, YAML_ANCHOR_LIMIT
 
 /// FORMAT with a sentence where the text is longer than YAML_SIZE_LIMIT bytes, or holds more than YAML_BRACKET_LIMIT of
 /// [ and {, or more than YAML_ANCHOR_LIMIT anchors and aliases.
-bolan_result yaml_check_limits(const char *name, const char *text, size_t size);
+bolan_result bolan_yaml_check_limits(const char *name, const char *text, size_t size);
 
 #endif

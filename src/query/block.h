@@ -12,7 +12,7 @@
 #ifndef BOLAN_QUERY_BLOCK_H
 #define BOLAN_QUERY_BLOCK_H
 
-#include "bolan/shore.h"
+#include "bolan/ground.h"
 #include "bolan/waves.h"
 
 #include "waves/sum.h"
@@ -79,15 +79,15 @@ static inline void query_newton(query_block *block, int l, float a, float b, flo
 }
 
 // The kernels of a sum, which has its own for every instruction set inside (sums.c).
-extern const query_kernels query_sum_kernels;
+extern const query_kernels bolan_query_sum_kernels;
 // The kernels for a sea made with `cpu`.
-const query_kernels *query_kernels_for(bolan_cpu cpu);
+const query_kernels *bolan_query_kernels_for(bolan_cpu cpu);
 
 // What all blocks of one batch share.
 typedef struct query {
     query_sea sea;
     const query_kernels *kernels;
-    const bolan_terrain *terrain;      // or NULL: deep water
+    const bolan_ground *terrain;       // or NULL: deep water
     double water_level;                // [m]
     float band_hs[BOLAN_MAX_CASCADES]; // significant height of each cascade [m]
     float hs;                          // of all cascades [m]
@@ -98,14 +98,14 @@ enum { QUERY_STEPS = 5, QUERY_SEARCH_STEPS = 10 };
 
 // Newton steps, each with the attenuation of the depth at the rest points it starts from. With `graded` step i uses the first
 // i + 1 cascades: the long waves put the rest point where the short ones can be linearised.
-void query_solve(const query *q, uint32_t steps, bool graded, query_block *block);
+void bolan_query_solve(const query *q, uint32_t steps, bool graded, query_block *block);
 // Attenuation at the present offsets, then the evaluate kernel.
-void query_evaluate(const query *q, bool full, query_block *block);
+void bolan_query_evaluate(const query *q, bool full, query_block *block);
 // Unit vector along which the Jacobian matrix (xx, xy; xy, yy) compresses most: the eigenvector of the smaller
 // eigenvalue.
-bolan_vec2 query_compressed_direction(float xx, float yy, float xy);
+bolan_vec2 bolan_query_compressed_direction(float xx, float yy, float xy);
 // Where steps did not converge or the surface is about to fold: looks for every root near lane `lane` and puts the highest into
 // the lane (all members). The block must have been evaluated in full.
-void query_search_folds(const query *q, query_block *block, uint32_t lane);
+void bolan_query_search_folds(const query *q, query_block *block, uint32_t lane);
 
 #endif

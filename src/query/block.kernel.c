@@ -11,9 +11,9 @@
 #define KERNEL(name) QUERY_JOIN(name, BOLAN_KERNEL_SUFFIX)
 #define LANES(l) for (int l = 0; l < QUERY_LANES; l++)
 
-void KERNEL(query_locate)(const query_sea *sea, query_block *block);
-void KERNEL(query_step)(const query_sea *sea, uint32_t cascades, query_block *block);
-void KERNEL(query_evaluate)(const query_sea *sea, bool full, query_block *block);
+void KERNEL(bolan_query_locate)(const query_sea *sea, query_block *block);
+void KERNEL(bolan_query_step)(const query_sea *sea, uint32_t cascades, query_block *block);
+void KERNEL(bolan_query_evaluate)(const query_sea *sea, bool full, query_block *block);
 
 // Where each lane's rest point lies in one cascade: the four samples around it, and the weights.
 typedef struct corners {
@@ -31,7 +31,7 @@ static inline double fraction(double x) {
     return f >= 0.0 && f < 1.0 ? f : 0.0; // 1 by rounding of a tiny negative, or not a number
 }
 
-void KERNEL(query_locate)(const query_sea *sea, query_block *block) {
+void KERNEL(bolan_query_locate)(const query_sea *sea, query_block *block) {
     for (uint32_t c = 0; c < sea->count; c++) {
         const query_cascade *t = &sea->cascade[c];
         const double n = t->n;
@@ -88,7 +88,7 @@ static inline void add_plane_gradient(const float *restrict plane, const corners
     }
 }
 
-void KERNEL(query_step)(const query_sea *sea, uint32_t cascades, query_block *block) {
+void KERNEL(bolan_query_step)(const query_sea *sea, uint32_t cascades, query_block *block) {
     float dx[QUERY_LANES] = {0}, dy[QUERY_LANES] = {0};
     float xx[QUERY_LANES] = {0}, xy[QUERY_LANES] = {0}, yx[QUERY_LANES] = {0}, yy[QUERY_LANES] = {0};
     float xu[QUERY_LANES], xv[QUERY_LANES], yu[QUERY_LANES], yv[QUERY_LANES];
@@ -114,7 +114,7 @@ void KERNEL(query_step)(const query_sea *sea, uint32_t cascades, query_block *bl
     }
 }
 
-void KERNEL(query_evaluate)(const query_sea *sea, bool full, query_block *block) {
+void KERNEL(bolan_query_evaluate)(const query_sea *sea, bool full, query_block *block) {
     float dx[QUERY_LANES] = {0}, dy[QUERY_LANES] = {0}, height[QUERY_LANES] = {0};
     float slope_x[QUERY_LANES] = {0}, slope_y[QUERY_LANES] = {0};
     float dxx[QUERY_LANES] = {0}, dyy[QUERY_LANES] = {0}, dxy[QUERY_LANES] = {0};

@@ -9,7 +9,7 @@
 
 static const float FOUND = 1e-3f; // [m] a residual below this is a root
 
-bolan_vec2 query_compressed_direction(float xx, float yy, float xy) {
+bolan_vec2 bolan_query_compressed_direction(float xx, float yy, float xy) {
     const float half = 0.5f * (xx - yy);
     const float root = sqrtf(half * half + xy * xy);
     // Of the two rows of (M - least I) the larger one, turned by 90 degrees.
@@ -38,7 +38,7 @@ static void spread_place(const query *q, const query_block *from, uint32_t lane,
 // Starts around what `lane` of `from` has found (which may be in `to` itself): lane 0 goes on from there, lane 1 starts at
 // the point itself, the others at +-reach / 2^i along the direction of compression.
 static void spread_starts(const query *q, const query_block *from, uint32_t lane, query_block *to) {
-    const bolan_vec2 along = query_compressed_direction(from->jxx[lane], from->jyy[lane], from->jxy[lane]);
+    const bolan_vec2 along = bolan_query_compressed_direction(from->jxx[lane], from->jyy[lane], from->jxy[lane]);
     const float ox = from->ox[lane], oy = from->oy[lane];
     float distance = q->reach;
     to->ox[0] = ox;
@@ -73,15 +73,15 @@ static uint32_t choose(const query_block *b) {
     return least < FOUND ? best : nearest;
 }
 
-void query_search_folds(const query *q, query_block *block, uint32_t lane) {
+void bolan_query_search_folds(const query *q, query_block *block, uint32_t lane) {
     query_block starts;
     const query_block *from = block;
     uint32_t best = lane;
     spread_place(q, block, lane, &starts);
     for (int round = 0; round < 2; round++) { // the second from the best of the first, along its own direction
         spread_starts(q, from, best, &starts);
-        query_solve(q, QUERY_SEARCH_STEPS, false, &starts);
-        query_evaluate(q, true, &starts);
+        bolan_query_solve(q, QUERY_SEARCH_STEPS, false, &starts);
+        bolan_query_evaluate(q, true, &starts);
         best = choose(&starts);
         from = &starts;
     }

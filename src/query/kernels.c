@@ -2,12 +2,12 @@
 // The table of the query kernels, one row per instruction set.
 #include "query/block.h"
 
-#define QUERY_DECLARE(set)                                                              \
-    void query_locate_##set(const query_sea *sea, query_block *block);                  \
-    void query_step_##set(const query_sea *sea, uint32_t cascades, query_block *block); \
-    void query_evaluate_##set(const query_sea *sea, bool full, query_block *block);
+#define QUERY_DECLARE(set)                                                                    \
+    void bolan_query_locate_##set(const query_sea *sea, query_block *block);                  \
+    void bolan_query_step_##set(const query_sea *sea, uint32_t cascades, query_block *block); \
+    void bolan_query_evaluate_##set(const query_sea *sea, bool full, query_block *block);
 #define QUERY_ROW(set) \
-    { query_locate_##set, query_step_##set, query_evaluate_##set }
+    { bolan_query_locate_##set, bolan_query_step_##set, bolan_query_evaluate_##set }
 
 QUERY_DECLARE(scalar)
 #ifdef BOLAN_KERNELS_X86
@@ -25,7 +25,7 @@ static const query_kernels table[] = {
 #endif
 };
 
-const query_kernels *query_kernels_for(bolan_cpu cpu) {
+const query_kernels *bolan_query_kernels_for(bolan_cpu cpu) {
     const bolan_cpu best = bolan_cpu_best();
     return &table[cpu == BOLAN_CPU_AUTO || cpu > best ? best : cpu];
 }

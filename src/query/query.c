@@ -2,6 +2,7 @@
 // Questions to the sea. A batch is cut into blocks of 16 points (block.h); a block is solved by a few Newton steps on the choppy
 // map, evaluated, and the few lanes near a fold are searched for more roots (folds.c).
 #include "bolan/query.h"
+#include "bolan/coast.h"
 
 #include "query/block.h"
 
@@ -24,12 +25,12 @@ typedef struct batch {
 // Depth [m] under the rest point of a lane.
 static float depth_at(const query *q, const query_block *b, uint32_t l) {
     const double x = b->x[l] + (double)b->ox[l], y = b->y[l] + (double)b->oy[l];
-    return (float)(q->water_level - (double)bolan_terrain_elevation(q->terrain, x, y, GROUND_RESOLUTION));
+    return (float)(q->water_level - (double)bolan_ground_elevation(q->terrain, x, y, GROUND_RESOLUTION));
 }
 
 static void attenuate_lane(const query *q, float depth, query_block *b, uint32_t l) {
     float keep[BOLAN_MAX_CASCADES];
-    bolan_shore_attenuations(depth, q->band_hs, q->sea.count, keep);
+    bolan_coast_attenuations(depth, q->band_hs, q->sea.count, keep);
     for (uint32_t c = 0; c < q->sea.count; c++) b->attenuation[c][l] = keep[c];
 }
 
@@ -51,14 +52,14 @@ static void attenuate(const query *q, query_block *b) {
     }
 }
 
-void query_solve(const query *q, uint32_t steps, bool graded, query_block *block) {
+void bolan_query_solve(const query *q, uint32_t steps, bool graded, query_block *block) {
     for (uint32_t i = 0; i < steps; i++) {
         attenuate(q, block);
         q->kernels->step(&q->sea, graded && i + 1 < q->sea.count ? i + 1 : q->sea.count, block);
     }
 }
 
-void query_evaluate(const query *q, bool full, query_block *block) {
+void bolan_query_evaluate(const query *q, bool full, query_block *block) {
     attenuate(q, block);
     q->kernels->evaluate(&q->sea, full, block);
 }
@@ -71,14 +72,14 @@ static bool is_hard(const query_block *b, uint32_t l) {
 static void solve_block(const query *q, bool full, uint32_t lanes, query_block *b) {
     q->kernels->locate(&q->sea, b);
     settle(q, b);
-    query_solve(q, QUERY_STEPS, true, b);
-    query_evaluate(q, full, b);
+    bolan_query_solve(q, QUERY_STEPS, true, b);
+    bolan_query_evaluate(q, full, b);
     bool evaluated_in_full = full;
     for (uint32_t l = 0; l < lanes; l++) {
         if (!is_hard(b, l)) continue;
         if (!evaluated_in_full) q->kernels->evaluate(&q->sea, true, b);
         evaluated_in_full = true;
-        query_search_folds(q, b, l);
+        bolan_query_search_folds(q, b, l);
     }
 }
 
@@ -154,9 +155,9 @@ static query_cascade cascade_of(const bolan_cascade_view *v) {
                            .tile_s = s / v->length};
 }
 
-static query query_of(const bolan_sea *sea, const bolan_terrain *terrain, double water_level) {
+static query query_of(const bolan_sea *sea, const bolan_ground *terrain, double water_level) {
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
-    query q = {.kernels = query_kernels_for(desc->cpu), .terrain = terrain, .water_level = water_level};
+    query q = {.kernels = bolan_query_kernels_for(desc->cpu), .terrain = terrain, .water_level = water_level};
     q.sea.count = bolan_sea_cascade_count(sea);
     q.sea.choppiness = (float)desc->choppiness;
     double variance = 0.0;
@@ -169,8 +170,8 @@ static query query_of(const bolan_sea *sea, const bolan_terrain *terrain, double
     }
     if (sea->sum) {
         q.sea.sum = &sea->sum->tables;
-        q.sea.sum_fields = sum_fields_for(desc->cpu);
-        q.kernels = &query_sum_kernels;
+        q.sea.sum_fields = bolan_sum_fields_for(desc->cpu);
+        q.kernels = &bolan_query_sum_kernels;
         q.sea.count = 1;
         q.sea.lift[0] = (float)bolan_sea_lift(sea, 0, 0.0);
         variance = sea->sum->total;
@@ -197,7 +198,7 @@ void bolan_query_heights(const bolan_sea *sea, const bolan_dvec2 *xy, uint32_t c
     run(&t);
 }
 
-void bolan_query_surface(const bolan_sea *sea, const bolan_terrain *terrain, double water_level, const bolan_dvec2 *xy,
+void bolan_query_surface(const bolan_sea *sea, const bolan_ground *terrain, double water_level, const bolan_dvec2 *xy,
                          uint32_t count, bolan_query_point *out) {
     BOLAN_ASSERT(sea && (count == 0 || (xy && out)));
     batch t = {.q = query_of(sea, terrain, water_level), .xy = xy, .count = count, .out = out};

@@ -66,4 +66,4 @@ static void evaluate(const query_sea *sea, bool full, query_block *block) {
     }
 }
 
-const query_kernels query_sum_kernels = {locate, step, evaluate};
+const query_kernels bolan_query_sum_kernels = {locate, step, evaluate};

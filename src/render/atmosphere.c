@@ -6,10 +6,10 @@
 
 static bolan_result create_table(gl_texture *texture, gl_target *target, uint32_t width, uint32_t height) {
     const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR};
-    const bolan_result result = gl_texture_create(&d, texture);
+    const bolan_result result = bolan_gl_texture_create(&d, texture);
     if (result != BOLAN_OK) return result;
     const gl_texture *color = texture;
-    return gl_target_create(&color, 1, NULL, -1, 0, target);
+    return bolan_gl_target_create(&color, 1, NULL, -1, 0, target);
 }
 
 static bolan_result create_aerial(atmosphere *a) {
@@ -18,20 +18,20 @@ static bolan_result create_aerial(atmosphere *a) {
                                .height = AERIAL_ELEVATIONS,
                                .depth = AERIAL_SLICES,
                                .filter = GL_FILTER_LINEAR};
-    bolan_result result = gl_texture_create(&d, &a->aerial);
+    bolan_result result = bolan_gl_texture_create(&d, &a->aerial);
     const gl_texture *color = &a->aerial;
     for (int i = 0; i < AERIAL_SLICES && result == BOLAN_OK; i++) {
-        result = gl_target_create(&color, 1, NULL, i, 0, &a->aerial_target[i]);
+        result = bolan_gl_target_create(&color, 1, NULL, i, 0, &a->aerial_target[i]);
     }
     return result;
 }
 
-bolan_result atmosphere_create(atmosphere *a) {
+bolan_result bolan_atmosphere_create(atmosphere *a) {
     memset(a, 0, sizeof *a);
-    bolan_result result = gl_program_create("sky_transmittance", NULL, &a->transmittance_program);
-    if (result == BOLAN_OK) result = gl_program_create("sky_multiple", NULL, &a->multiple_program);
-    if (result == BOLAN_OK) result = gl_program_create("sky_view", NULL, &a->view_program);
-    if (result == BOLAN_OK) result = gl_program_create("sky_aerial", NULL, &a->aerial_program);
+    bolan_result result = bolan_gl_program_create("sky_transmittance", NULL, &a->transmittance_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_multiple", NULL, &a->multiple_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_view", NULL, &a->view_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_aerial", NULL, &a->aerial_program);
     if (result == BOLAN_OK) {
         result = create_table(&a->transmittance, &a->transmittance_target, TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT);
     }
@@ -39,40 +39,40 @@ bolan_result atmosphere_create(atmosphere *a) {
     if (result == BOLAN_OK) result = create_table(&a->eye_view, &a->eye_view_target, SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT);
     if (result == BOLAN_OK) result = create_table(&a->sea_view, &a->sea_view_target, SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT);
     if (result == BOLAN_OK) result = create_aerial(a);
-    if (result != BOLAN_OK) atmosphere_free(a);
+    if (result != BOLAN_OK) bolan_atmosphere_free(a);
     return result;
 }
 
-bolan_result atmosphere_reload(atmosphere *a) {
+bolan_result bolan_atmosphere_reload(atmosphere *a) {
     a->filled = false;
-    bolan_result result = gl_program_reload(&a->transmittance_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&a->multiple_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&a->view_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&a->aerial_program);
+    bolan_result result = bolan_gl_program_reload(&a->transmittance_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&a->multiple_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&a->view_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&a->aerial_program);
     return result;
 }
 
 static void draw_table(const gl_target *target, const gl_program *program) {
-    gl_target_bind(target);
-    gl_program_use(program);
-    gl_draw_fullscreen();
+    bolan_gl_target_bind(target);
+    bolan_gl_program_use(program);
+    bolan_gl_draw_fullscreen();
 }
 
 static void draw_air(atmosphere *a) {
     draw_table(&a->transmittance_target, &a->transmittance_program);
-    gl_texture_bind(&a->transmittance, UNIT_TRANSMITTANCE);
+    bolan_gl_texture_bind(&a->transmittance, UNIT_TRANSMITTANCE);
     draw_table(&a->multiple_target, &a->multiple_program);
 }
 
 static void draw_views(atmosphere *a, float eye_height) {
-    gl_texture_bind(&a->transmittance, UNIT_TRANSMITTANCE);
-    gl_texture_bind(&a->multiple, UNIT_PASS);
-    gl_program_float(&a->view_program, "view_height", eye_height);
+    bolan_gl_texture_bind(&a->transmittance, UNIT_TRANSMITTANCE);
+    bolan_gl_texture_bind(&a->multiple, UNIT_PASS);
+    bolan_gl_program_float(&a->view_program, "view_height", eye_height);
     draw_table(&a->eye_view_target, &a->view_program);
-    gl_program_float(&a->view_program, "view_height", 2.0f);
+    bolan_gl_program_float(&a->view_program, "view_height", 2.0f);
     draw_table(&a->sea_view_target, &a->view_program);
     for (int i = 0; i < AERIAL_SLICES; i++) {
-        gl_program_float(&a->aerial_program, "slice", (float)i / (float)(AERIAL_SLICES - 1));
+        bolan_gl_program_float(&a->aerial_program, "slice", (float)i / (float)(AERIAL_SLICES - 1));
         draw_table(&a->aerial_target[i], &a->aerial_program);
     }
 }
@@ -86,11 +86,11 @@ static bool views_are_stale(const atmosphere *a, const frame_uniforms *u) {
            u->haze.y != a->cloud_base || u->air.x != a->unit;
 }
 
-bool atmosphere_update(atmosphere *a, const frame_uniforms *u) {
+bool bolan_atmosphere_update(atmosphere *a, const frame_uniforms *u) {
     const bool air = air_is_stale(a, u);
     if (!air && !views_are_stale(a, u)) return false;
     const gl_state drawing = {.color_write = true};
-    gl_set_state(&drawing);
+    bolan_gl_set_state(&drawing);
     if (air) draw_air(a);
     draw_views(a, u->eye.z);
     a->filled = true;
@@ -103,25 +103,25 @@ bool atmosphere_update(atmosphere *a, const frame_uniforms *u) {
     return true;
 }
 
-void atmosphere_bind(const atmosphere *a) {
-    gl_texture_bind(&a->transmittance, UNIT_TRANSMITTANCE);
-    gl_texture_bind(&a->eye_view, UNIT_SKY_VIEW);
-    gl_texture_bind(&a->aerial, UNIT_AERIAL);
+void bolan_atmosphere_bind(const atmosphere *a) {
+    bolan_gl_texture_bind(&a->transmittance, UNIT_TRANSMITTANCE);
+    bolan_gl_texture_bind(&a->eye_view, UNIT_SKY_VIEW);
+    bolan_gl_texture_bind(&a->aerial, UNIT_AERIAL);
 }
 
-void atmosphere_free(atmosphere *a) {
-    for (int i = 0; i < AERIAL_SLICES; i++) gl_target_free(&a->aerial_target[i]);
-    gl_target_free(&a->transmittance_target);
-    gl_target_free(&a->multiple_target);
-    gl_target_free(&a->eye_view_target);
-    gl_target_free(&a->sea_view_target);
-    gl_texture_free(&a->transmittance);
-    gl_texture_free(&a->multiple);
-    gl_texture_free(&a->eye_view);
-    gl_texture_free(&a->sea_view);
-    gl_texture_free(&a->aerial);
-    gl_program_free(&a->transmittance_program);
-    gl_program_free(&a->multiple_program);
-    gl_program_free(&a->view_program);
-    gl_program_free(&a->aerial_program);
+void bolan_atmosphere_free(atmosphere *a) {
+    for (int i = 0; i < AERIAL_SLICES; i++) bolan_gl_target_free(&a->aerial_target[i]);
+    bolan_gl_target_free(&a->transmittance_target);
+    bolan_gl_target_free(&a->multiple_target);
+    bolan_gl_target_free(&a->eye_view_target);
+    bolan_gl_target_free(&a->sea_view_target);
+    bolan_gl_texture_free(&a->transmittance);
+    bolan_gl_texture_free(&a->multiple);
+    bolan_gl_texture_free(&a->eye_view);
+    bolan_gl_texture_free(&a->sea_view);
+    bolan_gl_texture_free(&a->aerial);
+    bolan_gl_program_free(&a->transmittance_program);
+    bolan_gl_program_free(&a->multiple_program);
+    bolan_gl_program_free(&a->view_program);
+    bolan_gl_program_free(&a->aerial_program);
 }

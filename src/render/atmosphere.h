@@ -26,13 +26,13 @@ typedef struct atmosphere {
     float visibility, cover, cloud_base, sun_height, eye_height, unit; // what the tables were made for
 } atmosphere;
 
-bolan_result atmosphere_create(atmosphere *a);
-bolan_result atmosphere_reload(atmosphere *a);
+bolan_result bolan_atmosphere_create(atmosphere *a);
+bolan_result bolan_atmosphere_reload(atmosphere *a);
 // Refills what was not made for these uniforms, which must be bound in slot 0, with sun and eye on the lattice of
 // sky_lattice.h. True when something changed.
-bool atmosphere_update(atmosphere *a, const frame_uniforms *u);
+bool bolan_atmosphere_update(atmosphere *a, const frame_uniforms *u);
 // Binds what common/atmosphere.glsl reads.
-void atmosphere_bind(const atmosphere *a);
-void atmosphere_free(atmosphere *a);
+void bolan_atmosphere_bind(const atmosphere *a);
+void bolan_atmosphere_free(atmosphere *a);
 
 #endif

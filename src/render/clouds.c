@@ -22,9 +22,9 @@ static const struct {
 };
 
 static void free_maps(cloud_maps *m) {
-    gl_target_free(&m->panorama);
-    gl_target_free(&m->shadow);
-    gl_texture_free(&m->map);
+    bolan_gl_target_free(&m->panorama);
+    bolan_gl_target_free(&m->shadow);
+    bolan_gl_texture_free(&m->map);
 }
 
 // From above, clouds are seen against the sea from near to far: their map is one quality finer.
@@ -41,13 +41,13 @@ static bolan_result create_maps(cloud_maps *m, bolan_quality quality) {
                                .wrap = GL_WRAP_REPEAT_CLAMP};
     free_maps(m);
     const gl_texture *color = &m->map;
-    bolan_result result = gl_texture_create(&d, &m->map);
-    if (result == BOLAN_OK) result = gl_target_create(&color, 1, NULL, 0, 0, &m->panorama);
-    if (result == BOLAN_OK) result = gl_target_create(&color, 1, NULL, 1, 0, &m->shadow);
+    bolan_result result = bolan_gl_texture_create(&d, &m->map);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(&color, 1, NULL, 0, 0, &m->panorama);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(&color, 1, NULL, 1, 0, &m->shadow);
     return result;
 }
 
-bolan_result clouds_create(clouds *c) {
+bolan_result bolan_clouds_create(clouds *c) {
     memset(c, 0, sizeof *c);
     const gl_texture_desc noise = {.format = GL_FMT_RGBA8,
                                    .width = NOISE_SIZE,
@@ -55,26 +55,26 @@ bolan_result clouds_create(clouds *c) {
                                    .depth = NOISE_SIZE,
                                    .filter = GL_FILTER_MIPMAP_NEAREST,
                                    .wrap = GL_WRAP_REPEAT};
-    bolan_result result = gl_program_create("cloud_noise", NULL, &c->noise_program);
-    if (result == BOLAN_OK) result = gl_program_create("cloud_panorama", NULL, &c->panorama_program);
-    if (result == BOLAN_OK) result = gl_program_create("cloud_shadow", NULL, &c->shadow_program);
-    if (result == BOLAN_OK) result = gl_texture_create(&noise, &c->noise);
+    bolan_result result = bolan_gl_program_create("cloud_noise", NULL, &c->noise_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("cloud_panorama", NULL, &c->panorama_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("cloud_shadow", NULL, &c->shadow_program);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&noise, &c->noise);
     for (int i = 0; i < 2 && result == BOLAN_OK; i++) result = create_maps(&c->maps[i], BOLAN_QUALITY_LOW);
-    if (result != BOLAN_OK) clouds_free(c);
+    if (result != BOLAN_OK) bolan_clouds_free(c);
     return result;
 }
 
-bolan_result clouds_reload(clouds *c) {
+bolan_result bolan_clouds_reload(clouds *c) {
     c->filled = c->noise_filled = false;
-    bolan_result result = gl_program_reload(&c->noise_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&c->panorama_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&c->shadow_program);
+    bolan_result result = bolan_gl_program_reload(&c->noise_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&c->panorama_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&c->shadow_program);
     return result;
 }
 
-const gl_texture *clouds_map(const clouds *c) { return &c->maps[c->shown].map; }
+const gl_texture *bolan_clouds_map(const clouds *c) { return &c->maps[c->shown].map; }
 
-double clouds_rise(const clouds *c, const frame *f) { return f->eye.z - c->maps[c->shown].eye.z; }
+double bolan_clouds_rise(const clouds *c, const frame *f) { return f->eye.z - c->maps[c->shown].eye.z; }
 
 // ---- when ---------------------------------------------------------------------------------------------------------
 
@@ -107,7 +107,7 @@ static double sun_turn(const cloud_maps *m, const frame *f) {
 static bolan_dvec3 place_of(const frame *f, double base, bool above) {
     const double margin = 1.0, sea_level = f->scene->water.level;
     const double octave = floor(log2(allowed_shift(base, f->eye.z - sea_level) / 150.0));
-    bolan_dvec3 eye = sky_lattice_point(f->eye, 150.0 * exp2(octave));
+    bolan_dvec3 eye = bolan_sky_lattice_point(f->eye, 150.0 * exp2(octave));
     eye.z = above ? fmax(eye.z, sea_level + base + margin) : fmin(eye.z, sea_level + base - margin);
     return eye;
 }
@@ -122,7 +122,7 @@ static void describe(cloud_maps *m, const frame *f) {
     m->quality = f->quality;
     m->above = u->eye.z > u->haze.y;
     m->unit = m->cover > 0.0f ? u->air.x : 0.0f;
-    m->sun = m->cover > 0.0f ? sky_lattice_direction(f->sun_direction, SUN_STEP) : (bolan_vec3){0};
+    m->sun = m->cover > 0.0f ? bolan_sky_lattice_direction(f->sun_direction, SUN_STEP) : (bolan_vec3){0};
     m->eye = m->cover > 0.0f ? place_of(f, (double)m->base, m->above) : (bolan_dvec3){0};
 }
 
@@ -136,7 +136,7 @@ static bool is_same(const cloud_maps *a, const cloud_maps *b) {
            a->eye.z == b->eye.z && a->sun.x == b->sun.x && a->sun.y == b->sun.y && a->sun.z == b->sun.z;
 }
 
-void clouds_place(const clouds *c, const frame *f, frame_uniforms *u) {
+void bolan_clouds_place(const clouds *c, const frame *f, frame_uniforms *u) {
     const cloud_maps *m = &c->maps[c->shown];
     u->air.y = m->above ? 1.0f : 0.0f;
     u->air.z = m->cover > 0.0f ? (float)(f->eye.x - m->eye.x) : 0.0f;
@@ -152,7 +152,7 @@ static void set_uniforms(clouds *c, const cloud_maps *m, const frame *f) {
     c->uniforms.air.z = c->uniforms.air.w = 0.0f;
 }
 
-cloud_work clouds_plan(clouds *c, const frame *f) {
+cloud_work bolan_clouds_plan(clouds *c, const frame *f) {
     cloud_maps *shown = &c->maps[c->shown], *made = &c->maps[c->shown ^ 1], wanted = *shown;
     describe(&wanted, f);
     const bool fits = c->filled && is_same(shown, &wanted), gradual = f->desc->progressive;
@@ -182,13 +182,13 @@ static void fill_noise(clouds *c) {
     const gl_texture *color = &c->noise;
     for (int i = 0; i < NOISE_SIZE; i++) {
         gl_target slice = {0};
-        if (gl_target_create(&color, 1, NULL, i, 0, &slice) != BOLAN_OK) return;
-        gl_target_bind(&slice);
-        gl_program_float(&c->noise_program, "slice", ((float)i + 0.5f) / (float)NOISE_SIZE);
-        gl_draw_fullscreen();
-        gl_target_free(&slice);
+        if (bolan_gl_target_create(&color, 1, NULL, i, 0, &slice) != BOLAN_OK) return;
+        bolan_gl_target_bind(&slice);
+        bolan_gl_program_float(&c->noise_program, "slice", ((float)i + 0.5f) / (float)NOISE_SIZE);
+        bolan_gl_draw_fullscreen();
+        bolan_gl_target_free(&slice);
     }
-    gl_texture_generate_mipmaps(&c->noise);
+    bolan_gl_texture_generate_mipmaps(&c->noise);
     c->noise_filled = true;
 }
 
@@ -199,36 +199,36 @@ static void set_origin(const cloud_maps *m, const gl_program *program) {
     const double s = (double)(m->seed % 65536u);
     const double x = wrap(m->eye.x + PATTERN * 0.7548776662466927 * s),
                  y = wrap(m->eye.y + PATTERN * 0.5698402909980532 * s);
-    gl_program_vec4(program, "cloud_origin",
-                    (bolan_vec4){(float)x, (float)y, layer_thickness(m->cover), billow_threshold(m->cover)});
+    bolan_gl_program_vec4(program, "cloud_origin",
+                          (bolan_vec4){(float)x, (float)y, layer_thickness(m->cover), billow_threshold(m->cover)});
 }
 
 static void clear(const cloud_maps *m) {
-    gl_target_bind(&m->panorama);
-    gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
-    gl_target_bind(&m->shadow);
-    gl_target_clear_color(1.0f, 1.0f, 1.0f, 1.0f);
+    bolan_gl_target_bind(&m->panorama);
+    bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    bolan_gl_target_bind(&m->shadow);
+    bolan_gl_target_clear_color(1.0f, 1.0f, 1.0f, 1.0f);
 }
 
 static void draw_strip(const gl_target *target, const gl_program *program, uint32_t index, uint32_t count) {
     const uint32_t from = target->width * index / count, to = target->width * (index + 1) / count;
     const float width = (float)target->width;
-    gl_target_bind_part(target, from, 0, to - from, target->height);
-    gl_program_vec2(program, "strip", (float)from / width, (float)(to - from) / width);
-    gl_draw_fullscreen();
+    bolan_gl_target_bind_part(target, from, 0, to - from, target->height);
+    bolan_gl_program_vec2(program, "strip", (float)from / width, (float)(to - from) / width);
+    bolan_gl_draw_fullscreen();
 }
 
 static void draw_maps(const clouds *c, const cloud_maps *m, uint32_t index, uint32_t count) {
-    gl_texture_bind(&c->noise, UNIT_SCENE_COLOR);
+    bolan_gl_texture_bind(&c->noise, UNIT_SCENE_COLOR);
     set_origin(m, &c->panorama_program);
-    gl_program_float(&c->panorama_program, "texel_angle", (float)(2.0 * BOLAN_PI / (double)m->map.width));
+    bolan_gl_program_float(&c->panorama_program, "texel_angle", (float)(2.0 * BOLAN_PI / (double)m->map.width));
     draw_strip(&m->panorama, &c->panorama_program, index, count);
     set_origin(m, &c->shadow_program);
-    gl_program_float(&c->shadow_program, "shadow_size", SHADOW_SIZE);
+    bolan_gl_program_float(&c->shadow_program, "shadow_size", SHADOW_SIZE);
     draw_strip(&m->shadow, &c->shadow_program, index, count);
 }
 
-bool clouds_march(clouds *c, const frame *f, cloud_work work) {
+bool bolan_clouds_march(clouds *c, const frame *f, cloud_work work) {
     if (work == CLOUDS_KEEP) return false;
     cloud_maps *m = &c->maps[work == CLOUDS_ALL ? c->shown : c->shown ^ 1];
     c->filled = true;
@@ -251,11 +251,11 @@ bool clouds_march(clouds *c, const frame *f, cloud_work work) {
     return true;
 }
 
-void clouds_free(clouds *c) {
+void bolan_clouds_free(clouds *c) {
     free_maps(&c->maps[0]);
     free_maps(&c->maps[1]);
-    gl_texture_free(&c->noise);
-    gl_program_free(&c->noise_program);
-    gl_program_free(&c->panorama_program);
-    gl_program_free(&c->shadow_program);
+    bolan_gl_texture_free(&c->noise);
+    bolan_gl_program_free(&c->noise_program);
+    bolan_gl_program_free(&c->panorama_program);
+    bolan_gl_program_free(&c->shadow_program);
 }

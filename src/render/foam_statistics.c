@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-double foam_quantile(double p) {
+double bolan_foam_quantile(double p) {
     double low = -8.0, high = 8.0;
     for (int i = 0; i < 50; ++i) {
         double middle = 0.5 * (low + high);
@@ -32,7 +32,7 @@ static void memory_moments(const bolan_sea *sea, double *mean, double *variance)
     }
 }
 
-double foam_slope_variance(const bolan_sea *sea) {
+double bolan_foam_slope_variance(const bolan_sea *sea) {
     double mss = 0.0;
     for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) mss += bolan_sea_cascade(sea, c).mss;
     for (uint32_t i = 0; i < bolan_sea_component_count(sea); ++i) {
@@ -42,16 +42,16 @@ double foam_slope_variance(const bolan_sea *sea) {
     return mss;
 }
 
-double foam_memory_threshold(const bolan_sea *sea, double share, double softness, double *variance) {
+double bolan_foam_memory_threshold(const bolan_sea *sea, double share, double softness, double *variance) {
     double mean;
     memory_moments(sea, &mean, variance);
-    return share > 0.0 && *variance > 0.0 ? mean - foam_quantile(share) * sqrt(*variance * (1.0 + softness))
+    return share > 0.0 && *variance > 0.0 ? mean - bolan_foam_quantile(share) * sqrt(*variance * (1.0 + softness))
                                           : FOAM_NEVER;
 }
 
-double foam_breaking_pinch(const bolan_sea *sea, double edge, double *spread) {
+double bolan_foam_breaking_pinch(const bolan_sea *sea, double edge, double *spread) {
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     const double cover = bolan_monahan_cover(desc->sea_state.wind_speed);
-    *spread = fmax(desc->choppiness * desc->choppiness * foam_slope_variance(sea), 1e-9);
-    return cover > 1e-7 ? foam_quantile(cover) * sqrt(*spread + edge * edge) : -FOAM_NEVER;
+    *spread = fmax(desc->choppiness * desc->choppiness * bolan_foam_slope_variance(sea), 1e-9);
+    return cover > 1e-7 ? bolan_foam_quantile(cover) * sqrt(*spread + edge * edge) : -FOAM_NEVER;
 }

@@ -93,7 +93,7 @@ static void flatten(const float *values, int channel, uint8_t *out) {
         out[4 * i + channel] = (uint8_t)(255.0 * rank[bin_of(values[4 * i + channel])] / (double)PIXELS);
 }
 
-bolan_result foam_texture_fill(uint8_t *out) {
+bolan_result bolan_foam_texture_fill(uint8_t *out) {
     size_t bytes = sizeof(float) * 4 * PIXELS;
     float *values = allocate_for("the texture of foam", bytes);
     if (values == NULL) return BOLAN_ERROR_MEMORY;
@@ -103,20 +103,20 @@ bolan_result foam_texture_fill(uint8_t *out) {
     return BOLAN_OK;
 }
 
-bolan_result foam_texture_create(gl_texture *out) {
+bolan_result bolan_foam_texture_create(gl_texture *out) {
     size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
     uint8_t *pixels = allocate_for("the texture of foam", bytes);
     if (pixels == NULL) return BOLAN_ERROR_MEMORY;
-    bolan_result result = foam_texture_fill(pixels);
+    bolan_result result = bolan_foam_texture_fill(pixels);
     gl_texture_desc desc = {.format = GL_FMT_RGBA8,
                             .width = FOAM_TEXTURE_SIZE,
                             .height = FOAM_TEXTURE_SIZE,
                             .filter = GL_FILTER_MIPMAP,
                             .wrap = GL_WRAP_REPEAT};
-    if (result == BOLAN_OK) result = gl_texture_create(&desc, out);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, out);
     if (result == BOLAN_OK) {
-        gl_texture_upload(out, 0, -1, pixels, false);
-        gl_texture_generate_mipmaps(out);
+        bolan_gl_texture_upload(out, 0, -1, pixels, false);
+        bolan_gl_texture_generate_mipmaps(out);
     }
     bolan_release(pixels, bytes);
     return result;

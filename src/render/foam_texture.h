@@ -9,8 +9,8 @@
 #define FOAM_TEXTURE_SIZE 512
 
 // Fills size * size * 4 bytes. MEMORY when the scratch cannot be had.
-bolan_result foam_texture_fill(uint8_t *out);
+bolan_result bolan_foam_texture_fill(uint8_t *out);
 // The same as a texture with mip maps, for UNIT_FOAM_DETAIL.
-bolan_result foam_texture_create(gl_texture *out);
+bolan_result bolan_foam_texture_create(gl_texture *out);
 
 #endif

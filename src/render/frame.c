@@ -7,8 +7,8 @@
 #include "bolan/query.h"
 #include "renderer.h"
 
-const char *const frame_part_names[PART_COUNT] = {"sky tables", "sea",   "terrain", "models",  "copy",
-                                                  "mirror",     "water", "sky",     "tone map"};
+const char *const bolan_frame_part_names[PART_COUNT] = {"sky tables", "sea",   "terrain", "models",  "copy",
+                                                        "mirror",     "water", "sky",     "tone map"};
 
 static double near_plane(double height, bool clip_control) {
     // Reversed-Z keeps its precision whatever the near plane; without clip control the depth is a fixed-point number.
@@ -23,7 +23,7 @@ static bolan_vec3 sun_direction(const bolan_sky *sky) {
 
 static bolan_vec4 with_w(bolan_vec3 v, float w) { return (bolan_vec4){v.x, v.y, v.z, w}; }
 
-static void fill_water(frame_uniforms *u, const bolan_water *water) {
+static void fill_water(frame_uniforms *u, const bolan_seawater *water) {
     bolan_water_optics optics = bolan_water_optics_from_jerlov(water->type);
     u->water_deep = with_w(optics.deep, optics.index);
     u->water_kd = with_w(optics.kd, (float)water->foam);
@@ -47,14 +47,14 @@ static void fill_camera(frame *f, bool zero_to_one, double near_m, bolan_vec2 sh
 
 static float reduced(double x, double period) { return (float)(x - period * floor(x / period)); }
 
-double sea_peak_period(const bolan_sea_summary *sea) { return sea->tp > 0.0 ? sea->tp : 8.0; }
+double bolan_sea_peak_period(const bolan_sea_summary *sea) { return sea->tp > 0.0 ? sea->tp : 8.0; }
 
-double sea_peak_length(const bolan_sea_summary *sea) {
-    const double period = sea_peak_period(sea);
+double bolan_sea_peak_length(const bolan_sea_summary *sea) {
+    const double period = bolan_sea_peak_period(sea);
     return BOLAN_GRAVITY * period * period / (2.0 * BOLAN_PI);
 }
 
-double sea_surf_height(const bolan_sea_summary *sea) { return fmin(fmax(sea->hs, 0.25), 4.0); }
+double bolan_sea_surf_height(const bolan_sea_summary *sea) { return fmin(fmax(sea->hs, 0.25), 4.0); }
 
 #define BORE_DEPTH 0.71            // of the water under a bore, in heights of the bore
 #define STREAK_ACROSS (1.0 / 16.0) // tiles of wind streaks per metre
@@ -62,15 +62,15 @@ double sea_surf_height(const bolan_sea_summary *sea) { return fmin(fmax(sea->hs,
 
 // Bores run with the speed of shallow water, one in each period of the sea.
 static void fill_surf(frame *f, const bolan_sea_summary *sea) {
-    const double period = fmin(fmax(sea_peak_period(sea), 3.0), 12.0);
-    const double length = period * sqrt(BOLAN_GRAVITY * BORE_DEPTH * sea_surf_height(sea));
+    const double period = fmin(fmax(bolan_sea_peak_period(sea), 3.0), 12.0);
+    const double length = period * sqrt(BOLAN_GRAVITY * BORE_DEPTH * bolan_sea_surf_height(sea));
     const double to = bolan_compass_from_to_math(sea->from_deg), x = cos(to) / length, y = sin(to) / length;
     const double periods = f->time / period;
     f->uniforms.surf =
         (bolan_vec4){(float)x, (float)y, reduced(periods - x * f->eye.x - y * f->eye.y, 1.0), reduced(periods, 1.0)};
 }
 
-bolan_vec4 frame_streaks(bolan_dvec3 eye, double wind_to) {
+bolan_vec4 bolan_frame_streaks(bolan_dvec3 eye, double wind_to) {
     const double c = cos(wind_to), s = sin(wind_to);
     return (bolan_vec4){reduced((c * eye.y - s * eye.x) * STREAK_ACROSS, 1.0),
                         reduced((c * eye.x + s * eye.y) * STREAK_ALONG, 1.0), (float)STREAK_ACROSS,
@@ -82,7 +82,7 @@ bolan_vec4 frame_streaks(bolan_dvec3 eye, double wind_to) {
 // An eye that a wave would swallow rides over it, unless the optics has a picture from below.
 static bolan_dvec3 eye_clear_of_water(const bolan_frame_desc *d) {
     bolan_dvec3 eye = d->scene->camera.position;
-    if (eye.z < d->scene->water.level && pass_water_seen_from_below(d->scene)) {
+    if (eye.z < d->scene->water.level && bolan_pass_water_seen_from_below(d->scene)) {
         eye.z = fmin(eye.z, d->scene->water.level - LEAST_DEPTH);
         return eye;
     }
@@ -112,7 +112,7 @@ static void fill_scene(frame *f) {
                            reduced(f->eye.y, 131072.0)};
     fill_water(u, &s->water);
     fill_surf(f, bolan_sea_get_summary(f->desc->sea));
-    u->streaks = frame_streaks(f->eye, wind_to);
+    u->streaks = bolan_frame_streaks(f->eye, wind_to);
     const bool under =
         u->under.x > 0.5f; // the paper names the fog as work to come, so above the water its mode has none
     u->under.y = s->look.effects & BOLAN_EFFECT_FOG && (under || !s->look.paper) ? 1.0f : 0.0f;
@@ -128,101 +128,101 @@ static gl_timing timing_of(const bolan_renderer *r) {
     if (!r->measure) return GL_TIMING_OFF;
     return r->caps.timers ? GL_TIMING_GPU : GL_TIMING_FINISH;
 }
-static void begin_part(bolan_renderer *r, frame_part part) { gl_timer_begin(&r->timers[part], timing_of(r)); }
-static void end_part(bolan_renderer *r, frame_part part) { gl_timer_end(&r->timers[part], timing_of(r)); }
+static void begin_part(bolan_renderer *r, frame_part part) { bolan_gl_timer_begin(&r->timers[part], timing_of(r)); }
+static void end_part(bolan_renderer *r, frame_part part) { bolan_gl_timer_end(&r->timers[part], timing_of(r)); }
 
 static void upload_uniforms(bolan_renderer *r, const frame *f) {
-    gl_buffer_update(&r->uniforms, 0, sizeof f->uniforms, &f->uniforms);
-    gl_buffer_bind_uniform(&r->uniforms, 0);
+    bolan_gl_buffer_update(&r->uniforms, 0, sizeof f->uniforms, &f->uniforms);
+    bolan_gl_buffer_bind_uniform(&r->uniforms, 0);
 }
 
 // Everything that does not depend on the sub-pixel shift.
 static void prepare(bolan_renderer *r, frame *f) {
     upload_uniforms(r, f);
     begin_part(r, PART_SKY_TABLES);
-    pass_sky_prepare(r->sky, f);
+    bolan_pass_sky_prepare(r->sky, f);
     end_part(r, PART_SKY_TABLES);
     upload_uniforms(r, f); // the light is known now
     begin_part(r, PART_SEA);
-    pass_terrain_prepare(r->terrain, f);
-    f->shore = pass_terrain_shore(r->terrain);
-    pass_models_prepare(r->models, f);
-    if (!f->desc->without_water) pass_water_prepare(r->water, f);
+    bolan_pass_ground_prepare(r->terrain, f);
+    f->shore = bolan_pass_ground_shore(r->terrain);
+    bolan_pass_objects_prepare(r->models, f);
+    if (!f->desc->without_water) bolan_pass_water_prepare(r->water, f);
     end_part(r, PART_SEA);
 }
 
 static void draw_world(bolan_renderer *r, frame *f) {
-    pass_terrain_draw(r->terrain, f);
-    pass_models_draw(r->models, f);
+    bolan_pass_ground_draw(r->terrain, f);
+    bolan_pass_objects_draw(r->models, f);
 }
 
 static void draw_opaque(bolan_renderer *r, frame *f) {
-    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
-    gl_target_bind(&f->hdr);
-    gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
-    gl_target_clear_depth(0.0f);
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    bolan_gl_target_bind(&f->hdr);
+    bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    bolan_gl_target_clear_depth(0.0f);
     begin_part(r, PART_TERRAIN);
-    if (!f->desc->without_water) pass_water_cover(r->water, f);
-    pass_terrain_draw(r->terrain, f);
+    if (!f->desc->without_water) bolan_pass_water_cover(r->water, f);
+    bolan_pass_ground_draw(r->terrain, f);
     end_part(r, PART_TERRAIN);
     begin_part(r, PART_MODELS);
-    pass_models_draw(r->models, f);
+    bolan_pass_objects_draw(r->models, f);
     end_part(r, PART_MODELS);
 }
 
 // What lies behind the water, for an optics that looks through it. Over the open sea nothing shines through.
 static void copy_behind(bolan_renderer *r, frame *f) {
-    gl_target_copy_color(&r->hdr, &r->behind);
-    gl_target_copy_depth(&r->hdr, &r->behind);
-    gl_texture_bind(&r->behind_color, UNIT_SCENE_COLOR);
-    gl_texture_bind(&r->behind_depth, UNIT_SCENE_DEPTH);
-    gl_target_bind(&f->hdr);
+    bolan_gl_target_copy_color(&r->hdr, &r->behind);
+    bolan_gl_target_copy_depth(&r->hdr, &r->behind);
+    bolan_gl_texture_bind(&r->behind_color, UNIT_SCENE_COLOR);
+    bolan_gl_texture_bind(&r->behind_depth, UNIT_SCENE_DEPTH);
+    bolan_gl_target_bind(&f->hdr);
 }
 
 static void draw_picture(bolan_renderer *r, frame *m, bool sky) {
     const bolan_vec4 b = m->background;
     upload_uniforms(r, m);
-    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
-    gl_target_bind(&m->hdr);
-    gl_target_clear_color(b.x, b.y, b.z, b.w);
-    gl_target_clear_depth(0.0f);
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    bolan_gl_target_bind(&m->hdr);
+    bolan_gl_target_clear_color(b.x, b.y, b.z, b.w);
+    bolan_gl_target_clear_depth(0.0f);
     draw_world(r, m);
     if (m->uniforms.under.w > 0.5f)
-        pass_mirror_draw_body(r->mirror);
+        bolan_planar_views_draw_body(r->mirror);
     else if (sky)
-        pass_sky_draw(r->sky, m);
+        bolan_pass_sky_draw(r->sky, m);
 }
 
 // What the water mirrors, and what shines through it, each as a picture.
 static void draw_mirrors(bolan_renderer *r, frame *f) {
-    if (!pass_mirror_fit(r->mirror, f)) return;
-    frame above = pass_mirror_reflect(r->mirror, f), below = pass_mirror_refract(r->mirror, f);
+    if (!bolan_planar_views_fit(r->mirror, f)) return;
+    frame above = bolan_planar_views_reflect(r->mirror, f), below = bolan_planar_views_refract(r->mirror, f);
     const uint32_t effects = f->scene->look.effects;
     // A margin for blurred look-ups at the horizon; what is mirrored there is the haze.
-    gl_clip_rows(pass_water_rows(f) * above.hdr.height / f->hdr.height + 64);
-    if (effects & BOLAN_EFFECT_REFLECTION) draw_picture(r, &above, pass_water_mirrors_sky(f));
+    bolan_gl_clip_rows(bolan_pass_water_rows(f) * above.hdr.height / f->hdr.height + 64);
+    if (effects & BOLAN_EFFECT_REFLECTION) draw_picture(r, &above, bolan_pass_water_mirrors_sky(f));
     if (effects & BOLAN_EFFECT_REFRACTION) draw_picture(r, &below, false);
-    gl_clip_rows(0);
-    if (!f->scene->look.paper) pass_mirror_finish(r->mirror);
+    bolan_gl_clip_rows(0);
+    if (!f->scene->look.paper) bolan_planar_views_finish(r->mirror);
     upload_uniforms(r, f);
-    pass_mirror_bind(r->mirror);
+    bolan_planar_views_bind(r->mirror);
 }
 
 static void light_water(bolan_renderer *r, frame *f) {
-    frame sparse = pass_water_sparse(r->water, f);
+    frame sparse = bolan_pass_half_rate(r->water, f);
     const bool fewer = sparse.uniforms.sampling.x > 1.0f;
     if (fewer) upload_uniforms(r, &sparse);
-    gl_target_bind(&sparse.hdr);
-    pass_water_draw(r->water, &sparse);
+    bolan_gl_target_bind(&sparse.hdr);
+    bolan_pass_water_draw(r->water, &sparse);
     f->triangles = sparse.triangles;
     f->water_triangles = sparse.water_triangles;
     if (!fewer) return;
     upload_uniforms(r, f);
-    pass_water_lay(r->water, f);
+    bolan_pass_water_lay(r->water, f);
 }
 
 static void draw_water(bolan_renderer *r, frame *f) {
-    const bool water = !f->desc->without_water, mirrors = water && pass_water_mirrors(f);
+    const bool water = !f->desc->without_water, mirrors = water && bolan_pass_water_mirrors(f);
     begin_part(r, PART_COPY);
     // Clouds below a high eye are laid over by the depth of the land.
     if (water && f->shore->present && (!mirrors || f->uniforms.air.y > 0.5f)) copy_behind(r, f);
@@ -239,10 +239,10 @@ static void draw_water(bolan_renderer *r, frame *f) {
 static void draw_sky(bolan_renderer *r, frame *f) {
     begin_part(r, PART_SKY);
     if (f->uniforms.under.x > 0.5f) {
-        pass_mirror_draw_body(r->mirror);
+        bolan_planar_views_draw_body(r->mirror);
     } else {
-        pass_sky_draw(r->sky, f);
-        pass_sky_draw_over(r->sky, f);
+        bolan_pass_sky_draw(r->sky, f);
+        bolan_pass_sky_draw_over(r->sky, f);
     }
     end_part(r, PART_SKY);
 }
@@ -253,7 +253,7 @@ static void keep_statistics(bolan_renderer *r, const frame *f) {
     s->water_triangles = f->water_triangles;
     s->pass_count = PART_COUNT;
     for (int i = 0; i < PART_COUNT; ++i) {
-        s->passes[i].name = frame_part_names[i];
+        s->passes[i].name = bolan_frame_part_names[i];
         s->passes[i].ms = r->timers[i].ms;
     }
 }
@@ -268,15 +268,15 @@ static void draw_sample(bolan_renderer *r, frame *f, uint32_t sample) {
     draw_water(r, f);
     draw_sky(r, f);
     begin_part(r, PART_TONEMAP);
-    gl_target_bind_external(d->framebuffer, d->width, d->height);
-    pass_tonemap_draw(r->tonemap, f, &r->hdr_color, sample, d->samples);
+    bolan_gl_target_bind_external(d->framebuffer, d->width, d->height);
+    bolan_pass_tonemap_draw(r->tonemap, f, &r->hdr_color, sample, d->samples);
     end_part(r, PART_TONEMAP);
 }
 
 static void draw_frame(bolan_renderer *r, const bolan_frame_desc *desc) {
     frame f = {.desc = desc, .scene = desc->scene, .caps = &r->caps, .quality = r->desc.quality};
     const bool zero_to_one = r->caps.clip_control && !r->desc.no_clip_control;
-    if (r->caps.clip_control) gl_set_clip_zero_to_one(zero_to_one);
+    if (r->caps.clip_control) bolan_gl_set_clip_zero_to_one(zero_to_one);
     f.hdr = r->hdr;
     f.hdr_depth = &r->hdr_depth;
     fill_scene(&f);
@@ -292,11 +292,11 @@ static void draw_frame(bolan_renderer *r, const bolan_frame_desc *desc) {
 void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *desc) {
     const bool given = r != NULL && desc != NULL && desc->scene != NULL && desc->sea != NULL;
     BOLAN_ASSERT(given);
-    if (!given || !frame_is_valid(r, desc)) return;
-    renderer_enter(r);
-    if (frame_has_framebuffer(r, desc)) {
-        renderer_accept(r, CALL_DRAW);
-        if (renderer_resize(r, desc->width, desc->height) == BOLAN_OK) draw_frame(r, desc);
+    if (!given || !bolan_frame_is_valid(r, desc)) return;
+    bolan_renderer_enter(r);
+    if (bolan_frame_has_framebuffer(r, desc)) {
+        bolan_renderer_accept(r, CALL_DRAW);
+        if (bolan_renderer_resize(r, desc->width, desc->height) == BOLAN_OK) draw_frame(r, desc);
     }
-    renderer_leave(r);
+    bolan_renderer_leave(r);
 }

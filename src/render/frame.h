@@ -36,8 +36,8 @@ enum {
     UNIT_CLOUDS = 13,       // sky pass's own: cloud panorama
     UNIT_AERIAL = 14,       // 3D aerial perspective, if used
     UNIT_PASS = 15,         // free for a pass's input (tone map source, ...)
-    UNIT_SURFACE = 16,      // 16-19: outputs of water_surface.glsl
-    UNIT_REFLECTION = 16,   // 2D  pictures of pass_mirror.c, for the optics that have no use for those
+    UNIT_SURFACE = 16,      // 16-19: outputs of bolan_water_surface.glsl
+    UNIT_REFLECTION = 16,   // 2D  pictures of planar_views.c, for the optics that have no use for those
     UNIT_REFRACTION = 17,
     UNIT_OPTICS = 18,          // 18-19: an optics' own
     UNIT_TILE = 19,            // 2D RGBA8  the water's own texture, light on the bottom
@@ -63,7 +63,7 @@ typedef struct frame_uniforms {
     bolan_vec4 water_deep; // Rrs rgb; w: index of refraction
     bolan_vec4 water_kd;   // Kd rgb; w: foam strength
     bolan_vec4
-        air; // set by pass_sky_prepare. x: unit of every radiance (true radiance = stored / x), y: 1 when the eye is
+        air; // set by bolan_pass_sky_prepare. x: unit of every radiance (true radiance = stored / x), y: 1 when the eye is
              // above the clouds, z, w: eye from the cloud maps' centre [m]
     bolan_vec4
         clip; // x: only what stands above (1) or below (-1) the plane, 0: everything; y: its elevation above the mean
@@ -73,7 +73,7 @@ typedef struct frame_uniforms {
                // mirrored picture of an eye under water
     bolan_vec4 caustic;     // x, y: eye in the caustics' tile; z, w: cos, sin of its turn over its side [1/m]
     bolan_vec4 caustic_sun; // x, y: level travel of sunlight in the water for each metre it falls; z: their disturbance
-    bolan_vec4 sampling;    // x: columns of the picture that a sample of the water stands for: see water_sparse.h
+    bolan_vec4 sampling;    // x: columns of the picture that a sample of the water stands for: see half_rate.h
     bolan_vec4 surf;        // bores; x, y: cycles per metre the way they run, z: phase at the eye [cycles], w: time in
                             // periods. The CPU reduces both to [0,1): see common/surf.glsl
     bolan_vec4 streaks;     // tile of wind streaks; x, y: the eye in it [0,1), z, w: tiles per metre across and along
@@ -94,85 +94,86 @@ typedef struct frame {
     const gl_texture *hdr_depth;
     bolan_vec4 background;               // of a picture, where nothing is drawn
     bool picture;                        // drawn for the water to look up, or from under it: see clip and under
-    const struct shore_map *shore;       // set by pass_terrain_prepare's caller
+    const struct shore_map *shore;       // set by bolan_pass_ground_prepare's caller
     uint32_t triangles, water_triangles; // counted by the passes
 } frame;
 
 // Period [s] and length [m] of the waves at the peak of the sea's spectrum, in deep water; a calm has those of an 8 s
 // swell.
-double sea_peak_period(const bolan_sea_summary *sea);
-double sea_peak_length(const bolan_sea_summary *sea);
+double bolan_sea_peak_period(const bolan_sea_summary *sea);
+double bolan_sea_peak_length(const bolan_sea_summary *sea);
 // Significant height of the waves that break on a shore [m]: within what surf is drawn for.
-double sea_surf_height(const bolan_sea_summary *sea);
+double bolan_sea_surf_height(const bolan_sea_summary *sea);
 
 // frame_uniforms::streaks for an eye there and a wind that blows towards @p wind_to [rad, counter-clockwise from east].
-bolan_vec4 frame_streaks(bolan_dvec3 eye, double wind_to);
+bolan_vec4 bolan_frame_streaks(bolan_dvec3 eye, double wind_to);
 
 // Every pass: create once, draw per frame, free. prepare() may run before targets are bound and fills textures it owns.
 typedef struct pass_sky pass_sky;         // atmosphere tables, sky, clouds, environment map; sets sun_light, sky_light
-typedef struct pass_terrain pass_terrain; // land and sea bed; the shore map
-typedef struct pass_models pass_models;   // the scene's objects
+typedef struct pass_ground pass_ground;   // land and sea bed; the shore map
+typedef struct pass_objects pass_objects; // the scene's objects
 typedef struct pass_water pass_water;
-typedef struct pass_mirror pass_mirror; // pictures of what the water mirrors and refracts
+typedef struct planar_views planar_views; // pictures of what the water mirrors and refracts
 typedef struct pass_tonemap pass_tonemap;
 
-bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out);
-void pass_sky_prepare(pass_sky *p, frame *f);    // tables (when stale), sun_light, sky_light, exposure; binds its units
-void pass_sky_draw(pass_sky *p, const frame *f); // where depth is 0 (nothing drawn)
-void pass_sky_draw_over(pass_sky *p,
-                        const frame *f); // after the water: clouds below a high eye; reads UNIT_SCENE_DEPTH
-bolan_result pass_sky_reload(pass_sky *p);
-void pass_sky_destroy(pass_sky **p);
+bolan_result bolan_pass_sky_create(const gl_caps *caps, pass_sky **out);
+void bolan_pass_sky_prepare(pass_sky *p,
+                            frame *f); // tables (when stale), sun_light, sky_light, exposure; binds its units
+void bolan_pass_sky_draw(pass_sky *p, const frame *f); // where depth is 0 (nothing drawn)
+void bolan_pass_sky_draw_over(pass_sky *p,
+                              const frame *f); // after the water: clouds below a high eye; reads UNIT_SCENE_DEPTH
+bolan_result bolan_pass_sky_reload(pass_sky *p);
+void bolan_pass_sky_destroy(pass_sky **p);
 
-bolan_result pass_terrain_create(const gl_caps *caps, pass_terrain **out);
-void pass_terrain_prepare(pass_terrain *p, frame *f); // chunks of this view, shore map; binds its units
-void pass_terrain_draw(pass_terrain *p, frame *f);
-bolan_result pass_terrain_reload(pass_terrain *p);
-void pass_terrain_destroy(pass_terrain **p);
+bolan_result bolan_pass_ground_create(const gl_caps *caps, pass_ground **out);
+void bolan_pass_ground_prepare(pass_ground *p, frame *f); // chunks of this view, shore map; binds its units
+void bolan_pass_ground_draw(pass_ground *p, frame *f);
+bolan_result bolan_pass_ground_reload(pass_ground *p);
+void bolan_pass_ground_destroy(pass_ground **p);
 
-bolan_result pass_models_create(const gl_caps *caps, pass_models **out);
-void pass_models_prepare(pass_models *p, frame *f); // places of this frame; uploads what is new
-void pass_models_draw(pass_models *p,
-                      frame *f); // one side of uniforms.clip; reads UNIT_TERRAIN2 (the terrain pass's noise)
-bolan_result pass_models_reload(pass_models *p);
-void pass_models_destroy(pass_models **p);
+bolan_result bolan_pass_objects_create(const gl_caps *caps, pass_objects **out);
+void bolan_pass_objects_prepare(pass_objects *p, frame *f); // places of this frame; uploads what is new
+void bolan_pass_objects_draw(pass_objects *p,
+                             frame *f); // one side of uniforms.clip; reads UNIT_TERRAIN2 (the terrain pass's noise)
+bolan_result bolan_pass_objects_reload(pass_objects *p);
+void bolan_pass_objects_destroy(pass_objects **p);
 
-bolan_result pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out);
-void pass_water_prepare(pass_water *p, frame *f);       // uploads the sea
-void pass_water_draw(pass_water *p, frame *f);          // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
+bolan_result bolan_pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out);
+void bolan_pass_water_prepare(pass_water *p, frame *f); // uploads the sea
+void bolan_pass_water_draw(pass_water *p, frame *f);    // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
 // A copy of the frame that targets the half-rate buffer, or the frame as it is.
-frame pass_water_sparse(pass_water *p, const frame *f);
-void pass_water_lay(pass_water *p, frame *f);           // upsamples that buffer into the frame
-bool pass_water_mirrors(const frame *f);                // its optics looks up the pictures of pass_mirror
-bool pass_water_mirrors_sky(const frame *f);            // and the sky in them
-bool pass_water_seen_from_below(const bolan_scene *s);  // its optics has a picture for an eye under water
-void pass_water_cover(pass_water *p,
-                      frame *f); // puts the depth of two triangles first, so that nothing behind them is shaded
-uint32_t pass_water_rows(const frame *f); // from the bottom of the picture, that can show water
-bolan_result pass_water_reload(pass_water *p);
-void pass_water_destroy(pass_water **p);
+frame bolan_pass_half_rate(pass_water *p, const frame *f);
+void bolan_pass_water_lay(pass_water *p, frame *f);          // upsamples that buffer into the frame
+bool bolan_pass_water_mirrors(const frame *f);               // its optics looks up the pictures of planar_views
+bool bolan_pass_water_mirrors_sky(const frame *f);           // and the sky in them
+bool bolan_pass_water_seen_from_below(const bolan_scene *s); // its optics has a picture for an eye under water
+void bolan_pass_water_cover(pass_water *p,
+                            frame *f); // puts the depth of two triangles first, so that nothing behind them is shaded
+uint32_t bolan_pass_water_rows(const frame *f); // from the bottom of the picture, that can show water
+bolan_result bolan_pass_water_reload(pass_water *p);
+void bolan_pass_water_destroy(pass_water **p);
 
-bolan_result pass_mirror_create(pass_mirror **out);
-bool pass_mirror_fit(pass_mirror *p, const frame *f); // false: it cannot be had (logged)
-frame pass_mirror_reflect(pass_mirror *p,
-                          const frame *f); // this frame, seen in the water: draw what is above it into its hdr
-frame pass_mirror_refract(pass_mirror *p,
-                          const frame *f); // this frame, through the water: draw what is below it into its hdr
-double pass_mirror_share(const frame *f);  // of the frame's width and height that the pictures have
-void pass_mirror_finish(pass_mirror *p);   // both are drawn
-void pass_mirror_bind(const pass_mirror *p);
-void pass_mirror_draw_body(const pass_mirror *p); // the water itself round an eye in it, where depth is 0
-bolan_result pass_mirror_reload(pass_mirror *p);
-void pass_mirror_destroy(pass_mirror **p);
+bolan_result bolan_planar_views_create(planar_views **out);
+bool bolan_planar_views_fit(planar_views *p, const frame *f); // false: it cannot be had (logged)
+frame bolan_planar_views_reflect(planar_views *p,
+                                 const frame *f); // this frame, seen in the water: draw what is above it into its hdr
+frame bolan_planar_views_refract(planar_views *p,
+                                 const frame *f); // this frame, through the water: draw what is below it into its hdr
+double bolan_planar_views_share(const frame *f);  // of the frame's width and height that the pictures have
+void bolan_planar_views_finish(planar_views *p);  // both are drawn
+void bolan_planar_views_bind(const planar_views *p);
+void bolan_planar_views_draw_body(const planar_views *p); // the water itself round an eye in it, where depth is 0
+bolan_result bolan_planar_views_reload(planar_views *p);
+void bolan_planar_views_destroy(planar_views **p);
 
-bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);
-void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample,
-                       uint32_t samples); // into the bound target
+bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);
+void bolan_pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample,
+                             uint32_t samples); // into the bound target
 // Of a picture of several samples: the sum of their radiance, width * height * 4 floats, row 0 at the bottom. Returns
 // how many were added up; 0: the picture had one sample, and @p rgba is untouched.
-uint32_t pass_tonemap_read_sum(const pass_tonemap *p, float *rgba);
-bolan_result pass_tonemap_reload(pass_tonemap *p);
-void pass_tonemap_destroy(pass_tonemap **p);
+uint32_t bolan_pass_tonemap_read_sum(const pass_tonemap *p, float *rgba);
+bolan_result bolan_pass_tonemap_reload(pass_tonemap *p);
+void bolan_pass_tonemap_destroy(pass_tonemap **p);
 
 // The shore map: a texture array of SHORE_LEVELS square levels of elevation above the water level [m], centred near the
 // eye, each four times as wide as the one before. Level l covers the square from (west, south), eye-relative, of side
@@ -184,8 +185,8 @@ typedef struct shore_map {
     float level[SHORE_LEVELS][4];
     bool present;
 } shore_map; // level: west, south, size, texel (eye-relative [m])
-const shore_map *pass_terrain_shore(
-    const pass_terrain *p); // uniforms "shore_level[SHORE_LEVELS]" and "shore_present": see common/shore.glsl
-void shore_map_apply(const shore_map *s, const gl_program *program); // sets them
+const shore_map *bolan_pass_ground_shore(
+    const pass_ground *p); // uniforms "shore_level[SHORE_LEVELS]" and "shore_present": see common/shore.glsl
+void bolan_shore_map_apply(const shore_map *s, const gl_program *program); // sets them
 
 #endif

@@ -38,18 +38,18 @@ static bolan_result create_targets(pass_sky *p) {
                                          .filter = GL_FILTER_MIPMAP};
     const gl_texture_desc light = {.format = GL_FMT_RGBA32F, .width = LIGHT_PIXELS, .height = 1};
     const gl_texture *color = &p->plain;
-    bolan_result result = gl_texture_create(&environment, &p->plain);
-    if (result == BOLAN_OK) result = gl_target_create(&color, 1, NULL, -1, 0, &p->plain_target);
-    if (result == BOLAN_OK) result = gl_texture_create(&environment, &p->environment);
+    bolan_result result = bolan_gl_texture_create(&environment, &p->plain);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(&color, 1, NULL, -1, 0, &p->plain_target);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&environment, &p->environment);
     color = &p->environment;
     for (uint32_t l = 0; l < ENVIRONMENT_LEVELS && result == BOLAN_OK; l++) {
-        result = gl_target_create(&color, 1, NULL, -1, l, &p->environment_target[l]);
+        result = bolan_gl_target_create(&color, 1, NULL, -1, l, &p->environment_target[l]);
     }
-    if (result == BOLAN_OK) result = gl_texture_create(&light, &p->light);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&light, &p->light);
     color = &p->light;
-    if (result == BOLAN_OK) result = gl_target_create(&color, 1, NULL, -1, 0, &p->light_target);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(&color, 1, NULL, -1, 0, &p->light_target);
     if (result == BOLAN_OK) {
-        result = gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &p->uniforms);
+        result = bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &p->uniforms);
     }
     return result;
 }
@@ -70,17 +70,18 @@ static bolan_result create_mesh(pass_sky *p) {
     }
     fill_rectangle(indices, 0, COLUMNS);
     for (uint32_t i = 0; i < COLUMNS; i++) fill_rectangle(indices + RECTANGLE_INDICES * (i + 1), i, i + 1);
-    bolan_result result = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, sizeof corners, corners, &p->corners);
+    bolan_result result =
+        bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, sizeof corners, corners, &p->corners);
     if (result == BOLAN_OK) {
-        result = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, sizeof indices, indices, &p->indices);
+        result = bolan_gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, sizeof indices, indices, &p->indices);
     }
     if (result == BOLAN_OK) {
-        result = gl_mesh_create(&p->corners, &p->indices, components, 1, (uint32_t)sizeof corners[0], &p->mesh);
+        result = bolan_gl_mesh_create(&p->corners, &p->indices, components, 1, (uint32_t)sizeof corners[0], &p->mesh);
     }
     return result;
 }
 
-bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out) {
+bolan_result bolan_pass_sky_create(const gl_caps *caps, pass_sky **out) {
     *out = NULL;
     if (!caps->color_float) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_UNSUPPORTED,
@@ -89,37 +90,37 @@ bolan_result pass_sky_create(const gl_caps *caps, pass_sky **out) {
     }
     pass_sky *p = allocate_for("the sky", sizeof *p);
     if (!p) return BOLAN_ERROR_MEMORY;
-    bolan_result result = atmosphere_create(&p->air);
-    if (result == BOLAN_OK) result = clouds_create(&p->clouds);
-    if (result == BOLAN_OK) result = gl_program_create("sky", NULL, &p->sky_program);
-    if (result == BOLAN_OK) result = gl_program_create("sky", "BELOW 1\n", &p->below_program);
-    if (result == BOLAN_OK) result = gl_program_create("sky_panorama", NULL, &p->panorama_program);
-    if (result == BOLAN_OK) result = gl_program_create("sky_sun", NULL, &p->sun_program);
-    if (result == BOLAN_OK) result = gl_program_create("sky_over", NULL, &p->over_program);
-    if (result == BOLAN_OK) result = gl_program_create("sky_environment", NULL, &p->environment_program);
-    if (result == BOLAN_OK) result = gl_program_create("sky_prefilter", NULL, &p->prefilter_program);
-    if (result == BOLAN_OK) result = gl_program_create("sky_light", NULL, &p->light_program);
+    bolan_result result = bolan_atmosphere_create(&p->air);
+    if (result == BOLAN_OK) result = bolan_clouds_create(&p->clouds);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky", NULL, &p->sky_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky", "BELOW 1\n", &p->below_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_panorama", NULL, &p->panorama_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_sun", NULL, &p->sun_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_over", NULL, &p->over_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_environment", NULL, &p->environment_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_prefilter", NULL, &p->prefilter_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_light", NULL, &p->light_program);
     if (result == BOLAN_OK) result = create_targets(p);
     if (result == BOLAN_OK) result = create_mesh(p);
     if (result != BOLAN_OK) {
-        pass_sky_destroy(&p);
+        bolan_pass_sky_destroy(&p);
         return result;
     }
     *out = p;
     return BOLAN_OK;
 }
 
-bolan_result pass_sky_reload(pass_sky *p) {
-    bolan_result result = atmosphere_reload(&p->air);
-    if (result == BOLAN_OK) result = clouds_reload(&p->clouds);
-    if (result == BOLAN_OK) result = gl_program_reload(&p->sky_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&p->below_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&p->panorama_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&p->sun_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&p->over_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&p->environment_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&p->prefilter_program);
-    if (result == BOLAN_OK) result = gl_program_reload(&p->light_program);
+bolan_result bolan_pass_sky_reload(pass_sky *p) {
+    bolan_result result = bolan_atmosphere_reload(&p->air);
+    if (result == BOLAN_OK) result = bolan_clouds_reload(&p->clouds);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->sky_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->below_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->panorama_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->sun_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->over_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->environment_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->prefilter_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->light_program);
     return result;
 }
 
@@ -131,50 +132,50 @@ static float radiance_unit(float sun_height) {
 }
 
 static void draw_environment(pass_sky *p) {
-    gl_texture_bind(&p->air.sea_view, UNIT_PASS);
-    gl_target_bind(&p->plain_target);
-    gl_program_use(&p->environment_program);
-    gl_draw_fullscreen();
-    gl_texture_generate_mipmaps(&p->plain);
-    gl_texture_bind(&p->plain, UNIT_PASS);
+    bolan_gl_texture_bind(&p->air.sea_view, UNIT_PASS);
+    bolan_gl_target_bind(&p->plain_target);
+    bolan_gl_program_use(&p->environment_program);
+    bolan_gl_draw_fullscreen();
+    bolan_gl_texture_generate_mipmaps(&p->plain);
+    bolan_gl_texture_bind(&p->plain, UNIT_PASS);
     for (int l = 0; l < ENVIRONMENT_LEVELS; l++) {
-        gl_target_bind(&p->environment_target[l]);
-        gl_program_float(&p->prefilter_program, "level", (float)l);
-        gl_draw_fullscreen();
+        bolan_gl_target_bind(&p->environment_target[l]);
+        bolan_gl_program_float(&p->prefilter_program, "level", (float)l);
+        bolan_gl_draw_fullscreen();
     }
 }
 
 // As fine as the clouds in it.
 static bool resize_panorama(pass_sky *p, uint32_t width, uint32_t height) {
     if (p->panorama_target.id && p->panorama.width == width && p->panorama.height == height) return true;
-    gl_target_free(&p->panorama_target);
-    gl_texture_free(&p->panorama);
+    bolan_gl_target_free(&p->panorama_target);
+    bolan_gl_texture_free(&p->panorama);
     const gl_texture_desc d = {.format = GL_FMT_RGBA16F,
                                .width = width,
                                .height = height,
                                .filter = GL_FILTER_LINEAR,
                                .wrap = GL_WRAP_REPEAT_CLAMP};
     const gl_texture *color = &p->panorama;
-    return gl_texture_create(&d, &p->panorama) == BOLAN_OK &&
-           gl_target_create(&color, 1, NULL, -1, 0, &p->panorama_target) == BOLAN_OK;
+    return bolan_gl_texture_create(&d, &p->panorama) == BOLAN_OK &&
+           bolan_gl_target_create(&color, 1, NULL, -1, 0, &p->panorama_target) == BOLAN_OK;
 }
 
 static void draw_panorama(pass_sky *p) {
-    const gl_texture *map = clouds_map(&p->clouds);
+    const gl_texture *map = bolan_clouds_map(&p->clouds);
     if (!resize_panorama(p, map->width, map->height)) return;
-    gl_set_state(&(gl_state){.color_write = true});
-    gl_target_bind(&p->panorama_target);
-    gl_program_use(&p->panorama_program);
-    gl_draw_fullscreen();
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_target_bind(&p->panorama_target);
+    bolan_gl_program_use(&p->panorama_program);
+    bolan_gl_draw_fullscreen();
 }
 
 // Of the map before its levels are blurred, which spreads the bright horizon.
 static void measure_light(pass_sky *p) {
-    gl_texture_bind(&p->plain, UNIT_ENVIRONMENT);
-    gl_target_bind(&p->light_target);
-    gl_program_use(&p->light_program);
-    gl_draw_fullscreen();
-    gl_target_read_float(&p->light_target, 0, p->measured);
+    bolan_gl_texture_bind(&p->plain, UNIT_ENVIRONMENT);
+    bolan_gl_target_bind(&p->light_target);
+    bolan_gl_program_use(&p->light_program);
+    bolan_gl_draw_fullscreen();
+    bolan_gl_target_read_float(&p->light_target, 0, p->measured);
 }
 
 static float luminance(const float *c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
@@ -203,8 +204,8 @@ static void set_light(const pass_sky *p, frame *f) {
 }
 
 static void bind_uniforms(pass_sky *p, const frame_uniforms *u) {
-    gl_buffer_update(&p->uniforms, 0, sizeof *u, u);
-    gl_buffer_bind_uniform(&p->uniforms, 0);
+    bolan_gl_buffer_update(&p->uniforms, 0, sizeof *u, u);
+    bolan_gl_buffer_bind_uniform(&p->uniforms, 0);
 }
 
 #define SUN_STEP 0.0005 // between suns that the tables are made for [rad]: 0.3 % of the light of a sun at 5 degrees
@@ -212,93 +213,93 @@ static void bind_uniforms(pass_sky *p, const frame_uniforms *u) {
 // The frame's uniforms with sun and eye where the tables are made for them.
 static frame_uniforms on_lattice(const frame *f) {
     frame_uniforms u = f->uniforms;
-    const bolan_vec3 sun = sky_lattice_direction(f->sun_direction, SUN_STEP);
+    const bolan_vec3 sun = bolan_sky_lattice_direction(f->sun_direction, SUN_STEP);
     u.sun = (bolan_vec4){sun.x, sun.y, sun.z, u.sun.w};
-    u.eye.z = (float)sky_lattice_height(u.eye.z);
+    u.eye.z = (float)bolan_sky_lattice_height(u.eye.z);
     return u;
 }
 
 // Clouds are lit through the air of their own place and sun.
 static bool update_clouds(pass_sky *p, frame *f, cloud_work work) {
     bind_uniforms(p, &p->clouds.uniforms);
-    if (work == CLOUDS_ALL) (void)atmosphere_update(&p->air, &p->clouds.uniforms);
-    atmosphere_bind(&p->air);
-    gl_set_state(&(gl_state){.color_write = true});
-    gl_texture_bind(&p->air.sea_view, UNIT_PASS);
-    return clouds_march(&p->clouds, f, work);
+    if (work == CLOUDS_ALL) (void)bolan_atmosphere_update(&p->air, &p->clouds.uniforms);
+    bolan_atmosphere_bind(&p->air);
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_texture_bind(&p->air.sea_view, UNIT_PASS);
+    return bolan_clouds_march(&p->clouds, f, work);
 }
 
 // Everything made of the tables and the clouds together.
 static void draw_maps(pass_sky *p) {
     draw_panorama(p);
-    gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_set_state(&(gl_state){.color_write = true});
     draw_environment(p);
     measure_light(p);
 }
 
-void pass_sky_prepare(pass_sky *p, frame *f) {
+void bolan_pass_sky_prepare(pass_sky *p, frame *f) {
     f->uniforms.air.x = radiance_unit(f->uniforms.sun.z);
-    const cloud_work work = clouds_plan(&p->clouds, f);
+    const cloud_work work = bolan_clouds_plan(&p->clouds, f);
     bool changed = work != CLOUDS_KEEP && update_clouds(p, f, work);
-    clouds_place(&p->clouds, f, &f->uniforms);
+    bolan_clouds_place(&p->clouds, f, &f->uniforms);
     frame_uniforms u = on_lattice(f);
     u.air.z = u.air.w = 0.0f; // the light is measured in the middle of the clouds' maps
     bind_uniforms(p, &u);
-    if (atmosphere_update(&p->air, &u)) changed = true;
-    atmosphere_bind(&p->air);
-    gl_texture_bind(clouds_map(&p->clouds), UNIT_CLOUDS);
+    if (bolan_atmosphere_update(&p->air, &u)) changed = true;
+    bolan_atmosphere_bind(&p->air);
+    bolan_gl_texture_bind(bolan_clouds_map(&p->clouds), UNIT_CLOUDS);
     if (changed || u.sun.x != p->lattice_sun.x || u.sun.y != p->lattice_sun.y) draw_maps(p);
     p->lattice_sun = u.sun;
-    gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
+    bolan_gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
     set_light(p, f);
 }
 
-void pass_sky_draw(pass_sky *p, const frame *f) {
-    gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
-    gl_texture_bind(&p->panorama, UNIT_PASS);
-    gl_program_use(&p->sky_program);
-    gl_mesh_draw(&p->mesh, 0, RECTANGLE_INDICES);
-    gl_program_use(&p->below_program);
-    gl_mesh_draw(&p->mesh, RECTANGLE_INDICES, INDICES - RECTANGLE_INDICES);
+void bolan_pass_sky_draw(pass_sky *p, const frame *f) {
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
+    bolan_gl_texture_bind(&p->panorama, UNIT_PASS);
+    bolan_gl_program_use(&p->sky_program);
+    bolan_gl_mesh_draw(&p->mesh, 0, RECTANGLE_INDICES);
+    bolan_gl_program_use(&p->below_program);
+    bolan_gl_mesh_draw(&p->mesh, RECTANGLE_INDICES, INDICES - RECTANGLE_INDICES);
     if (f->uniforms.sun.z < -0.1f) return; // below any horizon to 20 km
-    gl_set_state(&(gl_state){.depth_test = true, .color_write = true, .blend = GL_BLEND_ADD});
-    gl_program_use(&p->sun_program);
-    gl_draw_fullscreen();
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true, .blend = GL_BLEND_ADD});
+    bolan_gl_program_use(&p->sun_program);
+    bolan_gl_draw_fullscreen();
 }
 
-void pass_sky_draw_over(pass_sky *p, const frame *f) {
+void bolan_pass_sky_draw_over(pass_sky *p, const frame *f) {
     if (f->uniforms.air.y < 0.5f || f->uniforms.wind.w <= 0.0f) return;
-    gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_PREMULTIPLIED});
-    gl_program_use(&p->over_program);
-    gl_program_float(&p->over_program, "rise", (float)clouds_rise(&p->clouds, f));
-    gl_draw_fullscreen();
+    bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_PREMULTIPLIED});
+    bolan_gl_program_use(&p->over_program);
+    bolan_gl_program_float(&p->over_program, "rise", (float)bolan_clouds_rise(&p->clouds, f));
+    bolan_gl_draw_fullscreen();
 }
 
-void pass_sky_destroy(pass_sky **pp) {
+void bolan_pass_sky_destroy(pass_sky **pp) {
     if (!pp || !*pp) return;
     pass_sky *p = *pp;
-    atmosphere_free(&p->air);
-    clouds_free(&p->clouds);
-    for (int l = 0; l < ENVIRONMENT_LEVELS; l++) gl_target_free(&p->environment_target[l]);
-    gl_target_free(&p->plain_target);
-    gl_target_free(&p->light_target);
-    gl_texture_free(&p->plain);
-    gl_texture_free(&p->environment);
-    gl_texture_free(&p->light);
-    gl_target_free(&p->panorama_target);
-    gl_texture_free(&p->panorama);
-    gl_mesh_free(&p->mesh);
-    gl_buffer_free(&p->corners);
-    gl_buffer_free(&p->indices);
-    gl_program_free(&p->sky_program);
-    gl_program_free(&p->below_program);
-    gl_program_free(&p->panorama_program);
-    gl_program_free(&p->sun_program);
-    gl_program_free(&p->over_program);
-    gl_program_free(&p->environment_program);
-    gl_program_free(&p->prefilter_program);
-    gl_program_free(&p->light_program);
-    gl_buffer_free(&p->uniforms);
+    bolan_atmosphere_free(&p->air);
+    bolan_clouds_free(&p->clouds);
+    for (int l = 0; l < ENVIRONMENT_LEVELS; l++) bolan_gl_target_free(&p->environment_target[l]);
+    bolan_gl_target_free(&p->plain_target);
+    bolan_gl_target_free(&p->light_target);
+    bolan_gl_texture_free(&p->plain);
+    bolan_gl_texture_free(&p->environment);
+    bolan_gl_texture_free(&p->light);
+    bolan_gl_target_free(&p->panorama_target);
+    bolan_gl_texture_free(&p->panorama);
+    bolan_gl_mesh_free(&p->mesh);
+    bolan_gl_buffer_free(&p->corners);
+    bolan_gl_buffer_free(&p->indices);
+    bolan_gl_program_free(&p->sky_program);
+    bolan_gl_program_free(&p->below_program);
+    bolan_gl_program_free(&p->panorama_program);
+    bolan_gl_program_free(&p->sun_program);
+    bolan_gl_program_free(&p->over_program);
+    bolan_gl_program_free(&p->environment_program);
+    bolan_gl_program_free(&p->prefilter_program);
+    bolan_gl_program_free(&p->light_program);
+    bolan_gl_buffer_free(&p->uniforms);
     bolan_release(p, sizeof *p);
     *pp = NULL;
 }

@@ -21,30 +21,30 @@ struct pass_tonemap {
     gl_target glow_target;
 };
 
-bolan_result pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) {
+bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) {
     (void)caps;
     *out = NULL;
     pass_tonemap *p = allocate_for("the tone map", sizeof *p);
     if (!p) return BOLAN_ERROR_MEMORY;
-    bolan_result result = gl_program_create("tonemap", NULL, &p->single[0]);
-    if (result == BOLAN_OK) result = gl_program_create("tonemap", "GLOW 1\n", &p->single[1]);
-    if (result == BOLAN_OK) result = gl_program_create("tonemap", "ACCUMULATE 1\n", &p->accumulate[0]);
-    if (result == BOLAN_OK) result = gl_program_create("tonemap", "ACCUMULATE 1\nGLOW 1\n", &p->accumulate[1]);
-    if (result == BOLAN_OK) result = gl_program_create("tonemap", "RESOLVE 1\n", &p->resolve);
-    if (result == BOLAN_OK) result = gl_program_create("tonemap_glow", NULL, &p->shrink);
+    bolan_result result = bolan_gl_program_create("tonemap", NULL, &p->single[0]);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap", "GLOW 1\n", &p->single[1]);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap", "ACCUMULATE 1\n", &p->accumulate[0]);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap", "ACCUMULATE 1\nGLOW 1\n", &p->accumulate[1]);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap", "RESOLVE 1\n", &p->resolve);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap_glow", NULL, &p->shrink);
     if (result != BOLAN_OK) {
-        pass_tonemap_destroy(&p);
+        bolan_pass_tonemap_destroy(&p);
         return result;
     }
     *out = p;
     return BOLAN_OK;
 }
 
-bolan_result pass_tonemap_reload(pass_tonemap *p) {
+bolan_result bolan_pass_tonemap_reload(pass_tonemap *p) {
     gl_program *const programs[] = {&p->single[0],     &p->single[1], &p->accumulate[0],
                                     &p->accumulate[1], &p->resolve,   &p->shrink};
     for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
-        const bolan_result result = gl_program_reload(programs[i]);
+        const bolan_result result = bolan_gl_program_reload(programs[i]);
         if (result != BOLAN_OK) return result;
     }
     return BOLAN_OK;
@@ -52,9 +52,9 @@ bolan_result pass_tonemap_reload(pass_tonemap *p) {
 
 static void free_sums(pass_tonemap *p) {
     for (int i = 0; i < 2; i++) {
-        gl_target_free(&p->sum_target[i]);
-        gl_texture_free(&p->sum[i]);
-        gl_texture_free(&p->radiance_sum[i]);
+        bolan_gl_target_free(&p->sum_target[i]);
+        bolan_gl_texture_free(&p->sum[i]);
+        bolan_gl_texture_free(&p->radiance_sum[i]);
     }
 }
 
@@ -64,9 +64,9 @@ static bool resize(pass_tonemap *p, uint32_t width, uint32_t height) {
     const gl_texture_desc d = {.format = GL_FMT_RGBA32F, .width = width, .height = height};
     for (int i = 0; i < 2; i++) {
         const gl_texture *color[] = {&p->sum[i], &p->radiance_sum[i]};
-        if (gl_texture_create(&d, &p->sum[i]) != BOLAN_OK) return false;
-        if (gl_texture_create(&d, &p->radiance_sum[i]) != BOLAN_OK) return false;
-        if (gl_target_create(color, 2, NULL, -1, 0, &p->sum_target[i]) != BOLAN_OK) return false;
+        if (bolan_gl_texture_create(&d, &p->sum[i]) != BOLAN_OK) return false;
+        if (bolan_gl_texture_create(&d, &p->radiance_sum[i]) != BOLAN_OK) return false;
+        if (bolan_gl_target_create(color, 2, NULL, -1, 0, &p->sum_target[i]) != BOLAN_OK) return false;
     }
     return true;
 }
@@ -74,12 +74,12 @@ static bool resize(pass_tonemap *p, uint32_t width, uint32_t height) {
 static bool resize_glow(pass_tonemap *p, uint32_t width, uint32_t height) {
     const uint32_t w = (width + GLOW_PARTS - 1) / GLOW_PARTS, h = (height + GLOW_PARTS - 1) / GLOW_PARTS;
     if (p->glow_target.id && p->glow.width == w && p->glow.height == h) return true;
-    gl_target_free(&p->glow_target);
-    gl_texture_free(&p->glow);
+    bolan_gl_target_free(&p->glow_target);
+    bolan_gl_texture_free(&p->glow);
     const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = w, .height = h, .filter = GL_FILTER_MIPMAP_NEAREST};
     const gl_texture *color = &p->glow;
-    return gl_texture_create(&d, &p->glow) == BOLAN_OK &&
-           gl_target_create(&color, 1, NULL, -1, 0, &p->glow_target) == BOLAN_OK;
+    return bolan_gl_texture_create(&d, &p->glow) == BOLAN_OK &&
+           bolan_gl_target_create(&color, 1, NULL, -1, 0, &p->glow_target) == BOLAN_OK;
 }
 
 // Fills the glow and its mip chain. A picture too small for the levels goes without.
@@ -87,33 +87,33 @@ static bool draw_glow(pass_tonemap *p, const frame *f, const gl_texture *hdr_col
     const uint32_t smallest = GLOW_PARTS << GLOW_LEVELS;
     if (f->quality < BOLAN_QUALITY_HIGH || f->desc->width < smallest || f->desc->height < smallest) return false;
     if (!resize_glow(p, f->desc->width, f->desc->height)) return false;
-    gl_target_bind(&p->glow_target);
-    gl_texture_bind(hdr_color, UNIT_PASS);
-    gl_program_use(&p->shrink);
-    gl_draw_fullscreen();
-    gl_texture_generate_mipmaps(&p->glow);
-    gl_texture_bind(&p->glow, UNIT_SCENE_COLOR);
+    bolan_gl_target_bind(&p->glow_target);
+    bolan_gl_texture_bind(hdr_color, UNIT_PASS);
+    bolan_gl_program_use(&p->shrink);
+    bolan_gl_draw_fullscreen();
+    bolan_gl_texture_generate_mipmaps(&p->glow);
+    bolan_gl_texture_bind(&p->glow, UNIT_SCENE_COLOR);
     return true;
 }
 
 static void draw(const gl_program *program, const gl_texture *source, bool encode, float dither, float weight) {
-    gl_texture_bind(source, UNIT_PASS);
-    gl_program_vec4(program, "settings", (bolan_vec4){glow_share, encode ? 1.0f : 0.0f, dither, weight});
-    gl_draw_fullscreen();
+    bolan_gl_texture_bind(source, UNIT_PASS);
+    bolan_gl_program_vec4(program, "settings", (bolan_vec4){glow_share, encode ? 1.0f : 0.0f, dither, weight});
+    bolan_gl_draw_fullscreen();
 }
 
 // An sRGB framebuffer does the encoding itself; dither is then a little strong in the dark, never absent.
 static void draw_out(const gl_program *program, const gl_texture *source, const frame *f, float weight) {
     const bool encode = !f->desc->srgb_framebuffer;
-    gl_target_bind_external(f->desc->framebuffer, f->desc->width, f->desc->height);
-    gl_set_framebuffer_srgb(!encode);
+    bolan_gl_target_bind_external(f->desc->framebuffer, f->desc->width, f->desc->height);
+    bolan_gl_set_framebuffer_srgb(!encode);
     draw(program, source, encode, encode ? 0.5f : 0.1f, weight);
-    gl_set_framebuffer_srgb(false);
+    bolan_gl_set_framebuffer_srgb(false);
 }
 
-void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample,
-                       uint32_t samples) {
-    gl_set_state(&(gl_state){.color_write = true});
+void bolan_pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample,
+                             uint32_t samples) {
+    bolan_gl_set_state(&(gl_state){.color_write = true});
     const bool glow = draw_glow(p, f, hdr_color);
     p->summed = 0;
     if (samples <= 1 || !resize(p, f->desc->width, f->desc->height)) {
@@ -123,30 +123,30 @@ void pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_co
     const uint32_t to = sample & 1u;
     p->summed = sample + 1;
     p->latest = to;
-    gl_target_bind(&p->sum_target[to]);
-    gl_texture_bind(&p->sum[to ^ 1u], UNIT_SCENE_DEPTH);
-    gl_texture_bind(&p->radiance_sum[to ^ 1u], UNIT_SURFACE);
+    bolan_gl_target_bind(&p->sum_target[to]);
+    bolan_gl_texture_bind(&p->sum[to ^ 1u], UNIT_SCENE_DEPTH);
+    bolan_gl_texture_bind(&p->radiance_sum[to ^ 1u], UNIT_SURFACE);
     draw(&p->accumulate[glow], hdr_color, false, 0.0f, sample > 0 ? 1.0f : 0.0f);
     if (sample + 1 == samples) draw_out(&p->resolve, &p->sum[to], f, 1.0f / (float)samples);
 }
 
-uint32_t pass_tonemap_read_sum(const pass_tonemap *p, float *rgba) {
-    if (p->summed > 0) gl_target_read_float(&p->sum_target[p->latest], 1, rgba);
+uint32_t bolan_pass_tonemap_read_sum(const pass_tonemap *p, float *rgba) {
+    if (p->summed > 0) bolan_gl_target_read_float(&p->sum_target[p->latest], 1, rgba);
     return p->summed;
 }
 
-void pass_tonemap_destroy(pass_tonemap **pp) {
+void bolan_pass_tonemap_destroy(pass_tonemap **pp) {
     if (!pp || !*pp) return;
     pass_tonemap *p = *pp;
     free_sums(p);
-    gl_target_free(&p->glow_target);
-    gl_texture_free(&p->glow);
+    bolan_gl_target_free(&p->glow_target);
+    bolan_gl_texture_free(&p->glow);
     for (int i = 0; i < 2; i++) {
-        gl_program_free(&p->single[i]);
-        gl_program_free(&p->accumulate[i]);
+        bolan_gl_program_free(&p->single[i]);
+        bolan_gl_program_free(&p->accumulate[i]);
     }
-    gl_program_free(&p->resolve);
-    gl_program_free(&p->shrink);
+    bolan_gl_program_free(&p->resolve);
+    bolan_gl_program_free(&p->shrink);
     bolan_release(p, sizeof *p);
     *pp = NULL;
 }

@@ -21,27 +21,27 @@ bolan_frame_desc bolan_frame_desc_default(void) {
 }
 
 static bolan_result create_passes(bolan_renderer *r) {
-    bolan_result result = pass_sky_create(&r->caps, &r->sky);
-    if (result == BOLAN_OK) result = pass_terrain_create(&r->caps, &r->terrain);
-    if (result == BOLAN_OK) result = pass_models_create(&r->caps, &r->models);
-    if (result == BOLAN_OK) result = pass_water_create(r->desc.quality, r->desc.max_vertices, &r->water);
-    if (result == BOLAN_OK) result = pass_mirror_create(&r->mirror);
-    if (result == BOLAN_OK) result = pass_tonemap_create(&r->caps, &r->tonemap);
+    bolan_result result = bolan_pass_sky_create(&r->caps, &r->sky);
+    if (result == BOLAN_OK) result = bolan_pass_ground_create(&r->caps, &r->terrain);
+    if (result == BOLAN_OK) result = bolan_pass_objects_create(&r->caps, &r->models);
+    if (result == BOLAN_OK) result = bolan_pass_water_create(r->desc.quality, r->desc.max_vertices, &r->water);
+    if (result == BOLAN_OK) result = bolan_planar_views_create(&r->mirror);
+    if (result == BOLAN_OK) result = bolan_pass_tonemap_create(&r->caps, &r->tonemap);
     if (result == BOLAN_OK)
-        result = gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms);
+        result = bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms);
     return result;
 }
 
 // ---- entering and leaving -----------------------------------------------------------------------------------------
 
-void renderer_enter(bolan_renderer *r) {
-    gl_program_set_directory(r->shader_directory[0] ? r->shader_directory : NULL);
-    gl_save(&r->saved, &r->caps, r->desc.debug);
+void bolan_renderer_enter(bolan_renderer *r) {
+    bolan_gl_program_set_directory(r->shader_directory[0] ? r->shader_directory : NULL);
+    bolan_gl_save(&r->saved, &r->caps, r->desc.debug);
 }
 
-void renderer_leave(bolan_renderer *r) { gl_restore(&r->saved); }
+void bolan_renderer_leave(bolan_renderer *r) { bolan_gl_restore(&r->saved); }
 
-bool renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, const char *format, ...) {
+bool bolan_renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, const char *format, ...) {
     char sentence[REFUSAL_BYTES];
     va_list arguments;
     va_start(arguments, format);
@@ -52,11 +52,11 @@ bool renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, con
     return false;
 }
 
-void renderer_accept(bolan_renderer *r, renderer_call call) { r->refusal[call][0] = '\0'; }
+void bolan_renderer_accept(bolan_renderer *r, renderer_call call) { r->refusal[call][0] = '\0'; }
 
 static bool has_context(bolan_renderer *r, renderer_call call, const char *name) {
-    return gl_has_context() ||
-           renderer_refuse(r, call, BOLAN_LOG_GL_CONTEXT, "%s: no OpenGL context is current on this thread", name);
+    return bolan_gl_has_context() || bolan_renderer_refuse(r, call, BOLAN_LOG_GL_CONTEXT,
+                                                           "%s: no OpenGL context is current on this thread", name);
 }
 
 // ---- life -----------------------------------------------------------------------------------------------------------
@@ -89,7 +89,7 @@ static bolan_renderer *allocate(const bolan_renderer_desc *desc) {
     r->desc.shader_directory = NULL; // the caller's memory; copied
     if (desc->shader_directory != NULL)
         snprintf(r->shader_directory, sizeof r->shader_directory, "%s", desc->shader_directory);
-    r->caps = gl_get_caps();
+    r->caps = bolan_gl_get_caps();
     if (desc->force_timers) r->caps.timers = r->caps.timestamps;
     return r;
 }
@@ -98,14 +98,14 @@ bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_render
     BOLAN_ASSERT(desc != NULL && out != NULL);
     if (desc == NULL || out == NULL) return BOLAN_ERROR_ARGUMENT;
     *out = NULL;
-    bolan_result result = gl_check_context("renderer");
+    bolan_result result = bolan_gl_check_context("renderer");
     if (result == BOLAN_OK) result = check_desc(desc);
     if (result != BOLAN_OK) return result;
     bolan_renderer *r = allocate(desc);
     if (r == NULL) return BOLAN_ERROR_MEMORY;
-    renderer_enter(r);
+    bolan_renderer_enter(r);
     result = create_passes(r);
-    renderer_leave(r);
+    bolan_renderer_leave(r);
     if (result != BOLAN_OK) {
         bolan_renderer_destroy(&r);
         return result;
@@ -115,12 +115,12 @@ bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_render
 }
 
 static void free_targets(bolan_renderer *r) {
-    gl_target_free(&r->hdr);
-    gl_target_free(&r->behind);
-    gl_texture_free(&r->hdr_color);
-    gl_texture_free(&r->hdr_depth);
-    gl_texture_free(&r->behind_color);
-    gl_texture_free(&r->behind_depth);
+    bolan_gl_target_free(&r->hdr);
+    bolan_gl_target_free(&r->behind);
+    bolan_gl_texture_free(&r->hdr_color);
+    bolan_gl_texture_free(&r->hdr_depth);
+    bolan_gl_texture_free(&r->behind_color);
+    bolan_gl_texture_free(&r->behind_depth);
     r->width = r->height = 0;
 }
 
@@ -128,20 +128,20 @@ static void free_targets(bolan_renderer *r) {
 void bolan_renderer_destroy(bolan_renderer **renderer) {
     if (renderer == NULL || *renderer == NULL) return;
     bolan_renderer *r = *renderer;
-    if (!gl_has_context())
+    if (!bolan_gl_has_context())
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT,
                   "renderer: destroyed while no OpenGL context is current; what it has on the GPU stays until its "
                   "context is gone");
-    pass_sky_destroy(&r->sky);
-    pass_terrain_destroy(&r->terrain);
-    pass_models_destroy(&r->models);
-    pass_water_destroy(&r->water);
-    pass_mirror_destroy(&r->mirror);
-    pass_tonemap_destroy(&r->tonemap);
-    gl_buffer_free(&r->uniforms);
-    gl_program_free(&r->yardstick);
-    gl_depth_reader_free(&r->depth_reader);
-    for (int i = 0; i < PART_COUNT; ++i) gl_timer_free(&r->timers[i]);
+    bolan_pass_sky_destroy(&r->sky);
+    bolan_pass_ground_destroy(&r->terrain);
+    bolan_pass_objects_destroy(&r->models);
+    bolan_pass_water_destroy(&r->water);
+    bolan_planar_views_destroy(&r->mirror);
+    bolan_pass_tonemap_destroy(&r->tonemap);
+    bolan_gl_buffer_free(&r->uniforms);
+    bolan_gl_program_free(&r->yardstick);
+    bolan_gl_depth_reader_free(&r->depth_reader);
+    for (int i = 0; i < PART_COUNT; ++i) bolan_gl_timer_free(&r->timers[i]);
     free_targets(r);
     bolan_release(r->scratch, r->scratch_bytes);
     bolan_release(r, sizeof *r);
@@ -149,9 +149,9 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
 }
 
 static bolan_result reload_passes(bolan_renderer *r) {
-    const bolan_result results[] = {pass_sky_reload(r->sky),       pass_terrain_reload(r->terrain),
-                                    pass_models_reload(r->models), pass_water_reload(r->water),
-                                    pass_mirror_reload(r->mirror), pass_tonemap_reload(r->tonemap)};
+    const bolan_result results[] = {bolan_pass_sky_reload(r->sky),        bolan_pass_ground_reload(r->terrain),
+                                    bolan_pass_objects_reload(r->models), bolan_pass_water_reload(r->water),
+                                    bolan_planar_views_reload(r->mirror), bolan_pass_tonemap_reload(r->tonemap)};
     for (size_t i = 0; i < sizeof results / sizeof results[0]; ++i)
         if (results[i] != BOLAN_OK) return results[i];
     return BOLAN_OK;
@@ -159,11 +159,11 @@ static bolan_result reload_passes(bolan_renderer *r) {
 
 bolan_result bolan_renderer_reload(bolan_renderer *r) {
     BOLAN_ASSERT(r != NULL);
-    bolan_result result = gl_check_context("renderer");
+    bolan_result result = bolan_gl_check_context("renderer");
     if (result != BOLAN_OK) return result;
-    renderer_enter(r);
+    bolan_renderer_enter(r);
     result = reload_passes(r);
-    renderer_leave(r);
+    bolan_renderer_leave(r);
     return result;
 }
 
@@ -176,14 +176,14 @@ static bolan_result create_target(gl_texture *color, gl_texture *depth, gl_targe
                          .height = height,
                          .filter = GL_FILTER_NEAREST,
                          .wrap = GL_WRAP_CLAMP};
-    bolan_result result = gl_texture_create(&c, color);
-    if (result == BOLAN_OK) result = gl_texture_create(&d, depth);
+    bolan_result result = bolan_gl_texture_create(&c, color);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&d, depth);
     const gl_texture *colors[] = {color};
-    if (result == BOLAN_OK) result = gl_target_create(colors, 1, depth, -1, 0, target);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(colors, 1, depth, -1, 0, target);
     return result;
 }
 
-bolan_result renderer_resize(bolan_renderer *r, uint32_t width, uint32_t height) {
+bolan_result bolan_renderer_resize(bolan_renderer *r, uint32_t width, uint32_t height) {
     if (r->width == width && r->height == height) return BOLAN_OK;
     free_targets(r);
     bolan_result result = create_target(&r->hdr_color, &r->hdr_depth, &r->hdr, width, height);
@@ -210,8 +210,8 @@ static void *scratch_of(bolan_renderer *r, size_t bytes) {
 
 static void read_radiance(bolan_renderer *r, float *scratch, float *rgb) {
     const size_t width = r->width, height = r->height;
-    const uint32_t samples = pass_tonemap_read_sum(r->tonemap, scratch);
-    if (samples == 0) gl_target_read_float(&r->hdr, 0, scratch);
+    const uint32_t samples = bolan_pass_tonemap_read_sum(r->tonemap, scratch);
+    if (samples == 0) bolan_gl_target_read_float(&r->hdr, 0, scratch);
     const float unit = r->radiance_unit * (float)(samples > 0 ? samples : 1);
     for (size_t j = 0; j < height; ++j)
         for (size_t i = 0; i < width; ++i)
@@ -221,7 +221,7 @@ static void read_radiance(bolan_renderer *r, float *scratch, float *rgb) {
 
 static void read_distance(bolan_renderer *r, float *scratch, float *distance) {
     const size_t width = r->width, height = r->height;
-    if (gl_depth_read(&r->depth_reader, &r->hdr_depth, scratch) != BOLAN_OK) return;
+    if (bolan_gl_depth_read(&r->depth_reader, &r->hdr_depth, scratch) != BOLAN_OK) return;
     for (size_t j = 0; j < height; ++j)
         for (size_t i = 0; i < width; ++i) {
             const float depth = scratch[4 * (j * width + i)];
@@ -233,38 +233,39 @@ void bolan_renderer_read_linear(bolan_renderer *r, float *rgb, float *distance) 
     BOLAN_ASSERT(r != NULL);
     if (r == NULL || !has_context(r, CALL_READ_LINEAR, "read_linear")) return;
     if (r->width == 0) {
-        renderer_refuse(r, CALL_READ_LINEAR, BOLAN_LOG_BAD_ARGUMENT,
-                        "read_linear: this renderer has drawn no picture yet");
+        bolan_renderer_refuse(r, CALL_READ_LINEAR, BOLAN_LOG_BAD_ARGUMENT,
+                              "read_linear: this renderer has drawn no picture yet");
         return;
     }
     float *scratch = scratch_of(r, (size_t)r->width * r->height * 4 * sizeof(float));
     if (scratch == NULL) return;
-    renderer_accept(r, CALL_READ_LINEAR);
-    renderer_enter(r);
+    bolan_renderer_accept(r, CALL_READ_LINEAR);
+    bolan_renderer_enter(r);
     if (rgb != NULL) read_radiance(r, scratch, rgb);
     if (distance != NULL) read_distance(r, scratch, distance);
-    renderer_leave(r);
+    bolan_renderer_leave(r);
 }
 
 void bolan_renderer_read_rgb8(bolan_renderer *r, uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb) {
     BOLAN_ASSERT(r != NULL && rgb != NULL);
     if (r == NULL || rgb == NULL || !has_context(r, CALL_READ_RGB8, "read_rgb8")) return;
     if (!is_size(width) || !is_size(height)) {
-        renderer_refuse(r, CALL_READ_RGB8, BOLAN_LOG_OUT_OF_RANGE,
-                        "read_rgb8: %u x %u pixels; expected 1 to %d each way", width, height, MOST_PIXELS);
+        bolan_renderer_refuse(r, CALL_READ_RGB8, BOLAN_LOG_OUT_OF_RANGE,
+                              "read_rgb8: %u x %u pixels; expected 1 to %d each way", width, height, MOST_PIXELS);
         return;
     }
     uint8_t *scratch = scratch_of(r, (size_t)width * height * 4);
     if (scratch == NULL) return;
-    renderer_enter(r);
-    const char *problem = gl_framebuffer_problem(framebuffer, GL_TO_READ);
+    bolan_renderer_enter(r);
+    const char *problem = bolan_gl_framebuffer_problem(framebuffer, GL_TO_READ);
     if (problem == NULL) {
-        renderer_accept(r, CALL_READ_RGB8);
-        gl_read_rgb8(framebuffer, width, height, scratch, rgb);
+        bolan_renderer_accept(r, CALL_READ_RGB8);
+        bolan_gl_read_rgb8(framebuffer, width, height, scratch, rgb);
     } else {
-        renderer_refuse(r, CALL_READ_RGB8, BOLAN_LOG_GL_TARGET, "read_rgb8: framebuffer %u %s", framebuffer, problem);
+        bolan_renderer_refuse(r, CALL_READ_RGB8, BOLAN_LOG_GL_TARGET, "read_rgb8: framebuffer %u %s", framebuffer,
+                              problem);
     }
-    renderer_leave(r);
+    bolan_renderer_leave(r);
 }
 
 // ---- measuring ------------------------------------------------------------------------------------------------------
@@ -280,17 +281,17 @@ static double now_ms(void) {
 }
 
 static double run_yardstick(bolan_renderer *r, const gl_texture *image, uint32_t repeats) {
-    gl_target_bind(&r->hdr);
-    gl_set_state(&(gl_state){.color_write = true});
-    gl_texture_bind(image, UNIT_PASS);
-    gl_program_use(&r->yardstick);
-    gl_program_int(&r->yardstick, "image", UNIT_PASS);
-    gl_draw_fullscreen(); // the first pays for compilation
-    gl_finish();
+    bolan_gl_target_bind(&r->hdr);
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_texture_bind(image, UNIT_PASS);
+    bolan_gl_program_use(&r->yardstick);
+    bolan_gl_program_int(&r->yardstick, "image", UNIT_PASS);
+    bolan_gl_draw_fullscreen(); // the first pays for compilation
+    bolan_gl_finish();
     const double start = now_ms();
     for (uint32_t i = 0; i < repeats; ++i) {
-        gl_draw_fullscreen();
-        gl_finish();
+        bolan_gl_draw_fullscreen();
+        bolan_gl_finish();
     }
     return (now_ms() - start) / (repeats > 0 ? repeats : 1);
 }
@@ -299,22 +300,22 @@ double bolan_renderer_yardstick(bolan_renderer *r, uint32_t width, uint32_t heig
     BOLAN_ASSERT(r != NULL);
     if (r == NULL || !has_context(r, CALL_YARDSTICK, "yardstick")) return 0.0;
     if (!is_size(width) || !is_size(height)) {
-        renderer_refuse(r, CALL_YARDSTICK, BOLAN_LOG_OUT_OF_RANGE,
-                        "yardstick: %u x %u pixels; expected 1 to %d each way", width, height, MOST_PIXELS);
+        bolan_renderer_refuse(r, CALL_YARDSTICK, BOLAN_LOG_OUT_OF_RANGE,
+                              "yardstick: %u x %u pixels; expected 1 to %d each way", width, height, MOST_PIXELS);
         return 0.0;
     }
-    renderer_accept(r, CALL_YARDSTICK);
-    renderer_enter(r);
+    bolan_renderer_accept(r, CALL_YARDSTICK);
+    bolan_renderer_enter(r);
     double elapsed = 0.0;
     gl_texture image = {0};
     gl_texture_desc desc = {
         .format = GL_FMT_RGBA16F, .width = 256, .height = 256, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_REPEAT};
-    bolan_result result = r->yardstick.id != 0 ? BOLAN_OK : gl_program_create("yardstick", NULL, &r->yardstick);
-    if (result == BOLAN_OK) result = renderer_resize(r, width, height);
-    if (result == BOLAN_OK) result = gl_texture_create(&desc, &image);
+    bolan_result result = r->yardstick.id != 0 ? BOLAN_OK : bolan_gl_program_create("yardstick", NULL, &r->yardstick);
+    if (result == BOLAN_OK) result = bolan_renderer_resize(r, width, height);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, &image);
     if (result == BOLAN_OK) elapsed = run_yardstick(r, &image, repeats);
-    gl_texture_free(&image);
-    renderer_leave(r);
+    bolan_gl_texture_free(&image);
+    bolan_renderer_leave(r);
     return elapsed;
 }
 
@@ -332,11 +333,11 @@ static bolan_result make_target(bolan_target *t, uint32_t width, uint32_t height
         .format = GL_FMT_RGBA8, .width = width, .height = height, .filter = GL_FILTER_NEAREST, .wrap = GL_WRAP_CLAMP};
     const gl_texture *colors[] = {&t->color};
     gl_saved saved;
-    t->caps = gl_get_caps();
-    gl_save(&saved, &t->caps, false);
-    bolan_result result = gl_texture_create(&desc, &t->color);
-    if (result == BOLAN_OK) result = gl_target_create(colors, 1, NULL, -1, 0, &t->target);
-    gl_restore(&saved);
+    t->caps = bolan_gl_get_caps();
+    bolan_gl_save(&saved, &t->caps, false);
+    bolan_result result = bolan_gl_texture_create(&desc, &t->color);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(colors, 1, NULL, -1, 0, &t->target);
+    bolan_gl_restore(&saved);
     return result;
 }
 
@@ -349,7 +350,7 @@ bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target *
                   height, MOST_PIXELS);
         return BOLAN_ERROR_ARGUMENT;
     }
-    bolan_result result = gl_check_context("target");
+    bolan_result result = bolan_gl_check_context("target");
     if (result != BOLAN_OK) return result;
     bolan_target *t = allocate_for("a target", sizeof *t);
     if (t == NULL) return BOLAN_ERROR_MEMORY;
@@ -368,10 +369,10 @@ uint32_t bolan_target_framebuffer(const bolan_target *target) { return target->t
 static const char *show(bolan_target *t, uint32_t framebuffer, uint32_t width, uint32_t height) {
     gl_saved saved;
     if (framebuffer == t->target.id) return "is the target itself";
-    gl_save(&saved, &t->caps, false);
-    const char *problem = gl_framebuffer_problem(framebuffer, GL_TO_COPY);
-    if (problem == NULL) gl_target_show(&t->target, framebuffer, width, height);
-    gl_restore(&saved);
+    bolan_gl_save(&saved, &t->caps, false);
+    const char *problem = bolan_gl_framebuffer_problem(framebuffer, GL_TO_COPY);
+    if (problem == NULL) bolan_gl_target_show(&t->target, framebuffer, width, height);
+    bolan_gl_restore(&saved);
     return problem;
 }
 
@@ -379,7 +380,7 @@ void bolan_target_show(bolan_target *t, uint32_t framebuffer, uint32_t width, ui
     BOLAN_ASSERT(t != NULL);
     if (t == NULL) return;
     const char *problem = NULL;
-    if (!gl_has_context())
+    if (!bolan_gl_has_context())
         problem = "cannot be reached: no OpenGL context is current on this thread";
     else if (!is_size(width) || !is_size(height))
         problem = "has a size that is not 1 to 16384 pixels each way";
@@ -393,13 +394,13 @@ void bolan_target_show(bolan_target *t, uint32_t framebuffer, uint32_t width, ui
 
 void bolan_target_destroy(bolan_target **target) {
     if (target == NULL || *target == NULL) return;
-    if (!gl_has_context())
+    if (!bolan_gl_has_context())
         bolan_log(
             BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT,
             "target: destroyed while no OpenGL context is current; what it has on the GPU stays until its context "
             "is gone");
-    gl_target_free(&(*target)->target);
-    gl_texture_free(&(*target)->color);
+    bolan_gl_target_free(&(*target)->target);
+    bolan_gl_texture_free(&(*target)->color);
     bolan_release(*target, sizeof **target);
     *target = NULL;
 }

@@ -18,7 +18,7 @@ typedef enum frame_part {
     PART_TONEMAP,
     PART_COUNT
 } frame_part;
-extern const char *const frame_part_names[PART_COUNT];
+extern const char *const bolan_frame_part_names[PART_COUNT];
 
 // Calls of a frame, which cannot fail: what they refuse they say once.
 typedef enum renderer_call { CALL_DRAW, CALL_READ_LINEAR, CALL_READ_RGB8, CALL_YARDSTICK, CALL_COUNT } renderer_call;
@@ -33,10 +33,10 @@ struct bolan_renderer {
     char shader_directory[DIRECTORY_BYTES];  // "": the built-in shaders
     char refusal[CALL_COUNT][REFUSAL_BYTES]; // the last sentence of each call, "" after one that was done
     pass_sky *sky;
-    pass_terrain *terrain;
-    pass_models *models;
+    pass_ground *terrain;
+    pass_objects *models;
     pass_water *water;
-    pass_mirror *mirror;
+    planar_views *mirror;
     pass_tonemap *tonemap;
     gl_buffer uniforms;
     gl_program yardstick;
@@ -57,23 +57,23 @@ struct bolan_renderer {
 };
 
 // Makes the targets fit; logs and returns GL when they cannot be had.
-bolan_result renderer_resize(bolan_renderer *r, uint32_t width, uint32_t height);
+bolan_result bolan_renderer_resize(bolan_renderer *r, uint32_t width, uint32_t height);
 
 // Saves the caller's state, or gives it back. Between the two the shaders come from this renderer's directory.
-void renderer_enter(bolan_renderer *r);
-void renderer_leave(bolan_renderer *r);
+void bolan_renderer_enter(bolan_renderer *r);
+void bolan_renderer_leave(bolan_renderer *r);
 
 // Logs why the call is refused, unless the same call was refused for the same reason the last time. Returns false.
 #if defined(__GNUC__)
 __attribute__((format(printf, 4, 5)))
 #endif
-bool renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, const char *format, ...);
+bool bolan_renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, const char *format, ...);
 // The next refusal of this call is a new one.
-void renderer_accept(bolan_renderer *r, renderer_call call);
+void bolan_renderer_accept(bolan_renderer *r, renderer_call call);
 
 // Whether this frame can be drawn; if not, the log says why. The second asks about the framebuffer, and binds it:
-// between renderer_enter() and renderer_leave() only.
-bool frame_is_valid(bolan_renderer *r, const bolan_frame_desc *d);
-bool frame_has_framebuffer(bolan_renderer *r, const bolan_frame_desc *d);
+// between bolan_renderer_enter() and bolan_renderer_leave() only.
+bool bolan_frame_is_valid(bolan_renderer *r, const bolan_frame_desc *d);
+bool bolan_frame_has_framebuffer(bolan_renderer *r, const bolan_frame_desc *d);
 
 #endif

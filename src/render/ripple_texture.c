@@ -71,26 +71,26 @@ static void fill_rows(void *context, uint32_t begin, uint32_t end, uint32_t work
     }
 }
 
-void ripple_texture_fill(float *out) {
+void bolan_ripple_texture_fill(float *out) {
     filling f = {.out = out};
     draw_lots(f.wave);
     bolan_parallel(SIZE, 16, fill_rows, &f);
 }
 
-bolan_result ripple_texture_create(gl_texture *out) {
+bolan_result bolan_ripple_texture_create(gl_texture *out) {
     size_t bytes = sizeof(float) * 4 * SIZE * SIZE;
     float *pixels = allocate_for("the texture of ripples", bytes);
     if (pixels == NULL) return BOLAN_ERROR_MEMORY;
-    ripple_texture_fill(pixels);
+    bolan_ripple_texture_fill(pixels);
     gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
                             .width = SIZE,
                             .height = SIZE,
                             .filter = GL_FILTER_MIPMAP_NEAREST,
                             .wrap = GL_WRAP_REPEAT};
-    bolan_result result = gl_texture_create(&desc, out);
+    bolan_result result = bolan_gl_texture_create(&desc, out);
     if (result == BOLAN_OK) {
-        gl_texture_upload(out, 0, -1, pixels, false);
-        gl_texture_generate_mipmaps(out);
+        bolan_gl_texture_upload(out, 0, -1, pixels, false);
+        bolan_gl_texture_generate_mipmaps(out);
     }
     bolan_release(pixels, bytes);
     return result;
@@ -114,11 +114,11 @@ static void place(const frame *f, double longest, double angle, float tile[4], f
     size[2] = (float)log2(length);
 }
 
-void ripple_apply(const gl_texture *texture, const gl_program *program, const frame *f, water_waves waves) {
+void bolan_ripple_apply(const gl_texture *texture, const gl_program *program, const frame *f, water_waves waves) {
     const bolan_sea *sea = f->desc->sea;
     const uint32_t count = bolan_sea_component_count(sea);
     if (waves == WATER_CASCADES) return;
-    gl_texture_bind(texture, UNIT_OPTICS);
+    bolan_gl_texture_bind(texture, UNIT_OPTICS);
     float tile[8] = {0}, size[8] = {0}, rest[3];
     double shortest = 1.0; // of the sum
     if (count > 0) {
@@ -132,6 +132,6 @@ void ripple_apply(const gl_texture *texture, const gl_program *program, const fr
     place(f, 0.7 * shortest * pow(0.5, RIPPLE_OCTAVES), -0.4, tile + 4, size + 4);
     size[1] = size[5] = (float)variance;
     size[3] = size[7] = (float)sqrt(variance);
-    gl_program_vec4_array(program, "ripple_tile", tile, 2);
-    gl_program_vec4_array(program, "ripple_size", size, 2);
+    bolan_gl_program_vec4_array(program, "ripple_tile", tile, 2);
+    bolan_gl_program_vec4_array(program, "ripple_size", size, 2);
 }

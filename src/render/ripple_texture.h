@@ -4,16 +4,16 @@
 #ifndef BOLAN_RIPPLE_TEXTURE_H
 #define BOLAN_RIPPLE_TEXTURE_H
 
-#include "water_fields.h"
+#include "sea_gpu.h"
 
 #define RIPPLE_TEXTURE_SIZE 1024
 #define RIPPLE_LONGEST 8 // waves along the tile's side: the longest
 #define RIPPLE_OCTAVES 5
 
 // Slope along u, along v (together of variance 1), their squared sum, 0: size * size * 4 floats.
-void ripple_texture_fill(float *out);
-bolan_result ripple_texture_create(gl_texture *out);
+void bolan_ripple_texture_fill(float *out);
+bolan_result bolan_ripple_texture_create(gl_texture *out);
 // Binds it to UNIT_OPTICS and sets the uniforms of ripples.glsl. `waves`: cascades have no use for it.
-void ripple_apply(const gl_texture *texture, const gl_program *program, const frame *f, water_waves waves);
+void bolan_ripple_apply(const gl_texture *texture, const gl_program *program, const frame *f, water_waves waves);
 
 #endif

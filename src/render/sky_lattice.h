@@ -7,10 +7,10 @@
 #include "bolan/math.h"
 
 // Unit direction whose azimuth and elevation are the multiples of @p step [rad] nearest to those of @p direction.
-bolan_vec3 sky_lattice_direction(bolan_vec3 direction, double step);
+bolan_vec3 bolan_sky_lattice_direction(bolan_vec3 direction, double step);
 // Height [m] that tables of the air are made for: multiples of half a metre up to 25 m, then steps of 2 %. Below 0: 0.
-double sky_lattice_height(double height);
+double bolan_sky_lattice_height(double height);
 // Nearest point of a cubic lattice.
-bolan_dvec3 sky_lattice_point(bolan_dvec3 point, double step);
+bolan_dvec3 bolan_sky_lattice_point(bolan_dvec3 point, double step);
 
 #endif

@@ -42,21 +42,21 @@ static bolan_result create_fixed(water_mesh *m, bolan_surface_size size) {
     }
     m->fixed_size = size;
     const uint32_t indices = bolan_surface_grid_indices(size, m->cpu_indices);
-    bolan_result r =
-        gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, sizeof(float) * 2 * count, places, &m->fixed_vertices);
+    bolan_result r = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, sizeof(float) * 2 * count, places,
+                                            &m->fixed_vertices);
     if (r == BOLAN_OK)
-        r = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, sizeof(uint32_t) * indices, m->cpu_indices,
-                             &m->fixed_indices);
+        r = bolan_gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, sizeof(uint32_t) * indices, m->cpu_indices,
+                                   &m->fixed_indices);
     if (r == BOLAN_OK)
-        r = gl_mesh_create(&m->fixed_vertices, &m->fixed_indices, place, 1, 2 * sizeof(float), &m->fixed_mesh);
+        r = bolan_gl_mesh_create(&m->fixed_vertices, &m->fixed_indices, place, 1, 2 * sizeof(float), &m->fixed_mesh);
     return r;
 }
 
 // The vertices and their waves, by these indices.
 static bolan_result create_mesh(const water_mesh *m, const gl_buffer *indices, gl_mesh *out) {
     static const uint8_t vertex[] = {4, 2}, wave[] = {3, 4};
-    bolan_result r = gl_mesh_create(&m->vertices, indices, vertex, 2, sizeof(bolan_surface_vertex), out);
-    if (r == BOLAN_OK) gl_mesh_attach(out, &m->waves, 2, wave, 2, sizeof(bolan_sea_sample));
+    bolan_result r = bolan_gl_mesh_create(&m->vertices, indices, vertex, 2, sizeof(bolan_surface_vertex), out);
+    if (r == BOLAN_OK) bolan_gl_mesh_attach(out, &m->waves, 2, wave, 2, sizeof(bolan_sea_sample));
     return r;
 }
 
@@ -67,7 +67,7 @@ static bolan_surface_size fixed_within(bolan_surface_size size, uint32_t max_ver
     return (bolan_surface_size){(uint32_t)(size.columns * share), (uint32_t)(size.rows * share)};
 }
 
-bolan_result water_mesh_create(water_mesh *m, bolan_quality quality, uint32_t max_vertices) {
+bolan_result bolan_water_mesh_create(water_mesh *m, bolan_quality quality, uint32_t max_vertices) {
     *m = (water_mesh){.projected = bolan_surface_desc_default(), .nested = bolan_nested_desc_default()};
     m->projected.pixels_per_vertex = quality_table[quality].pixels_per_vertex;
     m->projected.max_vertices = max_vertices > 0 ? max_vertices : quality_table[quality].max_vertices;
@@ -77,26 +77,27 @@ bolan_result water_mesh_create(water_mesh *m, bolan_quality quality, uint32_t ma
     bolan_result r = allocate(m);
     const size_t n = m->capacity;
     if (r == BOLAN_OK)
-        r = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STREAM, n * sizeof *m->cpu_vertices, NULL, &m->vertices);
+        r = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STREAM, n * sizeof *m->cpu_vertices, NULL, &m->vertices);
     if (r == BOLAN_OK)
-        r = gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STREAM, n * sizeof *m->cpu_waves, NULL, &m->waves);
+        r = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STREAM, n * sizeof *m->cpu_waves, NULL, &m->waves);
     if (r == BOLAN_OK)
-        r = gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, m->index_capacity * sizeof(uint32_t), NULL, &m->indices);
+        r = bolan_gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, m->index_capacity * sizeof(uint32_t), NULL,
+                                   &m->indices);
     if (r == BOLAN_OK) r = create_mesh(m, &m->indices, &m->mesh);
     return r == BOLAN_OK ? create_fixed(m, fixed_within(quality_table[quality].fixed, m->projected.max_vertices)) : r;
 }
 
-void water_mesh_free(water_mesh *m) {
+void bolan_water_mesh_free(water_mesh *m) {
     const size_t n = m->capacity;
-    gl_mesh_free(&m->mesh);
-    gl_mesh_free(&m->edges);
-    gl_buffer_free(&m->lines);
-    gl_buffer_free(&m->vertices);
-    gl_buffer_free(&m->waves);
-    gl_buffer_free(&m->indices);
-    gl_mesh_free(&m->fixed_mesh);
-    gl_buffer_free(&m->fixed_vertices);
-    gl_buffer_free(&m->fixed_indices);
+    bolan_gl_mesh_free(&m->mesh);
+    bolan_gl_mesh_free(&m->edges);
+    bolan_gl_buffer_free(&m->lines);
+    bolan_gl_buffer_free(&m->vertices);
+    bolan_gl_buffer_free(&m->waves);
+    bolan_gl_buffer_free(&m->indices);
+    bolan_gl_mesh_free(&m->fixed_mesh);
+    bolan_gl_buffer_free(&m->fixed_vertices);
+    bolan_gl_buffer_free(&m->fixed_indices);
     bolan_release(m->cpu_vertices, n * sizeof *m->cpu_vertices);
     bolan_release(m->cpu_waves, n * sizeof *m->cpu_waves);
     bolan_release(m->cpu_rest, n * sizeof *m->cpu_rest);
@@ -105,7 +106,7 @@ void water_mesh_free(water_mesh *m) {
     bolan_release(m->cpu_indices, m->index_capacity * sizeof *m->cpu_indices);
 }
 
-bolan_surface_view water_mesh_view(const frame *f) {
+bolan_surface_view bolan_water_mesh_view(const frame *f) {
     const bolan_camera *camera = &f->scene->camera;
     bolan_surface_view view = {.eye = f->eye,
                                .heading_deg = camera->heading_deg,
@@ -122,7 +123,7 @@ bolan_surface_view water_mesh_view(const frame *f) {
 // ---- the three surfaces: each fills vertices, and indices where they changed; returns the number of vertices ----------
 
 static void upload_indices(water_mesh *m, uint32_t count) {
-    gl_buffer_update(&m->indices, 0, sizeof(uint32_t) * (count + m->seam_count), m->cpu_indices);
+    bolan_gl_buffer_update(&m->indices, 0, sizeof(uint32_t) * (count + m->seam_count), m->cpu_indices);
     m->index_count = count;
 }
 
@@ -141,7 +142,7 @@ static uint32_t build_projected(water_mesh *m, const bolan_surface_view *view) {
     return size.columns * size.rows;
 }
 
-static uint32_t build_quad(water_mesh *m, const bolan_surface_view *view) {
+static uint32_t bolan_build_quad(water_mesh *m, const bolan_surface_view *view) {
     bolan_surface_quad(view, m->cpu_vertices);
     if (m->kind != BOLAN_SURFACE_QUAD) {
         memcpy(m->cpu_indices, bolan_surface_quad_indices, sizeof bolan_surface_quad_indices);
@@ -265,15 +266,15 @@ static void build_fixed(water_mesh *m, const bolan_surface_view *view) {
     m->grid = (bolan_surface_size){0, 0}; // the other buffers' indices count no longer
 }
 
-void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves, bool fixed) {
-    bolan_surface_view view = water_mesh_view(f);
+void bolan_water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves, bool fixed) {
+    bolan_surface_view view = bolan_water_mesh_view(f);
     m->fixed = fixed && kind == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH;
     if (m->fixed) {
         build_fixed(m, &view);
         m->kind = kind;
         return;
     }
-    uint32_t count = kind == BOLAN_SURFACE_QUAD     ? build_quad(m, &view)
+    uint32_t count = kind == BOLAN_SURFACE_QUAD     ? bolan_build_quad(m, &view)
                      : kind == BOLAN_SURFACE_NESTED ? build_nested(m, &view, &f->scene->look)
                                                     : build_projected(m, &view);
     m->kind = kind;
@@ -282,30 +283,30 @@ void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, wa
         m->grid = (bolan_surface_size){0, 0};
         return;
     }
-    gl_buffer_update(&m->vertices, 0, sizeof(bolan_surface_vertex) * count, m->cpu_vertices);
+    bolan_gl_buffer_update(&m->vertices, 0, sizeof(bolan_surface_vertex) * count, m->cpu_vertices);
     if (waves != WATER_MESH) return;
     sample_waves(m, f->desc->sea, count);
     if (kind == BOLAN_SURFACE_NESTED) {
         stitch_waves(m, count);
         if (f->scene->look.paper) average_normals(m, count);
     }
-    gl_buffer_update(&m->waves, 0, sizeof(bolan_sea_sample) * count, m->cpu_waves);
+    bolan_gl_buffer_update(&m->waves, 0, sizeof(bolan_sea_sample) * count, m->cpu_waves);
 }
 
-void water_mesh_apply(const water_mesh *m, const gl_program *program) {
+void bolan_water_mesh_apply(const water_mesh *m, const gl_program *program) {
     float grid[8];
     if (!m->fixed) return;
     bolan_surface_projector_uniforms(&m->projector, m->fixed_size, grid);
-    gl_program_vec4(program, "grid_reach", (bolan_vec4){grid[0], grid[1], grid[2], grid[3]});
-    gl_program_vec4(program, "grid_azimuth", (bolan_vec4){grid[4], grid[5], grid[6], grid[7]});
-    gl_program_vec2(program, "grid_cells", (float)(m->fixed_size.columns - 1), (float)(m->fixed_size.rows - 1));
+    bolan_gl_program_vec4(program, "grid_reach", (bolan_vec4){grid[0], grid[1], grid[2], grid[3]});
+    bolan_gl_program_vec4(program, "grid_azimuth", (bolan_vec4){grid[4], grid[5], grid[6], grid[7]});
+    bolan_gl_program_vec2(program, "grid_cells", (float)(m->fixed_size.columns - 1), (float)(m->fixed_size.rows - 1));
 }
 
-void water_mesh_draw(const water_mesh *m) {
-    gl_mesh_draw(m->fixed ? &m->fixed_mesh : &m->mesh, 0, m->index_count + m->seam_count);
+void bolan_water_mesh_draw(const water_mesh *m) {
+    bolan_gl_mesh_draw(m->fixed ? &m->fixed_mesh : &m->mesh, 0, m->index_count + m->seam_count);
 }
 
-uint32_t water_mesh_triangles(const water_mesh *m) { return m->index_count / 3; }
+uint32_t bolan_water_mesh_triangles(const water_mesh *m) { return m->index_count / 3; }
 
 // ---- edges ----------------------------------------------------------------------------------------------------------
 
@@ -321,17 +322,18 @@ static uint32_t fill_lines(const water_mesh *m, uint32_t *lines) {
     return count;
 }
 
-bool water_mesh_find_edges(water_mesh *m) {
+bool bolan_water_mesh_find_edges(water_mesh *m) {
     const size_t bytes = 2 * sizeof(uint32_t) * m->index_capacity;
-    if (m->lines.id == 0 && (gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, bytes, NULL, &m->lines) != BOLAN_OK ||
-                             create_mesh(m, &m->lines, &m->edges) != BOLAN_OK))
+    if (m->lines.id == 0 &&
+        (bolan_gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, bytes, NULL, &m->lines) != BOLAN_OK ||
+         create_mesh(m, &m->lines, &m->edges) != BOLAN_OK))
         return false;
     uint32_t *lines = allocate_for(MESH, bytes); // to look at a mesh is not what a frame is for: it may allocate
     if (lines == NULL) return false;
     m->line_count = fill_lines(m, lines);
-    gl_buffer_update(&m->lines, 0, sizeof(uint32_t) * m->line_count, lines);
+    bolan_gl_buffer_update(&m->lines, 0, sizeof(uint32_t) * m->line_count, lines);
     bolan_release(lines, bytes);
     return true;
 }
 
-void water_mesh_draw_edges(const water_mesh *m) { gl_mesh_draw_lines(&m->edges, m->line_count); }
+void bolan_water_mesh_draw_edges(const water_mesh *m) { bolan_gl_mesh_draw_lines(&m->edges, m->line_count); }

@@ -4,7 +4,7 @@
 #define BOLAN_RENDER_WATER_MESH_H
 
 #include "frame.h"
-#include "water_fields.h"
+#include "sea_gpu.h"
 
 typedef struct water_mesh {
     bolan_surface_desc projected;
@@ -36,20 +36,20 @@ typedef struct water_mesh {
 } water_mesh;
 
 // max_vertices: of the projected surface, as bolan_renderer_desc has it; 0: by quality.
-bolan_result water_mesh_create(water_mesh *m, bolan_quality quality, uint32_t max_vertices);
+bolan_result bolan_water_mesh_create(water_mesh *m, bolan_quality quality, uint32_t max_vertices);
 // Makes the mesh of this view; WATER_MESH: with waves on its vertices. `fixed`: the projected surface as the static grid, for
 // optics that light each pixel from textures and need few vertices; not with waves that are made on the CPU.
-void water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves, bool fixed);
+void bolan_water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves, bool fixed);
 // Sets the uniforms of the static grid, where it is drawn.
-void water_mesh_apply(const water_mesh *m, const gl_program *program);
-void water_mesh_draw(const water_mesh *m);
-// Makes the edges of the triangles, for water_mesh_draw_edges(). False: there is no memory for them (logged).
-bool water_mesh_find_edges(water_mesh *m);
-void water_mesh_draw_edges(const water_mesh *m);
-uint32_t water_mesh_triangles(const water_mesh *m);
-void water_mesh_free(water_mesh *m);
+void bolan_water_mesh_apply(const water_mesh *m, const gl_program *program);
+void bolan_water_mesh_draw(const water_mesh *m);
+// Makes the edges of the triangles, for bolan_water_mesh_draw_edges(). False: there is no memory for them (logged).
+bool bolan_water_mesh_find_edges(water_mesh *m);
+void bolan_water_mesh_draw_edges(const water_mesh *m);
+uint32_t bolan_water_mesh_triangles(const water_mesh *m);
+void bolan_water_mesh_free(water_mesh *m);
 
 // The view of this frame for the functions of surface.h.
-bolan_surface_view water_mesh_view(const frame *f);
+bolan_surface_view bolan_water_mesh_view(const frame *f);
 
 #endif

@@ -5,7 +5,7 @@
 #define BOLAN_RENDER_WATER_OPTICS_H
 
 #include "frame.h"
-#include "water_fields.h"
+#include "sea_gpu.h"
 #include "water_mesh.h"
 
 // The programs made so far, one for each shader and set of defines that was needed.
@@ -22,7 +22,7 @@ typedef struct water_programs {
 // What an optics draws.
 typedef struct water_draw {
     frame *f;
-    const water_fields *fields;
+    const sea_gpu *fields;
     const water_mesh *mesh;
     water_programs *programs;
     water_waves waves;
@@ -31,25 +31,25 @@ typedef struct water_draw {
 
 // The program of shaders/<stem>.glsl for these waves, this surface, with or without land, and `extra`, which is a number of the
 // optics' own that `defines` spells out ("" or "A 1\n"); used, and with the uniforms of the waves set. NULL: it cannot be had (logged).
-const gl_program *water_program(const water_draw *d, const char *stem, uint32_t extra, const char *defines);
+const gl_program *bolan_water_program(const water_draw *d, const char *stem, uint32_t extra, const char *defines);
 // Sets the uniforms look_light, look_mix and look_effects: see shaders/common/look.glsl.
-void water_look_apply(const gl_program *program, const bolan_look *look);
+void bolan_water_look_apply(const gl_program *program, const bolan_look *look);
 // Draws the mesh with its depth into the frame's picture: what most optics do with a program that is set up.
-void water_draw_forward(const water_draw *d);
+void bolan_water_draw_forward(const water_draw *d);
 // Rows of the picture, from the bottom, that can show water: up to the horizon raised by the highest wave.
-uint32_t water_rows(const frame *f, double vertical);
+uint32_t bolan_water_rows(const frame *f, double vertical);
 // The surface that is drawn: two triangles for an eye under water, whatever the technique says.
-bolan_surface_kind water_surface(const frame *f);
+bolan_surface_kind bolan_water_surface(const frame *f);
 
 typedef struct water_optics {
     size_t size;      // of its state, which starts as zeros
-    bool mirrors;     // it looks up the pictures of pass_mirror.c
+    bool mirrors;     // it looks up the pictures of planar_views.c
     bool own_sky;     // draws its own sky, so skips the planar views where the scene is empty
     bool from_below;  // it has a picture for an eye under water
     bool static_grid; // it lights each pixel from textures: the static grid is fine enough
-    bool keeps_shape; // it lights each pixel from a shape that it keeps, on UNIT_SURFACE: see water_sparse.h
+    bool keeps_shape; // it lights each pixel from a shape that it keeps, on UNIT_SURFACE: see half_rate.h
     uint32_t columns[BOLAN_QUALITY_ULTRA + 1]; // of pixels that share a sample, by quality; 0: each has its own
-    bool packed; // of the cascades it reads slopes, pinch and foam, nothing else: see water_fields.h
+    bool packed; // of the cascades it reads slopes, pinch and foam, nothing else: see sea_gpu.h
     bool (*table_only)(const bolan_scene *scene); // true: it has no use for the cascades' textures; NULL: it has
     bolan_result (*create)(void *state, bolan_quality quality);
     void (*prepare)(void *state, const water_draw *d); // once a frame, before anything is drawn; may be NULL
@@ -57,6 +57,7 @@ typedef struct water_optics {
     void (*free)(void *state);
 } water_optics;
 
-extern const water_optics optics_physical, optics_mirror, optics_phong, optics_lit, optics_crest;
+extern const water_optics bolan_optics_physical, bolan_optics_mirror, bolan_optics_phong, bolan_optics_lit,
+    bolan_optics_crest;
 
 #endif

@@ -24,7 +24,7 @@ bolan_scene bolan_scene_default(void) {
     scene.sky.cloud_seed = 1;
     scene.water.type = BOLAN_JERLOV_IB;
     scene.water.foam = 1.0;
-    scene.terrain.kind = BOLAN_TERRAIN_NONE;
+    scene.terrain.kind = BOLAN_GROUND_NONE;
     scene.terrain.island = bolan_island_desc_default();
     scene.terrain.raster = bolan_raster_desc_default();
     return scene;

@@ -33,8 +33,8 @@ static bolan_result check_sea(const bolan_scene *s) {
         !bolan_sea_state_validate(&d->sea_state) && !check_resolution(d->resolution) &&
         !check("sea.cascade_count", d->cascade_count, 1, BOLAN_MAX_CASCADES, "") &&
         !(d->length != 0.0 && check("sea.length", d->length, 10, 1e5, "m")) &&
-        !check("sea.choppiness", d->choppiness, 0, 2, "") &&
-        !check("sea.current_x", d->current_x, -5, 5, "m/s") && !check("sea.current_y", d->current_y, -5, 5, "m/s") &&
+        !check("sea.choppiness", d->choppiness, 0, 2, "") && !check("sea.current_x", d->current_x, -5, 5, "m/s") &&
+        !check("sea.current_y", d->current_y, -5, 5, "m/s") &&
         !(d->loop_period != 0.0 && check("sea.loop_period", d->loop_period, 1, 1e6, "s")) &&
         !check("sea.cpu", (double)d->cpu, 0, BOLAN_CPU_AVX512, "(a bolan_cpu)") &&
         !check("sea.foam_decay", d->foam_decay, 0.1, 60, "s") && !check("fetch", s->fetch, 100, 1e7, "m") &&
@@ -105,7 +105,7 @@ static bolan_result check_path(const bolan_scene *s) {
     return BOLAN_OK;
 }
 
-static bolan_result check_sky_and_water(const bolan_sky *k, const bolan_water *w) {
+static bolan_result check_sky_and_water(const bolan_sky *k, const bolan_seawater *w) {
     const bool ok = !check("sky.sun_azimuth_deg", k->sun_azimuth_deg, -360, 360, "degrees") &&
                     !check("sky.sun_elevation_deg", k->sun_elevation_deg, -90, 90, "degrees") &&
                     !check("sky.visibility", k->visibility, 500, 300e3, "m") &&
@@ -140,11 +140,11 @@ static bolan_result check_raster(const bolan_raster_desc *r) {
     return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
 }
 
-static bolan_result check_terrain(const bolan_terrain_source *t) {
-    if (check("terrain.kind", (double)t->kind, 0, BOLAN_TERRAIN_POND, "(a bolan_terrain_kind)"))
+static bolan_result check_terrain(const bolan_ground_source *t) {
+    if (check("terrain.kind", (double)t->kind, 0, BOLAN_GROUND_POND, "(a bolan_ground_kind)"))
         return BOLAN_ERROR_ARGUMENT;
-    if (t->kind == BOLAN_TERRAIN_ISLAND) return check_island(&t->island);
-    return t->kind == BOLAN_TERRAIN_RASTER ? check_raster(&t->raster) : BOLAN_OK;
+    if (t->kind == BOLAN_GROUND_ISLAND) return check_island(&t->island);
+    return t->kind == BOLAN_GROUND_RASTER ? check_raster(&t->raster) : BOLAN_OK;
 }
 
 bolan_result bolan_scene_validate(const bolan_scene *s) {

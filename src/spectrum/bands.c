@@ -12,7 +12,7 @@
 #define DEFAULT_FROM 270.0
 #define DEFAULT_SPREAD 10.0
 
-void spectrum_bands_clear(spectrum_bands *bands) {
+void bolan_spectrum_bands_clear(spectrum_bands *bands) {
     for (uint32_t i = 0; i < SPECTRUM_MAX_FREQUENCIES; i++)
         bands->density[i] = bands->alpha1[i] = bands->alpha2[i] = bands->r1[i] = bands->r2[i] = (double)NAN;
 }
@@ -27,7 +27,7 @@ static bool none_of(const double *values, uint32_t count) {
 static double share_of(const spectrum_bands *bands, const bool *marked) {
     double part = 0.0, whole = 0.0;
     for (uint32_t i = 0; i < bands->count; i++) {
-        const double variance = bands->density[i] * spectrum_trapezoid_weight(bands->hertz, bands->count, i);
+        const double variance = bands->density[i] * bolan_spectrum_trapezoid_weight(bands->hertz, bands->count, i);
         whole += variance;
         if (marked[i]) part += variance;
     }
@@ -60,10 +60,11 @@ static bolan_result fill_densities(spectrum_bands *bands, const char *name, cons
     if (count == 0) return BOLAN_OK;
     for (uint32_t i = 0; i < bands->count; i++)
         if (missing[i]) bands->density[i] = interpolated(bands, missing, i);
-    spectrum_note(notes, BOLAN_LOG_SPECTRUM_MISSING,
-                  "%s: %u of the %u densities of the record%s are missing: those between two others are interpolated, "
-                  "%.1f %% of the energy; those at the ends count as 0",
-                  name, (unsigned)count, (unsigned)bands->count, of_time, share_of(bands, missing));
+    bolan_spectrum_note(
+        notes, BOLAN_LOG_SPECTRUM_MISSING,
+        "%s: %u of the %u densities of the record%s are missing: those between two others are interpolated, "
+        "%.1f %% of the energy; those at the ends count as 0",
+        name, (unsigned)count, (unsigned)bands->count, of_time, share_of(bands, missing));
     return BOLAN_OK;
 }
 
@@ -85,9 +86,9 @@ static void say_unused(const char *name, const bolan_spectrum_options *options, 
                        spectrum_notes *notes) {
     const bool from = has_from && !isnan(options->from_deg), spread = has_spread && !isnan(options->spread_s);
     if (!from && !spread) return;
-    spectrum_note(notes, BOLAN_LOG_SPECTRUM_UNUSED, "%s: has %s of its own; %s%s%s not used", name,
-                  from ? "directions" : "spreads", from ? "from" : "", from && spread ? " and " : "",
-                  spread ? (from ? "spread are" : "spread is") : " is");
+    bolan_spectrum_note(notes, BOLAN_LOG_SPECTRUM_UNUSED, "%s: has %s of its own; %s%s%s not used", name,
+                        from ? "directions" : "spreads", from ? "from" : "", from && spread ? " and " : "",
+                        spread ? (from ? "spread are" : "spread is") : " is");
 }
 
 // What stands in for directions or spreads that no band has, as one warning.
@@ -98,8 +99,8 @@ static void say_default(const char *name, const char *of_time, const char *why, 
     if (spread)
         bolan_format(text + strlen(text), sizeof text - strlen(text), "%scos-2s has the exponent %g",
                      from ? " and " : "", DEFAULT_SPREAD);
-    spectrum_note(notes, BOLAN_LOG_SPECTRUM_NO_DIRECTIONS, "%s: the record%s %s; %s; give %s%s%s to choose", name,
-                  of_time, why, text, from ? "from" : "", from && spread ? " and " : "", spread ? "spread" : "");
+    bolan_spectrum_note(notes, BOLAN_LOG_SPECTRUM_NO_DIRECTIONS, "%s: the record%s %s; %s; give %s%s%s to choose", name,
+                        of_time, why, text, from ? "from" : "", from && spread ? " and " : "", spread ? "spread" : "");
 }
 
 static void fill_directions(spectrum_bands *bands, const char *name, const char *of_time, const char *why,
@@ -122,7 +123,7 @@ static void fill_directions(spectrum_bands *bands, const char *name, const char 
                     notes);
     const double share = share_of(bands, filled);
     if (share > 0.0)
-        spectrum_note(
+        bolan_spectrum_note(
             notes, BOLAN_LOG_SPECTRUM_MISSING,
             "%s: the record%s has no direction or spread for bands with %.1f %% of the energy; they take that "
             "of the nearest lower band, or of the lowest that has one",
@@ -134,18 +135,18 @@ static void spread_band(const spectrum_bands *bands, uint32_t i, double spread_s
     const double to = bolan_compass_from_to_math(bands->alpha1[i]);
     const double r1 = bands->r1[i], r2 = bands->r2[i], a2 = bands->alpha2[i];
     if (isnan(r1))
-        directional_cos2s(to, spread_s, spread);
+        bolan_directional_cos2s(to, spread_s, spread);
     else if (isnan(r2) || isnan(a2))
-        directional_cos2s(to, r1 < 0.995 ? r1 / (1.0 - r1) : 200.0, spread); // r1 of cos-2s is s / (s + 1)
+        bolan_directional_cos2s(to, r1 < 0.995 ? r1 / (1.0 - r1) : 200.0, spread); // r1 of cos-2s is s / (s + 1)
     else
-        directional_from_moments((directional_moments){to, bolan_compass_from_to_math(a2), r1, r2}, spread);
+        bolan_directional_from_moments((directional_moments){to, bolan_compass_from_to_math(a2), r1, r2}, spread);
 }
 
 static bolan_result fill_grid(const spectrum_bands *bands, double spread_s, spectrum_grid *grid) {
     grid->frequency_count = bands->count;
     grid->direction_count = DIRECTIONAL_BINS;
-    if (!spectrum_grid_allocate(grid)) return BOLAN_ERROR_MEMORY;
-    for (uint32_t j = 0; j < DIRECTIONAL_BINS; j++) grid->to[j] = directional_angle(j);
+    if (!bolan_spectrum_grid_allocate(grid)) return BOLAN_ERROR_MEMORY;
+    for (uint32_t j = 0; j < DIRECTIONAL_BINS; j++) grid->to[j] = bolan_directional_angle(j);
     for (uint32_t i = 0; i < bands->count; i++) {
         double *energy = grid->energy + (size_t)i * DIRECTIONAL_BINS;
         grid->hertz[i] = bands->hertz[i];
@@ -156,8 +157,8 @@ static bolan_result fill_grid(const spectrum_bands *bands, double spread_s, spec
     return BOLAN_OK;
 }
 
-bolan_result spectrum_bands_to_grid(spectrum_bands *bands, const char *name, const char *why,
-                                    const bolan_spectrum_options *options, spectrum_grid *grid) {
+bolan_result bolan_spectrum_bands_to_grid(spectrum_bands *bands, const char *name, const char *why,
+                                          const bolan_spectrum_options *options, spectrum_grid *grid) {
     char of_time[48] = "";
     if (grid->time[0]) snprintf(of_time, sizeof of_time, " of %s", grid->time);
     if (fill_densities(bands, name, of_time, &grid->notes)) return BOLAN_ERROR_FORMAT;

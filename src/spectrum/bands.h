@@ -17,11 +17,11 @@ typedef struct spectrum_bands {
 } spectrum_bands;
 
 /// Every value missing; @ref count and hertz stay.
-void spectrum_bands_clear(spectrum_bands *bands);
+void bolan_spectrum_bands_clear(spectrum_bands *bands);
 /// Fills the gaps and spreads each band over direction, into the grid's arrays, which it allocates. Each kind of
 /// stand-in is one warning; @p why says how the directions come to be missing ("has no table of directions beside it").
 /// FORMAT where no band has a density; MEMORY.
-bolan_result spectrum_bands_to_grid(spectrum_bands *bands, const char *name, const char *why,
-                                    const bolan_spectrum_options *options, spectrum_grid *grid);
+bolan_result bolan_spectrum_bands_to_grid(spectrum_bands *bands, const char *name, const char *why,
+                                          const bolan_spectrum_options *options, spectrum_grid *grid);
 
 #endif

@@ -17,7 +17,7 @@
 
 enum { BINS = DIRECTIONAL_BINS, MOMENTS = 4 };
 
-double directional_angle(uint32_t j) { return 2.0 * BOLAN_PI * j / BINS; }
+double bolan_directional_angle(uint32_t j) { return 2.0 * BOLAN_PI * j / BINS; }
 
 static void normalize(double density[BINS]) {
     double sum = 0.0;
@@ -26,7 +26,7 @@ static void normalize(double density[BINS]) {
 }
 
 static void basis(uint32_t j, double phi[MOMENTS]) {
-    const double th = directional_angle(j);
+    const double th = bolan_directional_angle(j);
     bolan_sincos(th, &phi[1], &phi[0]);
     bolan_sincos(2.0 * th, &phi[3], &phi[2]);
 }
@@ -105,7 +105,7 @@ static void clipped_fourier(const double m[MOMENTS], double density[BINS]) {
     }
 }
 
-void directional_from_moments(directional_moments d, double density[BINS]) {
+void bolan_directional_from_moments(directional_moments d, double density[BINS]) {
     double m[MOMENTS];
     bolan_sincos(d.a1, &m[1], &m[0]);
     bolan_sincos(2.0 * d.a2, &m[3], &m[2]);
@@ -117,10 +117,10 @@ void directional_from_moments(directional_moments d, double density[BINS]) {
     normalize(density);
 }
 
-void directional_cos2s(double mean, double s, double density[BINS]) {
+void bolan_directional_cos2s(double mean, double s, double density[BINS]) {
     for (uint32_t j = 0; j < BINS; j++) {
         double sine, cosine;
-        bolan_sincos(directional_angle(j) - mean, &sine, &cosine);
+        bolan_sincos(bolan_directional_angle(j) - mean, &sine, &cosine);
         density[j] = portable_pow(fmax(0.5 * (1.0 + cosine), 1e-300), s); // cos^2(th/2) = (1 + cos th) / 2
     }
     normalize(density);

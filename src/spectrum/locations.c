@@ -23,12 +23,12 @@ static bool by_place(const bolan_spectrum_options *options) {
     return options->location == 0 && !isnan(options->place[0]);
 }
 
-location_choice location_choice_begin(const bolan_spectrum_options *options, bool spherical) {
+location_choice bolan_location_choice_begin(const bolan_spectrum_options *options, bool spherical) {
     const location_choice choice = {.options = options, .spherical = spherical, .distance = HUGE_VAL};
     return choice;
 }
 
-bool location_choice_offer(location_choice *choice, const double place[2]) {
+bool bolan_location_choice_offer(location_choice *choice, const double place[2]) {
     const bolan_spectrum_options *o = choice->options;
     const uint32_t index = choice->count++, wanted = o->location ? o->location - 1 : 0;
     const double distance = by_place(o)       ? distance_km(choice->spherical, place, o->place)
@@ -42,21 +42,22 @@ bool location_choice_offer(location_choice *choice, const double place[2]) {
     return true;
 }
 
-bolan_result location_choice_end(const location_choice *choice, const char *name) {
+bolan_result bolan_location_choice_end(const location_choice *choice, const char *name) {
     if (choice->options->location <= choice->count) return BOLAN_OK;
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_LOCATION, "%s: location %u was asked for; expected 1 to %u", name,
               (unsigned)choice->options->location, (unsigned)choice->count);
     return BOLAN_ERROR_ARGUMENT;
 }
 
-void location_choice_say(const location_choice *choice, const char *name, spectrum_notes *notes) {
+void bolan_location_choice_say(const location_choice *choice, const char *name, spectrum_notes *notes) {
     const bolan_spectrum_options *o = choice->options;
     if (by_place(o) && choice->distance > PLACE_NEAR_KM)
-        spectrum_note(notes, BOLAN_LOG_SPECTRUM_LOCATION,
-                      "%s: the location nearest to %g, %g is number %u at %g, %g, %.0f km away", name, o->place[0],
-                      o->place[1], (unsigned)choice->index + 1, choice->place[0], choice->place[1], choice->distance);
+        bolan_spectrum_note(notes, BOLAN_LOG_SPECTRUM_LOCATION,
+                            "%s: the location nearest to %g, %g is number %u at %g, %g, %.0f km away", name,
+                            o->place[0], o->place[1], (unsigned)choice->index + 1, choice->place[0], choice->place[1],
+                            choice->distance);
     if (!by_place(o) && o->location == 0 && choice->count > 1)
-        spectrum_note(notes, BOLAN_LOG_SPECTRUM_LOCATION,
-                      "%s: the file has %u locations; the first, at %g, %g, is taken; give location to choose", name,
-                      (unsigned)choice->count, choice->place[0], choice->place[1]);
+        bolan_spectrum_note(notes, BOLAN_LOG_SPECTRUM_LOCATION,
+                            "%s: the file has %u locations; the first, at %g, %g, is taken; give location to choose",
+                            name, (unsigned)choice->count, choice->place[0], choice->place[1]);
 }

@@ -16,12 +16,12 @@ typedef struct location_choice {
     double distance; ///< to the place that was asked for [km]
 } location_choice;
 
-location_choice location_choice_begin(const bolan_spectrum_options *options, bool spherical);
+location_choice bolan_location_choice_begin(const bolan_spectrum_options *options, bool spherical);
 /// The next location of the text; true if it is the best so far.
-bool location_choice_offer(location_choice *choice, const double place[2]);
+bool bolan_location_choice_offer(location_choice *choice, const double place[2]);
 /// After the last: ARGUMENT (one sentence) if there is none of the number that was asked for.
-bolan_result location_choice_end(const location_choice *choice, const char *name);
+bolan_result bolan_location_choice_end(const location_choice *choice, const char *name);
 /// What a person should know of a choice that succeeded, as a note: that there was a choice, or that the place is far.
-void location_choice_say(const location_choice *choice, const char *name, spectrum_notes *notes);
+void bolan_location_choice_say(const location_choice *choice, const char *name, spectrum_notes *notes);
 
 #endif

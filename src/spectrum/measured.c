@@ -25,7 +25,7 @@ static bool out_of_memory(size_t bytes) {
     return false;
 }
 
-bool spectrum_grid_allocate(spectrum_grid *grid) {
+bool bolan_spectrum_grid_allocate(spectrum_grid *grid) {
     const size_t bytes = grid_bytes(grid);
     grid->hertz = bolan_allocate(bytes);
     if (!grid->hertz) return out_of_memory(bytes);
@@ -34,18 +34,18 @@ bool spectrum_grid_allocate(spectrum_grid *grid) {
     return true;
 }
 
-bolan_result spectrum_grid_begin(spectrum_grid *grid, const double *hertz, uint32_t frequencies, const double *to,
-                                 uint32_t directions) {
+bolan_result bolan_spectrum_grid_begin(spectrum_grid *grid, const double *hertz, uint32_t frequencies, const double *to,
+                                       uint32_t directions) {
     grid->frequency_count = frequencies;
     grid->direction_count = directions;
     grid->own_directions = true;
-    if (!spectrum_grid_allocate(grid)) return BOLAN_ERROR_MEMORY;
+    if (!bolan_spectrum_grid_allocate(grid)) return BOLAN_ERROR_MEMORY;
     memcpy(grid->hertz, hertz, frequencies * sizeof(double));
     memcpy(grid->to, to, directions * sizeof(double));
     return BOLAN_OK;
 }
 
-void spectrum_grid_release(spectrum_grid *grid) {
+void bolan_spectrum_grid_release(spectrum_grid *grid) {
     if (grid->hertz) bolan_release(grid->hertz, grid_bytes(grid));
     grid->hertz = NULL;
 }
@@ -151,11 +151,12 @@ static void say_gap(const char *name, const direction *directions, uint32_t coun
     if (is_sector(gaps) || gaps->largest <= 2.0 * gaps->median) return;
     const direction *before = &directions[gaps->before_largest];
     const direction *after = &directions[(gaps->before_largest + 1) % count];
-    spectrum_note(notes, BOLAN_LOG_SPECTRUM_GAP,
-                  "%s: the directions have a gap of %.0f degrees, between waves from %.0f and from %.0f; across it the "
-                  "density is taken as linear",
-                  name, bolan_degrees(gaps->largest), bolan_math_to_compass_from(after->to),
-                  bolan_math_to_compass_from(before->to));
+    bolan_spectrum_note(
+        notes, BOLAN_LOG_SPECTRUM_GAP,
+        "%s: the directions have a gap of %.0f degrees, between waves from %.0f and from %.0f; across it the "
+        "density is taken as linear",
+        name, bolan_degrees(gaps->largest), bolan_math_to_compass_from(after->to),
+        bolan_math_to_compass_from(before->to));
 }
 
 static bool is_regular(const direction *directions, uint32_t count) {
@@ -252,14 +253,14 @@ static bolan_measured_spectrum *allocate_measured(const spectrum_grid *grid, uin
     return m;
 }
 
-double spectrum_trapezoid_weight(const double *x, uint32_t count, uint32_t i) {
+double bolan_spectrum_trapezoid_weight(const double *x, uint32_t count, uint32_t i) {
     return 0.5 * (x[i + 1 < count ? i + 1 : i] - x[i > 0 ? i - 1 : 0]);
 }
 
 static bolan_result check_height(const char *name, const bolan_measured_spectrum *m) {
     double m0 = 0.0;
     for (uint32_t i = 0; i < m->frequency_count; i++)
-        m0 += row_sum(m, i) * m->direction_step * spectrum_trapezoid_weight(m->omega, m->frequency_count, i);
+        m0 += row_sum(m, i) * m->direction_step * bolan_spectrum_trapezoid_weight(m->omega, m->frequency_count, i);
     if (4.0 * sqrt(m0) <= SPECTRUM_MAX_HS) return BOLAN_OK;
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_IMPOSSIBLE,
               "%s: the record%s%s has a significant wave height of %.4g m; expected at most %g m, which no sea exceeds",
@@ -267,7 +268,7 @@ static bolan_result check_height(const char *name, const bolan_measured_spectrum
     return BOLAN_ERROR_FORMAT;
 }
 
-bolan_result spectrum_measured_build(const char *name, spectrum_grid *grid, bolan_measured_spectrum **out) {
+bolan_result bolan_spectrum_measured_build(const char *name, spectrum_grid *grid, bolan_measured_spectrum **out) {
     direction directions[SPECTRUM_MAX_DIRECTIONS];
     const uint32_t given = sort_directions(grid, directions);
     if (given < SPECTRUM_MIN_DIRECTIONS) {
@@ -310,7 +311,7 @@ static uint32_t find_row(const bolan_measured_spectrum *m, double omega) {
     return low;
 }
 
-double spectrum_measured_density(const bolan_measured_spectrum *m, double omega, double theta, bool with_tail) {
+double bolan_spectrum_measured_density(const bolan_measured_spectrum *m, double omega, double theta, bool with_tail) {
     const uint32_t last = m->frequency_count - 1, n = m->direction_count;
     const bool above = omega > m->omega[last];
     if (omega < m->omega[0] || (above && !with_tail)) return 0.0;
@@ -332,29 +333,29 @@ bolan_spectrum_texts bolan_spectrum_texts_default(void) {
     return texts;
 }
 
-bolan_result spectrum_read_frequencies(text_cursor *text, double *hertz, uint32_t count) {
+bolan_result bolan_spectrum_read_frequencies(text_cursor *text, double *hertz, uint32_t count) {
     for (uint32_t i = 0; i < count; i++) {
         text_word word;
-        if (!text_next_word(text, &word)) return text_unexpected(text, NULL, "a frequency");
-        if (!text_number(word, &hertz[i]) || (i > 0 && !(hertz[i] > hertz[i - 1])) ||
+        if (!bolan_text_next_word(text, &word)) return bolan_text_unexpected(text, NULL, "a frequency");
+        if (!bolan_text_number(word, &hertz[i]) || (i > 0 && !(hertz[i] > hertz[i - 1])) ||
             !(hertz[i] >= SPECTRUM_MIN_HERTZ && hertz[i] <= SPECTRUM_MAX_HERTZ))
-            return text_unexpected(text, &word, "an ascending frequency, 0.001 to 10 Hz");
+            return bolan_text_unexpected(text, &word, "an ascending frequency, 0.001 to 10 Hz");
     }
     return BOLAN_OK;
 }
 
 static bolan_result parse_any(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
                               spectrum_grid *grid) {
-    text_cursor cursor = text_open(&texts->density);
+    text_cursor cursor = bolan_text_open(&texts->density);
     text_word first;
-    if (!text_next_word(&cursor, &first)) {
+    if (!bolan_text_next_word(&cursor, &first)) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_EMPTY,
                   "%s: the text is empty; expected a SWAN, WAVEWATCH III or NDBC spectrum", cursor.name);
         return BOLAN_ERROR_FORMAT;
     }
-    if (text_equals(first, "SWAN")) return spectrum_parse_swan(texts, options, grid);
-    if (spectrum_is_ww3(first)) return spectrum_parse_ww3(texts, options, grid);
-    if (ndbc_is_header(first)) return spectrum_parse_ndbc(texts, options, grid);
+    if (bolan_text_equals(first, "SWAN")) return bolan_spectrum_parse_swan(texts, options, grid);
+    if (bolan_spectrum_is_ww3(first)) return bolan_spectrum_parse_ww3(texts, options, grid);
+    if (bolan_ndbc_is_header(first)) return bolan_spectrum_parse_ndbc(texts, options, grid);
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_UNKNOWN_FORMAT,
               "%s:%u: the format is not known; expected \"SWAN\", \"'WAVEWATCH III SPECTRA'\", "
               "\"YYYY MM DD hh\" (NDBC history) or \"#YY MM DD hh mm\" (NDBC real time) at the start",
@@ -373,11 +374,11 @@ bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, co
     bolan_result result = parse_any(texts, options, &grid);
     const char *name = texts->density.name ? texts->density.name : "spectrum";
     if (!result && grid.own_directions && (!isnan(options->from_deg) || !isnan(options->spread_s)))
-        spectrum_note(&grid.notes, BOLAN_LOG_SPECTRUM_UNUSED,
-                      "%s: has directions of its own; from and spread are not used", name);
-    if (!result) result = spectrum_measured_build(name, &grid, out);
-    spectrum_grid_release(&grid);
-    if (!result) spectrum_notes_log(&grid.notes);
+        bolan_spectrum_note(&grid.notes, BOLAN_LOG_SPECTRUM_UNUSED,
+                            "%s: has directions of its own; from and spread are not used", name);
+    if (!result) result = bolan_spectrum_measured_build(name, &grid, out);
+    bolan_spectrum_grid_release(&grid);
+    if (!result) bolan_spectrum_notes_log(&grid.notes);
     return result;
 }
 

@@ -47,40 +47,41 @@ typedef struct spectrum_grid {
 } spectrum_grid;
 
 /// Reserves the arrays of a grid whose counts are set; false (logged) when memory is short.
-bool spectrum_grid_allocate(spectrum_grid *grid);
+bool bolan_spectrum_grid_allocate(spectrum_grid *grid);
 /// The same for a text with directions: the counts, the frequencies and the angles (TO) are copied.
-bolan_result spectrum_grid_begin(spectrum_grid *grid, const double *hertz, uint32_t frequencies, const double *to,
-                                 uint32_t directions);
-void spectrum_grid_release(spectrum_grid *grid);
+bolan_result bolan_spectrum_grid_begin(spectrum_grid *grid, const double *hertz, uint32_t frequencies, const double *to,
+                                       uint32_t directions);
+void bolan_spectrum_grid_release(spectrum_grid *grid);
 
 /// Sorts the directions, brings them to a constant step, changes the units and adds the tail. A sea that cannot be is
 /// refused; no energy at all is a calm. @p name is for messages.
-bolan_result spectrum_measured_build(const char *name, spectrum_grid *grid, bolan_measured_spectrum **out);
+bolan_result bolan_spectrum_measured_build(const char *name, spectrum_grid *grid, bolan_measured_spectrum **out);
 
 /// S(w, th) by bilinear interpolation; 0 outside the file's frequencies, or the tail above them when @p with_tail.
 /// Integrated over th it is the rectangle rule of the grid, over w the trapezoid rule: it conserves the file's m0.
 /// @p theta in [0, 2 pi).
-double spectrum_measured_density(const bolan_measured_spectrum *measured, double omega, double theta, bool with_tail);
+double bolan_spectrum_measured_density(const bolan_measured_spectrum *measured, double omega, double theta,
+                                       bool with_tail);
 
 /// The weight of sample @p i of the trapezoid rule over ascending @p x.
-double spectrum_trapezoid_weight(const double *x, uint32_t count, uint32_t i);
+double bolan_spectrum_trapezoid_weight(const double *x, uint32_t count, uint32_t i);
 
 /// The parsers: one record of one text to a grid, which the caller releases, also after failure.
-bolan_result spectrum_parse_swan(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                 spectrum_grid *grid);
-bolan_result spectrum_parse_ndbc(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                 spectrum_grid *grid);
+bolan_result bolan_spectrum_parse_swan(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
+                                       spectrum_grid *grid);
+bolan_result bolan_spectrum_parse_ndbc(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
+                                       spectrum_grid *grid);
 
-bolan_result spectrum_parse_ww3(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                spectrum_grid *grid);
+bolan_result bolan_spectrum_parse_ww3(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
+                                      spectrum_grid *grid);
 /// Reads @p count ascending frequencies [Hz].
-bolan_result spectrum_read_frequencies(text_cursor *text, double *hertz, uint32_t count);
+bolan_result bolan_spectrum_read_frequencies(text_cursor *text, double *hertz, uint32_t count);
 
 /// Does a text begin as WAVEWATCH III's do?
-bool spectrum_is_ww3(text_word first);
+bool bolan_spectrum_is_ww3(text_word first);
 
 /// The letter in the name of a file of NDBC's history, which says what it holds: w density, d alpha1, i alpha2, j r1, k
 /// r2 ("41004w2018.txt"). A pointer into @p path, or NULL if it is no such name.
-const char *spectrum_ndbc_letter(const char *path);
+const char *bolan_spectrum_ndbc_letter(const char *path);
 
 #endif

@@ -16,7 +16,7 @@
 
 /// What the header says that a table holds.
 typedef enum ndbc_quantity { NDBC_UNNAMED, NDBC_SPEC, NDBC_ALPHA1, NDBC_ALPHA2, NDBC_R1, NDBC_R2 } ndbc_quantity;
-extern const char *const ndbc_quantity_names[]; ///< in words, by ndbc_quantity
+extern const char *const bolan_ndbc_quantity_names[]; ///< in words, by ndbc_quantity
 
 /// One table, opened at its header.
 typedef struct ndbc_table {
@@ -37,14 +37,14 @@ typedef struct ndbc_row {
 #define NDBC_MISSING 999.0
 
 /// Does a text begin as NDBC's tables do: "YY", "YYYY", "#YY" or "#YYYY"?
-bool ndbc_is_header(text_word first);
+bool bolan_ndbc_is_header(text_word first);
 /// Reads the header; a table of another kind is refused by its name.
-bolan_result ndbc_open(const bolan_spectrum_text *text, ndbc_table *table);
+bolan_result bolan_ndbc_open(const bolan_spectrum_text *text, ndbc_table *table);
 /// The next row; false at the end.
-bool ndbc_next_row(ndbc_table *table, text_cursor *line);
+bool bolan_ndbc_next_row(ndbc_table *table, text_cursor *line);
 /// The date at the start of a row, whose rest is left in @p line. Impossible dates are refused.
-bolan_result ndbc_read_date(const ndbc_table *table, text_cursor *line, record_date *date);
+bolan_result bolan_ndbc_read_date(const ndbc_table *table, text_cursor *line, record_date *date);
 /// A whole row.
-bolan_result ndbc_read_row(const ndbc_table *table, text_cursor line, ndbc_row *row);
+bolan_result bolan_ndbc_read_row(const ndbc_table *table, text_cursor line, ndbc_row *row);
 
 #endif

@@ -5,7 +5,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-void spectrum_note(spectrum_notes *notes, bolan_log_id id, const char *format, ...) {
+void bolan_spectrum_note(spectrum_notes *notes, bolan_log_id id, const char *format, ...) {
     char sentence[NOTE_SIZE], *out = notes->count < NOTES_MAX ? notes->note[notes->count].sentence : sentence;
     va_list arguments;
     va_start(arguments, format);
@@ -17,7 +17,7 @@ void spectrum_note(spectrum_notes *notes, bolan_log_id id, const char *format, .
         notes->note[notes->count++].id = id;
 }
 
-void spectrum_notes_log(const spectrum_notes *notes) {
+void bolan_spectrum_notes_log(const spectrum_notes *notes) {
     for (uint32_t i = 0; i < notes->count; i++)
         bolan_log(BOLAN_LOG_WARNING, notes->note[i].id, "%s", notes->note[i].sentence);
 }

@@ -21,8 +21,8 @@ typedef struct spectrum_notes {
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
-void spectrum_note(spectrum_notes *notes, bolan_log_id id, const char *format, ...);
+void bolan_spectrum_note(spectrum_notes *notes, bolan_log_id id, const char *format, ...);
 /// Logs them.
-void spectrum_notes_log(const spectrum_notes *notes);
+void bolan_spectrum_notes_log(const spectrum_notes *notes);
 
 #endif

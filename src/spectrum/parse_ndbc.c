@@ -16,7 +16,7 @@
 
 // ---- the table of densities -----------------------------------------------------------------------------------------
 
-const char *spectrum_ndbc_letter(const char *path) {
+const char *bolan_spectrum_ndbc_letter(const char *path) {
     const char *slash = path ? strrchr(path, '/') : NULL, *name = slash ? slash + 1 : path, *found = NULL;
     for (const char *p = name; p && *p; p++) {
         const bool year = strspn(p + 1, "0123456789") == 4;
@@ -26,7 +26,7 @@ const char *spectrum_ndbc_letter(const char *path) {
 }
 
 static ndbc_quantity quantity_by_name(const char *path) {
-    const char *letter = spectrum_ndbc_letter(path);
+    const char *letter = bolan_spectrum_ndbc_letter(path);
     static const char letters[] = "wdijk"; // in the order of ndbc_quantity, from SPEC
     const char *at = letter ? strchr(letters, *letter | 0x20) : NULL;
     return at ? (ndbc_quantity)(NDBC_SPEC + (at - letters)) : NDBC_UNNAMED;
@@ -36,7 +36,7 @@ static bolan_result refuse_quantity(const char *name, uint32_t line, ndbc_quanti
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_WRONG_TABLE,
               "%s:%u: this is NDBC's table of %s, not of spectral densities; give the density (.data_spec, or w in the "
               "name as in 41004w2018.txt), beside which it is found",
-              name, (unsigned)line, ndbc_quantity_names[quantity]);
+              name, (unsigned)line, bolan_ndbc_quantity_names[quantity]);
     return BOLAN_ERROR_FORMAT;
 }
 
@@ -46,7 +46,7 @@ static double height_of(const ndbc_row *row, bool *whole) {
     *whole = true;
     for (uint32_t i = 0; i < row->count; i++) {
         if (row->value[i] == NDBC_MISSING) continue;
-        m0 += row->value[i] * spectrum_trapezoid_weight(row->hertz, row->count, i);
+        m0 += row->value[i] * bolan_spectrum_trapezoid_weight(row->hertz, row->count, i);
         *whole &= row->value[i] == floor(row->value[i]);
     }
     return 4.0 * sqrt(fmax(m0, 0.0));
@@ -75,7 +75,7 @@ static bolan_result take_densities(const text_cursor *line, const ndbc_row *row,
     for (uint32_t i = 0; i < row->count; i++) {
         const double value = row->value[i];
         if (value == NDBC_MISSING) continue;
-        if (value < 0.0) return text_negative(line, value);
+        if (value < 0.0) return bolan_text_negative(line, value);
         if (value > ENERGY_MAX) {
             bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_SYNTAX, "%s:%u: the density %g m2/Hz; expected 0 to %g",
                       line->name, (unsigned)line->line, value, ENERGY_MAX);
@@ -85,20 +85,20 @@ static bolan_result take_densities(const text_cursor *line, const ndbc_row *row,
     }
     text_cursor at = *line;
     at.next = at.end;
-    return row->count >= SPECTRUM_MIN_FREQUENCIES ? BOLAN_OK : text_unexpected(&at, NULL, "a second frequency");
+    return row->count >= SPECTRUM_MIN_FREQUENCIES ? BOLAN_OK : bolan_text_unexpected(&at, NULL, "a second frequency");
 }
 
 static bolan_result list_records(ndbc_table table, record_list *list) {
     text_cursor line;
     *list = (record_list){.timed = true, .style = RECORD_UTC_MINUTES};
-    while (ndbc_next_row(&table, &line)) {
+    while (bolan_ndbc_next_row(&table, &line)) {
         const text_cursor start = line;
         record_date date;
-        if (ndbc_read_date(&table, &line, &date)) return BOLAN_ERROR_FORMAT;
-        const bolan_result result = record_list_add(list, &date, start);
+        if (bolan_ndbc_read_date(&table, &line, &date)) return BOLAN_ERROR_FORMAT;
+        const bolan_result result = bolan_record_list_add(list, &date, start);
         if (result) return result;
     }
-    return list->count ? BOLAN_OK : text_unexpected(&table.rows, NULL, "a row of densities");
+    return list->count ? BOLAN_OK : bolan_text_unexpected(&table.rows, NULL, "a row of densities");
 }
 
 // ---- the tables of directions ---------------------------------------------------------------------------------------
@@ -112,12 +112,12 @@ typedef struct companion {
 
 // A direction is refused as a ratio by its range; a ratio as a direction only by the header.
 static bolan_result open_companion(companion *c) {
-    if (ndbc_open(c->text, &c->table)) return BOLAN_ERROR_FORMAT;
+    if (bolan_ndbc_open(c->text, &c->table)) return BOLAN_ERROR_FORMAT;
     const ndbc_quantity q = c->table.quantity;
     const bool wrong = q == NDBC_SPEC || (!c->ratio && (q == NDBC_R1 || q == NDBC_R2));
     if (!wrong) return BOLAN_OK;
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_WRONG_TABLE, "%s:%u: this is NDBC's table of %s; expected %s",
-              c->table.header.name, (unsigned)c->table.header.line, ndbc_quantity_names[q],
+              c->table.header.name, (unsigned)c->table.header.line, bolan_ndbc_quantity_names[q],
               c->ratio ? "r1 or r2" : "alpha1 or alpha2");
     return BOLAN_ERROR_FORMAT;
 }
@@ -127,11 +127,11 @@ static bolan_result nearest_row(ndbc_table table, int64_t seconds, text_cursor *
                                 int64_t *off) {
     text_cursor line;
     *off = INT64_MAX;
-    while (ndbc_next_row(&table, &line)) {
+    while (bolan_ndbc_next_row(&table, &line)) {
         text_cursor start = line;
         record_date at;
-        if (ndbc_read_date(&table, &start, &at)) return BOLAN_ERROR_FORMAT;
-        const int64_t distance = llabs(record_date_seconds(&at) - seconds);
+        if (bolan_ndbc_read_date(&table, &start, &at)) return BOLAN_ERROR_FORMAT;
+        const int64_t distance = llabs(bolan_record_date_seconds(&at) - seconds);
         if (distance >= *off) continue;
         *off = distance;
         *found = line;
@@ -142,7 +142,7 @@ static bolan_result nearest_row(ndbc_table table, int64_t seconds, text_cursor *
 
 // The values of one row at the density's frequencies.
 static bolan_result take_companion(const companion *c, text_cursor line, ndbc_row *row, const spectrum_bands *bands) {
-    if (ndbc_read_row(&c->table, line, row)) return BOLAN_ERROR_FORMAT;
+    if (bolan_ndbc_read_row(&c->table, line, row)) return BOLAN_ERROR_FORMAT;
     for (uint32_t i = 0, j = 0; i < bands->count; i++) {
         while (j < row->count && row->hertz[j] < bands->hertz[i] - FREQUENCY_NEAR) j++;
         if (j == row->count || row->hertz[j] > bands->hertz[i] + FREQUENCY_NEAR || row->value[j] == NDBC_MISSING)
@@ -171,8 +171,8 @@ static bolan_result read_companions(const bolan_spectrum_texts *texts, const rec
                         {.text = &texts->swr1, .values = bands->r1, .ratio = true},
                         {.text = &texts->swr2, .values = bands->r2, .ratio = true}};
     char wanted[RECORD_TIME_SIZE], taken[RECORD_TIME_SIZE];
-    int64_t seconds = record_date_seconds(date);
-    record_date_print(date, RECORD_UTC_MINUTES, wanted);
+    int64_t seconds = bolan_record_date_seconds(date);
+    bolan_record_date_print(date, RECORD_UTC_MINUTES, wanted);
     snprintf(why->text, sizeof why->text, "has no table of directions beside it");
     for (companion *c = all; c < all + 4; c++) {
         text_cursor line;
@@ -187,10 +187,10 @@ static bolan_result read_companions(const bolan_spectrum_texts *texts, const rec
         // The directions' time is that of alpha1, and all four are of one time.
         if (off > (first ? RECORD_NEAR_SECONDS : 0)) continue;
         if (off) {
-            record_date_print(&found, RECORD_UTC_MINUTES, taken);
-            spectrum_note(notes, BOLAN_LOG_SPECTRUM_NEAREST_TIME,
-                          "%s: there is no row of %s; the nearest, of %s, is taken", line.name, wanted, taken);
-            seconds = record_date_seconds(&found);
+            bolan_record_date_print(&found, RECORD_UTC_MINUTES, taken);
+            bolan_spectrum_note(notes, BOLAN_LOG_SPECTRUM_NEAREST_TIME,
+                                "%s: there is no row of %s; the nearest, of %s, is taken", line.name, wanted, taken);
+            seconds = bolan_record_date_seconds(&found);
         }
         if (take_companion(c, line, row, bands)) return BOLAN_ERROR_FORMAT;
     }
@@ -210,22 +210,22 @@ static bolan_result read_all(const bolan_spectrum_texts *texts, const bolan_spec
                              spectrum_grid *grid) {
     ndbc_table table;
     const record_entry *entry = NULL;
-    bolan_result result = ndbc_open(&texts->density, &table);
+    bolan_result result = bolan_ndbc_open(&texts->density, &table);
     if (!result) result = list_records(table, &s->list);
-    if (!result) result = record_list_choose(&s->list, table.rows.name, options, &grid->notes, &entry);
+    if (!result) result = bolan_record_list_choose(&s->list, table.rows.name, options, &grid->notes, &entry);
     if (result) return result;
-    spectrum_bands_clear(&s->bands);
+    bolan_spectrum_bands_clear(&s->bands);
     grid->record_count = s->list.count;
-    record_date_print(&entry->date, s->list.style, grid->time);
-    if (ndbc_read_row(&table, entry->at, &s->row) || check_is_density(&table, &entry->at, &s->row) ||
+    bolan_record_date_print(&entry->date, s->list.style, grid->time);
+    if (bolan_ndbc_read_row(&table, entry->at, &s->row) || check_is_density(&table, &entry->at, &s->row) ||
         take_densities(&entry->at, &s->row, &s->bands) ||
         read_companions(texts, &entry->date, &s->bands, &s->row, &s->why, &grid->notes))
         return BOLAN_ERROR_FORMAT;
-    return spectrum_bands_to_grid(&s->bands, table.rows.name, s->why.text, options, grid);
+    return bolan_spectrum_bands_to_grid(&s->bands, table.rows.name, s->why.text, options, grid);
 }
 
-bolan_result spectrum_parse_ndbc(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                 spectrum_grid *grid) {
+bolan_result bolan_spectrum_parse_ndbc(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
+                                       spectrum_grid *grid) {
     if (options->location > 0 || !isnan(options->place[0])) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_LOCATION,
                   "%s: a location was asked for, but an NDBC table is of one buoy; expected none",
@@ -239,7 +239,7 @@ bolan_result spectrum_parse_ndbc(const bolan_spectrum_texts *texts, const bolan_
         return BOLAN_ERROR_MEMORY;
     }
     const bolan_result result = read_all(texts, options, scratch, grid);
-    record_list_release(&scratch->list);
+    bolan_record_list_release(&scratch->list);
     bolan_release(scratch, sizeof *scratch);
     return result;
 }

@@ -25,9 +25,9 @@
 typedef enum block_kind { BLOCK_NONE, BLOCK_VALUES, BLOCK_ZERO, BLOCK_NODATA } block_kind;
 
 static block_kind kind_of(const swan_header *h, text_word word) {
-    if (text_equals(word, "ZERO")) return BLOCK_ZERO;
-    if (text_equals(word, "NODATA")) return BLOCK_NODATA;
-    return text_equals(word, h->directions ? "FACTOR" : "LOCATION") ? BLOCK_VALUES : BLOCK_NONE;
+    if (bolan_text_equals(word, "ZERO")) return BLOCK_ZERO;
+    if (bolan_text_equals(word, "NODATA")) return BLOCK_NODATA;
+    return bolan_text_equals(word, h->directions ? "FACTOR" : "LOCATION") ? BLOCK_VALUES : BLOCK_NONE;
 }
 
 static const char *block_words(const swan_header *h) {
@@ -59,9 +59,9 @@ static bolan_result skip_block(const swan_header *h, text_cursor *text, block_ki
     text_word word;
     text_cursor before = *text;
     *kind = BLOCK_NODATA;
-    if (!swan_next_word(text, &word)) return BOLAN_OK;
+    if (!bolan_swan_next_word(text, &word)) return BOLAN_OK;
     *kind = kind_of(h, word);
-    if (*kind == BLOCK_NONE) return text_unexpected(text, &word, block_words(h));
+    if (*kind == BLOCK_NONE) return bolan_text_unexpected(text, &word, block_words(h));
     if (*kind != BLOCK_VALUES) return BOLAN_OK;
     const size_t columns = h->directions ? h->directions : h->quantities;
     size_t count = (size_t)h->frequencies * columns + 1; // and the factor, or the number of the location
@@ -69,7 +69,7 @@ static bolan_result skip_block(const swan_header *h, text_cursor *text, block_ki
     for (size_t i = 0; i < count; i++) {
         double value = 0.0;
         before = *text;
-        if (!swan_next_word(text, &word)) break;
+        if (!bolan_swan_next_word(text, &word)) break;
         const block_kind next = kind_of(h, word);
         if (i == 1 && !h->directions && (next == BLOCK_ZERO || next == BLOCK_NODATA)) {
             *kind = next; // LOCATION 3 NODATA
@@ -79,7 +79,7 @@ static bolan_result skip_block(const swan_header *h, text_cursor *text, block_ki
             *text = before;
             break;
         }
-        energy |= i > 0 && text_fortran_number(word, &value) && value > 0.0;
+        energy |= i > 0 && bolan_text_fortran_number(word, &value) && value > 0.0;
     }
     if (!energy) *kind = BLOCK_ZERO;
     return BOLAN_OK;
@@ -97,18 +97,18 @@ static bolan_result read_date(const swan_header *h, text_cursor *text, text_word
     *date = (record_date){{0}};
     if (h->time_code == 1) {
         if (!looks_like_date(h, word))
-            return text_unexpected(text, &word, "the date of the next time, such as 20161011.013000");
+            return bolan_text_unexpected(text, &word, "the date of the next time, such as 20161011.013000");
         *date = date_of(word);
-        if (!record_date_is_valid(date)) {
+        if (!bolan_record_date_is_valid(date)) {
             bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_DATE,
                       "%s:%u: there is no date %.*s; expected one of the calendar, as yyyymmdd.hhmmss", text->name,
                       (unsigned)word.line, (int)word.length, word.begin);
             return BOLAN_ERROR_FORMAT;
         }
     } else if (word.begin[0] < '0' || word.begin[0] > '9') {
-        return text_unexpected(text, &word, "the date of the next time");
+        return bolan_text_unexpected(text, &word, "the date of the next time");
     }
-    text_skip_line(text);
+    bolan_text_skip_line(text);
     return BOLAN_OK;
 }
 
@@ -116,29 +116,30 @@ static bolan_result list_records(const swan_header *h, record_list *list) {
     text_cursor text = h->text;
     text_word word;
     *list = (record_list){.timed = h->has_times && h->time_code == 1, .style = RECORD_LOCAL_SECONDS};
-    while (h->has_times ? swan_next_word(&text, &word) : list->count == 0) {
+    while (h->has_times ? bolan_swan_next_word(&text, &word) : list->count == 0) {
         record_date date = {{0}};
         if (h->has_times && read_date(h, &text, word, &date)) return BOLAN_ERROR_FORMAT;
-        const bolan_result result = record_list_add(list, &date, text);
+        const bolan_result result = bolan_record_list_add(list, &date, text);
         if (result) return result;
         if (skip_record(h, &text)) return BOLAN_ERROR_FORMAT;
     }
-    if (list->count == 0) return text_unexpected(&text, NULL, "the date of the first time");
-    return swan_next_word(&text, &word) ? text_unexpected(&text, &word, "the end of the text after the last location")
-                                        : BOLAN_OK;
+    if (list->count == 0) return bolan_text_unexpected(&text, NULL, "the date of the first time");
+    return bolan_swan_next_word(&text, &word)
+               ? bolan_text_unexpected(&text, &word, "the end of the text after the last location")
+               : BOLAN_OK;
 }
 
 // ---- the location ---------------------------------------------------------------------------------------------------
 
 static bolan_result choose_location(const swan_header *h, const bolan_spectrum_options *options, location_choice *out) {
     text_cursor places = h->places;
-    *out = location_choice_begin(options, h->spherical);
+    *out = bolan_location_choice_begin(options, h->spherical);
     for (uint32_t i = 0; i < h->locations; i++) {
         double place[2];
-        if (swan_read_place(&places, place)) return BOLAN_ERROR_FORMAT;
-        location_choice_offer(out, place);
+        if (bolan_swan_read_place(&places, place)) return BOLAN_ERROR_FORMAT;
+        bolan_location_choice_offer(out, place);
     }
-    return location_choice_end(out, h->text.name);
+    return bolan_location_choice_end(out, h->text.name);
 }
 
 // The chosen location is dry: the sentence counts the locations and says which have energy at this time.
@@ -169,17 +170,18 @@ static bolan_result refuse_dry(const swan_header *h, const location_choice *chos
 // After the last value comes a block, a date or the end.
 static bolan_result expect_end_of_block(const swan_header *h, text_cursor *text) {
     text_word word;
-    if (!swan_next_word(text, &word) || kind_of(h, word) != BLOCK_NONE || (h->has_times && h->time_code != 1) ||
+    if (!bolan_swan_next_word(text, &word) || kind_of(h, word) != BLOCK_NONE || (h->has_times && h->time_code != 1) ||
         looks_like_date(h, word))
         return BOLAN_OK;
-    return text_unexpected(text, &word, "the end of the densities");
+    return bolan_text_unexpected(text, &word, "the end of the densities");
 }
 
 static bolan_result read_value(const swan_header *h, text_cursor *text, const char *expected, text_word *word,
                                double *value) {
-    if (!text_next_word(text, word)) return text_unexpected(text, NULL, expected);
-    return !looks_like_date(h, *word) && text_fortran_number(*word, value) ? BOLAN_OK
-                                                                           : text_unexpected(text, word, expected);
+    if (!bolan_text_next_word(text, word)) return bolan_text_unexpected(text, NULL, expected);
+    return !looks_like_date(h, *word) && bolan_text_fortran_number(*word, value)
+               ? BOLAN_OK
+               : bolan_text_unexpected(text, word, expected);
 }
 
 static bolan_result read_matrix(const swan_header *h, text_cursor *text, double factor, spectrum_grid *grid) {
@@ -192,10 +194,10 @@ static bolan_result read_matrix(const swan_header *h, text_cursor *text, double 
         const bool exception = value == h->quantity[0].exception;
         missing += exception;
         if (exception) value = 0.0;
-        if (value < 0.0) return text_negative(text, value);
+        if (value < 0.0) return bolan_text_negative(text, value);
         grid->energy[i] = value * factor * h->scale;
         if (!(grid->energy[i] <= SPECTRUM_MAX_DENSITY))
-            return text_unexpected(text, &word, "a density that a sea can have");
+            return bolan_text_unexpected(text, &word, "a density that a sea can have");
     }
     if (missing == count) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_NO_ENERGY,
@@ -204,20 +206,21 @@ static bolan_result read_matrix(const swan_header *h, text_cursor *text, double 
         return BOLAN_ERROR_FORMAT;
     }
     if (missing > 0)
-        spectrum_note(&grid->notes, BOLAN_LOG_SPECTRUM_MISSING,
-                      "%s: %.1f %% of the densities of the record are missing (the exception value): they count as 0",
-                      text->name, 100.0 * (double)missing / (double)count);
+        bolan_spectrum_note(
+            &grid->notes, BOLAN_LOG_SPECTRUM_MISSING,
+            "%s: %.1f %% of the densities of the record are missing (the exception value): they count as 0", text->name,
+            100.0 * (double)missing / (double)count);
     return BOLAN_OK;
 }
 
 // FACTOR and a matrix, into the grid.
 static bolan_result read_2d(const swan_header *h, text_cursor *text, block_kind kind, spectrum_grid *grid) {
-    if (spectrum_grid_begin(grid, h->hertz, h->frequencies, h->to, h->directions)) return BOLAN_ERROR_MEMORY;
+    if (bolan_spectrum_grid_begin(grid, h->hertz, h->frequencies, h->to, h->directions)) return BOLAN_ERROR_MEMORY;
     if (kind == BLOCK_ZERO) return BOLAN_OK; // a calm
     text_word word;
     double factor;
     if (read_value(h, text, "the factor", &word, &factor)) return BOLAN_ERROR_FORMAT;
-    if (factor < 0.0) return text_negative(text, factor);
+    if (factor < 0.0) return bolan_text_negative(text, factor);
     return read_matrix(h, text, factor, grid) || expect_end_of_block(h, text) ? BOLAN_ERROR_FORMAT : BOLAN_OK;
 }
 
@@ -227,18 +230,19 @@ static bolan_result take_value(const swan_header *h, const text_cursor *text, te
     if (value == quantity.exception) return BOLAN_OK;
     switch (quantity.role) {
     case SWAN_DENSITY:
-        if (value < 0.0) return text_negative(text, value);
+        if (value < 0.0) return bolan_text_negative(text, value);
         bands->density[i] = value * h->scale;
         return bands->density[i] <= SPECTRUM_MAX_DENSITY
                    ? BOLAN_OK
-                   : text_unexpected(text, &word, "a density that a sea can have");
+                   : bolan_text_unexpected(text, &word, "a density that a sea can have");
     case SWAN_SPREAD:
-        if (!(value >= 0.0 && value <= SPREAD_MAX)) return text_unexpected(text, &word, "a spread of 0 to 81 degrees");
+        if (!(value >= 0.0 && value <= SPREAD_MAX))
+            return bolan_text_unexpected(text, &word, "a spread of 0 to 81 degrees");
         bands->r1[i] = fmax(1.0 - 0.5 * bolan_radians(value) * bolan_radians(value), 0.0);
         return BOLAN_OK;
     case SWAN_FROM:
     case SWAN_TO:
-        if (!(fabs(value) <= 720.0)) return text_unexpected(text, &word, "a direction in degrees");
+        if (!(fabs(value) <= 720.0)) return bolan_text_unexpected(text, &word, "a direction in degrees");
         bands->alpha1[i] = quantity.role == SWAN_FROM ? value : 270.0 - value;
         return BOLAN_OK;
     }
@@ -247,13 +251,13 @@ static bolan_result take_value(const swan_header *h, const text_cursor *text, te
 
 // LOCATION n and a table, into the bands.
 static bolan_result read_table(const swan_header *h, text_cursor *text, block_kind kind, spectrum_bands *bands) {
-    spectrum_bands_clear(bands);
+    bolan_spectrum_bands_clear(bands);
     bands->count = h->frequencies;
     memcpy(bands->hertz, h->hertz, h->frequencies * sizeof(double));
     for (uint32_t i = 0; kind == BLOCK_ZERO && i < bands->count; i++) bands->density[i] = 0.0;
     if (kind == BLOCK_ZERO) return BOLAN_OK; // a calm
     uint32_t number;
-    if (text_read_count(text, "the number of the location", 1, h->locations, &number)) return BOLAN_ERROR_FORMAT;
+    if (bolan_text_read_count(text, "the number of the location", 1, h->locations, &number)) return BOLAN_ERROR_FORMAT;
     for (uint32_t i = 0; i < h->frequencies; i++)
         for (uint32_t q = 0; q < h->quantities; q++) {
             text_word word;
@@ -276,7 +280,7 @@ static bolan_result read_1d(const swan_header *h, text_cursor *text, block_kind 
     bolan_spectrum_options calm = *options;
     if (kind == BLOCK_ZERO) calm.from_deg = 270.0, calm.spread_s = 0.0; // a calm needs no direction, nor a word on it
     bolan_result result = read_table(h, text, kind, bands);
-    if (!result) result = spectrum_bands_to_grid(bands, h->text.name, "has no directions", &calm, grid);
+    if (!result) result = bolan_spectrum_bands_to_grid(bands, h->text.name, "has no directions", &calm, grid);
     bolan_release(bands, sizeof *bands);
     return result;
 }
@@ -286,7 +290,7 @@ static bolan_result read_1d(const swan_header *h, text_cursor *text, block_kind 
 // "LOCATION 3" may be followed by NODATA or ZERO in place of its values.
 static block_kind block_after_number(const swan_header *h, text_cursor text) {
     text_word word;
-    if (!text_next_word(&text, &word) || !swan_next_word(&text, &word)) return BLOCK_VALUES;
+    if (!bolan_text_next_word(&text, &word) || !bolan_swan_next_word(&text, &word)) return BLOCK_VALUES;
     const block_kind kind = kind_of(h, word);
     return kind == BLOCK_NONE ? BLOCK_VALUES : kind;
 }
@@ -302,37 +306,37 @@ static bolan_result read_record(const swan_header *h, const record_entry *entry,
         block_kind skipped;
         if (skip_block(h, &text, &skipped)) return BOLAN_ERROR_FORMAT;
     }
-    if (!swan_next_word(&text, &word)) return text_unexpected(&text, NULL, block_words(h));
+    if (!bolan_swan_next_word(&text, &word)) return bolan_text_unexpected(&text, NULL, block_words(h));
     block_kind kind = kind_of(h, word);
     if (kind == BLOCK_VALUES && !h->directions) kind = block_after_number(h, text);
-    if (kind == BLOCK_NONE) return text_unexpected(&text, &word, block_words(h));
+    if (kind == BLOCK_NONE) return bolan_text_unexpected(&text, &word, block_words(h));
     if (kind == BLOCK_NODATA) return refuse_dry(h, &chosen, grid->time, entry->at);
     result = h->directions ? read_2d(h, &text, kind, grid) : read_1d(h, &text, kind, options, grid);
-    if (!result) location_choice_say(&chosen, h->text.name, &grid->notes);
+    if (!result) bolan_location_choice_say(&chosen, h->text.name, &grid->notes);
     return result;
 }
 
 static void say_times(const swan_header *h, spectrum_notes *notes) {
     if (h->has_times && h->time_code != 1)
-        spectrum_note(notes, BOLAN_LOG_SPECTRUM_DATE,
-                      "%s: times are coded by option %u, which is not read; records count as in the text", h->text.name,
-                      (unsigned)h->time_code);
+        bolan_spectrum_note(notes, BOLAN_LOG_SPECTRUM_DATE,
+                            "%s: times are coded by option %u, which is not read; records count as in the text",
+                            h->text.name, (unsigned)h->time_code);
 }
 
-bolan_result spectrum_parse_swan(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                 spectrum_grid *grid) {
+bolan_result bolan_spectrum_parse_swan(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
+                                       spectrum_grid *grid) {
     swan_header h;
     record_list list = {.entries = NULL};
     const record_entry *entry = NULL;
-    if (swan_read_header(&texts->density, &h)) return BOLAN_ERROR_FORMAT;
+    if (bolan_swan_read_header(&texts->density, &h)) return BOLAN_ERROR_FORMAT;
     bolan_result result = list_records(&h, &list);
-    if (!result) result = record_list_choose(&list, h.text.name, options, &grid->notes, &entry);
+    if (!result) result = bolan_record_list_choose(&list, h.text.name, options, &grid->notes, &entry);
     if (!result) {
         grid->record_count = list.count;
-        if (list.timed) record_date_print(&entry->date, list.style, grid->time);
+        if (list.timed) bolan_record_date_print(&entry->date, list.style, grid->time);
         result = read_record(&h, entry, options, grid);
     }
     if (!result) say_times(&h, &grid->notes);
-    record_list_release(&list);
+    bolan_record_list_release(&list);
     return result;
 }

@@ -25,7 +25,7 @@ typedef struct ww3_header {
     double hertz[SPECTRUM_MAX_FREQUENCIES], to[SPECTRUM_MAX_DIRECTIONS];
 } ww3_header;
 
-bool spectrum_is_ww3(text_word first) { return text_equals(first, "'WAVEWATCH"); }
+bool bolan_spectrum_is_ww3(text_word first) { return bolan_text_equals(first, "'WAVEWATCH"); }
 
 // ---- the header -----------------------------------------------------------------------------------------------------
 
@@ -44,21 +44,21 @@ static void even_out(double *to, uint32_t count) {
 
 static bolan_result read_header(const bolan_spectrum_text *text, ww3_header *h) {
     text_word word;
-    *h = (ww3_header){.text = text_open(text)};
-    for (int i = 0; i < 3; i++) text_next_word(&h->text, &word); // 'WAVEWATCH III SPECTRA'
-    if (text_read_count(&h->text, "a number of frequencies", SPECTRUM_MIN_FREQUENCIES, SPECTRUM_MAX_FREQUENCIES,
-                        &h->frequencies) ||
-        text_read_count(&h->text, "a number of directions", SPECTRUM_MIN_DIRECTIONS, SPECTRUM_MAX_DIRECTIONS,
-                        &h->directions) ||
-        text_read_count(&h->text, "a number of points", 1, MAX_POINTS, &h->points))
+    *h = (ww3_header){.text = bolan_text_open(text)};
+    for (int i = 0; i < 3; i++) bolan_text_next_word(&h->text, &word); // 'WAVEWATCH III SPECTRA'
+    if (bolan_text_read_count(&h->text, "a number of frequencies", SPECTRUM_MIN_FREQUENCIES, SPECTRUM_MAX_FREQUENCIES,
+                              &h->frequencies) ||
+        bolan_text_read_count(&h->text, "a number of directions", SPECTRUM_MIN_DIRECTIONS, SPECTRUM_MAX_DIRECTIONS,
+                              &h->directions) ||
+        bolan_text_read_count(&h->text, "a number of points", 1, MAX_POINTS, &h->points))
         return BOLAN_ERROR_FORMAT;
-    text_skip_line(&h->text);
-    if (spectrum_read_frequencies(&h->text, h->hertz, h->frequencies)) return BOLAN_ERROR_FORMAT;
+    bolan_text_skip_line(&h->text);
+    if (bolan_spectrum_read_frequencies(&h->text, h->hertz, h->frequencies)) return BOLAN_ERROR_FORMAT;
     for (uint32_t j = 0; j < h->directions; j++) {
         double radians;
-        if (!text_next_word(&h->text, &word)) return text_unexpected(&h->text, NULL, "a direction");
-        if (!text_number(word, &radians) || fabs(radians) > 4.0 * BOLAN_PI)
-            return text_unexpected(&h->text, &word, "a direction in radians");
+        if (!bolan_text_next_word(&h->text, &word)) return bolan_text_unexpected(&h->text, NULL, "a direction");
+        if (!bolan_text_number(word, &radians) || fabs(radians) > 4.0 * BOLAN_PI)
+            return bolan_text_unexpected(&h->text, &word, "a direction in radians");
         h->to[j] = 0.5 * BOLAN_PI - radians; // from the north clockwise to from the east counter-clockwise
     }
     even_out(h->to, h->directions);
@@ -69,11 +69,11 @@ static bolan_result read_header(const bolan_spectrum_text *text, ww3_header *h) 
 
 static bolan_result read_digits(text_cursor *text, uint32_t length, const char *expected, int *value) {
     text_word word;
-    if (!text_next_word(text, &word)) return text_unexpected(text, NULL, expected);
+    if (!bolan_text_next_word(text, &word)) return bolan_text_unexpected(text, NULL, expected);
     *value = 0;
     for (size_t i = 0; i < word.length && i < 9; i++) {
         if (word.length != length || word.begin[i] < '0' || word.begin[i] > '9')
-            return text_unexpected(text, &word, expected);
+            return bolan_text_unexpected(text, &word, expected);
         *value = *value * 10 + (word.begin[i] - '0');
     }
     return BOLAN_OK;
@@ -84,7 +84,7 @@ static bolan_result read_date(text_cursor *text, record_date *date) {
     if (read_digits(text, 8, "a date such as 20220912", &day) || read_digits(text, 6, "a time such as 060000", &time))
         return BOLAN_ERROR_FORMAT;
     *date = (record_date){{day / 10000, day / 100 % 100, day % 100, time / 10000, time / 100 % 100, time % 100}};
-    if (record_date_is_valid(date)) return BOLAN_OK;
+    if (bolan_record_date_is_valid(date)) return BOLAN_OK;
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_DATE,
               "%s:%u: there is no date %08d %06d; expected one of the calendar, as yyyymmdd hhmmss", text->name,
               (unsigned)text->line, day, time);
@@ -94,15 +94,15 @@ static bolan_result read_date(text_cursor *text, record_date *date) {
 // 'name' and seven numbers, of which the first two are latitude and longitude.
 static bolan_result read_point(text_cursor *text, double place[2]) {
     text_word word;
-    if (!text_next_word(text, &word)) return text_unexpected(text, NULL, "the name of a point in quotes");
+    if (!bolan_text_next_word(text, &word)) return bolan_text_unexpected(text, NULL, "the name of a point in quotes");
     const char *quote =
         word.begin[0] == '\'' ? memchr(word.begin + 1, '\'', (size_t)(text->end - word.begin - 1)) : NULL;
-    if (!quote) return text_unexpected(text, &word, "the name of a point in quotes");
+    if (!quote) return bolan_text_unexpected(text, &word, "the name of a point in quotes");
     text->next = quote + 1;
-    if (text_read_number(text, "the latitude of a point", &place[1]) ||
-        text_read_number(text, "the longitude of a point", &place[0]))
+    if (bolan_text_read_number(text, "the latitude of a point", &place[1]) ||
+        bolan_text_read_number(text, "the longitude of a point", &place[0]))
         return BOLAN_ERROR_FORMAT;
-    text_skip_line(text);
+    bolan_text_skip_line(text);
     return BOLAN_OK;
 }
 
@@ -111,7 +111,7 @@ static void skip_densities(const ww3_header *h, text_cursor *text) {
     text_word word;
     for (size_t i = 0, count = (size_t)h->frequencies * h->directions; i < count; i++) {
         const text_cursor before = *text;
-        if (!text_next_word(text, &word)) return;
+        if (!bolan_text_next_word(text, &word)) return;
         if (word.begin[0] != '\'') continue;
         *text = before;
         return;
@@ -122,43 +122,44 @@ static bolan_result list_records(const ww3_header *h, record_list *list) {
     text_cursor text = h->text;
     text_word word;
     *list = (record_list){.timed = true, .style = RECORD_LOCAL_SECONDS};
-    for (text_cursor probe = text; text_next_word(&probe, &word); probe = text) {
+    for (text_cursor probe = text; bolan_text_next_word(&probe, &word); probe = text) {
         record_date date;
         double place[2];
         if (read_date(&text, &date)) return BOLAN_ERROR_FORMAT;
-        const bolan_result result = record_list_add(list, &date, text);
+        const bolan_result result = bolan_record_list_add(list, &date, text);
         if (result) return result;
         for (uint32_t i = 0; i < h->points && text.next < text.end; i++) {
             if (read_point(&text, place)) return BOLAN_ERROR_FORMAT;
             skip_densities(h, &text);
         }
     }
-    return list->count ? BOLAN_OK : text_unexpected(&text, NULL, "the date of the first time");
+    return list->count ? BOLAN_OK : bolan_text_unexpected(&text, NULL, "the date of the first time");
 }
 
 static bolan_result choose_point(const ww3_header *h, text_cursor text, location_choice *choice, text_cursor *found) {
-    if (text.next == text.end) return text_unexpected(&text, NULL, "the name of a point in quotes");
+    if (text.next == text.end) return bolan_text_unexpected(&text, NULL, "the name of a point in quotes");
     for (uint32_t i = 0; i < h->points && text.next < text.end; i++) {
         double place[2];
         if (read_point(&text, place)) return BOLAN_ERROR_FORMAT;
-        if (location_choice_offer(choice, place)) *found = text;
+        if (bolan_location_choice_offer(choice, place)) *found = text;
         skip_densities(h, &text);
     }
-    return location_choice_end(choice, text.name);
+    return bolan_location_choice_end(choice, text.name);
 }
 
 // ---- the whole ------------------------------------------------------------------------------------------------------
 
 static bolan_result read_densities(const ww3_header *h, text_cursor *text, spectrum_grid *grid) {
-    if (spectrum_grid_begin(grid, h->hertz, h->frequencies, h->to, h->directions)) return BOLAN_ERROR_MEMORY;
+    if (bolan_spectrum_grid_begin(grid, h->hertz, h->frequencies, h->to, h->directions)) return BOLAN_ERROR_MEMORY;
     for (uint32_t j = 0; j < h->directions; j++)
         for (uint32_t i = 0; i < h->frequencies; i++) {
             text_word word;
             double value;
-            if (!text_next_word(text, &word)) return text_unexpected(text, NULL, "a density");
-            if (!text_fortran_number(word, &value)) return text_unexpected(text, &word, "a density");
-            if (value < 0.0) return text_negative(text, value);
-            if (value > SPECTRUM_MAX_DENSITY) return text_unexpected(text, &word, "a density that a sea can have");
+            if (!bolan_text_next_word(text, &word)) return bolan_text_unexpected(text, NULL, "a density");
+            if (!bolan_text_fortran_number(word, &value)) return bolan_text_unexpected(text, &word, "a density");
+            if (value < 0.0) return bolan_text_negative(text, value);
+            if (value > SPECTRUM_MAX_DENSITY)
+                return bolan_text_unexpected(text, &word, "a density that a sea can have");
             grid->energy[(size_t)i * h->directions + j] = value;
         }
     return BOLAN_OK;
@@ -166,27 +167,27 @@ static bolan_result read_densities(const ww3_header *h, text_cursor *text, spect
 
 static bolan_result read_record(const ww3_header *h, const record_entry *entry, const bolan_spectrum_options *options,
                                 spectrum_grid *grid) {
-    location_choice choice = location_choice_begin(options, true);
+    location_choice choice = bolan_location_choice_begin(options, true);
     text_cursor text = entry->at;
     bolan_result result = choose_point(h, entry->at, &choice, &text);
     if (!result) result = read_densities(h, &text, grid);
-    if (!result) location_choice_say(&choice, h->text.name, &grid->notes);
+    if (!result) bolan_location_choice_say(&choice, h->text.name, &grid->notes);
     return result;
 }
 
-bolan_result spectrum_parse_ww3(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                spectrum_grid *grid) {
+bolan_result bolan_spectrum_parse_ww3(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
+                                      spectrum_grid *grid) {
     ww3_header h;
     record_list list = {.entries = NULL};
     const record_entry *entry = NULL;
     if (read_header(&texts->density, &h)) return BOLAN_ERROR_FORMAT;
     bolan_result result = list_records(&h, &list);
-    if (!result) result = record_list_choose(&list, h.text.name, options, &grid->notes, &entry);
+    if (!result) result = bolan_record_list_choose(&list, h.text.name, options, &grid->notes, &entry);
     if (!result) {
         grid->record_count = list.count;
-        record_date_print(&entry->date, list.style, grid->time);
+        bolan_record_date_print(&entry->date, list.style, grid->time);
         result = read_record(&h, entry, options, grid);
     }
-    record_list_release(&list);
+    bolan_record_list_release(&list);
     return result;
 }

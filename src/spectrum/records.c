@@ -8,26 +8,26 @@
 
 // ---- dates ----------------------------------------------------------------------------------------------------------
 
-int record_days_in_month(int year, int month) {
+int bolan_record_days_in_month(int year, int month) {
     static const int days[12] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
     if (month < 1 || month > 12) return 31;
     const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
     return days[month - 1] + (month == 2 && leap);
 }
 
-bool record_date_is_valid(const record_date *date) {
+bool bolan_record_date_is_valid(const record_date *date) {
     const int *f = date->field;
     return f[0] >= 1900 && f[0] <= 2999 && f[1] >= 1 && f[1] <= 12 && f[2] >= 1 &&
-           f[2] <= record_days_in_month(f[0], f[1]) && f[3] >= 0 && f[3] <= 23 && f[4] >= 0 && f[4] <= 59 &&
+           f[2] <= bolan_record_days_in_month(f[0], f[1]) && f[3] >= 0 && f[3] <= 23 && f[4] >= 0 && f[4] <= 59 &&
            f[5] >= 0 && f[5] <= 59;
 }
 
-int64_t record_date_seconds(const record_date *date) {
+int64_t bolan_record_date_seconds(const record_date *date) {
     const int *f = date->field;
     int64_t days = 0;
-    for (int year = 1970; year < f[0]; year++) days += record_days_in_month(year, 2) + 337;
-    for (int year = f[0]; year < 1970; year++) days -= record_days_in_month(year, 2) + 337;
-    for (int month = 1; month < f[1]; month++) days += record_days_in_month(f[0], month);
+    for (int year = 1970; year < f[0]; year++) days += bolan_record_days_in_month(year, 2) + 337;
+    for (int year = f[0]; year < 1970; year++) days -= bolan_record_days_in_month(year, 2) + 337;
+    for (int month = 1; month < f[1]; month++) days += bolan_record_days_in_month(f[0], month);
     days += f[2] - 1;
     return ((days * 24 + f[3]) * 60 + f[4]) * 60 + f[5];
 }
@@ -43,7 +43,7 @@ static bool read_digits(const char **p, char before, int count, int *value) {
     return true;
 }
 
-bool record_date_from_text(const char *text, record_date *date) {
+bool bolan_record_date_from_text(const char *text, record_date *date) {
     const char *p = text;
     int *f = date->field;
     *date = (record_date){{0}};
@@ -52,10 +52,10 @@ bool record_date_from_text(const char *text, record_date *date) {
     if (*p == 'T' && (!read_digits(&p, 'T', 2, &f[3]) || !read_digits(&p, ':', 2, &f[4]))) return false;
     if (*p == ':' && !read_digits(&p, ':', 2, &f[5])) return false;
     if (*p == 'Z') p++;
-    return *p == '\0' && record_date_is_valid(date);
+    return *p == '\0' && bolan_record_date_is_valid(date);
 }
 
-void record_date_print(const record_date *date, record_style style, char out[RECORD_TIME_SIZE]) {
+void bolan_record_date_print(const record_date *date, record_style style, char out[RECORD_TIME_SIZE]) {
     const int *f = date->field;
     const int used = snprintf(out, RECORD_TIME_SIZE, "%04d-%02d-%02dT%02d:%02d", f[0], f[1], f[2], f[3], f[4]);
     snprintf(out + used, RECORD_TIME_SIZE - (size_t)used, style == RECORD_LOCAL_SECONDS ? ":%02d" : "Z", f[5]);
@@ -79,16 +79,16 @@ static bolan_result grow(record_list *list) {
     return BOLAN_OK;
 }
 
-bolan_result record_list_add(record_list *list, const record_date *date, text_cursor at) {
+bolan_result bolan_record_list_add(record_list *list, const record_date *date, text_cursor at) {
     if (list->count == list->capacity && grow(list)) return BOLAN_ERROR_MEMORY;
     record_entry *entry = &list->entries[list->count];
-    *entry = (record_entry){.seconds = list->timed ? record_date_seconds(date) : list->count, .at = at};
+    *entry = (record_entry){.seconds = list->timed ? bolan_record_date_seconds(date) : list->count, .at = at};
     entry->order = list->count++;
     if (list->timed) entry->date = *date;
     return BOLAN_OK;
 }
 
-void record_list_release(record_list *list) {
+void bolan_record_list_release(record_list *list) {
     bolan_release(list->entries, list->capacity * sizeof *list->entries);
     *list = (record_list){.entries = NULL};
 }
@@ -113,35 +113,35 @@ static bolan_result choose_number(const record_list *list, const char *name, uin
 static bolan_result choose_time(const record_list *list, const char *name, const char *time, spectrum_notes *notes,
                                 const record_entry **chosen) {
     record_date date;
-    if (!list->timed || !record_date_from_text(time, &date)) {
+    if (!list->timed || !bolan_record_date_from_text(time, &date)) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TIME_INDEX,
                   "%s: the record of %s was asked for, but the text has no times that can be read; expected a number",
                   name, time);
         return BOLAN_ERROR_ARGUMENT;
     }
-    const int64_t wanted = record_date_seconds(&date);
+    const int64_t wanted = bolan_record_date_seconds(&date);
     const record_entry *best = &list->entries[0];
     for (uint32_t i = 1; i < list->count; i++)
         if (llabs(list->entries[i].seconds - wanted) < llabs(best->seconds - wanted)) best = &list->entries[i];
     char nearest[RECORD_TIME_SIZE], first[RECORD_TIME_SIZE], last[RECORD_TIME_SIZE];
-    record_date_print(&best->date, list->style, nearest);
+    bolan_record_date_print(&best->date, list->style, nearest);
     if (llabs(best->seconds - wanted) > RECORD_NEAR_SECONDS) {
-        record_date_print(&list->entries[0].date, list->style, first);
-        record_date_print(&list->entries[list->count - 1].date, list->style, last);
+        bolan_record_date_print(&list->entries[0].date, list->style, first);
+        bolan_record_date_print(&list->entries[list->count - 1].date, list->style, last);
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TIME_INDEX,
                   "%s: the record of %s was asked for; the nearest of its %u records, from %s to %s, is that of %s",
                   name, time, (unsigned)list->count, first, last, nearest);
         return BOLAN_ERROR_ARGUMENT;
     }
     if (best->seconds != wanted)
-        spectrum_note(notes, BOLAN_LOG_SPECTRUM_NEAREST_TIME,
-                      "%s: there is no record of %s; the nearest, of %s, is taken", name, time, nearest);
+        bolan_spectrum_note(notes, BOLAN_LOG_SPECTRUM_NEAREST_TIME,
+                            "%s: there is no record of %s; the nearest, of %s, is taken", name, time, nearest);
     *chosen = best;
     return BOLAN_OK;
 }
 
-bolan_result record_list_choose(record_list *list, const char *name, const bolan_spectrum_options *options,
-                                spectrum_notes *notes, const record_entry **chosen) {
+bolan_result bolan_record_list_choose(record_list *list, const char *name, const bolan_spectrum_options *options,
+                                      spectrum_notes *notes, const record_entry **chosen) {
     qsort(list->entries, list->count, sizeof *list->entries, by_time);
     return options->time[0] ? choose_time(list, name, options->time, notes, chosen)
                             : choose_number(list, name, options->record, chosen);

@@ -13,13 +13,13 @@ typedef struct record_date {
 } record_date;
 
 /// Days of a month, 28 to 31; 31 for a month that is none.
-int record_days_in_month(int year, int month);
+int bolan_record_days_in_month(int year, int month);
 /// Is there such a moment? Years 1900 to 2999, hours 0 to 23.
-bool record_date_is_valid(const record_date *date);
+bool bolan_record_date_is_valid(const record_date *date);
 /// Seconds since 1970. Of a valid date.
-int64_t record_date_seconds(const record_date *date);
+int64_t bolan_record_date_seconds(const record_date *date);
 /// "2018-01-01", "2018-01-01T06:00" or "2018-01-01T06:00:00", with or without Z; false if it is none, or impossible.
-bool record_date_from_text(const char *text, record_date *date);
+bool bolan_record_date_from_text(const char *text, record_date *date);
 
 /// How a format's times are printed: as exact as the format, and UTC only where the format says so.
 typedef enum record_style {
@@ -27,7 +27,7 @@ typedef enum record_style {
     RECORD_LOCAL_SECONDS, ///< "2018-01-01T06:00:00"
 } record_style;
 enum { RECORD_TIME_SIZE = 32 };
-void record_date_print(const record_date *date, record_style style, char out[RECORD_TIME_SIZE]);
+void bolan_record_date_print(const record_date *date, record_style style, char out[RECORD_TIME_SIZE]);
 
 typedef struct record_entry {
     int64_t seconds; ///< since 1970; where the text has no readable times, the place in the text
@@ -44,12 +44,12 @@ typedef struct record_list {
 } record_list;
 
 /// Appends an entry; MEMORY (logged). Sets seconds by the date, or by the order where the list is not timed.
-bolan_result record_list_add(record_list *list, const record_date *date, text_cursor at);
-void record_list_release(record_list *list);
+bolan_result bolan_record_list_add(record_list *list, const record_date *date, text_cursor at);
+void bolan_record_list_release(record_list *list);
 /// Sorts by time, equal times as in the text, and gives the record that the options ask for. ARGUMENT (one sentence) if
 /// there is none. A date that is not exact, but within an hour, is a note.
-bolan_result record_list_choose(record_list *list, const char *name, const bolan_spectrum_options *options,
-                                spectrum_notes *notes, const record_entry **chosen);
+bolan_result bolan_record_list_choose(record_list *list, const char *name, const bolan_spectrum_options *options,
+                                      spectrum_notes *notes, const record_entry **chosen);
 
 /// How far apart [s] two times may be for one to stand in for the other.
 #define RECORD_NEAR_SECONDS 3600

@@ -19,7 +19,7 @@ static double chebyshev(const double *coefficients, int count, double t) {
     return coefficients[0] + t * b1 - b2;
 }
 
-double spectrum_peak_integral(double log_gamma) {
+double bolan_spectrum_peak_integral(double log_gamma) {
     // The integral is a moment-generating function in ln gamma, hence very smooth: fitted to Gauss-Legendre quadrature.
     static const double fit[13] = {0.454354892778,     0.504184369265,     0.0507810089733,   0.00061513142298,
                                    -0.000350868493041, -1.05977506168e-05, 4.11365485825e-06, 1.93428701766e-07,
@@ -29,7 +29,7 @@ double spectrum_peak_integral(double log_gamma) {
     return log_gamma > 0.0 ? portable_exp(chebyshev(fit, 13, 2.0 * log_gamma / log_gamma_max - 1.0)) : 1.0;
 }
 
-double spectrum_cos2_swell_log_norm(double s) {
+double bolan_spectrum_cos2_swell_log_norm(double s) {
     static const double fit[13] = {0.0508712402438,   -0.337307176922,    0.05177098672,     -0.00953588559423,
                                    0.00175260097392,  -0.000297334790586, 4.31411836554e-05, -4.49676462364e-06,
                                    3.58177928861e-08, 1.37956892052e-07,  -4.4860571666e-08, 9.41673852462e-09,
@@ -37,7 +37,7 @@ double spectrum_cos2_swell_log_norm(double s) {
     return chebyshev(fit, 13, s / 8.0 - 1.0);
 }
 
-double spectrum_cos2s_norm(double s) {
+double bolan_spectrum_cos2s_norm(double s) {
     // By Legendre's duplication N(s) = Gamma(s+1) / (2 sqrt(pi) Gamma(s+1/2)). The ratio is asymptotic in 1/x; eight
     // steps of the recurrence bring x = s + 8 where five terms are enough.
     double up = 1.0, down = 1.0;
@@ -56,12 +56,12 @@ static void mean_direction(const bolan_wave_system *from, spectrum_system *to) {
     bolan_sincos(bolan_compass_from_to_math(from->from_deg), &to->to_y, &to->to_x);
 }
 
-spectrum_system spectrum_system_prepare(const bolan_wave_system *system) {
+spectrum_system bolan_spectrum_system_prepare(const bolan_wave_system *system) {
     spectrum_system p = {.peak_omega = system->peak_omega, .spreading = system->spreading, .s = system->spread_s};
     const bool peaked = system->kind == BOLAN_SPECTRUM_JONSWAP || system->kind == BOLAN_SPECTRUM_TMA;
     const double wp2 = system->peak_omega * system->peak_omega;
     p.log_gamma = peaked && system->gamma > 1.0 ? portable_log(system->gamma) : 0.0;
-    p.level = 5.0 / 16.0 * system->hs * system->hs * wp2 * wp2 / spectrum_peak_integral(p.log_gamma);
+    p.level = 5.0 / 16.0 * system->hs * system->hs * wp2 * wp2 / bolan_spectrum_peak_integral(p.log_gamma);
     p.depth_limited = system->kind == BOLAN_SPECTRUM_TMA;
     // L = U^2 / g = (4/5)^(1/2) g / wp^2, l = L / 1000. The cut takes 1e-6 of m0, so the level stays.
     if (system->kind == BOLAN_SPECTRUM_PHILLIPS) p.cut = 0.89442719099991588e-3 / wp2;
@@ -81,7 +81,7 @@ static double depth_factor(double kh) {
     return t * t / (1.0 + 4.0 * kh / (e - 1.0 / e));
 }
 
-double spectrum_system_density(const spectrum_system *system, double omega, double kh) {
+double bolan_spectrum_system_density(const spectrum_system *system, double omega, double kh) {
     const double x = system->peak_omega / omega;
     const double x4 = x * x * x * x;
     if (!(x4 < 500.0)) return 0.0;

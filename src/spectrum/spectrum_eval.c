@@ -6,24 +6,24 @@
 #include "spectrum/measured.h"
 #include "spectrum/portable.h"
 
-spectrum_eval spectrum_eval_prepare(const bolan_sea_state *sea_state) {
+spectrum_eval bolan_spectrum_eval_prepare(const bolan_sea_state *sea_state) {
     spectrum_eval eval = {.measured = sea_state->measured, .measured_level = 1.0, .depth = sea_state->depth};
     for (uint32_t i = 0; i < sea_state->system_count && i < BOLAN_MAX_WAVE_SYSTEMS; i++) {
         if (!(sea_state->systems[i].hs > 0.0)) continue;
-        const spectrum_system system = spectrum_system_prepare(&sea_state->systems[i]);
+        const spectrum_system system = bolan_spectrum_system_prepare(&sea_state->systems[i]);
         eval.any_depth_limited |= system.depth_limited;
         eval.systems[eval.system_count++] = system;
     }
     return eval;
 }
 
-void spectrum_eval_scale(spectrum_eval *eval, double factor) {
+void bolan_spectrum_eval_scale(spectrum_eval *eval, double factor) {
     for (uint32_t i = 0; i < eval->system_count; i++) eval->systems[i].level *= factor * factor;
     eval->measured_level *= factor * factor;
 }
 
 static double measured_density(const spectrum_eval *eval, double omega, double theta, bool with_tail) {
-    return eval->measured_level * spectrum_measured_density(eval->measured, omega, theta, with_tail);
+    return eval->measured_level * bolan_spectrum_measured_density(eval->measured, omega, theta, with_tail);
 }
 
 // The sum over systems for a wave that goes along the unit vector (ux, uy).
@@ -31,14 +31,14 @@ static double systems_density(const spectrum_eval *eval, double omega, double kh
     double sum = 0.0;
     for (uint32_t i = 0; i < eval->system_count; i++) {
         const spectrum_system *system = &eval->systems[i];
-        const double density = spectrum_system_density(system, omega, kh);
+        const double density = bolan_spectrum_system_density(system, omega, kh);
         if (density > 0.0)
-            sum += density * spectrum_system_spreading(system, omega, ux * system->to_x + uy * system->to_y);
+            sum += density * bolan_spectrum_system_spreading(system, omega, ux * system->to_x + uy * system->to_y);
     }
     return sum;
 }
 
-double spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky) {
+double bolan_spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky) {
     const double k = sqrt(kx * kx + ky * ky);
     if (!(k > 0.0)) return 0.0;
     // w and dw/dk as in dispersion.c, sharing the tanh.
@@ -51,11 +51,11 @@ double spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky) {
 }
 
 double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, double kx, double ky) {
-    const spectrum_eval eval = spectrum_eval_prepare(sea_state);
-    return spectrum_eval_psi(&eval, kx, ky);
+    const spectrum_eval eval = bolan_spectrum_eval_prepare(sea_state);
+    return bolan_spectrum_eval_psi(&eval, kx, ky);
 }
 
-double spectrum_eval_density(const spectrum_eval *eval, double omega, double ux, double uy) {
+double bolan_spectrum_eval_density(const spectrum_eval *eval, double omega, double ux, double uy) {
     const double kh = eval->any_depth_limited ? eval->depth * bolan_k_from_omega(omega, eval->depth) : 0.0;
     double density = systems_density(eval, omega, kh, ux, uy);
     if (eval->measured) density += measured_density(eval, omega, portable_angle(uy, ux), false);
@@ -64,23 +64,23 @@ double spectrum_eval_density(const spectrum_eval *eval, double omega, double ux,
 
 double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta) {
     if (!(omega > 0.0)) return 0.0;
-    const spectrum_eval eval = spectrum_eval_prepare(sea_state);
+    const spectrum_eval eval = bolan_spectrum_eval_prepare(sea_state);
     double ux, uy;
     bolan_sincos(theta, &uy, &ux);
-    return spectrum_eval_density(&eval, omega, ux, uy);
+    return bolan_spectrum_eval_density(&eval, omega, ux, uy);
 }
 
 double bolan_system_density(const bolan_wave_system *system, double omega, double depth) {
     if (!(omega > 0.0)) return 0.0;
-    const spectrum_system prepared = spectrum_system_prepare(system);
-    return spectrum_system_density(&prepared, omega,
-                                   prepared.depth_limited ? depth * bolan_k_from_omega(omega, depth) : 0.0);
+    const spectrum_system prepared = bolan_spectrum_system_prepare(system);
+    return bolan_spectrum_system_density(&prepared, omega,
+                                         prepared.depth_limited ? depth * bolan_k_from_omega(omega, depth) : 0.0);
 }
 
 double bolan_system_spreading(const bolan_wave_system *system, double omega, double theta) {
     if (!(omega > 0.0)) return 0.0;
-    const spectrum_system prepared = spectrum_system_prepare(system);
+    const spectrum_system prepared = bolan_spectrum_system_prepare(system);
     double sine, cosine;
     bolan_sincos(theta, &sine, &cosine);
-    return spectrum_system_spreading(&prepared, omega, cosine);
+    return bolan_spectrum_system_spreading(&prepared, omega, cosine);
 }

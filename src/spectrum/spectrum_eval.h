@@ -34,34 +34,34 @@ typedef struct spectrum_eval {
 } spectrum_eval;
 
 /// Prepares a valid sea state (bolan_sea_state_validate()). Allocates nothing.
-spectrum_eval spectrum_eval_prepare(const bolan_sea_state *sea_state);
+spectrum_eval bolan_spectrum_eval_prepare(const bolan_sea_state *sea_state);
 
 /// Multiplies the height of all waves by @p factor.
-void spectrum_eval_scale(spectrum_eval *eval, double factor);
+void bolan_spectrum_eval_scale(spectrum_eval *eval, double factor);
 
 /// Psi(kx, ky) [m4], tail included; 0 at k = 0. As bolan_sea_state_wavenumber_density(). Thread-safe.
-double spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky);
+double bolan_spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky);
 
 /// S(w, th) [m2 s/rad per rad] for waves that go along the unit vector (ux, uy), without the tail of a measured spectrum. As
 /// bolan_sea_state_density(). @p omega > 0. Thread-safe.
-double spectrum_eval_density(const spectrum_eval *eval, double omega, double ux, double uy);
+double bolan_spectrum_eval_density(const spectrum_eval *eval, double omega, double ux, double uy);
 
 /// S(w) [m2 s/rad]: the former over all directions. @p omega > 0. Thread-safe.
-double spectrum_eval_omnidirectional(const spectrum_eval *eval, double omega);
+double bolan_spectrum_eval_omnidirectional(const spectrum_eval *eval, double omega);
 
-spectrum_system spectrum_system_prepare(const bolan_wave_system *system);
+spectrum_system bolan_spectrum_system_prepare(const bolan_wave_system *system);
 /// S(w) [m2 s/rad]; @p kh is the relative depth of that wave, used by TMA only.
-double spectrum_system_density(const spectrum_system *system, double omega, double kh);
+double bolan_spectrum_system_density(const spectrum_system *system, double omega, double kh);
 /// D(w, th) [1/rad] by the cosine of the angle from the mean direction, -1..1.
-double spectrum_system_spreading(const spectrum_system *system, double omega, double cosine);
+double bolan_spectrum_system_spreading(const spectrum_system *system, double omega, double cosine);
 /// First moment of D: the mean of cos th, 0..1.
-double spectrum_system_mean_cosine(const spectrum_system *system, double omega);
+double bolan_spectrum_system_mean_cosine(const spectrum_system *system, double omega);
 
 /// 1 / C(gamma) = the integral over x of 5 x^-5 exp(-1.25 x^-4) gamma^r(x), 1 <= gamma <= 10; error < 1e-9.
-double spectrum_peak_integral(double log_gamma);
+double bolan_spectrum_peak_integral(double log_gamma);
 /// N(s) = 2^{2s-1} Gamma(s+1)^2 / (pi Gamma(2s+1)), s >= 0; relative error < 1e-9.
-double spectrum_cos2s_norm(double s);
+double bolan_spectrum_cos2s_norm(double s);
 /// ln of the integral of cos^2 th cos^{2s}(th/2) over +-90 degrees, 0 <= s <= 16; error < 1e-7.
-double spectrum_cos2_swell_log_norm(double s);
+double bolan_spectrum_cos2_swell_log_norm(double s);
 
 #endif

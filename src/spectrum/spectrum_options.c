@@ -15,7 +15,7 @@ bolan_spectrum_options bolan_spectrum_options_default(void) {
 
 // A number from @p low that fills the text up to @p end.
 static bool read_number(const char *text, const char *end, double low, double high, double *value) {
-    return text_number((text_word){text, (size_t)(end - text), 1}, value) && *value >= low && *value <= high;
+    return bolan_text_number((text_word){text, (size_t)(end - text), 1}, value) && *value >= low && *value <= high;
 }
 
 static bool read_whole(const char *text, double low, uint32_t *out) {
@@ -29,7 +29,7 @@ bool bolan_spectrum_options_set_record(bolan_spectrum_options *options, const ch
     BOLAN_ASSERT(options && text);
     record_date date;
     uint32_t record = 0;
-    const bool is_date = record_date_from_text(text, &date);
+    const bool is_date = bolan_record_date_from_text(text, &date);
     if (!is_date && !read_whole(text, 0.0, &record)) return false;
     options->record = record;
     snprintf(options->time, sizeof options->time, "%s", is_date ? text : "");
@@ -65,7 +65,7 @@ static bolan_result check(const char *field, double value, double low, double hi
 bolan_result bolan_spectrum_options_validate(const bolan_spectrum_options *o) {
     BOLAN_ASSERT(o);
     record_date date;
-    if (!memchr(o->time, '\0', sizeof o->time) || (o->time[0] && !record_date_from_text(o->time, &date))) {
+    if (!memchr(o->time, '\0', sizeof o->time) || (o->time[0] && !bolan_record_date_from_text(o->time, &date))) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT,
                   "bolan_spectrum_options: time is %.31s; expected a date such as 2018-01-01T06:00", o->time);
         return BOLAN_ERROR_ARGUMENT;

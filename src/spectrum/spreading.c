@@ -29,16 +29,17 @@ static double half_angle_power(double cosine, double s) {
 static double cos2_spreading(double cosine, double swell_s) {
     if (cosine <= 0.0) return 0.0;
     if (!(swell_s > 0.0)) return 2.0 / BOLAN_PI * cosine * cosine;
-    return cosine * cosine * half_angle_power(cosine, swell_s) * portable_exp(-spectrum_cos2_swell_log_norm(swell_s));
+    return cosine * cosine * half_angle_power(cosine, swell_s) *
+           portable_exp(-bolan_spectrum_cos2_swell_log_norm(swell_s));
 }
 
-double spectrum_system_spreading(const spectrum_system *system, double omega, double cosine) {
+double bolan_spectrum_system_spreading(const spectrum_system *system, double omega, double cosine) {
     if (system->spreading == BOLAN_SPREADING_COS2) return cos2_spreading(cosine, swell_exponent(system, omega));
     const double s = cos2s_exponent(system, omega);
-    return spectrum_cos2s_norm(s) * half_angle_power(cosine, s);
+    return bolan_spectrum_cos2s_norm(s) * half_angle_power(cosine, s);
 }
 
-double spectrum_system_mean_cosine(const spectrum_system *system, double omega) {
+double bolan_spectrum_system_mean_cosine(const spectrum_system *system, double omega) {
     if (system->spreading != BOLAN_SPREADING_COS2) {
         const double s = cos2s_exponent(system, omega);
         return s / (s + 1.0);

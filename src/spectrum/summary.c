@@ -22,8 +22,7 @@ static void add_sample(moments *sum, double density, double omega, double weight
 }
 
 // S(w) of one row of the grid, with its direction sums.
-static double row_density(const bolan_measured_spectrum *measured, uint32_t row, double *cosine_sum,
-                          double *sine_sum) {
+static double row_density(const bolan_measured_spectrum *measured, uint32_t row, double *cosine_sum, double *sine_sum) {
     double sum = 0.0, c = 0.0, s = 0.0;
     for (uint32_t j = 0; j < measured->direction_count; j++) {
         const double density = measured->density[row * measured->direction_count + j];
@@ -41,7 +40,7 @@ static double row_density(const bolan_measured_spectrum *measured, uint32_t row,
 static void add_measured(moments *sum, const bolan_measured_spectrum *measured) {
     for (uint32_t i = 0; i < measured->frequency_count; i++) {
         double cosine, sine;
-        const double weight = spectrum_trapezoid_weight(measured->omega, measured->frequency_count, i);
+        const double weight = bolan_spectrum_trapezoid_weight(measured->omega, measured->frequency_count, i);
         add_sample(sum, row_density(measured, i, &cosine, &sine), measured->omega[i], weight);
         sum->cosine += cosine * weight;
         sum->sine += sine * weight;
@@ -66,10 +65,10 @@ static double relative_depth(const spectrum_eval *eval, double omega) {
 static void add_system(moments *sum, const spectrum_eval *eval, const spectrum_system *system) {
     for (int i = 0; i <= STEPS; i++) {
         const double omega = node_omega(system, i);
-        const double density = spectrum_system_density(system, omega, relative_depth(eval, omega));
+        const double density = bolan_spectrum_system_density(system, omega, relative_depth(eval, omega));
         const double simpson = i == 0 || i == STEPS ? 1.0 : i % 2 ? 4.0 : 2.0;
         const double weight = simpson * STEP / 3.0 * omega; // dw = w du
-        const double along = density * weight * spectrum_system_mean_cosine(system, omega);
+        const double along = density * weight * bolan_spectrum_system_mean_cosine(system, omega);
         add_sample(sum, density, omega, weight);
         sum->cosine += along * system->to_x;
         sum->sine += along * system->to_y;
@@ -81,19 +80,19 @@ static void add_system(moments *sum, const spectrum_eval *eval, const spectrum_s
 static double measured_density_at(const bolan_measured_spectrum *measured, double omega) {
     double sum = 0.0;
     for (uint32_t j = 0; measured && j < measured->direction_count; j++)
-        sum += spectrum_measured_density(measured, omega, measured->theta[j], false) * measured->direction_step;
+        sum += bolan_spectrum_measured_density(measured, omega, measured->theta[j], false) * measured->direction_step;
     return sum;
 }
 
-double spectrum_eval_omnidirectional(const spectrum_eval *eval, double omega) {
+double bolan_spectrum_eval_omnidirectional(const spectrum_eval *eval, double omega) {
     double sum = eval->measured_level * measured_density_at(eval->measured, omega);
     for (uint32_t i = 0; i < eval->system_count; i++)
-        sum += spectrum_system_density(&eval->systems[i], omega, relative_depth(eval, omega));
+        sum += bolan_spectrum_system_density(&eval->systems[i], omega, relative_depth(eval, omega));
     return sum;
 }
 
 static void keep_larger(const spectrum_eval *eval, double omega, double *best_omega, double *best) {
-    const double density = spectrum_eval_omnidirectional(eval, omega);
+    const double density = bolan_spectrum_eval_omnidirectional(eval, omega);
     if (density > *best) {
         *best = density;
         *best_omega = omega;
@@ -125,7 +124,7 @@ static double steepness_share(const moments *sum, double peak_omega, double dept
 
 bolan_sea_limit bolan_sea_state_limit(const bolan_sea_state *sea_state) {
     BOLAN_ASSERT(sea_state);
-    const spectrum_eval eval = spectrum_eval_prepare(sea_state);
+    const spectrum_eval eval = bolan_spectrum_eval_prepare(sea_state);
     double m0 = 0.0, steepness = 0.0;
     for (uint32_t i = 0; i <= eval.system_count; i++) { // the last is the measured spectrum
         spectrum_eval one = {.measured_level = 1.0, .depth = eval.depth, .any_depth_limited = eval.any_depth_limited};
@@ -147,7 +146,7 @@ bolan_sea_limit bolan_sea_state_limit(const bolan_sea_state *sea_state) {
 
 bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state) {
     bolan_sea_summary summary = {.from_deg = sea_state->wind_from_deg};
-    const spectrum_eval eval = spectrum_eval_prepare(sea_state);
+    const spectrum_eval eval = bolan_spectrum_eval_prepare(sea_state);
     moments sum = {0};
     if (eval.measured) add_measured(&sum, eval.measured);
     for (uint32_t i = 0; i < eval.system_count; i++) add_system(&sum, &eval, &eval.systems[i]);

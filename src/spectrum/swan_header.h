@@ -36,10 +36,10 @@ typedef struct swan_header {
 } swan_header;
 
 /// The next word that is not in a $ comment.
-bool swan_next_word(text_cursor *text, text_word *word);
+bool bolan_swan_next_word(text_cursor *text, text_word *word);
 /// Reads the header at the start of @p text. FORMAT.
-bolan_result swan_read_header(const bolan_spectrum_text *text, swan_header *header);
+bolan_result bolan_swan_read_header(const bolan_spectrum_text *text, swan_header *header);
 /// The coordinates of the location at @p places, which moves on to the next.
-bolan_result swan_read_place(text_cursor *places, double place[2]);
+bolan_result bolan_swan_read_place(text_cursor *places, double place[2]);
 
 #endif

@@ -13,7 +13,7 @@ static void trim(text_cursor *cursor) {
     while (cursor->end > cursor->next && is_space(cursor->end[-1])) cursor->end--;
 }
 
-text_cursor text_open(const bolan_spectrum_text *text) {
+text_cursor bolan_text_open(const bolan_spectrum_text *text) {
     text_cursor cursor = {text->name ? text->name : "spectrum", text->data, text->data, 1, false};
     if (!text->data) return cursor;
     cursor.end += text->size;
@@ -23,7 +23,7 @@ text_cursor text_open(const bolan_spectrum_text *text) {
     return cursor;
 }
 
-bool text_next_word(text_cursor *cursor, text_word *word) {
+bool bolan_text_next_word(text_cursor *cursor, text_word *word) {
     while (cursor->next < cursor->end && is_space(*cursor->next)) cursor->line += *cursor->next++ == '\n';
     word->begin = cursor->next;
     word->line = cursor->line;
@@ -32,30 +32,30 @@ bool text_next_word(text_cursor *cursor, text_word *word) {
     return word->length > 0;
 }
 
-void text_skip_line(text_cursor *cursor) {
+void bolan_text_skip_line(text_cursor *cursor) {
     if (cursor->next == cursor->end) return;
     const char *newline = memchr(cursor->next, '\n', (size_t)(cursor->end - cursor->next));
     cursor->line += newline != NULL;
     cursor->next = newline ? newline + 1 : cursor->end;
 }
 
-bool text_next_line(text_cursor *cursor, text_cursor *line) {
+bool bolan_text_next_line(text_cursor *cursor, text_cursor *line) {
     while (cursor->next < cursor->end) {
         *line = *cursor;
-        text_skip_line(cursor);
+        bolan_text_skip_line(cursor);
         line->end = cursor->next;
         line->one_line = true;
         trim(line);
         text_cursor probe = *line;
         text_word word;
-        if (text_next_word(&probe, &word)) return true;
+        if (bolan_text_next_word(&probe, &word)) return true;
     }
     return false;
 }
 
 static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c + ('a' - 'A')) : c; }
 
-bool text_equals(text_word word, const char *expected) {
+bool bolan_text_equals(text_word word, const char *expected) {
     if (strlen(expected) != word.length) return false;
     for (size_t i = 0; i < word.length; i++)
         if (lower(word.begin[i]) != lower(expected[i])) return false;
@@ -118,13 +118,13 @@ static bool parse_number(text_word word, bool fortran, double *value) {
     return isfinite(magnitude);
 }
 
-bool text_number(text_word word, double *value) { return parse_number(word, false, value); }
+bool bolan_text_number(text_word word, double *value) { return parse_number(word, false, value); }
 
-bool text_fortran_number(text_word word, double *value) { return parse_number(word, true, value); }
+bool bolan_text_fortran_number(text_word word, double *value) { return parse_number(word, true, value); }
 
 // ---- messages -------------------------------------------------------------------------------------------------------
 
-bolan_result text_unexpected(const text_cursor *cursor, const text_word *word, const char *what) {
+bolan_result bolan_text_unexpected(const text_cursor *cursor, const text_word *word, const char *what) {
     if (!word) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TRUNCATED, "%s:%u: the %s ends where %s was expected",
                   cursor->name, (unsigned)cursor->line, cursor->one_line ? "line" : "text", what);
@@ -140,26 +140,27 @@ bolan_result text_unexpected(const text_cursor *cursor, const text_word *word, c
     return BOLAN_ERROR_FORMAT;
 }
 
-bolan_result text_negative(const text_cursor *cursor, double value) {
+bolan_result bolan_text_negative(const text_cursor *cursor, double value) {
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_NEGATIVE, "%s:%u: the density %g is negative; expected 0 or more",
               cursor->name, (unsigned)cursor->line, value);
     return BOLAN_ERROR_FORMAT;
 }
 
-bolan_result text_read_number(text_cursor *cursor, const char *what, double *value) {
+bolan_result bolan_text_read_number(text_cursor *cursor, const char *what, double *value) {
     text_word word;
-    if (!text_next_word(cursor, &word)) return text_unexpected(cursor, NULL, what);
-    return text_number(word, value) ? BOLAN_OK : text_unexpected(cursor, &word, what);
+    if (!bolan_text_next_word(cursor, &word)) return bolan_text_unexpected(cursor, NULL, what);
+    return bolan_text_number(word, value) ? BOLAN_OK : bolan_text_unexpected(cursor, &word, what);
 }
 
-bolan_result text_read_count(text_cursor *cursor, const char *what, uint32_t low, uint32_t high, uint32_t *count) {
+bolan_result bolan_text_read_count(text_cursor *cursor, const char *what, uint32_t low, uint32_t high,
+                                   uint32_t *count) {
     char expected[96];
     snprintf(expected, sizeof expected, "%s from %u to %u", what, (unsigned)low, (unsigned)high);
     text_word word;
-    if (!text_next_word(cursor, &word)) return text_unexpected(cursor, NULL, expected);
+    if (!bolan_text_next_word(cursor, &word)) return bolan_text_unexpected(cursor, NULL, expected);
     double value;
-    if (!text_number(word, &value) || !(value >= low && value <= high) || value != floor(value))
-        return text_unexpected(cursor, &word, expected);
+    if (!bolan_text_number(word, &value) || !(value >= low && value <= high) || value != floor(value))
+        return bolan_text_unexpected(cursor, &word, expected);
     *count = (uint32_t)value;
     return BOLAN_OK;
 }

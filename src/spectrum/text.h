@@ -22,29 +22,29 @@ typedef struct text_word {
     uint32_t line;
 } text_word;
 
-text_cursor text_open(const bolan_spectrum_text *text);
+text_cursor bolan_text_open(const bolan_spectrum_text *text);
 /// The next run of characters that are not white space, on this line or a later one; false at the end of the text.
-bool text_next_word(text_cursor *cursor, text_word *word);
+bool bolan_text_next_word(text_cursor *cursor, text_word *word);
 /// Moves past the end of the current line.
-void text_skip_line(text_cursor *cursor);
+void bolan_text_skip_line(text_cursor *cursor);
 /// The next line that is not blank, as a text of its own, without its end and the white space before that.
-bool text_next_line(text_cursor *cursor, text_cursor *line);
+bool bolan_text_next_line(text_cursor *cursor, text_cursor *line);
 
 /// Equal, but for the case of ASCII letters.
-bool text_equals(text_word word, const char *expected);
+bool bolan_text_equals(text_word word, const char *expected);
 /// A decimal number that fills the word: no "nan", "inf" or hexadecimal, and no overflow.
-bool text_number(text_word word, double *value);
+bool bolan_text_number(text_word word, double *value);
 /// The same, and Fortran's form of an exponent of three digits, which has no letter: "0.67027118-104".
-bool text_fortran_number(text_word word, double *value);
+bool bolan_text_fortran_number(text_word word, double *value);
 
 /// Logs "NAME:LINE: expected WHAT, found WORD" (SPECTRUM_SYNTAX), or, when @p word is NULL, that the text or line ends
 /// where WHAT was expected (SPECTRUM_TRUNCATED). Returns BOLAN_ERROR_FORMAT.
-bolan_result text_unexpected(const text_cursor *cursor, const text_word *word, const char *what);
+bolan_result bolan_text_unexpected(const text_cursor *cursor, const text_word *word, const char *what);
 
 /// The next word as a number, whole number, or non-negative density; an error is logged as above, and negative
 /// densities as SPECTRUM_NEGATIVE.
-bolan_result text_read_number(text_cursor *cursor, const char *what, double *value);
-bolan_result text_read_count(text_cursor *cursor, const char *what, uint32_t low, uint32_t high, uint32_t *count);
-bolan_result text_negative(const text_cursor *cursor, double value);
+bolan_result bolan_text_read_number(text_cursor *cursor, const char *what, double *value);
+bolan_result bolan_text_read_count(text_cursor *cursor, const char *what, uint32_t low, uint32_t high, uint32_t *count);
+bolan_result bolan_text_negative(const text_cursor *cursor, double value);
 
 #endif

@@ -12,7 +12,7 @@
 //
 // A vertex's world position is a whole multiple of its level's spacing. The spacing has at most 24 bits and the multiple at
 // most 29, so positions, and those of the levels that share them, are exact in double.
-#include "surface/picture.h"
+#include "surface/view_cone.h"
 
 // The centre lies at most so many times as far as the nearest water in the picture: with 2, no water in the direction of
 // view is farther from the centre than from the eye, so that cells (which grow with the distance from the centre) look as
@@ -47,13 +47,13 @@ static outlook look_out(const bolan_surface_view *v) {
     o.pixel = v->fov_y / (v->pixel_height > 0 ? v->pixel_height : 1);
     o.nearest = sqrt(2.0 * BOLAN_EARTH_RADIUS * o.height);
     for (int k = 0; k < 9; ++k) {
-        bolan_dvec3 d = surface_picture_direction(v, k % 3 - 1.0, k / 3 - 1.0);
+        bolan_dvec3 d = bolan_surface_view_direction(v, k % 3 - 1.0, k / 3 - 1.0);
         double plan = plan_length(d);
         o.nearest = fmin(o.nearest, distance_along(plan, -side * d.z, o.height));
         o.cosine = fmin(o.cosine, plan > 0.0 ? d.y / plan : -1.0);
     }
-    if (surface_sees_nadir(v)) o.cosine = -1.0;
-    bolan_dvec3 middle = surface_picture_direction(v, 0.0, 0.0);
+    if (bolan_surface_sees_nadir(v)) o.cosine = -1.0;
+    bolan_dvec3 middle = bolan_surface_view_direction(v, 0.0, 0.0);
     double looked_at = distance_along(plan_length(middle), -side * middle.z, o.height);
     o.centre = fmin(looked_at, NEAR_SHARE * fmax(o.nearest, o.height));
     double dip = sqrt(2.0 * o.height / BOLAN_EARTH_RADIUS);

@@ -9,7 +9,7 @@
 //          +-----------m0----m1----|-->    so it is continuous in p from level to level, and in time, however levels step
 //
 // Level l's border is at 2 d_l and its parent's hole at d_(l-1): the same. No wave need come or go when a level moves.
-#include "surface/picture.h"
+#include "surface/view_cone.h"
 
 // The part of plan that the picture covers.
 typedef struct sight {
@@ -93,13 +93,13 @@ static bolan_dvec3 plane_through(bolan_dvec3 a, bolan_dvec3 b, bolan_dvec3 insid
 static sight sight_of(const bolan_surface_view *v) {
     double sine, cosine;
     bolan_sincos(bolan_radians(v->heading_deg), &sine, &cosine);
-    bolan_dvec3 corner[4], middle = turned(surface_picture_direction(v, 0.0, 0.0), sine, cosine);
-    sight s = {.sector = !surface_sees_nadir(v),
+    bolan_dvec3 corner[4], middle = turned(bolan_surface_view_direction(v, 0.0, 0.0), sine, cosine);
+    sight s = {.sector = !bolan_surface_sees_nadir(v),
                .bound_in_plan = v->horizontal,
                .bound = sqrt(v->horizontal * v->horizontal + v->vertical * v->vertical)};
     double leftmost = 2.0, rightmost = -2.0; // sines of the azimuths off the heading
     for (int k = 0; k < 4; ++k) {
-        bolan_dvec3 d = surface_picture_direction(v, k == 1 || k == 2 ? 1.0 : -1.0, k < 2 ? -1.0 : 1.0);
+        bolan_dvec3 d = bolan_surface_view_direction(v, k == 1 || k == 2 ? 1.0 : -1.0, k < 2 ? -1.0 : 1.0);
         corner[k] = turned(d, sine, cosine);
         double plan = sqrt(d.x * d.x + d.y * d.y), off = plan > 0.0 ? d.x / plan : 1.0;
         if (d.y <= 0.0 || fabs(off) > WIDEST_SINE) s.sector = false;

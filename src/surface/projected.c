@@ -10,7 +10,7 @@
 //          \__                          __/           H = horizontal bound of the displacement: below 1.5 H the rows
 //             \__        eye         __/              close to full circles
 //                 (      o        )
-#include "surface/picture.h"
+#include "surface/view_cone.h"
 
 #define PROBES 9 // directions tried along each axis of the picture
 
@@ -36,18 +36,18 @@ static double meets_water(double slope, double height) {
 
 static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
     double radius = BOLAN_EARTH_RADIUS;
-    polar_bounds b = {.far_distance = surface_horizon_distance(fmax(height, 0.0), v->vertical) + 10.0};
+    polar_bounds b = {.far_distance = bolan_surface_horizon_distance(fmax(height, 0.0), v->vertical) + 10.0};
     double lowest = 1e9, highest = -1e9; // elevation angles in the picture
     for (int j = 0; j < PROBES; ++j)
         for (int i = 0; i < PROBES; ++i) {
-            bolan_dvec3 d = surface_picture_direction(v, 2.0 * i / (PROBES - 1) - 1.0, 2.0 * j / (PROBES - 1) - 1.0);
+            bolan_dvec3 d = bolan_surface_view_direction(v, 2.0 * i / (PROBES - 1) - 1.0, 2.0 * j / (PROBES - 1) - 1.0);
             b.half = fmax(b.half, fabs(atan2(d.x, d.y)));
             const double elevation = atan2(d.z, hypot(d.x, d.y));
             lowest = fmin(lowest, elevation);
             highest = fmax(highest, elevation);
         }
     b.half += SURFACE_GUARD_ANGLE;
-    if (surface_sees_nadir(v)) {
+    if (bolan_surface_sees_nadir(v)) {
         b.half = BOLAN_PI;
         lowest = -0.5 * BOLAN_PI;
     }

@@ -19,12 +19,12 @@ enum { SUM_HASH_POINTS = 4096 };
 
 // A sum has no planes: its fields at some of the places where it is measured.
 static uint64_t add_sum(uint64_t hash, const bolan_sea *sea) {
-    sum_fields_function *const fields = sum_fields_for(sea->desc.cpu);
+    sum_fields_function *const fields = bolan_sum_fields_for(sea->desc.cpu);
     for (uint32_t first = 0; first < SUM_HASH_POINTS; first += SUM_LANES) {
         double x[SUM_LANES], y[SUM_LANES];
         float field[SEA_FIELDS][SUM_LANES];
         for (uint32_t l = 0; l < SUM_LANES; l++) {
-            const bolan_dvec2 place = sea_place(sea, first + l);
+            const bolan_dvec2 place = bolan_sea_place(sea, first + l);
             x[l] = place.x;
             y[l] = place.y;
         }

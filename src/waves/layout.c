@@ -26,7 +26,7 @@ static double modes_to_inner_edge(uint32_t n) { return n >= 256 ? 10.0 : n >= 12
 // The one tile of TEXTURES holds 7 and 5: its resolution has to do for the short ones, too.
 static double automatic_length(const sea_radial *radial, const bolan_sea_summary *summary, double depth,
                                bool textures) {
-    const double k_long = sea_radial_quantile(radial, 0.05);
+    const double k_long = bolan_sea_radial_quantile(radial, 0.05);
     if (!(k_long > 0.0) || !(summary->tp > 0.0)) return CALM_LENGTH;
     const double k_peak = bolan_k_from_omega(2.0 * BOLAN_PI / summary->tp, depth);
     const double length = fmax((textures ? 7.0 : 12.0) / k_peak, (textures ? 5.0 : 10.0) / k_long) * 2.0 * BOLAN_PI;
@@ -48,7 +48,7 @@ static double length_ratio(double length, uint32_t n, uint32_t count) {
     return fmin(largest, fmax(enough, 2.0));
 }
 
-void sea_layout(bolan_sea *sea, const sea_radial *radial) {
+void bolan_sea_layout(bolan_sea *sea, const sea_radial *radial) {
     bolan_sea_desc *d = &sea->desc;
     const bool textures = d->waves == BOLAN_WAVES_TEXTURES;
     if (textures) d->cascade_count = 1;

@@ -27,7 +27,7 @@ static double level_spacing(const sea_lift *lift, int level) {
     return level > 0 ? lift->finest * portable_pow(2.0, level / LIFT_PER_OCTAVE) : 0.0;
 }
 
-double sea_lift_at(const sea_lift *lift, double spacing) {
+double bolan_sea_lift_at(const sea_lift *lift, double spacing) {
     if (!(spacing > lift->finest) || !(lift->finest > 0.0)) return lift->level[0];
     const double x = LIFT_PER_OCTAVE * portable_log(spacing / lift->finest) / 0.69314718055994531;
     if (x >= LIFT_LEVELS - 1) return 0.0;
@@ -83,12 +83,12 @@ static void add_mode(void *context, const sea_mode *m) {
 
 static bool lift_cascade(sea_cascade *cascade, double choppiness) {
     const size_t bytes = (cascade->n / 2 + 1) * sizeof(pass);
-    pass *of = sea_borrow(bytes);
+    pass *of = bolan_sea_borrow(bytes);
     if (!of) return false;
     cascade->lift.finest = FIRST_LEVEL * cascade->length / cascade->n;
     for (uint32_t i = 0; i <= cascade->n / 2; i++) set_pass(cascade, i, &of[i]);
     gathering g = {cascade, of, choppiness};
-    sea_each_mode(cascade, add_mode, &g);
+    bolan_sea_each_mode(cascade, add_mode, &g);
     bolan_release(of, bytes);
     return true;
 }
@@ -115,7 +115,7 @@ static void lift_sum(sea_sum *sum, double choppiness) {
     }
 }
 
-bool sea_lift_create(bolan_sea *sea) {
+bool bolan_sea_lift_create(bolan_sea *sea) {
     if (sea->sum) lift_sum(sea->sum, sea->desc.choppiness);
     sea->lift = sea->sum ? sea->sum->lift.level[0] : 0.0;
     for (uint32_t i = 0; i < sea->count; i++) {
@@ -127,5 +127,5 @@ bool sea_lift_create(bolan_sea *sea) {
 
 double bolan_sea_lift(const bolan_sea *sea, uint32_t index, double spacing) {
     BOLAN_ASSERT(sea && (sea->sum ? index == 0 : index < sea->count));
-    return sea_lift_at(sea->sum ? &sea->sum->lift : &sea->cascade[index].lift, spacing);
+    return bolan_sea_lift_at(sea->sum ? &sea->sum->lift : &sea->cascade[index].lift, spacing);
 }

@@ -18,7 +18,7 @@ typedef struct gaussians {
 
 // The finaliser of SplitMix64 (Steele, Lea & Flood 2014): a bijection that leaves no visible relation of input and
 // output.
-uint64_t sea_mix(uint64_t x) {
+uint64_t bolan_sea_mix(uint64_t x) {
     x += 0x9e3779b97f4a7c15u;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
@@ -28,13 +28,13 @@ uint64_t sea_mix(uint64_t x) {
 static uint64_t tile_key(uint64_t seed, double length) {
     uint64_t bits;
     memcpy(&bits, &length, sizeof bits);
-    return sea_mix(sea_mix(seed) ^ bits);
+    return bolan_sea_mix(bolan_sea_mix(seed) ^ bits);
 }
 
 // Two normal numbers for lattice index (i, j) (Box & Muller 1958).
 static gaussians random_pair(uint64_t key, int32_t i, int32_t j) {
     const uint64_t index = (uint64_t)(uint32_t)i << 32 | (uint32_t)j;
-    const uint64_t a = sea_mix(key ^ sea_mix(index)), b = sea_mix(a ^ 0xd1b54a32d192ed03u);
+    const uint64_t a = bolan_sea_mix(key ^ bolan_sea_mix(index)), b = bolan_sea_mix(a ^ 0xd1b54a32d192ed03u);
     const double u = ((double)(a >> 11) + 0.5) * 0x1p-53, angle = (double)(b >> 11) * (2.0 * BOLAN_PI * 0x1p-53);
     const double radius = sqrt(-2.0 * portable_log(u));
     double s, c;
@@ -66,12 +66,12 @@ static void cell_energy(const fill *f, int32_t i, int32_t j, double out[2]) {
         for (int a = 0; a < samples; a++) {
             const double u = (i + (a + 0.5) / samples - 0.5) * dk, v = (j + (b + 0.5) / samples - 0.5) * dk;
             const double kx = u * c->cosine - v * c->sine, ky = u * c->sine + v * c->cosine;
-            forth += spectrum_eval_psi(f->eval, kx, ky);
-            back += spectrum_eval_psi(f->eval, -kx, -ky);
+            forth += bolan_spectrum_eval_psi(f->eval, kx, ky);
+            back += bolan_spectrum_eval_psi(f->eval, -kx, -ky);
         }
     }
     const double k = dk * sqrt((double)i * i + (double)j * j);
-    const double scale = dk * dk / (samples * samples) * sea_radial_keep(f->radial, k);
+    const double scale = dk * dk / (samples * samples) * bolan_sea_radial_keep(f->radial, k);
     out[0] = forth * scale;
     out[1] = back * scale;
 }
@@ -137,7 +137,7 @@ enum { PLANE_SHIFT = 7 * 16 }; // floats
 static bool reserve_cascade(bolan_sea *sea, sea_cascade *c) {
     const size_t n = c->n, modes = n * c->strips * FFT_LANES, points = n * n, plane = points + PLANE_SHIFT;
     const size_t tables = modes * 9 + 2 * n, middle = modes * SEA_PARTS * 2, planes = plane * (SEA_FIELDS + 6);
-    float *next = sea_reserve(sea, (tables + middle + planes) * sizeof(float));
+    float *next = bolan_sea_reserve(sea, (tables + middle + planes) * sizeof(float));
     if (!next) return false;
     c->turns = (double *)(void *)next;
     c->amplitude = next + 2 * modes;
@@ -164,7 +164,7 @@ static void fill_wave_numbers(sea_cascade *c) {
     }
 }
 
-void sea_each_mode(const sea_cascade *c, void (*visit)(void *context, const sea_mode *mode), void *context) {
+void bolan_sea_each_mode(const sea_cascade *c, void (*visit)(void *context, const sea_mode *mode), void *context) {
     const double dk = 2.0 * BOLAN_PI / c->length;
     for (size_t row = 0; row < (size_t)c->strips * c->n; row++) {
         const double index = (double)(row % c->n), u = dk * (index < 0.5 * c->n ? index : index - c->n);
@@ -203,7 +203,7 @@ static void add_expected(void *context, const sea_mode *m) {
     c->displacement += e * g;
 }
 
-bool sea_modes_create(bolan_sea *sea, const spectrum_eval *eval, const sea_radial *radial) {
+bool bolan_sea_modes_create(bolan_sea *sea, const spectrum_eval *eval, const sea_radial *radial) {
     for (uint32_t i = 0; i < sea->count; i++) {
         sea_cascade *c = &sea->cascade[i];
         set_reach(c);
@@ -211,7 +211,7 @@ bool sea_modes_create(bolan_sea *sea, const spectrum_eval *eval, const sea_radia
         fill_wave_numbers(c);
         fill f = {sea, c, eval, radial, tile_key(sea->desc.seed, c->length)};
         bolan_parallel(c->strips, 1, fill_strips, &f);
-        sea_each_mode(c, add_expected, c);
+        bolan_sea_each_mode(c, add_expected, c);
     }
     return true;
 }

@@ -21,7 +21,7 @@ static double ring_density(const spectrum_eval *eval, double k) {
     for (int d = 0; d < DIRECTIONS; d++) {
         double s, c;
         bolan_sincos(2.0 * BOLAN_PI * d / DIRECTIONS, &s, &c);
-        sum += spectrum_eval_psi(eval, k * c, k * s);
+        sum += bolan_spectrum_eval_psi(eval, k * c, k * s);
     }
     return sum * k * (2.0 * BOLAN_PI / DIRECTIONS);
 }
@@ -50,7 +50,7 @@ static void integrate(const spectrum_eval *eval, sea_radial *out) {
     }
 }
 
-void sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget, sea_radial *out) {
+void bolan_sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget, sea_radial *out) {
     out->variance[0] = out->mss[0] = 0.0;
     integrate(eval, out);
     const double m1 = at_k(out->mss, 10.0 * peak_k);
@@ -61,9 +61,9 @@ void sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget,
     }
 }
 
-double sea_radial_keep(const sea_radial *radial, double k) { return at_k(radial->keep, k); }
+double bolan_sea_radial_keep(const sea_radial *radial, double k) { return at_k(radial->keep, k); }
 
-double sea_radial_quantile(const sea_radial *radial, double share) {
+double bolan_sea_radial_quantile(const sea_radial *radial, double share) {
     const double total = radial->variance[RADIAL_COUNT - 1];
     if (!(total > 0.0)) return 0.0;
     for (int i = 0; i < RADIAL_COUNT; i++)
@@ -71,7 +71,7 @@ double sea_radial_quantile(const sea_radial *radial, double share) {
     return radial->k[RADIAL_COUNT - 1];
 }
 
-double sea_wind_peak(const bolan_sea_state *state, const bolan_sea_summary *summary) {
+double bolan_sea_wind_peak(const bolan_sea_state *state, const bolan_sea_summary *summary) {
     double omega = 0.0;
     for (uint32_t i = 0; i < state->system_count; i++)
         if (state->systems[i].hs > 0.0) omega = fmax(omega, state->systems[i].peak_omega);

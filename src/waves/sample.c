@@ -4,7 +4,7 @@
 
 #define STEEPEST 0.1 // smallest |Jacobian| that a slope is divided by: where the surface folds it is vertical
 
-bolan_sea_sample sea_displaced(const sea_sums *v, double choppiness) {
+bolan_sea_sample bolan_sea_displaced(const sea_sums *v, double choppiness) {
     const double xx = 1.0 + choppiness * v->dxx, yy = 1.0 + choppiness * v->dyy, xy = choppiness * v->dxy;
     const double jacobian = xx * yy - xy * xy;
     const double divisor = fabs(jacobian) > STEEPEST ? jacobian : jacobian < 0.0 ? -STEEPEST : STEEPEST;
@@ -57,13 +57,13 @@ static void add_cascade(const sea_cascade *c, double x, double y, double weight,
 void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out) {
     BOLAN_ASSERT(sea && (count == 0 || (points && out)));
     if (sea->sum) {
-        sea_sum_sample(sea, points, NULL, count, out);
+        bolan_sea_sum_sample(sea, points, NULL, count, out);
         return;
     }
     for (uint32_t p = 0; p < count; p++) {
         sea_sums v = {.height = sea->lift};
         for (uint32_t i = 0; i < sea->count; i++) add_cascade(&sea->cascade[i], points[p].x, points[p].y, 1.0, 1.0, &v);
-        out[p] = sea_displaced(&v, sea->desc.choppiness);
+        out[p] = bolan_sea_displaced(&v, sea->desc.choppiness);
     }
 }
 
@@ -79,7 +79,7 @@ static void add_filtered(const sea_cascade *c, bolan_dvec2 at, double spacing, s
     const double fade = t * t * (3.0 - 2.0 * t), width = 2.0 * spacing;
     const int taps = (int)fmin(fmax(ceil(width * c->n / c->length), 1.0), fade > 0.0 ? MOST_TAPS : FOAM_TAPS);
     const double share = 1.0 / (taps * taps);
-    v->height += fade * fade * sea_lift_at(&c->lift, spacing); // a product of two that fade
+    v->height += fade * fade * bolan_sea_lift_at(&c->lift, spacing); // a product of two that fade
     for (int j = 0; j < taps; j++) {
         for (int i = 0; i < taps; i++) {
             const double x = at.x + ((i + 0.5) / taps - 0.5) * width, y = at.y + ((j + 0.5) / taps - 0.5) * width;
@@ -108,7 +108,7 @@ static void sample_grid_points(void *context, uint32_t begin, uint32_t end, uint
         sea_sums v = {0};
         for (uint32_t i = 0; i < g->sea->count; i++)
             add_filtered(&g->sea->cascade[i], g->points[p], g->spacing ? (double)g->spacing[p] : 0.0, &v);
-        g->out[p] = sea_displaced(&v, g->sea->desc.choppiness);
+        g->out[p] = bolan_sea_displaced(&v, g->sea->desc.choppiness);
     }
 }
 
@@ -116,7 +116,7 @@ void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, cons
                            bolan_sea_sample *out) {
     BOLAN_ASSERT(sea && (count == 0 || (points && out)));
     if (sea->sum) {
-        sea_sum_sample(sea, points, spacing, count, out);
+        bolan_sea_sum_sample(sea, points, spacing, count, out);
         return;
     }
     grid g = {sea, points, spacing, out};
@@ -160,8 +160,8 @@ static void add_mode(void *context, const sea_mode *m) {
 
 bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time) {
     BOLAN_ASSERT(sea && isfinite(time));
-    direct d = {.x = x, .y = y, .time = sea_shown_time(sea, time, NULL), .v.height = sea->lift};
-    if (sea->sum) sea_sum_direct(sea, x, y, d.time, &d.v);
-    for (uint32_t i = 0; i < sea->count; i++) sea_each_mode(&sea->cascade[i], add_mode, &d);
-    return sea_displaced(&d.v, sea->desc.choppiness);
+    direct d = {.x = x, .y = y, .time = bolan_sea_shown_time(sea, time, NULL), .v.height = sea->lift};
+    if (sea->sum) bolan_sea_sum_direct(sea, x, y, d.time, &d.v);
+    for (uint32_t i = 0; i < sea->count; i++) bolan_sea_each_mode(&sea->cascade[i], add_mode, &d);
+    return bolan_sea_displaced(&d.v, sea->desc.choppiness);
 }

@@ -37,37 +37,38 @@ bolan_sea_desc bolan_sea_desc_default(void) {
     };
 }
 
-void *sea_borrow(size_t bytes) {
+void *bolan_sea_borrow(size_t bytes) {
     void *memory = bolan_allocate(bytes);
     if (!memory)
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for a sea: %zu bytes were refused", bytes);
     return memory;
 }
 
-void *sea_reserve(bolan_sea *sea, size_t bytes) {
+void *bolan_sea_reserve(bolan_sea *sea, size_t bytes) {
     BOLAN_ASSERT(sea->block_count < SEA_MAX_BLOCKS);
-    void *memory = sea_borrow(bytes);
+    void *memory = bolan_sea_borrow(bytes);
     if (memory) sea->block[sea->block_count++] = (sea_block){memory, bytes};
     return memory;
 }
 
 // Everything that needs memory. A worker that a later bolan_set_threads() adds finds no scratch and stays idle.
 static bool build(bolan_sea *sea) {
-    spectrum_eval eval = spectrum_eval_prepare(&sea->desc.sea_state);
-    spectrum_eval_scale(&eval, sea->limit);
+    spectrum_eval eval = bolan_spectrum_eval_prepare(&sea->desc.sea_state);
+    bolan_spectrum_eval_scale(&eval, sea->limit);
     if (sea->desc.waves == BOLAN_WAVES_COSINES || sea->desc.waves == BOLAN_WAVES_EXP_COSINE)
-        return sea_sum_create(sea, &eval) && sea_lift_create(sea) && sea_slopes_create(sea) &&
-               sea_whitecaps_create(sea);
+        return bolan_sea_sum_create(sea, &eval) && bolan_sea_lift_create(sea) && bolan_sea_slopes_create(sea) &&
+               bolan_sea_whitecaps_create(sea);
     double up, cross;
     bolan_cox_munk(sea->desc.sea_state.wind_speed, &up, &cross);
     sea_radial radial;
-    sea_radial_prepare(&eval, sea_wind_peak(&sea->desc.sea_state, &sea->summary), up + cross, &radial);
-    sea_layout(sea, &radial);
+    bolan_sea_radial_prepare(&eval, bolan_sea_wind_peak(&sea->desc.sea_state, &sea->summary), up + cross, &radial);
+    bolan_sea_layout(sea, &radial);
     sea->slots = bolan_threads();
     sea->scratch_floats = SEA_SCRATCH_BUFFERS * sea_scratch_pitch(sea->desc.resolution);
-    sea->scratch = sea_reserve(sea, sea->slots * sea->scratch_floats * sizeof(float));
-    return sea->scratch && fft_plan_create(sea->desc.resolution, &sea->plan) && sea_modes_create(sea, &eval, &radial) &&
-           sea_lift_create(sea) && sea_slopes_create(sea) && sea_whitecaps_create(sea);
+    sea->scratch = bolan_sea_reserve(sea, sea->slots * sea->scratch_floats * sizeof(float));
+    return sea->scratch && bolan_fft_plan_create(sea->desc.resolution, &sea->plan) &&
+           bolan_sea_modes_create(sea, &eval, &radial) && bolan_sea_lift_create(sea) && bolan_sea_slopes_create(sea) &&
+           bolan_sea_whitecaps_create(sea);
 }
 
 // Sets the summary, and the factor that brings the waves down to what their depth carries.
@@ -103,12 +104,12 @@ static void forget_measured(bolan_sea *sea) {
 bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {
     BOLAN_ASSERT(desc && out);
     *out = NULL;
-    const bolan_result valid = sea_validate(desc);
+    const bolan_result valid = bolan_sea_validate(desc);
     if (valid != BOLAN_OK) return valid;
-    bolan_sea *sea = sea_borrow(sizeof *sea);
+    bolan_sea *sea = bolan_sea_borrow(sizeof *sea);
     if (!sea) return BOLAN_ERROR_MEMORY;
     sea->desc = *desc;
-    sea->kernels = sea_kernels_for(desc->cpu);
+    sea->kernels = bolan_sea_kernels_for(desc->cpu);
     set_limit(sea);
     if (!build(sea)) {
         bolan_sea_destroy(&sea);
@@ -122,7 +123,7 @@ bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {
 void bolan_sea_destroy(bolan_sea **sea) {
     if (!sea || !*sea) return;
     for (uint32_t i = 0; i < (*sea)->block_count; i++) bolan_release((*sea)->block[i].memory, (*sea)->block[i].bytes);
-    fft_plan_destroy(&(*sea)->plan);
+    bolan_fft_plan_destroy(&(*sea)->plan);
     bolan_release(*sea, sizeof **sea);
     *sea = NULL;
 }
@@ -177,7 +178,7 @@ static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t work
     while (do_next_item(s, s->sea->scratch + begin * s->sea->scratch_floats)) {}
 }
 
-double sea_shown_time(const bolan_sea *sea, double time, uint32_t *frame) {
+double bolan_sea_shown_time(const bolan_sea *sea, double time, uint32_t *frame) {
     const double period = sea->desc.loop_period, frames = sea->desc.loop_frames;
     if (frame) *frame = 0;
     if (sea->desc.waves != BOLAN_WAVES_TEXTURES) return fmod(time, period > 0.0 ? period : LARGEST_TIME);
@@ -188,7 +189,7 @@ double sea_shown_time(const bolan_sea *sea, double time, uint32_t *frame) {
 
 static void synthesise(bolan_sea *sea, double time, float decay) {
     step s = {.sea = sea};
-    s.moment.time = sea_shown_time(sea, time, &sea->loop_frame);
+    s.moment.time = bolan_sea_shown_time(sea, time, &sea->loop_frame);
     s.moment.decay = decay;
     s.moment.choppiness = (float)sea->desc.choppiness;
     const double bytes = SAMPLE_BYTES * sea->count * sea->plan.n * sea->plan.n;
@@ -201,7 +202,7 @@ void bolan_sea_step(bolan_sea *sea, double time) {
     const double dt = time - sea->time;
     const bool continues = sea->foam_holds && dt >= 0.0 && dt <= LONGEST_TICK;
     if (sea->sum) {
-        sea_sum_step(sea, sea_shown_time(sea, time, NULL));
+        bolan_sea_sum_step(sea, bolan_sea_shown_time(sea, time, NULL));
     } else {
         synthesise(sea, time, continues ? (float)portable_exp(-dt / sea->desc.foam_decay) : 0.0f);
     }
@@ -220,9 +221,9 @@ void bolan_sea_settle(bolan_sea *sea, double time) {
     bolan_sea_step(sea, time);
 }
 
-void sea_each_wave(const bolan_sea *sea, void (*visit)(void *context, const sea_mode *mode), void *context) {
-    if (sea->sum) sea_sum_each(sea->sum, visit, context);
-    for (uint32_t i = 0; i < sea->count; i++) sea_each_mode(&sea->cascade[i], visit, context);
+void bolan_sea_each_wave(const bolan_sea *sea, void (*visit)(void *context, const sea_mode *mode), void *context) {
+    if (sea->sum) bolan_sea_sum_each(sea->sum, visit, context);
+    for (uint32_t i = 0; i < sea->count; i++) bolan_sea_each_mode(&sea->cascade[i], visit, context);
 }
 
 // ---- reading --------------------------------------------------------------------------------------------------------

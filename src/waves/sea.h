@@ -106,33 +106,33 @@ typedef struct sea_radial {
 } sea_radial;
 
 // The time [s] that a step to `time` shows: reduced by the loop or by 2^36 s, and down to a frame of the loop with TEXTURES.
-double sea_shown_time(const bolan_sea *sea, double time, uint32_t *frame);
+double bolan_sea_shown_time(const bolan_sea *sea, double time, uint32_t *frame);
 // A uniform hash (the finaliser of SplitMix64).
-uint64_t sea_mix(uint64_t x);
+uint64_t bolan_sea_mix(uint64_t x);
 
 // Zeroed memory that lives as long as the sea; NULL (logged) when there is none.
-void *sea_reserve(bolan_sea *sea, size_t bytes);
+void *bolan_sea_reserve(bolan_sea *sea, size_t bytes);
 // bolan_allocate() that logs when there is none.
-void *sea_borrow(size_t bytes);
+void *bolan_sea_borrow(size_t bytes);
 
-bolan_result sea_validate(const bolan_sea_desc *desc);
-void sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget, sea_radial *out);
-double sea_radial_keep(const sea_radial *radial, double k);
+bolan_result bolan_sea_validate(const bolan_sea_desc *desc);
+void bolan_sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget, sea_radial *out);
+double bolan_sea_radial_keep(const sea_radial *radial, double k);
 // Wave number above which a fraction 1 - share of the variance lies; 0 in a flat calm.
-double sea_radial_quantile(const sea_radial *radial, double share);
+double bolan_sea_radial_quantile(const sea_radial *radial, double share);
 // Wave number of the highest spectral peak among the systems [rad/m]; 0 where there is none.
-double sea_wind_peak(const bolan_sea_state *state, const bolan_sea_summary *summary);
+double bolan_sea_wind_peak(const bolan_sea_state *state, const bolan_sea_summary *summary);
 // Lengths, angles and rings of the cascades; resolves desc.length.
-void sea_layout(bolan_sea *sea, const sea_radial *radial);
+void bolan_sea_layout(bolan_sea *sea, const sea_radial *radial);
 // Mode tables of every cascade. False when memory is short.
-bool sea_modes_create(bolan_sea *sea, const spectrum_eval *eval, const sea_radial *radial);
+bool bolan_sea_modes_create(bolan_sea *sea, const spectrum_eval *eval, const sea_radial *radial);
 // The lift of every cascade or of the sum. False when memory is short.
-bool sea_lift_create(bolan_sea *sea);
-double sea_lift_at(const sea_lift *lift, double spacing);
+bool bolan_sea_lift_create(bolan_sea *sea);
+double bolan_sea_lift_at(const sea_lift *lift, double spacing);
 // rest_slope and slope_table. False when memory is short.
-bool sea_slopes_create(bolan_sea *sea);
+bool bolan_sea_slopes_create(bolan_sea *sea);
 // foam_threshold, from fields at a few times; leaves the sea at time 0. False when memory is short.
-bool sea_whitecaps_create(bolan_sea *sea);
+bool bolan_sea_whitecaps_create(bolan_sea *sea);
 
 // One mode of the kept half plane, as the tables hold it.
 typedef struct sea_mode {
@@ -145,21 +145,21 @@ typedef struct sea_mode {
     bool paired;                    // it stands for -k as well; false on j = 0, where -k is an entry of its own
 } sea_mode;
 // Calls `visit` for every mode of every cascade, or every wave of the sum, in a fixed order.
-void sea_each_wave(const bolan_sea *sea, void (*visit)(void *context, const sea_mode *mode), void *context);
+void bolan_sea_each_wave(const bolan_sea *sea, void (*visit)(void *context, const sea_mode *mode), void *context);
 // Calls `visit` for every mode with energy, in a fixed order.
-void sea_each_mode(const sea_cascade *cascade, void (*visit)(void *context, const sea_mode *mode), void *context);
+void bolan_sea_each_mode(const sea_cascade *cascade, void (*visit)(void *context, const sea_mode *mode), void *context);
 
 // Sums over the cascades or waves of the fields at one rest point, choppiness not applied, and what becomes of them with it.
 typedef struct sea_sums {
     double height, dx, dy, sx, sy, dxx, dyy, dxy, foam;
 } sea_sums;
-bolan_sea_sample sea_displaced(const sea_sums *sums, double choppiness);
+bolan_sea_sample bolan_sea_displaced(const sea_sums *sums, double choppiness);
 
 // Where the sea is measured: SEA_MEASURED places, SEA_PLACES at a time.
 enum { SEA_PLACES = 64, SEA_MEASURED = 1 << 16 };
 // Place `index`: over the largest tile, or over 50 of a sum's longest waves.
-bolan_dvec2 sea_place(const bolan_sea *sea, uint32_t index);
+bolan_dvec2 bolan_sea_place(const bolan_sea *sea, uint32_t index);
 // The surface at the rest points of the places [first, first + SEA_PLACES).
-void sea_sample_places(const bolan_sea *sea, uint32_t first, bolan_sea_sample out[SEA_PLACES]);
+void bolan_sea_sample_places(const bolan_sea *sea, uint32_t first, bolan_sea_sample out[SEA_PLACES]);
 
 #endif

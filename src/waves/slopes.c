@@ -131,15 +131,15 @@ static void set_rest(bolan_sea *sea) {
     sea->rest_slope[2] = s * s * up + c * c * cross;
 }
 
-bool sea_slopes_create(bolan_sea *sea) {
+bool bolan_sea_slopes_create(bolan_sea *sea) {
     set_rest(sea);
     const size_t texels = (size_t)BOLAN_SLOPE_TABLE_MAJOR * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_ANGLE;
-    sea->slope_map = sea_reserve(sea, sizeof *sea->slope_map);
-    sea->slope_table = sea->slope_map ? sea_reserve(sea, texels * 4 * sizeof(float)) : NULL;
-    gathering *g = sea->slope_table ? sea_borrow(sizeof *g) : NULL;
+    sea->slope_map = bolan_sea_reserve(sea, sizeof *sea->slope_map);
+    sea->slope_table = sea->slope_map ? bolan_sea_reserve(sea, texels * 4 * sizeof(float)) : NULL;
+    gathering *g = sea->slope_table ? bolan_sea_borrow(sizeof *g) : NULL;
     if (!g) return false;
     g->ratio = sea->sum ? sea->sum->slope_ratio : 1.0;
-    sea_each_wave(sea, gather_mode, g);
+    bolan_sea_each_wave(sea, gather_mode, g);
     compact(g, sea->slope_map);
     bolan_parallel(BOLAN_SLOPE_TABLE_ANGLE * BOLAN_SLOPE_TABLE_ASPECT, 1, fill_table, sea);
     bolan_release(g, sizeof *g);

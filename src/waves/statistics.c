@@ -5,7 +5,7 @@
 
 // Additive recurrence by the plastic number (Roberts 2018): even in the plane, and no lattice that waves could be in
 // step with.
-bolan_dvec2 sea_place(const bolan_sea *sea, uint32_t index) {
+bolan_dvec2 bolan_sea_place(const bolan_sea *sea, uint32_t index) {
     double side = 1.0;
     if (sea->count > 0) side = sea->cascade[0].length;
     if (sea->sum && sea->sum->tables.count > 0) side = 50.0 * (double)sea->sum->tables.wave[0].length;
@@ -13,9 +13,9 @@ bolan_dvec2 sea_place(const bolan_sea *sea, uint32_t index) {
     return (bolan_dvec2){side * (x - floor(x)), side * (y - floor(y))};
 }
 
-void sea_sample_places(const bolan_sea *sea, uint32_t first, bolan_sea_sample out[SEA_PLACES]) {
+void bolan_sea_sample_places(const bolan_sea *sea, uint32_t first, bolan_sea_sample out[SEA_PLACES]) {
     bolan_dvec2 place[SEA_PLACES];
-    for (uint32_t i = 0; i < SEA_PLACES; i++) place[i] = sea_place(sea, first + i);
+    for (uint32_t i = 0; i < SEA_PLACES; i++) place[i] = bolan_sea_place(sea, first + i);
     bolan_sea_sample_rest(sea, place, SEA_PLACES, out);
 }
 
@@ -67,7 +67,7 @@ static void measure_places(const bolan_sea *sea, bolan_sea_statistics *out) {
     double lowest = 1e30, covered = 0.0, jacobians = 0.0;
     bolan_sea_sample sample[SEA_PLACES];
     for (uint32_t first = 0; first < SEA_MEASURED; first += SEA_PLACES) {
-        sea_sample_places(sea, first, sample);
+        bolan_sea_sample_places(sea, first, sample);
         for (uint32_t i = 0; i < SEA_PLACES; i++) {
             const double jacobian = sample[i].jacobian;
             lowest = fmin(lowest, jacobian);
@@ -154,7 +154,7 @@ static void measure_file(const bolan_sea_summary *summary, bolan_sea_statistics 
 
 static void measure_modes(const bolan_sea *sea, bolan_sea_statistics *out) {
     spectrum_sums s = {0};
-    sea_each_wave(sea, sum_mode, &s);
+    bolan_sea_each_wave(sea, sum_mode, &s);
     if (!(s.m0 > 0.0) || !(s.energy > 0.0)) return;
     const double r1 = sqrt(s.cosine * s.cosine + s.sine * s.sine) / s.energy;
     out->tp = sea->sum ? peak_of_lines(sea->sum) : peak_period(s.bin);

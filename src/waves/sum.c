@@ -4,7 +4,7 @@
 
 #include "waves/exp_cosine.h"
 
-#define SUM_DECLARE(set) sum_fields_function sum_fields_##set;
+#define SUM_DECLARE(set) sum_fields_function bolan_sum_fields_##set;
 SUM_DECLARE(scalar)
 #ifdef BOLAN_KERNELS_X86
 SUM_DECLARE(sse2)
@@ -14,13 +14,13 @@ SUM_DECLARE(avx512)
 
 enum { GRAIN_BLOCKS = 8 };
 
-sum_fields_function *sum_fields_for(bolan_cpu cpu) {
+sum_fields_function *bolan_sum_fields_for(bolan_cpu cpu) {
     static sum_fields_function *const table[] = {
-        [BOLAN_CPU_SCALAR] = sum_fields_scalar,
+        [BOLAN_CPU_SCALAR] = bolan_sum_fields_scalar,
 #ifdef BOLAN_KERNELS_X86
-        [BOLAN_CPU_SSE2] = sum_fields_sse2,
-        [BOLAN_CPU_AVX2] = sum_fields_avx2,
-        [BOLAN_CPU_AVX512] = sum_fields_avx512,
+        [BOLAN_CPU_SSE2] = bolan_sum_fields_sse2,
+        [BOLAN_CPU_AVX2] = bolan_sum_fields_avx2,
+        [BOLAN_CPU_AVX512] = bolan_sum_fields_avx512,
 #endif
     };
     const bolan_cpu best = bolan_cpu_best();
@@ -29,7 +29,7 @@ sum_fields_function *sum_fields_for(bolan_cpu cpu) {
 
 static double fraction(double x) { return x - floor(x); }
 
-void sea_sum_step(bolan_sea *sea, double shown) {
+void bolan_sea_sum_step(bolan_sea *sea, double shown) {
     sea_sum *sum = sea->sum;
     for (uint32_t i = 0; i < sum->tables.count; i++) {
         const double start = sum->component[i].phase / (2.0 * BOLAN_PI);
@@ -90,15 +90,15 @@ static void sample_blocks(void *context, uint32_t begin, uint32_t end, uint32_t 
         b->fields(&b->sea->sum->tables, k.x, k.y, b->spacing ? k.fade : NULL, k.field);
         for (uint32_t l = 0; l < SUM_LANES && first + l < b->count; l++) {
             const double spacing = b->spacing ? (double)b->spacing[first + l] : 0.0;
-            const sea_sums sums = lane_of(&k, l, choppiness, sea_lift_at(&b->sea->sum->lift, spacing));
-            b->out[first + l] = sea_displaced(&sums, choppiness);
+            const sea_sums sums = lane_of(&k, l, choppiness, bolan_sea_lift_at(&b->sea->sum->lift, spacing));
+            b->out[first + l] = bolan_sea_displaced(&sums, choppiness);
         }
     }
 }
 
-void sea_sum_sample(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
-                    bolan_sea_sample *out) {
-    batch b = {sea, sum_fields_for(sea->desc.cpu), points, spacing, count, out};
+void bolan_sea_sum_sample(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
+                          bolan_sea_sample *out) {
+    batch b = {sea, bolan_sum_fields_for(sea->desc.cpu), points, spacing, count, out};
     const uint32_t blocks = count / SUM_LANES + (count % SUM_LANES != 0);
     if (blocks <= GRAIN_BLOCKS) {
         sample_blocks(&b, 0, blocks, 0); // not worth waking anybody
@@ -107,7 +107,7 @@ void sea_sum_sample(const bolan_sea *sea, const bolan_dvec2 *points, const float
     }
 }
 
-void sea_sum_direct(const bolan_sea *sea, double x, double y, double shown, sea_sums *v) {
+void bolan_sea_sum_direct(const bolan_sea *sea, double x, double y, double shown, sea_sums *v) {
     const sea_sum *sum = sea->sum;
     const double s = sea->desc.sharpness, mean = exp_cosine_mean(s);
     for (uint32_t i = 0; i < sum->tables.count; i++) {
@@ -139,7 +139,7 @@ void sea_sum_direct(const bolan_sea *sea, double x, double y, double shown, sea_
 
 // A cosine as a mode: all its energy goes along k. The slope variance of exp(s cos) is more than k^2 times its variance, which
 // slopes.c puts right by slope_ratio.
-void sea_sum_each(const sea_sum *sum, void (*visit)(void *context, const sea_mode *mode), void *context) {
+void bolan_sea_sum_each(const sea_sum *sum, void (*visit)(void *context, const sea_mode *mode), void *context) {
     for (uint32_t i = 0; i < sum->tables.count; i++) {
         const bolan_sea_component *c = &sum->component[i];
         const sea_mode mode = {.kx = c->kx,

@@ -53,26 +53,26 @@ typedef struct sea_sum {
     double displacement; // variance of dx plus that of dy [m2]
     double total;        // variance [m2]
     sea_lift lift;
-    double highest;      // no crest or trough is farther from the mean [m]
-    double farthest;     // sum of the amplitudes of D [m]
+    double highest;  // no crest or trough is farther from the mean [m]
+    double farthest; // sum of the amplitudes of D [m]
     uint32_t line_count;
     sum_line line[SUM_MAX_LINES];
 } sea_sum;
 
 // Sets sea->sum. False when memory is short.
-bool sea_sum_create(bolan_sea *sea, const spectrum_eval *eval);
+bool bolan_sea_sum_create(bolan_sea *sea, const spectrum_eval *eval);
 // Cuts the spectrum into `count` frequencies; none in a flat calm. False when memory is short.
-bool sum_set_lines(const spectrum_eval *eval, uint32_t count, bolan_frequency_split split, sea_sum *out);
+bool bolan_sum_set_lines(const spectrum_eval *eval, uint32_t count, bolan_frequency_split split, sea_sum *out);
 // Turns the phases to `shown` [s].
-void sea_sum_step(bolan_sea *sea, double shown);
-void sea_sum_sample(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
-                    bolan_sea_sample *out);
-void sea_sum_direct(const bolan_sea *sea, double x, double y, double shown, sea_sums *out);
-void sea_sum_each(const sea_sum *sum, void (*visit)(void *context, const sea_mode *mode), void *context);
+void bolan_sea_sum_step(bolan_sea *sea, double shown);
+void bolan_sea_sum_sample(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
+                          bolan_sea_sample *out);
+void bolan_sea_sum_direct(const bolan_sea *sea, double x, double y, double shown, sea_sums *out);
+void bolan_sea_sum_each(const sea_sum *sum, void (*visit)(void *context, const sea_mode *mode), void *context);
 
 // 16 points' fields, by FIELD_HEIGHT ...: choppiness not applied. `fade` NULL, or 1 / (2 spacing) for each lane.
 typedef void sum_fields_function(const sum_tables *tables, const double *x, const double *y, const float *fade,
                                  float out[SEA_FIELDS][SUM_LANES]);
-sum_fields_function *sum_fields_for(bolan_cpu cpu);
+sum_fields_function *bolan_sum_fields_for(bolan_cpu cpu);
 
 #endif

@@ -35,7 +35,7 @@ static void fan_cos2(const spectrum_eval *eval, double omega, uint32_t count, fa
         const double from_mean = ((j + 0.5) / count - 0.5) * BOLAN_PI;
         bolan_sincos(from_mean, &s, &c);
         out->angle[j] = mean + from_mean;
-        out->share[j] = spectrum_system_spreading(system, omega, c);
+        out->share[j] = bolan_spectrum_system_spreading(system, omega, c);
         sum += out->share[j];
     }
     for (uint32_t j = 0; j < count; j++) out->share[j] /= sum;
@@ -47,7 +47,7 @@ static void fan_equal_energy(const spectrum_eval *eval, double omega, uint32_t c
     for (int a = 0; a < ANGLES; a++) {
         double s, c;
         bolan_sincos(2.0 * BOLAN_PI * a / ANGLES, &s, &c);
-        density[a] = spectrum_eval_density(eval, omega, c, s);
+        density[a] = bolan_spectrum_eval_density(eval, omega, c, s);
         sine += density[a] * s;
         cosine += density[a] * c;
         total += density[a];
@@ -87,7 +87,7 @@ static void fan_of(const bolan_sea *sea, const spectrum_eval *eval, uint32_t lin
 // ---- waves ----------------------------------------------------------------------------------------------------------
 
 static double phase_of(uint64_t seed, uint32_t i, uint32_t j) {
-    const uint64_t bits = sea_mix(sea_mix(seed ^ 0x9d5c0ffee5eau) ^ sea_mix((uint64_t)i << 32 | j));
+    const uint64_t bits = bolan_sea_mix(bolan_sea_mix(seed ^ 0x9d5c0ffee5eau) ^ bolan_sea_mix((uint64_t)i << 32 | j));
     return (double)(bits >> 11) * (2.0 * BOLAN_PI * 0x1p-53);
 }
 
@@ -209,10 +209,10 @@ static void set_tables(bolan_sea *sea) {
 }
 
 static bool reserve_waves(bolan_sea *sea, uint32_t count) {
-    sea_sum *sum = sea->sum = sea_reserve(sea, sizeof *sum);
+    sea_sum *sum = sea->sum = bolan_sea_reserve(sea, sizeof *sum);
     if (!sum) return false;
     const size_t each = sizeof(sum_wave) + sizeof(bolan_sea_component) + 2 * sizeof(double);
-    char *next = sea_reserve(sea, count * each);
+    char *next = bolan_sea_reserve(sea, count * each);
     if (!next) return false;
     sum->tables.wave = (sum_wave *)(void *)next;
     sum->component = (bolan_sea_component *)(void *)(sum->tables.wave + count);
@@ -221,15 +221,16 @@ static bool reserve_waves(bolan_sea *sea, uint32_t count) {
     return true;
 }
 
-bool sea_sum_create(bolan_sea *sea, const spectrum_eval *eval) {
+bool bolan_sea_sum_create(bolan_sea *sea, const spectrum_eval *eval) {
     const bool exponential = sea->desc.waves == BOLAN_WAVES_EXP_COSINE;
     const uint32_t lines = exponential ? sea->desc.wave_count : sea->desc.frequencies;
     const uint32_t directions = exponential ? 1 : sea->desc.directions;
     const size_t bytes = SUM_MAX_LINES * sizeof(fan);
     if (!reserve_waves(sea, lines * directions)) return false;
     sea->sum->tables.exponential = exponential;
-    if (!sum_set_lines(eval, lines, exponential ? BOLAN_SPLIT_EQUAL_ENERGY : sea->desc.split, sea->sum)) return false;
-    fan *fans = sea_borrow(bytes);
+    if (!bolan_sum_set_lines(eval, lines, exponential ? BOLAN_SPLIT_EQUAL_ENERGY : sea->desc.split, sea->sum))
+        return false;
+    fan *fans = bolan_sea_borrow(bytes);
     if (!fans) return false;
     set_waves(sea, eval, directions, fans);
     set_tables(sea);

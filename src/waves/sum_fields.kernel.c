@@ -4,8 +4,8 @@
 #include "math/sincos.h"
 #include "waves/sum.h"
 
-void KERNEL(sum_fields)(const sum_tables *tables, const double *x, const double *y, const float *fade,
-                        float out[SEA_FIELDS][SUM_LANES]);
+void KERNEL(bolan_sum_fields)(const sum_tables *tables, const double *x, const double *y, const float *fade,
+                              float out[SEA_FIELDS][SUM_LANES]);
 
 // WIDE doubles are two registers.
 #if WIDE == 1
@@ -140,8 +140,8 @@ static void wave_limits(const sum_tables *t, const float *fade, uint32_t *full, 
     for (*full = *last; *full > 0 && coarsest * t->wave[*full - 1].length - 1.0f < 1.0f;) --*full;
 }
 
-void KERNEL(sum_fields)(const sum_tables *t, const double *x, const double *y, const float *fade,
-                        float out[SEA_FIELDS][SUM_LANES]) {
+void KERNEL(bolan_sum_fields)(const sum_tables *t, const double *x, const double *y, const float *fade,
+                              float out[SEA_FIELDS][SUM_LANES]) {
     uint32_t full, last;
     wave_limits(t, fade, &full, &last);
     for (int l = 0; l < SUM_LANES; l += WIDE) {

@@ -22,7 +22,7 @@ static void accumulate(const spectrum_eval *eval, running *out) {
     double previous = 0.0;
     for (int i = 0; i < NODES; i++) {
         const double omega = LOWEST * portable_exp(step * i);
-        const double density = spectrum_eval_omnidirectional(eval, omega) * omega; // per unit of log w
+        const double density = bolan_spectrum_eval_omnidirectional(eval, omega) * omega; // per unit of log w
         out->omega[i] = omega;
         out->energy[i] = i > 0 ? out->energy[i - 1] + 0.5 * (previous + density) * step : 0.0;
         previous = density;
@@ -56,15 +56,15 @@ static void split_equal_width(const running *r, const spectrum_eval *eval, uint3
     double sum = 0.0;
     for (uint32_t i = 0; i < count; i++) {
         const double omega = first + (i + 0.5) * step;
-        out->line[i] = (sum_line){omega, spectrum_eval_omnidirectional(eval, omega) * step, step};
+        out->line[i] = (sum_line){omega, bolan_spectrum_eval_omnidirectional(eval, omega) * step, step};
         sum += out->line[i].energy;
     }
     const double scale = sum > 0.0 ? r->energy[NODES - 1] * (1.0 - 2.0 * MU) / sum : 0.0;
     for (uint32_t i = 0; i < count; i++) out->line[i].energy *= scale;
 }
 
-bool sum_set_lines(const spectrum_eval *eval, uint32_t count, bolan_frequency_split split, sea_sum *out) {
-    running *r = sea_borrow(sizeof *r);
+bool bolan_sum_set_lines(const spectrum_eval *eval, uint32_t count, bolan_frequency_split split, sea_sum *out) {
+    running *r = bolan_sea_borrow(sizeof *r);
     if (!r) return false;
     accumulate(eval, r);
     if (r->energy[NODES - 1] > 0.0) { // else a flat calm

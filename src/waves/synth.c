@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "waves/synth.h"
 
-#define SEA_DECLARE(set)                                                                               \
-    void sea_rows_##set(const fft_plan *, const sea_cascade *, const sea_moment *, uint32_t, float *); \
-    void sea_columns_##set(const fft_plan *, const sea_cascade *, const sea_moment *, uint32_t, float *);
+#define SEA_DECLARE(set)                                                                                     \
+    void bolan_sea_rows_##set(const fft_plan *, const sea_cascade *, const sea_moment *, uint32_t, float *); \
+    void bolan_sea_columns_##set(const fft_plan *, const sea_cascade *, const sea_moment *, uint32_t, float *);
 
 SEA_DECLARE(scalar)
 #ifdef BOLAN_KERNELS_X86
@@ -13,15 +13,15 @@ SEA_DECLARE(avx512)
 #endif
 
 static const sea_kernels table[] = {
-    [BOLAN_CPU_SCALAR] = {sea_rows_scalar, sea_columns_scalar},
+    [BOLAN_CPU_SCALAR] = {bolan_sea_rows_scalar, bolan_sea_columns_scalar},
 #ifdef BOLAN_KERNELS_X86
-    [BOLAN_CPU_SSE2] = {sea_rows_sse2, sea_columns_sse2},
-    [BOLAN_CPU_AVX2] = {sea_rows_avx2, sea_columns_avx2},
-    [BOLAN_CPU_AVX512] = {sea_rows_avx512, sea_columns_avx512},
+    [BOLAN_CPU_SSE2] = {bolan_sea_rows_sse2, bolan_sea_columns_sse2},
+    [BOLAN_CPU_AVX2] = {bolan_sea_rows_avx2, bolan_sea_columns_avx2},
+    [BOLAN_CPU_AVX512] = {bolan_sea_rows_avx512, bolan_sea_columns_avx512},
 #endif
 };
 
-const sea_kernels *sea_kernels_for(bolan_cpu cpu) {
+const sea_kernels *bolan_sea_kernels_for(bolan_cpu cpu) {
     const bolan_cpu best = bolan_cpu_best();
     return &table[cpu == BOLAN_CPU_AUTO || cpu > best ? best : cpu];
 }

@@ -36,6 +36,6 @@ static inline size_t sea_scratch_pitch(uint32_t n) {
     return (size_t)n * FFT_ROW + SEA_SCRATCH_SHIFT; // floats
 }
 
-const sea_kernels *sea_kernels_for(bolan_cpu cpu);
+const sea_kernels *bolan_sea_kernels_for(bolan_cpu cpu);
 
 #endif

@@ -10,8 +10,8 @@
 
 #include <string.h>
 
-void KERNEL(sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
-                         float *scratch);
+void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment,
+                               uint32_t strip, float *scratch);
 
 #define ALWAYS_INLINE inline __attribute__((always_inline))
 
@@ -170,8 +170,8 @@ static ALWAYS_INLINE void columns(const fft_plan *plan, const sea_cascade *casca
     }
 }
 
-void KERNEL(sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
-                         float *scratch) {
+void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment,
+                               uint32_t strip, float *scratch) {
     switch (moment->stream) { // a constant in each case, so that the loops have no branches
     case SEA_STREAM_NONE: columns(plan, cascade, moment, SEA_STREAM_NONE, strip, scratch); break;
     case SEA_STREAM_PLANES: columns(plan, cascade, moment, SEA_STREAM_PLANES, strip, scratch); break;

@@ -5,8 +5,8 @@
 
 #include <string.h>
 
-void KERNEL(sea_rows)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
-                      float *scratch);
+void KERNEL(bolan_sea_rows)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
+                            float *scratch);
 
 // Sine and cosine of 2 pi x for |x| <= 1/2 turn. The quarter turn is taken off exactly; the polynomials are those of
 // math/sincos.h, on |angle| <= pi/4.
@@ -83,8 +83,8 @@ static void transpose_out(const fft_plan *plan, const sea_cascade *cascade, uint
     }
 }
 
-void KERNEL(sea_rows)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
-                      float *scratch) {
+void KERNEL(bolan_sea_rows)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
+                            float *scratch) {
     const size_t pitch = sea_scratch_pitch(plan->n);
     float *h = scratch, *u = scratch + pitch, *work = scratch + 2 * pitch;
     evolve(cascade, moment->time, strip, h, u);

@@ -46,7 +46,7 @@ static bool sums_are_valid(const bolan_sea_desc *desc) {
            in_range("current_y", desc->current_y, -5.0, 5.0, " m/s");
 }
 
-bolan_result sea_validate(const bolan_sea_desc *desc) {
+bolan_result bolan_sea_validate(const bolan_sea_desc *desc) {
     const double shortest_loop = desc->waves == BOLAN_WAVES_TEXTURES ? 1.0 : 10.0;
     const bool valid =
         kinds_are_valid(desc) && resolution_is_valid(desc->resolution) &&

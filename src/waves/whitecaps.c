@@ -4,7 +4,7 @@
 #include "waves/sum.h"
 
 enum { TIMES = 2, COUNT = TIMES * SEA_MEASURED }; // the rarest cover that can be seen, 1e-4, is still 13 of them
-#define TIMES_APART 97.3 // [s]: no wave of the sea is coherent that long
+#define TIMES_APART 97.3                          // [s]: no wave of the sea is coherent that long
 #define NEVER (-1e30)
 
 static void swap(float *a, float *b) {
@@ -45,7 +45,7 @@ static void gather_blocks(void *context, uint32_t begin, uint32_t end, uint32_t 
     const gathering *g = context;
     bolan_sea_sample sample[SEA_PLACES];
     for (uint32_t i = begin; i < end; i++) {
-        sea_sample_places(g->sea, i * SEA_PLACES, sample);
+        bolan_sea_sample_places(g->sea, i * SEA_PLACES, sample);
         for (uint32_t p = 0; p < SEA_PLACES; p++) g->out[i * SEA_PLACES + p] = sample[p].jacobian;
     }
 }
@@ -68,12 +68,12 @@ static bool has_crests(const float *jacobian, size_t count) {
     return highest - lowest > 1e-5f;
 }
 
-bool sea_whitecaps_create(bolan_sea *sea) {
+bool bolan_sea_whitecaps_create(bolan_sea *sea) {
     const double cover = bolan_monahan_cover(sea->desc.sea_state.wind_speed);
     const size_t rank = (size_t)(cover * COUNT);
     sea->foam_threshold = NEVER;
     if (rank > 0) { // a weaker wind makes no foam
-        float *jacobian = sea_borrow(COUNT * sizeof(float));
+        float *jacobian = bolan_sea_borrow(COUNT * sizeof(float));
         if (!jacobian) return false;
         gather(sea, jacobian);
         // From 32 m/s on more than half of the sea is covered, and the threshold lies above the median, about 1.

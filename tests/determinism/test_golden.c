@@ -8,9 +8,9 @@
 //     BOLAN_PRINT_HASHES=1 build/tests/test_golden > tests/determinism/golden_hashes.h
 #include "sea_support.h"
 
+#include "bolan/ground.h"
 #include "bolan/query.h"
 #include "bolan/scene.h"
-#include "bolan/shore.h"
 #include "bolan/surface.h"
 #include "bolan/tiles.h"
 
@@ -75,7 +75,7 @@ static uint64_t add_constants(uint64_t hash, const bolan_sea *sea) {
     return add_bytes(hash, bolan_sea_get_summary(sea), sizeof(bolan_sea_summary));
 }
 
-static uint64_t add_answers(uint64_t hash, const bolan_sea *sea, const bolan_terrain *terrain) {
+static uint64_t add_answers(uint64_t hash, const bolan_sea *sea, const bolan_ground *terrain) {
     bolan_dvec2 at[POINTS];
     float spacing[POINTS], height[POINTS];
     bolan_query_point water[POINTS];
@@ -98,7 +98,7 @@ static uint64_t add_answers(uint64_t hash, const bolan_sea *sea, const bolan_ter
     return ADD(hash, statistics);
 }
 
-static uint64_t sea_bits(bolan_sea_desc desc, const bolan_terrain *terrain) {
+static uint64_t sea_bits(bolan_sea_desc desc, const bolan_ground *terrain) {
     bolan_sea *sea = test_sea(desc);
     uint64_t hash = add_constants(FNV_START, sea);
     for (int t = 0; t < TIMES; t++) {
@@ -156,22 +156,22 @@ static bolan_sea_desc carried(void) {
 
 // ---- the ground -----------------------------------------------------------------------------------------------------
 
-static uint64_t terrain_bits(const bolan_terrain *terrain, double west, double step) {
+static uint64_t terrain_bits(const bolan_ground *terrain, double west, double step) {
     enum { SIDE = 96 };
     static float grid[SIDE * SIDE];
-    bolan_terrain_elevations(terrain, west, west, step, SIDE, SIDE, grid);
+    bolan_ground_elevations(terrain, west, west, step, SIDE, SIDE, grid);
     uint64_t hash = FNV_START;
     ADD(hash, grid);
     for (int i = 0; i < 500; i++) { // all detail, at places off the grid
-        const float z = bolan_terrain_elevation(terrain, west + 3.17 * i, west + 0.91 * step * (i % 90), 0.0);
+        const float z = bolan_ground_elevation(terrain, west + 3.17 * i, west + 0.91 * step * (i % 90), 0.0);
         ADD(hash, z);
     }
-    const bolan_terrain_extent extent = bolan_terrain_get_extent(terrain);
-    const uint64_t id = bolan_terrain_id(terrain);
+    const bolan_ground_extent extent = bolan_ground_get_extent(terrain);
+    const uint64_t id = bolan_ground_id(terrain);
     ADD(hash, extent);
     ADD(hash, id);
     float lowest, highest;
-    bolan_terrain_bounds(terrain, west, west, 10.0 * step, &lowest, &highest);
+    bolan_ground_bounds(terrain, west, west, 10.0 * step, &lowest, &highest);
     ADD(hash, lowest);
     return ADD(hash, highest);
 }
@@ -180,10 +180,10 @@ static uint64_t island_bits(void) {
     bolan_island_desc desc = bolan_island_desc_default();
     desc.seed = 11;
     desc.lagoon_from_deg = 100.0;
-    bolan_terrain *terrain = NULL;
-    assert_int_equal(bolan_terrain_create_island(&desc, &terrain), BOLAN_OK);
+    bolan_ground *terrain = NULL;
+    assert_int_equal(bolan_ground_create_island(&desc, &terrain), BOLAN_OK);
     const uint64_t hash = terrain_bits(terrain, -2400.0, 50.0);
-    bolan_terrain_destroy(&terrain);
+    bolan_ground_destroy(&terrain);
     return hash;
 }
 
@@ -191,12 +191,12 @@ static uint64_t raster_bits(void) {
     enum { WIDTH = 24, HEIGHT = 16 };
     float elevation[WIDTH * HEIGHT];
     for (int i = 0; i < WIDTH * HEIGHT; i++) elevation[i] = (float)((i * 7919) % 1009) * 0.25f - 90.0f;
-    bolan_terrain_desc desc = bolan_terrain_desc_default();
+    bolan_ground_desc desc = bolan_ground_desc_default();
     desc.field = (bolan_heightfield){WIDTH, HEIGHT, -700.0, -500.0, 61.3, 74.9, elevation};
-    bolan_terrain *terrain = NULL;
-    assert_int_equal(bolan_terrain_create(&desc, &terrain), BOLAN_OK);
+    bolan_ground *terrain = NULL;
+    assert_int_equal(bolan_ground_create(&desc, &terrain), BOLAN_OK);
     const uint64_t hash = terrain_bits(terrain, -800.0, 17.0);
-    bolan_terrain_destroy(&terrain);
+    bolan_ground_destroy(&terrain);
     return hash;
 }
 
@@ -288,8 +288,11 @@ static void check(const char *name, uint64_t hash, const char *how) {
 static const struct sea_case {
     const char *name;
     bolan_sea_desc (*desc)(void);
-} seas[] = {{"sea: default", small}, {"sea: storm and swell", stormy}, {"sea: shallow, looping", shallow},
-            {"sea: Phillips", phillips}, {"sea: cosines in a current", carried}};
+} seas[] = {{"sea: default", small},
+            {"sea: storm and swell", stormy},
+            {"sea: shallow, looping", shallow},
+            {"sea: Phillips", phillips},
+            {"sea: cosines in a current", carried}};
 static const struct model_case {
     const char *name;
     bolan_wave_model waves;
@@ -297,7 +300,7 @@ static const struct model_case {
                    {"sea: exp-cosine", BOLAN_WAVES_EXP_COSINE},
                    {"sea: textures", BOLAN_WAVES_TEXTURES}};
 
-static void check_seas(bolan_cpu cpu, const bolan_terrain *pond, const char *how) {
+static void check_seas(bolan_cpu cpu, const bolan_ground *pond, const char *how) {
     for (size_t i = 0; i < sizeof seas / sizeof *seas; i++) {
         bolan_sea_desc desc = seas[i].desc();
         desc.cpu = cpu;
@@ -311,22 +314,22 @@ static void check_seas(bolan_cpu cpu, const bolan_terrain *pond, const char *how
     check("tiles", tiles_bits(cpu), how);
 }
 
-static void check_ground(const bolan_terrain *pond, const char *how) {
+static void check_ground(const bolan_ground *pond, const char *how) {
     check("ground: pond", terrain_bits(pond, -60.0, 1.3), how);
     check("ground: island", island_bits(), how);
     check("ground: raster", raster_bits(), how);
 }
 
-static bolan_terrain *create_pond(void) {
-    bolan_terrain *pond = NULL;
-    assert_int_equal(bolan_terrain_create_pond(&pond), BOLAN_OK);
+static bolan_ground *create_pond(void) {
+    bolan_ground *pond = NULL;
+    assert_int_equal(bolan_ground_create_pond(&pond), BOLAN_OK);
     return pond;
 }
 
 static void seas_and_answers_have_their_bits(void **state) {
     (void)state;
     static const char *const names[] = {"", " (scalar)", " (SSE2)", " (AVX2)", " (AVX-512)"};
-    bolan_terrain *pond = create_pond();
+    bolan_ground *pond = create_pond();
     differences = 0;
     const int last = printing ? BOLAN_CPU_SCALAR : (int)bolan_cpu_best();
     for (int cpu = BOLAN_CPU_SCALAR; cpu <= last; cpu++) check_seas((bolan_cpu)cpu, pond, names[cpu]);
@@ -335,13 +338,13 @@ static void seas_and_answers_have_their_bits(void **state) {
         check_seas(BOLAN_CPU_AUTO, pond, " (3 threads)");
         bolan_set_threads(1);
     }
-    bolan_terrain_destroy(&pond);
+    bolan_ground_destroy(&pond);
     assert_int_equal(differences, 0);
 }
 
 static void the_ground_has_its_bits(void **state) {
     (void)state;
-    bolan_terrain *pond = create_pond();
+    bolan_ground *pond = create_pond();
     differences = 0;
     check_ground(pond, "");
     if (!printing) {
@@ -349,7 +352,7 @@ static void the_ground_has_its_bits(void **state) {
         check_ground(pond, " (3 threads)");
         bolan_set_threads(1);
     }
-    bolan_terrain_destroy(&pond);
+    bolan_ground_destroy(&pond);
     assert_int_equal(differences, 0);
 }
 

@@ -125,8 +125,8 @@ static void resolution_does_not_change_which_waves_there_are(void **state) {
     desc.resolution = 256;
     bolan_sea *fine = create(desc);
     table *a = calloc(1, sizeof *a), *b = calloc(1, sizeof *b);
-    sea_each_mode(&coarse->cascade[0], keep_mode, a);
-    sea_each_mode(&fine->cascade[0], keep_mode, b);
+    bolan_sea_each_mode(&coarse->cascade[0], keep_mode, a);
+    bolan_sea_each_mode(&fine->cascade[0], keep_mode, b);
     assert_true(a->count > 1000 && b->count > 10 * a->count);
     for (uint32_t i = 0; i < a->count; i++) {
         const sea_mode *m = &a->modes[i];
@@ -156,8 +156,7 @@ static void another_seed_is_another_sea(void **state) {
     bolan_sea_destroy(&b);
 }
 
-RUN_TESTS(cmocka_unit_test(instruction_sets_and_threads_do_not_matter),
-          cmocka_unit_test(large_planes_are_no_other_sea),
+RUN_TESTS(cmocka_unit_test(instruction_sets_and_threads_do_not_matter), cmocka_unit_test(large_planes_are_no_other_sea),
           cmocka_unit_test(the_path_through_time_does_not_matter), cmocka_unit_test(settling_depends_on_the_time_alone),
           cmocka_unit_test(resolution_does_not_change_which_waves_there_are),
           cmocka_unit_test(another_seed_is_another_sea))

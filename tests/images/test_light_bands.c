@@ -106,7 +106,7 @@ static bolan_scene scene_of(const view *v) {
     bolan_scene_set_wind(&scene, 8.0, 270.0);
     scene.sea.seed = 5;
     scene.time = 20.0;
-    scene.water = (bolan_water){.type = BOLAN_JERLOV_IB, .foam = 0.0};
+    scene.water = (bolan_seawater){.type = BOLAN_JERLOV_IB, .foam = 0.0};
     scene.sky.visibility = 300000.0;
     scene.sky.cloud_cover = 0.0;
     scene.sky.sun_azimuth_deg = v->sun_azimuth;

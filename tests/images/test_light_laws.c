@@ -279,18 +279,18 @@ typedef struct bores {
 
 // Adds how the change from one picture of foam to the next goes with its slope towards (x, y), where the ground rises.
 static void add_bores(const stage *s, const float *before, const float *after, double metre, bores *b) {
-    const bolan_terrain *ground = s->assets.terrain;
+    const bolan_ground *ground = s->assets.terrain;
     const size_t row = 3 * SIZE;
     for (int j = 3; j + 3 < SIZE; ++j)
         for (int i = 3; i + 3 < SIZE; ++i) {
             const double x = s->scene.camera.position.x + (i + 0.5 - SIZE / 2) * metre;
             const double y = s->scene.camera.position.y - (j + 0.5 - SIZE / 2) * metre;
-            const double depth = -(double)bolan_terrain_elevation(ground, x, y, 2.0);
+            const double depth = -(double)bolan_ground_elevation(ground, x, y, 2.0);
             if (depth < 0.4 || depth > 1.2) continue;
-            const double east = (double)(bolan_terrain_elevation(ground, x + 2.0, y, 2.0) -
-                                         bolan_terrain_elevation(ground, x - 2.0, y, 2.0));
-            const double north = (double)(bolan_terrain_elevation(ground, x, y + 2.0, 2.0) -
-                                          bolan_terrain_elevation(ground, x, y - 2.0, 2.0));
+            const double east = (double)(bolan_ground_elevation(ground, x + 2.0, y, 2.0) -
+                                         bolan_ground_elevation(ground, x - 2.0, y, 2.0));
+            const double north = (double)(bolan_ground_elevation(ground, x, y + 2.0, 2.0) -
+                                          bolan_ground_elevation(ground, x, y - 2.0, 2.0));
             const size_t at = 3 * ((size_t)j * SIZE + i) + 1;
             const double change = (double)(after[at] - before[at]), steep = fmax(hypot(east, north), 1e-9);
             const double slope =
@@ -304,15 +304,15 @@ static void add_bores(const stage *s, const float *before, const float *after, d
 
 // The first place round the island, from the east counter-clockwise, where the bed comes up to 0.8 m at a slope of 1 :
 // 30 to 1 : 10. Gives the direction to the land.
-static bolan_dvec2 find_beach(const bolan_terrain *ground, bolan_dvec3 *place) {
+static bolan_dvec2 find_beach(const bolan_ground *ground, bolan_dvec3 *place) {
     for (int degrees = 0; degrees < 360; degrees += 2)
         for (double r = 4000.0; r > 500.0; r -= 5.0) {
             const double a = bolan_radians(degrees), x = r * cos(a), y = r * sin(a);
-            if (bolan_terrain_elevation(ground, x, y, 2.0) < -0.8f) continue;
-            const bolan_dvec2 up = {(double)(bolan_terrain_elevation(ground, x + 15, y, 2.0) -
-                                             bolan_terrain_elevation(ground, x - 15, y, 2.0)),
-                                    (double)(bolan_terrain_elevation(ground, x, y + 15, 2.0) -
-                                             bolan_terrain_elevation(ground, x, y - 15, 2.0))};
+            if (bolan_ground_elevation(ground, x, y, 2.0) < -0.8f) continue;
+            const bolan_dvec2 up = {(double)(bolan_ground_elevation(ground, x + 15, y, 2.0) -
+                                             bolan_ground_elevation(ground, x - 15, y, 2.0)),
+                                    (double)(bolan_ground_elevation(ground, x, y + 15, 2.0) -
+                                             bolan_ground_elevation(ground, x, y - 15, 2.0))};
             const double slope = hypot(up.x, up.y) / 30.0;
             if (slope < 0.033 || slope > 0.1) break;
             place->x = x, place->y = y;

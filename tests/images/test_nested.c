@@ -3,7 +3,7 @@
 // below the horizon none of it may show. tests/unit/test_surface_nested_cracks.c shows the same of the triangles, by their bits.
 #include "../shaders/gl_support.h"
 
-#include "render/water_fields.h"
+#include "render/sea_gpu.h"
 #include "render/water_mesh.h"
 
 #include <stdio.h>
@@ -46,9 +46,9 @@ static void make_program(gl_program *out) {
     assert_non_null(file);
     fputs(shader, file);
     fclose(file);
-    gl_program_set_directory(folder);
-    assert_int_equal(gl_program_create("hole", NULL, out), BOLAN_OK);
-    gl_program_set_directory(NULL);
+    bolan_gl_program_set_directory(folder);
+    assert_int_equal(bolan_gl_program_create("hole", NULL, out), BOLAN_OK);
+    bolan_gl_program_set_directory(NULL);
     unlink(path);
     rmdir(folder);
 }
@@ -68,19 +68,19 @@ static void rig_open(rig *r) {
     r->desc.sea = r->sea;
     r->desc.width = WIDTH;
     r->desc.height = HEIGHT;
-    assert_int_equal(water_mesh_create(&r->mesh, BOLAN_QUALITY_LOW, 0), BOLAN_OK);
+    assert_int_equal(bolan_water_mesh_create(&r->mesh, BOLAN_QUALITY_LOW, 0), BOLAN_OK);
     make_program(&r->program);
     gl_texture_desc color = {.format = GL_FMT_RGBA8, .width = WIDTH, .height = HEIGHT, .filter = GL_FILTER_NEAREST};
-    assert_int_equal(gl_texture_create(&color, &r->color), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&color, &r->color), BOLAN_OK);
     const gl_texture *colors[] = {&r->color};
-    assert_int_equal(gl_target_create(colors, 1, NULL, -1, 0, &r->target), BOLAN_OK);
+    assert_int_equal(bolan_gl_target_create(colors, 1, NULL, -1, 0, &r->target), BOLAN_OK);
 }
 
 static void rig_close(rig *r) {
-    gl_target_free(&r->target);
-    gl_texture_free(&r->color);
-    gl_program_free(&r->program);
-    water_mesh_free(&r->mesh);
+    bolan_gl_target_free(&r->target);
+    bolan_gl_texture_free(&r->color);
+    bolan_gl_program_free(&r->program);
+    bolan_water_mesh_free(&r->mesh);
     bolan_sea_destroy(&r->sea);
 }
 
@@ -111,16 +111,16 @@ static void random_view(rig *r, double highest) {
 
 static bolan_mat4 draw(rig *r) {
     const bolan_camera *c = &r->scene.camera;
-    water_mesh_build(&r->mesh, &r->f, BOLAN_SURFACE_NESTED, WATER_MESH, false);
+    bolan_water_mesh_build(&r->mesh, &r->f, BOLAN_SURFACE_NESTED, WATER_MESH, false);
     bolan_mat4 clip = bolan_m4_mul(bolan_m4_projection(bolan_radians(c->fov_deg), (double)WIDTH / HEIGHT, 0.1, 0),
                                    bolan_m4_view(c->heading_deg, c->pitch_deg, c->roll_deg));
     bolan_mat4 rows = bolan_m4_transpose(clip);
-    gl_target_bind(&r->target);
-    gl_set_state(&(gl_state){.color_write = true});
-    gl_target_clear_color(1.0f, 0.0f, 1.0f, 1.0f);
-    gl_program_use(&r->program);
-    gl_program_vec4_array(&r->program, "row", rows.m, 4);
-    water_mesh_draw(&r->mesh);
+    bolan_gl_target_bind(&r->target);
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_target_clear_color(1.0f, 0.0f, 1.0f, 1.0f);
+    bolan_gl_program_use(&r->program);
+    bolan_gl_program_vec4_array(&r->program, "row", rows.m, 4);
+    bolan_water_mesh_draw(&r->mesh);
     read_bytes(r->target.id, WIDTH, HEIGHT, r->pixels);
     return bolan_m4_inverse(clip);
 }

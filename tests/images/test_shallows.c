@@ -13,19 +13,19 @@ enum { CELLS = 61, WIDTH = 160, HEIGHT = 120 };
 #define STEP 175.0 // [m]
 
 // An island 40 m high and 3 km wide on a shelf that falls as beaches do, with distance^(2/3) (Dean 1977).
-static bolan_terrain *island_on_a_shelf(void) {
+static bolan_ground *island_on_a_shelf(void) {
     static float heights[CELLS * CELLS];
     for (int n = 0; n < CELLS * CELLS; n++) {
         const double r = STEP * hypot(n % CELLS - CELLS / 2, n / CELLS - CELLS / 2) - 1500.0;
         heights[n] = (float)(r < 0.0 ? 40.0 * fmin(1.0, -r / 300.0) : -0.12 * pow(r, 2.0 / 3.0));
     }
-    bolan_terrain_desc d = bolan_terrain_desc_default();
+    bolan_ground_desc d = bolan_ground_desc_default();
     const double corner = -STEP * (CELLS / 2);
     d.field = (bolan_heightfield){CELLS, CELLS, corner, corner, STEP, STEP, heights};
     d.detail = 0.0;
     d.edge_elevation = -40.0;
-    bolan_terrain *terrain = NULL;
-    assert_int_equal(bolan_terrain_create(&d, &terrain), BOLAN_OK);
+    bolan_ground *terrain = NULL;
+    assert_int_equal(bolan_ground_create(&d, &terrain), BOLAN_OK);
     return terrain;
 }
 

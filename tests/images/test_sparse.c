@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Water lit at fewer places than there are pixels (src/render/water_sparse.c) is where it is in a picture that lights each pixel, as
+// Water lit at fewer places than there are pixels (src/render/papers/half_rate.c) is where it is in a picture that lights each pixel, as
 // bright, and leaves no pixel out, whatever the picture's width.
 #include <setjmp.h>
 #include <stdarg.h>
@@ -155,10 +155,10 @@ static void rounding_of_depth_changes_nothing(void **state) {
     static const struct {
         const char *stem, *change;
     } list[] = {
-        {"water_phong", "gl_Position.z -= 4.8e-7 * gl_Position.w;"},
-        {"water_phong", "gl_Position.z += 4.8e-7 * gl_Position.w;"},
-        {"water_cover", "gl_Position.z += 4.8e-7 * gl_Position.w;"},
-        {"water_lay", "gl_Position.z -= 4.8e-7 * gl_Position.w;"},
+        {"papers/phong", "gl_Position.z -= 4.8e-7 * gl_Position.w;"},
+        {"papers/phong", "gl_Position.z += 4.8e-7 * gl_Position.w;"},
+        {"papers/depth_only", "gl_Position.z += 4.8e-7 * gl_Position.w;"},
+        {"papers/half_rate_resolve", "gl_Position.z -= 4.8e-7 * gl_Position.w;"},
     };
     bolan_context *context = NULL;
     if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
@@ -180,7 +180,7 @@ static void a_pixel_without_samples_is_lit(void **state) {
     bolan_context *context = NULL;
     if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     look plain = draw("pond", &bolan_technique_exp_cosine, BOLAN_QUALITY_MEDIUM, 320);
-    look l = draw_perturbed("water_phong", "gl_Position.z *= 0.5;");
+    look l = draw_perturbed("papers/phong", "gl_Position.z *= 0.5;");
     const double rms = distance_of("no samples", &l, &plain);
     assert_true(rms > 0.002 && rms < 0.3); // it is another picture, and no wild one
     look_free(&l);

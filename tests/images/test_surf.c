@@ -23,7 +23,7 @@ static bolan_scene over_the_beach(const bolan_technique *technique) {
     bolan_scene_assets assets;
     assert_int_equal(bolan_scene_assets_load(&scene, &assets), BOLAN_OK);
     double y = -8000.0; // from the open sea towards the island
-    while (y < 0.0 && bolan_terrain_elevation(assets.terrain, 0.0, y, 0.0) < -1.0f) y += 2.0;
+    while (y < 0.0 && bolan_ground_elevation(assets.terrain, 0.0, y, 0.0) < -1.0f) y += 2.0;
     bolan_scene_assets_destroy(&assets);
     assert_true(y < 0.0);
     scene.camera = (bolan_camera){.position = {0.0, y, 60.0}, .pitch_deg = -90.0, .fov_deg = 50.0};

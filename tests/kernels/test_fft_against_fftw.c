@@ -42,7 +42,7 @@ static void compare(uint32_t n) {
         spectrum g = {n, 2.0 * BOLAN_PI / c->length, c->cosine, c->sine, 123.4, fftwf_alloc_complex((size_t)n * n)};
         fftwf_plan plan = fftwf_plan_dft_2d((int)n, (int)n, g.h, g.h, FFTW_BACKWARD, FFTW_ESTIMATE);
         for (size_t p = 0; p < (size_t)n * n; p++) g.h[p][0] = g.h[p][1] = 0.0f;
-        sea_each_mode(c, put_mode, &g);
+        bolan_sea_each_mode(c, put_mode, &g);
         fftwf_execute(plan);
         double error = 0.0, imaginary = 0.0;
         for (size_t p = 0; p < (size_t)n * n; p++) {

@@ -5,14 +5,20 @@ BEGIN {
     # Modules and what each may include besides itself. Data flows one way, and so do includes.
     may["base"] = ""
     may["math"] = "base"
-    may["spectrum"] = may["fft"] = "base math"
+    may["earth"] = may["optics"] = may["spectrum"] = may["fft"] = "base math"
+    may["ground"] = "base math"
+    may["coast"] = "base math ground"
     may["waves"] = "base math spectrum fft"
-    may["surface"] = may["shore"] = may["body"] = may["tiles"] = "base math spectrum fft waves"
-    may["query"] = may["shore"] " shore" # waves are asked for over a sea bed
-    may["scene"] = "base math spectrum fft waves query surface shore body tiles"
-    may["io"] = may["render"] = may["scene"] " scene" # they do not know each other
+    may["surface"] = may["body"] = may["tiles"] = "base math earth spectrum optics fft waves"
+    may["water"] = "base math earth spectrum waves ground coast"
+    may["query"] = may["water"] " fft water"
+    may["model"] = "base math ground"
+    may["content"] = "base math ground model"
+    core = "base math earth spectrum optics fft ground coast waves surface body tiles water query model"
+    may["scene"] = core
+    may["world"] = core " scene"
+    may["io"] = may["render"] = core " content scene world" # they do not know each other
     may["bolan"] = may["io"] " io"                    # the umbrella header: never GL
-    core = "base math spectrum fft waves query surface shore body tiles scene"
 
     c_headers = "assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg " \
         "stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype"

@@ -71,7 +71,7 @@ x86_64 | i?86)
         plain thirty_two_bits -DCMAKE_C_FLAGS=-m32
         grep -q '32-bit x86: compiling with -msse2 -mfpmath=sse' thirty_two_bits.log || fail 'no word of SSE2'
         compiles thirty_two_bits WITH -mfpmath=sse
-        cmake --build thirty_two_bits -j "${BOLAN_TEST_JOBS:-2}" --target CMakeFiles/bolan.dir/src/shore/detail.c.o \
+        cmake --build thirty_two_bits -j "${BOLAN_TEST_JOBS:-2}" --target CMakeFiles/bolan.dir/src/ground/detail.c.o \
             > build32.log 2>&1 || fail "$(cat build32.log)"
     fi
     ;;

@@ -136,12 +136,12 @@ static void shallow_water_keeps_the_level(void **state) {
     (void)state;
     enum { SIDE = 300 };
     const float grid[4] = {-1.5f, -1.5f, -1.5f, -1.5f};
-    bolan_terrain_desc ground = bolan_terrain_desc_default();
+    bolan_ground_desc ground = bolan_ground_desc_default();
     ground.field = (bolan_heightfield){2, 2, -5e4, -5e4, 1e5, 1e5, grid};
     ground.detail = 0.0;
     ground.edge_elevation = -1.5;
-    bolan_terrain *terrain = NULL;
-    assert_int_equal(bolan_terrain_create(&ground, &terrain), BOLAN_OK);
+    bolan_ground *terrain = NULL;
+    assert_int_equal(bolan_ground_create(&ground, &terrain), BOLAN_OK);
     static bolan_query_point answer[SIDE * SIDE];
     for (int model = BOLAN_WAVES_FFT; model <= BOLAN_WAVES_COSINES; model++) {
         bolan_sea *sea = make((bolan_wave_model)model, 10.0, BOLAN_DEEP, 1.6);
@@ -160,7 +160,7 @@ static void shallow_water_keeps_the_level(void **state) {
         assert_near(sum / hs, 0.0, 0.002);
         bolan_sea_destroy(&sea);
     }
-    bolan_terrain_destroy(&terrain);
+    bolan_ground_destroy(&terrain);
 }
 
 RUN_TESTS(cmocka_unit_test(queries_have_the_level_as_their_mean), cmocka_unit_test(a_grid_has_the_level_as_its_mean),

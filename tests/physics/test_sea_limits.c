@@ -42,7 +42,8 @@ static void a_sea_is_no_higher_than_six_tenths_of_its_depth(void **state) {
         d.resolution = 128;
         bolan_sea *sea = make(&d);
         assert_int_equal(warnings, 1);
-        assert_non_null(strstr(sentence, "too high for its depth of 0.5 m: Hs lowered from 2.14 to 0.3 m, 0.6 of the depth"));
+        assert_non_null(
+            strstr(sentence, "too high for its depth of 0.5 m: Hs lowered from 2.14 to 0.3 m, 0.6 of the depth"));
         assert_near(bolan_sea_get_summary(sea)->hs, 0.3, 1e-9);
         assert_near(bolan_sea_get_summary(sea)->m0, 0.3 * 0.3 / 16.0, 1e-9);
         assert_near(bolan_sea_get_desc(sea)->sea_state.systems[0].hs, 2.1386, 1e-3); // as it was asked for

@@ -259,7 +259,8 @@ static void what_the_waves_leave_lies_along_the_wind(void **state) {
         desc.sea_state.wind_speed = 10.0;
         desc.sea_state.wind_from_deg = wind[i][0];
         bolan_sea *sea = test_sea(desc);
-        const double c = cos(bolan_radians(wind[i][1])), s = sin(bolan_radians(wind[i][1])), up = 0.0316, cross = 0.0222;
+        const double c = cos(bolan_radians(wind[i][1])), s = sin(bolan_radians(wind[i][1])), up = 0.0316,
+                     cross = 0.0222;
         float rest[3];
         bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
         assert_near(rest[0], c * c * up + s * s * cross, 1e-7);

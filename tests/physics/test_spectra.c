@@ -35,7 +35,7 @@ static void pierson_moskowitz_has_the_density_of_its_paper(void **state) {
 static void the_jonswap_normalisation_is_exact(void **state) {
     (void)state;
     static const double table[][2] = {{1, 1.0}, {2, 0.80281}, {3.3, 0.65576}, {5, 0.53809}, {7, 0.44940}};
-    for (size_t i = 0; i < 5; i++) assert_near(1.0 / spectrum_peak_integral(log(table[i][0])), table[i][1], 5e-6);
+    for (size_t i = 0; i < 5; i++) assert_near(1.0 / bolan_spectrum_peak_integral(log(table[i][0])), table[i][1], 5e-6);
     for (double gamma = 1.0; gamma <= 10.0; gamma += 0.37) // the fit against the variance, integrated by Simpson's rule
         assert_ratio(summary_of(system_of(BOLAN_SPECTRUM_JONSWAP, 4.0, 0.7, gamma), BOLAN_DEEP).m0, 1.0, 1e-6);
 }
@@ -191,7 +191,7 @@ static void cox_and_munk_and_monahan_give_their_regressions(void **state) {
     assert_near(up, 0.0316, 1e-9);
     assert_near(cross, 0.0222, 1e-9);
     assert_near(up + cross, 0.0542, 5e-4); // their regression of the total was fitted apart: 0.003 + 5.12e-3 U
-    bolan_cox_munk(1.0, &up, &cross); // their least wind was 0.7 m/s
+    bolan_cox_munk(1.0, &up, &cross);      // their least wind was 0.7 m/s
     assert_near(cross, 0.00492, 1e-9);
     bolan_cox_munk(0.0, &up, &cross);
     assert_true(up == 0.0 && cross == 0.0); // a calm mirrors

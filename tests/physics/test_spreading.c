@@ -52,7 +52,7 @@ static void the_cos_2s_norm_is_that_of_the_gamma_function(void **state) {
         const bolan_wave_system system = system_of(BOLAN_SPREADING_COS2S, table[i][0], 0.0);
         assert_near(bolan_system_spreading(&system, 1.0, 0.0), table[i][1], 1e-6);
     }
-    for (double s = 0.0; s < 220.0; s += 0.37) assert_ratio(spectrum_cos2s_norm(s), cos2s_norm(s), 1e-8);
+    for (double s = 0.0; s < 220.0; s += 0.37) assert_ratio(bolan_spectrum_cos2s_norm(s), cos2s_norm(s), 1e-8);
 }
 
 // Circular spread sqrt(2 (1 - s/(s+1))).

@@ -55,10 +55,10 @@ for file in *.glsl; do
         try "$file" QUAD TRIM
         try "$file" KEPT OPAQUE SPARSE
         ;;
-    terrain.glsl)
+    ground.glsl)
         try "$file" CLIP
         ;;
-    models.glsl)
+    objects.glsl)
         try "$file" PICTURE CUT
         try "$file" GROUND PICTURE WET
         try "$file" GROUND PICTURE CUT WET

@@ -36,7 +36,7 @@ static inline int gl_teardown(void **state) {
 // Bytes of a framebuffer, top row first.
 static inline void read_bytes(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb) {
     uint8_t *scratch = malloc((size_t)width * height * 4);
-    gl_read_rgb8(framebuffer, width, height, scratch, rgb);
+    bolan_gl_read_rgb8(framebuffer, width, height, scratch, rgb);
     free(scratch);
 }
 
@@ -45,9 +45,9 @@ static inline void read_depths(const gl_texture *depth, float *out) {
     const size_t pixels = (size_t)depth->width * depth->height;
     float *rgba = malloc(pixels * 4 * sizeof *rgba);
     gl_depth_reader reader = {0};
-    assert_int_equal(gl_depth_read(&reader, depth, rgba), BOLAN_OK);
+    assert_int_equal(bolan_gl_depth_read(&reader, depth, rgba), BOLAN_OK);
     for (size_t i = 0; i < pixels; i++) out[i] = rgba[4 * i];
-    gl_depth_reader_free(&reader);
+    bolan_gl_depth_reader_free(&reader);
     free(rgba);
 }
 

@@ -16,8 +16,8 @@ int main(int argc, char **argv) {
         snprintf(defines + used, sizeof defines - used, "%s 1\n", argv[i]);
     }
     shader_text text;
-    if (shader_text_build(argv[1], argv[2], defines, strcmp(argv[3], "es") == 0, &text) != BOLAN_OK) return 1;
+    if (bolan_shader_text_build(argv[1], argv[2], defines, strcmp(argv[3], "es") == 0, &text) != BOLAN_OK) return 1;
     fputs(text.text, stdout);
-    shader_text_free(&text);
+    bolan_shader_text_free(&text);
     return 0;
 }

@@ -37,10 +37,10 @@ static inline void probe_run_with(const char *includes, const char *body, const 
             "void main() { result = probe(texelFetch(inputs, ivec2(gl_FragCoord.xy), 0)); }\n#endif\n",
             includes, body);
     fclose(file);
-    gl_program_set_directory(folder);
+    bolan_gl_program_set_directory(folder);
     gl_program program = {0};
-    assert_int_equal(gl_program_create("probe", defines, &program), BOLAN_OK);
-    gl_program_set_directory(NULL);
+    assert_int_equal(bolan_gl_program_create("probe", defines, &program), BOLAN_OK);
+    bolan_gl_program_set_directory(NULL);
     unlink(file_path);
     unlink(path);
     rmdir(folder);
@@ -48,26 +48,26 @@ static inline void probe_run_with(const char *includes, const char *body, const 
     memcpy(padded, in, count * sizeof *in);
     gl_texture_desc desc = {.format = GL_FMT_RGBA32F, .width = PROBE_WIDTH, .height = 1, .filter = GL_FILTER_NEAREST};
     gl_texture input = {0}, output = {0};
-    assert_int_equal(gl_texture_create(&desc, &input), BOLAN_OK);
-    assert_int_equal(gl_texture_create(&desc, &output), BOLAN_OK);
-    gl_texture_upload(&input, 0, -1, padded, false);
+    assert_int_equal(bolan_gl_texture_create(&desc, &input), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&desc, &output), BOLAN_OK);
+    bolan_gl_texture_upload(&input, 0, -1, padded, false);
     gl_target target = {0};
     const gl_texture *colors[] = {&output};
-    assert_int_equal(gl_target_create(colors, 1, NULL, -1, 0, &target), BOLAN_OK);
-    gl_target_bind(&target);
-    gl_set_state(&(gl_state){.color_write = true});
-    gl_texture_bind(&input, 15);
-    gl_program_use(&program);
-    gl_program_int(&program, "inputs", 15);
+    assert_int_equal(bolan_gl_target_create(colors, 1, NULL, -1, 0, &target), BOLAN_OK);
+    bolan_gl_target_bind(&target);
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_texture_bind(&input, 15);
+    bolan_gl_program_use(&program);
+    bolan_gl_program_int(&program, "inputs", 15);
     if (setup) setup(&program, context);
-    gl_draw_fullscreen();
+    bolan_gl_draw_fullscreen();
     float result[PROBE_WIDTH][4];
-    gl_target_read_float(&target, 0, &result[0][0]);
+    bolan_gl_target_read_float(&target, 0, &result[0][0]);
     memcpy(out, result, count * sizeof *out);
-    gl_target_free(&target);
-    gl_texture_free(&input);
-    gl_texture_free(&output);
-    gl_program_free(&program);
+    bolan_gl_target_free(&target);
+    bolan_gl_texture_free(&input);
+    bolan_gl_texture_free(&output);
+    bolan_gl_program_free(&program);
 }
 
 static inline void probe_run(const char *includes, const char *body, float (*in)[4], uint32_t count, float (*out)[4]) {

@@ -23,20 +23,21 @@ typedef struct sky_rig {
 
 static inline void rig_create(sky_rig *r, uint32_t width, uint32_t height) {
     memset(r, 0, sizeof *r);
-    r->caps = gl_get_caps();
-    assert_int_equal(pass_sky_create(&r->caps, &r->sky), BOLAN_OK);
-    assert_int_equal(pass_tonemap_create(&r->caps, &r->tonemap), BOLAN_OK);
+    r->caps = bolan_gl_get_caps();
+    assert_int_equal(bolan_pass_sky_create(&r->caps, &r->sky), BOLAN_OK);
+    assert_int_equal(bolan_pass_tonemap_create(&r->caps, &r->tonemap), BOLAN_OK);
     const gl_texture_desc hdr = {.format = GL_FMT_RGBA16F, .width = width, .height = height};
     const gl_texture_desc depth = {.format = GL_FMT_DEPTH32F, .width = width, .height = height};
     const gl_texture_desc out = {.format = GL_FMT_RGBA8, .width = width, .height = height};
     const gl_texture *c = &r->color, *o = &r->out;
-    assert_int_equal(gl_texture_create(&hdr, &r->color), BOLAN_OK);
-    assert_int_equal(gl_texture_create(&depth, &r->depth), BOLAN_OK);
-    assert_int_equal(gl_texture_create(&out, &r->out), BOLAN_OK);
-    assert_int_equal(gl_target_create(&c, 1, &r->depth, -1, 0, &r->hdr), BOLAN_OK);
-    assert_int_equal(gl_target_create(&o, 1, NULL, -1, 0, &r->display), BOLAN_OK);
-    assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms),
-                     BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&hdr, &r->color), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&depth, &r->depth), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&out, &r->out), BOLAN_OK);
+    assert_int_equal(bolan_gl_target_create(&c, 1, &r->depth, -1, 0, &r->hdr), BOLAN_OK);
+    assert_int_equal(bolan_gl_target_create(&o, 1, NULL, -1, 0, &r->display), BOLAN_OK);
+    assert_int_equal(
+        bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms),
+        BOLAN_OK);
     r->scene.sky = (bolan_sky){
         .sun_azimuth_deg = 180, .sun_elevation_deg = 35, .visibility = 40000, .cloud_base = 1200, .cloud_seed = 1};
     r->scene.camera.fov_deg = 50;
@@ -51,8 +52,8 @@ static inline void rig_create(sky_rig *r, uint32_t width, uint32_t height) {
 }
 
 static inline void rig_upload(sky_rig *r) {
-    gl_buffer_update(&r->uniforms, 0, sizeof r->f.uniforms, &r->f.uniforms);
-    gl_buffer_bind_uniform(&r->uniforms, 0);
+    bolan_gl_buffer_update(&r->uniforms, 0, sizeof r->f.uniforms, &r->f.uniforms);
+    bolan_gl_buffer_bind_uniform(&r->uniforms, 0);
 }
 
 // Uniforms of the scene's sky and camera, as the renderer sets them; then the pass's tables.
@@ -62,7 +63,7 @@ static inline void rig_prepare(sky_rig *r) {
     frame_uniforms *u = &r->f.uniforms;
     const double azimuth = bolan_radians(s->sun_azimuth_deg), elevation = bolan_radians(s->sun_elevation_deg);
     const double fov = bolan_radians(c->fov_deg), width = r->desc.width, height = r->desc.height;
-    gl_set_clip_zero_to_one(r->caps.clip_control);
+    bolan_gl_set_clip_zero_to_one(r->caps.clip_control);
     r->f.eye = c->position;
     r->f.view = bolan_m4_view(c->heading_deg, c->pitch_deg, c->roll_deg);
     r->f.projection = bolan_m4_projection(fov, width / height, 0.1, r->caps.clip_control);
@@ -79,26 +80,26 @@ static inline void rig_prepare(sky_rig *r) {
     u->haze = (bolan_vec4){(float)s->visibility, (float)s->cloud_base, 0, 0};
     u->water_deep = (bolan_vec4){0.0005f, 0.003f, 0.006f, 1.34f};
     rig_upload(r);
-    pass_sky_prepare(r->sky, &r->f);
+    bolan_pass_sky_prepare(r->sky, &r->f);
     rig_upload(r);
 }
 
 static inline void rig_draw(sky_rig *r) {
-    gl_target_bind(&r->hdr);
-    gl_target_clear_color(0, 0, 0, 0);
-    gl_target_clear_depth(0);
-    pass_sky_draw(r->sky, &r->f);
+    bolan_gl_target_bind(&r->hdr);
+    bolan_gl_target_clear_color(0, 0, 0, 0);
+    bolan_gl_target_clear_depth(0);
+    bolan_pass_sky_draw(r->sky, &r->f);
 }
 
 static inline void rig_destroy(sky_rig *r) {
-    pass_sky_destroy(&r->sky);
-    pass_tonemap_destroy(&r->tonemap);
-    gl_buffer_free(&r->uniforms);
-    gl_target_free(&r->hdr);
-    gl_target_free(&r->display);
-    gl_texture_free(&r->color);
-    gl_texture_free(&r->depth);
-    gl_texture_free(&r->out);
+    bolan_pass_sky_destroy(&r->sky);
+    bolan_pass_tonemap_destroy(&r->tonemap);
+    bolan_gl_buffer_free(&r->uniforms);
+    bolan_gl_target_free(&r->hdr);
+    bolan_gl_target_free(&r->display);
+    bolan_gl_texture_free(&r->color);
+    bolan_gl_texture_free(&r->depth);
+    bolan_gl_texture_free(&r->out);
 }
 
 #endif

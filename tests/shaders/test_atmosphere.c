@@ -18,25 +18,25 @@ typedef struct probe {
 static void probe_create(probe *p) {
     const gl_texture_desc d = {.format = GL_FMT_RGBA32F, .width = QUESTIONS, .height = 1};
     const gl_texture *color = &p->answers;
-    gl_program_set_directory(BOLAN_SOURCE_DIR "/shaders");
-    assert_int_equal(gl_program_create("../tests/shaders/probe_sky", NULL, &p->program), BOLAN_OK);
-    gl_program_set_directory(NULL);
-    assert_int_equal(gl_texture_create(&d, &p->answers), BOLAN_OK);
-    assert_int_equal(gl_target_create(&color, 1, NULL, -1, 0, &p->target), BOLAN_OK);
+    bolan_gl_program_set_directory(BOLAN_SOURCE_DIR "/shaders");
+    assert_int_equal(bolan_gl_program_create("../tests/shaders/probe_sky", NULL, &p->program), BOLAN_OK);
+    bolan_gl_program_set_directory(NULL);
+    assert_int_equal(bolan_gl_texture_create(&d, &p->answers), BOLAN_OK);
+    assert_int_equal(bolan_gl_target_create(&color, 1, NULL, -1, 0, &p->target), BOLAN_OK);
 }
 
 static void probe_ask(const probe *p, double x, double y, double z, double w, float answers[QUESTIONS][4]) {
-    gl_set_state(&(gl_state){.color_write = true});
-    gl_target_bind(&p->target);
-    gl_program_vec4(&p->program, "ask", (bolan_vec4){(float)x, (float)y, (float)z, (float)w});
-    gl_draw_fullscreen();
-    gl_target_read_float(&p->target, 0, answers[0]);
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_target_bind(&p->target);
+    bolan_gl_program_vec4(&p->program, "ask", (bolan_vec4){(float)x, (float)y, (float)z, (float)w});
+    bolan_gl_draw_fullscreen();
+    bolan_gl_target_read_float(&p->target, 0, answers[0]);
 }
 
 static void probe_destroy(probe *p) {
-    gl_target_free(&p->target);
-    gl_texture_free(&p->answers);
-    gl_program_free(&p->program);
+    bolan_gl_target_free(&p->target);
+    bolan_gl_texture_free(&p->answers);
+    bolan_gl_program_free(&p->program);
 }
 
 static double luminance(const float *c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
@@ -75,11 +75,11 @@ static void the_transmittance_table_agrees_with_an_independent_quadrature(void *
     sky_rig r;
     rig_create(&r, 16, 16);
     atmosphere a;
-    assert_int_equal(atmosphere_create(&a), BOLAN_OK);
+    assert_int_equal(bolan_atmosphere_create(&a), BOLAN_OK);
     rig_prepare(&r);
-    assert_true(atmosphere_update(&a, &r.f.uniforms));
+    assert_true(bolan_atmosphere_update(&a, &r.f.uniforms));
     float *table = malloc(sizeof(float) * 4 * TRANSMITTANCE_WIDTH * TRANSMITTANCE_HEIGHT);
-    gl_target_read_float(&a.transmittance_target, 0, table);
+    bolan_gl_target_read_float(&a.transmittance_target, 0, table);
     double worst = 0.0;
     for (int y = 0; y < TRANSMITTANCE_HEIGHT - 1; y += 6) {
         for (int x = 0; x < TRANSMITTANCE_WIDTH; x += 17) {
@@ -96,7 +96,7 @@ static void the_transmittance_table_agrees_with_an_independent_quadrature(void *
     // The table holds depths as halfs, 2^-11 of each: exp(-t) t 2^-11 < 1.8e-4; 2 x 60 steps on a grazing ray: 1.5e-3.
     assert_true(worst < 0.002);
     free(table);
-    atmosphere_free(&a);
+    bolan_atmosphere_free(&a);
     rig_destroy(&r);
 }
 
@@ -149,7 +149,7 @@ static double rendered_dip(sky_rig *r, double height, double dip_deg) {
     rig_draw(r);
     const uint32_t w = r->desc.width, h = r->desc.height;
     float *rgba = malloc(sizeof(float) * 4 * w * h);
-    gl_target_read_float(&r->hdr, 0, rgba);
+    bolan_gl_target_read_float(&r->hdr, 0, rgba);
     uint32_t y = 0; // bottom row first
     const double below = luminance(rgba + 4 * (w / 2));
     while (y < h && fabs(luminance(rgba + 4 * (y * w + w / 2)) / below - 1.0) < 0.0015)
@@ -379,8 +379,8 @@ static void draw_picture(bolan_gl_api api, uint8_t *rgb, uint32_t w, uint32_t h)
     r.scene.camera = (bolan_camera){.position = {0, 0, 5}, .heading_deg = 200, .pitch_deg = 10, .fov_deg = 50};
     rig_prepare(&r);
     rig_draw(&r);
-    gl_target_bind(&r.display);
-    pass_tonemap_draw(r.tonemap, &r.f, &r.color, 0, 1);
+    bolan_gl_target_bind(&r.display);
+    bolan_pass_tonemap_draw(r.tonemap, &r.f, &r.color, 0, 1);
     read_bytes(r.display.id, w, h, rgb);
     assert_true(watch_is_clean("picture"));
     rig_destroy(&r);

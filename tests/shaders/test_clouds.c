@@ -10,8 +10,8 @@ enum { WIDTH = 96, HEIGHT = 64, SIZE = WIDTH * HEIGHT * 3 };
 
 static void draw(sky_rig *r, uint8_t *rgb) {
     rig_draw(r);
-    gl_target_bind(&r->display);
-    pass_tonemap_draw(r->tonemap, &r->f, &r->color, 0, 1);
+    bolan_gl_target_bind(&r->display);
+    bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->color, 0, 1);
     read_bytes(r->display.id, WIDTH, HEIGHT, rgb);
     assert_true(watch_is_clean("clouds"));
 }
@@ -47,27 +47,27 @@ static void a_still_eye_makes_no_new_clouds(void **state) {
     sky_rig r;
     clouds c;
     rig_create(&r, WIDTH, HEIGHT);
-    assert_int_equal(clouds_create(&c), BOLAN_OK);
+    assert_int_equal(bolan_clouds_create(&c), BOLAN_OK);
     set_view(&r, 0, 0, 5);
     rig_prepare(&r);
-    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_ALL);
-    assert_true(clouds_march(&c, &r.f, CLOUDS_ALL));
-    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_KEEP);
+    assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_ALL);
+    assert_true(bolan_clouds_march(&c, &r.f, CLOUDS_ALL));
+    assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_KEEP);
     r.f.eye.x += 60;
     r.f.eye.y -= 70;
-    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_KEEP);
-    clouds_place(&c, &r.f, &r.f.uniforms);
+    assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_KEEP);
+    bolan_clouds_place(&c, &r.f, &r.f.uniforms);
     assert_near(r.f.uniforms.air.z, 60, 0);
     assert_near(r.f.uniforms.air.w, -70, 0);
     r.f.eye.x += 200;
     r.desc.progressive = true;
-    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_STRIP);
+    assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_STRIP);
     r.desc.progressive = false; // a picture waits for its clouds
-    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_ALL);
+    assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_ALL);
     r.desc.progressive = true;
     r.f.eye.x += 1e6;
-    assert_int_equal(clouds_plan(&c, &r.f), CLOUDS_ALL);
-    clouds_free(&c);
+    assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_ALL);
+    bolan_clouds_free(&c);
     rig_destroy(&r);
 }
 
@@ -77,12 +77,12 @@ static double open_share(sky_rig *r, clouds *c, double cover) {
     r->f.uniforms.wind.w = (float)cover;
     for (uint64_t seed = 1; seed <= 2; seed++) {
         r->scene.sky.cloud_seed = seed;
-        assert_int_equal(clouds_plan(c, &r->f), CLOUDS_ALL);
+        assert_int_equal(bolan_clouds_plan(c, &r->f), CLOUDS_ALL);
         rig_upload(r);
-        clouds_march(c, &r->f, CLOUDS_ALL);
-        const uint32_t n = clouds_map(c)->width * clouds_map(c)->height;
+        bolan_clouds_march(c, &r->f, CLOUDS_ALL);
+        const uint32_t n = bolan_clouds_map(c)->width * bolan_clouds_map(c)->height;
         float *rgba = malloc(sizeof(float) * 4 * n);
-        gl_target_read_float(&c->maps[c->shown].shadow, 0, rgba);
+        bolan_gl_target_read_float(&c->maps[c->shown].shadow, 0, rgba);
         for (uint32_t i = 0; i < n; i++) sum += rgba[4 * i] / (2.0 * n);
         free(rgba);
     }
@@ -96,7 +96,7 @@ static void as_many_clouds_stand_as_were_asked_for(void **state) {
     rig_create(&r, WIDTH, HEIGHT);
     r.scene.sky.sun_elevation_deg = 90;
     rig_prepare(&r);
-    assert_int_equal(clouds_create(&c), BOLAN_OK);
+    assert_int_equal(bolan_clouds_create(&c), BOLAN_OK);
     assert_near(open_share(&r, &c, 0), 1, 0);
     double before = 1;
     for (double cover = 0.25; cover < 1; cover += 0.25) {
@@ -106,7 +106,7 @@ static void as_many_clouds_stand_as_were_asked_for(void **state) {
         assert_true(open < before - 0.05);
         before = open;
     }
-    clouds_free(&c);
+    bolan_clouds_free(&c);
     rig_destroy(&r);
 }
 
@@ -114,7 +114,7 @@ enum { SHADOWS = 256 };
 
 static void bind_shadow(const gl_program *program, const void *context) {
     (void)program;
-    gl_buffer_bind_uniform(&((const sky_rig *)context)->uniforms, 0);
+    bolan_gl_buffer_bind_uniform(&((const sky_rig *)context)->uniforms, 0);
 }
 
 // Share of the sun at places of the world, for the eye that the rig has.

@@ -7,10 +7,10 @@
 
 #include "bolan/surface.h"
 #include "bolan/waves.h"
-#include "render/foam_ramps.h"
 #include "render/foam_statistics.h"
 #include "render/frame.h"
-#include "render/water_texels.h"
+#include "render/papers/foam_ramps.h"
+#include "render/sea_texels.h"
 
 // ---- the static grid ------------------------------------------------------------------------------------------------
 
@@ -122,8 +122,8 @@ typedef struct crest_rig {
 
 static void set_crest(const gl_program *program, const void *context) {
     const crest_rig *r = context;
-    gl_buffer_bind_uniform(&r->uniforms, 0);
-    gl_program_vec4(program, "sea_law", (bolan_vec4){2.0f, 60.0f, 2.0f, 0.0f});
+    bolan_gl_buffer_bind_uniform(&r->uniforms, 0);
+    bolan_gl_program_vec4(program, "sea_law", (bolan_vec4){2.0f, 60.0f, 2.0f, 0.0f});
 }
 
 // Sunlight leaves a crest through the side that leans to the eye: water that falls towards it. The higher and the more
@@ -159,7 +159,7 @@ static void light_through_crests_is_brightest_against_the_sun(void **state) {
     crest_rig r = {.frame = {.sun = {(float)c, (float)c, (float)sin(elevation), 1.0f},
                              .sky_light = {0.0f, 0.0f, 0.0f, 0.0f},
                              .water_kd = {0.4f, 0.08f, 0.04f, 1.0f}}};
-    assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof r.frame, &r.frame, &r.uniforms),
+    assert_int_equal(bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof r.frame, &r.frame, &r.uniforms),
                      BOLAN_OK);
     float in[3][4] = {{(float)-c, (float)-c, -0.1f}, {(float)c, (float)c, -0.1f}, {(float)-c, (float)c, -0.1f}},
           out[3][4];
@@ -176,7 +176,7 @@ static void light_through_crests_is_brightest_against_the_sun(void **state) {
             assert_near(out[i][k], share * exp(-2.4 * (const double[]){0.4, 0.08, 0.04}[k]), 2e-4 * share + 1e-6);
     }
     assert_true(out[0][1] > 5.0f * out[1][1] && out[0][1] > 3.0f * out[2][1]);
-    gl_buffer_free(&r.uniforms);
+    bolan_gl_buffer_free(&r.uniforms);
 }
 
 // ---- foam -----------------------------------------------------------------------------------------------------------
@@ -185,7 +185,7 @@ static void densities_have_their_means_and_tile(void **state) {
     (void)state;
     static uint8_t pixels[FOAM_TEXTURE_SIZE][FOAM_TEXTURE_SIZE][4];
     const double means[3] = FOAM_DENSITY;
-    assert_int_equal(foam_densities_fill(&pixels[0][0][0]), BOLAN_OK);
+    assert_int_equal(bolan_foam_densities_fill(&pixels[0][0][0]), BOLAN_OK);
     for (int k = 0; k < 3; ++k) {
         double sum = 0, inside = 0, seam = 0;
         for (int j = 0; j < FOAM_TEXTURE_SIZE; ++j) {
@@ -203,7 +203,7 @@ static void the_open_seas_ramp_has_the_intensity_as_its_mean(void **state) {
     (void)state;
     uint8_t ramps[FOAM_RAMP_ROWS][FOAM_RAMP_SIZE][4];
     const double means[4] = {0.22, 0.5, 0.82, 1.0};
-    foam_ramps_fill(ramps);
+    bolan_foam_ramps_fill(ramps);
     for (int i = 0; i < FOAM_RAMP_SIZE; ++i) {
         double mean = 0;
         for (int k = 0; k < 4; ++k) mean += means[k] * ramps[2][i][k] / 255.0;
@@ -225,7 +225,7 @@ static void breaking_crests_cover_monahans_share(void **state) {
         assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_OK);
         bolan_sea_step(sea, 3.0);
         double spread;
-        const double breaks = foam_breaking_pinch(sea, 0.0, &spread);
+        const double breaks = bolan_foam_breaking_pinch(sea, 0.0, &spread);
         uint32_t below = 0, random = 1;
         enum { TRIES = 400000 };
         for (int i = 0; i < TRIES; ++i) { // tiles are independent: any place of each
@@ -259,9 +259,9 @@ static void levels_are_means_down_to_one_texel(void **state) {
     const float *const from[TEXEL_PLANES] = {planes[0], planes[1], planes[2], planes[3]};
     for (int p = 0; p < TEXEL_PLANES; ++p)
         for (int i = 0; i < N * N; ++i) planes[p][i] = (float)((i * (7 + p) + i / N * 3) % 101) / 50.0f - 1.0f;
-    float *scratch = malloc(texel_scratch_bytes(N));
-    uint16_t *levels = malloc(texel_chain_bytes(N)), *at = levels;
-    texel_chain(N, from, scratch, levels);
+    float *scratch = malloc(bolan_texel_scratch_bytes(N));
+    uint16_t *levels = malloc(bolan_texel_chain_bytes(N)), *at = levels;
+    bolan_texel_chain(N, from, scratch, levels);
     for (int size = N / 2, step = 2; size >= 1; size /= 2, step *= 2) {
         for (int j = 0; j < size; ++j)
             for (int i = 0; i < size; ++i)
@@ -286,7 +286,7 @@ static void packed_texels_hold_slope_pinch_and_foam(void **state) {
     for (int i = 0; i < N; ++i) {
         a[i] = 0.01f * (float)i, b[i] = -a[i], c0[i] = 0.5f - a[i], c1[i] = 0.25f, d[i] = 2.0f * a[i];
     }
-    texel_kernels_best()->pack(N, a, b, c0, c1, d, sum, out);
+    bolan_texel_kernels_best()->pack(N, a, b, c0, c1, d, sum, out);
     for (int i = 0; i < N; ++i) {
         const double expected[4] = {a[i], b[i], c0[i] + c1[i], d[i]};
         for (int k = 0; k < 4; ++k) assert_true(fabs(half_value(out[4 * i + k]) - expected[k]) < 6e-4);

@@ -26,40 +26,40 @@ static void rig_open(blur_rig *r, double (*sky)(const double direction[3], const
     const gl_texture_desc d = {
         .format = GL_FMT_RGBA16F, .width = SIZE, .height = SIZE, .levels = LEVELS, .filter = GL_FILTER_MIPMAP};
     *r = (blur_rig){.texels = malloc(sizeof(float) * 4 * SIZE * SIZE)};
-    assert_int_equal(gl_program_create("sky_prefilter", NULL, &r->program), BOLAN_OK);
-    assert_int_equal(gl_texture_create(&d, &r->plain), BOLAN_OK);
-    assert_int_equal(gl_texture_create(&d, &r->made), BOLAN_OK);
+    assert_int_equal(bolan_gl_program_create("sky_prefilter", NULL, &r->program), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&d, &r->plain), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&d, &r->made), BOLAN_OK);
     for (int j = 0; j < SIZE; ++j)
         for (int i = 0; i < SIZE; ++i) {
             double to[3];
             direction_of((i + 0.5) / SIZE, (j + 0.5) / SIZE, to);
             for (int c = 0; c < 4; ++c) r->texels[4 * (j * SIZE + i) + c] = (float)sky(to, about);
         }
-    gl_texture_upload(&r->plain, 0, -1, r->texels, false);
-    gl_texture_generate_mipmaps(&r->plain);
+    bolan_gl_texture_upload(&r->plain, 0, -1, r->texels, false);
+    bolan_gl_texture_generate_mipmaps(&r->plain);
 }
 
 // Blurs one level and reads it: red, n x n.
 static void rig_blur(blur_rig *r, uint32_t level, double *out) {
     const gl_texture *color = &r->made;
     gl_target target = {0};
-    assert_int_equal(gl_target_create(&color, 1, NULL, -1, level, &target), BOLAN_OK);
-    gl_set_state(&(gl_state){.color_write = true});
-    gl_target_bind(&target);
-    gl_texture_bind(&r->plain, 15);
-    gl_program_use(&r->program);
-    gl_program_float(&r->program, "level", (float)level);
-    gl_draw_fullscreen();
-    gl_target_read_float(&target, 0, r->texels);
+    assert_int_equal(bolan_gl_target_create(&color, 1, NULL, -1, level, &target), BOLAN_OK);
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_target_bind(&target);
+    bolan_gl_texture_bind(&r->plain, 15);
+    bolan_gl_program_use(&r->program);
+    bolan_gl_program_float(&r->program, "level", (float)level);
+    bolan_gl_draw_fullscreen();
+    bolan_gl_target_read_float(&target, 0, r->texels);
     const int n = SIZE >> level;
     for (int i = 0; i < n * n; ++i) out[i] = (double)r->texels[4 * i];
-    gl_target_free(&target);
+    bolan_gl_target_free(&target);
 }
 
 static void rig_close(blur_rig *r) {
-    gl_texture_free(&r->plain);
-    gl_texture_free(&r->made);
-    gl_program_free(&r->program);
+    bolan_gl_texture_free(&r->plain);
+    bolan_gl_texture_free(&r->made);
+    bolan_gl_program_free(&r->program);
     free(r->texels);
 }
 

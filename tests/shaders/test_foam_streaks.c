@@ -15,8 +15,8 @@ typedef struct rig {
 static void set_foam(const gl_program *program, const void *context) {
     const rig *r = context;
     (void)program;
-    gl_buffer_bind_uniform(&r->uniforms, 0);
-    gl_texture_bind(&r->detail, UNIT_FOAM_DETAIL);
+    bolan_gl_buffer_bind_uniform(&r->uniforms, 0);
+    bolan_gl_texture_bind(&r->detail, UNIT_FOAM_DETAIL);
 }
 
 // Mean squared difference of the streaks at places `apart` from each other: xy along, zw across the wind.
@@ -42,11 +42,12 @@ static void old_foam_is_drawn_out_along_the_wind(void **state) {
     for (int k = 0; k < 3; ++k) {
         rig r = {.frame = {.eye = {700.0f, 100.0f, 3.0f, 0.0f},
                            .wind = {(float)cos(winds[k]), (float)sin(winds[k]), 10.0f, 0.0f},
-                           .streaks = frame_streaks(bolan_dv3(700.0, 100.0, 3.0), winds[k])}};
+                           .streaks = bolan_frame_streaks(bolan_dv3(700.0, 100.0, 3.0), winds[k])}};
         float in[2][4] = {{0.1f}, {0.25f}}, out[2][4];
-        assert_int_equal(foam_texture_create(&r.detail), BOLAN_OK);
-        assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof r.frame, &r.frame, &r.uniforms),
-                         BOLAN_OK);
+        assert_int_equal(bolan_foam_texture_create(&r.detail), BOLAN_OK);
+        assert_int_equal(
+            bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof r.frame, &r.frame, &r.uniforms),
+            BOLAN_OK);
         probe_run_with("#include \"common/frame.glsl\"\n#include \"common/slopes.glsl\"\n#include \"common/foam.glsl\"",
                        probe_body, NULL, set_foam, &r, in, 2, out);
         // 0.25 m along the wind is what 0.1 m is across it; 2048 places, and a texture that is nearly the same along
@@ -54,8 +55,8 @@ static void old_foam_is_drawn_out_along_the_wind(void **state) {
         assert_near(out[1][0] / out[0][1], 1.0, 0.15);
         assert_true(out[0][0] < 0.6f * out[0][1]);
         assert_near(out[0][2] / out[0][3], 1.0, 0.15); // fresh foam is not
-        gl_buffer_free(&r.uniforms);
-        gl_texture_free(&r.detail);
+        bolan_gl_buffer_free(&r.uniforms);
+        bolan_gl_texture_free(&r.detail);
     }
 }
 

@@ -45,9 +45,9 @@ static void check_format(size_t c) {
     gl_target target;
     const gl_texture *color = &t;
     const gl_texture_desc d = {.format = cases[c].format, .width = W, .height = H};
-    assert_int_equal(gl_texture_create(&d, &t), BOLAN_OK);
-    gl_texture_upload(&t, 0, -1, cases[c].bytes ? (const void *)bytes : (const void *)floats, false);
-    assert_int_equal(gl_target_create(&color, 1, NULL, -1, 0, &target), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&d, &t), BOLAN_OK);
+    bolan_gl_texture_upload(&t, 0, -1, cases[c].bytes ? (const void *)bytes : (const void *)floats, false);
+    assert_int_equal(bolan_gl_target_create(&color, 1, NULL, -1, 0, &target), BOLAN_OK);
     float back[W * H * 4];
     if (cases[c].bytes) { // ES reads bytes as bytes only
         uint8_t rgb[W * H * 3];
@@ -60,15 +60,15 @@ static void check_format(size_t c) {
             }
         }
     } else {
-        gl_target_read_float(&target, 0, back);
+        bolan_gl_target_read_float(&target, 0, back);
         for (uint32_t i = 0; i < W * H; i++) {
             for (uint32_t k = 0; k < n; k++)
                 assert_float_equal(back[4 * i + k], floats[i * n + k], cases[c].tolerance + 1e-7f);
         }
     }
     assert_true(watch_is_clean("format test"));
-    gl_target_free(&target);
-    gl_texture_free(&t);
+    bolan_gl_target_free(&target);
+    bolan_gl_texture_free(&t);
 }
 
 static void every_colour_format_survives_upload_and_read_back(void **state) {
@@ -83,17 +83,17 @@ static void halfs_are_uploaded_as_they_are(void **state) {
     gl_target target;
     const gl_texture *color = &t;
     const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = 1, .height = 1};
-    assert_int_equal(gl_texture_create(&d, &t), BOLAN_OK);
-    gl_texture_upload(&t, 0, -1, one_two, true);
-    assert_int_equal(gl_target_create(&color, 1, NULL, -1, 0, &target), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&d, &t), BOLAN_OK);
+    bolan_gl_texture_upload(&t, 0, -1, one_two, true);
+    assert_int_equal(bolan_gl_target_create(&color, 1, NULL, -1, 0, &target), BOLAN_OK);
     float back[4];
-    gl_target_read_float(&target, 0, back);
+    bolan_gl_target_read_float(&target, 0, back);
     assert_float_equal(back[0], 1.0f, 0);
     assert_float_equal(back[1], 2.0f, 0);
     assert_float_equal(back[2], -0.5f, 0);
     assert_float_equal(back[3], 65504.0f, 0);
-    gl_target_free(&target);
-    gl_texture_free(&t);
+    bolan_gl_target_free(&target);
+    bolan_gl_texture_free(&t);
 }
 
 static void layers_of_an_array_are_separate_targets(void **state) {
@@ -101,20 +101,20 @@ static void layers_of_an_array_are_separate_targets(void **state) {
     gl_texture t;
     const gl_texture *color = &t;
     const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = 4, .height = 4, .depth = 3, .array = true};
-    assert_int_equal(gl_texture_create(&d, &t), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&d, &t), BOLAN_OK);
     gl_target target[3];
     for (int l = 0; l < 3; l++) {
-        assert_int_equal(gl_target_create(&color, 1, NULL, l, 0, &target[l]), BOLAN_OK);
-        gl_target_bind(&target[l]);
-        gl_target_clear_color((float)l, 0, 0, 1);
+        assert_int_equal(bolan_gl_target_create(&color, 1, NULL, l, 0, &target[l]), BOLAN_OK);
+        bolan_gl_target_bind(&target[l]);
+        bolan_gl_target_clear_color((float)l, 0, 0, 1);
     }
     for (int l = 0; l < 3; l++) {
         float back[4 * 4 * 4];
-        gl_target_read_float(&target[l], 0, back);
+        bolan_gl_target_read_float(&target[l], 0, back);
         assert_float_equal(back[0], (float)l, 0);
-        gl_target_free(&target[l]);
+        bolan_gl_target_free(&target[l]);
     }
-    gl_texture_free(&t);
+    bolan_gl_texture_free(&t);
 }
 
 static void depth_reads_back_exactly(void **state) {
@@ -124,18 +124,18 @@ static void depth_reads_back_exactly(void **state) {
     const gl_texture_desc c = {.format = GL_FMT_RGBA16F, .width = W, .height = H};
     const gl_texture_desc d = {.format = GL_FMT_DEPTH32F, .width = W, .height = H};
     gl_target target;
-    assert_int_equal(gl_texture_create(&c, &color), BOLAN_OK);
-    assert_int_equal(gl_texture_create(&d, &depth), BOLAN_OK);
-    assert_int_equal(gl_target_create(&colors, 1, &depth, -1, 0, &target), BOLAN_OK);
-    gl_target_bind(&target);
-    gl_target_clear_depth(0.0123f);
+    assert_int_equal(bolan_gl_texture_create(&c, &color), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&d, &depth), BOLAN_OK);
+    assert_int_equal(bolan_gl_target_create(&colors, 1, &depth, -1, 0, &target), BOLAN_OK);
+    bolan_gl_target_bind(&target);
+    bolan_gl_target_clear_depth(0.0123f);
     float back[W * H];
     read_depths(&depth, back);
     for (int i = 0; i < W * H; i++) assert_float_equal(back[i], 0.0123f, 0);
     assert_true(watch_is_clean("depth test"));
-    gl_target_free(&target);
-    gl_texture_free(&depth);
-    gl_texture_free(&color);
+    bolan_gl_target_free(&target);
+    bolan_gl_texture_free(&depth);
+    bolan_gl_texture_free(&color);
 }
 
 // ---- state --------------------------------------------------------------------------------------------------------
@@ -197,31 +197,31 @@ static void disturb(const gl_caps *caps) {
     gl_target target;
     gl_program program;
     const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = W, .height = H, .filter = GL_FILTER_MIPMAP};
-    assert_int_equal(gl_texture_create(&d, &t), BOLAN_OK);
-    assert_int_equal(gl_target_create(&color, 1, NULL, -1, 0, &target), BOLAN_OK);
-    assert_int_equal(gl_program_create("depth_copy", NULL, &program), BOLAN_OK);
-    if (caps->clip_control) gl_set_clip_zero_to_one(true);
-    gl_target_bind(&target);
-    gl_target_clear_color(1, 2, 3, 4);
+    assert_int_equal(bolan_gl_texture_create(&d, &t), BOLAN_OK);
+    assert_int_equal(bolan_gl_target_create(&color, 1, NULL, -1, 0, &target), BOLAN_OK);
+    assert_int_equal(bolan_gl_program_create("depth_copy", NULL, &program), BOLAN_OK);
+    if (caps->clip_control) bolan_gl_set_clip_zero_to_one(true);
+    bolan_gl_target_bind(&target);
+    bolan_gl_target_clear_color(1, 2, 3, 4);
     const gl_state drawing = {.color_write = true, .blend = GL_BLEND_ADD, .cull_back = true};
-    gl_set_state(&drawing);
-    gl_set_framebuffer_srgb(true);
-    gl_texture_bind(&t, 0);
-    gl_texture_bind(&t, 9);
-    gl_program_use(&program);
-    gl_draw_fullscreen();
+    bolan_gl_set_state(&drawing);
+    bolan_gl_set_framebuffer_srgb(true);
+    bolan_gl_texture_bind(&t, 0);
+    bolan_gl_texture_bind(&t, 9);
+    bolan_gl_program_use(&program);
+    bolan_gl_draw_fullscreen();
     gl_buffer buffer;
-    assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, 256, NULL, &buffer), BOLAN_OK);
-    gl_buffer_bind_uniform(&buffer, 0);
-    gl_buffer_free(&buffer);
-    gl_program_free(&program);
-    gl_target_free(&target);
-    gl_texture_free(&t);
+    assert_int_equal(bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, 256, NULL, &buffer), BOLAN_OK);
+    bolan_gl_buffer_bind_uniform(&buffer, 0);
+    bolan_gl_buffer_free(&buffer);
+    bolan_gl_program_free(&program);
+    bolan_gl_target_free(&target);
+    bolan_gl_texture_free(&t);
 }
 
 static void the_callers_state_is_left_as_it_was(void **state) {
     (void)state;
-    const gl_caps caps = gl_get_caps();
+    const gl_caps caps = bolan_gl_get_caps();
     GLuint names[6];
     glGenTextures(2, names);
     glGenBuffers(2, names + 2);
@@ -244,9 +244,9 @@ static void the_callers_state_is_left_as_it_was(void **state) {
     snapshot before, after;
     take(&before, caps.es);
     gl_saved saved;
-    gl_save(&saved, &caps, false);
+    bolan_gl_save(&saved, &caps, false);
     disturb(&caps);
-    gl_restore(&saved);
+    bolan_gl_restore(&saved);
     take(&after, caps.es);
     assert_memory_equal(&before, &after, sizeof before);
     GLint64 start = 0;
@@ -280,11 +280,11 @@ static void write_file(const char *folder, const char *name, const char *text) {
 static bolan_result build_from(const char *folder, const char *stem, const char *defines, gl_program *p) {
     const bolan_hooks hooks = {.log = keep_sentence};
     last_sentence[0] = '\0';
-    gl_program_set_directory(folder);
+    bolan_gl_program_set_directory(folder);
     bolan_set_hooks(&hooks);
-    const bolan_result result = gl_program_create(stem, defines, p);
+    const bolan_result result = bolan_gl_program_create(stem, defines, p);
     bolan_set_hooks(NULL);
-    gl_program_set_directory(NULL);
+    bolan_gl_program_set_directory(NULL);
     return result;
 }
 
@@ -311,13 +311,13 @@ static void a_shader_error_names_the_included_file_and_its_line(void **state) {
     const uint32_t id = p.id;
     write_file(folder, "b.glsl", "broken\n");
     const bolan_hooks hooks = {.log = keep_sentence};
-    gl_program_set_directory(folder);
+    bolan_gl_program_set_directory(folder);
     bolan_set_hooks(&hooks);
-    assert_int_equal(gl_program_reload(&p), BOLAN_ERROR_GL);
+    assert_int_equal(bolan_gl_program_reload(&p), BOLAN_ERROR_GL);
     bolan_set_hooks(NULL);
-    gl_program_set_directory(NULL);
+    bolan_gl_program_set_directory(NULL);
     assert_int_equal(p.id, id);
-    gl_program_free(&p);
+    bolan_gl_program_free(&p);
     char command[64];
     snprintf(command, sizeof command, "rm -r %s", folder);
     assert_int_equal(system(command), 0);
@@ -332,7 +332,7 @@ static void without_a_context_the_information_is_empty(void **state) {
 static void the_context_is_what_was_asked_for(void **state) {
     (void)state;
     const bolan_gl_info info = bolan_gl_get_info();
-    assert_int_equal(gl_get_caps().es, strstr(info.version, "OpenGL ES") != NULL);
+    assert_int_equal(bolan_gl_get_caps().es, strstr(info.version, "OpenGL ES") != NULL);
     assert_true(strlen(info.renderer) > 0);
 }
 

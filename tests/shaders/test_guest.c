@@ -342,7 +342,7 @@ static void say(void) {
 // The layer itself, since a driver that is content says nothing.
 static void debug_messages_go_to_the_log_and_to_the_host(void **state) {
     (void)state;
-    const gl_caps caps = gl_get_caps();
+    const gl_caps caps = bolan_gl_get_caps();
     gl_saved saved;
     bolan_set_hooks(&(bolan_hooks){.log = note_debug});
     glEnable(GL_DEBUG_OUTPUT);
@@ -351,11 +351,11 @@ static void debug_messages_go_to_the_log_and_to_the_host(void **state) {
             void *callback = NULL, *user = NULL;
             glDebugMessageCallback(with_host ? count_message : NULL, with_host ? &host_messages : NULL);
             host_messages = debug_sentences = 0;
-            gl_save(&saved, &caps, debug);
+            bolan_gl_save(&saved, &caps, debug);
             say();
             assert_int_equal(host_messages, with_host);
             assert_int_equal(debug_sentences, debug);
-            gl_restore(&saved);
+            bolan_gl_restore(&saved);
             glGetPointerv(GL_DEBUG_CALLBACK_FUNCTION, &callback);
             glGetPointerv(GL_DEBUG_CALLBACK_USER_PARAM, &user);
             assert_ptr_equal(user, with_host ? &host_messages : NULL);
@@ -366,9 +366,9 @@ static void debug_messages_go_to_the_log_and_to_the_host(void **state) {
         }
     glDisable(GL_DEBUG_OUTPUT); // what the host does not want it does not get
     host_messages = debug_sentences = 0;
-    gl_save(&saved, &caps, true);
+    bolan_gl_save(&saved, &caps, true);
     say();
-    gl_restore(&saved);
+    bolan_gl_restore(&saved);
     assert_int_equal(host_messages, 0);
     assert_int_equal(debug_sentences, 1);
     assert_int_equal(glIsEnabled(GL_DEBUG_OUTPUT), GL_FALSE);

@@ -21,7 +21,7 @@ typedef struct rig {
     frame frame;
     gl_buffer uniforms;
     gl_texture color, depth;
-    pass_models *pass;
+    pass_objects *pass;
     bolan_sea *sea;
     bolan_model *box;
     const bolan_model *models[2];
@@ -45,7 +45,7 @@ static bolan_model *box_model(float bottom) {
 }
 
 static void rig_open(rig *r, float bottom) {
-    *r = (rig){.caps = gl_get_caps(), .scene = bolan_scene_default(), .box = box_model(bottom)};
+    *r = (rig){.caps = bolan_gl_get_caps(), .scene = bolan_scene_default(), .box = box_model(bottom)};
     r->models[0] = r->models[1] = r->box;
     r->scene.object_count = 1;
     r->scene.objects[0] = (bolan_object){.scale = 1.0};
@@ -57,21 +57,22 @@ static void rig_open(rig *r, float bottom) {
     r->frame = (frame){.desc = &r->desc, .scene = &r->scene, .caps = &r->caps, .quality = BOLAN_QUALITY_LOW};
     gl_texture_desc c = {.format = GL_FMT_RGBA16F, .width = SIDE, .height = SIDE, .filter = GL_FILTER_NEAREST};
     gl_texture_desc d = {.format = GL_FMT_DEPTH32F, .width = SIDE, .height = SIDE, .filter = GL_FILTER_NEAREST};
-    assert_int_equal(gl_texture_create(&c, &r->color), BOLAN_OK);
-    assert_int_equal(gl_texture_create(&d, &r->depth), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&c, &r->color), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&d, &r->depth), BOLAN_OK);
     const gl_texture *colors[] = {&r->color};
-    assert_int_equal(gl_target_create(colors, 1, &r->depth, -1, 0, &r->frame.hdr), BOLAN_OK);
-    assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms),
-                     BOLAN_OK);
-    assert_int_equal(pass_models_create(&r->caps, &r->pass), BOLAN_OK);
+    assert_int_equal(bolan_gl_target_create(colors, 1, &r->depth, -1, 0, &r->frame.hdr), BOLAN_OK);
+    assert_int_equal(
+        bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms),
+        BOLAN_OK);
+    assert_int_equal(bolan_pass_objects_create(&r->caps, &r->pass), BOLAN_OK);
     r->pixels = malloc(sizeof(float) * 4 * SIDE * SIDE);
 }
 
 static void rig_close(rig *r) {
-    pass_models_destroy(&r->pass);
-    gl_target_free(&r->frame.hdr);
-    gl_texture_free(&r->color), gl_texture_free(&r->depth);
-    gl_buffer_free(&r->uniforms);
+    bolan_pass_objects_destroy(&r->pass);
+    bolan_gl_target_free(&r->frame.hdr);
+    bolan_gl_texture_free(&r->color), bolan_gl_texture_free(&r->depth);
+    bolan_gl_buffer_free(&r->uniforms);
     bolan_sea_destroy(&r->sea);
     bolan_model_destroy(&r->box);
     free(r->pixels);
@@ -97,16 +98,16 @@ static void draw(rig *r, bolan_vec4 clip) {
     f->projection = bolan_m4_projection(0.5 * BOLAN_PI, 1.0, 0.2, zero_to_one);
     f->uniforms.view_projection = bolan_m4_mul(f->projection, f->view);
     f->uniforms.inverse_view_projection = bolan_m4_inverse(f->uniforms.view_projection);
-    if (r->caps.clip_control) gl_set_clip_zero_to_one(zero_to_one);
-    gl_buffer_update(&r->uniforms, 0, sizeof f->uniforms, &f->uniforms);
-    gl_buffer_bind_uniform(&r->uniforms, 0);
-    pass_models_prepare(r->pass, f);
-    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
-    gl_target_bind(&f->hdr);
-    gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
-    gl_target_clear_depth(0.0f);
-    pass_models_draw(r->pass, f);
-    gl_target_read_float(&f->hdr, 0, r->pixels);
+    if (r->caps.clip_control) bolan_gl_set_clip_zero_to_one(zero_to_one);
+    bolan_gl_buffer_update(&r->uniforms, 0, sizeof f->uniforms, &f->uniforms);
+    bolan_gl_buffer_bind_uniform(&r->uniforms, 0);
+    bolan_pass_objects_prepare(r->pass, f);
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    bolan_gl_target_bind(&f->hdr);
+    bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    bolan_gl_target_clear_depth(0.0f);
+    bolan_pass_objects_draw(r->pass, f);
+    bolan_gl_target_read_float(&f->hdr, 0, r->pixels);
     assert_true(watch_is_clean("models"));
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The terrain pass in a context: no cracks, the shore map, and the shader's twin of bolan_shore_attenuation().
+// The terrain pass in a context: no cracks, the shore map, and the shader's twin of bolan_coast_attenuation().
+#include "bolan/coast.h"
 #include "probe.h"
 
 #include <math.h>
 
 #include "render/frame.h"
-#include "render/terrain_shore.h"
+#include "render/shore_map.h"
 
 static void attenuation_is_the_twin_of_the_library_s(void **state) {
     (void)state;
@@ -16,11 +17,11 @@ static void attenuation_is_the_twin_of_the_library_s(void **state) {
         in[i][1] = 0.0f + 0.13f * (float)(i % 40);
     }
     probe_run("#include \"common/frame.glsl\"\n#include \"common/shore.glsl\"",
-              "vec4 probe(vec4 x) { return vec4(shore_attenuation(x.x, x.y), shore_elevation(x.xy), 0.0, 0.0); }", in,
+              "vec4 probe(vec4 x) { return vec4(coast_attenuation(x.x, x.y), shore_elevation(x.xy), 0.0, 0.0); }", in,
               COUNT, out);
     for (int i = 0; i < COUNT; i++) {
         // the same rational function; GPUs may divide to 2.5 ulp
-        assert_true(fabsf(out[i][0] - bolan_shore_attenuation(in[i][0], in[i][1])) < 1e-6f);
+        assert_true(fabsf(out[i][0] - bolan_coast_attenuation(in[i][0], in[i][1])) < 1e-6f);
         assert_true(out[i][1] == -1000.0f); // no terrain was set
     }
 }
@@ -32,10 +33,10 @@ static void attenuations_of_bands_are_the_twin_of_the_library_s(void **state) {
     float in[COUNT][4] = {{0}}, out[COUNT][4];
     for (int i = 0; i < COUNT; i++) in[i][0] = i < 5 ? -1.0f + 0.25f * (float)i : 0.02f * expf(0.04f * (float)i);
     probe_run("#include \"common/frame.glsl\"\n#include \"common/shore.glsl\"",
-              "vec4 probe(vec4 x) { return shore_attenuations(x.x, vec4(2.5, 3.1, 0.6, 0.0)); }", in, COUNT, out);
+              "vec4 probe(vec4 x) { return coast_attenuations(x.x, vec4(2.5, 3.1, 0.6, 0.0)); }", in, COUNT, out);
     for (int i = 0; i < COUNT; i++) {
         float keep[4];
-        bolan_shore_attenuations(in[i][0], band_hs, 3, keep);
+        bolan_coast_attenuations(in[i][0], band_hs, 3, keep);
         for (int c = 0; c < 3; c++) assert_near(out[i][c], keep[c], 4e-6); // a square root and a quotient more
     }
 }
@@ -51,51 +52,53 @@ typedef struct stage {
     frame frame;
     gl_buffer uniforms;
     gl_texture color, depth;
-    pass_terrain *pass;
-    bolan_terrain *terrain;
+    pass_ground *pass;
+    bolan_ground *terrain;
     size_t memory; // in use before
 } stage;
 
 // Rough hills without sea: whatever lies under the horizon is ground.
-static bolan_terrain *rough_hills(void) {
+static bolan_ground *rough_hills(void) {
     enum { N = 65 };
     static float z[N * N];
     for (int n = 0; n < N * N; n++) {
         int i = n % N, j = n / N;
         z[n] = (float)(120.0 + 90.0 * sin(0.9 * i) * cos(0.7 * j) + 60.0 * sin(2.1 * i + 1.3 * j));
     }
-    bolan_terrain_desc d = bolan_terrain_desc_default();
+    bolan_ground_desc d = bolan_ground_desc_default();
     d.field = (bolan_heightfield){N, N, -12800.0, -12800.0, 400.0, 400.0, z};
     d.edge_elevation = 0.0;
-    bolan_terrain *t = NULL;
-    assert_int_equal(bolan_terrain_create(&d, &t), BOLAN_OK);
+    bolan_ground *t = NULL;
+    assert_int_equal(bolan_ground_create(&d, &t), BOLAN_OK);
     return t;
 }
 
 static void stage_open(stage *s) {
     const size_t memory = bolan_memory_in_use();
-    *s = (stage){.memory = memory, .caps = gl_get_caps(), .scene = bolan_scene_default(), .terrain = rough_hills()};
+    *s = (stage){
+        .memory = memory, .caps = bolan_gl_get_caps(), .scene = bolan_scene_default(), .terrain = rough_hills()};
     s->desc = bolan_frame_desc_default();
     s->desc.scene = &s->scene, s->desc.terrain = s->terrain, s->desc.width = WIDTH, s->desc.height = HEIGHT;
     s->frame = (frame){.desc = &s->desc, .scene = &s->scene, .caps = &s->caps, .quality = BOLAN_QUALITY_LOW};
     s->frame.sun_direction = bolan_v3(0.5f, 0.3f, 0.8124f);
     gl_texture_desc c = {.format = GL_FMT_RGBA16F, .width = WIDTH, .height = HEIGHT, .filter = GL_FILTER_NEAREST};
     gl_texture_desc d = {.format = GL_FMT_DEPTH32F, .width = WIDTH, .height = HEIGHT, .filter = GL_FILTER_NEAREST};
-    assert_int_equal(gl_texture_create(&c, &s->color), BOLAN_OK);
-    assert_int_equal(gl_texture_create(&d, &s->depth), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&c, &s->color), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&d, &s->depth), BOLAN_OK);
     const gl_texture *colors[] = {&s->color};
-    assert_int_equal(gl_target_create(colors, 1, &s->depth, -1, 0, &s->frame.hdr), BOLAN_OK);
-    assert_int_equal(gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &s->uniforms),
-                     BOLAN_OK);
-    assert_int_equal(pass_terrain_create(&s->caps, &s->pass), BOLAN_OK);
+    assert_int_equal(bolan_gl_target_create(colors, 1, &s->depth, -1, 0, &s->frame.hdr), BOLAN_OK);
+    assert_int_equal(
+        bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &s->uniforms),
+        BOLAN_OK);
+    assert_int_equal(bolan_pass_ground_create(&s->caps, &s->pass), BOLAN_OK);
 }
 
 static void stage_close(stage *s) {
-    pass_terrain_destroy(&s->pass);
-    gl_target_free(&s->frame.hdr);
-    gl_texture_free(&s->color), gl_texture_free(&s->depth);
-    gl_buffer_free(&s->uniforms);
-    bolan_terrain_destroy(&s->terrain);
+    bolan_pass_ground_destroy(&s->pass);
+    bolan_gl_target_free(&s->frame.hdr);
+    bolan_gl_texture_free(&s->color), bolan_gl_texture_free(&s->depth);
+    bolan_gl_buffer_free(&s->uniforms);
+    bolan_ground_destroy(&s->terrain);
     assert_int_equal(bolan_memory_in_use(), s->memory);
 }
 
@@ -115,16 +118,16 @@ static void draw(stage *s, bolan_dvec3 eye, double heading, double pitch) {
     f->projection = bolan_m4_projection(1.0, (double)WIDTH / HEIGHT, 0.2, zero_to_one);
     f->uniforms.view_projection = bolan_m4_mul(f->projection, f->view);
     f->uniforms.inverse_view_projection = bolan_m4_inverse(f->uniforms.view_projection);
-    if (s->caps.clip_control) gl_set_clip_zero_to_one(zero_to_one);
-    gl_buffer_update(&s->uniforms, 0, sizeof f->uniforms, &f->uniforms);
-    gl_buffer_bind_uniform(&s->uniforms, 0);
-    pass_terrain_prepare(s->pass, f);
-    gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
-    gl_target_bind(&f->hdr);
-    gl_target_clear_color(1.0f, 0.0f, 1.0f, 1.0f);
-    gl_target_clear_depth(0.0f);
+    if (s->caps.clip_control) bolan_gl_set_clip_zero_to_one(zero_to_one);
+    bolan_gl_buffer_update(&s->uniforms, 0, sizeof f->uniforms, &f->uniforms);
+    bolan_gl_buffer_bind_uniform(&s->uniforms, 0);
+    bolan_pass_ground_prepare(s->pass, f);
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    bolan_gl_target_bind(&f->hdr);
+    bolan_gl_target_clear_color(1.0f, 0.0f, 1.0f, 1.0f);
+    bolan_gl_target_clear_depth(0.0f);
     f->triangles = 0;
-    pass_terrain_draw(s->pass, f);
+    bolan_pass_ground_draw(s->pass, f);
 }
 
 // Pixels of a column that show the background although there is ground above them in the picture.
@@ -184,7 +187,7 @@ static void what_is_drawn_lies_where_the_terrain_is(void **state) {
                                window, 1.0f};
             bolan_vec4 p = bolan_m4_mul_v4(s.frame.uniforms.inverse_view_projection, clip);
             double px = p.x / p.w, py = p.y / p.w, pz = p.z / p.w, distance = sqrt(px * px + py * py + pz * pz);
-            double ground = bolan_terrain_elevation(s.terrain, eye.x + px, eye.y + py, 0.0) - eye.z;
+            double ground = bolan_ground_elevation(s.terrain, eye.x + px, eye.y + py, 0.0) - eye.z;
             ground -= (px * px + py * py) / (2.0 * BOLAN_EARTH_RADIUS);
             // LOW lets the mesh depart by 6 pixels at most, and leaves out detail below its texels of 6.5 pixels
             double pixel = s.frame.uniforms.lens.x * distance;
@@ -199,12 +202,12 @@ static void the_shore_map_follows_the_eye_without_changing_a_texel(void **state)
     stage s;
     stage_open(&s);
     shore_builder b = {0};
-    assert_int_equal(shore_builder_create(&b), BOLAN_OK);
+    assert_int_equal(bolan_shore_builder_create(&b), BOLAN_OK);
     s.scene.water.level = 1.5;
     const double path[][3] = {{0, 0, 20}, {70, -65, 20}, {-400, 300, 25}, {-390, 310, 3000}, {5000, 5000, 30}};
     for (int n = 0; n < 5; n++) {
         s.frame.eye = bolan_dv3(path[n][0], path[n][1], path[n][2]);
-        shore_builder_update(&b, &s.frame);
+        bolan_shore_builder_update(&b, &s.frame);
         assert_true(b.map.present);
         for (int l = 0; l < SHORE_LEVELS; l++) {
             double texel = b.level[l].texel, half = 0.5 * SHORE_SIZE * texel;
@@ -215,11 +218,11 @@ static void the_shore_map_follows_the_eye_without_changing_a_texel(void **state)
                 double x = b.level[l].west + (i + 0.5) * texel, y = b.level[l].south + (j + 0.5) * texel;
                 // texel centres are sums in another order after a shift: the last bit of a double in x
                 assert_true(fabs(b.level[l].elevation[j * SHORE_SIZE + i] -
-                                 bolan_terrain_elevation(s.terrain, x, y, texel)) < 1e-3);
+                                 bolan_ground_elevation(s.terrain, x, y, texel)) < 1e-3);
             }
         }
     }
-    shore_builder_free(&b);
+    bolan_shore_builder_free(&b);
     stage_close(&s);
 }
 

@@ -17,12 +17,12 @@ static void tone_map_ramp(sky_rig *r, const float color[3], uint32_t samples) {
         for (int c = 0; c < 3; c++) rgba[4 * i + c] = v * color[c];
         rgba[4 * i + 3] = 1.0f;
     }
-    gl_texture_upload(&r->color, 0, -1, rgba, false);
+    bolan_gl_texture_upload(&r->color, 0, -1, rgba, false);
     r->f.uniforms.sun_light.w = 1.0f;
     rig_upload(r);
     for (uint32_t s = 0; s < samples; s++) {
-        gl_target_bind(&r->display);
-        pass_tonemap_draw(r->tonemap, &r->f, &r->color, s, samples);
+        bolan_gl_target_bind(&r->display);
+        bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->color, s, samples);
     }
     read_bytes(r->display.id, WIDTH, HEIGHT, picture);
     assert_true(watch_is_clean("tone map"));
@@ -144,10 +144,10 @@ static void draw_square(sky_rig *r, const float *rgba, bolan_quality quality, ui
     r->f.quality = quality;
     r->f.uniforms.sun_light.w = 1.0f;
     rig_upload(r);
-    gl_texture_upload(&r->color, 0, -1, rgba, false);
+    bolan_gl_texture_upload(&r->color, 0, -1, rgba, false);
     for (uint32_t s = 0; s < samples; s++) {
-        gl_target_bind(&r->display);
-        pass_tonemap_draw(r->tonemap, &r->f, &r->color, s, samples);
+        bolan_gl_target_bind(&r->display);
+        bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->color, s, samples);
     }
     read_bytes(r->display.id, GLOW_SIZE, GLOW_SIZE, rgb);
     assert_true(watch_is_clean("glow"));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The sea of cascades as the shaders have it (shaders/common/waves.glsl) against its twins on the CPU: vertices,
 // pixels, gusts, shallow water, and what a pixel's footprint leaves to the roughness.
+#include "bolan/coast.h"
 #include "probe.h"
 
-#include "render/terrain_shore.h"
-#include "render/water_fields.h"
+#include "render/sea_gpu.h"
+#include "render/shore_map.h"
 
 typedef struct rig {
     bolan_sea *sea;
@@ -13,7 +14,7 @@ typedef struct rig {
     gl_caps caps;
     shore_map shore;
     frame f;
-    water_fields fields;
+    sea_gpu fields;
     bool packed;
 } rig;
 
@@ -30,7 +31,7 @@ static void rig_open(rig *r, double from_deg, double choppiness, bolan_dvec2 eye
     r->desc = bolan_frame_desc_default();
     r->desc.scene = &r->scene;
     r->desc.sea = r->sea;
-    r->caps = gl_get_caps();
+    r->caps = bolan_gl_get_caps();
     r->packed = packed;
     r->f = (frame){.desc = &r->desc,
                    .scene = &r->scene,
@@ -38,19 +39,19 @@ static void rig_open(rig *r, double from_deg, double choppiness, bolan_dvec2 eye
                    .time = time,
                    .eye = {eye.x, eye.y, 5.0},
                    .shore = &r->shore};
-    assert_int_equal(water_fields_create(&r->fields), BOLAN_OK);
-    water_fields_prepare(&r->fields, &r->f, WATER_CASCADES, packed ? WATER_TEXTURES_PACKED : WATER_TEXTURES_ALL);
+    assert_int_equal(bolan_sea_gpu_create(&r->fields), BOLAN_OK);
+    bolan_sea_gpu_prepare(&r->fields, &r->f, WATER_CASCADES, packed ? WATER_TEXTURES_PACKED : WATER_TEXTURES_ALL);
 }
 
 static void rig_close(rig *r) {
-    water_fields_free(&r->fields);
+    bolan_sea_gpu_free(&r->fields);
     bolan_sea_destroy(&r->sea);
 }
 
 static void set_waves(const gl_program *program, const void *context) {
     const rig *r = context;
-    water_fields_bind(&r->fields, WATER_CASCADES);
-    water_fields_apply(program, &r->f, WATER_CASCADES);
+    bolan_sea_gpu_bind(&r->fields, WATER_CASCADES);
+    bolan_sea_gpu_apply(program, &r->f, WATER_CASCADES);
 }
 
 // Both stages' functions in one. LAND: depth attenuates each band.
@@ -96,7 +97,7 @@ static sums twin(const bolan_sea *sea, double x, double y, double gust, double d
     const uint32_t count = bolan_sea_cascade_count(sea);
     float heights[BOLAN_MAX_CASCADES], shares[BOLAN_MAX_CASCADES];
     for (uint32_t c = 0; c < count; ++c) heights[c] = (float)(4.0 * sqrt(bolan_sea_cascade(sea, c).variance));
-    bolan_shore_attenuations((float)depth, heights, count, shares);
+    bolan_coast_attenuations((float)depth, heights, count, shares);
     for (uint32_t c = 0; c < count; ++c) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
         const place p = place_in(&v, x, y);

@@ -3,8 +3,8 @@
 // kernels of src/waves.
 #include "probe.h"
 
-#include "render/terrain_shore.h"
-#include "render/water_fields.h"
+#include "render/sea_gpu.h"
+#include "render/shore_map.h"
 
 #define EYE_X 123456.7
 #define EYE_Y (-98765.4)
@@ -16,7 +16,7 @@ typedef struct rig {
     bolan_frame_desc desc;
     shore_map shore;
     frame f;
-    water_fields fields;
+    sea_gpu fields;
     water_waves waves;
 } rig;
 
@@ -37,26 +37,26 @@ static void rig_open(rig *r, bolan_wave_model model, uint32_t wave_count, double
     r->desc.sea = r->sea;
     r->f = (frame){.desc = &r->desc, .scene = &r->scene, .time = TIME, .eye = {EYE_X, EYE_Y, 5.0}, .shore = &r->shore};
     r->waves = model == BOLAN_WAVES_EXP_COSINE ? WATER_EXP : WATER_SUM;
-    assert_int_equal(water_fields_create(&r->fields), BOLAN_OK);
-    water_fields_prepare(&r->fields, &r->f, r->waves, false);
+    assert_int_equal(bolan_sea_gpu_create(&r->fields), BOLAN_OK);
+    bolan_sea_gpu_prepare(&r->fields, &r->f, r->waves, false);
 }
 
 static void rig_close(rig *r) {
-    water_fields_free(&r->fields);
+    bolan_sea_gpu_free(&r->fields);
     bolan_sea_destroy(&r->sea);
 }
 
 static void set_waves(const gl_program *program, const void *context) {
     const rig *r = context;
-    water_fields_bind(&r->fields, r->waves);
-    water_fields_apply(program, &r->f, r->waves);
+    bolan_sea_gpu_bind(&r->fields, r->waves);
+    bolan_sea_gpu_apply(program, &r->f, r->waves);
 }
 
 // Both stages' functions in one; the number of waves as the programs of the water have it.
 static void run(const rig *r, const char *body, float (*in)[4], uint32_t count, float (*out)[4]) {
     char defines[64], waves[24] = "";
     if (r->waves == WATER_EXP) snprintf(waves, sizeof waves, "WAVE_COUNT %u\n", bolan_sea_component_count(r->sea));
-    snprintf(defines, sizeof defines, "%s%s", water_waves_define(r->waves), waves);
+    snprintf(defines, sizeof defines, "%s%s", bolan_water_waves_define(r->waves), waves);
     probe_run_with("#include \"common/frame.glsl\"\n#define VERTEX\n#include \"common/waves.glsl\"\n#undef VERTEX",
                    body, defines, set_waves, r, in, count, out);
 }

@@ -33,10 +33,10 @@ static void it_is_the_inverse_dft(void **state) {
     for (uint32_t n = FFT_MIN; n <= FFT_MAX; n *= 2) {
         float *in = bolan_allocate(n * FFT_ROW * sizeof(float)), *rows = bolan_allocate(n * FFT_ROW * sizeof(float));
         fft_plan plan;
-        assert_true(fft_plan_create(n, &plan));
+        assert_true(bolan_fft_plan_create(n, &plan));
         fill(in, n);
         memcpy(rows, in, n * FFT_ROW * sizeof(float));
-        fft_strip_for(BOLAN_CPU_AUTO)(&plan, rows);
+        bolan_fft_strip_for(BOLAN_CPU_AUTO)(&plan, rows);
         // Error of a float FFT grows with sqrt(log n) ulp of the rms of a sum of n numbers of rms 0.29 (Schatzman
         // 1996).
         const double tolerance = 4.0 * 6e-8 * sqrt(log2(n)) * 0.41 * sqrt(n);
@@ -47,7 +47,7 @@ static void it_is_the_inverse_dft(void **state) {
             assert_near(row[0], expected[0], tolerance);
             assert_near(row[FFT_LANES], expected[1], tolerance);
         }
-        fft_plan_destroy(&plan);
+        bolan_fft_plan_destroy(&plan);
         bolan_release(in, n * FFT_ROW * sizeof(float));
         bolan_release(rows, n * FFT_ROW * sizeof(float));
     }
@@ -58,15 +58,15 @@ static void every_instruction_set_gives_the_same_bits(void **state) {
     const uint32_t n = 512, bytes = n * FFT_ROW * sizeof(float);
     float *reference = bolan_allocate(bytes), *rows = bolan_allocate(bytes);
     fft_plan plan;
-    assert_true(fft_plan_create(n, &plan));
+    assert_true(bolan_fft_plan_create(n, &plan));
     fill(reference, n);
-    fft_strip_for(BOLAN_CPU_SCALAR)(&plan, reference);
+    bolan_fft_strip_for(BOLAN_CPU_SCALAR)(&plan, reference);
     for (int cpu = BOLAN_CPU_SSE2; cpu <= (int)bolan_cpu_best(); cpu++) {
         fill(rows, n);
-        fft_strip_for((bolan_cpu)cpu)(&plan, rows);
+        bolan_fft_strip_for((bolan_cpu)cpu)(&plan, rows);
         assert_memory_equal(rows, reference, bytes);
     }
-    fft_plan_destroy(&plan);
+    bolan_fft_plan_destroy(&plan);
     bolan_release(reference, bytes);
     bolan_release(rows, bytes);
 }
@@ -76,13 +76,13 @@ static void its_order_is_a_permutation(void **state) {
     for (uint32_t n = FFT_MIN; n <= FFT_MAX; n *= 2) {
         bool seen[FFT_MAX] = {false};
         fft_plan plan;
-        assert_true(fft_plan_create(n, &plan));
+        assert_true(bolan_fft_plan_create(n, &plan));
         for (uint32_t y = 0; y < n; y++) {
             assert_in_range(plan.order[y], 0, n - 1);
             assert_false(seen[plan.order[y]]);
             seen[plan.order[y]] = true;
         }
-        fft_plan_destroy(&plan);
+        bolan_fft_plan_destroy(&plan);
     }
 }
 

@@ -58,7 +58,7 @@ static void numbers_keep_their_point(void **state) {
     snprintf(raster.path, sizeof raster.path, "none.tif");
     raster.latitude = 0.5;
     raster.radius = 1.0;
-    assert_refusal(bolan_raster_load(&raster, &(bolan_terrain *){NULL}), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_OUT_OF_RANGE,
+    assert_refusal(bolan_raster_load(&raster, &(bolan_ground *){NULL}), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_OUT_OF_RANGE,
                    "latitude 0.5,");
 }
 

@@ -143,15 +143,15 @@ static void tiles(void **state) {
 
 static bolan_result make_terrain(void **out) {
     static const float elevation[4] = {-1, -2, -3, -4};
-    const bolan_terrain_desc d = {.field = {2, 2, 0, 0, 10, 10, elevation}, .detail = 1, .edge_elevation = -10};
-    return bolan_terrain_create(&d, (bolan_terrain **)out);
+    const bolan_ground_desc d = {.field = {2, 2, 0, 0, 10, 10, elevation}, .detail = 1, .edge_elevation = -10};
+    return bolan_ground_create(&d, (bolan_ground **)out);
 }
 static bolan_result make_island(void **out) {
     const bolan_island_desc d = bolan_island_desc_default();
-    return bolan_terrain_create_island(&d, (bolan_terrain **)out);
+    return bolan_ground_create_island(&d, (bolan_ground **)out);
 }
-static bolan_result make_pond(void **out) { return bolan_terrain_create_pond((bolan_terrain **)out); }
-static void destroy_terrain(void **t) { bolan_terrain_destroy((bolan_terrain **)t); }
+static bolan_result make_pond(void **out) { return bolan_ground_create_pond((bolan_ground **)out); }
+static void destroy_terrain(void **t) { bolan_ground_destroy((bolan_ground **)t); }
 
 static void ground(void **state) {
     (void)state;
@@ -199,7 +199,7 @@ static bolan_result load_assets(void **out) {
     static bolan_scene scene;
     scene = bolan_scene_default();
     snprintf(scene.spectrum_path, sizeof scene.spectrum_path, "memory.spec");
-    scene.terrain.kind = BOLAN_TERRAIN_POND;
+    scene.terrain.kind = BOLAN_GROUND_POND;
     scene.object_count = 2;
     snprintf(scene.objects[0].model, sizeof scene.objects[0].model, "builtin:%s", bolan_model_builtin_name(0));
     snprintf(scene.objects[1].model, sizeof scene.objects[1].model, "builtin:%s", bolan_model_builtin_name(1));

@@ -38,8 +38,8 @@ static bolan_raster_desc data_desc(const char *name) {
     return desc_of(test_data(below, path, sizeof path));
 }
 
-static bolan_terrain *load(const bolan_raster_desc *d) {
-    bolan_terrain *t = NULL;
+static bolan_ground *load(const bolan_raster_desc *d) {
+    bolan_ground *t = NULL;
     warning_count = 0;
     const bolan_result result = bolan_raster_load(d, &t);
     if (result) print_error("%s\n", last_sentence);
@@ -47,18 +47,18 @@ static bolan_terrain *load(const bolan_raster_desc *d) {
     return t;
 }
 
-static double middle_of(const bolan_terrain *t) {
-    return (double)bolan_terrain_elevation(t, 0, 0, bolan_terrain_get_extent(t).step);
+static double middle_of(const bolan_ground *t) {
+    return (double)bolan_ground_elevation(t, 0, 0, bolan_ground_get_extent(t).step);
 }
 
 // The lowest and the highest value and that in the middle; @p within: what the numbers of the file are rounded to.
 static void check_heights(const bolan_raster_desc *d, double low, double high, double middle, double within) {
-    bolan_terrain *t = load(d);
-    const bolan_terrain_extent e = bolan_terrain_get_extent(t);
+    bolan_ground *t = load(d);
+    const bolan_ground_extent e = bolan_ground_get_extent(t);
     assert_near(e.lowest, low, within);
     assert_near(e.highest, high, within);
     assert_near(middle_of(t), middle, within);
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 static void check_cone(const bolan_raster_desc *d, double within) {
@@ -117,11 +117,11 @@ static void test_the_plain_raster(void **state) {
     check_cone(&d, 1e-4);
     expect_no_warning();
     assert_non_null(strstr(information, "base.tif: band 1, unit \"none\" at 1 m upwards, in WGS 84, 61x64 elevations"));
-    bolan_terrain *t = load(&d);
+    bolan_ground *t = load(&d);
     // 59 of the 60 cells of 1/600 degree lie between the middles: WGS 84 at 19.45 degrees north.
-    assert_near(bolan_terrain_get_extent(t).east, 0.5 * 59.0 / 600.0 * 105021.0, 15.0);
-    assert_near(bolan_terrain_get_extent(t).north, 0.5 * 59.0 / 600.0 * 110696.0, 15.0);
-    bolan_terrain_destroy(&t);
+    assert_near(bolan_ground_get_extent(t).east, 0.5 * 59.0 / 600.0 * 105021.0, 15.0);
+    assert_near(bolan_ground_get_extent(t).north, 0.5 * 59.0 / 600.0 * 110696.0, 15.0);
+    bolan_ground_destroy(&t);
 }
 
 static void test_units(void **state) {
@@ -154,9 +154,9 @@ static void test_units(void **state) {
         write_vrt("unit.vrt", band, "");
         d = desc_of("unit.vrt");
         check_heights(&d, -200.0 * units[i].metres, 92.9289 * units[i].metres, 92.9289 * units[i].metres, 1e-4);
-        bolan_terrain *t = load(&d); // a US foot is 2e-6 longer than a foot: floats of 61 m tell them apart
-        assert_near(bolan_terrain_get_extent(t).lowest, -200.0 * units[i].metres, 1.6e-5);
-        bolan_terrain_destroy(&t);
+        bolan_ground *t = load(&d); // a US foot is 2e-6 longer than a foot: floats of 61 m tell them apart
+        assert_near(bolan_ground_get_extent(t).lowest, -200.0 * units[i].metres, 1.6e-5);
+        bolan_ground_destroy(&t);
         expect_no_warning();
     }
     write_vrt("unit.vrt", "<UnitType>kelvin</UnitType>", "");
@@ -235,9 +235,9 @@ static void test_scale_and_offset_of_the_file(void **state) {
 static void test_what_gdal_warns_of_is_handed_on(void **state) {
     (void)state;
     const bolan_raster_desc d = data_desc("irreg.nc");
-    bolan_terrain *t = load(&d);
+    bolan_ground *t = load(&d);
     expect_warning(BOLAN_LOG_RASTER_LIBRARY, "irreg.nc: GDAL warns: Latitude grid not spaced evenly");
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 // ---- variables and bands --------------------------------------------------------------------------------------------
@@ -245,7 +245,7 @@ static void test_what_gdal_warns_of_is_handed_on(void **state) {
 static void test_the_variable_that_is_an_elevation(void **state) {
     (void)state;
     bolan_raster_desc d = data_desc("multi.nc");
-    bolan_terrain *t = NULL;
+    bolan_ground *t = NULL;
     check_cone(&d, 1e-4);
     expect_no_warning();
     assert_non_null(strstr(information, "band 1 z, unit \"m\""));
@@ -276,7 +276,7 @@ static void test_a_scene_names_a_variable_beside_it(void **state) {
     assert_int_equal(bolan_scene_load(test_data("rasters/sub.yaml", path, sizeof path), &scene), BOLAN_OK);
     scene.terrain.raster.radius = 20e3;
     assert_int_equal(bolan_scene_assets_load(&scene, &assets), BOLAN_OK);
-    assert_near(bolan_terrain_get_extent(assets.terrain).highest, 92.9289, 1e-4);
+    assert_near(bolan_ground_get_extent(assets.terrain).highest, 92.9289, 1e-4);
     bolan_scene_assets_destroy(&assets);
     static const struct {
         const char *written, *read;
@@ -306,7 +306,7 @@ static void test_a_scene_names_a_variable_beside_it(void **state) {
 static void test_the_band_that_is_an_elevation(void **state) {
     (void)state;
     bolan_raster_desc d = data_desc("twoband.tif");
-    bolan_terrain *t = NULL;
+    bolan_ground *t = NULL;
     check_cone(&d, 1e-4);
     assert_non_null(strstr(information, "band 2 elevation"));
     d.band = 1;
@@ -372,57 +372,57 @@ static void test_masks_and_voids_are_holes(void **state) {
     write_vrt("void.vrt", "", "<LUT>-200:9001,-199.999:-199.999,93:93</LUT>");
     d = desc_of("void.vrt");
     d.nodata = BOLAN_NODATA_FILL;
-    bolan_terrain *t = load(&d);
-    assert_true(bolan_terrain_get_extent(t).highest < 93.0);
+    bolan_ground *t = load(&d);
+    assert_true(bolan_ground_get_extent(t).highest < 93.0);
     expect_warning(BOLAN_LOG_RASTER_VALUES, "below -12000 m, above 9000 m");
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
     write_vrt("void.vrt", "", "<LUT>-200:-9999,-199.999:-199.999,93:93</LUT>");
     t = load(&d);
-    assert_true(bolan_terrain_get_extent(t).lowest > -200.0);
+    assert_true(bolan_ground_get_extent(t).lowest > -200.0);
     expect_warning(BOLAN_LOG_RASTER_VALUES, "a lone -9999");
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
     write_vrt("void.vrt", "", "<LUT>-200:-77,-199.999:-199.999,93:93</LUT>");
     t = load(&d);
-    assert_true(bolan_terrain_get_extent(t).lowest < -100.0);
-    const double with_it = middle_of(t), rim = (double)bolan_terrain_elevation(t, -5000, -5000, 200);
+    assert_true(bolan_ground_get_extent(t).lowest < -100.0);
+    const double with_it = middle_of(t), rim = (double)bolan_ground_elevation(t, -5000, -5000, 200);
     assert_near(rim, -77.0, 1e-3);
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
     d.nodata_value = -77.0;
     t = load(&d);
     assert_near(middle_of(t), with_it, 1e-4);
-    assert_true(fabs((double)bolan_terrain_elevation(t, -5000, -5000, 200) + 77.0) > 50.0);
-    bolan_terrain_destroy(&t);
+    assert_true(fabs((double)bolan_ground_elevation(t, -5000, -5000, 200) + 77.0) > 50.0);
+    bolan_ground_destroy(&t);
     remove("void.vrt");
 }
 
 static void test_land_only_elevations(void **state) {
     (void)state;
     bolan_raster_desc d = data_desc("landonly.tif");
-    bolan_terrain *t = load(&d);
+    bolan_ground *t = load(&d);
     expect_warning(BOLAN_LOG_RASTER_HOLES, "91.2 % reach the rim and become sea");
     assert_near(middle_of(t), 92.9289, 1e-4);
     const double places[4][2] = {{4000, 0}, {-4000, 0}, {0, 4000}, {0, -4000}};
     for (int i = 0; i < 4; i++) {
-        const double z = (double)bolan_terrain_elevation(t, places[i][0], places[i][1], 200);
+        const double z = (double)bolan_ground_elevation(t, places[i][0], places[i][1], 200);
         // 317 cells of 0.175 x 0.184 km are land, a radius of 1.8 km: Dean's profile 2.2 km out, give or take a cell.
         assert_near(z, -0.1 * cbrt(2200.0 * 2200.0), 0.9);
     }
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
     d.nodata = BOLAN_NODATA_FILL;
     t = load(&d);
     expect_no_warning();
-    assert_true(bolan_terrain_get_extent(t).lowest > 0.0);
-    bolan_terrain_destroy(&t);
+    assert_true(bolan_ground_get_extent(t).lowest > 0.0);
+    bolan_ground_destroy(&t);
     d = data_desc("sea0.tif");
     t = load(&d);
     expect_warning(BOLAN_LOG_RASTER_VALUES, "91 % of its elevations are exactly 0");
-    assert_near(bolan_terrain_get_extent(t).lowest, 0.0, 0.0);
-    bolan_terrain_destroy(&t);
+    assert_near(bolan_ground_get_extent(t).lowest, 0.0, 0.0);
+    bolan_ground_destroy(&t);
     d.zero = BOLAN_ZERO_SEA;
     t = load(&d);
     expect_no_warning();
-    assert_near(bolan_terrain_elevation(t, 0, -4000, 200), -0.1 * cbrt(2200.0 * 2200.0), 0.9);
-    bolan_terrain_destroy(&t);
+    assert_near(bolan_ground_elevation(t, 0, -4000, 200), -0.1 * cbrt(2200.0 * 2200.0), 0.9);
+    bolan_ground_destroy(&t);
 }
 
 // Cells that are twice as wide as they are high: the bed falls off by metres, not by cells.
@@ -438,23 +438,23 @@ static void test_the_bed_falls_off_in_metres(void **state) {
     bolan_raster_desc d = desc_of("wide.vrt");
     snprintf(d.crs, sizeof d.crs, "metres");
     d.zero = BOLAN_ZERO_SEA;
-    bolan_terrain *t = load(&d);
+    bolan_ground *t = load(&d);
     // The land reaches 10 cells: 1000 m east, 500 m north. Give or take a cell.
-    assert_near(bolan_terrain_elevation(t, 2500, 0, 50), -0.1 * cbrt(1500.0 * 1500.0), 0.6);
-    assert_near(bolan_terrain_elevation(t, 0, 1250, 50), -0.1 * cbrt(750.0 * 750.0), 0.4);
-    bolan_terrain_destroy(&t);
+    assert_near(bolan_ground_elevation(t, 2500, 0, 50), -0.1 * cbrt(1500.0 * 1500.0), 0.6);
+    assert_near(bolan_ground_elevation(t, 0, 1250, 50), -0.1 * cbrt(750.0 * 750.0), 0.4);
+    bolan_ground_destroy(&t);
     remove("wide.vrt");
 }
 
 // ---- coordinates ----------------------------------------------------------------------------------------------------
 
 static void check_size(const bolan_raster_desc *d, double side, double within) {
-    bolan_terrain *t = load(d);
-    const bolan_terrain_extent e = bolan_terrain_get_extent(t);
+    bolan_ground *t = load(d);
+    const bolan_ground_extent e = bolan_ground_get_extent(t);
     assert_near(e.east - e.west, side, within);
     assert_near(e.north - e.south, side, within);
     assert_near(middle_of(t), 92.93, 2e-3);
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 static void test_coordinates_that_are_metres(void **state) {
@@ -469,9 +469,9 @@ static void test_coordinates_that_are_metres(void **state) {
     check_size(&d, 59.0, 1.5);
     expect_no_warning();
     snprintf(d.crs, sizeof d.crs, "degrees");
-    bolan_terrain *t = load(&d);
-    assert_true(bolan_terrain_get_extent(t).step > 10e3);
-    bolan_terrain_destroy(&t);
+    bolan_ground *t = load(&d);
+    assert_true(bolan_ground_get_extent(t).step > 10e3);
+    bolan_ground_destroy(&t);
     snprintf(d.crs, sizeof d.crs, "/etc/hostname");
     assert_refusal(bolan_raster_load(&d, &t), BOLAN_ERROR_FORMAT, BOLAN_LOG_RASTER_PROJECTION,
                    "there is no CRS \"/etc/hostname\"; expected metres, degrees");
@@ -489,26 +489,26 @@ static void test_coordinates_that_are_metres(void **state) {
     write_vrt_in("local.vrt", IN_HAWAII, "", "");
     t = load(&d);
     expect_warning(BOLAN_LOG_RASTER_CRS, "they are taken as degrees");
-    assert_near(bolan_terrain_get_extent(t).north, 5443.0, 15.0);
-    bolan_terrain_destroy(&t);
+    assert_near(bolan_ground_get_extent(t).north, 5443.0, 15.0);
+    bolan_ground_destroy(&t);
     remove("local.vrt");
 }
 
 static bolan_result load_land_only(void) {
-    bolan_terrain *t = NULL;
+    bolan_ground *t = NULL;
     const bolan_raster_desc d = data_desc("landonly.tif");
     const bolan_result result = bolan_raster_load(&d, &t);
     assert_true((result == BOLAN_OK) == (t != NULL));
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
     return result;
 }
 
 static bolan_result load_filled(void) {
-    bolan_terrain *t = NULL;
+    bolan_ground *t = NULL;
     bolan_raster_desc d = data_desc("mask.tif");
     d.nodata = BOLAN_NODATA_FILL;
     const bolan_result result = bolan_raster_load(&d, &t);
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
     return result;
 }
 
@@ -521,7 +521,7 @@ static void test_memory_that_runs_out_is_called_so(void **state) {
 
 static void test_what_is_no_raster(void **state) {
     (void)state;
-    bolan_terrain *t = NULL;
+    bolan_ground *t = NULL;
     FILE *file = fopen("packed.zip", "wb");
     assert_non_null(file);
     fwrite("PK\3\4 and more", 1, 13, file);

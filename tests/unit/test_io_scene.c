@@ -17,7 +17,7 @@ static void test_an_empty_document_is_the_default_scene(void **state) {
         assert_string_equal(scene.name, "test.yaml");
         assert_near(scene.camera.position.z, expected.camera.position.z, 0.0);
         assert_near(scene.sea.sea_state.wind_speed, expected.sea.sea_state.wind_speed, 0.0);
-        assert_int_equal(scene.terrain.kind, BOLAN_TERRAIN_NONE);
+        assert_int_equal(scene.terrain.kind, BOLAN_GROUND_NONE);
         assert_int_equal(scene.water.type, expected.water.type);
     }
 }
@@ -121,7 +121,7 @@ static void test_every_key_arrives(void **state) {
     assert_near(s.sky.cloud_cover, 0.6, 0);
     assert_near(s.sky.cloud_base, 900, 0);
     assert_true(s.sky.cloud_seed == 5 && s.terrain.island.seed == 3);
-    assert_int_equal(s.terrain.kind, BOLAN_TERRAIN_ISLAND);
+    assert_int_equal(s.terrain.kind, BOLAN_GROUND_ISLAND);
     assert_near(s.terrain.island.radius, 1500, 0);
     assert_near(s.terrain.island.peak, 400, 0);
     assert_near(s.terrain.island.sea_floor, -300, 0);
@@ -145,7 +145,7 @@ static void test_a_raster_and_a_spectrum_file(void **state) {
                            "sea: {spectrum: {file: b.spec, record: 3}, wind: {speed: 9}}\n",
                            &s),
                      BOLAN_OK);
-    assert_int_equal(s.terrain.kind, BOLAN_TERRAIN_RASTER);
+    assert_int_equal(s.terrain.kind, BOLAN_GROUND_RASTER);
     assert_string_equal(s.terrain.raster.path, "a.tif");
     assert_near(s.terrain.raster.latitude, 19.6, 1e-12);
     assert_near(s.terrain.raster.longitude, -156, 0);
@@ -236,7 +236,7 @@ static void test_effects_as_words(void **state) {
     }
     bolan_scene s;
     assert_int_equal(parse("terrain:\n  pond:\nsea: {spectrum: {shape: phillips}}\n", &s), BOLAN_OK);
-    assert_int_equal(s.terrain.kind, BOLAN_TERRAIN_POND);
+    assert_int_equal(s.terrain.kind, BOLAN_GROUND_POND);
     assert_int_equal(s.wind_spectrum, BOLAN_SPECTRUM_PHILLIPS);
 }
 

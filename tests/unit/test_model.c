@@ -2,7 +2,7 @@
 // Models: what is taken and what is refused, and the built-in ones; and the pond's ground.
 #include "bolan/scene.h"
 #include "io_support.h"
-#include "scene/model.h"
+#include "model/model.h"
 
 static void test_a_model_is_a_copy(void **state) {
     (void)state;
@@ -22,7 +22,7 @@ static void test_a_model_is_a_copy(void **state) {
     assert_int_equal(got.indices[0], 0);
     assert_near(got.colors[2].w, 0.5, 0.0);
     bolan_vec3 low, high;
-    model_bounds(model, &low, &high);
+    bolan_model_bounds(model, &low, &high);
     assert_near(high.z, 2.0, 0.0);
     assert_near(low.x, 0.0, 0.0);
     bolan_model_destroy(&model);
@@ -108,7 +108,7 @@ static void check_builtin(const char *name) {
     bolan_model *model = NULL, *again = NULL;
     assert_int_equal(bolan_model_create_builtin(name, &model), BOLAN_OK);
     assert_int_equal(bolan_model_create_builtin(name, &again), BOLAN_OK);
-    assert_true(model_id(model) == model_id(again));
+    assert_true(bolan_model_id(model) == bolan_model_id(again));
     const bolan_model_view v = bolan_model_get_view(model);
     for (uint32_t i = 0; i < v.vertex_count; i++) {
         // Roots and divisions in single precision: a few ulp.
@@ -164,7 +164,7 @@ static void test_the_pole_is_as_long_and_thick_as_it_says(void **state) {
     bolan_model *model = NULL;
     assert_int_equal(bolan_model_create_builtin("stick", &model), BOLAN_OK);
     bolan_vec3 low, high;
-    model_bounds(model, &low, &high);
+    bolan_model_bounds(model, &low, &high);
     const bolan_model_view v = bolan_model_get_view(model);
     float longest = 0.0f;
     for (uint32_t i = 0; i < v.vertex_count; i++) longest = fmaxf(longest, bolan_v3_length(v.positions[i]));
@@ -205,12 +205,12 @@ static void test_no_water_is_seen_behind_the_meadow(void **state) {
 
 static void test_the_terrain_is_that_ground(void **state) {
     (void)state;
-    bolan_terrain *terrain = NULL;
-    assert_int_equal(bolan_terrain_create_pond(&terrain), BOLAN_OK);
+    bolan_ground *terrain = NULL;
+    assert_int_equal(bolan_ground_create_pond(&terrain), BOLAN_OK);
     for (int y = -150; y <= 150; y += 7)
         for (int x = -150; x <= 150; x += 7)
-            assert_near(bolan_terrain_elevation(terrain, x, y, 0.0), bolan_pond_elevation(x, y), 1e-4); // at its nodes
-    bolan_terrain_destroy(&terrain);
+            assert_near(bolan_ground_elevation(terrain, x, y, 0.0), bolan_pond_elevation(x, y), 1e-4); // at its nodes
+    bolan_ground_destroy(&terrain);
 }
 
 static void test_the_model_of_the_ground_lies_on_it(void **state) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What query.h promises, whatever the sea: parcels are found again where they went, residuals, independence of batch, threads
 // and instruction set, bad input, no allocation, shallow water.
+#include "bolan/coast.h"
 #include "bolan/query.h"
 
 #include "query/block.h"
@@ -214,12 +215,12 @@ static void test_no_parcel_lies_above_the_answer_in_a_fold(void **state) {
 // M v = least v for the symmetric M = (xx, xy; xy, yy), whichever axis is compressed.
 static void test_the_direction_of_compression_is_an_eigenvector(void **state) {
     (void)state;
-    static const float m[][3] = {{0.1f, 1.0f, 0.0f}, {1.0f, 0.1f, 0.0f},   {0.5f, 0.5f, 0.4f},   {0.5f, 0.5f, -0.4f},
-                                 {0.2f, 0.9f, 0.3f}, {0.9f, 0.2f, 0.3f},   {0.9f, 0.2f, -0.3f},  {0.2f, 0.9f, -0.3f},
+    static const float m[][3] = {{0.1f, 1.0f, 0.0f},  {1.0f, 0.1f, 0.0f},  {0.5f, 0.5f, 0.4f},   {0.5f, 0.5f, -0.4f},
+                                 {0.2f, 0.9f, 0.3f},  {0.9f, 0.2f, 0.3f},  {0.9f, 0.2f, -0.3f},  {0.2f, 0.9f, -0.3f},
                                  {-0.4f, 1.1f, 0.1f}, {1.1f, -0.4f, 0.1f}, {1.3f, 0.7f, -0.01f}, {0.7f, 1.3f, 0.01f}};
     for (size_t i = 0; i < sizeof m / sizeof *m; i++) {
         const double xx = (double)m[i][0], yy = (double)m[i][1], xy = (double)m[i][2];
-        const bolan_vec2 v = query_compressed_direction(m[i][0], m[i][1], m[i][2]);
+        const bolan_vec2 v = bolan_query_compressed_direction(m[i][0], m[i][1], m[i][2]);
         const double x = (double)v.x, y = (double)v.y;
         const double least = 0.5 * (xx + yy) - sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
         assert_true(fabs(x * x + y * y - 1.0) < 1e-6);
@@ -321,14 +322,14 @@ static void test_a_query_allocates_nothing(void **state) {
 }
 
 // A plane ground, from west to east over 10 km.
-static bolan_terrain *make_ground(float west, float east) {
+static bolan_ground *make_ground(float west, float east) {
     const float grid[4] = {west, east, west, east};
-    bolan_terrain_desc d = bolan_terrain_desc_default();
+    bolan_ground_desc d = bolan_ground_desc_default();
     d.field = (bolan_heightfield){2, 2, -5000.0, -5000.0, 10000.0, 10000.0, grid};
     d.detail = 0.0;
     d.edge_elevation = (double)west;
-    bolan_terrain *terrain = NULL;
-    assert_int_equal(bolan_terrain_create(&d, &terrain), BOLAN_OK);
+    bolan_ground *terrain = NULL;
+    assert_int_equal(bolan_ground_create(&d, &terrain), BOLAN_OK);
     return terrain;
 }
 
@@ -345,10 +346,10 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
     scatter(points, POINTS);
     bolan_query_surface(sea, NULL, 1.0, points, POINTS, deep);
 
-    bolan_terrain *terrain = make_ground(-999.0f, -999.0f);
+    bolan_ground *terrain = make_ground(-999.0f, -999.0f);
     bolan_query_surface(sea, terrain, 1.0, points, POINTS, answers);
     assert_memory_equal(answers, deep, sizeof deep); // a kilometre is deep for a sea of 2 m
-    bolan_terrain_destroy(&terrain);
+    bolan_ground_destroy(&terrain);
 
     for (float land = 1.5f; land < 100.0f; land *= 8.0f) {
         terrain = make_ground(land, land);
@@ -356,7 +357,7 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
         for (uint32_t i = 0; i < POINTS; i++) {
             assert_true(answers[i].height == 1.0f && answers[i].normal.z == 1.0f && answers[i].jacobian == 1.0f);
         }
-        bolan_terrain_destroy(&terrain);
+        bolan_ground_destroy(&terrain);
     }
 
     // 1 m of water over a level bed: band c keeps the fraction f_c of its amplitude, so the variance is sum f_c^2 var_c. Choppy
@@ -366,7 +367,7 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
     float band_hs[BOLAN_MAX_CASCADES], keep[BOLAN_MAX_CASCADES];
     for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); c++)
         band_hs[c] = (float)(4.0 * sqrt(bolan_sea_cascade(sea, c).variance));
-    bolan_shore_attenuations(1.0f, band_hs, bolan_sea_cascade_count(sea), keep);
+    bolan_coast_attenuations(1.0f, band_hs, bolan_sea_cascade_count(sea), keep);
     for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); c++) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
         expected += (double)(keep[c] * keep[c]) * v.variance;
@@ -377,7 +378,7 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
     bolan_query_surface(sea, terrain, 1.0, points, POINTS, answers);
     const double ratio = mean_square(answers, 1.0) / mean_square(deep, 1.0) / (expected / unattenuated);
     assert_float_equal(ratio, 1.0, 0.15);
-    bolan_terrain_destroy(&terrain);
+    bolan_ground_destroy(&terrain);
     bolan_sea_destroy(&sea);
 }
 
@@ -388,12 +389,12 @@ static void test_a_parcel_over_a_sloping_bed_is_found_where_it_went(void **state
     bolan_sea *sea =
         make_sea(10.0, 1.0, 1, BOLAN_CPU_AUTO); // one cascade: one attenuation for all of a parcel's motion
     const float band_hs = (float)(4.0 * sqrt(bolan_sea_cascade(sea, 0).variance));
-    bolan_terrain *bed = make_ground(-2000.0f, 2000.0f); // rises by 0.4, a shore in the middle
+    bolan_ground *bed = make_ground(-2000.0f, 2000.0f); // rises by 0.4, a shore in the middle
     scatter(points, POINTS);
     bolan_sea_sample_rest(sea, points, POINTS, parcel);
     for (int i = 0; i < POINTS; i++) {
-        const float depth = 0.5f - bolan_terrain_elevation(bed, points[i].x, points[i].y, 2.0);
-        const float keep = bolan_shore_attenuation(depth, band_hs);
+        const float depth = 0.5f - bolan_ground_elevation(bed, points[i].x, points[i].y, 2.0);
+        const float keep = bolan_coast_attenuation(depth, band_hs);
         const float lift = (float)bolan_sea_lift(sea, 0, 0.0); // comes of two fields that are attenuated
         parcel[i].height = keep * (parcel[i].height - lift) + keep * keep * lift;
         moved[i] =
@@ -405,7 +406,7 @@ static void test_a_parcel_over_a_sloping_bed_is_found_where_it_went(void **state
         assert_true(answers[i].residual < 1e-3f);
         assert_float_equal(answers[i].height, 0.5f + parcel[i].height, 1e-3); // as over deep water
     }
-    bolan_terrain_destroy(&bed);
+    bolan_ground_destroy(&bed);
     bolan_sea_destroy(&sea);
 }
 

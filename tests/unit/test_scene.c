@@ -7,7 +7,7 @@ static void test_the_default_scene_is_valid(void **state) {
     (void)state;
     const bolan_scene scene = bolan_scene_default();
     assert_int_equal(bolan_scene_validate(&scene), BOLAN_OK);
-    assert_int_equal(scene.terrain.kind, BOLAN_TERRAIN_NONE);
+    assert_int_equal(scene.terrain.kind, BOLAN_GROUND_NONE);
     assert_near(scene.camera.position.z, 3.0, 0.0);
     assert_near(scene.sky.sun_elevation_deg, 35.0, 0.0);
 }
@@ -64,9 +64,9 @@ static void test_a_field_outside_its_range_is_named(void **state) {
     refuse(&s, "time", BOLAN_LOG_NOT_FINITE);
     s = bolan_scene_default(), memset(s.spectrum_path, 'x', sizeof s.spectrum_path);
     refuse(&s, "spectrum_path", BOLAN_LOG_BAD_ARGUMENT);
-    s = bolan_scene_default(), s.terrain.kind = BOLAN_TERRAIN_ISLAND, s.terrain.island.radius = 100.0;
+    s = bolan_scene_default(), s.terrain.kind = BOLAN_GROUND_ISLAND, s.terrain.island.radius = 100.0;
     refuse(&s, "terrain.island.radius", BOLAN_LOG_OUT_OF_RANGE);
-    s = bolan_scene_default(), s.terrain.kind = BOLAN_TERRAIN_RASTER, s.terrain.raster.latitude = 91.0;
+    s = bolan_scene_default(), s.terrain.kind = BOLAN_GROUND_RASTER, s.terrain.raster.latitude = 91.0;
     refuse(&s, "terrain.raster.latitude", BOLAN_LOG_OUT_OF_RANGE);
 }
 

@@ -2,44 +2,44 @@
 // Terrains made of grids: interpolation, detail, bounds.
 #include "support.h"
 
-#include "bolan/shore.h"
-#include "shore/noise.h"
-#include "shore/terrain.h"
+#include "bolan/ground.h"
+#include "ground/ground.h"
+#include "ground/noise.h"
 
 #define W 33
 #define H 27
 static float data[W * H];
 
 // Hills and a basin, with a sharp coast in the west.
-static bolan_terrain_desc hills(double step, double detail) {
+static bolan_ground_desc hills(double step, double detail) {
     for (int j = 0; j < H; j++) {
         for (int i = 0; i < W; i++) {
             double z = 180.0 * sin(0.37 * i) * cos(0.29 * j) + 60.0 * sin(1.1 * i + 0.7 * j);
             data[j * W + i] = (float)(i < 6 ? -1500.0 : z);
         }
     }
-    bolan_terrain_desc d = bolan_terrain_desc_default();
+    bolan_ground_desc d = bolan_ground_desc_default();
     d.field = (bolan_heightfield){W, H, -5000.0, -3000.0, step, step * 1.25, data};
     d.detail = detail;
     d.edge_elevation = -700.0;
     return d;
 }
 
-static bolan_terrain *create(const bolan_terrain_desc *d) {
-    bolan_terrain *t = NULL;
-    assert_int_equal(bolan_terrain_create(d, &t), BOLAN_OK);
+static bolan_ground *create(const bolan_ground_desc *d) {
+    bolan_ground *t = NULL;
+    assert_int_equal(bolan_ground_create(d, &t), BOLAN_OK);
     return t;
 }
 
 static void the_data_alone_are_met_at_every_node(void **state) {
     (void)state;
-    bolan_terrain_desc d = hills(300.0, 0.0);
-    bolan_terrain *t = create(&d);
+    bolan_ground_desc d = hills(300.0, 0.0);
+    bolan_ground *t = create(&d);
     for (int n = 0; n < W * H; n++) {
         double x = -5000.0 + n % W * 300.0, y = -3000.0 + n / W * 375.0;
-        assert_near(bolan_terrain_elevation(t, x, y, 0.0), data[n], 2e-3); // float rounding of 1500 m in a cubic
+        assert_near(bolan_ground_elevation(t, x, y, 0.0), data[n], 2e-3); // float rounding of 1500 m in a cubic
     }
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
     assert_null(t);
 }
 
@@ -49,17 +49,17 @@ static void interpolation_does_not_overshoot_a_cliff(void **state) {
     for (int n = 0; n < 64; n++) {
         cliff[n] = n % 8 < 4 ? -1000.0f : 5.0f;
     }
-    bolan_terrain_desc d = bolan_terrain_desc_default();
+    bolan_ground_desc d = bolan_ground_desc_default();
     d.field = (bolan_heightfield){8, 8, 0.0, 0.0, 100.0, 100.0, cliff};
     d.detail = 0.0;
-    bolan_terrain *t = create(&d);
+    bolan_ground *t = create(&d);
     float before = -1000.0f;
     for (double x = 0.0; x <= 700.0; x += 3.0) {
-        float z = bolan_terrain_elevation(t, x, 333.0, 0.0);
+        float z = bolan_ground_elevation(t, x, 333.0, 0.0);
         assert_true(z >= before - 1e-3f && z <= 5.001f); // monotone where the data are
         before = z;
     }
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 static void a_plane_stays_a_plane(void **state) {
@@ -68,15 +68,15 @@ static void a_plane_stays_a_plane(void **state) {
     for (int n = 0; n < 1600; n++) {
         plane[n] = (float)(0.3 * (n % 40) * 50.0 - 0.2 * (n / 40) * 50.0);
     }
-    bolan_terrain_desc d = bolan_terrain_desc_default();
+    bolan_ground_desc d = bolan_ground_desc_default();
     d.field = (bolan_heightfield){40, 40, 0.0, 0.0, 50.0, 50.0, plane};
     d.detail = 0.0;
-    bolan_terrain *t = create(&d);
+    bolan_ground *t = create(&d);
     for (double resolution = 0.0; resolution < 120.0;
          resolution += 17.0) { // low-passing keeps a plane too, off the rim
-        assert_near(bolan_terrain_elevation(t, 987.6, 1012.3, resolution), 0.3 * 987.6 - 0.2 * 1012.3, 1e-3);
+        assert_near(bolan_ground_elevation(t, 987.6, 1012.3, resolution), 0.3 * 987.6 - 0.2 * 1012.3, 1e-3);
     }
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 // z = x y has the twist 1 / m and no curvature along either axis: the bicubic patch of the right twist is the surface.
@@ -87,20 +87,20 @@ static void a_saddle_stays_a_saddle(void **state) {
     for (int n = 0; n < 400; n++) {
         saddle[n] = (float)((100.0 + n % 20 * 50.0) * (30.0 + n / 20 * 20.0) * 1e-3);
     }
-    bolan_terrain_desc d = bolan_terrain_desc_default();
+    bolan_ground_desc d = bolan_ground_desc_default();
     d.field = (bolan_heightfield){20, 20, 100.0, 30.0, 50.0, 20.0, saddle};
     d.detail = 0.0;
-    bolan_terrain *t = create(&d);
+    bolan_ground *t = create(&d);
     height_cursor c;
-    height_cursor_start(&c, t);
+    bolan_height_cursor_start(&c, t);
     for (int n = 0; n < 400; n++) {
         double x = 160.0 + n % 20 * 43.0, y = 54.0 + n / 20 * 17.1; // 43 / 50 and 17.1 / 20: every part of a cell
-        assert_near(bolan_terrain_elevation(t, x, y, 0.0), x * y * 1e-3, 1e-3);
-        surface_point p = height_cursor_at(&c, x, y, 0.0);
+        assert_near(bolan_ground_elevation(t, x, y, 0.0), x * y * 1e-3, 1e-3);
+        surface_point p = bolan_height_cursor_at(&c, x, y, 0.0);
         assert_near(p.dx, y * 1e-3, 1e-5);
         assert_near(p.dy, x * 1e-3, 1e-5);
     }
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 // Height of an octave whose lattice is turned by 37 degrees, at world metres; (*dx, *dy) receives its own gradient.
@@ -109,7 +109,7 @@ static float turned_octave(double x, double y, float gully, float rubble, float 
     const detail_lattice o = {
         (c * x - s * y) / wavelength, (s * x + c * y) / wavelength, (float)c, (float)s, (float)wavelength, 3u};
     *dx = 0.24f, *dy = -0.1f;
-    float z = detail_octave(&o, 0.26f, gully, rubble, dx, dy);
+    float z = bolan_detail_octave(&o, 0.26f, gully, rubble, dx, dy);
     *dx -= 0.24f, *dy += 0.1f;
     return z;
 }
@@ -141,47 +141,47 @@ static void an_octave_returns_the_gradient_of_its_height(void **state) {
 
 static void elevation_is_continuous_everywhere(void **state) {
     (void)state;
-    bolan_terrain_desc d = hills(300.0, 1.0);
-    bolan_terrain *t = create(&d);
+    bolan_ground_desc d = hills(300.0, 1.0);
+    bolan_ground *t = create(&d);
     // A walk across cells, the rim and the blend outside. A millimetre may rise a decimetre: the cliff of 1500 m in 300
     // m has a slope of 10, and gullies on its flank a few times that; a step in the surface would be metres.
     for (double y = -3170.0; y < 7000.0; y += 1171.0) {
         for (double x = -8000.0; x < 8000.0; x += 3.7) {
-            float a = bolan_terrain_elevation(t, x, y, 0.0), b = bolan_terrain_elevation(t, x + 0.001, y, 0.0);
+            float a = bolan_ground_elevation(t, x, y, 0.0), b = bolan_ground_elevation(t, x + 0.001, y, 0.0);
             assert_true(isfinite(a) && fabsf(b - a) < 0.1f);
         }
     }
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 static void elevation_is_continuous_in_the_resolution(void **state) {
     (void)state;
-    bolan_terrain_desc d = hills(300.0, 1.0);
-    bolan_terrain *t = create(&d);
-    float before = bolan_terrain_elevation(t, 1234.5, 987.6, 0.0);
-    assert_near(bolan_terrain_elevation(t, 1234.5, 987.6, 0.1), before, 1e-4); // the shortest wavelength is longer
-    before = bolan_terrain_elevation(t, 1234.5, 987.6, 0.2);
+    bolan_ground_desc d = hills(300.0, 1.0);
+    bolan_ground *t = create(&d);
+    float before = bolan_ground_elevation(t, 1234.5, 987.6, 0.0);
+    assert_near(bolan_ground_elevation(t, 1234.5, 987.6, 0.1), before, 1e-4); // the shortest wavelength is longer
+    before = bolan_ground_elevation(t, 1234.5, 987.6, 0.2);
     for (double resolution = 0.2; resolution < 3000.0; resolution *= 1.001) {
-        float z = bolan_terrain_elevation(t, 1234.5, 987.6, resolution);
+        float z = bolan_ground_elevation(t, 1234.5, 987.6, resolution);
         assert_true(fabsf(z - before) < 2.0f); // a thousandth of an octave of relief of some hundred metres
         before = z;
     }
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 static void detail_leaves_as_the_resolution_grows(void **state) {
     (void)state;
-    bolan_terrain_desc d = hills(300.0, 1.0);
-    bolan_terrain *rough = create(&d);
+    bolan_ground_desc d = hills(300.0, 1.0);
+    bolan_ground *rough = create(&d);
     d.detail = 0.0;
-    bolan_terrain *smooth = create(&d);
+    bolan_ground *smooth = create(&d);
     double before = 1e30;
     for (double resolution = 10.0; resolution < 700.0; resolution *= 2.0) {
         double sum = 0.0;
         for (int n = 0; n < 2000; n++) {
             double x = -2500.0 + 3.7 * n, y = -1500.0 + 3.1 * n;
             double added =
-                bolan_terrain_elevation(rough, x, y, resolution) - bolan_terrain_elevation(smooth, x, y, resolution);
+                bolan_ground_elevation(rough, x, y, resolution) - bolan_ground_elevation(smooth, x, y, resolution);
             sum += added * added / 2000.0;
         }
         double rms = sqrt(sum);
@@ -190,71 +190,71 @@ static void detail_leaves_as_the_resolution_grows(void **state) {
         if (resolution < 25.0) assert_true(rms > 3.0);
         if (resolution > 375.0) assert_true(rms == 0.0); // the longest wavelength is twice the coarser spacing, 375 m
     }
-    bolan_terrain_destroy(&rough);
-    bolan_terrain_destroy(&smooth);
+    bolan_ground_destroy(&rough);
+    bolan_ground_destroy(&smooth);
 }
 
 static void it_is_finite_and_settled_far_away(void **state) {
     (void)state;
-    bolan_terrain_desc d = hills(300.0, 1.0);
-    bolan_terrain *t = create(&d);
+    bolan_ground_desc d = hills(300.0, 1.0);
+    bolan_ground *t = create(&d);
     const double far_away[] = {3e4, -3e4, 1e7, -1e9, 1e15, -1e300};
     for (int n = 0; n < 36; n++) {
-        assert_true(bolan_terrain_elevation(t, far_away[n % 6], far_away[n / 6], 0.0) == -700.0f);
+        assert_true(bolan_ground_elevation(t, far_away[n % 6], far_away[n / 6], 0.0) == -700.0f);
     }
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 static void a_grid_equals_single_calls_for_any_number_of_threads(void **state) {
     (void)state;
-    bolan_terrain_desc d = hills(300.0, 1.0);
-    bolan_terrain *t = create(&d);
+    bolan_ground_desc d = hills(300.0, 1.0);
+    bolan_ground *t = create(&d);
     static float one[60 * 50], many[60 * 50];
     bolan_set_threads(1);
-    bolan_terrain_elevations(t, -2000.0, -1500.0, 37.0, 60, 50, one);
+    bolan_ground_elevations(t, -2000.0, -1500.0, 37.0, 60, 50, one);
     bolan_set_threads(3);
-    bolan_terrain_elevations(t, -2000.0, -1500.0, 37.0, 60, 50, many);
+    bolan_ground_elevations(t, -2000.0, -1500.0, 37.0, 60, 50, many);
     bolan_set_threads(1);
     for (int n = 0; n < 3000; n++) {
         assert_true(one[n] == many[n]);
-        assert_true(one[n] == bolan_terrain_elevation(t, -2000.0 + n % 60 * 37.0, -1500.0 + n / 60 * 37.0, 37.0));
+        assert_true(one[n] == bolan_ground_elevation(t, -2000.0 + n % 60 * 37.0, -1500.0 + n / 60 * 37.0, 37.0));
     }
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 static void bounds_hold_every_elevation(void **state) {
     (void)state;
-    bolan_terrain_desc d = hills(300.0, 1.0);
-    bolan_terrain *t = create(&d);
+    bolan_ground_desc d = hills(300.0, 1.0);
+    bolan_ground *t = create(&d);
     for (int n = 0; n < 60; n++) {
         double west = -6000.0 + 190.0 * n, south = -4000.0 + 170.0 * n, size = 40.0 * (1 + n % 23);
         float low, high;
-        bolan_terrain_bounds(t, west, south, size, &low, &high);
+        bolan_ground_bounds(t, west, south, size, &low, &high);
         for (int k = 0; k < 400; k++) {
             float z =
-                bolan_terrain_elevation(t, west + k % 20 * size / 19.0, south + k / 20 * size / 19.0, k % 3 * 10.0);
+                bolan_ground_elevation(t, west + k % 20 * size / 19.0, south + k / 20 * size / 19.0, k % 3 * 10.0);
             assert_true(z >= low && z <= high);
         }
     }
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 static void the_id_tells_terrains_apart(void **state) {
     (void)state;
-    bolan_terrain_desc d = hills(300.0, 1.0);
-    bolan_terrain *a = create(&d), *b = create(&d);
-    assert_true(bolan_terrain_id(a) == bolan_terrain_id(b));
-    bolan_terrain_destroy(&b);
+    bolan_ground_desc d = hills(300.0, 1.0);
+    bolan_ground *a = create(&d), *b = create(&d);
+    assert_true(bolan_ground_id(a) == bolan_ground_id(b));
+    bolan_ground_destroy(&b);
     d.seed++;
     b = create(&d);
-    assert_true(bolan_terrain_id(a) != bolan_terrain_id(b));
-    bolan_terrain_destroy(&b);
+    assert_true(bolan_ground_id(a) != bolan_ground_id(b));
+    bolan_ground_destroy(&b);
     d.seed--;
     data[77] += 0.001f;
     b = create(&d);
-    assert_true(bolan_terrain_id(a) != bolan_terrain_id(b));
-    bolan_terrain_destroy(&b);
-    bolan_terrain_destroy(&a);
+    assert_true(bolan_ground_id(a) != bolan_ground_id(b));
+    bolan_ground_destroy(&b);
+    bolan_ground_destroy(&a);
 }
 
 static bolan_log_id last_id;
@@ -263,10 +263,10 @@ static void keep_log(void *user, bolan_log_level level, bolan_log_id id, const c
     last_id = id;
 }
 
-static void refuses(const bolan_terrain_desc *d, bolan_log_id id) {
-    bolan_terrain *t = (bolan_terrain *)&last_id;
+static void refuses(const bolan_ground_desc *d, bolan_log_id id) {
+    bolan_ground *t = (bolan_ground *)&last_id;
     last_id = (bolan_log_id)0;
-    assert_int_equal(bolan_terrain_create(d, &t), BOLAN_ERROR_ARGUMENT);
+    assert_int_equal(bolan_ground_create(d, &t), BOLAN_ERROR_ARGUMENT);
     assert_null(t);
     assert_int_equal(last_id, id);
 }
@@ -274,7 +274,7 @@ static void refuses(const bolan_terrain_desc *d, bolan_log_id id) {
 static void wrong_descriptions_are_refused(void **state) {
     (void)state;
     bolan_set_hooks(&(bolan_hooks){.log = keep_log});
-    bolan_terrain_desc good = hills(300.0, 1.0), d = good;
+    bolan_ground_desc good = hills(300.0, 1.0), d = good;
     d.field.width = 1, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
     d.field.step_y = 0.0, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
     d.field.step_x = 0.99e-3, refuses(&d, BOLAN_LOG_OUT_OF_RANGE), d = good;
@@ -303,16 +303,16 @@ static void wrong_descriptions_are_refused(void **state) {
 // The widest grid that is taken: every look-up ends and is finite.
 static void the_largest_terrain_is_finite(void **state) {
     (void)state;
-    bolan_terrain_desc d = hills(300.0, 2.0);
+    bolan_ground_desc d = hills(300.0, 2.0);
     d.field.width = d.field.height = 11;
     d.field.step_x = d.field.step_y = 1e7;
     d.field.west = -1e8, d.field.south = 0.0;
-    bolan_terrain *t = create(&d);
+    bolan_ground *t = create(&d);
     const double places[] = {-1e8, -3e7, 0.0, 1e7, 1.9e8, 1e308, -1e308, INFINITY, NAN};
     for (int n = 0; n < 81; n++) {
-        assert_true(isfinite(bolan_terrain_elevation(t, places[n % 9], places[n / 9], 0.0)));
+        assert_true(isfinite(bolan_ground_elevation(t, places[n % 9], places[n / 9], 0.0)));
     }
-    bolan_terrain_destroy(&t);
+    bolan_ground_destroy(&t);
 }
 
 RUN_TESTS(cmocka_unit_test(a_saddle_stays_a_saddle), cmocka_unit_test(an_octave_returns_the_gradient_of_its_height),

@@ -180,9 +180,9 @@ static void waves_are_sorted_and_lie_within_the_bounds(void **state) {
 
 static void shallow_water_attenuates_a_sum_as_one(void **state) {
     (void)state;
-    bolan_terrain *terrain = NULL;
+    bolan_ground *terrain = NULL;
     bolan_island_desc ground = bolan_island_desc_default();
-    assert_int_equal(bolan_terrain_create_island(&ground, &terrain), BOLAN_OK);
+    assert_int_equal(bolan_ground_create_island(&ground, &terrain), BOLAN_OK);
     bolan_sea *sea = test_sea(desc_of(BOLAN_WAVES_COSINES));
     bolan_dvec2 at[400];
     bolan_query_point answer[400];
@@ -192,7 +192,7 @@ static void shallow_water_attenuates_a_sum_as_one(void **state) {
     bolan_sea_bounds(sea, &vertical, &horizontal);
     uint32_t land = 0;
     for (int i = 0; i < 400; i++) {
-        const double depth = -(double)bolan_terrain_elevation(terrain, at[i].x, at[i].y, 2.0);
+        const double depth = -(double)bolan_ground_elevation(terrain, at[i].x, at[i].y, 2.0);
         assert_true(fabs((double)answer[i].height) <= vertical);
         if (depth > -2.0 * vertical) continue;
         assert_true(answer[i].height == 0.0f);
@@ -200,7 +200,7 @@ static void shallow_water_attenuates_a_sum_as_one(void **state) {
     }
     assert_true(land > 50);
     bolan_sea_destroy(&sea);
-    bolan_terrain_destroy(&terrain);
+    bolan_ground_destroy(&terrain);
 }
 
 static void textures_is_one_tile_of_seven_peak_waves_in_a_loop_near_ten_seconds(void **state) {

@@ -202,7 +202,8 @@ static void defaults_are_those_of_the_headers(void **state) {
     assert_true(s->system_count == 1 && s->wind_speed == 8.0 && s->wind_from_deg == 240.0);
     assert_true(s->depth == BOLAN_DEEP && s->measured == NULL);
     const bolan_sea_state of_fetch = bolan_sea_state_from_wind(8.0, 240.0, 200e3);
-    assert_true(s->systems[0].hs == of_fetch.systems[0].hs && s->systems[0].peak_omega == of_fetch.systems[0].peak_omega);
+    assert_true(s->systems[0].hs == of_fetch.systems[0].hs &&
+                s->systems[0].peak_omega == of_fetch.systems[0].peak_omega);
     const bolan_wave_system young = bolan_sea_state_from_wind(10.0, 10.0, 50e3).systems[0];
     assert_int_equal(young.kind, BOLAN_SPECTRUM_JONSWAP);
     assert_int_equal(young.spreading, BOLAN_SPREADING_HASSELMANN);
@@ -223,7 +224,8 @@ static void defaults_are_those_of_the_headers(void **state) {
     assert_true(isnan(options.from_deg) && isnan(options.spread_s) && options.record == 0);
 }
 
-RUN_TESTS(cmocka_unit_test(defaults_are_those_of_the_headers), cmocka_unit_test(every_bad_field_is_named_in_one_sentence),
+RUN_TESTS(cmocka_unit_test(defaults_are_those_of_the_headers),
+          cmocka_unit_test(every_bad_field_is_named_in_one_sentence),
           cmocka_unit_test(stepping_allocates_nothing_and_all_memory_comes_back),
           cmocka_unit_test(refused_memory_is_an_error_and_leaks_nothing),
           cmocka_unit_test(rings_are_disjoint_and_leave_no_gap),

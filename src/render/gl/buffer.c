@@ -5,7 +5,8 @@
 static GLenum buffer_target(uint32_t kind) { return kind == GL_BUFFER_UNIFORM ? GL_UNIFORM_BUFFER : GL_ARRAY_BUFFER; }
 
 // Index data go through the array binding: the element binding belongs to whatever vertex array is bound.
-bolan_result gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, const void *data, gl_buffer *out) {
+bolan_result bolan_gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, const void *data,
+                                    gl_buffer *out) {
     BOLAN_ASSERT(out && size > 0);
     gl_buffer b = {.size = size, .kind = kind, .usage = usage};
     const GLenum target = buffer_target(kind);
@@ -16,14 +17,14 @@ bolan_result gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, 
     glGetBufferParameteri64v(target, GL_BUFFER_SIZE, &got);
     if (got != (GLint64)size) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "GL has no memory for a buffer of %zu bytes", size);
-        gl_buffer_free(&b);
+        bolan_gl_buffer_free(&b);
         return BOLAN_ERROR_MEMORY;
     }
     *out = b;
     return BOLAN_OK;
 }
 
-void gl_buffer_update(gl_buffer *b, size_t offset, size_t size, const void *data) {
+void bolan_gl_buffer_update(gl_buffer *b, size_t offset, size_t size, const void *data) {
     BOLAN_ASSERT(b->id && offset + size <= b->size);
     const GLenum target = buffer_target(b->kind);
     glBindBuffer(target, b->id);
@@ -33,10 +34,12 @@ void gl_buffer_update(gl_buffer *b, size_t offset, size_t size, const void *data
     glBufferSubData(target, (GLintptr)offset, (GLsizeiptr)size, data);
 }
 
-void gl_buffer_bind_uniform(const gl_buffer *b, uint32_t slot) { glBindBufferBase(GL_UNIFORM_BUFFER, slot, b->id); }
+void bolan_gl_buffer_bind_uniform(const gl_buffer *b, uint32_t slot) {
+    glBindBufferBase(GL_UNIFORM_BUFFER, slot, b->id);
+}
 
-void gl_buffer_free(gl_buffer *b) {
-    if (b->id && gl_has_context()) glDeleteBuffers(1, &b->id);
+void bolan_gl_buffer_free(gl_buffer *b) {
+    if (b->id && bolan_gl_has_context()) glDeleteBuffers(1, &b->id);
     *b = (gl_buffer){0};
 }
 
@@ -53,8 +56,8 @@ static void point_attributes(const gl_buffer *vertices, uint32_t first, const ui
     BOLAN_ASSERT(offset <= stride);
 }
 
-bolan_result gl_mesh_create(const gl_buffer *vertices, const gl_buffer *indices, const uint8_t *components,
-                            uint32_t attributes, uint32_t stride, gl_mesh *out) {
+bolan_result bolan_gl_mesh_create(const gl_buffer *vertices, const gl_buffer *indices, const uint8_t *components,
+                                  uint32_t attributes, uint32_t stride, gl_mesh *out) {
     BOLAN_ASSERT(vertices && indices && components && out);
     glGenVertexArrays(1, &out->vao);
     glBindVertexArray(out->vao);
@@ -64,34 +67,34 @@ bolan_result gl_mesh_create(const gl_buffer *vertices, const gl_buffer *indices,
     return BOLAN_OK;
 }
 
-void gl_mesh_attach(gl_mesh *m, const gl_buffer *vertices, uint32_t first, const uint8_t *components,
-                    uint32_t attributes, uint32_t stride) {
+void bolan_gl_mesh_attach(gl_mesh *m, const gl_buffer *vertices, uint32_t first, const uint8_t *components,
+                          uint32_t attributes, uint32_t stride) {
     glBindVertexArray(m->vao);
     point_attributes(vertices, first, components, attributes, stride);
     glBindVertexArray(0);
 }
 
-void gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count) {
+void bolan_gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count) {
     glBindVertexArray(m->vao);
     const size_t offset = first_index * sizeof(uint32_t);
     glDrawElements(GL_TRIANGLES, (GLsizei)index_count, GL_UNSIGNED_INT, (const void *)offset);
     glBindVertexArray(0);
 }
 
-void gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count) {
+void bolan_gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count) {
     glBindVertexArray(m->vao);
     glDrawElements(GL_LINES, (GLsizei)index_count, GL_UNSIGNED_INT, NULL);
     glBindVertexArray(0);
 }
 
-void gl_mesh_free(gl_mesh *m) {
-    if (m->vao && gl_has_context()) glDeleteVertexArrays(1, &m->vao);
+void bolan_gl_mesh_free(gl_mesh *m) {
+    if (m->vao && bolan_gl_has_context()) glDeleteVertexArrays(1, &m->vao);
     *m = (gl_mesh){0};
 }
 
 // The core profile draws nothing without a vertex array, and one belongs to one context: so it lives for this call
 // only.
-void gl_draw_fullscreen(void) {
+void bolan_gl_draw_fullscreen(void) {
     GLuint vao = 0;
     glGenVertexArrays(1, &vao);
     glBindVertexArray(vao);

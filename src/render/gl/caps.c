@@ -5,7 +5,7 @@
 #include <limits.h>
 #include <string.h>
 
-bool gl_is_es(void) { return !epoxy_is_desktop_gl(); }
+bool bolan_gl_is_es(void) { return !epoxy_is_desktop_gl(); }
 
 static const char *gl_string(GLenum name) {
     const GLubyte *s = glGetString(name);
@@ -18,23 +18,23 @@ static bool is_software(const char *renderer) {
 }
 
 static bool has_clip_control(void) {
-    if (gl_is_es()) return epoxy_has_gl_extension("GL_EXT_clip_control");
+    if (bolan_gl_is_es()) return epoxy_has_gl_extension("GL_EXT_clip_control");
     return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control");
 }
 
 // Without a context the system's library answers NULL; most other calls would end the process in the loader.
-bool gl_has_context(void) { return glGetString(GL_VERSION) != NULL; }
+bool bolan_gl_has_context(void) { return glGetString(GL_VERSION) != NULL; }
 
-bolan_result gl_check_context(const char *whom) {
-    if (!gl_has_context()) {
+bolan_result bolan_gl_check_context(const char *whom) {
+    if (!bolan_gl_has_context()) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT, "%s: no OpenGL context is current on this thread", whom);
         return BOLAN_ERROR_GL;
     }
-    const int version = epoxy_gl_version(), least = gl_is_es() ? 30 : 33;
+    const int version = epoxy_gl_version(), least = bolan_gl_is_es() ? 30 : 33;
     if (version >= least) return BOLAN_OK;
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_VERSION,
               "%s: the current context is OpenGL%s %d.%d; expected OpenGL 3.3, OpenGL ES 3.0 or later", whom,
-              gl_is_es() ? " ES" : "", version / 10, version % 10);
+              bolan_gl_is_es() ? " ES" : "", version / 10, version % 10);
     return BOLAN_ERROR_GL;
 }
 
@@ -76,8 +76,8 @@ static void find_state(gl_caps *caps) {
         caps->clip_distances = integer(GL_MAX_CLIP_DISTANCES, GL_SAVED_CLIPS);
 }
 
-gl_caps gl_get_caps(void) {
-    const bool es = gl_is_es(), software = is_software(gl_string(GL_RENDERER)), timestamps = has_timestamps(es);
+gl_caps bolan_gl_get_caps(void) {
+    const bool es = bolan_gl_is_es(), software = is_software(gl_string(GL_RENDERER)), timestamps = has_timestamps(es);
     gl_caps caps = {.es = es,
                     .compatibility = is_compatibility(es),
                     .software = software,
@@ -99,7 +99,7 @@ gl_caps gl_get_caps(void) {
 
 bolan_gl_info bolan_gl_get_info(void) {
     bolan_gl_info info = {"", "", "", "", false, false};
-    if (!gl_has_context()) return info;
+    if (!bolan_gl_has_context()) return info;
     info.renderer = gl_string(GL_RENDERER);
     info.vendor = gl_string(GL_VENDOR);
     info.version = gl_string(GL_VERSION);

@@ -27,10 +27,10 @@ typedef struct gl_caps {
     float max_anisotropy;                        // 1 when absent
     int max_texture_size;
 } gl_caps;
-gl_caps gl_get_caps(void); // needs a context that gl_check_context() accepts
-bool gl_has_context(void); // one is current on this thread
+gl_caps bolan_gl_get_caps(void); // needs a context that bolan_gl_check_context() accepts
+bool bolan_gl_has_context(void); // one is current on this thread
 // OK: a context is current, and it is GL 3.3 or ES 3.0 at least. Else GL, and the log says for `whom` what is missing.
-bolan_result gl_check_context(const char *whom);
+bolan_result bolan_gl_check_context(const char *whom);
 
 // ---- textures ----
 typedef enum gl_format {
@@ -71,12 +71,12 @@ typedef struct gl_texture_desc {
     gl_wrap wrap;
     float anisotropy; // 0 or 1: none
 } gl_texture_desc;
-bolan_result gl_texture_create(const gl_texture_desc *desc, gl_texture *out);
+bolan_result bolan_gl_texture_create(const gl_texture_desc *desc, gl_texture *out);
 // Uploads a whole level: floats for *16F/*32F, bytes for *8. `half`: the data are halfs already. layer: -1 all (2D, 3D), else one layer/slice.
-void gl_texture_upload(gl_texture *t, uint32_t level, int layer, const void *data, bool half);
-void gl_texture_generate_mipmaps(gl_texture *t);
-void gl_texture_bind(const gl_texture *t, uint32_t unit); // nothing for a texture that was not made
-void gl_texture_free(gl_texture *t);
+void bolan_gl_texture_upload(gl_texture *t, uint32_t level, int layer, const void *data, bool half);
+void bolan_gl_texture_generate_mipmaps(gl_texture *t);
+void bolan_gl_texture_bind(const gl_texture *t, uint32_t unit); // nothing for a texture that was not made
+void bolan_gl_texture_free(gl_texture *t);
 
 // ---- programs ----
 // Source is found by stem ("sky" -> shaders/sky.glsl), compiled twice with VERTEX / FRAGMENT defined, "#version 330
@@ -88,16 +88,16 @@ typedef struct gl_program {
     char stem[32];
     char defines[160];
 } gl_program;
-void gl_program_set_directory(const char *directory); // NULL: the embedded sources
-bolan_result gl_program_create(const char *stem, const char *defines, gl_program *out);
-bolan_result gl_program_reload(gl_program *p); // keeps the old one on failure
-void gl_program_use(const gl_program *p);
-void gl_program_int(const gl_program *p, const char *name, int value); // samplers too: the unit
-void gl_program_float(const gl_program *p, const char *name, float value);
-void gl_program_vec2(const gl_program *p, const char *name, float x, float y);
-void gl_program_vec4(const gl_program *p, const char *name, bolan_vec4 v);
-void gl_program_vec4_array(const gl_program *p, const char *name, const float *xyzw, uint32_t count);
-void gl_program_free(gl_program *p);
+void bolan_gl_program_set_directory(const char *directory); // NULL: the embedded sources
+bolan_result bolan_gl_program_create(const char *stem, const char *defines, gl_program *out);
+bolan_result bolan_gl_program_reload(gl_program *p); // keeps the old one on failure
+void bolan_gl_program_use(const gl_program *p);
+void bolan_gl_program_int(const gl_program *p, const char *name, int value); // samplers too: the unit
+void bolan_gl_program_float(const gl_program *p, const char *name, float value);
+void bolan_gl_program_vec2(const gl_program *p, const char *name, float x, float y);
+void bolan_gl_program_vec4(const gl_program *p, const char *name, bolan_vec4 v);
+void bolan_gl_program_vec4_array(const gl_program *p, const char *name, const float *xyzw, uint32_t count);
+void bolan_gl_program_free(gl_program *p);
 
 // ---- targets: framebuffers over our own textures ----
 typedef struct gl_target {
@@ -105,28 +105,28 @@ typedef struct gl_target {
     uint32_t width, height;
 } gl_target;
 // colour may be NULL (count 0); depth may be NULL. layer: slice of a 3D/array texture, -1 for 2D; level 0..
-bolan_result gl_target_create(const gl_texture *const *color, uint32_t count, const gl_texture *depth, int layer,
-                              uint32_t level, gl_target *out);
-void gl_target_bind(const gl_target *t); // binds and sets the viewport
-void gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width,
-                         uint32_t height);                                           // draws go there only
-void gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t height); // the caller's
+bolan_result bolan_gl_target_create(const gl_texture *const *color, uint32_t count, const gl_texture *depth, int layer,
+                                    uint32_t level, gl_target *out);
+void bolan_gl_target_bind(const gl_target *t); // binds and sets the viewport
+void bolan_gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width,
+                               uint32_t height);                                           // draws go there only
+void bolan_gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t height); // the caller's
 // From now on only the lowest rows of a target are drawn and cleared, at their own places; 0: all of it.
-void gl_clip_rows(uint32_t rows);
-void gl_target_clear_color(float r, float g, float b, float a);
-void gl_target_clear_depth(float depth);
-void gl_target_copy_color(const gl_target *from, const gl_target *to);
-void gl_target_copy_depth(const gl_target *from, const gl_target *to); // same size and format
-void gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width,
-                    uint32_t height);                                            // the caller's, scaled
-void gl_target_read_float(const gl_target *t, uint32_t attachment, float *rgba); // bottom row first
+void bolan_gl_clip_rows(uint32_t rows);
+void bolan_gl_target_clear_color(float r, float g, float b, float a);
+void bolan_gl_target_clear_depth(float depth);
+void bolan_gl_target_copy_color(const gl_target *from, const gl_target *to);
+void bolan_gl_target_copy_depth(const gl_target *from, const gl_target *to); // same size and format
+void bolan_gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width,
+                          uint32_t height);                                            // the caller's, scaled
+void bolan_gl_target_read_float(const gl_target *t, uint32_t attachment, float *rgba); // bottom row first
 // Top row first. rgba: width * height * 4 bytes of scratch memory.
-void gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgba, uint8_t *rgb);
-void gl_target_free(gl_target *t);
+void bolan_gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgba, uint8_t *rgb);
+void bolan_gl_target_free(gl_target *t);
 // What a framebuffer of the caller's is wanted for.
 typedef enum gl_purpose { GL_TO_DRAW, GL_TO_READ, GL_TO_COPY } gl_purpose;
 // NULL: it will do. Else why not, as the end of a sentence about it. Binds it.
-const char *gl_framebuffer_problem(uint32_t framebuffer, gl_purpose purpose);
+const char *bolan_gl_framebuffer_problem(uint32_t framebuffer, gl_purpose purpose);
 
 // Reads depth textures, on ES too. What that takes is made at the first reading and kept while the size stays.
 typedef struct gl_depth_reader {
@@ -135,8 +135,8 @@ typedef struct gl_depth_reader {
     gl_target target;
 } gl_depth_reader;
 // Bottom row first, a depth in the first of each four floats. Leaves its own target bound.
-bolan_result gl_depth_read(gl_depth_reader *r, const gl_texture *depth, float *rgba);
-void gl_depth_reader_free(gl_depth_reader *r);
+bolan_result bolan_gl_depth_read(gl_depth_reader *r, const gl_texture *depth, float *rgba);
+void bolan_gl_depth_reader_free(gl_depth_reader *r);
 
 // ---- buffers and meshes ----
 typedef enum gl_usage { GL_USAGE_STATIC, GL_USAGE_STREAM } gl_usage;
@@ -147,23 +147,24 @@ typedef struct gl_buffer {
     gl_usage usage;
 } gl_buffer;
 typedef enum gl_buffer_kind { GL_BUFFER_VERTEX, GL_BUFFER_INDEX, GL_BUFFER_UNIFORM } gl_buffer_kind;
-bolan_result gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, const void *data, gl_buffer *out);
-void gl_buffer_update(gl_buffer *b, size_t offset, size_t size, const void *data); // offset 0 orphans a STREAM buffer
-void gl_buffer_bind_uniform(const gl_buffer *b, uint32_t slot);
-void gl_buffer_free(gl_buffer *b);
+bolan_result bolan_gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, const void *data, gl_buffer *out);
+void bolan_gl_buffer_update(gl_buffer *b, size_t offset, size_t size,
+                            const void *data); // offset 0 orphans a STREAM buffer
+void bolan_gl_buffer_bind_uniform(const gl_buffer *b, uint32_t slot);
+void bolan_gl_buffer_free(gl_buffer *b);
 // Float attributes, interleaved: components[i] floats at location i. Indices are uint32.
 typedef struct gl_mesh {
     uint32_t vao;
 } gl_mesh;
-bolan_result gl_mesh_create(const gl_buffer *vertices, const gl_buffer *indices, const uint8_t *components,
-                            uint32_t attributes, uint32_t stride, gl_mesh *out);
+bolan_result bolan_gl_mesh_create(const gl_buffer *vertices, const gl_buffer *indices, const uint8_t *components,
+                                  uint32_t attributes, uint32_t stride, gl_mesh *out);
 // Adds the interleaved floats of another buffer, from location `first` on.
-void gl_mesh_attach(gl_mesh *m, const gl_buffer *vertices, uint32_t first, const uint8_t *components,
-                    uint32_t attributes, uint32_t stride);
-void gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count);
-void gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count); // two indices a line, one pixel wide
-void gl_mesh_free(gl_mesh *m);
-void gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers: see common/fullscreen.glsl
+void bolan_gl_mesh_attach(gl_mesh *m, const gl_buffer *vertices, uint32_t first, const uint8_t *components,
+                          uint32_t attributes, uint32_t stride);
+void bolan_gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count);
+void bolan_gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count); // two indices a line, one pixel wide
+void bolan_gl_mesh_free(gl_mesh *m);
+void bolan_gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers: see common/fullscreen.glsl
 
 // ---- state ----
 typedef struct gl_state {
@@ -171,9 +172,10 @@ typedef struct gl_state {
     enum { GL_BLEND_NONE, GL_BLEND_ALPHA, GL_BLEND_ADD, GL_BLEND_PREMULTIPLIED } blend;
     bool depth_equal;
 } gl_state; // depth test: greater-or-equal (reversed-Z)
-void gl_set_state(const gl_state *s);
-void gl_set_clip_zero_to_one(bool on); // only where caps.clip_control
-void gl_set_framebuffer_srgb(bool on); // desktop: let an sRGB framebuffer encode what is written; on ES it always does
+void bolan_gl_set_state(const gl_state *s);
+void bolan_gl_set_clip_zero_to_one(bool on); // only where caps.clip_control
+void bolan_gl_set_framebuffer_srgb(
+    bool on); // desktop: let an sRGB framebuffer encode what is written; on ES it always does
 
 // The caller's state: see saved.c.
 enum { GL_SAVED_UNITS = 25, GL_SAVED_BUFFERS = 8, GL_SAVED_VIEWPORTS = 16, GL_SAVED_CLIPS = 8, GL_SAVED_SLOTS = 32 };
@@ -205,10 +207,10 @@ typedef struct gl_saved {
         void *callback, *user;
     } debug;
 } gl_saved;
-// `debug`: until gl_restore() the driver's messages are logged, and handed on to the caller's callback. Both need a
+// `debug`: until bolan_gl_restore() the driver's messages are logged, and handed on to the caller's callback. Both need a
 // context; *s must stay where it is in between.
-void gl_save(gl_saved *s, const gl_caps *caps, bool debug);
-void gl_restore(const gl_saved *s);
+void bolan_gl_save(gl_saved *s, const gl_caps *caps, bool debug);
+void bolan_gl_restore(const gl_saved *s);
 
 // ---- timers: the GPU's clock read at both ends, or the CPU's between two glFinish() ----
 // Unlike GL_TIME_ELAPSED, timestamps do not collide with a query that the caller has open.
@@ -221,8 +223,8 @@ typedef struct gl_timer {
     double cpu_start;
 } gl_timer;
 typedef enum gl_timing { GL_TIMING_OFF, GL_TIMING_GPU, GL_TIMING_FINISH } gl_timing;
-void gl_timer_begin(gl_timer *t, gl_timing how);
-void gl_timer_end(gl_timer *t, gl_timing how); // ms: the last result that has come; 0 while there is none
-void gl_timer_free(gl_timer *t);
-void gl_finish(void);
+void bolan_gl_timer_begin(gl_timer *t, gl_timing how);
+void bolan_gl_timer_end(gl_timer *t, gl_timing how); // ms: the last result that has come; 0 while there is none
+void bolan_gl_timer_free(gl_timer *t);
+void bolan_gl_finish(void);
 #endif

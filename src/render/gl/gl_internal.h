@@ -16,9 +16,9 @@ typedef struct format_info {
     bool wide;                            // 32-bit floats: linear filtering is an extension on ES
     uint32_t components;
 } format_info;
-const format_info *gl_format_info(gl_format format);
+const format_info *bolan_gl_format_info(gl_format format);
 
-bool gl_is_es(void);
-void gl_set_enabled(GLenum name, bool on);
+bool bolan_gl_is_es(void);
+void bolan_gl_set_enabled(GLenum name, bool on);
 
 #endif

@@ -17,7 +17,7 @@ static GLuint compile(const shader_text *source, GLenum type, const char *stage)
     if (ok) return shader;
     char messages[MESSAGES_MAX] = "";
     glGetShaderInfoLog(shader, sizeof messages, NULL, messages);
-    shader_text_log(source, stage, messages[0] ? messages : "the driver refused the shader without a message");
+    bolan_shader_text_log(source, stage, messages[0] ? messages : "the driver refused the shader without a message");
     glDeleteShader(shader);
     return 0;
 }
@@ -56,9 +56,9 @@ static void set_defaults(GLuint id, const shader_text *vertex, const shader_text
 static bolan_result build(const char *stem, const char *defines, GLuint *out) {
     shader_text source[2] = {{0}};
     GLuint vertex = 0, fragment = 0, id = 0;
-    const bool es = gl_is_es();
-    bolan_result result = shader_text_build(stem, "VERTEX", defines, es, &source[0]);
-    if (result == BOLAN_OK) result = shader_text_build(stem, "FRAGMENT", defines, es, &source[1]);
+    const bool es = bolan_gl_is_es();
+    bolan_result result = bolan_shader_text_build(stem, "VERTEX", defines, es, &source[0]);
+    if (result == BOLAN_OK) result = bolan_shader_text_build(stem, "FRAGMENT", defines, es, &source[1]);
     if (result == BOLAN_OK) {
         vertex = compile(&source[0], GL_VERTEX_SHADER, "vertex");
         fragment = compile(&source[1], GL_FRAGMENT_SHADER, "fragment");
@@ -67,13 +67,13 @@ static bolan_result build(const char *stem, const char *defines, GLuint *out) {
     if (id) set_defaults(id, &source[0], &source[1]);
     if (vertex) glDeleteShader(vertex);
     if (fragment) glDeleteShader(fragment);
-    shader_text_free(&source[0]);
-    shader_text_free(&source[1]);
+    bolan_shader_text_free(&source[0]);
+    bolan_shader_text_free(&source[1]);
     *out = id;
     return result == BOLAN_OK && !id ? BOLAN_ERROR_GL : result;
 }
 
-bolan_result gl_program_create(const char *stem, const char *defines, gl_program *out) {
+bolan_result bolan_gl_program_create(const char *stem, const char *defines, gl_program *out) {
     BOLAN_ASSERT(stem && out && strlen(stem) < sizeof out->stem);
     BOLAN_ASSERT(!defines || strlen(defines) < sizeof out->defines);
     gl_program p = {0};
@@ -84,7 +84,7 @@ bolan_result gl_program_create(const char *stem, const char *defines, gl_program
     return result;
 }
 
-bolan_result gl_program_reload(gl_program *p) {
+bolan_result bolan_gl_program_reload(gl_program *p) {
     GLuint id = 0;
     const bolan_result result = build(p->stem, p->defines, &id);
     if (result != BOLAN_OK) return result;
@@ -93,7 +93,7 @@ bolan_result gl_program_reload(gl_program *p) {
     return BOLAN_OK;
 }
 
-void gl_program_use(const gl_program *p) { glUseProgram(p->id); }
+void bolan_gl_program_use(const gl_program *p) { glUseProgram(p->id); }
 
 // A uniform that the compiler removed has location -1, which GL ignores: so a pass may set what a variant does not use.
 static GLint locate(const gl_program *p, const char *name) {
@@ -101,19 +101,21 @@ static GLint locate(const gl_program *p, const char *name) {
     return glGetUniformLocation(p->id, name);
 }
 
-void gl_program_int(const gl_program *p, const char *name, int value) { glUniform1i(locate(p, name), value); }
-void gl_program_float(const gl_program *p, const char *name, float value) { glUniform1f(locate(p, name), value); }
-void gl_program_vec2(const gl_program *p, const char *name, float x, float y) { glUniform2f(locate(p, name), x, y); }
+void bolan_gl_program_int(const gl_program *p, const char *name, int value) { glUniform1i(locate(p, name), value); }
+void bolan_gl_program_float(const gl_program *p, const char *name, float value) { glUniform1f(locate(p, name), value); }
+void bolan_gl_program_vec2(const gl_program *p, const char *name, float x, float y) {
+    glUniform2f(locate(p, name), x, y);
+}
 
-void gl_program_vec4(const gl_program *p, const char *name, bolan_vec4 v) {
+void bolan_gl_program_vec4(const gl_program *p, const char *name, bolan_vec4 v) {
     glUniform4f(locate(p, name), v.x, v.y, v.z, v.w);
 }
 
-void gl_program_vec4_array(const gl_program *p, const char *name, const float *xyzw, uint32_t count) {
+void bolan_gl_program_vec4_array(const gl_program *p, const char *name, const float *xyzw, uint32_t count) {
     glUniform4fv(locate(p, name), (GLsizei)count, xyzw);
 }
 
-void gl_program_free(gl_program *p) {
-    if (p->id && gl_has_context()) glDeleteProgram(p->id);
+void bolan_gl_program_free(gl_program *p) {
+    if (p->id && bolan_gl_has_context()) glDeleteProgram(p->id);
     *p = (gl_program){0};
 }

@@ -29,7 +29,7 @@ static bool exists(const gl_caps *caps, where w) {
     return false;
 }
 
-// Switches, all off while we draw but for those that gl_set_state() moves. Blend and scissor: see buffers, viewports.
+// Switches, all off while we draw but for those that bolan_gl_set_state() moves. Blend and scissor: see buffers, viewports.
 static const struct {
     GLenum name;
     where where;
@@ -171,8 +171,8 @@ static void listen(gl_saved *s) {
 
 static void stop_listening(const gl_saved *s) {
     set_callback(s->caps, callback_of(s), s->debug.user);
-    gl_set_enabled(GL_DEBUG_OUTPUT, s->debug.output);
-    gl_set_enabled(GL_DEBUG_OUTPUT_SYNCHRONOUS, s->debug.synchronous);
+    bolan_gl_set_enabled(GL_DEBUG_OUTPUT, s->debug.output);
+    bolan_gl_set_enabled(GL_DEBUG_OUTPUT_SYNCHRONOUS, s->debug.synchronous);
 }
 
 // ---- save ---------------------------------------------------------------------------------------------------------
@@ -316,7 +316,7 @@ static void set_defaults(const gl_caps *caps) {
     glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
 }
 
-void gl_save(gl_saved *s, const gl_caps *caps, bool debug) {
+void bolan_gl_save(gl_saved *s, const gl_caps *caps, bool debug) {
     memset(s, 0, sizeof *s);
     s->caps = caps;
     if (debug && caps->debug) listen(s);
@@ -367,7 +367,7 @@ static void restore_buffer(const gl_saved *s, GLuint i) {
         set_enabled_at(GL_BLEND, i, s->buffers[i].blend);
         glColorMaski(i, m[0], m[1], m[2], m[3]);
     } else {
-        gl_set_enabled(GL_BLEND, s->buffers[i].blend);
+        bolan_gl_set_enabled(GL_BLEND, s->buffers[i].blend);
         glColorMask(m[0], m[1], m[2], m[3]);
     }
     // The equations of KHR_blend_equation_advanced are for colour and alpha at once.
@@ -393,7 +393,7 @@ static void restore_viewports(const gl_saved *s) {
         const float *r = s->viewports[0].rectangle;
         const int32_t *b = s->viewports[0].box;
         const double *d = s->viewports[0].depth;
-        gl_set_enabled(GL_SCISSOR_TEST, s->viewports[0].scissor);
+        bolan_gl_set_enabled(GL_SCISSOR_TEST, s->viewports[0].scissor);
         glViewport((GLint)r[0], (GLint)r[1], (GLsizei)r[2], (GLsizei)r[3]);
         glScissor(b[0], b[1], b[2], b[3]);
         if (s->caps->es) {
@@ -433,8 +433,8 @@ static void restore_polygons(const gl_saved *s) {
 
 static void restore_rest(const gl_saved *s) {
     for (int i = 0; i < TOGGLE_COUNT; i++)
-        if (exists(s->caps, toggles[i].where)) gl_set_enabled(toggles[i].name, s->toggles[i]);
-    for (int i = 0; i < s->caps->clip_distances; i++) gl_set_enabled(GL_CLIP_DISTANCE0 + (GLenum)i, s->clips[i]);
+        if (exists(s->caps, toggles[i].where)) bolan_gl_set_enabled(toggles[i].name, s->toggles[i]);
+    for (int i = 0; i < s->caps->clip_distances; i++) bolan_gl_set_enabled(GL_CLIP_DISTANCE0 + (GLenum)i, s->clips[i]);
     glCullFace((GLenum)s->cull_mode);
     glFrontFace((GLenum)s->front_face);
     glDepthFunc((GLenum)s->depth_function);
@@ -450,7 +450,7 @@ static void restore_rest(const gl_saved *s) {
     restore_polygons(s);
 }
 
-void gl_restore(const gl_saved *s) {
+void bolan_gl_restore(const gl_saved *s) {
     restore_bindings(s);
     for (GLuint i = 0; i < (GLuint)s->caps->draw_buffers; i++) restore_buffer(s, i);
     restore_viewports(s);

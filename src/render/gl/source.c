@@ -13,7 +13,7 @@ enum { DIRECTORY_MAX = 1024, LINES_PER_FILE = 10000, USUAL_BYTES = 128 * 1024 };
 // "": the embedded sources. Each thread has its own, since each may draw in a context of its own.
 static _Thread_local char shader_directory[DIRECTORY_MAX];
 
-void gl_program_set_directory(const char *directory) {
+void bolan_gl_program_set_directory(const char *directory) {
     snprintf(shader_directory, sizeof shader_directory, "%s", directory ? directory : "");
 }
 
@@ -190,20 +190,21 @@ static bolan_result append_file(shader_text *s, const char *path, const char *fr
     return result;
 }
 
-bolan_result shader_text_build(const char *stem, const char *stage, const char *defines, bool es, shader_text *out) {
+bolan_result bolan_shader_text_build(const char *stem, const char *stage, const char *defines, bool es,
+                                     shader_text *out) {
     *out = (shader_text){0};
     char path[SOURCE_NAME];
     snprintf(path, sizeof path, "%s.glsl", stem);
     if (!append_prologue(out, stage, defines, es)) {
-        shader_text_free(out);
+        bolan_shader_text_free(out);
         return out_of_memory(path);
     }
     const bolan_result result = append_file(out, path, NULL, 0);
-    if (result != BOLAN_OK) shader_text_free(out);
+    if (result != BOLAN_OK) bolan_shader_text_free(out);
     return result;
 }
 
-void shader_text_free(shader_text *s) {
+void bolan_shader_text_free(shader_text *s) {
     bolan_release(s->text, s->capacity);
     s->text = NULL;
     s->size = s->capacity = 0;
@@ -224,7 +225,7 @@ static bool parse_place(const char *message, unsigned *line, const char **rest) 
     return true;
 }
 
-void shader_text_log(const shader_text *s, const char *stage, const char *messages) {
+void bolan_shader_text_log(const shader_text *s, const char *stage, const char *messages) {
     while (*messages) {
         const size_t length = strcspn(messages, "\n");
         unsigned line = 0;

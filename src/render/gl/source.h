@@ -9,7 +9,7 @@ enum { SOURCE_MAX_FILES = 24, SOURCE_MAX_UNITS = 32, SOURCE_NAME = 48 };
 
 // A shader put together: one text, the files it came from, and its #pragma unit lines.
 typedef struct shader_text {
-    char *text; // release with shader_text_free()
+    char *text; // release with bolan_shader_text_free()
     size_t size, capacity;
     uint32_t file_count, unit_count;
     char files[SOURCE_MAX_FILES][SOURCE_NAME];
@@ -20,9 +20,10 @@ typedef struct shader_text {
 } shader_text;
 
 // stage: "VERTEX" or "FRAGMENT"; defines: "A 1\nB 2\n" or NULL. On failure the log says which file and line.
-bolan_result shader_text_build(const char *stem, const char *stage, const char *defines, bool es, shader_text *out);
-void shader_text_free(shader_text *s);
+bolan_result bolan_shader_text_build(const char *stem, const char *stage, const char *defines, bool es,
+                                     shader_text *out);
+void bolan_shader_text_free(shader_text *s);
 // Logs a compiler's messages with the file and line in the place of the driver's line number.
-void shader_text_log(const shader_text *s, const char *stage, const char *messages);
+void bolan_shader_text_log(const shader_text *s, const char *stage, const char *messages);
 
 #endif

@@ -2,7 +2,7 @@
 // The state that the passes set while they draw. The caller's: see saved.c.
 #include "gl_internal.h"
 
-void gl_set_enabled(GLenum name, bool on) {
+void bolan_gl_set_enabled(GLenum name, bool on) {
     if (on) {
         glEnable(name);
     } else {
@@ -10,14 +10,14 @@ void gl_set_enabled(GLenum name, bool on) {
     }
 }
 
-void gl_set_state(const gl_state *s) {
+void bolan_gl_set_state(const gl_state *s) {
     // Writing depth without testing it needs the test switched on with ALWAYS.
-    gl_set_enabled(GL_DEPTH_TEST, s->depth_test || s->depth_write);
+    bolan_gl_set_enabled(GL_DEPTH_TEST, s->depth_test || s->depth_write);
     glDepthFunc(!s->depth_test ? GL_ALWAYS : s->depth_equal ? GL_EQUAL : GL_GEQUAL);
     glDepthMask(s->depth_write);
-    gl_set_enabled(GL_CULL_FACE, s->cull_back);
+    bolan_gl_set_enabled(GL_CULL_FACE, s->cull_back);
     glColorMask(s->color_write, s->color_write, s->color_write, s->color_write);
-    gl_set_enabled(GL_BLEND, s->blend != GL_BLEND_NONE);
+    bolan_gl_set_enabled(GL_BLEND, s->blend != GL_BLEND_NONE);
     switch (s->blend) {
     case GL_BLEND_NONE: break;
     case GL_BLEND_ALPHA:
@@ -28,15 +28,15 @@ void gl_set_state(const gl_state *s) {
     }
 }
 
-void gl_set_clip_zero_to_one(bool on) {
+void bolan_gl_set_clip_zero_to_one(bool on) {
     const GLenum depth = on ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE;
-    if (gl_is_es()) {
+    if (bolan_gl_is_es()) {
         glClipControlEXT(GL_LOWER_LEFT, depth);
     } else {
         glClipControl(GL_LOWER_LEFT, depth);
     }
 }
 
-void gl_set_framebuffer_srgb(bool on) {
-    if (!gl_is_es()) gl_set_enabled(GL_FRAMEBUFFER_SRGB, on);
+void bolan_gl_set_framebuffer_srgb(bool on) {
+    if (!bolan_gl_is_es()) bolan_gl_set_enabled(GL_FRAMEBUFFER_SRGB, on);
 }

@@ -19,8 +19,8 @@ static void set_draw_buffers(uint32_t count) {
     glReadBuffer(count ? GL_COLOR_ATTACHMENT0 : GL_NONE);
 }
 
-bolan_result gl_target_create(const gl_texture *const *color, uint32_t count, const gl_texture *depth, int layer,
-                              uint32_t level, gl_target *out) {
+bolan_result bolan_gl_target_create(const gl_texture *const *color, uint32_t count, const gl_texture *depth, int layer,
+                                    uint32_t level, gl_target *out) {
     BOLAN_ASSERT(out && count <= MAX_COLORS && (count > 0 || depth));
     const gl_texture *first = count ? color[0] : depth;
     gl_target t = {0, first->width >> level, first->height >> level};
@@ -41,26 +41,26 @@ bolan_result gl_target_create(const gl_texture *const *color, uint32_t count, co
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET,
                   "GL cannot draw into a %u x %u target of format %d (status 0x%x)", t.width, t.height,
                   (int)first->format, status);
-        gl_target_free(&t);
+        bolan_gl_target_free(&t);
         return BOLAN_ERROR_GL;
     }
     *out = t;
     return BOLAN_OK;
 }
 
-void gl_target_bind(const gl_target *t) { gl_target_bind_external(t->id, t->width, t->height); }
+void bolan_gl_target_bind(const gl_target *t) { bolan_gl_target_bind_external(t->id, t->width, t->height); }
 
-void gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
+void bolan_gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
     glBindFramebuffer(GL_FRAMEBUFFER, t->id);
     glViewport((GLint)x, (GLint)y, (GLsizei)width, (GLsizei)height);
 }
 
-void gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t height) {
+void bolan_gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t height) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, (GLsizei)width, (GLsizei)height);
 }
 
-void gl_clip_rows(uint32_t rows) {
+void bolan_gl_clip_rows(uint32_t rows) {
     if (rows == 0) {
         glDisable(GL_SCISSOR_TEST);
         return;
@@ -69,13 +69,13 @@ void gl_clip_rows(uint32_t rows) {
     glScissor(0, 0, 16384, (GLsizei)rows);
 }
 
-void gl_target_clear_color(float r, float g, float b, float a) {
+void bolan_gl_target_clear_color(float r, float g, float b, float a) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glClearColor(r, g, b, a);
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void gl_target_clear_depth(float depth) {
+void bolan_gl_target_clear_depth(float depth) {
     glDepthMask(GL_TRUE);
     glClearDepthf(depth);
     glClear(GL_DEPTH_BUFFER_BIT);
@@ -89,17 +89,17 @@ static void blit(const gl_target *from, const gl_target *to, GLbitfield what) {
     glBindFramebuffer(GL_FRAMEBUFFER, to->id);
 }
 
-void gl_target_copy_color(const gl_target *from, const gl_target *to) { blit(from, to, GL_COLOR_BUFFER_BIT); }
-void gl_target_copy_depth(const gl_target *from, const gl_target *to) { blit(from, to, GL_DEPTH_BUFFER_BIT); }
+void bolan_gl_target_copy_color(const gl_target *from, const gl_target *to) { blit(from, to, GL_COLOR_BUFFER_BIT); }
+void bolan_gl_target_copy_depth(const gl_target *from, const gl_target *to) { blit(from, to, GL_DEPTH_BUFFER_BIT); }
 
-void gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width, uint32_t height) {
+void bolan_gl_target_show(const gl_target *from, uint32_t framebuffer, uint32_t width, uint32_t height) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from->id);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glBlitFramebuffer(0, 0, (GLint)from->width, (GLint)from->height, 0, 0, (GLint)width, (GLint)height,
                       GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
-void gl_target_read_float(const gl_target *t, uint32_t attachment, float *rgba) {
+void bolan_gl_target_read_float(const gl_target *t, uint32_t attachment, float *rgba) {
     GLint read = 0;
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, t->id);
@@ -115,36 +115,36 @@ static bolan_result fit_reader(gl_depth_reader *r, uint32_t width, uint32_t heig
     if (r->target.id && r->target.width == width && r->target.height == height) return BOLAN_OK;
     const gl_texture *color = &r->copy;
     const gl_texture_desc d = {.format = GL_FMT_RGBA32F, .width = width, .height = height};
-    gl_target_free(&r->target);
-    gl_texture_free(&r->copy);
-    bolan_result result = r->program.id ? BOLAN_OK : gl_program_create("depth_copy", NULL, &r->program);
-    if (result == BOLAN_OK) result = gl_texture_create(&d, &r->copy);
-    if (result == BOLAN_OK) result = gl_target_create(&color, 1, NULL, -1, 0, &r->target);
+    bolan_gl_target_free(&r->target);
+    bolan_gl_texture_free(&r->copy);
+    bolan_result result = r->program.id ? BOLAN_OK : bolan_gl_program_create("depth_copy", NULL, &r->program);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&d, &r->copy);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(&color, 1, NULL, -1, 0, &r->target);
     return result;
 }
 
-bolan_result gl_depth_read(gl_depth_reader *r, const gl_texture *depth, float *rgba) {
+bolan_result bolan_gl_depth_read(gl_depth_reader *r, const gl_texture *depth, float *rgba) {
     const bolan_result result = fit_reader(r, depth->width, depth->height);
     if (result != BOLAN_OK) return result;
-    gl_target_bind(&r->target);
-    gl_set_state(&(gl_state){.color_write = true});
-    gl_program_use(&r->program);
+    bolan_gl_target_bind(&r->target);
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_program_use(&r->program);
     glActiveTexture(GL_TEXTURE0 + SCRATCH_UNIT);
     glBindTexture(GL_TEXTURE_2D, depth->id);
-    gl_program_int(&r->program, "depth_source", SCRATCH_UNIT);
-    gl_draw_fullscreen();
-    gl_target_read_float(&r->target, 0, rgba);
+    bolan_gl_program_int(&r->program, "depth_source", SCRATCH_UNIT);
+    bolan_gl_draw_fullscreen();
+    bolan_gl_target_read_float(&r->target, 0, rgba);
     return BOLAN_OK;
 }
 
-void gl_depth_reader_free(gl_depth_reader *r) {
-    gl_target_free(&r->target);
-    gl_texture_free(&r->copy);
-    gl_program_free(&r->program);
+void bolan_gl_depth_reader_free(gl_depth_reader *r) {
+    bolan_gl_target_free(&r->target);
+    bolan_gl_texture_free(&r->copy);
+    bolan_gl_program_free(&r->program);
 }
 
 // RGBA is the one byte format that every ES framebuffer can be read in.
-void gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgba, uint8_t *rgb) {
+void bolan_gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgba, uint8_t *rgb) {
     GLint read = 0;
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
@@ -160,8 +160,8 @@ void gl_read_rgb8(uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t
     }
 }
 
-void gl_target_free(gl_target *t) {
-    if (t->id && gl_has_context()) glDeleteFramebuffers(1, &t->id);
+void bolan_gl_target_free(gl_target *t) {
+    if (t->id && bolan_gl_has_context()) glDeleteFramebuffers(1, &t->id);
     *t = (gl_target){0};
 }
 
@@ -175,12 +175,12 @@ static const char *attachment_problem(GLenum buffer, gl_purpose purpose) {
     if (object == GL_NONE) return "has no colour buffer";
     glGetFramebufferAttachmentParameteriv(target, buffer, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
     if (type == GL_INT || type == GL_UNSIGNED_INT) return "holds integers, not colours";
-    if (type == GL_FLOAT && purpose == GL_TO_READ && gl_is_es())
+    if (type == GL_FLOAT && purpose == GL_TO_READ && bolan_gl_is_es())
         return "holds floats, which OpenGL ES reads as no bytes";
     return NULL;
 }
 
-const char *gl_framebuffer_problem(uint32_t framebuffer, gl_purpose purpose) {
+const char *bolan_gl_framebuffer_problem(uint32_t framebuffer, gl_purpose purpose) {
     if (framebuffer != 0 && !glIsFramebuffer(framebuffer)) return "is no framebuffer of this context";
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
@@ -189,7 +189,7 @@ const char *gl_framebuffer_problem(uint32_t framebuffer, gl_purpose purpose) {
     GLint samples = 0, buffer = GL_NONE;
     glGetIntegerv(GL_SAMPLE_BUFFERS, &samples);
     if (samples > 0 && purpose == GL_TO_READ) return "has several samples a pixel: copy it into one that has one first";
-    if (samples > 0 && purpose == GL_TO_COPY && gl_is_es())
+    if (samples > 0 && purpose == GL_TO_COPY && bolan_gl_is_es())
         return "has several samples a pixel, and OpenGL ES copies into none such";
     glGetIntegerv(purpose == GL_TO_READ ? GL_READ_BUFFER : GL_DRAW_BUFFER0, &buffer);
     if (buffer == GL_NONE) return purpose == GL_TO_READ ? "has no read buffer" : "has no draw buffer";

@@ -15,7 +15,7 @@ static const format_info formats[] = {
     [GL_FMT_DEPTH32F] = {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, false, false, 1},
 };
 
-const format_info *gl_format_info(gl_format format) {
+const format_info *bolan_gl_format_info(gl_format format) {
     BOLAN_ASSERT((unsigned)format < sizeof formats / sizeof formats[0]);
     return &formats[format];
 }
@@ -39,10 +39,11 @@ static void bind_scratch(const gl_texture *t) {
 
 static void set_filter(const gl_texture *t, const gl_texture_desc *d) {
     gl_filter filter = d->filter;
-    if (gl_format_info(d->format)->wide && gl_is_es() && !epoxy_has_gl_extension("GL_OES_texture_float_linear")) {
+    if (bolan_gl_format_info(d->format)->wide && bolan_gl_is_es() &&
+        !epoxy_has_gl_extension("GL_OES_texture_float_linear")) {
         filter = GL_FILTER_NEAREST;
     }
-    if (d->format == GL_FMT_DEPTH32F && gl_is_es()) filter = GL_FILTER_NEAREST; // ES: depth is not filterable
+    if (d->format == GL_FMT_DEPTH32F && bolan_gl_is_es()) filter = GL_FILTER_NEAREST; // ES: depth is not filterable
     const GLint min_filter[] = {GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_NEAREST};
     glTexParameteri(t->target, GL_TEXTURE_MIN_FILTER, min_filter[filter]);
     glTexParameteri(t->target, GL_TEXTURE_MAG_FILTER, filter == GL_FILTER_NEAREST ? GL_NEAREST : GL_LINEAR);
@@ -63,7 +64,7 @@ static void set_wrap(const gl_texture *t, gl_wrap wrap) {
 }
 
 static void allocate_levels(const gl_texture *t) {
-    const format_info *f = gl_format_info(t->format);
+    const format_info *f = bolan_gl_format_info(t->format);
     const GLint internal_format = (GLint)f->internal_format;
     for (uint32_t l = 0; l < t->levels; l++) {
         const GLsizei w = (GLsizei)mip(t->width, l), h = (GLsizei)mip(t->height, l);
@@ -78,12 +79,12 @@ static void allocate_levels(const gl_texture *t) {
 
 // Asked before, since a texture that GL refuses would leave an error behind.
 static bool is_possible(const gl_texture *t) {
-    const format_info *f = gl_format_info(t->format);
+    const format_info *f = bolan_gl_format_info(t->format);
     const GLsizei w = (GLsizei)t->width, h = (GLsizei)t->height, d = (GLsizei)t->depth;
     GLint most = 0, got = 0;
     glGetIntegerv(t->target == GL_TEXTURE_3D ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &most);
     if (w > most || h > most || (t->target == GL_TEXTURE_3D && d > most)) return false;
-    if (gl_is_es()) return true; // which has no proxies
+    if (bolan_gl_is_es()) return true; // which has no proxies
     if (t->target == GL_TEXTURE_2D) {
         glTexImage2D(GL_PROXY_TEXTURE_2D, 0, (GLint)f->internal_format, w, h, 0, f->format, f->type, NULL);
         glGetTexLevelParameteriv(GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &got);
@@ -97,7 +98,7 @@ static bool is_possible(const gl_texture *t) {
 
 // Memory may still have run out. ES cannot be asked before 3.1.
 static bool is_allocated(const gl_texture *t) {
-    if (gl_is_es() && epoxy_gl_version() < 31) return true;
+    if (bolan_gl_is_es() && epoxy_gl_version() < 31) return true;
     bool all = true;
     for (uint32_t l = 0; l < t->levels; l++) {
         GLint width = 0;
@@ -107,7 +108,7 @@ static bool is_allocated(const gl_texture *t) {
     return all;
 }
 
-bolan_result gl_texture_create(const gl_texture_desc *d, gl_texture *out) {
+bolan_result bolan_gl_texture_create(const gl_texture_desc *d, gl_texture *out) {
     BOLAN_ASSERT(d && out && d->width > 0 && d->height > 0);
     gl_texture t = {.width = d->width, .height = d->height, .depth = d->depth ? d->depth : 1, .format = d->format};
     t.target = d->depth == 0 ? GL_TEXTURE_2D : d->array ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_3D;
@@ -129,16 +130,16 @@ bolan_result gl_texture_create(const gl_texture_desc *d, gl_texture *out) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY,
                   "GL has no memory for a texture of %u x %u x %u texels, format %d", t.width, t.height, t.depth,
                   (int)t.format);
-        gl_texture_free(&t);
+        bolan_gl_texture_free(&t);
         return BOLAN_ERROR_MEMORY;
     }
     *out = t;
     return BOLAN_OK;
 }
 
-void gl_texture_upload(gl_texture *t, uint32_t level, int layer, const void *data, bool half) {
+void bolan_gl_texture_upload(gl_texture *t, uint32_t level, int layer, const void *data, bool half) {
     BOLAN_ASSERT(t->id && data && level < t->levels);
-    const format_info *f = gl_format_info(t->format);
+    const format_info *f = bolan_gl_format_info(t->format);
     BOLAN_ASSERT(!half || f->half);
     const GLenum type = half ? GL_HALF_FLOAT : f->type;
     const GLsizei w = (GLsizei)mip(t->width, level), h = (GLsizei)mip(t->height, level);
@@ -153,19 +154,19 @@ void gl_texture_upload(gl_texture *t, uint32_t level, int layer, const void *dat
                     type, data);
 }
 
-void gl_texture_generate_mipmaps(gl_texture *t) {
+void bolan_gl_texture_generate_mipmaps(gl_texture *t) {
     bind_scratch(t);
     glGenerateMipmap(t->target);
 }
 
-void gl_texture_bind(const gl_texture *t, uint32_t unit) {
+void bolan_gl_texture_bind(const gl_texture *t, uint32_t unit) {
     BOLAN_ASSERT(unit < SCRATCH_UNIT);
     if (!t->id) return;
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(t->target, t->id);
 }
 
-void gl_texture_free(gl_texture *t) {
-    if (t->id && gl_has_context()) glDeleteTextures(1, &t->id);
+void bolan_gl_texture_free(gl_texture *t) {
+    if (t->id && bolan_gl_has_context()) glDeleteTextures(1, &t->id);
     *t = (gl_texture){0};
 }

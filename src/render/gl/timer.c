@@ -10,7 +10,7 @@ static double now_ms(void) {
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
 }
 
-void gl_finish(void) { glFinish(); }
+void bolan_gl_finish(void) { glFinish(); }
 
 static void begin_gpu(gl_timer *t) {
     if (!t->query[0][0]) glGenQueries(2 * GL_TIMER_SLOTS, &t->query[0][0]);
@@ -42,14 +42,14 @@ static void end_gpu(gl_timer *t) {
     collect(t);
 }
 
-void gl_timer_begin(gl_timer *t, gl_timing how) {
+void bolan_gl_timer_begin(gl_timer *t, gl_timing how) {
     if (how == GL_TIMING_GPU) begin_gpu(t);
     if (how != GL_TIMING_FINISH) return;
     glFinish();
     t->cpu_start = now_ms();
 }
 
-void gl_timer_end(gl_timer *t, gl_timing how) {
+void bolan_gl_timer_end(gl_timer *t, gl_timing how) {
     if (how == GL_TIMING_OFF) t->ms = 0.0;
     if (how == GL_TIMING_GPU) end_gpu(t);
     if (how != GL_TIMING_FINISH) return;
@@ -57,7 +57,7 @@ void gl_timer_end(gl_timer *t, gl_timing how) {
     t->ms = now_ms() - t->cpu_start;
 }
 
-void gl_timer_free(gl_timer *t) {
-    if (t->query[0][0] && gl_has_context()) glDeleteQueries(2 * GL_TIMER_SLOTS, &t->query[0][0]);
+void bolan_gl_timer_free(gl_timer *t) {
+    if (t->query[0][0] && bolan_gl_has_context()) glDeleteQueries(2 * GL_TIMER_SLOTS, &t->query[0][0]);
     *t = (gl_timer){0};
 }

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Objects. All light is computed at the vertices, so that the pixels cost little: this is drawn up to three times a frame.
+// GROUND is defined for models that lie flat, PICTURE for what the water mirrors and refracts, and for an eye under it; CUT where the
+// picture's plane cuts the triangles, WET where they may lie under the water.
+// As in ground.glsl, points under the water are left as if dry and without haze: the water pass puts the water over them.
+#include "common/frame.glsl"
+#include "common/atmosphere.glsl"
+#include "common/under.glsl"
+
+uniform vec4 place[3];     // rows of the matrix from model to eye-relative world
+uniform float grain_scale; // 1 / period of the grain [1/m]
+uniform float pixel;       // of this picture [rad]
+uniform vec4 caster[64];   // pairs: centre (eye-relative), 1 / horizontal radius; x: 1 / vertical radius [1/m]
+uniform int caster_count;
+uniform int own_caster;    // an object does not stand in its own shadow
+
+#ifdef VERTEX
+layout(location = 0) in vec3 vertex;
+layout(location = 1) in vec3 vertex_normal;
+layout(location = 2) in vec4 vertex_color; // albedo; open sky
+out vec3 light;     // radiance of the surface as it arrives
+out vec3 inscatter; // of the air before it
+out vec4 grain;     // noise coordinates, strength, level
+#ifdef CUT
+out float over;     // height above the clip level [m]
+#endif
+#ifdef WET
+out vec3 bottom;    // level place relative to the eye, depth under the water [m]
+#endif
+
+const float NOISE_SIZE = 256.0; // texels
+
+const float PI = 3.14159265;
+
+// Share of the sun that passes the other objects, each taken as a soft ellipsoid.
+float object_shadow(vec3 position) {
+    float lit = 1.0;
+    for (int i = 0; i < caster_count; ++i) {
+        if (i == own_caster) continue;
+        vec4 c = caster[2 * i];
+        vec3 scale = vec3(c.w, c.w, caster[2 * i + 1].x), to = (c.xyz - position) * scale, ray = sun.xyz * scale;
+        vec3 miss = to - ray * max(dot(to, ray) / dot(ray, ray), 0.0);
+        lit *= 1.0 - 0.82 * (1.0 - smoothstep(0.45, 1.25, dot(miss, miss)));
+    }
+    return lit;
+}
+
+void main() {
+    vec4 v = vec4(vertex, 1.0);
+    vec3 position = vec3(dot(place[0], v), dot(place[1], v), dot(place[2], v));
+    vec3 n = normalize(vec3(dot(place[0].xyz, vertex_normal), dot(place[1].xyz, vertex_normal),
+                            dot(place[2].xyz, vertex_normal)));
+    vec3 albedo = vertex_color.rgb;
+    float open = vertex_color.a, height = position.z + eye.z;
+    position.z -= dot(position.xy, position.xy) / (2.0 * lens.w);
+
+    // Green is taken for leaves: light passes through them, and their crowns stand in their own shade.
+    float leafy = smoothstep(0.05, 0.3, (albedo.g - max(albedo.r, albedo.b)) / max(albedo.g, 1e-4));
+    float facing = dot(n, sun.xyz);
+#ifdef GROUND
+    float lit = max(facing, 0.0);
+#else
+    float lit = mix(max(facing, 0.0), max((facing + 0.4) / 1.4, 0.0) * smoothstep(0.05, 0.75, open), leafy);
+#endif
+    lit *= object_shadow(position) * cloud_shadow(position.xy);
+    float up = 0.5 + 0.5 * n.z;
+    vec3 around = (sun_light.rgb * max(sun.z, 0.0) * 0.6 + sky_light.rgb) * vec3(0.13, 0.14, 0.08);
+    vec3 ambient = open * (sky_light.rgb * up + around * (1.0 - up + 0.25 * (1.0 - open)));
+    light = albedo / PI * (sun_light.rgb * lit + ambient);
+
+    vec3 transmittance;
+    float away = length(position);
+#ifndef PICTURE
+    aerial_perspective(position, transmittance, inscatter);
+#else // near and blurred: haze of one extinction
+    transmittance = exp(-away * (RAYLEIGH + mie_extinction()));
+    inscatter = sky_light.rgb / PI * (1.0 - transmittance);
+#endif
+    float dry = smoothstep(-0.3, 0.0, height);
+    light *= mix(vec3(1.0), transmittance, dry);
+    inscatter *= dry;
+
+#ifdef GROUND
+    // The noise's period must divide the 4096 m after which eye.xy wraps.
+    float period = 4.0;
+    grain = vec4((eye.xy + position.xy) / period, mix(0.7, 1.1, leafy), 0.0);
+#else
+    // Along no axis, so that no wall is smeared.
+    float period = 1.0 / grain_scale;
+    grain = vec4((vertex.xz + vertex.y * vec2(0.61, 0.37)) * grain_scale, mix(0.3, 1.3, leafy), 0.0);
+#endif
+    float tilted = max(abs(dot(n, position)), 0.03 * away) / max(away, 1e-3); // the long side of a footprint
+    grain.w = log2(max(away * pixel * NOISE_SIZE / (period * tilted), 1.0));
+#ifdef PICTURE
+    vec3 through, veil;
+    through_water(position, height, through, veil);
+    light *= through;
+    inscatter = inscatter * through + veil;
+#ifdef CUT
+    over = clip.x * (height - clip.y);
+#endif
+#ifdef WET
+    bottom = vec3(position.xy, -height);
+#endif
+    position.z += seen_height(position.xy, height) - height;
+#endif
+    gl_Position = view_projection * vec4(position, 1.0);
+}
+#endif
+
+#ifdef FRAGMENT
+in vec3 light;
+in vec3 inscatter;
+in vec4 grain;
+#ifdef CUT
+in float over;
+#endif
+#ifdef WET
+in vec3 bottom;
+#endif
+out vec4 color;
+
+#pragma unit ground_noise 12
+uniform sampler2D ground_noise; // billows, their gradient, patches; mean 0.5
+
+void main() {
+#ifdef CUT
+    if (over < 0.0) discard;
+#endif
+    vec4 noise = textureLod(ground_noise, grain.xy, floor(grain.w + 0.5)); // one level: software blends two at twice the price
+    float tone = noise.r + noise.a - 1.0;
+    vec3 radiance = light * max(1.0 + grain.z * tone, 0.2);
+#ifdef WET
+    radiance *= mix(1.0, gathered_light(bottom.xy, bottom.z), 0.75); // the rest is light of the sky
+#endif
+    color = vec4(radiance + inscatter, 1.0);
+}
+#endif

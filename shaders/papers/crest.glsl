@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// Light through the crests and ramps of foam (Ni, Zhang & Tan, "Ocean simulation of a flight simulator's view"), per pixel:
+//
+//   color = F sky(mirrored) + glitter + (1 - F) (bed or deep water + light through crests), under foam
+//
+// Light that enters the far side of a wave leaves through the near one. Where that can be, a mask of crests says; how much, the
+// directions of sun and view. The paper: mask = |displacement| / peak wave length, a fixed tint. Here by default: a mask from
+// height, pinch and the side that faces the eye, and the tint that the water's own attenuation leaves of sunlight over a
+// path through the crest.
+//
+// The shape of the water is there already (crest_shape.glsl), and what varies slowly over the picture
+// (crest_air.glsl). The facets that the eye sees lean towards it; their mean tilt, their area and the mean Fresnel
+// reflectance are rational and quadratic forms (common/facets.glsl).
+//
+// LAND: there is terrain. FOAM_TILE: pixels are so narrow that foam has a structure; FINE_FOAM: and a finer one beside the eye. SPARSE: into a cleared picture of
+// fewer columns. TAPS: how much sharper than its long side a footprint is looked up. Waves: see common/waves.glsl.
+#include "common/frame.glsl"
+#include "common/fullscreen.glsl"
+
+#ifdef VERTEX
+void main() { fullscreen(0.0); }
+#endif
+
+#ifdef FRAGMENT
+#ifndef TAPS // set by quality; this serves an offline compiler
+#define TAPS 2
+#define FOAM_TILE
+#define FINE_FOAM
+#endif
+#include "common/waves.glsl"
+#include "common/atmosphere.glsl"
+#include "common/facets.glsl"
+#include "common/look.glsl"
+#ifdef LAND
+#include "common/surf.glsl"
+#endif
+#include "common/water_light.glsl"
+out vec4 color;
+
+#pragma unit shape_rest 16
+#pragma unit shape_mesh 17
+#pragma unit air_transmittance_map 18
+#pragma unit air_inscatter_map 19
+#pragma unit air_bed_map 10
+#pragma unit rough_table 6
+uniform highp sampler2D shape_rest; // of crest_shape.glsl
+uniform sampler2D shape_mesh;
+uniform sampler2D air_transmittance_map; // of crest_air.glsl
+uniform sampler2D air_inscatter_map;
+uniform sampler2D air_bed_map;
+uniform sampler2D rough_table; // by log2 of the width that the waves are averaged over: slope covariance xx, xy, yy that this removes; lit share
+
+uniform vec4 crest_foam;   // x: sum dxx + dyy (choppiness applied) where a crest breaks, y: foam memory where old foam begins, z, w: variances that soften these edges
+uniform vec4 crest_hidden; // x: slope variance beyond the cascades, y: choppiness squared, z: variance of the memory over that of the slopes
+
+// What a pixel of water knows.
+struct crest_pixel {
+    vec3 position, view; // eye-relative; to the eye
+    vec2 rest;
+    float dist, width, fine; // [m], what the waves are averaged over [m], its log2
+    float gust, shade, depth, shore;
+    vec3 transmittance, inscatter;
+    vec3 slopes; // covariance of what is averaged away
+    float lit;   // share of the facets turned to the sun that no wave shades
+    vec4 mesh;
+};
+
+crest_pixel pixel_here(ivec2 at, vec4 shape) {
+    crest_pixel p;
+    vec2 uv = (vec2(at) + 0.5) * viewport.zw;
+    p.position = frame_ray(uv) / shape.w;
+    p.rest = shape.xy;
+    p.dist = sqrt(dot(p.position, p.position));
+    p.view = -p.position / p.dist;
+    p.mesh = vec4(0.0, 0.0, 1.0, 0.0);
+#ifdef WAVES_MESH
+    p.mesh = texelFetch(shape_mesh, at, 0);
+#endif
+    p.width = max(p.dist * lens.x, 1e-4);
+    p.width = max(p.width * sampling.x, p.width / (float(TAPS) * clamp(p.view.z, 0.02, 1.0)));
+    p.fine = log2(p.width);
+    vec4 through = textureLod(air_transmittance_map, uv, 0.0), from = textureLod(air_inscatter_map, uv, 0.0);
+    // a crest before the horizon is nearer than the mean water on its ray
+    float share = min(p.dist * max(p.view.z, sqrt(max(eye.z, 0.3) / (2.0 * lens.w))) / max(eye.z, 0.3), 1.0);
+    p.transmittance = mix(vec3(1.0), through.rgb, share);
+    p.inscatter = from.rgb * share;
+    p.gust = through.w;
+    p.shade = from.w;
+    p.depth = 1000.0;
+    p.shore = 1e4;
+#ifdef LAND
+    vec2 bed = textureLod(air_bed_map, uv, 0.0).xy;
+    p.depth = bed.x;
+    p.shore = bed.y;
+#endif
+    vec4 rough = textureLod(rough_table, vec2((p.fine + 6.6780719) * (1.5 / 24.0) + 0.5 / 24.0, 0.5), 0.0);
+    p.slopes = rough.xyz * (p.gust * p.gust);
+    p.lit = rough.w;
+    return p;
+}
+
+wave_fields waves_here(crest_pixel p) {
+#if defined(WAVES_CASCADES) && defined(PACKED)
+    return waves_of_width(p.rest, p.fine, p.gust, p.depth);
+#else
+    return waves_at(p.rest, footprint(vec2(1.0, 0.0), p.width, p.width), p.gust, p.depth, p.mesh);
+#endif
+}
+
+#pragma unit foam_densities 7
+#pragma unit foam_ramps 15
+uniform sampler2D foam_densities; // opacity of thin, middling and dense foam; a: its bubbles
+uniform sampler2D foam_ramps;     // by intensity (s) and zone (t): the shares of the three; a: foam without holes
+
+const vec3 FOAM_DENSITIES = vec3(0.22, 0.5, 0.82); // mean opacity of the three: FOAM_DENSITY of foam_ramps.h
+const float RAMP_SWASH = 0.125, RAMP_SURF = 0.375, RAMP_OPEN = 0.625; // rows of foam_ramps
+
+const vec3 PAPER_TINT = vec3(0.088, 0.497, 0.456);
+
+// ---- light through crests -------------------------------------------------------------------------------------------
+
+// The mask of crests, 0..1. `rise`: of the mean water's surface here [m]; toward: horizontal direction to the eye.
+float crest_mask(crest_pixel p, wave_fields w, float rise, vec2 toward) {
+    if (look_mix.z > 0.5) return clamp(10.0 * length(vec3(p.position.xy - p.rest, rise)) / sea_law.y, 0.0, 1.0);
+    float high = clamp(0.35 + 0.9 * rise / max(sea_law.x, 0.2), 0.0, 1.0);
+    float pinched = clamp(0.25 + 1.3 * (1.0 - w.jacobian), 0.0, 1.0);
+    float facing = clamp(0.4 - 2.0 * dot(w.slope, toward), 0.0, 1.0); // the side that leans to the eye
+    return high * pinched * facing * 2.0 * min(1.0, 2.0 * high);
+}
+
+// Light from below that came through crests. ahead: cosine between the view and the sunlight's way.
+vec3 crest_light(float mask, vec3 view, vec3 sunlight) {
+    float ahead = max(-dot(view, sun.xyz), 0.0);
+    float towards = ahead * ahead;
+    towards *= towards * ahead; // ^5
+    float across = (1.0 - view.z * view.z) * mask;
+    if (look_mix.z > 0.5) return 1.7 * towards * across * PAPER_TINT * sunlight / 3.14159265; // base 0, sun 1.7
+    float path = clamp(1.2 * sea_law.x, 0.5, 5.0);
+    // forward scattering, most of it within 40 degrees; the rest, from all around, lights every thin crest a little
+    return (0.16 * towards + 0.012) * across * exp(-path * water_kd.rgb) * (sunlight + 0.3 * sky_light.rgb);
+}
+
+// ---- foam -----------------------------------------------------------------------------------------------------------
+
+// Shares of foam by breaking crests and by what they left behind (means over what the pixel does not resolve).
+float open_foam(wave_fields w, vec3 slopes) {
+    float hidden = max(slopes.x + slopes.z - crest_hidden.x, 0.0) * crest_hidden.y;
+    vec2 edges = inversesqrt(6.2831853 * vec2(hidden + crest_foam.z, hidden * crest_hidden.z + crest_foam.w));
+    vec2 shares = clamp(0.5 + vec2(crest_foam.x + 1.0 - w.jacobian, w.foam - crest_foam.y) * edges, 0.0, 1.0);
+    return max(shares.x, 0.55 * shares.y);
+}
+
+// Opacity; a: brightness of the bubbles.
+vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
+    vec2 at = mod(eye.xy + rest, 4096.0);
+    float level = width_log2 + 9.0; // a tile has 512 texels
+    vec4 tile = textureLod(foam_densities, at * (1.0 / 16.0), max(level - 4.0, 0.0));
+#ifdef FINE_FOAM
+    if (width_log2 < -4.0) {
+        vec4 close = textureLod(foam_densities, at.yx * (1.0 / 4.0), max(level - 2.0, 0.0));
+        tile = mix(tile, sqrt(tile * close) , clamp(-4.0 - width_log2, 0.0, 1.0) * 0.6);
+    }
+#endif
+#ifdef LAND
+    vec4 ramp = textureLod(foam_ramps, vec2(intensity, zone), 0.0);
+    float opacity = clamp(dot(tile.rgb, ramp.rgb) + ramp.a, 0.0, 1.0);
+#else // the row of the open sea: between nothing, thin, middling, dense, everything
+    vec4 share = clamp((intensity - vec4(0.0, FOAM_DENSITIES)) / (vec4(FOAM_DENSITIES, 1.0) - vec4(0.0, FOAM_DENSITIES)), 0.0, 1.0);
+    float opacity = mix(mix(mix(tile.r * share.x, tile.g, share.y), tile.b, share.z), 1.0, share.w);
+#endif
+    return vec2(opacity, 0.75 + 0.25 * tile.a);
+}
+
+#ifdef LAND
+// Foam of the shore: bores that run in over the shallows, denser with less depth, and swash at the edge. bed: depth of the bed below
+// the surface here [m]. Gives intensity and zone.
+vec2 shore_foam(crest_pixel p, float bed) {
+    float hs = sea_law.z;
+    float depth = min(bed, max(p.depth, 0.0) + hs), reach = 2.2 * hs;
+    float near = clamp(1.0 - depth / reach, 0.0, 1.0); // the paper's t = 1 - depth / foam depth
+    float distance = p.shore, length = bore_length();
+    near *= smoothstep(6.0, 2.0, distance / length); // where the bed hardly rises, waves broke before they came there
+    if (near <= 0.0) return vec2(0.0, RAMP_SURF);
+    vec2 at = mod(eye.xy + p.rest, 4096.0) * (6.2831853 / 4096.0);
+    float wobble = sin(61.0 * at.x + 2.0 * sin(37.0 * at.y)) + sin(83.0 * at.y + 2.0 * sin(49.0 * at.x));
+    float front = bore(behind_front(p.rest, max(p.depth, 0.0), 0.22 * wobble));
+    float running = mix(0.3, front, clamp(length / (6.0 * p.width), 0.0, 1.0));
+    float breaking = smoothstep(0.0, 0.6, near) * (0.06 + 0.94 * running);
+    float edge = smoothstep(0.5, 0.05, bed) * (0.6 + 0.3 * sin(6.2831853 * (surf.w + 0.2 * wobble)));
+    return vec2(clamp(max(breaking, edge), 0.0, 1.0),
+                mix(RAMP_SURF, RAMP_SWASH, clamp(1.0 - distance / 12.0, 0.0, 1.0)));
+}
+
+#pragma unit scene_color 3
+#pragma unit scene_depth 4
+uniform sampler2D scene_color; // what lies behind the water
+uniform sampler2D scene_depth;
+
+// How deep below the pixel's water what is behind it lies [m]; 1e4 where nothing is.
+float bed_depth(ivec2 at, vec3 position) {
+    float depth = texelFetch(scene_depth, at, 0).x;
+    if (depth <= 0.0) return 1e4;
+    vec3 bed = frame_ray((vec2(at) + 0.5) * viewport.zw) / depth;
+    return position.z - bed.z;
+}
+
+// The bed through the water, bent by the waves, or the deep water's light where it is out of sight.
+vec3 bed_light(ivec2 at, vec3 deep, vec3 position, vec3 view, vec2 slope, inout float bed) {
+    vec3 both_ways = exp(-water_kd.rgb * bed * (1.0 + 1.0 / max(0.66, sqrt(0.44 + 0.56 * view.z * view.z))));
+    if (max(both_ways.b, both_ways.g) < 0.01) return deep;
+    float bend = min(bed, 3.0) * 0.25 / (length(position) * lens.x);
+    ivec2 bent = clamp(at + ivec2(vec2(dot(slope, vec2(-view.y, view.x)), -dot(slope, view.xy)) * bend), ivec2(0), ivec2(viewport.xy) - 1);
+    if (effect_is_on(EFFECT_DISTORTION) && bed_depth(bent, position) > 0.0) at = bent;
+    return texelFetch(scene_color, at, 0).rgb * BED_LEAVES * both_ways + deep * (1.0 - both_ways);
+}
+#endif
+
+// ---- together -------------------------------------------------------------------------------------------------------
+
+vec3 sun_glitter(crest_pixel p, vec2 slope, float area, vec3 sunlight) {
+    vec3 bisector = p.view + sun.xyz;
+    vec2 off = -bisector.xy / max(bisector.z, 1e-3) - slope;
+    float det = max(p.slopes.x * p.slopes.z - p.slopes.y * p.slopes.y, 1e-14);
+    float q = (p.slopes.z * off.x * off.x - 2.0 * p.slopes.y * off.x * off.y + p.slopes.x * off.y * off.y) / det;
+    if (q > 30.0 || sun.z < -0.01) return vec3(0.0);
+    float length2 = dot(bisector, bisector), hz2 = bisector.z * bisector.z / length2;
+    float grazing = 1.0 - 0.5 * sqrt(length2); // the bisector's length is twice the cosine of incidence
+    float fresnel = 0.02 + 0.98 * grazing * grazing * grazing * grazing * grazing;
+    float density = exp(-0.5 * q) * inversesqrt(det) * (0.5 / 3.14159265);
+    return sunlight * min(density * fresnel / (4.0 * hz2 * hz2 * max(area, 0.01)) * p.lit, 400.0);
+}
+
+// False colours (the paper's figure 3): red crests, green shore and foam, blue open sea, shaded by what is mirrored.
+vec3 false_colors(float mask, float foam, float reflectance, vec3 normal) {
+    float rest = 1.0 - max(mask, foam);
+    return vec3(mask, foam, rest) * (0.35 + 0.65 * reflectance + 0.3 * normal.x) / max(sun_light.w, 1e-9);
+}
+
+vec3 light_here(ivec2 at, vec4 shape) {
+    crest_pixel p = pixel_here(at, shape);
+    wave_fields w = waves_here(p);
+    float flat_length = max(sqrt(dot(p.view.xy, p.view.xy)), 1e-4);
+    vec2 toward = p.view.xy / flat_length;
+    facets seen = facets_toward(p.view.z, flat_length, dot(w.slope, toward), sqrt(facets_variance(p.slopes, toward)));
+    vec3 normal = normalize(vec3(toward * seen.tilt - w.slope, 1.0));
+    float reflectance = facets_fresnel(max(dot(p.view, normal), 0.0), seen.rms, water_deep.w);
+
+    vec3 sunlight = sun_light.rgb * p.shade;
+    vec3 below = water_deep.rgb * (sunlight * (max(sun.z, 0.0) * 0.95) + SKY_ENTERS * sky_light.rgb);
+    float rise = p.position.z + eye.z + dot(p.rest, p.rest) / (2.0 * lens.w);
+    float mask = crest_mask(p, w, rise, toward);
+    float foam = open_foam(w, p.slopes), zone = RAMP_OPEN;
+#ifdef LAND
+    float bed = bed_depth(at, p.position);
+    vec2 surf = shore_foam(p, bed);
+    if (surf.x > foam) {
+        foam = surf.x;
+        zone = surf.y;
+    }
+    if (effect_is_on(EFFECT_REFRACTION)) below = bed_light(at, below, p.position, p.view, w.slope, bed);
+#endif
+    if (effect_is_on(EFFECT_SCATTERING)) below += crest_light(mask, p.view, sunlight);
+    vec3 surface = (1.0 - reflectance) * below;
+    if (effect_is_on(EFFECT_REFLECTION)) {
+        vec3 mirrored = reflect(-p.view, normal);
+        surface += reflectance * environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), seen.rms);
+    }
+    if (effect_is_on(EFFECT_GLITTER)) surface += sun_glitter(p, w.slope, seen.area, sunlight);
+    if (effect_is_on(EFFECT_FOAM) && foam > 0.0) {
+        vec2 lather = vec2(foam, 0.87); // from afar, the mean
+#ifdef FOAM_TILE
+        for (int near = 0; near < 1 && foam > 0.02 && p.fine < 2.0; ++near) lather = foam_opacity(p.rest, p.fine, foam, zone);
+#endif
+        vec3 light = (sunlight * max(dot(sun.xyz, normal), 0.0) + sky_light.rgb) * (lather.y * 0.66 / 3.14159265);
+        surface = mix(surface, light, lather.x * min(water_kd.w, 1.0));
+    }
+    surface = surface * p.transmittance + p.inscatter;
+    if (look_mix.w > 0.5 && look_mix.w < 1.5) surface = false_colors(mask, foam, reflectance, normal);
+#ifdef LAND
+    float film = smoothstep(0.0, 0.15, bed); // the last centimetres over the sand
+    if (film < 1.0) surface = mix(texelFetch(scene_color, at, 0).rgb, surface, film);
+#endif
+    return surface;
+}
+
+void main() {
+    ivec2 at = sampled_pixel();
+    vec4 shape = texelFetch(shape_rest, at, 0);
+    color = vec4(0.0);
+    // a loop: software OpenGL goes past one that no pixel enters, and on to the end of a discard
+    for (int water = 0; water < 1 && shape.w > 0.0; ++water) color = vec4(light_here(at, shape), 1.0);
+#ifndef SPARSE // there, what is cleared is no water
+    if (shape.w == 0.0) discard;
+#endif
+}
+#endif

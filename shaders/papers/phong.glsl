@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Pictures of what is mirrored and refracted, mixed by Fresnel's law, and three parts of light over them (Liu & Xie 2010,
+// sections 1.2 and 1.3; the pictures are those of planar_views.c):
+//
+//     C = F reflection + (1 - F) refraction,   each looked up where the waves bend it
+//     ambient = Ka water (N . V)   diffuse = Kd light max(N . L, 0)   specular = Ks light max(N . H, 0)^shininess
+//
+// Beyond the paper: what a pixel cannot resolve of the waves blurs the mirror and widens the highlight; a look-up is bent by the
+// mirrored ray itself; the water's own colour fills what the water takes from the bed, so that Ka stands for (1 - F) and not N . V.
+//
+// PICTURES: there is something to mirror or to see through the water. TAPS: look-ups of it across the blur. PAPER: nothing but what
+// the paper has. (Defines, since software OpenGL takes both ways of a branch.)
+#include "common/frame.glsl"
+#include "common/water_vertex.glsl"
+
+#if defined(QUAD) && !defined(FINE)
+#include "common/haze.glsl"
+#define HAZE
+#endif
+
+#ifdef VERTEX
+void main() {
+    water_vertex();
+#ifdef HAZE
+    haze_vertex();
+#endif
+}
+#endif
+
+#ifdef FRAGMENT
+#include "common/look.glsl"
+#include "common/fresnel.glsl"
+#include "common/ripples.glsl"
+#include "common/rough.glsl"
+#include "common/water_light.glsl"
+out vec4 color;
+
+#ifdef PICTURES
+#pragma unit reflection_picture 16
+#pragma unit refraction_picture 17
+uniform sampler2D reflection_picture; // premultiplied: a is 0 where there is only sky
+uniform sampler2D refraction_picture; // a is 0 where there is only water
+#endif
+uniform vec2 bend; // how far the look-ups move for a normal of 1 [m]: dC of the mirrored (> 0) and of the refracted (< 0)
+
+// A pixel of water, its waves and their roughness.
+struct phong_surface {
+    water_pixel here;
+    vec3 view;
+    float dist;
+    vec2 slope;
+    vec3 covariance, normal;
+    rough_facets seen;
+};
+
+// The triangle mesh of the paper's table 1: waves and normals are those of its vertices, and the pixels interpolate.
+#if defined(PAPER) && defined(WAVES_EXP) && !defined(QUAD)
+#define VERTEX_NORMALS
+#endif
+
+#if !defined(WAVES_CASCADES) && !defined(PAPER)
+uniform vec4 wander_eye;   // the eye in the two tiles of wander_of() [0,1)
+uniform vec2 wander_tiles; // tiles per metre
+
+// Some way off [m], the same for kilometres' worth of sea: what bends the crests of waves that would run straight for ever.
+vec2 wander_of(vec2 rest) {
+    vec2 at = wander_eye.xy + rest * wander_tiles.x, broad = wander_eye.zw + rest.yx * wander_tiles.y;
+    return 0.25 * sea_law.y * (textureLod(ripple_map, at, 5.0).xy + textureLod(ripple_map, broad, 5.0).yx);
+}
+#endif
+
+phong_surface surface_here() {
+    phong_surface s;
+    s.here = water_here();
+    s.dist = length(s.here.position);
+    s.view = -s.here.position / s.dist;
+#ifdef HAZE
+    s.here.transmittance = haze_transmittance(s.dist);
+    s.here.inscatter = haze_inscatter(-s.view, s.here.transmittance);
+#endif
+    footprint f = water_footprint(s.here, s.view, s.dist);
+#if defined(VERTEX_NORMALS)
+    s.slope = s.here.mesh.xy;
+    s.covariance = vec3(0.0);
+#elif defined(WAVES_EXP) || defined(WAVES_SUM)
+    footprint wide = f;
+    vec2 at = s.here.rest;
+#ifndef PAPER
+    // few waves make a pattern that repeats: it goes over into roughness where a wave is a few pixels long, and from high up, where
+    // much of it is in sight, earlier, and the tile's longest waves bend it
+    float high = smoothstep(30.0, 200.0, eye.z);
+    wide.minor *= 3.0 + 7.0 * high;
+    wide.major = max(f.major, wide.minor);
+    for (int i = 0; i < 1 && eye.z > 30.0; ++i) // a loop: software OpenGL takes both ways of an if
+        at += wander_of(at) * high;
+#endif
+    s.slope = waves_of_footprint(at, wide, s.here.gust, s.here.depth, s.covariance).slope;
+#else
+    s.slope = waves_at(s.here.rest, f, s.here.gust, s.here.depth, s.here.mesh).slope;
+#ifdef WAVES_CASCADES
+    f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
+#endif
+    s.covariance = unresolved_slopes(f);
+#endif
+    s.covariance *= s.here.gust * s.here.gust;
+#ifndef PAPER
+    add_ripples(s.here.rest, f, s.here.gust, s.here.depth, s.slope, s.covariance);
+#endif
+    s.covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
+    s.normal = normalize(vec3(-s.slope, 1.0));
+    s.seen = rough_seen(s.view, s.slope, s.covariance);
+    return s;
+}
+
+float bending() { return effect_is_on(EFFECT_DISTORTION) ? look_mix.x : 0.0; }
+
+// The place in a picture of a point, eye-relative: the water plane stays where it is in the pictures.
+vec2 picture_of(vec3 point) {
+    vec4 c = view_projection * vec4(point, 1.0);
+    return clamp(c.xy / max(c.w, 1e-3) * 0.5 + 0.5, 0.002, 0.998);
+}
+
+#ifdef PICTURES
+// A picture has the air between the eye and what it shows; of that, the part before the water is laid over the water itself.
+vec4 behind_water(sampler2D picture, vec3 point, float level, water_pixel p) {
+    vec4 c = textureLod(picture, picture_of(point), level);
+    return vec4(max(c.rgb - c.a * p.inscatter, 0.0) / max(p.transmittance, vec3(0.02)), c.a);
+}
+#endif
+
+#ifdef PAPER
+// (Du, Dv) = dC (Nx, Ny), on the water's plane, before the projection.
+vec3 reflection(phong_surface s) {
+    vec3 at = s.here.position + vec3(bend.x * bending() * s.normal.xy, 0.0);
+    vec3 ray = normalize(at);
+    vec3 sky = environment_radiance(vec3(ray.xy, abs(ray.z)), 0.0);
+#ifdef PICTURES
+    vec4 land = behind_water(reflection_picture, at, 0.0, s.here);
+    sky = sky * (1.0 - land.a) + land.rgb;
+#endif
+    return sky;
+}
+
+#else
+// The ray that a facet of slope m mirrors, upwards.
+vec3 mirrored_ray(vec3 view, vec2 m) {
+    vec3 r = reflect(-view, normalize(vec3(-m, 1.0)));
+    return vec3(r.xy, abs(r.z));
+}
+
+// What is mirrored lies about as far behind the water as the water from the eye.
+vec3 reflection(phong_surface s) {
+    vec2 toward = s.view.xy / max(length(s.view.xy), 1e-4);
+    vec2 leaning = bending() * (s.slope - toward * s.seen.shift);
+    vec3 sky = environment_radiance(mirrored_ray(s.view, leaning), s.seen.sigma);
+#ifdef PICTURES
+    vec4 land = vec4(0.0);
+    // a facet's slope turns the ray by twice that, of which the other side of the picture's place shows half, and across the view little
+    float texels = 0.25 * s.seen.sigma / float(TAPS) * float(textureSize(reflection_picture, 0).y) * viewport.w / lens.x;
+    float level = log2(clamp(texels, 1.0, 4.0)); // further up, the steps from one to the next would show
+    for (int i = 0; i < TAPS; ++i) {
+        float tilt = (float(2 * i + 1) / float(TAPS) - 1.0) * 1.3;
+        vec3 ray = mirrored_ray(s.view, leaning - bending() * tilt * s.seen.sigma * toward);
+        land += behind_water(reflection_picture, s.here.position + 0.5 * s.dist * vec3(ray.xy, -ray.z), level, s.here);
+    }
+    land *= 1.0 / float(TAPS);
+    sky = sky * (1.0 - land.a) + land.rgb;
+#endif
+    return sky;
+}
+
+#endif
+
+// The bed through the water: what of its light arrives, and in `passed` the share that does.
+vec3 refraction(phong_surface s, out vec3 passed, out vec4 bed) {
+    passed = vec3(0.0);
+    bed = vec4(0.0);
+#ifndef PICTURES
+    return vec3(0.0);
+#else
+    float depth = clamp(s.here.depth, 0.0, 60.0);
+#ifdef PAPER
+    float shift = bend.y;
+#else
+    float shift = -0.25 * depth; // (1/n - 1) of it
+#endif
+    bed = behind_water(refraction_picture, s.here.position + vec3(shift * bending() * s.normal.xy, 0.0), 0.0, s.here);
+#ifdef PAPER
+    passed = vec3(bed.a);
+    return bed.rgb;
+#else
+    float down = sqrt(1.0 - (1.0 - s.view.z * s.view.z) / (water_deep.w * water_deep.w)); // of the refracted view
+    passed = bed.a * exp(-water_kd.rgb * depth * (1.0 + 1.0 / down));
+    return bed.rgb * (BED_LEAVES / max(bed.a, 1e-3)) * passed;
+#endif
+#endif
+}
+
+float highlight(phong_surface s) {
+#ifdef PAPER
+    return exp2(look_light.w * log2(max(dot(s.normal, normalize(s.view + sun.xyz)), 1e-6)));
+#else
+    return rough_glint(s.view, sun.xyz, s.slope, s.covariance, s.seen, water_deep.w);
+#endif
+}
+
+void main() {
+    phong_surface s = surface_here();
+    vec3 sunlight = sun_light.rgb * s.here.shade;
+    float facing = max(dot(sun.xyz, s.normal), 0.0);
+#ifdef PAPER
+    float f = fresnel(clamp(dot(s.view, s.normal), 0.01, 1.0), water_deep.w);
+#else
+    float f = rough_fresnel(s.view, s.slope, s.seen, water_deep.w);
+#endif
+    vec3 mirrored = vec3(0.0), passed = vec3(0.0), through = vec3(0.0);
+    vec4 bed = vec4(0.0); // as it is seen
+    if (effect_is_on(EFFECT_REFLECTION)) mirrored = reflection(s);
+    if (effect_is_on(EFFECT_REFRACTION)) through = refraction(s, passed, bed);
+    vec3 light = f * mirrored + (1.0 - f) * through;
+
+    vec3 water = water_deep.rgb * (sunlight * facing + sky_light.rgb), diffuse = sunlight * facing * 0.31830989;
+#ifdef PAPER
+    vec3 ambient = water * max(dot(s.normal, s.view), 0.0);
+#else
+    vec3 ambient = water * (1.0 - f) * (1.0 - passed);
+    diffuse *= 1.0 - f;
+#endif
+    if (effect_is_on(EFFECT_AMBIENT)) light += look_light.x * ambient;
+    if (effect_is_on(EFFECT_DIFFUSE)) light += look_light.y * diffuse;
+    if (effect_is_on(EFFECT_SPECULAR)) light += look_light.z * highlight(s) * sunlight * step(-0.01, sun.z);
+#if defined(PICTURES) && !defined(PAPER)
+    // the last centimetres over the sand, where nothing is bent any more
+    light = mix(bed.rgb, light, max(smoothstep(0.0, 0.12, s.here.depth), 1.0 - bed.a));
+#endif
+    color = vec4(light * s.here.transmittance + s.here.inscatter, 1.0);
+}
+#endif

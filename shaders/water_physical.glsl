@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+// The light of the water, pixel by pixel over the surface that water_shape.glsl left. What the pixel cannot resolve of the
+// waves is in the covariance of its slopes (Bruneton, Neyret & Holzschuch 2010), which widens the sun's glitter, blurs the
+// mirrored sky and lowers the mean Fresnel reflectance; waves hide sky and sun from one another
+// (common/reflection.glsl); the light from below comes from the sea bed behind and from the water's own backscatter
+// (Gordon et al. 1988; Lee et al. 1998 for finite depth).
+//
+// LAND: there is terrain: depth attenuates the waves, the bed shines through, land is mirrored, the shore foams.
+// TAPS: most look-ups along the long side of the pixel's footprint. RAYS: mirrored rays that look for land.
+#include "common/frame.glsl"
+#include "common/fullscreen.glsl"
+
+#ifdef VERTEX
+void main() { fullscreen(0.0); }
+#endif
+
+#ifdef FRAGMENT
+#ifndef RAYS // set by quality; this serves an offline compiler
+#define RAYS 3
+#endif
+#include "common/waves.glsl"
+#include "common/atmosphere.glsl"
+#include "common/fresnel.glsl"
+#include "common/slopes.glsl"
+#include "common/reflection.glsl"
+#include "common/rough.glsl"
+#include "common/water_light.glsl"
+#include "common/foam.glsl"
+#include "common/surf.glsl"
+#include "common/look.glsl"
+
+out vec4 color;
+
+#pragma unit surface_rest 16
+#pragma unit surface_slope 17
+#pragma unit surface_transmittance 18
+#pragma unit surface_inscatter 19
+uniform highp sampler2D surface_rest; // water_shape.glsl's outputs
+uniform sampler2D surface_slope;
+uniform sampler2D surface_transmittance;
+uniform sampler2D surface_inscatter;
+uniform vec4 slope_total; // xyz: covariance of the slopes of all waves; w: standard deviation of their height [m]
+uniform vec4 foam_law;    // x: Jacobian threshold (below -999: nothing foams), y: slope variance beyond the cascades
+uniform vec4 foam_edge;   // x, y: variances that soften the edges of fresh and of old foam; the thresholds allow for them; z: choppiness squared
+// x: threshold of the foam memory (above 999: none), y: its variance, z: variance of the Jacobian, all scales
+uniform vec4 foam_memory;
+
+#ifdef LAND
+#pragma unit scene_color 3
+#pragma unit scene_depth 4
+uniform sampler2D scene_color; // what lies behind the water
+uniform sampler2D scene_depth;
+#endif
+
+// The ray that a facet of that slope reflects towards the observer.
+vec3 reflected_ray(vec3 view, vec2 slope) { return reflect(-view, normalize(vec3(-slope, 1.0))); }
+
+#ifdef LAND
+// What lies behind the water at a place of the picture: its colour as lit in air, and where it is; w = 0 where there is
+// nothing.
+vec4 behind(vec2 uv, out vec3 where) {
+    float depth = textureLod(scene_depth, uv, 0.0).x;
+    where = frame_ray(uv) / max(depth, 1e-9);
+    return vec4(textureLod(scene_color, uv, 0.0).rgb, depth > 0.0 ? 1.0 : 0.0);
+}
+
+// The land that a mirrored ray meets, found in the picture itself: rgb, w = how much of it counts.
+vec4 mirrored_land(vec3 position, vec3 direction) {
+    vec4 origin = view_projection * vec4(position, 1.0), step = view_projection * vec4(direction, 0.0);
+    float near = 0.0, far = 3.0;
+    bool hit = false, lost = direction.z > 0.6;
+    for (int i = 0; i < 12 && !hit && !lost; ++i) {
+        vec4 c = origin + step * far;
+        vec2 uv = c.xy / c.w * 0.5 + 0.5;
+        lost = c.w <= 0.0 || uv.x < 0.0 || uv.x > 1.0 || uv.y > 1.0 || uv.y < 0.0;
+        float depth = textureLod(scene_depth, uv, 0.0).x;
+        hit = !lost && depth > 0.0 && frame_distance(depth) < c.w;
+        if (!hit) { near = far; far *= 2.0; }
+    }
+    vec2 uv = vec2(0.0);
+    for (int i = 0; i < 5 && hit; ++i) {
+        float middle = 0.5 * (near + far);
+        vec4 c = origin + step * middle;
+        uv = c.xy / c.w * 0.5 + 0.5;
+        float depth = textureLod(scene_depth, uv, 0.0).x;
+        if (depth > 0.0 && frame_distance(depth) < c.w) far = middle;
+        else near = middle;
+    }
+    vec3 land;
+    vec4 seen = behind(uv, land);
+    bool dry = hit && seen.w > 0.0 && land.z + eye.z > -0.3; // else it ended on the sea bed
+    vec2 edge = min(uv, 1.0 - uv);
+    return vec4(seen.rgb, dry ? smoothstep(0.0, 0.05, min(edge.x, edge.y)) : 0.0);
+}
+
+// A single ray stands for a lobe wider than itself: it counts for so much.
+const float LONE_RAY = 0.75;
+
+// The reflected sky with the land before it. Several tilts stand for the distribution of the facets: with one alone a
+// hill is reflected in scraps. Of the light of either, the share `mirror.clear` is not hidden by waves.
+vec3 with_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, rough_reflection mirror) {
+    vec4 land = vec4(0.0);
+    for (int i = 0; i < RAYS; ++i) {
+        float tilt = RAYS == 1 ? 0.0 : float(i - 1) * 1.2;
+        vec3 ray = reflected_ray(view, slope + toward * (mirror.tilt + tilt * mirror.spread));
+        vec4 one = mirrored_land(position, vec3(ray.xy, abs(ray.z)));
+        float weight = RAYS == 1 ? LONE_RAY : i == 1 ? 0.5 : 0.25;
+        land += weight * vec4(one.rgb * one.w, one.w);
+    }
+    return sky * (1.0 - land.w) + land.rgb * mirror.clear;
+}
+
+// The mesh of the bed may depart from the ground by some pixels (quality_table of src/render/pass_ground.c): far away
+// by more than the water is deep. Within that error the depth is the shore map's, beyond it something else stands in
+// the water.
+const float BED_ERROR = 4.0; // [px]
+
+// The bed's share of the radiance that leaves the water, and the depth of water over it [m]. mapped: that depth by the
+// shore map.
+vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, float mapped, out float water_path) {
+    vec3 refracted = refract(-view, normal, 1.0 / water_deep.w);
+    float down = max(-refracted.z, 0.3);
+    vec3 bed, bent_bed;
+    vec4 seen = behind(uv, bed);
+    float drop = clamp(position.z - bed.z, 0.0, 60.0);
+    vec4 target = view_projection * vec4(position + refracted * (drop / down), 1.0);
+    vec2 bent = clamp(target.xy / target.w * 0.5 + 0.5, 0.001, 0.999);
+    vec4 s = behind(bent, bent_bed);
+    if (s.w > 0.0 && bent_bed.z < position.z) { seen = s; bed = bent_bed; }
+    float error = BED_ERROR * lens.x * length(position), measured = position.z - bed.z;
+    water_path = seen.w > 0.0 ? max(clamp(mapped, measured - error, measured + error), 0.0) : 1e4;
+    return radiance_of_bed(seen.rgb, deep, water_kd.rgb, water_path, down);
+}
+
+// Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash
+// at the edge. Up a slope the fronts follow the depth; over flats they travel the way the sea goes.
+float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 noise) {
+    float hs = sea_law.z, wobble = noise.b - 0.5;
+    float zone = smoothstep(1.6 * hs, 0.35 * hs, depth + wobble * hs);
+    float cover = zone * (0.1 + 0.9 * bore(behind_front(rest, depth, 0.9 * wobble + 0.5 * noise.a)));
+    float surge = 0.55 + 0.45 * sin(2.0 * SLOPES_PI * (surf.w + 2.0 * wobble));
+    float rocks = smoothstep(0.8, -1.5, least) * surge;
+    float swash = smoothstep(0.35, 0.02, water_path) * 0.75;
+    return clamp(max(max(cover, rocks), swash), 0.0, 1.0);
+}
+#endif
+
+// Covered shares by breaking crests and by what they leave (Dupuy & Bruneton 2012: the mean and the hidden variance of
+// the Jacobian).
+void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float old) {
+    float variance = max(covariance.x + covariance.z - foam_law.y, 0.0) * foam_edge.z;
+    fresh = foam_law.x < -999.0 ? 0.0 : normal_cdf((foam_law.x - w.jacobian) * inversesqrt(variance + foam_edge.x));
+    float hidden = clamp(variance / max(foam_memory.z, 1e-6), 0.0, 1.0);
+    float excess = (w.foam - foam_memory.x) * inversesqrt(foam_memory.y * (hidden + foam_edge.y));
+    old = foam_memory.x > 999.0 ? 0.0 : normal_cdf(excess);
+}
+
+// What is known of a pixel of water before it is lit.
+struct water_here {
+    vec3 position, view;    // eye-relative; towards the eye
+    vec2 rest;              // undisplaced xy
+    float depth, least;     // of the mean water, and the least near here [m]
+    float shade;            // share of the sun that passes the clouds
+    float height;           // over the mean water [m]
+    footprint place;
+    wave_fields waves;
+    vec2 slope;             // of what the look-ups resolve, as the eye sees it
+    vec3 normal;            // of that
+    vec3 hidden, roughness; // slope covariance that the look-ups lack: of an even wind, and here
+    surroundings near;
+    visible_facets whole, seen; // over the slope of the mesh, and over `slope`
+};
+
+// Slope covariance that the mesh lacks: a wave of three spacings fades to half on it, as it does under a pixel 1.4
+// spacings wide.
+const float MESH_WIDTH = 1.4;
+vec3 slopes_beyond_mesh(footprint f, float coded) {
+#ifndef WAVES_MESH // where the vertices carry all waves, the look-ups resolve what the mesh does
+    f.major = f.minor = MESH_WIDTH * exp2(coded - 16.0);
+#endif
+    return unresolved_slopes(f);
+}
+
+// Waves that shallow water has left: share of the amplitude.
+float waves_left(float depth) {
+#ifdef LAND
+    return max(coast_attenuation(depth, sea_law.x), 0.05);
+#else
+    return 1.0;
+#endif
+}
+
+water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
+    vec4 rest_depth = texelFetch(surface_rest, pixel, 0), slope_light = texelFetch(surface_slope, pixel, 0);
+    water_here p;
+    p.position = frame_ray(uv) / rest_depth.w;
+    p.rest = rest_depth.xy;
+    p.depth = rest_depth.z;
+    p.least = least;
+    p.shade = slope_light.w;
+    p.height = height_over_sea(p.position, eye.z, lens.w);
+    float gust = slope_light.z, dist = length(p.position), left = waves_left(p.depth);
+    p.view = -p.position / dist;
+    p.place = pixel_footprint(p.view, dist, slope_light.xy);
+    vec3 beyond = slopes_beyond_mesh(p.place, coded) * gust * gust;
+    p.whole = facets_seen(p.view, slope_light.xy, beyond);
+    // the eye sees no more of the water under the pixel than what stands clear of other waves
+    p.place.major = max(p.place.minor, min(p.place.major, dist * lens.x / max(p.whole.area, 0.01)));
+    p.waves = waves_at(p.rest, p.place, gust, p.depth, vec4(slope_light.xy, coded - 4.0, 0.0));
+#ifdef WAVES_CASCADES
+    p.place.minor = max(p.place.minor, p.place.major / float(TAPS)); // what the look-ups really averaged over
+#endif
+    p.hidden = unresolved_slopes(p.place);
+    p.roughness = p.hidden * gust * gust;
+    vec3 total = mix(beyond, slope_total.xyz, left * left);
+    p.near = surroundings_of(slope_light.xy, beyond, total, p.height / (slope_total.w * left));
+    p.slope = seen_slope(p.view, p.waves.slope, p.near, p.whole, p.roughness);
+    p.seen = facets_seen(p.view, p.slope, p.roughness);
+    p.normal = normalize(vec3(-p.slope, 1.0));
+    return p;
+}
+
+// The reflected sky and land: radiance times reflectance. Two look-ups along the lobe, which is long along the view and
+// narrows across it by the sine of the grazing angle. Rays that another wave stops are reflected again there, and come
+// from the low sky.
+vec3 reflected_light(water_here p, rough_reflection mirror) {
+    float spread = mirror.spread, across = p.seen.across * clamp(dot(p.view, p.normal), 0.0, 1.0);
+    float blur = clamp(across, 0.5 * spread, spread);
+    float apart = sqrt(max(spread * spread - blur * blur, 0.0));
+    vec3 low = reflected_ray(p.view, p.slope + p.seen.toward * (mirror.tilt - apart));
+    vec3 high = reflected_ray(p.view, p.slope + p.seen.toward * (mirror.tilt + apart));
+    vec3 low_sky = environment_radiance(vec3(low.xy, abs(low.z)), blur);
+    vec3 high_sky = environment_radiance(vec3(high.xy, abs(high.z)), blur);
+    vec3 light = mirror.clear * 0.5 * (low_sky + high_sky);
+#ifdef LAND
+    light = with_land(light, p.position, p.view, p.slope, p.seen.toward, mirror);
+#endif
+    float again = level_reflectance(slope_variance(normalize(level_part(p.view)), slope_total.xyz));
+    return light + (mirror.reflectance - mirror.clear) * again * low_sky;
+}
+
+// Radiance of the water itself: sunlight and skylight that entered it and were scattered back.
+vec3 water_light(vec3 sunlight) {
+    rough_facets to_sun = rough_seen(sun.xyz, vec2(0.0), slope_total.xyz);
+    float enters = 1.0 - rough_fresnel(sun.xyz, vec2(0.0), to_sun, water_deep.w);
+    return water_deep.rgb * (sunlight * (max(sun.z, 0.0) * enters) + sky_light.rgb * SKY_ENTERS);
+}
+
+void main() {
+    ivec2 pixel = sampled_pixel();
+    vec2 uv = (vec2(pixel) + 0.5) * viewport.zw;
+    vec4 through_air = texelFetch(surface_transmittance, pixel, 0);
+    if (through_air.w < 0.5) discard; // no water here
+    vec4 from_air = texelFetch(surface_inscatter, pixel, 0);
+    water_here p = water_at(pixel, uv, through_air.w, from_air.w);
+    vec3 sunlight = sun_light.rgb * p.shade, surface = vec3(0.0);
+    rough_reflection mirror = reflection_of(p.view, p.slope, p.seen, p.near, water_deep.w);
+    vec3 below = effect_is_on(EFFECT_AMBIENT) ? water_light(sunlight) : vec3(0.0);
+    float fresh, old, film = 1.0;
+    breaking_cover(p.waves, p.hidden, fresh, old);
+    foam_texels texels = foam_look_up(p.rest, p.place.minor);
+#ifdef LAND
+    float water_path;
+    vec3 over_bed = bed_radiance(uv, below, p.position, p.view, p.normal, p.depth + p.height, water_path);
+    if (effect_is_on(EFFECT_REFRACTION)) below = over_bed;
+    fresh = max(fresh, shore_cover(p.rest, p.depth, p.least, water_path, texels.broad));
+    film = smoothstep(0.0, 0.12, water_path); // the last centimetres over the sand
+#endif
+    if (effect_is_on(EFFECT_SCATTERING))
+        below += crest_glow(water_deep.rgb, sunlight, p.view, sun.xyz, (p.position.z + eye.z) / max(sea_law.x, 0.3),
+                            p.waves.jacobian);
+    surface = (1.0 - mirror.reflectance) * below;
+    if (effect_is_on(EFFECT_REFLECTION)) surface += reflected_light(p, mirror);
+    if (effect_is_on(EFFECT_GLITTER) && sun.z > -0.01)
+        surface += sunlight * sun_glint(p.view, sun.xyz, p.slope, p.roughness, p.seen, p.near, p.whole, water_deep.w);
+    if (effect_is_on(EFFECT_FOAM)) {
+        float foam = foam_alpha(texels, p.place.minor, fresh, old) * water_kd.w;
+        vec3 light = foam_radiance(sunlight, dot(sun.xyz, p.normal), sky_light.rgb) * FOAM_ALBEDO;
+        surface = mix(surface, light, clamp(foam, 0.0, 1.0) * FOAM_DENSEST);
+    }
+#ifdef LAND
+    surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, film);
+#endif
+    color = vec4(surface * through_air.rgb + from_air.rgb, 1.0);
+}
+#endif

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// A generated island: its shape on a grid, then gullies that follow the slope of that shape.
+#include "content/island.h"
+
+#include "ground/noise.h"
+
+#define NODES 1153u    // per side
+#define HALF_WIDTH 2.3 // [radii]
+#define GULLY_OCTAVES 5
+
+bolan_island_desc bolan_island_desc_default(void) {
+    bolan_island_desc d = {7u, 2200.0, 620.0, -900.0, 225.0};
+    return d;
+}
+
+static bolan_result check(const char *field, double value, double low, double high) {
+    if (value >= low && value <= high) {
+        return BOLAN_OK;
+    }
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "bolan_island_desc.%s is %g; expected %g..%g", field, value, low,
+              high);
+    return BOLAN_ERROR_ARGUMENT;
+}
+
+static bolan_result validate(const bolan_island_desc *d) {
+    bolan_result r = check("radius", d->radius, 200.0, 20000.0);
+    r = r == BOLAN_OK ? check("peak", d->peak, 10.0, 3000.0) : r;
+    r = r == BOLAN_OK ? check("sea_floor", d->sea_floor, -11000.0, -20.0) : r;
+    return r == BOLAN_OK ? check("lagoon_from_deg", d->lagoon_from_deg, -360.0, 360.0) : r;
+}
+
+typedef struct island_job {
+    const island_plan *plan;
+    double step, start;
+    float *shape, *drained, *out;
+} island_job;
+
+static void shape_rows(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    const island_job *job = context;
+    (void)worker;
+    for (uint32_t n = begin * NODES; n < end * NODES; n++) {
+        double x = job->start + n % NODES * job->step, y = job->start + n / NODES * job->step;
+        job->shape[n] = bolan_island_shape(job->plan, x, y, &job->drained[n]);
+    }
+}
+
+// What running water cuts into a slope (dx, dy) at (x, y).
+static float gullies(const island_job *job, double x, double y, float dx, float dy, float drained) {
+    float cut = 0.0f, slope = sqrtf(dx * dx + dy * dy);
+    double wavelength = 0.17 * job->plan->radius, c = 1.0, s = 0.0;
+    for (uint32_t o = 0; o < GULLY_OCTAVES && wavelength > 2.2 * job->step; o++) {
+        float total = sqrtf(dx * dx + dy * dy) + 1e-5f, ax = -dy / total, ay = dx / total;
+        float lc = (float)c, ls = (float)s, w = (float)wavelength;
+        noise_value n = directed_noise((c * x - s * y) / wavelength, (s * x + c * y) / wavelength, lc * ax - ls * ay,
+                                       ls * ax + lc * ay, job->plan->seed + 40 + o);
+        float fold = sqrtf(n.v * n.v + 0.02f);
+        // Deep on steep ground; flat ground is left alone, and very steep faces are too.
+        float k = w * 0.22f * drained * slope / (0.30f + slope) * smoothstepf(0.08f, 0.40f, slope);
+        // Where the ground levels off, downhill turns round within no distance: the gullies must have ended by then.
+        k *= 0.8f * smoothstepf(0.0f, 0.5f * slope + 0.03f, total);
+        cut += k * (0.35f * n.v + 1.0f * (0.40f - fold));
+        float steer = k * (0.35f - n.v / fold) / w;
+        dx += steer * (lc * n.dx + ls * n.dy);
+        dy += steer * (-ls * n.dx + lc * n.dy);
+        double turned = 0.8 * c - 0.6 * s;
+        s = 0.6 * c + 0.8 * s, c = turned;
+        wavelength *= 0.53;
+    }
+    return cut;
+}
+
+static void erode_rows(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    const island_job *job = context;
+    (void)worker;
+    for (uint32_t n = begin * NODES; n < end * NODES; n++) {
+        uint32_t i = n % NODES, j = n / NODES;
+        float z = job->shape[n];
+        if (job->drained[n] > 0.0f && i > 1 && j > 1 && i < NODES - 2 && j < NODES - 2) {
+            float scale = (float)(0.25 / job->step);
+            float dx = (job->shape[n + 2] - job->shape[n - 2]) * scale;
+            float dy = (job->shape[n + 2 * NODES] - job->shape[n - 2 * NODES]) * scale;
+            float x = (float)(job->start + i * job->step), y = (float)(job->start + j * job->step);
+            z = fmaxf(z + gullies(job, x, y, dx, dy, job->drained[n]), 0.4f * z);
+        }
+        job->out[n] = z;
+    }
+}
+
+// Stretches the land so that its summit has the height that was asked for; the shore keeps its own.
+static void set_summit(float *z, size_t count, float peak) {
+    const float shore = fminf(6.0f, 0.2f * peak);
+    float highest = 2.0f * shore;
+    for (size_t n = 0; n < count; n++) {
+        highest = fmaxf(highest, z[n]);
+    }
+    float scale = (peak - shore) / (highest - shore);
+    for (size_t n = 0; n < count; n++) {
+        z[n] = z[n] > shore ? shore + (z[n] - shore) * scale : z[n];
+    }
+}
+
+bolan_result bolan_ground_create_island(const bolan_island_desc *desc, bolan_ground **out) {
+    BOLAN_ASSERT(desc && out);
+    *out = NULL;
+    bolan_result r = validate(desc);
+    if (r != BOLAN_OK) {
+        return r;
+    }
+    const size_t plane = (size_t)NODES * NODES;
+    float *memory = bolan_allocate(3 * plane * sizeof(float));
+    if (!memory) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for an island of %u x %u elevations", NODES,
+                  NODES);
+        return BOLAN_ERROR_MEMORY;
+    }
+    island_plan plan = bolan_island_plan_make(desc);
+    double step = 2.0 * HALF_WIDTH * desc->radius / (NODES - 1);
+    island_job job = {&plan, step, -HALF_WIDTH * desc->radius, memory, memory + plane, memory + 2 * plane};
+    bolan_parallel(NODES, 8, shape_rows, &job);
+    bolan_parallel(NODES, 8, erode_rows, &job);
+    set_summit(job.out, plane, plan.peak);
+    bolan_ground_desc d = bolan_ground_desc_default();
+    d.field = (bolan_heightfield){NODES, NODES, job.start, job.start, step, step, job.out};
+    d.seed = desc->seed;
+    d.edge_elevation = desc->sea_floor;
+    r = bolan_ground_create(&d, out);
+    bolan_release(memory, 3 * plane * sizeof(float));
+    return r;
+}

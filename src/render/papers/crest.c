@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// Light through crests and ramps of foam. Three steps: the shape of the water over the static grid
+// (shaders/papers/crest_shape.glsl), what varies slowly, in a small picture (crest_air.glsl), and the light, each pixel
+// once (crest.glsl).
+#include "render/foam_statistics.h"
+#include "render/memory.h"
+#include "render/papers/foam_ramps.h"
+#include "render/water_optics.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum {
+    AIR_COUNT = 3,
+    AIR_COLUMN = 16,
+    AIR_ROW = 4
+}; // pixels to one of the slow picture: rows are where the horizon is
+
+typedef struct crest {
+    const char *defines; // of this quality
+    double taps;
+    gl_texture densities, ramps, rough;
+    gl_texture rest, mesh; // outputs of crest_shape.glsl
+    gl_target shape, shape_mesh;
+    gl_texture air[AIR_COUNT]; // outputs of crest_air.glsl
+    gl_target air_target;
+    uint32_t depth_id; // the frame's depth that shape draws with
+} crest;
+
+static const char *const quality_defines[] = {
+    [BOLAN_QUALITY_LOW] = "TAPS 2\n",
+    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\n",
+    [BOLAN_QUALITY_HIGH] = "TAPS 3\n",
+    [BOLAN_QUALITY_ULTRA] = "TAPS 4\n",
+};
+
+static const double quality_taps[] = {2.0, 2.0, 3.0, 4.0};
+
+static bolan_result create_densities(crest *p, bolan_quality quality) {
+    const size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
+    uint8_t *pixels = allocate_for("the texture of foam", bytes);
+    if (pixels == NULL) return BOLAN_ERROR_MEMORY;
+    gl_texture_desc desc = {.format = GL_FMT_RGBA8,
+                            .width = FOAM_TEXTURE_SIZE,
+                            .height = FOAM_TEXTURE_SIZE,
+                            .filter = quality < BOLAN_QUALITY_HIGH ? GL_FILTER_MIPMAP_NEAREST : GL_FILTER_MIPMAP,
+                            .wrap = GL_WRAP_REPEAT};
+    bolan_result result = bolan_foam_densities_fill(pixels);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, &p->densities);
+    if (result == BOLAN_OK) {
+        bolan_gl_texture_upload(&p->densities, 0, -1, pixels, false);
+        bolan_gl_texture_generate_mipmaps(&p->densities);
+    }
+    bolan_release(pixels, bytes);
+    return result;
+}
+
+static bolan_result create_ramps(crest *p) {
+    uint8_t ramps[FOAM_RAMP_ROWS][FOAM_RAMP_SIZE][4];
+    gl_texture_desc desc = {.format = GL_FMT_RGBA8,
+                            .width = FOAM_RAMP_SIZE,
+                            .height = FOAM_RAMP_ROWS,
+                            .filter = GL_FILTER_LINEAR,
+                            .wrap = GL_WRAP_CLAMP};
+    bolan_foam_ramps_fill(ramps);
+    bolan_result result = bolan_gl_texture_create(&desc, &p->ramps);
+    if (result == BOLAN_OK) bolan_gl_texture_upload(&p->ramps, 0, -1, ramps, false);
+    return result;
+}
+
+static bolan_result create(void *state, bolan_quality quality) {
+    crest *p = state;
+    p->defines = quality_defines[quality];
+    p->taps = quality_taps[quality];
+    gl_texture_desc rough = {.format = GL_FMT_RGBA16F,
+                             .width = BOLAN_SLOPE_TABLE_MAJOR,
+                             .height = 1,
+                             .filter = GL_FILTER_LINEAR,
+                             .wrap = GL_WRAP_CLAMP};
+    bolan_result result = create_densities(p, quality);
+    if (result == BOLAN_OK) result = create_ramps(p);
+    return result == BOLAN_OK ? bolan_gl_texture_create(&rough, &p->rough) : result;
+}
+
+static void free_pictures(crest *p) {
+    bolan_gl_target_free(&p->shape);
+    bolan_gl_target_free(&p->shape_mesh);
+    bolan_gl_target_free(&p->air_target);
+    bolan_gl_texture_free(&p->rest);
+    bolan_gl_texture_free(&p->mesh);
+    for (int i = 0; i < AIR_COUNT; ++i) bolan_gl_texture_free(&p->air[i]);
+    p->depth_id = 0;
+}
+
+static bolan_result create_pictures(crest *p, const frame *f) {
+    gl_texture_desc rest = {
+        .format = GL_FMT_RGBA32F, .width = f->desc->width, .height = f->desc->height, .filter = GL_FILTER_NEAREST};
+    gl_texture_desc mesh = {
+        .format = GL_FMT_RGBA16F, .width = f->desc->width, .height = f->desc->height, .filter = GL_FILTER_NEAREST};
+    gl_texture_desc air = {.format = GL_FMT_RGBA16F,
+                           .width = (f->desc->width + AIR_COLUMN - 1) / AIR_COLUMN,
+                           .height = (f->desc->height + AIR_ROW - 1) / AIR_ROW,
+                           .filter = GL_FILTER_LINEAR,
+                           .wrap = GL_WRAP_CLAMP};
+    const gl_texture *shapes[] = {&p->rest, &p->mesh}, *airs[AIR_COUNT] = {&p->air[0], &p->air[1], &p->air[2]};
+    bolan_result result = bolan_gl_texture_create(&rest, &p->rest);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&mesh, &p->mesh);
+    for (int i = 0; i < AIR_COUNT && result == BOLAN_OK; ++i) result = bolan_gl_texture_create(&air, &p->air[i]);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 1, f->hdr_depth, -1, 0, &p->shape);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 2, f->hdr_depth, -1, 0, &p->shape_mesh);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(airs, AIR_COUNT, NULL, -1, 0, &p->air_target);
+    return result;
+}
+
+static bool fit_pictures(crest *p, const frame *f) {
+    if (p->depth_id == f->hdr_depth->id && p->rest.width == f->desc->width && p->rest.height == f->desc->height)
+        return true;
+    free_pictures(p);
+    if (create_pictures(p, f) != BOLAN_OK) {
+        free_pictures(p);
+        return false;
+    }
+    p->depth_id = f->hdr_depth->id;
+    return true;
+}
+
+static void free_all(void *state) {
+    crest *p = state;
+    free_pictures(p);
+    bolan_gl_texture_free(&p->rough);
+    bolan_gl_texture_free(&p->densities);
+    bolan_gl_texture_free(&p->ramps);
+}
+
+#define FOAM_WIDTH 4.0         // of a pixel beyond which foam has no structure [m]
+#define FINE_FOAM_WIDTH 0.0625 // likewise its finer structure
+#define FRESH_EDGE 0.09        // standard deviation that softens the edge of breaking crests, in pinch
+#define OLD_EDGE 0.1           // likewise for old foam, as a share of the memory's variance
+#define OLD_FOAM_SHARE 2.0     // decaying foam covers about twice what the breaking crests do
+
+static void set_foam(const gl_program *g, const frame *f) {
+    const bolan_sea *sea = f->desc->sea;
+    const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
+    const double cover = bolan_monahan_cover(desc->sea_state.wind_speed), edge = FRESH_EDGE * FRESH_EDGE;
+    double memory_variance, spread;
+    const double breaks = bolan_foam_breaking_pinch(sea, FRESH_EDGE, &spread);
+    const double share = fmin(0.3, OLD_FOAM_SHARE * cover);
+    const double old = bolan_foam_memory_threshold(sea, share, OLD_EDGE, &memory_variance);
+    float rest[3];
+    bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
+    bolan_gl_program_vec4(
+        g, "crest_foam",
+        (bolan_vec4){(float)breaks, (float)old, (float)edge, (float)fmax(memory_variance * OLD_EDGE, 1e-9)});
+    bolan_gl_program_vec4(g, "crest_hidden",
+                          (bolan_vec4){rest[0] + rest[2], (float)(desc->choppiness * desc->choppiness),
+                                       (float)(memory_variance / spread), 0.0f});
+}
+
+// Plan area of the facets that a direction of that elevation sees, as common/facets.glsl has it.
+static double seen_area(double up, double flat, double sigma) {
+    const double u = fmax(up / (flat * sigma), -1.5);
+    return flat * sigma * 0.5 * (u + sqrt(u * u + 2.0 / BOLAN_PI));
+}
+
+// Isotropic footprints need only row 0 of the table of unresolved slopes. With it, the share of the facets turned to
+// the sun that no other wave stands before.
+static void upload_rough(crest *p, const frame *f) {
+    const float *from = bolan_sea_slope_table(f->desc->sea);
+    const bolan_vec3 sun = f->sun_direction;
+    const double flat = fmax(sqrt((double)sun.x * sun.x + (double)sun.y * sun.y), 1e-4), up = fmax(sun.z, 0.0f);
+    float row[BOLAN_SLOPE_TABLE_MAJOR][4];
+    for (int i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; ++i) {
+        const double disc = 6e-6; // the sun's radius, in slopes
+        const double xx = from[4 * i] + disc, xy = from[4 * i + 1], yy = from[4 * i + 2] + disc;
+        const double along = (xx * sun.x * sun.x + 2.0 * xy * sun.x * sun.y + yy * sun.y * sun.y) / (flat * flat);
+        const double lit = up / fmax(seen_area(up, flat, sqrt(fmax(along, 1e-8))), 1e-3);
+        row[i][0] = (float)xx;
+        row[i][1] = (float)xy;
+        row[i][2] = (float)yy;
+        row[i][3] = (float)fmin(fmax(lit, 0.0), 1.0);
+    }
+    bolan_gl_texture_upload(&p->rough, 0, -1, row, false);
+}
+
+static void prepare(void *state, const water_draw *d) { upload_rough(state, d->f); }
+
+static bool draw_shape(crest *p, const water_draw *d) {
+    if (!bolan_water_program(d, "papers/crest_shape", 0, "")) return false;
+    bolan_gl_target_bind(d->waves == WATER_MESH ? &p->shape_mesh : &p->shape);
+    bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    bolan_water_mesh_draw(d->mesh);
+    return true;
+}
+
+static bool draw_air(crest *p, const water_draw *d) {
+    const gl_program *g = bolan_water_program(d, "papers/crest_air", 0, "");
+    if (!g) return false;
+    const uint32_t width = p->air[0].width, height = p->air[0].height;
+    const uint32_t rows = (bolan_water_rows(d->f, d->vertical) + AIR_ROW - 1) / AIR_ROW + 1;
+    bolan_gl_program_vec4(g, "air_size", (bolan_vec4){1.0f / (float)width, 1.0f / (float)height, 0.0f, 0.0f});
+    bolan_gl_target_bind_part(&p->air_target, 0, 0, width, rows < height ? rows : height);
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_draw_fullscreen();
+    return true;
+}
+
+// Rows of the picture, from the bottom, where pixels may be narrower than that [m]. Crests are nearer than the mean water on their
+// rays: reckoned from as high as most of them reach.
+static uint32_t rows_of_width(const frame *f, double width, double taps, uint32_t rows) {
+    const bolan_camera *c = &f->scene->camera;
+    const double above = f->uniforms.eye.z - 0.7 * bolan_sea_get_summary(f->desc->sea)->hs;
+    if (c->roll_deg != 0.0 || above <= 0.0) return rows;
+    const double steep = above * f->uniforms.lens.x / (width * taps);    // squared sine
+    if (steep >= 1.0) return 0;                                          // even straight below
+    const double down = bolan_radians(c->pitch_deg) + asin(sqrt(steep)); // from the middle of the picture
+    if (fabs(down) > 1.5) return down > 0.0 ? 0 : rows;
+    const double y = -tan(down) / tan(0.5 * bolan_radians(c->fov_deg));
+    return (uint32_t)fmin(fmax((0.5 + 0.5 * y) * f->desc->height + 2.0, 0.0), rows);
+}
+
+typedef struct light_rows {
+    uint32_t from, to;
+    uint32_t cascades; // to look up
+    uint32_t foam;     // tiles of its structure: none, one, and beside the eye a finer one
+} light_rows;
+
+static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
+    static const char *const foam_defines[] = {"", "FOAM_TILE 1\n", "FOAM_TILE 1\nFINE_FOAM 1\n"};
+    char defines[96];
+    const bool sparse = d->f->uniforms.sampling.x > 1.0f;
+    snprintf(defines, sizeof defines, "%sCASCADES %u\n%s%s", p->defines, rows.cascades, foam_defines[rows.foam],
+             sparse ? "SPARSE 1\n" : "");
+    const uint32_t extra = rows.cascades | rows.foam << 3 | (uint32_t)sparse << 5;
+    const gl_program *g = bolan_water_program(d, "papers/crest", extra, defines);
+    if (!g) return;
+    bolan_water_look_apply(g, &d->f->scene->look);
+    set_foam(g, d->f);
+    bolan_gl_texture_bind(&p->densities, UNIT_FOAM_DETAIL);
+    bolan_gl_texture_bind(&p->ramps, UNIT_PASS);
+    bolan_gl_texture_bind(&p->rough, UNIT_SLOPE_TABLE); // instead of the whole table
+    bolan_gl_texture_bind(&p->rest, UNIT_SURFACE);
+    bolan_gl_texture_bind(&p->mesh, UNIT_SURFACE + 1);
+    bolan_gl_texture_bind(&p->air[0], UNIT_OPTICS);
+    bolan_gl_texture_bind(&p->air[1], UNIT_OPTICS + 1);
+    bolan_gl_texture_bind(&p->air[2], UNIT_FOLD); // packed cascades have no such map
+    bolan_gl_target_bind_part(&d->f->hdr, 0, rows.from, d->f->hdr.width, rows.to - rows.from);
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_draw_fullscreen();
+}
+
+// Rows where the widths of pixels still show waves of that cascade: 2.5 of them are its longest wave, and a tenth of its slopes left.
+static uint32_t rows_of_cascade(const water_draw *d, uint32_t cascade, double taps, uint32_t rows) {
+    const bolan_cascade_view v = bolan_sea_cascade(d->f->desc->sea, cascade);
+    return v.k_min > 0.0 ? rows_of_width(d->f, 0.4 * 2.0 * BOLAN_PI / v.k_min, taps, rows) : rows;
+}
+
+static uint32_t least(uint32_t a, uint32_t b) { return a < b ? a : b; }
+
+// Far rows look up fewer cascades, and no structure of foam.
+static void draw_light(crest *p, const water_draw *d) {
+    const uint32_t rows = bolan_water_rows(d->f, d->vertical);
+    const uint32_t foam_ends[] = {rows, rows_of_width(d->f, FOAM_WIDTH, p->taps, rows),
+                                  rows_of_width(d->f, FINE_FOAM_WIDTH, p->taps, rows)};
+    light_rows part = {.cascades = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->f->desc->sea) : 1,
+                       .foam = 2};
+    while (part.from < rows) {
+        const uint32_t end = part.cascades > 1 ? rows_of_cascade(d, part.cascades - 1, p->taps, rows) : rows;
+        part.to = least(end, foam_ends[part.foam]);
+        if (part.to > part.from) {
+            draw_rows(p, d, part);
+            part.from = part.to;
+        }
+        if (end <= part.from && part.cascades > 1) part.cascades--;
+        if (foam_ends[part.foam] <= part.from && part.foam > 0) part.foam--;
+    }
+}
+
+static void draw(void *state, const water_draw *d) {
+    crest *p = state;
+    if (!fit_pictures(p, d->f)) return;
+    if (draw_shape(p, d) && draw_air(p, d)) draw_light(p, d);
+    bolan_gl_target_bind(&d->f->hdr);
+}
+
+const water_optics bolan_optics_crest = {.size = sizeof(crest),
+                                         .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
+                                         .static_grid = true,
+                                         .keeps_shape = true,
+                                         .packed = true,
+                                         .create = create,
+                                         .prepare = prepare,
+                                         .draw = draw,
+                                         .free = free_all};

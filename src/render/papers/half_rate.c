@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// See half_rate.h.
+#include "render/papers/half_rate.h"
+
+#include <math.h>
+
+#define STEEPEST_DEG \
+    35.0            // of the picture's middle below the horizontal: further down, pixels are as wide as they are long
+#define SMALLEST 64 // columns of a picture: below, there is nothing to save
+
+uint32_t bolan_half_rate_columns(const frame *f, const uint32_t by_quality[]) {
+    const bolan_look *look = &f->scene->look;
+    const bool plain = !look->paper && look->show == BOLAN_SHOW_PICTURE && f->uniforms.under.x < 0.5f;
+    if (!plain || f->scene->camera.pitch_deg < -STEEPEST_DEG || f->desc->width < SMALLEST) return 1;
+    // Where the camera rolls, a row runs partly along the view, and there every pixel shows other water.
+    const double along = fabs(sin(bolan_radians(f->scene->camera.roll_deg)));
+    uint32_t columns = by_quality[f->quality] > 1 ? by_quality[f->quality] : 1;
+    while (columns > 1 && columns * along > 1.0) columns /= 2;
+    return columns;
+}
+
+static void free_target(half_rate *s) {
+    bolan_gl_target_free(&s->target);
+    bolan_gl_texture_free(&s->color);
+    bolan_gl_texture_free(&s->depth);
+}
+
+static bool fit(half_rate *s, uint32_t width, uint32_t height) {
+    if (s->target.id != 0 && s->target.width == width && s->target.height == height) return true;
+    free_target(s);
+    gl_texture_desc color = {
+        .format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
+    gl_texture_desc depth = {.format = GL_FMT_DEPTH32F, .width = width, .height = height, .filter = GL_FILTER_NEAREST};
+    const gl_texture *colors[] = {&s->color};
+    bolan_result result = bolan_gl_texture_create(&color, &s->color);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&depth, &s->depth);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(colors, 1, &s->depth, -1, 0, &s->target);
+    if (result != BOLAN_OK) free_target(s);
+    return result == BOLAN_OK;
+}
+
+// Of the pixels that a sample serves, the farthest: whatever shows water is lit.
+static bool fill_depth(half_rate *s, const frame *f, uint32_t columns) {
+    if (s->farthest.id == 0 && bolan_gl_program_create("papers/half_rate_depth", NULL, &s->farthest) != BOLAN_OK)
+        return false;
+    bolan_gl_texture_bind(f->hdr_depth, UNIT_SPARSE);
+    bolan_gl_program_use(&s->farthest);
+    bolan_gl_program_int(&s->farthest, "columns", (int)columns);
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true});
+    bolan_gl_draw_fullscreen();
+    return true;
+}
+
+frame bolan_half_rate_begin(half_rate *s, const frame *f, uint32_t columns, bool keeps_shape, bool opaque) {
+    const uint32_t width = (f->desc->width + columns - 1) / columns, height = f->desc->height;
+    frame sparse = *f;
+    if (columns == 1 || !fit(s, width, height)) return sparse;
+    bolan_gl_target_bind(&s->target);
+    bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    if (!keeps_shape) {
+        bolan_gl_target_clear_depth(0.0f);
+        if (opaque && !fill_depth(s, f, columns)) return sparse;
+        sparse.uniforms.viewport = (bolan_vec4){(float)width, (float)height, 1.0f / (float)width, 1.0f / (float)height};
+        sparse.hdr_depth = &s->depth;
+    }
+    sparse.hdr = s->target;
+    sparse.uniforms.sampling.x = (float)columns;
+    return sparse;
+}
+
+// A shape is lit at the pixels' middles, half a pixel off the samples' own.
+static bolan_vec4 places(const half_rate *s, const frame *f, bool keeps_shape) {
+    const uint32_t width = f->desc->width, columns = (width + s->target.width - 1) / s->target.width;
+    const float scale = keeps_shape ? 1.0f / (float)columns : (float)s->target.width / (float)width;
+    return (bolan_vec4){scale, keeps_shape ? -0.5f * scale - 0.5f : -0.5f, (float)(s->target.width - 1), 0.0f};
+}
+
+void bolan_half_rate_lay(const half_rate *s, const water_draw *d, bool keeps_shape, bool opaque) {
+    static const char *const defines[] = {"", "KEPT 1\n", "OPAQUE 1\n", "KEPT 1\nOPAQUE 1\n"};
+    const uint32_t which = (uint32_t)keeps_shape | (uint32_t)opaque << 1;
+    const gl_program *g = bolan_water_program(d, "papers/half_rate_resolve", which, defines[which]);
+    if (!g) return;
+    bolan_gl_program_vec4(g, "places", places(s, d->f, keeps_shape));
+    bolan_gl_texture_bind(&s->color, UNIT_SPARSE);
+    if (!keeps_shape) {
+        bolan_water_draw_forward(d);
+        return;
+    }
+    bolan_gl_target_bind_part(&d->f->hdr, 0, 0, d->f->hdr.width, bolan_water_rows(d->f, d->vertical));
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_draw_fullscreen();
+    bolan_gl_target_bind(&d->f->hdr);
+}
+
+bolan_result bolan_half_rate_reload(half_rate *s) {
+    return s->farthest.id == 0 ? BOLAN_OK : bolan_gl_program_reload(&s->farthest);
+}
+
+void bolan_half_rate_free(half_rate *s) {
+    free_target(s);
+    bolan_gl_program_free(&s->farthest);
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The water lit at fewer places than the picture has pixels, and laid over the picture by their means.
+//
+// Seen flat, a pixel covers far more of the water along the view than across it, and look-ups in textures average over spots that are
+// round: with one look-up in a footprint v times as long as wide, v pixels side by side show the same water. So, below the high
+// qualities, one sample serves `columns` pixels of a row. The shape of the water, its edges and its depth keep every pixel: an
+// optics that keeps its shape (water_optics.keeps_shape) is lit from that, and for one that does not the mesh is drawn twice, the
+// second time with next to nothing to do for a pixel.
+#ifndef BOLAN_RENDER_WATER_SPARSE_H
+#define BOLAN_RENDER_WATER_SPARSE_H
+
+#include "render/water_optics.h"
+
+typedef struct half_rate {
+    gl_texture color, depth; // alpha: there is water
+    gl_target target;
+    gl_program farthest; // fills the depth
+} half_rate;
+
+// How many columns of this picture one sample serves, of what an optics has; 1: each pixel has its own.
+uint32_t bolan_half_rate_columns(const frame *f, const uint32_t by_quality[]);
+// The frame to light the water in: cleared, and with the depth of what stands before the water where
+// something is `opaque`. Its sampling.x is 1 and
+// it is `f` itself where it cannot be had (logged).
+frame bolan_half_rate_begin(half_rate *s, const frame *f, uint32_t columns, bool keeps_shape, bool opaque);
+// Into the frame's picture; d->f is the frame that bolan_half_rate_begin() had. With its own shape bound (UNIT_SURFACE) or by the mesh.
+void bolan_half_rate_lay(const half_rate *s, const water_draw *d, bool keeps_shape, bool opaque);
+bolan_result bolan_half_rate_reload(half_rate *s);
+void bolan_half_rate_free(half_rate *s);
+
+#endif

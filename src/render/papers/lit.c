@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Liu, Xu & Chen 2009: normals of the mesh and one light. Shader: shaders/papers/lit.glsl.
+#include "render/foam_texture.h"
+#include "render/ripple_texture.h"
+#include "render/water_optics.h"
+
+#include <math.h>
+
+typedef struct lit {
+    bolan_quality quality;
+    gl_texture foam_detail, ripples;
+} lit;
+
+static const char *const quality_defines[] = {
+    [BOLAN_QUALITY_LOW] = "TAPS 1\nRIPPLES 1\nROUGH_VERTICES 1\n",
+    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRIPPLES 2\nROUGH_VERTICES 1\n",
+    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\n",
+    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\n",
+};
+
+static bolan_result create(void *state, bolan_quality quality) {
+    lit *p = state;
+    p->quality = quality;
+    bolan_result result = bolan_foam_texture_create(&p->foam_detail);
+    return result == BOLAN_OK ? bolan_ripple_texture_create(&p->ripples) : result;
+}
+
+#define FOAM_EDGE 0.1 // how widely a breaking patch's edge is drawn, in Jacobian
+
+// Unresolved slopes widen the Jacobian's distribution, so that more area falls below the threshold.
+static void set_foam(const gl_program *g, const frame *f) {
+    const double choppiness = bolan_sea_get_desc(f->desc->sea)->choppiness;
+    float beyond[3]; // what is no part of the waves whose Jacobian the threshold is made for
+    bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, beyond);
+    bolan_gl_program_vec4(g, "foam_law",
+                          (bolan_vec4){(float)fmax(bolan_sea_foam_threshold(f->desc->sea), -1e30), (float)FOAM_EDGE,
+                                       (float)choppiness, beyond[0] + beyond[2]});
+}
+
+static void draw(void *state, const water_draw *d) {
+    const lit *p = state;
+    const bool paper = d->f->scene->look.paper;
+    const gl_program *g =
+        bolan_water_program(d, "papers/lit", paper, paper ? "PAPER 1\n" : quality_defines[p->quality]);
+    if (!g) return;
+    bolan_water_look_apply(g, &d->f->scene->look);
+    bolan_ripple_apply(&p->ripples, g, d->f, d->waves);
+    set_foam(g, d->f);
+    bolan_gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
+    bolan_water_draw_forward(d);
+}
+
+static void free_all(void *state) {
+    lit *p = state;
+    bolan_gl_texture_free(&p->foam_detail);
+    bolan_gl_texture_free(&p->ripples);
+}
+
+const water_optics bolan_optics_lit = {.size = sizeof(lit),
+                                       .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
+                                       .create = create,
+                                       .draw = draw,
+                                       .free = free_all};

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// The mirror optics: see shaders/papers/mirror.glsl. Tiles come from paper_tiles.c, the pictures from planar_views.c.
+#include "render/papers/tiles.h"
+#include "render/water_optics.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#define SLIDE_RADIUS 0.06   // rms radius of the sun on its slide [rad]
+#define SLIDE_SHARE 0.25    // of half its width: see draw_glint()
+#define PUSH 0.08           // Co of eq. 9; the paper gives none
+#define GLITTER_PUSH 0.25   // Cpo of eq. 10
+#define OWN_BRIGHTNESS 0.16 // of the water's own texture in paper mode: radiance by irradiance
+
+enum { TILES = 1, RIPPLES = 2, PAPER = 4, BELOW = 8, HIGH = 16 };
+
+// [m]. Below it the shadow of one cloud is all that is seen of the sea, and the air is alike all the way.
+#define HIGH_EYE 40.0f
+
+static bolan_result create(void *state, bolan_quality quality) {
+    (void)quality;
+    return bolan_paper_tiles_create(state);
+}
+
+static void free_all(void *state) { bolan_paper_tiles_free(state); }
+
+// The quad has no displaced vertices, and its pixels take the waves from tiles.
+static bool table_only(const bolan_scene *scene) {
+    return scene->technique.surface == BOLAN_SURFACE_QUAD && scene->technique.waves == BOLAN_WAVES_TEXTURES &&
+           scene->spectrum_path[0] == '\0';
+}
+
+// Where the eye stands in a tile, reduced in double: texel (0, 0) of the tile lies half a texel inside the texture.
+static bolan_vec4 place_of(const bolan_tiles_view *v, const frame *f) {
+    const double c = cos(v->angle), s = sin(v->angle);
+    const double x = (f->eye.x * c + f->eye.y * s) / v->length, y = (-f->eye.x * s + f->eye.y * c) / v->length;
+    return (bolan_vec4){(float)(x - floor(x) + 0.5 / v->n), (float)(y - floor(y) + 0.5 / v->n), (float)(c / v->length),
+                        (float)(s / v->length)};
+}
+
+static void set_caustics(frame *f, const paper_tiles *t) {
+    const bolan_look *look = &f->scene->look;
+    const bolan_tiles_view v = bolan_tiles_get_view(bolan_paper_tiles_fine(t));
+    const double height = fmax((double)f->sun_direction.z, 0.12), n = (double)f->uniforms.water_deep.w;
+    const double level = hypot((double)f->sun_direction.x, (double)f->sun_direction.y);
+    const double sine = sqrt(1.0 - height * height) / n,
+                 travel = level > 1e-6 ? sine / sqrt(1.0 - sine * sine) / level : 0.0;
+    f->uniforms.under.z = look->effects & BOLAN_EFFECT_CAUSTICS ? 1.0f : 0.0f;
+    f->uniforms.caustic = place_of(&v, f);
+    // sunlight runs away from the sun
+    f->uniforms.caustic_sun = (bolan_vec4){(float)(-travel * (double)f->sun_direction.x),
+                                           (float)(-travel * (double)f->sun_direction.y), 0.0f, 0.0f};
+}
+
+static void prepare(void *state, const water_draw *d) {
+    paper_tiles *t = state;
+    bolan_paper_tiles_prepare(t, d->f);
+    if (!t->failed) set_caustics(d->f, t);
+}
+
+// Rows x, y, w of bias * P_sun * V_sun for directions: the sun looks along itself reversed, so what it would see of a mirrored ray is where
+// the ray hits the slide (the paper's section 3 (1), steps 1 and 3).
+static void set_slide(const gl_program *g, const frame *f) {
+    const bolan_vec3 s = f->sun_direction;
+    const float level = fmaxf(sqrtf(s.x * s.x + s.y * s.y), 1e-4f);
+    const bolan_vec3 right = {-s.y / level, s.x / level, 0.0f};
+    const bolan_vec3 up = {-s.z * s.x / level, -s.z * s.y / level, level};
+    const float scale =
+        (float)(0.5 * SLIDE_SHARE / SLIDE_RADIUS); // bias: half; projection: 1 / tangent of half the width
+    const float rows[12] = {scale * right.x + 0.5f * s.x,
+                            scale * right.y + 0.5f * s.y,
+                            0.5f * s.z,
+                            0.0f,
+                            scale * up.x + 0.5f * s.x,
+                            scale * up.y + 0.5f * s.y,
+                            scale * up.z + 0.5f * s.z,
+                            0.0f,
+                            s.x,
+                            s.y,
+                            s.z,
+                            0.0f};
+    bolan_gl_program_vec4_array(g, "sun_slide", rows, 3);
+}
+
+// Slope variance that neither tile has: the sea's total less what they hold. The fine tile overlaps the base
+// tile; it is scaled to supply only the missing variance.
+static void set_waves(const gl_program *g, const frame *f, const paper_tiles *t) {
+    const bolan_tiles *base = bolan_paper_tiles_base(t), *fine = bolan_paper_tiles_fine(t);
+    float rest[3];
+    bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, rest);
+    double missing = fmax((double)(rest[0] + rest[2]), 0.0), share = 0.0;
+    bolan_tiles_view v = bolan_tiles_get_view(base);
+    bolan_gl_program_vec4(g, "tile_place", place_of(&v, f));
+    const double texels = log2(v.n / v.length);
+    if (fine != base) {
+        v = bolan_tiles_get_view(fine);
+        v.angle = bolan_paper_tiles_ripple_angle(t);
+        bolan_gl_program_vec4(g, "ripple_place", place_of(&v, f));
+        share = fmin(1.0, sqrt(missing / fmax(t->fine_variance, 1e-9)));
+        missing = fmax(missing - share * share * t->fine_variance, 0.0);
+    }
+    bolan_gl_program_vec4(g, "tile_law",
+                          (bolan_vec4){(float)texels, (float)log2(v.n / v.length), (float)share, (float)missing});
+}
+
+static void draw(void *state, const water_draw *d) {
+    paper_tiles *t = state;
+    const frame *f = d->f;
+    if (t->failed) return;
+    const bolan_look *look = &f->scene->look;
+    const bool tiles = bolan_paper_tiles_base(t) != NULL,
+               ripples = tiles && !look->paper && bolan_paper_tiles_fine(t) != bolan_paper_tiles_base(t);
+    const bool below = f->uniforms.under.x > 0.5f;
+    const bool high = f->uniforms.eye.z > HIGH_EYE;
+    char defines[64] = "";
+    snprintf(defines, sizeof defines, "%s%s%s%s%s", tiles ? "TILES 1\n" : "", ripples ? "RIPPLES 1\n" : "",
+             look->paper ? "PAPER 1\n" : "", below ? "BELOW 1\n" : "", high ? "HIGH 1\n" : "");
+    const uint32_t extra = (tiles ? TILES : 0u) | (ripples ? RIPPLES : 0u) | (look->paper ? PAPER : 0u) |
+                           (below ? BELOW : 0u) | (high ? HIGH : 0u);
+    const gl_program *g = bolan_water_program(d, "papers/mirror", extra, defines);
+    if (!g) return;
+    bolan_water_look_apply(g, look);
+    if (tiles) set_waves(g, f, t);
+    set_slide(g, f);
+    const bolan_vec4 deep = f->uniforms.water_deep;
+    const float own = (float)OWN_BRIGHTNESS;
+    bolan_gl_program_vec4(g, "tile_detail", look->paper ? (bolan_vec4){own, own, own, 0.0f} : deep);
+    const float texels =
+        2.0f * (float)bolan_planar_views_share(f) / f->uniforms.lens.x; // of the mirrored picture, to twice a radian
+    bolan_gl_program_vec4(g, "disturbance",
+                          (bolan_vec4){(float)(PUSH * look->distortion), (float)(GLITTER_PUSH * look->distortion),
+                                       texels, (float)SLIDE_RADIUS});
+    bolan_paper_tiles_bind(t);
+    if (d->waves == WATER_CASCADES && !tiles) bolan_gl_texture_bind(&d->fields->fold, UNIT_FOLD);
+    bolan_water_draw_forward(d);
+}
+
+const water_optics bolan_optics_mirror = {.size = sizeof(paper_tiles),
+                                          .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
+                                          .mirrors = true,
+                                          .from_below = true,
+                                          .table_only = table_only,
+                                          .create = create,
+                                          .prepare = prepare,
+                                          .draw = draw,
+                                          .free = free_all};

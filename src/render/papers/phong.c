@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Liu & Xie 2010: pictures of what is mirrored and refracted, and three parts of light. Shader: shaders/papers/phong.glsl.
+#include "render/ripple_texture.h"
+#include "render/water_optics.h"
+
+#include <math.h>
+#include <stdio.h>
+
+typedef struct phong {
+    bolan_quality quality;
+    gl_texture ripples;
+} phong;
+
+static const char *const quality_defines[] = {
+    [BOLAN_QUALITY_LOW] = "TAPS 1\nRIPPLES 1\n",
+    [BOLAN_QUALITY_MEDIUM] = "TAPS 1\nRIPPLES 2\n",
+    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\n",
+    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\n",
+};
+
+#define HIGH_EYE 400.0f // [m]: from there on the haze of common/haze.glsl, which is alike all the way, would be another
+
+// dC of the paper's look-ups, which gives no numbers: the mirrored as far behind the water as 1 m, the refracted 1 m under it, of
+// which refraction takes 1 - 1/1.333 [m].
+static const bolan_vec2 paper_bend = {2.0f, -0.25f};
+
+static bolan_result create(void *state, bolan_quality quality) {
+    phong *p = state;
+    p->quality = quality;
+    return bolan_ripple_texture_create(&p->ripples);
+}
+
+// Two broad tiles of the ripples, the second turned by a right angle, bend the crests: see wander_of() in the shader.
+static void set_wander(const gl_program *g, const frame *f) {
+    const double peak_length = bolan_sea_peak_length(bolan_sea_get_summary(f->desc->sea));
+    const double fine = 1.0 / fmax(32.0 * peak_length, 1.0), broad = 0.37 * fine;
+    const double x = f->eye.x * fine, y = f->eye.y * fine, u = f->eye.y * broad, v = f->eye.x * broad;
+    bolan_gl_program_vec4(
+        g, "wander_eye",
+        (bolan_vec4){(float)(x - floor(x)), (float)(y - floor(y)), (float)(u - floor(u)), (float)(v - floor(v))});
+    bolan_gl_program_vec2(g, "wander_tiles", (float)fine, (float)broad);
+}
+
+static void draw(void *state, const water_draw *d) {
+    const phong *p = state;
+    const bool pictures = bolan_pass_water_mirrors(d->f), paper = d->f->scene->look.paper;
+    const bool fine = p->quality >= BOLAN_QUALITY_HIGH || d->f->uniforms.eye.z > HIGH_EYE;
+    char defines[64];
+    snprintf(defines, sizeof defines, "%s%s%s%s", quality_defines[p->quality], pictures ? "PICTURES 1\n" : "",
+             paper ? "PAPER 1\n" : "", fine ? "FINE 1\n" : "");
+    const uint32_t extra = (uint32_t)pictures | (uint32_t)paper << 1 | (uint32_t)fine << 2;
+    const gl_program *g = bolan_water_program(d, "papers/phong", extra, defines);
+    if (!g) return;
+    bolan_water_look_apply(g, &d->f->scene->look);
+    bolan_ripple_apply(&p->ripples, g, d->f, d->waves);
+    set_wander(g, d->f);
+    bolan_gl_program_vec2(g, "bend", paper_bend.x, paper_bend.y);
+    bolan_water_draw_forward(d);
+}
+
+static void free_all(void *state) { bolan_gl_texture_free(&((phong *)state)->ripples); }
+
+const water_optics bolan_optics_phong = {.size = sizeof(phong),
+                                         .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
+                                         .mirrors = true,
+                                         .own_sky = true,
+                                         .create = create,
+                                         .draw = draw,
+                                         .free = free_all};

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// The pictures that some optics look up: the world on the eye's side of the water mirrored in its plane, and the world on the other
+// side raised as refraction raises it (Ma, Zhu & Gong 2006, section 2.2; there P-buffers, here textures of the picture's size). The
+// water plane stays where it is in both, so that a place of the water finds what it mirrors and what lies behind it at its own
+// place in them.
+#include "render/frame.h"
+#include "render/memory.h"
+
+#include <math.h>
+
+// A bent look-up at the water's edge finds a little of what lies beyond it [m].
+#define OVERLAP 0.25f
+#define BLUR_LEVELS 6
+
+// Waves blur what they show: the pictures' share of the frame's width and height. The paper's are as large as the window.
+static const double shares[] = {
+    [BOLAN_QUALITY_LOW] = 0.4, [BOLAN_QUALITY_MEDIUM] = 0.5, [BOLAN_QUALITY_HIGH] = 1.0, [BOLAN_QUALITY_ULTRA] = 1.0};
+
+struct planar_views {
+    gl_texture reflection, refraction, reflection_depth, refraction_depth;
+    gl_target reflection_target, refraction_target;
+    gl_program body;
+};
+
+bolan_result bolan_planar_views_create(planar_views **out) {
+    planar_views *p = allocate_for("the pass of mirrored pictures", sizeof *p);
+    if (p == NULL) return BOLAN_ERROR_MEMORY;
+    const bolan_result result = bolan_gl_program_create("papers/medium", NULL, &p->body);
+    if (result != BOLAN_OK) bolan_planar_views_destroy(&p);
+    *out = p;
+    return result;
+}
+
+bolan_result bolan_planar_views_reload(planar_views *p) { return bolan_gl_program_reload(&p->body); }
+
+static void free_pictures(planar_views *p) {
+    bolan_gl_target_free(&p->reflection_target);
+    bolan_gl_target_free(&p->refraction_target);
+    bolan_gl_texture_free(&p->reflection);
+    bolan_gl_texture_free(&p->refraction);
+    bolan_gl_texture_free(&p->reflection_depth);
+    bolan_gl_texture_free(&p->refraction_depth);
+}
+
+void bolan_planar_views_destroy(planar_views **pass) {
+    if (pass == NULL || *pass == NULL) return;
+    free_pictures(*pass);
+    bolan_gl_program_free(&(*pass)->body);
+    bolan_release(*pass, sizeof **pass);
+    *pass = NULL;
+}
+
+static bolan_result create_picture(uint32_t width, uint32_t height, uint32_t levels, gl_texture *color,
+                                   gl_texture *depth, gl_target *target) {
+    gl_texture_desc c = {
+        .format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
+    gl_texture_desc d = c;
+    if (levels > 1) c.filter = GL_FILTER_MIPMAP_NEAREST, c.levels = levels;
+    d.format = GL_FMT_DEPTH32F;
+    d.filter = GL_FILTER_NEAREST;
+    const gl_texture *colors[] = {color};
+    bolan_result r = bolan_gl_texture_create(&c, color);
+    if (r == BOLAN_OK) r = bolan_gl_texture_create(&d, depth);
+    return r == BOLAN_OK ? bolan_gl_target_create(colors, 1, depth, -1, 0, target) : r;
+}
+
+double bolan_planar_views_share(const frame *f) { return f->scene->look.paper ? 1.0 : shares[f->quality]; }
+
+void bolan_planar_views_finish(planar_views *p) { bolan_gl_texture_generate_mipmaps(&p->reflection); }
+
+bool bolan_planar_views_fit(planar_views *p, const frame *f) {
+    const double share = bolan_planar_views_share(f);
+    const uint32_t width = (uint32_t)fmax(f->desc->width * share, 1.0),
+                   height = (uint32_t)fmax(f->desc->height * share, 1.0);
+    if (p->refraction_target.id != 0 && p->refraction.width == width && p->refraction.height == height) return true;
+    free_pictures(p);
+    return create_picture(width, height, BLUR_LEVELS, &p->reflection, &p->reflection_depth, &p->reflection_target) ==
+               BOLAN_OK &&
+           create_picture(width, height, 1, &p->refraction, &p->refraction_depth, &p->refraction_target) == BOLAN_OK;
+}
+
+static bolan_vec4 viewport_of(const gl_texture *t) {
+    return (bolan_vec4){(float)t->width, (float)t->height, 1.0f / (float)t->width, 1.0f / (float)t->height};
+}
+
+// The mirror z -> -2 h - z about the plane h below the eye, before the camera (paper A: S = I - 2 n n^T). Directions, which the
+// sky is drawn by, have no translation.
+frame bolan_planar_views_reflect(planar_views *p, const frame *f) {
+    frame m = *f;
+    const bool under = f->uniforms.under.x > 0.5f;
+    const float overlap = f->scene->look.paper ? 0.0f : OVERLAP, side = under ? -1.0f : 1.0f;
+    bolan_mat4 mirror = bolan_m4_identity(), turn = bolan_m4_identity();
+    mirror.m[10] = turn.m[10] = -1.0f;
+    mirror.m[14] = -2.0f * f->uniforms.eye.z;
+    m.uniforms.view_projection = bolan_m4_mul(f->uniforms.view_projection, mirror);
+    m.uniforms.inverse_view_projection = bolan_m4_mul(turn, f->uniforms.inverse_view_projection);
+    m.uniforms.clip = (bolan_vec4){side, -side * overlap, 1.0f, 0.0f};
+    m.uniforms.viewport = viewport_of(&p->reflection);
+    m.uniforms.under.w = under ? 1.0f : 0.0f;
+    m.picture = true;
+    m.hdr = p->reflection_target;
+    return m;
+}
+
+// The one factor of the paper's mode: at the middle of what the picture shows below the horizon, as the paper leaves open which angle
+// it means.
+static double paper_factor(const bolan_camera *c) {
+    const double low = c->pitch_deg - 0.5 * c->fov_deg, high = fmin(c->pitch_deg + 0.5 * c->fov_deg, 0.0);
+    const double depression = fmin(fmax(-0.5 * (low + high), 0.5), 90.0);
+    return bolan_refraction_k_paper(bolan_radians(90.0 - depression));
+}
+
+static bolan_vec4 deep_water(const frame_uniforms *u) {
+    const float sun = fmaxf(u->sun.z, 0.0f);
+    return (bolan_vec4){u->water_deep.x * (u->sun_light.x * sun + u->sky_light.x),
+                        u->water_deep.y * (u->sun_light.y * sun + u->sky_light.y),
+                        u->water_deep.z * (u->sun_light.z * sun + u->sky_light.z), 1.0f};
+}
+
+frame bolan_planar_views_refract(planar_views *p, const frame *f) {
+    frame m = *f;
+    const bool under = f->uniforms.under.x > 0.5f, paper = f->scene->look.paper && !under;
+    const float overlap = f->scene->look.paper ? 0.0f : OVERLAP, side = under ? 1.0f : -1.0f;
+    m.uniforms.clip =
+        (bolan_vec4){side, under ? 0.0f : overlap, (float)paper_factor(&f->scene->camera), paper ? 1.0f : 2.0f};
+    m.uniforms.viewport = viewport_of(&p->refraction);
+    // An optics with a sky of its own attenuates the bed itself: once is enough.
+    if (!bolan_pass_water_mirrors_sky(f)) m.uniforms.under.y = 0.0f;
+    m.background = under ? (bolan_vec4){0.0f, 0.0f, 0.0f, 0.0f} : deep_water(&f->uniforms);
+    m.picture = true;
+    m.hdr = p->refraction_target;
+    return m;
+}
+
+void bolan_planar_views_bind(const planar_views *p) {
+    bolan_gl_texture_bind(&p->reflection, UNIT_REFLECTION);
+    bolan_gl_texture_bind(&p->refraction, UNIT_REFRACTION);
+    bolan_gl_texture_bind(&p->reflection_depth, UNIT_REFLECTION_DEPTH);
+    bolan_gl_texture_bind(&p->refraction_depth, UNIT_REFRACTION_DEPTH);
+}
+
+void bolan_planar_views_draw_body(const planar_views *p) {
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
+    bolan_gl_program_use(&p->body);
+    bolan_gl_draw_fullscreen();
+}

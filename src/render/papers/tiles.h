@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Baked tiles on the GPU: the textures of the present moment, blended of two frames where the loop is to run smoothly.
+#ifndef BOLAN_RENDER_WATER_TILES_H
+#define BOLAN_RENDER_WATER_TILES_H
+
+#include "render/frame.h"
+
+#include "bolan/tiles.h"
+
+typedef struct paper_tiles {
+    gl_texture slopes,
+        ripples; // RGBA16F: slopes along the world's axes, the sum of their squares, brightness; in paper mode unit normals
+    gl_texture own; // RGBA8: the water's own texture; a: light on the bottom
+    gl_texture glint;
+    bolan_tiles *base, *fine; // baked here; base NULL: the sea has other waves than textures
+    bolan_sea_desc sea;       // what they were baked of
+    const bolan_tiles *given;
+    bolan_vec3 sun; // that the light on the bottom is made for
+    int water;
+    bool ready, failed, paper, whole; // whole: the sea's waves are in the tiles
+    int brightest;                    // channel of the water's own texture
+    double shown;                     // time that the textures show
+    float *staging;
+    size_t staging_bytes;
+    double base_variance, fine_variance; // of their slopes
+} paper_tiles;
+
+bolan_result bolan_paper_tiles_create(paper_tiles *t);
+// Bakes what the frame's sea, sun and water need, where they changed; fills the textures of its time.
+void bolan_paper_tiles_prepare(paper_tiles *t, const frame *f);
+// The tiles of the sea's own waves; NULL: it has none.
+const bolan_tiles *bolan_paper_tiles_base(const paper_tiles *t);
+// Those of shorter waves, and of the light on the bottom: the same, where the sea's are short enough. NULL: there are none.
+const bolan_tiles *bolan_paper_tiles_fine(const paper_tiles *t);
+// At which the ripples lie: across the other tile, so that their repetitions never line up [rad].
+double bolan_paper_tiles_ripple_angle(const paper_tiles *t);
+void bolan_paper_tiles_bind(const paper_tiles *t);
+void bolan_paper_tiles_free(paper_tiles *t);
+
+#endif

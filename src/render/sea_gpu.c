@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: MIT
+// See sea_gpu.h.
+#include "sea_gpu.h"
+
+#include "memory.h"
+#include "sea_texels.h"
+
+#include <math.h>
+#include <string.h>
+
+#define SLOPE_ANGLES (BOLAN_SLOPE_TABLE_ANGLE + 1) // the first repeats at the end, so that linear filtering wraps
+enum { TABLE_ROW = 64, TABLE_ROWS = BOLAN_MAX_FREQUENCIES * BOLAN_MAX_DIRECTIONS / TABLE_ROW };
+
+water_waves bolan_water_waves_of(bolan_wave_model model, bolan_surface_kind surface) {
+    if (model == BOLAN_WAVES_EXP_COSINE) return WATER_EXP;
+    if (model != BOLAN_WAVES_COSINES) return WATER_CASCADES;
+    return surface == BOLAN_SURFACE_QUAD ? WATER_SUM : WATER_MESH;
+}
+
+const char *bolan_water_waves_define(water_waves waves) {
+    static const char *const defines[] = {"", "WAVES_EXP 1\n", "WAVES_SUM 1\n", "WAVES_MESH 1\n"};
+    return defines[waves];
+}
+
+bolan_result bolan_sea_gpu_create(sea_gpu *p) {
+    *p = (sea_gpu){.cpu_fold = NULL};
+    gl_texture_desc slopes = {.format = GL_FMT_RGBA16F,
+                              .width = BOLAN_SLOPE_TABLE_MAJOR,
+                              .height = BOLAN_SLOPE_TABLE_ASPECT,
+                              .depth = SLOPE_ANGLES,
+                              .filter = GL_FILTER_LINEAR,
+                              .wrap = GL_WRAP_CLAMP};
+    gl_texture_desc waves = {
+        .format = GL_FMT_RGBA32F, .width = TABLE_ROW, .height = TABLE_ROWS, .filter = GL_FILTER_NEAREST};
+    bolan_result result = bolan_gl_texture_create(&slopes, &p->slope_table);
+    return result == BOLAN_OK ? bolan_gl_texture_create(&waves, &p->table) : result;
+}
+
+// What a cascade's texels are made in.
+typedef struct water_texel_work {
+    float *sum, *scratch[2];      // pinch; levels as planes
+    uint16_t *packed, *levels[2]; // first level, packed; levels below the first: of displacement, of slopes
+} water_texel_work;
+
+// Every array of the work starts on a cache line, as the whole does.
+static size_t whole_lines(size_t bytes) { return (bytes + 63) / 64 * 64; }
+
+static void *take(char **at, size_t bytes) {
+    void *taken = *at;
+    *at += whole_lines(bytes);
+    return taken;
+}
+
+static size_t work_bytes(uint32_t n) {
+    const size_t texels = (size_t)n * n;
+    return whole_lines(sizeof(water_texel_work)) + whole_lines(sizeof(float) * texels) +
+           whole_lines(sizeof(uint16_t) * 4 * texels) +
+           2 * (whole_lines(bolan_texel_scratch_bytes(n)) + whole_lines(bolan_texel_chain_bytes(n)));
+}
+
+static void free_work(sea_gpu *p) {
+    for (int c = 0; c < BOLAN_MAX_CASCADES; ++c) {
+        bolan_release(p->work[c], work_bytes(p->work_n));
+        p->work[c] = NULL;
+    }
+}
+
+static water_texel_work *create_work(uint32_t n) {
+    const size_t texels = (size_t)n * n;
+    water_texel_work *w = allocate_for("the texels of a cascade", work_bytes(n));
+    if (w == NULL) return NULL;
+    char *at = (char *)w + whole_lines(sizeof *w);
+    w->sum = take(&at, sizeof(float) * texels);
+    w->packed = take(&at, sizeof(uint16_t) * 4 * texels);
+    for (int i = 0; i < 2; ++i) {
+        w->scratch[i] = take(&at, bolan_texel_scratch_bytes(n));
+        w->levels[i] = take(&at, bolan_texel_chain_bytes(n));
+    }
+    return w;
+}
+
+static void free_textures(sea_gpu *p) {
+    bolan_gl_texture_free(&p->displacement);
+    bolan_gl_texture_free(&p->slopes);
+    bolan_gl_texture_free(&p->fold);
+    for (int c = 0; c < BOLAN_MAX_CASCADES; ++c) bolan_gl_texture_free(&p->packed_slopes[c]);
+    bolan_release(p->cpu_fold, p->cpu_fold_bytes);
+    p->cpu_fold = NULL;
+    p->cpu_fold_bytes = 0;
+}
+
+void bolan_sea_gpu_free(sea_gpu *p) {
+    free_work(p);
+    free_textures(p);
+    bolan_gl_texture_free(&p->table);
+    bolan_gl_texture_free(&p->slope_table);
+}
+
+// ---- cascades -------------------------------------------------------------------------------------------------------
+
+static bolan_result create_packed(sea_gpu *p, gl_texture_desc desc, uint32_t count) {
+    bolan_result result = BOLAN_OK;
+    desc.array = false;
+    desc.depth = 0;
+    for (uint32_t c = 0; c < count && result == BOLAN_OK; ++c)
+        result = bolan_gl_texture_create(&desc, &p->packed_slopes[c]);
+    return result;
+}
+
+static bolan_result create_whole(sea_gpu *p, gl_texture_desc desc, uint32_t n) {
+    bolan_result result = bolan_gl_texture_create(&desc, &p->slopes);
+    desc.format = GL_FMT_RG16F;
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, &p->fold);
+    if (result != BOLAN_OK) return result;
+    p->cpu_fold_bytes = sizeof(uint16_t) * 2 * n * n;
+    p->cpu_fold = allocate_for("the foam of the cascades", p->cpu_fold_bytes);
+    return p->cpu_fold != NULL ? BOLAN_OK : BOLAN_ERROR_MEMORY;
+}
+
+// Textures that fit this sea; kept while n, the number of cascades and what they hold stay. False: they cannot be had
+// (logged).
+static bool fit_textures(sea_gpu *p, uint32_t n, uint32_t count, bool packed) {
+    if (p->displacement.width == n && p->displacement.depth == count && p->packed == packed) return true;
+    free_textures(p);
+    gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
+                            .width = n,
+                            .height = n,
+                            .depth = count,
+                            .array = true,
+                            .filter = GL_FILTER_MIPMAP,
+                            .wrap = GL_WRAP_REPEAT};
+    p->packed = packed;
+    bolan_result result = bolan_gl_texture_create(&desc, &p->displacement);
+    if (result == BOLAN_OK) result = packed ? create_packed(p, desc, count) : create_whole(p, desc, n);
+    if (result != BOLAN_OK) free_textures(p);
+    return result == BOLAN_OK;
+}
+
+// dxy and foam side by side, so that the fragment shader gets both by one look-up.
+static void interleave_fold(const bolan_cascade_view *v, uint16_t *out) {
+    for (size_t i = 0; i < (size_t)v->n * v->n; ++i) {
+        out[2 * i] = v->displacement_half[4 * i + 3];
+        out[2 * i + 1] = v->foam_half[i];
+    }
+}
+
+// What the workers make of a frame's cascades: item 2c the levels of the displacement of cascade c, 2c + 1 of its slopes.
+typedef struct texel_job {
+    const sea_gpu *fields;
+    const bolan_sea *sea;
+    bool packed, levels;
+} texel_job;
+
+static void make_texels(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    const texel_job *job = context;
+    (void)worker;
+    for (uint32_t item = begin; item < end; ++item) {
+        water_texel_work *w = job->fields->work[item / 2];
+        const bolan_cascade_view v = bolan_sea_cascade(job->sea, item / 2);
+        const float *displacement[] = {v.dx, v.dy, v.height, v.dxy};
+        const float *slopes[] = {v.slope_x, v.slope_y, job->packed ? w->sum : v.dxx, job->packed ? v.foam : v.dyy};
+        const bool second = item % 2 == 1;
+        if (second && job->packed)
+            bolan_texel_kernels_best()->pack((size_t)v.n * v.n, v.slope_x, v.slope_y, v.dxx, v.dyy, v.foam, w->sum,
+                                             w->packed);
+        if (job->levels) bolan_texel_chain(v.n, second ? slopes : displacement, w->scratch[second], w->levels[second]);
+    }
+}
+
+static void upload_levels(gl_texture *t, int layer, const uint16_t *levels) {
+    for (uint32_t l = 1; l < t->levels; ++l) {
+        bolan_gl_texture_upload(t, l, layer, levels, true);
+        levels += 4 * (size_t)(t->width >> l) * (t->width >> l);
+    }
+}
+
+static bool fit_work(sea_gpu *p, uint32_t n, uint32_t count) {
+    if (p->work_n != n) free_work(p);
+    p->work_n = n;
+    bool all = true;
+    for (uint32_t c = 0; c < count; ++c) {
+        if (all && p->work[c] == NULL) p->work[c] = create_work(n);
+        all = all && p->work[c] != NULL;
+    }
+    return all;
+}
+
+static void upload_fold(sea_gpu *p, const bolan_sea *sea, uint32_t count) {
+    for (uint32_t c = 0; c < count; ++c) {
+        bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        interleave_fold(&v, p->cpu_fold);
+        bolan_gl_texture_upload(&p->fold, 0, (int)c, p->cpu_fold, true);
+    }
+    bolan_gl_texture_generate_mipmaps(&p->fold);
+}
+
+// On software GL the levels are made here; a GPU makes them in no time.
+static bool upload_cascades(sea_gpu *p, const bolan_sea *sea, bool packed, bool software) {
+    const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade(sea, 0).n;
+    if (!fit_textures(p, n, count, packed) || !fit_work(p, n, count)) return false;
+    texel_job job = {.fields = p, .sea = sea, .packed = packed, .levels = software};
+    if (packed || software) bolan_parallel(2 * count, 1, make_texels, &job);
+    for (uint32_t c = 0; c < count; ++c) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        bolan_gl_texture_upload(&p->displacement, 0, (int)c, v.displacement_half, true);
+        gl_texture *slopes = packed ? &p->packed_slopes[c] : &p->slopes;
+        const int layer = packed ? -1 : (int)c;
+        bolan_gl_texture_upload(slopes, 0, layer, packed ? p->work[c]->packed : v.slope_half, true);
+        if (software) upload_levels(&p->displacement, (int)c, p->work[c]->levels[0]);
+        if (software) upload_levels(slopes, layer, p->work[c]->levels[1]);
+        if (!software && packed) bolan_gl_texture_generate_mipmaps(slopes);
+    }
+    if (!packed) upload_fold(p, sea, count);
+    if (software) return true;
+    bolan_gl_texture_generate_mipmaps(&p->displacement);
+    if (!packed) bolan_gl_texture_generate_mipmaps(&p->slopes);
+    return true;
+}
+
+enum { LIFT_OCTAVES = 13 }; // from a quarter of a texel up to a tile of 1024
+
+static void set_lift(const gl_program *g, const bolan_sea *sea) {
+    float lift[LIFT_OCTAVES][4] = {{0}};
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        for (int i = 0; i < LIFT_OCTAVES; ++i)
+            lift[i][c] = (float)bolan_sea_lift(sea, c, v.length / v.n * exp2(i - 2.0));
+    }
+    bolan_gl_program_vec4_array(g, "cascade_lift", lift[0], LIFT_OCTAVES);
+}
+
+// Where the eye stands in each tile, reduced in double so that the GPU never sees a large coordinate.
+static void set_cascades(const gl_program *g, const frame *f) {
+    float tile[4 * BOLAN_MAX_CASCADES] = {0}, band[4 * BOLAN_MAX_CASCADES] = {0};
+    uint32_t count = bolan_sea_cascade_count(f->desc->sea);
+    for (uint32_t c = 0; c < count; ++c) {
+        bolan_cascade_view v = bolan_sea_cascade(f->desc->sea, c);
+        double ca = cos(v.angle), sa = sin(v.angle);
+        double u = (f->eye.x * ca + f->eye.y * sa) / v.length, w = (-f->eye.x * sa + f->eye.y * ca) / v.length;
+        double texel = v.length / v.n;
+        // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
+        tile[4 * c] = (float)(u - floor(u) + 0.5 / v.n);
+        tile[4 * c + 1] = (float)(w - floor(w) + 0.5 / v.n);
+        tile[4 * c + 2] = (float)(ca / v.length);
+        tile[4 * c + 3] = (float)(sa / v.length);
+        band[4 * c] = (float)(4.0 * sqrt(v.variance));
+        band[4 * c + 1] = (float)texel;
+        band[4 * c + 3] = (float)log2(texel);
+        band[4 * c + 2] = (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length);
+    }
+    bolan_gl_program_int(g, "cascade_count", (int)count);
+    bolan_gl_program_vec4_array(g, "cascade_tile", tile, BOLAN_MAX_CASCADES);
+    bolan_gl_program_vec4_array(g, "cascade_band", band, BOLAN_MAX_CASCADES);
+    bolan_gl_program_float(g, "choppiness", (float)bolan_sea_get_desc(f->desc->sea)->choppiness);
+    set_lift(g, f->desc->sea);
+}
+
+// ---- sums -----------------------------------------------------------------------------------------------------------
+
+// One wave as the shader has it: kx, ky, amplitude, and the phase at the eye now, reduced in double; in turns.
+static void fill_wave(const frame *f, uint32_t index, double amplitude_factor, float out[4]) {
+    bolan_sea_component w = bolan_sea_get_component(f->desc->sea, index);
+    double turns = (w.kx * f->eye.x + w.ky * f->eye.y - w.omega * f->time + w.phase) / (2.0 * BOLAN_PI);
+    out[0] = (float)(w.kx / (2.0 * BOLAN_PI));
+    out[1] = (float)(w.ky / (2.0 * BOLAN_PI));
+    out[2] = (float)(w.amplitude * amplitude_factor);
+    out[3] = (float)(turns - floor(turns + 0.5));
+}
+
+// Modified Bessel functions I0 and I1(x) / x, by their series: x is at most 4, so that 16 terms are enough for a float.
+static double bessel_i0(double x) {
+    double term = 1.0, sum = 1.0;
+    for (int i = 1; i < 16; ++i) {
+        term *= 0.25 * x * x / ((double)i * i);
+        sum += term;
+    }
+    return sum;
+}
+
+static double bessel_i1_share(double x) {
+    double term = 0.5, sum = 0.5;
+    for (int i = 1; i < 16; ++i) {
+        term *= 0.25 * x * x / ((double)i * (i + 1));
+        sum += term;
+    }
+    return sum;
+}
+
+enum { SLOPE_TERMS = 8 };
+
+// factor * exp(-2 s t) for t in 0..1 as a polynomial through Chebyshev's points, by Newton's divided differences: to 1e-5 of the
+// factor at s = 2.
+static void fit_slope(double s, double factor, double out[SLOPE_TERMS]) {
+    double at[SLOPE_TERMS], difference[SLOPE_TERMS];
+    for (int i = 0; i < SLOPE_TERMS; ++i) {
+        at[i] = 0.5 - 0.5 * cos(BOLAN_PI * (i + 0.5) / SLOPE_TERMS);
+        difference[i] = factor * exp(-2.0 * s * at[i]);
+    }
+    for (int n = 1; n < SLOPE_TERMS; ++n)
+        for (int i = SLOPE_TERMS - 1; i >= n; --i)
+            difference[i] = (difference[i] - difference[i - 1]) / (at[i] - at[i - n]);
+    for (int i = 0; i < SLOPE_TERMS; ++i) out[i] = 0.0;
+    for (int n = SLOPE_TERMS - 1; n >= 0; --n) { // out = out * (t - at[n]) + difference[n]
+        for (int i = SLOPE_TERMS - 1; i > 0; --i) out[i] = out[i - 1] - at[n] * out[i];
+        out[0] = difference[n] - at[n] * out[0];
+    }
+}
+
+// What the shader's sum knows of the covariance of slopes. `square`: of a wave of amplitude 1, by its phase [rad], the mean square
+// of the derivative.
+static void set_total(const gl_program *g, const frame *f, double amplitude_factor, double square) {
+    float total[3];
+    bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, total); // what is no part of the waves
+    for (uint32_t i = 0; i < bolan_sea_component_count(f->desc->sea); ++i) {
+        bolan_sea_component w = bolan_sea_get_component(f->desc->sea, i);
+        const double a = w.amplitude * amplitude_factor, v = a * a * square;
+        total[0] += (float)(v * w.kx * w.kx);
+        total[1] += (float)(v * w.kx * w.ky);
+        total[2] += (float)(v * w.ky * w.ky);
+    }
+    bolan_gl_program_vec4(g, "wave_total",
+                          (bolan_vec4){total[0], total[1], total[2], (float)(square * 4.0 * BOLAN_PI * BOLAN_PI)});
+}
+
+// Liu & Xie 2010, in zero-mean, unit-range form: amplitude * 2 / (1 - e^-2s) * (e^{s (cos th - 1)} - e^-s I0(s)).
+static void set_exp_waves(const gl_program *g, const frame *f) {
+    float waves[4 * BOLAN_MAX_EXP_WAVES] = {0}, terms[SLOPE_TERMS];
+    double s = bolan_sea_get_desc(f->desc->sea)->sharpness, range = 2.0 / (1.0 - exp(-2.0 * s)), c[SLOPE_TERMS];
+    uint32_t count = bolan_sea_component_count(f->desc->sea);
+    for (uint32_t i = 0; i < count; ++i) fill_wave(f, i, range, waves + 4 * i);
+    fit_slope(s, -4.0 * BOLAN_PI * s, c);
+    for (int i = 0; i < SLOPE_TERMS; ++i) terms[i] = (float)c[i];
+    bolan_gl_program_int(g, "wave_count", (int)count);
+    bolan_gl_program_vec4_array(g, "wave_component", waves, BOLAN_MAX_EXP_WAVES);
+    bolan_gl_program_vec4(g, "exp_law", (bolan_vec4){(float)s, (float)(exp(-s) * bessel_i0(s)), 0.0f, 0.0f});
+    bolan_gl_program_vec4_array(g, "exp_slope", terms, SLOPE_TERMS / 4);
+    set_total(g, f, range, s * s * exp(-2.0 * s) * bessel_i1_share(2.0 * s)); // s^2 e^-2s I1(2s) / 2s
+}
+
+static void set_sum(const gl_program *g, const frame *f) {
+    bolan_gl_program_int(g, "wave_count", (int)bolan_sea_component_count(f->desc->sea));
+    set_total(g, f, 1.0, 0.5);
+}
+
+static void upload_table(sea_gpu *p, const frame *f) {
+    static const float empty[4] = {0};
+    float waves[TABLE_ROW * TABLE_ROWS][4];
+    uint32_t count = bolan_sea_component_count(f->desc->sea);
+    for (uint32_t i = 0; i < TABLE_ROW * TABLE_ROWS; ++i) {
+        if (i < count)
+            fill_wave(f, i, 1.0, waves[i]);
+        else
+            memcpy(waves[i], empty, sizeof empty);
+    }
+    bolan_gl_texture_upload(&p->table, 0, -1, waves, false);
+}
+
+// ---- both -----------------------------------------------------------------------------------------------------------
+
+static void upload_slope_table(sea_gpu *p, const bolan_sea *sea) {
+    float table[SLOPE_ANGLES * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_MAJOR * 4];
+    size_t layer = (size_t)BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_MAJOR * 4;
+    const float *from = bolan_sea_slope_table(sea);
+    memcpy(table, from, sizeof(float) * layer * BOLAN_SLOPE_TABLE_ANGLE);
+    memcpy(table + layer * BOLAN_SLOPE_TABLE_ANGLE, from, sizeof(float) * layer);
+    bolan_gl_texture_upload(&p->slope_table, 0, -1, table, false);
+}
+
+bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_waves waves, water_textures textures) {
+    bool all = true;
+    if (waves == WATER_CASCADES && textures != WATER_TEXTURES_NONE)
+        all = upload_cascades(p, f->desc->sea, textures == WATER_TEXTURES_PACKED, f->caps->software);
+    if (waves == WATER_SUM) upload_table(p, f);
+    upload_slope_table(p, f->desc->sea);
+    bolan_sea_gpu_bind(p, waves);
+    return all;
+}
+
+static void bind_cascades(const sea_gpu *p) {
+    bolan_gl_texture_bind(&p->displacement, UNIT_DISPLACEMENT);
+    if (p->packed) {
+        bolan_gl_texture_bind(&p->packed_slopes[0], UNIT_SLOPES);
+        for (int c = 1; c < BOLAN_MAX_CASCADES; ++c) bolan_gl_texture_bind(&p->packed_slopes[c], UNIT_CASCADES + c - 1);
+    } else {
+        bolan_gl_texture_bind(&p->slopes, UNIT_SLOPES);
+        bolan_gl_texture_bind(&p->fold, UNIT_FOLD);
+    }
+}
+
+void bolan_sea_gpu_bind(const sea_gpu *p, water_waves waves) {
+    if (waves == WATER_SUM) bolan_gl_texture_bind(&p->table, UNIT_DISPLACEMENT);
+    if (waves == WATER_CASCADES) bind_cascades(p);
+    bolan_gl_texture_bind(&p->slope_table, UNIT_SLOPE_TABLE);
+}
+
+void bolan_sea_gpu_apply(const gl_program *g, const frame *f, water_waves waves) {
+    const bolan_sea_summary *s = bolan_sea_get_summary(f->desc->sea);
+    bolan_gl_program_vec4(
+        g, "sea_law",
+        (bolan_vec4){(float)s->hs, (float)bolan_sea_peak_length(s), (float)bolan_sea_surf_height(s), 0.0f});
+    if (f->shore->present) bolan_shore_map_apply(f->shore, g);
+    if (waves == WATER_CASCADES) set_cascades(g, f);
+    if (waves == WATER_EXP) set_exp_waves(g, f);
+    if (waves == WATER_SUM) set_sum(g, f);
+    if (waves == WATER_MESH) bolan_gl_program_float(g, "mesh_lift", (float)bolan_sea_lift(f->desc->sea, 0, 0.0));
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The sea on the GPU, whichever model makes its waves: textures and uniforms of shaders/common/waves.glsl.
+#ifndef BOLAN_RENDER_WATER_FIELDS_H
+#define BOLAN_RENDER_WATER_FIELDS_H
+
+#include "frame.h"
+
+// Which of the four ways of waves.glsl.
+typedef enum water_waves { WATER_CASCADES, WATER_EXP, WATER_SUM, WATER_MESH } water_waves;
+// The sums of cosines are made on the CPU for each vertex; the quad has no vertices to speak of, so there in each pixel.
+water_waves bolan_water_waves_of(bolan_wave_model model, bolan_surface_kind surface);
+// "WAVES_EXP 1\n" and so on; "" for cascades.
+const char *bolan_water_waves_define(water_waves waves);
+
+// What an optics reads of the cascades' textures, besides the displacement.
+typedef enum water_textures {
+    WATER_TEXTURES_ALL,    // slope_map: slope, dxx, dyy; fold_map: dxy, foam memory
+    WATER_TEXTURES_PACKED, // slope_map0...: slope, dxx + dyy, foam memory; no fold_map: one look-up a cascade for all
+    WATER_TEXTURES_NONE,   // only the table of unresolved slopes (the optics has the waves by other means)
+} water_textures;
+
+typedef struct sea_gpu {
+    gl_texture displacement, slopes, fold;             // cascades: arrays, a layer each
+    gl_texture packed_slopes[BOLAN_MAX_CASCADES];      // instead of slopes and fold
+    bool packed;                                       // which of them hold this frame's waves
+    struct water_texel_work *work[BOLAN_MAX_CASCADES]; // levels made on the CPU
+    uint32_t work_n;
+    gl_texture table; // WATER_SUM: a texel a wave
+    gl_texture slope_table;
+    uint16_t *cpu_fold;
+    size_t cpu_fold_bytes;
+} sea_gpu;
+
+bolan_result bolan_sea_gpu_create(sea_gpu *p);
+// Uploads what this frame's waves need, and binds it. False: it cannot be had (logged).
+bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_waves waves, water_textures textures);
+// Binds the textures again, for a pass that follows one which used their units.
+void bolan_sea_gpu_bind(const sea_gpu *p, water_waves waves);
+// Sets the uniforms of waves.glsl.
+void bolan_sea_gpu_apply(const gl_program *program, const frame *f, water_waves waves);
+void bolan_sea_gpu_free(sea_gpu *p);
+
+#endif

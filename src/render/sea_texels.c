@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// See sea_texels.h: the table of the kernels, one row per instruction set, and the chain of levels.
+#include "sea_texels.h"
+
+#include "bolan/base.h"
+
+#define DECLARE(set)                                                                                               \
+    void bolan_texel_pack_##set(size_t, const float *, const float *, const float *, const float *, const float *, \
+                                float *, uint16_t *);                                                              \
+    void bolan_texel_halve_##set(uint32_t, const float *const[TEXEL_PLANES], float *const[TEXEL_PLANES], uint16_t *);
+DECLARE(scalar)
+#ifdef BOLAN_KERNELS_X86
+DECLARE(sse2)
+DECLARE(avx2)
+DECLARE(avx512)
+#endif
+
+const texel_kernels *bolan_texel_kernels_best(void) {
+    static const texel_kernels scalar = {bolan_texel_pack_scalar, bolan_texel_halve_scalar};
+#ifdef BOLAN_KERNELS_X86
+    static const texel_kernels sse2 = {bolan_texel_pack_sse2, bolan_texel_halve_sse2},
+                               avx2 = {bolan_texel_pack_avx2, bolan_texel_halve_avx2},
+                               avx512 = {bolan_texel_pack_avx512, bolan_texel_halve_avx512};
+    const bolan_cpu best = bolan_cpu_best();
+    if (best == BOLAN_CPU_AVX512) return &avx512;
+    if (best == BOLAN_CPU_AVX2) return &avx2;
+    if (best == BOLAN_CPU_SSE2) return &sse2;
+#endif
+    return &scalar;
+}
+
+// The levels below the first have a third of its texels all together.
+size_t bolan_texel_scratch_bytes(uint32_t n) { return sizeof(float) * TEXEL_PLANES * ((size_t)n * n / 3 + 16); }
+
+size_t bolan_texel_chain_bytes(uint32_t n) { return sizeof(uint16_t) * 4 * ((size_t)n * n / 3 + 16); }
+
+void bolan_texel_chain(uint32_t n, const float *const planes[TEXEL_PLANES], float *scratch, uint16_t *out) {
+    const texel_kernels *kernels = bolan_texel_kernels_best();
+    const float *from[TEXEL_PLANES];
+    for (int p = 0; p < TEXEL_PLANES; p++) from[p] = planes[p];
+    for (; n > 1; n /= 2) {
+        const size_t size = (size_t)(n / 2) * (n / 2);
+        float *to[TEXEL_PLANES];
+        for (int p = 0; p < TEXEL_PLANES; p++) to[p] = scratch + p * size;
+        kernels->halve(n, from, to, out);
+        for (int p = 0; p < TEXEL_PLANES; p++) from[p] = to[p];
+        scratch += TEXEL_PLANES * size;
+        out += 4 * size;
+    }
+}

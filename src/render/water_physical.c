@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The physical optics: draws the water's shape into a few numbers per pixel, and shades these over a copy of what lies
+// behind. Shaders: shaders/bolan_water_surface.glsl, shaders/water_physical.glsl.
+#include "foam_statistics.h"
+#include "foam_texture.h"
+#include "water_optics.h"
+
+#include <math.h>
+
+enum { SURFACE_COUNT = 4 };
+
+typedef struct physical {
+    const char *defines;                 // of this quality
+    gl_texture shape_map[SURFACE_COUNT]; // outputs of bolan_water_surface.glsl
+    gl_target shape_target;              // they, and the frame's depth
+    uint32_t depth_id;                   // of that depth
+    gl_texture foam_detail;
+} physical;
+
+static const char *const quality_defines[] = {
+    [BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\n",
+    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\n",
+    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\n",
+    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\n",
+};
+
+static bolan_result create(void *state, bolan_quality quality) {
+    physical *p = state;
+    p->defines = quality_defines[quality];
+    return bolan_foam_texture_create(&p->foam_detail);
+}
+
+static void free_shape(physical *p) {
+    bolan_gl_target_free(&p->shape_target);
+    for (int i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_free(&p->shape_map[i]);
+    p->depth_id = 0;
+}
+
+// Textures of the frame's size, with its depth.
+static bolan_result fit_shape(physical *p, const frame *f) {
+    if (p->depth_id == f->hdr_depth->id && p->shape_map[0].width == f->desc->width &&
+        p->shape_map[0].height == f->desc->height)
+        return BOLAN_OK;
+    free_shape(p);
+    const gl_texture *colors[SURFACE_COUNT];
+    bolan_result result = BOLAN_OK;
+    for (int i = 0; i < SURFACE_COUNT && result == BOLAN_OK; ++i) {
+        gl_texture_desc desc = {.format = i == 0 ? GL_FMT_RGBA32F : GL_FMT_RGBA16F,
+                                .width = f->desc->width,
+                                .height = f->desc->height,
+                                .filter = GL_FILTER_NEAREST,
+                                .wrap = GL_WRAP_CLAMP};
+        result = bolan_gl_texture_create(&desc, &p->shape_map[i]);
+        colors[i] = &p->shape_map[i];
+    }
+    if (result == BOLAN_OK)
+        result = bolan_gl_target_create(colors, SURFACE_COUNT, f->hdr_depth, -1, 0, &p->shape_target);
+    if (result == BOLAN_OK)
+        p->depth_id = f->hdr_depth->id;
+    else
+        free_shape(p);
+    return result;
+}
+
+static void free_all(void *state) {
+    physical *p = state;
+    free_shape(p);
+    bolan_gl_texture_free(&p->foam_detail);
+}
+
+#define FOAM_EDGE 0.12     // how widely a breaking patch's edge is drawn, in Jacobian
+#define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
+#define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
+
+static void set_foam(const gl_program *g, const frame *f) {
+    const bolan_sea *sea = f->desc->sea;
+    const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
+    double memory_variance;
+    // A soft edge widens a Gaussian field; the covered share stays when the threshold moves out with the standard deviation.
+    double spread = fmax(desc->choppiness * desc->choppiness * bolan_foam_slope_variance(sea), 1e-9);
+    double threshold = 1.0 - (1.0 - bolan_sea_foam_threshold(sea)) * sqrt(1.0 + FOAM_EDGE * FOAM_EDGE / spread);
+    double share = fmin(0.3, OLD_FOAM_SHARE * bolan_monahan_cover(desc->sea_state.wind_speed));
+    double old = bolan_foam_memory_threshold(sea, share, OLD_EDGE, &memory_variance);
+    float rest[3];
+    bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
+    bolan_gl_program_vec4(g, "foam_law", (bolan_vec4){(float)fmax(threshold, -1e30), rest[0] + rest[2], 0.0f, 0.0f});
+    bolan_gl_program_vec4(g, "foam_edge",
+                          (bolan_vec4){(float)(FOAM_EDGE * FOAM_EDGE), (float)OLD_EDGE,
+                                       (float)(desc->choppiness * desc->choppiness), 0.0f});
+    bolan_gl_program_vec4(g, "foam_memory",
+                          (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread, 0.0f});
+}
+
+#define EVERY_WAVE 1e6 // standard deviation of a footprint that resolves none [m]
+
+// Covariance of the slopes of all waves, and the standard deviation of their height.
+static void set_total(const gl_program *g, const bolan_sea *sea) {
+    float total[3];
+    bolan_sea_unresolved_slopes(sea, EVERY_WAVE, EVERY_WAVE, 0.0, total);
+    const double height = 0.25 * bolan_sea_get_summary(sea)->hs;
+    bolan_gl_program_vec4(g, "slope_total", (bolan_vec4){total[0], total[1], total[2], (float)fmax(height, 1e-3)});
+}
+
+static void draw_shape(physical *p, const water_draw *d) {
+    if (!bolan_water_program(d, "bolan_water_surface", 0, "")) return;
+    bolan_gl_target_bind(&p->shape_target);
+    bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    bolan_water_mesh_draw(d->mesh);
+}
+
+static void draw_light(physical *p, const water_draw *d) {
+    const gl_program *g = bolan_water_program(d, "water_physical", 0, p->defines);
+    if (!g) return;
+    set_foam(g, d->f);
+    set_total(g, d->f->desc->sea);
+    bolan_water_look_apply(g, &d->f->scene->look);
+    bolan_gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
+    for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape_map[i], UNIT_SURFACE + i);
+    bolan_gl_target_bind_part(&d->f->hdr, 0, 0, d->f->hdr.width, bolan_water_rows(d->f, d->vertical));
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_draw_fullscreen();
+    bolan_gl_target_bind(&d->f->hdr);
+}
+
+static void draw(void *state, const water_draw *d) {
+    physical *p = state;
+    if (fit_shape(p, d->f) != BOLAN_OK) return;
+    draw_shape(p, d);
+    draw_light(p, d);
+}
+
+const water_optics bolan_optics_physical = {.size = sizeof(physical),
+                                            .keeps_shape = true,
+                                            .columns = {[BOLAN_QUALITY_LOW] = 2},
+                                            .create = create,
+                                            .draw = draw,
+                                            .free = free_all};
