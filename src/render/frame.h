@@ -36,7 +36,7 @@ enum {
     UNIT_CLOUDS = 13,       // sky pass's own: cloud panorama
     UNIT_AERIAL = 14,       // 3D aerial perspective, if used
     UNIT_PASS = 15,         // free for a pass's input (tone map source, ...)
-    UNIT_SURFACE = 16,      // 16-19: outputs of bolan_water_surface.glsl
+    UNIT_SURFACE = 16,      // 16-19: outputs of water_shape.glsl
     UNIT_REFLECTION = 16,   // 2D  pictures of planar_views.c, for the optics that have no use for those
     UNIT_REFRACTION = 17,
     UNIT_OPTICS = 18,          // 18-19: an optics' own

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The physical optics: draws the water's shape into a few numbers per pixel, and shades these over a copy of what lies
-// behind. Shaders: shaders/bolan_water_surface.glsl, shaders/water_physical.glsl.
+// behind. Shaders: shaders/water_shape.glsl, shaders/water_physical.glsl.
 #include "foam_statistics.h"
 #include "foam_texture.h"
 #include "water_optics.h"
@@ -11,7 +11,7 @@ enum { SURFACE_COUNT = 4 };
 
 typedef struct physical {
     const char *defines;                 // of this quality
-    gl_texture shape_map[SURFACE_COUNT]; // outputs of bolan_water_surface.glsl
+    gl_texture shape_map[SURFACE_COUNT]; // outputs of water_shape.glsl
     gl_target shape_target;              // they, and the frame's depth
     uint32_t depth_id;                   // of that depth
     gl_texture foam_detail;
@@ -102,7 +102,7 @@ static void set_total(const gl_program *g, const bolan_sea *sea) {
 }
 
 static void draw_shape(physical *p, const water_draw *d) {
-    if (!bolan_water_program(d, "bolan_water_surface", 0, "")) return;
+    if (!bolan_water_program(d, "water_shape", 0, "")) return;
     bolan_gl_target_bind(&p->shape_target);
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
