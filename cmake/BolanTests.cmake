@@ -41,6 +41,11 @@ foreach(kind unit physics determinism kernels shaders images)
         if(name MATCHES "^test_io_" AND NOT TARGET bolan_io)
             continue()
         endif()
+        if((name MATCHES "^test_io_raster" AND NOT BOLAN_WITH_GDAL) OR
+            (name MATCHES "^test_io_models" AND NOT BOLAN_WITH_ASSIMP) OR
+            (name MATCHES "^test_io_pictures" AND NOT BOLAN_WITH_OPENEXR))
+            continue()
+        endif()
         if(kind STREQUAL kernels OR name MATCHES fftw)
             if(NOT fftw_FOUND)
                 continue()

@@ -4,6 +4,7 @@
 #include "help.h"
 #include "options.h"
 
+#include "bolan/io.h"
 #include "bolan/render.h"
 
 #include <string.h>
@@ -32,6 +33,8 @@ typedef struct facts {
     bool has_gl;
 } facts;
 
+static const char *yes_or_no(bool yes) { return yes ? "yes" : "no"; }
+
 static void print_text(const facts *f) {
     printf("bolan %s, compiled by %s\n", bolan_version(), compiler);
     printf("processors   %ld; wide kernels:", f->processors);
@@ -42,6 +45,9 @@ static void print_text(const facts *f) {
     } else {
         printf("\nOpenGL       none: %s\n", gl_message);
     }
+    const bolan_io_features io = bolan_io_get_features();
+    printf("files        rasters: %s; models: %s; EXR: %s\n", yes_or_no(io.rasters), yes_or_no(io.models),
+           yes_or_no(io.exr));
     uint32_t count = 0;
     const bolan_technique *techniques = bolan_techniques(&count);
     printf("techniques   waves x surface x optics\n");
@@ -81,6 +87,9 @@ static void print_json(const facts *f) {
     } else {
         printf("null");
     }
+    const bolan_io_features io = bolan_io_get_features();
+    printf(",\n  \"files\": {\"rasters\": %s, \"models\": %s, \"exr\": %s}", io.rasters ? "true" : "false",
+           io.models ? "true" : "false", io.exr ? "true" : "false");
     uint32_t count = 0;
     const bolan_technique *techniques = bolan_techniques(&count);
     printf(",\n  \"techniques\": [");

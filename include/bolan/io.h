@@ -16,6 +16,21 @@
 extern "C" {
 #endif
 
+// ---- this build -----------------------------------------------------------------------------------------------------
+
+/// Formats that this build reads or writes. A function of a format that is left out logs one sentence and returns
+/// UNSUPPORTED.
+typedef struct bolan_io_features {
+    /// bolan_raster_load(), by GDAL.
+    bool rasters;
+    /// bolan_model_load(), by assimp.
+    bool models;
+    /// bolan_exr_write(), by OpenEXR.
+    bool exr;
+} bolan_io_features;
+/// The formats of this build. Thread-safe.
+bolan_io_features bolan_io_get_features(void);
+
 // ---- files ----------------------------------------------------------------------------------------------------------
 
 /// Writes a whole file. Symbolic links are followed, also to a name that is not there yet; the mode of a file that is

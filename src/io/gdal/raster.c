@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Terrain from any raster that GDAL reads: the plan of the local grid, and the steps in their order. See raster.h.
-#include "io/raster.h"
+#include "io/gdal/raster.h"
 
 #include <cpl_error.h>
 #include <stdio.h>

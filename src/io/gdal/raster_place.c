@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Georeference of a raster: what its map coordinates are, and the way from local metres to its pixels.
-#include "io/raster.h"
+#include "io/gdal/raster.h"
 
 #include <cpl_conv.h>
 #include <cpl_string.h>

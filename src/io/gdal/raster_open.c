@@ -2,7 +2,7 @@
 // Opening a raster: which of its variables and bands are elevations, their unit and their direction. What the desc says
 // goes before what the file says; where neither decides, the file is refused with a list of what is in it.
 #include "io/file.h"
-#include "io/raster.h"
+#include "io/gdal/raster.h"
 
 #include <cpl_error.h>
 #include <cpl_string.h>

@@ -2,7 +2,7 @@
 // Models from files, by assimp's C interface: the meshes of all nodes with their transforms, turned from y-up to z-up,
 // in one colour a vertex. The file is checked before the library sees it (model_check.c), and nothing that the library
 // hands over is trusted: counts, indices and numbers are checked.
-#include "io/model_file.h"
+#include "io/assimp/model_file.h"
 
 #include <assimp/cimport.h>
 #include <assimp/config.h>

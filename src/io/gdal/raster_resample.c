@@ -5,7 +5,7 @@
 // bend by s^2 / 200 km over 16 steps of s metres, a few per cent of a step at the worst. Values are interpolated by the
 // cubic of Keys (IEEE Trans. ASSP 29, 1981; a = -1/2), which keeps slopes smooth, and held within the four nearest
 // samples, so that no cliff throws up an island beside it.
-#include "io/raster.h"
+#include "io/gdal/raster.h"
 
 enum { NET = 16 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Units, and words by which an elevation is known among other variables. Standard names are those of the CF conventions
 // (cfconventions.org, version 1.11); the short names are the usual ones of GEBCO, ETOPO, ROMS and CMEMS files.
-#include "io/raster.h"
+#include "io/gdal/raster.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 // Filling holes: pull-push (Gortler et al., "The Lumigraph", SIGGRAPH 1996, section 3.5). Each coarser level holds the
 // mean of the known values of four; on the way back a hole takes the coarser level's value. Linear in the number of
 // samples, whatever the size of the holes.
-#include "io/raster.h"
+#include "io/gdal/raster.h"
 
 static bool has_hole(const float *values, size_t count) {
     for (size_t i = 0; i < count; i++)

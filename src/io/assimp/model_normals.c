@@ -2,7 +2,7 @@
 // Normals for meshes that have none. Triangles that meet at a point, whichever vertices of the file they use there, are
 // averaged, weighted by their angles at the point (Thürmer & Wüthrich, J. Graphics Tools 3, 1998), but only with those
 // that turn away from each other by less than the crease: a house keeps its edges, a hull its curves.
-#include "io/model_file.h"
+#include "io/assimp/model_file.h"
 
 #include <string.h>
 

@@ -5,7 +5,7 @@
 // Coastal Research 7, 1991, eq. 1, for sand of 0.2 mm), down to a shelf. It lies nowhere above the data around it, so
 // that a hole in a survey of deep water stays deep. Distances are exact: Felzenszwalb & Huttenlocher, Theory of
 // Computing 8, 2012.
-#include "io/raster.h"
+#include "io/gdal/raster.h"
 
 #include <string.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a glTF 2.0 file must not ask of the library that imports it (Khronos, glTF 2.0 specification, section numbers
 // below).
+#include "io/assimp/model_file.h"
 #include "io/file.h"
 #include "io/json.h"
-#include "io/model_file.h"
 
 #include <stdio.h>
 #include <string.h>

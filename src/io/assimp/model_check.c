@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Model files before assimp sees them. Its importers recurse into brackets and nodes, take quadratic time for long
 // numbers and large polygons, and believe counts: each is bounded here.
+#include "io/assimp/model_file.h"
 #include "io/file.h"
-#include "io/model_file.h"
 
 #include <errno.h>
 #include <stdio.h>

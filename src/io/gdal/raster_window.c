@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which pixels a plan needs, and reading them: thinned when there are too many, in two pieces where a global raster's
 // seam lies between them; then from the file's numbers to metres, with NAN where there is no data.
-#include "io/raster.h"
+#include "io/gdal/raster.h"
 
 #include <cpl_error.h>
 #include <stdlib.h>

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// EXR images in a build without OpenEXR. See src/io/openexr.
+#include "bolan/io.h"
+
+bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height, const bolan_exr_channel *channels,
+                             uint32_t count) {
+    BOLAN_ASSERT(path && channels);
+    (void)width, (void)height, (void)count;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_UNSUPPORTED,
+              "%s: this build writes no EXR images; build Bolan with -DBOLAN_WITH_OPENEXR=ON", path);
+    return BOLAN_ERROR_UNSUPPORTED;
+}
