@@ -52,8 +52,8 @@ static void apply(bolan_scene *s, void *context) {
     const change *c = context;
     if (c->technique) bolan_scene_set_technique(s, c->technique);
     copy_objects(s, c->copies);
-    if (c->frequencies) s->sea.frequencies = c->frequencies;
-    if (c->directions) s->sea.directions = c->directions;
+    if (c->frequencies) s->sea.cosines.frequencies = c->frequencies;
+    if (c->directions) s->sea.cosines.directions = c->directions;
     if (c->resolution) s->sea.resolution = c->resolution;
     if (c->paper) s->look.paper = true;
     if (c->height > 0.0) s->camera.position.z = c->height;

@@ -83,7 +83,7 @@ static bool measure(row *r) {
     bolan_sea_desc desc = bolan_sea_desc_default();
     desc.cpu = cpu;
     desc.resolution = r->n;
-    desc.cascade_count = r->cascades;
+    desc.fft.cascade_count = r->cascades;
     bolan_sea *sea = NULL;
     if (bolan_sea_create(&desc, &sea) != BOLAN_OK) return false;
     r->ms = r->fftw_ms = INFINITY;
@@ -93,7 +93,7 @@ static bool measure(row *r) {
         yardstick y = {0};
         done = yardstick_open(&y, r->n, FIELDS * r->cascades, layout);
         for (uint32_t i = 0; i < repeats && done; i++) {
-            r->ms = fmin(r->ms, time_step(sea, 0.03 * i));
+            r->ms = fmin(r->ms, time_step(sea, 0.03 * (i + 1)));
             r->fftw_ms = fmin(r->fftw_ms, time_fftw(&y));
         }
         yardstick_close(&y);
@@ -116,8 +116,8 @@ static bolan_sea_desc sum_desc(uint32_t index) {
     bolan_sea_desc desc = bolan_sea_desc_default();
     desc.cpu = cpu;
     desc.waves = index == 2 ? BOLAN_WAVES_EXP_COSINE : BOLAN_WAVES_COSINES;
-    if (index == 1) desc.frequencies = BOLAN_MAX_FREQUENCIES;
-    if (index == 1) desc.directions = BOLAN_MAX_DIRECTIONS;
+    if (index == 1) desc.cosines.frequencies = BOLAN_MAX_FREQUENCIES;
+    if (index == 1) desc.cosines.directions = BOLAN_MAX_DIRECTIONS;
     return desc;
 }
 
@@ -133,7 +133,7 @@ static bool measure_sum(uint32_t index, sum_row *r) {
     r->ms = INFINITY;
     for (uint32_t i = 0; i < 30; i++) {
         const double start = bench_now_ms();
-        bolan_sea_step(sea, 0.03 * i);
+        bolan_sea_step(sea, 0.03 * (i + 1));
         bolan_sea_sample_grid(sea, points, NULL, MESH_POINTS, samples);
         r->ms = fmin(r->ms, bench_now_ms() - start);
     }

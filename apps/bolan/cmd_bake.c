@@ -15,7 +15,7 @@ static int open_sea(const options *o, session *w, bolan_sea **sea) {
     bolan_sea_desc desc = bolan_scene_sea_desc(&w->scene);
     desc.sea_state.measured = w->assets.spectrum;
     desc.waves = BOLAN_WAVES_TEXTURES;
-    if (!isnan(o->frames)) desc.loop_frames = (uint32_t)o->frames;
+    if (!isnan(o->frames)) desc.textures.frames = (uint32_t)o->frames;
     return bolan_sea_create(&desc, sea) ? EXIT_FAILED : EXIT_OK;
 }
 

@@ -49,7 +49,7 @@ sea_knobs sea_knobs_read(const bolan_sea_desc *desc, bool measured) {
                    .foam_decay = (float)desc->foam_decay,
                    .seed = (int)(desc->seed & 0x7fffffff),
                    .resolution = (int)desc->resolution,
-                   .cascades = (int)desc->cascade_count};
+                   .cascades = (int)desc->fft.cascade_count};
     int wind_sea = find_system(s, true), swell = find_system(s, false);
     if (wind_sea >= 0) k.fetch_km = find_fetch(s->systems[wind_sea].wind_speed, s->systems[wind_sea].peak_omega);
     if (swell >= 0) read_swell(&k, &s->systems[swell]);
@@ -87,5 +87,5 @@ void sea_knobs_write(const sea_knobs *k, unsigned changed, bolan_sea_desc *desc)
     desc->foam_decay = k->foam_decay;
     desc->seed = (uint64_t)k->seed;
     desc->resolution = (uint32_t)k->resolution;
-    desc->cascade_count = (uint32_t)k->cascades;
+    desc->fft.cascade_count = (uint32_t)k->cascades;
 }

@@ -67,42 +67,111 @@ typedef enum bolan_frequency_split {
 #define BOLAN_MAX_LOOP_FRAMES 64 ///< of BOLAN_WAVES_TEXTURES
 
 /// How a sea is made.
+///
+/// The fields that more than one model reads mean the same in each of them, so that another model shows the same sea
+/// state, seed and current. What one model alone reads stands in the struct of that model; the other models ignore it,
+/// but every field must be in its range whatever the model.
 typedef struct bolan_sea_desc {
-    bolan_sea_state sea_state; ///< default: wind 8 m/s from 240 deg, fetch 200 km. Kept as it was given, also where
-                               ///< the sea is limited; bolan_sea_get_summary() has the limited one
-    bolan_wave_model waves;    ///< default FFT
-    uint64_t seed;             ///< which sea of this state, any value; default 1
-    uint32_t resolution;       ///< samples along a cascade's side, a power of two 32..1024; default 256. Raised:
-                               ///< longer rings, so shorter waves with the same number of cascades; time and memory
-                               ///< grow with its square
-    uint32_t cascade_count;    ///< 1..4; default 4; TEXTURES always has one. Raised: shorter waves become geometry
-                               ///< instead of roughness
-    double length;             ///< side of the largest cascade [m], 10..1e5; 0 (default): 12 peak wavelengths, and at
-                               ///< least 10 of the longest swell that matters (TEXTURES: 7, and 5). Raised: repeats
-                               ///< later, the shortest wave grows with it
-    double choppiness;         ///< factor on the horizontal displacement, 0..2; default 1 (linear theory). Raised:
-                               ///< sharper crests that fold sooner
-    double loop_period;        ///< 0 (default): none; else 10..1e6 s: every field repeats after this time [s].
-                               ///< Frequencies are rounded to multiples of 1 / period: from 200 s on nobody sees it.
-                               ///< TEXTURES: 1..1e6 s, and 0: the whole number of peak periods nearest to 10 s, >= 1
-    bolan_cpu cpu;             ///< which kernels; default AUTO; one this machine lacks counts as AUTO. The result
-                               ///< does not depend on it
-    double foam_decay;         ///< e-folding time of foam [s], 0.1..60; default 3.5. Raised: longer streaks behind
-                               ///< crests
-    // COSINES and EXP_COSINE
-    double current_x, current_y; ///< uniform current, east and north [m/s], -5..5; default 0. The waves are the same
-                                 ///< and run over the ground at omega + k . current. FFT and TEXTURES leave it out
-    // COSINES
-    uint32_t frequencies;        ///< M, 1..BOLAN_MAX_FREQUENCIES; default 16. Raised: richer, and in proportion slower
-    uint32_t directions;         ///< N, 1..BOLAN_MAX_DIRECTIONS; default 8: mid-points of +-90 degrees for one system
-                                 ///< with COS2, else directions of equal energy. Raised: crests less long
-    bolan_frequency_split split; ///< default EQUAL_ENERGY
-    // EXP_COSINE
-    uint32_t wave_count; ///< 1..BOLAN_MAX_EXP_WAVES; default 8. Raised: less regular from above, slower
-    double sharpness;    ///< s, 0.01..2; default 0.5; the paper's is 1, beyond the steepest wave that does not break.
-                         ///< Raised: sharper crests, wider troughs
-    // TEXTURES; its foam memory runs in the time of the steps, as that of FFT
-    uint32_t loop_frames; ///< frames of the loop, 2..BOLAN_MAX_LOOP_FRAMES; default 32. Raised: smoother
+    /// The model that makes the waves.
+    /// Default BOLAN_WAVES_FFT.
+    bolan_wave_model waves;
+
+    /// What the wind and swell are.
+    /// Default: wind 8 m/s from 240 degrees, fetch 200 km.
+    /// It is kept as given where the sea is limited; bolan_sea_get_summary() describes the limited sea.
+    bolan_sea_state sea_state;
+
+    /// Which sea of this sea state.
+    /// Any value; default 1.
+    uint64_t seed;
+
+    /// Which kernels compute the fields.
+    /// Default BOLAN_CPU_AUTO; a set that this machine lacks counts as AUTO.
+    /// The fields have the same bits with every set.
+    bolan_cpu cpu;
+
+    /// Factor on the horizontal displacement.
+    /// 0..2; default 1, linear theory.
+    /// Raised: sharper crests, which fold sooner. EXP_COSINE has no horizontal displacement.
+    double choppiness;
+
+    /// Time after which every field repeats [s].
+    /// 10..1e6, or 0 (default): no repetition.
+    /// Frequencies are rounded to multiples of 1 / period; from 200 s on the rounding is not visible.
+    /// TEXTURES has its own period, textures.period.
+    double loop_period;
+
+    /// Uniform current, east and north [m/s].
+    /// -5..5; default 0.
+    /// The waves stay the same and run over the ground at omega + k . current.
+    /// FFT and TEXTURES ignore it.
+    double current_x, current_y;
+
+    /// Samples along the side of a tile, for FFT and TEXTURES.
+    /// A power of two, 32..1024; default 256.
+    /// Raised: shorter waves with the same number of tiles; time and memory grow with its square.
+    uint32_t resolution;
+
+    /// Side of the largest tile [m], for FFT and TEXTURES.
+    /// 10..1e5, or 0 (default): 12 peak wavelengths and at least 10 of the longest swell that matters (TEXTURES: 7, 5).
+    /// Raised: the sea repeats after a longer distance, and its shortest wave is longer.
+    double length;
+
+    /// e-folding time of the foam memory [s], for FFT and TEXTURES.
+    /// 0.1..60; default 3.5.
+    /// Raised: longer streaks behind crests.
+    double foam_decay;
+
+    /// BOLAN_WAVES_FFT.
+    struct {
+        /// Number of cascades.
+        /// 1..BOLAN_MAX_CASCADES; default 4.
+        /// Raised: shorter waves become geometry instead of roughness.
+        uint32_t cascade_count;
+    } fft;
+
+    /// BOLAN_WAVES_TEXTURES: one tile, and a loop of still frames.
+    struct {
+        /// Time of the loop [s].
+        /// 1..1e6, or 0 (default): the whole number of peak periods nearest to 10 s, at least one.
+        double period;
+
+        /// Frames of the loop.
+        /// 2..BOLAN_MAX_LOOP_FRAMES; default 32.
+        /// Raised: smoother motion. The foam memory runs in the time of the steps, not of the frames.
+        uint32_t frames;
+    } textures;
+
+    /// BOLAN_WAVES_COSINES: frequencies x directions waves.
+    struct {
+        /// Number of frequencies, M.
+        /// 1..BOLAN_MAX_FREQUENCIES; default 16.
+        /// Raised: a richer sea, proportionally slower.
+        uint32_t frequencies;
+
+        /// Number of directions of each frequency, N.
+        /// 1..BOLAN_MAX_DIRECTIONS; default 8.
+        /// They are the mid-points of +-90 degrees for one system with COS2, else directions of equal energy.
+        /// Raised: shorter crests, proportionally slower.
+        uint32_t directions;
+
+        /// How the spectrum is cut into frequencies.
+        /// Default BOLAN_SPLIT_EQUAL_ENERGY.
+        bolan_frequency_split split;
+    } cosines;
+
+    /// BOLAN_WAVES_EXP_COSINE: waves exp(s cos).
+    struct {
+        /// Number of waves.
+        /// 1..BOLAN_MAX_EXP_WAVES; default 8.
+        /// Raised: less regular from above, slower.
+        uint32_t wave_count;
+
+        /// Sharpness s.
+        /// 0.01..2; default 0.5. The paper's is 1, steeper than any wave that does not break.
+        /// Raised: sharper crests, wider troughs.
+        double sharpness;
+    } exp_cosine;
 } bolan_sea_desc;
 
 /// A sea: spectrum tables, and the fields of one time.
@@ -131,6 +200,16 @@ void bolan_sea_settle(bolan_sea *sea, double time);
 double bolan_sea_time(const bolan_sea *sea);
 /// The desc the sea was made from, defaults resolved (measured is NULL). Valid while the sea lives.
 const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
+
+/// The number of the sea: never 0, and different for every sea that this process has created.
+/// Use it, not the address, to tell whether something made from a sea still belongs to it.
+/// Thread-safe, also during a step.
+uint64_t bolan_sea_id(const bolan_sea *sea);
+/// The number of the fields as they are now: never 0, and unique in this process, so that equal serials mean equal
+/// fields of the same sea.
+/// A step or settle changes it; a step to the time at which the fields stand already does nothing and keeps it.
+/// Thread-safe between steps.
+uint64_t bolan_sea_serial(const bolan_sea *sea);
 
 /// Integral parameters of the sea state, a measured spectrum included, lowered by bolan_sea_state_limit(); computed at
 /// creation.
@@ -181,7 +260,7 @@ typedef struct bolan_sea_component {
 uint32_t bolan_sea_component_count(const bolan_sea *sea);
 /// Wave @p index of the sum. Thread-safe.
 bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint32_t index);
-/// TEXTURES: which frame of the loop the fields show, 0..loop_frames - 1; 0 for the others. Thread-safe.
+/// TEXTURES: which frame of the loop the fields show, 0..textures.frames - 1; 0 for the others. Thread-safe.
 uint32_t bolan_sea_loop_frame(const bolan_sea *sea);
 
 /// Everything the sea is at one rest point, all cascades summed (bilinear between samples), choppiness and lift

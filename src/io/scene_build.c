@@ -28,6 +28,7 @@ void bolan_scene_file_clear(scene_file *file) {
         &file->sea.loop,
         &file->sea.foam_decay,
         &file->sea.sharpness,
+        &file->sea.texture_loop,
         &file->look.distortion,
         &file->look.blend,
         &file->look.ambient,
@@ -69,13 +70,13 @@ void bolan_scene_file_clear(scene_file *file) {
         file->camera.path[i] =
             (struct scene_file_key){0, absent, {absent, absent, absent}, absent, absent, absent, absent};
     file->look.effects = d.look.effects;
-    file->sea.frequencies = d.sea.frequencies;
-    file->sea.directions = d.sea.directions;
-    file->sea.waves = d.sea.wave_count;
-    file->sea.loop_frames = d.sea.loop_frames;
+    file->sea.frequencies = d.sea.cosines.frequencies;
+    file->sea.directions = d.sea.cosines.directions;
+    file->sea.waves = d.sea.exp_cosine.wave_count;
+    file->sea.loop_frames = d.sea.textures.frames;
     file->sea.seed = d.sea.seed;
     file->sea.resolution = d.sea.resolution;
-    file->sea.cascades = d.sea.cascade_count;
+    file->sea.cascades = d.sea.fft.cascade_count;
     file->sky.clouds.seed = d.sky.cloud_seed;
     file->terrain.island.seed = d.terrain.island.seed;
 }
@@ -161,17 +162,18 @@ static bolan_result build_sea(const struct scene_file_sea *sea, const char *name
     set_wind(sea, scene);
     d->seed = sea->seed;
     d->resolution = (uint32_t)sea->resolution;
-    d->cascade_count = (uint32_t)sea->cascades;
+    d->fft.cascade_count = (uint32_t)sea->cascades;
     set(&d->length, sea->length, 1.0);
     set(&d->choppiness, sea->choppiness, 1.0);
     set(&d->loop_period, sea->loop, 1.0);
+    set(&d->textures.period, sea->texture_loop, 1.0);
     set(&d->foam_decay, sea->foam_decay, 1.0);
-    d->frequencies = (uint32_t)sea->frequencies;
-    d->directions = (uint32_t)sea->directions;
-    if (sea->split >= 0) d->split = (bolan_frequency_split)sea->split;
-    d->wave_count = (uint32_t)sea->waves;
-    set(&d->sharpness, sea->sharpness, 1.0);
-    d->loop_frames = (uint32_t)sea->loop_frames;
+    d->cosines.frequencies = (uint32_t)sea->frequencies;
+    d->cosines.directions = (uint32_t)sea->directions;
+    if (sea->split >= 0) d->cosines.split = (bolan_frequency_split)sea->split;
+    d->exp_cosine.wave_count = (uint32_t)sea->waves;
+    set(&d->exp_cosine.sharpness, sea->sharpness, 1.0);
+    d->textures.frames = (uint32_t)sea->loop_frames;
     return add_swells(sea, name, &d->sea_state);
 }
 

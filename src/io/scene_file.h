@@ -23,7 +23,7 @@ typedef struct scene_file {
             double speed, from;
         } wind;
         double fetch_km, beaufort, douglas, depth, length, choppiness, loop, foam_decay;
-        double sharpness;
+        double sharpness, texture_loop;
         uint64_t seed, resolution, cascades, frequencies, directions, waves, loop_frames;
         int split;
         struct scene_file_spectrum {

@@ -325,7 +325,8 @@ static void set_total(const gl_program *g, const frame *f, double amplitude_fact
 // Liu & Xie 2010, in zero-mean, unit-range form: amplitude * 2 / (1 - e^-2s) * (e^{s (cos th - 1)} - e^-s I0(s)).
 static void set_exp_waves(const gl_program *g, const frame *f) {
     float waves[4 * BOLAN_MAX_EXP_WAVES] = {0}, terms[SLOPE_TERMS];
-    double s = bolan_sea_get_desc(f->desc->sea)->sharpness, range = 2.0 / (1.0 - exp(-2.0 * s)), c[SLOPE_TERMS];
+    const double s = bolan_sea_get_desc(f->desc->sea)->exp_cosine.sharpness, range = 2.0 / (1.0 - exp(-2.0 * s));
+    double c[SLOPE_TERMS];
     uint32_t count = bolan_sea_component_count(f->desc->sea);
     for (uint32_t i = 0; i < count; ++i) fill_wave(f, i, range, waves + 4 * i);
     fit_slope(s, -4.0 * BOLAN_PI * s, c);

@@ -68,11 +68,9 @@ void bolan_scene_set_technique(bolan_scene *scene, const bolan_technique *techni
 bolan_sea_desc bolan_scene_sea_desc(const bolan_scene *scene) {
     BOLAN_ASSERT(scene);
     bolan_sea_desc desc = scene->sea;
-    // A short loop is for textures: any other sea would have only a few frequencies left.
-    if (desc.waves != BOLAN_WAVES_TEXTURES && desc.loop_period < 10.0) desc.loop_period = 0.0;
     if (scene->look.paper) {
-        desc.sharpness = 1.0;
-        desc.split = BOLAN_SPLIT_EQUAL_WIDTH;
+        desc.exp_cosine.sharpness = 1.0;
+        desc.cosines.split = BOLAN_SPLIT_EQUAL_WIDTH;
     }
     return desc;
 }

@@ -31,20 +31,22 @@ static bolan_result check_sea(const bolan_scene *s) {
     const bolan_sea_desc *d = &s->sea;
     const bool ok =
         !bolan_sea_state_validate(&d->sea_state) && !check_resolution(d->resolution) &&
-        !check("sea.cascade_count", d->cascade_count, 1, BOLAN_MAX_CASCADES, "") &&
+        !check("sea.fft.cascade_count", d->fft.cascade_count, 1, BOLAN_MAX_CASCADES, "") &&
         !(d->length != 0.0 && check("sea.length", d->length, 10, 1e5, "m")) &&
         !check("sea.choppiness", d->choppiness, 0, 2, "") && !check("sea.current_x", d->current_x, -5, 5, "m/s") &&
         !check("sea.current_y", d->current_y, -5, 5, "m/s") &&
-        !(d->loop_period != 0.0 && check("sea.loop_period", d->loop_period, 1, 1e6, "s")) &&
+        !(d->loop_period != 0.0 && check("sea.loop_period", d->loop_period, 10, 1e6, "s")) &&
+        !(d->textures.period != 0.0 && check("sea.textures.period", d->textures.period, 1, 1e6, "s")) &&
         !check("sea.cpu", (double)d->cpu, 0, BOLAN_CPU_AVX512, "(a bolan_cpu)") &&
         !check("sea.foam_decay", d->foam_decay, 0.1, 60, "s") && !check("fetch", s->fetch, 100, 1e7, "m") &&
         !check("wind_spectrum", (double)s->wind_spectrum, 0, BOLAN_SPECTRUM_KINDS - 1, "(a bolan_spectrum_kind)") &&
-        !check("sea.frequencies", d->frequencies, 1, BOLAN_MAX_FREQUENCIES, "") &&
-        !check("sea.directions", d->directions, 1, BOLAN_MAX_DIRECTIONS, "") &&
-        !check("sea.split", (double)d->split, 0, BOLAN_SPLIT_EQUAL_WIDTH, "(a bolan_frequency_split)") &&
-        !check("sea.wave_count", d->wave_count, 1, BOLAN_MAX_EXP_WAVES, "") &&
-        !check("sea.sharpness", d->sharpness, 0.01, 2, "") &&
-        !check("sea.loop_frames", d->loop_frames, 2, BOLAN_MAX_LOOP_FRAMES, "") &&
+        !check("sea.cosines.frequencies", d->cosines.frequencies, 1, BOLAN_MAX_FREQUENCIES, "") &&
+        !check("sea.cosines.directions", d->cosines.directions, 1, BOLAN_MAX_DIRECTIONS, "") &&
+        !check("sea.cosines.split", (double)d->cosines.split, 0, BOLAN_SPLIT_EQUAL_WIDTH,
+               "(a bolan_frequency_split)") &&
+        !check("sea.exp_cosine.wave_count", d->exp_cosine.wave_count, 1, BOLAN_MAX_EXP_WAVES, "") &&
+        !check("sea.exp_cosine.sharpness", d->exp_cosine.sharpness, 0.01, 2, "") &&
+        !check("sea.textures.frames", d->textures.frames, 2, BOLAN_MAX_LOOP_FRAMES, "") &&
         !check_text("spectrum_path", s->spectrum_path, sizeof s->spectrum_path) &&
         !bolan_spectrum_options_validate(&s->spectrum) &&
         !check_text("tiles_path", s->tiles_path, sizeof s->tiles_path);

@@ -214,10 +214,10 @@ bolan_result bolan_tiles_bake(bolan_sea *sea, const bolan_tiles_desc *desc, bola
     const bolan_sea_desc *sea_desc = bolan_sea_get_desc(sea);
     const bolan_cascade_view c = bolan_sea_cascade(sea, 0);
     const bolan_tiles_view shape = {.n = c.n,
-                                    .frames = sea_desc->loop_frames,
+                                    .frames = sea_desc->textures.frames,
                                     .length = c.length,
                                     .angle = c.angle,
-                                    .period = sea_desc->loop_period,
+                                    .period = sea_desc->textures.period,
                                     .depth = desc->depth > 0.0 ? desc->depth : best_depth(&c, desc->index),
                                     .paper = desc->paper};
     const size_t scratch = (size_t)bolan_threads() * c.n * c.n * sizeof(float);

@@ -51,11 +51,10 @@ static double length_ratio(double length, uint32_t n, uint32_t count) {
 void bolan_sea_layout(bolan_sea *sea, const sea_radial *radial) {
     bolan_sea_desc *d = &sea->desc;
     const bool textures = d->waves == BOLAN_WAVES_TEXTURES;
-    if (textures) d->cascade_count = 1;
-    if (textures && d->loop_period == 0.0) d->loop_period = automatic_loop(sea->summary.tp);
+    if (textures && d->textures.period == 0.0) d->textures.period = automatic_loop(sea->summary.tp);
     if (d->length == 0.0) d->length = automatic_length(radial, &sea->summary, d->sea_state.depth, textures);
-    const double ratio = length_ratio(d->length, d->resolution, d->cascade_count);
-    sea->count = d->cascade_count;
+    sea->count = textures ? 1 : d->fft.cascade_count;
+    const double ratio = length_ratio(d->length, d->resolution, sea->count);
     for (uint32_t i = 0; i < sea->count; i++) {
         sea_cascade *c = &sea->cascade[i];
         c->n = d->resolution;

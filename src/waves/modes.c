@@ -79,7 +79,7 @@ static void cell_energy(const fill *f, int32_t i, int32_t j, double out[2]) {
 // Frequency in turns a second; with a loop, the nearest multiple of 1 / period, but never standing still.
 static double turns_of(const bolan_sea *sea, double k) {
     const double turns = bolan_omega_from_k(k, sea->desc.sea_state.depth) / (2.0 * BOLAN_PI);
-    const double period = sea->desc.loop_period;
+    const double period = bolan_sea_period(sea);
     return period > 0.0 ? fmax(floor(turns * period + 0.5), 1.0) / period : turns;
 }
 

@@ -20,20 +20,17 @@ const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1] = {"fft", "cosin
 
 bolan_sea_desc bolan_sea_desc_default(void) {
     return (bolan_sea_desc){
-        .sea_state = bolan_sea_state_from_wind(8.0, 240.0, 200e3),
         .waves = BOLAN_WAVES_FFT,
+        .sea_state = bolan_sea_state_from_wind(8.0, 240.0, 200e3),
         .seed = 1,
-        .resolution = 256,
-        .cascade_count = 4,
-        .choppiness = 1.0,
         .cpu = BOLAN_CPU_AUTO,
+        .choppiness = 1.0,
+        .resolution = 256,
         .foam_decay = 3.5,
-        .frequencies = 16,
-        .directions = 8,
-        .split = BOLAN_SPLIT_EQUAL_ENERGY,
-        .wave_count = 8,
-        .sharpness = 0.5,
-        .loop_frames = 32,
+        .fft = {.cascade_count = 4},
+        .textures = {.frames = 32},
+        .cosines = {.frequencies = 16, .directions = 8, .split = BOLAN_SPLIT_EQUAL_ENERGY},
+        .exp_cosine = {.wave_count = 8, .sharpness = 0.5},
     };
 }
 
@@ -101,6 +98,12 @@ static void forget_measured(bolan_sea *sea) {
     sea->desc.sea_state.measured = NULL;
 }
 
+// Numbers of seas and of their fields, one row for both: never 0, never twice.
+static uint64_t next_number(void) {
+    static atomic_uint_fast64_t last;
+    return atomic_fetch_add_explicit(&last, 1, memory_order_relaxed) + 1;
+}
+
 bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {
     BOLAN_ASSERT(desc && out);
     *out = NULL;
@@ -109,6 +112,7 @@ bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {
     bolan_sea *sea = bolan_sea_borrow(sizeof *sea);
     if (!sea) return BOLAN_ERROR_MEMORY;
     sea->desc = *desc;
+    sea->id = next_number();
     sea->kernels = bolan_sea_kernels_for(desc->cpu);
     set_limit(sea);
     if (!build(sea)) {
@@ -178,8 +182,12 @@ static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t work
     while (do_next_item(s, s->sea->scratch + begin * s->sea->scratch_floats)) {}
 }
 
+double bolan_sea_period(const bolan_sea *sea) {
+    return sea->desc.waves == BOLAN_WAVES_TEXTURES ? sea->desc.textures.period : sea->desc.loop_period;
+}
+
 double bolan_sea_shown_time(const bolan_sea *sea, double time, uint32_t *frame) {
-    const double period = sea->desc.loop_period, frames = sea->desc.loop_frames;
+    const double period = bolan_sea_period(sea), frames = sea->desc.textures.frames;
     if (frame) *frame = 0;
     if (sea->desc.waves != BOLAN_WAVES_TEXTURES) return fmod(time, period > 0.0 ? period : LARGEST_TIME);
     const double loops = time / period, on = fmin(floor((loops - floor(loops)) * frames), frames - 1.0);
@@ -201,6 +209,7 @@ void bolan_sea_step(bolan_sea *sea, double time) {
     BOLAN_ASSERT(sea && isfinite(time));
     const double dt = time - sea->time;
     const bool continues = sea->foam_holds && dt >= 0.0 && dt <= LONGEST_TICK;
+    if (continues && dt == 0.0) return; // the same fields, and a foam memory that has not aged
     if (sea->sum) {
         bolan_sea_sum_step(sea, bolan_sea_shown_time(sea, time, NULL));
     } else {
@@ -208,6 +217,7 @@ void bolan_sea_step(bolan_sea *sea, double time) {
     }
     sea->time = time;
     sea->foam_holds = true;
+    sea->serial = next_number();
 }
 
 void bolan_sea_settle(bolan_sea *sea, double time) {
@@ -236,6 +246,16 @@ double bolan_sea_time(const bolan_sea *sea) {
 const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea) {
     BOLAN_ASSERT(sea);
     return &sea->desc;
+}
+
+uint64_t bolan_sea_id(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return sea->id;
+}
+
+uint64_t bolan_sea_serial(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return sea->serial;
 }
 
 const bolan_sea_summary *bolan_sea_get_summary(const bolan_sea *sea) {

@@ -69,6 +69,7 @@ struct slope_map;
 
 struct bolan_sea {
     bolan_sea_desc desc;
+    uint64_t id, serial;
     double time;
     bool foam_holds;     // the foam memory belongs to `time`
     struct sea_sum *sum; // COSINES and EXP_COSINE (sum.h); NULL for the others
@@ -105,6 +106,8 @@ typedef struct sea_radial {
     double keep[RADIAL_COUNT];     // factor on the power at k, 1 for the long waves
 } sea_radial;
 
+// The time [s] after which every field repeats; 0: never.
+double bolan_sea_period(const bolan_sea *sea);
 // The time [s] that a step to `time` shows: reduced by the loop or by 2^36 s, and down to a frame of the loop with TEXTURES.
 double bolan_sea_shown_time(const bolan_sea *sea, double time, uint32_t *frame);
 // A uniform hash (the finaliser of SplitMix64).

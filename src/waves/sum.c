@@ -109,7 +109,7 @@ void bolan_sea_sum_sample(const bolan_sea *sea, const bolan_dvec2 *points, const
 
 void bolan_sea_sum_direct(const bolan_sea *sea, double x, double y, double shown, sea_sums *v) {
     const sea_sum *sum = sea->sum;
-    const double s = sea->desc.sharpness, mean = exp_cosine_mean(s);
+    const double s = sea->desc.exp_cosine.sharpness, mean = exp_cosine_mean(s);
     for (uint32_t i = 0; i < sum->tables.count; i++) {
         const bolan_sea_component *c = &sum->component[i];
         const double along = (c->kx * x + c->ky * y + c->phase) / (2.0 * BOLAN_PI);

@@ -101,7 +101,7 @@ static double turns_of(const bolan_sea_desc *d, double omega, double kx, double 
 
 // Amplitude a of a wave whose variance is `energy`: a^2 / 2 for a cosine.
 static double amplitude_of(const bolan_sea *sea, double energy) {
-    const double s = sea->desc.sharpness;
+    const double s = sea->desc.exp_cosine.sharpness;
     if (!sea->sum->tables.exponential) return sqrt(2.0 * energy);
     return sqrt(energy / exp_cosine_variance(s)) / exp_cosine_scale(s);
 }
@@ -179,7 +179,7 @@ static void set_exponential_factors(const bolan_sea_component *c, double sharpne
 
 static void set_tables(bolan_sea *sea) {
     sea_sum *sum = sea->sum;
-    const double s = sea->desc.sharpness;
+    const double s = sea->desc.exp_cosine.sharpness;
     sum->tables.sharpness_8th = (float)(s / 8.0);
     sum->tables.mean = (float)exp_cosine_mean(s);
     // The crest of (1) is 2 - (1 - e^{-2s}) of the trough to its mean: larger than the trough's depth.
@@ -223,12 +223,12 @@ static bool reserve_waves(bolan_sea *sea, uint32_t count) {
 
 bool bolan_sea_sum_create(bolan_sea *sea, const spectrum_eval *eval) {
     const bool exponential = sea->desc.waves == BOLAN_WAVES_EXP_COSINE;
-    const uint32_t lines = exponential ? sea->desc.wave_count : sea->desc.frequencies;
-    const uint32_t directions = exponential ? 1 : sea->desc.directions;
+    const uint32_t lines = exponential ? sea->desc.exp_cosine.wave_count : sea->desc.cosines.frequencies;
+    const uint32_t directions = exponential ? 1 : sea->desc.cosines.directions;
     const size_t bytes = SUM_MAX_LINES * sizeof(fan);
     if (!reserve_waves(sea, lines * directions)) return false;
     sea->sum->tables.exponential = exponential;
-    if (!bolan_sum_set_lines(eval, lines, exponential ? BOLAN_SPLIT_EQUAL_ENERGY : sea->desc.split, sea->sum))
+    if (!bolan_sum_set_lines(eval, lines, exponential ? BOLAN_SPLIT_EQUAL_ENERGY : sea->desc.cosines.split, sea->sum))
         return false;
     fan *fans = bolan_sea_borrow(bytes);
     if (!fans) return false;

@@ -23,9 +23,10 @@ static bool kinds_are_valid(const bolan_sea_desc *desc) {
                   BOLAN_WAVE_MODELS - 1);
         return false;
     }
-    if (desc->split != BOLAN_SPLIT_EQUAL_ENERGY && desc->split != BOLAN_SPLIT_EQUAL_WIDTH) {
+    if (desc->cosines.split != BOLAN_SPLIT_EQUAL_ENERGY && desc->cosines.split != BOLAN_SPLIT_EQUAL_WIDTH) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT,
-                  "bolan_sea_desc.split is %d; expected a bolan_frequency_split, 0 or 1", (int)desc->split);
+                  "bolan_sea_desc.cosines.split is %d; expected a bolan_frequency_split, 0 or 1",
+                  (int)desc->cosines.split);
         return false;
     }
     if ((int)desc->cpu < (int)BOLAN_CPU_AUTO || desc->cpu > BOLAN_CPU_AVX512) {
@@ -38,23 +39,23 @@ static bool kinds_are_valid(const bolan_sea_desc *desc) {
 }
 
 static bool sums_are_valid(const bolan_sea_desc *desc) {
-    return in_range("frequencies", desc->frequencies, 1.0, BOLAN_MAX_FREQUENCIES, "") &&
-           in_range("directions", desc->directions, 1.0, BOLAN_MAX_DIRECTIONS, "") &&
-           in_range("wave_count", desc->wave_count, 1.0, BOLAN_MAX_EXP_WAVES, "") &&
-           in_range("sharpness", desc->sharpness, 0.01, 2.0, "") &&
+    return in_range("cosines.frequencies", desc->cosines.frequencies, 1.0, BOLAN_MAX_FREQUENCIES, "") &&
+           in_range("cosines.directions", desc->cosines.directions, 1.0, BOLAN_MAX_DIRECTIONS, "") &&
+           in_range("exp_cosine.wave_count", desc->exp_cosine.wave_count, 1.0, BOLAN_MAX_EXP_WAVES, "") &&
+           in_range("exp_cosine.sharpness", desc->exp_cosine.sharpness, 0.01, 2.0, "") &&
            in_range("current_x", desc->current_x, -5.0, 5.0, " m/s") &&
            in_range("current_y", desc->current_y, -5.0, 5.0, " m/s");
 }
 
 bolan_result bolan_sea_validate(const bolan_sea_desc *desc) {
-    const double shortest_loop = desc->waves == BOLAN_WAVES_TEXTURES ? 1.0 : 10.0;
     const bool valid =
         kinds_are_valid(desc) && resolution_is_valid(desc->resolution) &&
-        in_range("cascade_count", desc->cascade_count, 1.0, BOLAN_MAX_CASCADES, "") &&
+        in_range("fft.cascade_count", desc->fft.cascade_count, 1.0, BOLAN_MAX_CASCADES, "") &&
         (desc->length == 0.0 || in_range("length", desc->length, 10.0, 1e5, " m")) &&
         in_range("choppiness", desc->choppiness, 0.0, 2.0, "") &&
-        (desc->loop_period == 0.0 || in_range("loop_period", desc->loop_period, shortest_loop, 1e6, " s")) &&
-        in_range("loop_frames", desc->loop_frames, 2.0, BOLAN_MAX_LOOP_FRAMES, "") && sums_are_valid(desc) &&
+        (desc->loop_period == 0.0 || in_range("loop_period", desc->loop_period, 10.0, 1e6, " s")) &&
+        (desc->textures.period == 0.0 || in_range("textures.period", desc->textures.period, 1.0, 1e6, " s")) &&
+        in_range("textures.frames", desc->textures.frames, 2.0, BOLAN_MAX_LOOP_FRAMES, "") && sums_are_valid(desc) &&
         in_range("foam_decay", desc->foam_decay, 0.1, 60.0, " s");
     return valid ? bolan_sea_state_validate(&desc->sea_state) : BOLAN_ERROR_ARGUMENT;
 }

@@ -136,21 +136,21 @@ static bolan_sea_desc shallow(void) {
     desc.sea_state.systems[0].spreading = BOLAN_SPREADING_COS2S;
     desc.sea_state.depth = 8.0;
     desc.loop_period = 200.0;
-    desc.cascade_count = 2;
+    desc.fft.cascade_count = 2;
     return desc;
 }
 static bolan_sea_desc phillips(void) {
     bolan_sea_desc desc = small();
     desc.sea_state = bolan_sea_state_from_phillips(12.0, 45.0);
     desc.length = 300.0;
-    desc.cascade_count = 1;
+    desc.fft.cascade_count = 1;
     return desc;
 }
 static bolan_sea_desc carried(void) {
     bolan_sea_desc desc = of_model(BOLAN_WAVES_COSINES);
     desc.current_x = 1.5;
     desc.current_y = -0.5;
-    desc.split = BOLAN_SPLIT_EQUAL_WIDTH;
+    desc.cosines.split = BOLAN_SPLIT_EQUAL_WIDTH;
     return desc;
 }
 
@@ -204,7 +204,7 @@ static uint64_t raster_bits(void) {
 
 static uint64_t tiles_bits(bolan_cpu cpu) {
     bolan_sea_desc sea_desc = of_model(BOLAN_WAVES_TEXTURES);
-    sea_desc.loop_frames = 4;
+    sea_desc.textures.frames = 4;
     sea_desc.cpu = cpu;
     bolan_sea *sea = test_sea(sea_desc);
     bolan_tiles_desc desc = bolan_tiles_desc_default();

@@ -63,7 +63,7 @@ static void large_planes_are_no_other_sea(void **state) {
     (void)state;
     bolan_sea_desc desc = bolan_sea_desc_default();
     desc.resolution = 1024;
-    desc.cascade_count = 1;
+    desc.fft.cascade_count = 1;
     desc.cpu = BOLAN_CPU_SCALAR;
     const uint64_t expected = bits_of(desc, 2);
     desc.cpu = BOLAN_CPU_AUTO;
@@ -118,7 +118,7 @@ static void keep_mode(void *context, const sea_mode *m) {
 static void resolution_does_not_change_which_waves_there_are(void **state) {
     (void)state;
     bolan_sea_desc desc = bolan_sea_desc_default();
-    desc.cascade_count = 1;
+    desc.fft.cascade_count = 1;
     desc.length = 700.0;
     desc.resolution = 64;
     bolan_sea *coarse = create(desc);

@@ -99,7 +99,7 @@ static bolan_sea *textures(uint32_t frames) {
     bolan_sea_desc desc = bolan_sea_desc_default();
     desc.waves = BOLAN_WAVES_TEXTURES;
     desc.resolution = 64;
-    desc.loop_frames = frames;
+    desc.textures.frames = frames;
     return test_sea(desc);
 }
 
@@ -107,7 +107,7 @@ static void the_loop_of_textures_is_exact(void **state) {
     (void)state;
     enum { FRAMES = 12 };
     bolan_sea *sea = textures(FRAMES);
-    const double period = bolan_sea_get_desc(sea)->loop_period;
+    const double period = bolan_sea_get_desc(sea)->textures.period;
     char hash[FRAMES][17], again[17];
     for (uint32_t f = 0; f < FRAMES; f++) {
         bolan_sea_step(sea, (f + 0.5) * period / FRAMES);

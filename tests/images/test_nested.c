@@ -59,8 +59,8 @@ static void rig_open(rig *r) {
     bolan_sea_desc desc = bolan_sea_desc_default();
     desc.sea_state = bolan_sea_state_from_wind(18.0, 250.0, 400e3);
     desc.waves = BOLAN_WAVES_COSINES;
-    desc.frequencies = 6;
-    desc.directions = 3;
+    desc.cosines.frequencies = 6;
+    desc.cosines.directions = 3;
     assert_int_equal(bolan_sea_create(&desc, &r->sea), BOLAN_OK);
     r->scene = bolan_scene_default();
     r->desc = bolan_frame_desc_default();

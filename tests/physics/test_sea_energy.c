@@ -61,7 +61,7 @@ static void the_cascades_hold_the_spectrum_once(void **state) {
 static void one_cascade_and_its_tail_hold_the_spectrum(void **state) {
     (void)state;
     bolan_sea_desc desc = reference(256);
-    desc.cascade_count = 1;
+    desc.fft.cascade_count = 1;
     desc.length = 1000.0; // as in the published check: 0.9889 of m0 within the Nyquist square
     bolan_sea *sea = test_sea(desc);
     const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
@@ -115,7 +115,7 @@ static double ring_slope_variance(const bolan_sea_state *state, double k_min, do
 static void slopes_are_those_of_the_spectrum(void **state) {
     (void)state;
     bolan_sea_desc desc = reference(256);
-    desc.cascade_count = 1;
+    desc.fft.cascade_count = 1;
     desc.length = 1000.0;
     double mean = 0.0, expected = 0.0;
     const uint32_t seeds = 8;
@@ -180,7 +180,7 @@ static void waves_come_from_where_they_were_asked_to(void **state) {
 static void the_fields_move_where_the_modes_say(void **state) {
     (void)state;
     bolan_sea_desc desc = reference(128);
-    desc.cascade_count = 2;
+    desc.fft.cascade_count = 2;
     bolan_sea *sea = test_sea(desc);
     for (uint32_t index = 0; index < 2; index++) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, index);

@@ -92,7 +92,7 @@ static void one_wave_is_lifted_by_the_closed_form(void **state) {
     d.sea_state = bolan_sea_state_from_wind(7.0, 100.0, 300e3);
     d.sea_state.depth = 4.0;
     d.waves = BOLAN_WAVES_COSINES;
-    d.frequencies = d.directions = 1;
+    d.cosines.frequencies = d.cosines.directions = 1;
     d.choppiness = 1.25;
     bolan_sea *sea = test_sea(d);
     const bolan_sea_component c = bolan_sea_get_component(sea, 0);
@@ -117,7 +117,7 @@ static void the_lift_is_that_of_the_spectrum(void **state) {
     bolan_sea_desc d = bolan_sea_desc_default();
     d.sea_state = bolan_sea_state_from_wind(10.0, 250.0, HUGE_VAL);
     d.resolution = 512;
-    d.cascade_count = 2;
+    d.fft.cascade_count = 2;
     bolan_sea *sea = test_sea(d);
     double integral = 0.0;
     const double top = bolan_sea_cascade(sea, 1).k_max, w_top = sqrt(9.81 * top);

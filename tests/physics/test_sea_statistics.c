@@ -224,7 +224,7 @@ static void bounds_hold(void **state) {
 static void a_footprint_removes_what_a_blur_removes(void **state) {
     (void)state;
     bolan_sea_desc desc = bolan_sea_desc_default();
-    desc.cascade_count = 1;
+    desc.fft.cascade_count = 1;
     desc.resolution = 64;
     bolan_sea *sea = test_sea(desc);
     const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
@@ -277,7 +277,7 @@ static void the_peak_period_is_found_between_the_bins(void **state) {
     double worst = 0.0, signed_sum = 0.0;
     for (int i = 0; i < 8; i++) {
         bolan_sea_desc desc = test_calm_desc(512);
-        desc.cascade_count = 1;
+        desc.fft.cascade_count = 1;
         desc.length = 8000.0; // many rings of the lattice in a bin
         const double tp = 9.0 * pow(1.05, i / 8.0);
         assert_int_equal(bolan_sea_state_add_swell(&desc.sea_state, 1.0, tp, 250.0, 10.0), BOLAN_OK);
@@ -305,7 +305,7 @@ static void a_coarse_grid_averages_over_two_spacings(void **state) {
         bolan_sea_desc desc = test_calm_desc(128);
         assert_int_equal(bolan_sea_state_add_swell(&desc.sea_state, 1.0, 8.0, from, 200.0), BOLAN_OK); // 99.92 m
         desc.sea_state.systems[0].gamma = 10.0;
-        desc.cascade_count = 1;
+        desc.fft.cascade_count = 1;
         desc.choppiness = 0.0;
         bolan_sea *sea = test_sea(desc);
         static const double kept[][2] = {{2.0, 0.06}, {4.0, 0.637}, {8.0, 0.90}, {100.0, 1.0}};

@@ -97,8 +97,8 @@ static double envelope_difference(const bolan_sea *sea, double shift) {
 static void equal_width_repeats_after_32_seconds_and_equal_energy_does_not(void **state) {
     (void)state;
     bolan_sea_desc d = paper_desc();
-    d.directions = 1;
-    d.split = BOLAN_SPLIT_EQUAL_WIDTH;
+    d.cosines.directions = 1;
+    d.cosines.split = BOLAN_SPLIT_EQUAL_WIDTH;
     bolan_sea *sea = test_sea(d);
     const double step = bolan_sea_get_component(sea, 1).omega - bolan_sea_get_component(sea, 0).omega;
     assert_near(step, 0.1962, 1e-4);
@@ -111,7 +111,7 @@ static void equal_width_repeats_after_32_seconds_and_equal_energy_does_not(void 
     assert_true(envelope_difference(sea, TURN / step) < 1e-4);
     assert_true(envelope_difference(sea, 0.5 * TURN / step) > 0.2);
     bolan_sea_destroy(&sea);
-    d.split = BOLAN_SPLIT_EQUAL_ENERGY;
+    d.cosines.split = BOLAN_SPLIT_EQUAL_ENERGY;
     sea = test_sea(d);
     for (double shift = 15.0; shift < 300.0; shift += 0.5) assert_true(envelope_difference(sea, shift) > 0.1);
     bolan_sea_destroy(&sea);
@@ -126,7 +126,7 @@ static void the_mean_direction_is_the_sea_state_s(void **state) {
             assert_int_equal(bolan_sea_state_add_swell(&d.sea_state, 1.0, 12.0, 47.0 * i + 60.0 - 360.0, 30.0),
                              BOLAN_OK);
         d.waves = i & 2 ? BOLAN_WAVES_EXP_COSINE : BOLAN_WAVES_COSINES;
-        d.split = i & 4 ? BOLAN_SPLIT_EQUAL_WIDTH : BOLAN_SPLIT_EQUAL_ENERGY;
+        d.cosines.split = i & 4 ? BOLAN_SPLIT_EQUAL_WIDTH : BOLAN_SPLIT_EQUAL_ENERGY;
         bolan_sea *sea = test_sea(d);
         const bolan_sea_statistics s = bolan_sea_measure(sea);
         const bolan_sea_summary wanted = bolan_sea_state_summary(&d.sea_state);
@@ -139,7 +139,7 @@ static void the_mean_direction_is_the_sea_state_s(void **state) {
 static bolan_sea_desc one_wave(bolan_wave_model model) {
     bolan_sea_desc d = paper_desc();
     d.waves = model;
-    d.frequencies = d.directions = d.wave_count = 1;
+    d.cosines.frequencies = d.cosines.directions = d.exp_cosine.wave_count = 1;
     return d;
 }
 
@@ -221,7 +221,7 @@ static void points_agree_with_the_sum_in_double(void **state) {
     for (int model = BOLAN_WAVES_COSINES; model <= BOLAN_WAVES_EXP_COSINE; model++) {
         bolan_sea_desc d = bolan_sea_desc_default();
         d.waves = (bolan_wave_model)model;
-        d.frequencies = 24;
+        d.cosines.frequencies = 24;
         bolan_sea *sea = test_sea(d);
         bolan_sea_step(sea, 1234.5);
         for (int i = 0; i < 60; i++) {
@@ -317,7 +317,7 @@ static void slopes_are_those_of_the_waves_and_cox_and_munk_s_rest(void **state) 
         d.choppiness = 0.0;
         bolan_sea *sea = test_sea(d);
         double mss = 0.0, up, cross;
-        const double s = d.sharpness, a2 = pow(1.0 / sinh(s), 2.0);
+        const double s = d.exp_cosine.sharpness, a2 = pow(1.0 / sinh(s), 2.0);
         for (uint32_t i = 0; i < bolan_sea_component_count(sea); i++) {
             const bolan_sea_component c = bolan_sea_get_component(sea, i);
             const double share = model == BOLAN_WAVES_COSINES ? 0.5 : a2 * 0.5 * s * exp_cosine_bessel(1, 2.0 * s);
@@ -377,7 +377,7 @@ static void one_exp_wave_has_the_paper_s_crest_trough_and_steepest_slope(void **
     (void)state;
     enum { COUNT = 20000 };
     bolan_sea_desc d = one_wave(BOLAN_WAVES_EXP_COSINE);
-    d.sharpness = 1.0;
+    d.exp_cosine.sharpness = 1.0;
     bolan_sea *sea = test_sea(d);
     const bolan_sea_component c = bolan_sea_get_component(sea, 0);
     double top = 0.0, low = 0.0, steep = 0.0, mean = 0.0, above = 0.0, variance = 0.0, slope = 0.0;
@@ -408,7 +408,7 @@ static void one_exp_wave_has_the_paper_s_crest_trough_and_steepest_slope(void **
 static void a_blunt_exp_wave_is_a_cosine(void **state) {
     (void)state;
     bolan_sea_desc d = one_wave(BOLAN_WAVES_EXP_COSINE);
-    d.sharpness = 0.01;
+    d.exp_cosine.sharpness = 0.01;
     bolan_sea *blunt = test_sea(d);
     const bolan_sea_component c = bolan_sea_get_component(blunt, 0);
     assert_near(c.amplitude, sqrt(2.0 * paper_m0), 1e-4);

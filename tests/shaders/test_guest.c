@@ -28,7 +28,7 @@ static void open_rig(rig *r, const bolan_renderer_desc *desc) {
     bolan_scene_assets assets = {0};
     assert_int_equal(bolan_scene_load("open-sea", &r->scene), BOLAN_OK);
     r->scene.sea.resolution = 64;
-    r->scene.sea.cascade_count = 2;
+    r->scene.sea.fft.cascade_count = 2;
     assert_int_equal(bolan_scene_create_sea(&r->scene, &assets, &r->sea), BOLAN_OK);
     bolan_sea_step(r->sea, 3.0);
     assert_int_equal(bolan_renderer_create(desc, &r->renderer), BOLAN_OK);

@@ -60,7 +60,7 @@ static void open_rig(rig *r) {
     desc.quality = BOLAN_QUALITY_LOW;
     assert_int_equal(bolan_scene_load("open-sea", &r->scene), BOLAN_OK);
     r->scene.sea.resolution = 32;
-    r->scene.sea.cascade_count = 2;
+    r->scene.sea.fft.cascade_count = 2;
     assert_int_equal(bolan_scene_create_sea(&r->scene, &assets, &r->sea), BOLAN_OK);
     bolan_sea_step(r->sea, 3.0);
     assert_int_equal(bolan_renderer_create(&desc, &r->renderer), BOLAN_OK);

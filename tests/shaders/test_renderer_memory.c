@@ -133,7 +133,7 @@ static void open_rig(rig *r, const char *scene, const bolan_technique *technique
     memset(r, 0, sizeof *r);
     assert_int_equal(bolan_scene_load(scene, &r->scene), BOLAN_OK);
     r->scene.sea.resolution = 32;
-    r->scene.sea.cascade_count = 2;
+    r->scene.sea.fft.cascade_count = 2;
     bolan_scene_set_technique(&r->scene, technique);
     assert_int_equal(bolan_scene_assets_load(&r->scene, &r->assets), BOLAN_OK);
     assert_int_equal(bolan_scene_create_sea(&r->scene, &r->assets, &r->sea), BOLAN_OK);

@@ -26,8 +26,8 @@ static void rig_open(rig *r, bolan_wave_model model, uint32_t wave_count, double
     bolan_sea_desc desc = bolan_sea_desc_default();
     desc.sea_state = bolan_sea_state_from_wind(9.0, 250.0, 200e3);
     desc.waves = model;
-    desc.wave_count = wave_count;
-    desc.sharpness = sharpness;
+    desc.exp_cosine.wave_count = wave_count;
+    desc.exp_cosine.sharpness = sharpness;
     desc.choppiness = 0.0;
     assert_int_equal(bolan_sea_create(&desc, &r->sea), BOLAN_OK);
     bolan_sea_step(r->sea, TIME);

@@ -80,7 +80,7 @@ static bolan_sea_desc small_sea(bolan_wave_model waves) {
     bolan_sea_desc d = bolan_sea_desc_default();
     d.waves = waves;
     d.resolution = 32;
-    d.loop_frames = 2;
+    d.textures.frames = 2;
     return d;
 }
 

@@ -39,6 +39,7 @@ static const char *const everything =
     "  length: 900\n"
     "  choppiness: 0.9\n"
     "  loop: 60\n"
+    "  texture_loop: 3.5\n"
     "  foam_decay: 5\n"
     "  frequencies: 20\n"
     "  directions: 6\n"
@@ -88,14 +89,16 @@ static void test_every_key_arrives(void **state) {
     assert_near(sea->systems[1].spread_s, 40, 0);
     assert_near(sea->systems[2].from_deg, 250, 0); // a swell without a direction comes with the wind
     assert_near(sea->depth, 30, 0);
-    assert_true(s.sea.seed == 42 && s.sea.resolution == 128 && s.sea.cascade_count == 3);
+    assert_true(s.sea.seed == 42 && s.sea.resolution == 128 && s.sea.fft.cascade_count == 3);
     assert_near(s.sea.length, 900, 0);
     assert_near(s.sea.choppiness, 0.9, 0);
     assert_near(s.sea.loop_period, 60, 0);
     assert_near(s.sea.foam_decay, 5, 0);
-    assert_true(s.sea.frequencies == 20 && s.sea.directions == 6 && s.sea.wave_count == 12 && s.sea.loop_frames == 24);
-    assert_int_equal(s.sea.split, BOLAN_SPLIT_EQUAL_WIDTH);
-    assert_near(s.sea.sharpness, 0.8, 0);
+    assert_true(s.sea.cosines.frequencies == 20 && s.sea.cosines.directions == 6);
+    assert_true(s.sea.exp_cosine.wave_count == 12);
+    assert_true(s.sea.textures.frames == 24 && s.sea.textures.period == 3.5);
+    assert_int_equal(s.sea.cosines.split, BOLAN_SPLIT_EQUAL_WIDTH);
+    assert_near(s.sea.exp_cosine.sharpness, 0.8, 0);
     assert_true(s.look.paper);
     assert_int_equal(s.look.effects, BOLAN_EFFECT_REFLECTION | BOLAN_EFFECT_BUMP | BOLAN_EFFECT_FOG);
     assert_int_equal(s.look.show, BOLAN_SHOW_MASK);

@@ -14,7 +14,7 @@ static bolan_tiles *bake(void) {
     bolan_sea_desc d = bolan_sea_desc_default();
     d.waves = BOLAN_WAVES_TEXTURES;
     d.resolution = 32;
-    d.loop_frames = 2;
+    d.textures.frames = 2;
     bolan_sea *sea = NULL;
     bolan_tiles *tiles = NULL;
     const bolan_tiles_desc desc = bolan_tiles_desc_default();

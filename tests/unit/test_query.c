@@ -30,7 +30,7 @@ static bolan_sea *make_sea(double wind, double choppiness, uint32_t cascades, bo
     bolan_sea_desc d = bolan_sea_desc_default();
     d.sea_state = bolan_sea_state_from_wind(wind, 240.0, 300e3);
     d.choppiness = choppiness;
-    d.cascade_count = cascades;
+    d.fft.cascade_count = cascades;
     d.resolution = 128;
     d.cpu = cpu;
     return make(&d);
@@ -42,7 +42,7 @@ static bolan_sea *make_folded_sea_of(uint64_t seed, double from_deg, uint32_t ca
     d.sea_state = bolan_sea_state_from_wind(20.0, from_deg, 300e3);
     d.sea_state.systems[0].hs *= 1.6;
     d.choppiness = 2.0;
-    d.cascade_count = cascades;
+    d.fft.cascade_count = cascades;
     d.resolution = 128;
     d.seed = seed;
     return make(&d);

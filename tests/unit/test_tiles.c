@@ -104,7 +104,7 @@ static bolan_sea *textures_sea(void) {
     d.waves = BOLAN_WAVES_TEXTURES;
     d.sea_state = bolan_sea_state_from_wind(5.0, 240.0, 5e3);
     d.resolution = 64;
-    d.loop_frames = 4;
+    d.textures.frames = 4;
     bolan_sea *sea = NULL;
     assert_int_equal(bolan_sea_create(&d, &sea), BOLAN_OK);
     return sea;

@@ -6,7 +6,6 @@
 #include "render/sky_lattice.h"
 
 #include <math.h>
-#include <string.h>
 
 #define FINE_LENGTH 12.0   // [m] of the ripples' tile: waves that gather light in shallow water
 #define FINE_PERIOD 4.0    // [s] of its loop
@@ -118,7 +117,7 @@ static void bake_all(paper_tiles *t, const frame *f, const bolan_tiles_desc desc
                    : desc.color.y >= desc.color.x                               ? 1
                                                                                 : 0;
     const double hs = bolan_sea_get_summary(f->desc->sea)->hs;
-    bolan_sea_desc sea = t->sea;
+    bolan_sea_desc sea = *bolan_sea_get_desc(f->desc->sea);
     double found = 0.0;
     bolan_tiles_destroy(&t->base);
     bolan_tiles_destroy(&t->fine);
@@ -131,7 +130,7 @@ static void bake_all(paper_tiles *t, const frame *f, const bolan_tiles_desc desc
     if (!t->whole) bolan_tiles_destroy(&t->base);
     if (!t->whole || bolan_tiles_get_view(bolan_paper_tiles_base(t)).length > COARSE_LENGTH) {
         sea.length = FINE_LENGTH;
-        sea.loop_period = FINE_PERIOD;
+        sea.textures.period = FINE_PERIOD;
         t->fine = bake(&sea, &desc, &found);
     }
     t->base_variance = slope_variance(bolan_paper_tiles_base(t));
@@ -143,14 +142,14 @@ static void bake_all(paper_tiles *t, const frame *f, const bolan_tiles_desc desc
 static bool changed(const paper_tiles *t, const frame *f, bolan_vec3 sun) {
     return !t->ready || t->given != f->desc->tiles || t->paper != f->scene->look.paper || t->sun.x != sun.x ||
            t->sun.y != sun.y || t->sun.z != sun.z || t->water != (int)f->scene->water.type ||
-           memcmp(&t->sea, bolan_sea_get_desc(f->desc->sea), sizeof t->sea) != 0;
+           t->sea != bolan_sea_id(f->desc->sea);
 }
 
 static void keep(paper_tiles *t, const frame *f) {
     const bolan_tiles_desc desc = how(f);
     if (!changed(t, f, desc.sun)) return;
-    memcpy(&t->sea, bolan_sea_get_desc(f->desc->sea), sizeof t->sea); // with its padding, for memcmp
-    t->given = t->sea.waves == BOLAN_WAVES_TEXTURES ? f->desc->tiles : NULL;
+    t->sea = bolan_sea_id(f->desc->sea);
+    t->given = bolan_sea_get_desc(f->desc->sea)->waves == BOLAN_WAVES_TEXTURES ? f->desc->tiles : NULL;
     if (t->given != NULL && bolan_tiles_get_view(t->given).n != TILE) t->given = NULL;
     t->paper = f->scene->look.paper;
     t->sun = desc.sun;

@@ -13,7 +13,7 @@ typedef struct paper_tiles {
     gl_texture own; // RGBA8: the water's own texture; a: light on the bottom
     gl_texture glint;
     bolan_tiles *base, *fine; // baked here; base NULL: the sea has other waves than textures
-    bolan_sea_desc sea;       // what they were baked of
+    uint64_t sea;             // id of the sea that they were baked for; 0: none yet
     const bolan_tiles *given;
     bolan_vec3 sun; // that the light on the bottom is made for
     int water;
