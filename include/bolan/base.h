@@ -99,6 +99,7 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(402, GL_SHADER)               \
     X(403, GL_TARGET)               \
     X(404, GL_DEBUG)                \
+    X(405, GL_LOADER)               \
     X(500, SEA_CASCADES)            \
     X(501, SEA_INFO)                \
     X(502, POINTS_SYNTAX)           \
@@ -122,19 +123,31 @@ typedef void bolan_parallel_fn(void *user, uint32_t count, uint32_t grain, bolan
 
 /// Process-wide hooks. A NULL member keeps the built-in behaviour.
 typedef struct bolan_hooks {
-    void *user;                                               ///< handed back to every hook
-    void *(*allocate)(void *user, size_t size, size_t align); ///< @p align is a power of two <= 64; NULL on failure
-    void (*release)(void *user, void *memory, size_t size);   ///< @p size is the size that was asked for
-    void (*log)(void *user, bolan_log_level level, bolan_log_id id,
-                const char *sentence); ///< default: one line on stderr
-    void (*assert_failed)(void *user, const char *expression, const char *file, int line); ///< default: print and abort
-    bolan_parallel_fn *parallel; ///< your task system; NULL: the built-in pool (see bolan_set_threads())
-    uint32_t parallel_workers;   ///< how many workers @ref parallel can use at once, >= 1; 0 is misuse and counts as 1
+    /// Handed back to every hook.
+    void *user;
+    /// Memory of @p size bytes, aligned to @p align, a power of two of at most 64; NULL on failure.
+    void *(*allocate)(void *user, size_t size, size_t align);
+    /// Gives back memory of allocate(). @p size is the size that was asked for.
+    void (*release)(void *user, void *memory, size_t size);
+    /// Takes one sentence. Default: one line on stderr.
+    void (*log)(void *user, bolan_log_level level, bolan_log_id id, const char *sentence);
+    /// Called on misuse. Default: print the expression and abort.
+    void (*assert_failed)(void *user, const char *expression, const char *file, int line);
+    /// Your task system. Default: the built-in pool, see bolan_set_threads().
+    bolan_parallel_fn *parallel;
+    /// Workers that @ref parallel can use at once, at least 1; 0 is misuse and counts as 1.
+    uint32_t parallel_workers;
+    /// Address of the OpenGL function @p name ("glClear"); NULL where there is none. It is asked once for each function
+    /// that bolan_render calls, on the thread of the first call there, with a context current. Default: libepoxy.
+    void *(*get_proc_address)(void *user, const char *name);
 } bolan_hooks;
 
 /// Replaces the hooks. NULL restores the built-in ones. Call it before anything is created and while no other thread is
 /// in the library: memory must be released by the hook that allocated it. Not thread-safe.
 void bolan_set_hooks(const bolan_hooks *hooks);
+/// The hooks in force, with NULL for each built-in one: a plug-in in a host that set some adds its own to these.
+/// Thread-safe while nobody calls bolan_set_hooks().
+bolan_hooks bolan_get_hooks(void);
 
 /// Threads of the built-in pool, the calling thread included: 1 (default: the library starts no thread) to 64.
 /// 0 means one per online processor. The threads sleep between loops; setting 1 ends them. Not thread-safe; results

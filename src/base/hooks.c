@@ -21,6 +21,8 @@ void bolan_set_hooks(const bolan_hooks *new_hooks) {
     BOLAN_ASSERT(!hooks.parallel || hooks.parallel_workers >= 1);
 }
 
+bolan_hooks bolan_get_hooks(void) { return hooks; }
+
 static void print_line(bolan_log_level level, const char *sentence) {
     static const char *const names[] = {"error", "warning", "info"};
     // One call, so that lines of different threads do not mix.

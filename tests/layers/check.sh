@@ -12,3 +12,15 @@ if [ -z "$files" ]; then
 fi
 # shellcheck disable=SC2086 # our file names hold no space
 awk -f "$rules" $files
+
+# Every OpenGL function that is called must come from the table of src/render/gl/loader.h, or the host's loader would
+# be passed by.
+list=src/render/gl/loader.h
+if [ -f $list ]; then
+    called=$(grep -hoE '\bgl[A-Z][A-Za-z0-9]+ *\(' src/render/gl/*.c | tr -d ' (' | sort -u)
+    for name in $called; do
+        grep -q "X(${name#gl})" $list && grep -q "^#define $name bolan_gl_functions" $list && continue
+        echo "src/render/gl: $name is called and not named in loader.h"
+        exit 1
+    done
+fi

@@ -5,8 +5,6 @@
 #include <limits.h>
 #include <string.h>
 
-bool bolan_gl_is_es(void) { return !epoxy_is_desktop_gl(); }
-
 static const char *gl_string(GLenum name) {
     const GLubyte *s = glGetString(name);
     return s ? (const char *)s : "";
@@ -18,19 +16,27 @@ static bool is_software(const char *renderer) {
 }
 
 static bool has_clip_control(void) {
-    if (bolan_gl_is_es()) return epoxy_has_gl_extension("GL_EXT_clip_control");
-    return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control");
+    if (bolan_gl_is_es()) return bolan_gl_has_extension("GL_EXT_clip_control");
+    return bolan_gl_version() >= 45 || bolan_gl_has_extension("GL_ARB_clip_control");
 }
 
 // Without a context the system's library answers NULL; most other calls would end the process in the loader.
-bool bolan_gl_has_context(void) { return glGetString(GL_VERSION) != NULL; }
+bool bolan_gl_has_context(void) {
+    bolan_gl_load();
+    return bolan_gl_functions.GetString && glGetString(GL_VERSION) != NULL;
+}
 
 bolan_result bolan_gl_check_context(const char *whom) {
     if (!bolan_gl_has_context()) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT, "%s: no OpenGL context is current on this thread", whom);
         return BOLAN_ERROR_GL;
     }
-    const int version = epoxy_gl_version(), least = bolan_gl_is_es() ? 30 : 33;
+    const int version = bolan_gl_version(), least = bolan_gl_is_es() ? 30 : 33;
+    const char *missing = bolan_gl_load();
+    if (version >= least && missing) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_LOADER, "%s: the get_proc_address hook does not know %s", whom, missing);
+        return BOLAN_ERROR_GL;
+    }
     if (version >= least) return BOLAN_OK;
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_VERSION,
               "%s: the current context is OpenGL%s %d.%d; expected OpenGL 3.3, OpenGL ES 3.0 or later", whom,
@@ -38,7 +44,7 @@ bolan_result bolan_gl_check_context(const char *whom) {
     return BOLAN_ERROR_GL;
 }
 
-static bool has(const char *extension) { return epoxy_has_gl_extension(extension); }
+static bool has(const char *extension) { return bolan_gl_has_extension(extension); }
 
 static int integer(GLenum name, int most) {
     GLint value = 0;
@@ -58,7 +64,7 @@ static bool has_timestamps(bool es) {
 
 // State beyond GL 3.3 and ES 3.0 that a host may have set.
 static void find_state(gl_caps *caps) {
-    const int version = epoxy_gl_version();
+    const int version = bolan_gl_version();
     const bool es = caps->es, indexed = has("GL_OES_draw_buffers_indexed") || has("GL_EXT_draw_buffers_indexed");
     caps->debug = version >= (es ? 32 : 43) || has("GL_KHR_debug");
     caps->feedback_pause = es || version >= 40 || has("GL_ARB_transform_feedback2");
@@ -87,9 +93,9 @@ gl_caps bolan_gl_get_caps(void) {
                     // nothing.
                     .timers = timestamps && !software,
                     .float_linear = !es || has("GL_OES_texture_float_linear"),
-                    .color_float = !es || epoxy_gl_version() >= 32 || has("GL_EXT_color_buffer_float"),
+                    .color_float = !es || bolan_gl_version() >= 32 || has("GL_EXT_color_buffer_float"),
                     .max_anisotropy = 1.0f};
-    if (has("GL_EXT_texture_filter_anisotropic") || epoxy_gl_version() >= 46) {
+    if (has("GL_EXT_texture_filter_anisotropic") || bolan_gl_version() >= 46) {
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &caps.max_anisotropy);
     }
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &caps.max_texture_size);
@@ -103,7 +109,7 @@ bolan_gl_info bolan_gl_get_info(void) {
     info.renderer = gl_string(GL_RENDERER);
     info.vendor = gl_string(GL_VENDOR);
     info.version = gl_string(GL_VERSION);
-    if (epoxy_gl_version() >= 20) info.shading_language = gl_string(GL_SHADING_LANGUAGE_VERSION);
+    if (bolan_gl_version() >= 20) info.shading_language = gl_string(GL_SHADING_LANGUAGE_VERSION);
     info.software = is_software(info.renderer);
     info.clip_control = has_clip_control();
     return info;

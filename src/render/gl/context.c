@@ -65,6 +65,7 @@ bolan_result bolan_context_create(bolan_gl_api api, bolan_context **out) {
         bolan_context_destroy(&c);
         return BOLAN_ERROR_GL;
     }
+    bolan_gl_load();
     *out = c;
     return BOLAN_OK;
 }

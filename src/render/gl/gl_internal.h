@@ -4,7 +4,7 @@
 #define BOLAN_GL_INTERNAL_H
 
 #include "gl.h"
-#include <epoxy/gl.h>
+#include "loader.h"
 
 // Passes bind units 0..23; the layer itself binds on this one, so that creating or filling a texture disturbs no pass.
 // Every GL 3.3 has 48 combined units, every ES 3.0 has 32.
@@ -18,7 +18,6 @@ typedef struct format_info {
 } format_info;
 const format_info *bolan_gl_format_info(gl_format format);
 
-bool bolan_gl_is_es(void);
 void bolan_gl_set_enabled(GLenum name, bool on);
 
 #endif

@@ -120,7 +120,7 @@ static void set_enabled_at(GLenum name, GLuint index, bool on) {
 // ---- the driver's messages ------------------------------------------------------------------------------------------
 
 // What GL has as one function on the desktop and in ES 3.2 is another in older ES.
-static bool debug_is_khr(const gl_caps *caps) { return caps->es && epoxy_gl_version() < 32; }
+static bool debug_is_khr(const gl_caps *caps) { return caps->es && bolan_gl_version() < 32; }
 
 static void set_callback(const gl_caps *caps, GLDEBUGPROC callback, const void *user) {
     if (debug_is_khr(caps)) {

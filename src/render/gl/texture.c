@@ -40,7 +40,7 @@ static void bind_scratch(const gl_texture *t) {
 static void set_filter(const gl_texture *t, const gl_texture_desc *d) {
     gl_filter filter = d->filter;
     if (bolan_gl_format_info(d->format)->wide && bolan_gl_is_es() &&
-        !epoxy_has_gl_extension("GL_OES_texture_float_linear")) {
+        !bolan_gl_has_extension("GL_OES_texture_float_linear")) {
         filter = GL_FILTER_NEAREST;
     }
     if (d->format == GL_FMT_DEPTH32F && bolan_gl_is_es()) filter = GL_FILTER_NEAREST; // ES: depth is not filterable
@@ -50,7 +50,7 @@ static void set_filter(const gl_texture *t, const gl_texture_desc *d) {
     glTexParameteri(t->target, GL_TEXTURE_BASE_LEVEL, 0);
     glTexParameteri(t->target, GL_TEXTURE_MAX_LEVEL, (GLint)t->levels - 1);
     if (d->anisotropy > 1.0f && is_mipmapped(d->filter) &&
-        epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) {
+        bolan_gl_has_extension("GL_EXT_texture_filter_anisotropic")) {
         glTexParameterf(t->target, GL_TEXTURE_MAX_ANISOTROPY_EXT, d->anisotropy);
     }
 }
@@ -98,7 +98,7 @@ static bool is_possible(const gl_texture *t) {
 
 // Memory may still have run out. ES cannot be asked before 3.1.
 static bool is_allocated(const gl_texture *t) {
-    if (bolan_gl_is_es() && epoxy_gl_version() < 31) return true;
+    if (bolan_gl_is_es() && bolan_gl_version() < 31) return true;
     bool all = true;
     for (uint32_t l = 0; l < t->levels; l++) {
         GLint width = 0;
