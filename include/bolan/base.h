@@ -211,6 +211,10 @@ typedef enum bolan_cpu {
     BOLAN_CPU_AVX2,
     BOLAN_CPU_AVX512,
 } bolan_cpu;
+/// How many there are.
+#define BOLAN_CPUS 5
+/// The names that the command line uses, "auto", "scalar" ...; by bolan_cpu, NULL at the end.
+extern const char *const bolan_cpu_names[BOLAN_CPUS + 1];
 
 /// The widest set this machine runs. Thread-safe.
 bolan_cpu bolan_cpu_best(void);

@@ -8,6 +8,7 @@
 #include "bolan/math.h"
 
 #include "bolan/optics.h"
+#include "bolan/params.h"
 #include "bolan/spectrum.h"
 
 #include "bolan/waves.h"

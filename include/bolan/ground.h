@@ -6,6 +6,7 @@
 
 #include "bolan/base.h"
 #include "bolan/math.h"
+#include "bolan/params.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -39,6 +40,9 @@ typedef struct bolan_island_desc {
     double sea_floor;       ///< elevation of the sea bed far out [m], -11000..-20; default -900
     double lagoon_from_deg; ///< compass side where the sandy shallows lie [deg], -360..360; default 225
 } bolan_island_desc;
+
+/// The parameters of bolan_island_desc.
+extern const bolan_param_table bolan_island_params;
 
 /// Immutable ground: data, interpolated, with procedural detail below their spacing.
 /// Thread-safety: all reads may run at the same time.

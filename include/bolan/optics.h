@@ -25,6 +25,10 @@ typedef enum bolan_jerlov {
     BOLAN_JERLOV_7C,
     BOLAN_JERLOV_9C,
 } bolan_jerlov;
+/// How many there are.
+#define BOLAN_JERLOV_TYPES 10
+/// "I", "IA" ... "9C"; by bolan_jerlov, NULL at the end.
+extern const char *const bolan_jerlov_names[BOLAN_JERLOV_TYPES + 1];
 
 /// Optical coefficients at red, green, blue = 650, 550, 450 nm. They fit together: kd = (absorption + backscatter) /
 /// 0.9 within 7 %, and absorption is never below that of pure water.

@@ -9,6 +9,7 @@
 #include "bolan/ground.h"
 #include "bolan/model.h"
 #include "bolan/optics.h"
+#include "bolan/params.h"
 #include "bolan/surface.h"
 #include "bolan/waves.h"
 
@@ -247,6 +248,13 @@ typedef struct bolan_scene {
     double time;     ///< [s], +-1e9; default 0
     double exposure; ///< in stops over the automatic exposure, -10..10; default 0
 } bolan_scene;
+
+/// The parameters of the structs above; those of the wind sea are fields of bolan_scene.
+extern const bolan_param_table bolan_technique_params, bolan_look_params, bolan_camera_params, bolan_camera_key_params;
+extern const bolan_param_table bolan_sky_params, bolan_seawater_params, bolan_ground_source_params, bolan_raster_params;
+extern const bolan_param_table bolan_object_params, bolan_scene_params, bolan_wind_sea_params;
+/// Where they stand in a scene and in the maps of a scene file; a NULL table ends the list.
+extern const bolan_param_group bolan_scene_groups[];
 
 /// A scene with every default: open sea, wind 8 m/s, camera 3 m up, sun 35 degrees high.
 bolan_scene bolan_scene_default(void);

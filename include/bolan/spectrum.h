@@ -11,6 +11,7 @@
 #define BOLAN_SPECTRUM_H
 
 #include "bolan/base.h"
+#include "bolan/params.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -80,6 +81,8 @@ typedef struct bolan_sea_state {
     double wind_from_deg; ///< compass degrees the wind comes FROM, -360..360
 } bolan_sea_state;
 
+/// The parameters of a bolan_sea_state beside its systems, and of one system.
+extern const bolan_param_table bolan_sea_state_params, bolan_wave_system_params;
 /// A flat calm over deep water: no systems, no wind.
 bolan_sea_state bolan_sea_state_default(void);
 /// A wind sea: JONSWAP by wind and fetch, capped at the fully developed Pierson-Moskowitz sea. @p wind_speed U10 [m/s]
@@ -242,6 +245,8 @@ typedef struct bolan_spectrum_options {
     double spread_s;
 } bolan_spectrum_options;
 
+/// The parameters of bolan_spectrum_options that are numbers; the others are read by the functions below.
+extern const bolan_param_table bolan_spectrum_options_params;
 /// The defaults named beside the fields.
 bolan_spectrum_options bolan_spectrum_options_default(void);
 /// Reads "3" or "2018-01-01T06:00" into record and time. False, and nothing changed or logged, if it is neither.

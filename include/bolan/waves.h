@@ -61,6 +61,9 @@ typedef enum bolan_frequency_split {
     BOLAN_SPLIT_EQUAL_WIDTH,  ///< equal steps of frequency between the quantiles .002 and .998 of the energy, as the
                               ///< paper: the groups of waves repeat after 2 pi / step (32 s at Hs 3 m)
 } bolan_frequency_split;
+#define BOLAN_FREQUENCY_SPLITS 2 ///< how many there are
+/// The names that scene files use, "equal-energy" ...; by bolan_frequency_split, NULL at the end.
+extern const char *const bolan_frequency_split_names[BOLAN_FREQUENCY_SPLITS + 1];
 #define BOLAN_MAX_FREQUENCIES 64 ///< of BOLAN_WAVES_COSINES
 #define BOLAN_MAX_DIRECTIONS 32  ///< of BOLAN_WAVES_COSINES
 #define BOLAN_MAX_EXP_WAVES 16   ///< of BOLAN_WAVES_EXP_COSINE
@@ -173,6 +176,9 @@ typedef struct bolan_sea_desc {
         double sharpness;
     } exp_cosine;
 } bolan_sea_desc;
+
+/// The parameters of bolan_sea_desc; those of its sea state are bolan_sea_state_params.
+extern const bolan_param_table bolan_sea_params;
 
 /// A sea: spectrum tables, and the fields of one time.
 typedef struct bolan_sea bolan_sea;

@@ -17,13 +17,8 @@ const char *bolan_result_string(bolan_result result) {
     return "unknown result";
 }
 
+const char *const bolan_cpu_names[BOLAN_CPUS + 1] = {"auto", "scalar", "sse2", "avx2", "avx512", NULL};
+
 const char *bolan_cpu_name(bolan_cpu cpu) {
-    switch (cpu) {
-    case BOLAN_CPU_AUTO: return "auto";
-    case BOLAN_CPU_SCALAR: return "scalar";
-    case BOLAN_CPU_SSE2: return "sse2";
-    case BOLAN_CPU_AVX2: return "avx2";
-    case BOLAN_CPU_AVX512: return "avx512";
-    }
-    return "unknown";
+    return (int)cpu >= 0 && (int)cpu < BOLAN_CPUS ? bolan_cpu_names[cpu] : "unknown";
 }

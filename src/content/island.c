@@ -9,24 +9,9 @@
 #define GULLY_OCTAVES 5
 
 bolan_island_desc bolan_island_desc_default(void) {
-    bolan_island_desc d = {7u, 2200.0, 620.0, -900.0, 225.0};
-    return d;
-}
-
-static bolan_result check(const char *field, double value, double low, double high) {
-    if (value >= low && value <= high) {
-        return BOLAN_OK;
-    }
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "bolan_island_desc.%s is %g; expected %g..%g", field, value, low,
-              high);
-    return BOLAN_ERROR_ARGUMENT;
-}
-
-static bolan_result validate(const bolan_island_desc *d) {
-    bolan_result r = check("radius", d->radius, 200.0, 20000.0);
-    r = r == BOLAN_OK ? check("peak", d->peak, 10.0, 3000.0) : r;
-    r = r == BOLAN_OK ? check("sea_floor", d->sea_floor, -11000.0, -20.0) : r;
-    return r == BOLAN_OK ? check("lagoon_from_deg", d->lagoon_from_deg, -360.0, 360.0) : r;
+    bolan_island_desc desc;
+    bolan_params_default(&bolan_island_params, &desc);
+    return desc;
 }
 
 typedef struct island_job {
@@ -102,7 +87,7 @@ static void set_summit(float *z, size_t count, float peak) {
 bolan_result bolan_ground_create_island(const bolan_island_desc *desc, bolan_ground **out) {
     BOLAN_ASSERT(desc && out);
     *out = NULL;
-    bolan_result r = validate(desc);
+    bolan_result r = bolan_params_validate(&bolan_island_params, desc, "bolan_island_desc.");
     if (r != BOLAN_OK) {
         return r;
     }

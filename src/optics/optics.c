@@ -12,13 +12,12 @@
 //                    under the surface, through which Lee et al. (Appl. Opt. 37, 1998) let 0.52 r / (1 - 1.7 r)
 #include "bolan/optics.h"
 
-enum { TYPES = BOLAN_JERLOV_9C + 1 };
+enum { TYPES = BOLAN_JERLOV_TYPES };
 
 #define MEAN_COSINE 0.9
 #define PETZOLD_BACKSCATTER_SHARE 0.0183
 
 typedef struct type_data {
-    const char *name;
     double kd[3];       // at 650, 550, 450 nm [1/m]
     double chlorophyll; // [mg/m3]
 } type_data;
@@ -27,11 +26,10 @@ typedef struct type_data {
 // Chlorophyll: Morel 1988, table 2, for I to III. Coastal types have no such relation: theirs go on in rough doubles,
 // so that the water gets more milky as it gets darker.
 static const type_data types[TYPES] = {
-    {"I", {0.3559, 0.0640, 0.0176}, 0.01},   {"IA", {0.3601, 0.0674, 0.0257}, 0.05},
-    {"IB", {0.3652, 0.0715, 0.0355}, 0.1},   {"II", {0.3837, 0.0863, 0.0714}, 0.5},
-    {"III", {0.4181, 0.1139, 0.1381}, 1.75}, {"1C", {0.4525, 0.1415, 0.2048}, 3.0},
-    {"3C", {0.46, 0.19, 0.39}, 6.0},         {"5C", {0.54, 0.30, 0.56}, 12.0},
-    {"7C", {0.63, 0.46, 0.89}, 20.0},        {"9C", {0.76, 0.63, 1.60}, 40.0},
+    {{0.3559, 0.0640, 0.0176}, 0.01}, {{0.3601, 0.0674, 0.0257}, 0.05}, {{0.3652, 0.0715, 0.0355}, 0.1},
+    {{0.3837, 0.0863, 0.0714}, 0.5},  {{0.4181, 0.1139, 0.1381}, 1.75}, {{0.4525, 0.1415, 0.2048}, 3.0},
+    {{0.46, 0.19, 0.39}, 6.0},        {{0.54, 0.30, 0.56}, 12.0},       {{0.63, 0.46, 0.89}, 20.0},
+    {{0.76, 0.63, 1.60}, 40.0},
 };
 
 static const double wavelengths[3] = {650.0, 550.0, 450.0}; // [nm]
@@ -77,6 +75,9 @@ bolan_water_optics bolan_water_optics_from_jerlov(bolan_jerlov type) {
 
 // ---- names ----------------------------------------------------------------------------------------------------------
 
+const char *const bolan_jerlov_names[BOLAN_JERLOV_TYPES + 1] = {"I",  "IA", "IB", "II", "III", "1C",
+                                                                "3C", "5C", "7C", "9C", NULL};
+
 static char upper(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
 
 static bool same_name(const char *a, const char *b) {
@@ -86,10 +87,10 @@ static bool same_name(const char *a, const char *b) {
 
 int bolan_jerlov_from_name(const char *name) {
     for (int i = 0; i < TYPES; i++)
-        if (same_name(types[i].name, name)) return i;
+        if (same_name(bolan_jerlov_names[i], name)) return i;
     return -1;
 }
 
 const char *bolan_jerlov_name(bolan_jerlov type) {
-    return (int)type >= 0 && (int)type < TYPES ? types[type].name : "?";
+    return (int)type >= 0 && (int)type < TYPES ? bolan_jerlov_names[type] : "?";
 }

@@ -7,33 +7,20 @@
 bolan_scene bolan_scene_default(void) {
     bolan_scene scene;
     memset(&scene, 0, sizeof scene); // the strings and the padding too: equal scenes are equal bytes
+    for (const bolan_param_group *g = bolan_scene_groups; g->table; g++)
+        if (g->capacity == 0) bolan_params_default(g->table, (char *)&scene + g->offset);
     memcpy(scene.name, "default", sizeof "default");
     scene.technique = bolan_technique_ocean;
-    scene.look = bolan_look_default();
     scene.sea = bolan_sea_desc_default();
-    scene.fetch = 200e3;
-    scene.wind_spectrum = BOLAN_SPECTRUM_JONSWAP;
     scene.spectrum = bolan_spectrum_options_default();
-    scene.camera.position = bolan_dv3(0.0, 0.0, 3.0);
-    scene.camera.fov_deg = 50.0;
-    scene.sky.sun_azimuth_deg = 220.0;
-    scene.sky.sun_elevation_deg = 35.0;
-    scene.sky.visibility = 40e3;
-    scene.sky.cloud_cover = 0.3;
-    scene.sky.cloud_base = 1200.0;
-    scene.sky.cloud_seed = 1;
-    scene.water.type = BOLAN_JERLOV_IB;
-    scene.water.foam = 1.0;
-    scene.terrain.kind = BOLAN_GROUND_NONE;
-    scene.terrain.island = bolan_island_desc_default();
-    scene.terrain.raster = bolan_raster_desc_default();
     return scene;
 }
 
 bolan_raster_desc bolan_raster_desc_default(void) {
-    const double none = (double)NAN;
-    return (bolan_raster_desc){
-        .latitude = none, .longitude = none, .radius = 150e3, .vertical_scale = none, .nodata_value = none};
+    bolan_raster_desc desc;
+    memset(&desc, 0, sizeof desc);
+    bolan_params_default(&bolan_raster_params, &desc);
+    return desc;
 }
 
 static bolan_sea_state wind_sea_of(const bolan_scene *scene, double wind_speed, double from_deg) {

@@ -42,14 +42,10 @@ const bolan_technique *bolan_technique_find(const char *name) {
 }
 
 bolan_look bolan_look_default(void) {
-    return (bolan_look){.effects = BOLAN_EFFECTS_ALL,
-                        .show = BOLAN_SHOW_PICTURE,
-                        .distortion = 1.0,
-                        .blend = 0.85,
-                        .ambient = 1.0,
-                        .diffuse = 0.05,
-                        .specular = 1.0,
-                        .shininess = 300.0};
+    bolan_look look;
+    memset(&look, 0, sizeof look);
+    bolan_params_default(&bolan_look_params, &look);
+    return look;
 }
 
 static int spectrum_of(const bolan_scene *scene, const bolan_technique *technique) {

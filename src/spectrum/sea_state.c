@@ -6,11 +6,11 @@
 #include "spectrum/portable.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #define HS_MAX SPECTRUM_MAX_HS
-#define PEAK_OMEGA_MIN 0.1
-#define PEAK_OMEGA_MAX 50.0
-#define WIND_MAX 70.0
+#define SWELL_PERIOD_MIN (2.0 * BOLAN_PI / SPECTRUM_PEAK_OMEGA_MAX) // [s]
+#define SWELL_PERIOD_MAX (2.0 * BOLAN_PI / SPECTRUM_PEAK_OMEGA_MIN)
 
 const char *const bolan_spectrum_kind_names[BOLAN_SPECTRUM_KINDS + 1] = {"pierson-moskowitz", "jonswap", "tma",
                                                                          "phillips", NULL};
@@ -63,7 +63,7 @@ bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, do
     } else {
         peak = peak_pm;
     }
-    if (peak <= PEAK_OMEGA_MAX) // shorter peaks are ripples: the sea is calm
+    if (peak <= SPECTRUM_PEAK_OMEGA_MAX) // shorter peaks are ripples: the sea is calm
         sea_state.systems[sea_state.system_count++] = wind_sea(hs, peak, gamma, wind_speed, from_deg);
     return sea_state;
 }
@@ -76,7 +76,7 @@ bolan_sea_state bolan_sea_state_from_phillips(double wind_speed, double from_deg
     sea_state.wind_from_deg = from_deg;
     if (!(wind_speed > 0.0)) return sea_state;
     const double g = BOLAN_GRAVITY, peak = 0.945741609003176 * g / wind_speed; // (4/5)^(1/4)
-    if (!(peak <= PEAK_OMEGA_MAX)) return sea_state;
+    if (!(peak <= SPECTRUM_PEAK_OMEGA_MAX)) return sea_state;
     bolan_wave_system system = wind_sea(0.18 * wind_speed * wind_speed / g, peak, 1.0, wind_speed, from_deg);
     system.kind = BOLAN_SPECTRUM_PHILLIPS;
     system.spreading = BOLAN_SPREADING_COS2;
@@ -100,53 +100,20 @@ bolan_sea_state bolan_sea_state_from_douglas(int degree, double from_deg) {
 
 // ---- validation -----------------------------------------------------------------------------------------------------
 
-static bolan_result require_range(const char *field, double value, double low, double high, const char *unit) {
-    if (!isfinite(value)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_NOT_FINITE,
-                  "bolan_sea_state: %s is not a finite number; expected %g to %g%s", field, low, high, unit);
-        return BOLAN_ERROR_ARGUMENT;
-    }
-    if (value < low || value > high) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "bolan_sea_state: %s is %g; expected %g to %g%s", field,
-                  value, low, high, unit);
-        return BOLAN_ERROR_ARGUMENT;
-    }
-    return BOLAN_OK;
-}
-
-static bolan_result validate_system(const bolan_wave_system *s, uint32_t index) {
-    const struct {
-        const char *field[BOLAN_MAX_WAVE_SYSTEMS]; // spelled out, so that no message needs formatting twice
-        double value, low, high;
-        const char *unit;
-    } rules[] = {
-#define FIELD(name)                                                                  \
-    {"systems[0]." name, "systems[1]." name, "systems[2]." name, "systems[3]." name, \
-     "systems[4]." name, "systems[5]." name, "systems[6]." name, "systems[7]." name}
-        {FIELD("kind"), (double)s->kind, 0, BOLAN_SPECTRUM_KINDS - 1, " (a bolan_spectrum_kind)"},
-        {FIELD("hs"), s->hs, 0, HS_MAX, " m"},
-        {FIELD("peak_omega"), s->peak_omega, PEAK_OMEGA_MIN, PEAK_OMEGA_MAX, " rad/s"},
-        {FIELD("gamma"), s->gamma, 1, 10, ""},
-        {FIELD("from_deg"), s->from_deg, -360, 360, " degrees"},
-        {FIELD("spreading"), (double)s->spreading, 0, BOLAN_SPREADING_HASSELMANN, " (a bolan_spreading_kind)"},
-        {FIELD("spread_s"), s->spread_s, 0, 200, ""},
-        {FIELD("wind_speed"), s->wind_speed, 0, WIND_MAX, " m/s"},
-        {FIELD("swell"), s->swell, 0, 1, ""},
-#undef FIELD
-    };
-    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++)
-        if (require_range(rules[i].field[index], rules[i].value, rules[i].low, rules[i].high, rules[i].unit))
-            return BOLAN_ERROR_ARGUMENT;
-    return BOLAN_OK;
+static bolan_result validate_system(const bolan_wave_system *system, uint32_t index) {
+    char where[48];
+    snprintf(where, sizeof where, "bolan_sea_state: systems[%u].", (unsigned)index);
+    return bolan_params_validate(&bolan_wave_system_params, system, where);
 }
 
 bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state) {
     BOLAN_ASSERT(sea_state);
-    if (require_range("system_count", sea_state->system_count, 0, BOLAN_MAX_WAVE_SYSTEMS, "") ||
-        require_range("depth", sea_state->depth, 0.1, BOLAN_DEEP, " m") ||
-        require_range("wind_speed", sea_state->wind_speed, 0, WIND_MAX, " m/s") ||
-        require_range("wind_from_deg", sea_state->wind_from_deg, -360, 360, " degrees"))
+    if (sea_state->system_count > BOLAN_MAX_WAVE_SYSTEMS) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "bolan_sea_state: system_count is %u; expected 0 to %d",
+                  (unsigned)sea_state->system_count, BOLAN_MAX_WAVE_SYSTEMS);
         return BOLAN_ERROR_ARGUMENT;
+    }
+    if (bolan_params_validate(&bolan_sea_state_params, sea_state, "bolan_sea_state: ")) return BOLAN_ERROR_ARGUMENT;
     for (uint32_t i = 0; i < sea_state->system_count; i++)
         if (validate_system(&sea_state->systems[i], i)) return BOLAN_ERROR_ARGUMENT;
     return BOLAN_OK;
@@ -161,8 +128,11 @@ bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, do
                   (unsigned)sea_state->system_count, BOLAN_MAX_WAVE_SYSTEMS);
         return BOLAN_ERROR_ARGUMENT;
     }
-    if (require_range("swell tp", tp, 2.0 * BOLAN_PI / PEAK_OMEGA_MAX, 2.0 * BOLAN_PI / PEAK_OMEGA_MIN, " s"))
+    if (!(tp >= SWELL_PERIOD_MIN && tp <= SWELL_PERIOD_MAX)) {
+        bolan_log(BOLAN_LOG_ERROR, isfinite(tp) ? BOLAN_LOG_OUT_OF_RANGE : BOLAN_LOG_NOT_FINITE,
+                  "bolan_sea_state: swell tp is %g; expected %g to %g s", tp, SWELL_PERIOD_MIN, SWELL_PERIOD_MAX);
         return BOLAN_ERROR_ARGUMENT;
+    }
     const bolan_wave_system swell = {
         .kind = BOLAN_SPECTRUM_JONSWAP,
         .hs = hs,

@@ -8,8 +8,9 @@
 #include <string.h>
 
 bolan_spectrum_options bolan_spectrum_options_default(void) {
-    const double none = (double)NAN;
-    const bolan_spectrum_options options = {.place = {none, none}, .from_deg = none, .spread_s = none};
+    bolan_spectrum_options options;
+    memset(&options, 0, sizeof options);
+    bolan_params_default(&bolan_spectrum_options_params, &options);
     return options;
 }
 
@@ -54,14 +55,6 @@ bool bolan_spectrum_options_set_location(bolan_spectrum_options *options, const 
     return true;
 }
 
-// NAN stands for "not given".
-static bolan_result check(const char *field, double value, double low, double high, const char *unit) {
-    if (isnan(value) || (value >= low && value <= high)) return BOLAN_OK;
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "bolan_spectrum_options: %s is %g; expected %g to %g%s", field,
-              value, low, high, unit);
-    return BOLAN_ERROR_ARGUMENT;
-}
-
 bolan_result bolan_spectrum_options_validate(const bolan_spectrum_options *o) {
     BOLAN_ASSERT(o);
     record_date date;
@@ -74,8 +67,5 @@ bolan_result bolan_spectrum_options_validate(const bolan_spectrum_options *o) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_NOT_FINITE, "bolan_spectrum_options: one coordinate of place is missing");
         return BOLAN_ERROR_ARGUMENT;
     }
-    const bool ok = !check("place[0]", o->place[0], -1e9, 1e9, "") && !check("place[1]", o->place[1], -1e9, 1e9, "") &&
-                    !check("from_deg", o->from_deg, -360, 360, " degrees") &&
-                    !check("spread_s", o->spread_s, 0, 200, "");
-    return ok ? BOLAN_OK : BOLAN_ERROR_ARGUMENT;
+    return bolan_params_validate(&bolan_spectrum_options_params, o, "bolan_spectrum_options: ");
 }

@@ -19,19 +19,11 @@
 const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1] = {"fft", "cosines", "exp-cosine", "textures", NULL};
 
 bolan_sea_desc bolan_sea_desc_default(void) {
-    return (bolan_sea_desc){
-        .waves = BOLAN_WAVES_FFT,
-        .sea_state = bolan_sea_state_from_wind(8.0, 240.0, 200e3),
-        .seed = 1,
-        .cpu = BOLAN_CPU_AUTO,
-        .choppiness = 1.0,
-        .resolution = 256,
-        .foam_decay = 3.5,
-        .fft = {.cascade_count = 4},
-        .textures = {.frames = 32},
-        .cosines = {.frequencies = 16, .directions = 8, .split = BOLAN_SPLIT_EQUAL_ENERGY},
-        .exp_cosine = {.wave_count = 8, .sharpness = 0.5},
-    };
+    bolan_sea_desc desc;
+    memset(&desc, 0, sizeof desc); // the padding too: equal descs are equal bytes
+    bolan_params_default(&bolan_sea_params, &desc);
+    desc.sea_state = bolan_sea_state_from_wind(8.0, 240.0, 200e3);
+    return desc;
 }
 
 void *bolan_sea_borrow(size_t bytes) {
@@ -104,10 +96,15 @@ static uint64_t next_number(void) {
     return atomic_fetch_add_explicit(&last, 1, memory_order_relaxed) + 1;
 }
 
+static bolan_result validate(const bolan_sea_desc *desc) {
+    const bolan_result result = bolan_params_validate(&bolan_sea_params, desc, "bolan_sea_desc.");
+    return result ? result : bolan_sea_state_validate(&desc->sea_state);
+}
+
 bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {
     BOLAN_ASSERT(desc && out);
     *out = NULL;
-    const bolan_result valid = bolan_sea_validate(desc);
+    const bolan_result valid = validate(desc);
     if (valid != BOLAN_OK) return valid;
     bolan_sea *sea = bolan_sea_borrow(sizeof *sea);
     if (!sea) return BOLAN_ERROR_MEMORY;

@@ -117,8 +117,6 @@ uint64_t bolan_sea_mix(uint64_t x);
 void *bolan_sea_reserve(bolan_sea *sea, size_t bytes);
 // bolan_allocate() that logs when there is none.
 void *bolan_sea_borrow(size_t bytes);
-
-bolan_result bolan_sea_validate(const bolan_sea_desc *desc);
 void bolan_sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget, sea_radial *out);
 double bolan_sea_radial_keep(const sea_radial *radial, double k);
 // Wave number above which a fraction 1 - share of the variance lies; 0 in a flat calm.

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The parameters of sea states and of what is read of a measured spectrum.
+#include "params/rows.h"
+#include "spectrum/measured.h"
+
+static const char *const spreading_names[] = {"cos2", "cos2s", "hasselmann", NULL}; // bolan_spreading_kind
+
+#define STRUCT bolan_sea_state
+static const bolan_param sea_state_rows[] = {
+    NUMBER(wind_speed, .key = "wind.speed", .option = "wind", .low = 0, .high = 70, .unit = "m/s", .label = "wind",
+           .usual_high = 40, .digits = 1,
+           .help = "wind speed 10 m up: makes the wind sea, the short waves and the foam; swells stay"),
+    HEADING(wind_from_deg, .key = "wind.from", .option = "wind-from", .label = "wind from", .usual_high = 360,
+            .help = "where the wind comes from, compass degrees"),
+    NUMBER(depth, .key = "depth", .option = "depth", .low = 0.1, .high = BOLAN_DEEP, .unit = "m",
+           .fallback = BOLAN_DEEP, .help = "water depth for the waves: their dispersion, and the spectrum `tma`"),
+};
+#undef STRUCT
+const bolan_param_table bolan_sea_state_params = TABLE("bolan_sea_state", sea_state_rows);
+
+#define STRUCT bolan_wave_system
+static const bolan_param wave_system_rows[] = {
+    NAME(kind, .names = bolan_spectrum_kind_names, .high = BOLAN_SPECTRUM_KINDS - 1, .fallback = BOLAN_SPECTRUM_JONSWAP,
+         .help = "shape in frequency"),
+    NUMBER(hs, .low = 0, .high = SPECTRUM_MAX_HS, .unit = "m", .help = "significant wave height"),
+    NUMBER(peak_omega, .low = SPECTRUM_PEAK_OMEGA_MIN, .high = SPECTRUM_PEAK_OMEGA_MAX, .fallback = 1, .unit = "rad/s",
+           .help = "angular frequency of the peak"),
+    NUMBER(gamma, .low = 1, .high = 10, .fallback = 3.3, .help = "peak enhancement; larger: a narrower peak"),
+    HEADING(from_deg, .help = "where the waves come from, compass degrees"),
+    NAME(spreading, .names = spreading_names, .high = BOLAN_SPREADING_HASSELMANN,
+         .fallback = BOLAN_SPREADING_HASSELMANN, .help = "shape in direction"),
+    NUMBER(spread_s, .low = 0, .high = 200, .fallback = 10, .help = "exponent of cos-2s; larger: longer crests"),
+    NUMBER(wind_speed, .low = 0, .high = 70, .unit = "m/s", .help = "the wind that raises a wind sea; 0 of a swell"),
+    NUMBER(swell, .low = 0, .high = 1, .help = "Horvath's swell parameter; larger: longer crests"),
+};
+#undef STRUCT
+const bolan_param_table bolan_wave_system_params = TABLE("bolan_wave_system", wave_system_rows);
+
+#define STRUCT bolan_spectrum_options
+static const bolan_param options_rows[] = {
+    HEADING(from_deg, .key = "from", .option = "from", .rules = BOLAN_PARAM_OR_NAN, .fallback = (double)NAN,
+            .otherwise = "270, with a warning",
+            .help = "where the waves come from, compass degrees, for a spectrum file without directions"),
+    NUMBER(spread_s, .key = "spread", .option = "spread", .low = 0, .high = 200, .rules = BOLAN_PARAM_OR_NAN,
+           .fallback = (double)NAN, .otherwise = "10, with a warning",
+           .help = "exponent of the waves' cos-2s spreading, for a spectrum file without spreads"),
+    NUMBER(place[0], .low = -1e9, .high = 1e9, .rules = BOLAN_PARAM_OR_NAN, .fallback = (double)NAN,
+           .help = "longitude, or x, of the location that is read"),
+    NUMBER(place[1], .low = -1e9, .high = 1e9, .rules = BOLAN_PARAM_OR_NAN, .fallback = (double)NAN,
+           .help = "latitude, or y, of the location that is read"),
+};
+#undef STRUCT
+const bolan_param_table bolan_spectrum_options_params = TABLE("bolan_spectrum_options", options_rows);
