@@ -305,7 +305,7 @@ static void test_what_is_wrong_is_refused_with_line_and_key(void **state) {
          BOLAN_LOG_SCENE_BAD_VALUE},
         {"objects:\n  - {model: a.obj, scale: 0}\n", "objects[0].scale is 0; expected a number from 0.001",
          BOLAN_LOG_SCENE_BAD_VALUE},
-        {"objects:\n  - {model: a.obj, position: [0, 0, 20000]}\n", "objects.position.z", BOLAN_LOG_OUT_OF_RANGE},
+        {"objects:\n  - {model: a.obj, position: [0, 0, 20000]}\n", "objects[0].position.z", BOLAN_LOG_OUT_OF_RANGE},
         {"objects: {model: a.obj}\n", "objects is a map; expected a list", BOLAN_LOG_SCENE_BAD_VALUE},
         {"objects: [{model: a.obj, floats: maybe}]\n", "objects[0].floats is maybe; expected true or false",
          BOLAN_LOG_SCENE_BAD_VALUE},

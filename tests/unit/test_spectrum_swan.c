@@ -516,12 +516,13 @@ static void options_outside_their_ranges_are_refused(void **state) {
     bolan_spectrum_options options = plain;
     const double bad_spreads[] = {-1.0, 201.0, HUGE_VAL}, bad_froms[] = {-361.0, 361.0, -HUGE_VAL};
     for (int i = 0; i < 3; i++) {
+        const bolan_log_id id = isfinite(bad_spreads[i]) ? BOLAN_LOG_OUT_OF_RANGE : BOLAN_LOG_NOT_FINITE;
         options = plain;
         options.spread_s = bad_spreads[i];
-        assert_refused_with(&texts, &options, BOLAN_ERROR_ARGUMENT, BOLAN_LOG_OUT_OF_RANGE, "spread_s");
+        assert_refused_with(&texts, &options, BOLAN_ERROR_ARGUMENT, id, "spread_s");
         options = plain;
         options.from_deg = bad_froms[i];
-        assert_refused_with(&texts, &options, BOLAN_ERROR_ARGUMENT, BOLAN_LOG_OUT_OF_RANGE, "from_deg");
+        assert_refused_with(&texts, &options, BOLAN_ERROR_ARGUMENT, id, "from_deg");
     }
     options = plain;
     options.place[0] = 3.0;
