@@ -30,6 +30,10 @@ bolan_result bolan_model_create_builtin(const char *name, bolan_model **out);
 const char *bolan_model_builtin_name(uint32_t index);
 /// NULL-safe; NULLs.
 void bolan_model_destroy(bolan_model **model);
+/// A number made of all its arrays: equal for equal models, different for others (64-bit hash). Thread-safe.
+uint64_t bolan_model_id(const bolan_model *model);
+/// The least and the greatest coordinates of its vertices [m]. Thread-safe.
+void bolan_model_bounds(const bolan_model *model, bolan_vec3 *low, bolan_vec3 *high);
 /// Its arrays. Thread-safe.
 bolan_model_view bolan_model_get_view(const bolan_model *model);
 

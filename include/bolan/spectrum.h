@@ -223,6 +223,13 @@ typedef struct bolan_spectrum_texts {
 
 /// No text.
 bolan_spectrum_texts bolan_spectrum_texts_default(void);
+/// How many tables NDBC publishes beside a density: swdir, swdir2, swr1, swr2.
+#define BOLAN_SPECTRUM_COMPANIONS 4
+/// Name of the file of table @p index, in the order of bolan_spectrum_texts, that belongs to the density @p path: for
+/// NAME.data_spec (real time) NAME.swdir, .swdir2, .swr1, .swr2; for NAMEwYEAR.txt (history) the same name with d, i,
+/// j, k. False, and @p out is "", where @p path is no name of that kind or @p capacity is too small. Reads no file.
+/// Thread-safe.
+bool bolan_spectrum_companion(const char *path, uint32_t index, char *out, size_t capacity);
 
 /// What to read of a measured spectrum, and what stands in for what it lacks.
 typedef struct bolan_spectrum_options {

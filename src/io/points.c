@@ -62,7 +62,7 @@ static bool is_header(const field_list *list) {
 static bool read_number(text_word field, double *value) {
     const bool quoted = field.length > 2 && field.begin[0] == '"' && field.begin[field.length - 1] == '"';
     if (quoted) field = (text_word){field.begin + 1, field.length - 2, field.line};
-    return bolan_text_number(field, value);
+    return bolan_parse_number(field.begin, field.length, value);
 }
 
 static bolan_result read_point(const char *name, uint32_t line, const field_list *list, bolan_dvec3 *point) {

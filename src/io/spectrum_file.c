@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { SPECTRUM_FILE_LIMIT = 64 << 20, COMPANIONS = 4 };
+enum { SPECTRUM_FILE_LIMIT = 64 << 20 };
 
 // "builtin:NAME" is scenes/spectra/NAME.spec.
 static bolan_result load_builtin(const char *name, const bolan_spectrum_options *options,
@@ -31,19 +31,8 @@ static bolan_result load_builtin(const char *name, const bolan_spectrum_options 
 }
 
 // The name of companion @p i beside the density's, where that is one of a set and the file exists.
-static bool companion_path(const char *path, int i, char out[BOLAN_PATH_MAX]) {
-    static const char density[] = ".data_spec";
-    static const char *const suffixes[COMPANIONS] = {".swdir", ".swdir2", ".swr1", ".swr2"};
-    static const char small[COMPANIONS] = {'d', 'i', 'j', 'k'}, capital[COMPANIONS] = {'D', 'I', 'J', 'K'};
-    const size_t length = strlen(path), tail = sizeof density - 1;
-    const char *letter = bolan_spectrum_ndbc_letter(path);
-    int used = BOLAN_PATH_MAX;
-    if (length > tail && strcmp(path + length - tail, density) == 0)
-        used = snprintf(out, BOLAN_PATH_MAX, "%.*s%s", (int)(length - tail), path, suffixes[i]);
-    else if (letter && (*letter == 'w' || *letter == 'W'))
-        used = snprintf(out, BOLAN_PATH_MAX, "%.*s%c%s", (int)(letter - path), path,
-                        *letter == 'w' ? small[i] : capital[i], letter + 1);
-    return used < BOLAN_PATH_MAX && access(out, F_OK) == 0;
+static bool companion_path(const char *path, uint32_t i, char out[BOLAN_PATH_MAX]) {
+    return bolan_spectrum_companion(path, i, out, BOLAN_PATH_MAX) && access(out, F_OK) == 0;
 }
 
 bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options *options,
@@ -52,19 +41,20 @@ bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options 
     *out = NULL;
     if (strncmp(path, "builtin:", 8) == 0) return load_builtin(path + 8, options, out);
     bolan_spectrum_texts texts = bolan_spectrum_texts_default();
-    bolan_spectrum_text *const companions[COMPANIONS] = {&texts.swdir, &texts.swdir2, &texts.swr1, &texts.swr2};
-    char names[COMPANIONS][BOLAN_PATH_MAX];
-    file_text density, files[COMPANIONS] = {{NULL, 0}};
+    bolan_spectrum_text *const companions[BOLAN_SPECTRUM_COMPANIONS] = {&texts.swdir, &texts.swdir2, &texts.swr1,
+                                                                        &texts.swr2};
+    char names[BOLAN_SPECTRUM_COMPANIONS][BOLAN_PATH_MAX];
+    file_text density, files[BOLAN_SPECTRUM_COMPANIONS] = {{NULL, 0}};
 
     bolan_result result = bolan_file_read(path, SPECTRUM_FILE_LIMIT, &density);
     texts.density = (bolan_spectrum_text){path, density.data, density.size};
-    for (int i = 0; i < COMPANIONS && !result; i++) {
+    for (uint32_t i = 0; i < BOLAN_SPECTRUM_COMPANIONS && !result; i++) {
         if (!companion_path(path, i, names[i])) continue;
         result = bolan_file_read(names[i], SPECTRUM_FILE_LIMIT, &files[i]);
         *companions[i] = (bolan_spectrum_text){names[i], files[i].data, files[i].size};
     }
     if (!result) result = bolan_measured_spectrum_parse(&texts, options, out);
-    for (int i = 0; i < COMPANIONS; i++) bolan_file_release(&files[i]);
+    for (uint32_t i = 0; i < BOLAN_SPECTRUM_COMPANIONS; i++) bolan_file_release(&files[i]);
     bolan_file_release(&density);
     return result;
 }

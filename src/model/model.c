@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Models: their life, and the built-in ones by name.
-#include "model/model.h"
 
 #include "model/model_build.h"
 

@@ -4,7 +4,6 @@
 
 #include "bolan/query.h"
 #include "memory.h"
-#include "model/model.h"
 
 #include <stdio.h>
 #include <stdlib.h>

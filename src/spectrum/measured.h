@@ -82,8 +82,4 @@ bolan_result bolan_spectrum_read_frequencies(text_cursor *text, double *hertz, u
 /// Does a text begin as WAVEWATCH III's do?
 bool bolan_spectrum_is_ww3(text_word first);
 
-/// The letter in the name of a file of NDBC's history, which says what it holds: w density, d alpha1, i alpha2, j r1, k
-/// r2 ("41004w2018.txt"). A pointer into @p path, or NULL if it is no such name.
-const char *bolan_spectrum_ndbc_letter(const char *path);
-
 #endif

@@ -16,7 +16,9 @@
 
 // ---- the table of densities -----------------------------------------------------------------------------------------
 
-const char *bolan_spectrum_ndbc_letter(const char *path) {
+// The letter in the name of a file of NDBC's history, which says what it holds: w density, d alpha1, i alpha2, j r1, k
+// r2 ("41004w2018.txt"). NULL if it is no such name.
+static const char *letter_of(const char *path) {
     const char *slash = path ? strrchr(path, '/') : NULL, *name = slash ? slash + 1 : path, *found = NULL;
     for (const char *p = name; p && *p; p++) {
         const bool year = strspn(p + 1, "0123456789") == 4;
@@ -25,8 +27,26 @@ const char *bolan_spectrum_ndbc_letter(const char *path) {
     return found;
 }
 
+bool bolan_spectrum_companion(const char *path, uint32_t index, char *out, size_t capacity) {
+    BOLAN_ASSERT(path && out && capacity > 0 && index < BOLAN_SPECTRUM_COMPANIONS);
+    static const char density[] = ".data_spec";
+    static const char *const suffixes[BOLAN_SPECTRUM_COMPANIONS] = {".swdir", ".swdir2", ".swr1", ".swr2"};
+    static const char small[] = "dijk", capital[] = "DIJK";
+    const size_t length = strlen(path), tail = sizeof density - 1;
+    const char *letter = letter_of(path);
+    int used = -1;
+    if (length > tail && strcmp(path + length - tail, density) == 0)
+        used = snprintf(out, capacity, "%.*s%s", (int)(length - tail), path, suffixes[index]);
+    else if (letter && (*letter == 'w' || *letter == 'W'))
+        used = snprintf(out, capacity, "%.*s%c%s", (int)(letter - path), path,
+                        *letter == 'w' ? small[index] : capital[index], letter + 1);
+    if (used >= 0 && (size_t)used < capacity) return true;
+    out[0] = '\0';
+    return false;
+}
+
 static ndbc_quantity quantity_by_name(const char *path) {
-    const char *letter = bolan_spectrum_ndbc_letter(path);
+    const char *letter = letter_of(path);
     static const char letters[] = "wdijk"; // in the order of ndbc_quantity, from SPEC
     const char *at = letter ? strchr(letters, *letter | 0x20) : NULL;
     return at ? (ndbc_quantity)(NDBC_SPEC + (at - letters)) : NDBC_UNNAMED;

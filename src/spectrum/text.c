@@ -53,15 +53,6 @@ bool bolan_text_next_line(text_cursor *cursor, text_cursor *line) {
     return false;
 }
 
-static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c + ('a' - 'A')) : c; }
-
-bool bolan_text_equals(text_word word, const char *expected) {
-    if (strlen(expected) != word.length) return false;
-    for (size_t i = 0; i < word.length; i++)
-        if (lower(word.begin[i]) != lower(expected[i])) return false;
-    return true;
-}
-
 // ---- numbers --------------------------------------------------------------------------------------------------------
 
 // mantissa * 10^exponent. Powers to 1e22 are exact doubles.

@@ -8,6 +8,7 @@
 #include "bolan/spectrum.h"
 
 #include <stdbool.h>
+#include <string.h>
 
 typedef struct text_cursor {
     const char *name; ///< of the text, for messages
@@ -30,8 +31,16 @@ void bolan_text_skip_line(text_cursor *cursor);
 /// The next line that is not blank, as a text of its own, without its end and the white space before that.
 bool bolan_text_next_line(text_cursor *cursor, text_cursor *line);
 
-/// Equal, but for the case of ASCII letters.
-bool bolan_text_equals(text_word word, const char *expected);
+/// ASCII letters in lower case, whatever the locale.
+static inline char text_lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c + ('a' - 'A')) : c; }
+
+/// Equal, but for the case of ASCII letters. In line, since src/io uses it and shared libraries export no private name.
+static inline bool bolan_text_equals(text_word word, const char *expected) {
+    if (strlen(expected) != word.length) return false;
+    for (size_t i = 0; i < word.length; i++)
+        if (text_lower(word.begin[i]) != text_lower(expected[i])) return false;
+    return true;
+}
 /// A decimal number that fills the word: no "nan", "inf" or hexadecimal, and no overflow.
 bool bolan_text_number(text_word word, double *value);
 /// The same, and Fortran's form of an exponent of three digits, which has no letter: "0.67027118-104".

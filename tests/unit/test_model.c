@@ -2,7 +2,6 @@
 // Models: what is taken and what is refused, and the built-in ones; and the pond's ground.
 #include "bolan/scene.h"
 #include "io_support.h"
-#include "model/model.h"
 
 static void test_a_model_is_a_copy(void **state) {
     (void)state;

@@ -525,8 +525,32 @@ static void every_truncation_of_the_only_row_is_refused(void **state) {
     assert_int_equal(bolan_memory_in_use(), 0);
 }
 
+static void companions_have_the_names_that_ndbc_gives_them(void **state) {
+    (void)state;
+    static const struct {
+        const char *density, *tables[BOLAN_SPECTRUM_COMPANIONS];
+    } cases[] = {
+        {"a/46042.data_spec", {"a/46042.swdir", "a/46042.swdir2", "a/46042.swr1", "a/46042.swr2"}},
+        {"b/41004w2018.txt", {"b/41004d2018.txt", "b/41004i2018.txt", "b/41004j2018.txt", "b/41004k2018.txt"}},
+        {"51000W2001", {"51000D2001", "51000I2001", "51000J2001", "51000K2001"}},
+    };
+    char name[64];
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (uint32_t t = 0; t < BOLAN_SPECTRUM_COMPANIONS; t++) {
+            assert_true(bolan_spectrum_companion(cases[i].density, t, name, sizeof name));
+            assert_string_equal(name, cases[i].tables[t]);
+        }
+    // A direction's own file, a name of another kind, and room for all but the last byte.
+    assert_false(bolan_spectrum_companion("41004d2018.txt", 0, name, sizeof name));
+    assert_false(bolan_spectrum_companion("record.spec", 0, name, sizeof name));
+    assert_string_equal(name, "");
+    assert_true(bolan_spectrum_companion("1.data_spec", 1, name, sizeof "1.swdir2"));
+    assert_false(bolan_spectrum_companion("1.data_spec", 1, name, sizeof "1.swdir2" - 1));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(companions_have_the_names_that_ndbc_gives_them),
         cmocka_unit_test(a_history_table_takes_its_direction_from_the_caller),
         cmocka_unit_test(old_years_have_two_digits_and_new_tables_have_minutes),
         cmocka_unit_test(record_zero_is_the_earliest_in_any_order),
