@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # make install: program, libraries, public headers, a .pc file per library, and a CMake package (find_package(bolan);
-# bolan::bolan, bolan::bolan_io, bolan::bolan_render).
+# bolan::bolan, bolan::bolan_content, bolan::bolan_io, bolan::bolan_render).
 include(CMakePackageConfigHelpers)
 
 # Installed programs and libraries find the libraries from where they lie themselves.
@@ -53,6 +53,7 @@ function(bolan_install_pc pc_name pc_description pc_requires)
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 bolan_install_pc(bolan "the core, without files and OpenGL" "" -pthread -lm)
+bolan_install_pc(bolan_content "generated grounds and models" "bolan = ${PROJECT_VERSION}" -lm)
 if(TARGET bolan_io)
     set(io_needs ${yaml_LDFLAGS})
     if(BOLAN_WITH_GDAL)
@@ -67,7 +68,7 @@ if(TARGET bolan_io)
         string(REGEX REPLACE "^lib" "-l" openexr_name ${openexr_name})
         list(APPEND io_needs -L${openexr_folder} ${openexr_name})
     endif()
-    bolan_install_pc(bolan_io "files: scenes, rasters, models, images, video" "bolan = ${PROJECT_VERSION}"
+    bolan_install_pc(bolan_io "files: scenes, rasters, models, images, video" "bolan_content = ${PROJECT_VERSION}"
         ${io_needs} -lm)
 endif()
 if(TARGET bolan_render)

@@ -109,10 +109,12 @@ static int apply_cpu(const options *o, bolan_scene *scene) {
 
 static int apply_terrain(const options *o, bolan_scene *scene) {
     bolan_ground_source *t = &scene->terrain;
+    if (o->terrain) t->shown_by_object = false;
     if (o->terrain && strcmp(o->terrain, "none") == 0) {
         t->kind = BOLAN_GROUND_NONE;
     } else if (o->terrain && strcmp(o->terrain, "island") == 0) {
-        t->kind = BOLAN_GROUND_ISLAND;
+        t->kind = BOLAN_GROUND_GENERATED;
+        snprintf(t->generator.name, sizeof t->generator.name, "%s", o->terrain);
     } else if (o->terrain) {
         t->kind = BOLAN_GROUND_RASTER;
         snprintf(t->raster.path, sizeof t->raster.path, "%s", o->terrain);

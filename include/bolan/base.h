@@ -22,6 +22,9 @@ extern "C" {
 #define BOLAN_VERSION_PATCH 0        ///< raised when only defects went
 #define BOLAN_VERSION_STRING "0.2.0" ///< of the headers; bolan_version() is that of the library
 
+#define BOLAN_NAME_MAX 64   ///< bytes of a name in a desc, NUL included
+#define BOLAN_PATH_MAX 1024 ///< bytes of a path in a desc, NUL included
+
 /// The version of the linked library, "major.minor.patch". Static storage. Thread-safe.
 const char *bolan_version(void);
 

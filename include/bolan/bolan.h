@@ -19,8 +19,10 @@
 #include "bolan/surface.h"
 #include "bolan/tiles.h"
 
+#include "bolan/content.h"
 #include "bolan/model.h"
 #include "bolan/scene.h"
+#include "bolan/technique.h"
 
 #include "bolan/io.h"
 

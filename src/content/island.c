@@ -8,12 +8,6 @@
 #define HALF_WIDTH 2.3 // [radii]
 #define GULLY_OCTAVES 5
 
-bolan_island_desc bolan_island_desc_default(void) {
-    bolan_island_desc desc;
-    bolan_params_default(&bolan_island_params, &desc);
-    return desc;
-}
-
 typedef struct island_job {
     const island_plan *plan;
     double step, start;
@@ -84,10 +78,8 @@ static void set_summit(float *z, size_t count, float peak) {
     }
 }
 
-bolan_result bolan_ground_create_island(const bolan_island_desc *desc, bolan_ground **out) {
-    BOLAN_ASSERT(desc && out);
-    *out = NULL;
-    bolan_result r = bolan_params_validate(&bolan_island_params, desc, "bolan_island_desc.");
+bolan_result bolan_island_create(const bolan_ground_generator *generator, bolan_ground **out) {
+    bolan_result r = bolan_params_validate(&bolan_ground_generator_params, generator, "bolan_ground_generator.");
     if (r != BOLAN_OK) {
         return r;
     }
@@ -98,16 +90,16 @@ bolan_result bolan_ground_create_island(const bolan_island_desc *desc, bolan_gro
                   NODES);
         return BOLAN_ERROR_MEMORY;
     }
-    island_plan plan = bolan_island_plan_make(desc);
-    double step = 2.0 * HALF_WIDTH * desc->radius / (NODES - 1);
-    island_job job = {&plan, step, -HALF_WIDTH * desc->radius, memory, memory + plane, memory + 2 * plane};
+    island_plan plan = bolan_island_plan_make(generator);
+    double step = 2.0 * HALF_WIDTH * generator->radius / (NODES - 1);
+    island_job job = {&plan, step, -HALF_WIDTH * generator->radius, memory, memory + plane, memory + 2 * plane};
     bolan_parallel(NODES, 8, shape_rows, &job);
     bolan_parallel(NODES, 8, erode_rows, &job);
     set_summit(job.out, plane, plan.peak);
     bolan_ground_desc d = bolan_ground_desc_default();
     d.field = (bolan_heightfield){NODES, NODES, job.start, job.start, step, step, job.out};
-    d.seed = desc->seed;
-    d.edge_elevation = desc->sea_floor;
+    d.seed = generator->seed;
+    d.edge_elevation = generator->sea_floor;
     r = bolan_ground_create(&d, out);
     bolan_release(memory, 3 * plane * sizeof(float));
     return r;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The shape of the generated island before water has cut gullies into it.
-#ifndef BOLAN_SHORE_ISLAND_H
-#define BOLAN_SHORE_ISLAND_H
+#ifndef BOLAN_CONTENT_ISLAND_H
+#define BOLAN_CONTENT_ISLAND_H
 
 #include "bolan/ground.h"
 
@@ -26,7 +26,9 @@ typedef struct island_plan {
     float peak2_u, peak2_v; // direction of the second summit on the crater's rim
 } island_plan;
 
-island_plan bolan_island_plan_make(const bolan_island_desc *desc);
+island_plan bolan_island_plan_make(const bolan_ground_generator *generator);
+// The ground "island" of content.h.
+bolan_result bolan_island_create(const bolan_ground_generator *generator, bolan_ground **out);
 // Elevation [m] at world metres; @drained receives how much running water may cut there, 0..1.
 float bolan_island_shape(const island_plan *p, double x, double y, float *drained);
 

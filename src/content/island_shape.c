@@ -49,13 +49,13 @@ static void plan_reef(island_plan *p) {
     }
 }
 
-island_plan bolan_island_plan_make(const bolan_island_desc *desc) {
+island_plan bolan_island_plan_make(const bolan_ground_generator *generator) {
     island_plan p = {0};
     double sine, cosine;
-    bolan_sincos(bolan_radians(bolan_wrap_degrees(desc->lagoon_from_deg)), &sine, &cosine);
-    p.radius = (float)desc->radius, p.peak = (float)desc->peak, p.sea_floor = (float)desc->sea_floor;
+    bolan_sincos(bolan_radians(bolan_wrap_degrees(generator->lagoon_from_deg)), &sine, &cosine);
+    p.radius = (float)generator->radius, p.peak = (float)generator->peak, p.sea_floor = (float)generator->sea_floor;
     p.axis_x = (float)sine, p.axis_y = (float)cosine;
-    p.seed = hash_cell((int32_t)(desc->seed & 0xffffffffu), (int32_t)(desc->seed >> 32), 0xb01au);
+    p.seed = hash_cell((int32_t)(generator->seed & 0xffffffffu), (int32_t)(generator->seed >> 32), 0xb01au);
     plan_headlands(&p);
     plan_reef(&p);
     direction(96.0f + 30.0f * hash_unit(p.seed, 90), &p.peak2_u, &p.peak2_v);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A broad-leaved tree, a spruce and a clump of reeds. Crowns are lumps that carry loose leaves: the lumps give body and
 // a dark inside, the leaves break the outline. Their normals point out of the crown, so that it is shaded as a whole.
-#include "model/model_build.h"
+#include "content/model_build.h"
 
 // Leaves on the surface of a lump, thicker above.
 static void leaves(model_builder *b, uint32_t *chance, const build_lump *l, int count, float size) {

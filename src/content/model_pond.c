@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The ground of the pond, as rings that follow its outline, and the wood on the rise behind it.
-#include "bolan/ground.h"
-#include "model/model_build.h"
+#include "bolan/content.h"
+#include "content/model_build.h"
 
 #include "content/pond.h"
 #include "ground/noise.h"

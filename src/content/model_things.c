@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What people put beside a pond: a house, a jetty, a pole; and a rock.
-#include "model/model_build.h"
+#include "content/model_build.h"
 
 // ---- house ----------------------------------------------------------------------------------------------------------
 

@@ -2,7 +2,7 @@
 // The pond: an uneven oval basin in a meadow. Only + - * / and square roots, so that it is the same on every machine.
 #include "content/pond.h"
 
-#include "bolan/ground.h"
+#include "bolan/content.h"
 #include "ground/noise.h"
 
 #define NODES 641u // per side of the grid, 1 m apart
@@ -42,9 +42,8 @@ float bolan_pond_elevation(double x, double y) {
     return -depth_inside(-d, south) + waves;
 }
 
-bolan_result bolan_ground_create_pond(bolan_ground **out) {
-    BOLAN_ASSERT(out);
-    *out = NULL;
+bolan_result bolan_pond_create(const bolan_ground_generator *generator, bolan_ground **out) {
+    (void)generator;
     const size_t bytes = (size_t)NODES * NODES * sizeof(float);
     float *z = bolan_allocate(bytes);
     if (!z) {

@@ -2,6 +2,8 @@
 // What a scene refers to: its spectrum, its terrain and its models.
 #include "bolan/io.h"
 
+#include "bolan/content.h"
+
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -20,8 +22,7 @@ static bolan_result no_raster(const bolan_scene *scene) {
 static bolan_result load_terrain(const bolan_scene *scene, bolan_ground **out) {
     const bolan_ground_source *t = &scene->terrain;
     if (t->kind == BOLAN_GROUND_NONE) return BOLAN_OK;
-    if (t->kind == BOLAN_GROUND_ISLAND) return bolan_ground_create_island(&t->island, out);
-    if (t->kind == BOLAN_GROUND_POND) return bolan_ground_create_pond(out);
+    if (t->kind == BOLAN_GROUND_GENERATED) return bolan_content_create_ground(&t->generator, out);
     bolan_raster_desc desc = t->raster;
     if (!desc.path[0]) snprintf(desc.path, sizeof desc.path, "%s", global_relief);
     if (!t->raster.path[0] && access(desc.path, R_OK) != 0) return no_raster(scene);
@@ -31,7 +32,7 @@ static bolan_result load_terrain(const bolan_scene *scene, bolan_ground **out) {
 static bolan_result load_model(const bolan_object *object, bolan_model **out) {
     static const char *const builtin = "builtin:";
     const char *name = object->model;
-    if (strncmp(name, builtin, strlen(builtin)) == 0) return bolan_model_create_builtin(name + strlen(builtin), out);
+    if (strncmp(name, builtin, strlen(builtin)) == 0) return bolan_content_create_model(name + strlen(builtin), out);
     return bolan_model_load(&(bolan_model_desc){.path = name, .up = object->up, .offset = object->offset}, out);
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From a scene as it is written to a scene as it is used: defaults, units, and keys that exclude or need each other.
+#include "bolan/content.h"
+
 #include "io/file.h"
 #include "io/scene_file.h"
 
@@ -78,7 +80,7 @@ void bolan_scene_file_clear(scene_file *file) {
     file->sea.resolution = d.sea.resolution;
     file->sea.cascades = d.sea.fft.cascade_count;
     file->sky.clouds.seed = d.sky.cloud_seed;
-    file->terrain.island.seed = d.terrain.island.seed;
+    file->terrain.island.seed = d.terrain.generator.seed;
 }
 
 static void set(double *value, double given, double factor) {
@@ -290,15 +292,15 @@ static bolan_result build_raster(const struct scene_file_raster *r, const char *
 static bolan_result build_terrain(const struct scene_file_terrain *t, const char *name, bolan_ground_source *out) {
     if ((t->island.line != 0) + (t->raster.line != 0) + (t->pond.line != 0) > 1)
         return refuse(name, t->line, "terrain has more than one of island, raster and pond; expected one");
-    out->kind = t->island.line   ? BOLAN_GROUND_ISLAND
-                : t->raster.line ? BOLAN_GROUND_RASTER
-                : t->pond.line   ? BOLAN_GROUND_POND
-                                 : BOLAN_GROUND_NONE;
-    out->island.seed = t->island.seed;
-    set(&out->island.radius, t->island.radius, 1.0);
-    set(&out->island.peak, t->island.peak, 1.0);
-    set(&out->island.sea_floor, t->island.sea_floor, 1.0);
-    set(&out->island.lagoon_from_deg, t->island.lagoon_from, 1.0);
+    const char *generator = t->island.line ? "island" : t->pond.line ? "pond" : "";
+    out->kind = t->raster.line ? BOLAN_GROUND_RASTER : generator[0] ? BOLAN_GROUND_GENERATED : BOLAN_GROUND_NONE;
+    out->shown_by_object = t->pond.line != 0; // as the model builtin:pond-ground
+    snprintf(out->generator.name, sizeof out->generator.name, "%s", generator);
+    out->generator.seed = t->island.seed;
+    set(&out->generator.radius, t->island.radius, 1.0);
+    set(&out->generator.peak, t->island.peak, 1.0);
+    set(&out->generator.sea_floor, t->island.sea_floor, 1.0);
+    set(&out->generator.lagoon_from_deg, t->island.lagoon_from, 1.0);
     return build_raster(&t->raster, name, &out->raster);
 }
 
@@ -354,9 +356,9 @@ static bool is_builtin(const char *model) { return strncmp(model, builtin, strle
 
 static bolan_result unknown_model(const char *name, uint32_t line, const char *model) {
     char list[256] = "", sentence[512];
-    for (uint32_t i = 0; bolan_model_builtin_name(i); i++) {
+    for (uint32_t i = 0; bolan_content_model_name(i); i++) {
         const size_t used = strlen(list);
-        snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", bolan_model_builtin_name(i));
+        snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", bolan_content_model_name(i));
     }
     snprintf(sentence, sizeof sentence, "there is no model %.*s; expected builtin: and one of %s",
              (int)bolan_text_fit(model, 64), model, list);
@@ -366,10 +368,10 @@ static bolan_result unknown_model(const char *name, uint32_t line, const char *m
 static bolan_result build_object(const struct scene_file_object *o, const char *name, bolan_object *out) {
     if (!o->model[0]) return refuse(name, o->line, "an object needs a model: builtin:NAME, or a file (OBJ, glTF)");
     uint32_t i = 0;
-    while (is_builtin(o->model) && bolan_model_builtin_name(i) &&
-           strcmp(bolan_model_builtin_name(i), o->model + strlen(builtin)) != 0)
+    while (is_builtin(o->model) && bolan_content_model_name(i) &&
+           strcmp(bolan_content_model_name(i), o->model + strlen(builtin)) != 0)
         i++;
-    if (is_builtin(o->model) && !bolan_model_builtin_name(i)) return unknown_model(name, o->line, o->model);
+    if (is_builtin(o->model) && !bolan_content_model_name(i)) return unknown_model(name, o->line, o->model);
     if (is_builtin(o->model) && (o->up >= 0 || o->offset[0] != 0.0 || o->offset[1] != 0.0 || o->offset[2] != 0.0))
         return refuse(name, o->line, "up and offset are of model files; expected neither with a builtin: model");
     memcpy(out->model, o->model, sizeof out->model);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Models: their life, and the built-in ones by name.
-
-#include "model/model_build.h"
+// The life of models.
+#include "bolan/model.h"
 
 #include <string.h>
 
@@ -117,57 +116,4 @@ uint64_t bolan_model_id(const bolan_model *model) { return model->id; }
 void bolan_model_bounds(const bolan_model *model, bolan_vec3 *low, bolan_vec3 *high) {
     *low = model->low;
     *high = model->high;
-}
-
-// ---- built-in models ------------------------------------------------------------------------------------------------
-
-static const struct {
-    const char *name;
-    void (*build)(model_builder *b);
-} builtins[] = {
-    {"pond-ground", bolan_model_pond_ground},
-    {"pond-wood", bolan_model_pond_wood},
-    {"house", bolan_model_house},
-    {"boat", bolan_model_boat},
-    {"stick", bolan_model_stick},
-    {"tree", bolan_model_tree},
-    {"conifer", bolan_model_conifer},
-    {"reeds", bolan_model_reeds},
-    {"jetty", bolan_model_jetty},
-    {"rock", bolan_model_rock},
-};
-#define BUILTINS (sizeof builtins / sizeof *builtins)
-
-const char *bolan_model_builtin_name(uint32_t index) { return index < BUILTINS ? builtins[index].name : NULL; }
-
-static bolan_result unknown(const char *name) {
-    char list[256] = "";
-    for (size_t i = 0, used = 0; i < BUILTINS; i++) {
-        const size_t length = strlen(builtins[i].name);
-        if (used + length + 3 > sizeof list) break;
-        if (i) memcpy(list + used, ", ", 2), used += 2;
-        memcpy(list + used, builtins[i].name, length + 1), used += length;
-    }
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_UNKNOWN_NAME, "there is no built-in model %.64s; expected one of %s", name,
-              list);
-    return BOLAN_ERROR_ARGUMENT;
-}
-
-bolan_result bolan_model_create_builtin(const char *name, bolan_model **out) {
-    BOLAN_ASSERT(name && out);
-    *out = NULL;
-    for (size_t i = 0; i < BUILTINS; i++) {
-        if (strcmp(builtins[i].name, name) != 0) continue;
-        model_builder b = {.failed = false};
-        builtins[i].build(&b);
-        const bolan_model_view view = {b.vertex_count, b.index_count, b.positions, b.normals, b.colors, b.indices};
-        bolan_result result = BOLAN_ERROR_MEMORY;
-        if (!b.failed)
-            result = bolan_model_create(&view, out);
-        else
-            bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for the model %s", name);
-        bolan_build_free(&b);
-        return result;
-    }
-    return unknown(name);
 }

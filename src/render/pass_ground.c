@@ -227,14 +227,14 @@ static tree_view view_of(const pass_ground *p, const frame *f) {
     return v;
 }
 
-// The pond's ground is drawn as a model; the terrain then only feeds the shore map.
-static bool ground_is_a_model(const frame *f) { return f->scene->terrain.kind == BOLAN_GROUND_POND && f->desc->models; }
+// The ground then only feeds the shore map.
+static bool shown_by_object(const frame *f) { return f->scene->terrain.shown_by_object && f->desc->models; }
 
 void bolan_pass_ground_prepare(pass_ground *p, frame *f) {
     bolan_gl_texture_bind(&p->noise, UNIT_TERRAIN2);
     bolan_shore_builder_update(&p->shore, f);
     bolan_gl_texture_bind(&p->shore.map.texture, UNIT_SHORE);
-    if (ground_is_a_model(f) || !fit_pool(p, f)) {
+    if (shown_by_object(f) || !fit_pool(p, f)) {
         return;
     }
     tree_view view = view_of(p, f);
@@ -265,7 +265,7 @@ static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program
 }
 
 void bolan_pass_ground_draw(pass_ground *p, frame *f) {
-    if (!p->terrain || !p->tree || ground_is_a_model(f)) {
+    if (!p->terrain || !p->tree || shown_by_object(f)) {
         return;
     }
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});

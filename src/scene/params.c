@@ -3,44 +3,7 @@
 #include "bolan/scene.h"
 #include "params/rows.h"
 
-static const char *const nodata_names[] = {"fill", "sea", NULL};                      // bolan_raster_nodata, from 1
-static const char *const zero_names[] = {"land", "sea", NULL};                        // bolan_raster_zero, from 1
-static const char *const up_names[] = {"y", "z", NULL};                               // bolan_up
-static const char *const ground_names[] = {"none", "island", "raster", "pond", NULL}; // bolan_ground_kind
-
-// ---- technique and look ---------------------------------------------------------------------------------------------
-
-#define STRUCT bolan_technique
-static const bolan_param technique_rows[] = {
-    NAME(waves, .names = bolan_wave_model_names, .high = BOLAN_WAVE_MODELS - 1, .help = "its wave model"),
-    NAME(surface, .option = "surface", .names = bolan_surface_kind_names, .high = BOLAN_SURFACE_KINDS - 1,
-         .help = "the geometry of the technique"),
-    NAME(optics, .option = "optics", .names = bolan_optics_kind_names, .high = BOLAN_OPTICS_KINDS - 1,
-         .help = "the shading of the technique"),
-};
-#undef STRUCT
-const bolan_param_table bolan_technique_params = TABLE("bolan_technique", technique_rows);
-
-#define STRUCT bolan_look
-static const bolan_param look_rows[] = {
-    FLAG(paper, .key = "paper", .option = "paper",
-         .help = "follow the technique's paper to the letter, also where we know better"),
-    SET(effects, .key = "effects", .option = "effects", .names = bolan_effect_names, .high = BOLAN_EFFECTS_ALL,
-        .fallback = BOLAN_EFFECTS_ALL, .help = "only these parts of the light"),
-    NAME(show, .key = "show", .option = "show", .names = bolan_show_names, .high = BOLAN_SHOWS - 1,
-         .help = "the water, its parts in false colours, or the edges of its triangles"),
-    NUMBER(distortion, .key = "distortion", .low = 0, .high = 4, .fallback = 1,
-           .help = "how far waves shift reflections and refractions"),
-    NUMBER(blend, .key = "blend", .low = 0, .high = 1, .fallback = 0.85,
-           .help = "share of reflection and refraction over the water's own texture"),
-    NUMBER(ambient, .key = "ambient", .low = 0, .high = 2, .fallback = 1, .help = "strength of ambient light"),
-    NUMBER(diffuse, .key = "diffuse", .low = 0, .high = 2, .fallback = 0.05, .help = "strength of diffuse light"),
-    NUMBER(specular, .key = "specular", .low = 0, .high = 4, .fallback = 1, .help = "strength of specular light"),
-    NUMBER(shininess, .key = "shininess", .low = 1, .high = 4096, .fallback = 300,
-           .help = "exponent of the highlight; larger: smaller and sharper"),
-};
-#undef STRUCT
-const bolan_param_table bolan_look_params = TABLE("bolan_look", look_rows);
+static const char *const up_names[] = {"y", "z", NULL}; // bolan_up
 
 // ---- camera, sky, water ---------------------------------------------------------------------------------------------
 
@@ -97,48 +60,7 @@ static const bolan_param seawater_rows[] = {
 #undef STRUCT
 const bolan_param_table bolan_seawater_params = TABLE("bolan_seawater", seawater_rows);
 
-// ---- ground and objects ---------------------------------------------------------------------------------------------
-
-#define STRUCT bolan_ground_source
-static const bolan_param ground_source_rows[] = {
-    NAME(kind, .names = ground_names, .high = BOLAN_GROUND_POND, .help = "where the ground comes from"),
-};
-#undef STRUCT
-const bolan_param_table bolan_ground_source_params = TABLE("bolan_ground_source", ground_source_rows);
-
-#define STRUCT bolan_raster_desc
-static const bolan_param raster_rows[] = {
-    TEXT(path, .key = "file", .rules = BOLAN_PARAM_PATH, .otherwise = "ETOPO5, where installed",
-         .help = "elevations: any format that GDAL reads, in degrees, in a map projection, or in plain metres; "
-                 "relative to the scene "
-                 "file. GDAL's own names work as well: `\"NETCDF:f.nc:z\"`, `\"GTIFF_DIR:2:f.tif\"`, `/vsizip/...`"),
-    NUMBER(latitude, .key = "at", .low = -90, .high = 90, .unit = "degrees", .rules = BOLAN_PARAM_OR_NAN,
-           .fallback = (double)NAN, .otherwise = "its centre",
-           .help = "latitude and longitude where the scene's origin lies in the raster"),
-    NUMBER(longitude, .key = "at", .low = -360, .high = 360, .unit = "degrees", .rules = BOLAN_PARAM_OR_NAN,
-           .fallback = (double)NAN),
-    NUMBER(radius, .key = "radius_km", .low = 100, .high = 5e6, .unit = "m", .fallback = 150e3, .factor = 1e3,
-           .factor_unit = "km", .help = "half side of the square that is read"),
-    TEXT(variable, .key = "variable", .otherwise = "by its name",
-         .help = "the variable of a netCDF or HDF file, or the band of that description"),
-    WHOLE(band, .key = "band", .low = 1, .high = 65535, .rules = BOLAN_PARAM_OR_ZERO, .otherwise = "by its name",
-          .help = "number of the band"),
-    TEXT(crs, .key = "crs", .otherwise = "the file's",
-         .help = "what the coordinates of the file are: `metres`, `degrees`, or text for PROJ such as `EPSG:32604`"),
-    NUMBER(vertical_scale, .key = "vertical_scale", .low = 1e-3, .high = 1e3,
-           .rules = BOLAN_PARAM_OR_NAN | BOLAN_PARAM_EITHER_SIGN, .fallback = (double)NAN,
-           .otherwise = "the file's unit and direction",
-           .help = "metres upwards per unit of the raster; negative for depths"),
-    NUMBER(nodata_value, .key = "nodata_value", .low = -HUGE_VAL, .high = HUGE_VAL, .rules = BOLAN_PARAM_OR_NAN,
-           .fallback = (double)NAN, .otherwise = "the file's", .help = "the number that stands for no-data"),
-    NAME(nodata, .key = "nodata", .names = nodata_names, .low = BOLAN_NODATA_FILL, .high = BOLAN_NODATA_SEA,
-         .rules = BOLAN_PARAM_OR_ZERO, .otherwise = "`sea` at the rim, `fill` within", .help = "what no-data is"),
-    NAME(zero, .key = "zero_is", .names = zero_names, .low = BOLAN_ZERO_LAND, .high = BOLAN_ZERO_SEA,
-         .rules = BOLAN_PARAM_OR_ZERO, .otherwise = "`land`, with a warning where it is much",
-         .help = "what an elevation of exactly 0 is"),
-};
-#undef STRUCT
-const bolan_param_table bolan_raster_params = TABLE("bolan_raster_desc", raster_rows);
+// ---- objects --------------------------------------------------------------------------------------------------------
 
 #define STRUCT bolan_object
 static const bolan_param object_rows[] = {
@@ -215,7 +137,7 @@ const bolan_param_group bolan_scene_groups[] = {
     AT(water, "water", bolan_seawater_params),
     AT(sky, "sky", bolan_sky_params),
     AT(terrain, "terrain", bolan_ground_source_params),
-    AT(terrain.island, "terrain.island", bolan_island_params),
+    AT(terrain.generator, "terrain.island", bolan_ground_generator_params),
     AT(terrain.raster, "terrain.raster", bolan_raster_params),
     LIST(objects, objects[0], object_count, "objects", bolan_object_params),
     AT(camera, "camera", bolan_camera_params),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The default scene, and the wind of a scene.
+// The default scene, its wind, its technique and its sea.
 #include "bolan/scene.h"
 
 #include <string.h>
@@ -14,13 +14,6 @@ bolan_scene bolan_scene_default(void) {
     scene.sea = bolan_sea_desc_default();
     scene.spectrum = bolan_spectrum_options_default();
     return scene;
-}
-
-bolan_raster_desc bolan_raster_desc_default(void) {
-    bolan_raster_desc desc;
-    memset(&desc, 0, sizeof desc);
-    bolan_params_default(&bolan_raster_params, &desc);
-    return desc;
 }
 
 static bolan_sea_state wind_sea_of(const bolan_scene *scene, double wind_speed, double from_deg) {
@@ -45,4 +38,27 @@ void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg
     for (uint32_t i = 0; i < old.system_count && next.system_count < BOLAN_MAX_WAVE_SYSTEMS; i++)
         if (!(old.systems[i].wind_speed > 0.0)) next.systems[next.system_count++] = old.systems[i];
     scene->sea.sea_state = next;
+}
+
+static int spectrum_of(const bolan_scene *scene, const bolan_technique *technique) {
+    return technique->wind_spectrum < 0 ? (int)scene->wind_spectrum : technique->wind_spectrum;
+}
+
+void bolan_scene_set_technique(bolan_scene *scene, const bolan_technique *technique) {
+    BOLAN_ASSERT(scene && technique);
+    const bool same = spectrum_of(scene, &scene->technique) == spectrum_of(scene, technique);
+    scene->technique = *technique;
+    scene->sea.waves = technique->waves;
+    const bolan_sea_state *state = &scene->sea.sea_state;
+    if (!same) bolan_scene_set_wind(scene, state->wind_speed, state->wind_from_deg);
+}
+
+bolan_sea_desc bolan_scene_sea_desc(const bolan_scene *scene) {
+    BOLAN_ASSERT(scene);
+    bolan_sea_desc desc = scene->sea;
+    if (scene->look.paper) {
+        desc.exp_cosine.sharpness = 1.0;
+        desc.cosines.split = BOLAN_SPLIT_EQUAL_WIDTH;
+    }
+    return desc;
 }

@@ -13,7 +13,7 @@ static bolan_result refuse(const char *field, double value, const char *expected
 }
 
 static bool is_used(const bolan_scene *scene, const bolan_param_group *group) {
-    if (group->table == &bolan_island_params) return scene->terrain.kind == BOLAN_GROUND_ISLAND;
+    if (group->table == &bolan_ground_generator_params) return scene->terrain.kind == BOLAN_GROUND_GENERATED;
     return group->table != &bolan_raster_params || scene->terrain.kind == BOLAN_GROUND_RASTER;
 }
 

@@ -6,6 +6,7 @@
 //
 // After an intended change of any of them:
 //     BOLAN_PRINT_HASHES=1 build/tests/test_golden > tests/determinism/golden_hashes.h
+#include "content_support.h"
 #include "sea_support.h"
 
 #include "bolan/ground.h"
@@ -177,11 +178,11 @@ static uint64_t terrain_bits(const bolan_ground *terrain, double west, double st
 }
 
 static uint64_t island_bits(void) {
-    bolan_island_desc desc = bolan_island_desc_default();
+    bolan_ground_generator desc = generator_named("island");
     desc.seed = 11;
     desc.lagoon_from_deg = 100.0;
     bolan_ground *terrain = NULL;
-    assert_int_equal(bolan_ground_create_island(&desc, &terrain), BOLAN_OK);
+    assert_int_equal(bolan_content_create_ground(&desc, &terrain), BOLAN_OK);
     const uint64_t hash = terrain_bits(terrain, -2400.0, 50.0);
     bolan_ground_destroy(&terrain);
     return hash;
@@ -248,7 +249,7 @@ static uint64_t nested_bits(void) {
 
 static uint64_t model_bits(const char *name) {
     bolan_model *model = NULL;
-    assert_int_equal(bolan_model_create_builtin(name, &model), BOLAN_OK);
+    assert_int_equal(bolan_content_create_model(name, &model), BOLAN_OK);
     const bolan_model_view v = bolan_model_get_view(model);
     uint64_t hash = add_bytes(FNV_START, v.positions, v.vertex_count * sizeof *v.positions);
     hash = add_bytes(hash, v.normals, v.vertex_count * sizeof *v.normals);
@@ -322,7 +323,8 @@ static void check_ground(const bolan_ground *pond, const char *how) {
 
 static bolan_ground *create_pond(void) {
     bolan_ground *pond = NULL;
-    assert_int_equal(bolan_ground_create_pond(&pond), BOLAN_OK);
+    const bolan_ground_generator generator = generator_named("pond");
+    assert_int_equal(bolan_content_create_ground(&generator, &pond), BOLAN_OK);
     return pond;
 }
 
@@ -361,7 +363,7 @@ static void grids_and_models_have_their_bits(void **state) {
     differences = 0;
     check("nested grid", nested_bits(), "");
     const char *name;
-    for (uint32_t i = 0; (name = bolan_model_builtin_name(i)) != NULL; i++) {
+    for (uint32_t i = 0; (name = bolan_content_model_name(i)) != NULL; i++) {
         char label[64];
         snprintf(label, sizeof label, "model: %s", name);
         check(label, model_bits(name), "");

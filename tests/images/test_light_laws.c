@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Laws of the light in pictures of every technique: how wide the sun's glitter is, what a layer of water lets through,
 // how white foam is; and the sea runs the way the wind blows.
+#include "bolan/content.h"
 #include "picture.h"
 #include "support.h"
 

@@ -14,11 +14,13 @@ BEGIN {
     may["water"] = "base math params earth spectrum waves ground coast"
     may["query"] = may["water"] " fft water"
     may["model"] = "base math params ground"
-    may["content"] = "base math params ground model"
     core = "base math params earth spectrum optics fft ground coast waves surface body tiles water query model"
-    may["scene"] = core
-    may["world"] = core " scene"
-    may["io"] = may["render"] = core " content scene world" # they do not know each other
+    may["technique"] = "base math params spectrum waves surface"
+    may["content"] = "base math params ground model"
+    may["scene"] = core " technique"
+    may["world"] = core " technique scene"
+    may["io"] = may["render"] = core " technique scene world" # they do not know each other
+    may["io"] = may["io"] " content" # scene files name generated grounds and models
     may["bolan"] = may["io"] " io"                    # the umbrella header: never GL
 
     c_headers = "assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg " \

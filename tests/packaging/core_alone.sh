@@ -18,8 +18,11 @@ done
 no_paths first "$BOLAN_SOURCE_DIR" "$PWD/core"
 
 mv first moved
-use_pkg_config "$PWD/moved" bolan
-use_find_package "$PWD/moved" bolan
+use_pkg_config "$PWD/moved" bolan bolan_content
+use_find_package "$PWD/moved" bolan bolan_content
+# The core links without the generated content.
+! nm -C --undefined-only "$(find moved -name libbolan.a)" | grep 'bolan_content_\|bolan_pond_\|bolan_island_' ||
+    fail 'the core needs bolan_content'
 
 # A component that is not installed is missed by name.
 sed -i 's/COMPONENTS.*)/COMPONENTS render)/' found/CMakeLists.txt

@@ -13,7 +13,7 @@ mv first prefix
 
 minor=$(version)
 minor=${minor%.*}
-for library in bolan bolan_io bolan_render; do
+for library in bolan bolan_content bolan_io bolan_render; do
     file=$(find prefix -name "lib$library.so")
     [ -n "$file" ] || fail "lib$library.so is not installed"
     readelf -d "$file" | grep -q "SONAME.*\[lib$library\.so\.$minor\]" || fail "the SONAME of $library is not $minor"
@@ -27,5 +27,5 @@ prefix/bin/bolan view > view.log 2>&1 || status=$?
 [ $status = 2 ] && grep -q 'unknown command view' view.log || fail "bolan view without a viewer: $status, $(cat view.log)"
 no_paths prefix "$BOLAN_SOURCE_DIR" "$PWD/shared"
 
-use_pkg_config "$PWD/prefix" bolan bolan_io bolan_render
-use_find_package "$PWD/prefix" bolan bolan_io bolan_render
+use_pkg_config "$PWD/prefix" bolan bolan_content bolan_io bolan_render
+use_find_package "$PWD/prefix" bolan bolan_content bolan_io bolan_render

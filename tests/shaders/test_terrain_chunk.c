@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Chunks of ground: cast shadows against geometry, normals, meshes. Needs no context.
+#include "content_support.h"
 #include "support.h"
 
 #include "bolan/math.h"
@@ -113,9 +114,9 @@ static void sky_is_open_on_a_slope_and_hidden_in_a_valley(void **state) {
 
 static void neighbours_share_their_rim_whatever_their_level(void **state) {
     (void)state;
-    bolan_island_desc d = bolan_island_desc_default();
+    bolan_ground_generator d = generator_named("island");
     bolan_ground *t = NULL;
-    assert_int_equal(bolan_ground_create_island(&d, &t), BOLAN_OK);
+    assert_int_equal(bolan_content_create_ground(&d, &t), BOLAN_OK);
     ground_chunk a = chunk(t, -500.0, 0.0, 500.0, NULL), b = chunk(t, 0.0, 0.0, 250.0, NULL);
     static float va[CHUNK_VERTICES * 3], vb[CHUNK_VERTICES * 3];
     bolan_chunk_vertices(&a, va), bolan_chunk_vertices(&b, vb);

@@ -2,6 +2,7 @@
 // No memory: every creation and load of the core and of the files with its n-th allocation refused, alone and with all
 // that follow. Each time the call returns MEMORY after exactly one sentence, gives nothing back and leaks nothing.
 #include "bolan/io.h"
+#include "content_support.h"
 #include "io_support.h"
 
 #include <unistd.h>
@@ -147,10 +148,13 @@ static bolan_result make_terrain(void **out) {
     return bolan_ground_create(&d, (bolan_ground **)out);
 }
 static bolan_result make_island(void **out) {
-    const bolan_island_desc d = bolan_island_desc_default();
-    return bolan_ground_create_island(&d, (bolan_ground **)out);
+    const bolan_ground_generator d = generator_named("island");
+    return bolan_content_create_ground(&d, (bolan_ground **)out);
 }
-static bolan_result make_pond(void **out) { return bolan_ground_create_pond((bolan_ground **)out); }
+static bolan_result make_pond(void **out) {
+    const bolan_ground_generator generator = generator_named("pond");
+    return bolan_content_create_ground(&generator, (bolan_ground **)out);
+}
 static void destroy_terrain(void **t) { bolan_ground_destroy((bolan_ground **)t); }
 
 static void ground(void **state) {
@@ -199,10 +203,11 @@ static bolan_result load_assets(void **out) {
     static bolan_scene scene;
     scene = bolan_scene_default();
     snprintf(scene.spectrum_path, sizeof scene.spectrum_path, "memory.spec");
-    scene.terrain.kind = BOLAN_GROUND_POND;
+    scene.terrain.kind = BOLAN_GROUND_GENERATED;
+    scene.terrain.generator = generator_named("pond");
     scene.object_count = 2;
-    snprintf(scene.objects[0].model, sizeof scene.objects[0].model, "builtin:%s", bolan_model_builtin_name(0));
-    snprintf(scene.objects[1].model, sizeof scene.objects[1].model, "builtin:%s", bolan_model_builtin_name(1));
+    snprintf(scene.objects[0].model, sizeof scene.objects[0].model, "builtin:%s", bolan_content_model_name(0));
+    snprintf(scene.objects[1].model, sizeof scene.objects[1].model, "builtin:%s", bolan_content_model_name(1));
     const bolan_result result = bolan_scene_assets_load(&scene, &assets);
     if (result) assert_true(!assets.spectrum && !assets.terrain && !assets.models[0] && !assets.models[1]);
     *out = assets.spectrum;
@@ -255,12 +260,12 @@ static void files(void **state) {
 
 static const char *model_name;
 
-static bolan_result make_model(void **out) { return bolan_model_create_builtin(model_name, (bolan_model **)out); }
+static bolan_result make_model(void **out) { return bolan_content_create_model(model_name, (bolan_model **)out); }
 static void destroy_model(void **m) { bolan_model_destroy((bolan_model **)m); }
 
 static void models(void **state) {
     (void)state;
-    for (uint32_t i = 0; (model_name = bolan_model_builtin_name(i)) != NULL; i++)
+    for (uint32_t i = 0; (model_name = bolan_content_model_name(i)) != NULL; i++)
         sweep(model_name, make_model, destroy_model);
 }
 

@@ -454,7 +454,9 @@ static void test_the_pond_has_the_triangles_of_the_paper(void **state) {
     bolan_scene scene;
     bolan_scene_assets assets;
     assert_int_equal(bolan_scene_load("pond", &scene), BOLAN_OK);
-    assert_int_equal(scene.terrain.kind, BOLAN_GROUND_POND);
+    assert_int_equal(scene.terrain.kind, BOLAN_GROUND_GENERATED);
+    assert_string_equal(scene.terrain.generator.name, "pond");
+    assert_true(scene.terrain.shown_by_object);
     assert_string_equal(scene.technique.name, "two-triangle");
     assert_int_equal(bolan_scene_assets_load(&scene, &assets), BOLAN_OK);
     assert_non_null(assets.terrain);

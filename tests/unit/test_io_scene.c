@@ -123,12 +123,14 @@ static void test_every_key_arrives(void **state) {
     assert_near(s.sky.visibility, 25e3, 0);
     assert_near(s.sky.cloud_cover, 0.6, 0);
     assert_near(s.sky.cloud_base, 900, 0);
-    assert_true(s.sky.cloud_seed == 5 && s.terrain.island.seed == 3);
-    assert_int_equal(s.terrain.kind, BOLAN_GROUND_ISLAND);
-    assert_near(s.terrain.island.radius, 1500, 0);
-    assert_near(s.terrain.island.peak, 400, 0);
-    assert_near(s.terrain.island.sea_floor, -300, 0);
-    assert_near(s.terrain.island.lagoon_from_deg, 90, 0);
+    assert_true(s.sky.cloud_seed == 5 && s.terrain.generator.seed == 3);
+    assert_int_equal(s.terrain.kind, BOLAN_GROUND_GENERATED);
+    assert_string_equal(s.terrain.generator.name, "island");
+    assert_false(s.terrain.shown_by_object);
+    assert_near(s.terrain.generator.radius, 1500, 0);
+    assert_near(s.terrain.generator.peak, 400, 0);
+    assert_near(s.terrain.generator.sea_floor, -300, 0);
+    assert_near(s.terrain.generator.lagoon_from_deg, 90, 0);
     assert_near(s.camera.position.x, 1, 0);
     assert_near(s.camera.position.y, -2, 0);
     assert_near(s.camera.position.z, 30.5, 0);
@@ -239,7 +241,9 @@ static void test_effects_as_words(void **state) {
     }
     bolan_scene s;
     assert_int_equal(parse("terrain:\n  pond:\nsea: {spectrum: {shape: phillips}}\n", &s), BOLAN_OK);
-    assert_int_equal(s.terrain.kind, BOLAN_GROUND_POND);
+    assert_int_equal(s.terrain.kind, BOLAN_GROUND_GENERATED);
+    assert_string_equal(s.terrain.generator.name, "pond");
+    assert_true(s.terrain.shown_by_object);
     assert_int_equal(s.wind_spectrum, BOLAN_SPECTRUM_PHILLIPS);
 }
 

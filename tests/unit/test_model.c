@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Models: what is taken and what is refused, and the built-in ones; and the pond's ground.
 #include "bolan/scene.h"
+#include "content_support.h"
 #include "io_support.h"
 
 static void test_a_model_is_a_copy(void **state) {
@@ -54,7 +55,7 @@ static void test_what_is_no_mesh_is_refused(void **state) {
     p[1].y = NAN;
     assert_refusal(bolan_model_create(&v, &model), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT, "not finite");
     assert_null(model);
-    assert_refusal(bolan_model_create_builtin("castle", &model), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_UNKNOWN_NAME,
+    assert_refusal(bolan_content_create_model("castle", &model), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_UNKNOWN_NAME,
                    "castle; expected one of pond-ground, pond-wood, house");
     assert_null(model);
 }
@@ -84,11 +85,11 @@ static void test_builtin_models_have_the_same_bits_everywhere(void **state) {
         {"jetty", UINT64_C(0xea8a3577fa5b1199)},       {"rock", UINT64_C(0xc541b2bd84fd1c99)},
     };
     uint32_t wrong = 0;
-    for (uint32_t n = 0; n < sizeof known / sizeof *known || bolan_model_builtin_name(n); n++) {
+    for (uint32_t n = 0; n < sizeof known / sizeof *known || bolan_content_model_name(n); n++) {
         assert_true(n < sizeof known / sizeof *known);
-        assert_string_equal(bolan_model_builtin_name(n), known[n].name);
+        assert_string_equal(bolan_content_model_name(n), known[n].name);
         bolan_model *model = NULL;
-        assert_int_equal(bolan_model_create_builtin(known[n].name, &model), BOLAN_OK);
+        assert_int_equal(bolan_content_create_model(known[n].name, &model), BOLAN_OK);
         const bolan_model_view v = bolan_model_get_view(model);
         uint64_t h = hash_of(UINT64_C(0xcbf29ce484222325), v.positions, v.vertex_count * sizeof *v.positions);
         h = hash_of(h, v.normals, v.vertex_count * sizeof *v.normals);
@@ -105,8 +106,8 @@ static void test_builtin_models_have_the_same_bits_everywhere(void **state) {
 
 static void check_builtin(const char *name) {
     bolan_model *model = NULL, *again = NULL;
-    assert_int_equal(bolan_model_create_builtin(name, &model), BOLAN_OK);
-    assert_int_equal(bolan_model_create_builtin(name, &again), BOLAN_OK);
+    assert_int_equal(bolan_content_create_model(name, &model), BOLAN_OK);
+    assert_int_equal(bolan_content_create_model(name, &again), BOLAN_OK);
     assert_true(bolan_model_id(model) == bolan_model_id(again));
     const bolan_model_view v = bolan_model_get_view(model);
     for (uint32_t i = 0; i < v.vertex_count; i++) {
@@ -133,7 +134,7 @@ static void test_built_in_models_are_sound(void **state) {
     (void)state;
     const size_t before = bolan_memory_in_use();
     uint32_t count = 0;
-    for (; bolan_model_builtin_name(count); count++) check_builtin(bolan_model_builtin_name(count));
+    for (; bolan_content_model_name(count); count++) check_builtin(bolan_content_model_name(count));
     assert_true(count >= 9);
     assert_int_equal(bolan_memory_in_use(), before);
 }
@@ -142,7 +143,7 @@ static void test_built_in_models_are_sound(void **state) {
 static void test_the_house_faces_out(void **state) {
     (void)state;
     bolan_model *model = NULL;
-    assert_int_equal(bolan_model_create_builtin("house", &model), BOLAN_OK);
+    assert_int_equal(bolan_content_create_model("house", &model), BOLAN_OK);
     const bolan_model_view v = bolan_model_get_view(model);
     for (uint32_t i = 0; i < v.index_count; i += 3) {
         const bolan_vec3 a = v.positions[v.indices[i]], b = v.positions[v.indices[i + 1]],
@@ -161,7 +162,7 @@ static void test_the_house_faces_out(void **state) {
 static void test_the_pole_is_as_long_and_thick_as_it_says(void **state) {
     (void)state;
     bolan_model *model = NULL;
-    assert_int_equal(bolan_model_create_builtin("stick", &model), BOLAN_OK);
+    assert_int_equal(bolan_content_create_model("stick", &model), BOLAN_OK);
     bolan_vec3 low, high;
     bolan_model_bounds(model, &low, &high);
     const bolan_model_view v = bolan_model_get_view(model);
@@ -205,7 +206,8 @@ static void test_no_water_is_seen_behind_the_meadow(void **state) {
 static void test_the_terrain_is_that_ground(void **state) {
     (void)state;
     bolan_ground *terrain = NULL;
-    assert_int_equal(bolan_ground_create_pond(&terrain), BOLAN_OK);
+    const bolan_ground_generator generator = generator_named("pond");
+    assert_int_equal(bolan_content_create_ground(&generator, &terrain), BOLAN_OK);
     for (int y = -150; y <= 150; y += 7)
         for (int x = -150; x <= 150; x += 7)
             assert_near(bolan_ground_elevation(terrain, x, y, 0.0), bolan_pond_elevation(x, y), 1e-4); // at its nodes
@@ -215,7 +217,7 @@ static void test_the_terrain_is_that_ground(void **state) {
 static void test_the_model_of_the_ground_lies_on_it(void **state) {
     (void)state;
     bolan_model *model = NULL;
-    assert_int_equal(bolan_model_create_builtin("pond-ground", &model), BOLAN_OK);
+    assert_int_equal(bolan_content_create_model("pond-ground", &model), BOLAN_OK);
     const bolan_model_view v = bolan_model_get_view(model);
     for (uint32_t i = 0; i < v.vertex_count; i++) {
         const bolan_vec3 p = v.positions[i];

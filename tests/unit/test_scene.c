@@ -64,8 +64,8 @@ static void test_a_field_outside_its_range_is_named(void **state) {
     refuse(&s, "time", BOLAN_LOG_NOT_FINITE);
     s = bolan_scene_default(), memset(s.spectrum_path, 'x', sizeof s.spectrum_path);
     refuse(&s, "spectrum_path", BOLAN_LOG_BAD_ARGUMENT);
-    s = bolan_scene_default(), s.terrain.kind = BOLAN_GROUND_ISLAND, s.terrain.island.radius = 100.0;
-    refuse(&s, "terrain.island.radius", BOLAN_LOG_OUT_OF_RANGE);
+    s = bolan_scene_default(), s.terrain.kind = BOLAN_GROUND_GENERATED, s.terrain.generator.radius = 100.0;
+    refuse(&s, "terrain.generator.radius", BOLAN_LOG_OUT_OF_RANGE);
     s = bolan_scene_default(), s.terrain.kind = BOLAN_GROUND_RASTER, s.terrain.raster.latitude = 91.0;
     refuse(&s, "terrain.raster.latitude", BOLAN_LOG_OUT_OF_RANGE);
 }

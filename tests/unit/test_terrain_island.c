@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The generated island: what it promises about heights, shores and depths.
+#include "content_support.h"
 #include "support.h"
 
 #include "bolan/ground.h"
 
 #include <string.h>
 
-static bolan_ground *create(const bolan_island_desc *d) {
+static bolan_ground *create(const bolan_ground_generator *d) {
     bolan_ground *t = NULL;
-    assert_int_equal(bolan_ground_create_island(d, &t), BOLAN_OK);
+    assert_int_equal(bolan_content_create_ground(d, &t), BOLAN_OK);
     return t;
 }
 
@@ -17,7 +18,7 @@ typedef struct census {
     double land, shallow, lagoon_side, windward_side;
 } census;
 
-static census count(const bolan_ground *t, const bolan_island_desc *d) {
+static census count(const bolan_ground *t, const bolan_ground_generator *d) {
     census c = {0};
     double a = bolan_radians(d->lagoon_from_deg), step = 0.02;
     for (double v = -2.0; v < 2.0; v += step) {
@@ -37,7 +38,7 @@ static census count(const bolan_ground *t, const bolan_island_desc *d) {
 
 static void land_and_lagoon_have_sane_proportions(void **state) {
     (void)state;
-    bolan_island_desc d = bolan_island_desc_default();
+    bolan_ground_generator d = generator_named("island");
     for (d.seed = 1; d.seed < 3; d.seed++, d.lagoon_from_deg += 100.0) {
         bolan_ground *t = create(&d);
         census c = count(t, &d);
@@ -52,7 +53,7 @@ static void summit_and_sea_floor_are_as_asked(void **state) {
     (void)state;
     const double peaks[] = {40.0, 620.0, 2500.0};
     for (int n = 0; n < 3; n++) {
-        bolan_island_desc d = bolan_island_desc_default();
+        bolan_ground_generator d = generator_named("island");
         d.peak = peaks[n];
         d.radius = 2.5 * peaks[n] + 300.0;
         bolan_ground *t = create(&d);
@@ -74,7 +75,7 @@ static int by_value(const void *a, const void *b) {
 
 static void beaches_slope_gently_through_the_waterline(void **state) {
     (void)state;
-    bolan_island_desc d = bolan_island_desc_default();
+    bolan_ground_generator d = generator_named("island");
     bolan_ground *t = create(&d);
     double a = bolan_radians(d.lagoon_from_deg), ux = sin(a), uy = cos(a);
     static float slopes[4000];
@@ -100,7 +101,7 @@ static void beaches_slope_gently_through_the_waterline(void **state) {
 
 static void the_same_seed_makes_the_same_island(void **state) {
     (void)state;
-    bolan_island_desc d = bolan_island_desc_default();
+    bolan_ground_generator d = generator_named("island");
     bolan_ground *a = create(&d);
     bolan_set_threads(3);
     bolan_ground *b = create(&d);
@@ -118,7 +119,7 @@ static void the_same_seed_makes_the_same_island(void **state) {
 // changes only when the island's shape is changed on purpose.
 static void the_default_island_has_the_same_bits_everywhere(void **state) {
     (void)state;
-    bolan_island_desc d = bolan_island_desc_default();
+    bolan_ground_generator d = generator_named("island");
     bolan_ground *t = create(&d);
     assert_true(bolan_ground_id(t) == UINT64_C(0x528067ad5f4f25a8));
     uint64_t h = 0; // of elevations with all their detail
@@ -135,15 +136,22 @@ static void the_default_island_has_the_same_bits_everywhere(void **state) {
 static void wrong_descriptions_are_refused(void **state) {
     (void)state;
     bolan_ground *t;
-    bolan_island_desc d = bolan_island_desc_default();
+    bolan_ground_generator d = generator_named("island");
     d.radius = 100.0;
-    assert_int_equal(bolan_ground_create_island(&d, &t), BOLAN_ERROR_ARGUMENT);
-    d = bolan_island_desc_default(), d.sea_floor = 5.0;
-    assert_int_equal(bolan_ground_create_island(&d, &t), BOLAN_ERROR_ARGUMENT);
-    d = bolan_island_desc_default(), d.lagoon_from_deg = NAN;
-    assert_int_equal(bolan_ground_create_island(&d, &t), BOLAN_ERROR_ARGUMENT);
+    assert_int_equal(bolan_content_create_ground(&d, &t), BOLAN_ERROR_ARGUMENT);
+    d = generator_named("island"), d.sea_floor = 5.0;
+    assert_int_equal(bolan_content_create_ground(&d, &t), BOLAN_ERROR_ARGUMENT);
+    d = generator_named("island"), d.lagoon_from_deg = NAN;
+    assert_int_equal(bolan_content_create_ground(&d, &t), BOLAN_ERROR_ARGUMENT);
+    d = generator_named("isle");
+    assert_int_equal(bolan_content_create_ground(&d, &t), BOLAN_ERROR_ARGUMENT);
+    memset(d.name, 'i', sizeof d.name); // not ended
+    assert_int_equal(bolan_content_create_ground(&d, &t), BOLAN_ERROR_ARGUMENT);
     assert_null(t);
     assert_int_equal(bolan_memory_in_use(), 0);
+    assert_string_equal(bolan_content_ground_name(0), "island");
+    assert_string_equal(bolan_content_ground_name(1), "pond");
+    assert_null(bolan_content_ground_name(2));
 }
 
 RUN_TESTS(cmocka_unit_test(land_and_lagoon_have_sane_proportions), cmocka_unit_test(summit_and_sea_floor_are_as_asked),

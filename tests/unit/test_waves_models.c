@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sums of waves and TEXTURES: validation, memory, calm seas, and what TEXTURES makes of its desc.
+#include "content_support.h"
 #include "sea_support.h"
 
 #include "bolan/query.h"
@@ -183,8 +184,8 @@ static void waves_are_sorted_and_lie_within_the_bounds(void **state) {
 static void shallow_water_attenuates_a_sum_as_one(void **state) {
     (void)state;
     bolan_ground *terrain = NULL;
-    bolan_island_desc ground = bolan_island_desc_default();
-    assert_int_equal(bolan_ground_create_island(&ground, &terrain), BOLAN_OK);
+    bolan_ground_generator ground = generator_named("island");
+    assert_int_equal(bolan_content_create_ground(&ground, &terrain), BOLAN_OK);
     bolan_sea *sea = test_sea(desc_of(BOLAN_WAVES_COSINES));
     bolan_dvec2 at[400];
     bolan_query_point answer[400];

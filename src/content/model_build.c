@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // See model_build.h.
-#include "model/model_build.h"
+#include "content/model_build.h"
 
 #include <string.h>
 

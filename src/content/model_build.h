@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// @file model_build.h
 /// Shapes that the built-in models are put together from. Only + - * / and square roots, so that a model is the same on
-/// every machine. Private to src/scene.
+/// every machine. Private to src/content.
 ///
 /// Colours are linear albedo; the openness of the sky that stands in a vertex colour's w is given by hand: dark under
 /// eaves and inside crowns. Nothing here fails: after memory ran out, `failed` is set and every call is ignored.
-#ifndef BOLAN_SCENE_MODEL_BUILD_H
-#define BOLAN_SCENE_MODEL_BUILD_H
+#ifndef BOLAN_CONTENT_MODEL_BUILD_H
+#define BOLAN_CONTENT_MODEL_BUILD_H
 
 #include "bolan/model.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The techniques: a wave model, a surface and an optics under one name.
-#include "bolan/scene.h"
+#include "bolan/technique.h"
 
 #include <string.h>
 
@@ -46,27 +46,4 @@ bolan_look bolan_look_default(void) {
     memset(&look, 0, sizeof look);
     bolan_params_default(&bolan_look_params, &look);
     return look;
-}
-
-static int spectrum_of(const bolan_scene *scene, const bolan_technique *technique) {
-    return technique->wind_spectrum < 0 ? (int)scene->wind_spectrum : technique->wind_spectrum;
-}
-
-void bolan_scene_set_technique(bolan_scene *scene, const bolan_technique *technique) {
-    BOLAN_ASSERT(scene && technique);
-    const bool same = spectrum_of(scene, &scene->technique) == spectrum_of(scene, technique);
-    scene->technique = *technique;
-    scene->sea.waves = technique->waves;
-    const bolan_sea_state *state = &scene->sea.sea_state;
-    if (!same) bolan_scene_set_wind(scene, state->wind_speed, state->wind_from_deg);
-}
-
-bolan_sea_desc bolan_scene_sea_desc(const bolan_scene *scene) {
-    BOLAN_ASSERT(scene);
-    bolan_sea_desc desc = scene->sea;
-    if (scene->look.paper) {
-        desc.exp_cosine.sharpness = 1.0;
-        desc.cosines.split = BOLAN_SPLIT_EQUAL_WIDTH;
-    }
-    return desc;
 }
