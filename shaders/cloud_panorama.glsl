@@ -18,7 +18,7 @@ const int STEPS = 64, LIGHT_STEPS = 5;
 const float FARTHEST = 120000.0;
 
 vec3 panorama_direction() { // inverse of cloud_uv()
-    float h = max(eye.z, 0.0), dip = horizon_dip(h), horizon = air.y > 0.5 ? CLOUD_HORIZON : 0.0;
+    float h = max(eye_height, 0.0), dip = horizon_dip(h), horizon = eye_above_clouds > 0.5 ? CLOUD_HORIZON : 0.0;
     float up = max(uv.y - horizon, 0.0) / (1.0 - horizon), down = max(horizon - uv.y, 0.0) / CLOUD_HORIZON;
     float elevation = up * up * (0.5 * AIR_PI + dip) - pow(down, 1.5) * (0.5 * AIR_PI - dip) - dip, azimuth = 2.0 * AIR_PI * (strip.x + strip.y * uv.x);
     return vec3(cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation));
@@ -26,16 +26,16 @@ vec3 panorama_direction() { // inverse of cloud_uv()
 
 // Where the ray meets the shell of height H: near and far root, or x > y.
 vec2 shell(float h, float mu, float shell_height) {
-    float r = earth_radius(), b = (r + h) * mu, c = (h - shell_height) * (2.0 * r + h + shell_height), q = b * b - c;
+    float r = earth_radius, b = (r + h) * mu, c = (h - shell_height) * (2.0 * r + h + shell_height), q = b * b - c;
     if (q < 0.0) return vec2(1.0, -1.0);
     return vec2(-b - sqrt(q), -b + sqrt(q));
 }
 
 vec2 layer_interval(float h, float mu) {
-    vec2 base = shell(h, mu, cloud_base()), top = shell(h, mu, cloud_top());
+    vec2 base = shell(h, mu, cloud_base), top = shell(h, mu, cloud_top());
     float sea = distance_to_sea(h, mu);
     vec2 span;
-    if (h < cloud_base()) {
+    if (h < cloud_base) {
         span = sea >= 0.0 ? vec2(1.0, -1.0) : vec2(base.y, top.y);
     } else if (top.x > top.y || top.y < 0.0) {
         span = vec2(1.0, -1.0);
@@ -46,10 +46,10 @@ vec2 layer_interval(float h, float mu) {
 }
 
 float depth_towards_sun(vec2 position, float h, float footprint) {
-    float sum = 0.0, step_length = 70.0, d = 0.0, up = max(sun.z, 0.04);
+    float sum = 0.0, step_length = 70.0, d = 0.0, up = max(sun_direction.z, 0.04);
     for (int i = 0; i < LIGHT_STEPS; ++i) {
         float at = d + 0.5 * step_length;
-        sum += cloud_extinction(position + sun.xy * at, h + up * at, i < 2 ? footprint : 0.0) * step_length;
+        sum += cloud_extinction(position + sun_direction.xy * at, h + up * at, i < 2 ? footprint : 0.0) * step_length;
         d += step_length;
         step_length *= 1.8;
     }
@@ -68,12 +68,12 @@ vec3 ambient_radiance() {
 
 // Premultiplied radiance and cover; mean distance.
 vec4 march(vec3 dir, vec2 span, out float mean_distance) {
-    float c = dot(dir, sun.xyz), h0 = max(eye.z, 0.0);
-    vec3 sun_above = solar_irradiance() * sun_transmittance(cloud_base() + 0.7 * cloud_origin.z);
+    float c = dot(dir, sun_direction), h0 = max(eye_height, 0.0);
+    vec3 sun_above = solar_irradiance() * sun_transmittance(cloud_base + 0.7 * cloud_origin.z);
     vec3 ambient = ambient_radiance();
     // What leaves a thick deck has come from sun and blue sky alike: nearly white.
     vec3 entering = sun_above + AIR_PI * ambient;
-    entering = mix(entering, vec3(dot(entering, vec3(0.2126, 0.7152, 0.0722))), 0.85 * wind.w * wind.w);
+    entering = mix(entering, vec3(dot(entering, vec3(0.2126, 0.7152, 0.0722))), 0.85 * cloud_cover * cloud_cover);
     float forward = 0.6 * henyey_greenstein(c, 0.85) + 0.4 * henyey_greenstein(c, 0.1);
     vec3 light = vec3(0.0);
     float steps = clamp((span.y - span.x) / 45.0, 16.0, float(STEPS)), step_length = (span.y - span.x) / steps;
@@ -87,7 +87,7 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
         // a loop: software OpenGL goes past a loop that no pixel enters, but through a branch
         for (int inside = 0; inside < 1 && extinction > 0.0; ++inside) {
             float depth = depth_towards_sun(position, h, footprint);
-            float level = clamp((h - cloud_base()) / cloud_origin.z, 0.0, 1.0);
+            float level = clamp((h - cloud_base) / cloud_origin.z, 0.0, 1.0);
             // light scattered many times falls off as by diffusion; thin edges scatter once
             float many = 2.5 / (4.0 * AIR_PI * (1.0 + 0.16 * depth)) * (1.0 - 0.35 * exp(-2.0 * depth));
             vec3 source = sun_above * (0.55 * forward * exp(-depth)) + entering * many +
@@ -106,11 +106,11 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
 
 // A thin sheet of ice at 9 km, in streaks.
 vec4 cirrus(vec3 dir, out float d) {
-    float h = max(eye.z, 0.0);
+    float h = max(eye_height, 0.0);
     vec2 roots = shell(h, dir.z, 9000.0);
     d = h < 9000.0 ? roots.y : -1.0;
     if (d < 0.0 || distance_to_sea(h, dir.z) >= 0.0) return vec4(0.0);
-    vec2 p = dir.xy * d + cloud_origin.xy, along = normalize(wind.xy + vec2(1e-4, 0.3));
+    vec2 p = dir.xy * d + cloud_origin.xy, along = normalize(wind_direction + vec2(1e-4, 0.3));
     vec2 q = vec2(dot(p, along), dot(p, vec2(-along.y, along.x)));
     float width = d * texel_angle / max(abs(dir.z), 0.05);
     q += (textureLod(cloud_noise, vec3(q / 90000.0, 0.2), 0.0).ba - 0.5) * 26000.0;
@@ -118,9 +118,9 @@ vec4 cirrus(vec3 dir, out float d) {
     float fibre = textureLod(cloud_noise, vec3(q / vec2(26000.0, 4000.0), 0.1), cloud_level(width, 4000.0)).a;
     float patches = textureLod(cloud_noise, vec3(p / 160000.0, 0.85), 0.0).b;
     float amount = clamp((streak + 0.5 * (patches - 0.5) - 0.52) * 3.2, 0.0, 1.0) * (0.35 + 0.65 * fibre);
-    amount *= smoothstep(0.0, 0.15, wind.w) * 0.42;
+    amount *= smoothstep(0.0, 0.15, cloud_cover) * 0.42;
     float slant = min(1.0 / max(dir.z, 0.08), 5.0), cover = 1.0 - exp(-amount * slant);
-    float phase = 0.7 * henyey_greenstein(dot(dir, sun.xyz), 0.7) + 0.5 * henyey_greenstein(dot(dir, sun.xyz), 0.0);
+    float phase = 0.7 * henyey_greenstein(dot(dir, sun_direction), 0.7) + 0.5 * henyey_greenstein(dot(dir, sun_direction), 0.0);
     vec3 light = solar_irradiance() * sun_transmittance(9000.0) * phase + ambient_radiance() * 0.5;
     return vec4(light * cover, cover);
 }
@@ -137,13 +137,13 @@ void main() {
     color = vec4(0.0);
     float d;
     vec4 high = cirrus(dir, d);
-    if (high.a > 0.0) color = vec4(high.rgb * air_transmittance(max(eye.z, 0.0), dir.z, d), high.a);
+    if (high.a > 0.0) color = vec4(high.rgb * air_transmittance(max(eye_height, 0.0), dir.z, d), high.a);
     if (high.a > 0.0) { // the air before it, not the sky's whole
         vec3 transmittance, inscatter;
         aerial_perspective(dir * d, transmittance, inscatter);
         color.rgb += inscatter * high.a;
     }
-    vec2 span = layer_interval(max(eye.z, 0.0), dir.z);
+    vec2 span = layer_interval(max(eye_height, 0.0), dir.z);
     if (span.y <= span.x || span.x > FARTHEST) return;
     vec4 low = behind_air(march(dir, span, d), dir, d);
     color = color * (1.0 - low.a) + low;

@@ -14,10 +14,10 @@ const int STEPS = 14;
 
 void main() {
     vec2 position = (vec2(strip.x + strip.y * uv.x, uv.y) - 0.5) * shadow_size;
-    float up = max(sun.z, 0.06), depth = 0.0, step_height = cloud_origin.z / float(STEPS);
-    vec2 run = sun.xy / up;
+    float up = max(sun_direction.z, 0.06), depth = 0.0, step_height = cloud_origin.z / float(STEPS);
+    vec2 run = sun_direction.xy / up;
     for (int i = 0; i < STEPS; ++i) {
-        float h = cloud_base() + (float(i) + 0.5) * step_height;
+        float h = cloud_base + (float(i) + 0.5) * step_height;
         depth += cloud_extinction(position + run * h, h, 0.0) * step_height / up;
     }
     color = vec4(exp(-0.6 * depth)); // part of what is scattered forward still arrives

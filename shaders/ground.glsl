@@ -19,8 +19,8 @@ out vec3 inscatter;
 
 void main() {
     position = chunk.xyz + vertex;
-    position.z -= dot(position.xy, position.xy) / (2.0 * lens.w);
-    place = vec3((vertex.xy / chunk.w * 128.0 + 0.5) / 129.0, vertex.z - eye.w);
+    position.z -= dot(position.xy, position.xy) / (2.0 * earth_radius);
+    place = vec3((vertex.xy / chunk.w * 128.0 + 0.5) / 129.0, vertex.z - water_level);
     aerial_perspective(position, transmittance, inscatter);
 #ifdef PICTURE
     position.z += seen_height(position.xy, place.z) - place.z;
@@ -68,7 +68,7 @@ float footprint_level(vec2 uv) {
     return max(0.5 * log2(max(area, 1e-8)), 0.5 * log2(max(major, 1e-8)) - 1.6);
 }
 
-// A period must divide the 4096 m after which eye.xy wraps. Below two texels a pixel, the mean: no grain is better than noise.
+// A period must divide the 4096 m after which eye_wrapped wraps. Below two texels a pixel, the mean: no grain is better than noise.
 vec4 noise(vec2 p, float period, float footprint) {
     return textureLod(ground_noise, p / period, log2(max(footprint * 256.0 / period, 1e-3)));
 }
@@ -193,10 +193,10 @@ vec2 ripples(ground g, vec2 p) {
 
 void main() {
 #ifdef PICTURE
-    if (clip.x * (place.z - clip.y) < 0.0) discard;
+    if (clip_side * (place.z - clip_elevation) < 0.0) discard;
 #endif
     float level = footprint_level(place.xy);
-    vec2 p = eye.xy + position.xy;
+    vec2 p = eye_wrapped + position.xy;
     ground g = look(p, level);
     material m;
     if (g.elevation < -0.5) m = sea_bed(g);
@@ -209,18 +209,18 @@ void main() {
     vec3 view = -normalize(position);
 
     float lit = (1.0 - smoothstep(0.0, shadow_softness, g.clearance)) * cloud_shadow(position.xy);
-    vec3 sunlight = sun_light.rgb * lit * oren_nayar(n, sun.xyz, view, m.rough);
+    vec3 sunlight = sun_light * lit * oren_nayar(n, sun_direction, view, m.rough);
 #ifdef PICTURE
     sunlight *= gathered_light(position.xy, -g.elevation);
 #endif
     float up = 0.5 + 0.5 * n.z;
-    vec3 around = (sun_light.rgb * max(sun.z, 0.0) * 0.6 + sky_light.rgb) * vec3(0.13, 0.14, 0.08);
-    vec3 ambient = g.open * (sky_light.rgb * up + around * (1.0 - up + 0.25 * (1.0 - g.open)));
+    vec3 around = (sun_light * max(sun_direction.z, 0.0) * 0.6 + sky_light) * vec3(0.13, 0.14, 0.08);
+    vec3 ambient = g.open * (sky_light * up + around * (1.0 - up + 0.25 * (1.0 - g.open)));
     vec3 radiance = m.albedo / PI * (sunlight + ambient);
     if (g.elevation > 0.0) radiance = radiance * transmittance + inscatter;
 #ifdef PICTURE
     vec3 through, veil;
-    through_water(vec3(position.xy, g.elevation - eye.z), g.elevation, through, veil);
+    through_water(vec3(position.xy, g.elevation - eye_height), g.elevation, through, veil);
     radiance = radiance * through + veil;
 #endif
     color = vec4(radiance, 1.0);

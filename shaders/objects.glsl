@@ -38,7 +38,7 @@ float object_shadow(vec3 position) {
     for (int i = 0; i < caster_count; ++i) {
         if (i == own_caster) continue;
         vec4 c = caster[2 * i];
-        vec3 scale = vec3(c.w, c.w, caster[2 * i + 1].x), to = (c.xyz - position) * scale, ray = sun.xyz * scale;
+        vec3 scale = vec3(c.w, c.w, caster[2 * i + 1].x), to = (c.xyz - position) * scale, ray = sun_direction * scale;
         vec3 miss = to - ray * max(dot(to, ray) / dot(ray, ray), 0.0);
         lit *= 1.0 - 0.82 * (1.0 - smoothstep(0.45, 1.25, dot(miss, miss)));
     }
@@ -51,12 +51,12 @@ void main() {
     vec3 n = normalize(vec3(dot(place[0].xyz, vertex_normal), dot(place[1].xyz, vertex_normal),
                             dot(place[2].xyz, vertex_normal)));
     vec3 albedo = vertex_color.rgb;
-    float open = vertex_color.a, height = position.z + eye.z;
-    position.z -= dot(position.xy, position.xy) / (2.0 * lens.w);
+    float open = vertex_color.a, height = position.z + eye_height;
+    position.z -= dot(position.xy, position.xy) / (2.0 * earth_radius);
 
     // Green is taken for leaves: light passes through them, and their crowns stand in their own shade.
     float leafy = smoothstep(0.05, 0.3, (albedo.g - max(albedo.r, albedo.b)) / max(albedo.g, 1e-4));
-    float facing = dot(n, sun.xyz);
+    float facing = dot(n, sun_direction);
 #ifdef GROUND
     float lit = max(facing, 0.0);
 #else
@@ -64,9 +64,9 @@ void main() {
 #endif
     lit *= object_shadow(position) * cloud_shadow(position.xy);
     float up = 0.5 + 0.5 * n.z;
-    vec3 around = (sun_light.rgb * max(sun.z, 0.0) * 0.6 + sky_light.rgb) * vec3(0.13, 0.14, 0.08);
-    vec3 ambient = open * (sky_light.rgb * up + around * (1.0 - up + 0.25 * (1.0 - open)));
-    light = albedo / PI * (sun_light.rgb * lit + ambient);
+    vec3 around = (sun_light * max(sun_direction.z, 0.0) * 0.6 + sky_light) * vec3(0.13, 0.14, 0.08);
+    vec3 ambient = open * (sky_light * up + around * (1.0 - up + 0.25 * (1.0 - open)));
+    light = albedo / PI * (sun_light * lit + ambient);
 
     vec3 transmittance;
     float away = length(position);
@@ -74,16 +74,16 @@ void main() {
     aerial_perspective(position, transmittance, inscatter);
 #else // near and blurred: haze of one extinction
     transmittance = exp(-away * (RAYLEIGH + mie_extinction()));
-    inscatter = sky_light.rgb / PI * (1.0 - transmittance);
+    inscatter = sky_light / PI * (1.0 - transmittance);
 #endif
     float dry = smoothstep(-0.3, 0.0, height);
     light *= mix(vec3(1.0), transmittance, dry);
     inscatter *= dry;
 
 #ifdef GROUND
-    // The noise's period must divide the 4096 m after which eye.xy wraps.
+    // The noise's period must divide the 4096 m after which eye_wrapped wraps.
     float period = 4.0;
-    grain = vec4((eye.xy + position.xy) / period, mix(0.7, 1.1, leafy), 0.0);
+    grain = vec4((eye_wrapped + position.xy) / period, mix(0.7, 1.1, leafy), 0.0);
 #else
     // Along no axis, so that no wall is smeared.
     float period = 1.0 / grain_scale;
@@ -97,7 +97,7 @@ void main() {
     light *= through;
     inscatter = inscatter * through + veil;
 #ifdef CUT
-    over = clip.x * (height - clip.y);
+    over = clip_side * (height - clip_elevation);
 #endif
 #ifdef WET
     bottom = vec3(position.xy, -height);

@@ -30,11 +30,11 @@ float meeting_height(float mu) {
         if (is_below(middle, mu)) below = middle;
         else above = middle;
     }
-    return max(below - 6.0 * viewport.w, 0.0);
+    return max(below - 6.0 * pixel_size.y, 0.0);
 }
 
 void main() {
-    float h = max(eye.z, 0.0), meet = meeting_height(horizon_mu(h));
+    float h = max(eye_height, 0.0), meet = meeting_height(horizon_mu(h));
 #ifdef BELOW
     vec2 at = vec2(corner.x, corner.y * meet), sky = vec2(sun_azimuth_coordinate(frame_ray(at).xy), 0.0);
     light = textureLod(sky_view_table, to_texel_centres(sky, SKY_VIEW_SIZE), 0.0).rgb;
@@ -44,7 +44,7 @@ void main() {
     ray = frame_ray(at);
     horizon = vec2(dip, 1.0 / (0.5 * AIR_PI + dip));
 #endif
-    gl_Position = vec4(at * 2.0 - 1.0, lens.z > 0.5 ? 0.0 : -1.0, 1.0); // the far plane: window depth 0
+    gl_Position = vec4(at * 2.0 - 1.0, clip_zero_to_one > 0.5 ? 0.0 : -1.0, 1.0); // the far plane: window depth 0
 }
 #endif
 

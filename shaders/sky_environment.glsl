@@ -14,7 +14,7 @@ out vec4 color;
 void main() {
     vec3 dir = environment_direction(uv);
     vec3 sky = textureLod(sea_view_table, sky_view_uv(dir, 2.0), 0.0).rgb;
-    vec4 clouds = cloud_radiance(dir) * (1.0 - air.y);
+    vec4 clouds = cloud_radiance(dir) * (1.0 - eye_above_clouds);
     color = vec4(sky * (1.0 - clouds.a) + clouds.rgb, 1.0);
 }
 #endif

@@ -35,7 +35,7 @@ void main() {
     int which = int(gl_FragCoord.x);
     vec3 c = which == 0   ? sky_irradiance()
              : which == 1 ? solar_irradiance() * sun_transmittance(0.0)
-             : which == 2 ? solar_irradiance() * sun_transmittance(eye.z)
+             : which == 2 ? solar_irradiance() * sun_transmittance(eye_height)
                           : vec3(mean_shadow());
     color = vec4(c, 1.0);
 }

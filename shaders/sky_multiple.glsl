@@ -15,7 +15,7 @@ const int STEPS = 20;
 
 // Second-order light and the transfer factor along one direction.
 void trace(float h, vec3 dir, vec3 to_sun, inout vec3 second, inout vec3 transfer) {
-    float to_sea = distance_to_sea(h, dir.z), r = earth_radius();
+    float to_sea = distance_to_sea(h, dir.z), r = earth_radius;
     float reach = to_sea >= 0.0 ? to_sea : distance_to_top(h, dir.z), c = dot(dir, to_sun), start = 0.0;
     vec3 left = vec3(1.0), haze_scattering = mie_extinction() * MIE_ALBEDO;
     for (int i = 0; i < STEPS; ++i) {

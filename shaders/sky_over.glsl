@@ -22,16 +22,16 @@ const float MIDDLE = 400.0; // of the layer, above its base [m]
 
 // Towards the same place of the layer's middle from where the map was made: clouds stay where they are while the eye flies on.
 vec3 from_map(vec3 dir, float h) {
-    float r = earth_radius(), b = (r + h) * dir.z, above = h - haze.y - MIDDLE, c = above * (2.0 * r + h + haze.y + MIDDLE);
+    float r = earth_radius, b = (r + h) * dir.z, above = h - cloud_base - MIDDLE, c = above * (2.0 * r + h + cloud_base + MIDDLE);
     float root = sqrt(max(b * b - c, 0.0)), d = c / max(root - b, 1.0); // nearest to it, where the ray passes over it
-    return normalize(dir * d + vec3(air.zw, rise));
+    return normalize(dir * d + vec3(cloud_offset, rise));
 }
 
 void main() {
     vec3 dir = normalize(ray);
-    float depth = texelFetch(scene_depth, ivec2(gl_FragCoord.xy), 0).r, h = max(eye.z, 0.0);
+    float depth = texelFetch(scene_depth, ivec2(gl_FragCoord.xy), 0).r, h = max(eye_height, 0.0);
     float land = depth > 0.0 ? air_height(h, dir.z, length(ray) / depth) : 0.0;
-    float below = step(angle_above_horizon(dir, h), 0.0) * (1.0 - smoothstep(haze.y, haze.y + 300.0, land));
+    float below = step(angle_above_horizon(dir, h), 0.0) * (1.0 - smoothstep(cloud_base, cloud_base + 300.0, land));
     color = textureLod(cloud_map, vec3(cloud_uv(from_map(dir, h), max(h - rise, 0.0)), 0.0), 0.0) * below;
 }
 #endif

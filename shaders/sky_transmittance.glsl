@@ -15,7 +15,7 @@ void main() {
     transmittance_ray(uv, h, mu);
     float reach = distance_to_top(h, mu);
     // Where the ray comes lowest the air is densest: steps grow from there to both sides.
-    float low = clamp(-(earth_radius() + h) * mu, 0.0, reach), share = low / reach;
+    float low = clamp(-(earth_radius + h) * mu, 0.0, reach), share = low / reach;
     vec3 depth = vec3(0.0);
     for (int side = 0; side < 2; ++side) {
         float span = side == 0 ? low : reach - low, direction = side == 0 ? -1.0 : 1.0, start = 0.0;

@@ -38,7 +38,7 @@ void main() {
 #ifdef RESOLVE
     vec3 display = c * settings.w;
 #else
-    c *= sun_light.w;
+    c *= exposure;
 #ifdef GLOW
     vec3 around = 0.5 * textureLod(glow, uv, 1.0).rgb + 0.3 * textureLod(glow, uv, 3.0).rgb +
                   0.2 * textureLod(glow, uv, 5.0).rgb;

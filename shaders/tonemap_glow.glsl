@@ -17,7 +17,7 @@ void main() {
     ivec2 corner = ivec2(gl_FragCoord.xy) * 4, last = textureSize(source, 0) - 1;
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 16; ++i) {
-        vec3 c = texelFetch(source, min(corner + ivec2(i & 3, i >> 2), last), 0).rgb * sun_light.w;
+        vec3 c = texelFetch(source, min(corner + ivec2(i & 3, i >> 2), last), 0).rgb * exposure;
         sum += c * min(1.0, BRIGHTEST / max(max(c.r, c.g), max(c.b, 1e-6)));
     }
     color = vec4(sum / 16.0, 1.0);

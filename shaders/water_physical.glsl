@@ -88,7 +88,7 @@ vec4 mirrored_land(vec3 position, vec3 direction) {
     }
     vec3 land;
     vec4 seen = behind(uv, land);
-    bool dry = hit && seen.w > 0.0 && land.z + eye.z > -0.3; // else it ended on the sea bed
+    bool dry = hit && seen.w > 0.0 && land.z + eye_height > -0.3; // else it ended on the sea bed
     vec2 edge = min(uv, 1.0 - uv);
     return vec4(seen.rgb, dry ? smoothstep(0.0, 0.05, min(edge.x, edge.y)) : 0.0);
 }
@@ -118,7 +118,7 @@ const float BED_ERROR = 4.0; // [px]
 // The bed's share of the radiance that leaves the water, and the depth of water over it [m]. mapped: that depth by the
 // shore map.
 vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, float mapped, out float water_path) {
-    vec3 refracted = refract(-view, normal, 1.0 / water_deep.w);
+    vec3 refracted = refract(-view, normal, 1.0 / water_index);
     float down = max(-refracted.z, 0.3);
     vec3 bed, bent_bed;
     vec4 seen = behind(uv, bed);
@@ -127,9 +127,9 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, flo
     vec2 bent = clamp(target.xy / target.w * 0.5 + 0.5, 0.001, 0.999);
     vec4 s = behind(bent, bent_bed);
     if (s.w > 0.0 && bent_bed.z < position.z) { seen = s; bed = bent_bed; }
-    float error = BED_ERROR * lens.x * length(position), measured = position.z - bed.z;
+    float error = BED_ERROR * radians_per_pixel * length(position), measured = position.z - bed.z;
     water_path = seen.w > 0.0 ? max(clamp(mapped, measured - error, measured + error), 0.0) : 1e4;
-    return radiance_of_bed(seen.rgb, deep, water_kd.rgb, water_path, down);
+    return radiance_of_bed(seen.rgb, deep, water_attenuation, water_path, down);
 }
 
 // Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash
@@ -138,7 +138,7 @@ float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 no
     float hs = sea_law.z, wobble = noise.b - 0.5;
     float zone = smoothstep(1.6 * hs, 0.35 * hs, depth + wobble * hs);
     float cover = zone * (0.1 + 0.9 * bore(behind_front(rest, depth, 0.9 * wobble + 0.5 * noise.a)));
-    float surge = 0.55 + 0.45 * sin(2.0 * SLOPES_PI * (surf.w + 2.0 * wobble));
+    float surge = 0.55 + 0.45 * sin(2.0 * SLOPES_PI * (surf_time + 2.0 * wobble));
     float rocks = smoothstep(0.8, -1.5, least) * surge;
     float swash = smoothstep(0.35, 0.02, water_path) * 0.75;
     return clamp(max(max(cover, rocks), swash), 0.0, 1.0);
@@ -198,14 +198,14 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
     p.depth = rest_depth.z;
     p.least = least;
     p.shade = slope_light.w;
-    p.height = height_over_sea(p.position, eye.z, lens.w);
+    p.height = height_over_sea(p.position, eye_height, earth_radius);
     float gust = slope_light.z, dist = length(p.position), left = waves_left(p.depth);
     p.view = -p.position / dist;
     p.place = pixel_footprint(p.view, dist, slope_light.xy);
     vec3 beyond = slopes_beyond_mesh(p.place, coded) * gust * gust;
     p.whole = facets_seen(p.view, slope_light.xy, beyond);
     // the eye sees no more of the water under the pixel than what stands clear of other waves
-    p.place.major = max(p.place.minor, min(p.place.major, dist * lens.x / max(p.whole.area, 0.01)));
+    p.place.major = max(p.place.minor, min(p.place.major, dist * radians_per_pixel / max(p.whole.area, 0.01)));
     p.waves = waves_at(p.rest, p.place, gust, p.depth, vec4(slope_light.xy, coded - 4.0, 0.0));
 #ifdef WAVES_CASCADES
     p.place.minor = max(p.place.minor, p.place.major / float(TAPS)); // what the look-ups really averaged over
@@ -241,20 +241,20 @@ vec3 reflected_light(water_here p, rough_reflection mirror) {
 
 // Radiance of the water itself: sunlight and skylight that entered it and were scattered back.
 vec3 water_light(vec3 sunlight) {
-    rough_facets to_sun = rough_seen(sun.xyz, vec2(0.0), slope_total.xyz);
-    float enters = 1.0 - rough_fresnel(sun.xyz, vec2(0.0), to_sun, water_deep.w);
-    return water_deep.rgb * (sunlight * (max(sun.z, 0.0) * enters) + sky_light.rgb * SKY_ENTERS);
+    rough_facets to_sun = rough_seen(sun_direction, vec2(0.0), slope_total.xyz);
+    float enters = 1.0 - rough_fresnel(sun_direction, vec2(0.0), to_sun, water_index);
+    return water_reflectance * (sunlight * (max(sun_direction.z, 0.0) * enters) + sky_light * SKY_ENTERS);
 }
 
 void main() {
     ivec2 pixel = sampled_pixel();
-    vec2 uv = (vec2(pixel) + 0.5) * viewport.zw;
+    vec2 uv = (vec2(pixel) + 0.5) * pixel_size;
     vec4 through_air = texelFetch(surface_transmittance, pixel, 0);
     if (through_air.w < 0.5) discard; // no water here
     vec4 from_air = texelFetch(surface_inscatter, pixel, 0);
     water_here p = water_at(pixel, uv, through_air.w, from_air.w);
-    vec3 sunlight = sun_light.rgb * p.shade, surface = vec3(0.0);
-    rough_reflection mirror = reflection_of(p.view, p.slope, p.seen, p.near, water_deep.w);
+    vec3 sunlight = sun_light * p.shade, surface = vec3(0.0);
+    rough_reflection mirror = reflection_of(p.view, p.slope, p.seen, p.near, water_index);
     vec3 below = effect_is_on(EFFECT_AMBIENT) ? water_light(sunlight) : vec3(0.0);
     float fresh, old, film = 1.0;
     breaking_cover(p.waves, p.hidden, fresh, old);
@@ -267,15 +267,15 @@ void main() {
     film = smoothstep(0.0, 0.12, water_path); // the last centimetres over the sand
 #endif
     if (effect_is_on(EFFECT_SCATTERING))
-        below += crest_glow(water_deep.rgb, sunlight, p.view, sun.xyz, (p.position.z + eye.z) / max(sea_law.x, 0.3),
+        below += crest_glow(water_reflectance, sunlight, p.view, sun_direction, (p.position.z + eye_height) / max(sea_law.x, 0.3),
                             p.waves.jacobian);
     surface = (1.0 - mirror.reflectance) * below;
     if (effect_is_on(EFFECT_REFLECTION)) surface += reflected_light(p, mirror);
-    if (effect_is_on(EFFECT_GLITTER) && sun.z > -0.01)
-        surface += sunlight * sun_glint(p.view, sun.xyz, p.slope, p.roughness, p.seen, p.near, p.whole, water_deep.w);
+    if (effect_is_on(EFFECT_GLITTER) && sun_direction.z > -0.01)
+        surface += sunlight * sun_glint(p.view, sun_direction, p.slope, p.roughness, p.seen, p.near, p.whole, water_index);
     if (effect_is_on(EFFECT_FOAM)) {
-        float foam = foam_alpha(texels, p.place.minor, fresh, old) * water_kd.w;
-        vec3 light = foam_radiance(sunlight, dot(sun.xyz, p.normal), sky_light.rgb) * FOAM_ALBEDO;
+        float foam = foam_alpha(texels, p.place.minor, fresh, old) * foam_strength;
+        vec3 light = foam_radiance(sunlight, dot(sun_direction, p.normal), sky_light) * FOAM_ALBEDO;
         surface = mix(surface, light, clamp(foam, 0.0, 1.0) * FOAM_DENSEST);
     }
 #ifdef LAND

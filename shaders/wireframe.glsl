@@ -7,7 +7,7 @@
 void main() {
     water_vertex();
 #ifdef FILL // a little behind its edges: depth is reversed
-    float far = lens.z > 0.5 ? 0.0 : -gl_Position.w;
+    float far = clip_zero_to_one > 0.5 ? 0.0 : -gl_Position.w;
     gl_Position.z = mix(gl_Position.z, far, 0.01);
 #endif
 }
@@ -23,6 +23,6 @@ void main() {
 #else
     vec3 paint = vec3(0.55, 0.62, 0.65);
 #endif
-    color = vec4(paint * max(sky_light.r + sun_light.r * max(sun.z, 0.0), 1e-3) * 0.5 * p.transmittance + p.inscatter, 1.0);
+    color = vec4(paint * max(sky_light.r + sun_light.r * max(sun_direction.z, 0.0), 1e-3) * 0.5 * p.transmittance + p.inscatter, 1.0);
 }
 #endif

@@ -21,36 +21,35 @@ const vec3 SUN_COLOR = vec3(1.0);
 const float SUN_RADIUS = 0.00465;        // angular [rad]
 const float SEA_ALBEDO = 0.07;
 
-float earth_radius() { return lens.w; }
 
 // ---- geometry; h above the sea, mu = cosine of the zenith angle. Differences of squares are written as products: the
 // radius has an ulp of half a metre.
 
 float air_height(float h, float mu, float d) {
-    float r = earth_radius();
+    float r = earth_radius;
     float q = h * (2.0 * r + h) + d * (d + 2.0 * (r + h) * mu);
     return q / (r + sqrt(max(r * r + q, 0.0)));
 }
 
-float horizon_dip(float h) { return atan(sqrt(h * (2.0 * earth_radius() + h)) / earth_radius()); }
-float horizon_mu(float h) { return -sqrt(h * (2.0 * earth_radius() + h)) / (earth_radius() + h); }
+float horizon_dip(float h) { return atan(sqrt(h * (2.0 * earth_radius + h)) / earth_radius); }
+float horizon_mu(float h) { return -sqrt(h * (2.0 * earth_radius + h)) / (earth_radius + h); }
 
 float distance_to_top(float h, float mu) {
-    float r = earth_radius(), b = (r + h) * mu;
+    float r = earth_radius, b = (r + h) * mu;
     float e = (AIR_TOP - h) * (2.0 * r + AIR_TOP + h), s = sqrt(b * b + e);
     return b > 0.0 ? e / (b + s) : s - b;
 }
 
 // Negative: the ray misses the sea.
 float distance_to_sea(float h, float mu) {
-    float r = earth_radius(), b = (r + h) * mu, c = h * (2.0 * r + h), q = b * b - c;
+    float r = earth_radius, b = (r + h) * mu, c = h * (2.0 * r + h), q = b * b - c;
     if (mu >= 0.0 || q < 0.0) return -1.0;
     return c / (sqrt(q) - b);
 }
 
 // ---- content
 
-float haze_scale() { return 1000.0 * clamp(haze.x / 5000.0, 0.25, 1.0); } // its scale height [m]: fog lies lower than haze
+float haze_scale() { return 1000.0 * clamp(visibility / 5000.0, 0.25, 1.0); } // its scale height [m]: fog lies lower than haze
 
 vec3 air_density(float h) { // of air, haze and ozone, relative to their reference
     h = max(h, 0.0);
@@ -58,7 +57,7 @@ vec3 air_density(float h) { // of air, haze and ozone, relative to their referen
 }
 
 // Koschmieder: the visibility is where contrast falls to 2 %, by air and haze together.
-vec3 mie_extinction() { return MIE_COLOR * max(3.912 / haze.x - RAYLEIGH.g, 2e-6); }
+vec3 mie_extinction() { return MIE_COLOR * max(3.912 / visibility - RAYLEIGH.g, 2e-6); }
 
 vec3 air_extinction(vec3 density) { return RAYLEIGH * density.x + mie_extinction() * density.y + OZONE * density.z; }
 
@@ -80,7 +79,7 @@ uniform sampler2D transmittance_table;
 const vec2 TRANSMITTANCE_SIZE = vec2(256.0, 64.0);
 
 vec2 transmittance_uv(float h, float mu) {
-    float r = earth_radius();
+    float r = earth_radius;
     float longest = sqrt(AIR_TOP * (2.0 * r + AIR_TOP)), rho = sqrt(h * (2.0 * r + h));
     float shortest = AIR_TOP - h;
     vec2 x = vec2((distance_to_top(h, mu) - shortest) / max(rho + longest - shortest, 1.0), rho / longest);
@@ -88,7 +87,7 @@ vec2 transmittance_uv(float h, float mu) {
 }
 
 void transmittance_ray(vec2 uv, out float h, out float mu) { // the inverse
-    float r = earth_radius();
+    float r = earth_radius;
     vec2 x = (uv * TRANSMITTANCE_SIZE - 0.5) / (TRANSMITTANCE_SIZE - 1.0);
     float longest = sqrt(AIR_TOP * (2.0 * r + AIR_TOP)), rho = x.y * longest;
     h = rho * rho / (r + sqrt(r * r + rho * rho));
@@ -112,8 +111,8 @@ vec3 sun_transmittance_at(float h, float mu) { return transmittance_to_space(h, 
 
 // Airglow and starlight: 2e-4 cd/m2 (Leinert et al. 1998, table 1) of the sun's 128 klx; what is left at the end of
 // twilight.
-vec3 night_radiance() { return vec3(0.85, 1.0, 1.2) * 1.6e-9 * air.x; }
+vec3 night_radiance() { return vec3(0.85, 1.0, 1.2) * 1.6e-9 * radiance_unit; }
 
-// Solar irradiance above the air, in the unit of every stored radiance: air.x is 1 by day and grows in twilight, so
+// Solar irradiance above the air, in the unit of every stored radiance: radiance_unit is 1 by day and grows in twilight, so
 // that half floats hold it.
-vec3 solar_irradiance() { return SUN_COLOR * air.x; }
+vec3 solar_irradiance() { return SUN_COLOR * radiance_unit; }

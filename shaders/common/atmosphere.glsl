@@ -15,7 +15,7 @@ uniform sampler3D aerial_table;
 #pragma unit aerial_table 14
 
 // Clear sky without the sun's disc; below the horizon, the horizon's.
-vec3 sky_radiance(vec3 dir) { return textureLod(sky_view_table, sky_view_uv(dir, max(eye.z, 0.0)), 0.0).rgb; }
+vec3 sky_radiance(vec3 dir) { return textureLod(sky_view_table, sky_view_uv(dir, max(eye_height, 0.0)), 0.0).rgb; }
 
 // ---- the environment map
 
@@ -27,7 +27,7 @@ vec3 environment_radiance(vec3 dir, float roughness) {
 
 // ---- the sun
 
-vec3 sun_transmittance(float height_m) { return sun_transmittance_at(max(height_m, 0.0), sun.z); }
+vec3 sun_transmittance(float height_m) { return sun_transmittance_at(max(height_m, 0.0), sun_direction.z); }
 
 // ---- clouds
 
@@ -35,13 +35,13 @@ const float CLOUD_SHADOW_SIZE = 100000.0; // side of the square round the eye [m
 
 // Share of the sun that passes the clouds to a point of the sea, eye-relative xy [m].
 float cloud_shadow(vec2 position) {
-    vec2 p = (position + air.zw) / CLOUD_SHADOW_SIZE;
+    vec2 p = (position + cloud_offset) / CLOUD_SHADOW_SIZE;
     float inside = 1.0 - smoothstep(0.42, 0.5, max(abs(p.x), abs(p.y)));
-    float average = 1.0 - 0.85 * wind.w;
+    float average = 1.0 - 0.85 * cloud_cover;
     return mix(average, textureLod(cloud_map, vec3(clamp(p + 0.5, 0.001, 0.999), 1.0), 0.0).r, inside);
 }
 
-// The panorama of the clouds round the eye. Below the clouds it covers the sky (air.y = 0), above them the whole
+// The panorama of the clouds round the eye. Below the clouds it covers the sky (eye_above_clouds = 0), above them the whole
 // sphere, most of it what lies below the horizon. Rows are closest at the horizon.
 const float CLOUD_HORIZON = 0.625; // the horizon's place in the whole sphere's map; cirrus above needs its rows too
 
@@ -49,10 +49,10 @@ vec2 cloud_uv(vec3 dir, float h) {
     float above = angle_above_horizon(dir, h), dip = horizon_dip(h);
     float up = sqrt(max(above, 0.0) / (0.5 * AIR_PI + dip));
     float down = pow(max(-above, 0.0) / (0.5 * AIR_PI - dip), 2.0 / 3.0);
-    return vec2(atan(dir.y, dir.x) / (2.0 * AIR_PI), air.y > 0.5 ? CLOUD_HORIZON + (1.0 - CLOUD_HORIZON) * up - CLOUD_HORIZON * down : up);
+    return vec2(atan(dir.y, dir.x) / (2.0 * AIR_PI), eye_above_clouds > 0.5 ? CLOUD_HORIZON + (1.0 - CLOUD_HORIZON) * up - CLOUD_HORIZON * down : up);
 }
 
-vec4 cloud_radiance(vec3 dir) { return textureLod(cloud_map, vec3(cloud_uv(dir, max(eye.z, 0.0)), 0.0), 0.0); }
+vec4 cloud_radiance(vec3 dir) { return textureLod(cloud_map, vec3(cloud_uv(dir, max(eye_height, 0.0)), 0.0), 0.0); }
 
 // ---- the air between the eye and a point
 
@@ -69,7 +69,7 @@ vec3 air_transmittance(float h, float mu, float d) {
 // What the air does to light from an eye-relative position: color * transmittance + inscatter. Clouds below a high
 // eye are laid over the picture at its end (sky_over.glsl).
 void aerial_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
-    float d = max(length(position), 1e-3), h = max(eye.z, 0.0);
+    float d = max(length(position), 1e-3), h = max(eye_height, 0.0);
     vec3 dir = position / d;
     transmittance = air_transmittance(h, dir.z, d);
     inscatter = textureLod(aerial_table, aerial_uv(dir, h, d), 0.0).rgb;

@@ -9,8 +9,7 @@ uniform vec4 cloud_origin; // xy: eye in the clouds' pattern, z: thickness of th
 const float CLOUD_EXTINCTION = 0.035;   // in their middle [1/m]
 const float BILLOW_TILE = 5760.0, DETAIL_TILE = 1152.0, WEATHER_TILE = 57600.0;
 
-float cloud_base() { return haze.y; }
-float cloud_top() { return haze.y + cloud_origin.z; }
+float cloud_top() { return cloud_base + cloud_origin.z; }
 
 // Level of a noise look-up whose tile has that size [m], for a footprint [m]: 64 texels to a tile.
 float cloud_level(float footprint, float tile) { return max(log2(footprint * 64.0 / tile), 0.0); }
@@ -18,7 +17,7 @@ float cloud_level(float footprint, float tile) { return max(log2(footprint * 64.
 // Extinction [1/m] at eye-relative xy and height h, for a sample as wide as `footprint`; 0: without the small
 // structure.
 float cloud_extinction(vec2 position, float h, float footprint) {
-    float level = (h - cloud_base()) / cloud_origin.z;
+    float level = (h - cloud_base) / cloud_origin.z;
     if (level <= 0.0 || level >= 1.0) return 0.0;
     vec2 p = position + cloud_origin.xy;
     vec4 weather = textureLod(cloud_noise, vec3(p / WEATHER_TILE, 0.37), 0.0); // where clouds gather, over the country
@@ -26,7 +25,7 @@ float cloud_extinction(vec2 position, float h, float footprint) {
     float billows = textureLod(cloud_noise, q / BILLOW_TILE, cloud_level(footprint, BILLOW_TILE)).r;
     // flat below, heaped above: the threshold rises with height, less where clouds gather
     float shape = billows + 0.55 * (weather.b - 0.5) - cloud_origin.w - 0.26 * level * level * level - 0.10 * level;
-    float contrast = mix(6.0, 2.5, wind.w * wind.w); // a deck varies more softly
+    float contrast = mix(6.0, 2.5, cloud_cover * cloud_cover); // a deck varies more softly
     shape = clamp(shape * contrast, 0.0, 1.0) * smoothstep(0.0, 0.07, level);
     for (int inside = 0; inside < 1 && shape > 0.0 && footprint > 0.0; ++inside) { // a loop: see cloud_panorama.glsl
         float lod = cloud_level(footprint, DETAIL_TILE);

@@ -14,12 +14,12 @@ vec4 foam_texel(vec2 p, float log2_tile, float detail) {
 
 // rest: eye-relative [m]; width of the pixel on the water [m].
 foam_texels foam_look_up(vec2 rest, float width) {
-    vec2 p = mod(eye.xy + rest, 4096.0);
+    vec2 p = mod(eye_wrapped + rest, 4096.0);
     // Old foam is drawn out along the wind. This tile lies turned, so the CPU finds the eye's place in it.
-    vec2 drawn_out = streaks.xy + streaks.zw * vec2(dot(rest, vec2(-wind.y, wind.x)), dot(rest, wind.xy));
+    vec2 drawn_out = streak_place + streak_scale * vec2(dot(rest, vec2(-wind_direction.y, wind_direction.x)), dot(rest, wind_direction));
     float detail = log2(width * 512.0);
     return foam_texels(foam_texel(p, 6.0, detail), foam_texel(p.yx, 3.0, detail),
-                       textureLod(foam_detail, drawn_out, max(detail + log2(streaks.z), 0.0)));
+                       textureLod(foam_detail, drawn_out, max(detail + log2(streak_scale.x), 0.0)));
 }
 
 // The part of a value's range above 1 - share, with a soft edge; the mean over all values is the share.

@@ -24,10 +24,10 @@ vec3 haze_towards(float azimuth, float h) {
 }
 
 void haze_vertex() {
-    float h = max(eye.z, 0.0), haze_scale = 1000.0 * clamp(haze.x / 5000.0, 0.25, 1.0);
+    float h = max(eye_height, 0.0), haze_scale = 1000.0 * clamp(visibility / 5000.0, 0.25, 1.0);
     haze_extinction = RAYLEIGH * mean_density(h, RAYLEIGH_SCALE) + mie_extinction() * mean_density(h, haze_scale);
     vec3 ahead = haze_towards(0.0, h), aside = haze_towards(AIR_PI / 3.0, h), behind = haze_towards(AIR_PI, h);
-    float c = length(sun.xy); // ahead; half of it aside
+    float c = length(sun_direction.xy); // ahead; half of it aside
     vec3 lobe = vec3(forward_lobe(c), forward_lobe(0.5 * c), forward_lobe(-c));
     float bent = lobe.y - lobe.z - 0.75 * (lobe.x - lobe.z);
     haze_lobe = (aside - behind - 0.75 * (ahead - behind)) * (bent / (bent * bent + 1e-6)); // none where the sun is overhead
@@ -50,7 +50,7 @@ vec3 haze_transmittance(float dist) {
 
 // What the haze adds along `to`, where `left` of the light passes.
 vec3 haze_inscatter(vec3 to, vec3 left) {
-    float c = dot(to.xy, sun.xy) * inversesqrt(max(dot(to.xy, to.xy), 1e-9));
+    float c = dot(to.xy, sun_direction.xy) * inversesqrt(max(dot(to.xy, to.xy), 1e-9));
     return max(haze_level + c * haze_slope + forward_lobe(c) * haze_lobe, vec3(0.0)) * (1.0 - left);
 }
 

@@ -18,13 +18,13 @@ vec3 multiple_scattering(float h, float mu_sun) { return textureLod(multiple_tab
 // Clouds take part of the sun from the air under them and give part of that back as diffuse light. x: direct share,
 // y: diffuse.
 vec2 light_under_clouds(float h) {
-    float cover = smoothstep(0.1, 1.0, wind.w) * smoothstep(haze.y + 600.0, haze.y, h);
+    float cover = smoothstep(0.1, 1.0, cloud_cover) * smoothstep(cloud_base + 600.0, cloud_base, h);
     return vec2(1.0 - cover, 0.22 * cover);
 }
 
 // Radiance from the first `reach` metres of the ray from height h along dir; air_left: what the ray lets through.
 vec3 scattered_light(float h, vec3 dir, float reach, int steps, out vec3 air_left) {
-    float c = dot(dir, sun.xyz), r = earth_radius();
+    float c = dot(dir, sun_direction), r = earth_radius;
     float phase_air = rayleigh_phase(c), phase_haze = mie_phase(c);
     vec3 haze_scattering = mie_extinction() * MIE_ALBEDO, light = vec3(0.0);
     air_left = vec3(1.0);
@@ -33,7 +33,7 @@ vec3 scattered_light(float h, vec3 dir, float reach, int steps, out vec3 air_lef
         float s = float(i + 1) / float(steps), end = reach * s * s * s; // fine near the eye, where the air is dense
         float d = 0.5 * (start + end);
         float height = max(air_height(h, dir.z, d), 0.0);
-        float mu_sun = ((r + h) * sun.z + d * c) / (r + height);
+        float mu_sun = ((r + h) * sun_direction.z + d * c) / (r + height);
         vec3 density = air_density(height);
         vec3 by_air = RAYLEIGH * density.x, by_haze = haze_scattering * density.y;
         vec3 extinction = air_extinction(density);

@@ -8,7 +8,7 @@ const vec3 AERIAL_SIZE = vec3(32.0, 65.0, 32.0); // azimuth, elevation (row 32: 
 const float AERIAL_REACH = 600000.0, AERIAL_NEAR = 400.0;
 
 float sun_azimuth_coordinate(vec2 direction) {
-    vec2 s = sun.xy / max(length(sun.xy), 1e-6);
+    vec2 s = sun_direction.xy / max(length(sun_direction.xy), 1e-6);
     float c = dot(direction, s) / max(length(direction), 1e-6);
     return sqrt(acos(clamp(c, -1.0, 1.0)) / AIR_PI);
 }
@@ -18,7 +18,7 @@ float angle_above_horizon(vec3 dir, float h) { return asin(clamp(dir.z, -1.0, 1.
 // The direction at an azimuth coordinate and an angle above the horizon, on one side of the sun.
 vec3 sky_direction(float azimuth_coordinate, float above, float h) {
     float azimuth = azimuth_coordinate * azimuth_coordinate * AIR_PI, elevation = above - horizon_dip(max(h, 0.0));
-    vec2 s = length(sun.xy) > 1e-6 ? normalize(sun.xy) : vec2(1.0, 0.0);
+    vec2 s = length(sun_direction.xy) > 1e-6 ? normalize(sun_direction.xy) : vec2(1.0, 0.0);
     vec2 across = vec2(-s.y, s.x);
     vec2 flat_direction = s * cos(azimuth) + across * sin(azimuth);
     return vec3(flat_direction * cos(elevation), sin(elevation));

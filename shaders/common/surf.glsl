@@ -4,12 +4,12 @@
 // come reduced from the CPU (fill_surf() in src/render/frame.c): a phase of wrapped coordinates would tear where they
 // wrap. Needs common/frame.glsl and the uniform sea_law of common/waves.glsl.
 
-float bore_length() { return inversesqrt(max(dot(surf.xy, surf.xy), 1e-12)); } // from front to front over flats [m]
+float bore_length() { return inversesqrt(max(dot(surf_wave, surf_wave), 1e-12)); } // from front to front over flats [m]
 
 // Place between two fronts: 0 at a front, growing to 1 at the one that follows. rest: eye-relative [m]; shift: in
 // cycles.
 float behind_front(vec2 rest, float depth, float shift) {
-    return fract(depth / (0.9 * sea_law.z) - dot(rest, surf.xy) + surf.z + shift);
+    return fract(depth / (0.9 * sea_law.z) - dot(rest, surf_wave) + surf_phase + shift);
 }
 
 // Cover by foam behind a front.

@@ -7,37 +7,37 @@
 
 // Height above the water [m] at which what stands at that height is seen in this picture.
 float seen_height(vec2 position, float height) {
-    if (clip.w > 1.5) return apparent_height(eye.z, height, length(position), water_deep.w);
-    return clip.w > 0.5 ? height * clip.z : height;
+    if (refraction_mode > 1.5) return apparent_height(eye_height, height, length(position), water_index);
+    return refraction_mode > 0.5 ? height * refraction_raise : height;
 }
 
 // Light of the water itself, seen under it along a unit direction from a depth [m]: what leaves it upwards, before the surface takes its share; more
 // from where the light comes.
 vec3 water_glow(float upward, float depth) {
-    vec3 light = sun_light.rgb * max(sun.z, 0.0) + sky_light.rgb;
+    vec3 light = sun_light * max(sun_direction.z, 0.0) + sky_light;
     float from_above = 0.5 + 0.5 * upward;
-    return water_deep.rgb / BED_LEAVES * light * (1.0 + 3.0 * from_above * from_above) *
-           exp(-water_kd.rgb * max(depth, 0.0));
+    return water_reflectance / BED_LEAVES * light * (1.0 + 3.0 * from_above * from_above) *
+           exp(-water_attenuation * max(depth, 0.0));
 }
 
 // What becomes of light from a point at that height above the water, seen from above it or under it: light * through + veil.
 void through_water(vec3 position, float height, out vec3 through, out vec3 veil) {
     through = vec3(1.0);
     veil = vec3(0.0);
-    if (under.y <= 0.0) return;
+    if (under_fog <= 0.0) return;
     float depth = max(-height, 0.0), away = max(length(position), 1e-3);
-    if (under.x > 0.5) {
-        if (clip.w > 0.5) return; // above the water: what lies between is the water pass's to add
-        float reach = under.w > 0.5 ? length(vec3(position.xy, eye.z + height)) : away; // by way of the surface
-        float upward = (under.w > 0.5 ? -(eye.z + height) : position.z) / max(reach, 1e-3);
-        vec3 left = exp(-under.y * water_kd.rgb * reach);
-        through = exp(-under.y * water_kd.rgb * depth) * left;
-        veil = water_glow(upward, -eye.z) * (1.0 - left);
-    } else if (clip.x < 0.0) {
-        float up = position.z / away, down = sqrt(max(1.0 - (1.0 - up * up) / (water_deep.w * water_deep.w), 0.1));
-        vec3 both_ways = exp(-under.y * water_kd.rgb * depth * (1.0 + 1.0 / down));
+    if (eye_under_water > 0.5) {
+        if (refraction_mode > 0.5) return; // above the water: what lies between is the water pass's to add
+        float reach = mirrored_under_water > 0.5 ? length(vec3(position.xy, eye_height + height)) : away; // by way of the surface
+        float upward = (mirrored_under_water > 0.5 ? -(eye_height + height) : position.z) / max(reach, 1e-3);
+        vec3 left = exp(-under_fog * water_attenuation * reach);
+        through = exp(-under_fog * water_attenuation * depth) * left;
+        veil = water_glow(upward, -eye_height) * (1.0 - left);
+    } else if (clip_side < 0.0) {
+        float up = position.z / away, down = sqrt(max(1.0 - (1.0 - up * up) / (water_index * water_index), 0.1));
+        vec3 both_ways = exp(-under_fog * water_attenuation * depth * (1.0 + 1.0 / down));
         through = BED_LEAVES * both_ways;
-        veil = water_deep.rgb * (sun_light.rgb * max(sun.z, 0.0) + sky_light.rgb) * (1.0 - both_ways);
+        veil = water_reflectance * (sun_light * max(sun_direction.z, 0.0) + sky_light) * (1.0 - both_ways);
     }
 }
 
@@ -48,9 +48,9 @@ uniform sampler2D water_tile; // a: light on the bottom, a quarter of it
 // Sunlight at a depth [m] below level eye-relative xy, as a share of what flat water lets through: the tile lies on the surface where
 // the ray came in. Shallow water has not gathered it yet, deep water scatters it.
 float gathered_light(vec2 position, float depth) {
-    float strength = under.z * clamp(depth * 2.0, 0.0, 1.0) * exp(-0.06 * max(depth, 0.0));
-    vec2 p = position - caustic_sun.xy * max(depth, 0.0);
-    vec2 uv = caustic.xy + vec2(dot(p, caustic.zw), dot(p, vec2(-caustic.w, caustic.z)));
+    float strength = caustic_strength * clamp(depth * 2.0, 0.0, 1.0) * exp(-0.06 * max(depth, 0.0));
+    vec2 p = position - caustic_travel * max(depth, 0.0);
+    vec2 uv = caustic_place + vec2(dot(p, caustic_turn), dot(p, vec2(-caustic_turn.y, caustic_turn.x)));
     return mix(1.0, 4.0 * texture(water_tile, uv).a, strength);
 }
 #endif

@@ -87,7 +87,7 @@ void water_vertex() {
     vec3 position = vertex.xyz + offset;
     water_place = vec4(position, depth);
     water_rest = rest;
-    water_light = vec4(gustiness(haze.zw + rest, vertex.w), cloud_shadow(position.xy), least_depth(rest, depth), vertex.w);
+    water_light = vec4(gustiness(eye_wrapped_wide + rest, vertex.w), cloud_shadow(position.xy), least_depth(rest, depth), vertex.w);
     aerial_perspective(position, water_transmittance, water_inscatter);
 #ifdef ROUGH_VERTICES
     float dist = max(length(position), 1e-3);
@@ -114,7 +114,7 @@ vec3 density_polynomial(float h, float scale) {
 }
 
 void water_vertex() {
-    float h = max(eye.z, 0.0);
+    float h = max(eye_height, 0.0);
     water_place = vec4(vertex.xyz, 0.0);
     water_rest = vertex.xy;
     vec3 haze_density = density_polynomial(h, haze_scale()), air_density = density_polynomial(h, RAYLEIGH_SCALE);
@@ -158,11 +158,11 @@ struct water_pixel {
 // From above, how much farther away than this plane the round earth's water is on the same ray. At twice as far it ends, in the
 // horizon: there the plane does not, and a square would end in corners.
 float round_earth(vec2 position) {
-    float left = 1.0 - 2.0 * dot(position, position) / (lens.w * max(eye.z, 0.5));
+    float left = 1.0 - 2.0 * dot(position, position) / (earth_radius * max(eye_height, 0.5));
 #ifdef TRIM
-    if (left < 0.0 && under.x < 0.5) discard;
+    if (left < 0.0 && eye_under_water < 0.5) discard;
 #endif
-    return under.x < 0.5 ? 2.0 / (1.0 + sqrt(max(left, 0.0))) : 1.0;
+    return eye_under_water < 0.5 ? 2.0 / (1.0 + sqrt(max(left, 0.0))) : 1.0;
 }
 
 // acos to 7e-5 (Abramowitz & Stegun 4.4.45), and asin, near 0 by its series: the function itself costs as much as look-ups.
@@ -177,10 +177,10 @@ float quick_asin(float x) {
 
 // aerial_perspective() for a point of the mean sea.
 void quad_aerial(vec3 position, out vec3 transmittance, out vec3 inscatter) {
-    float d = max(length(position), 1e-3), h = max(eye.z, 0.5), x = min(d * d / (2.0 * lens.w * h), 1.2);
+    float d = max(length(position), 1e-3), h = max(eye_height, 0.5), x = min(d * d / (2.0 * earth_radius * h), 1.2);
     vec3 dir = position / d;
     transmittance = exp(-d * (quad_extinction.rgb + x * (quad_extinction1 + x * quad_extinction2)));
-    float c = dot(dir.xy, sun.xy) * inversesqrt(max(dot(dir.xy, dir.xy) * dot(sun.xy, sun.xy), 1e-12));
+    float c = dot(dir.xy, sun_direction.xy) * inversesqrt(max(dot(dir.xy, dir.xy) * dot(sun_direction.xy, sun_direction.xy), 1e-12));
     float above = min(quick_asin(clamp(dir.z, -1.0, 1.0)) + quad_extinction.w, 0.0);
     vec3 at = vec3(sqrt(quick_acos(clamp(c, -1.0, 1.0)) / AIR_PI), 0.5 - 0.5 * sqrt(-above / (0.5 * AIR_PI - quad_extinction.w)),
                    aerial_slice(d));

@@ -86,9 +86,9 @@ struct footprint {
 footprint pixel_footprint(vec3 view, float dist, vec2 coarse_slope) {
     footprint f;
     f.axis = normalize(view.xy + vec2(1e-6, 0.0));
-    float width = max(dist * lens.x, 1e-4);
+    float width = max(dist * radians_per_pixel, 1e-4);
     vec3 n = normalize(vec3(-coarse_slope, 1.0));
-    f.minor = width * sampling.x; // its columns lie side by side: across the view
+    f.minor = width * shade_columns; // its columns lie side by side: across the view
     f.major = max(f.minor, width / clamp(dot(view, n), 0.01, 1.0));
     return f;
 }

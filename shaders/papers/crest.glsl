@@ -67,7 +67,7 @@ struct crest_pixel {
 
 crest_pixel pixel_here(ivec2 at, vec4 shape) {
     crest_pixel p;
-    vec2 uv = (vec2(at) + 0.5) * viewport.zw;
+    vec2 uv = (vec2(at) + 0.5) * pixel_size;
     p.position = frame_ray(uv) / shape.w;
     p.rest = shape.xy;
     p.dist = sqrt(dot(p.position, p.position));
@@ -76,12 +76,12 @@ crest_pixel pixel_here(ivec2 at, vec4 shape) {
 #ifdef WAVES_MESH
     p.mesh = texelFetch(shape_mesh, at, 0);
 #endif
-    p.width = max(p.dist * lens.x, 1e-4);
-    p.width = max(p.width * sampling.x, p.width / (float(TAPS) * clamp(p.view.z, 0.02, 1.0)));
+    p.width = max(p.dist * radians_per_pixel, 1e-4);
+    p.width = max(p.width * shade_columns, p.width / (float(TAPS) * clamp(p.view.z, 0.02, 1.0)));
     p.fine = log2(p.width);
     vec4 through = textureLod(air_transmittance_map, uv, 0.0), from = textureLod(air_inscatter_map, uv, 0.0);
     // a crest before the horizon is nearer than the mean water on its ray
-    float share = min(p.dist * max(p.view.z, sqrt(max(eye.z, 0.3) / (2.0 * lens.w))) / max(eye.z, 0.3), 1.0);
+    float share = min(p.dist * max(p.view.z, sqrt(max(eye_height, 0.3) / (2.0 * earth_radius))) / max(eye_height, 0.3), 1.0);
     p.transmittance = mix(vec3(1.0), through.rgb, share);
     p.inscatter = from.rgb * share;
     p.gust = through.w;
@@ -130,14 +130,14 @@ float crest_mask(crest_pixel p, wave_fields w, float rise, vec2 toward) {
 
 // Light from below that came through crests. ahead: cosine between the view and the sunlight's way.
 vec3 crest_light(float mask, vec3 view, vec3 sunlight) {
-    float ahead = max(-dot(view, sun.xyz), 0.0);
+    float ahead = max(-dot(view, sun_direction), 0.0);
     float towards = ahead * ahead;
     towards *= towards * ahead; // ^5
     float across = (1.0 - view.z * view.z) * mask;
     if (look_mix.z > 0.5) return 1.7 * towards * across * PAPER_TINT * sunlight / 3.14159265; // base 0, sun 1.7
     float path = clamp(1.2 * sea_law.x, 0.5, 5.0);
     // forward scattering, most of it within 40 degrees; the rest, from all around, lights every thin crest a little
-    return (0.16 * towards + 0.012) * across * exp(-path * water_kd.rgb) * (sunlight + 0.3 * sky_light.rgb);
+    return (0.16 * towards + 0.012) * across * exp(-path * water_attenuation) * (sunlight + 0.3 * sky_light);
 }
 
 // ---- foam -----------------------------------------------------------------------------------------------------------
@@ -152,7 +152,7 @@ float open_foam(wave_fields w, vec3 slopes) {
 
 // Opacity; a: brightness of the bubbles.
 vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
-    vec2 at = mod(eye.xy + rest, 4096.0);
+    vec2 at = mod(eye_wrapped + rest, 4096.0);
     float level = width_log2 + 9.0; // a tile has 512 texels
     vec4 tile = textureLod(foam_densities, at * (1.0 / 16.0), max(level - 4.0, 0.0));
 #ifdef FINE_FOAM
@@ -181,12 +181,12 @@ vec2 shore_foam(crest_pixel p, float bed) {
     float distance = p.shore, length = bore_length();
     near *= smoothstep(6.0, 2.0, distance / length); // where the bed hardly rises, waves broke before they came there
     if (near <= 0.0) return vec2(0.0, RAMP_SURF);
-    vec2 at = mod(eye.xy + p.rest, 4096.0) * (6.2831853 / 4096.0);
+    vec2 at = mod(eye_wrapped + p.rest, 4096.0) * (6.2831853 / 4096.0);
     float wobble = sin(61.0 * at.x + 2.0 * sin(37.0 * at.y)) + sin(83.0 * at.y + 2.0 * sin(49.0 * at.x));
     float front = bore(behind_front(p.rest, max(p.depth, 0.0), 0.22 * wobble));
     float running = mix(0.3, front, clamp(length / (6.0 * p.width), 0.0, 1.0));
     float breaking = smoothstep(0.0, 0.6, near) * (0.06 + 0.94 * running);
-    float edge = smoothstep(0.5, 0.05, bed) * (0.6 + 0.3 * sin(6.2831853 * (surf.w + 0.2 * wobble)));
+    float edge = smoothstep(0.5, 0.05, bed) * (0.6 + 0.3 * sin(6.2831853 * (surf_time + 0.2 * wobble)));
     return vec2(clamp(max(breaking, edge), 0.0, 1.0),
                 mix(RAMP_SURF, RAMP_SWASH, clamp(1.0 - distance / 12.0, 0.0, 1.0)));
 }
@@ -200,16 +200,16 @@ uniform sampler2D scene_depth;
 float bed_depth(ivec2 at, vec3 position) {
     float depth = texelFetch(scene_depth, at, 0).x;
     if (depth <= 0.0) return 1e4;
-    vec3 bed = frame_ray((vec2(at) + 0.5) * viewport.zw) / depth;
+    vec3 bed = frame_ray((vec2(at) + 0.5) * pixel_size) / depth;
     return position.z - bed.z;
 }
 
 // The bed through the water, bent by the waves, or the deep water's light where it is out of sight.
 vec3 bed_light(ivec2 at, vec3 deep, vec3 position, vec3 view, vec2 slope, inout float bed) {
-    vec3 both_ways = exp(-water_kd.rgb * bed * (1.0 + 1.0 / max(0.66, sqrt(0.44 + 0.56 * view.z * view.z))));
+    vec3 both_ways = exp(-water_attenuation * bed * (1.0 + 1.0 / max(0.66, sqrt(0.44 + 0.56 * view.z * view.z))));
     if (max(both_ways.b, both_ways.g) < 0.01) return deep;
-    float bend = min(bed, 3.0) * 0.25 / (length(position) * lens.x);
-    ivec2 bent = clamp(at + ivec2(vec2(dot(slope, vec2(-view.y, view.x)), -dot(slope, view.xy)) * bend), ivec2(0), ivec2(viewport.xy) - 1);
+    float bend = min(bed, 3.0) * 0.25 / (length(position) * radians_per_pixel);
+    ivec2 bent = clamp(at + ivec2(vec2(dot(slope, vec2(-view.y, view.x)), -dot(slope, view.xy)) * bend), ivec2(0), ivec2(viewport_size) - 1);
     if (effect_is_on(EFFECT_DISTORTION) && bed_depth(bent, position) > 0.0) at = bent;
     return texelFetch(scene_color, at, 0).rgb * BED_LEAVES * both_ways + deep * (1.0 - both_ways);
 }
@@ -218,11 +218,11 @@ vec3 bed_light(ivec2 at, vec3 deep, vec3 position, vec3 view, vec2 slope, inout 
 // ---- together -------------------------------------------------------------------------------------------------------
 
 vec3 sun_glitter(crest_pixel p, vec2 slope, float area, vec3 sunlight) {
-    vec3 bisector = p.view + sun.xyz;
+    vec3 bisector = p.view + sun_direction;
     vec2 off = -bisector.xy / max(bisector.z, 1e-3) - slope;
     float det = max(p.slopes.x * p.slopes.z - p.slopes.y * p.slopes.y, 1e-14);
     float q = (p.slopes.z * off.x * off.x - 2.0 * p.slopes.y * off.x * off.y + p.slopes.x * off.y * off.y) / det;
-    if (q > 30.0 || sun.z < -0.01) return vec3(0.0);
+    if (q > 30.0 || sun_direction.z < -0.01) return vec3(0.0);
     float length2 = dot(bisector, bisector), hz2 = bisector.z * bisector.z / length2;
     float grazing = 1.0 - 0.5 * sqrt(length2); // the bisector's length is twice the cosine of incidence
     float fresnel = 0.02 + 0.98 * grazing * grazing * grazing * grazing * grazing;
@@ -233,7 +233,7 @@ vec3 sun_glitter(crest_pixel p, vec2 slope, float area, vec3 sunlight) {
 // False colours (the paper's figure 3): red crests, green shore and foam, blue open sea, shaded by what is mirrored.
 vec3 false_colors(float mask, float foam, float reflectance, vec3 normal) {
     float rest = 1.0 - max(mask, foam);
-    return vec3(mask, foam, rest) * (0.35 + 0.65 * reflectance + 0.3 * normal.x) / max(sun_light.w, 1e-9);
+    return vec3(mask, foam, rest) * (0.35 + 0.65 * reflectance + 0.3 * normal.x) / max(exposure, 1e-9);
 }
 
 vec3 light_here(ivec2 at, vec4 shape) {
@@ -243,11 +243,11 @@ vec3 light_here(ivec2 at, vec4 shape) {
     vec2 toward = p.view.xy / flat_length;
     facets seen = facets_toward(p.view.z, flat_length, dot(w.slope, toward), sqrt(facets_variance(p.slopes, toward)));
     vec3 normal = normalize(vec3(toward * seen.tilt - w.slope, 1.0));
-    float reflectance = facets_fresnel(max(dot(p.view, normal), 0.0), seen.rms, water_deep.w);
+    float reflectance = facets_fresnel(max(dot(p.view, normal), 0.0), seen.rms, water_index);
 
-    vec3 sunlight = sun_light.rgb * p.shade;
-    vec3 below = water_deep.rgb * (sunlight * (max(sun.z, 0.0) * 0.95) + SKY_ENTERS * sky_light.rgb);
-    float rise = p.position.z + eye.z + dot(p.rest, p.rest) / (2.0 * lens.w);
+    vec3 sunlight = sun_light * p.shade;
+    vec3 below = water_reflectance * (sunlight * (max(sun_direction.z, 0.0) * 0.95) + SKY_ENTERS * sky_light);
+    float rise = p.position.z + eye_height + dot(p.rest, p.rest) / (2.0 * earth_radius);
     float mask = crest_mask(p, w, rise, toward);
     float foam = open_foam(w, p.slopes), zone = RAMP_OPEN;
 #ifdef LAND
@@ -271,8 +271,8 @@ vec3 light_here(ivec2 at, vec4 shape) {
 #ifdef FOAM_TILE
         for (int near = 0; near < 1 && foam > 0.02 && p.fine < 2.0; ++near) lather = foam_opacity(p.rest, p.fine, foam, zone);
 #endif
-        vec3 light = (sunlight * max(dot(sun.xyz, normal), 0.0) + sky_light.rgb) * (lather.y * 0.66 / 3.14159265);
-        surface = mix(surface, light, lather.x * min(water_kd.w, 1.0));
+        vec3 light = (sunlight * max(dot(sun_direction, normal), 0.0) + sky_light) * (lather.y * 0.66 / 3.14159265);
+        surface = mix(surface, light, lather.x * min(foam_strength, 1.0));
     }
     surface = surface * p.transmittance + p.inscatter;
     if (look_mix.w > 0.5 && look_mix.w < 1.5) surface = false_colors(mask, foam, reflectance, normal);

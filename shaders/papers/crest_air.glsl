@@ -21,18 +21,18 @@ uniform vec4 air_size;                           // of this picture: 1 / width, 
 
 // Where a ray meets the mean water of the round earth, or passes nearest to it.
 vec3 mean_water(vec3 direction) {
-    float h = max(eye.z, 0.3), flat_length = max(length(direction.xy), 1e-5);
-    float slope = direction.z / flat_length, under = slope * slope - 2.0 * h / lens.w;
-    float r = slope < 0.0 && under > 0.0 ? 2.0 * h / (-slope + sqrt(under)) : sqrt(2.0 * h * lens.w);
-    return vec3(direction.xy * (r / flat_length), -h - r * r / (2.0 * lens.w));
+    float h = max(eye_height, 0.3), flat_length = max(length(direction.xy), 1e-5);
+    float slope = direction.z / flat_length, under = slope * slope - 2.0 * h / earth_radius;
+    float r = slope < 0.0 && under > 0.0 ? 2.0 * h / (-slope + sqrt(under)) : sqrt(2.0 * h * earth_radius);
+    return vec3(direction.xy * (r / flat_length), -h - r * r / (2.0 * earth_radius));
 }
 
 void main() {
     vec3 position = mean_water(frame_ray(gl_FragCoord.xy * air_size.xy));
     vec3 transmittance, inscatter;
     aerial_perspective(position, transmittance, inscatter);
-    float width = length(position) * lens.x * 8.0;
-    out_transmittance = vec4(transmittance, gustiness(haze.zw + position.xy, width));
+    float width = length(position) * radians_per_pixel * 8.0;
+    out_transmittance = vec4(transmittance, gustiness(eye_wrapped_wide + position.xy, width));
     out_inscatter = vec4(inscatter, cloud_shadow(position.xy));
     out_bed = vec4(1000.0, 1e4, 0.0, 0.0);
 #ifdef LAND

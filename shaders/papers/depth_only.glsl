@@ -8,7 +8,7 @@
 #ifdef VERTEX
 void main() {
     water_vertex();
-    gl_Position.z -= gl_Position.w * DEPTH_ROUNDING * (lens.z > 0.5 ? 1.0 : 2.0);
+    gl_Position.z -= gl_Position.w * DEPTH_ROUNDING * (clip_zero_to_one > 0.5 ? 1.0 : 2.0);
 }
 #endif
 

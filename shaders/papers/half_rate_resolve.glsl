@@ -40,7 +40,7 @@ void main() {
     vec4 light = mix(texelFetch(sparse_light, max(from, 0), 0), texelFetch(sparse_light, ivec2(min(from.x + 1, int(places.z)), from.y), 0), at - left);
     // no sample covers this pixel: a wave's tip between two samples, water between objects, or the rim of the quad
 #if defined(KEPT) || defined(QUAD) // the pixel's depth keeps the sky pass out: fall back to skylight
-    if (light.a < 0.05) light = vec4(sky_light.rgb * 0.31830989, 1.0);
+    if (light.a < 0.05) light = vec4(sky_light * 0.31830989, 1.0);
 #else
     if (light.a < 0.05) discard;
 #endif

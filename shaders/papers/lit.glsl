@@ -50,7 +50,7 @@ float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
 #endif
     float alpha = 0.0;
     for (int i = 0; i < 1 && cover > 0.02; ++i) { // a loop: some drivers sample textures in both branches of an if
-        vec2 at = mod(eye.xy + p.rest, 4096.0);
+        vec2 at = mod(eye_wrapped + p.rest, 4096.0);
         float detail = log2(width * 64.0); // texels of a tile of 8 m
         float blurred = clamp(detail * 0.2, 0.0, 1.0), far = clamp(detail * 0.2 - 0.6, 0.0, 1.0);
         vec4 broad = textureLod(foam_detail, at * 0.015625, max(detail - 3.0, 0.0));
@@ -60,13 +60,13 @@ float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
         alpha = smoothstep(1.0 - edge - cover, 1.0 + edge - cover, value) * (0.6 + 0.4 * fine.g);
         alpha = mix(alpha, 0.8 * cover, far); // from afar, the mean
     }
-    return alpha * water_kd.w;
+    return alpha * foam_strength;
 }
 
 #ifdef LAND
 // The radiance from below with the bed in it, and how much of the picture is water, 0 in the last centimetres.
 vec3 with_bed(vec3 deep, water_pixel p, vec3 view, vec2 slope, out float film) {
-    vec2 here = gl_FragCoord.xy * viewport.zw, uv = here - 0.06 * slope * clamp(p.depth * 0.3, 0.0, 1.0);
+    vec2 here = gl_FragCoord.xy * pixel_size, uv = here - 0.06 * slope * clamp(p.depth * 0.3, 0.0, 1.0);
     float depth = textureLod(scene_depth, uv, 0.0).x;
     vec3 bed = frame_ray(uv) / max(depth, 1e-9);
     if (bed.z > p.position.z) { // something stands before the water there
@@ -75,20 +75,20 @@ vec3 with_bed(vec3 deep, water_pixel p, vec3 view, vec2 slope, out float film) {
         bed = frame_ray(uv) / max(depth, 1e-9);
     }
     float path = depth > 0.0 ? max(p.position.z - bed.z, 0.0) : 1e4;
-    float down = sqrt(1.0 - (1.0 - view.z * view.z) / (water_deep.w * water_deep.w));
+    float down = sqrt(1.0 - (1.0 - view.z * view.z) / (water_index * water_index));
     film = smoothstep(0.0, 0.12, path);
-    return radiance_of_bed(textureLod(scene_color, uv, 0.0).rgb, deep, water_kd.rgb, path, down);
+    return radiance_of_bed(textureLod(scene_color, uv, 0.0).rgb, deep, water_attenuation, path, down);
 }
 #endif
 
 #ifdef PAPER
 // Section 3, to the letter: no mirror, nothing shines through.
 vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
-    vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light.rgb * p.shade, light = vec3(0.0);
-    float facing = max(dot(sun.xyz, normal), 0.0), high = max(dot(normal, normalize(view + sun.xyz)), 1e-6);
-    if (effect_is_on(EFFECT_AMBIENT)) light += look_light.x * water_deep.rgb * (sunlight * facing + sky_light.rgb);
+    vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light * p.shade, light = vec3(0.0);
+    float facing = max(dot(sun_direction, normal), 0.0), high = max(dot(normal, normalize(view + sun_direction)), 1e-6);
+    if (effect_is_on(EFFECT_AMBIENT)) light += look_light.x * water_reflectance * (sunlight * facing + sky_light);
     if (effect_is_on(EFFECT_DIFFUSE)) light += look_light.y * sunlight * facing * 0.31830989;
-    if (effect_is_on(EFFECT_SPECULAR)) light += look_light.z * sunlight * exp2(look_light.w * log2(high)) * step(0.0, sun.z);
+    if (effect_is_on(EFFECT_SPECULAR)) light += look_light.z * sunlight * exp2(look_light.w * log2(high)) * step(0.0, sun_direction.z);
     return light;
 }
 #else
@@ -101,11 +101,11 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
     add_ripples(p.rest, pixel, p.gust, p.depth, w.slope, covariance);
     covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
     rough_facets seen = rough_seen(view, w.slope, covariance);
-    float reflectance = rough_fresnel(view, w.slope, seen, water_deep.w), film = 1.0;
+    float reflectance = rough_fresnel(view, w.slope, seen, water_index), film = 1.0;
 
-    vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light.rgb * p.shade, below = vec3(0.0);
-    float facing = max(dot(sun.xyz, normal), 0.0);
-    if (effect_is_on(EFFECT_AMBIENT)) below += look_light.x * water_deep.rgb * (sunlight * facing + sky_light.rgb);
+    vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light * p.shade, below = vec3(0.0);
+    float facing = max(dot(sun_direction, normal), 0.0);
+    if (effect_is_on(EFFECT_AMBIENT)) below += look_light.x * water_reflectance * (sunlight * facing + sky_light);
     if (effect_is_on(EFFECT_DIFFUSE)) below += look_light.y * sunlight * facing * 0.31830989;
 #ifdef LAND
     if (effect_is_on(EFFECT_REFRACTION)) below = with_bed(below, p, view, w.slope, film);
@@ -116,13 +116,13 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
     if (effect_is_on(EFFECT_REFLECTION))
         light += reflectance * environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), seen.sigma);
     if (effect_is_on(EFFECT_SPECULAR))
-        light += look_light.z * sunlight * step(-0.01, sun.z) *
-                 rough_glint(view, sun.xyz, w.slope, covariance, seen, water_deep.w);
+        light += look_light.z * sunlight * step(-0.01, sun_direction.z) *
+                 rough_glint(view, sun_direction, w.slope, covariance, seen, water_index);
     if (effect_is_on(EFFECT_FOAM))
-        light = mix(light, foam_radiance(sunlight, facing, sky_light.rgb) * FOAM_ALBEDO,
+        light = mix(light, foam_radiance(sunlight, facing, sky_light) * FOAM_ALBEDO,
                     foam_here(p, pixel.minor, w, hidden));
 #ifdef LAND
-    light = mix(textureLod(scene_color, gl_FragCoord.xy * viewport.zw, 0.0).rgb, light, film);
+    light = mix(textureLod(scene_color, gl_FragCoord.xy * pixel_size, 0.0).rgb, light, film);
 #endif
     return light;
 }

@@ -9,7 +9,7 @@
 out vec3 ray; // eye-relative direction; linear over the picture
 
 void main() {
-    fullscreen(lens.z > 0.5 ? 0.0 : -1.0); // the far plane: window depth 0
+    fullscreen(clip_zero_to_one > 0.5 ? 0.0 : -1.0); // the far plane: window depth 0
     ray = frame_ray(uv);
 }
 #endif
@@ -20,7 +20,7 @@ out vec4 color;
 
 void main() {
     vec3 dir = normalize(ray);
-    float upward = under.w > 0.5 ? -abs(dir.z) : dir.z; // the mirrored picture has it mirrored back
-    color = vec4(water_glow(upward, -eye.z), 1.0);
+    float upward = mirrored_under_water > 0.5 ? -abs(dir.z) : dir.z; // the mirrored picture has it mirrored back
+    color = vec4(water_glow(upward, -eye_height), 1.0);
 }
 #endif

@@ -113,12 +113,12 @@ waves_here look_at_waves(water_pixel p, vec3 view, float dist) {
 
 vec2 place_in_picture(vec3 direction) {
     vec4 c = view_projection * vec4(direction, 0.0);
-    return clamp(c.xy / max(c.w, 1e-4) * 0.5 + 0.5, 0.5 * viewport.zw, 1.0 - 0.5 * viewport.zw);
+    return clamp(c.xy / max(c.w, 1e-4) * 0.5 + 0.5, 0.5 * pixel_size, 1.0 - 0.5 * pixel_size);
 }
 
 // Share of a bent ray's turn that shows: what touches the water is not displaced, the sky wholly.
 float bent_share(highp sampler2D depth, vec2 uv) {
-    float behind = textureLod(depth, uv, 0.0).x / (lens.y * gl_FragCoord.w);
+    float behind = textureLod(depth, uv, 0.0).x / (near_distance * gl_FragCoord.w);
     return clamp(1.0 - behind, 0.0, 1.0) * look_mix.x;
 }
 
@@ -132,9 +132,9 @@ float slide(vec3 mirrored, vec2 push, float spread) {
 // Exact dielectric, the mean tilt of the facets that face the eye, and the glitter as wide as what the pixel cannot show makes it.
 vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
 #if defined(QUAD) && !defined(HIGH)
-    vec3 light = sun_light.rgb * water_shade;
+    vec3 light = sun_light * water_shade;
 #else
-    vec3 light = sun_light.rgb * p.shade;
+    vec3 light = sun_light * p.shade;
 #endif
     vec3 view = -to;
     float level = inversesqrt(max(dot(to.xy, to.xy), 1e-6)), tangent = view.z * level;
@@ -144,7 +144,7 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     float n2 = 1.0 / (1.0 + dot(tilt, tilt)), flat2 = 1.0 / (1.0 + dot(w.slope, w.slope));
     float facing = view.z + dot(to.xy, tilt), flat_facing = view.z + dot(to.xy, w.slope); // times the length of the normal
     bool mirrors = effect_is_on(EFFECT_REFLECTION), clear = effect_is_on(EFFECT_REFRACTION), bends = effect_is_on(EFFECT_DISTORTION);
-    float reflectance = fresnel(clamp(facing * sqrt(n2), 0.02, 1.0), water_deep.w);
+    float reflectance = fresnel(clamp(facing * sqrt(n2), 0.02, 1.0), water_index);
 
     vec3 ray = to + 2.0 * facing * n2 * vec3(-tilt, 1.0);
     ray.z = abs(ray.z);
@@ -156,13 +156,13 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
 
     // the ray in the water, n times its level part: as it would come out of flat water
     float c = flat_facing * sqrt(flat2);
-    vec2 down = to.xy + w.slope * sqrt(flat2) * (sqrt(water_deep.w * water_deep.w - 1.0 + c * c) - c);
+    vec2 down = to.xy + w.slope * sqrt(flat2) * (sqrt(water_index * water_index - 1.0 + c * c) - c);
     vec3 apparent = vec3(down, -sqrt(max(1.0 - dot(down, down), 0.0025)));
     bent = mix(to, apparent, bends ? bent_share(refraction_depth, screen) : 0.0);
     vec3 seen = textureLod(refraction_picture, place_in_picture(bent), 0.0).rgb;
 
-    vec3 own = effect_is_on(EFFECT_BUMP) ? w.own * (light * max((sun.z - dot(w.slope, sun.xy)) * sqrt(flat2), 0.0) + sky_light.rgb)
-                                         : tile_detail.rgb * (light * max(sun.z, 0.0) + sky_light.rgb);
+    vec3 own = effect_is_on(EFFECT_BUMP) ? w.own * (light * max((sun_direction.z - dot(w.slope, sun_direction.xy)) * sqrt(flat2), 0.0) + sky_light)
+                                         : tile_detail.rgb * (light * max(sun_direction.z, 0.0) + sky_light);
     vec3 below = mix(own, seen, clear ? look_mix.y : 0.0);
     vec3 result = mix(below, mirrored, mirrors ? reflectance : 0.0);
     if (effect_is_on(EFFECT_GLITTER)) {
@@ -171,7 +171,7 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
         float narrow = inversesqrt(4.0 * w.variance + disturbance.w * disturbance.w);
         float peak = min(narrow * narrow * (0.5 / PI), 90.0);
         float glint = slide(vec3(ray.xy, abs(ray.z)), vec2(0.0), disturbance.w * narrow);
-        float half_way = sqrt(0.5 + 0.5 * clamp(dot(view, sun.xyz), -1.0, 1.0)), grazing = 1.0 - half_way, grazing2 = grazing * grazing;
+        float half_way = sqrt(0.5 + 0.5 * clamp(dot(view, sun_direction), -1.0, 1.0)), grazing = 1.0 - half_way, grazing2 = grazing * grazing;
         result += light * ((0.021 + 0.979 * grazing2 * grazing2 * grazing) * peak * glint); // Schlick at the facet that mirrors
     }
     return result;
@@ -179,9 +179,9 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
 
 // As printed: eq. 9 and 10, lerps, a sum.
 vec3 printed_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
-    vec3 n = normalize(vec3(-w.slope, 1.0)), light = sun_light.rgb;
-    vec3 own = w.own * (light + sky_light.rgb);
-    if (effect_is_on(EFFECT_BUMP)) own *= max(dot(n, sun.xyz), 0.0);
+    vec3 n = normalize(vec3(-w.slope, 1.0)), light = sun_light;
+    vec3 own = w.own * (light + sky_light);
+    if (effect_is_on(EFFECT_BUMP)) own *= max(dot(n, sun_direction), 0.0);
     vec2 bent = effect_is_on(EFFECT_DISTORTION) ? screen + disturbance.x * screen * n.xy : screen; // eq. 9
     vec3 mirrored = mix(own, textureLod(reflection_picture, bent, 0.0).rgb, look_mix.y);
     vec3 seen = mix(own, textureLod(refraction_picture, bent, 0.0).rgb, look_mix.y);
@@ -194,24 +194,24 @@ vec3 printed_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
 // From under the water: the world above in Snell's window, round it the world below mirrored.
 vec3 light_from_below(waves_here w, vec3 to, float dist, vec2 screen) {
     vec3 up = normalize(vec3(-w.slope, 1.0));
-    float cosine = clamp(dot(to, up), 0.0, 1.0), reflectance = fresnel(max(cosine, 1e-3), 1.0 / water_deep.w);
+    float cosine = clamp(dot(to, up), 0.0, 1.0), reflectance = fresnel(max(cosine, 1e-3), 1.0 / water_index);
     vec3 ray = reflect(to, up);
     ray.z = -abs(ray.z);
     bool bends = effect_is_on(EFFECT_DISTORTION);
     vec3 bent = mix(to, vec3(ray.xy, -ray.z), bends ? bent_share(reflection_depth, screen) : 0.0);
     vec3 mirrored = effect_is_on(EFFECT_REFLECTION) ? textureLod(reflection_picture, place_in_picture(bent), 0.0).rgb : vec3(0.0);
-    vec3 out_ray = refract(to, -up, water_deep.w); // zero beyond the window
-    vec2 flat_ray = out_ray.xy / water_deep.w;     // as it would come in through flat water
+    vec3 out_ray = refract(to, -up, water_index); // zero beyond the window
+    vec2 flat_ray = out_ray.xy / water_index;     // as it would come in through flat water
     bent = mix(to, vec3(flat_ray, sqrt(max(1.0 - dot(flat_ray, flat_ray), 0.0))), bends ? bent_share(refraction_depth, screen) : 0.0);
     vec4 land = textureLod(refraction_picture, place_in_picture(bent), 0.0);
     vec3 sky = environment_radiance(vec3(out_ray.xy, max(out_ray.z, 0.0)), 0.02);
     if (effect_is_on(EFFECT_GLITTER)) {
         float sigma = sqrt(0.2 * w.variance + disturbance.w * disturbance.w); // through the surface facets turn rays by a third
-        sky += sun_light.rgb * min(1.0 / (2.0 * PI * sigma * sigma), 90.0) * slide(out_ray, vec2(0.0), disturbance.w / sigma);
+        sky += sun_light * min(1.0 / (2.0 * PI * sigma * sigma), 90.0) * slide(out_ray, vec2(0.0), disturbance.w / sigma);
     }
-    vec3 window = mix(sky, land.rgb, land.a) * (effect_is_on(EFFECT_REFRACTION) ? water_deep.w * water_deep.w : 0.0);
-    vec3 left = exp(-under.y * water_kd.rgb * dist);
-    vec3 veil = water_glow(to.z, -eye.z) * (1.0 - left); // the mirrored picture has its own
+    vec3 window = mix(sky, land.rgb, land.a) * (effect_is_on(EFFECT_REFRACTION) ? water_index * water_index : 0.0);
+    vec3 left = exp(-under_fog * water_attenuation * dist);
+    vec3 veil = water_glow(to.z, -eye_height) * (1.0 - left); // the mirrored picture has its own
     return mix(window * left + veil, mirrored, reflectance);
 }
 #endif
@@ -220,7 +220,7 @@ void main() {
     water_pixel p = water_here();
     float dist = length(p.position);
     vec3 to = p.position / dist;
-    vec2 screen = gl_FragCoord.xy * viewport.zw;
+    vec2 screen = gl_FragCoord.xy * pixel_size;
     vec3 view = -to;
 #ifdef BELOW
     view.z = -view.z;

@@ -88,10 +88,10 @@ phong_surface surface_here() {
 #ifndef PAPER
     // few waves make a pattern that repeats: it goes over into roughness where a wave is a few pixels long, and from high up, where
     // much of it is in sight, earlier, and the tile's longest waves bend it
-    float high = smoothstep(30.0, 200.0, eye.z);
+    float high = smoothstep(30.0, 200.0, eye_height);
     wide.minor *= 3.0 + 7.0 * high;
     wide.major = max(f.major, wide.minor);
-    for (int i = 0; i < 1 && eye.z > 30.0; ++i) // a loop: software OpenGL takes both ways of an if
+    for (int i = 0; i < 1 && eye_height > 30.0; ++i) // a loop: software OpenGL takes both ways of an if
         at += wander_of(at) * high;
 #endif
     s.slope = waves_of_footprint(at, wide, s.here.gust, s.here.depth, s.covariance).slope;
@@ -156,7 +156,7 @@ vec3 reflection(phong_surface s) {
 #ifdef PICTURES
     vec4 land = vec4(0.0);
     // a facet's slope turns the ray by twice that, of which the other side of the picture's place shows half, and across the view little
-    float texels = 0.25 * s.seen.sigma / float(TAPS) * float(textureSize(reflection_picture, 0).y) * viewport.w / lens.x;
+    float texels = 0.25 * s.seen.sigma / float(TAPS) * float(textureSize(reflection_picture, 0).y) * pixel_size.y / radians_per_pixel;
     float level = log2(clamp(texels, 1.0, 4.0)); // further up, the steps from one to the next would show
     for (int i = 0; i < TAPS; ++i) {
         float tilt = (float(2 * i + 1) / float(TAPS) - 1.0) * 1.3;
@@ -189,8 +189,8 @@ vec3 refraction(phong_surface s, out vec3 passed, out vec4 bed) {
     passed = vec3(bed.a);
     return bed.rgb;
 #else
-    float down = sqrt(1.0 - (1.0 - s.view.z * s.view.z) / (water_deep.w * water_deep.w)); // of the refracted view
-    passed = bed.a * exp(-water_kd.rgb * depth * (1.0 + 1.0 / down));
+    float down = sqrt(1.0 - (1.0 - s.view.z * s.view.z) / (water_index * water_index)); // of the refracted view
+    passed = bed.a * exp(-water_attenuation * depth * (1.0 + 1.0 / down));
     return bed.rgb * (BED_LEAVES / max(bed.a, 1e-3)) * passed;
 #endif
 #endif
@@ -198,20 +198,20 @@ vec3 refraction(phong_surface s, out vec3 passed, out vec4 bed) {
 
 float highlight(phong_surface s) {
 #ifdef PAPER
-    return exp2(look_light.w * log2(max(dot(s.normal, normalize(s.view + sun.xyz)), 1e-6)));
+    return exp2(look_light.w * log2(max(dot(s.normal, normalize(s.view + sun_direction)), 1e-6)));
 #else
-    return rough_glint(s.view, sun.xyz, s.slope, s.covariance, s.seen, water_deep.w);
+    return rough_glint(s.view, sun_direction, s.slope, s.covariance, s.seen, water_index);
 #endif
 }
 
 void main() {
     phong_surface s = surface_here();
-    vec3 sunlight = sun_light.rgb * s.here.shade;
-    float facing = max(dot(sun.xyz, s.normal), 0.0);
+    vec3 sunlight = sun_light * s.here.shade;
+    float facing = max(dot(sun_direction, s.normal), 0.0);
 #ifdef PAPER
-    float f = fresnel(clamp(dot(s.view, s.normal), 0.01, 1.0), water_deep.w);
+    float f = fresnel(clamp(dot(s.view, s.normal), 0.01, 1.0), water_index);
 #else
-    float f = rough_fresnel(s.view, s.slope, s.seen, water_deep.w);
+    float f = rough_fresnel(s.view, s.slope, s.seen, water_index);
 #endif
     vec3 mirrored = vec3(0.0), passed = vec3(0.0), through = vec3(0.0);
     vec4 bed = vec4(0.0); // as it is seen
@@ -219,7 +219,7 @@ void main() {
     if (effect_is_on(EFFECT_REFRACTION)) through = refraction(s, passed, bed);
     vec3 light = f * mirrored + (1.0 - f) * through;
 
-    vec3 water = water_deep.rgb * (sunlight * facing + sky_light.rgb), diffuse = sunlight * facing * 0.31830989;
+    vec3 water = water_reflectance * (sunlight * facing + sky_light), diffuse = sunlight * facing * 0.31830989;
 #ifdef PAPER
     vec3 ambient = water * max(dot(s.normal, s.view), 0.0);
 #else
@@ -228,7 +228,7 @@ void main() {
 #endif
     if (effect_is_on(EFFECT_AMBIENT)) light += look_light.x * ambient;
     if (effect_is_on(EFFECT_DIFFUSE)) light += look_light.y * diffuse;
-    if (effect_is_on(EFFECT_SPECULAR)) light += look_light.z * highlight(s) * sunlight * step(-0.01, sun.z);
+    if (effect_is_on(EFFECT_SPECULAR)) light += look_light.z * highlight(s) * sunlight * step(-0.01, sun_direction.z);
 #if defined(PICTURES) && !defined(PAPER)
     // the last centimetres over the sand, where nothing is bent any more
     light = mix(bed.rgb, light, max(smoothstep(0.0, 0.12, s.here.depth), 1.0 - bed.a));

@@ -77,29 +77,30 @@ static void draw_views(atmosphere *a, float eye_height) {
     }
 }
 
-static bool air_is_stale(const atmosphere *a, const frame_uniforms *u) {
-    return !a->filled || u->haze.x != a->visibility;
+static bool air_is_stale(const atmosphere *a, const block_values *u) {
+    return !a->filled || u->frame.visibility != a->visibility;
 }
 
-static bool views_are_stale(const atmosphere *a, const frame_uniforms *u) {
-    return u->sun.z != a->sun_height || u->eye.z != a->eye_height || u->wind.w != a->cover ||
-           u->haze.y != a->cloud_base || u->air.x != a->unit;
+static bool views_are_stale(const atmosphere *a, const block_values *u) {
+    return u->frame.sun_direction.z != a->sun_height || u->view.eye_height != a->eye_height ||
+           u->frame.cloud_cover != a->cover || u->frame.cloud_base != a->cloud_base ||
+           u->frame.radiance_unit != a->unit;
 }
 
-bool bolan_atmosphere_update(atmosphere *a, const frame_uniforms *u) {
+bool bolan_atmosphere_update(atmosphere *a, const block_values *u) {
     const bool air = air_is_stale(a, u);
     if (!air && !views_are_stale(a, u)) return false;
     const gl_state drawing = {.color_write = true};
     bolan_gl_set_state(&drawing);
     if (air) draw_air(a);
-    draw_views(a, u->eye.z);
+    draw_views(a, u->view.eye_height);
     a->filled = true;
-    a->visibility = u->haze.x;
-    a->cover = u->wind.w;
-    a->cloud_base = u->haze.y;
-    a->sun_height = u->sun.z;
-    a->eye_height = u->eye.z;
-    a->unit = u->air.x;
+    a->visibility = u->frame.visibility;
+    a->cover = u->frame.cloud_cover;
+    a->cloud_base = u->frame.cloud_base;
+    a->sun_height = u->frame.sun_direction.z;
+    a->eye_height = u->view.eye_height;
+    a->unit = u->frame.radiance_unit;
     return true;
 }
 

@@ -30,7 +30,7 @@ bolan_result bolan_atmosphere_create(atmosphere *a);
 bolan_result bolan_atmosphere_reload(atmosphere *a);
 // Refills what was not made for these uniforms, which must be bound in slot 0, with sun and eye on the lattice of
 // sky_lattice.h. True when something changed.
-bool bolan_atmosphere_update(atmosphere *a, const frame_uniforms *u);
+bool bolan_atmosphere_update(atmosphere *a, const block_values *u);
 // Binds what common/atmosphere.glsl reads.
 void bolan_atmosphere_bind(const atmosphere *a);
 void bolan_atmosphere_free(atmosphere *a);

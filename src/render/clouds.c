@@ -114,14 +114,14 @@ static bolan_dvec3 place_of(const frame *f, double base, bool above) {
 
 // Everything that a pair of maps depends on. An empty sky is the same from everywhere.
 static void describe(cloud_maps *m, const frame *f) {
-    const frame_uniforms *u = &f->uniforms;
+    const block_values *u = &f->uniforms;
     m->seed = f->scene->sky.cloud_seed;
-    m->cover = u->wind.w;
-    m->base = u->haze.y;
-    m->visibility = u->haze.x;
+    m->cover = u->frame.cloud_cover;
+    m->base = u->frame.cloud_base;
+    m->visibility = u->frame.visibility;
     m->quality = f->quality;
-    m->above = u->eye.z > u->haze.y;
-    m->unit = m->cover > 0.0f ? u->air.x : 0.0f;
+    m->above = u->view.eye_height > u->frame.cloud_base;
+    m->unit = m->cover > 0.0f ? u->frame.radiance_unit : 0.0f;
     m->sun = m->cover > 0.0f ? bolan_sky_lattice_direction(f->sun_direction, SUN_STEP) : (bolan_vec3){0};
     m->eye = m->cover > 0.0f ? place_of(f, (double)m->base, m->above) : (bolan_dvec3){0};
 }
@@ -136,20 +136,20 @@ static bool is_same(const cloud_maps *a, const cloud_maps *b) {
            a->eye.z == b->eye.z && a->sun.x == b->sun.x && a->sun.y == b->sun.y && a->sun.z == b->sun.z;
 }
 
-void bolan_clouds_place(const clouds *c, const frame *f, frame_uniforms *u) {
+void bolan_clouds_place(const clouds *c, const frame *f, block_values *u) {
     const cloud_maps *m = &c->maps[c->shown];
-    u->air.y = m->above ? 1.0f : 0.0f;
-    u->air.z = m->cover > 0.0f ? (float)(f->eye.x - m->eye.x) : 0.0f;
-    u->air.w = m->cover > 0.0f ? (float)(f->eye.y - m->eye.y) : 0.0f;
+    u->view.eye_above_clouds = m->above ? 1.0f : 0.0f;
+    u->view.cloud_offset.x = m->cover > 0.0f ? (float)(f->eye.x - m->eye.x) : 0.0f;
+    u->view.cloud_offset.y = m->cover > 0.0f ? (float)(f->eye.y - m->eye.y) : 0.0f;
 }
 
 // The frame as an eye at the maps' own place and under their own sun sees it.
 static void set_uniforms(clouds *c, const cloud_maps *m, const frame *f) {
     c->uniforms = f->uniforms;
-    c->uniforms.eye.z = (float)fmax(m->eye.z - f->scene->water.level, 0.0);
-    c->uniforms.sun = (bolan_vec4){m->sun.x, m->sun.y, m->sun.z, f->uniforms.sun.w};
-    c->uniforms.air.y = m->above ? 1.0f : 0.0f;
-    c->uniforms.air.z = c->uniforms.air.w = 0.0f;
+    c->uniforms.view.eye_height = (float)fmax(m->eye.z - f->scene->water.level, 0.0);
+    c->uniforms.frame.sun_direction = m->sun;
+    c->uniforms.view.eye_above_clouds = m->above ? 1.0f : 0.0f;
+    c->uniforms.view.cloud_offset.x = c->uniforms.view.cloud_offset.y = 0.0f;
 }
 
 cloud_work bolan_clouds_plan(clouds *c, const frame *f) {

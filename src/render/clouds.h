@@ -25,8 +25,8 @@ typedef struct clouds {
     cloud_maps maps[2]; // what is seen, and what is in the making
     int shown;
     bool filled, noise_filled;
-    uint32_t strip;          // next of the one in the making; 0: nothing is
-    frame_uniforms uniforms; // that the maps in the making are drawn with
+    uint32_t strip;        // next of the one in the making; 0: nothing is
+    block_values uniforms; // that the maps in the making are drawn with
 } clouds;
 
 typedef enum cloud_work { CLOUDS_KEEP, CLOUDS_ALL, CLOUDS_STRIP } cloud_work;
@@ -40,7 +40,7 @@ cloud_work bolan_clouds_plan(clouds *c, const frame *f);
 // now.
 bool bolan_clouds_march(clouds *c, const frame *f, cloud_work work);
 // Sets the uniforms that say where the maps shown were made.
-void bolan_clouds_place(const clouds *c, const frame *f, frame_uniforms *u);
+void bolan_clouds_place(const clouds *c, const frame *f, block_values *u);
 const gl_texture *bolan_clouds_map(const clouds *c);
 double bolan_clouds_rise(const clouds *c, const frame *f); // of the eye since the maps shown were made [m]
 void bolan_clouds_free(clouds *c);

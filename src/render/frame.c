@@ -21,28 +21,30 @@ static bolan_vec3 sun_direction(const bolan_sky *sky) {
                     (float)sin(elevation));
 }
 
-static bolan_vec4 with_w(bolan_vec3 v, float w) { return (bolan_vec4){v.x, v.y, v.z, w}; }
-
-static void fill_water(frame_uniforms *u, const bolan_seawater *water) {
+static void fill_water(frame_block *b, const bolan_seawater *water) {
     bolan_water_optics optics = bolan_water_optics_from_jerlov(water->type);
-    u->water_deep = with_w(optics.deep, optics.index);
-    u->water_kd = with_w(optics.kd, (float)water->foam);
+    b->water_reflectance = optics.deep;
+    b->water_index = optics.index;
+    b->water_attenuation = optics.kd;
+    b->foam_strength = (float)water->foam;
+    b->water_level = (float)water->level;
 }
 
 // Camera of one sub-picture; `shift` moves the picture by parts of a pixel.
 static void fill_camera(frame *f, bool zero_to_one, double near_m, bolan_vec2 shift) {
     const bolan_camera *c = &f->scene->camera;
-    frame_uniforms *u = &f->uniforms;
+    view_block *b = &f->uniforms.view;
     double fov = bolan_radians(c->fov_deg), width = f->desc->width, height = f->desc->height;
     f->view = bolan_m4_view(c->heading_deg, c->pitch_deg, c->roll_deg);
     f->projection = bolan_m4_projection(fov, width / height, near_m, zero_to_one);
     f->projection.m[8] -= 2.0f * shift.x / (float)width;
     f->projection.m[9] -= 2.0f * shift.y / (float)height;
-    u->view_projection = bolan_m4_mul(f->projection, f->view);
-    u->inverse_view_projection = bolan_m4_inverse(u->view_projection);
-    u->viewport = (bolan_vec4){(float)width, (float)height, (float)(1.0 / width), (float)(1.0 / height)};
-    u->lens = (bolan_vec4){(float)(2.0 * tan(0.5 * fov) / height), (float)near_m, zero_to_one ? 1.0f : 0.0f,
-                           (float)BOLAN_EARTH_RADIUS};
+    b->view_projection = bolan_m4_mul(f->projection, f->view);
+    b->inverse_view_projection = bolan_m4_inverse(b->view_projection);
+    bolan_view_block_resize(b, f->desc->width, f->desc->height);
+    b->radians_per_pixel = (float)(2.0 * tan(0.5 * fov) / height);
+    b->near_distance = (float)near_m;
+    b->clip_zero_to_one = zero_to_one ? 1.0f : 0.0f;
 }
 
 static float reduced(double x, double period) { return (float)(x - period * floor(x / period)); }
@@ -66,15 +68,16 @@ static void fill_surf(frame *f, const bolan_sea_summary *sea) {
     const double length = period * sqrt(BOLAN_GRAVITY * BORE_DEPTH * bolan_sea_surf_height(sea));
     const double to = bolan_compass_from_to_math(sea->from_deg), x = cos(to) / length, y = sin(to) / length;
     const double periods = f->time / period;
-    f->uniforms.surf =
-        (bolan_vec4){(float)x, (float)y, reduced(periods - x * f->eye.x - y * f->eye.y, 1.0), reduced(periods, 1.0)};
+    f->uniforms.frame.surf_wave = (bolan_vec2){(float)x, (float)y};
+    f->uniforms.frame.surf_time = reduced(periods, 1.0);
+    f->uniforms.view.surf_phase = reduced(periods - x * f->eye.x - y * f->eye.y, 1.0);
 }
 
-bolan_vec4 bolan_frame_streaks(bolan_dvec3 eye, double wind_to) {
+void bolan_frame_streaks(block_values *blocks, bolan_dvec3 eye, double wind_to) {
     const double c = cos(wind_to), s = sin(wind_to);
-    return (bolan_vec4){reduced((c * eye.y - s * eye.x) * STREAK_ACROSS, 1.0),
-                        reduced((c * eye.x + s * eye.y) * STREAK_ALONG, 1.0), (float)STREAK_ACROSS,
-                        (float)STREAK_ALONG};
+    blocks->frame.streak_scale = (bolan_vec2){(float)STREAK_ACROSS, (float)STREAK_ALONG};
+    blocks->view.streak_place = (bolan_vec2){reduced((c * eye.y - s * eye.x) * STREAK_ACROSS, 1.0),
+                                             reduced((c * eye.x + s * eye.y) * STREAK_ALONG, 1.0)};
 }
 
 #define LEAST_DEPTH 0.12 // [m] of an eye under water, for the near plane's sake
@@ -95,27 +98,30 @@ static bolan_dvec3 eye_clear_of_water(const bolan_frame_desc *d) {
 
 static void fill_scene(frame *f) {
     const bolan_scene *s = f->scene;
-    frame_uniforms *u = &f->uniforms;
+    block_values *u = &f->uniforms;
     const bolan_sea_state *state = &bolan_sea_get_desc(f->desc->sea)->sea_state;
     f->time = bolan_sea_time(f->desc->sea);
-    u->sampling.x = 1.0f;
+    u->view.shade_columns = 1.0f;
     f->eye = eye_clear_of_water(f->desc);
-    u->under.x = f->eye.z < s->water.level ? 1.0f : 0.0f;
+    u->view.eye_under_water = f->eye.z < s->water.level ? 1.0f : 0.0f;
     f->sun_direction = sun_direction(&s->sky);
     double wind_to = bolan_compass_from_to_math(state->wind_from_deg);
-    u->eye = (bolan_vec4){reduced(f->eye.x, 4096.0), reduced(f->eye.y, 4096.0), (float)(f->eye.z - s->water.level),
-                          (float)s->water.level};
-    u->sun = with_w(f->sun_direction, 0.99998919f); // cos 0.2664 deg
-    u->wind =
-        (bolan_vec4){(float)cos(wind_to), (float)sin(wind_to), (float)state->wind_speed, (float)s->sky.cloud_cover};
-    u->haze = (bolan_vec4){(float)s->sky.visibility, (float)s->sky.cloud_base, reduced(f->eye.x, 131072.0),
-                           reduced(f->eye.y, 131072.0)};
-    fill_water(u, &s->water);
+    u->view.eye_wrapped = (bolan_vec2){reduced(f->eye.x, 4096.0), reduced(f->eye.y, 4096.0)};
+    u->view.eye_wrapped_wide = (bolan_vec2){reduced(f->eye.x, 131072.0), reduced(f->eye.y, 131072.0)};
+    u->view.eye_height = (float)(f->eye.z - s->water.level);
+    u->frame.sun_direction = f->sun_direction;
+    u->frame.wind_direction = (bolan_vec2){(float)cos(wind_to), (float)sin(wind_to)};
+    u->frame.wind_speed = (float)state->wind_speed;
+    u->frame.cloud_cover = (float)s->sky.cloud_cover;
+    u->frame.cloud_base = (float)s->sky.cloud_base;
+    u->frame.visibility = (float)s->sky.visibility;
+    u->frame.earth_radius = (float)BOLAN_EARTH_RADIUS;
+    fill_water(&u->frame, &s->water);
     fill_surf(f, bolan_sea_get_summary(f->desc->sea));
-    u->streaks = bolan_frame_streaks(f->eye, wind_to);
+    bolan_frame_streaks(u, f->eye, wind_to);
     const bool under =
-        u->under.x > 0.5f; // the paper names the fog as work to come, so above the water its mode has none
-    u->under.y = s->look.effects & BOLAN_EFFECT_FOG && (under || !s->look.paper) ? 1.0f : 0.0f;
+        u->view.eye_under_water > 0.5f; // the paper names the fog as work to come, so above the water its mode has none
+    u->view.under_fog = s->look.effects & BOLAN_EFFECT_FOG && (under || !s->look.paper) ? 1.0f : 0.0f;
 }
 
 // Sub-pixel shifts of a sample: the R2 sequence (Roberts 2018), centred; the first is the pixel's middle.
@@ -131,10 +137,7 @@ static gl_timing timing_of(const bolan_renderer *r) {
 static void begin_part(bolan_renderer *r, frame_part part) { bolan_gl_timer_begin(&r->timers[part], timing_of(r)); }
 static void end_part(bolan_renderer *r, frame_part part) { bolan_gl_timer_end(&r->timers[part], timing_of(r)); }
 
-static void upload_uniforms(bolan_renderer *r, const frame *f) {
-    bolan_gl_buffer_update(&r->uniforms, 0, sizeof f->uniforms, &f->uniforms);
-    bolan_gl_buffer_bind_uniform(&r->uniforms, 0);
-}
+static void upload_uniforms(bolan_renderer *r, const frame *f) { bolan_blocks_upload(&r->uniforms, &f->uniforms); }
 
 // Everything that does not depend on the sub-pixel shift.
 static void prepare(bolan_renderer *r, frame *f) {
@@ -187,7 +190,7 @@ static void draw_picture(bolan_renderer *r, frame *m, bool sky) {
     bolan_gl_target_clear_color(b.x, b.y, b.z, b.w);
     bolan_gl_target_clear_depth(0.0f);
     draw_world(r, m);
-    if (m->uniforms.under.w > 0.5f)
+    if (m->uniforms.view.mirrored_under_water > 0.5f)
         bolan_planar_views_draw_body(r->mirror);
     else if (sky)
         bolan_pass_sky_draw(r->sky, m);
@@ -210,7 +213,7 @@ static void draw_mirrors(bolan_renderer *r, frame *f) {
 
 static void light_water(bolan_renderer *r, frame *f) {
     frame sparse = bolan_pass_half_rate(r->water, f);
-    const bool fewer = sparse.uniforms.sampling.x > 1.0f;
+    const bool fewer = sparse.uniforms.view.shade_columns > 1.0f;
     if (fewer) upload_uniforms(r, &sparse);
     bolan_gl_target_bind(&sparse.hdr);
     bolan_pass_water_draw(r->water, &sparse);
@@ -225,7 +228,7 @@ static void draw_water(bolan_renderer *r, frame *f) {
     const bool water = !f->desc->without_water, mirrors = water && bolan_pass_water_mirrors(f);
     begin_part(r, PART_COPY);
     // Clouds below a high eye are laid over by the depth of the land.
-    if (water && f->shore->present && (!mirrors || f->uniforms.air.y > 0.5f)) copy_behind(r, f);
+    if (water && f->shore->present && (!mirrors || f->uniforms.view.eye_above_clouds > 0.5f)) copy_behind(r, f);
     end_part(r, PART_COPY);
     begin_part(r, PART_MIRROR);
     if (mirrors) draw_mirrors(r, f);
@@ -238,7 +241,7 @@ static void draw_water(bolan_renderer *r, frame *f) {
 // Last, where nothing stands before it.
 static void draw_sky(bolan_renderer *r, frame *f) {
     begin_part(r, PART_SKY);
-    if (f->uniforms.under.x > 0.5f) {
+    if (f->uniforms.view.eye_under_water > 0.5f) {
         bolan_planar_views_draw_body(r->mirror);
     } else {
         bolan_pass_sky_draw(r->sky, f);
@@ -261,8 +264,8 @@ static void keep_statistics(bolan_renderer *r, const frame *f) {
 static void draw_sample(bolan_renderer *r, frame *f, uint32_t sample) {
     const bolan_frame_desc *d = f->desc;
     f->triangles = f->water_triangles = 0;
-    fill_camera(f, f->uniforms.lens.z > 0.5f, r->near_plane, sample_shift(d->samples - 1 - sample));
-    f->picture = f->uniforms.under.x > 0.5f;
+    fill_camera(f, f->uniforms.view.clip_zero_to_one > 0.5f, r->near_plane, sample_shift(d->samples - 1 - sample));
+    f->picture = f->uniforms.view.eye_under_water > 0.5f;
     upload_uniforms(r, f);
     draw_opaque(r, f);
     draw_water(r, f);
@@ -280,12 +283,12 @@ static void draw_frame(bolan_renderer *r, const bolan_frame_desc *desc) {
     f.hdr = r->hdr;
     f.hdr_depth = &r->hdr_depth;
     fill_scene(&f);
-    r->near_plane = near_plane(f.uniforms.eye.z, zero_to_one);
+    r->near_plane = near_plane(f.uniforms.view.eye_height, zero_to_one);
     fill_camera(&f, zero_to_one, r->near_plane, (bolan_vec2){0.0f, 0.0f});
     prepare(r, &f);
     // The unshifted sample comes last, so that the depth that remains is that of the pixels' middles.
     for (uint32_t s = 0; s < desc->samples; ++s) draw_sample(r, &f, s);
-    r->radiance_unit = f.uniforms.air.x;
+    r->radiance_unit = f.uniforms.frame.radiance_unit;
     keep_statistics(r, &f);
 }
 

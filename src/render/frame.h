@@ -14,6 +14,7 @@
 #ifndef BOLAN_FRAME_H
 #define BOLAN_FRAME_H
 
+#include "blocks.h"
 #include "bolan/render.h"
 #include "gl/gl.h"
 
@@ -48,38 +49,6 @@ enum {
     UNIT_GLINT = 3,     // 2D R8  the sun on a slide, for optics that see nothing behind the water
 };
 
-// The uniform block `Frame` of shaders/common/frame.glsl: std140, keep in step.
-typedef struct frame_uniforms {
-    bolan_mat4 view_projection;         // eye-relative world -> clip
-    bolan_mat4 inverse_view_projection; // clip -> eye-relative world
-    bolan_vec4 eye; // x, y: eye position modulo 4096 m (for noise), z: height above mean water [m], w: water level [m]
-    bolan_vec4 sun; // direction to the sun; w: cosine of its angular radius
-    bolan_vec4 sun_light;  // solar irradiance at the eye's height after the atmosphere (rgb); w: exposure factor
-    bolan_vec4 sky_light;  // irradiance of the sky on a horizontal surface (rgb)
-    bolan_vec4 viewport;   // width, height, 1/width, 1/height [px]
-    bolan_vec4 lens;       // x: radians per pixel, y: near [m], z: 1 if clip depth is [0,1], w: earth radius [m]
-    bolan_vec4 wind;       // x, y: unit direction it blows TO, z: U10 [m/s], w: cloud cover
-    bolan_vec4 haze;       // x: visibility [m], y: cloud base [m], zw: eye position modulo 131072 m (for large noise)
-    bolan_vec4 water_deep; // Rrs rgb; w: index of refraction
-    bolan_vec4 water_kd;   // Kd rgb; w: foam strength
-    bolan_vec4
-        air; // set by bolan_pass_sky_prepare. x: unit of every radiance (true radiance = stored / x), y: 1 when the eye is
-             // above the clouds, z, w: eye from the cloud maps' centre [m]
-    bolan_vec4
-        clip; // x: only what stands above (1) or below (-1) the plane, 0: everything; y: its elevation above the mean
-              // water [m]; w: what is refracted is raised, 1: by z about the water, 2: each vertex by its own angle
-    bolan_vec4
-        under; // light under water: x: 1 when the eye is there, y: strength of its fog, z: of the caustics, w: 1 in the
-               // mirrored picture of an eye under water
-    bolan_vec4 caustic;     // x, y: eye in the caustics' tile; z, w: cos, sin of its turn over its side [1/m]
-    bolan_vec4 caustic_sun; // x, y: level travel of sunlight in the water for each metre it falls; z: their disturbance
-    bolan_vec4 sampling;    // x: columns of the picture that a sample of the water stands for: see half_rate.h
-    bolan_vec4 surf;        // bores; x, y: cycles per metre the way they run, z: phase at the eye [cycles], w: time in
-                            // periods. The CPU reduces both to [0,1): see common/surf.glsl
-    bolan_vec4 streaks;     // tile of wind streaks; x, y: the eye in it [0,1), z, w: tiles per metre across and along
-                            // the wind
-} frame_uniforms;
-
 typedef struct frame {
     const bolan_frame_desc *desc;
     const bolan_scene *scene;
@@ -88,7 +57,7 @@ typedef struct frame {
     double time;
     bolan_dvec3 eye; // world, z above the datum
     bolan_mat4 view, projection;
-    frame_uniforms uniforms;
+    block_values uniforms;
     bolan_vec3 sun_direction;
     gl_target hdr; // RGBA16F colour + depth
     const gl_texture *hdr_depth;
@@ -105,8 +74,9 @@ double bolan_sea_peak_length(const bolan_sea_summary *sea);
 // Significant height of the waves that break on a shore [m]: within what surf is drawn for.
 double bolan_sea_surf_height(const bolan_sea_summary *sea);
 
-// frame_uniforms::streaks for an eye there and a wind that blows towards @p wind_to [rad, counter-clockwise from east].
-bolan_vec4 bolan_frame_streaks(bolan_dvec3 eye, double wind_to);
+// Sets frame.streak_scale and view.streak_place for an eye there and a wind that blows towards @p wind_to [rad,
+// counter-clockwise from east].
+void bolan_frame_streaks(block_values *blocks, bolan_dvec3 eye, double wind_to);
 
 // Every pass: create once, draw per frame, free. prepare() may run before targets are bound and fills textures it owns.
 typedef struct pass_sky pass_sky;         // atmosphere tables, sky, clouds, environment map; sets sun_light, sky_light
@@ -134,7 +104,7 @@ void bolan_pass_ground_destroy(pass_ground **p);
 bolan_result bolan_pass_objects_create(const gl_caps *caps, pass_objects **out);
 void bolan_pass_objects_prepare(pass_objects *p, frame *f); // places of this frame; uploads what is new
 void bolan_pass_objects_draw(pass_objects *p,
-                             frame *f); // one side of uniforms.clip; reads UNIT_TERRAIN2 (the terrain pass's noise)
+                             frame *f); // one side of the clip plane; reads UNIT_TERRAIN2 (the terrain pass's noise)
 bolan_result bolan_pass_objects_reload(pass_objects *p);
 void bolan_pass_objects_destroy(pass_objects **p);
 

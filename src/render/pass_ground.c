@@ -209,13 +209,13 @@ static tree_view view_of(const pass_ground *p, const frame *f) {
     double leap = sqrt(moved.x * moved.x + moved.y * moved.y + moved.z * moved.z);
     bolan_mat4 mirror = bolan_m4_identity();
     mirror.m[10] = -1.0f;
-    mirror.m[14] = -2.0f * f->uniforms.eye.z;
+    mirror.m[14] = -2.0f * f->uniforms.view.eye_height;
     tree_view v = {
         .eye = f->eye,
-        .view_projection = f->uniforms.view_projection,
-        .mirrored = bolan_m4_mul(f->uniforms.view_projection, mirror),
+        .view_projection = f->uniforms.view.view_projection,
+        .mirrored = bolan_m4_mul(f->uniforms.view.view_projection, mirror),
         .mirrors = bolan_pass_water_mirrors(f),
-        .pixel = f->uniforms.lens.x,
+        .pixel = f->uniforms.view.radians_per_pixel,
         .water_level = f->scene->water.level,
         .sun = bolan_chunk_sun_from(bolan_sky_lattice_direction(f->sun_direction, SHADOW_STEP)),
         // A jump of the eye is a new picture, and a picture is complete; a flight in a window spreads the work.

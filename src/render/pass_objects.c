@@ -353,7 +353,7 @@ void bolan_pass_objects_prepare(pass_objects *p, frame *f) {
         fill_rows(to, &at, s->objects[i].scale, f->eye);
         measure_box(to, f->eye.z - s->water.level);
         add_caster(p, to, to->low, to->high, (float)s->objects[i].scale);
-        sort_triangles(&p->sorted[i], to, model, s->objects[i].floats, f->uniforms.eye.z);
+        sort_triangles(&p->sorted[i], to, model, s->objects[i].floats, f->uniforms.view.eye_height);
         p->count++;
     }
     qsort(p->objects, p->count, sizeof *p->objects, by_distance);
@@ -367,7 +367,7 @@ static bool is_beside(const placed *o, const frame *f) {
     int left = 0, right = 0, behind = 0;
     for (int i = 0; i < 8; i++) {
         const bolan_vec3 at = corner_of(o, i);
-        const float *m = f->uniforms.view_projection.m;
+        const float *m = f->uniforms.view.view_projection.m;
         const float x = m[0] * at.x + m[4] * at.y + m[8] * at.z + m[12],
                     w = m[3] * at.x + m[7] * at.y + m[11] * at.z + m[15];
         left += x<-w, right += x> w, behind += w <= 0.0f;
@@ -376,7 +376,7 @@ static bool is_beside(const placed *o, const frame *f) {
 }
 
 static int kind_of(const frame *f, int class) {
-    const float side = f->uniforms.clip.x;
+    const float side = f->uniforms.view.clip_side;
     if (!f->picture) return MAIN;
     return (side > 0.0f ? WHOLE : WET_WHOLE) + (class == ACROSS && side != 0.0f);
 }
@@ -405,8 +405,8 @@ static void draw_part(const gl_program *program, const placed *o, uint32_t first
 
 // All of one kind together, for a change of program costs.
 static void draw_kind(pass_objects *p, frame *f, int flat, int kind) {
-    const float side = f->uniforms.clip.x;
-    const float pixel = f->uniforms.lens.x * (float)f->desc->height / f->uniforms.viewport.y;
+    const float side = f->uniforms.view.clip_side;
+    const float pixel = f->uniforms.view.radians_per_pixel * (float)f->desc->height / f->uniforms.view.viewport_size.y;
     const gl_program *program = NULL;
     for (uint32_t i = 0; i < p->count; i++) {
         const placed *o = &p->objects[i];

@@ -22,11 +22,11 @@ struct pass_sky {
     gl_mesh mesh;
     gl_texture panorama; // clear sky and clouds together
     gl_target panorama_target;
-    bolan_vec4 lattice_sun; // direction to the sun that all of this was made for
+    bolan_vec3 lattice_sun; // direction to the sun that all of this was made for
     gl_program sun_program, over_program, environment_program, prefilter_program, light_program;
     gl_texture plain, environment, light; // the environment before and after its levels are blurred
     gl_target plain_target, environment_target[ENVIRONMENT_LEVELS], light_target;
-    gl_buffer uniforms;               // Frame, while tables are drawn
+    block_buffers uniforms;           // while tables are drawn
     float measured[4 * LIGHT_PIXELS]; // the last read-back of sky_light.glsl
 };
 
@@ -48,9 +48,7 @@ static bolan_result create_targets(pass_sky *p) {
     if (result == BOLAN_OK) result = bolan_gl_texture_create(&light, &p->light);
     color = &p->light;
     if (result == BOLAN_OK) result = bolan_gl_target_create(&color, 1, NULL, -1, 0, &p->light_target);
-    if (result == BOLAN_OK) {
-        result = bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &p->uniforms);
-    }
+    if (result == BOLAN_OK) result = bolan_blocks_create(&p->uniforms);
     return result;
 }
 
@@ -190,38 +188,33 @@ static float exposure(const pass_sky *p, const frame *f, float unit) {
     const float darker = fmaxf(log2f(noon_light / light), -1.0f); // in stops
     const float stops = 0.93f * darker - 2.7f * (1.0f - expf(-darker / 5.0f));
     // Seen from above, sunlit clouds are the scene.
-    const frame_uniforms *u = &f->uniforms;
-    const float over = fminf(fmaxf((u->eye.z - u->haze.y) / 2000.0f, 0.0f), 1.0f) * sqrtf(u->wind.w);
+    const block_values *u = &f->uniforms;
+    const float over =
+        fminf(fmaxf((u->view.eye_height - u->frame.cloud_base) / 2000.0f, 0.0f), 1.0f) * sqrtf(u->frame.cloud_cover);
     return noon_exposure * exp2f(stops - 0.8f * over + (float)f->scene->exposure) / unit;
 }
 
 static void set_light(const pass_sky *p, frame *f) {
-    frame_uniforms *u = &f->uniforms;
+    block_values *u = &f->uniforms;
     const float *sky = p->measured, *sun = p->measured + 4;
-    u->sky_light.x = sky[0], u->sky_light.y = sky[1], u->sky_light.z = sky[2];
-    u->sun_light.x = sun[0], u->sun_light.y = sun[1], u->sun_light.z = sun[2];
-    u->sun_light.w = exposure(p, f, u->air.x);
-}
-
-static void bind_uniforms(pass_sky *p, const frame_uniforms *u) {
-    bolan_gl_buffer_update(&p->uniforms, 0, sizeof *u, u);
-    bolan_gl_buffer_bind_uniform(&p->uniforms, 0);
+    u->view.sky_light = bolan_v3(sky[0], sky[1], sky[2]);
+    u->view.sun_light = bolan_v3(sun[0], sun[1], sun[2]);
+    u->view.exposure = exposure(p, f, u->frame.radiance_unit);
 }
 
 #define SUN_STEP 0.0005 // between suns that the tables are made for [rad]: 0.3 % of the light of a sun at 5 degrees
 
 // The frame's uniforms with sun and eye where the tables are made for them.
-static frame_uniforms on_lattice(const frame *f) {
-    frame_uniforms u = f->uniforms;
-    const bolan_vec3 sun = bolan_sky_lattice_direction(f->sun_direction, SUN_STEP);
-    u.sun = (bolan_vec4){sun.x, sun.y, sun.z, u.sun.w};
-    u.eye.z = (float)bolan_sky_lattice_height(u.eye.z);
+static block_values on_lattice(const frame *f) {
+    block_values u = f->uniforms;
+    u.frame.sun_direction = bolan_sky_lattice_direction(f->sun_direction, SUN_STEP);
+    u.view.eye_height = (float)bolan_sky_lattice_height(u.view.eye_height);
     return u;
 }
 
 // Clouds are lit through the air of their own place and sun.
 static bool update_clouds(pass_sky *p, frame *f, cloud_work work) {
-    bind_uniforms(p, &p->clouds.uniforms);
+    bolan_blocks_upload(&p->uniforms, &p->clouds.uniforms);
     if (work == CLOUDS_ALL) (void)bolan_atmosphere_update(&p->air, &p->clouds.uniforms);
     bolan_atmosphere_bind(&p->air);
     bolan_gl_set_state(&(gl_state){.color_write = true});
@@ -238,18 +231,19 @@ static void draw_maps(pass_sky *p) {
 }
 
 void bolan_pass_sky_prepare(pass_sky *p, frame *f) {
-    f->uniforms.air.x = radiance_unit(f->uniforms.sun.z);
+    f->uniforms.frame.radiance_unit = radiance_unit(f->uniforms.frame.sun_direction.z);
     const cloud_work work = bolan_clouds_plan(&p->clouds, f);
     bool changed = work != CLOUDS_KEEP && update_clouds(p, f, work);
     bolan_clouds_place(&p->clouds, f, &f->uniforms);
-    frame_uniforms u = on_lattice(f);
-    u.air.z = u.air.w = 0.0f; // the light is measured in the middle of the clouds' maps
-    bind_uniforms(p, &u);
+    block_values u = on_lattice(f);
+    u.view.cloud_offset.x = u.view.cloud_offset.y = 0.0f; // the light is measured in the middle of the clouds' maps
+    bolan_blocks_upload(&p->uniforms, &u);
     if (bolan_atmosphere_update(&p->air, &u)) changed = true;
     bolan_atmosphere_bind(&p->air);
     bolan_gl_texture_bind(bolan_clouds_map(&p->clouds), UNIT_CLOUDS);
-    if (changed || u.sun.x != p->lattice_sun.x || u.sun.y != p->lattice_sun.y) draw_maps(p);
-    p->lattice_sun = u.sun;
+    if (changed || u.frame.sun_direction.x != p->lattice_sun.x || u.frame.sun_direction.y != p->lattice_sun.y)
+        draw_maps(p);
+    p->lattice_sun = u.frame.sun_direction;
     bolan_gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
     set_light(p, f);
 }
@@ -261,14 +255,14 @@ void bolan_pass_sky_draw(pass_sky *p, const frame *f) {
     bolan_gl_mesh_draw(&p->mesh, 0, RECTANGLE_INDICES);
     bolan_gl_program_use(&p->below_program);
     bolan_gl_mesh_draw(&p->mesh, RECTANGLE_INDICES, INDICES - RECTANGLE_INDICES);
-    if (f->uniforms.sun.z < -0.1f) return; // below any horizon to 20 km
+    if (f->uniforms.frame.sun_direction.z < -0.1f) return; // below any horizon to 20 km
     bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true, .blend = GL_BLEND_ADD});
     bolan_gl_program_use(&p->sun_program);
     bolan_gl_draw_fullscreen();
 }
 
 void bolan_pass_sky_draw_over(pass_sky *p, const frame *f) {
-    if (f->uniforms.air.y < 0.5f || f->uniforms.wind.w <= 0.0f) return;
+    if (f->uniforms.view.eye_above_clouds < 0.5f || f->uniforms.frame.cloud_cover <= 0.0f) return;
     bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_PREMULTIPLIED});
     bolan_gl_program_use(&p->over_program);
     bolan_gl_program_float(&p->over_program, "rise", (float)bolan_clouds_rise(&p->clouds, f));
@@ -299,7 +293,7 @@ void bolan_pass_sky_destroy(pass_sky **pp) {
     bolan_gl_program_free(&p->environment_program);
     bolan_gl_program_free(&p->prefilter_program);
     bolan_gl_program_free(&p->light_program);
-    bolan_gl_buffer_free(&p->uniforms);
+    bolan_blocks_free(&p->uniforms);
     bolan_release(p, sizeof *p);
     *pp = NULL;
 }

@@ -27,8 +27,7 @@ static bolan_result create_passes(bolan_renderer *r) {
     if (result == BOLAN_OK) result = bolan_pass_water_create(r->desc.quality, r->desc.max_vertices, &r->water);
     if (result == BOLAN_OK) result = bolan_planar_views_create(&r->mirror);
     if (result == BOLAN_OK) result = bolan_pass_tonemap_create(&r->caps, &r->tonemap);
-    if (result == BOLAN_OK)
-        result = bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms);
+    if (result == BOLAN_OK) result = bolan_blocks_create(&r->uniforms);
     return result;
 }
 
@@ -138,7 +137,7 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     bolan_pass_water_destroy(&r->water);
     bolan_planar_views_destroy(&r->mirror);
     bolan_pass_tonemap_destroy(&r->tonemap);
-    bolan_gl_buffer_free(&r->uniforms);
+    bolan_blocks_free(&r->uniforms);
     bolan_gl_program_free(&r->yardstick);
     bolan_gl_depth_reader_free(&r->depth_reader);
     for (int i = 0; i < PART_COUNT; ++i) bolan_gl_timer_free(&r->timers[i]);

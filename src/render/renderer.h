@@ -38,7 +38,7 @@ struct bolan_renderer {
     pass_water *water;
     planar_views *mirror;
     pass_tonemap *tonemap;
-    gl_buffer uniforms;
+    block_buffers uniforms;
     gl_program yardstick;
     // targets of the present size
     gl_texture hdr_color, hdr_depth, behind_color, behind_depth;

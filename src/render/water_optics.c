@@ -9,8 +9,8 @@
 // Whether the corners of the quad, whose sides end at the horizon, stand above it by more than half a pixel: they are 1.41 times as far
 // away. Where the water is lit at fewer places they are left out when it is laid over the picture.
 static bool is_trimmed(const frame *f) {
-    const double dip = sqrt(2.0 * fmax(f->uniforms.eye.z, 0.5) / BOLAN_EARTH_RADIUS);
-    return f->uniforms.sampling.x == 1.0f && 0.2929 * dip > 0.5 * (double)f->uniforms.lens.x;
+    const double dip = sqrt(2.0 * fmax(f->uniforms.view.eye_height, 0.5) / BOLAN_EARTH_RADIUS);
+    return f->uniforms.view.shade_columns == 1.0f && 0.2929 * dip > 0.5 * (double)f->uniforms.view.radians_per_pixel;
 }
 
 // Bits 0-1 the waves, 2 the quad, 3 land, 4 the static grid, 5 packed cascades, 6-10 the number of exp-cosine waves, 11 the trimmed
@@ -74,14 +74,14 @@ void bolan_water_draw_forward(const water_draw *d) {
 }
 
 bolan_surface_kind bolan_water_surface(const frame *f) {
-    return f->uniforms.under.x > 0.5f ? BOLAN_SURFACE_QUAD : f->scene->technique.surface;
+    return f->uniforms.view.eye_under_water > 0.5f ? BOLAN_SURFACE_QUAD : f->scene->technique.surface;
 }
 
 uint32_t bolan_water_rows(const frame *f, double vertical) {
     const bolan_camera *c = &f->scene->camera;
     if (c->roll_deg != 0.0) return f->desc->height;
     if (bolan_water_surface(f) == BOLAN_SURFACE_QUAD) vertical = 0.0;
-    double above = f->uniforms.eye.z - vertical;
+    double above = f->uniforms.view.eye_height - vertical;
     if (above <= (vertical > 0.0 ? 1.0 : 0.0)) return f->desc->height; // among the waves: they may stand anywhere
     double top = bolan_radians(c->pitch_deg) + acos(BOLAN_EARTH_RADIUS / (BOLAN_EARTH_RADIUS + above)); // over it
     double half = 0.5 * bolan_radians(c->fov_deg);

@@ -52,7 +52,7 @@ END {
     exit breaches > 0
 }
 
-# Who is this file? `area`: include, src, apps or examples; `module` in the first two.
+# Who is this file? `area`: include, src, shaders (shared alone), apps or examples; `module` in the first two.
 function enter(path, parts) {
     files[path] = 1
     split(path, parts, "/")
@@ -79,7 +79,7 @@ function check_system(header, name) {
     breach("<" header "> is not for this layer")
 }
 
-function check_own(header, path, other) {
+function check_own(header, path, other, line) {
     if (header ~ /^bolan\//) {
         other = substr(header, 7)
         sub(/\.h$/, "", other)
@@ -87,6 +87,12 @@ function check_own(header, path, other) {
         else if (module == "") return # apps and examples: any public header
         else if (other == "bolan") breach("the library includes its own umbrella")
         else check_module(other, header)
+        return
+    }
+    if (header ~ /^shared\/[a-z_]+\.glsl$/) { # C and GLSL: constants and pure functions, for every module of src/
+        if (area != "src" && area != "shaders") breach(area "/ includes \"" header "\", which is not public")
+        else if ((getline line < ("shaders/" header)) < 0) breach("cannot find \"" header "\"")
+        close("shaders/" header)
         return
     }
     path = resolve(header)

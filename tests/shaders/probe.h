@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs a piece of GLSL that includes shaders/common and reads what it computes as floats: the shader's own code, tested at its own
-// precision.
+// Runs a piece of GLSL that includes shaders/common and shaders/shared, and reads what it computes as floats: the
+// shader's own code, tested at its own precision.
 #ifndef BOLAN_TESTS_PROBE_H
 #define BOLAN_TESTS_PROBE_H
 
@@ -21,11 +21,14 @@ typedef void probe_setup(const gl_program *program, const void *context);
 // `body` is GLSL that defines `vec4 probe(vec4 x)`. Evaluates it for `count` <= 256 inputs.
 static inline void probe_run_with(const char *includes, const char *body, const char *defines, probe_setup *setup,
                                   const void *context, float (*in)[4], uint32_t count, float (*out)[4]) {
-    char folder[] = "probe_XXXXXX", path[512], link_to[512];
+    static const char *const folders[] = {"common", "shared"};
+    char folder[] = "probe_XXXXXX", path[2][512], link_to[512];
     assert_non_null(mkdtemp(folder));
-    snprintf(path, sizeof path, "%s/common", folder);
-    snprintf(link_to, sizeof link_to, "%s/shaders/common", BOLAN_SOURCE_DIR);
-    assert_int_equal(symlink(link_to, path), 0);
+    for (int i = 0; i < 2; ++i) {
+        snprintf(path[i], sizeof path[i], "%s/%s", folder, folders[i]);
+        snprintf(link_to, sizeof link_to, "%s/shaders/%s", BOLAN_SOURCE_DIR, folders[i]);
+        assert_int_equal(symlink(link_to, path[i]), 0);
+    }
     char file_path[512];
     snprintf(file_path, sizeof file_path, "%s/probe.glsl", folder);
     FILE *file = fopen(file_path, "w");
@@ -42,7 +45,7 @@ static inline void probe_run_with(const char *includes, const char *body, const 
     assert_int_equal(bolan_gl_program_create("probe", defines, &program), BOLAN_OK);
     bolan_gl_program_set_directory(NULL);
     unlink(file_path);
-    unlink(path);
+    for (int i = 0; i < 2; ++i) unlink(path[i]);
     rmdir(folder);
     float padded[PROBE_WIDTH][4] = {{0}};
     memcpy(padded, in, count * sizeof *in);

@@ -18,7 +18,7 @@ typedef struct sky_rig {
     pass_tonemap *tonemap;
     gl_texture color, depth, out;
     gl_target hdr, display;
-    gl_buffer uniforms;
+    block_buffers uniforms;
 } sky_rig;
 
 static inline void rig_create(sky_rig *r, uint32_t width, uint32_t height) {
@@ -35,9 +35,7 @@ static inline void rig_create(sky_rig *r, uint32_t width, uint32_t height) {
     assert_int_equal(bolan_gl_texture_create(&out, &r->out), BOLAN_OK);
     assert_int_equal(bolan_gl_target_create(&c, 1, &r->depth, -1, 0, &r->hdr), BOLAN_OK);
     assert_int_equal(bolan_gl_target_create(&o, 1, NULL, -1, 0, &r->display), BOLAN_OK);
-    assert_int_equal(
-        bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms),
-        BOLAN_OK);
+    assert_int_equal(bolan_blocks_create(&r->uniforms), BOLAN_OK);
     r->scene.sky = (bolan_sky){
         .sun_azimuth_deg = 180, .sun_elevation_deg = 35, .visibility = 40000, .cloud_base = 1200, .cloud_seed = 1};
     r->scene.camera.fov_deg = 50;
@@ -51,16 +49,13 @@ static inline void rig_create(sky_rig *r, uint32_t width, uint32_t height) {
                    .hdr_depth = &r->depth};
 }
 
-static inline void rig_upload(sky_rig *r) {
-    bolan_gl_buffer_update(&r->uniforms, 0, sizeof r->f.uniforms, &r->f.uniforms);
-    bolan_gl_buffer_bind_uniform(&r->uniforms, 0);
-}
+static inline void rig_upload(sky_rig *r) { bolan_blocks_upload(&r->uniforms, &r->f.uniforms); }
 
 // Uniforms of the scene's sky and camera, as the renderer sets them; then the pass's tables.
 static inline void rig_prepare(sky_rig *r) {
     const bolan_sky *s = &r->scene.sky;
     const bolan_camera *c = &r->scene.camera;
-    frame_uniforms *u = &r->f.uniforms;
+    block_values *u = &r->f.uniforms;
     const double azimuth = bolan_radians(s->sun_azimuth_deg), elevation = bolan_radians(s->sun_elevation_deg);
     const double fov = bolan_radians(c->fov_deg), width = r->desc.width, height = r->desc.height;
     bolan_gl_set_clip_zero_to_one(r->caps.clip_control);
@@ -69,16 +64,21 @@ static inline void rig_prepare(sky_rig *r) {
     r->f.projection = bolan_m4_projection(fov, width / height, 0.1, r->caps.clip_control);
     r->f.sun_direction =
         bolan_v3((float)(sin(azimuth) * cos(elevation)), (float)(cos(azimuth) * cos(elevation)), (float)sin(elevation));
-    u->view_projection = bolan_m4_mul(r->f.projection, r->f.view);
-    u->inverse_view_projection = bolan_m4_inverse(u->view_projection);
-    u->eye = (bolan_vec4){0, 0, (float)c->position.z, 0};
-    u->sun = (bolan_vec4){r->f.sun_direction.x, r->f.sun_direction.y, r->f.sun_direction.z, 0.99998919f};
-    u->viewport = (bolan_vec4){(float)width, (float)height, (float)(1 / width), (float)(1 / height)};
-    u->lens = (bolan_vec4){(float)(2.0 * tan(0.5 * fov) / height), 0.1f, r->caps.clip_control ? 1.0f : 0.0f,
-                           (float)BOLAN_EARTH_RADIUS};
-    u->wind = (bolan_vec4){1, 0, 8, (float)s->cloud_cover};
-    u->haze = (bolan_vec4){(float)s->visibility, (float)s->cloud_base, 0, 0};
-    u->water_deep = (bolan_vec4){0.0005f, 0.003f, 0.006f, 1.34f};
+    u->view.view_projection = bolan_m4_mul(r->f.projection, r->f.view);
+    u->view.inverse_view_projection = bolan_m4_inverse(u->view.view_projection);
+    bolan_view_block_resize(&u->view, r->desc.width, r->desc.height);
+    u->view.eye_height = (float)c->position.z;
+    u->view.radians_per_pixel = (float)(2.0 * tan(0.5 * fov) / height);
+    u->view.near_distance = 0.1f;
+    u->view.clip_zero_to_one = r->caps.clip_control ? 1.0f : 0.0f;
+    u->frame.sun_direction = r->f.sun_direction;
+    u->frame.wind_direction = (bolan_vec2){1, 0};
+    u->frame.cloud_cover = (float)s->cloud_cover;
+    u->frame.cloud_base = (float)s->cloud_base;
+    u->frame.visibility = (float)s->visibility;
+    u->frame.earth_radius = (float)BOLAN_EARTH_RADIUS;
+    u->frame.water_reflectance = bolan_v3(0.0005f, 0.003f, 0.006f);
+    u->frame.water_index = 1.34f;
     rig_upload(r);
     bolan_pass_sky_prepare(r->sky, &r->f);
     rig_upload(r);
@@ -94,7 +94,7 @@ static inline void rig_draw(sky_rig *r) {
 static inline void rig_destroy(sky_rig *r) {
     bolan_pass_sky_destroy(&r->sky);
     bolan_pass_tonemap_destroy(&r->tonemap);
-    bolan_gl_buffer_free(&r->uniforms);
+    bolan_blocks_free(&r->uniforms);
     bolan_gl_target_free(&r->hdr);
     bolan_gl_target_free(&r->display);
     bolan_gl_texture_free(&r->color);

@@ -236,8 +236,9 @@ static void the_sky_is_positive_and_finite_for_every_sun_and_height(void **state
             r.scene.sky.sun_elevation_deg = suns[s];
             r.scene.camera.position.z = heights[h];
             rig_prepare(&r);
-            assert_true(isfinite(r.f.uniforms.sun_light.w) && r.f.uniforms.sun_light.w > 0);
-            assert_true(r.f.uniforms.sky_light.x > 0 && r.f.uniforms.sky_light.y > 0 && r.f.uniforms.sky_light.z > 0);
+            assert_true(isfinite(r.f.uniforms.view.exposure) && r.f.uniforms.view.exposure > 0);
+            assert_true(r.f.uniforms.view.sky_light.x > 0 && r.f.uniforms.view.sky_light.y > 0 &&
+                        r.f.uniforms.view.sky_light.z > 0);
             for (int i = 0; i < 24; i++) {
                 const double z = -1 + 2 * (i + 0.5) / 24, side = sqrt(1 - z * z), d = pow(10, 1 + i % 5);
                 probe_ask(&p, d * side * sin(i * 2.4), d * side * cos(i * 2.4), d * z, 0.1, got);
@@ -278,7 +279,8 @@ static void the_light_on_the_sea_is_the_integral_of_the_sky(void **state) {
                 for (int c = 0; c < 3; c++) sum[c] += weight * got[0][c];
             }
         }
-        const float light[3] = {r.f.uniforms.sky_light.x, r.f.uniforms.sky_light.y, r.f.uniforms.sky_light.z};
+        const float light[3] = {r.f.uniforms.view.sky_light.x, r.f.uniforms.view.sky_light.y,
+                                r.f.uniforms.view.sky_light.z};
         // Both sums have steps of 3 to 5 degrees, in which the glare round the sun is coarse: 1 % of the whole.
         for (int c = 0; c < 3; c++) {
             if (fabs(light[c] / sum[c] - 1.0) > 0.015)
@@ -294,10 +296,11 @@ static void the_light_on_the_sea_is_the_integral_of_the_sky(void **state) {
 static double illuminance(sky_rig *r, double elevation) {
     r->scene.sky.sun_elevation_deg = elevation;
     rig_prepare(r);
-    const frame_uniforms *u = &r->f.uniforms;
-    const float sun[3] = {u->sun_light.x, u->sun_light.y, u->sun_light.z},
-                sky[3] = {u->sky_light.x, u->sky_light.y, u->sky_light.z};
-    const double lux = 128e3 * (luminance(sun) * fmax(sin(bolan_radians(elevation)), 0.0) + luminance(sky)) / u->air.x;
+    const block_values *u = &r->f.uniforms;
+    const float sun[3] = {u->view.sun_light.x, u->view.sun_light.y, u->view.sun_light.z},
+                sky[3] = {u->view.sky_light.x, u->view.sky_light.y, u->view.sky_light.z};
+    const double lux =
+        128e3 * (luminance(sun) * fmax(sin(bolan_radians(elevation)), 0.0) + luminance(sky)) / u->frame.radiance_unit;
     print_message("%5.1f deg: %.3g lx\n", elevation, lux);
     return lux;
 }
@@ -336,8 +339,8 @@ static void the_noon_zenith_is_blue_and_the_setting_sun_is_red(void **state) {
     assert_true(luminance(horizon[0]) > 1.5 * luminance(zenith[0]));
     r.scene.sky.sun_elevation_deg = 1;
     rig_prepare(&r);
-    assert_true(r.f.uniforms.sun_light.x > 2.0f * r.f.uniforms.sun_light.y &&
-                r.f.uniforms.sun_light.y > 2.0f * r.f.uniforms.sun_light.z);
+    assert_true(r.f.uniforms.view.sun_light.x > 2.0f * r.f.uniforms.view.sun_light.y &&
+                r.f.uniforms.view.sun_light.y > 2.0f * r.f.uniforms.view.sun_light.z);
     probe_destroy(&p);
     rig_destroy(&r);
 }

@@ -57,8 +57,8 @@ static void a_still_eye_makes_no_new_clouds(void **state) {
     r.f.eye.y -= 70;
     assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_KEEP);
     bolan_clouds_place(&c, &r.f, &r.f.uniforms);
-    assert_near(r.f.uniforms.air.z, 60, 0);
-    assert_near(r.f.uniforms.air.w, -70, 0);
+    assert_near(r.f.uniforms.view.cloud_offset.x, 60, 0);
+    assert_near(r.f.uniforms.view.cloud_offset.y, -70, 0);
     r.f.eye.x += 200;
     r.desc.progressive = true;
     assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_STRIP);
@@ -74,7 +74,7 @@ static void a_still_eye_makes_no_new_clouds(void **state) {
 // Mean of the shadow under a high sun, over two seeds: the share of the sky that is open, in the mean.
 static double open_share(sky_rig *r, clouds *c, double cover) {
     double sum = 0;
-    r->f.uniforms.wind.w = (float)cover;
+    r->f.uniforms.frame.cloud_cover = (float)cover;
     for (uint64_t seed = 1; seed <= 2; seed++) {
         r->scene.sky.cloud_seed = seed;
         assert_int_equal(bolan_clouds_plan(c, &r->f), CLOUDS_ALL);
@@ -114,7 +114,7 @@ enum { SHADOWS = 256 };
 
 static void bind_shadow(const gl_program *program, const void *context) {
     (void)program;
-    bolan_gl_buffer_bind_uniform(&((const sky_rig *)context)->uniforms, 0);
+    bolan_blocks_bind(&((const sky_rig *)context)->uniforms);
 }
 
 // Share of the sun at places of the world, for the eye that the rig has.

@@ -113,16 +113,16 @@ static void quadratic_fresnel_falls_with_roughness_as_published(void **state) {
 // ---- light through crests -------------------------------------------------------------------------------------------
 
 // The technique's own functions: its main() by another name, and its output beside the probe's.
-#define CREST_INCLUDES "#define main crest_main\n#include \"common/../water_crest.glsl\"\n#undef main"
+#define CREST_INCLUDES "#define main crest_main\n#include \"common/../papers/crest.glsl\"\n#undef main"
 
 typedef struct crest_rig {
-    gl_buffer uniforms;
-    frame_uniforms frame;
+    block_buffers uniforms;
+    block_values blocks;
 } crest_rig;
 
 static void set_crest(const gl_program *program, const void *context) {
     const crest_rig *r = context;
-    bolan_gl_buffer_bind_uniform(&r->uniforms, 0);
+    bolan_blocks_bind(&r->uniforms);
     bolan_gl_program_vec4(program, "sea_law", (bolan_vec4){2.0f, 60.0f, 2.0f, 0.0f});
 }
 
@@ -156,18 +156,18 @@ static void crests_glow_on_the_side_that_leans_to_the_eye(void **state) {
 static void light_through_crests_is_brightest_against_the_sun(void **state) {
     (void)state;
     const double elevation = 0.3, c = cos(elevation) * sqrt(0.5);
-    crest_rig r = {.frame = {.sun = {(float)c, (float)c, (float)sin(elevation), 1.0f},
-                             .sky_light = {0.0f, 0.0f, 0.0f, 0.0f},
-                             .water_kd = {0.4f, 0.08f, 0.04f, 1.0f}}};
-    assert_int_equal(bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof r.frame, &r.frame, &r.uniforms),
-                     BOLAN_OK);
+    crest_rig r = {.blocks.frame = {.sun_direction = {(float)c, (float)c, (float)sin(elevation)},
+                                    .water_attenuation = {0.4f, 0.08f, 0.04f},
+                                    .foam_strength = 1.0f}};
+    assert_int_equal(bolan_blocks_create(&r.uniforms), BOLAN_OK);
+    bolan_blocks_upload(&r.uniforms, &r.blocks);
     float in[3][4] = {{(float)-c, (float)-c, -0.1f}, {(float)c, (float)c, -0.1f}, {(float)-c, (float)c, -0.1f}},
           out[3][4];
     for (int i = 0; i < 3; ++i) in[i][2] = 0.2955202f;
     probe_run_with(
         CREST_INCLUDES,
         "vec4 probe(vec4 x) { vec3 v = normalize(x.xyz); return vec4(crest_light(0.5, v, vec3(2.0)), -dot(v, "
-        "sun.xyz)); }",
+        "sun_direction)); }",
         "CASCADES 4\nTAPS 2\n", set_crest, &r, in, 3, out);
     for (int i = 0; i < 3; ++i) {
         const double ahead = fmax((double)out[i][3], 0.0), up = 0.2955202;
@@ -176,7 +176,7 @@ static void light_through_crests_is_brightest_against_the_sun(void **state) {
             assert_near(out[i][k], share * exp(-2.4 * (const double[]){0.4, 0.08, 0.04}[k]), 2e-4 * share + 1e-6);
     }
     assert_true(out[0][1] > 5.0f * out[1][1] && out[0][1] > 3.0f * out[2][1]);
-    bolan_gl_buffer_free(&r.uniforms);
+    bolan_blocks_free(&r.uniforms);
 }
 
 // ---- foam -----------------------------------------------------------------------------------------------------------

@@ -8,14 +8,14 @@
 
 typedef struct rig {
     gl_texture detail;
-    gl_buffer uniforms;
-    frame_uniforms frame;
+    block_buffers uniforms;
+    block_values blocks;
 } rig;
 
 static void set_foam(const gl_program *program, const void *context) {
     const rig *r = context;
     (void)program;
-    bolan_gl_buffer_bind_uniform(&r->uniforms, 0);
+    bolan_blocks_bind(&r->uniforms);
     bolan_gl_texture_bind(&r->detail, UNIT_FOAM_DETAIL);
 }
 
@@ -26,8 +26,8 @@ static const char *const probe_body =
     "    for (int i = 0; i < 2048; ++i) {\n"
     "        vec2 at = 300.0 * fract(float(i) * vec2(0.75487766, 0.56984029));\n"
     "        float here = foam_look_up(at, 0.02).streak.r;\n"
-    "        float along = foam_look_up(at + x.x * wind.xy, 0.02).streak.r - here;\n"
-    "        float across = foam_look_up(at + x.x * vec2(-wind.y, wind.x), 0.02).streak.r - here;\n"
+    "        float along = foam_look_up(at + x.x * wind_direction, 0.02).streak.r - here;\n"
+    "        float across = foam_look_up(at + x.x * vec2(-wind_direction.y, wind_direction.x), 0.02).streak.r - here;\n"
     "        float broad = foam_look_up(at, 0.02).broad.r;\n"
     "        float east = foam_look_up(at + vec2(x.x, 0.0), 0.02).broad.r - broad;\n"
     "        float north = foam_look_up(at + vec2(0.0, x.x), 0.02).broad.r - broad;\n"
@@ -40,14 +40,13 @@ static void old_foam_is_drawn_out_along_the_wind(void **state) {
     (void)state;
     const double winds[] = {0.3, 1.9, -2.6};
     for (int k = 0; k < 3; ++k) {
-        rig r = {.frame = {.eye = {700.0f, 100.0f, 3.0f, 0.0f},
-                           .wind = {(float)cos(winds[k]), (float)sin(winds[k]), 10.0f, 0.0f},
-                           .streaks = bolan_frame_streaks(bolan_dv3(700.0, 100.0, 3.0), winds[k])}};
+        rig r = {.blocks = {.frame = {.wind_direction = {(float)cos(winds[k]), (float)sin(winds[k])}},
+                            .view = {.eye_wrapped = {700.0f, 100.0f}, .eye_height = 3.0f}}};
+        bolan_frame_streaks(&r.blocks, bolan_dv3(700.0, 100.0, 3.0), winds[k]);
         float in[2][4] = {{0.1f}, {0.25f}}, out[2][4];
         assert_int_equal(bolan_foam_texture_create(&r.detail), BOLAN_OK);
-        assert_int_equal(
-            bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof r.frame, &r.frame, &r.uniforms),
-            BOLAN_OK);
+        assert_int_equal(bolan_blocks_create(&r.uniforms), BOLAN_OK);
+        bolan_blocks_upload(&r.uniforms, &r.blocks);
         probe_run_with("#include \"common/frame.glsl\"\n#include \"common/slopes.glsl\"\n#include \"common/foam.glsl\"",
                        probe_body, NULL, set_foam, &r, in, 2, out);
         // 0.25 m along the wind is what 0.1 m is across it; 2048 places, and a texture that is nearly the same along
@@ -55,7 +54,7 @@ static void old_foam_is_drawn_out_along_the_wind(void **state) {
         assert_near(out[1][0] / out[0][1], 1.0, 0.15);
         assert_true(out[0][0] < 0.6f * out[0][1]);
         assert_near(out[0][2] / out[0][3], 1.0, 0.15); // fresh foam is not
-        bolan_gl_buffer_free(&r.uniforms);
+        bolan_blocks_free(&r.uniforms);
         bolan_gl_texture_free(&r.detail);
     }
 }

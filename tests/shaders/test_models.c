@@ -19,7 +19,7 @@ typedef struct rig {
     bolan_scene scene;
     bolan_frame_desc desc;
     frame frame;
-    gl_buffer uniforms;
+    block_buffers uniforms;
     gl_texture color, depth;
     pass_objects *pass;
     bolan_sea *sea;
@@ -61,9 +61,7 @@ static void rig_open(rig *r, float bottom) {
     assert_int_equal(bolan_gl_texture_create(&d, &r->depth), BOLAN_OK);
     const gl_texture *colors[] = {&r->color};
     assert_int_equal(bolan_gl_target_create(colors, 1, &r->depth, -1, 0, &r->frame.hdr), BOLAN_OK);
-    assert_int_equal(
-        bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &r->uniforms),
-        BOLAN_OK);
+    assert_int_equal(bolan_blocks_create(&r->uniforms), BOLAN_OK);
     assert_int_equal(bolan_pass_objects_create(&r->caps, &r->pass), BOLAN_OK);
     r->pixels = malloc(sizeof(float) * 4 * SIDE * SIDE);
 }
@@ -72,7 +70,7 @@ static void rig_close(rig *r) {
     bolan_pass_objects_destroy(&r->pass);
     bolan_gl_target_free(&r->frame.hdr);
     bolan_gl_texture_free(&r->color), bolan_gl_texture_free(&r->depth);
-    bolan_gl_buffer_free(&r->uniforms);
+    bolan_blocks_free(&r->uniforms);
     bolan_sea_destroy(&r->sea);
     bolan_model_destroy(&r->box);
     free(r->pixels);
@@ -80,27 +78,34 @@ static void rig_close(rig *r) {
 
 static const bolan_vec4 everything = {0.0f, 0.0f, 1.0f, 0.0f};
 
-// clip: the frame's, see frame_uniforms.
+// clip: clip_side, clip_elevation, refraction_raise, refraction_mode of the view.
 static void draw(rig *r, bolan_vec4 clip) {
     frame *f = &r->frame;
     f->picture = clip.x != 0.0f;
     const bool zero_to_one = r->caps.clip_control;
     f->eye = bolan_dv3(0.0, -20.0, 0.0);
     f->triangles = 0;
-    f->uniforms = (frame_uniforms){.sun = {0.0f, -0.6f, 0.8f, 1.0f},
-                                   .sun_light = {1.0f, 1.0f, 1.0f, 1.0f},
-                                   .sky_light = {1.0f, 1.0f, 1.0f, 0.0f},
-                                   .viewport = {SIDE, SIDE, 1.0f / SIDE, 1.0f / SIDE},
-                                   .lens = {0.01f, 0.2f, zero_to_one ? 1.0f : 0.0f, (float)BOLAN_EARTH_RADIUS},
-                                   .haze = {40000.0f, 1200.0f, 0.0f, 0.0f},
-                                   .clip = clip};
+    f->uniforms = (block_values){.frame = {.sun_direction = {0.0f, -0.6f, 0.8f},
+                                           .cloud_base = 1200.0f,
+                                           .visibility = 40000.0f,
+                                           .earth_radius = (float)BOLAN_EARTH_RADIUS},
+                                 .view = {.sun_light = {1.0f, 1.0f, 1.0f},
+                                          .exposure = 1.0f,
+                                          .sky_light = {1.0f, 1.0f, 1.0f},
+                                          .radians_per_pixel = 0.01f,
+                                          .near_distance = 0.2f,
+                                          .clip_zero_to_one = zero_to_one ? 1.0f : 0.0f,
+                                          .clip_side = clip.x,
+                                          .clip_elevation = clip.y,
+                                          .refraction_raise = clip.z,
+                                          .refraction_mode = clip.w}};
+    bolan_view_block_resize(&f->uniforms.view, SIDE, SIDE);
     f->view = bolan_m4_view(0.0, 0.0, 0.0);
     f->projection = bolan_m4_projection(0.5 * BOLAN_PI, 1.0, 0.2, zero_to_one);
-    f->uniforms.view_projection = bolan_m4_mul(f->projection, f->view);
-    f->uniforms.inverse_view_projection = bolan_m4_inverse(f->uniforms.view_projection);
+    f->uniforms.view.view_projection = bolan_m4_mul(f->projection, f->view);
+    f->uniforms.view.inverse_view_projection = bolan_m4_inverse(f->uniforms.view.view_projection);
     if (r->caps.clip_control) bolan_gl_set_clip_zero_to_one(zero_to_one);
-    bolan_gl_buffer_update(&r->uniforms, 0, sizeof f->uniforms, &f->uniforms);
-    bolan_gl_buffer_bind_uniform(&r->uniforms, 0);
+    bolan_blocks_upload(&r->uniforms, &f->uniforms);
     bolan_pass_objects_prepare(r->pass, f);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     bolan_gl_target_bind(&f->hdr);

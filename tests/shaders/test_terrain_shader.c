@@ -50,7 +50,7 @@ typedef struct stage {
     bolan_scene scene;
     bolan_frame_desc desc;
     frame frame;
-    gl_buffer uniforms;
+    block_buffers uniforms;
     gl_texture color, depth;
     pass_ground *pass;
     bolan_ground *terrain;
@@ -87,9 +87,7 @@ static void stage_open(stage *s) {
     assert_int_equal(bolan_gl_texture_create(&d, &s->depth), BOLAN_OK);
     const gl_texture *colors[] = {&s->color};
     assert_int_equal(bolan_gl_target_create(colors, 1, &s->depth, -1, 0, &s->frame.hdr), BOLAN_OK);
-    assert_int_equal(
-        bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof(frame_uniforms), NULL, &s->uniforms),
-        BOLAN_OK);
+    assert_int_equal(bolan_blocks_create(&s->uniforms), BOLAN_OK);
     assert_int_equal(bolan_pass_ground_create(&s->caps, &s->pass), BOLAN_OK);
 }
 
@@ -97,7 +95,7 @@ static void stage_close(stage *s) {
     bolan_pass_ground_destroy(&s->pass);
     bolan_gl_target_free(&s->frame.hdr);
     bolan_gl_texture_free(&s->color), bolan_gl_texture_free(&s->depth);
-    bolan_gl_buffer_free(&s->uniforms);
+    bolan_blocks_free(&s->uniforms);
     bolan_ground_destroy(&s->terrain);
     assert_int_equal(bolan_memory_in_use(), s->memory);
 }
@@ -106,21 +104,24 @@ static void draw(stage *s, bolan_dvec3 eye, double heading, double pitch) {
     frame *f = &s->frame;
     bool zero_to_one = s->caps.clip_control;
     f->eye = eye;
-    f->uniforms = (frame_uniforms){.eye = {0.0f, 0.0f, (float)eye.z, 0.0f},
-                                   .sun = {0.5f, 0.3f, 0.8124f, 1.0f},
-                                   .sun_light = {1.0f, 1.0f, 1.0f, 1.0f},
-                                   .sky_light = {0.3f, 0.3f, 0.3f, 0.0f},
-                                   .viewport = {WIDTH, HEIGHT, 1.0f / WIDTH, 1.0f / HEIGHT},
-                                   .haze = {40000.0f, 1200.0f, 0.0f, 0.0f}};
-    f->uniforms.lens =
-        (bolan_vec4){(float)(2.0 * tan(0.5) / HEIGHT), 0.2f, zero_to_one ? 1.0f : 0.0f, (float)BOLAN_EARTH_RADIUS};
+    f->uniforms = (block_values){.frame = {.sun_direction = {0.5f, 0.3f, 0.8124f},
+                                           .cloud_base = 1200.0f,
+                                           .visibility = 40000.0f,
+                                           .earth_radius = (float)BOLAN_EARTH_RADIUS},
+                                 .view = {.eye_height = (float)eye.z,
+                                          .sun_light = {1.0f, 1.0f, 1.0f},
+                                          .exposure = 1.0f,
+                                          .sky_light = {0.3f, 0.3f, 0.3f},
+                                          .radians_per_pixel = (float)(2.0 * tan(0.5) / HEIGHT),
+                                          .near_distance = 0.2f,
+                                          .clip_zero_to_one = zero_to_one ? 1.0f : 0.0f}};
+    bolan_view_block_resize(&f->uniforms.view, WIDTH, HEIGHT);
     f->view = bolan_m4_view(heading, pitch, 0.0);
     f->projection = bolan_m4_projection(1.0, (double)WIDTH / HEIGHT, 0.2, zero_to_one);
-    f->uniforms.view_projection = bolan_m4_mul(f->projection, f->view);
-    f->uniforms.inverse_view_projection = bolan_m4_inverse(f->uniforms.view_projection);
+    f->uniforms.view.view_projection = bolan_m4_mul(f->projection, f->view);
+    f->uniforms.view.inverse_view_projection = bolan_m4_inverse(f->uniforms.view.view_projection);
     if (s->caps.clip_control) bolan_gl_set_clip_zero_to_one(zero_to_one);
-    bolan_gl_buffer_update(&s->uniforms, 0, sizeof f->uniforms, &f->uniforms);
-    bolan_gl_buffer_bind_uniform(&s->uniforms, 0);
+    bolan_blocks_upload(&s->uniforms, &f->uniforms);
     bolan_pass_ground_prepare(s->pass, f);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     bolan_gl_target_bind(&f->hdr);
@@ -185,12 +186,12 @@ static void what_is_drawn_lies_where_the_terrain_is(void **state) {
             if (d <= 0.0f) continue;
             bolan_vec4 clip = {((float)x + 0.5f) / WIDTH * 2.0f - 1.0f, ((float)y + 0.5f) / HEIGHT * 2.0f - 1.0f,
                                window, 1.0f};
-            bolan_vec4 p = bolan_m4_mul_v4(s.frame.uniforms.inverse_view_projection, clip);
+            bolan_vec4 p = bolan_m4_mul_v4(s.frame.uniforms.view.inverse_view_projection, clip);
             double px = p.x / p.w, py = p.y / p.w, pz = p.z / p.w, distance = sqrt(px * px + py * py + pz * pz);
             double ground = bolan_ground_elevation(s.terrain, eye.x + px, eye.y + py, 0.0) - eye.z;
             ground -= (px * px + py * py) / (2.0 * BOLAN_EARTH_RADIUS);
             // LOW lets the mesh depart by 6 pixels at most, and leaves out detail below its texels of 6.5 pixels
-            double pixel = s.frame.uniforms.lens.x * distance;
+            double pixel = s.frame.uniforms.view.radians_per_pixel * distance;
             assert_true(fabs(pz - ground) < 12.0 * pixel + 0.5);
         }
     }

@@ -18,7 +18,7 @@ static void tone_map_ramp(sky_rig *r, const float color[3], uint32_t samples) {
         rgba[4 * i + 3] = 1.0f;
     }
     bolan_gl_texture_upload(&r->color, 0, -1, rgba, false);
-    r->f.uniforms.sun_light.w = 1.0f;
+    r->f.uniforms.view.exposure = 1.0f;
     rig_upload(r);
     for (uint32_t s = 0; s < samples; s++) {
         bolan_gl_target_bind(&r->display);
@@ -142,7 +142,7 @@ static void fill_square(float *rgba) {
 
 static void draw_square(sky_rig *r, const float *rgba, bolan_quality quality, uint32_t samples, uint8_t *rgb) {
     r->f.quality = quality;
-    r->f.uniforms.sun_light.w = 1.0f;
+    r->f.uniforms.view.exposure = 1.0f;
     rig_upload(r);
     bolan_gl_texture_upload(&r->color, 0, -1, rgba, false);
     for (uint32_t s = 0; s < samples; s++) {

@@ -178,12 +178,13 @@ void bolan_gl_set_framebuffer_srgb(
     bool on); // desktop: let an sRGB framebuffer encode what is written; on ES it always does
 
 // The caller's state: see saved.c.
+enum { GL_UNIFORM_SLOTS = 2 }; // of the blocks Frame and View
 enum { GL_SAVED_UNITS = 25, GL_SAVED_BUFFERS = 8, GL_SAVED_VIEWPORTS = 16, GL_SAVED_CLIPS = 8, GL_SAVED_SLOTS = 32 };
 typedef struct gl_saved {
     const gl_caps *caps;
     int32_t draw_framebuffer, read_framebuffer, program, vertex_array, array_buffer;
-    int32_t uniform_buffer, uniform_slot, pixel_pack, pixel_unpack, query_buffer;
-    int64_t uniform_offset, uniform_size;
+    int32_t uniform_buffer, uniform_slot[GL_UNIFORM_SLOTS], pixel_pack, pixel_unpack, query_buffer;
+    int64_t uniform_offset[GL_UNIFORM_SLOTS], uniform_size[GL_UNIFORM_SLOTS];
     int32_t active_unit, textures[GL_SAVED_UNITS][3], samplers[GL_SAVED_UNITS];
     struct {
         bool blend;

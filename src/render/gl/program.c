@@ -45,8 +45,11 @@ static void set_units(GLuint program, const shader_text *source) {
 }
 
 static void set_defaults(GLuint id, const shader_text *vertex, const shader_text *fragment) {
-    const GLuint block = glGetUniformBlockIndex(id, "Frame");
-    if (block != GL_INVALID_INDEX) glUniformBlockBinding(id, block, 0);
+    static const char *const blocks[GL_UNIFORM_SLOTS] = {"Frame", "View"};
+    for (GLuint slot = 0; slot < GL_UNIFORM_SLOTS; slot++) {
+        const GLuint block = glGetUniformBlockIndex(id, blocks[slot]);
+        if (block != GL_INVALID_INDEX) glUniformBlockBinding(id, block, slot);
+    }
     glUseProgram(id);
     set_units(id, vertex);
     set_units(id, fragment);

@@ -184,9 +184,11 @@ static void save_bindings(gl_saved *s) {
     glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &s->vertex_array);
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &s->array_buffer);
     glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &s->uniform_buffer);
-    glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, 0, &s->uniform_slot);
-    glGetInteger64i_v(GL_UNIFORM_BUFFER_START, 0, &s->uniform_offset);
-    glGetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, 0, &s->uniform_size);
+    for (GLuint i = 0; i < GL_UNIFORM_SLOTS; i++) {
+        glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, i, &s->uniform_slot[i]);
+        glGetInteger64i_v(GL_UNIFORM_BUFFER_START, i, &s->uniform_offset[i]);
+        glGetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, i, &s->uniform_size[i]);
+    }
     glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &s->pixel_pack);
     glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &s->pixel_unpack);
     if (s->caps->query_buffer) glGetIntegerv(GL_QUERY_BUFFER_BINDING, &s->query_buffer);
@@ -331,12 +333,14 @@ void bolan_gl_save(gl_saved *s, const gl_caps *caps, bool debug) {
 
 // ---- restore ------------------------------------------------------------------------------------------------------
 
-static void restore_uniform_slot(const gl_saved *s) {
-    if (s->uniform_slot != 0 && s->uniform_size > 0) {
-        glBindBufferRange(GL_UNIFORM_BUFFER, 0, (GLuint)s->uniform_slot, (GLintptr)s->uniform_offset,
-                          (GLsizeiptr)s->uniform_size);
-    } else {
-        glBindBufferBase(GL_UNIFORM_BUFFER, 0, (GLuint)s->uniform_slot);
+static void restore_uniform_slots(const gl_saved *s) {
+    for (GLuint i = 0; i < GL_UNIFORM_SLOTS; i++) {
+        if (s->uniform_slot[i] != 0 && s->uniform_size[i] > 0) {
+            glBindBufferRange(GL_UNIFORM_BUFFER, i, (GLuint)s->uniform_slot[i], (GLintptr)s->uniform_offset[i],
+                              (GLsizeiptr)s->uniform_size[i]);
+        } else {
+            glBindBufferBase(GL_UNIFORM_BUFFER, i, (GLuint)s->uniform_slot[i]);
+        }
     }
     glBindBuffer(GL_UNIFORM_BUFFER, (GLuint)s->uniform_buffer);
 }
@@ -348,7 +352,7 @@ static void restore_bindings(const gl_saved *s) {
     glUseProgram(s->program != 0 && glIsProgram((GLuint)s->program) ? (GLuint)s->program : 0);
     glBindVertexArray((GLuint)s->vertex_array);
     glBindBuffer(GL_ARRAY_BUFFER, (GLuint)s->array_buffer);
-    restore_uniform_slot(s);
+    restore_uniform_slots(s);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, (GLuint)s->pixel_pack);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)s->pixel_unpack);
     if (s->caps->query_buffer) glBindBuffer(GL_QUERY_BUFFER, (GLuint)s->query_buffer);

@@ -209,11 +209,11 @@ static bool draw_air(crest *p, const water_draw *d) {
 // rays: reckoned from as high as most of them reach.
 static uint32_t rows_of_width(const frame *f, double width, double taps, uint32_t rows) {
     const bolan_camera *c = &f->scene->camera;
-    const double above = f->uniforms.eye.z - 0.7 * bolan_sea_get_summary(f->desc->sea)->hs;
+    const double above = f->uniforms.view.eye_height - 0.7 * bolan_sea_get_summary(f->desc->sea)->hs;
     if (c->roll_deg != 0.0 || above <= 0.0) return rows;
-    const double steep = above * f->uniforms.lens.x / (width * taps);    // squared sine
-    if (steep >= 1.0) return 0;                                          // even straight below
-    const double down = bolan_radians(c->pitch_deg) + asin(sqrt(steep)); // from the middle of the picture
+    const double steep = above * f->uniforms.view.radians_per_pixel / (width * taps); // squared sine
+    if (steep >= 1.0) return 0;                                                       // even straight below
+    const double down = bolan_radians(c->pitch_deg) + asin(sqrt(steep));              // from the middle of the picture
     if (fabs(down) > 1.5) return down > 0.0 ? 0 : rows;
     const double y = -tan(down) / tan(0.5 * bolan_radians(c->fov_deg));
     return (uint32_t)fmin(fmax((0.5 + 0.5 * y) * f->desc->height + 2.0, 0.0), rows);
@@ -228,7 +228,7 @@ typedef struct light_rows {
 static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
     static const char *const foam_defines[] = {"", "FOAM_TILE 1\n", "FOAM_TILE 1\nFINE_FOAM 1\n"};
     char defines[96];
-    const bool sparse = d->f->uniforms.sampling.x > 1.0f;
+    const bool sparse = d->f->uniforms.view.shade_columns > 1.0f;
     snprintf(defines, sizeof defines, "%sCASCADES %u\n%s%s", p->defines, rows.cascades, foam_defines[rows.foam],
              sparse ? "SPARSE 1\n" : "");
     const uint32_t extra = rows.cascades | rows.foam << 3 | (uint32_t)sparse << 5;

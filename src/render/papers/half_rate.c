@@ -10,7 +10,7 @@
 
 uint32_t bolan_half_rate_columns(const frame *f, const uint32_t by_quality[]) {
     const bolan_look *look = &f->scene->look;
-    const bool plain = !look->paper && look->show == BOLAN_SHOW_PICTURE && f->uniforms.under.x < 0.5f;
+    const bool plain = !look->paper && look->show == BOLAN_SHOW_PICTURE && f->uniforms.view.eye_under_water < 0.5f;
     if (!plain || f->scene->camera.pitch_deg < -STEEPEST_DEG || f->desc->width < SMALLEST) return 1;
     // Where the camera rolls, a row runs partly along the view, and there every pixel shows other water.
     const double along = fabs(sin(bolan_radians(f->scene->camera.roll_deg)));
@@ -60,11 +60,11 @@ frame bolan_half_rate_begin(half_rate *s, const frame *f, uint32_t columns, bool
     if (!keeps_shape) {
         bolan_gl_target_clear_depth(0.0f);
         if (opaque && !fill_depth(s, f, columns)) return sparse;
-        sparse.uniforms.viewport = (bolan_vec4){(float)width, (float)height, 1.0f / (float)width, 1.0f / (float)height};
+        bolan_view_block_resize(&sparse.uniforms.view, width, height);
         sparse.hdr_depth = &s->depth;
     }
     sparse.hdr = s->target;
-    sparse.uniforms.sampling.x = (float)columns;
+    sparse.uniforms.view.shade_columns = (float)columns;
     return sparse;
 }
 

@@ -31,25 +31,35 @@ static bool table_only(const bolan_scene *scene) {
 }
 
 // Where the eye stands in a tile, reduced in double: texel (0, 0) of the tile lies half a texel inside the texture.
-static bolan_vec4 place_of(const bolan_tiles_view *v, const frame *f) {
+static bolan_vec2 place_in(const bolan_tiles_view *v, const frame *f) {
     const double c = cos(v->angle), s = sin(v->angle);
     const double x = (f->eye.x * c + f->eye.y * s) / v->length, y = (-f->eye.x * s + f->eye.y * c) / v->length;
-    return (bolan_vec4){(float)(x - floor(x) + 0.5 / v->n), (float)(y - floor(y) + 0.5 / v->n), (float)(c / v->length),
-                        (float)(s / v->length)};
+    return (bolan_vec2){(float)(x - floor(x) + 0.5 / v->n), (float)(y - floor(y) + 0.5 / v->n)};
+}
+
+// The tile's turn, over its side [1/m].
+static bolan_vec2 turn_of(const bolan_tiles_view *v) {
+    return (bolan_vec2){(float)(cos(v->angle) / v->length), (float)(sin(v->angle) / v->length)};
+}
+
+static bolan_vec4 place_of(const bolan_tiles_view *v, const frame *f) {
+    const bolan_vec2 place = place_in(v, f), turn = turn_of(v);
+    return (bolan_vec4){place.x, place.y, turn.x, turn.y};
 }
 
 static void set_caustics(frame *f, const paper_tiles *t) {
     const bolan_look *look = &f->scene->look;
     const bolan_tiles_view v = bolan_tiles_get_view(bolan_paper_tiles_fine(t));
-    const double height = fmax((double)f->sun_direction.z, 0.12), n = (double)f->uniforms.water_deep.w;
+    const double height = fmax((double)f->sun_direction.z, 0.12), n = (double)f->uniforms.frame.water_index;
     const double level = hypot((double)f->sun_direction.x, (double)f->sun_direction.y);
     const double sine = sqrt(1.0 - height * height) / n,
                  travel = level > 1e-6 ? sine / sqrt(1.0 - sine * sine) / level : 0.0;
-    f->uniforms.under.z = look->effects & BOLAN_EFFECT_CAUSTICS ? 1.0f : 0.0f;
-    f->uniforms.caustic = place_of(&v, f);
+    f->uniforms.frame.caustic_strength = look->effects & BOLAN_EFFECT_CAUSTICS ? 1.0f : 0.0f;
+    f->uniforms.view.caustic_place = place_in(&v, f);
+    f->uniforms.frame.caustic_turn = turn_of(&v);
     // sunlight runs away from the sun
-    f->uniforms.caustic_sun = (bolan_vec4){(float)(-travel * (double)f->sun_direction.x),
-                                           (float)(-travel * (double)f->sun_direction.y), 0.0f, 0.0f};
+    f->uniforms.frame.caustic_travel =
+        (bolan_vec2){(float)(-travel * (double)f->sun_direction.x), (float)(-travel * (double)f->sun_direction.y)};
 }
 
 static void prepare(void *state, const water_draw *d) {
@@ -110,8 +120,8 @@ static void draw(void *state, const water_draw *d) {
     const bolan_look *look = &f->scene->look;
     const bool tiles = bolan_paper_tiles_base(t) != NULL,
                ripples = tiles && !look->paper && bolan_paper_tiles_fine(t) != bolan_paper_tiles_base(t);
-    const bool below = f->uniforms.under.x > 0.5f;
-    const bool high = f->uniforms.eye.z > HIGH_EYE;
+    const bool below = f->uniforms.view.eye_under_water > 0.5f;
+    const bool high = f->uniforms.view.eye_height > HIGH_EYE;
     char defines[64] = "";
     snprintf(defines, sizeof defines, "%s%s%s%s%s", tiles ? "TILES 1\n" : "", ripples ? "RIPPLES 1\n" : "",
              look->paper ? "PAPER 1\n" : "", below ? "BELOW 1\n" : "", high ? "HIGH 1\n" : "");
@@ -122,11 +132,12 @@ static void draw(void *state, const water_draw *d) {
     bolan_water_look_apply(g, look);
     if (tiles) set_waves(g, f, t);
     set_slide(g, f);
-    const bolan_vec4 deep = f->uniforms.water_deep;
+    const bolan_vec3 deep = f->uniforms.frame.water_reflectance;
     const float own = (float)OWN_BRIGHTNESS;
-    bolan_gl_program_vec4(g, "tile_detail", look->paper ? (bolan_vec4){own, own, own, 0.0f} : deep);
-    const float texels =
-        2.0f * (float)bolan_planar_views_share(f) / f->uniforms.lens.x; // of the mirrored picture, to twice a radian
+    bolan_gl_program_vec4(g, "tile_detail",
+                          look->paper ? (bolan_vec4){own, own, own, 0.0f} : (bolan_vec4){deep.x, deep.y, deep.z, 0.0f});
+    const float texels = 2.0f * (float)bolan_planar_views_share(f) /
+                         f->uniforms.view.radians_per_pixel; // of the mirrored picture, to twice a radian
     bolan_gl_program_vec4(g, "disturbance",
                           (bolan_vec4){(float)(PUSH * look->distortion), (float)(GLITTER_PUSH * look->distortion),
                                        texels, (float)SLIDE_RADIUS});

@@ -44,7 +44,7 @@ static void set_wander(const gl_program *g, const frame *f) {
 static void draw(void *state, const water_draw *d) {
     const phong *p = state;
     const bool pictures = bolan_pass_water_mirrors(d->f), paper = d->f->scene->look.paper;
-    const bool fine = p->quality >= BOLAN_QUALITY_HIGH || d->f->uniforms.eye.z > HIGH_EYE;
+    const bool fine = p->quality >= BOLAN_QUALITY_HIGH || d->f->uniforms.view.eye_height > HIGH_EYE;
     char defines[64];
     snprintf(defines, sizeof defines, "%s%s%s%s", quality_defines[p->quality], pictures ? "PICTURES 1\n" : "",
              paper ? "PAPER 1\n" : "", fine ? "FINE 1\n" : "");

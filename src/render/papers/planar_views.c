@@ -79,24 +79,21 @@ bool bolan_planar_views_fit(planar_views *p, const frame *f) {
            create_picture(width, height, 1, &p->refraction, &p->refraction_depth, &p->refraction_target) == BOLAN_OK;
 }
 
-static bolan_vec4 viewport_of(const gl_texture *t) {
-    return (bolan_vec4){(float)t->width, (float)t->height, 1.0f / (float)t->width, 1.0f / (float)t->height};
-}
-
 // The mirror z -> -2 h - z about the plane h below the eye, before the camera (paper A: S = I - 2 n n^T). Directions, which the
 // sky is drawn by, have no translation.
 frame bolan_planar_views_reflect(planar_views *p, const frame *f) {
     frame m = *f;
-    const bool under = f->uniforms.under.x > 0.5f;
+    const bool under = f->uniforms.view.eye_under_water > 0.5f;
     const float overlap = f->scene->look.paper ? 0.0f : OVERLAP, side = under ? -1.0f : 1.0f;
     bolan_mat4 mirror = bolan_m4_identity(), turn = bolan_m4_identity();
     mirror.m[10] = turn.m[10] = -1.0f;
-    mirror.m[14] = -2.0f * f->uniforms.eye.z;
-    m.uniforms.view_projection = bolan_m4_mul(f->uniforms.view_projection, mirror);
-    m.uniforms.inverse_view_projection = bolan_m4_mul(turn, f->uniforms.inverse_view_projection);
-    m.uniforms.clip = (bolan_vec4){side, -side * overlap, 1.0f, 0.0f};
-    m.uniforms.viewport = viewport_of(&p->reflection);
-    m.uniforms.under.w = under ? 1.0f : 0.0f;
+    mirror.m[14] = -2.0f * f->uniforms.view.eye_height;
+    m.uniforms.view.view_projection = bolan_m4_mul(f->uniforms.view.view_projection, mirror);
+    m.uniforms.view.inverse_view_projection = bolan_m4_mul(turn, f->uniforms.view.inverse_view_projection);
+    m.uniforms.view.clip_side = side;
+    m.uniforms.view.clip_elevation = -side * overlap;
+    bolan_view_block_resize(&m.uniforms.view, p->reflection.width, p->reflection.height);
+    m.uniforms.view.mirrored_under_water = under ? 1.0f : 0.0f;
     m.picture = true;
     m.hdr = p->reflection_target;
     return m;
@@ -110,22 +107,24 @@ static double paper_factor(const bolan_camera *c) {
     return bolan_refraction_k_paper(bolan_radians(90.0 - depression));
 }
 
-static bolan_vec4 deep_water(const frame_uniforms *u) {
-    const float sun = fmaxf(u->sun.z, 0.0f);
-    return (bolan_vec4){u->water_deep.x * (u->sun_light.x * sun + u->sky_light.x),
-                        u->water_deep.y * (u->sun_light.y * sun + u->sky_light.y),
-                        u->water_deep.z * (u->sun_light.z * sun + u->sky_light.z), 1.0f};
+static bolan_vec4 deep_water(const block_values *u) {
+    const float sun = fmaxf(u->frame.sun_direction.z, 0.0f);
+    return (bolan_vec4){u->frame.water_reflectance.x * (u->view.sun_light.x * sun + u->view.sky_light.x),
+                        u->frame.water_reflectance.y * (u->view.sun_light.y * sun + u->view.sky_light.y),
+                        u->frame.water_reflectance.z * (u->view.sun_light.z * sun + u->view.sky_light.z), 1.0f};
 }
 
 frame bolan_planar_views_refract(planar_views *p, const frame *f) {
     frame m = *f;
-    const bool under = f->uniforms.under.x > 0.5f, paper = f->scene->look.paper && !under;
+    const bool under = f->uniforms.view.eye_under_water > 0.5f, paper = f->scene->look.paper && !under;
     const float overlap = f->scene->look.paper ? 0.0f : OVERLAP, side = under ? 1.0f : -1.0f;
-    m.uniforms.clip =
-        (bolan_vec4){side, under ? 0.0f : overlap, (float)paper_factor(&f->scene->camera), paper ? 1.0f : 2.0f};
-    m.uniforms.viewport = viewport_of(&p->refraction);
+    m.uniforms.view.clip_side = side;
+    m.uniforms.view.clip_elevation = under ? 0.0f : overlap;
+    m.uniforms.view.refraction_raise = (float)paper_factor(&f->scene->camera);
+    m.uniforms.view.refraction_mode = paper ? 1.0f : 2.0f;
+    bolan_view_block_resize(&m.uniforms.view, p->refraction.width, p->refraction.height);
     // An optics with a sky of its own attenuates the bed itself: once is enough.
-    if (!bolan_pass_water_mirrors_sky(f)) m.uniforms.under.y = 0.0f;
+    if (!bolan_pass_water_mirrors_sky(f)) m.uniforms.view.under_fog = 0.0f;
     m.background = under ? (bolan_vec4){0.0f, 0.0f, 0.0f, 0.0f} : deep_water(&f->uniforms);
     m.picture = true;
     m.hdr = p->refraction_target;

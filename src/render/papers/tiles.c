@@ -76,14 +76,13 @@ void bolan_paper_tiles_bind(const paper_tiles *t) {
 
 static bolan_tiles_desc how(const frame *f) {
     bolan_tiles_desc d = bolan_tiles_desc_default();
-    const bolan_vec4 deep = f->uniforms.water_deep;
     const bolan_vec3 sun = bolan_sky_lattice_direction(f->sun_direction, bolan_radians(SUN_STEP));
     d.paper = f->scene->look.paper;
-    d.color = bolan_v3(deep.x, deep.y, deep.z);
+    d.color = f->uniforms.frame.water_reflectance;
     // A darkish blue-green whatever the water is, as animation programs paint it.
     if (d.paper) d.color = bolan_v3(0.035f, 0.09f, 0.10f);
     d.sun = bolan_v3_normalize(bolan_v3(sun.x, sun.y, fmaxf(sun.z, (float)LOWEST_SUN)));
-    d.index = (double)deep.w;
+    d.index = (double)f->uniforms.frame.water_index;
     return d;
 }
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The uniform blocks: OpenGL and C give each member the same offset.
+#include "gl_support.h"
+
+#include <epoxy/gl.h>
+#include <stddef.h>
+
+#include "probe.h"
+#include "render/blocks.h"
+
+typedef struct member {
+    const char *name;
+    size_t offset;
+} member;
+
+// The members as the C compiler sees them: the list of the shared file once more, by hand, so that a member that moves
+// in one language alone is found.
+#define FRAME(name) \
+    { #name, offsetof(frame_block, name) }
+#define VIEW(name) \
+    { #name, offsetof(view_block, name) }
+static const member frame_members[] = {
+    FRAME(sun_direction),     FRAME(radiance_unit), FRAME(water_reflectance), FRAME(water_index),
+    FRAME(water_attenuation), FRAME(foam_strength), FRAME(wind_direction),    FRAME(cloud_cover),
+    FRAME(cloud_base),        FRAME(surf_wave),     FRAME(surf_time),         FRAME(visibility),
+    FRAME(streak_scale),      FRAME(caustic_turn),  FRAME(caustic_travel),    FRAME(caustic_strength),
+    FRAME(water_level),       FRAME(earth_radius),  FRAME(wind_speed),        FRAME(frame_padding)};
+static const member view_members[] = {VIEW(view_projection),
+                                      VIEW(inverse_view_projection),
+                                      VIEW(eye_wrapped),
+                                      VIEW(eye_wrapped_wide),
+                                      VIEW(viewport_size),
+                                      VIEW(pixel_size),
+                                      VIEW(eye_height),
+                                      VIEW(radians_per_pixel),
+                                      VIEW(near_distance),
+                                      VIEW(clip_zero_to_one),
+                                      VIEW(eye_under_water),
+                                      VIEW(under_fog),
+                                      VIEW(mirrored_under_water),
+                                      VIEW(shade_columns),
+                                      VIEW(clip_side),
+                                      VIEW(clip_elevation),
+                                      VIEW(refraction_raise),
+                                      VIEW(refraction_mode),
+                                      VIEW(sun_light),
+                                      VIEW(exposure),
+                                      VIEW(sky_light),
+                                      VIEW(eye_above_clouds),
+                                      VIEW(cloud_offset),
+                                      VIEW(streak_place),
+                                      VIEW(caustic_place),
+                                      VIEW(surf_phase),
+                                      VIEW(view_padding)};
+#define COUNT(a) (GLint)(sizeof(a) / sizeof((a)[0]))
+
+static void compare(GLuint program, const char *block, GLuint slot, const member *members, GLint count, size_t size) {
+    const GLuint index = glGetUniformBlockIndex(program, block);
+    GLint binding = -1, bytes = 0, active = 0;
+    assert_int_not_equal(index, GL_INVALID_INDEX);
+    glGetActiveUniformBlockiv(program, index, GL_UNIFORM_BLOCK_BINDING, &binding);
+    glGetActiveUniformBlockiv(program, index, GL_UNIFORM_BLOCK_DATA_SIZE, &bytes);
+    glGetActiveUniformBlockiv(program, index, GL_UNIFORM_BLOCK_ACTIVE_UNIFORMS, &active);
+    assert_int_equal(binding, slot);
+    assert_int_equal(bytes, size);
+    assert_int_equal(active, count);
+    for (GLint i = 0; i < count; ++i) {
+        GLuint at = GL_INVALID_INDEX;
+        GLint offset = -1;
+        glGetUniformIndices(program, 1, &members[i].name, &at);
+        assert_int_not_equal(at, GL_INVALID_INDEX);
+        glGetActiveUniformsiv(program, 1, &at, GL_UNIFORM_OFFSET, &offset);
+        if ((size_t)offset != members[i].offset) print_message("%s.%s\n", block, members[i].name);
+        assert_int_equal(offset, members[i].offset);
+    }
+}
+
+static void set(const gl_program *program, const void *context) {
+    compare(program->id, "Frame", BLOCK_FRAME, frame_members, COUNT(frame_members), sizeof(frame_block));
+    compare(program->id, "View", BLOCK_VIEW, view_members, COUNT(view_members), sizeof(view_block));
+    block_buffers *buffers = (block_buffers *)(uintptr_t)context;
+    const block_values values = {.frame.earth_radius = 3.0f, .view.surf_phase = 5.0f};
+    assert_int_equal(bolan_blocks_create(buffers), BOLAN_OK);
+    bolan_blocks_upload(buffers, &values);
+}
+
+static void members_have_the_same_offset_in_both_languages(void **state) {
+    (void)state;
+    block_buffers buffers = {0};
+    float in[1][4] = {{1.0f}}, out[1][4];
+    probe_run_with("#include \"common/frame.glsl\"",
+                   "vec4 probe(vec4 x) { return x.x * vec4(earth_radius, surf_phase, eye_height, 1.0); }", NULL, set,
+                   &buffers, in, 1, out);
+    assert_near(out[0][0], 3.0, 0.0);
+    assert_near(out[0][1], 5.0, 0.0);
+    assert_near(out[0][2], 0.0, 0.0);
+    bolan_blocks_free(&buffers);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {IN_BOTH_APIS(members_have_the_same_offset_in_both_languages)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
