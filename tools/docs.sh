@@ -41,4 +41,8 @@ for page in ./md_*.html; do
     esac
 done
 grep -q 'A volcanic island' index.html || fail 'the front page is not the README'
+# Every log id of base.h has its row in the page of errors, with its number, and no row is of another id.
+sed -n 's/^ *X(\([0-9]*\), \([A-Z0-9_]*\)).*/| \1 | `\2` |/p' "$root/include/bolan/base.h" | sort >../ids
+sed -n 's/^\(| [0-9]* | `[A-Z0-9_]*` |\).*/\1/p' "$root/docs/errors.md" | sort >../rows
+diff ../ids ../rows >../difference || fail "docs/errors.md and base.h differ in log ids: $(tr '\n' ' ' <../difference)"
 [ $failures = 0 ]

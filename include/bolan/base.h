@@ -91,7 +91,6 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(328, RASTER_CRS)              \
     X(329, RASTER_READ)             \
     X(330, IMAGE_FORMAT)            \
-    X(331, IMAGE_WRITE)             \
     X(335, MODEL_FORMAT)            \
     X(336, MODEL_EXTENSION)         \
     X(337, MODEL_LIMIT)             \
@@ -103,8 +102,6 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(403, GL_TARGET)               \
     X(404, GL_DEBUG)                \
     X(405, GL_LOADER)               \
-    X(500, SEA_CASCADES)            \
-    X(501, SEA_INFO)                \
     X(502, POINTS_SYNTAX)           \
     X(503, SEA_LIMITED)
 
