@@ -61,7 +61,7 @@ macro(bolan_add_library target)
         bolan_compile_options(${target})
         target_include_directories(${target} PUBLIC
             $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-            PRIVATE ${PROJECT_SOURCE_DIR}/src)
+            PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/shaders) # the latter for shared/*.glsl, also C
         # Before 1.0 a minor version may change the API, so programs ask for major.minor.
         set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
             SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH $ORIGIN)

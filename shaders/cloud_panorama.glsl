@@ -20,13 +20,13 @@ const float FARTHEST = 120000.0;
 vec3 panorama_direction() { // inverse of cloud_uv()
     float h = max(eye_height, 0.0), dip = horizon_dip(h), horizon = eye_above_clouds > 0.5 ? CLOUD_HORIZON : 0.0;
     float up = max(uv.y - horizon, 0.0) / (1.0 - horizon), down = max(horizon - uv.y, 0.0) / CLOUD_HORIZON;
-    float elevation = up * up * (0.5 * AIR_PI + dip) - pow(down, 1.5) * (0.5 * AIR_PI - dip) - dip, azimuth = 2.0 * AIR_PI * (strip.x + strip.y * uv.x);
+    float elevation = up * up * (0.5 * PI + dip) - pow(down, 1.5) * (0.5 * PI - dip) - dip, azimuth = 2.0 * PI * (strip.x + strip.y * uv.x);
     return vec3(cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation));
 }
 
 // Where the ray meets the shell of height H: near and far root, or x > y.
 vec2 shell(float h, float mu, float shell_height) {
-    float r = earth_radius, b = (r + h) * mu, c = (h - shell_height) * (2.0 * r + h + shell_height), q = b * b - c;
+    float b = (earth_radius + h) * mu, c = earth_shell(h, shell_height, earth_radius), q = b * b - c;
     if (q < 0.0) return vec2(1.0, -1.0);
     return vec2(-b - sqrt(q), -b + sqrt(q));
 }
@@ -60,7 +60,7 @@ float depth_towards_sun(vec2 position, float h, float footprint) {
 vec3 ambient_radiance() {
     vec3 sum = 2.0 * textureLod(sea_view_table, sky_view_uv(vec3(0.0, 0.0, 1.0), 2.0), 0.0).rgb;
     for (int i = 0; i < 4; ++i) {
-        float azimuth = 0.5 * AIR_PI * (float(i) + 0.5);
+        float azimuth = 0.5 * PI * (float(i) + 0.5);
         sum += textureLod(sea_view_table, sky_view_uv(vec3(cos(azimuth) * 0.8, sin(azimuth) * 0.8, 0.6), 2.0), 0.0).rgb;
     }
     return sum / 6.0;
@@ -72,7 +72,7 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
     vec3 sun_above = solar_irradiance() * sun_transmittance(cloud_base + 0.7 * cloud_origin.z);
     vec3 ambient = ambient_radiance();
     // What leaves a thick deck has come from sun and blue sky alike: nearly white.
-    vec3 entering = sun_above + AIR_PI * ambient;
+    vec3 entering = sun_above + PI * ambient;
     entering = mix(entering, vec3(dot(entering, vec3(0.2126, 0.7152, 0.0722))), 0.85 * cloud_cover * cloud_cover);
     float forward = 0.6 * henyey_greenstein(c, 0.85) + 0.4 * henyey_greenstein(c, 0.1);
     vec3 light = vec3(0.0);
@@ -89,7 +89,7 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
             float depth = depth_towards_sun(position, h, footprint);
             float level = clamp((h - cloud_base) / cloud_origin.z, 0.0, 1.0);
             // light scattered many times falls off as by diffusion; thin edges scatter once
-            float many = 2.5 / (4.0 * AIR_PI * (1.0 + 0.16 * depth)) * (1.0 - 0.35 * exp(-2.0 * depth));
+            float many = 2.5 / (4.0 * PI * (1.0 + 0.16 * depth)) * (1.0 - 0.35 * exp(-2.0 * depth));
             vec3 source = sun_above * (0.55 * forward * exp(-depth)) + entering * many +
                           ambient * mix(0.25, 0.60, level);
             float through = exp(-extinction * step_length), gained = left * (1.0 - through);

@@ -19,7 +19,7 @@ out vec3 inscatter;
 
 void main() {
     position = chunk.xyz + vertex;
-    position.z -= dot(position.xy, position.xy) / (2.0 * earth_radius);
+    position.z -= earth_drop(dot(position.xy, position.xy), earth_radius);
     place = vec3((vertex.xy / chunk.w * 128.0 + 0.5) / 129.0, vertex.z - water_level);
     aerial_perspective(position, transmittance, inscatter);
 #ifdef PICTURE
@@ -42,7 +42,6 @@ uniform sampler2D chunk_map;    // normal x, y; shadow clearance [m]; open sky
 uniform sampler2D ground_noise; // billows, their gradient, patches; periodic
 uniform float shadow_softness;  // [m] of clearance
 
-const float PI = 3.14159265;
 
 // Everything the materials look at.
 struct ground {

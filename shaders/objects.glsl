@@ -30,7 +30,6 @@ out vec3 bottom;    // level place relative to the eye, depth under the water [m
 
 const float NOISE_SIZE = 256.0; // texels
 
-const float PI = 3.14159265;
 
 // Share of the sun that passes the other objects, each taken as a soft ellipsoid.
 float object_shadow(vec3 position) {
@@ -52,7 +51,7 @@ void main() {
                             dot(place[2].xyz, vertex_normal)));
     vec3 albedo = vertex_color.rgb;
     float open = vertex_color.a, height = position.z + eye_height;
-    position.z -= dot(position.xy, position.xy) / (2.0 * earth_radius);
+    position.z -= earth_drop(dot(position.xy, position.xy), earth_radius);
 
     // Green is taken for leaves: light passes through them, and their crowns stand in their own shade.
     float leafy = smoothstep(0.05, 0.3, (albedo.g - max(albedo.r, albedo.b)) / max(albedo.g, 1e-4));

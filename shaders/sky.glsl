@@ -42,7 +42,7 @@ void main() {
     vec2 at = vec2(corner.x, mix(meet, 1.0, corner.y));
     float dip = horizon_dip(h);
     ray = frame_ray(at);
-    horizon = vec2(dip, 1.0 / (0.5 * AIR_PI + dip));
+    horizon = vec2(dip, 1.0 / (0.5 * PI + dip));
 #endif
     gl_Position = vec4(at * 2.0 - 1.0, clip_zero_to_one > 0.5 ? 0.0 : -1.0, 1.0); // the far plane: window depth 0
 }
@@ -72,16 +72,16 @@ vec2 ray_angles() {
     float across = sqrt(dot(ray.xy, ray.xy));
     vec2 near = vec2(max(size.x, size.y), max(across, size.z)), far = vec2(min(size.x, size.y), min(across, size.z));
     vec2 angle = arc_tangent(far * near.yx * (1.0 / max(near.x * near.y, 1e-30)));
-    angle.x = size.y > size.x ? 0.5 * AIR_PI - angle.x : angle.x;
-    angle.x = ray.x < 0.0 ? AIR_PI - angle.x : angle.x;
-    angle.y = size.z > across ? 0.5 * AIR_PI - angle.y : angle.y;
+    angle.x = size.y > size.x ? 0.5 * PI - angle.x : angle.x;
+    angle.x = ray.x < 0.0 ? PI - angle.x : angle.x;
+    angle.y = size.z > across ? 0.5 * PI - angle.y : angle.y;
     return vec2(ray.y < 0.0 ? -angle.x : angle.x, ray.z < 0.0 ? -angle.y : angle.y);
 }
 
 void main() {
     vec2 angle = ray_angles();
     float y = sqrt(max((angle.y + horizon.x) * horizon.y, 0.0));
-    color = textureLod(panorama, vec2(angle.x * (0.5 / AIR_PI), y), 0.0);
+    color = textureLod(panorama, vec2(angle.x * (0.5 / PI), y), 0.0);
 }
 #endif
 #endif

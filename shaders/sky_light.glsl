@@ -17,12 +17,12 @@ vec3 sky_irradiance() {
     for (int i = 0; i < RINGS; ++i) {
         float s = sqrt((float(i) + 0.5) / float(RINGS)); // equal parts of cos(theta) dOmega
         for (int j = 0; j < SECTORS; ++j) {
-            float azimuth = 2.0 * AIR_PI * (float(j) + 0.5) / float(SECTORS);
+            float azimuth = 2.0 * PI * (float(j) + 0.5) / float(SECTORS);
             vec3 dir = vec3(s * cos(azimuth), s * sin(azimuth), sqrt(1.0 - s * s));
             sum += textureLod(environment_map, environment_uv(dir), LEVEL).rgb;
         }
     }
-    return sum * AIR_PI / float(RINGS * SECTORS);
+    return sum * PI / float(RINGS * SECTORS);
 }
 
 float mean_shadow() {

@@ -25,14 +25,14 @@ void trace(float h, vec3 dir, vec3 to_sun, inout vec3 second, inout vec3 transfe
         vec3 scattering = RAYLEIGH * density.x + haze_scattering * density.y;
         vec3 through = exp(-extinction * (end - start));
         vec3 gained = left * scattering * (1.0 - through) / max(extinction, vec3(1e-12));
-        second += gained * sun_transmittance_at(height, mu_sun) / (4.0 * AIR_PI);
+        second += gained * sun_transmittance_at(height, mu_sun) / (4.0 * PI);
         transfer += gained;
         left *= through;
         start = end;
     }
     if (to_sea >= 0.0) {
         float mu_sun = ((r + h) * to_sun.z + to_sea * c) / r;
-        second += left * sun_transmittance_at(0.0, mu_sun) * max(mu_sun, 0.0) * SEA_ALBEDO / AIR_PI;
+        second += left * sun_transmittance_at(0.0, mu_sun) * max(mu_sun, 0.0) * SEA_ALBEDO / PI;
     }
 }
 
@@ -43,7 +43,7 @@ void main() {
     for (int i = 0; i < DIRECTIONS; ++i) {
         float z = 1.0 - 2.0 * (float(i) + 0.5) / float(DIRECTIONS), across = sqrt(1.0 - z * z);
         for (int j = 0; j < DIRECTIONS; ++j) {
-            float azimuth = 2.0 * AIR_PI * (float(j) + 0.5) / float(DIRECTIONS);
+            float azimuth = 2.0 * PI * (float(j) + 0.5) / float(DIRECTIONS);
             trace(h, vec3(across * cos(azimuth), across * sin(azimuth), z), to_sun, second, transfer);
         }
     }

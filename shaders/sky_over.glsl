@@ -22,7 +22,7 @@ const float MIDDLE = 400.0; // of the layer, above its base [m]
 
 // Towards the same place of the layer's middle from where the map was made: clouds stay where they are while the eye flies on.
 vec3 from_map(vec3 dir, float h) {
-    float r = earth_radius, b = (r + h) * dir.z, above = h - cloud_base - MIDDLE, c = above * (2.0 * r + h + cloud_base + MIDDLE);
+    float b = (earth_radius + h) * dir.z, c = earth_shell(h, cloud_base + MIDDLE, earth_radius);
     float root = sqrt(max(b * b - c, 0.0)), d = c / max(root - b, 1.0); // nearest to it, where the ray passes over it
     return normalize(dir * d + vec3(cloud_offset, rise));
 }

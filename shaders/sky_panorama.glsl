@@ -11,7 +11,7 @@ void main() { fullscreen(0.5); }
 out vec4 color;
 
 void main() {
-    float azimuth = 2.0 * AIR_PI * uv.x;
+    float azimuth = 2.0 * PI * uv.x;
     vec2 sky = vec2(sun_azimuth_coordinate(vec2(cos(azimuth), sin(azimuth))), uv.y);
     vec3 air_light = textureLod(sky_view_table, to_texel_centres(sky, SKY_VIEW_SIZE), 0.0).rgb;
     vec4 clouds = textureLod(cloud_map, vec3(uv.x, eye_above_clouds > 0.5 ? mix(CLOUD_HORIZON, 1.0, uv.y) : uv.y, 0.0), 0.0);

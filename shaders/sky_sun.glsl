@@ -9,7 +9,7 @@ out vec3 ray;
 void main() {
     vec3 side = normalize(cross(sun_direction, abs(sun_direction.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
     vec3 up = cross(side, sun_direction);
-    float angle = 2.0 * AIR_PI / 3.0 * float(gl_VertexID), radius = 2.0 * (SUN_RADIUS + 2.0 * radians_per_pixel);
+    float angle = 2.0 * PI / 3.0 * float(gl_VertexID), radius = 2.0 * (SUN_RADIUS + 2.0 * radians_per_pixel);
     ray = sun_direction + radius * (cos(angle) * side + sin(angle) * up);
     gl_Position = view_projection * vec4(ray, 0.0);
     gl_Position.z = clip_zero_to_one > 0.5 ? 0.0 : -gl_Position.w; // behind everything
@@ -30,7 +30,7 @@ void main() {
     float through = clamp(1.0 - 1.04 * cloud_radiance(dir).a, 0.0, 1.0);
     vec3 power = vec3(0.42, 0.52, 0.65), limb = pow(vec3(max(sqrt(1.0 - r * r), 0.05)), power);
     vec3 mean = 2.0 / (2.0 + power); // of the disc: 2 int mu^p r dr
-    vec3 radiance = solar_irradiance() / (AIR_PI * SUN_RADIUS * SUN_RADIUS) * limb / mean;
+    vec3 radiance = solar_irradiance() / (PI * SUN_RADIUS * SUN_RADIUS) * limb / mean;
     radiance *= transmittance_to_space(max(eye_height, 0.0), dir.z) * visible * through * through;
     color = vec4(min(radiance, vec3(30000.0)), 0.0); // half floats end at 65504
 }

@@ -20,7 +20,8 @@ void main() { fullscreen(0.0); }
 #endif
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
-#include "common/fresnel.glsl"
+#include "shared/earth.glsl"
+#include "shared/fresnel.glsl"
 #include "common/slopes.glsl"
 #include "common/reflection.glsl"
 #include "common/rough.glsl"
@@ -138,7 +139,7 @@ float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 no
     float hs = sea_law.z, wobble = noise.b - 0.5;
     float zone = smoothstep(1.6 * hs, 0.35 * hs, depth + wobble * hs);
     float cover = zone * (0.1 + 0.9 * bore(behind_front(rest, depth, 0.9 * wobble + 0.5 * noise.a)));
-    float surge = 0.55 + 0.45 * sin(2.0 * SLOPES_PI * (surf_time + 2.0 * wobble));
+    float surge = 0.55 + 0.45 * sin(2.0 * PI * (surf_time + 2.0 * wobble));
     float rocks = smoothstep(0.8, -1.5, least) * surge;
     float swash = smoothstep(0.35, 0.02, water_path) * 0.75;
     return clamp(max(max(cover, rocks), swash), 0.0, 1.0);
@@ -198,7 +199,7 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
     p.depth = rest_depth.z;
     p.least = least;
     p.shade = slope_light.w;
-    p.height = height_over_sea(p.position, eye_height, earth_radius);
+    p.height = earth_height(p.position.z, eye_height, dot(p.position.xy, p.position.xy), earth_radius);
     float gust = slope_light.z, dist = length(p.position), left = waves_left(p.depth);
     p.view = -p.position / dist;
     p.place = pixel_footprint(p.view, dist, slope_light.xy);

@@ -5,6 +5,7 @@
 #define BOLAN_BOLAN_H
 
 #include "bolan/base.h"
+#include "bolan/earth.h"
 #include "bolan/math.h"
 
 #include "bolan/optics.h"

@@ -23,7 +23,6 @@ extern "C" {
 
 #define BOLAN_PI 3.14159265358979323846 ///< half a turn [rad]
 #define BOLAN_GRAVITY 9.81              ///< [m/s2]
-#define BOLAN_EARTH_RADIUS 6371000.0    ///< mean radius [m]
 
 /// Two floats.
 typedef struct bolan_vec2 {

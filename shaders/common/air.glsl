@@ -3,8 +3,9 @@
 // coefficients in 1/m at 650, 550 and 450 nm. After Hillaire 2020, "A scalable and production ready sky and
 // atmosphere rendering technique"; needs common/frame.glsl. tests/shaders/test_atmosphere.c holds the CPU twin.
 #include "common/frame.glsl"
+#include "shared/constants.glsl"
+#include "shared/earth.glsl"
 
-const float AIR_PI = 3.14159265;
 const float AIR_TOP = 100000.0;          // above it, nothing
 const float RAYLEIGH_SCALE = 8000.0;     // scale height
 // Vertical Rayleigh optical depth at sea level, Bodhaine et al. 1999 eq. 30, over the scale height.
@@ -22,30 +23,21 @@ const float SUN_RADIUS = 0.00465;        // angular [rad]
 const float SEA_ALBEDO = 0.07;
 
 
-// ---- geometry; h above the sea, mu = cosine of the zenith angle. Differences of squares are written as products: the
-// radius has an ulp of half a metre.
+// ---- geometry; h above the sea, mu = cosine of the zenith angle
 
-float air_height(float h, float mu, float d) {
-    float r = earth_radius;
-    float q = h * (2.0 * r + h) + d * (d + 2.0 * (r + h) * mu);
-    return q / (r + sqrt(max(r * r + q, 0.0)));
-}
+float air_height(float h, float mu, float d) { return earth_height_along(h, mu, d, earth_radius); }
 
-float horizon_dip(float h) { return atan(sqrt(h * (2.0 * earth_radius + h)) / earth_radius); }
-float horizon_mu(float h) { return -sqrt(h * (2.0 * earth_radius + h)) / (earth_radius + h); }
+float horizon_dip(float h) { return earth_dip_exact(h, earth_radius); }
+float horizon_mu(float h) { return -earth_horizon_exact(h, earth_radius) / (earth_radius + h); }
 
 float distance_to_top(float h, float mu) {
     float r = earth_radius, b = (r + h) * mu;
-    float e = (AIR_TOP - h) * (2.0 * r + AIR_TOP + h), s = sqrt(b * b + e);
+    float e = earth_shell(AIR_TOP, h, r), s = sqrt(b * b + e);
     return b > 0.0 ? e / (b + s) : s - b;
 }
 
 // Negative: the ray misses the sea.
-float distance_to_sea(float h, float mu) {
-    float r = earth_radius, b = (r + h) * mu, c = h * (2.0 * r + h), q = b * b - c;
-    if (mu >= 0.0 || q < 0.0) return -1.0;
-    return c / (sqrt(q) - b);
-}
+float distance_to_sea(float h, float mu) { return earth_meets_exact(h, mu, earth_radius); }
 
 // ---- content
 
@@ -61,11 +53,11 @@ vec3 mie_extinction() { return MIE_COLOR * max(3.912 / visibility - RAYLEIGH.g, 
 
 vec3 air_extinction(vec3 density) { return RAYLEIGH * density.x + mie_extinction() * density.y + OZONE * density.z; }
 
-float rayleigh_phase(float c) { return 3.0 / (16.0 * AIR_PI) * (1.0 + c * c); }
+float rayleigh_phase(float c) { return 3.0 / (16.0 * PI) * (1.0 + c * c); }
 
 float henyey_greenstein(float c, float g) {
     float k = 1.0 + g * g - 2.0 * g * c;
-    return (1.0 - g * g) / (4.0 * AIR_PI * k * sqrt(k));
+    return (1.0 - g * g) / (4.0 * PI * k * sqrt(k));
 }
 
 // Sea salt: a narrow forward lobe and a wide one, mean cosine 0.71 as of maritime haze.
@@ -76,11 +68,10 @@ float mie_phase(float c) { return 0.7 * henyey_greenstein(c, 0.88) + 0.3 * henye
 
 uniform sampler2D transmittance_table;
 #pragma unit transmittance_table 0
-const vec2 TRANSMITTANCE_SIZE = vec2(256.0, 64.0);
+const vec2 TRANSMITTANCE_SIZE = vec2(SKY_TRANSMITTANCE_WIDTH, SKY_TRANSMITTANCE_HEIGHT);
 
 vec2 transmittance_uv(float h, float mu) {
-    float r = earth_radius;
-    float longest = sqrt(AIR_TOP * (2.0 * r + AIR_TOP)), rho = sqrt(h * (2.0 * r + h));
+    float longest = earth_horizon_exact(AIR_TOP, earth_radius), rho = earth_horizon_exact(h, earth_radius);
     float shortest = AIR_TOP - h;
     vec2 x = vec2((distance_to_top(h, mu) - shortest) / max(rho + longest - shortest, 1.0), rho / longest);
     return (clamp(x, 0.0, 1.0) * (TRANSMITTANCE_SIZE - 1.0) + 0.5) / TRANSMITTANCE_SIZE;
@@ -89,10 +80,10 @@ vec2 transmittance_uv(float h, float mu) {
 void transmittance_ray(vec2 uv, out float h, out float mu) { // the inverse
     float r = earth_radius;
     vec2 x = (uv * TRANSMITTANCE_SIZE - 0.5) / (TRANSMITTANCE_SIZE - 1.0);
-    float longest = sqrt(AIR_TOP * (2.0 * r + AIR_TOP)), rho = x.y * longest;
+    float longest = earth_horizon_exact(AIR_TOP, r), rho = x.y * longest;
     h = rho * rho / (r + sqrt(r * r + rho * rho));
     float shortest = AIR_TOP - h, d = shortest + x.x * (rho + longest - shortest);
-    mu = d < 1.0 ? 1.0 : clamp(((AIR_TOP - h) * (2.0 * r + AIR_TOP + h) - d * d) / (2.0 * (r + h) * d), -1.0, 1.0);
+    mu = d < 1.0 ? 1.0 : clamp((earth_shell(AIR_TOP, h, r) - d * d) / (2.0 * (r + h) * d), -1.0, 1.0);
 }
 
 // To space along mu, as if the earth were not in the way; at most what is left above the local horizon.

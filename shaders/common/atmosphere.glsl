@@ -47,9 +47,9 @@ const float CLOUD_HORIZON = 0.625; // the horizon's place in the whole sphere's 
 
 vec2 cloud_uv(vec3 dir, float h) {
     float above = angle_above_horizon(dir, h), dip = horizon_dip(h);
-    float up = sqrt(max(above, 0.0) / (0.5 * AIR_PI + dip));
-    float down = pow(max(-above, 0.0) / (0.5 * AIR_PI - dip), 2.0 / 3.0);
-    return vec2(atan(dir.y, dir.x) / (2.0 * AIR_PI), eye_above_clouds > 0.5 ? CLOUD_HORIZON + (1.0 - CLOUD_HORIZON) * up - CLOUD_HORIZON * down : up);
+    float up = sqrt(max(above, 0.0) / (0.5 * PI + dip));
+    float down = pow(max(-above, 0.0) / (0.5 * PI - dip), 2.0 / 3.0);
+    return vec2(atan(dir.y, dir.x) / (2.0 * PI), eye_above_clouds > 0.5 ? CLOUD_HORIZON + (1.0 - CLOUD_HORIZON) * up - CLOUD_HORIZON * down : up);
 }
 
 vec4 cloud_radiance(vec3 dir) { return textureLod(cloud_map, vec3(cloud_uv(dir, max(eye_height, 0.0)), 0.0), 0.0); }

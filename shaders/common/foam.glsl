@@ -2,6 +2,7 @@
 // From a covered share to bubbles: a tiled texture whose values are uniformly distributed, so that the texels above
 // 1 - share cover the share. src/render/foam_texture.c makes it: r, g two nets of bubbles, coarse and fine; b, a smooth noise.
 // Needs common/slopes.glsl for normal_cdf().
+#include "shared/constants.glsl"
 #pragma unit foam_detail 7
 uniform sampler2D foam_detail;
 
@@ -14,7 +15,7 @@ vec4 foam_texel(vec2 p, float log2_tile, float detail) {
 
 // rest: eye-relative [m]; width of the pixel on the water [m].
 foam_texels foam_look_up(vec2 rest, float width) {
-    vec2 p = mod(eye_wrapped + rest, 4096.0);
+    vec2 p = mod(eye_wrapped + rest, WORLD_WRAP);
     // Old foam is drawn out along the wind. This tile lies turned, so the CPU finds the eye's place in it.
     vec2 drawn_out = streak_place + streak_scale * vec2(dot(rest, vec2(-wind_direction.y, wind_direction.x)), dot(rest, wind_direction));
     float detail = log2(width * 512.0);

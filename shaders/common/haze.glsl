@@ -18,7 +18,7 @@ float mean_density(float h, float scale) { return h > 1.0 ? scale / h * (1.0 - e
 
 vec3 haze_towards(float azimuth, float h) {
     const float REACH = 12000.0;
-    vec3 dir = sky_direction(sqrt(azimuth / AIR_PI), -0.5 * h / REACH, h);
+    vec3 dir = sky_direction(sqrt(azimuth / PI), -0.5 * h / REACH, h);
     vec3 light = textureLod(aerial_table, aerial_uv(dir, h, REACH), 0.0).rgb;
     return light / (1.0 - exp(-haze_extinction * REACH));
 }
@@ -26,7 +26,7 @@ vec3 haze_towards(float azimuth, float h) {
 void haze_vertex() {
     float h = max(eye_height, 0.0), haze_scale = 1000.0 * clamp(visibility / 5000.0, 0.25, 1.0);
     haze_extinction = RAYLEIGH * mean_density(h, RAYLEIGH_SCALE) + mie_extinction() * mean_density(h, haze_scale);
-    vec3 ahead = haze_towards(0.0, h), aside = haze_towards(AIR_PI / 3.0, h), behind = haze_towards(AIR_PI, h);
+    vec3 ahead = haze_towards(0.0, h), aside = haze_towards(PI / 3.0, h), behind = haze_towards(PI, h);
     float c = length(sun_direction.xy); // ahead; half of it aside
     vec3 lobe = vec3(forward_lobe(c), forward_lobe(0.5 * c), forward_lobe(-c));
     float bent = lobe.y - lobe.z - 0.75 * (lobe.x - lobe.z);

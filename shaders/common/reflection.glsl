@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What rough water reflects towards an observer: the mean over the visible facets of Fresnel's reflectance, of whether
 // the ray is clear of other waves, and of the direction it comes from. Needs common/slopes.glsl and
-// common/fresnel.glsl.
+// shared/fresnel.glsl.
 //
 // Waves hide one another on two scales. The waves of the mesh stand in a ray's way by their height: Smith's function
 // for a point of known height, P(lower)^L (Bourlier, Berginc & Saillard 2002). The waves that the mesh lacks hide by
@@ -22,11 +22,6 @@ struct surroundings {
     float log_lower; // log2 of the share of the mesh that is lower than this place
     float joint;    // SHARED_SLOPE, or 0 for facets without neighbourhood
 };
-
-// Height over the mean water of the round earth [m] of an eye-relative position; eye_height: over the water below it.
-float height_over_sea(vec3 position, float eye_height, float earth) {
-    return position.z + eye_height + dot(position.xy, position.xy) / (2.0 * earth);
-}
 
 // `height`: over the mean water, in standard deviations of the sea's; `total`: slope covariance of all waves.
 surroundings surroundings_of(vec2 plane, vec3 covariance, vec3 total, float height) {

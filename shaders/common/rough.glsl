@@ -3,7 +3,7 @@
 // roots. With u = z / sigma, the mean of max(0, u + t) over a standard normal t is u Phi(u) + phi(u), nearly
 //     A(u) = (u + sqrt(u^2 + 0.64)) / 2,     whose derivative A' = A / sqrt(u^2 + 0.64) is nearly Phi(u),
 // so that the mean tilt Phi / A of the facets in sight is 1 / sqrt(u^2 + 0.64). tests/shaders/test_water_rough.c has the errors.
-// Needs common/fresnel.glsl.
+// Needs shared/fresnel.glsl.
 
 struct rough_facets {
     float area;  // plan-projected area that a unit of plan area shows

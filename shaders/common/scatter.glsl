@@ -5,7 +5,7 @@
 
 uniform sampler2D multiple_table;
 #pragma unit multiple_table 15
-const vec2 MULTIPLE_SIZE = vec2(64.0, 32.0);
+const vec2 MULTIPLE_SIZE = vec2(SKY_MULTIPLE_WIDTH, SKY_MULTIPLE_HEIGHT);
 
 // Finer near the horizon, where twilight happens.
 vec2 multiple_uv(float h, float mu_sun) {
@@ -39,7 +39,7 @@ vec3 scattered_light(float h, vec3 dir, float reach, int steps, out vec3 air_lef
         vec3 extinction = air_extinction(density);
         vec2 cloudy = light_under_clouds(height);
         vec3 direct = sun_transmittance_at(height, mu_sun);
-        float diffuse = dot(direct, vec3(0.2126, 0.7152, 0.0722)) * max(mu_sun, 0.0) * cloudy.y / (2.0 * AIR_PI);
+        float diffuse = dot(direct, vec3(0.2126, 0.7152, 0.0722)) * max(mu_sun, 0.0) * cloudy.y / (2.0 * PI);
         vec3 source = direct * (cloudy.x * (by_air * phase_air + by_haze * phase_haze)) + diffuse * (by_air + by_haze) +
                       multiple_scattering(height, mu_sun) * (by_air + by_haze) * (cloudy.x + 0.5 * cloudy.y);
         vec3 through = exp(-extinction * (end - start));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The ground under the water, for any stage. shore_map holds nested square levels of elevation above the water level
 // around the eye, snapped to their texels so that nothing swims; src/render/shore_map.c fills it.
-// coast_attenuation() and coast_attenuations() are the twins of the functions in src/coast/attenuation.c.
+#include "shared/attenuation.glsl"
 #pragma unit shore_map 5
 uniform highp sampler2DArray shore_map;
 uniform vec4 shore_level[4]; // west, south (eye-relative), side, texel [m]
@@ -35,27 +35,12 @@ float shore_elevation(vec2 position) {
     return elevation + rest * SHORE_NONE;
 }
 
-// Lambert's continued fraction of tanh; tanh() itself overflows on some drivers.
-float shore_tanh(float x) {
-    float x2 = x * x;
-    float p = x * (135135.0 + x2 * (17325.0 + x2 * (378.0 + x2)));
-    float q = 135135.0 + x2 * (62370.0 + x2 * (3150.0 + x2 * 28.0));
-    return x > 4.9 ? 1.0 : min(p / q, 1.0);
-}
-
-// Share of its deep-water amplitude that a sea of significant height hs [m] keeps in depth [m] of water.
-float coast_attenuation(float depth, float hs) {
-    if (!(depth > 0.0)) return 0.0;
-    if (!(hs > 0.0)) return 1.0;
-    return shore_tanh(min(0.6 * depth / hs, 10.0));
-}
-
-// The same of four bands that make one sea, 0 for a band that is not there; together they keep what one sea of their
-// height does.
+// coast_attenuation() of four bands that make one sea, 0 for a band that is not there; together they keep what one sea of
+// their height does. Twin of bolan_coast_attenuations() in src/coast/attenuation.c.
 vec4 coast_attenuations(float depth, vec4 hs) {
     vec4 alone = vec4(coast_attenuation(depth, hs.x), coast_attenuation(depth, hs.y), coast_attenuation(depth, hs.z),
                       coast_attenuation(depth, hs.w));
     vec4 left = alone * hs;
     float deep = dot(hs, hs), local = dot(left, left), whole = coast_attenuation(depth, sqrt(deep));
-    return local > 0.0 ? alone * sqrt(whole * whole * deep / local) : alone;
+    return local > 0.0 ? alone * sqrt(coast_share2(whole, deep, local)) : alone;
 }

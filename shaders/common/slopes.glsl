@@ -3,8 +3,8 @@
 // `c` = (xx, xy, yy). A facet of slope s has the normal (-s, 1) / |..|; from direction v (to the observer) it shows the area
 // max(0, v.z - s . v.xy) per unit of plan area. Along the observer's horizontal direction this is a one-dimensional problem
 // in the tilt towards the observer, with closed forms.
+#include "shared/constants.glsl"
 
-const float SLOPES_PI = 3.14159265;
 
 // Standard normal distribution function, to 2e-4 (logistic form of tanh(sqrt(2/pi) (x + 0.044715 x^3)), one
 // exponential).
@@ -93,5 +93,5 @@ float slope_density(vec2 s, vec2 m, vec3 c) {
     float det = max(c.x * c.z - c.y * c.y, 1e-14);
     vec2 d = s - m;
     float q = (c.z * d.x * d.x - 2.0 * c.y * d.x * d.y + c.x * d.y * d.y) / det;
-    return exp(-0.5 * min(q, 80.0)) / (2.0 * SLOPES_PI * sqrt(det));
+    return exp(-0.5 * min(q, 80.0)) / (2.0 * PI * sqrt(det));
 }

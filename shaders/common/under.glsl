@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What water does to things in it, for the pictures that it mirrors and refracts and for an eye under it: raises them, dims them, puts
 // its own light before them, and gathers sunlight on them (Ma, Zhu & Gong 2006, sections 2.2.3, 3 (2) and 5).
-#include "common/refraction.glsl"
+#include "shared/refraction.glsl"
 #include "common/water_light.glsl"
 #ifdef PICTURE
 

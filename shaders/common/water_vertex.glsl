@@ -158,7 +158,7 @@ struct water_pixel {
 // From above, how much farther away than this plane the round earth's water is on the same ray. At twice as far it ends, in the
 // horizon: there the plane does not, and a square would end in corners.
 float round_earth(vec2 position) {
-    float left = 1.0 - 2.0 * dot(position, position) / (earth_radius * max(eye_height, 0.5));
+    float left = 1.0 - 4.0 * earth_drop(dot(position, position), earth_radius) / max(eye_height, 0.5);
 #ifdef TRIM
     if (left < 0.0 && eye_under_water < 0.5) discard;
 #endif
@@ -177,12 +177,12 @@ float quick_asin(float x) {
 
 // aerial_perspective() for a point of the mean sea.
 void quad_aerial(vec3 position, out vec3 transmittance, out vec3 inscatter) {
-    float d = max(length(position), 1e-3), h = max(eye_height, 0.5), x = min(d * d / (2.0 * earth_radius * h), 1.2);
+    float d = max(length(position), 1e-3), h = max(eye_height, 0.5), x = min(earth_drop(d * d, earth_radius) / h, 1.2);
     vec3 dir = position / d;
     transmittance = exp(-d * (quad_extinction.rgb + x * (quad_extinction1 + x * quad_extinction2)));
     float c = dot(dir.xy, sun_direction.xy) * inversesqrt(max(dot(dir.xy, dir.xy) * dot(sun_direction.xy, sun_direction.xy), 1e-12));
     float above = min(quick_asin(clamp(dir.z, -1.0, 1.0)) + quad_extinction.w, 0.0);
-    vec3 at = vec3(sqrt(quick_acos(clamp(c, -1.0, 1.0)) / AIR_PI), 0.5 - 0.5 * sqrt(-above / (0.5 * AIR_PI - quad_extinction.w)),
+    vec3 at = vec3(sqrt(quick_acos(clamp(c, -1.0, 1.0)) / PI), 0.5 - 0.5 * sqrt(-above / (0.5 * PI - quad_extinction.w)),
                    aerial_slice(d));
     inscatter = textureLod(aerial_table, to_texel_centres3(at, AERIAL_SIZE), 0.0).rgb;
 }

@@ -7,6 +7,7 @@
 // PACKED: slope_map0 to slope_map3, one for each cascade, hold slope, dxx + dyy, foam memory, and there is no slope_map or fold_map
 // (sea_gpu.h). CASCADES: how many of them pixels look up, longest waves first.
 // Twins of bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
+#include "shared/constants.glsl"
 #ifdef LAND
 #include "common/shore.glsl"
 #endif
@@ -102,14 +103,19 @@ float half_turns(vec2 axis) {
     return axis.x * axis.y < 0.0 ? 1.0 - turns : turns;
 }
 
+// Coordinate in the table of a standard deviation whose log2 is `deviation`.
+float slope_table_coordinate(float deviation) {
+    return ((deviation - SLOPE_TABLE_FIRST) * SLOPE_TABLE_PER_OCTAVE + 0.5) / float(SLOPE_TABLE_MAJOR);
+}
+
 // Slope covariance (xx, xy, yy) that this footprint removes, and that of the waves shorter than the model has.
 vec3 unresolved_slopes(footprint f) {
-    // the look-ups average over about half a width at each end: standard deviation 0.4 of the width
-    float major = log2(max(0.4 * f.major, 1e-4)), aspect = log2(f.major / max(f.minor, f.major / 127.0));
+    float major = log2(max(FOOTPRINT_DEVIATION * f.major, 1e-4)), aspect = log2(f.major / max(f.minor, f.major / 127.0));
     float angle = half_turns(f.axis);
-    vec3 t = vec3(((major + 8.0) * 1.5 + 0.5) / 24.0, (aspect + 0.5) / 8.0, (angle * 8.0 + 0.5) / 9.0);
+    vec3 t = vec3(slope_table_coordinate(major), (aspect + 0.5) / float(SLOPE_TABLE_ASPECT),
+                  (angle * float(SLOPE_TABLE_ANGLE) + 0.5) / float(SLOPE_TABLE_LAYERS));
     vec3 m = textureLod(slope_table, t, 0.0).xyz; // xx, xy, yy
-    return m + vec3(6e-6, 0.0, 6e-6); // the sun's radius, in slopes
+    return m + vec3(SUN_DISC_SLOPES, 0.0, SUN_DISC_SLOPES);
 }
 
 // ---- vertices -------------------------------------------------------------------------------------------------------
@@ -281,7 +287,7 @@ wave_fields waves_of_footprint(vec2 rest, footprint f, float gust, float depth, 
     float shallow = coast_attenuation(depth, sea_law.x);
     slope *= shallow;
 #endif
-    hidden = max(wave_total.xyz - wave_total.w * seen, vec3(0.0, -1.0, 0.0)) + vec3(6e-6, 0.0, 6e-6); // as unresolved_slopes()
+    hidden = max(wave_total.xyz - wave_total.w * seen, vec3(0.0, -1.0, 0.0)) + vec3(SUN_DISC_SLOPES, 0.0, SUN_DISC_SLOPES);
     return wave_fields(slope * gust, 1.0, 0.0);
 }
 

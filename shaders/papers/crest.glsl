@@ -31,6 +31,7 @@ void main() { fullscreen(0.0); }
 #include "common/atmosphere.glsl"
 #include "common/facets.glsl"
 #include "common/look.glsl"
+#include "shared/earth.glsl"
 #ifdef LAND
 #include "common/surf.glsl"
 #endif
@@ -81,7 +82,7 @@ crest_pixel pixel_here(ivec2 at, vec4 shape) {
     p.fine = log2(p.width);
     vec4 through = textureLod(air_transmittance_map, uv, 0.0), from = textureLod(air_inscatter_map, uv, 0.0);
     // a crest before the horizon is nearer than the mean water on its ray
-    float share = min(p.dist * max(p.view.z, sqrt(max(eye_height, 0.3) / (2.0 * earth_radius))) / max(eye_height, 0.3), 1.0);
+    float share = min(p.dist * max(p.view.z, 0.5 * earth_dip(max(eye_height, 0.3), earth_radius)) / max(eye_height, 0.3), 1.0);
     p.transmittance = mix(vec3(1.0), through.rgb, share);
     p.inscatter = from.rgb * share;
     p.gust = through.w;
@@ -93,7 +94,7 @@ crest_pixel pixel_here(ivec2 at, vec4 shape) {
     p.depth = bed.x;
     p.shore = bed.y;
 #endif
-    vec4 rough = textureLod(rough_table, vec2((p.fine + 6.6780719) * (1.5 / 24.0) + 0.5 / 24.0, 0.5), 0.0);
+    vec4 rough = textureLod(rough_table, vec2(slope_table_coordinate(p.fine + log2(FOOTPRINT_DEVIATION)), 0.5), 0.0);
     p.slopes = rough.xyz * (p.gust * p.gust);
     p.lit = rough.w;
     return p;
@@ -112,7 +113,7 @@ wave_fields waves_here(crest_pixel p) {
 uniform sampler2D foam_densities; // opacity of thin, middling and dense foam; a: its bubbles
 uniform sampler2D foam_ramps;     // by intensity (s) and zone (t): the shares of the three; a: foam without holes
 
-const vec3 FOAM_DENSITIES = vec3(0.22, 0.5, 0.82); // mean opacity of the three: FOAM_DENSITY of foam_ramps.h
+const vec3 FOAM_DENSITIES = vec3(FOAM_THIN, FOAM_MIDDLING, FOAM_DENSE); // mean opacity of the three
 const float RAMP_SWASH = 0.125, RAMP_SURF = 0.375, RAMP_OPEN = 0.625; // rows of foam_ramps
 
 const vec3 PAPER_TINT = vec3(0.088, 0.497, 0.456);
@@ -152,7 +153,7 @@ float open_foam(wave_fields w, vec3 slopes) {
 
 // Opacity; a: brightness of the bubbles.
 vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
-    vec2 at = mod(eye_wrapped + rest, 4096.0);
+    vec2 at = mod(eye_wrapped + rest, WORLD_WRAP);
     float level = width_log2 + 9.0; // a tile has 512 texels
     vec4 tile = textureLod(foam_densities, at * (1.0 / 16.0), max(level - 4.0, 0.0));
 #ifdef FINE_FOAM
@@ -181,7 +182,7 @@ vec2 shore_foam(crest_pixel p, float bed) {
     float distance = p.shore, length = bore_length();
     near *= smoothstep(6.0, 2.0, distance / length); // where the bed hardly rises, waves broke before they came there
     if (near <= 0.0) return vec2(0.0, RAMP_SURF);
-    vec2 at = mod(eye_wrapped + p.rest, 4096.0) * (6.2831853 / 4096.0);
+    vec2 at = mod(eye_wrapped + p.rest, WORLD_WRAP) * (2.0 * PI / WORLD_WRAP);
     float wobble = sin(61.0 * at.x + 2.0 * sin(37.0 * at.y)) + sin(83.0 * at.y + 2.0 * sin(49.0 * at.x));
     float front = bore(behind_front(p.rest, max(p.depth, 0.0), 0.22 * wobble));
     float running = mix(0.3, front, clamp(length / (6.0 * p.width), 0.0, 1.0));
@@ -247,7 +248,7 @@ vec3 light_here(ivec2 at, vec4 shape) {
 
     vec3 sunlight = sun_light * p.shade;
     vec3 below = water_reflectance * (sunlight * (max(sun_direction.z, 0.0) * 0.95) + SKY_ENTERS * sky_light);
-    float rise = p.position.z + eye_height + dot(p.rest, p.rest) / (2.0 * earth_radius);
+    float rise = earth_height(p.position.z, eye_height, dot(p.rest, p.rest), earth_radius);
     float mask = crest_mask(p, w, rise, toward);
     float foam = open_foam(w, p.slopes), zone = RAMP_OPEN;
 #ifdef LAND

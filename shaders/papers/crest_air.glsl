@@ -11,6 +11,7 @@ void main() { fullscreen(0.0); }
 #ifdef FRAGMENT
 #include "common/atmosphere.glsl"
 #include "common/gusts.glsl"
+#include "shared/earth.glsl"
 #ifdef LAND
 #include "common/shore.glsl"
 #endif
@@ -22,9 +23,9 @@ uniform vec4 air_size;                           // of this picture: 1 / width, 
 // Where a ray meets the mean water of the round earth, or passes nearest to it.
 vec3 mean_water(vec3 direction) {
     float h = max(eye_height, 0.3), flat_length = max(length(direction.xy), 1e-5);
-    float slope = direction.z / flat_length, under = slope * slope - 2.0 * h / earth_radius;
-    float r = slope < 0.0 && under > 0.0 ? 2.0 * h / (-slope + sqrt(under)) : sqrt(2.0 * h * earth_radius);
-    return vec3(direction.xy * (r / flat_length), -h - r * r / (2.0 * earth_radius));
+    float r = earth_meets(-direction.z / flat_length, h, earth_radius);
+    if (r < 0.0) r = earth_horizon(h, earth_radius);
+    return vec3(direction.xy * (r / flat_length), -h - earth_drop(r * r, earth_radius));
 }
 
 void main() {

@@ -15,7 +15,7 @@ void main() { water_vertex(); }
 
 #ifdef FRAGMENT
 #include "common/look.glsl"
-#include "common/fresnel.glsl"
+#include "shared/fresnel.glsl"
 #include "common/ripples.glsl"
 #include "common/rough.glsl"
 #include "common/water_light.glsl"
@@ -50,7 +50,7 @@ float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
 #endif
     float alpha = 0.0;
     for (int i = 0; i < 1 && cover > 0.02; ++i) { // a loop: some drivers sample textures in both branches of an if
-        vec2 at = mod(eye_wrapped + p.rest, 4096.0);
+        vec2 at = mod(eye_wrapped + p.rest, WORLD_WRAP);
         float detail = log2(width * 64.0); // texels of a tile of 8 m
         float blurred = clamp(detail * 0.2, 0.0, 1.0), far = clamp(detail * 0.2 - 0.6, 0.0, 1.0);
         vec4 broad = textureLod(foam_detail, at * 0.015625, max(detail - 3.0, 0.0));

@@ -26,7 +26,7 @@ void main() {
 
 #ifdef FRAGMENT
 #include "common/look.glsl"
-#include "common/fresnel.glsl"
+#include "shared/fresnel.glsl"
 #define PICTURE
 #include "common/under.glsl"
 out vec4 color;
@@ -55,7 +55,6 @@ uniform vec4 tile_detail;         // rgb: mean radiance of the water's own textu
 uniform vec4 sun_slide[3];        // rows x, y, w of bias P_sun V_sun: mirrored directions to the slide's coordinates
 uniform vec4 disturbance;         // x: Co of eq. 9, y: Cpo of eq. 10, z: texels of the mirrored picture that twice a radian covers, w: rms radius of the slide's sun [rad]
 
-const float PI = 3.14159265;
 
 vec2 in_tile(vec4 place, vec2 p) { return place.xy + vec2(dot(p, place.zw), dot(p, vec2(-place.w, place.z))); }
 // Along the tile's sides to along the world's axes.

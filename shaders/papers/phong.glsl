@@ -29,7 +29,7 @@ void main() {
 
 #ifdef FRAGMENT
 #include "common/look.glsl"
-#include "common/fresnel.glsl"
+#include "shared/fresnel.glsl"
 #include "common/ripples.glsl"
 #include "common/rough.glsl"
 #include "common/water_light.glsl"

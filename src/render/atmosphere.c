@@ -14,13 +14,13 @@ static bolan_result create_table(gl_texture *texture, gl_target *target, uint32_
 
 static bolan_result create_aerial(atmosphere *a) {
     const gl_texture_desc d = {.format = GL_FMT_RGBA16F,
-                               .width = AERIAL_AZIMUTHS,
-                               .height = AERIAL_ELEVATIONS,
-                               .depth = AERIAL_SLICES,
+                               .width = SKY_AERIAL_AZIMUTHS,
+                               .height = SKY_AERIAL_ELEVATIONS,
+                               .depth = SKY_AERIAL_SLICES,
                                .filter = GL_FILTER_LINEAR};
     bolan_result result = bolan_gl_texture_create(&d, &a->aerial);
     const gl_texture *color = &a->aerial;
-    for (int i = 0; i < AERIAL_SLICES && result == BOLAN_OK; i++) {
+    for (int i = 0; i < SKY_AERIAL_SLICES && result == BOLAN_OK; i++) {
         result = bolan_gl_target_create(&color, 1, NULL, i, 0, &a->aerial_target[i]);
     }
     return result;
@@ -33,9 +33,11 @@ bolan_result bolan_atmosphere_create(atmosphere *a) {
     if (result == BOLAN_OK) result = bolan_gl_program_create("sky_view", NULL, &a->view_program);
     if (result == BOLAN_OK) result = bolan_gl_program_create("sky_aerial", NULL, &a->aerial_program);
     if (result == BOLAN_OK) {
-        result = create_table(&a->transmittance, &a->transmittance_target, TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT);
+        result = create_table(&a->transmittance, &a->transmittance_target, SKY_TRANSMITTANCE_WIDTH,
+                              SKY_TRANSMITTANCE_HEIGHT);
     }
-    if (result == BOLAN_OK) result = create_table(&a->multiple, &a->multiple_target, MULTIPLE_WIDTH, MULTIPLE_HEIGHT);
+    if (result == BOLAN_OK)
+        result = create_table(&a->multiple, &a->multiple_target, SKY_MULTIPLE_WIDTH, SKY_MULTIPLE_HEIGHT);
     if (result == BOLAN_OK) result = create_table(&a->eye_view, &a->eye_view_target, SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT);
     if (result == BOLAN_OK) result = create_table(&a->sea_view, &a->sea_view_target, SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT);
     if (result == BOLAN_OK) result = create_aerial(a);
@@ -71,8 +73,8 @@ static void draw_views(atmosphere *a, float eye_height) {
     draw_table(&a->eye_view_target, &a->view_program);
     bolan_gl_program_float(&a->view_program, "view_height", 2.0f);
     draw_table(&a->sea_view_target, &a->view_program);
-    for (int i = 0; i < AERIAL_SLICES; i++) {
-        bolan_gl_program_float(&a->aerial_program, "slice", (float)i / (float)(AERIAL_SLICES - 1));
+    for (int i = 0; i < SKY_AERIAL_SLICES; i++) {
+        bolan_gl_program_float(&a->aerial_program, "slice", (float)i / (float)(SKY_AERIAL_SLICES - 1));
         draw_table(&a->aerial_target[i], &a->aerial_program);
     }
 }
@@ -111,7 +113,7 @@ void bolan_atmosphere_bind(const atmosphere *a) {
 }
 
 void bolan_atmosphere_free(atmosphere *a) {
-    for (int i = 0; i < AERIAL_SLICES; i++) bolan_gl_target_free(&a->aerial_target[i]);
+    for (int i = 0; i < SKY_AERIAL_SLICES; i++) bolan_gl_target_free(&a->aerial_target[i]);
     bolan_gl_target_free(&a->transmittance_target);
     bolan_gl_target_free(&a->multiple_target);
     bolan_gl_target_free(&a->eye_view_target);

@@ -6,22 +6,12 @@
 
 #include "frame.h"
 
-enum {
-    TRANSMITTANCE_WIDTH = 256,
-    TRANSMITTANCE_HEIGHT = 64, // sizes stand in common/air.glsl, scatter.glsl, sky_table.glsl too
-    MULTIPLE_WIDTH = 64,
-    MULTIPLE_HEIGHT = 32,
-    SKY_VIEW_WIDTH = 192,
-    SKY_VIEW_HEIGHT = 128,
-    AERIAL_AZIMUTHS = 32,
-    AERIAL_ELEVATIONS = 65,
-    AERIAL_SLICES = 32,
-};
+#include "shared/constants.glsl"
 
 typedef struct atmosphere {
     gl_program transmittance_program, multiple_program, view_program, aerial_program;
     gl_texture transmittance, multiple, eye_view, sea_view, aerial;
-    gl_target transmittance_target, multiple_target, eye_view_target, sea_view_target, aerial_target[AERIAL_SLICES];
+    gl_target transmittance_target, multiple_target, eye_view_target, sea_view_target, aerial_target[SKY_AERIAL_SLICES];
     bool filled;
     float visibility, cover, cloud_base, sun_height, eye_height, unit; // what the tables were made for
 } atmosphere;

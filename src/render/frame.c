@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // One picture, as the list of its passes.
 #include "frame.h"
+#include "shared/constants.glsl"
 
 #include <math.h>
 
+#include "bolan/earth.h"
 #include "bolan/query.h"
 #include "renderer.h"
 
@@ -106,8 +108,8 @@ static void fill_scene(frame *f) {
     u->view.eye_under_water = f->eye.z < s->water.level ? 1.0f : 0.0f;
     f->sun_direction = sun_direction(&s->sky);
     double wind_to = bolan_compass_from_to_math(state->wind_from_deg);
-    u->view.eye_wrapped = (bolan_vec2){reduced(f->eye.x, 4096.0), reduced(f->eye.y, 4096.0)};
-    u->view.eye_wrapped_wide = (bolan_vec2){reduced(f->eye.x, 131072.0), reduced(f->eye.y, 131072.0)};
+    u->view.eye_wrapped = (bolan_vec2){reduced(f->eye.x, WORLD_WRAP), reduced(f->eye.y, WORLD_WRAP)};
+    u->view.eye_wrapped_wide = (bolan_vec2){reduced(f->eye.x, WORLD_WRAP_WIDE), reduced(f->eye.y, WORLD_WRAP_WIDE)};
     u->view.eye_height = (float)(f->eye.z - s->water.level);
     u->frame.sun_direction = f->sun_direction;
     u->frame.wind_direction = (bolan_vec2){(float)cos(wind_to), (float)sin(wind_to)};

@@ -4,6 +4,9 @@
 #include "ground_tree.h"
 #include "memory.h"
 
+#include "bolan/earth.h"
+#include "shared/earth.glsl"
+
 #define HASH_SIZE 2048u
 #define NO_SLOT UINT32_MAX
 #define SMALLEST_CHUNK 25.0 // [m]; finer structure is the shader's
@@ -157,11 +160,12 @@ static box box_of(const tree_view *v, double west, double south, double size, fl
     double x0 = west - v->eye.x, y0 = south - v->eye.y, x1 = x0 + size, y1 = y0 + size;
     double nx = fmax(fmax(x0, -x1), 0.0), ny = fmax(fmax(y0, -y1), 0.0);
     double fx = fmax(fabs(x0), fabs(x1)), fy = fmax(fabs(y0), fabs(y1));
-    double drop = 0.5 / BOLAN_EARTH_RADIUS, slack = 0.01 * size + 0.5;
-    box b = {
-        {(float)(x0 - slack), (float)(y0 - slack), (float)(lowest - v->eye.z - drop * (fx * fx + fy * fy) - slack)},
-        {(float)(x1 + slack), (float)(y1 + slack), (float)(highest - v->eye.z - drop * (nx * nx + ny * ny) + slack)},
-        sqrt(nx * nx + ny * ny)};
+    double slack = 0.01 * size + 0.5;
+    box b = {{(float)(x0 - slack), (float)(y0 - slack),
+              (float)(lowest - v->eye.z - earth_drop(fx * fx + fy * fy, BOLAN_EARTH_RADIUS) - slack)},
+             {(float)(x1 + slack), (float)(y1 + slack),
+              (float)(highest - v->eye.z - earth_drop(nx * nx + ny * ny, BOLAN_EARTH_RADIUS) + slack)},
+             sqrt(nx * nx + ny * ny)};
     return b;
 }
 
@@ -192,7 +196,9 @@ static bool hidden(const tree_view *v, double west, double south, double size, f
     box b = box_of(v, west, south, size, lowest, highest);
     // Below the horizon of the sea: sqrt(2 R h) to it, as much again beyond it for what stands high.
     double eye = v->eye.z - v->water_level, top = highest - v->water_level;
-    if (eye > 0.0 && b.distance > sqrt(2.0 * BOLAN_EARTH_RADIUS) * (sqrt(eye) + sqrt(fmax(top, 0.0))) * 1.05 + 1000.0) {
+    double reach =
+        earth_horizon(fmax(eye, 0.0), BOLAN_EARTH_RADIUS) + earth_horizon(fmax(top, 0.0), BOLAN_EARTH_RADIUS);
+    if (eye > 0.0 && b.distance > reach * 1.05 + 1000.0) {
         return true;
     }
     return outside_frustum(&v->view_projection, &b) && !(v->mirrors && !outside_frustum(&v->mirrored, &b));

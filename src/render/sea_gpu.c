@@ -4,11 +4,11 @@
 
 #include "memory.h"
 #include "sea_texels.h"
+#include "shared/constants.glsl"
 
 #include <math.h>
 #include <string.h>
 
-#define SLOPE_ANGLES (BOLAN_SLOPE_TABLE_ANGLE + 1) // the first repeats at the end, so that linear filtering wraps
 enum { TABLE_ROW = 64, TABLE_ROWS = BOLAN_MAX_FREQUENCIES * BOLAN_MAX_DIRECTIONS / TABLE_ROW };
 
 water_waves bolan_water_waves_of(bolan_wave_model model, bolan_surface_kind surface) {
@@ -27,7 +27,7 @@ bolan_result bolan_sea_gpu_create(sea_gpu *p) {
     gl_texture_desc slopes = {.format = GL_FMT_RGBA16F,
                               .width = BOLAN_SLOPE_TABLE_MAJOR,
                               .height = BOLAN_SLOPE_TABLE_ASPECT,
-                              .depth = SLOPE_ANGLES,
+                              .depth = SLOPE_TABLE_LAYERS,
                               .filter = GL_FILTER_LINEAR,
                               .wrap = GL_WRAP_CLAMP};
     gl_texture_desc waves = {
@@ -359,7 +359,7 @@ static void upload_table(sea_gpu *p, const frame *f) {
 // ---- both -----------------------------------------------------------------------------------------------------------
 
 static void upload_slope_table(sea_gpu *p, const bolan_sea *sea) {
-    float table[SLOPE_ANGLES * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_MAJOR * 4];
+    float table[SLOPE_TABLE_LAYERS * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_MAJOR * 4];
     size_t layer = (size_t)BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_MAJOR * 4;
     const float *from = bolan_sea_slope_table(sea);
     memcpy(table, from, sizeof(float) * layer * BOLAN_SLOPE_TABLE_ANGLE);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shader files, embedded by cmake/embed_text.cmake. Paths are relative to shaders/ ("common/fresnel.glsl"), sorted.
+// The shader files, embedded by cmake/embed_text.cmake. Paths are relative to shaders/ ("shared/fresnel.glsl"), sorted.
 #ifndef BOLAN_RENDER_SHADER_SOURCE_H
 #define BOLAN_RENDER_SHADER_SOURCE_H
 

@@ -3,6 +3,9 @@
 #include "water_mesh.h"
 #include "memory.h"
 
+#include "bolan/earth.h"
+#include "shared/earth.glsl"
+
 #include <math.h>
 #include <string.h>
 
@@ -181,7 +184,7 @@ enum { PAPER_CELLS = 32, PAPER_LEVELS = 6 };
 static bolan_nested_desc nested_desc(const water_mesh *m, const bolan_surface_view *view, bool paper) {
     if (!paper) return m->nested;
     const double height = fmax(fabs(view->eye.z - view->water_level), 1.0);
-    const double dip = sqrt(2.0 * height / BOLAN_EARTH_RADIUS), pixels = 3.0 * view->fov_y / view->pixel_height;
+    const double dip = earth_dip(height, BOLAN_EARTH_RADIUS), pixels = 3.0 * view->fov_y / view->pixel_height;
     return (bolan_nested_desc){PAPER_CELLS, PAPER_LEVELS, height / (dip + pixels) / (PAPER_CELLS / 2)};
 }
 

@@ -2,6 +2,9 @@
 // What the optics share. See water_optics.h.
 #include "water_optics.h"
 
+#include "bolan/earth.h"
+#include "shared/earth.glsl"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,7 +12,7 @@
 // Whether the corners of the quad, whose sides end at the horizon, stand above it by more than half a pixel: they are 1.41 times as far
 // away. Where the water is lit at fewer places they are left out when it is laid over the picture.
 static bool is_trimmed(const frame *f) {
-    const double dip = sqrt(2.0 * fmax(f->uniforms.view.eye_height, 0.5) / BOLAN_EARTH_RADIUS);
+    const double dip = earth_dip(fmax(f->uniforms.view.eye_height, 0.5), BOLAN_EARTH_RADIUS);
     return f->uniforms.view.shade_columns == 1.0f && 0.2929 * dip > 0.5 * (double)f->uniforms.view.radians_per_pixel;
 }
 
@@ -83,7 +86,7 @@ uint32_t bolan_water_rows(const frame *f, double vertical) {
     if (bolan_water_surface(f) == BOLAN_SURFACE_QUAD) vertical = 0.0;
     double above = f->uniforms.view.eye_height - vertical;
     if (above <= (vertical > 0.0 ? 1.0 : 0.0)) return f->desc->height; // among the waves: they may stand anywhere
-    double top = bolan_radians(c->pitch_deg) + acos(BOLAN_EARTH_RADIUS / (BOLAN_EARTH_RADIUS + above)); // over it
+    double top = bolan_radians(c->pitch_deg) + earth_dip_exact(above, BOLAN_EARTH_RADIUS); // over it
     double half = 0.5 * bolan_radians(c->fov_deg);
     double y = -tan(top) / tan(half); // in the middle; the curve of the horizon bends down from there
     double rows = (0.5 + 0.5 * y) * f->desc->height + 3.0;

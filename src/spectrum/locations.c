@@ -2,21 +2,15 @@
 // See locations.h.
 #include "spectrum/locations.h"
 
-#include "bolan/math.h"
+#include "bolan/earth.h"
 
 #include <math.h>
 
 #define PLACE_NEAR_KM 50.0 // a place farther than this from every location is worth a warning
-#define EARTH_RADIUS_KM 6371.0
 
-static double squared(double x) { return x * x; }
-
-// Great-circle distance [km] of longitudes and latitudes (haversine), else the distance in the plane [km].
+// Great-circle distance [km] of longitudes and latitudes, else the distance in the plane [km].
 static double distance_km(bool spherical, const double a[2], const double b[2]) {
-    if (!spherical) return 1e-3 * hypot(a[0] - b[0], a[1] - b[1]);
-    const double half_y = sin(bolan_radians(b[1] - a[1]) / 2.0), half_x = sin(bolan_radians(b[0] - a[0]) / 2.0);
-    const double h = squared(half_y) + cos(bolan_radians(a[1])) * cos(bolan_radians(b[1])) * squared(half_x);
-    return 2.0 * EARTH_RADIUS_KM * asin(sqrt(fmin(h, 1.0)));
+    return 1e-3 * (spherical ? bolan_earth_distance(a[0], a[1], b[0], b[1]) : hypot(a[0] - b[0], a[1] - b[1]));
 }
 
 static bool by_place(const bolan_spectrum_options *options) {

@@ -18,11 +18,11 @@ enum {
     SPECTRUM_MAX_DIRECTIONS = 720,
 };
 
-#define SPECTRUM_MIN_HERTZ 1e-3  ///< of a file's frequencies: beyond the longest swell and infragravity waves
-#define SPECTRUM_MAX_HERTZ 10.0  ///< well into the ripples
-#define SPECTRUM_MAX_DENSITY 1e9 ///< [m2/Hz/rad]: far above any sea, far below overflow
-#define SPECTRUM_MAX_HS 40.0     ///< no sea is higher: twice the highest that was ever measured [m]
-#define SPECTRUM_PEAK_OMEGA_MIN 0.1  // of a wave system [rad/s]
+#define SPECTRUM_MIN_HERTZ 1e-3     ///< of a file's frequencies: beyond the longest swell and infragravity waves
+#define SPECTRUM_MAX_HERTZ 10.0     ///< well into the ripples
+#define SPECTRUM_MAX_DENSITY 1e9    ///< [m2/Hz/rad]: far above any sea, far below overflow
+#define SPECTRUM_MAX_HS 40.0        ///< no sea is higher: twice the highest that was ever measured [m]
+#define SPECTRUM_PEAK_OMEGA_MIN 0.1 // of a wave system [rad/s]
 #define SPECTRUM_PEAK_OMEGA_MAX 50.0
 
 /// One allocation: this header, then the four arrays.

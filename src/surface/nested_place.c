@@ -14,6 +14,8 @@
 // most 29, so positions, and those of the levels that share them, are exact in double.
 #include "surface/view_cone.h"
 
+#include "shared/earth.glsl"
+
 // The centre lies at most so many times as far as the nearest water in the picture: with 2, no water in the direction of
 // view is farther from the centre than from the eye, so that cells (which grow with the distance from the centre) look as
 // large near as far.
@@ -36,16 +38,15 @@ static double plan_length(bolan_dvec3 d) { return sqrt(d.x * d.x + d.y * d.y); }
 
 // Where a ray that sinks by `down` over `plan` meets the round mean water: plan * h = down * r - plan * r^2 / 2R.
 static double distance_along(double plan, double down, double h) {
-    double under = down * down - 2.0 * h / BOLAN_EARTH_RADIUS * plan * plan;
-    if (down <= 0.0 || under <= 0.0) return sqrt(2.0 * BOLAN_EARTH_RADIUS * h); // over the horizon
-    return 2.0 * h * plan / (down + sqrt(under));
+    double distance = plan > 0.0 ? earth_meets(down / plan, h, BOLAN_EARTH_RADIUS) : down > 0.0 ? 0.0 : -1.0;
+    return distance >= 0.0 ? distance : earth_horizon(h, BOLAN_EARTH_RADIUS); // over the horizon
 }
 
 static outlook look_out(const bolan_surface_view *v) {
     double above = v->eye.z - v->water_level, side = above < 0.0 ? -1.0 : 1.0; // from below, the water is up
     outlook o = {.height = fmax(fabs(above), 0.5), .cosine = 1.0};
     o.pixel = v->fov_y / (v->pixel_height > 0 ? v->pixel_height : 1);
-    o.nearest = sqrt(2.0 * BOLAN_EARTH_RADIUS * o.height);
+    o.nearest = earth_horizon(o.height, BOLAN_EARTH_RADIUS);
     for (int k = 0; k < 9; ++k) {
         bolan_dvec3 d = bolan_surface_view_direction(v, k % 3 - 1.0, k / 3 - 1.0);
         double plan = plan_length(d);
@@ -56,7 +57,7 @@ static outlook look_out(const bolan_surface_view *v) {
     bolan_dvec3 middle = bolan_surface_view_direction(v, 0.0, 0.0);
     double looked_at = distance_along(plan_length(middle), -side * middle.z, o.height);
     o.centre = fmin(looked_at, NEAR_SHARE * fmax(o.nearest, o.height));
-    double dip = sqrt(2.0 * o.height / BOLAN_EARTH_RADIUS);
+    double dip = earth_dip(o.height, BOLAN_EARTH_RADIUS);
     o.edge = distance_along(1.0, dip + 0.5 * o.pixel, o.height);
     return o;
 }

@@ -11,6 +11,8 @@
 // Level l's border is at 2 d_l and its parent's hole at d_(l-1): the same. No wave need come or go when a level moves.
 #include "surface/view_cone.h"
 
+#include "shared/earth.glsl"
+
 // The part of plan that the picture covers.
 typedef struct sight {
     bool sector;                 // two sides suffice
@@ -59,7 +61,7 @@ static bolan_surface_vertex plain_vertex(const place *p, bolan_dvec2 at, double 
     double x = at.x - p->eye.x, y = at.y - p->eye.y;
     return (bolan_surface_vertex){.x = (float)x,
                                   .y = (float)y,
-                                  .z = (float)(-p->eye.z - (x * x + y * y) / (2.0 * BOLAN_EARTH_RADIUS)),
+                                  .z = (float)(-p->eye.z - earth_drop(x * x + y * y, BOLAN_EARTH_RADIUS)),
                                   .spacing = (float)fmax(spacing, p->nested->least_spacing)};
 }
 
@@ -126,7 +128,7 @@ static bool in_sight(const sight *s, bolan_dvec3 p, double cell) {
 // half of that, so that its neighbours are visible where it is.
 static bool visible_at(const place *p, const sight *s, bolan_dvec2 at, double cell) {
     double x = at.x - p->eye.x, y = at.y - p->eye.y;
-    double z = -p->eye.z - (x * x + y * y) / (2.0 * BOLAN_EARTH_RADIUS);
+    double z = -p->eye.z - earth_drop(x * x + y * y, BOLAN_EARTH_RADIUS);
     return in_sight(s, bolan_dv3(x, y, z), cell);
 }
 

@@ -12,6 +12,9 @@
 //                 (      o        )
 #include "surface/view_cone.h"
 
+#include "shared/earth.glsl"
+#include "shared/grid.glsl"
+
 #define PROBES 9 // directions tried along each axis of the picture
 
 // What the picture can see of the water, in polar terms.
@@ -30,12 +33,11 @@ bolan_surface_desc bolan_surface_desc_default(void) {
 
 // Distance [m] at which a ray that sinks by `slope` meets a round earth `height` below; HUGE_VAL where it passes over.
 static double meets_water(double slope, double height) {
-    const double under = slope * slope - 2.0 * height / BOLAN_EARTH_RADIUS;
-    return slope > 0.0 && under > 0.0 ? BOLAN_EARTH_RADIUS * (slope - sqrt(under)) : HUGE_VAL;
+    const double distance = earth_meets(slope, height, BOLAN_EARTH_RADIUS);
+    return distance >= 0.0 ? distance : HUGE_VAL;
 }
 
 static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
-    double radius = BOLAN_EARTH_RADIUS;
     polar_bounds b = {.far_distance = bolan_surface_horizon_distance(fmax(height, 0.0), v->vertical) + 10.0};
     double lowest = 1e9, highest = -1e9; // elevation angles in the picture
     for (int j = 0; j < PROBES; ++j)
@@ -53,10 +55,10 @@ static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
     }
     b.half = fmin(b.half, BOLAN_PI);
     double above = height - v->vertical; // of the eye over the highest crest
-    double dip = above > 0.0 ? acos(radius / (radius + above)) : 0.0;
+    double dip = above > 0.0 ? earth_dip_exact(above, BOLAN_EARTH_RADIUS) : 0.0;
     b.any = above <= 0.0 || lowest < -dip + 1e-4;
     if (above > 0.0 && lowest < 0.0) b.near_distance = fmax(0.0, above / tan(-lowest) - 1.5 * v->horizontal);
-    if (above > 0.0 && lowest >= 0.0) b.near_distance = sqrt(2.0 * radius * above) * 0.5;
+    if (above > 0.0 && lowest >= 0.0) b.near_distance = 0.5 * earth_horizon(above, BOLAN_EARTH_RADIUS);
     // where the whole picture lies below the horizon: to its upper edge, seen down to the deepest trough
     const double edge = highest + SURFACE_GUARD_ANGLE, deep = height + v->vertical;
     if (edge < -0.01) b.far_distance = fmin(b.far_distance, meets_water(tan(-edge), deep) + 1.5 * v->horizontal + 10.0);
@@ -64,31 +66,14 @@ static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
     return b;
 }
 
-// ---- distances: rows lie at even steps of a parameter s of x = r / height ---------------------------------------------
-//
-//   s(x) = atan x                      up to x1: even steps of the angle seen from the eye
-//          atan x1 + ln(x / x1) / 7    beyond: never longer than a fixed share of the distance, so that crests keep their
-//                                      outline near the horizon, where an angular step covers a hundred metres
-//
-// x1 is where both have the same slope, 1 + x1^2 = 7 x1. Twin: grid_point() in shaders/common/grid.glsl.
-#define FAR_SHARE 7.0
-#define FAR_FROM 6.854101966249685  // x1 = (7 + sqrt 45) / 2
-#define FAR_ANGLE 1.425920476076873 // atan x1
-
-static double parameter_of(double x) { return x < FAR_FROM ? atan(x) : FAR_ANGLE + log(x / FAR_FROM) / FAR_SHARE; }
-
-static double distance_of(double s) { return s < FAR_ANGLE ? tan(s) : FAR_FROM * exp(FAR_SHARE * (s - FAR_ANGLE)); }
-
-static double steepness_of(double x) { return x < FAR_FROM ? 1.0 + x * x : FAR_SHARE * x; } // dx/ds
-
 bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *view) {
     BOLAN_ASSERT(view != NULL);
     const double above = view->eye.z - view->water_level;
     const polar_bounds b = find_bounds(view, fmax(above, 0.5));
     bolan_surface_projector p = {.visible = b.any, .above = above};
     p.height = fmax(fabs(above), 0.5); // the angular steps must not vanish at the surface
-    p.near_parameter = parameter_of(b.near_distance / p.height);
-    p.range = parameter_of(b.far_distance / p.height) - p.near_parameter;
+    p.near_parameter = grid_parameter(b.near_distance / p.height);
+    p.range = grid_parameter(b.far_distance / p.height) - p.near_parameter;
     p.heading = bolan_radians(view->heading_deg);
     p.half = b.half;
     p.guard = 1.5 * view->horizontal;
@@ -99,11 +84,6 @@ bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *vie
 static double snapped(double heading, double half, uint32_t columns) {
     const double step = 2.0 * half / (columns - 1);
     return floor(heading / step + 0.5) * step;
-}
-
-static double half_at(const bolan_surface_projector *p, double r) {
-    const double share = r > p->guard ? p->guard / r : 1.0;
-    return p->half + (BOLAN_PI - p->half) * share * sqrt(share);
 }
 
 // Azimuths at even steps, each turned from the one before: an error of 1e-16 each, and no sine for each vertex.
@@ -125,10 +105,10 @@ void bolan_surface_projector_vertices(const bolan_surface_projector *p, bolan_su
     BOLAN_ASSERT(p != NULL && vertices != NULL && size.columns >= 2 && size.rows >= 2);
     const double centre = snapped(p->heading, p->half, size.columns), step = p->range / (size.rows - 1);
     for (uint32_t j = 0; j < size.rows; ++j) {
-        const double x = distance_of(p->near_parameter + j * step), r = p->height * x;
-        const double z = -p->above - r * r / (2.0 * BOLAN_EARTH_RADIUS);
-        fill_row(vertices + (size_t)j * size.columns, size.columns, centre, half_at(p, r), r, z,
-                 p->height * steepness_of(x) * step);
+        const double x = grid_distance(p->near_parameter + j * step), r = p->height * x;
+        const double z = -p->above - earth_drop(r * r, BOLAN_EARTH_RADIUS);
+        fill_row(vertices + (size_t)j * size.columns, size.columns, centre, grid_half_angle(p->half, p->guard, r), r, z,
+                 p->height * grid_steepness(x) * step);
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/view_cone.h"
 
+#include "shared/earth.glsl"
+
 // Sine and cosine of the library, so that the geometry is the same on every machine.
 static double tangent_of(double angle) {
     double s, c;
@@ -31,5 +33,5 @@ bool bolan_surface_sees_nadir(const bolan_surface_view *v) {
 }
 
 double bolan_surface_horizon_distance(double h, double crest) {
-    return sqrt(2.0 * BOLAN_EARTH_RADIUS * h) + sqrt(2.0 * BOLAN_EARTH_RADIUS * crest);
+    return earth_horizon(h, BOLAN_EARTH_RADIUS) + earth_horizon(crest, BOLAN_EARTH_RADIUS);
 }

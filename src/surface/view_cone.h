@@ -3,6 +3,7 @@
 #ifndef BOLAN_SURFACE_PICTURE_H
 #define BOLAN_SURFACE_PICTURE_H
 
+#include "bolan/earth.h"
 #include "bolan/surface.h"
 
 #define SURFACE_GUARD_ANGLE 0.02 // [rad] beyond the picture's edge

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The techniques: a wave model, a surface and an optics under one name.
 #include "bolan/technique.h"
+#include "shared/constants.glsl"
 
 #include <string.h>
 
@@ -25,6 +26,15 @@ static const bolan_technique techniques[] = {OCEAN, TWO_TRIANGLE, EXP_COSINE, NE
 
 const char *const bolan_optics_kind_names[BOLAN_OPTICS_KINDS + 1] = {"physical", "mirror", "phong",
                                                                      "lit",      "crest",  NULL};
+
+_Static_assert(EFFECT_REFLECTION == BOLAN_EFFECT_REFLECTION && EFFECT_REFRACTION == BOLAN_EFFECT_REFRACTION &&
+                   EFFECT_BUMP == BOLAN_EFFECT_BUMP && EFFECT_DISTORTION == BOLAN_EFFECT_DISTORTION &&
+                   EFFECT_GLITTER == BOLAN_EFFECT_GLITTER && EFFECT_CAUSTICS == BOLAN_EFFECT_CAUSTICS &&
+                   EFFECT_AMBIENT == BOLAN_EFFECT_AMBIENT && EFFECT_DIFFUSE == BOLAN_EFFECT_DIFFUSE &&
+                   EFFECT_SPECULAR == BOLAN_EFFECT_SPECULAR && EFFECT_SCATTERING == BOLAN_EFFECT_SCATTERING &&
+                   EFFECT_FOAM == BOLAN_EFFECT_FOAM && EFFECT_FOG == BOLAN_EFFECT_FOG,
+               "the shaders test the bits that the public header states");
+
 const char *const bolan_effect_names[BOLAN_EFFECTS + 1] = {
     "reflection", "refraction", "bump",       "distortion", "glitter", "caustics", "ambient",
     "diffuse",    "specular",   "scattering", "foam",       "fog",     NULL};

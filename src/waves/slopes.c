@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Slope variance that a footprint cannot resolve (Bruneton, Neyret & Holzschuch 2010, section 4): the modes' slope
 // covariance, gathered over wave number and direction, times what a Gaussian footprint removes, 1 - exp(-sigma^2 k^2).
+#include "shared/constants.glsl"
 #include "spectrum/portable.h"
 #include "waves/sum.h"
 
@@ -90,6 +91,10 @@ const float *bolan_sea_slope_table(const bolan_sea *sea) {
     return sea->slope_table;
 }
 
+_Static_assert(SLOPE_TABLE_MAJOR == BOLAN_SLOPE_TABLE_MAJOR && SLOPE_TABLE_ASPECT == BOLAN_SLOPE_TABLE_ASPECT &&
+                   SLOPE_TABLE_ANGLE == BOLAN_SLOPE_TABLE_ANGLE,
+               "the shaders read the table that the public header states");
+
 // Task: rows [begin, end) of the table, one for each (angle, aspect).
 static void fill_table(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
     (void)worker;
@@ -97,7 +102,7 @@ static void fill_table(void *context, uint32_t begin, uint32_t end, uint32_t wor
     for (uint32_t row = begin; row < end; row++) {
         const uint32_t l = row / BOLAN_SLOPE_TABLE_ASPECT, j = row % BOLAN_SLOPE_TABLE_ASPECT;
         for (uint32_t i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; i++) {
-            const double major = portable_pow(2.0, i / 1.5 - 8.0);
+            const double major = portable_pow(2.0, i / SLOPE_TABLE_PER_OCTAVE + SLOPE_TABLE_FIRST);
             float *texel = sea->slope_table + ((size_t)row * BOLAN_SLOPE_TABLE_MAJOR + i) * 4;
             bolan_sea_unresolved_slopes(sea, major, ldexp(major, -(int)j), l * BOLAN_PI / BOLAN_SLOPE_TABLE_ANGLE,
                                         texel);

@@ -2,6 +2,7 @@
 // No hole in the nested grids as they are drawn: over ten thousand random views the waves are drawn over a coloured background, and
 // below the horizon none of it may show. tests/unit/test_surface_nested_cracks.c shows the same of the triangles, by their bits.
 #include "../shaders/gl_support.h"
+#include "bolan/earth.h"
 
 #include "render/sea_gpu.h"
 #include "render/water_mesh.h"

@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "bolan/earth.h"
 #include "picture.h"
 
 #define WIDTH 320

@@ -7,6 +7,7 @@
 
 #include <cmocka.h>
 
+#include "bolan/earth.h"
 #include "bolan/query.h"
 #include "picture.h"
 

@@ -5,7 +5,8 @@
 set -eu
 rules=$(cd "$(dirname "$0")" && pwd)/layers.awk
 cd "$1"
-files=$(find include src apps examples -name '*.[ch]' -o -name '*.cpp' 2>/dev/null | sort)
+files=$({ find include src apps examples -name '*.[ch]' -o -name '*.cpp'; find shaders/shared -name '*.glsl'; } \
+    2>/dev/null | sort)
 if [ -z "$files" ]; then
     echo 'no source file found'
     exit 1

@@ -7,16 +7,17 @@ tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 
 clean() {
-    rm -rf "$tree/src" "$tree/include" "$tree/apps" "$tree/examples"
+    rm -rf "$tree/src" "$tree/include" "$tree/apps" "$tree/examples" "$tree/shaders"
     mkdir -p "$tree/include/bolan" "$tree/src/base" "$tree/src/math" "$tree/src/waves" "$tree/src/io" \
-        "$tree/src/render/gl" "$tree/src/odd" "$tree/apps/bolan" "$tree/apps/viewer" "$tree/examples"
+        "$tree/src/render/gl" "$tree/src/odd" "$tree/apps/bolan" "$tree/apps/viewer" "$tree/examples" "$tree/shaders/shared"
     printf '#include <stdint.h>\n' >"$tree/include/bolan/base.h"
     printf '#include "bolan/base.h"\n' >"$tree/include/bolan/waves.h"
     printf '#include "bolan/base.h"\n' >"$tree/include/bolan/render.h"
     printf '#include "bolan/waves.h"\n' >"$tree/include/bolan/bolan.h"
     printf '#include "bolan/base.h"\n#include <pthread.h>\n' >"$tree/src/base/a.c"
     printf 'int a;\n' >"$tree/src/waves/field.h"
-    printf '#include "field.h"\n#include "bolan/base.h"\nint b; // glClear in words\n' >"$tree/src/waves/a.c"
+    printf '#include "field.h"\n#include "bolan/base.h"\n#include "shared/real.glsl"\nint b; // glClear in words\n' >"$tree/src/waves/a.c"
+    printf '#include <math.h>\n' >"$tree/shaders/shared/real.glsl"
     printf '#include <gdal/gdal.h>\n' >"$tree/src/io/a.c"
     printf '#include "gl/gl.h"\nint BOLAN_GL_CORE = GL_OURS;\n' >"$tree/src/render/frame.c"
     printf 'enum { GL_OURS };\n' >"$tree/src/render/gl/gl.h"
@@ -43,6 +44,9 @@ if ! sh "$check" "$tree" >"$tree/log"; then
     cat "$tree/log"
     failures=1
 fi
+breaks 'a shared source that is not there' src/waves/a.c '#include "shared/nothing.glsl"'
+breaks 'a shared source in a program' apps/bolan/main.c '#include "shared/real.glsl"'
+breaks 'a shared source that includes C' shaders/shared/real.glsl '#include "waves/field.h"'
 breaks 'an include of a higher tier' src/base/a.c '#include "bolan/waves.h"'
 breaks 'a private include of a higher tier' src/math/a.c '#include "waves/field.h"'
 breaks 'a relative include of a higher tier' src/math/a.c '#include "../waves/field.h"'

@@ -3,6 +3,7 @@
 #ifndef BOLAN_TESTS_SKY_SUPPORT_H
 #define BOLAN_TESTS_SKY_SUPPORT_H
 
+#include "bolan/earth.h"
 #include "gl_support.h"
 #include "render/frame.h"
 

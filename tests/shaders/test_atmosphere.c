@@ -64,7 +64,7 @@ static void quadrature(double h, double mu, double visibility, double depth[3]) 
 // Of the table's own rays (Bruneton & Neyret 2008): texel -> height and cosine, in doubles.
 static void table_ray(int x, int y, double *h, double *mu) {
     const double earth = 6371e3, top = 100e3, longest = sqrt(top * (2 * earth + top));
-    const double rho = longest * y / (TRANSMITTANCE_HEIGHT - 1.0), u = x / (TRANSMITTANCE_WIDTH - 1.0);
+    const double rho = longest * y / (SKY_TRANSMITTANCE_HEIGHT - 1.0), u = x / (SKY_TRANSMITTANCE_WIDTH - 1.0);
     *h = sqrt(earth * earth + rho * rho) - earth;
     const double shortest = top - *h, d = shortest + u * (rho + longest - shortest), r = earth + *h;
     *mu = d < 1.0 ? 1.0 : ((earth + top) * (earth + top) - r * r - d * d) / (2 * r * d);
@@ -78,16 +78,16 @@ static void the_transmittance_table_agrees_with_an_independent_quadrature(void *
     assert_int_equal(bolan_atmosphere_create(&a), BOLAN_OK);
     rig_prepare(&r);
     assert_true(bolan_atmosphere_update(&a, &r.f.uniforms));
-    float *table = malloc(sizeof(float) * 4 * TRANSMITTANCE_WIDTH * TRANSMITTANCE_HEIGHT);
+    float *table = malloc(sizeof(float) * 4 * SKY_TRANSMITTANCE_WIDTH * SKY_TRANSMITTANCE_HEIGHT);
     bolan_gl_target_read_float(&a.transmittance_target, 0, table);
     double worst = 0.0;
-    for (int y = 0; y < TRANSMITTANCE_HEIGHT - 1; y += 6) {
-        for (int x = 0; x < TRANSMITTANCE_WIDTH; x += 17) {
+    for (int y = 0; y < SKY_TRANSMITTANCE_HEIGHT - 1; y += 6) {
+        for (int x = 0; x < SKY_TRANSMITTANCE_WIDTH; x += 17) {
             double h, mu, depth[3];
             table_ray(x, y, &h, &mu);
             quadrature(h, fmax(-1.0, fmin(1.0, mu)), 40000.0, depth);
             for (int c = 0; c < 3; c++) {
-                const double got = table[4 * (y * TRANSMITTANCE_WIDTH + x) + c];
+                const double got = table[4 * (y * SKY_TRANSMITTANCE_WIDTH + x) + c];
                 worst = fmax(worst, fabs(exp(-got) - exp(-depth[c])));
             }
         }

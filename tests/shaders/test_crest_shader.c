@@ -5,12 +5,14 @@
 
 #include <math.h>
 
+#include "bolan/earth.h"
 #include "bolan/surface.h"
 #include "bolan/waves.h"
 #include "render/foam_statistics.h"
 #include "render/frame.h"
 #include "render/papers/foam_ramps.h"
 #include "render/sea_texels.h"
+#include "shared/constants.glsl"
 
 // ---- the static grid ------------------------------------------------------------------------------------------------
 
@@ -184,7 +186,7 @@ static void light_through_crests_is_brightest_against_the_sun(void **state) {
 static void densities_have_their_means_and_tile(void **state) {
     (void)state;
     static uint8_t pixels[FOAM_TEXTURE_SIZE][FOAM_TEXTURE_SIZE][4];
-    const double means[3] = FOAM_DENSITY;
+    const double means[3] = {FOAM_THIN, FOAM_MIDDLING, FOAM_DENSE};
     assert_int_equal(bolan_foam_densities_fill(&pixels[0][0][0]), BOLAN_OK);
     for (int k = 0; k < 3; ++k) {
         double sum = 0, inside = 0, seam = 0;

@@ -3,6 +3,7 @@
 // leave of it, and how it floats.
 #include "gl_support.h"
 
+#include "bolan/earth.h"
 #include "bolan/query.h"
 #include "render/frame.h"
 

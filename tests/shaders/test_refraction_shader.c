@@ -16,7 +16,7 @@ static void raised_bottoms_match_the_library(void **state) {
         in[i][2] = 0.2f * (float)pow(4.0, i / 40);     // aside
         in[i][3] = 1.34f;
     }
-    probe_run("#include \"common/refraction.glsl\"",
+    probe_run("#include \"shared/refraction.glsl\"",
               "vec4 probe(vec4 x) { return vec4(apparent_height(x.x, x.y, x.z, x.w)); }", in, COUNT, out);
     for (int i = 0; i < COUNT; ++i) {
         const double depth = -(double)in[i][1];
@@ -36,7 +36,7 @@ static void trees_on_the_bank_stand_where_a_diver_sees_them(void **state) {
         in[i][2] = 2.0f + 15.0f * (float)(i / 20);
         in[i][3] = 1.34f;
     }
-    probe_run("#include \"common/refraction.glsl\"",
+    probe_run("#include \"shared/refraction.glsl\"",
               "vec4 probe(vec4 x) { return vec4(apparent_height(x.x, x.y, x.z, x.w)); }", in, COUNT, out);
     for (int i = 0; i < COUNT; ++i) {
         const double air = (double)in[i][1], water = -(double)in[i][0], aside = (double)in[i][2];

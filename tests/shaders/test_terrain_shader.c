@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The terrain pass in a context: no cracks, the shore map, and the shader's twin of bolan_coast_attenuation().
 #include "bolan/coast.h"
+#include "bolan/earth.h"
 #include "probe.h"
 
 #include <math.h>

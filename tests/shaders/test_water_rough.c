@@ -7,7 +7,7 @@
 
 #include "bolan/scene.h"
 
-#define INCLUDES "#include \"common/fresnel.glsl\"\n#include \"common/rough.glsl\""
+#define INCLUDES "#include \"shared/fresnel.glsl\"\n#include \"common/rough.glsl\""
 
 static void by_quadrature(double elevation, double sigma, double *area, double *shift) {
     double h = cos(elevation), z = sin(elevation), m0 = 0, m1 = 0;
@@ -219,7 +219,7 @@ static void nearly_flat_water_reflects_as_the_exact_dielectric(void **state) {
     float in[ANGLES * SIGMAS][4] = {{0}}, out[ANGLES * SIGMAS][4];
     for (int i = 0; i < ANGLES * SIGMAS; ++i)
         in[i][0] = (float)elevations[i / SIGMAS], in[i][1] = (float)sigmas[i % SIGMAS];
-    probe_run("#include \"common/slopes.glsl\"\n#include \"common/fresnel.glsl\"\n#include \"common/rough.glsl\"",
+    probe_run("#include \"common/slopes.glsl\"\n#include \"shared/fresnel.glsl\"\n#include \"common/rough.glsl\"",
               "vec4 probe(vec4 x) { vec3 v = vec3(cos(x.x), 0.0, sin(x.x)), c = vec3(x.y * x.y, 0.0, x.y * x.y);\n"
               "    return vec4(rough_fresnel(v, vec2(0.0), rough_seen(v, vec2(0.0), c), 1.34)); }",
               in, ANGLES * SIGMAS, out);

@@ -16,7 +16,7 @@ static void fresnel_matches_the_table_from_both_sides(void **state) {
         in[i][0] = (float)cos(table[i][0] * BOLAN_PI / 180.0);
         in[i][1] = i < FROM_AIR ? 1.333f : 1.0f / 1.333f;
     }
-    probe_run("#include \"common/fresnel.glsl\"", "vec4 probe(vec4 x) { return vec4(fresnel(x.x, x.y)); }", in, COUNT,
+    probe_run("#include \"shared/fresnel.glsl\"", "vec4 probe(vec4 x) { return vec4(fresnel(x.x, x.y)); }", in, COUNT,
               out);
     for (int i = 0; i < COUNT; ++i)
         // the table's last digit is 1e-5; next to the edge of total reflection float's cosine costs 2e-4

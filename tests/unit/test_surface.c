@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The projected grid covers all the water in view, follows the round earth, and stands still where it must.
+#include "bolan/earth.h"
 #include "bolan/surface.h"
 
 #include <setjmp.h>

@@ -2,6 +2,7 @@
 // Nested grids: the template of the paper, where the levels stand, what of them is seen, and their normals. And the quad.
 #include "support.h"
 
+#include "bolan/earth.h"
 #include "bolan/surface.h"
 
 #include <string.h>

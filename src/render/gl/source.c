@@ -125,12 +125,16 @@ static void note_unit(shader_text *s, const char *line, size_t length) {
     s->units[s->unit_count++].unit = unit;
 }
 
-static bool already_included(const shader_text *s, const char *path) {
-    for (uint32_t i = 0; i < s->file_count; i++) {
-        if (strcmp(s->files[i], path) == 0) return true;
-    }
-    return false;
+// The number of a file that is in the text already; file_count of one that is not.
+static uint32_t number_of(const shader_text *s, const char *path) {
+    uint32_t i = 0;
+    while (i < s->file_count && strcmp(s->files[i], path) != 0) i++;
+    return i;
 }
+
+// Files of shaders/shared/ have include guards, for C too, and may be asked for inside an #ifdef that is not taken: their
+// text is put wherever they are included.
+static bool is_guarded(const char *path) { return strncmp(path, "shared/", 7) == 0; }
 
 static bolan_result out_of_memory(const char *path) {
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for the shader %s", path);
@@ -173,17 +177,17 @@ static bolan_result append_lines(shader_text *s, const char *text, const char *p
 }
 
 static bolan_result append_file(shader_text *s, const char *path, const char *from, uint32_t from_line) {
-    if (already_included(s, path)) return BOLAN_OK;
+    const uint32_t number = number_of(s, path);
+    if (number < s->file_count && !is_guarded(path)) return BOLAN_OK;
     size_t owned = 0;
     const char *text = NULL;
     if (load(path, &text, &owned) != BOLAN_OK) return out_of_memory(path);
     if (!text) return missing(path, from, from_line);
     bolan_result result = BOLAN_ERROR_GL;
-    if (s->file_count == SOURCE_MAX_FILES) {
+    if (number == SOURCE_MAX_FILES) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_SHADER, "%s: more than %d files in one shader", path, SOURCE_MAX_FILES);
     } else {
-        const uint32_t number = s->file_count++;
-        snprintf(s->files[number], SOURCE_NAME, "%s", path);
+        if (number == s->file_count) snprintf(s->files[s->file_count++], SOURCE_NAME, "%s", path);
         result = append_lines(s, text, path, number);
     }
     if (owned) bolan_release((void *)(uintptr_t)text, owned);

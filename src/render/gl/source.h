@@ -5,7 +5,7 @@
 
 #include "gl.h"
 
-enum { SOURCE_MAX_FILES = 32, SOURCE_MAX_UNITS = 32, SOURCE_NAME = 48 };
+enum { SOURCE_MAX_FILES = 64, SOURCE_MAX_UNITS = 32, SOURCE_NAME = 48 };
 
 // A shader put together: one text, the files it came from, and its #pragma unit lines.
 typedef struct shader_text {

@@ -6,6 +6,7 @@
 #include "render/memory.h"
 #include "render/papers/foam_ramps.h"
 #include "render/water_optics.h"
+#include "shared/constants.glsl"
 
 #include <math.h>
 #include <stdio.h>
@@ -170,8 +171,7 @@ static void upload_rough(crest *p, const frame *f) {
     const double flat = fmax(sqrt((double)sun.x * sun.x + (double)sun.y * sun.y), 1e-4), up = fmax(sun.z, 0.0f);
     float row[BOLAN_SLOPE_TABLE_MAJOR][4];
     for (int i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; ++i) {
-        const double disc = 6e-6; // the sun's radius, in slopes
-        const double xx = from[4 * i] + disc, xy = from[4 * i + 1], yy = from[4 * i + 2] + disc;
+        const double xx = from[4 * i] + SUN_DISC_SLOPES, xy = from[4 * i + 1], yy = from[4 * i + 2] + SUN_DISC_SLOPES;
         const double along = (xx * sun.x * sun.x + 2.0 * xy * sun.x * sun.y + yy * sun.y * sun.y) / (flat * flat);
         const double lit = up / fmax(seen_area(up, flat, sqrt(fmax(along, 1e-8))), 1e-3);
         row[i][0] = (float)xx;

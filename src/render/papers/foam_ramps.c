@@ -4,6 +4,7 @@
 // and cut where the wanted share is left.
 #include "render/papers/foam_ramps.h"
 #include "render/memory.h"
+#include "shared/constants.glsl"
 
 #include <math.h>
 #include <string.h>
@@ -12,7 +13,7 @@
 #define BINS 4096
 #define SOFT 0.35 // width of the cut's edge, in rank
 
-static const double densities[3] = FOAM_DENSITY;
+static const double densities[3] = {FOAM_THIN, FOAM_MIDDLING, FOAM_DENSE};
 
 static double smooth(double from, double to, double x) {
     const double t = fmin(fmax((x - from) / (to - from), 0.0), 1.0);

@@ -10,10 +10,8 @@
 #define FOAM_RAMP_SIZE 128
 #define FOAM_RAMP_ROWS 4 // swash, surf, open sea, open sea
 
-// Opacity of thin, middling and dense foam, whose means are FOAM_DENSITY, and bubbles: size * size * 4 bytes, size FOAM_TEXTURE_SIZE.
+// Opacity of thin, middling and dense foam, whose means are FOAM_THIN, _MIDDLING and _DENSE, and bubbles: size * size * 4 bytes, size FOAM_TEXTURE_SIZE.
 // MEMORY when the scratch cannot be had.
-#define FOAM_DENSITY \
-    { 0.22, 0.5, 0.82 }
 bolan_result bolan_foam_densities_fill(uint8_t *out);
 // FOAM_RAMP_ROWS rows of shares of the three densities and of foam without holes by intensity, which in the row of the open
 // sea is the mean opacity: 4 bytes each.
