@@ -53,6 +53,9 @@ void bolan_files_abandon(void);
 bolan_result bolan_scene_load(const char *name_or_path, bolan_scene *scene);
 /// Parses YAML text of @p size bytes; @p name is used in messages; relative paths stay as they are.
 bolan_result bolan_scene_parse(const char *name, const char *text, size_t size, bolan_scene *scene);
+/// The keys of scene files that are no field of a scene, such as sea.beaufort: what follows from them is worked out when
+/// the file is read. Every other key is in bolan_scene_groups. A NULL table ends the list.
+extern const bolan_param_group bolan_scene_file_groups[];
 /// Names of the built-in scenes; NULL past the last.
 const char *bolan_scene_builtin_name(uint32_t index);
 

@@ -55,6 +55,10 @@ extern const bolan_technique bolan_technique_nested_grid;
 /// Ni, Zhang & Tan: Phillips waves on a projected grid.
 extern const bolan_technique bolan_technique_flight_sim;
 
+/// How many techniques there are.
+#define BOLAN_TECHNIQUES 5
+/// Their names, "ocean" ..., in the order of bolan_techniques(); NULL at the end.
+extern const char *const bolan_technique_names[BOLAN_TECHNIQUES + 1];
 /// All techniques, the default first; @p count receives their number.
 /// Static storage.
 /// Thread-safe.

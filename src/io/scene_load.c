@@ -45,11 +45,13 @@ const char *bolan_scene_builtin_name(uint32_t index) {
 // `on_disk`: the name is a path, and models are looked for beside it.
 static bolan_result parse(const char *name, const char *text, size_t size, bool on_disk, bolan_scene *out) {
     scene_file file;
-    bolan_scene_file_clear(&file);
-    bolan_result result = bolan_schema_read(name, text, size, bolan_scene_file_keys, &file);
-    bolan_scene scene;
-    if (!result) result = bolan_scene_file_build(&file, name, &scene);
-    if (!result && on_disk) result = bolan_scene_file_find_models(&file, name, &scene);
+    schema_given given;
+    bolan_scene scene = bolan_scene_default();
+    memset(&file, 0, sizeof file);
+    const schema_target targets[SCHEMA_TARGETS] = {{bolan_scene_groups, &scene}, {bolan_scene_file_groups, &file}};
+    bolan_result result = bolan_schema_read(name, text, size, targets, &given);
+    if (!result) result = bolan_scene_file_finish(&file, &given, name, &scene);
+    if (!result && on_disk) result = bolan_scene_file_find_models(&given, name, &scene);
     if (!result) result = bolan_scene_validate(&scene);
     if (result) return result;
     const char *slash = strrchr(name, '/');

@@ -10,15 +10,32 @@
 #include <string.h>
 #include <yaml.h>
 
-enum { PATH_MAX_LENGTH = 96, LIST_MAX_LENGTH = 512 };
+enum { LIST_MAX_LENGTH = 512 };
 
 typedef struct reader {
     const char *name, *text;
     size_t size;
     yaml_document_t document;
+    const schema_target *targets;
+    schema_given *given;
 } reader;
 
+// A node of the document. `map` is its path as the tables have it; `path` has the index of the list item too.
+typedef struct place {
+    char map[SCHEMA_PATH], path[SCHEMA_PATH];
+    uint32_t item;
+} place;
+
+// Rows of the tables: one, or the components of a list of numbers.
+typedef struct rows {
+    const bolan_param *first;
+    uint32_t count;
+    void *desc;
+} rows;
+
 static unsigned line_of(const yaml_node_t *node) { return (unsigned)node->start_mark.line + 1; }
+
+static yaml_node_t *node_at(reader *r, int index) { return yaml_document_get_node(&r->document, index); }
 
 // The scalar of a node for a message: short.
 static void describe(const yaml_node_t *node, char out[48]) {
@@ -40,238 +57,244 @@ static bolan_result refuse(const reader *r, const yaml_node_t *node, const char 
     return BOLAN_ERROR_FORMAT;
 }
 
-// ---- scalars --------------------------------------------------------------------------------------------------------
+// ---- what is given --------------------------------------------------------------------------------------------------
 
-static bool read_number(const yaml_node_t *node, double *value) {
-    if (node->type != YAML_SCALAR_NODE) return false;
-    return bolan_parse_number((const char *)node->data.scalar.value, node->data.scalar.length, value);
+uint32_t bolan_schema_line(const schema_given *given, const char *path) {
+    for (uint32_t i = 0; i < given->count; i++)
+        if (strcmp(given->entry[i].path, path) == 0) return given->entry[i].line;
+    return 0;
 }
 
-static bolan_result number(const reader *r, const yaml_node_t *node, const schema_key *key, const char *path,
-                           double *out) {
-    double value = 0.0;
-    if (read_number(node, &value) && value >= key->low && value <= key->high) {
-        *out = value;
-        return BOLAN_OK;
-    }
-    char expected[80];
-    bolan_format(expected, sizeof expected, "a number from %g to %g%s%s", key->low, key->high, key->unit ? " " : "",
-                 key->unit ? key->unit : "");
-    return refuse(r, node, path, expected);
+static void remember(const reader *r, const char *path, uint32_t line) {
+    schema_given *given = r->given;
+    BOLAN_ASSERT(given->count < SCHEMA_MAX_GIVEN);
+    if (given->count == SCHEMA_MAX_GIVEN) return;
+    given->entry[given->count].line = line;
+    snprintf(given->entry[given->count++].path, SCHEMA_PATH, "%s", path);
 }
 
-// Digits alone, every one counts: a double would change numbers beyond 2^53.
-static bool read_digits(const yaml_node_t *node, uint64_t *value) {
-    if (node->type != YAML_SCALAR_NODE || node->data.scalar.length == 0) return false;
-    *value = 0;
-    for (size_t i = 0; i < node->data.scalar.length; i++) {
-        const unsigned char c = node->data.scalar.value[i];
-        if (c < '0' || c > '9' || *value > (UINT64_MAX - (uint64_t)(c - '0')) / 10) return false;
-        *value = 10 * *value + (uint64_t)(c - '0');
-    }
-    return true;
+// ---- the tables -----------------------------------------------------------------------------------------------------
+
+// The rest of the dotted @p path below @p map; NULL where it does not lie below.
+static const char *below(const char *map, const char *path) {
+    const size_t length = strlen(map);
+    if (length == 0) return path;
+    return strncmp(map, path, length) == 0 && path[length] == '.' ? path + length + 1 : NULL;
 }
 
-static bolan_result count(const reader *r, const yaml_node_t *node, const schema_key *key, const char *path,
-                          uint64_t *out) {
-    uint64_t value = 0;
-    if (read_digits(node, &value) && (double)value >= key->low && (double)value <= key->high) {
-        *out = value;
-        return BOLAN_OK;
-    }
-    char expected[80];
-    bolan_format(expected, sizeof expected, "a whole number from %.0f to %llu", key->low,
-                 key->high < 0x1p64 ? (unsigned long long)key->high : (unsigned long long)UINT64_MAX);
-    return refuse(r, node, path, expected);
+// The group's place in its struct, of a list in the element of @p item.
+static void *desc_of(const schema_target *target, const bolan_param_group *group, uint32_t item) {
+    return (char *)target->base + group->offset + item * group->stride;
 }
 
-static void append(char *list, size_t capacity, const char *word) {
-    const size_t used = strlen(list);
-    snprintf(list + used, capacity - used, "%s%s", used ? ", " : "", word);
-}
-
-static bolan_result name(const reader *r, const yaml_node_t *node, const schema_key *key, const char *path, int *out) {
-    char expected[LIST_MAX_LENGTH] = "";
-    for (int i = 0; key->names[i]; i++) {
-        if (node->type == YAML_SCALAR_NODE &&
-            bolan_text_equals((text_word){(const char *)node->data.scalar.value, node->data.scalar.length, 0},
-                              key->names[i])) {
-            *out = i;
-            return BOLAN_OK;
+static rows find_rows(const reader *r, const place *at) {
+    for (int t = 0; t < SCHEMA_TARGETS; t++)
+        for (const bolan_param_group *g = r->targets[t].groups; g->table; g++) {
+            const char *key = below(g->key, at->map);
+            const bolan_param *end = g->table->params + g->table->count;
+            for (const bolan_param *p = g->table->params; key && p < end; p++) {
+                if (!p->key || strcmp(p->key, key) != 0) continue;
+                rows found = {p, 0, desc_of(&r->targets[t], g, at->item)};
+                while (p < end && p->key && strcmp(p->key, key) == 0) found.count++, p++;
+                return found;
+            }
         }
-        append(expected, sizeof expected, key->names[i]);
-    }
+    return (rows){NULL, 0, NULL};
+}
+
+// The first group that is the list at @p map; NULL: it is no list.
+static const bolan_param_group *find_list(const reader *r, const char *map) {
+    for (int t = 0; t < SCHEMA_TARGETS; t++)
+        for (const bolan_param_group *g = r->targets[t].groups; g->table; g++)
+            if (g->capacity > 0 && strcmp(g->key, map) == 0) return g;
+    return NULL;
+}
+
+// Adds the component of @p path that follows @p map to a list of words, once. An empty @p map is the document.
+static void add_child(const char *map, const char *path, char words[LIST_MAX_LENGTH]) {
+    const char *child = *path ? below(map, path) : NULL;
+    if (!child) return;
+    const size_t length = strcspn(child, "."), used = strlen(words);
+    for (const char *w = words; *w; w += strcspn(w, ","), w += *w ? 2 : 0)
+        if (strncmp(w, child, length) == 0 && (w[length] == ',' || w[length] == '\0')) return;
+    snprintf(words + used, LIST_MAX_LENGTH - used, "%s%.*s", used ? ", " : "", (int)length, child);
+}
+
+// The keys of a map, in the order of the tables.
+static void list_keys(const reader *r, const char *map, char words[LIST_MAX_LENGTH]) {
+    words[0] = '\0';
+    for (int t = 0; t < SCHEMA_TARGETS; t++)
+        for (const bolan_param_group *g = r->targets[t].groups; g->table; g++) {
+            for (uint32_t i = 0; i < g->table->count; i++) {
+                char path[2 * SCHEMA_PATH];
+                if (!g->table->params[i].key) continue;
+                snprintf(path, sizeof path, "%s%s%s", g->key, *g->key ? "." : "", g->table->params[i].key);
+                add_child(map, path, words);
+            }
+            add_child(map, g->key, words);
+        }
+}
+
+// Whether @p key is a component of a list of words.
+static bool is_child(const char *words, const char *key) {
+    const size_t length = strlen(key);
+    for (const char *w = words; *w; w += strcspn(w, ","), w += *w ? 2 : 0)
+        if (strncmp(w, key, length) == 0 && (w[length] == ',' || w[length] == '\0')) return true;
+    return false;
+}
+
+// ---- values ---------------------------------------------------------------------------------------------------------
+
+static bolan_result scalar(const reader *r, const yaml_node_t *node, const bolan_param *p, const char *path,
+                           void *desc) {
+    char expected[LIST_MAX_LENGTH];
+    if (node->type == YAML_SCALAR_NODE &&
+        bolan_param_parse(p, (const char *)node->data.scalar.value, node->data.scalar.length, desc))
+        return BOLAN_OK;
+    bolan_param_expected(p, expected, sizeof expected);
     return refuse(r, node, path, expected);
 }
-
-static bolan_result flag(const reader *r, const yaml_node_t *node, const char *path, bool *out) {
-    static const char *const words[] = {"false", "true", "no", "yes", "off", "on"};
-    for (int i = 0; i < 6 && node->type == YAML_SCALAR_NODE; i++) {
-        if (!bolan_text_equals((text_word){(const char *)node->data.scalar.value, node->data.scalar.length, 0},
-                               words[i]))
-            continue;
-        *out = i % 2 == 1;
-        return BOLAN_OK;
-    }
-    return refuse(r, node, path, "true or false");
-}
-
-static bolan_result text(const reader *r, const yaml_node_t *node, const schema_key *key, const char *path, char *out) {
-    const size_t length = node->type == YAML_SCALAR_NODE ? node->data.scalar.length : 0;
-    if (length == 0 || length >= key->capacity || memchr(node->data.scalar.value, '\0', length)) {
-        char expected[64];
-        snprintf(expected, sizeof expected, "a text of 1 to %u characters", (unsigned)key->capacity - 1);
-        return refuse(r, node, path, expected);
-    }
-    memcpy(out, node->data.scalar.value, length);
-    out[length] = '\0';
-    return BOLAN_OK;
-}
-
-// ---- collections ----------------------------------------------------------------------------------------------------
-
-static bolan_result map(reader *r, yaml_node_t *node, const schema_key *keys, const char *path, char *out);
-
-static yaml_node_t *node_at(reader *r, int index) { return yaml_document_get_node(&r->document, index); }
 
 static uint32_t list_length(const yaml_node_t *node) {
     if (node->type != YAML_SEQUENCE_NODE) return UINT32_MAX;
     return (uint32_t)(node->data.sequence.items.top - node->data.sequence.items.start);
 }
 
-static bolan_result vector(reader *r, yaml_node_t *node, const schema_key *key, const char *path, double *out) {
-    if (list_length(node) != key->capacity) {
-        char expected[64];
-        snprintf(expected, sizeof expected, "a list of %u numbers", (unsigned)key->capacity);
-        return refuse(r, node, path, expected);
+// A list of numbers; a number that is refused is named by its field: "camera.position.z".
+static bolan_result vector(reader *r, yaml_node_t *node, const rows *found, const char *path) {
+    char text[2 * SCHEMA_PATH];
+    if (list_length(node) != found->count) {
+        snprintf(text, sizeof text, "a list of %u numbers", (unsigned)found->count);
+        return refuse(r, node, path, text);
     }
-    for (uint32_t i = 0; i < key->capacity; i++)
-        if (number(r, node_at(r, node->data.sequence.items.start[i]), key, path, &out[i])) return BOLAN_ERROR_FORMAT;
+    for (uint32_t i = 0; i < found->count; i++) {
+        const bolan_param *p = &found->first[i];
+        const char *dot = strrchr(p->field, '.');
+        snprintf(text, sizeof text, "%s.%s", path, dot ? dot + 1 : p->field);
+        if (scalar(r, node_at(r, node->data.sequence.items.start[i]), p, text, found->desc)) return BOLAN_ERROR_FORMAT;
+    }
     return BOLAN_OK;
 }
 
-// Adds the bit of one name; false when there is none of that name.
-static bool add_name(const schema_key *key, text_word word, uint32_t *bits) {
-    for (int i = 0; key->names[i]; i++)
-        if (bolan_text_equals(word, key->names[i])) return *bits |= 1u << i, true;
-    return false;
-}
-
-static bool add_words(const schema_key *key, const yaml_node_t *node, uint32_t *bits) {
-    const char *at = (const char *)node->data.scalar.value, *end = at + node->data.scalar.length;
-    while (at < end) {
-        const char *stop = at;
-        while (stop < end && *stop != ',' && *stop != ' ') stop++;
-        if (stop > at && !add_name(key, (text_word){at, (size_t)(stop - at), 0}, bits)) return false;
-        at = stop + 1;
-    }
-    return true;
-}
-
-static bolan_result set(reader *r, yaml_node_t *node, const schema_key *key, const char *path, uint32_t *out) {
-    uint32_t bits = 0, all = 0;
-    char expected[LIST_MAX_LENGTH] = "all, none, or some of ";
-    for (int i = 0; key->names[i]; i++) {
-        all |= 1u << i;
-        const size_t used = strlen(expected);
-        snprintf(expected + used, sizeof expected - used, "%s%s", i ? ", " : "", key->names[i]);
-    }
-    bool good = node->type == YAML_SEQUENCE_NODE;
-    for (uint32_t i = 0; good && i < list_length(node); i++) {
-        const yaml_node_t *item = node_at(r, node->data.sequence.items.start[i]);
-        good = item->type == YAML_SCALAR_NODE && add_words(key, item, &bits);
-    }
-    if (node->type == YAML_SCALAR_NODE && node->data.scalar.length > 0) {
-        const text_word word = {(const char *)node->data.scalar.value, node->data.scalar.length, 0};
-        good = bolan_text_equals(word, "none") || bolan_text_equals(word, "all") || add_words(key, node, &bits);
-        if (bolan_text_equals(word, "all")) bits = all;
-    }
-    if (!good) return refuse(r, node, path, expected);
-    *out = bits;
-    return BOLAN_OK;
-}
-
-static bolan_result list(reader *r, yaml_node_t *node, const schema_key *key, const char *path, char *out) {
+// A list of names is read as their text with commas.
+static bolan_result set(reader *r, yaml_node_t *node, const bolan_param *p, const char *path, void *desc) {
     const uint32_t length = list_length(node);
-    if (length > key->capacity) {
+    char text[LIST_MAX_LENGTH] = "", expected[LIST_MAX_LENGTH];
+    if (node->type == YAML_SCALAR_NODE) return scalar(r, node, p, path, desc);
+    bool good = node->type == YAML_SEQUENCE_NODE;
+    for (uint32_t i = 0; good && i < length; i++) {
+        const yaml_node_t *item = node_at(r, node->data.sequence.items.start[i]);
+        const size_t used = strlen(text);
+        good = item->type == YAML_SCALAR_NODE && used + item->data.scalar.length + 3 < sizeof text;
+        if (good) snprintf(text + used, sizeof text - used, "%s%s", i ? ", " : "", (char *)item->data.scalar.value);
+    }
+    if (good && length == 0) snprintf(text, sizeof text, "none");
+    if (good && bolan_param_parse(p, text, strlen(text), desc)) return BOLAN_OK;
+    bolan_param_expected(p, expected, sizeof expected);
+    return refuse(r, node, path, expected);
+}
+
+static bolan_result map(reader *r, yaml_node_t *node, const place *at);
+
+// Each element starts with its defaults.
+static void start_item(const reader *r, const place *at) {
+    for (int t = 0; t < SCHEMA_TARGETS; t++)
+        for (const bolan_param_group *g = r->targets[t].groups; g->table; g++)
+            if (g->capacity > 0 && strcmp(g->key, at->map) == 0)
+                bolan_params_default(g->table, desc_of(&r->targets[t], g, at->item));
+}
+
+static bolan_result check_required(const reader *r, const yaml_node_t *node, const place *at) {
+    char path[2 * SCHEMA_PATH], expected[LIST_MAX_LENGTH];
+    for (int t = 0; t < SCHEMA_TARGETS; t++)
+        for (const bolan_param_group *g = r->targets[t].groups; g->table; g++)
+            for (uint32_t i = 0; i < g->table->count && strcmp(g->key, at->map) == 0; i++) {
+                const bolan_param *p = &g->table->params[i];
+                if (!(p->rules & BOLAN_PARAM_REQUIRED)) continue;
+                snprintf(path, sizeof path, "%s.%s", at->path, p->key);
+                if (bolan_schema_line(r->given, path)) continue;
+                bolan_param_expected(p, expected, sizeof expected);
+                bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_BAD_VALUE, "%s:%u: %s needs %s; expected %s", r->name,
+                          line_of(node), at->path, p->key, expected);
+                return BOLAN_ERROR_FORMAT;
+            }
+    return BOLAN_OK;
+}
+
+static bolan_result list(reader *r, yaml_node_t *node, const bolan_param_group *group, const place *at) {
+    const uint32_t length = list_length(node);
+    if (length > group->capacity) {
         char expected[64];
-        snprintf(expected, sizeof expected, "a list of at most %u maps", (unsigned)key->capacity);
-        return refuse(r, node, path, expected);
+        snprintf(expected, sizeof expected, "a list of at most %u maps", (unsigned)group->capacity);
+        return refuse(r, node, at->path, expected);
     }
     for (uint32_t i = 0; i < length; i++) {
-        char item[PATH_MAX_LENGTH];
-        snprintf(item, sizeof item, "%.64s[%u]", path, (unsigned)i);
-        if (map(r, node_at(r, node->data.sequence.items.start[i]), key->keys, item,
-                out + key->offset + i * key->stride))
-            return BOLAN_ERROR_FORMAT;
+        place item = *at;
+        item.item = i;
+        snprintf(item.path, sizeof item.path, "%.30s[%u]", at->path, (unsigned)i);
+        yaml_node_t *element = node_at(r, node->data.sequence.items.start[i]);
+        start_item(r, &item);
+        if (map(r, element, &item) || check_required(r, element, &item)) return BOLAN_ERROR_FORMAT;
     }
-    memcpy(out + key->count_offset, &length, sizeof length);
+    for (int t = 0; t < SCHEMA_TARGETS; t++)
+        for (const bolan_param_group *g = r->targets[t].groups; g->table; g++)
+            if (g == group) memcpy((char *)r->targets[t].base + g->count_offset, &length, sizeof length);
     return BOLAN_OK;
 }
 
-static bolan_result value(reader *r, yaml_node_t *node, const schema_key *key, const char *path, char *out) {
-    void *member = out + key->offset;
-    switch (key->kind) {
-    case SCHEMA_NUMBER: return number(r, node, key, path, member);
-    case SCHEMA_COUNT: return count(r, node, key, path, member);
-    case SCHEMA_NAME: return name(r, node, key, path, member);
-    case SCHEMA_FLAG: return flag(r, node, path, member);
-    case SCHEMA_SET: return set(r, node, key, path, member);
-    case SCHEMA_TEXT: return text(r, node, key, path, member);
-    case SCHEMA_VECTOR: return vector(r, node, key, path, member);
-    case SCHEMA_MAP: return map(r, node, key->keys, path, member);
-    case SCHEMA_LIST: return list(r, node, key, path, out);
-    }
-    return BOLAN_ERROR_FORMAT;
+static bolan_result value(reader *r, yaml_node_t *node, const place *at) {
+    const rows found = find_rows(r, at);
+    const bolan_param_group *group = find_list(r, at->map);
+    if (!found.first) return group ? list(r, node, group, at) : map(r, node, at);
+    remember(r, at->path, line_of(node));
+    if (found.count > 1) return vector(r, node, &found, at->path);
+    if (found.first->kind == BOLAN_PARAM_SET) return set(r, node, found.first, at->path, found.desc);
+    return scalar(r, node, found.first, at->path, found.desc);
 }
 
 // ---- maps -----------------------------------------------------------------------------------------------------------
 
-static bolan_result unknown_key(const reader *r, const yaml_node_t *node, const schema_key *keys, const char *path) {
-    char found[48], expected[LIST_MAX_LENGTH] = "";
+static bolan_result unknown_key(const reader *r, const yaml_node_t *node, const char *path, const char *expected) {
+    char found[48];
     describe(node, found);
-    for (; keys->name; keys++) append(expected, sizeof expected, keys->name);
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_UNKNOWN_KEY, "%s:%u: unknown key %s%s%s; expected %s%s", r->name,
               line_of(node), path, *path ? "." : "", found, *expected ? "one of " : "none", expected);
     return BOLAN_ERROR_FORMAT;
 }
 
-static const schema_key *find_key(const schema_key *keys, const yaml_node_t *node) {
-    if (node->type != YAML_SCALAR_NODE) return NULL;
-    for (; keys->name; keys++)
-        if (strlen(keys->name) == node->data.scalar.length &&
-            memcmp(keys->name, node->data.scalar.value, node->data.scalar.length) == 0)
-            return keys;
-    return NULL;
+static bool is_key(const yaml_node_t *node, const char *expected) {
+    if (node->type != YAML_SCALAR_NODE) return false;
+    const size_t length = node->data.scalar.length;
+    const char *key = (const char *)node->data.scalar.value;
+    return length > 0 && length < SCHEMA_PATH / 2 && strlen(key) == length && !strpbrk(key, ".,") &&
+           is_child(expected, key);
 }
 
-static bolan_result entry(reader *r, const yaml_node_pair_t *pair, const schema_key *keys, uint64_t *seen,
-                          const char *path, char *out) {
+static bolan_result entry(reader *r, const yaml_node_pair_t *pair, const char *expected, const place *at) {
     yaml_node_t *key_node = node_at(r, pair->key);
-    const schema_key *key = find_key(keys, key_node);
-    if (!key) return unknown_key(r, key_node, keys, path);
-    char inner[PATH_MAX_LENGTH];
-    snprintf(inner, sizeof inner, "%s%s%s", path, *path ? "." : "", key->name);
-    const uint64_t bit = 1ULL << (key - keys);
-    if (*seen & bit) {
+    if (!is_key(key_node, expected)) return unknown_key(r, key_node, at->path, expected);
+    const char *key = (const char *)key_node->data.scalar.value;
+    place inner = {.item = at->item};
+    snprintf(inner.map, sizeof inner.map, "%.20s%s%.21s", at->map, *at->map ? "." : "", key);
+    snprintf(inner.path, sizeof inner.path, "%.20s%s%.21s", at->path, *at->path ? "." : "", key);
+    if (bolan_schema_line(r->given, inner.path)) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_BAD_VALUE, "%s:%u: %s is given twice; expected once", r->name,
-                  line_of(key_node), inner);
+                  line_of(key_node), inner.path);
         return BOLAN_ERROR_FORMAT;
     }
-    *seen |= bit;
-    return value(r, node_at(r, pair->value), key, inner, out);
+    return value(r, node_at(r, pair->value), &inner);
 }
 
 static bool is_null(const yaml_node_t *node) { return node->type == YAML_SCALAR_NODE && node->data.scalar.length == 0; }
 
-static bolan_result map(reader *r, yaml_node_t *node, const schema_key *keys, const char *path, char *out) {
-    const uint32_t line = line_of(node);
-    memcpy(out, &line, sizeof line);
+static bolan_result map(reader *r, yaml_node_t *node, const place *at) {
+    char expected[LIST_MAX_LENGTH];
+    remember(r, at->path, line_of(node));
     if (is_null(node)) return BOLAN_OK; // "island:" alone: the map is there, with every default
-    if (node->type != YAML_MAPPING_NODE) return refuse(r, node, path, "a map of keys and values");
-    uint64_t seen = 0;
+    if (node->type != YAML_MAPPING_NODE) return refuse(r, node, at->path, "a map of keys and values");
+    list_keys(r, at->map, expected);
     for (yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++)
-        if (entry(r, pair, keys, &seen, path, out)) return BOLAN_ERROR_FORMAT;
+        if (entry(r, pair, expected, at)) return BOLAN_ERROR_FORMAT;
     return BOLAN_OK;
 }
 
@@ -300,9 +323,10 @@ static bolan_result syntax_error(const reader *r, const yaml_parser_t *parser) {
     return BOLAN_ERROR_FORMAT;
 }
 
-static bolan_result read_root(reader *r, const schema_key *keys, void *out) {
+static bolan_result read_root(reader *r) {
+    const place document = {.item = 0};
     yaml_node_t *root = yaml_document_get_root_node(&r->document);
-    return root ? map(r, root, keys, "", out) : BOLAN_OK;
+    return root ? map(r, root, &document) : BOLAN_OK;
 }
 
 // A second document in the file would be ignored, and somebody would wonder why.
@@ -315,18 +339,20 @@ static bolan_result expect_end(const reader *r, yaml_parser_t *parser) {
     return result;
 }
 
-bolan_result bolan_schema_read(const char *name, const char *text, size_t size, const schema_key *keys, void *out) {
+bolan_result bolan_schema_read(const char *name, const char *text, size_t size,
+                               const schema_target targets[SCHEMA_TARGETS], schema_given *given) {
     yaml_parser_t parser;
     if (bolan_yaml_check_limits(name, text, size)) return BOLAN_ERROR_FORMAT;
     if (!yaml_parser_initialize(&parser)) return no_memory(name);
     yaml_parser_set_input_string(&parser, (const unsigned char *)text, size);
-    reader r = {.name = name, .text = text, .size = size};
+    reader r = {.name = name, .text = text, .size = size, .targets = targets, .given = given};
+    given->count = 0;
     bolan_result result;
     if (!yaml_parser_load(&parser, &r.document)) {
         result = syntax_error(&r, &parser);
     } else {
         const bool empty = !yaml_document_get_root_node(&r.document);
-        result = read_root(&r, keys, out);
+        result = read_root(&r);
         if (!result && !empty) result = expect_end(&r, &parser);
         yaml_document_delete(&r.document);
     }

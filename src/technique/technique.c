@@ -5,24 +5,23 @@
 
 #include <string.h>
 
-#define OCEAN \
-    { "ocean", BOLAN_WAVES_FFT, BOLAN_SURFACE_PROJECTED, BOLAN_OPTICS_PHYSICAL, -1 }
-#define TWO_TRIANGLE \
-    { "two-triangle", BOLAN_WAVES_TEXTURES, BOLAN_SURFACE_QUAD, BOLAN_OPTICS_MIRROR, -1 }
-#define EXP_COSINE \
-    { "exp-cosine", BOLAN_WAVES_EXP_COSINE, BOLAN_SURFACE_QUAD, BOLAN_OPTICS_PHONG, -1 }
-#define NESTED_GRID \
-    { "nested-grid", BOLAN_WAVES_COSINES, BOLAN_SURFACE_NESTED, BOLAN_OPTICS_LIT, BOLAN_SPECTRUM_PIERSON_MOSKOWITZ }
-#define FLIGHT_SIM \
-    { "flight-sim", BOLAN_WAVES_FFT, BOLAN_SURFACE_PROJECTED, BOLAN_OPTICS_CREST, BOLAN_SPECTRUM_PHILLIPS }
+// X(id, name, waves, surface, optics, what it makes of a wind: a bolan_spectrum_kind, or -1), the default first.
+#define TECHNIQUES(X)                                                                     \
+    X(ocean, "ocean", FFT, PROJECTED, PHYSICAL, -1)                                       \
+    X(two_triangle, "two-triangle", TEXTURES, QUAD, MIRROR, -1)                           \
+    X(exp_cosine, "exp-cosine", EXP_COSINE, QUAD, PHONG, -1)                              \
+    X(nested_grid, "nested-grid", COSINES, NESTED, LIT, BOLAN_SPECTRUM_PIERSON_MOSKOWITZ) \
+    X(flight_sim, "flight-sim", FFT, PROJECTED, CREST, BOLAN_SPECTRUM_PHILLIPS)
 
-const bolan_technique bolan_technique_ocean = OCEAN;
-const bolan_technique bolan_technique_two_triangle = TWO_TRIANGLE;
-const bolan_technique bolan_technique_exp_cosine = EXP_COSINE;
-const bolan_technique bolan_technique_nested_grid = NESTED_GRID;
-const bolan_technique bolan_technique_flight_sim = FLIGHT_SIM;
+#define TECHNIQUE(name, waves, surface, optics, spectrum) \
+    { (name), BOLAN_WAVES_##waves, BOLAN_SURFACE_##surface, BOLAN_OPTICS_##optics, (spectrum) }
+#define CONSTANT(id, ...) const bolan_technique bolan_technique_##id = TECHNIQUE(__VA_ARGS__);
+#define ENTRY(id, ...) TECHNIQUE(__VA_ARGS__),
+#define NAME_OF(id, name, waves, surface, optics, spectrum) name,
 
-static const bolan_technique techniques[] = {OCEAN, TWO_TRIANGLE, EXP_COSINE, NESTED_GRID, FLIGHT_SIM};
+TECHNIQUES(CONSTANT)
+static const bolan_technique techniques[BOLAN_TECHNIQUES] = {TECHNIQUES(ENTRY)};
+const char *const bolan_technique_names[BOLAN_TECHNIQUES + 1] = {TECHNIQUES(NAME_OF) NULL};
 
 const char *const bolan_optics_kind_names[BOLAN_OPTICS_KINDS + 1] = {"physical", "mirror", "phong",
                                                                      "lit",      "crest",  NULL};
@@ -41,12 +40,12 @@ const char *const bolan_effect_names[BOLAN_EFFECTS + 1] = {
 const char *const bolan_show_names[BOLAN_SHOWS + 1] = {"picture", "mask", "mesh", NULL};
 
 const bolan_technique *bolan_techniques(uint32_t *count) {
-    *count = sizeof techniques / sizeof *techniques;
+    *count = BOLAN_TECHNIQUES;
     return techniques;
 }
 
 const bolan_technique *bolan_technique_find(const char *name) {
-    for (size_t i = 0; i < sizeof techniques / sizeof *techniques; i++)
+    for (size_t i = 0; i < BOLAN_TECHNIQUES; i++)
         if (strcmp(techniques[i].name, name) == 0) return &techniques[i];
     return NULL;
 }

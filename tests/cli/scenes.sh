@@ -36,7 +36,7 @@ run query "$rasters/sub.yaml" --points middle.csv
 printf 'terrain: {raster: {file: %s, variable: none}}\n' "$rasters/multi.nc" > variable.yaml
 refuse 1 'it has no such variable; expected one of: 1 interpolation_flag, 2 z' query variable.yaml --points middle.csv
 printf 'terrain: {raster: {file: none.tif, vertical_scale: 0.0001}}\n' > small.yaml
-refuse 1 'small.yaml:1: terrain.raster.vertical_scale is too small' measure small.yaml
+refuse 1 'small.yaml:1: terrain.raster.vertical_scale is 0.0001; expected a number from 0.001 to 1000, or its negative' measure small.yaml
 printf 'terrain: {raster: {file: none.tif, nodata: hole}}\n' > nodata.yaml
 refuse 1 'nodata.yaml:1: terrain.raster.nodata is hole; expected fill, sea' measure nodata.yaml
 
