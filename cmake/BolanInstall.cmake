@@ -14,6 +14,12 @@ install(TARGETS ${BOLAN_LIBRARIES} EXPORT bolanTargets ARCHIVE DESTINATION ${CMA
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY include/bolan DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 
+# GLSL that a program of the host's includes.
+set(bolan_shader_folder ${CMAKE_INSTALL_DATADIR}/bolan/shaders)
+if(TARGET bolan_render)
+    install(FILES shaders/include/bolan_fields.glsl DESTINATION ${bolan_shader_folder})
+endif()
+
 # An archive leaves its own needs to whoever links it: the CMake package looks for these, and the .pc files name them.
 set(bolan_package_modules "")
 if(NOT BUILD_SHARED_LIBS AND TARGET bolan_io)
@@ -30,13 +36,18 @@ endif()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/bolan)
 install(EXPORT bolanTargets NAMESPACE bolan:: DESTINATION ${package_folder})
-configure_package_config_file(cmake/bolanConfig.cmake.in bolanConfig.cmake INSTALL_DESTINATION ${package_folder})
+configure_package_config_file(cmake/bolanConfig.cmake.in bolanConfig.cmake INSTALL_DESTINATION ${package_folder}
+    PATH_VARS bolan_shader_folder)
 write_basic_package_version_file(bolanConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/bolanConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/bolanConfigVersion.cmake
     DESTINATION ${package_folder})
 
 # bolan_install_pc(library description "required .pc files" needs of the archive...)
 function(bolan_install_pc pc_name pc_description pc_requires)
+    set(pc_variables "")
+    if(pc_name STREQUAL bolan_render)
+        set(pc_variables "shaderdir=\${prefix}/${bolan_shader_folder}\n")
+    endif()
     # The prefix is known at installation only: state it from where the .pc file lies.
     file(RELATIVE_PATH pc_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
     set(pc_needs "")
@@ -72,5 +83,6 @@ if(TARGET bolan_io)
         ${io_needs} -lm)
 endif()
 if(TARGET bolan_render)
-    bolan_install_pc(bolan_render "drawing with OpenGL" "bolan = ${PROJECT_VERSION}" ${epoxy_LDFLAGS} ${egl_LDFLAGS} -lm)
+    bolan_install_pc(bolan_render "drawing with OpenGL" "bolan = ${PROJECT_VERSION}" ${epoxy_LDFLAGS} ${egl_LDFLAGS}
+        -lm)
 endif()

@@ -103,7 +103,9 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(404, GL_DEBUG)                \
     X(405, GL_LOADER)               \
     X(502, POINTS_SYNTAX)           \
-    X(503, SEA_LIMITED)
+    X(503, SEA_LIMITED)             \
+    X(960, GUEST_PROGRAM)           \
+    X(961, GUEST_SLOTS)
 
 /// The ids of ::BOLAN_LOG_TABLE as BOLAN_LOG_&lt;NAME&gt;, their value the id.
 typedef enum bolan_log_id {

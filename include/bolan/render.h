@@ -130,6 +130,35 @@ void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, float *dis
 void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, uint32_t width, uint32_t height,
                               uint8_t *rgb);
 
+// ---- the fields of the sea in programs of yours ---------------------------------------------------------------------
+
+/// Texture units that bolan_renderer_bind_fields() fills, from its `first_unit` on.
+#define BOLAN_FIELDS_UNITS 4
+
+/// The text of shaders/include/bolan_fields.glsl: functions that give displacement, slope, normal, Jacobian and foam of
+/// the sea at a point, for GLSL 330 core and 300 es.
+/// Put it into your shader below its version line.
+/// It is also installed, as share/bolan/shaders/bolan_fields.glsl.
+/// Static storage. Thread-safe.
+const char *bolan_fields_glsl(void);
+
+/// Sets the samplers and the uniform block of bolan_fields.glsl in your linked @p program: 4 texture units from
+/// @p first_unit on, and the uniform buffer slot @p slot.
+/// Call it once after linking, not in each frame.
+/// Errors: ARGUMENT (no linked program, one that uses no fields, units or a slot that the context has not; logged).
+/// Leaves all other state as it was.
+bolan_result bolan_renderer_link_fields(bolan_renderer *renderer, uint32_t program, uint32_t first_unit, uint32_t slot);
+
+/// Binds the fields of @p sea for all programs linked with these units and this slot.
+/// @p level: of the mean water [m above the datum]. @p origin: the world point that positions in your shader are
+/// relative to, usually your eye; it is reduced in double.
+/// Uploads once for each bolan_sea_serial(); a second call for another origin costs one small buffer.
+/// The texture bindings and the slot stay as set here, and sampler objects of these units are unbound.
+/// All other state is left as it was. Later draws of this renderer keep them.
+/// Allocates nothing after the first call unless the size of the sea changes.
+void bolan_renderer_bind_fields(bolan_renderer *renderer, const bolan_sea *sea, double level, bolan_dvec3 origin,
+                                uint32_t first_unit, uint32_t slot);
+
 /// An off-screen colour target of 8-bit sRGB values for callers without one.
 typedef struct bolan_target bolan_target;
 /// Makes a target of @p width x @p height pixels, 1..16384 each, in the current context. Errors: ARGUMENT (another

@@ -137,6 +137,7 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     bolan_pass_water_destroy(&r->water);
     bolan_planar_views_destroy(&r->mirror);
     bolan_pass_tonemap_destroy(&r->tonemap);
+    bolan_host_fields_free(&r->fields);
     bolan_blocks_free(&r->uniforms);
     bolan_gl_program_free(&r->yardstick);
     bolan_gl_depth_reader_free(&r->depth_reader);

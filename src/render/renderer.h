@@ -3,6 +3,7 @@
 #ifndef BOLAN_RENDERER_H
 #define BOLAN_RENDERER_H
 
+#include "fields.h"
 #include "frame.h"
 
 // The timed parts of a frame, in order.
@@ -21,7 +22,7 @@ typedef enum frame_part {
 extern const char *const bolan_frame_part_names[PART_COUNT];
 
 // Calls of a frame, which cannot fail: what they refuse they say once.
-typedef enum renderer_call { CALL_DRAW, CALL_READ_LINEAR, CALL_READ_RGB8, CALL_YARDSTICK, CALL_COUNT } renderer_call;
+typedef enum renderer_call { CALL_DRAW, CALL_READ_LINEAR, CALL_READ_RGB8, CALL_YARDSTICK, CALL_BIND_FIELDS, CALL_COUNT } renderer_call;
 
 enum { DIRECTORY_BYTES = 1024, REFUSAL_BYTES = 256 };
 enum { MOST_PIXELS = 16384, MOST_SAMPLES = 256 }; // of a picture each way; of a pixel
@@ -38,6 +39,7 @@ struct bolan_renderer {
     pass_water *water;
     planar_views *mirror;
     pass_tonemap *tonemap;
+    host_fields fields; // for programs of the host's
     block_buffers uniforms;
     gl_program yardstick;
     // targets of the present size

@@ -27,5 +27,10 @@ prefix/bin/bolan view > view.log 2>&1 || status=$?
 [ $status = 2 ] && grep -q 'unknown command view' view.log || fail "bolan view without a viewer: $status, $(cat view.log)"
 no_paths prefix "$BOLAN_SOURCE_DIR" "$PWD/shared"
 
+# the GLSL for the host's programs, where pkg-config and the CMake package say
+shaders=$(PKG_CONFIG_PATH=$(dirname "$(find "$PWD/prefix" -name bolan_render.pc)") pkg-config --variable=shaderdir bolan_render)
+grep -q 'bolan_fields bolan_fields_at(' "$shaders/bolan_fields.glsl" || fail "no bolan_fields.glsl in '$shaders'"
+grep -q 'bolan_SHADER_DIR.*share/bolan/shaders' "$(find prefix -name bolanConfig.cmake)" || fail 'no bolan_SHADER_DIR'
+
 use_pkg_config "$PWD/prefix" bolan bolan_content bolan_io bolan_render
 use_find_package "$PWD/prefix" bolan bolan_content bolan_io bolan_render

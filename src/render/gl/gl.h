@@ -213,6 +213,18 @@ typedef struct gl_saved {
 void bolan_gl_save(gl_saved *s, const gl_caps *caps, bool debug);
 void bolan_gl_restore(const gl_saved *s);
 
+// ---- programs of the host's ----
+// NULL: this context has `count` texture units from `first` on, and this uniform buffer slot. Else the reason.
+const char *bolan_gl_guest_slots(uint32_t count, uint32_t first, uint32_t slot);
+// NULL: the sampler names are set to units from `first` on, the block to `slot`. Else the reason why not. Leaves the
+// program in use as it was.
+const char *bolan_gl_guest_link(uint32_t program, const char *block, const char *const *samplers, uint32_t count,
+                                uint32_t first, uint32_t slot);
+// Binds textures to units from `first` on, without sampler objects, and a uniform buffer to `slot`, for the host: they
+// stay. Textures that were not made are left out. Leaves the active unit and the generic buffer binding as they were.
+void bolan_gl_guest_bind(const gl_texture *const *textures, uint32_t count, uint32_t first, const gl_buffer *block,
+                         uint32_t slot);
+
 // ---- timers: the GPU's clock read at both ends, or the CPU's between two glFinish() ----
 // Unlike GL_TIME_ELAPSED, timestamps do not collide with a query that the caller has open.
 enum { GL_TIMER_SLOTS = 4 }; // frames that a result may take to come

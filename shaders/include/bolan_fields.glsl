@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// The fields of a sea in a program of yours: displacement, slope, normal, Jacobian and foam at a point. GLSL 330 core
+// and 300 es, either stage. Put this text after your #version line, or let your own #include find it.
+//
+// Call bolan_renderer_link_fields() once after your program has been linked, and bolan_renderer_bind_fields() in each
+// frame before you draw: together they set everything that is declared here. The file declares 4 samplers and one
+// uniform block, and every name in it begins with bolan_.
+//
+// Positions are level, in metres east and north of the point that you gave to bolan_renderer_bind_fields(), usually
+// your eye: a float resolves them to 1 mm within 8 km.
+//
+// A parcel of water that is at rest at x0 is found at x0 + displacement.xy, displacement.z above the mean water.
+// - bolan_fields_at_rest(): the parcel that is at rest at a point. Twin of bolan_sea_sample_rest(). It displaces a mesh
+//   of rest points.
+// - bolan_fields_at(): the surface above a fixed point. Twin of bolan_query_surface(); decals, foam on a hull, spray.
+// - bolan_fields_on_grid(): like the first, low-passed for a mesh of that spacing; waves that it cannot carry fade out.
+//
+// `depth` is the depth of the still water under the rest point [m], by which shallow water attenuates the waves as
+// bolan_coast_attenuations() does; BOLAN_DEEP where there is no ground.
+#ifndef BOLAN_FIELDS_GLSL
+#define BOLAN_FIELDS_GLSL
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+#endif
+
+const float BOLAN_DEEP = 1e6; // [m]
+
+// What the sea is at a point.
+struct bolan_fields {
+    vec3 displacement; // of the parcel from its rest point: east, north, up from the mean water [m]
+    vec2 slope;        // dz/dx, dz/dy of the displaced surface
+    vec3 normal;       // unit, up
+    float jacobian;    // of the horizontal map; below 0 the surface is folded
+    float foam;        // foam memory, >= 0
+};
+
+layout(std140) uniform bolan_sea_block {
+    vec4 bolan_cascade_tile[4];  // xy: the origin in the tile [tiles], zw: cos, sin of its angle over its side [1/m]
+    vec4 bolan_cascade_band[4];  // x: significant height, y: texel (of a sum: unit of the spacing), z: longest wave [m]
+    vec4 bolan_cascade_lift[13]; // by log2 of the mesh's spacing in texels plus 2 [m]; a sum has the first
+    int bolan_cascade_count;
+    int bolan_wave_count;       // of a sum
+    float bolan_wave_sharpness; // of exp(s cos); 0: cosines
+    float bolan_wave_mean;      // of that shape
+    float bolan_wave_height;    // significant height of a sum [m]
+    float bolan_choppiness;
+    float bolan_foam_threshold; // the surface foams where the Jacobian is below it
+    float bolan_water_level;    // of the mean water, above the origin [m]
+};
+uniform highp sampler2DArray bolan_displacement_map; // dx, dy, height, dxy
+uniform highp sampler2DArray bolan_slope_map;        // slope x, slope y, dxx, dyy
+uniform highp sampler2DArray bolan_foam_map;         // foam memory
+uniform highp sampler2D bolan_wave_map;              // of a sum, two texels a wave: kx, ky, phase, amplitude; drift
+
+// The fields before the horizontal displacement is applied to them.
+struct bolan_raw {
+    vec3 offset;  // dx, dy, height
+    vec2 slope;   // by the rest point
+    vec3 stretch; // dDx/dx, dDy/dy, dDx/dy
+    float foam;
+};
+
+float bolan_tanh(float x) {
+    float e = exp(-2.0 * min(abs(x), 10.0));
+    return sign(x) * (1.0 - e) / (1.0 + e);
+}
+
+// Twins of bolan_coast_attenuation() and bolan_coast_attenuations().
+float bolan_attenuation(float depth, float height) {
+    if (depth <= 0.0) return 0.0;
+    return height > 0.0 ? bolan_tanh(min(0.6 * depth / height, 10.0)) : 1.0;
+}
+
+vec4 bolan_attenuations(float depth) {
+    vec4 height = vec4(bolan_cascade_band[0].x, bolan_cascade_band[1].x, bolan_cascade_band[2].x,
+                       bolan_cascade_band[3].x);
+    vec4 alone = vec4(bolan_attenuation(depth, height.x), bolan_attenuation(depth, height.y),
+                      bolan_attenuation(depth, height.z), bolan_attenuation(depth, height.w));
+    vec4 left = alone * height;
+    float deep = dot(height, height), local = dot(left, left), whole = bolan_attenuation(depth, sqrt(deep));
+    return local > 0.0 ? alone * sqrt(whole * whole * deep / local) : alone;
+}
+
+float bolan_lift(int cascade, float spacing) {
+    float at = clamp(log2(max(spacing, 1e-6) / bolan_cascade_band[cascade].y) + 2.0, 0.0, 12.0);
+    int i = int(min(at, 11.0));
+    return mix(bolan_cascade_lift[i][cascade], bolan_cascade_lift[i + 1][cascade], at - float(i));
+}
+
+void bolan_add_cascades(vec2 rest, float depth, float spacing, inout bolan_raw sum) {
+    vec4 kept = bolan_attenuations(depth);
+    for (int c = 0; c < bolan_cascade_count; ++c) {
+        vec4 tile = bolan_cascade_tile[c], band = bolan_cascade_band[c];
+        if (spacing > band.z) break; // the longest waves come first
+        vec2 uv = tile.xy + vec2(rest.x * tile.z + rest.y * tile.w, rest.y * tile.z - rest.x * tile.w);
+        float lod = max(log2(max(spacing, 1e-6) / band.y) - 0.5, 0.0), keep = kept[c]; // triangles blur by half a level
+        vec4 d = textureLod(bolan_displacement_map, vec3(uv, float(c)), lod);
+        vec4 s = textureLod(bolan_slope_map, vec3(uv, float(c)), lod);
+        sum.offset += keep * vec3(bolan_choppiness * d.xy, d.z + keep * bolan_lift(c, spacing));
+        sum.slope += keep * s.xy;
+        sum.stretch += keep * bolan_choppiness * vec3(s.zw, d.w);
+        sum.foam += textureLod(bolan_foam_map, vec3(uv, float(c)), lod).x;
+    }
+}
+
+void bolan_add_waves(vec2 rest, float depth, float spacing, inout bolan_raw sum) {
+    float keep = bolan_attenuation(depth, bolan_wave_height);
+    vec3 stretch = vec3(0.0);
+    for (int i = 0; i < bolan_wave_count; ++i) {
+        vec4 wave = texelFetch(bolan_wave_map, ivec2(2 * (i & 31), i >> 5), 0);
+        float drift = texelFetch(bolan_wave_map, ivec2(2 * (i & 31) + 1, i >> 5), 0).x;
+        float turns_per_metre = max(length(wave.xy), 1e-9), turns = dot(wave.xy, rest) + wave.z;
+        float fade = keep * smoothstep(2.0, 4.0, 1.0 / (turns_per_metre * max(spacing, 1e-6))); // by spacings in a wave
+        float angle = 6.28318531 * (turns - floor(turns + 0.5)), c = cos(angle), s = sin(angle);
+        vec2 k = 6.28318531 * wave.xy, to = wave.xy / turns_per_metre;
+        if (bolan_wave_sharpness > 0.0) {
+            float shape = exp(bolan_wave_sharpness * (c - 1.0));
+            sum.offset.z += fade * wave.w * (shape - bolan_wave_mean);
+            sum.slope -= fade * wave.w * bolan_wave_sharpness * s * shape * k;
+        } else {
+            sum.offset.z += fade * wave.w * c;
+            sum.slope -= fade * wave.w * s * k;
+            sum.offset.xy -= fade * bolan_choppiness * drift * s * to;
+            stretch -= fade * bolan_choppiness * drift * c * vec3(k * to, k.x * to.y);
+        }
+    }
+    if (bolan_wave_count > 0) sum.offset.z += keep * keep * bolan_lift(0, spacing);
+    sum.stretch += stretch;
+    sum.foam += max(-(stretch.x + stretch.y), 0.0);
+}
+
+bolan_raw bolan_raw_at(vec2 rest, float depth, float spacing) {
+    bolan_raw sum = bolan_raw(vec3(0.0), vec2(0.0), vec3(0.0), 0.0);
+    bolan_add_cascades(rest, depth, spacing, sum);
+    bolan_add_waves(rest, depth, spacing, sum);
+    return sum;
+}
+
+// Where the surface folds it is vertical: the slope is that of a Jacobian of 0.1.
+bolan_fields bolan_displaced(bolan_raw raw) {
+    vec3 m = raw.stretch + vec3(1.0, 1.0, 0.0);
+    float jacobian = m.x * m.y - m.z * m.z;
+    float divisor = (jacobian < 0.0 ? -1.0 : 1.0) * max(abs(jacobian), 0.1);
+    vec2 slope = vec2(raw.slope.x * m.y - raw.slope.y * m.z, raw.slope.y * m.x - raw.slope.x * m.z) / divisor;
+    return bolan_fields(raw.offset, slope, normalize(vec3(-slope, 1.0)), jacobian, raw.foam);
+}
+
+bolan_fields bolan_fields_on_grid(vec2 rest, float depth, float spacing) {
+    return bolan_displaced(bolan_raw_at(rest, depth, spacing));
+}
+
+bolan_fields bolan_fields_at_rest(vec2 rest, float depth) { return bolan_fields_on_grid(rest, depth, 0.0); }
+
+// The surface above a point: Newton's method finds the parcel that stands there. Where the surface folds over itself it
+// finds one of the parcels, not always the highest.
+bolan_fields bolan_fields_at(vec2 place, float depth) {
+    vec2 rest = place;
+    bolan_raw raw = bolan_raw_at(rest, depth, 0.0);
+    for (int i = 0; i < 5; ++i) {
+        vec3 m = raw.stretch + vec3(1.0, 1.0, 0.0);
+        vec2 residual = rest + raw.offset.xy - place;
+        float det = m.x * m.y - m.z * m.z;
+        vec2 step = vec2(m.y * residual.x - m.z * residual.y, m.x * residual.y - m.z * residual.x) / det;
+        rest -= abs(det) > 0.1 ? step : residual;
+        raw = bolan_raw_at(rest, depth, 0.0);
+    }
+    return bolan_displaced(raw);
+}
+
+// Height of the surface above the origin that you gave [m].
+float bolan_height_at(vec2 place, float depth) {
+    return bolan_water_level + bolan_fields_at(place, depth).displacement.z;
+}
+#endif

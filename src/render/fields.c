@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// See fields.h. Twin of shaders/include/bolan_fields.glsl; tests/shaders/test_fields.c binds the two.
+#include "fields.h"
+
+#include "renderer.h"
+#include "shader_source.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    WAVES_IN_ROW = 32, // two texels each
+    WAVE_ROWS = BOLAN_MAX_FREQUENCIES * BOLAN_MAX_DIRECTIONS / WAVES_IN_ROW,
+    LIFT_OCTAVES = 13, // from a quarter of a texel up to a tile of 1024
+};
+
+#define SUM_SPACING_UNIT 0.5 // [m] the lift of a sum is known for spacings of an eighth of a metre to 512 m
+
+static double fraction(double x) { return x - floor(x); }
+
+// ---- textures -------------------------------------------------------------------------------------------------------
+
+static void free_cascades(host_fields *p) {
+    bolan_gl_texture_free(&p->displacement);
+    bolan_gl_texture_free(&p->slopes);
+    bolan_gl_texture_free(&p->foam);
+    p->serial = 0;
+}
+
+static bool cascades_fit(const host_fields *p, const bolan_sea *sea) {
+    const uint32_t count = bolan_sea_cascade_count(sea);
+    return count == 0 || (p->displacement.width == bolan_sea_cascade(sea, 0).n && p->displacement.depth == count);
+}
+
+static bool create_cascades(host_fields *p, uint32_t n, uint32_t count) {
+    gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
+                            .width = n,
+                            .height = n,
+                            .depth = count,
+                            .array = true,
+                            .filter = GL_FILTER_MIPMAP,
+                            .wrap = GL_WRAP_REPEAT};
+    bolan_result result = bolan_gl_texture_create(&desc, &p->displacement);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, &p->slopes);
+    desc.format = GL_FMT_R16F;
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, &p->foam);
+    if (result != BOLAN_OK) free_cascades(p);
+    return result == BOLAN_OK;
+}
+
+static bool upload_cascades(host_fields *p, const bolan_sea *sea, uint32_t count) {
+    if (!cascades_fit(p, sea) && !create_cascades(p, bolan_sea_cascade(sea, 0).n, count)) return false;
+    for (uint32_t c = 0; c < count; ++c) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        bolan_gl_texture_upload(&p->displacement, 0, (int)c, v.displacement_half, true);
+        bolan_gl_texture_upload(&p->slopes, 0, (int)c, v.slope_half, true);
+        bolan_gl_texture_upload(&p->foam, 0, (int)c, v.foam_half, true);
+    }
+    bolan_gl_texture_generate_mipmaps(&p->displacement);
+    bolan_gl_texture_generate_mipmaps(&p->slopes);
+    bolan_gl_texture_generate_mipmaps(&p->foam);
+    return true;
+}
+
+static double exp_scale(double sharpness) { return sharpness > 0.0 ? 2.0 / (1.0 - exp(-2.0 * sharpness)) : 1.0; }
+
+static double sharpness_of(const bolan_sea *sea) {
+    const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
+    return desc->waves == BOLAN_WAVES_EXP_COSINE ? desc->exp_cosine.sharpness : 0.0;
+}
+
+// Phases are those at the origin now, reduced in double, so that the GPU never sees a large coordinate.
+static bool upload_waves(host_fields *p, const bolan_sea *sea, uint32_t count, bolan_dvec3 origin) {
+    static const gl_texture_desc desc = {
+        .format = GL_FMT_RGBA32F, .width = 2 * WAVES_IN_ROW, .height = WAVE_ROWS, .filter = GL_FILTER_NEAREST};
+    float texels[WAVES_IN_ROW * WAVE_ROWS][2][4] = {0};
+    const double scale = exp_scale(sharpness_of(sea)), time = bolan_sea_time(sea);
+    if (p->waves.id == 0 && bolan_gl_texture_create(&desc, &p->waves) != BOLAN_OK) return false;
+    for (uint32_t i = 0; i < count; ++i) {
+        const bolan_sea_component w = bolan_sea_get_component(sea, i);
+        const double turns = (w.kx * origin.x + w.ky * origin.y - w.omega * time + w.phase) / (2.0 * BOLAN_PI);
+        texels[i][0][0] = (float)(w.kx / (2.0 * BOLAN_PI));
+        texels[i][0][1] = (float)(w.ky / (2.0 * BOLAN_PI));
+        texels[i][0][2] = (float)fraction(turns);
+        texels[i][0][3] = (float)(w.amplitude * scale);
+        texels[i][1][0] = (float)w.drift;
+    }
+    bolan_gl_texture_upload(&p->waves, 0, -1, texels, false);
+    return true;
+}
+
+// ---- the block ------------------------------------------------------------------------------------------------------
+
+static void fill_lift(fields_block *b, const bolan_sea *sea, uint32_t cascade, double unit) {
+    for (int i = 0; i < LIFT_OCTAVES; ++i)
+        (&b->lift[i].x)[cascade] = (float)bolan_sea_lift(sea, cascade, unit * exp2(i - 2.0));
+}
+
+static void fill_cascades(fields_block *b, const bolan_sea *sea, bolan_dvec3 origin) {
+    for (uint32_t c = 0; c < (uint32_t)b->cascade_count; ++c) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        const double ca = cos(v.angle) / v.length, sa = sin(v.angle) / v.length, texel = v.length / v.n;
+        // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
+        b->tile[c] = (bolan_vec4){(float)(fraction(origin.x * ca + origin.y * sa) + 0.5 / v.n),
+                                  (float)(fraction(origin.y * ca - origin.x * sa) + 0.5 / v.n), (float)ca, (float)sa};
+        b->band[c] = (bolan_vec4){(float)(4.0 * sqrt(v.variance)), (float)texel,
+                                  (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length), 0.0f};
+        fill_lift(b, sea, c, texel);
+    }
+}
+
+// Mean of exp(s (cos - 1)): e^-s I0(s), by its series.
+static double exp_mean(double s) {
+    double term = 1.0, sum = 1.0;
+    for (int i = 1; i < 16; ++i) {
+        term *= 0.25 * s * s / ((double)i * i);
+        sum += term;
+    }
+    return exp(-s) * sum;
+}
+
+static fields_block block_of(const bolan_sea *sea, double level, bolan_dvec3 origin) {
+    const double sharpness = sharpness_of(sea);
+    fields_block b = {.cascade_count = (int32_t)bolan_sea_cascade_count(sea),
+                      .wave_count = (int32_t)bolan_sea_component_count(sea),
+                      .sharpness = (float)sharpness,
+                      .mean = (float)exp_mean(sharpness),
+                      .wave_height = (float)bolan_sea_get_summary(sea)->hs,
+                      .choppiness = (float)bolan_sea_get_desc(sea)->choppiness,
+                      .foam_threshold = (float)bolan_sea_foam_threshold(sea),
+                      .level = (float)(level - origin.z)};
+    if (b.wave_count > 0) {
+        b.band[0].y = (float)SUM_SPACING_UNIT;
+        fill_lift(&b, sea, 0, SUM_SPACING_UNIT);
+    }
+    fill_cascades(&b, sea, origin);
+    return b;
+}
+
+static bool update(host_fields *p, const bolan_sea *sea, double level, bolan_dvec3 origin) {
+    const fields_block b = block_of(sea, level, origin);
+    const uint64_t serial = bolan_sea_serial(sea);
+    if (p->block.id == 0 &&
+        bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof b, NULL, &p->block) != BOLAN_OK)
+        return false;
+    if (b.wave_count > 0 && !upload_waves(p, sea, (uint32_t)b.wave_count, origin)) return false;
+    if (b.cascade_count > 0 && p->serial != serial && !upload_cascades(p, sea, (uint32_t)b.cascade_count)) return false;
+    p->serial = serial;
+    bolan_gl_buffer_update(&p->block, 0, sizeof b, &b);
+    return true;
+}
+
+static void bind(const host_fields *p, uint32_t first, uint32_t slot) {
+    const gl_texture *textures[BOLAN_FIELDS_UNITS] = {&p->displacement, &p->slopes, &p->foam, &p->waves};
+    bolan_gl_guest_bind(textures, BOLAN_FIELDS_UNITS, first, &p->block, slot);
+}
+
+void bolan_host_fields_free(host_fields *p) {
+    free_cascades(p);
+    bolan_gl_texture_free(&p->waves);
+    bolan_gl_buffer_free(&p->block);
+}
+
+// ---- calls ----------------------------------------------------------------------------------------------------------
+
+const char *bolan_fields_glsl(void) {
+    for (unsigned i = 0; i < bolan_shader_source_count; ++i)
+        if (strcmp(bolan_shader_sources[i].path, "include/bolan_fields.glsl") == 0) return bolan_shader_sources[i].text;
+    return "";
+}
+
+bolan_result bolan_renderer_link_fields(bolan_renderer *r, uint32_t program, uint32_t first_unit, uint32_t slot) {
+    static const char *const samplers[BOLAN_FIELDS_UNITS] = {"bolan_displacement_map", "bolan_slope_map",
+                                                             "bolan_foam_map", "bolan_wave_map"};
+    BOLAN_ASSERT(r != NULL);
+    bolan_result result = bolan_gl_check_context("link_fields");
+    if (r == NULL || result != BOLAN_OK) return r == NULL ? BOLAN_ERROR_ARGUMENT : result;
+    const char *problem =
+        bolan_gl_guest_link(program, "bolan_sea_block", samplers, BOLAN_FIELDS_UNITS, first_unit, slot);
+    if (problem == NULL) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GUEST_PROGRAM, "link_fields: program %u, units from %u, slot %u: %s", program,
+              first_unit, slot, problem);
+    return BOLAN_ERROR_ARGUMENT;
+}
+
+static bool can_bind(bolan_renderer *r, double level, bolan_dvec3 origin, uint32_t first_unit, uint32_t slot) {
+    if (!bolan_gl_has_context())
+        return bolan_renderer_refuse(r, CALL_BIND_FIELDS, BOLAN_LOG_GL_CONTEXT,
+                                     "bind_fields: no OpenGL context is current on this thread");
+    if (!isfinite(level) || !isfinite(origin.x) || !isfinite(origin.y) || !isfinite(origin.z))
+        return bolan_renderer_refuse(r, CALL_BIND_FIELDS, BOLAN_LOG_NOT_FINITE,
+                                     "bind_fields: level and origin must be finite");
+    const char *problem = bolan_gl_guest_slots(BOLAN_FIELDS_UNITS, first_unit, slot);
+    return problem == NULL ||
+           bolan_renderer_refuse(r, CALL_BIND_FIELDS, BOLAN_LOG_GUEST_SLOTS, "bind_fields: units from %u, slot %u: %s",
+                                 first_unit, slot, problem);
+}
+
+void bolan_renderer_bind_fields(bolan_renderer *r, const bolan_sea *sea, double level, bolan_dvec3 origin,
+                                uint32_t first_unit, uint32_t slot) {
+    const bool given = r != NULL && sea != NULL;
+    BOLAN_ASSERT(given);
+    if (!given || !can_bind(r, level, origin, first_unit, slot)) return;
+    bolan_renderer_accept(r, CALL_BIND_FIELDS);
+    // Textures that go may be bound in the state that is saved and given back, so they go before.
+    if (!cascades_fit(&r->fields, sea)) free_cascades(&r->fields);
+    bolan_renderer_enter(r);
+    const bool ready = update(&r->fields, sea, level, origin);
+    bolan_renderer_leave(r);
+    if (ready) bind(&r->fields, first_unit, slot);
+}

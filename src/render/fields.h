@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The fields of a sea for the host's own programs: the textures and the uniform block of shaders/include/bolan_fields.glsl.
+#ifndef BOLAN_RENDER_FIELDS_H
+#define BOLAN_RENDER_FIELDS_H
+
+#include "bolan/waves.h"
+#include "gl/gl.h"
+
+// bolan_sea_block of bolan_fields.glsl: std140, keep in step.
+typedef struct fields_block {
+    bolan_vec4 tile[BOLAN_MAX_CASCADES], band[BOLAN_MAX_CASCADES], lift[13];
+    int32_t cascade_count, wave_count;
+    float sharpness, mean, wave_height, choppiness, foam_threshold, level;
+} fields_block;
+
+typedef struct host_fields {
+    gl_texture displacement, slopes, foam, waves;
+    gl_buffer block;
+    uint64_t serial; // of the sea whose fields are in the textures; 0: none
+} host_fields;
+
+void bolan_host_fields_free(host_fields *p);
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What is set in programs of the host's, and what is bound for them and stays bound.
+#include "gl_internal.h"
+
+const char *bolan_gl_guest_slots(uint32_t count, uint32_t first, uint32_t slot) {
+    GLint units = 0, slots = 0;
+    glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
+    glGetIntegerv(GL_MAX_UNIFORM_BUFFER_BINDINGS, &slots);
+    if (first >= (uint32_t)units || count > (uint32_t)units - first) return "the context has not so many texture units";
+    return slot >= (uint32_t)slots ? "the context has not so many uniform buffer slots" : NULL;
+}
+
+const char *bolan_gl_guest_link(uint32_t program, const char *block, const char *const *samplers, uint32_t count,
+                                uint32_t first, uint32_t slot) {
+    GLint linked = GL_FALSE, current = 0;
+    const char *problem = bolan_gl_guest_slots(count, first, slot);
+    if (problem != NULL) return problem;
+    if (!glIsProgram(program)) return "that is no program";
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (!linked) return "the program is not linked";
+    const GLuint index = glGetUniformBlockIndex(program, block);
+    if (index == GL_INVALID_INDEX) return "the program does not use the fields";
+    glUniformBlockBinding(program, index, slot);
+    glGetIntegerv(GL_CURRENT_PROGRAM, &current);
+    glUseProgram(program);
+    for (uint32_t i = 0; i < count; ++i) {
+        const GLint location = glGetUniformLocation(program, samplers[i]);
+        if (location >= 0) glUniform1i(location, (GLint)(first + i)); // a sampler that is not used is not there
+    }
+    glUseProgram((GLuint)current);
+    return NULL;
+}
+
+void bolan_gl_guest_bind(const gl_texture *const *textures, uint32_t count, uint32_t first, const gl_buffer *block,
+                         uint32_t slot) {
+    GLint active = 0, buffer = 0;
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+    glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &buffer);
+    for (uint32_t i = 0; i < count; ++i) {
+        if (textures[i]->id == 0) continue;
+        glActiveTexture(GL_TEXTURE0 + first + i);
+        glBindTexture(textures[i]->target, textures[i]->id);
+        glBindSampler(first + i, 0);
+    }
+    glBindBufferBase(GL_UNIFORM_BUFFER, slot, block->id);
+    glBindBuffer(GL_UNIFORM_BUFFER, (GLuint)buffer);
+    glActiveTexture((GLenum)active);
+}
