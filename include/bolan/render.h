@@ -61,6 +61,9 @@ typedef struct bolan_gl_info {
 /// Asks the context that is current on this thread.
 bolan_gl_info bolan_gl_get_info(void);
 
+/// Called after each step of a preparation that takes a while: @p done of @p total steps.
+typedef void bolan_progress(void *user, uint32_t done, uint32_t total);
+
 // ---- the renderer ---------------------------------------------------------------------------------------------------
 
 /// The programs, tables and targets that draw scenes in one context.
@@ -184,6 +187,9 @@ typedef struct bolan_frame_statistics {
     } passes[BOLAN_MAX_PASSES];
     uint32_t triangles; ///< all that were submitted
     uint32_t water_triangles;
+    /// Shader programs compiled by this renderer since it was created. It rises when a frame of another technique, sea
+    /// or ground is prepared, and stays while only the view changes.
+    uint32_t programs;
 } bolan_frame_statistics;
 /// Measures the time of each pass; default off. By GPU timestamps, which disturb no query of yours, are some frames old
 /// when they come, and are never waited for; without them (software OpenGL, OpenGL ES) by glFinish() after each pass,

@@ -12,8 +12,7 @@
 // (crest_air.glsl). The facets that the eye sees lean towards it; their mean tilt, their area and the mean Fresnel
 // reflectance are rational and quadratic forms (common/facets.glsl).
 //
-// LAND: there is terrain. FOAM_TILE: pixels are so narrow that foam has a structure; FINE_FOAM: and a finer one beside the eye. SPARSE: into a cleared picture of
-// fewer columns. TAPS: how much sharper than its long side a footprint is looked up. Waves: see common/waves.glsl.
+// LAND: there is terrain. SPARSE: into a cleared picture of fewer columns. CASCADES: how many of them these rows show. TAPS: how much sharper than its long side a footprint is looked up. Waves: see common/waves.glsl.
 #include "common/frame.glsl"
 #include "common/fullscreen.glsl"
 
@@ -24,8 +23,6 @@ void main() { fullscreen(0.0); }
 #ifdef FRAGMENT
 #ifndef TAPS // set by quality; this serves an offline compiler
 #define TAPS 2
-#define FOAM_TILE
-#define FINE_FOAM
 #endif
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
@@ -156,12 +153,10 @@ vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
     vec2 at = mod(eye_wrapped + rest, WORLD_WRAP);
     float level = width_log2 + 9.0; // a tile has 512 texels
     vec4 tile = textureLod(foam_densities, at * (1.0 / 16.0), max(level - 4.0, 0.0));
-#ifdef FINE_FOAM
-    if (width_log2 < -4.0) {
+    for (int finer = 0; finer < 1 && width_log2 < -4.0; ++finer) { // a loop: software OpenGL takes both ways of an if
         vec4 close = textureLod(foam_densities, at.yx * (1.0 / 4.0), max(level - 2.0, 0.0));
         tile = mix(tile, sqrt(tile * close) , clamp(-4.0 - width_log2, 0.0, 1.0) * 0.6);
     }
-#endif
 #ifdef LAND
     vec4 ramp = textureLod(foam_ramps, vec2(intensity, zone), 0.0);
     float opacity = clamp(dot(tile.rgb, ramp.rgb) + ramp.a, 0.0, 1.0);
@@ -269,9 +264,7 @@ vec3 light_here(ivec2 at, vec4 shape) {
     if (effect_is_on(EFFECT_GLITTER)) surface += sun_glitter(p, w.slope, seen.area, sunlight);
     if (effect_is_on(EFFECT_FOAM) && foam > 0.0) {
         vec2 lather = vec2(foam, 0.87); // from afar, the mean
-#ifdef FOAM_TILE
         for (int near = 0; near < 1 && foam > 0.02 && p.fine < 2.0; ++near) lather = foam_opacity(p.rest, p.fine, foam, zone);
-#endif
         vec3 light = (sunlight * max(dot(sun_direction, normal), 0.0) + sky_light) * (lather.y * 0.66 / 3.14159265);
         surface = mix(surface, light, lather.x * min(foam_strength, 1.0));
     }

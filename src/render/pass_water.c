@@ -23,6 +23,11 @@ static const water_optics *const optics_table[BOLAN_OPTICS_KINDS] = {
     [BOLAN_OPTICS_CREST] = &bolan_optics_crest,
 };
 
+static const water_shader cover_shader = {.stem = "papers/depth_only", .reads = WATER_FEATURE_ALL};
+static const water_shader edge_shader = {
+    .stem = "wireframe", .reads = WATER_FEATURE_ALL, .defines = {"FILL 1\n"}};
+enum { EDGES_FILL = 1 };
+
 bolan_result bolan_pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out) {
     pass_water *p = allocate_for("the pass of the water", sizeof *p);
     if (p == NULL) return BOLAN_ERROR_MEMORY;
@@ -44,7 +49,7 @@ void bolan_pass_water_destroy(pass_water **pass) {
         if (p->state[i] != NULL) optics_table[i]->free(p->state[i]);
         bolan_release(p->state[i], optics_table[i]->size);
     }
-    for (uint32_t i = 0; i < p->programs.count; ++i) bolan_gl_program_free(&p->programs.list[i].program);
+    bolan_water_programs_free(&p->programs);
     bolan_half_rate_free(&p->sparse);
     bolan_sea_gpu_free(&p->fields);
     bolan_water_mesh_free(&p->mesh);
@@ -53,9 +58,7 @@ void bolan_pass_water_destroy(pass_water **pass) {
 }
 
 bolan_result bolan_pass_water_reload(pass_water *p) {
-    bolan_result result = BOLAN_OK;
-    for (uint32_t i = 0; i < p->programs.count && result == BOLAN_OK; ++i)
-        result = bolan_gl_program_reload(&p->programs.list[i].program);
+    const bolan_result result = bolan_water_programs_reload(&p->programs);
     return result == BOLAN_OK ? bolan_half_rate_reload(&p->sparse) : result;
 }
 
@@ -71,6 +74,7 @@ static water_draw draw_of(pass_water *p, frame *f) {
                     .fields = &p->fields,
                     .mesh = &p->mesh,
                     .programs = &p->programs,
+                    .packed = optics_table[f->scene->technique.optics]->packed,
                     .waves = bolan_water_waves_of(bolan_sea_get_desc(f->desc->sea)->waves, bolan_water_surface(f))};
     double horizontal;
     bolan_sea_bounds(f->desc->sea, &d.vertical, &horizontal);
@@ -92,7 +96,7 @@ void bolan_pass_water_cover(pass_water *p, frame *f) {
         bolan_water_mesh_triangles(&p->mesh) == 0)
         return;
     water_draw d = draw_of(p, f);
-    if (!bolan_water_program(&d, "papers/depth_only", 0, "")) return;
+    if (!bolan_water_program(&d, &cover_shader, 0)) return;
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true});
     bolan_water_mesh_draw(&p->mesh);
 }
@@ -109,6 +113,55 @@ bool bolan_pass_water_mirrors(const frame *f) {
 
 bool bolan_pass_water_mirrors_sky(const frame *f) { return !optics_table[f->scene->technique.optics]->own_sky; }
 
+// ---- programs -------------------------------------------------------------------------------------------------------
+
+static water_setup setup_of(const frame *f) {
+    const bolan_technique *t = &f->scene->technique;
+    const water_optics *o = optics_table[t->optics];
+    const bolan_sea *sea = f->desc->sea;
+    const bolan_wave_model model = bolan_sea_get_desc(sea)->waves;
+    const bolan_look *look = &f->scene->look;
+    const water_waves waves = bolan_water_waves_of(model, t->surface);
+    const bool edges = look->show == BOLAN_SHOW_MESH;
+    return (water_setup){.quality = f->quality,
+                         .waves = waves,
+                         .waves_below = bolan_water_waves_of(model, BOLAN_SURFACE_QUAD),
+                         .surface = t->surface,
+                         .below = o->from_below,
+                         .land = f->shore->present,
+                         .static_grid = o->static_grid && !edges && t->surface == BOLAN_SURFACE_PROJECTED &&
+                                        waves != WATER_MESH,
+                         .packed = o->packed,
+                         .opaque = is_opaque(f),
+                         .by_the_paper = look->paper,
+                         .shares_samples = o->columns[f->quality] > 1 && !look->paper,
+                         .edges = edges,
+                         .wave_count = bolan_sea_component_count(sea),
+                         .cascades = waves == WATER_CASCADES ? bolan_sea_cascade_count(sea) : 1};
+}
+
+static void list_edges(pass_water *p, const water_setup *s) {
+    for (int below = 0; below <= s->below; ++below) {
+        bolan_water_programs_add(&p->programs, s, below, &edge_shader, EDGES_FILL);
+        bolan_water_programs_add(&p->programs, s, below, &edge_shader, 0);
+    }
+}
+
+// Everything that frames like this one can need, wherever the eye goes.
+static void prepare_programs(pass_water *p, const frame *f) {
+    const bolan_optics_kind kind = f->scene->technique.optics;
+    const water_optics *o = optics_table[kind];
+    const water_setup s = setup_of(f);
+    if (p->failed[kind]) return;
+    if (s.edges) list_edges(p, &s);
+    o->list(p->state[kind], &s, &p->programs);
+    if (o->mirrors && s.surface == BOLAN_SURFACE_QUAD)
+        bolan_water_programs_add(&p->programs, &s, false, &cover_shader, 0);
+    if (o->mirrors && s.below) bolan_water_programs_add(&p->programs, &s, true, &cover_shader, 0);
+    if (s.shares_samples) bolan_half_rate_prepare(&p->sparse, &s, o->keeps_shape, &p->programs);
+    bolan_water_programs_compile(&p->programs, NULL, NULL);
+}
+
 void bolan_pass_water_prepare(pass_water *p, frame *f) {
     const bolan_technique *t = &f->scene->technique;
     const water_optics *o = optics_table[t->optics];
@@ -122,13 +175,14 @@ void bolan_pass_water_prepare(pass_water *p, frame *f) {
     const bool edges = f->scene->look.show == BOLAN_SHOW_MESH; // these are made of the mesh that the CPU has
     bolan_water_mesh_build(&p->mesh, f, bolan_water_surface(f), d.waves, o->static_grid && !edges);
     if (o->prepare != NULL && !p->failed[t->optics]) o->prepare(p->state[t->optics], &d);
+    prepare_programs(p, f);
 }
 
 // BOLAN_SHOW_MESH: the triangles, whichever optics would light them.
 static void draw_edges(pass_water *p, const water_draw *d) {
-    if (!bolan_water_mesh_find_edges(&p->mesh) || !bolan_water_program(d, "wireframe", 1, "FILL 1\n")) return;
+    if (!bolan_water_mesh_find_edges(&p->mesh) || !bolan_water_program(d, &edge_shader, EDGES_FILL)) return;
     bolan_water_draw_forward(d);
-    if (bolan_water_program(d, "wireframe", 0, "")) bolan_water_mesh_draw_edges(&p->mesh);
+    if (bolan_water_program(d, &edge_shader, 0)) bolan_water_mesh_draw_edges(&p->mesh);
 }
 
 frame bolan_pass_half_rate(pass_water *p, const frame *f) {

@@ -36,9 +36,13 @@ static bolan_result create_passes(bolan_renderer *r) {
 void bolan_renderer_enter(bolan_renderer *r) {
     bolan_gl_program_set_directory(r->shader_directory[0] ? r->shader_directory : NULL);
     bolan_gl_save(&r->saved, &r->caps, r->desc.debug);
+    r->programs_before = bolan_gl_programs_compiled();
 }
 
-void bolan_renderer_leave(bolan_renderer *r) { bolan_gl_restore(&r->saved); }
+void bolan_renderer_leave(bolan_renderer *r) {
+    r->statistics.programs += bolan_gl_programs_compiled() - r->programs_before;
+    bolan_gl_restore(&r->saved);
+}
 
 bool bolan_renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, const char *format, ...) {
     char sentence[REFUSAL_BYTES];

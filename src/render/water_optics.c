@@ -6,54 +6,27 @@
 #include "shared/earth.glsl"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 // Whether the corners of the quad, whose sides end at the horizon, stand above it by more than half a pixel: they are 1.41 times as far
 // away. Where the water is lit at fewer places they are left out when it is laid over the picture.
 static bool is_trimmed(const frame *f) {
+    if (f->uniforms.view.eye_under_water > 0.5f) return false;
     const double dip = earth_dip(fmax(f->uniforms.view.eye_height, 0.5), BOLAN_EARTH_RADIUS);
     return f->uniforms.view.shade_columns == 1.0f && 0.2929 * dip > 0.5 * (double)f->uniforms.view.radians_per_pixel;
 }
 
-// Bits 0-1 the waves, 2 the quad, 3 land, 4 the static grid, 5 packed cascades, 6-10 the number of exp-cosine waves, 11 the trimmed
-// quad, from 12 on the optics' own.
-static uint32_t key_of(const water_draw *d, uint32_t extra) {
-    uint32_t quad = bolan_water_surface(d->f) == BOLAN_SURFACE_QUAD, land = d->f->shore->present;
-    uint32_t fixed = d->mesh->fixed, packed = d->waves == WATER_CASCADES && d->fields->packed;
-    uint32_t count = d->waves == WATER_EXP ? bolan_sea_component_count(d->f->desc->sea) : 0;
-    uint32_t trim = quad && is_trimmed(d->f);
-    return (uint32_t)d->waves | quad << 2 | land << 3 | fixed << 4 | packed << 5 | count << 6 | trim << 11 |
-           extra << 12;
+static uint32_t features_of(const water_draw *d) {
+    const bool quad = bolan_water_surface(d->f) == BOLAN_SURFACE_QUAD;
+    return (quad ? WATER_FEATURE_QUAD : 0) | (quad && is_trimmed(d->f) ? WATER_FEATURE_TRIM : 0) |
+           (d->f->shore->present ? WATER_FEATURE_LAND : 0) | (d->mesh->fixed ? WATER_FEATURE_GRID : 0) |
+           (d->packed ? WATER_FEATURE_PACKED : 0);
 }
 
-static const gl_program *make(const water_draw *d, const char *stem, uint32_t key, const char *extra) {
-    water_programs *all = d->programs;
-    char defines[160], count[24] = "";
-    if (d->waves == WATER_EXP) snprintf(count, sizeof count, "WAVE_COUNT %u\n", key >> 6 & 31u);
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s", bolan_water_waves_define(d->waves), count,
-             key & 4 ? "QUAD 1\n" : "", key & 8 ? "LAND 1\n" : "", key & 16 ? "STATIC_GRID 1\n" : "",
-             key & 32 ? "PACKED 1\n" : "", key & 1u << 11 ? "TRIM 1\n" : "", extra);
-    if (all->count == WATER_PROGRAMS) { // the cache is full: drop every program
-        for (uint32_t i = 0; i < all->count; ++i) bolan_gl_program_free(&all->list[i].program);
-        all->count = 0;
-    }
-    gl_program program = {0};
-    if (bolan_gl_program_create(stem, defines, &program) != BOLAN_OK) program.id = 0; // kept, so that it is said once
-    all->list[all->count].key = key;
-    all->list[all->count].stem = stem;
-    all->list[all->count].program = program;
-    return &all->list[all->count++].program;
-}
-
-const gl_program *bolan_water_program(const water_draw *d, const char *stem, uint32_t extra, const char *defines) {
-    const uint32_t key = key_of(d, extra);
-    const gl_program *program = NULL;
-    for (uint32_t i = 0; i < d->programs->count && !program; ++i)
-        if (d->programs->list[i].key == key && strcmp(d->programs->list[i].stem, stem) == 0)
-            program = &d->programs->list[i].program;
-    if (!program) program = make(d, stem, key, defines);
-    if (program->id == 0) return NULL;
+const gl_program *bolan_water_program(const water_draw *d, const water_shader *shader, uint32_t own) {
+    const uint32_t wave_count = bolan_sea_component_count(d->f->desc->sea);
+    const water_variant v = bolan_water_variant_of(shader, own, d->waves, wave_count, features_of(d));
+    const gl_program *program = bolan_water_programs_find(d->programs, &v);
+    if (program == NULL) return NULL;
     bolan_gl_program_use(program);
     bolan_sea_gpu_apply(program, d->f, d->waves);
     bolan_water_mesh_apply(d->mesh, program);

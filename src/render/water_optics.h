@@ -5,33 +5,24 @@
 #define BOLAN_RENDER_WATER_OPTICS_H
 
 #include "frame.h"
+#include "programs.h"
 #include "sea_gpu.h"
 #include "water_mesh.h"
-
-// The programs made so far, one for each shader and set of defines that was needed.
-enum { WATER_PROGRAMS = 48 };
-typedef struct water_programs {
-    uint32_t count;
-    struct {
-        uint32_t key;
-        const char *stem; // static
-        gl_program program;
-    } list[WATER_PROGRAMS];
-} water_programs;
 
 // What an optics draws.
 typedef struct water_draw {
     frame *f;
     const sea_gpu *fields;
     const water_mesh *mesh;
-    water_programs *programs;
+    const water_programs *programs;
     water_waves waves;
+    bool packed;     // layout of the cascades' textures
     double vertical; // bound of the displacement [m]
 } water_draw;
 
-// The program of shaders/<stem>.glsl for these waves, this surface, with or without land, and `extra`, which is a number of the
-// optics' own that `defines` spells out ("" or "A 1\n"); used, and with the uniforms of the waves set. NULL: it cannot be had (logged).
-const gl_program *bolan_water_program(const water_draw *d, const char *stem, uint32_t extra, const char *defines);
+// The program of this shader for these waves, this surface, with or without land, and its own defines `own`; used, and
+// with the uniforms of the waves set. NULL: it does not compile (logged when it was prepared).
+const gl_program *bolan_water_program(const water_draw *d, const water_shader *shader, uint32_t own);
 // Sets the uniforms look_light, look_mix and look_effects: see shaders/common/look.glsl.
 void bolan_water_look_apply(const gl_program *program, const bolan_look *look);
 // Draws the mesh with its depth into the frame's picture: what most optics do with a program that is set up.
@@ -52,6 +43,8 @@ typedef struct water_optics {
     bool packed; // of the cascades it reads slopes, pinch and foam, nothing else: see sea_gpu.h
     bool (*table_only)(const bolan_scene *scene); // true: it has no use for the cascades' textures; NULL: it has
     bolan_result (*create)(void *state, bolan_quality quality);
+    // Notes every program that draw() can ask for, whatever the eye does; called after prepare().
+    void (*list)(const void *state, const water_setup *s, water_programs *all);
     void (*prepare)(void *state, const water_draw *d); // once a frame, before anything is drawn; may be NULL
     void (*draw)(void *state, const water_draw *d);
     void (*free)(void *state);

@@ -10,23 +10,25 @@
 enum { SURFACE_COUNT = 4 };
 
 typedef struct physical {
-    const char *defines;                 // of this quality
+    bolan_quality quality;
     gl_texture shape_map[SURFACE_COUNT]; // outputs of water_shape.glsl
     gl_target shape_target;              // they, and the frame's depth
     uint32_t depth_id;                   // of that depth
     gl_texture foam_detail;
 } physical;
 
-static const char *const quality_defines[] = {
-    [BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\n",
-    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\n",
-    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\n",
-    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\n",
-};
+static const water_shader shape_shader = {.stem = "water_shape", .reads = WATER_FEATURE_ALL};
+// By quality: texture fetches along a footprint, reflected rays that look for land.
+static const water_shader light_shader = {.stem = "water_physical",
+                                          .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
+                                          .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\n",
+                                                      [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\n",
+                                                      [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\n",
+                                                      [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\n"}};
 
 static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;
-    p->defines = quality_defines[quality];
+    p->quality = quality;
     return bolan_foam_texture_create(&p->foam_detail);
 }
 
@@ -102,7 +104,7 @@ static void set_total(const gl_program *g, const bolan_sea *sea) {
 }
 
 static void draw_shape(physical *p, const water_draw *d) {
-    if (!bolan_water_program(d, "water_shape", 0, "")) return;
+    if (!bolan_water_program(d, &shape_shader, 0)) return;
     bolan_gl_target_bind(&p->shape_target);
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
@@ -110,7 +112,7 @@ static void draw_shape(physical *p, const water_draw *d) {
 }
 
 static void draw_light(physical *p, const water_draw *d) {
-    const gl_program *g = bolan_water_program(d, "water_physical", 0, p->defines);
+    const gl_program *g = bolan_water_program(d, &light_shader, 1u << p->quality);
     if (!g) return;
     set_foam(g, d->f);
     set_total(g, d->f->desc->sea);
@@ -121,6 +123,12 @@ static void draw_light(physical *p, const water_draw *d) {
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
     bolan_gl_target_bind(&d->f->hdr);
+}
+
+static void list(const void *state, const water_setup *s, water_programs *all) {
+    (void)state;
+    bolan_water_programs_add(all, s, false, &shape_shader, 0);
+    bolan_water_programs_add(all, s, false, &light_shader, 1u << s->quality);
 }
 
 static void draw(void *state, const water_draw *d) {
@@ -134,5 +142,6 @@ const water_optics bolan_optics_physical = {.size = sizeof(physical),
                                             .keeps_shape = true,
                                             .columns = {[BOLAN_QUALITY_LOW] = 2},
                                             .create = create,
+                                            .list = list,
                                             .draw = draw,
                                             .free = free_all};

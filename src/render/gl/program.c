@@ -56,6 +56,9 @@ static void set_defaults(GLuint id, const shader_text *vertex, const shader_text
     glUseProgram(0);
 }
 
+static _Thread_local uint32_t compiled; // by this thread
+uint32_t bolan_gl_programs_compiled(void) { return compiled; }
+
 static bolan_result build(const char *stem, const char *defines, GLuint *out) {
     shader_text source[2] = {{0}};
     GLuint vertex = 0, fragment = 0, id = 0;
@@ -67,6 +70,7 @@ static bolan_result build(const char *stem, const char *defines, GLuint *out) {
         fragment = compile(&source[1], GL_FRAGMENT_SHADER, "fragment");
     }
     if (vertex && fragment) id = link(vertex, fragment, stem);
+    compiled += id != 0;
     if (id) set_defaults(id, &source[0], &source[1]);
     if (vertex) glDeleteShader(vertex);
     if (fragment) glDeleteShader(fragment);

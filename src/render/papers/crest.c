@@ -9,7 +9,6 @@
 #include "shared/constants.glsl"
 
 #include <math.h>
-#include <stdio.h>
 
 enum {
     AIR_COUNT = 3,
@@ -18,7 +17,7 @@ enum {
 }; // pixels to one of the slow picture: rows are where the horizon is
 
 typedef struct crest {
-    const char *defines; // of this quality
+    bolan_quality quality;
     double taps;
     gl_texture densities, ramps, rough;
     gl_texture rest, mesh; // outputs of crest_shape.glsl
@@ -28,12 +27,17 @@ typedef struct crest {
     uint32_t depth_id; // the frame's depth that shape draws with
 } crest;
 
-static const char *const quality_defines[] = {
-    [BOLAN_QUALITY_LOW] = "TAPS 2\n",
-    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\n",
-    [BOLAN_QUALITY_HIGH] = "TAPS 3\n",
-    [BOLAN_QUALITY_ULTRA] = "TAPS 4\n",
-};
+enum { ONE_CASCADE = 1 << 4, SPARSE = 1 << 8 };
+
+static const water_shader shape_shader = {.stem = "papers/crest_shape", .reads = WATER_FEATURE_ALL};
+static const water_shader air_shader = {.stem = "papers/crest_air", .reads = WATER_FEATURE_LAND};
+static const water_shader light_shader = {.stem = "papers/crest",
+                                          .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
+                                          .defines = {[BOLAN_QUALITY_LOW] = "TAPS 2\n",
+                                                      [BOLAN_QUALITY_MEDIUM] = "TAPS 2\n",
+                                                      [BOLAN_QUALITY_HIGH] = "TAPS 3\n",
+                                                      [BOLAN_QUALITY_ULTRA] = "TAPS 4\n", "CASCADES 1\n",
+                                                      "CASCADES 2\n", "CASCADES 3\n", "CASCADES 4\n", "SPARSE 1\n"}};
 
 static const double quality_taps[] = {2.0, 2.0, 3.0, 4.0};
 
@@ -71,7 +75,7 @@ static bolan_result create_ramps(crest *p) {
 
 static bolan_result create(void *state, bolan_quality quality) {
     crest *p = state;
-    p->defines = quality_defines[quality];
+    p->quality = quality;
     p->taps = quality_taps[quality];
     gl_texture_desc rough = {.format = GL_FMT_RGBA16F,
                              .width = BOLAN_SLOPE_TABLE_MAJOR,
@@ -133,8 +137,6 @@ static void free_all(void *state) {
     bolan_gl_texture_free(&p->ramps);
 }
 
-#define FOAM_WIDTH 4.0         // of a pixel beyond which foam has no structure [m]
-#define FINE_FOAM_WIDTH 0.0625 // likewise its finer structure
 #define FRESH_EDGE 0.09        // standard deviation that softens the edge of breaking crests, in pinch
 #define OLD_EDGE 0.1           // likewise for old foam, as a share of the memory's variance
 #define OLD_FOAM_SHARE 2.0     // decaying foam covers about twice what the breaking crests do
@@ -185,7 +187,7 @@ static void upload_rough(crest *p, const frame *f) {
 static void prepare(void *state, const water_draw *d) { upload_rough(state, d->f); }
 
 static bool draw_shape(crest *p, const water_draw *d) {
-    if (!bolan_water_program(d, "papers/crest_shape", 0, "")) return false;
+    if (!bolan_water_program(d, &shape_shader, 0)) return false;
     bolan_gl_target_bind(d->waves == WATER_MESH ? &p->shape_mesh : &p->shape);
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
@@ -194,7 +196,7 @@ static bool draw_shape(crest *p, const water_draw *d) {
 }
 
 static bool draw_air(crest *p, const water_draw *d) {
-    const gl_program *g = bolan_water_program(d, "papers/crest_air", 0, "");
+    const gl_program *g = bolan_water_program(d, &air_shader, 0);
     if (!g) return false;
     const uint32_t width = p->air[0].width, height = p->air[0].height;
     const uint32_t rows = (bolan_water_rows(d->f, d->vertical) + AIR_ROW - 1) / AIR_ROW + 1;
@@ -221,18 +223,25 @@ static uint32_t rows_of_width(const frame *f, double width, double taps, uint32_
 
 typedef struct light_rows {
     uint32_t from, to;
-    uint32_t cascades; // to look up
-    uint32_t foam;     // tiles of its structure: none, one, and beside the eye a finer one
+    uint32_t cascades; // that pixels there fetch
 } light_rows;
 
+static uint32_t own_defines(bolan_quality quality, uint32_t cascades, bool sparse) {
+    return 1u << quality | (uint32_t)ONE_CASCADE << (cascades - 1) | (sparse ? SPARSE : 0u);
+}
+
+static void list(const void *state, const water_setup *s, water_programs *all) {
+    (void)state;
+    bolan_water_programs_add(all, s, false, &shape_shader, 0);
+    bolan_water_programs_add(all, s, false, &air_shader, 0);
+    for (uint32_t cascades = 1; cascades <= s->cascades; ++cascades)
+        for (int sparse = 0; sparse <= s->shares_samples; ++sparse)
+            bolan_water_programs_add(all, s, false, &light_shader, own_defines(s->quality, cascades, sparse));
+}
+
 static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
-    static const char *const foam_defines[] = {"", "FOAM_TILE 1\n", "FOAM_TILE 1\nFINE_FOAM 1\n"};
-    char defines[96];
     const bool sparse = d->f->uniforms.view.shade_columns > 1.0f;
-    snprintf(defines, sizeof defines, "%sCASCADES %u\n%s%s", p->defines, rows.cascades, foam_defines[rows.foam],
-             sparse ? "SPARSE 1\n" : "");
-    const uint32_t extra = rows.cascades | rows.foam << 3 | (uint32_t)sparse << 5;
-    const gl_program *g = bolan_water_program(d, "papers/crest", extra, defines);
+    const gl_program *g = bolan_water_program(d, &light_shader, own_defines(p->quality, rows.cascades, sparse));
     if (!g) return;
     bolan_water_look_apply(g, &d->f->scene->look);
     set_foam(g, d->f);
@@ -255,24 +264,17 @@ static uint32_t rows_of_cascade(const water_draw *d, uint32_t cascade, double ta
     return v.k_min > 0.0 ? rows_of_width(d->f, 0.4 * 2.0 * BOLAN_PI / v.k_min, taps, rows) : rows;
 }
 
-static uint32_t least(uint32_t a, uint32_t b) { return a < b ? a : b; }
-
-// Far rows look up fewer cascades, and no structure of foam.
+// Far rows fetch fewer cascades.
 static void draw_light(crest *p, const water_draw *d) {
     const uint32_t rows = bolan_water_rows(d->f, d->vertical);
-    const uint32_t foam_ends[] = {rows, rows_of_width(d->f, FOAM_WIDTH, p->taps, rows),
-                                  rows_of_width(d->f, FINE_FOAM_WIDTH, p->taps, rows)};
-    light_rows part = {.cascades = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->f->desc->sea) : 1,
-                       .foam = 2};
+    light_rows part = {.cascades = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->f->desc->sea) : 1};
     while (part.from < rows) {
-        const uint32_t end = part.cascades > 1 ? rows_of_cascade(d, part.cascades - 1, p->taps, rows) : rows;
-        part.to = least(end, foam_ends[part.foam]);
+        part.to = part.cascades > 1 ? rows_of_cascade(d, part.cascades - 1, p->taps, rows) : rows;
         if (part.to > part.from) {
             draw_rows(p, d, part);
             part.from = part.to;
         }
-        if (end <= part.from && part.cascades > 1) part.cascades--;
-        if (foam_ends[part.foam] <= part.from && part.foam > 0) part.foam--;
+        if (part.cascades > 1) part.cascades--;
     }
 }
 
@@ -289,6 +291,7 @@ const water_optics bolan_optics_crest = {.size = sizeof(crest),
                                          .keeps_shape = true,
                                          .packed = true,
                                          .create = create,
+                                         .list = list,
                                          .prepare = prepare,
                                          .draw = draw,
                                          .free = free_all};

@@ -8,6 +8,20 @@
     35.0            // of the picture's middle below the horizontal: further down, pixels are as wide as they are long
 #define SMALLEST 64 // columns of a picture: below, there is nothing to save
 
+// Over the shape that the optics keeps, and over the mesh. Bit 0: something opaque is in the picture.
+static const water_shader shape_resolve = {
+    .stem = "papers/half_rate_resolve", .defines = {"OPAQUE 1\n", "KEPT 1\n"}};
+static const water_shader mesh_resolve = {.stem = "papers/half_rate_resolve", .reads = WATER_FEATURE_ALL};
+enum { OPAQUE = 1, KEPT = 2 };
+
+bool bolan_half_rate_prepare(half_rate *s, const water_setup *setup, bool keeps_shape, water_programs *all) {
+    if (keeps_shape) return bolan_water_programs_add(all, setup, false, &shape_resolve, setup->opaque ? KEPT | OPAQUE : KEPT);
+    if (setup->opaque && s->farthest.stem[0] == '\0' && // tried once
+        bolan_gl_program_create("papers/half_rate_depth", NULL, &s->farthest) != BOLAN_OK)
+        return false;
+    return bolan_water_programs_add(all, setup, false, &mesh_resolve, 0);
+}
+
 uint32_t bolan_half_rate_columns(const frame *f, const uint32_t by_quality[]) {
     const bolan_look *look = &f->scene->look;
     const bool plain = !look->paper && look->show == BOLAN_SHOW_PICTURE && f->uniforms.view.eye_under_water < 0.5f;
@@ -41,8 +55,7 @@ static bool fit(half_rate *s, uint32_t width, uint32_t height) {
 
 // Of the pixels that a sample serves, the farthest: whatever shows water is lit.
 static bool fill_depth(half_rate *s, const frame *f, uint32_t columns) {
-    if (s->farthest.id == 0 && bolan_gl_program_create("papers/half_rate_depth", NULL, &s->farthest) != BOLAN_OK)
-        return false;
+    if (s->farthest.id == 0) return false;
     bolan_gl_texture_bind(f->hdr_depth, UNIT_SPARSE);
     bolan_gl_program_use(&s->farthest);
     bolan_gl_program_int(&s->farthest, "columns", (int)columns);
@@ -76,9 +89,8 @@ static bolan_vec4 places(const half_rate *s, const frame *f, bool keeps_shape) {
 }
 
 void bolan_half_rate_lay(const half_rate *s, const water_draw *d, bool keeps_shape, bool opaque) {
-    static const char *const defines[] = {"", "KEPT 1\n", "OPAQUE 1\n", "KEPT 1\nOPAQUE 1\n"};
-    const uint32_t which = (uint32_t)keeps_shape | (uint32_t)opaque << 1;
-    const gl_program *g = bolan_water_program(d, "papers/half_rate_resolve", which, defines[which]);
+    const gl_program *g = keeps_shape ? bolan_water_program(d, &shape_resolve, opaque ? KEPT | OPAQUE : KEPT)
+                                      : bolan_water_program(d, &mesh_resolve, 0);
     if (!g) return;
     bolan_gl_program_vec4(g, "places", places(s, d->f, keeps_shape));
     bolan_gl_texture_bind(&s->color, UNIT_SPARSE);

@@ -17,6 +17,8 @@ typedef struct half_rate {
     gl_program farthest; // fills the depth
 } half_rate;
 
+// Notes and compiles the programs of this stage. False: they cannot be had (logged).
+bool bolan_half_rate_prepare(half_rate *s, const water_setup *setup, bool keeps_shape, water_programs *all);
 // How many columns of this picture one sample serves, of what an optics has; 1: each pixel has its own.
 uint32_t bolan_half_rate_columns(const frame *f, const uint32_t by_quality[]);
 // The frame to light the water in: cleared, and with the depth of what stands before the water where

@@ -11,12 +11,15 @@ typedef struct lit {
     gl_texture foam_detail, ripples;
 } lit;
 
-static const char *const quality_defines[] = {
-    [BOLAN_QUALITY_LOW] = "TAPS 1\nRIPPLES 1\nROUGH_VERTICES 1\n",
-    [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRIPPLES 2\nROUGH_VERTICES 1\n",
-    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\n",
-    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\n",
-};
+enum { BY_THE_PAPER = 1 << 4 };
+
+static const water_shader shader = {.stem = "papers/lit",
+                                    .reads = WATER_FEATURE_ALL,
+                                    .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRIPPLES 1\nROUGH_VERTICES 1\n",
+                                                [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRIPPLES 2\nROUGH_VERTICES 1\n",
+                                                [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\n",
+                                                [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\n",
+                                                [4] = "PAPER 1\n"}};
 
 static bolan_result create(void *state, bolan_quality quality) {
     lit *p = state;
@@ -37,11 +40,18 @@ static void set_foam(const gl_program *g, const frame *f) {
                                        (float)choppiness, beyond[0] + beyond[2]});
 }
 
+static uint32_t own_defines(bool by_the_paper, bolan_quality quality) {
+    return by_the_paper ? (uint32_t)BY_THE_PAPER : 1u << quality;
+}
+
+static void list(const void *state, const water_setup *s, water_programs *all) {
+    (void)state;
+    bolan_water_programs_add(all, s, false, &shader, own_defines(s->by_the_paper, s->quality));
+}
+
 static void draw(void *state, const water_draw *d) {
     const lit *p = state;
-    const bool paper = d->f->scene->look.paper;
-    const gl_program *g =
-        bolan_water_program(d, "papers/lit", paper, paper ? "PAPER 1\n" : quality_defines[p->quality]);
+    const gl_program *g = bolan_water_program(d, &shader, own_defines(d->f->scene->look.paper, p->quality));
     if (!g) return;
     bolan_water_look_apply(g, &d->f->scene->look);
     bolan_ripple_apply(&p->ripples, g, d->f, d->waves);
@@ -59,5 +69,6 @@ static void free_all(void *state) {
 const water_optics bolan_optics_lit = {.size = sizeof(lit),
                                        .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
                                        .create = create,
+                                       .list = list,
                                        .draw = draw,
                                        .free = free_all};

@@ -4,7 +4,6 @@
 #include "render/water_optics.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #define SLIDE_RADIUS 0.06   // rms radius of the sun on its slide [rad]
 #define SLIDE_SHARE 0.25    // of half its width: see draw_glint()
@@ -12,7 +11,12 @@
 #define GLITTER_PUSH 0.25   // Cpo of eq. 10
 #define OWN_BRIGHTNESS 0.16 // of the water's own texture in paper mode: radiance by irradiance
 
-enum { TILES = 1, RIPPLES = 2, PAPER = 4, BELOW = 8, HIGH = 16 };
+enum { TILES = 1, RIPPLES = 2, BY_THE_PAPER = 4, BELOW = 8, HIGH = 16 };
+
+static const water_shader shader = {
+    .stem = "papers/mirror",
+    .reads = WATER_FEATURE_ALL,
+    .defines = {"TILES 1\n", "RIPPLES 1\n", "PAPER 1\n", "BELOW 1\n", "HIGH 1\n"}};
 
 // [m]. Below it the shadow of one cloud is all that is seen of the sea, and the air is alike all the way.
 #define HIGH_EYE 40.0f
@@ -113,29 +117,39 @@ static void set_waves(const gl_program *g, const frame *f, const paper_tiles *t)
                           (bolan_vec4){(float)texels, (float)log2(v.n / v.length), (float)share, (float)missing});
 }
 
+static uint32_t own_defines(const paper_tiles *t, bool by_the_paper) {
+    const bool tiles = bolan_paper_tiles_base(t) != NULL;
+    const bool ripples = tiles && !by_the_paper && bolan_paper_tiles_fine(t) != bolan_paper_tiles_base(t);
+    return (tiles ? TILES : 0u) | (ripples ? RIPPLES : 0u) | (by_the_paper ? BY_THE_PAPER : 0u);
+}
+
+static void list(const void *state, const water_setup *s, water_programs *all) {
+    const paper_tiles *t = state;
+    if (t->failed) return;
+    const uint32_t own = own_defines(t, s->by_the_paper);
+    bolan_water_programs_add(all, s, false, &shader, own);
+    bolan_water_programs_add(all, s, false, &shader, own | HIGH);
+    bolan_water_programs_add(all, s, true, &shader, own | BELOW);
+}
+
 static void draw(void *state, const water_draw *d) {
     paper_tiles *t = state;
     const frame *f = d->f;
     if (t->failed) return;
     const bolan_look *look = &f->scene->look;
-    const bool tiles = bolan_paper_tiles_base(t) != NULL,
-               ripples = tiles && !look->paper && bolan_paper_tiles_fine(t) != bolan_paper_tiles_base(t);
+    const bool tiles = bolan_paper_tiles_base(t) != NULL;
     const bool below = f->uniforms.view.eye_under_water > 0.5f;
     const bool high = f->uniforms.view.eye_height > HIGH_EYE;
-    char defines[64] = "";
-    snprintf(defines, sizeof defines, "%s%s%s%s%s", tiles ? "TILES 1\n" : "", ripples ? "RIPPLES 1\n" : "",
-             look->paper ? "PAPER 1\n" : "", below ? "BELOW 1\n" : "", high ? "HIGH 1\n" : "");
-    const uint32_t extra = (tiles ? TILES : 0u) | (ripples ? RIPPLES : 0u) | (look->paper ? PAPER : 0u) |
-                           (below ? BELOW : 0u) | (high ? HIGH : 0u);
-    const gl_program *g = bolan_water_program(d, "papers/mirror", extra, defines);
+    const uint32_t own = own_defines(t, look->paper) | (below ? BELOW : high ? HIGH : 0u);
+    const gl_program *g = bolan_water_program(d, &shader, own);
     if (!g) return;
     bolan_water_look_apply(g, look);
     if (tiles) set_waves(g, f, t);
     set_slide(g, f);
     const bolan_vec3 deep = f->uniforms.frame.water_reflectance;
-    const float own = (float)OWN_BRIGHTNESS;
+    const float bright = (float)OWN_BRIGHTNESS;
     bolan_gl_program_vec4(g, "tile_detail",
-                          look->paper ? (bolan_vec4){own, own, own, 0.0f} : (bolan_vec4){deep.x, deep.y, deep.z, 0.0f});
+                          look->paper ? (bolan_vec4){bright, bright, bright, 0.0f} : (bolan_vec4){deep.x, deep.y, deep.z, 0.0f});
     const float texels = 2.0f * (float)bolan_planar_views_share(f) /
                          f->uniforms.view.radians_per_pixel; // of the mirrored picture, to twice a radian
     bolan_gl_program_vec4(g, "disturbance",
@@ -152,6 +166,7 @@ const water_optics bolan_optics_mirror = {.size = sizeof(paper_tiles),
                                           .from_below = true,
                                           .table_only = table_only,
                                           .create = create,
+                                          .list = list,
                                           .prepare = prepare,
                                           .draw = draw,
                                           .free = free_all};

@@ -4,19 +4,21 @@
 #include "render/water_optics.h"
 
 #include <math.h>
-#include <stdio.h>
 
 typedef struct phong {
     bolan_quality quality;
     gl_texture ripples;
 } phong;
 
-static const char *const quality_defines[] = {
-    [BOLAN_QUALITY_LOW] = "TAPS 1\nRIPPLES 1\n",
-    [BOLAN_QUALITY_MEDIUM] = "TAPS 1\nRIPPLES 2\n",
-    [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\n",
-    [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\n",
-};
+enum { PICTURES = 1 << 4, BY_THE_PAPER = 1 << 5, FINE = 1 << 6 };
+
+static const water_shader shader = {.stem = "papers/phong",
+                                    .reads = WATER_FEATURE_ALL,
+                                    .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRIPPLES 1\n",
+                                                [BOLAN_QUALITY_MEDIUM] = "TAPS 1\nRIPPLES 2\n",
+                                                [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\n",
+                                                [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\n",
+                                                "PICTURES 1\n", "PAPER 1\n", "FINE 1\n"}};
 
 #define HIGH_EYE 400.0f // [m]: from there on the haze of common/haze.glsl, which is alike all the way, would be another
 
@@ -41,15 +43,21 @@ static void set_wander(const gl_program *g, const frame *f) {
     bolan_gl_program_vec2(g, "wander_tiles", (float)fine, (float)broad);
 }
 
+static uint32_t own_defines(bolan_quality quality, bool pictures, bool by_the_paper, bool fine) {
+    return 1u << quality | (pictures ? PICTURES : 0u) | (by_the_paper ? BY_THE_PAPER : 0u) | (fine ? FINE : 0u);
+}
+
+static void list(const void *state, const water_setup *s, water_programs *all) {
+    (void)state;
+    for (int fine = s->quality >= BOLAN_QUALITY_HIGH; fine <= 1; ++fine)
+        bolan_water_programs_add(all, s, false, &shader, own_defines(s->quality, s->opaque, s->by_the_paper, fine));
+}
+
 static void draw(void *state, const water_draw *d) {
     const phong *p = state;
     const bool pictures = bolan_pass_water_mirrors(d->f), paper = d->f->scene->look.paper;
     const bool fine = p->quality >= BOLAN_QUALITY_HIGH || d->f->uniforms.view.eye_height > HIGH_EYE;
-    char defines[64];
-    snprintf(defines, sizeof defines, "%s%s%s%s", quality_defines[p->quality], pictures ? "PICTURES 1\n" : "",
-             paper ? "PAPER 1\n" : "", fine ? "FINE 1\n" : "");
-    const uint32_t extra = (uint32_t)pictures | (uint32_t)paper << 1 | (uint32_t)fine << 2;
-    const gl_program *g = bolan_water_program(d, "papers/phong", extra, defines);
+    const gl_program *g = bolan_water_program(d, &shader, own_defines(p->quality, pictures, paper, fine));
     if (!g) return;
     bolan_water_look_apply(g, &d->f->scene->look);
     bolan_ripple_apply(&p->ripples, g, d->f, d->waves);
@@ -65,5 +73,6 @@ const water_optics bolan_optics_phong = {.size = sizeof(phong),
                                          .mirrors = true,
                                          .own_sky = true,
                                          .create = create,
+                                         .list = list,
                                          .draw = draw,
                                          .free = free_all};
