@@ -40,16 +40,28 @@ out vec4 color;
 #pragma unit air_transmittance_map 18
 #pragma unit air_inscatter_map 19
 #pragma unit air_bed_map 10
-#pragma unit rough_table 6
 uniform highp sampler2D shape_rest; // of crest_shape.glsl
 uniform sampler2D shape_mesh;
 uniform sampler2D air_transmittance_map; // of crest_air.glsl
 uniform sampler2D air_inscatter_map;
 uniform sampler2D air_bed_map;
-uniform sampler2D rough_table; // by log2 of the width that the waves are averaged over: slope covariance xx, xy, yy that this removes; lit share
 
 uniform vec4 crest_foam;   // x: sum dxx + dyy (choppiness applied) where a crest breaks, y: foam memory where old foam begins, z, w: variances that soften these edges
 uniform vec4 crest_hidden; // x: slope variance beyond the cascades, y: choppiness squared, z: variance of the memory over that of the slopes
+
+#pragma unit crest_tables 15
+// Rows by t: shares of three densities of foam and of foam without holes (a) by intensity (s), for the zones RAMP_...;
+// and by log2 of the width that the waves are averaged over, the slope covariance xx, xy, yy that this removes, and the
+// lit share of the facets that face the sun (a). Twin of crest::table in src/render/papers/crest.c.
+uniform sampler2D crest_tables;
+const float TABLE_TEXELS = 128.0;
+const float RAMP_SWASH = 0.1, RAMP_SURF = 0.3, RAMP_OPEN = 0.5, TABLE_SLOPES = 0.9;
+
+vec4 slopes_of_width(float fine) {
+    float texel = slope_table_coordinate(fine + log2(FOOTPRINT_DEVIATION)) * float(SLOPE_TABLE_MAJOR);
+    texel = clamp(texel, 0.5, float(SLOPE_TABLE_MAJOR) - 0.5);
+    return textureLod(crest_tables, vec2(texel / TABLE_TEXELS, TABLE_SLOPES), 0.0);
+}
 
 // What a pixel of water knows.
 struct crest_pixel {
@@ -91,7 +103,7 @@ crest_pixel pixel_here(ivec2 at, vec4 shape) {
     p.depth = bed.x;
     p.shore = bed.y;
 #endif
-    vec4 rough = textureLod(rough_table, vec2(slope_table_coordinate(p.fine + log2(FOOTPRINT_DEVIATION)), 0.5), 0.0);
+    vec4 rough = slopes_of_width(p.fine);
     p.slopes = rough.xyz * (p.gust * p.gust);
     p.lit = rough.w;
     return p;
@@ -106,12 +118,9 @@ wave_fields waves_here(crest_pixel p) {
 }
 
 #pragma unit foam_densities 7
-#pragma unit foam_ramps 15
 uniform sampler2D foam_densities; // opacity of thin, middling and dense foam; a: its bubbles
-uniform sampler2D foam_ramps;     // by intensity (s) and zone (t): the shares of the three; a: foam without holes
 
 const vec3 FOAM_DENSITIES = vec3(FOAM_THIN, FOAM_MIDDLING, FOAM_DENSE); // mean opacity of the three
-const float RAMP_SWASH = 0.125, RAMP_SURF = 0.375, RAMP_OPEN = 0.625; // rows of foam_ramps
 
 const vec3 PAPER_TINT = vec3(0.088, 0.497, 0.456);
 
@@ -158,7 +167,7 @@ vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
         tile = mix(tile, sqrt(tile * close) , clamp(-4.0 - width_log2, 0.0, 1.0) * 0.6);
     }
 #ifdef LAND
-    vec4 ramp = textureLod(foam_ramps, vec2(intensity, zone), 0.0);
+    vec4 ramp = textureLod(crest_tables, vec2(intensity, zone), 0.0);
     float opacity = clamp(dot(tile.rgb, ramp.rgb) + ramp.a, 0.0, 1.0);
 #else // the row of the open sea: between nothing, thin, middling, dense, everything
     vec4 share = clamp((intensity - vec4(0.0, FOAM_DENSITIES)) / (vec4(FOAM_DENSITIES, 1.0) - vec4(0.0, FOAM_DENSITIES)), 0.0, 1.0);

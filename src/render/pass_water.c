@@ -24,8 +24,7 @@ static const water_optics *const optics_table[BOLAN_OPTICS_KINDS] = {
 };
 
 static const water_shader cover_shader = {.stem = "papers/depth_only", .reads = WATER_FEATURE_ALL};
-static const water_shader edge_shader = {
-    .stem = "wireframe", .reads = WATER_FEATURE_ALL, .defines = {"FILL 1\n"}};
+static const water_shader edge_shader = {.stem = "wireframe", .reads = WATER_FEATURE_ALL, .defines = {"FILL 1\n"}};
 enum { EDGES_FILL = 1 };
 
 bolan_result bolan_pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out) {
@@ -129,8 +128,8 @@ static water_setup setup_of(const frame *f) {
                          .surface = t->surface,
                          .below = o->from_below,
                          .land = f->shore->present,
-                         .static_grid = o->static_grid && !edges && t->surface == BOLAN_SURFACE_PROJECTED &&
-                                        waves != WATER_MESH,
+                         .static_grid =
+                             o->static_grid && !edges && t->surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH,
                          .packed = o->packed,
                          .opaque = is_opaque(f),
                          .by_the_paper = look->paper,

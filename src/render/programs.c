@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const feature_defines[WATER_FEATURE_COUNT] = {"WAVES_EXP 1\n", "WAVES_SUM 1\n", "WAVES_MESH 1\n",
-                                                                 "QUAD 1\n",      "TRIM 1\n",      "LAND 1\n",
+static const char *const feature_defines[WATER_FEATURE_COUNT] = {"WAVES_EXP 1\n",   "WAVES_SUM 1\n", "WAVES_MESH 1\n",
+                                                                 "QUAD 1\n",        "TRIM 1\n",      "LAND 1\n",
                                                                  "STATIC_GRID 1\n", "PACKED 1\n"};
 
 enum { FIRST_PROGRAMS = 32 };
@@ -30,10 +30,8 @@ water_variant bolan_water_variant_of(const water_shader *shader, uint32_t own, w
     features |= features_of_waves(waves);
     if (waves != WATER_CASCADES) features &= ~(uint32_t)WATER_FEATURE_PACKED;
     features &= shader->reads;
-    return (water_variant){.shader = shader,
-                           .features = features,
-                           .own = own,
-                           .waves = features & WATER_FEATURE_EXP ? wave_count : 0};
+    return (water_variant){
+        .shader = shader, .features = features, .own = own, .waves = features & WATER_FEATURE_EXP ? wave_count : 0};
 }
 
 static bool grow(water_programs *all) {

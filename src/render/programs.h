@@ -57,16 +57,16 @@ typedef struct water_programs {
 // What decides which programs a frame of the water can need. It does not change while the eye moves.
 typedef struct water_setup {
     bolan_quality quality;
-    water_waves waves, waves_below;   // seen from above and from under the water
-    bolan_surface_kind surface;       // from above; from below it is the quad
-    bool below;                       // the optics has a picture for an eye under water
-    bool land, static_grid, packed;   // as the features of these names
-    bool opaque;                      // something besides the water can be in the picture
-    bool by_the_paper;                // bolan_look::paper
-    bool shares_samples;              // half-rate shading: see papers/half_rate.h
-    bool edges;                       // BOLAN_SHOW_MESH
-    uint32_t wave_count;              // exp-cosine waves
-    uint32_t cascades;                // 1 to BOLAN_MAX_CASCADES
+    water_waves waves, waves_below; // seen from above and from under the water
+    bolan_surface_kind surface;     // from above; from below it is the quad
+    bool below;                     // the optics has a picture for an eye under water
+    bool land, static_grid, packed; // as the features of these names
+    bool opaque;                    // something besides the water can be in the picture
+    bool by_the_paper;              // bolan_look::paper
+    bool shares_samples;            // half-rate shading: see papers/half_rate.h
+    bool edges;                     // BOLAN_SHOW_MESH
+    uint32_t wave_count;            // exp-cosine waves
+    uint32_t cascades;              // 1 to BOLAN_MAX_CASCADES
 } water_setup;
 
 // Notes that frames of this setup use this variant of the shader, seen from above or from `below` the surface. Of the

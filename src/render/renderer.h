@@ -53,8 +53,8 @@ struct bolan_renderer {
     // timing
     gl_timer timers[PART_COUNT];
     bool measure;
-    double near_plane;   // of the last picture [m]
-    float radiance_unit; // of the last picture: stored / unit is radiance
+    double near_plane;        // of the last picture [m]
+    float radiance_unit;      // of the last picture: stored / unit is radiance
     uint32_t programs_before; // compiled by this thread when the present call began
     bolan_frame_statistics statistics;
 };

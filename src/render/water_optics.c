@@ -10,7 +10,7 @@
 // Whether the corners of the quad, whose sides end at the horizon, stand above it by more than half a pixel: they are 1.41 times as far
 // away. Where the water is lit at fewer places they are left out when it is laid over the picture.
 static bool is_trimmed(const frame *f) {
-    if (f->uniforms.view.eye_under_water > 0.5f) return false;
+    if (f->uniforms.view.eye_height < 0.0f) return false;
     const double dip = earth_dip(fmax(f->uniforms.view.eye_height, 0.5), BOLAN_EARTH_RADIUS);
     return f->uniforms.view.shade_columns == 1.0f && 0.2929 * dip > 0.5 * (double)f->uniforms.view.radians_per_pixel;
 }
@@ -50,7 +50,9 @@ void bolan_water_draw_forward(const water_draw *d) {
 }
 
 bolan_surface_kind bolan_water_surface(const frame *f) {
-    return f->uniforms.view.eye_under_water > 0.5f ? BOLAN_SURFACE_QUAD : f->scene->technique.surface;
+    // In a trough the eye is below the mean level and still above the water.
+    const bool below = f->uniforms.view.eye_under_water > 0.5f && bolan_pass_water_seen_from_below(f->scene);
+    return below ? BOLAN_SURFACE_QUAD : f->scene->technique.surface;
 }
 
 uint32_t bolan_water_rows(const frame *f, double vertical) {

@@ -91,7 +91,7 @@ typedef struct gl_program {
 void bolan_gl_program_set_directory(const char *directory); // NULL: the embedded sources
 bolan_result bolan_gl_program_create(const char *stem, const char *defines, gl_program *out);
 bolan_result bolan_gl_program_reload(gl_program *p); // keeps the old one on failure
-uint32_t bolan_gl_programs_compiled(void); // by this thread so far, for statistics
+uint32_t bolan_gl_programs_compiled(void);           // by this thread so far, for statistics
 void bolan_gl_program_use(const gl_program *p);
 void bolan_gl_program_int(const gl_program *p, const char *name, int value); // samplers too: the unit
 void bolan_gl_program_float(const gl_program *p, const char *name, float value);

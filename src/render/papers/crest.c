@@ -16,11 +16,15 @@ enum {
     AIR_ROW = 4
 }; // pixels to one of the slow picture: rows are where the horizon is
 
+// Rows of one small texture: the ramps of foam, and row 0 of the table of unresolved slopes, which changes with the sun.
+enum { TABLE_SLOPES = FOAM_RAMP_ROWS, TABLE_ROWS };
+
 typedef struct crest {
     bolan_quality quality;
     double taps;
-    gl_texture densities, ramps, rough;
-    gl_texture rest, mesh; // outputs of crest_shape.glsl
+    gl_texture densities, tables;
+    float table[TABLE_ROWS][FOAM_RAMP_SIZE][4]; // what `tables` holds
+    gl_texture rest, mesh;                      // outputs of crest_shape.glsl
     gl_target shape, shape_mesh;
     gl_texture air[AIR_COUNT]; // outputs of crest_air.glsl
     gl_target air_target;
@@ -36,8 +40,12 @@ static const water_shader light_shader = {.stem = "papers/crest",
                                           .defines = {[BOLAN_QUALITY_LOW] = "TAPS 2\n",
                                                       [BOLAN_QUALITY_MEDIUM] = "TAPS 2\n",
                                                       [BOLAN_QUALITY_HIGH] = "TAPS 3\n",
-                                                      [BOLAN_QUALITY_ULTRA] = "TAPS 4\n", "CASCADES 1\n",
-                                                      "CASCADES 2\n", "CASCADES 3\n", "CASCADES 4\n", "SPARSE 1\n"}};
+                                                      [BOLAN_QUALITY_ULTRA] = "TAPS 4\n",
+                                                      "CASCADES 1\n",
+                                                      "CASCADES 2\n",
+                                                      "CASCADES 3\n",
+                                                      "CASCADES 4\n",
+                                                      "SPARSE 1\n"}};
 
 static const double quality_taps[] = {2.0, 2.0, 3.0, 4.0};
 
@@ -60,31 +68,26 @@ static bolan_result create_densities(crest *p, bolan_quality quality) {
     return result;
 }
 
-static bolan_result create_ramps(crest *p) {
+static bolan_result create_tables(crest *p) {
     uint8_t ramps[FOAM_RAMP_ROWS][FOAM_RAMP_SIZE][4];
-    gl_texture_desc desc = {.format = GL_FMT_RGBA8,
+    gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
                             .width = FOAM_RAMP_SIZE,
-                            .height = FOAM_RAMP_ROWS,
+                            .height = TABLE_ROWS,
                             .filter = GL_FILTER_LINEAR,
                             .wrap = GL_WRAP_CLAMP};
     bolan_foam_ramps_fill(ramps);
-    bolan_result result = bolan_gl_texture_create(&desc, &p->ramps);
-    if (result == BOLAN_OK) bolan_gl_texture_upload(&p->ramps, 0, -1, ramps, false);
-    return result;
+    for (int row = 0; row < FOAM_RAMP_ROWS; ++row)
+        for (int i = 0; i < FOAM_RAMP_SIZE; ++i)
+            for (int k = 0; k < 4; ++k) p->table[row][i][k] = (float)ramps[row][i][k] / 255.0f;
+    return bolan_gl_texture_create(&desc, &p->tables);
 }
 
 static bolan_result create(void *state, bolan_quality quality) {
     crest *p = state;
     p->quality = quality;
     p->taps = quality_taps[quality];
-    gl_texture_desc rough = {.format = GL_FMT_RGBA16F,
-                             .width = BOLAN_SLOPE_TABLE_MAJOR,
-                             .height = 1,
-                             .filter = GL_FILTER_LINEAR,
-                             .wrap = GL_WRAP_CLAMP};
-    bolan_result result = create_densities(p, quality);
-    if (result == BOLAN_OK) result = create_ramps(p);
-    return result == BOLAN_OK ? bolan_gl_texture_create(&rough, &p->rough) : result;
+    const bolan_result result = create_densities(p, quality);
+    return result == BOLAN_OK ? create_tables(p) : result;
 }
 
 static void free_pictures(crest *p) {
@@ -132,14 +135,13 @@ static bool fit_pictures(crest *p, const frame *f) {
 static void free_all(void *state) {
     crest *p = state;
     free_pictures(p);
-    bolan_gl_texture_free(&p->rough);
     bolan_gl_texture_free(&p->densities);
-    bolan_gl_texture_free(&p->ramps);
+    bolan_gl_texture_free(&p->tables);
 }
 
-#define FRESH_EDGE 0.09        // standard deviation that softens the edge of breaking crests, in pinch
-#define OLD_EDGE 0.1           // likewise for old foam, as a share of the memory's variance
-#define OLD_FOAM_SHARE 2.0     // decaying foam covers about twice what the breaking crests do
+#define FRESH_EDGE 0.09    // standard deviation that softens the edge of breaking crests, in pinch
+#define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
+#define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
 
 static void set_foam(const gl_program *g, const frame *f) {
     const bolan_sea *sea = f->desc->sea;
@@ -171,7 +173,7 @@ static void upload_rough(crest *p, const frame *f) {
     const float *from = bolan_sea_slope_table(f->desc->sea);
     const bolan_vec3 sun = f->sun_direction;
     const double flat = fmax(sqrt((double)sun.x * sun.x + (double)sun.y * sun.y), 1e-4), up = fmax(sun.z, 0.0f);
-    float row[BOLAN_SLOPE_TABLE_MAJOR][4];
+    float(*row)[4] = p->table[TABLE_SLOPES];
     for (int i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; ++i) {
         const double xx = from[4 * i] + SUN_DISC_SLOPES, xy = from[4 * i + 1], yy = from[4 * i + 2] + SUN_DISC_SLOPES;
         const double along = (xx * sun.x * sun.x + 2.0 * xy * sun.x * sun.y + yy * sun.y * sun.y) / (flat * flat);
@@ -181,7 +183,7 @@ static void upload_rough(crest *p, const frame *f) {
         row[i][2] = (float)yy;
         row[i][3] = (float)fmin(fmax(lit, 0.0), 1.0);
     }
-    bolan_gl_texture_upload(&p->rough, 0, -1, row, false);
+    bolan_gl_texture_upload(&p->tables, 0, -1, p->table, false);
 }
 
 static void prepare(void *state, const water_draw *d) { upload_rough(state, d->f); }
@@ -246,8 +248,7 @@ static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
     bolan_water_look_apply(g, &d->f->scene->look);
     set_foam(g, d->f);
     bolan_gl_texture_bind(&p->densities, UNIT_FOAM_DETAIL);
-    bolan_gl_texture_bind(&p->ramps, UNIT_PASS);
-    bolan_gl_texture_bind(&p->rough, UNIT_SLOPE_TABLE); // instead of the whole table
+    bolan_gl_texture_bind(&p->tables, UNIT_PASS);
     bolan_gl_texture_bind(&p->rest, UNIT_SURFACE);
     bolan_gl_texture_bind(&p->mesh, UNIT_SURFACE + 1);
     bolan_gl_texture_bind(&p->air[0], UNIT_OPTICS);

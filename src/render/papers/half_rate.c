@@ -9,13 +9,13 @@
 #define SMALLEST 64 // columns of a picture: below, there is nothing to save
 
 // Over the shape that the optics keeps, and over the mesh. Bit 0: something opaque is in the picture.
-static const water_shader shape_resolve = {
-    .stem = "papers/half_rate_resolve", .defines = {"OPAQUE 1\n", "KEPT 1\n"}};
+static const water_shader shape_resolve = {.stem = "papers/half_rate_resolve", .defines = {"OPAQUE 1\n", "KEPT 1\n"}};
 static const water_shader mesh_resolve = {.stem = "papers/half_rate_resolve", .reads = WATER_FEATURE_ALL};
 enum { OPAQUE = 1, KEPT = 2 };
 
 bool bolan_half_rate_prepare(half_rate *s, const water_setup *setup, bool keeps_shape, water_programs *all) {
-    if (keeps_shape) return bolan_water_programs_add(all, setup, false, &shape_resolve, setup->opaque ? KEPT | OPAQUE : KEPT);
+    if (keeps_shape)
+        return bolan_water_programs_add(all, setup, false, &shape_resolve, setup->opaque ? KEPT | OPAQUE : KEPT);
     if (setup->opaque && s->farthest.stem[0] == '\0' && // tried once
         bolan_gl_program_create("papers/half_rate_depth", NULL, &s->farthest) != BOLAN_OK)
         return false;

@@ -13,10 +13,9 @@
 
 enum { TILES = 1, RIPPLES = 2, BY_THE_PAPER = 4, BELOW = 8, HIGH = 16 };
 
-static const water_shader shader = {
-    .stem = "papers/mirror",
-    .reads = WATER_FEATURE_ALL,
-    .defines = {"TILES 1\n", "RIPPLES 1\n", "PAPER 1\n", "BELOW 1\n", "HIGH 1\n"}};
+static const water_shader shader = {.stem = "papers/mirror",
+                                    .reads = WATER_FEATURE_ALL,
+                                    .defines = {"TILES 1\n", "RIPPLES 1\n", "PAPER 1\n", "BELOW 1\n", "HIGH 1\n"}};
 
 // [m]. Below it the shadow of one cloud is all that is seen of the sea, and the air is alike all the way.
 #define HIGH_EYE 40.0f
@@ -149,7 +148,8 @@ static void draw(void *state, const water_draw *d) {
     const bolan_vec3 deep = f->uniforms.frame.water_reflectance;
     const float bright = (float)OWN_BRIGHTNESS;
     bolan_gl_program_vec4(g, "tile_detail",
-                          look->paper ? (bolan_vec4){bright, bright, bright, 0.0f} : (bolan_vec4){deep.x, deep.y, deep.z, 0.0f});
+                          look->paper ? (bolan_vec4){bright, bright, bright, 0.0f}
+                                      : (bolan_vec4){deep.x, deep.y, deep.z, 0.0f});
     const float texels = 2.0f * (float)bolan_planar_views_share(f) /
                          f->uniforms.view.radians_per_pixel; // of the mirrored picture, to twice a radian
     bolan_gl_program_vec4(g, "disturbance",

@@ -18,7 +18,9 @@ static const water_shader shader = {.stem = "papers/phong",
                                                 [BOLAN_QUALITY_MEDIUM] = "TAPS 1\nRIPPLES 2\n",
                                                 [BOLAN_QUALITY_HIGH] = "TAPS 4\nRIPPLES 2\n",
                                                 [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRIPPLES 2\n",
-                                                "PICTURES 1\n", "PAPER 1\n", "FINE 1\n"}};
+                                                "PICTURES 1\n",
+                                                "PAPER 1\n",
+                                                "FINE 1\n"}};
 
 #define HIGH_EYE 400.0f // [m]: from there on the haze of common/haze.glsl, which is alike all the way, would be another
 

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// No program is compiled inside a frame: for each technique the eye flies from 10 km to under the waves, turns and comes
+// to a coast, and after the first frame the renderer's count of programs stays. Every program that this made keeps to 12
+// texture units a fragment shader: the 16 of WebGL 2, with four to spare.
+#include "gl_support.h"
+
+#include "bolan/io.h"
+
+#include <epoxy/gl.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { WIDTH = 96, HEIGHT = 64, MOST_SAMPLERS = 12, MOST_NAMES = 4000 };
+
+typedef struct flight {
+    bolan_scene scene;
+    bolan_scene_assets assets;
+    bolan_sea *sea;
+    bolan_renderer *renderer;
+    bolan_target *target;
+} flight;
+
+static void open_flight(flight *f, const char *name, const bolan_technique *technique, bolan_quality quality) {
+    *f = (flight){.sea = NULL};
+    assert_int_equal(bolan_scene_load(name, &f->scene), BOLAN_OK);
+    f->scene.sea.resolution = 64;
+    f->scene.sky.cloud_cover = 0.0;
+    bolan_scene_set_technique(&f->scene, technique);
+    assert_int_equal(bolan_scene_assets_load(&f->scene, &f->assets), BOLAN_OK);
+    assert_int_equal(bolan_scene_create_sea(&f->scene, &f->assets, &f->sea), BOLAN_OK);
+    bolan_sea_step(f->sea, 1.0);
+    bolan_renderer_desc desc = bolan_renderer_desc_default();
+    desc.quality = quality;
+    assert_int_equal(bolan_renderer_create(&desc, &f->renderer), BOLAN_OK);
+    assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &f->target), BOLAN_OK);
+}
+
+static void close_flight(flight *f) {
+    bolan_target_destroy(&f->target);
+    bolan_renderer_destroy(&f->renderer);
+    bolan_sea_destroy(&f->sea);
+    bolan_scene_assets_destroy(&f->assets);
+}
+
+// Draws a frame and returns how many programs the renderer has compiled so far.
+static uint32_t programs_after(flight *f) {
+    bolan_frame_desc d = bolan_frame_desc_default();
+    d.scene = &f->scene;
+    d.sea = f->sea;
+    d.terrain = f->assets.terrain;
+    d.models = f->assets.object_models;
+    d.framebuffer = bolan_target_framebuffer(f->target);
+    d.width = WIDTH;
+    d.height = HEIGHT;
+    d.progressive = true;
+    bolan_renderer_draw(f->renderer, &d);
+    return bolan_renderer_statistics(f->renderer).programs;
+}
+
+// Fragment samplers where the driver tells (OpenGL 4.3), else those of both stages.
+static int samplers_of(GLuint program) {
+    GLint count = 0, samplers = 0;
+    glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    const bool tells = epoxy_gl_version() >= 43;
+    for (GLint i = 0; i < count; ++i) {
+        GLint size;
+        GLenum type;
+        char name[64];
+        glGetActiveUniform(program, (GLuint)i, sizeof name, NULL, &size, &type, name);
+        if (type != GL_SAMPLER_2D && type != GL_SAMPLER_3D && type != GL_SAMPLER_2D_ARRAY && type != GL_SAMPLER_CUBE)
+            continue;
+        GLint used = 1;
+        const GLenum property = GL_REFERENCED_BY_FRAGMENT_SHADER;
+        if (tells) glGetProgramResourceiv(program, GL_UNIFORM, (GLuint)i, 1, &property, 1, NULL, &used);
+        samplers += used ? size : 0;
+    }
+    return samplers;
+}
+
+static void check_samplers(const char *name) {
+    int most = 0, programs = 0;
+    for (GLuint i = 1; i < MOST_NAMES; ++i) {
+        if (!glIsProgram(i)) continue;
+        ++programs;
+        const int samplers = samplers_of(i);
+        most = samplers > most ? samplers : most;
+        if (samplers > MOST_SAMPLERS) fail_msg("%s: program %u fetches from %d textures", name, i, samplers);
+    }
+    print_message("%s: %d programs, at most %d textures\n", name, programs, most);
+    assert_true(programs > 10);
+}
+
+static void fly(flight *f, const char *name) {
+    static const double heights[] = {10000.0, 1500.0, 401.0, 399.0, 41.0, 39.0, 8.0, 1.0, -1.0, -4.0, 2.0};
+    bolan_camera *camera = &f->scene.camera;
+    camera->position.z = f->scene.water.level + 3000.0;
+    const uint32_t before = programs_after(f);
+    assert_true(before > 10);
+    for (size_t i = 0; i < sizeof heights / sizeof heights[0]; ++i)
+        for (int steep = 0; steep < 3; ++steep) {
+            camera->position.z = f->scene.water.level + heights[i];
+            camera->pitch_deg = steep == 0 ? 3.0 : steep == 1 ? -12.0 : -60.0;
+            camera->roll_deg = steep == 1 ? 20.0 : 0.0;
+            camera->fov_deg = steep == 0 ? 60.0 : 8.0;
+            const uint32_t after = programs_after(f);
+            if (after != before)
+                fail_msg("%s: %u programs were compiled in a frame, %g m over the water", name, after - before,
+                         heights[i]);
+        }
+    check_samplers(name);
+}
+
+static void fly_all(const char *scene, bolan_quality quality) {
+    uint32_t count;
+    const bolan_technique *all = bolan_techniques(&count);
+    assert_int_equal(count, 5);
+    for (uint32_t i = 0; i < count; ++i) {
+        flight f;
+        open_flight(&f, scene, &all[i], quality);
+        fly(&f, all[i].name);
+        close_flight(&f);
+    }
+}
+
+static void a_flight_over_the_open_sea_compiles_nothing(void **state) {
+    (void)state;
+    fly_all("open-sea", BOLAN_QUALITY_LOW);
+}
+
+static void a_flight_over_a_coast_compiles_nothing(void **state) {
+    (void)state;
+    fly_all("island", BOLAN_QUALITY_MEDIUM);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(a_flight_over_the_open_sea_compiles_nothing, gl_setup_core, gl_teardown),
+        cmocka_unit_test_setup_teardown(a_flight_over_a_coast_compiles_nothing, gl_setup_core, gl_teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
