@@ -8,6 +8,7 @@ if(TARGET bolan_cli)
     file(RELATIVE_PATH bin_to_lib /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
     set_target_properties(bolan_cli PROPERTIES INSTALL_RPATH $ORIGIN/${bin_to_lib})
     install(TARGETS bolan_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(FILES scenes/scene.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/bolan)
 endif()
 
 install(TARGETS ${BOLAN_LIBRARIES} EXPORT bolanTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

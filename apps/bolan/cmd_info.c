@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // bolan info: what this build and this machine can do.
 #include "commands.h"
+#include "describe.h"
 #include "help.h"
 #include "options.h"
 
@@ -105,6 +106,11 @@ int command_info(int count, char **arguments) {
     const int result = options_parse(ON_INFO, "info", count, arguments, &o);
     if (result) return result;
     if (o.help) return help_command(ON_INFO, "info [OPTIONS]", "Prints what this build and this machine can do.");
+    if (o.parameters || o.schema) {
+        if (o.parameters) describe_print_tables(stdout);
+        if (o.schema) describe_print_schema(stdout);
+        return EXIT_OK;
+    }
     bolan_set_hooks(&(bolan_hooks){.log = keep_message});
     bolan_context *context = NULL;
     facts f = {.processors = sysconf(_SC_NPROCESSORS_ONLN)};

@@ -2,6 +2,8 @@
 // See options.h.
 #include "options.h"
 
+#include "describe.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
@@ -10,91 +12,69 @@
 #define PICTURE_COMMANDS (ON_VIEW | ON_RENDER)
 #define GROUND_COMMANDS (PICTURE_COMMANDS | ON_QUERY) // the others have no use for a sea bed
 
-static const char *const technique_names[] = {"ocean",       "two-triangle", "exp-cosine",
-                                              "nested-grid", "flight-sim",   NULL}; // the order of bolan_techniques()
-static const char *const water_names[] = {"I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C", NULL};
-static const char *const quality_names[] = {"low", "medium", "high", "ultra", NULL};
 static const char *const backend_names[] = {"cpu", "compute", NULL};
-static const char *const cpu_names[] = {"auto", "scalar", "sse2", "avx2", "avx512", NULL};
 
+// An option of the command line alone.
 #define OPTION(long_name, type, member, goes_with, value, ...)                                                    \
     {                                                                                                             \
         .name = (long_name), .kind = OPTION_##type, .offset = offsetof(options, member), .commands = (goes_with), \
         .argument = (value), __VA_ARGS__                                                                          \
     }
+// A parameter of a scene, which has the option's name in its table: values, range and help come from there.
+#define OF_SCENE(long_name, goes_with, value) OPTION(long_name, PARAM, edits, goes_with, value, .help = NULL)
+// A key of scene files that is no field of a scene.
+#define OF_FILE(long_name, member, goes_with, value) OPTION(long_name, PARAM, member, goes_with, value, .help = NULL)
 
 // clang-format off
 const option_info option_table[] = {
-    OPTION("technique", NAME, technique, SCENE_COMMANDS, "NAME",
-           .names = technique_names,
-           .help = "a way to make water: ocean, two-triangle, exp-cosine, nested-grid or flight-sim"),
-    OPTION("waves", NAME, waves, SCENE_COMMANDS, "MODEL",
-           .names = bolan_wave_model_names, .help = "its wave model: fft, cosines, exp-cosine or textures"),
-    OPTION("surface", NAME, surface, PICTURE_COMMANDS, "KIND",
-           .names = bolan_surface_kind_names, .help = "its geometry: projected, nested or quad"),
-    OPTION("optics", NAME, optics, PICTURE_COMMANDS, "KIND",
-           .names = bolan_optics_kind_names, .help = "its light: physical, mirror, phong, lit or crest"),
-    OPTION("paper", FLAG, paper, SCENE_COMMANDS, NULL,
-           .help = "follow the technique's paper to the letter, also where we know better"),
-    OPTION("effects", TEXT, effects, PICTURE_COMMANDS, "LIST",
-           .help = "only these parts of the light, separated by commas: reflection, refraction, bump, distortion, glitter, "
-                   "caustics, ambient, diffuse, specular, scattering, foam, fog; or none"),
-    OPTION("show", NAME, show, PICTURE_COMMANDS, "WHAT",
-           .names = bolan_show_names, .help = "picture, mask (false colours) or mesh"),
-    OPTION("wind", NUMBER, wind, SCENE_COMMANDS, "MPS",
-           .low = 0, .high = 70, .unit = "m/s", .help = "wind speed at 10 m; rebuilds the wind sea, keeps swells"),
-    OPTION("wind-from", NUMBER, wind_from, SCENE_COMMANDS, "DEG",
-           .low = -360, .high = 360, .unit = "degrees", .help = "where the wind comes from, compass degrees"),
-    OPTION("fetch", NUMBER, fetch_km, SCENE_COMMANDS, "KM",
-           .low = 0.1, .high = 1e4, .unit = "km", .help = "open water to windward"),
-    OPTION("beaufort", NUMBER, beaufort, SCENE_COMMANDS, "B",
-           .low = 0, .high = 12, .help = "fully developed sea of a wind force, 0..12"),
-    OPTION("sea-state", WHOLE, sea_state, SCENE_COMMANDS, "D",
-           .low = 0, .high = 9, .help = "fully developed sea of a Douglas degree, 0..9"),
+    OF_FILE("technique", technique, SCENE_COMMANDS, "NAME"),
+    OF_SCENE("waves", SCENE_COMMANDS, "MODEL"),
+    OF_SCENE("surface", PICTURE_COMMANDS, "KIND"),
+    OF_SCENE("optics", PICTURE_COMMANDS, "KIND"),
+    OF_SCENE("paper", SCENE_COMMANDS, NULL),
+    OF_SCENE("effects", PICTURE_COMMANDS, "LIST"),
+    OF_SCENE("show", PICTURE_COMMANDS, "WHAT"),
+    OF_SCENE("wind", SCENE_COMMANDS, "MPS"),
+    OF_SCENE("wind-from", SCENE_COMMANDS, "DEG"),
+    OF_SCENE("fetch", SCENE_COMMANDS, "KM"),
+    OF_FILE("beaufort", beaufort, SCENE_COMMANDS, "B"),
+    OF_FILE("sea-state", sea_state, SCENE_COMMANDS, "D"),
     OPTION("spectrum", TEXT, spectrum, SCENE_COMMANDS, "NAME|FILE",
-           .help = "jonswap, pm, tma, phillips, or a measured spectrum (SWAN, WAVEWATCH III, NDBC)"),
-    OPTION("record", TEXT, record, SCENE_COMMANDS, "N|DATE",
-           .help = "which record in time of that file: 0, the earliest, or a date such as 2018-01-01T06:00"),
-    OPTION("location", TEXT, location, SCENE_COMMANDS, "N|LON,LAT",
-           .help = "which location of that file: 1, the first, or the nearest to a place"),
-    OPTION("from", NUMBER, from, SCENE_COMMANDS, "DEG",
-           .low = -360, .high = 360, .unit = "degrees",
-           .help = "where its waves come from, compass degrees, if it does not say"),
-    OPTION("spread", NUMBER, spread, SCENE_COMMANDS, "S",
-           .low = 0, .high = 200, .help = "exponent of its cos-2s spreading, 0..200, if it does not say"),
-    OPTION("depth", NUMBER, depth, SCENE_COMMANDS, "M",
-           .low = 0.1, .high = BOLAN_DEEP, .unit = "m", .help = "water depth for the waves"),
-    OPTION("seed", INTEGER, seed, SCENE_COMMANDS, "N",
-           .low = 0, .high = 0x1p64, .help = "which sea of this state"),
-    OPTION("time", NUMBER, time, SCENE_COMMANDS, "S",
-           .low = -1e9, .high = 1e9, .unit = "s", .help = "seconds"),
+           .help = "jonswap, pm, tma, phillips; or a measured spectrum (SWAN, WAVEWATCH III, NDBC) in the place of all waves"),
+    OF_FILE("record", record, SCENE_COMMANDS, "N|DATE"),
+    OF_FILE("location", location, SCENE_COMMANDS, "N|LON,LAT"),
+    OF_SCENE("from", SCENE_COMMANDS, "DEG"),
+    OF_SCENE("spread", SCENE_COMMANDS, "S"),
+    OF_SCENE("depth", SCENE_COMMANDS, "M"),
+    OF_SCENE("seed", SCENE_COMMANDS, "N"),
+    OF_SCENE("time", SCENE_COMMANDS, "S"),
     OPTION("terrain", TEXT, terrain, GROUND_COMMANDS, "FILE",
-           .help = "a raster of elevations (any GDAL format), island, or none"),
+           .help = "a raster of elevations (a file, or a name of GDAL's such as NETCDF:f.nc:z), island, or none"),
     OPTION("at", NUMBERS, at, GROUND_COMMANDS, "LAT,LON",
            .low = -360, .high = 360, .least = 2, .most = 2, .unit = "degrees",
            .help = "where in the raster the scene's origin lies"),
-    OPTION("water", NAME, water, PICTURE_COMMANDS | ON_BAKE, "TYPE",
-           .names = water_names, .help = "Jerlov's water type: I IA IB II III 1C 3C 5C 7C 9C"),
+    OF_SCENE("water", PICTURE_COMMANDS | ON_BAKE, "TYPE"),
     OPTION("camera", NUMBERS, camera, PICTURE_COMMANDS, "X,Y,Z,HEADING,PITCH[,FOV]",
-           .low = -1e7, .high = 1e7, .least = 5, .most = 6, .help = "metres; compass degrees; degrees up"),
+           .low = -1e7, .high = 1e7, .least = 5, .most = 6, .help = "metres; compass degrees; degrees up; degrees"),
     OPTION("sun", NUMBERS, sun, PICTURE_COMMANDS | ON_BAKE, "AZIMUTH,ELEVATION",
            .low = -360, .high = 360, .least = 2, .most = 2, .unit = "degrees", .help = "compass degrees; degrees up"),
     OPTION("quality", NAME, quality, PICTURE_COMMANDS, "LEVEL",
-           .names = quality_names, .help = "low, medium, high or ultra"),
+           .names = bolan_quality_names, .help = "how much an image may cost; high for render, medium for view"),
     OPTION("size", SIZE, size, PICTURE_COMMANDS, "WxH",
-           .low = 16, .high = 16384, .help = "pixels"),
+           .low = 16, .high = 16384,
+           .help = "pixels: 1920x1080 for one image, 1280x720 for a sequence, film or window"),
     OPTION("samples", WHOLE, samples, ON_RENDER, "N",
-           .low = 1, .high = 256, .help = "pictures with shifted pixels that are averaged, 1..256"),
+           .low = 1, .high = 256,
+           .help = "images with shifted pixels that are averaged; one image takes 1, 1, 4, 16 by quality, moving ones 1"),
     OPTION("frames", WHOLE, frames, PICTURE_COMMANDS | ON_BAKE, "N",
            .low = 1, .high = 1e6, .help = "how many; by default 10 seconds of them (render), 32 (bake), or until you quit (view)"),
     OPTION("fps", NUMBER, fps, ON_RENDER, "F",
-           .low = 1, .high = 240, .help = "frames a second, 1..240; 30 by default"),
+           .low = 1, .high = 240, .help = "frames a second; 30 by default"),
     OPTION("backend", NAME, backend, SCENE_COMMANDS, "NAME",
-           .names = backend_names, .help = "who makes the waves: cpu or compute"),
+           .names = backend_names, .help = "what computes the waves; compute is not in this build"),
     OPTION("threads", WHOLE, threads, SCENE_COMMANDS, "N",
-           .low = 0, .high = 64, .help = "threads, 0..64; 0 (default): one per processor"),
-    OPTION("cpu", NAME, cpu, SCENE_COMMANDS, "SET",
-           .names = cpu_names, .help = "auto, scalar, sse2, avx2 or avx512; no bit of the result changes"),
+           .low = 0, .high = 64, .help = "0 (default): one per processor; no bit of a result depends on it"),
+    OF_SCENE("cpu", SCENE_COMMANDS, "SET"),
     OPTION("points", TEXT, points, ON_QUERY, "FILE",
            .help = "CSV of x,y[,z] in metres; - is standard input"),
     OPTION("output", TEXT, output, ON_RENDER | ON_QUERY | ON_BAKE, "FILE",
@@ -103,6 +83,10 @@ const option_info option_table[] = {
            .help = "the last frame as PNG"),
     OPTION("json", FLAG, json, ON_MEASURE | ON_INFO, NULL,
            .help = "one JSON object on standard output"),
+    OPTION("parameters", FLAG, parameters, ON_INFO, NULL,
+           .help = "the keys of scene files and the options of commands, as Markdown tables"),
+    OPTION("schema", FLAG, schema, ON_INFO, NULL,
+           .help = "the JSON schema of scene files, for editors"),
     OPTION("quiet", FLAG, quiet, SCENE_COMMANDS, NULL,
            .letter = 'q', .help = "nothing but errors and results"),
     OPTION("help", FLAG, help, ~0u, NULL,
@@ -110,6 +94,48 @@ const option_info option_table[] = {
     {.name = NULL},
 };
 // clang-format on
+
+// ---- parameters -----------------------------------------------------------------------------------------------------
+
+// The row of an option in a list of groups; its offset counts from the struct of the groups.
+static bool find_row(const bolan_param_group *groups, const char *option, bolan_param *row) {
+    for (const bolan_param_group *g = groups; g->table; g++)
+        for (uint32_t i = 0; i < g->table->count; i++) {
+            const bolan_param *p = &g->table->params[i];
+            if (!p->option || strcmp(p->option, option) != 0) continue;
+            *row = *p;
+            row->offset += g->offset;
+            return true;
+        }
+    return false;
+}
+
+bolan_param option_param(const option_info *info) {
+    bolan_param row = {.field = info->name};
+    if (find_row(bolan_scene_groups, info->name, &row)) {
+        row.offset += offsetof(options, edits);
+    } else if (find_row(bolan_scene_file_groups, info->name, &row)) {
+        row.offset = info->offset;
+    } else {
+        BOLAN_ASSERT(!"an option without a row");
+    }
+    return row;
+}
+
+bool option_given(const options *o, const char *name) {
+    for (int i = 0; option_table[i].name; i++)
+        if (strcmp(option_table[i].name, name) == 0) return (o->given >> i & 1) != 0;
+    BOLAN_ASSERT(!"no such option");
+    return false;
+}
+
+void options_edit(const options *o, bolan_scene *scene) {
+    for (int i = 0; option_table[i].name; i++) {
+        bolan_param row;
+        if (!(o->given >> i & 1) || !find_row(bolan_scene_groups, option_table[i].name, &row)) continue;
+        memcpy((char *)scene + row.offset, (const char *)&o->edits + row.offset, row.size);
+    }
+}
 
 int usage_error(const char *format, ...) {
     char sentence[2048];
@@ -162,7 +188,12 @@ static int bad_value(const option_info *info, const char *value) {
         for (int i = 0; info->names[i]; i++)
             used += (size_t)snprintf(expected + used, sizeof expected - used, "%s%s", i ? ", " : "", info->names[i]);
         break;
-    case OPTION_INTEGER: snprintf(expected, sizeof expected, "a whole number from 0 to 18446744073709551615"); break;
+    case OPTION_PARAM: {
+        const bolan_param row = option_param(info);
+        bolan_param_expected(&row, expected, sizeof expected);
+        if (row.kind == BOLAN_PARAM_TEXT) snprintf(expected, sizeof expected, "%s", info->argument);
+        break;
+    }
     case OPTION_NUMBERS: snprintf(expected, sizeof expected, "%s", info->argument); break;
     case OPTION_SIZE:
         bolan_format(expected, sizeof expected, "WIDTHxHEIGHT, each %.0f to %.0f", info->low, info->high);
@@ -193,19 +224,6 @@ static bool numbers(const option_info *info, const char *text, char separator, i
     return count + 1 >= least;
 }
 
-// A whole number of 64 bits, every one exactly, written with nothing but digits.
-static bool integer(const char *text, option_integer *out) {
-    uint64_t value = 0;
-    for (const char *p = text; *p; p++) {
-        if (*p < '0' || *p > '9') return false;
-        const uint64_t digit = (uint64_t)(*p - '0');
-        if (value > (UINT64_MAX - digit) / 10) return false;
-        value = 10 * value + digit;
-    }
-    *out = (option_integer){*text != '\0', value};
-    return out->given;
-}
-
 static bool set_value(const option_info *info, const char *value, options *o) {
     void *member = (char *)o + info->offset;
     switch (info->kind) {
@@ -213,13 +231,15 @@ static bool set_value(const option_info *info, const char *value, options *o) {
     case OPTION_TEXT: *(const char **)member = value; return *value != '\0' && strlen(value) < BOLAN_PATH_MAX;
     case OPTION_NUMBER:
     case OPTION_WHOLE: return numbers(info, value, '\0', 1, 1, member);
-    case OPTION_INTEGER: return integer(value, member);
+    case OPTION_PARAM: {
+        const bolan_param row = option_param(info);
+        return bolan_param_parse(&row, info->argument ? value : "true", info->argument ? strlen(value) : 4, o);
+    }
     case OPTION_NUMBERS: return numbers(info, value, ',', info->least, info->most, member);
     case OPTION_SIZE: return numbers(info, value, 'x', 2, 2, member);
     case OPTION_NAME:
         for (int i = 0; info->names[i]; i++)
             if (strcmp(info->names[i], value) == 0) return *(int *)member = i, true;
-        if (info->names == water_names) return (*(int *)member = bolan_jerlov_from_name(value)) >= 0;
     }
     return false;
 }
@@ -247,13 +267,15 @@ static int parse_option(unsigned command, const char *command_name, int count, c
     char word[SHORT_WORD];
     if (!info) return usage_error("unknown option %s; see bolan %s --help", shorten(argument, word), command_name);
     if (!(info->commands & command)) return usage_error("--%s does not go with bolan %s", info->name, command_name);
-    if (info->kind == OPTION_FLAG && equals) return usage_error("--%s takes no value", info->name);
+    if (!info->argument && equals) return usage_error("--%s takes no value", info->name);
     const char *value = equals ? equals + 1 : "";
-    if (info->kind != OPTION_FLAG && !equals) {
+    if (info->argument && !equals) {
         if (*index + 1 >= count) return usage_error("--%s needs a value: %s", info->name, info->argument);
         value = arguments[++*index];
     }
-    return set_value(info, value, o) ? EXIT_OK : bad_value(info, value);
+    if (!set_value(info, value, o)) return bad_value(info, value);
+    o->given |= 1ULL << (info - option_table);
+    return EXIT_OK;
 }
 
 int options_parse(unsigned command, const char *command_name, int count, char **arguments, options *out) {
@@ -276,6 +298,22 @@ int options_parse(unsigned command, const char *command_name, int count, char **
     return EXIT_OK;
 }
 
+// The sentence of an option and the values that it takes, for a terminal.
+static void print_help(FILE *file, const option_info *info) {
+    char values[DESCRIBE_MAX] = "";
+    const char *help = info->help;
+    if (info->kind == OPTION_PARAM) {
+        const bolan_param row = option_param(info);
+        help = row.help;
+        describe_values(&row, "", values, sizeof values);
+    } else {
+        describe_option_values(info, "", values, sizeof values);
+    }
+    for (const char *p = help; *p; p++)
+        if (*p != '`') fputc(*p, file);
+    fprintf(file, *values ? " (%s)\n" : "%s\n", values);
+}
+
 void options_print(FILE *file, unsigned command) {
     for (const option_info *i = option_table; i->name; i++) {
         if (!(i->commands & command)) continue;
@@ -283,10 +321,8 @@ void options_print(FILE *file, unsigned command) {
         if (i->letter) snprintf(letter, sizeof letter, "-%c, ", i->letter);
         snprintf(left, sizeof left, "%s--%s%s%s", letter, i->name, i->argument ? " " : "",
                  i->argument ? i->argument : "");
-        if (strlen(left) > 26) {
-            fprintf(file, "  %s\n  %-26s  %s\n", left, "", i->help);
-        } else {
-            fprintf(file, "  %-26s  %s\n", left, i->help);
-        }
+        fprintf(file, strlen(left) > 26 ? "  %s\n  %-26s  " : "  %s%-.0s", left, "");
+        if (strlen(left) <= 26) fprintf(file, "%*s  ", (int)(26 - strlen(left)), "");
+        print_help(file, i);
     }
 }

@@ -13,30 +13,30 @@ enum { EXIT_OK = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 // Commands, as bits of option_info.commands.
 enum { ON_VIEW = 1, ON_RENDER = 2, ON_MEASURE = 4, ON_QUERY = 8, ON_INFO = 16, ON_BAKE = 32 };
 
-typedef struct option_integer {
-    bool given;
-    uint64_t value;
-} option_integer;
-
-// What was given. A number that was not given is NAN, a count or name -1, a text NULL.
+// What was given. Of the options of the command line alone, a number that was not given is NAN, a name -1, a text NULL.
 typedef struct options {
     const char *scene;
+    uint64_t given;    // bit i: option i of the table
+    bolan_scene edits; // the fields whose options were given
+    // Keys of scene files that are no field of a scene.
+    int technique;
+    double beaufort;
+    uint32_t sea_state;
+    char record[32], location[64];
+    // The others.
     double at[2], camera[6], sun[2]; // latitude, longitude; x, y, z, heading, pitch[, fov]; azimuth, elevation
-    double wind, wind_from, fetch_km, depth, beaufort, sea_state;
-    double time, fps;
-    option_integer seed;
-    double from, spread, frames, samples, threads;
+    double fps, frames, samples, threads;
     double size[2];
-    int technique, waves, surface, optics, show, water, quality, backend, cpu;
-    const char *spectrum, *record, *location, *effects, *terrain, *points, *output, *screenshot;
-    bool json, paper, quiet, help;
+    int quality, backend;
+    const char *spectrum, *terrain, *points, *output, *screenshot;
+    bool json, parameters, schema, quiet, help;
 } options;
 
 typedef enum option_kind {
     OPTION_FLAG,
     OPTION_NUMBER,
     OPTION_WHOLE,
-    OPTION_INTEGER, // of 64 bits: more than a double holds
+    OPTION_PARAM,   // by its row in the tables of scenes
     OPTION_NUMBERS, // separated by commas
     OPTION_SIZE,    // WxH
     OPTION_NAME,
@@ -49,7 +49,7 @@ typedef struct option_info {
     option_kind kind;
     size_t offset;        // in options
     unsigned commands;    // ON_...
-    const char *argument; // as in the help
+    const char *argument; // as in the help; NULL: the option takes no value
     const char *help;
     double low, high;
     int least, most;          // of NUMBERS
@@ -74,6 +74,12 @@ int failure(const char *format, ...);
 // A word of the user for a sentence: at most 60 bytes, cut between characters, with "..." where there was more.
 enum { SHORT_WORD = 64 };
 const char *shorten(const char *text, char out[SHORT_WORD]);
+// The row of an option of kind PARAM; its offset counts from struct options.
+bolan_param option_param(const option_info *info);
+// Whether the option of this name was given.
+bool option_given(const options *o, const char *name);
+// Copies the fields whose options were given to the scene.
+void options_edit(const options *o, bolan_scene *scene);
 // The options of a command, for its help.
 void options_print(FILE *file, unsigned command);
 

@@ -90,6 +90,8 @@ typedef struct bolan_param_table {
 typedef struct bolan_param_group {
     /// The member of the larger struct, such as "terrain.island"; "" for the struct itself.
     const char *field;
+    /// Of a list or of a map without keys: what it is, for documentation. NULL: none.
+    const char *help;
     /// The map of a scene file, dotted; "" for the document itself.
     const char *key;
     /// Where the member lies: of a list, the member of its first element.
@@ -115,6 +117,13 @@ bool bolan_param_accepts(const bolan_param *param, double value);
 bool bolan_param_parse(const bolan_param *param, const char *text, size_t size, void *desc);
 /// What bolan_param_parse() takes, for messages: "a number from 0 to 70 m/s". Cut to @p capacity bytes.
 void bolan_param_expected(const bolan_param *param, char *out, size_t capacity);
+/// The first row with the dotted key @p path ("sky.clouds.cover"; in a list "objects.scale"), NULL when there is none.
+/// @p count receives how many rows share the key; @p group, unless it is NULL, receives where they stand.
+const bolan_param *bolan_param_find_key(const bolan_param_group *groups, const char *path,
+                                        const bolan_param_group **group, uint32_t *count);
+/// Adds the keys of the map @p map, "" for the document, to the text @p words, ", " between them and each once. Cut to
+/// @p capacity bytes.
+void bolan_param_list_keys(const bolan_param_group *groups, const char *map, char *words, size_t capacity);
 /// Fills the fields of the table with their defaults, and leaves the others.
 void bolan_params_default(const bolan_param_table *table, void *desc);
 /// Checks every field of the table. At the first that is wrong it logs one sentence that begins with @p where, the

@@ -132,6 +132,9 @@ typedef enum bolan_quality {
     BOLAN_QUALITY_HIGH,
     BOLAN_QUALITY_ULTRA,
 } bolan_quality;
+#define BOLAN_QUALITIES 4 ///< how many there are
+/// The names that the command line uses, "low" ...; by bolan_quality, NULL at the end.
+extern const char *const bolan_quality_names[BOLAN_QUALITIES + 1];
 
 /// The parameters of bolan_technique and bolan_look.
 extern const bolan_param_table bolan_technique_params, bolan_look_params;

@@ -3,8 +3,8 @@
 #include "bolan/ground.h"
 #include "params/rows.h"
 
-static const char *const nodata_names[] = {"fill", "sea", NULL};             // bolan_raster_nodata, from 1
-static const char *const zero_names[] = {"land", "sea", NULL};               // bolan_raster_zero, from 1
+static const char *const nodata_names[] = {"fill", "sea", NULL};                 // bolan_raster_nodata, from 1
+static const char *const zero_names[] = {"land", "sea", NULL};                   // bolan_raster_zero, from 1
 static const char *const ground_names[] = {"none", "generated", "raster", NULL}; // bolan_ground_kind
 
 #define STRUCT bolan_ground_generator

@@ -12,9 +12,9 @@ static const bolan_param document_rows[] = {
          .high = BOLAN_TECHNIQUES - 1, .help = "the way to make water"),
 };
 static const bolan_param sea_rows[] = {
-    NUMBER(beaufort, .key = "beaufort", .option = "beaufort", .high = 12,
+    NUMBER(beaufort, .key = "beaufort", .option = "beaufort", .high = 12, .otherwise = "",
            .help = "in the place of the wind speed: the fully developed sea of that force"),
-    WHOLE(douglas, .key = "douglas", .option = "sea-state", .high = 9,
+    WHOLE(douglas, .key = "douglas", .option = "sea-state", .high = 9, .otherwise = "",
           .help = "in the place of the wind speed: the fully developed sea of that Douglas degree (WMO 3700)"),
     TEXT(record, .key = "spectrum.record", .option = "record", .otherwise = "0",
          .help = "which record in time of the spectrum file, 0 the earliest; or a date such as `2018-01-01T06:00` "
@@ -52,6 +52,7 @@ const bolan_param_group bolan_scene_file_groups[] = {
     {.field = "", .key = "", .table = &document_table},
     {.field = "", .key = "sea", .table = &sea_table},
     {.field = "swell",
+     .help = "waves from elsewhere",
      .key = "sea.swell",
      .table = &swell_table,
      .offset = offsetof(scene_file, swell),
@@ -59,6 +60,9 @@ const bolan_param_group bolan_scene_file_groups[] = {
      .stride = sizeof(struct scene_file_swell),
      .count_offset = offsetof(scene_file, swell_count)},
     {.field = "", .key = "sky.sun", .table = &sun_table},
-    {.field = "", .key = "terrain.pond", .table = &no_keys},
+    {.field = "",
+     .help = "a basin 90 m across in a meadow, whose ground is drawn as the model `builtin:pond-ground`",
+     .key = "terrain.pond",
+     .table = &no_keys},
     {.table = NULL},
 };

@@ -75,30 +75,20 @@ static void remember(const reader *r, const char *path, uint32_t line) {
 
 // ---- the tables -----------------------------------------------------------------------------------------------------
 
-// The rest of the dotted @p path below @p map; NULL where it does not lie below.
-static const char *below(const char *map, const char *path) {
-    const size_t length = strlen(map);
-    if (length == 0) return path;
-    return strncmp(map, path, length) == 0 && path[length] == '.' ? path + length + 1 : NULL;
-}
-
 // The group's place in its struct, of a list in the element of @p item.
 static void *desc_of(const schema_target *target, const bolan_param_group *group, uint32_t item) {
     return (char *)target->base + group->offset + item * group->stride;
 }
 
 static rows find_rows(const reader *r, const place *at) {
-    for (int t = 0; t < SCHEMA_TARGETS; t++)
-        for (const bolan_param_group *g = r->targets[t].groups; g->table; g++) {
-            const char *key = below(g->key, at->map);
-            const bolan_param *end = g->table->params + g->table->count;
-            for (const bolan_param *p = g->table->params; key && p < end; p++) {
-                if (!p->key || strcmp(p->key, key) != 0) continue;
-                rows found = {p, 0, desc_of(&r->targets[t], g, at->item)};
-                while (p < end && p->key && strcmp(p->key, key) == 0) found.count++, p++;
-                return found;
-            }
-        }
+    for (int t = 0; t < SCHEMA_TARGETS; t++) {
+        const bolan_param_group *group = NULL;
+        rows found = {NULL, 0, NULL};
+        found.first = bolan_param_find_key(r->targets[t].groups, at->map, &group, &found.count);
+        if (!found.first) continue;
+        found.desc = desc_of(&r->targets[t], group, at->item);
+        return found;
+    }
     return (rows){NULL, 0, NULL};
 }
 
@@ -108,31 +98,6 @@ static const bolan_param_group *find_list(const reader *r, const char *map) {
         for (const bolan_param_group *g = r->targets[t].groups; g->table; g++)
             if (g->capacity > 0 && strcmp(g->key, map) == 0) return g;
     return NULL;
-}
-
-// Adds the component of @p path that follows @p map to a list of words, once. An empty @p map is the document.
-static void add_child(const char *map, const char *path, char words[LIST_MAX_LENGTH]) {
-    const char *child = *path ? below(map, path) : NULL;
-    if (!child) return;
-    const size_t length = strcspn(child, "."), used = strlen(words);
-    for (const char *w = words; *w; w += strcspn(w, ","), w += *w ? 2 : 0)
-        if (strncmp(w, child, length) == 0 && (w[length] == ',' || w[length] == '\0')) return;
-    snprintf(words + used, LIST_MAX_LENGTH - used, "%s%.*s", used ? ", " : "", (int)length, child);
-}
-
-// The keys of a map, in the order of the tables.
-static void list_keys(const reader *r, const char *map, char words[LIST_MAX_LENGTH]) {
-    words[0] = '\0';
-    for (int t = 0; t < SCHEMA_TARGETS; t++)
-        for (const bolan_param_group *g = r->targets[t].groups; g->table; g++) {
-            for (uint32_t i = 0; i < g->table->count; i++) {
-                char path[2 * SCHEMA_PATH];
-                if (!g->table->params[i].key) continue;
-                snprintf(path, sizeof path, "%s%s%s", g->key, *g->key ? "." : "", g->table->params[i].key);
-                add_child(map, path, words);
-            }
-            add_child(map, g->key, words);
-        }
 }
 
 // Whether @p key is a component of a list of words.
@@ -288,11 +253,12 @@ static bolan_result entry(reader *r, const yaml_node_pair_t *pair, const char *e
 static bool is_null(const yaml_node_t *node) { return node->type == YAML_SCALAR_NODE && node->data.scalar.length == 0; }
 
 static bolan_result map(reader *r, yaml_node_t *node, const place *at) {
-    char expected[LIST_MAX_LENGTH];
+    char expected[LIST_MAX_LENGTH] = "";
     remember(r, at->path, line_of(node));
     if (is_null(node)) return BOLAN_OK; // "island:" alone: the map is there, with every default
     if (node->type != YAML_MAPPING_NODE) return refuse(r, node, at->path, "a map of keys and values");
-    list_keys(r, at->map, expected);
+    for (int t = 0; t < SCHEMA_TARGETS; t++)
+        bolan_param_list_keys(r->targets[t].groups, at->map, expected, sizeof expected);
     for (yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++)
         if (entry(r, pair, expected, at)) return BOLAN_ERROR_FORMAT;
     return BOLAN_OK;

@@ -120,11 +120,11 @@ const bolan_param_table bolan_wind_sea_params = TABLE("bolan_scene", wind_sea_ro
 
 #define AT(member, map, rows) \
     { .field = #member, .key = (map), .offset = offsetof(bolan_scene, member), .table = &(rows) }
-#define LIST(member, inner, count, map, rows)                                                            \
-    {                                                                                                    \
-        .field = #member, .key = (map), .offset = offsetof(bolan_scene, inner), .table = &(rows),        \
-        .capacity = sizeof(((bolan_scene *)NULL)->member) / sizeof(((bolan_scene *)NULL)->member[0]),    \
-        .stride = sizeof(((bolan_scene *)NULL)->member[0]), .count_offset = offsetof(bolan_scene, count) \
+#define LIST(member, inner, count, map, rows, what)                                                               \
+    {                                                                                                             \
+        .field = #member, .help = (what), .key = (map), .offset = offsetof(bolan_scene, inner), .table = &(rows), \
+        .capacity = sizeof(((bolan_scene *)NULL)->member) / sizeof(((bolan_scene *)NULL)->member[0]),             \
+        .stride = sizeof(((bolan_scene *)NULL)->member[0]), .count_offset = offsetof(bolan_scene, count)          \
     }
 const bolan_param_group bolan_scene_groups[] = {
     {.field = "", .key = "", .table = &bolan_scene_params},
@@ -139,9 +139,15 @@ const bolan_param_group bolan_scene_groups[] = {
     AT(terrain, "terrain", bolan_ground_source_params),
     AT(terrain.generator, "terrain.island", bolan_ground_generator_params),
     AT(terrain.raster, "terrain.raster", bolan_raster_params),
-    LIST(objects, objects[0], object_count, "objects", bolan_object_params),
+    LIST(objects, objects[0], object_count, "objects", bolan_object_params,
+         "things that stand in the scene or float on its water"),
     AT(camera, "camera", bolan_camera_params),
-    LIST(camera_keys, camera_keys[0], camera_key_count, "camera.path", bolan_camera_key_params),
-    LIST(camera_keys, camera_keys[0].camera, camera_key_count, "camera.path", bolan_camera_params),
+    LIST(camera_keys, camera_keys[0], camera_key_count, "camera.path", bolan_camera_key_params,
+         "where the camera is at times that grow: `{time, position, heading, pitch, roll, fov}`. What a key leaves out "
+         "is as in the "
+         "key before. Between keys it moves smoothly and never beyond them; films and numbered images follow it, and "
+         "`--camera` "
+         "puts it aside"),
+    LIST(camera_keys, camera_keys[0].camera, camera_key_count, "camera.path", bolan_camera_params, NULL),
     {.table = NULL},
 };

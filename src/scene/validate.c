@@ -35,6 +35,10 @@ static bolan_result check_counts(const bolan_scene *scene) {
     if (scene->object_count > BOLAN_MAX_OBJECTS) return refuse("object_count", scene->object_count, "0 to 64");
     if (scene->camera_key_count > BOLAN_MAX_CAMERA_KEYS)
         return refuse("camera_key_count", scene->camera_key_count, "0 to 32");
+    return BOLAN_OK;
+}
+
+static bolan_result check_times(const bolan_scene *scene) {
     for (uint32_t i = 1; i < scene->camera_key_count; i++)
         if (!(scene->camera_keys[i].time >= scene->camera_keys[i - 1].time + 1e-3))
             return refuse("camera_keys.time", scene->camera_keys[i].time, "a time later than that of the key before");
@@ -46,7 +50,8 @@ bolan_result bolan_scene_validate(const bolan_scene *scene) {
     if (check_counts(scene)) return BOLAN_ERROR_ARGUMENT;
     for (const bolan_param_group *g = bolan_scene_groups; g->table; g++)
         if (is_used(scene, g) && check_group(scene, g)) return BOLAN_ERROR_ARGUMENT;
-    return bolan_sea_state_validate(&scene->sea.sea_state) || bolan_spectrum_options_validate(&scene->spectrum)
+    return check_times(scene) || bolan_sea_state_validate(&scene->sea.sea_state) ||
+                   bolan_spectrum_options_validate(&scene->spectrum)
                ? BOLAN_ERROR_ARGUMENT
                : BOLAN_OK;
 }

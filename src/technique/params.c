@@ -5,7 +5,8 @@
 
 #define STRUCT bolan_technique
 static const bolan_param technique_rows[] = {
-    NAME(waves, .names = bolan_wave_model_names, .high = BOLAN_WAVE_MODELS - 1, .help = "its wave model"),
+    NAME(waves, .option = "waves", .names = bolan_wave_model_names, .high = BOLAN_WAVE_MODELS - 1,
+         .help = "the wave model of the technique"),
     NAME(surface, .option = "surface", .names = bolan_surface_kind_names, .high = BOLAN_SURFACE_KINDS - 1,
          .help = "the geometry of the technique"),
     NAME(optics, .option = "optics", .names = bolan_optics_kind_names, .high = BOLAN_OPTICS_KINDS - 1,

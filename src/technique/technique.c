@@ -39,6 +39,8 @@ const char *const bolan_effect_names[BOLAN_EFFECTS + 1] = {
     "diffuse",    "specular",   "scattering", "foam",       "fog",     NULL};
 const char *const bolan_show_names[BOLAN_SHOWS + 1] = {"picture", "mask", "mesh", NULL};
 
+const char *const bolan_quality_names[BOLAN_QUALITIES + 1] = {"low", "medium", "high", "ultra", NULL};
+
 const bolan_technique *bolan_techniques(uint32_t *count) {
     *count = BOLAN_TECHNIQUES;
     return techniques;

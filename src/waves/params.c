@@ -7,7 +7,7 @@ const char *const bolan_frequency_split_names[BOLAN_FREQUENCY_SPLITS + 1] = {"eq
 
 #define STRUCT bolan_sea_desc
 static const bolan_param sea_rows[] = {
-    NAME(waves, .option = "waves", .names = bolan_wave_model_names, .high = BOLAN_WAVE_MODELS - 1,
+    NAME(waves, .names = bolan_wave_model_names, .high = BOLAN_WAVE_MODELS - 1,
          .help = "the wave model of the technique"),
     WHOLE(seed, .key = "seed", .option = "seed", .high = SEED_MAX, .fallback = 1,
           .help = "which sea of this state: another seed, another arrangement of the same waves"),

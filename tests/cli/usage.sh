@@ -51,8 +51,8 @@ refuse 2 '--waves is exp; expected fft, cosines, exp-cosine, textures' measure -
 refuse 2 '--surface is flat; expected projected, nested, quad' render --surface flat
 refuse 2 '--optics is none; expected physical, mirror, phong, lit, crest' render --optics none
 refuse 2 '--show is all; expected picture, mask, mesh' render --show all -o a.png
-refuse 2 '--effects: sparkle is unknown; expected none, or some of reflection' render --effects foam,sparkle -o a.png
-refuse 2 '--effects: ' render --effects foam,,fog -o a.png
+refuse 2 '--effects is foam,sparkle; expected all, none, or some of reflection' render --effects foam,sparkle -o a.png
+refuse 2 '--effects is foam,,fog; expected all, none' render --effects foam,,fog -o a.png
 refuse 2 '--effects does not go with bolan measure' measure --effects foam
 refuse 2 '--record chooses from a spectrum file' measure --record 2
 refuse 2 '--location chooses from a spectrum file' measure --location 2
