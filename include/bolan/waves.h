@@ -2,35 +2,39 @@
 /// @file waves.h
 /// Tier 2. The sea: create it from a sea state, step it to a time, read its fields.
 ///
-/// The sea is a pure function of (sea state, seed, layout, time): stepping from 0 to 10 s or straight to 10 s gives
+/// The sea is a pure function of sea state, seed, layout and time. Stepping from 0 to 10 s or straight to 10 s gives
 /// the same bits, on any number of threads and with any instruction set. The one exception is the foam memory, which
-/// remembers the last seconds; after a jump in time (backwards, or more than 0.5 s forward) it starts again from the
+/// remembers the last seconds. After a jump in time (backwards, or more than 0.5 s forward) it starts again from the
 /// present.
 ///
-/// **Layout.** The wave-number plane is cut into disjoint rings without gaps, one per *cascade*: a periodic square
-/// tile of side `length` with `n` x `n` samples. Each tile lies rotated by `angle` about the world origin, and the
-/// ratios of their lengths are incommensurate, so that the repetitions of different cascades never line up. The
-/// fields of the sea at a world point are the sums of the cascades' fields there. Which waves a tile holds depends on
-/// the seed and its length only: a finer resolution adds shorter waves to the same longer ones.
+/// **Layout.** The wave-number plane is cut into disjoint rings without gaps, one per *cascade*: a periodic square tile
+/// of side `length` with `n` x `n` samples. Each tile is rotated by `angle` about the world origin, and the ratios of
+/// the lengths are incommensurate, so the repetitions of different cascades never line up. The fields of the sea at a
+/// world point are the sums of the cascades' fields there. Which waves a tile holds depends on the seed and its length
+/// only: a finer resolution adds shorter waves to the same longer ones.
 ///
-/// **Fields.** With eta the height, D the horizontal displacement that gathers water at crests (choppiness not
-/// applied): a water parcel at rest at x0 is found at x = x0 + choppiness * D(x0), z = eta(x0) + lift. Fields live on
-/// x0. Vectors are in world axes (east, north), whatever the angle of the tile.
+/// **Fields.** With eta the height and D the horizontal displacement that gathers water at crests (choppiness not
+/// applied), a water parcel at rest at x0 is found at x = x0 + choppiness * D(x0), z = eta(x0) + lift. Fields are
+/// functions of x0. Vectors are in world axes (east, north), whatever the angle of the tile.
 ///
-/// **Level.** Parcels stand closer at crests and cover less there, so that the mean of eta at fixed points is
-/// -choppiness * integral of k coth(k depth) S dw. The lift, a constant of the sea, is the opposite of that for the
-/// interpolated fields: the mean of the surface at fixed points is the water level. Every height of a sample, a query
-/// and a picture has it; the cascades' fields do not. Where shallow water attenuates waves by f it is f^2 of that.
+/// **Level.** Parcels stand closer at crests and cover less area there, so the mean of eta at fixed points is
+/// -choppiness * integral of k coth(k depth) S dw. The lift, a constant of the sea, is the opposite of that mean for
+/// the interpolated fields: the mean of the surface at fixed points is the water level. Every height of a sample, a
+/// query and an image includes the lift; the cascades' fields do not. Where shallow water attenuates waves by f, the
+/// lift is attenuated by f^2.
 ///
 /// **Limits.** A sea state that is too high for its depth or too steep is lowered as a whole, with one warning
-/// (SEA_LIMITED): bolan_sea_state_limit() has the rules. No query is then asked of waves that no water could carry.
+/// (SEA_LIMITED): bolan_sea_state_limit() has the rules. Queries never return waves that no water can carry.
 ///
 /// **Synthesis.** eta(x, t) = sum over k of h(k, t) e^{i k.x}, h(k, t) = h0(k) e^{-i w t} + conj(h0(-k)) e^{+i w t},
-/// h0(k) = (xr + i xi)/2 sqrt(integral of Psi over the cell of k), xr and xi normal: waves run toward k and the
+/// h0(k) = (xr + i xi)/2 sqrt(integral of Psi over the cell of k), xr and xi normal. Waves run toward k, and the
 /// variance of eta is that of the spectrum (Tessendorf 2001, section 3, with the sign and the factor of a one-sided
-/// spectrum). D = i k/|k| coth(kh) h. w follows bolan_omega_from_k(). Beyond ten times the wave number of the
-/// spectral peak the power is rolled off so that the slope variance of all cascades stays below Cox & Munk's total
-/// for the wind.
+/// spectrum). D = i k/|k| coth(kh) h. w follows bolan_omega_from_k(). Beyond ten times the wave number of the spectral
+/// peak the power is rolled off, so that the slope variance of all cascades stays below Cox & Munk's total for the
+/// wind.
+///
+/// **Threads.** Different seas may be used from different threads at the same time. One sea is stepped by one thread at
+/// a time; between steps any number of threads may read it. Forks of a sea count as different seas: bolan_sea_fork().
 #ifndef BOLAN_WAVES_H
 #define BOLAN_WAVES_H
 
@@ -42,32 +46,57 @@
 extern "C" {
 #endif
 
-#define BOLAN_MAX_CASCADES 4 ///< of a sea
+// ---- models ---------------------------------------------------------------------------------------------------------
 
 /// How waves are made of a sea state.
 typedef enum bolan_wave_model {
-    BOLAN_WAVES_FFT,        ///< cascades of inverse FFTs of a random sea
-    BOLAN_WAVES_COSINES,    ///< a sum of frequencies x directions cosine waves (Liu, Xu & Chen 2009)
-    BOLAN_WAVES_EXP_COSINE, ///< a sum of few waves exp(s cos): sharp crests, wide troughs (Liu & Xie 2010)
-    BOLAN_WAVES_TEXTURES,   ///< one tile of FFT whose time runs in a loop of few still frames (Ma, Zhu & Gong 2006)
+    /// Cascades of inverse FFTs of a random sea.
+    BOLAN_WAVES_FFT,
+    /// A sum of frequencies x directions cosine waves (Liu, Xu & Chen 2009).
+    BOLAN_WAVES_COSINES,
+    /// A sum of few waves exp(s cos): sharp crests, wide troughs (Liu & Xie 2010).
+    BOLAN_WAVES_EXP_COSINE,
+    /// One tile of FFT whose time runs in a loop of few still frames (Ma, Zhu & Gong 2006).
+    BOLAN_WAVES_TEXTURES,
 } bolan_wave_model;
-#define BOLAN_WAVE_MODELS 4 ///< how many there are
+/// Number of wave models.
+#define BOLAN_WAVE_MODELS 4
 /// The names that the command line and scene files use, "fft" ...; by bolan_wave_model, NULL at the end.
 extern const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1];
 
+/// What the fields of a sea are read from. Several wave models have one form.
+typedef enum bolan_wave_form {
+    /// Periodic tiles: bolan_sea_cascade().
+    BOLAN_FORM_CASCADES,
+    /// Cosine waves: bolan_sea_get_component().
+    BOLAN_FORM_COSINES,
+    /// Waves exp(s cos): bolan_sea_get_component() and the desc's exp_cosine.sharpness.
+    BOLAN_FORM_EXP_COSINES,
+} bolan_wave_form;
+
 /// How BOLAN_WAVES_COSINES cuts a spectrum into frequencies.
 typedef enum bolan_frequency_split {
-    BOLAN_SPLIT_EQUAL_ENERGY, ///< every wave as high as the next: no common period
-    BOLAN_SPLIT_EQUAL_WIDTH,  ///< equal steps of frequency between the quantiles .002 and .998 of the energy, as the
-                              ///< paper: the groups of waves repeat after 2 pi / step (32 s at Hs 3 m)
+    /// All waves have the same height; they have no common period.
+    BOLAN_SPLIT_EQUAL_ENERGY,
+    /// Equal steps of frequency between the quantiles .002 and .998 of the energy, as the paper.
+    /// The groups of waves repeat after 2 pi / step (32 s at Hs 3 m).
+    BOLAN_SPLIT_EQUAL_WIDTH,
 } bolan_frequency_split;
-#define BOLAN_FREQUENCY_SPLITS 2 ///< how many there are
+/// Number of ways to cut a spectrum.
+#define BOLAN_FREQUENCY_SPLITS 2
 /// The names that scene files use, "equal-energy" ...; by bolan_frequency_split, NULL at the end.
 extern const char *const bolan_frequency_split_names[BOLAN_FREQUENCY_SPLITS + 1];
-#define BOLAN_MAX_FREQUENCIES 64 ///< of BOLAN_WAVES_COSINES
-#define BOLAN_MAX_DIRECTIONS 32  ///< of BOLAN_WAVES_COSINES
-#define BOLAN_MAX_EXP_WAVES 16   ///< of BOLAN_WAVES_EXP_COSINE
-#define BOLAN_MAX_LOOP_FRAMES 64 ///< of BOLAN_WAVES_TEXTURES
+
+/// Most cascades of a sea.
+#define BOLAN_MAX_CASCADES 4
+/// Most frequencies of BOLAN_WAVES_COSINES.
+#define BOLAN_MAX_FREQUENCIES 64
+/// Most directions of BOLAN_WAVES_COSINES.
+#define BOLAN_MAX_DIRECTIONS 32
+/// Most waves of BOLAN_WAVES_EXP_COSINE.
+#define BOLAN_MAX_EXP_WAVES 16
+/// Most frames of BOLAN_WAVES_TEXTURES.
+#define BOLAN_MAX_LOOP_FRAMES 64
 
 /// How a sea is made.
 ///
@@ -110,17 +139,17 @@ typedef struct bolan_sea_desc {
     /// FFT and TEXTURES ignore it.
     double current_x, current_y;
 
-    /// Samples along the side of a tile, for FFT and TEXTURES.
+    /// Samples along the side of a tile, of FFT and TEXTURES.
     /// A power of two, 32..1024; default 256.
     /// Raised: shorter waves with the same number of tiles; time and memory grow with its square.
     uint32_t resolution;
 
-    /// Side of the largest tile [m], for FFT and TEXTURES.
+    /// Side of the largest tile [m], of FFT and TEXTURES.
     /// 10..1e5, or 0 (default): 12 peak wavelengths and at least 10 of the longest swell that matters (TEXTURES: 7, 5).
     /// Raised: the sea repeats after a longer distance, and its shortest wave is longer.
     double length;
 
-    /// e-folding time of the foam memory [s], for FFT and TEXTURES.
+    /// e-folding time of the foam memory [s], of FFT and TEXTURES.
     /// 0.1..60; default 3.5.
     /// Raised: longer streaks behind crests.
     double foam_decay;
@@ -180,164 +209,269 @@ typedef struct bolan_sea_desc {
 /// The parameters of bolan_sea_desc; those of its sea state are bolan_sea_state_params.
 extern const bolan_param_table bolan_sea_params;
 
+// ---- a sea ----------------------------------------------------------------------------------------------------------
+
 /// A sea: spectrum tables, and the fields of one time.
 typedef struct bolan_sea bolan_sea;
 
-/// The defaults named beside the fields.
-/// A fresh breeze over the open sea. Thread-safe.
+/// Returns the defaults named above the fields: a fresh breeze over the open sea.
+/// Thread-safe.
 bolan_sea_desc bolan_sea_desc_default(void);
-/// Builds the spectrum tables and all memory; no later call allocates. Uses the task hook: a sea steps on at most as
-/// many workers as there were at its creation. Errors: ARGUMENT (field named in the log), MEMORY; then *out is NULL.
-/// The desc is copied; a measured spectrum in it is not needed afterwards. The sea stands at time 0.
-/// Thread-safety: different seas may be used from different threads; one sea is stepped by one thread at a time and
-/// may be read by many between steps.
-bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out);
-/// NULL-safe; NULLs the pointer.
-void bolan_sea_destroy(bolan_sea **sea);
-/// Synthesises all fields at @p time [s], any finite value, backwards too (beyond 2^36 s, 2000 years, it wraps
-/// round). Uses the task hook. Never fails.
-void bolan_sea_step(bolan_sea *sea, double time);
-/// Like step, and fills the foam memory first by stepping through the last seconds before @p time (about 4
-/// foam_decay) in ticks of 0.25 s, which lie at multiples of 0.25 s whatever the time, so that a single picture shows
-/// the foam that a running sea would. Costs about 16 steps a second of foam_decay.
-void bolan_sea_settle(bolan_sea *sea, double time);
-/// The time of the last step [s]. TEXTURES shows the frame of its loop that was on at that time. Thread-safe between
-/// steps, as everything below.
-double bolan_sea_time(const bolan_sea *sea);
-/// The desc the sea was made from, defaults resolved (measured is NULL). Valid while the sea lives.
-const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
 
-/// The number of the sea: never 0, and different for every sea that this process has created.
-/// Use it, not the address, to tell whether something made from a sea still belongs to it.
+/// Creates a sea: builds the spectrum tables and reserves all memory, so that no later call allocates.
+/// The sea stands at time 0.
+/// The desc is copied; a measured spectrum in it is not needed afterwards.
+/// Uses the task hook; a sea steps on at most as many workers as there were at its creation.
+/// Errors: ARGUMENT, with the field named in the log, and MEMORY. Then *out is NULL.
+/// Thread-safe.
+bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out);
+
+/// Creates a sea that shows the same waves as @p sea at another time, for example for a physics thread.
+/// The fork shares the spectrum and all tables with @p sea, which are constant, and has fields and a foam memory of its
+/// own. At equal times the fields of all forks have the same bits.
+/// The fork stands at time 0, with an empty foam memory, whatever the time of @p sea.
+/// It lives on its own: forks and their origin may be destroyed in any order, on any thread.
+/// Its memory is that of the fields alone.
+/// Errors: MEMORY. Then *out is NULL.
+/// Thread-safe, also during a step of @p sea.
+bolan_result bolan_sea_fork(const bolan_sea *sea, bolan_sea **out);
+
+/// Destroys a sea. NULL-safe; sets the pointer to NULL.
+/// The tables that forks share are released with the last of them.
+void bolan_sea_destroy(bolan_sea **sea);
+
+/// Makes all fields of @p time [s]: any finite value, backwards too.
+/// Beyond 2^36 s, 2000 years, the time wraps round.
+/// A step to the time of the last step does nothing.
+/// Uses the task hook. Never fails.
+void bolan_sea_step(bolan_sea *sea, double time);
+
+/// Like bolan_sea_step(), and fills the foam memory first, so that a single image has the foam of a sea that has run.
+/// It steps through about 4 foam_decay before @p time, in ticks at multiples of 0.25 s whatever the time.
+/// Costs about 16 steps for each second of foam_decay.
+void bolan_sea_settle(bolan_sea *sea, double time);
+
+/// Returns the time of the last step [s].
+/// A sea of TEXTURES shows the frame of its loop at that time.
+/// Thread-safe between steps, like every function below that says nothing else.
+double bolan_sea_time(const bolan_sea *sea);
+
+/// Returns the number of the sea: never 0, equal for all forks, and different for all other seas of this process.
+/// Compare it, not the address, to tell whether something made from a sea still belongs to it.
 /// Thread-safe, also during a step.
 uint64_t bolan_sea_id(const bolan_sea *sea);
-/// The number of the fields as they are now: never 0, and unique in this process, so that equal serials mean equal
-/// fields of the same sea.
-/// A step or settle changes it; a step to the time at which the fields stand already does nothing and keeps it.
-/// Thread-safe between steps.
+
+/// Returns the number of the present fields: never 0 and unique in this process, so that equal serials mean equal
+/// fields. Every step and settle changes it, except a step to the time of the last step.
 uint64_t bolan_sea_serial(const bolan_sea *sea);
 
-/// Integral parameters of the sea state, a measured spectrum included, lowered by bolan_sea_state_limit(); computed at
-/// creation.
+/// Returns the desc the sea was made from, defaults resolved; `measured` is NULL.
+/// Valid while the sea lives. Thread-safe, also during a step.
+const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
+
+/// Returns the integral parameters of the sea state, lowered by bolan_sea_state_limit(); of a measured spectrum too.
+/// Computed at creation. Valid while the sea lives. Thread-safe, also during a step.
 const bolan_sea_summary *bolan_sea_get_summary(const bolan_sea *sea);
-/// When the measured spectrum was taken, ISO 8601; "" when it does not say or there is none. Valid while the sea lives.
+
+/// Returns when the measured spectrum was taken, ISO 8601; "" when it does not say or there is none.
+/// Valid while the sea lives. Thread-safe, also during a step.
 const char *bolan_sea_record_time(const bolan_sea *sea);
-/// What cascade @p index adds to every height to keep the mean of the surface at the level [m], >= 0, as a grid of
-/// @p spacing [m] carries it (0: a single point); a sum has index 0 alone. 0 without choppiness and for EXP_COSINE, whose
-/// parcels do not move sideways. Thread-safe.
+
+/// Returns what the fields are read from.
+/// Thread-safe, also during a step.
+bolan_wave_form bolan_sea_form(const bolan_sea *sea);
+
+/// How a sea repeats in time.
+typedef struct bolan_sea_loop {
+    /// Time after which every field repeats [s]; 0: never.
+    double period;
+    /// Number of still frames in the period; 0 where the sea moves continuously.
+    uint32_t frames;
+    /// The frame that the fields show, 0..frames - 1; 0 where there are no frames.
+    uint32_t frame;
+} bolan_sea_loop;
+/// Returns how the sea repeats in time, and the present frame.
+bolan_sea_loop bolan_sea_get_loop(const bolan_sea *sea);
+
+/// Returns what band @p index adds to every height to keep the mean of the surface at the water level [m], >= 0.
+/// A band is a cascade, or all components of a sum (index 0).
+/// @p spacing [m] is that of the grid that carries the waves; 0: a single point.
+/// 0 without choppiness and for EXP_COSINE, whose parcels do not move sideways.
+/// Thread-safe, also during a step.
 double bolan_sea_lift(const bolan_sea *sea, uint32_t index, double spacing);
 
-/// One cascade, read-only; pointers stay valid while the sea lives, contents change with each step. Sample (i, j) of
-/// a field is at [j * n + i], at tile coordinates (i, j) * length / n. World to tile: rotate by -angle:
-/// u = x cos(angle) + y sin(angle), v = -x sin(angle) + y cos(angle).
+// ---- cascades -------------------------------------------------------------------------------------------------------
+
+/// One cascade, read-only.
+/// The pointers are valid while the sea lives; what they point to changes with each step.
+/// Sample (i, j) of a field is at [j * n + i], at tile coordinates (i, j) * length / n. World to tile: rotate by
+/// -angle, u = x cos(angle) + y sin(angle), v = -x sin(angle) + y cos(angle).
 typedef struct bolan_cascade_view {
+    /// Samples along a side.
     uint32_t n;
-    double length;                     ///< side of the tile [m]
-    double angle;                      ///< rotation of the tile against the world, counter-clockwise [rad]
-    double k_min, k_max;               ///< ring of wave numbers [rad/m]: k_min <= |k| < k_max
-    double variance;                   ///< expected variance of the height, the discrete sum over the ring [m2]
-    double mss;                        ///< expected slope variance of the ring
-    const float *height;               ///< eta [m]
-    const float *dx, *dy;              ///< D, world east and north [m]
-    const float *slope_x, *slope_y;    ///< grad eta
-    const float *dxx, *dyy, *dxy;      ///< dDx/dx, dDy/dy, dDx/dy (= dDy/dx)
-    const float *foam;                 ///< foam memory: recent peak of -(dxx + dyy) * choppiness, decaying; >= 0
-    const uint16_t *displacement_half; ///< n*n*4 halfs: dx, dy, eta, dxy: ready to upload as RGBA16F
-    const uint16_t *slope_half;        ///< n*n*4 halfs: slope_x, slope_y, dxx, dyy
-    const uint16_t *foam_half;         ///< n*n halfs: foam
+    /// Side of the tile [m].
+    double length;
+    /// Rotation of the tile against the world, counter-clockwise [rad].
+    double angle;
+    /// Ring of wave numbers [rad/m]: k_min <= |k| < k_max.
+    double k_min, k_max;
+    /// Expected variance of the height, the discrete sum over the ring [m2].
+    double variance;
+    /// Expected slope variance of the ring.
+    double mss;
+    /// eta [m].
+    const float *height;
+    /// D, world east and north [m].
+    const float *dx, *dy;
+    /// grad eta.
+    const float *slope_x, *slope_y;
+    /// dDx/dx, dDy/dy, dDx/dy (= dDy/dx).
+    const float *dxx, *dyy, *dxy;
+    /// Foam memory, >= 0: recent peak of -(dxx + dyy) * choppiness, decaying.
+    const float *foam;
+    /// n * n * 4 halfs to upload as RGBA16F: dx, dy, eta, dxy.
+    const uint16_t *displacement_half;
+    /// n * n * 4 halfs: slope_x, slope_y, dxx, dyy.
+    const uint16_t *slope_half;
+    /// n * n halfs: foam.
+    const uint16_t *foam_half;
 } bolan_cascade_view;
-/// 1..BOLAN_MAX_CASCADES for FFT, 1 for TEXTURES, 0 for the sums COSINES and EXP_COSINE, which have components instead.
+/// Returns the number of cascades: 1..BOLAN_MAX_CASCADES of form CASCADES, else 0.
+/// Thread-safe, also during a step.
 uint32_t bolan_sea_cascade_count(const bolan_sea *sea);
-/// Cascade @p index, 0 the one of the longest waves.
+/// Returns cascade @p index; 0 is the one of the longest waves.
 bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index);
 
-/// One wave of a sum, at rest point x and time t: with th = k.x - omega t + phase,
-/// COSINES:    eta = amplitude cos th, D = -drift k/|k| sin th, drift = amplitude coth(|k| depth)
-/// EXP_COSINE: eta = amplitude (e^{s (cos th - 1)} - mean) * 2 / (1 - e^{-2s}), mean = e^{-s} I0(s): zero mean, range
-/// 2 amplitude; D = 0, as the crests are sharp already: choppiness does nothing, and the Jacobian is 1
-typedef struct bolan_sea_component {
-    double kx, ky;    ///< wave vector [rad/m], where the wave goes
-    double omega;     ///< [rad/s], over the ground: with the current, < 0 where it carries the wave back
-    double phase;     ///< at the world origin and time 0 [rad], 0..2 pi
-    double amplitude; ///< [m]
-    double drift;     ///< amplitude of the horizontal displacement, choppiness not applied [m]; 0 with EXP_COSINE
-} bolan_sea_component;
-/// Number of waves of a sum, longest first; 0 for FFT and TEXTURES. Thread-safe.
-uint32_t bolan_sea_component_count(const bolan_sea *sea);
-/// Wave @p index of the sum. Thread-safe.
-bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint32_t index);
-/// TEXTURES: which frame of the loop the fields show, 0..textures.frames - 1; 0 for the others. Thread-safe.
-uint32_t bolan_sea_loop_frame(const bolan_sea *sea);
+// ---- components -----------------------------------------------------------------------------------------------------
 
-/// Everything the sea is at one rest point, all cascades summed (bilinear between samples), choppiness and lift
-/// applied.
+/// One wave of a sum. At rest point x and time t, with th = k.x - omega t + phase:
+/// COSINES: eta = amplitude cos th, D = -drift k/|k| sin th, drift = amplitude coth(|k| depth).
+/// EXP_COSINES: eta = amplitude (e^{s (cos th - 1)} - mean) * 2 / (1 - e^{-2s}), mean = e^{-s} I0(s), which has zero
+/// mean and the range 2 amplitude. D = 0, because the crests are sharp already: choppiness does nothing, and the
+/// Jacobian is 1.
+typedef struct bolan_sea_component {
+    /// Wave vector [rad/m]; points where the wave goes.
+    double kx, ky;
+    /// Frequency over the ground [rad/s]; < 0 where the current carries the wave back.
+    double omega;
+    /// Phase at the world origin and time 0 [rad], 0..2 pi.
+    double phase;
+    /// Amplitude [m].
+    double amplitude;
+    /// Amplitude of the horizontal displacement, choppiness not applied [m]; 0 with EXP_COSINES.
+    double drift;
+} bolan_sea_component;
+/// Returns the number of waves of a sum; 0 of form CASCADES.
+/// Thread-safe, also during a step.
+uint32_t bolan_sea_component_count(const bolan_sea *sea);
+/// Returns wave @p index of the sum; 0 is the longest.
+/// Thread-safe, also during a step.
+bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint32_t index);
+
+// ---- samples --------------------------------------------------------------------------------------------------------
+
+/// The sea at one rest point: all bands summed (cascades bilinear between samples), choppiness and lift applied.
 typedef struct bolan_sea_sample {
-    float height, dx, dy;   ///< displacement of the parcel: (x, y, z) = (x0 + dx, y0 + dy, height) [m]
-    float slope_x, slope_y; ///< surface slope dz/dx, dz/dy *after* displacement; where |jacobian| < 0.1, as if it
-                            ///< were 0.1
-    float jacobian;         ///< of the horizontal map; < 0 where the surface folds
-    float foam;             ///< sum of the foam memories
+    /// Displacement of the parcel: (x, y, z) = (x0 + dx, y0 + dy, height) [m].
+    float height, dx, dy;
+    /// Slope of the surface dz/dx, dz/dy *after* displacement.
+    /// Where |jacobian| < 0.1, the slope for |jacobian| = 0.1.
+    float slope_x, slope_y;
+    /// Jacobian of the horizontal map; < 0 where the surface folds.
+    float jacobian;
+    /// Sum of the foam memories, >= 0.
+    /// Sums of waves have no memory: the present -(dDx/dx + dDy/dy) choppiness where it is > 0.
+    float foam;
 } bolan_sea_sample;
-/// Samples at @p count rest points in world metres. The sums have no foam memory: their foam is what there is at the
-/// moment, -(dDx/dx + dDy/dy) choppiness where that is > 0. They use the task hook. Thread-safe between steps.
+
+/// Samples the sea at @p count rest points in world metres.
+/// Sums of waves use the task hook.
 void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
-/// Like bolan_sea_sample_rest(), low-passed for a grid of that spacing: @p spacing[i] >= 0 [m] is the distance of point
-/// i to its neighbours, and waves fade out from 4 to 2 spacings of length, so that nothing aliases; NULL: everything.
-/// For the sums this is the fast way to displace a mesh: SIMD over the points, on the task hook. A cascade of FFT and
-/// TEXTURES is averaged over a square of two spacings by up to 4 x 4 look-ups, and fades as a whole from 4 to 2
-/// spacings of its longest wave: what is shorter than two spacings keeps about 1/16 of its energy. Thread-safe between
-/// steps.
+
+/// Like bolan_sea_sample_rest(), low-passed for a grid, so that nothing aliases. Uses the task hook.
+/// @p spacing[i] >= 0 [m] is the distance of point i to its neighbours. NULL: no low-pass.
+/// Waves fade out from 4 to 2 spacings of length.
+/// A cascade is averaged over a square of two spacings by up to 4 x 4 texture fetches, and fades as a whole from 4 to 2
+/// spacings of its longest wave: waves shorter than two spacings keep about 1/16 of their energy.
+/// For sums this is the fast way to displace a mesh, by SIMD over the points.
 void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
                            bolan_sea_sample *out);
-/// The oracle: the same quantities at one rest point and time by the direct sum over every mode, O(n^2) a point, in
-/// double, with the same lift. The result's foam is 0. Thread-safe, also during a step.
+
+/// The oracle of bolan_sea_sample_rest(): the same quantities at one rest point and any time by the direct sum over
+/// every mode, in double, with the same lift. The foam of the result is 0.
+/// O(n^2) a point. Thread-safe, also during a step.
 bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time);
 
-/// Bounds that the surface does not leave (6 standard deviations; vertical with the lift, horizontal with choppiness):
-/// vertical and horizontal [m].
+/// Returns bounds that the surface does not leave, 6 standard deviations: vertical with the lift [m], horizontal with
+/// the choppiness [m].
+/// Thread-safe, also during a step.
 void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal);
 
-/// Slope covariance that a filter removes: what a picture's pixel (or a radar cell) cannot resolve and must treat as
-/// roughness. A Gaussian footprint of standard deviations @p major, @p minor [m] whose major axis points along @p angle
-/// (mathematical, rad) keeps exp(-sigma^2 k^2) of the power of a wave. Above the last cascade the wind's short waves
-/// (Cox & Munk's total less what the cascades hold) are always removed. With major = minor = 0 that rest is what is
-/// left.
-/// @p out: xx, xy, yy. Thread-safe. Source: Bruneton, Neyret & Holzschuch 2010, section 4.
+// ---- roughness and foam ---------------------------------------------------------------------------------------------
+
+/// Returns the slope covariance that a filter removes: what a pixel or a radar cell cannot resolve and must treat as
+/// roughness.
+/// The filter is a Gaussian footprint of standard deviations @p major, @p minor [m], whose major axis points along
+/// @p angle (mathematical, rad). It keeps exp(-sigma^2 k^2) of the power of a wave.
+/// Waves shorter than the last cascade are always removed: Cox & Munk's total for the wind less what the cascades hold.
+/// With major = minor = 0 they alone are left.
+/// @p out: xx, xy, yy.
+/// Thread-safe, also during a step. Source: Bruneton, Neyret & Holzschuch 2010, section 4.
 void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double minor, double angle, float out[3]);
 
-/// Texels along log2(major): texel i is major = 2^(i/1.5 - 8) m, from 4 mm to 2^(23/1.5 - 8) = 160 m.
+/// Texels of the slope table along log2(major): texel i is major = 2^(i/1.5 - 8) m, from 4 mm to 2^(23/1.5 - 8) = 160
+/// m.
 #define BOLAN_SLOPE_TABLE_MAJOR 24
-#define BOLAN_SLOPE_TABLE_ASPECT 8 ///< minor/major: texel j is 2^-j
-#define BOLAN_SLOPE_TABLE_ANGLE 8  ///< texel l is angle = l pi / 8, periodic
-/// The function above as a table to sample with linear filtering: out[((l * ASPECT) + j) * MAJOR + i][4] = xx, xy,
-/// yy, 0. Computed at creation. Valid while the sea lives.
+/// Texels along minor/major: texel j is 2^-j.
+#define BOLAN_SLOPE_TABLE_ASPECT 8
+/// Texels along the angle, periodic: texel l is l pi / 8.
+#define BOLAN_SLOPE_TABLE_ANGLE 8
+/// Returns bolan_sea_unresolved_slopes() as a table to sample with linear filtering:
+/// out[((l * ASPECT) + j) * MAJOR + i][4] = xx, xy, yy, 0.
+/// Computed at creation. Valid while the sea lives. Thread-safe, also during a step.
 const float *bolan_sea_slope_table(const bolan_sea *sea);
 
-/// Foam appears where the Jacobian is below this, so that the covered fraction is bolan_monahan_cover() of the wind: a
-/// quantile of the Jacobian, above 1 where more than about half is covered. -1e30 where nothing foams: without wind,
-/// without waves, and with EXP_COSINE. Computed at creation.
+/// Returns the Jacobian below which there is foam.
+/// It is the quantile of the Jacobian that covers bolan_monahan_cover() of the surface for the wind; above 1 where more
+/// than about half is covered.
+/// -1e30 where nothing foams: without wind, without waves, and with EXP_COSINE.
+/// Computed at creation. Thread-safe, also during a step.
 double bolan_sea_foam_threshold(const bolan_sea *sea);
 
-/// Statistics of the surface at the present time, as it is asked and drawn: the JSON keys of `bolan measure`. They are
-/// taken at 65536 places. At fixed points a parcel counts by the area that it covers, its Jacobian.
+// ---- measures -------------------------------------------------------------------------------------------------------
+
+/// Statistics of the surface at the present time, as queries return and images show it: the JSON keys of `bolan
+/// measure`. They are taken at 65536 places. At fixed points a parcel counts by the area that it covers, its Jacobian.
 typedef struct bolan_sea_statistics {
-    double hs;                     ///< 4 sqrt(m0_field) [m]
-    double tp, tm02, te;           ///< of the discrete spectrum that is synthesised [s]; of a measured one, of the file
-    double direction_from, spread; ///< from the realised amplitudes [deg]; of a measured spectrum, of the file
-    double mss, mss_up,
-        mss_cross;             ///< slope variance of the displaced surface at fixed points; up- and crosswind parts (of
-                               ///< the mean direction when calm)
-    double skewness, kurtosis; ///< of the height at fixed points; 0 and 3 for linear waves, with choppiness too
-    double mean_level;         ///< mean height at fixed points [m]; 0 but for sampling
-    double jacobian_min, jacobian_mean; ///< over all parcels
-    double whitecap_fraction;           ///< of the parcels: those with a Jacobian below the foam threshold
-    double m0_spectrum;                 ///< of the sea state, limited; of a measured one over its own frequencies [m2]
-    double m0_field;                    ///< variance of the height at fixed points [m2]
+    /// 4 sqrt(m0_field) [m].
+    double hs;
+    /// Periods of the discrete spectrum that is synthesised [s]; of a measured spectrum, of the file.
+    double tp, tm02, te;
+    /// Mean direction and spread of the realised amplitudes [deg]; of a measured spectrum, of the file.
+    double direction_from, spread;
+    /// Slope variance of the displaced surface at fixed points, and its up- and crosswind parts (of the mean direction
+    /// when calm).
+    double mss, mss_up, mss_cross;
+    /// Of the height at fixed points; 0 and 3 for linear waves, with choppiness too.
+    double skewness, kurtosis;
+    /// Mean height at fixed points [m]; 0 but for sampling.
+    double mean_level;
+    /// Over all parcels.
+    double jacobian_min, jacobian_mean;
+    /// Share of the parcels whose Jacobian is below the foam threshold.
+    double whitecap_fraction;
+    /// Variance of the limited sea state; of a measured spectrum over its own frequencies [m2].
+    double m0_spectrum;
+    /// Variance of the height at fixed points [m2].
+    double m0_field;
 } bolan_sea_statistics;
-/// Measures over the largest tile, or a sum over 50 of its longest waves; as slow as a step. Thread-safe between steps.
+/// Measures the surface over the largest tile, or of a sum over 50 of its longest waves.
+/// As slow as a step.
 bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea);
-/// Digest of every field (foam memory excluded; of a sum: at 4096 places) at the present time, as 16 lower-case hex
-/// digits and NUL. Equal for any thread count and any instruction set.
+
+/// Writes a digest of every field at the present time, the foam memory excluded: 16 lower-case hex digits and NUL.
+/// Of a sum, of the fields at 4096 places.
+/// Equal for any thread count, any instruction set and any fork.
 void bolan_sea_hash(const bolan_sea *sea, char out[17]);
 
 #ifdef __cplusplus

@@ -15,7 +15,7 @@
 #include "bolan/ground.h"
 #include "bolan/waves.h"
 
-#include "waves/sum.h"
+#include "waves/sum/sum.h"
 
 enum {
     QUERY_LANES = 16,

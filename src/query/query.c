@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Questions to the sea. A batch is cut into blocks of 16 points (block.h); a block is solved by a few Newton steps on the choppy
-// map, evaluated, and the few lanes near a fold are searched for more roots (folds.c).
+// Questions to the sea. A batch is cut into blocks of 16 points (block.h); a block is solved by a few Newton steps on
+// the choppy map, evaluated, and the few lanes near a fold are searched for more roots (folds.c).
 #include "bolan/query.h"
 #include "bolan/coast.h"
 
@@ -34,8 +34,8 @@ static void attenuate_lane(const query *q, float depth, query_block *b, uint32_t
     for (uint32_t c = 0; c < q->sea.count; c++) b->attenuation[c][l] = keep[c];
 }
 
-// Ground is dear to evaluate. Beyond 8 Hs of depth the attenuation is 1, on land it is 0, and a rest point is about Hs away at
-// most: twice that depth, or half of it on land, settles the lane for all its steps.
+// Ground is dear to evaluate. Beyond 8 Hs of depth the attenuation is 1, on land it is 0, and a rest point is about Hs
+// away at most: twice that depth, or half of it on land, settles the lane for all its steps.
 static void settle(const query *q, query_block *b) {
     for (uint32_t l = 0; l < QUERY_LANES; l++) {
         b->settled[l] = true;
@@ -83,7 +83,8 @@ static void solve_block(const query *q, bool full, uint32_t lanes, query_block *
     }
 }
 
-// Loads the points [first, first + lanes); the lanes that are left over and points that are not finite stand at the origin.
+// Loads the points [first, first + lanes); the lanes that are left over and points that are not finite stand at the
+// origin.
 static void load_block(const bolan_dvec2 *xy, uint32_t lanes, query_block *b) {
     for (uint32_t l = 0; l < QUERY_LANES; l++) {
         const bool valid = l < lanes && isfinite(xy[l].x) && isfinite(xy[l].y);
@@ -158,24 +159,22 @@ static query_cascade cascade_of(const bolan_cascade_view *v) {
 static query query_of(const bolan_sea *sea, const bolan_ground *terrain, double water_level) {
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     query q = {.kernels = bolan_query_kernels_for(desc->cpu), .terrain = terrain, .water_level = water_level};
-    q.sea.count = bolan_sea_cascade_count(sea);
     q.sea.choppiness = (float)desc->choppiness;
-    double variance = 0.0;
-    for (uint32_t i = 0; i < q.sea.count; i++) {
-        const bolan_cascade_view v = bolan_sea_cascade(sea, i);
-        q.sea.cascade[i] = cascade_of(&v);
-        q.sea.lift[i] = (float)bolan_sea_lift(sea, i, 0.0);
-        q.band_hs[i] = (float)(4.0 * sqrt(v.variance));
-        variance += v.variance;
-    }
-    if (sea->sum) {
-        q.sea.sum = &sea->sum->tables;
+    q.sea.sum = bolan_sea_sum(sea);
+    if (q.sea.sum) {
         q.sea.sum_fields = bolan_sum_fields_for(desc->cpu);
         q.kernels = &bolan_query_sum_kernels;
-        q.sea.count = 1;
-        q.sea.lift[0] = (float)bolan_sea_lift(sea, 0, 0.0);
-        variance = sea->sum->total;
-        q.band_hs[0] = (float)(4.0 * sqrt(variance));
+    }
+    for (uint32_t i = 0; i < bolan_sea_cascade_count(sea); i++) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, i);
+        q.sea.cascade[i] = cascade_of(&v);
+    }
+    double variance = 0.0;
+    const sea_band *band = bolan_sea_bands(sea, &q.sea.count);
+    for (uint32_t i = 0; i < q.sea.count; i++) {
+        q.sea.lift[i] = (float)bolan_sea_lift(sea, i, 0.0);
+        q.band_hs[i] = (float)(4.0 * sqrt(band[i].variance));
+        variance += band[i].variance;
     }
     q.hs = (float)(4.0 * sqrt(variance));
     // Each of two parcels at one place has moved by about a standard deviation, towards the other.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A query block over a sea that is a sum of waves (waves/sum.h): the same equation, its fields from the waves themselves, so the
+// A query block over a sea that is a sum of waves (waves/sum/sum.h): the same equation, its fields from the waves themselves, so the
 // answer is the surface without interpolation.
 #include "query/block.h"
 

@@ -74,7 +74,7 @@ static water_draw draw_of(pass_water *p, frame *f) {
                     .mesh = &p->mesh,
                     .programs = &p->programs,
                     .packed = optics_table[f->scene->technique.optics]->packed,
-                    .waves = bolan_water_waves_of(bolan_sea_get_desc(f->desc->sea)->waves, bolan_water_surface(f))};
+                    .waves = bolan_water_waves_of(bolan_sea_form(f->desc->sea), bolan_water_surface(f))};
     double horizontal;
     bolan_sea_bounds(f->desc->sea, &d.vertical, &horizontal);
     return d;

@@ -11,10 +11,13 @@
 
 enum { TABLE_ROW = 64, TABLE_ROWS = BOLAN_MAX_FREQUENCIES * BOLAN_MAX_DIRECTIONS / TABLE_ROW };
 
-water_waves bolan_water_waves_of(bolan_wave_model model, bolan_surface_kind surface) {
-    if (model == BOLAN_WAVES_EXP_COSINE) return WATER_EXP;
-    if (model != BOLAN_WAVES_COSINES) return WATER_CASCADES;
-    return surface == BOLAN_SURFACE_QUAD ? WATER_SUM : WATER_MESH;
+water_waves bolan_water_waves_of(bolan_wave_form form, bolan_surface_kind surface) {
+    static const water_waves with_vertices[] = {[BOLAN_FORM_CASCADES] = WATER_CASCADES,
+                                                [BOLAN_FORM_COSINES] = WATER_MESH,
+                                                [BOLAN_FORM_EXP_COSINES] = WATER_EXP};
+    static const water_waves on_quad[] = {
+        [BOLAN_FORM_CASCADES] = WATER_CASCADES, [BOLAN_FORM_COSINES] = WATER_SUM, [BOLAN_FORM_EXP_COSINES] = WATER_EXP};
+    return (surface == BOLAN_SURFACE_QUAD ? on_quad : with_vertices)[form];
 }
 
 const char *bolan_water_waves_define(water_waves waves) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // See sea_texels.h.
-#include "waves/wide_half.h"
+#include "waves/cascades/wide_half.h"
 
 #include <stddef.h>
 

@@ -171,7 +171,7 @@ static void bake_frame(bake *b, const bolan_sea *sea, uint32_t frame) {
 }
 
 static bolan_result check(const bolan_sea *sea, const bolan_tiles_desc *d) {
-    if (bolan_sea_get_desc(sea)->waves != BOLAN_WAVES_TEXTURES) {
+    if (bolan_sea_get_loop(sea).frames == 0) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "tiles: a sea of %s waves; expected one of textures",
                   bolan_wave_model_names[bolan_sea_get_desc(sea)->waves]);
         return BOLAN_ERROR_ARGUMENT;
@@ -211,13 +211,13 @@ bolan_result bolan_tiles_bake(bolan_sea *sea, const bolan_tiles_desc *desc, bola
     *out = NULL;
     const bolan_result checked = check(sea, desc);
     if (checked != BOLAN_OK) return checked;
-    const bolan_sea_desc *sea_desc = bolan_sea_get_desc(sea);
+    const bolan_sea_loop loop = bolan_sea_get_loop(sea);
     const bolan_cascade_view c = bolan_sea_cascade(sea, 0);
     const bolan_tiles_view shape = {.n = c.n,
-                                    .frames = sea_desc->textures.frames,
+                                    .frames = loop.frames,
                                     .length = c.length,
                                     .angle = c.angle,
-                                    .period = sea_desc->textures.period,
+                                    .period = loop.period,
                                     .depth = desc->depth > 0.0 ? desc->depth : best_depth(&c, desc->index),
                                     .paper = desc->paper};
     const size_t scratch = (size_t)bolan_threads() * c.n * c.n * sizeof(float);

@@ -1,29 +1,42 @@
 // SPDX-License-Identifier: MIT
 // The inside of a sea. Private to src/waves.
 //
-// How a step goes. Each cascade has n x n modes (i, j), wave vector k = (i, j) 2 pi / length in tile axes; its height
-// is real, so only j >= 0 is kept. Two parallel passes, each over strips of 16 (fft/strip.h):
+// A sea is two parts, so that several threads can show several times of one sea:
 //
-//     rows     16 values of j at once: modes at time t -> 5 FFTs along i -> `middle`, transposed
-//     columns  16 values of x at once: 8 fields from the 5 by factors of j -> 4 complex FFTs along j -> fields, halfs,
-//              foam
+//     bolan_sea "a"  time, serial, fields ──┐
+//     bolan_sea "b"  time, serial, fields ──┼──► sea_shared   desc, spectrum tables, slope table, lift, thresholds
+//     bolan_sea "c"  time, serial, fields ──┘                 counted: `owners` is 3 here
 //
-// Five are enough for eight fields because a factor that depends on j alone commutes with the FFT along i:
-// with u = h coth(kh)/k the rows transform h, i h, u, i u, i^2 u, and the columns multiply by j and j^2.
+// sea_shared is written during bolan_sea_create() alone. Afterwards every thread may read it without a lock, and only
+// `owners` changes, atomically; the last sea that is destroyed frees it. A step writes nothing but the fields of its
+// own sea. What tables and fields hold is the wave model's business (model.h).
 #ifndef BOLAN_WAVES_SEA_H
 #define BOLAN_WAVES_SEA_H
 
 #include "bolan/waves.h"
-#include "fft/plan.h"
 #include "spectrum/spectrum_eval.h"
 
-enum {
-    SEA_PARTS = 5,                  // transforms along i
-    SEA_CELL = SEA_PARTS * FFT_ROW, // floats of `middle` for one (strip of x, j)
-    SEA_MAX_STRIPS = FFT_MAX / 2 / FFT_LANES,
-    SEA_FIELDS = 8,
-    SEA_MAX_BLOCKS = 32,
-};
+#include <stdatomic.h>
+
+// ---- memory ---------------------------------------------------------------------------------------------------------
+
+enum { SEA_MAX_BLOCKS = 16 };
+typedef struct sea_memory {
+    uint32_t count;
+    struct {
+        void *at;
+        size_t bytes;
+    } block[SEA_MAX_BLOCKS];
+} sea_memory;
+// Zeroed memory that lives as long as its owner; NULL (logged) when there is none.
+void *bolan_sea_reserve(sea_memory *memory, size_t bytes);
+// bolan_allocate() that logs when there is none.
+void *bolan_sea_borrow(size_t bytes);
+
+// ---- a sea ----------------------------------------------------------------------------------------------------------
+
+// What a step makes at each rest point; the derivatives are of the displacement. dxy is dDx/dy.
+enum { FIELD_HEIGHT, FIELD_DX, FIELD_DY, FIELD_SLOPE_X, FIELD_SLOPE_Y, FIELD_DXX, FIELD_DYY, FIELD_DXY, SEA_FIELDS };
 
 // By log2 of the spacing of a grid: level l > 0 is that of finest * 2^(l / LIFT_PER_OCTAVE), level 0 of a point. See
 // lift.c.
@@ -34,106 +47,55 @@ typedef struct sea_lift {
     double level[LIFT_LEVELS]; // [m]
 } sea_lift;
 
-typedef struct sea_cascade {
-    uint32_t n;
-    double length, angle, cosine, sine, k_min, k_max;
-    double variance;     // expected, discrete sum [m2]
-    double slope[3];     // expected slope covariance xx, xy, yy in world axes
-    double displacement; // expected variance of dx plus that of dy [m2]
+// A part of the waves that shallow water attenuates as one: a cascade, or all waves of a sum.
+typedef struct sea_band {
+    double variance; // expected [m2]
     sea_lift lift;
+} sea_band;
 
-    uint32_t strips;                // strips of 16 j that hold modes
-    uint32_t reach[SEA_MAX_STRIPS]; // in a strip modes have |i| < reach
-    float *amplitude;               // [strip][i][4][16]: h = (A0 c + A1 s) + i (A2 c + A3 s), c + i s = e^{i w t}
-    double *turns;                  // [strip][i][16]: w / 2 pi [1/s]
-    float *inverse_k;               // [strip][i][16]: coth(kh) / |k| [m]
-    float *expected;                // [strip][i][2][16]: variance of the waves k and -k [m2]
-    float *k, *k2;                  // [n]: tile wave number of index i (wrapped), and its square
-
-    float *middle;            // [strip of x][j][SEA_PARTS][row]
-    float *field[SEA_FIELDS]; // height, dx, dy, slope_x, slope_y, dxx, dyy, dxy
-    float *foam;
-    uint16_t *displacement_half, *slope_half, *foam_half;
-} sea_cascade;
-
-enum { FIELD_HEIGHT, FIELD_DX, FIELD_DY, FIELD_SLOPE_X, FIELD_SLOPE_Y, FIELD_DXX, FIELD_DYY, FIELD_DXY };
-
-typedef struct sea_block {
-    void *memory;
-    size_t bytes;
-} sea_block;
-
-struct sea_kernels;
-struct sea_sum;
+struct sea_model;
 struct slope_map;
 
-struct bolan_sea {
-    bolan_sea_desc desc;
-    uint64_t id, serial;
-    double time;
-    bool foam_holds;     // the foam memory belongs to `time`
-    struct sea_sum *sum; // COSINES and EXP_COSINE (sum.h); NULL for the others
-    uint32_t loop_frame; // TEXTURES
-    uint32_t count;      // cascades; 0 with a sum
-    sea_cascade cascade[BOLAN_MAX_CASCADES];
-    fft_plan plan;
-    const struct sea_kernels *kernels;
-    uint32_t slots; // workers that a step uses at most
-    float *scratch; // [slots][scratch_floats]
-    size_t scratch_floats;
-    double rest_slope[3]; // slope covariance of the waves shorter than all cascades
-    struct slope_map *slope_map;
+// What all forks of a sea read. Nothing changes after creation but `owners`.
+typedef struct sea_shared {
+    atomic_uint owners; // seas that point here
+    uint64_t id;
+    bolan_sea_desc desc; // defaults resolved; without the measured spectrum
+    const struct sea_model *model;
+    void *tables;      // of the model
+    double period;     // of the loop [s]; 0: the sea does not repeat
+    uint32_t frames;   // of a loop of still frames; 0: the sea moves on all the time
+    uint32_t cascades; // 0 with a sum
+    uint32_t components;
+    uint32_t bands;
+    sea_band band[BOLAN_MAX_CASCADES];
+    double lift;                 // of all bands for a point, added to every height [m]
+    double slope_ratio;          // of the slope variance to k^2 times the variance: 1 for cosines
+    double rest_slope[3];        // slope covariance of the waves shorter than all those of the model
+    struct slope_map *slope_map; // see slopes.c
     float *slope_table;
     double foam_threshold;
-    double lift;               // of all waves, added to every height [m]
     bolan_sea_summary summary; // of the sea state, limited
-    bool is_measured;          // it has a measured spectrum
     double limit;              // factor on the height that the sea state asks for
-    char record_time[32];      // of the measured spectrum, or empty
-    double tp, tm02, te;       // of the discrete modes [s]
-    uint32_t block_count;
-    sea_block block[SEA_MAX_BLOCKS]; // all memory
+    bool is_measured;          // it has a measured spectrum
+    char record_time[32];      // of that spectrum, or empty
+    sea_memory memory;         // all of the tables
+} sea_shared;
+
+struct bolan_sea {
+    sea_shared *shared;
+    uint64_t serial;
+    double time;
+    uint32_t frame;    // of the loop
+    bool foam_holds;   // the foam memory belongs to `time`
+    void *fields;      // of the model
+    sea_memory memory; // all of the fields
 };
 
-// Omnidirectional quantities of a sea state over log k, and the roll-off of its short waves.
-enum { RADIAL_COUNT = 384 };
-#define RADIAL_K_MIN 1e-4
-#define RADIAL_K_MAX 4e3
-typedef struct sea_radial {
-    double k[RADIAL_COUNT];
-    double variance[RADIAL_COUNT]; // m0 of the waves longer than k [m2]
-    double mss[RADIAL_COUNT];      // their slope variance
-    double keep[RADIAL_COUNT];     // factor on the power at k, 1 for the long waves
-} sea_radial;
+// The bands of a sea, bolan_sea_lift() index by index.
+const sea_band *bolan_sea_bands(const bolan_sea *sea, uint32_t *count);
 
-// The time [s] after which every field repeats; 0: never.
-double bolan_sea_period(const bolan_sea *sea);
-// The time [s] that a step to `time` shows: reduced by the loop or by 2^36 s, and down to a frame of the loop with TEXTURES.
-double bolan_sea_shown_time(const bolan_sea *sea, double time, uint32_t *frame);
-// A uniform hash (the finaliser of SplitMix64).
-uint64_t bolan_sea_mix(uint64_t x);
-
-// Zeroed memory that lives as long as the sea; NULL (logged) when there is none.
-void *bolan_sea_reserve(bolan_sea *sea, size_t bytes);
-// bolan_allocate() that logs when there is none.
-void *bolan_sea_borrow(size_t bytes);
-void bolan_sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget, sea_radial *out);
-double bolan_sea_radial_keep(const sea_radial *radial, double k);
-// Wave number above which a fraction 1 - share of the variance lies; 0 in a flat calm.
-double bolan_sea_radial_quantile(const sea_radial *radial, double share);
-// Wave number of the highest spectral peak among the systems [rad/m]; 0 where there is none.
-double bolan_sea_wind_peak(const bolan_sea_state *state, const bolan_sea_summary *summary);
-// Lengths, angles and rings of the cascades; resolves desc.length.
-void bolan_sea_layout(bolan_sea *sea, const sea_radial *radial);
-// Mode tables of every cascade. False when memory is short.
-bool bolan_sea_modes_create(bolan_sea *sea, const spectrum_eval *eval, const sea_radial *radial);
-// The lift of every cascade or of the sum. False when memory is short.
-bool bolan_sea_lift_create(bolan_sea *sea);
-double bolan_sea_lift_at(const sea_lift *lift, double spacing);
-// rest_slope and slope_table. False when memory is short.
-bool bolan_sea_slopes_create(bolan_sea *sea);
-// foam_threshold, from fields at a few times; leaves the sea at time 0. False when memory is short.
-bool bolan_sea_whitecaps_create(bolan_sea *sea);
+// ---- waves ----------------------------------------------------------------------------------------------------------
 
 // One mode of the kept half plane, as the tables hold it.
 typedef struct sea_mode {
@@ -145,12 +107,22 @@ typedef struct sea_mode {
     double expected, expected_back; // variance of the waves that go along k and along -k [m2]
     bool paired;                    // it stands for -k as well; false on j = 0, where -k is an entry of its own
 } sea_mode;
-// Calls `visit` for every mode of every cascade, or every wave of the sum, in a fixed order.
-void bolan_sea_each_wave(const bolan_sea *sea, void (*visit)(void *context, const sea_mode *mode), void *context);
-// Calls `visit` for every mode with energy, in a fixed order.
-void bolan_sea_each_mode(const sea_cascade *cascade, void (*visit)(void *context, const sea_mode *mode), void *context);
 
-// Sums over the cascades or waves of the fields at one rest point, choppiness not applied, and what becomes of them with it.
+// A uniform hash (the finaliser of SplitMix64).
+uint64_t bolan_sea_mix(uint64_t x);
+
+// ---- lift -----------------------------------------------------------------------------------------------------------
+
+// Of a cascade's sample distance, or of a sum's shortest wave: a grid finer than that fades nothing.
+#define LIFT_FIRST_LEVEL 0.25
+double bolan_sea_lift_at(const sea_lift *lift, double spacing);
+// Spacing [m] of a level; 0 of level 0.
+double bolan_sea_lift_spacing(const sea_lift *lift, int level);
+
+// ---- samples --------------------------------------------------------------------------------------------------------
+
+// Sums over the cascades or waves of the fields at one rest point, choppiness not applied, and what becomes of them
+// with it.
 typedef struct sea_sums {
     double height, dx, dy, sx, sy, dxx, dyy, dxy, foam;
 } sea_sums;
@@ -158,9 +130,19 @@ bolan_sea_sample bolan_sea_displaced(const sea_sums *sums, double choppiness);
 
 // Where the sea is measured: SEA_MEASURED places, SEA_PLACES at a time.
 enum { SEA_PLACES = 64, SEA_MEASURED = 1 << 16 };
-// Place `index`: over the largest tile, or over 50 of a sum's longest waves.
-bolan_dvec2 bolan_sea_place(const bolan_sea *sea, uint32_t index);
+// Place `index` in the square that the model names.
+bolan_dvec2 bolan_sea_place(const sea_shared *shared, uint32_t index);
 // The surface at the rest points of the places [first, first + SEA_PLACES).
 void bolan_sea_sample_places(const bolan_sea *sea, uint32_t first, bolan_sea_sample out[SEA_PLACES]);
+
+// Goes on with a digest over the bits of `count` floats.
+uint64_t bolan_sea_hash_plane(uint64_t hash, const float *plane, size_t count);
+
+// ---- steps of the creation ------------------------------------------------------------------------------------------
+
+// rest_slope, slope_map and slope_table. False when memory is short.
+bool bolan_sea_slopes_create(sea_shared *shared);
+// foam_threshold, from the fields of `sea` at a few times; leaves it at time 0. False when memory is short.
+bool bolan_sea_whitecaps_create(bolan_sea *sea);
 
 #endif

@@ -3,20 +3,17 @@
 // covariance, gathered over wave number and direction, times what a Gaussian footprint removes, 1 - exp(-sigma^2 k^2).
 #include "shared/constants.glsl"
 #include "spectrum/portable.h"
-#include "waves/sum.h"
+#include "waves/model.h"
 
 #include <string.h>
 
-enum {
-    BINS = 112,
-    DIRECTIONS = 16
-}; // 4 bins an octave from 1e-4 rad/m; directions over half a turn, as k and -k
-    // count alike
+// 4 bins an octave from 1e-4 rad/m; directions over half a turn, as k and -k count alike.
+enum { BINS = 112, DIRECTIONS = 16 };
 #define BINS_PER_OCTAVE 4.0
 
 typedef struct bin {
-    double power, k2, xx, xy, yy;
-} bin; // k2: first the sum of power k^2, then its mean
+    double power, k2, xx, xy, yy; // k2: the sum of power k^2
+} bin;
 
 // Only the bins that hold waves are kept.
 struct slope_map {
@@ -63,12 +60,12 @@ static void compact(const gathering *g, struct slope_map *map) {
     }
 }
 
-static void unresolved(const bolan_sea *sea, double major, double minor, double angle, double out[3]) {
-    const struct slope_map *map = sea->slope_map;
+static void unresolved(const sea_shared *shared, double major, double minor, double angle, double out[3]) {
+    const struct slope_map *map = shared->slope_map;
     double s, c;
     bolan_sincos(angle, &s, &c);
     const double ax = major * c, ay = major * s, bx = -minor * s, by = minor * c;
-    memcpy(out, sea->rest_slope, 3 * sizeof(double));
+    memcpy(out, shared->rest_slope, 3 * sizeof(double));
     for (uint32_t i = 0; i < map->count; i++) {
         const double a = ax * map->at[i].kx + ay * map->at[i].ky, b = bx * map->at[i].kx + by * map->at[i].ky;
         const double x = a * a + b * b, removed = x < 40.0 ? 1.0 - portable_exp(-x) : 1.0;
@@ -78,17 +75,21 @@ static void unresolved(const bolan_sea *sea, double major, double minor, double 
     }
 }
 
-void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double minor, double angle, float out[3]) {
-    BOLAN_ASSERT(sea && out);
+static void unresolved_floats(const sea_shared *shared, double major, double minor, double angle, float out[3]) {
     double covariance[3];
     const double turned = isfinite(angle) ? fmod(angle, 2.0 * BOLAN_PI) : 0.0;
-    unresolved(sea, major, minor, turned, covariance);
+    unresolved(shared, major, minor, turned, covariance);
     for (int i = 0; i < 3; i++) out[i] = (float)covariance[i];
+}
+
+void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double minor, double angle, float out[3]) {
+    BOLAN_ASSERT(sea && out);
+    unresolved_floats(sea->shared, major, minor, angle, out);
 }
 
 const float *bolan_sea_slope_table(const bolan_sea *sea) {
     BOLAN_ASSERT(sea);
-    return sea->slope_table;
+    return sea->shared->slope_table;
 }
 
 _Static_assert(SLOPE_TABLE_MAJOR == BOLAN_SLOPE_TABLE_MAJOR && SLOPE_TABLE_ASPECT == BOLAN_SLOPE_TABLE_ASPECT &&
@@ -98,55 +99,46 @@ _Static_assert(SLOPE_TABLE_MAJOR == BOLAN_SLOPE_TABLE_MAJOR && SLOPE_TABLE_ASPEC
 // Task: rows [begin, end) of the table, one for each (angle, aspect).
 static void fill_table(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
     (void)worker;
-    const bolan_sea *sea = context;
+    const sea_shared *shared = context;
     for (uint32_t row = begin; row < end; row++) {
         const uint32_t l = row / BOLAN_SLOPE_TABLE_ASPECT, j = row % BOLAN_SLOPE_TABLE_ASPECT;
         for (uint32_t i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; i++) {
             const double major = portable_pow(2.0, i / SLOPE_TABLE_PER_OCTAVE + SLOPE_TABLE_FIRST);
-            float *texel = sea->slope_table + ((size_t)row * BOLAN_SLOPE_TABLE_MAJOR + i) * 4;
-            bolan_sea_unresolved_slopes(sea, major, ldexp(major, -(int)j), l * BOLAN_PI / BOLAN_SLOPE_TABLE_ANGLE,
-                                        texel);
+            float *texel = shared->slope_table + ((size_t)row * BOLAN_SLOPE_TABLE_MAJOR + i) * 4;
+            unresolved_floats(shared, major, ldexp(major, -(int)j), l * BOLAN_PI / BOLAN_SLOPE_TABLE_ANGLE, texel);
         }
     }
 }
 
 // Cox & Munk's up- and crosswind variance less what the waves hold; where one is exceeded, the other gives way, so
 // that the total is Cox & Munk's as long as the cascades hold less.
-static void set_rest(bolan_sea *sea) {
-    double xx = 0.0, xy = 0.0, yy = 0.0, up, cross, s, c;
-    if (sea->sum) {
-        xx = sea->sum->slope[0];
-        xy = sea->sum->slope[1];
-        yy = sea->sum->slope[2];
-    }
-    for (uint32_t i = 0; i < sea->count; i++) {
-        xx += sea->cascade[i].slope[0];
-        xy += sea->cascade[i].slope[1];
-        yy += sea->cascade[i].slope[2];
-    }
-    bolan_cox_munk(sea->desc.sea_state.wind_speed, &up, &cross);
-    bolan_sincos(bolan_compass_from_to_math(sea->desc.sea_state.wind_from_deg), &s, &c);
+static void set_rest(sea_shared *shared) {
+    double held[3] = {0.0}, up, cross, s, c;
+    shared->model->slopes(shared, held);
+    const double xx = held[0], xy = held[1], yy = held[2];
+    bolan_cox_munk(shared->desc.sea_state.wind_speed, &up, &cross);
+    bolan_sincos(bolan_compass_from_to_math(shared->desc.sea_state.wind_from_deg), &s, &c);
     up -= c * c * xx + 2.0 * c * s * xy + s * s * yy;
     cross -= s * s * xx - 2.0 * c * s * xy + c * c * yy;
     const double total = fmax(up + cross, 0.0);
     up = fmin(fmax(up, 0.0), total);
     cross = total - up;
-    sea->rest_slope[0] = c * c * up + s * s * cross;
-    sea->rest_slope[1] = c * s * (up - cross);
-    sea->rest_slope[2] = s * s * up + c * c * cross;
+    shared->rest_slope[0] = c * c * up + s * s * cross;
+    shared->rest_slope[1] = c * s * (up - cross);
+    shared->rest_slope[2] = s * s * up + c * c * cross;
 }
 
-bool bolan_sea_slopes_create(bolan_sea *sea) {
-    set_rest(sea);
+bool bolan_sea_slopes_create(sea_shared *shared) {
+    set_rest(shared);
     const size_t texels = (size_t)BOLAN_SLOPE_TABLE_MAJOR * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_ANGLE;
-    sea->slope_map = bolan_sea_reserve(sea, sizeof *sea->slope_map);
-    sea->slope_table = sea->slope_map ? bolan_sea_reserve(sea, texels * 4 * sizeof(float)) : NULL;
-    gathering *g = sea->slope_table ? bolan_sea_borrow(sizeof *g) : NULL;
+    shared->slope_map = bolan_sea_reserve(&shared->memory, sizeof *shared->slope_map);
+    shared->slope_table = shared->slope_map ? bolan_sea_reserve(&shared->memory, texels * 4 * sizeof(float)) : NULL;
+    gathering *g = shared->slope_table ? bolan_sea_borrow(sizeof *g) : NULL;
     if (!g) return false;
-    g->ratio = sea->sum ? sea->sum->slope_ratio : 1.0;
-    bolan_sea_each_wave(sea, gather_mode, g);
-    compact(g, sea->slope_map);
-    bolan_parallel(BOLAN_SLOPE_TABLE_ANGLE * BOLAN_SLOPE_TABLE_ASPECT, 1, fill_table, sea);
+    g->ratio = shared->slope_ratio;
+    shared->model->each_wave(shared, gather_mode, g);
+    compact(g, shared->slope_map);
+    bolan_parallel(BOLAN_SLOPE_TABLE_ANGLE * BOLAN_SLOPE_TABLE_ASPECT, 1, fill_table, shared);
     bolan_release(g, sizeof *g);
     return true;
 }

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Statistics of the surface at the present time, of the realised amplitudes, and of the discrete spectrum.
 #include "spectrum/portable.h"
-#include "waves/sum.h"
+#include "waves/model.h"
 
 // Additive recurrence by the plastic number (Roberts 2018): even in the plane, and no lattice that waves could be in
 // step with.
-bolan_dvec2 bolan_sea_place(const bolan_sea *sea, uint32_t index) {
-    double side = 1.0;
-    if (sea->count > 0) side = sea->cascade[0].length;
-    if (sea->sum && sea->sum->tables.count > 0) side = 50.0 * (double)sea->sum->tables.wave[0].length;
+bolan_dvec2 bolan_sea_place(const sea_shared *shared, uint32_t index) {
+    const double side = shared->model->side(shared);
     const double x = index * 0.75487766624669276, y = index * 0.56984029099805327;
     return (bolan_dvec2){side * (x - floor(x)), side * (y - floor(y))};
 }
 
 void bolan_sea_sample_places(const bolan_sea *sea, uint32_t first, bolan_sea_sample out[SEA_PLACES]) {
     bolan_dvec2 place[SEA_PLACES];
-    for (uint32_t i = 0; i < SEA_PLACES; i++) place[i] = bolan_sea_place(sea, first + i);
+    for (uint32_t i = 0; i < SEA_PLACES; i++) place[i] = bolan_sea_place(sea->shared, first + i);
     bolan_sea_sample_rest(sea, place, SEA_PLACES, out);
 }
 
@@ -54,7 +52,8 @@ static void set_shape(const moments *m, bolan_sea_statistics *out) {
 
 static void set_slopes(const bolan_sea *sea, const moments *m, bolan_sea_statistics *out) {
     double s, c;
-    const double from = sea->desc.sea_state.wind_speed > 0.0 ? sea->desc.sea_state.wind_from_deg : out->direction_from;
+    const bolan_sea_state *state = &sea->shared->desc.sea_state;
+    const double from = state->wind_speed > 0.0 ? state->wind_from_deg : out->direction_from;
     bolan_sincos(bolan_compass_from_to_math(from), &s, &c);
     const double xx = m->slope[0] / m->weight, xy = m->slope[1] / m->weight, yy = m->slope[2] / m->weight;
     out->mss = xx + yy;
@@ -71,7 +70,7 @@ static void measure_places(const bolan_sea *sea, bolan_sea_statistics *out) {
         for (uint32_t i = 0; i < SEA_PLACES; i++) {
             const double jacobian = sample[i].jacobian;
             lowest = fmin(lowest, jacobian);
-            covered += jacobian < sea->foam_threshold ? 1.0 : 0.0;
+            covered += jacobian < sea->shared->foam_threshold ? 1.0 : 0.0;
             jacobians += jacobian;
             add_moment(&m, &sample[i]);
         }
@@ -114,7 +113,7 @@ static void sum_mode(void *context, const sea_mode *m) {
 }
 
 // The highest of S(w) = variance / width of the bin: the top of the parabola through three bins.
-static double peak_period(const double *bin) {
+static double peak_of_bins(const double *bin) {
     double density[PERIOD_BINS];
     int top = 1;
     for (int i = 0; i < PERIOD_BINS; i++) density[i] = bin[i] / portable_pow(BIN_RATIO, i);
@@ -123,23 +122,6 @@ static double peak_period(const double *bin) {
     const double a = density[top - 1], b = density[top], c = density[top + 1], curve = a - 2.0 * b + c;
     const double shift = curve < 0.0 ? 0.5 * (a - c) / curve : 0.0;
     return 2.0 * BOLAN_PI / (LOWEST_OMEGA * portable_pow(BIN_RATIO, top + 0.5 + shift));
-}
-
-// The same of the few frequencies of a sum, each of which stands for its own width: the parabola through three points
-// that lie anyhow (Lagrange).
-static double peak_of_lines(const sea_sum *sum) {
-    const sum_line *l = sum->line;
-    uint32_t top = 0;
-    for (uint32_t i = 0; i < sum->line_count; i++)
-        if (l[i].energy * l[top].width > l[top].energy * l[i].width) top = i;
-    const double peak = 2.0 * BOLAN_PI / l[top].omega;
-    if (top == 0 || top + 1 >= sum->line_count) return peak;
-    const double x0 = l[top - 1].omega, x1 = l[top].omega, x2 = l[top + 1].omega;
-    const double y0 = l[top - 1].energy / l[top - 1].width, y1 = l[top].energy / l[top].width,
-                 y2 = l[top + 1].energy / l[top + 1].width;
-    const double rise = (y1 - y0) / (x1 - x0), fall = (y2 - y1) / (x2 - x1);
-    const double curve = (fall - rise) / (x2 - x0);
-    return curve < 0.0 ? 2.0 * BOLAN_PI / (0.5 * (x0 + x1) - 0.5 * rise / curve) : peak;
 }
 
 // A measured spectrum has no energy above its last frequency; the tail that continues it is the sea's own. So the
@@ -152,12 +134,12 @@ static void measure_file(const bolan_sea_summary *summary, bolan_sea_statistics 
     out->spread = summary->spread_deg;
 }
 
-static void measure_modes(const bolan_sea *sea, bolan_sea_statistics *out) {
+static void measure_modes(const sea_shared *shared, bolan_sea_statistics *out) {
     spectrum_sums s = {0};
-    bolan_sea_each_wave(sea, sum_mode, &s);
+    shared->model->each_wave(shared, sum_mode, &s);
     if (!(s.m0 > 0.0) || !(s.energy > 0.0)) return;
     const double r1 = sqrt(s.cosine * s.cosine + s.sine * s.sine) / s.energy;
-    out->tp = sea->sum ? peak_of_lines(sea->sum) : peak_period(s.bin);
+    out->tp = shared->model->peak_period ? shared->model->peak_period(shared) : peak_of_bins(s.bin);
     out->tm02 = 2.0 * BOLAN_PI * sqrt(s.m0 / s.m2);
     out->te = 2.0 * BOLAN_PI * s.m1_inverse / s.m0;
     out->direction_from = bolan_math_to_compass_from(portable_angle(s.sine, s.cosine));
@@ -166,11 +148,11 @@ static void measure_modes(const bolan_sea *sea, bolan_sea_statistics *out) {
 
 bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea) {
     BOLAN_ASSERT(sea);
-    bolan_sea_statistics out = {.m0_spectrum = sea->summary.m0, .kurtosis = 3.0};
-    if (sea->is_measured) {
-        measure_file(&sea->summary, &out);
+    bolan_sea_statistics out = {.m0_spectrum = sea->shared->summary.m0, .kurtosis = 3.0};
+    if (sea->shared->is_measured) {
+        measure_file(&sea->shared->summary, &out);
     } else {
-        measure_modes(sea, &out);
+        measure_modes(sea->shared, &out);
     }
     measure_places(sea, &out);
     return out;

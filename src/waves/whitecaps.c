@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where foam is: the Jacobian below which the covered fraction is Monahan's for the wind, as a quantile of the sea
 // itself.
-#include "waves/sum.h"
+#include "waves/sea.h"
 
 enum { TIMES = 2, COUNT = TIMES * SEA_MEASURED }; // the rarest cover that can be seen, 1e-4, is still 13 of them
 #define TIMES_APART 97.3                          // [s]: no wave of the sea is coherent that long
@@ -69,15 +69,15 @@ static bool has_crests(const float *jacobian, size_t count) {
 }
 
 bool bolan_sea_whitecaps_create(bolan_sea *sea) {
-    const double cover = bolan_monahan_cover(sea->desc.sea_state.wind_speed);
+    const double cover = bolan_monahan_cover(sea->shared->desc.sea_state.wind_speed);
     const size_t rank = (size_t)(cover * COUNT);
-    sea->foam_threshold = NEVER;
+    sea->shared->foam_threshold = NEVER;
     if (rank > 0) { // a weaker wind makes no foam
         float *jacobian = bolan_sea_borrow(COUNT * sizeof(float));
         if (!jacobian) return false;
         gather(sea, jacobian);
         // From 32 m/s on more than half of the sea is covered, and the threshold lies above the median, about 1.
-        if (has_crests(jacobian, COUNT)) sea->foam_threshold = select_rank(jacobian, COUNT, rank);
+        if (has_crests(jacobian, COUNT)) sea->shared->foam_threshold = select_rank(jacobian, COUNT, rank);
         bolan_release(jacobian, COUNT * sizeof(float));
     }
     sea->foam_holds = false;
@@ -87,5 +87,5 @@ bool bolan_sea_whitecaps_create(bolan_sea *sea) {
 
 double bolan_sea_foam_threshold(const bolan_sea *sea) {
     BOLAN_ASSERT(sea);
-    return sea->foam_threshold;
+    return sea->shared->foam_threshold;
 }

@@ -3,7 +3,7 @@
 #include "support.h"
 
 #include "bolan/waves.h"
-#include "waves/sea.h"
+#include "waves/cascades/cascades.h"
 
 #include <string.h>
 
@@ -125,8 +125,8 @@ static void resolution_does_not_change_which_waves_there_are(void **state) {
     desc.resolution = 256;
     bolan_sea *fine = create(desc);
     table *a = calloc(1, sizeof *a), *b = calloc(1, sizeof *b);
-    bolan_sea_each_mode(&coarse->cascade[0], keep_mode, a);
-    bolan_sea_each_mode(&fine->cascade[0], keep_mode, b);
+    bolan_sea_each_mode(&cascade_tables_of(coarse->shared)->cascade[0], keep_mode, a);
+    bolan_sea_each_mode(&cascade_tables_of(fine->shared)->cascade[0], keep_mode, b);
     assert_true(a->count > 1000 && b->count > 10 * a->count);
     for (uint32_t i = 0; i < a->count; i++) {
         const sea_mode *m = &a->modes[i];

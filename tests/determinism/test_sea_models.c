@@ -107,11 +107,11 @@ static void the_loop_of_textures_is_exact(void **state) {
     (void)state;
     enum { FRAMES = 12 };
     bolan_sea *sea = textures(FRAMES);
-    const double period = bolan_sea_get_desc(sea)->textures.period;
+    const double period = bolan_sea_get_loop(sea).period;
     char hash[FRAMES][17], again[17];
     for (uint32_t f = 0; f < FRAMES; f++) {
         bolan_sea_step(sea, (f + 0.5) * period / FRAMES);
-        assert_int_equal(bolan_sea_loop_frame(sea), f);
+        assert_int_equal(bolan_sea_get_loop(sea).frame, f);
         bolan_sea_hash(sea, hash[f]);
         if (f > 0) assert_string_not_equal(hash[f], hash[f - 1]);
     }
@@ -119,7 +119,7 @@ static void the_loop_of_textures_is_exact(void **state) {
         const uint32_t f = (uint32_t)((i + 10 * FRAMES) % FRAMES);
         for (int part = 1; part < 10; part += 4) {
             bolan_sea_step(sea, (i + 0.1 * part) * period / FRAMES);
-            assert_int_equal(bolan_sea_loop_frame(sea), f);
+            assert_int_equal(bolan_sea_get_loop(sea).frame, f);
             bolan_sea_hash(sea, again);
             assert_string_equal(again, hash[f]);
         }

@@ -3,14 +3,14 @@
 #include "sea_support.h"
 
 #include "spectrum/spectrum_eval.h"
-#include "waves/sea.h"
+#include "waves/cascades/cascades.h"
 
 #include <complex.h>
 #include <string.h>
 
 // A sea whose cascade 0 holds one wave alone: amplitude [m] along lattice vector (i, j), every other mode silenced.
 static double complex single(bolan_sea *sea, uint32_t i, uint32_t j, double amplitude, double *k_out) {
-    sea_cascade *c = &sea->cascade[0];
+    const sea_cascade *c = &cascade_tables_of(sea->shared)->cascade[0];
     const size_t row = (size_t)(j / FFT_LANES) * c->n + i, lane = j % FFT_LANES;
     const double dk = 2.0 * BOLAN_PI / c->length;
     memset(c->amplitude, 0, (size_t)c->strips * c->n * 4 * FFT_LANES * sizeof(float));

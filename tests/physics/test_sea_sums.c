@@ -3,7 +3,7 @@
 #include "sea_support.h"
 
 #include "bolan/query.h"
-#include "waves/exp_cosine.h"
+#include "waves/sum/exp_cosine.h"
 
 #define TURN (2.0 * BOLAN_PI)
 

@@ -124,12 +124,12 @@ static void tiles_are_the_frames_of_the_sea(void **state) {
     for (double time = 0.1; time < 2.0 * v.period; time += 0.13 * v.period) {
         bolan_sea_step(sea, time);
         const uint32_t frame = bolan_tiles_frame(tiles, time, NULL);
-        assert_int_equal(frame, bolan_sea_loop_frame(sea));
+        assert_int_equal(frame, bolan_sea_get_loop(sea).frame);
         assert_memory_equal(v.height + frame * 64 * 64, bolan_sea_cascade(sea, 0).height, 64 * 64 * sizeof(float));
     }
     double slopes[2] = {0};
     const bolan_cascade_view c = bolan_sea_cascade(sea, 0);
-    const uint32_t frame = bolan_sea_loop_frame(sea);
+    const uint32_t frame = bolan_sea_get_loop(sea).frame;
     for (uint32_t i = 0; i < 64 * 64;
          i++) { // the map's slopes are the sea's, less what a difference of two texels smooths
         const uint8_t *n = v.normal + 3 * (frame * 64 * 64 + i);

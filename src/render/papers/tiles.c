@@ -121,7 +121,7 @@ static void bake_all(paper_tiles *t, const frame *f, const bolan_tiles_desc desc
     bolan_tiles_destroy(&t->base);
     bolan_tiles_destroy(&t->fine);
     sea.resolution = TILE;
-    const bool textures = sea.waves == BOLAN_WAVES_TEXTURES;
+    const bool textures = bolan_sea_get_loop(f->desc->sea).frames > 0;
     sea.waves = BOLAN_WAVES_TEXTURES;
     if (textures && t->given == NULL) t->base = bake(&sea, &desc, &found);
     // A measured spectrum is not in the sea's desc: then the tiles are another sea.
@@ -148,7 +148,7 @@ static void keep(paper_tiles *t, const frame *f) {
     const bolan_tiles_desc desc = how(f);
     if (!changed(t, f, desc.sun)) return;
     t->sea = bolan_sea_id(f->desc->sea);
-    t->given = bolan_sea_get_desc(f->desc->sea)->waves == BOLAN_WAVES_TEXTURES ? f->desc->tiles : NULL;
+    t->given = bolan_sea_get_loop(f->desc->sea).frames > 0 ? f->desc->tiles : NULL;
     if (t->given != NULL && bolan_tiles_get_view(t->given).n != TILE) t->given = NULL;
     t->paper = f->scene->look.paper;
     t->sun = desc.sun;

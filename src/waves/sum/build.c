@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The waves of a sum: each frequency of sum_lines.c goes in several directions,
+// The waves of a sum: each frequency of lines.c goes in several directions,
 //
 //     eta(x, t) = sum_i sum_j sqrt(2 S(w_i, th_j) dw_i dth_j) cos(k_ij . x - w_i t + eps_ij)
 //
-// (Liu, Xu & Chen 2009; without the root the variance would be 20 times too small). The one spreading cos^2 gets N mid-points of
-// +-90 degrees, by which sum cos^2 dth is exact; any other spectrum N parts of equal energy at that frequency, each stood
-// for by a direction inside it that moves on from frequency to frequency by the golden section, so that no two frequencies
-// run in the same directions. EXP_COSINE takes its few waves the same way, one direction each, and so as many frequencies as
-// waves.
+// (Liu, Xu & Chen 2009; without the root the variance would be 20 times too small). The one spreading cos^2 gets N
+// mid-points of +-90 degrees, by which sum cos^2 dth is exact; any other spectrum N parts of equal energy at that
+// frequency, each stood for by a direction inside it that moves on from frequency to frequency by the golden section,
+// so that no two frequencies run in the same directions. EXP_COSINE takes its few waves the same way, one direction
+// each, and so as many frequencies as waves.
 #include "spectrum/portable.h"
-#include "waves/exp_cosine.h"
-#include "waves/sum.h"
+#include "waves/sum/exp_cosine.h"
+#include "waves/sum/sum.h"
 
 enum { ANGLES = 360 };
 #define GOLDEN 0.61803398874989485
@@ -72,9 +72,9 @@ static void fan_equal_energy(const spectrum_eval *eval, double omega, uint32_t c
 
 static double fraction(double x) { return x - floor(x); }
 
-static void fan_of(const bolan_sea *sea, const spectrum_eval *eval, uint32_t line, uint32_t count, fan *out) {
-    const double omega = sea->sum->line[line].omega;
-    const bool exponential = sea->sum->tables.exponential;
+static void fan_of(const sea_sum *sum, const spectrum_eval *eval, uint32_t line, uint32_t count, fan *out) {
+    const double omega = sum->line[line].omega;
+    const bool exponential = sum->tables.exponential;
     out->count = count;
     if (is_cos2(eval) && !exponential) {
         fan_cos2(eval, omega, count, out);
@@ -100,32 +100,31 @@ static double turns_of(const bolan_sea_desc *d, double omega, double kx, double 
 }
 
 // Amplitude a of a wave whose variance is `energy`: a^2 / 2 for a cosine.
-static double amplitude_of(const bolan_sea *sea, double energy) {
-    const double s = sea->desc.exp_cosine.sharpness;
-    if (!sea->sum->tables.exponential) return sqrt(2.0 * energy);
+static double amplitude_of(const sea_sum *sum, double s, double energy) {
+    if (!sum->tables.exponential) return sqrt(2.0 * energy);
     return sqrt(energy / exp_cosine_variance(s)) / exp_cosine_scale(s);
 }
 
-static void set_wave(bolan_sea *sea, uint32_t at, double omega, double angle, double energy, double phase) {
-    sea_sum *sum = sea->sum;
-    const double depth = sea->desc.sea_state.depth, k = bolan_k_from_omega(omega, depth);
+static void set_wave(const sea_shared *shared, sea_sum *sum, double omega, double angle, double energy, double phase) {
+    const uint32_t at = sum->tables.count++;
+    const double depth = shared->desc.sea_state.depth, k = bolan_k_from_omega(omega, depth);
     bolan_sea_component *c = &sum->component[at];
     double sine, cosine;
     bolan_sincos(angle, &sine, &cosine);
     c->kx = k * cosine;
     c->ky = k * sine;
-    sum->turns[at] = turns_of(&sea->desc, omega, c->kx, c->ky);
+    sum->turns[at] = turns_of(&shared->desc, omega, c->kx, c->ky);
     c->omega = 2.0 * BOLAN_PI * sum->turns[at];
     c->phase = phase;
-    c->amplitude = amplitude_of(sea, energy);
+    c->amplitude = amplitude_of(sum, shared->desc.exp_cosine.sharpness, energy);
     c->drift = sum->tables.exponential ? 0.0 : c->amplitude / portable_tanh(k * depth);
     sum->variance[at] = energy;
 }
 
-// The mean direction of few waves is off by some degrees: turns them all, so that it is the sea state's. Where the sea state has
-// hardly any (waves from all sides) the waves stay as they are.
-static void align(const bolan_sea *sea, fan *fans) {
-    const sea_sum *sum = sea->sum;
+// The mean direction of few waves is off by some degrees: turns them all, so that it is the sea state's. Where the sea
+// state has hardly any (waves from all sides) the waves stay as they are.
+static void align(const sea_shared *shared, fan *fans) {
+    const sea_sum *sum = sea_sum_of(shared);
     double x = 0.0, y = 0.0, s, c;
     for (uint32_t i = 0; i < sum->line_count; i++) {
         for (uint32_t j = 0; j < fans[i].count; j++) {
@@ -134,7 +133,7 @@ static void align(const bolan_sea *sea, fan *fans) {
             y += sum->line[i].energy * fans[i].share[j] * s;
         }
     }
-    bolan_sincos(bolan_compass_from_to_math(sea->summary.from_deg), &s, &c);
+    bolan_sincos(bolan_compass_from_to_math(shared->summary.from_deg), &s, &c);
     const double along = x * c + y * s, across = y * c - x * s; // of the mean, from the direction asked for
     if (along < 2.0 * fabs(across)) return;
     const double turn = portable_angle(across, along);
@@ -144,16 +143,15 @@ static void align(const bolan_sea *sea, fan *fans) {
 }
 
 // Lines ascend in frequency, so the waves descend in length.
-static void set_waves(bolan_sea *sea, const spectrum_eval *eval, uint32_t directions, fan *fans) {
-    sea_sum *sum = sea->sum;
-    for (uint32_t i = 0; i < sum->line_count; i++) fan_of(sea, eval, i, directions, &fans[i]);
-    if (!is_cos2(eval) || sum->tables.exponential) align(sea, fans);
+static void set_waves(const sea_shared *shared, const spectrum_eval *eval, uint32_t directions, fan *fans) {
+    sea_sum *sum = shared->tables;
+    for (uint32_t i = 0; i < sum->line_count; i++) fan_of(sum, eval, i, directions, &fans[i]);
+    if (!is_cos2(eval) || sum->tables.exponential) align(shared, fans);
     for (uint32_t i = 0; i < sum->line_count; i++) {
         for (uint32_t j = 0; j < directions; j++) {
             const double energy = sum->line[i].energy * fans[i].share[j];
             if (energy > 1e-24) // less than a picometre
-                set_wave(sea, sum->tables.count++, sum->line[i].omega, fans[i].angle[j], energy,
-                         phase_of(sea->desc.seed, i, j));
+                set_wave(shared, sum, sum->line[i].omega, fans[i].angle[j], energy, phase_of(shared->desc.seed, i, j));
         }
     }
 }
@@ -177,15 +175,14 @@ static void set_exponential_factors(const bolan_sea_component *c, double sharpne
     factor[FIELD_SLOPE_Y] = (float)(-height * sharpness * c->ky);
 }
 
-static void set_tables(bolan_sea *sea) {
-    sea_sum *sum = sea->sum;
-    const double s = sea->desc.exp_cosine.sharpness;
+static void set_tables(sea_shared *shared) {
+    sea_sum *sum = shared->tables;
+    const double s = shared->desc.exp_cosine.sharpness;
     sum->tables.sharpness_8th = (float)(s / 8.0);
     sum->tables.mean = (float)exp_cosine_mean(s);
     // The crest of (1) is 2 - (1 - e^{-2s}) of the trough to its mean: larger than the trough's depth.
     const double crest = sum->tables.exponential ? exp_cosine_scale(s) * (portable_exp(s) - exp_cosine_mean(s)) : 1.0;
-    sum->slope_ratio = 1.0;
-    if (sum->tables.exponential) sum->slope_ratio = exp_cosine_slope_variance(s) / exp_cosine_variance(s);
+    if (sum->tables.exponential) shared->slope_ratio = exp_cosine_slope_variance(s) / exp_cosine_variance(s);
     for (uint32_t i = 0; i < sum->tables.count; i++) {
         const bolan_sea_component *c = &sum->component[i];
         sum_wave *w = &sum->tables.wave[i];
@@ -197,22 +194,46 @@ static void set_tables(bolan_sea *sea) {
         } else {
             set_cosine_factors(c, w->factor);
         }
-        const double slope = sum->variance[i] * sum->slope_ratio;
+        const double slope = sum->variance[i] * shared->slope_ratio;
         sum->slope[0] += slope * c->kx * c->kx;
         sum->slope[1] += slope * c->kx * c->ky;
         sum->slope[2] += slope * c->ky * c->ky;
         sum->displacement += 0.5 * c->drift * c->drift;
-        sum->total += sum->variance[i];
+        shared->band[0].variance += sum->variance[i];
         sum->highest += c->amplitude * crest;
         sum->farthest += c->drift;
     }
 }
 
-static bool reserve_waves(bolan_sea *sea, uint32_t count) {
-    sea_sum *sum = sea->sum = bolan_sea_reserve(sea, sizeof *sum);
-    if (!sum) return false;
+// ---- lift -----------------------------------------------------------------------------------------------------------
+
+// What a grid leaves of a wave's amplitude: as fields.kernel.c.
+static double faded(double length, double spacing) {
+    const double t = spacing > 0.0 ? 0.5 * length / spacing - 1.0 : 1.0, u = fmin(fmax(t, 0.0), 1.0);
+    return u * u * (3.0 - 2.0 * u);
+}
+
+static void set_lift(sea_shared *shared) {
+    const sea_sum *sum = sea_sum_of(shared);
+    sea_lift *lift = &shared->band[0].lift;
+    if (sum->tables.count == 0) return;
+    lift->finest = LIFT_FIRST_LEVEL * (double)sum->tables.wave[sum->tables.count - 1].length;
+    for (uint32_t i = 0; i < sum->tables.count; i++) {
+        const bolan_sea_component *c = &sum->component[i];
+        const double k = sqrt(c->kx * c->kx + c->ky * c->ky),
+                     whole = 0.5 * shared->desc.choppiness * c->amplitude * c->drift * k;
+        for (int l = 0; l < LIFT_LEVELS; l++) {
+            const double keep = faded(2.0 * BOLAN_PI / k, bolan_sea_lift_spacing(lift, l));
+            lift->level[l] += whole * keep * keep;
+        }
+    }
+}
+
+// ---- all of it ------------------------------------------------------------------------------------------------------
+
+static bool reserve_waves(sea_memory *memory, uint32_t count, sea_sum *sum) {
     const size_t each = sizeof(sum_wave) + sizeof(bolan_sea_component) + 2 * sizeof(double);
-    char *next = bolan_sea_reserve(sea, count * each);
+    char *next = bolan_sea_reserve(memory, count * each);
     if (!next) return false;
     sum->tables.wave = (sum_wave *)(void *)next;
     sum->component = (bolan_sea_component *)(void *)(sum->tables.wave + count);
@@ -221,19 +242,19 @@ static bool reserve_waves(bolan_sea *sea, uint32_t count) {
     return true;
 }
 
-bool bolan_sea_sum_create(bolan_sea *sea, const spectrum_eval *eval) {
-    const bool exponential = sea->desc.waves == BOLAN_WAVES_EXP_COSINE;
-    const uint32_t lines = exponential ? sea->desc.exp_cosine.wave_count : sea->desc.cosines.frequencies;
-    const uint32_t directions = exponential ? 1 : sea->desc.cosines.directions;
+bool bolan_sum_create(sea_shared *shared, const spectrum_eval *eval, const sum_cut *cut) {
     const size_t bytes = SUM_MAX_LINES * sizeof(fan);
-    if (!reserve_waves(sea, lines * directions)) return false;
-    sea->sum->tables.exponential = exponential;
-    if (!bolan_sum_set_lines(eval, lines, exponential ? BOLAN_SPLIT_EQUAL_ENERGY : sea->desc.cosines.split, sea->sum))
-        return false;
+    sea_sum *sum = shared->tables = bolan_sea_reserve(&shared->memory, sizeof *sum);
+    if (!sum || !reserve_waves(&shared->memory, cut->lines * cut->directions, sum)) return false;
+    sum->tables.exponential = cut->exponential;
+    if (!bolan_sum_set_lines(eval, cut->lines, cut->split, sum)) return false;
     fan *fans = bolan_sea_borrow(bytes);
     if (!fans) return false;
-    set_waves(sea, eval, directions, fans);
-    set_tables(sea);
+    shared->bands = 1;
+    set_waves(shared, eval, cut->directions, fans);
+    shared->components = sum->tables.count;
+    set_tables(shared);
+    set_lift(shared);
     bolan_release(fans, bytes);
     return true;
 }

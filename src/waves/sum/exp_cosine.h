@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The wave exp(s cos th) in numbers (Liu & Xie 2010, with a sharpness s put in; s = 1 is the paper's):
 //
-//     eta = a (e^{s (cos th - 1)} - e^{-s} I0(s)) 2 / (1 - e^{-2s})                                                  (1)
+//     eta = a (e^{s (cos th - 1)} - e^{-s} I0(s)) 2 / (1 - e^{-2s})                                                 (1)
 //
-// has zero mean and the range 2a. With e^{s cos th} = I0(s) + 2 sum In(s) cos n th (Abramowitz & Stegun 1964, 9.6.34) its
-// moments are
+// has zero mean and the range 2a. With e^{s cos th} = I0(s) + 2 sum In(s) cos n th (Abramowitz & Stegun 1964, 9.6.34)
+// its moments are
 //
 //     mean of e^{s cos}                    I0(s)
-//     variance                             I0(2s) - I0(s)^2                                                          (2)
-//     variance of the slope over k^2       s^2 <sin^2 e^{2s cos}> = s I1(2s) / 2                                     (3)
-//     third central moment                 I0(3s) - 3 I0(2s) I0(s) + 2 I0(s)^3                                       (4)
-//     steepest, where cos th = (sqrt(1 + 4 s^2) - 1) / (2 s): s sin th e^{s cos th}                                  (5)
+//     variance                             I0(2s) - I0(s)^2                                                         (2)
+//     variance of the slope over k^2       s^2 <sin^2 e^{2s cos}> = s I1(2s) / 2                                    (3)
+//     third central moment                 I0(3s) - 3 I0(2s) I0(s) + 2 I0(s)^3                                      (4)
+//     steepest, where cos th = (sqrt(1 + 4 s^2) - 1) / (2 s): s sin th e^{s cos th}                                 (5)
 //
 // and its second harmonic over the first, I2(s)/I1(s), is the k a / 2 of a second-order Stokes wave.
 #ifndef BOLAN_WAVES_EXP_COSINE_H

@@ -2,7 +2,7 @@
 // The fields of a sum at 16 points, all waves. See sum.h for the arithmetic and its cost.
 #include "fft/wide.h"
 #include "math/sincos.h"
-#include "waves/sum.h"
+#include "waves/sum/sum.h"
 
 void KERNEL(bolan_sum_fields)(const sum_tables *tables, const double *x, const double *y, const float *fade,
                               float out[SEA_FIELDS][SUM_LANES]);

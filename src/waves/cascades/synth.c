@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "waves/synth.h"
+// The table of the kernels of a step, one row per instruction set.
+#include "waves/cascades/synth.h"
 
-#define SEA_DECLARE(set)                                                                                     \
-    void bolan_sea_rows_##set(const fft_plan *, const sea_cascade *, const sea_moment *, uint32_t, float *); \
-    void bolan_sea_columns_##set(const fft_plan *, const sea_cascade *, const sea_moment *, uint32_t, float *);
+#define SEA_DECLARE(set)                                                                                              \
+    void bolan_sea_rows_##set(const fft_plan *, const sea_cascade *, float *, const sea_moment *, uint32_t, float *); \
+    void bolan_sea_columns_##set(const fft_plan *, const sea_cascade *, const sea_planes *, const sea_moment *,       \
+                                 uint32_t, float *);
 
 SEA_DECLARE(scalar)
 #ifdef BOLAN_KERNELS_X86

@@ -3,7 +3,7 @@
 #ifndef BOLAN_WAVES_SYNTH_H
 #define BOLAN_WAVES_SYNTH_H
 
-#include "waves/sea.h"
+#include "waves/cascades/cascades.h"
 
 // What goes to memory without being read into the cache first, as it would not stay there anyway.
 typedef enum sea_stream {
@@ -14,7 +14,7 @@ typedef enum sea_stream {
 
 // What all strips of a step share.
 typedef struct sea_moment {
-    double time; // [s], reduced by the loop period
+    double time; // [s], as sea_model.shown_time() gives it
     float decay; // factor on the foam memory; 0 restarts it
     float choppiness;
     sea_stream stream;
@@ -22,11 +22,11 @@ typedef struct sea_moment {
 
 typedef struct sea_kernels {
     // Modes of strip `strip` at the time -> `middle`.
-    void (*rows)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
-                 float *scratch);
+    void (*rows)(const fft_plan *plan, const sea_cascade *cascade, float *middle, const sea_moment *moment,
+                 uint32_t strip, float *scratch);
     // `middle` -> fields for x in strip `strip`.
-    void (*columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
-                    float *scratch);
+    void (*columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_planes *planes,
+                    const sea_moment *moment, uint32_t strip, float *scratch);
 } sea_kernels;
 
 // Scratch memory of a worker: three buffers of n rows, a few lines apart, so that the same row of two of them does

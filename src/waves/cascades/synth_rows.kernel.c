@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// First pass of a step: modes at time t, and their transforms along i. sea.h has the plan.
+// First pass of a step: modes at time t, and their transforms along i. cascades.h has the plan.
 #include "fft/strip.h"
-#include "waves/synth.h"
+#include "waves/cascades/synth.h"
 
 #include <string.h>
 
-void KERNEL(bolan_sea_rows)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
-                            float *scratch);
+void KERNEL(bolan_sea_rows)(const fft_plan *plan, const sea_cascade *cascade, float *middle, const sea_moment *moment,
+                            uint32_t strip, float *scratch);
 
 // Sine and cosine of 2 pi x for |x| <= 1/2 turn. The quarter turn is taken off exactly; the polynomials are those of
 // math/sincos.h, on |angle| <= pi/4.
@@ -67,8 +67,8 @@ static void evolve(const sea_cascade *cascade, double time, uint32_t strip, floa
 }
 
 // The transform in `rows` (lanes j) to `middle` (lanes x), part `part`.
-static void transpose_out(const fft_plan *plan, const sea_cascade *cascade, uint32_t strip, uint32_t part,
-                          const float *rows) {
+static void transpose_out(const fft_plan *plan, const sea_cascade *cascade, float *middle, uint32_t strip,
+                          uint32_t part, const float *rows) {
     const uint32_t n = plan->n, half = cascade->strips * FFT_LANES;
     for (uint32_t x = 0; x < n; x += WIDE) {
         for (uint32_t lane = 0; lane < FFT_ROW; lane += WIDE) {
@@ -76,15 +76,15 @@ static void transpose_out(const fft_plan *plan, const sea_cascade *cascade, uint
             for (uint32_t i = 0; i < WIDE; i++) v[i] = wide_load(rows + (size_t)plan->order[x + i] * FFT_ROW + lane);
             wide_transpose(v);
             const uint32_t imaginary = lane / FFT_LANES, j = strip * FFT_LANES + lane % FFT_LANES;
-            float *out = cascade->middle + ((size_t)(x / FFT_LANES) * half + j) * SEA_CELL + (size_t)part * FFT_ROW +
+            float *out = middle + ((size_t)(x / FFT_LANES) * half + j) * SEA_CELL + (size_t)part * FFT_ROW +
                          (size_t)imaginary * FFT_LANES + x % FFT_LANES;
             for (uint32_t i = 0; i < WIDE; i++) wide_store(out + (size_t)i * SEA_CELL, v[i]);
         }
     }
 }
 
-void KERNEL(bolan_sea_rows)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment, uint32_t strip,
-                            float *scratch) {
+void KERNEL(bolan_sea_rows)(const fft_plan *plan, const sea_cascade *cascade, float *middle, const sea_moment *moment,
+                            uint32_t strip, float *scratch) {
     const size_t pitch = sea_scratch_pitch(plan->n);
     float *h = scratch, *u = scratch + pitch, *work = scratch + 2 * pitch;
     evolve(cascade, moment->time, strip, h, u);
@@ -92,6 +92,6 @@ void KERNEL(bolan_sea_rows)(const fft_plan *plan, const sea_cascade *cascade, co
     const float *factor[SEA_PARTS] = {NULL, cascade->k, NULL, cascade->k, cascade->k2};
     for (uint32_t part = 0; part < SEA_PARTS; part++) {
         fft_strip_of(plan, source[part], factor[part], work);
-        transpose_out(plan, cascade, strip, part, work);
+        transpose_out(plan, cascade, middle, strip, part, work);
     }
 }

@@ -3,10 +3,10 @@
 // Pierson-Moskowitz, exp(-B / w^4) of whose energy lies below w (Liu, Xu & Chen 2009),
 //
 //     equal energy   w_i = (B / ln(2M / (2i - 1)))^(1/4), the middle of M equal parts: one amplitude for all,
-//     equal width    w_i in the middle of M equal steps from (-B / ln mu)^(1/4) to (-B / ln(1 - mu))^(1/4), mu = .002, energy
-//                    by S(w_i), scaled so that the sum holds the 1 - 2 mu of the spectrum that lies between.
+//     equal width    w_i in the middle of M equal steps from (-B / ln mu)^(1/4) to (-B / ln(1 - mu))^(1/4), mu = .002,
+//                    energy by S(w_i), scaled so that the sum holds the 1 - 2 mu of the spectrum that lies between.
 #include "spectrum/portable.h"
-#include "waves/sum.h"
+#include "waves/sum/sum.h"
 
 enum { NODES = 4096 };
 #define LOWEST 0.02 // [rad/s]

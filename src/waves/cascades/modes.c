@@ -8,22 +8,13 @@
 // the factor put right for one-sided spectra). xr and xi depend on nothing but the seed, the tile's length and the
 // lattice index: a finer grid holds the same waves and some more.
 #include "spectrum/portable.h"
-#include "waves/sea.h"
+#include "waves/cascades/cascades.h"
 
 #include <string.h>
 
 typedef struct gaussians {
     double re, im;
 } gaussians;
-
-// The finaliser of SplitMix64 (Steele, Lea & Flood 2014): a bijection that leaves no visible relation of input and
-// output.
-uint64_t bolan_sea_mix(uint64_t x) {
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
 
 static uint64_t tile_key(uint64_t seed, double length) {
     uint64_t bits;
@@ -43,7 +34,7 @@ static gaussians random_pair(uint64_t key, int32_t i, int32_t j) {
 }
 
 typedef struct fill {
-    bolan_sea *sea;
+    const sea_shared *shared;
     sea_cascade *cascade;
     const spectrum_eval *eval;
     const sea_radial *radial;
@@ -77,9 +68,9 @@ static void cell_energy(const fill *f, int32_t i, int32_t j, double out[2]) {
 }
 
 // Frequency in turns a second; with a loop, the nearest multiple of 1 / period, but never standing still.
-static double turns_of(const bolan_sea *sea, double k) {
-    const double turns = bolan_omega_from_k(k, sea->desc.sea_state.depth) / (2.0 * BOLAN_PI);
-    const double period = bolan_sea_period(sea);
+static double turns_of(const sea_shared *shared, double k) {
+    const double turns = bolan_omega_from_k(k, shared->desc.sea_state.depth) / (2.0 * BOLAN_PI);
+    const double period = shared->period;
     return period > 0.0 ? fmax(floor(turns * period + 0.5), 1.0) / period : turns;
 }
 
@@ -98,8 +89,8 @@ static void fill_mode(const fill *f, int32_t i, int32_t j, size_t row, uint32_t 
     amplitude[FFT_LANES] = (float)(b - q);
     amplitude[2 * FFT_LANES] = (float)(b + q);
     amplitude[3 * FFT_LANES] = (float)(p - a);
-    c->turns[row * FFT_LANES + lane] = turns_of(f->sea, k);
-    c->inverse_k[row * FFT_LANES + lane] = (float)(1.0 / (k * portable_tanh(k * f->sea->desc.sea_state.depth)));
+    c->turns[row * FFT_LANES + lane] = turns_of(f->shared, k);
+    c->inverse_k[row * FFT_LANES + lane] = (float)(1.0 / (k * portable_tanh(k * f->shared->desc.sea_state.depth)));
     c->expected[row * 2 * FFT_LANES + lane] = (float)energy[0];
     c->expected[row * 2 * FFT_LANES + FFT_LANES + lane] = (float)energy[1];
 }
@@ -130,14 +121,9 @@ static void set_reach(sea_cascade *c) {
     }
 }
 
-// Planes begin some lines after a multiple of their size: written row by row at once, they would otherwise all
-// compete for one set of the cache.
-enum { PLANE_SHIFT = 7 * 16 }; // floats
-
-static bool reserve_cascade(bolan_sea *sea, sea_cascade *c) {
-    const size_t n = c->n, modes = n * c->strips * FFT_LANES, points = n * n, plane = points + PLANE_SHIFT;
-    const size_t tables = modes * 9 + 2 * n, middle = modes * SEA_PARTS * 2, planes = plane * (SEA_FIELDS + 6);
-    float *next = bolan_sea_reserve(sea, (tables + middle + planes) * sizeof(float));
+static bool reserve_tables(sea_memory *memory, sea_cascade *c) {
+    const size_t n = c->n, modes = n * c->strips * FFT_LANES;
+    float *next = bolan_sea_reserve(memory, (modes * 9 + 2 * n) * sizeof(float));
     if (!next) return false;
     c->turns = (double *)(void *)next;
     c->amplitude = next + 2 * modes;
@@ -145,13 +131,6 @@ static bool reserve_cascade(bolan_sea *sea, sea_cascade *c) {
     c->expected = c->inverse_k + modes;
     c->k = c->expected + 2 * modes;
     c->k2 = c->k + n;
-    c->middle = c->k2 + n;
-    next = c->middle + middle;
-    for (int f = 0; f < SEA_FIELDS; f++, next += plane) c->field[f] = next;
-    c->foam = next;
-    c->displacement_half = (uint16_t *)(void *)(next + plane);
-    c->slope_half = (uint16_t *)(void *)(next + 3 * plane);
-    c->foam_half = (uint16_t *)(void *)(next + 5 * plane);
     return true;
 }
 
@@ -164,7 +143,7 @@ static void fill_wave_numbers(sea_cascade *c) {
     }
 }
 
-void bolan_sea_each_mode(const sea_cascade *c, void (*visit)(void *context, const sea_mode *mode), void *context) {
+void bolan_sea_each_mode(const sea_cascade *c, sea_visit *visit, void *context) {
     const double dk = 2.0 * BOLAN_PI / c->length;
     for (size_t row = 0; row < (size_t)c->strips * c->n; row++) {
         const double index = (double)(row % c->n), u = dk * (index < 0.5 * c->n ? index : index - c->n);
@@ -196,20 +175,21 @@ static void add_expected(void *context, const sea_mode *m) {
     sea_cascade *c = context;
     const double e = m->expected + (m->paired ? m->expected_back : 0.0);
     const double k2 = m->kx * m->kx + m->ky * m->ky, g = k2 * m->inverse_k * m->inverse_k;
-    c->variance += e;
+    c->band->variance += e;
     c->slope[0] += e * m->kx * m->kx;
     c->slope[1] += e * m->kx * m->ky;
     c->slope[2] += e * m->ky * m->ky;
     c->displacement += e * g;
 }
 
-bool bolan_sea_modes_create(bolan_sea *sea, const spectrum_eval *eval, const sea_radial *radial) {
-    for (uint32_t i = 0; i < sea->count; i++) {
-        sea_cascade *c = &sea->cascade[i];
+bool bolan_cascades_modes(sea_shared *shared, const spectrum_eval *eval, const sea_radial *radial) {
+    cascade_tables *t = shared->tables;
+    for (uint32_t i = 0; i < shared->cascades; i++) {
+        sea_cascade *c = &t->cascade[i];
         set_reach(c);
-        if (!reserve_cascade(sea, c)) return false;
+        if (!reserve_tables(&shared->memory, c)) return false;
         fill_wave_numbers(c);
-        fill f = {sea, c, eval, radial, tile_key(sea->desc.seed, c->length)};
+        fill f = {shared, c, eval, radial, tile_key(shared->desc.seed, c->length)};
         bolan_parallel(c->strips, 1, fill_strips, &f);
         bolan_sea_each_mode(c, add_expected, c);
     }

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Second pass of a step: eight fields from the five parts, transforms along j, and what readers want: float planes,
-// half texels, foam memory. sea.h has the plan.
+// half texels, foam memory. cascades.h has the plan.
 //
 // Two real fields A and B share a complex transform: P = A + iB, and since A and B are Hermitian,
 // P(-j) = conj(A(j)) + i conj(B(j)).
 #include "fft/strip.h"
-#include "waves/synth.h"
-#include "waves/wide_half.h"
+#include "waves/cascades/synth.h"
+#include "waves/cascades/wide_half.h"
 
 #include <string.h>
 
-void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment,
-                               uint32_t strip, float *scratch);
+void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_planes *planes,
+                               const sea_moment *moment, uint32_t strip, float *scratch);
 
 #define ALWAYS_INLINE inline __attribute__((always_inline))
 
@@ -70,10 +70,11 @@ static inline void pack_slopes(const float *cell, turn t, float k, uint32_t lane
 }
 
 #define PACK_ROWS(name)                                                                                         \
-    static void name##_rows(const sea_cascade *cascade, uint32_t strip, float *first, float *second) {          \
+    static void name##_rows(const sea_cascade *cascade, const float *middle, uint32_t strip, float *first,      \
+                            float *second) {                                                                    \
         const uint32_t n = cascade->n, half = cascade->strips * FFT_LANES;                                      \
         const turn t = turn_of(cascade);                                                                        \
-        const float *cell = cascade->middle + (size_t)strip * half * SEA_CELL;                                  \
+        const float *cell = middle + (size_t)strip * half * SEA_CELL;                                           \
         for (uint32_t j = 0; j < half; j++, cell += SEA_CELL) {                                                 \
             const size_t plus = (size_t)j * FFT_ROW, minus = (size_t)((n - j) & (n - 1)) * FFT_ROW;             \
             for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE)                                             \
@@ -103,34 +104,34 @@ static inline void store_texels(sea_stream stream, uint16_t *out, pair ab, pair 
     put(stream == SEA_STREAM_ALL, (float *)(void *)out + WIDE, words[1]);
 }
 
-static inline void store_displacement(const sea_cascade *cascade, sea_stream stream, size_t at, pair d, pair e) {
-    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_DX] + at, d.re);
-    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_DY] + at, d.im);
-    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_HEIGHT] + at, e.re);
-    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_DXY] + at, e.im);
-    store_texels(stream, cascade->displacement_half + 4 * at, d, e);
+static inline void store_displacement(const sea_planes *planes, sea_stream stream, size_t at, pair d, pair e) {
+    put(stream != SEA_STREAM_NONE, planes->field[FIELD_DX] + at, d.re);
+    put(stream != SEA_STREAM_NONE, planes->field[FIELD_DY] + at, d.im);
+    put(stream != SEA_STREAM_NONE, planes->field[FIELD_HEIGHT] + at, e.re);
+    put(stream != SEA_STREAM_NONE, planes->field[FIELD_DXY] + at, e.im);
+    store_texels(stream, planes->displacement_half + 4 * at, d, e);
 }
 
-static inline void store_slopes(const sea_cascade *cascade, sea_stream stream, size_t at, pair s, pair g) {
-    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_SLOPE_X] + at, s.re);
-    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_SLOPE_Y] + at, s.im);
-    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_DXX] + at, g.re);
-    put(stream != SEA_STREAM_NONE, cascade->field[FIELD_DYY] + at, g.im);
-    store_texels(stream, cascade->slope_half + 4 * at, s, g);
+static inline void store_slopes(const sea_planes *planes, sea_stream stream, size_t at, pair s, pair g) {
+    put(stream != SEA_STREAM_NONE, planes->field[FIELD_SLOPE_X] + at, s.re);
+    put(stream != SEA_STREAM_NONE, planes->field[FIELD_SLOPE_Y] + at, s.im);
+    put(stream != SEA_STREAM_NONE, planes->field[FIELD_DXX] + at, g.re);
+    put(stream != SEA_STREAM_NONE, planes->field[FIELD_DYY] + at, g.im);
+    store_texels(stream, planes->slope_half + 4 * at, s, g);
 }
 
-static inline void store_foam(const sea_cascade *cascade, const sea_moment *moment, size_t at, pair gradient) {
+static inline void store_foam(const sea_planes *planes, const sea_moment *moment, size_t at, pair gradient) {
     const wide present = (gradient.re + gradient.im) * -moment->choppiness;
     // The little that is taken away keeps a decaying memory out of the denormal numbers.
-    const wide past = wide_load(cascade->foam + at) * moment->decay - 1e-9f;
+    const wide past = wide_load(planes->foam + at) * moment->decay - 1e-9f;
     const wide foam = wide_max(wide_max(past, present), present - present);
-    wide_store(cascade->foam + at, foam);
-    wide_half_store(cascade->foam_half + at, foam);
+    wide_store(planes->foam + at, foam);
+    wide_half_store(planes->foam_half + at, foam);
 }
 
 // The last stage of two transforms, whose outputs go where they belong at once. Its eight outputs lie n / 8 rows apart.
-static ALWAYS_INLINE void finish(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment,
-                                 bool stream, bool slopes, uint32_t strip, const float *first, const float *second) {
+static ALWAYS_INLINE void finish(const fft_plan *plan, const sea_planes *planes, const sea_moment *moment, bool stream,
+                                 bool slopes, uint32_t strip, const float *first, const float *second) {
     const uint32_t n = plan->n;
     for (uint32_t y = 0; y < n / 8; y++) {
         const size_t row = (size_t)plan->order[y] * FFT_ROW;
@@ -146,36 +147,36 @@ static ALWAYS_INLINE void finish(const fft_plan *plan, const sea_cascade *cascad
             for (uint32_t i = 0; i < 8; i++) {
                 const size_t at = (size_t)(y + i * (n / 8)) * n + strip * FFT_LANES + lane;
                 if (slopes) {
-                    store_slopes(cascade, stream, at, d[i], e[i]);
-                    store_foam(cascade, moment, at, e[i]);
+                    store_slopes(planes, stream, at, d[i], e[i]);
+                    store_foam(planes, moment, at, e[i]);
                 } else {
-                    store_displacement(cascade, stream, at, d[i], e[i]);
+                    store_displacement(planes, stream, at, d[i], e[i]);
                 }
             }
         }
     }
 }
 
-static ALWAYS_INLINE void columns(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment,
-                                  bool stream, uint32_t strip, float *scratch) {
+static ALWAYS_INLINE void columns(const fft_plan *plan, const sea_cascade *cascade, const sea_planes *planes,
+                                  const sea_moment *moment, bool stream, uint32_t strip, float *scratch) {
     float *first = scratch, *second = scratch + sea_scratch_pitch(plan->n);
 #pragma GCC unroll 2
     for (int slopes = 0; slopes < 2; slopes++) {
-        (slopes ? pack_slopes_rows : pack_displacement_rows)(cascade, strip, first, second);
+        (slopes ? pack_slopes_rows : pack_displacement_rows)(cascade, planes->middle, strip, first, second);
         stage_first(plan, first, NULL, first);
         fft_strip_rest(plan, first, false);
         stage_first(plan, second, NULL, second);
         fft_strip_rest(plan, second, false);
-        finish(plan, cascade, moment, stream, slopes, strip, first, second);
+        finish(plan, planes, moment, stream, slopes, strip, first, second);
     }
 }
 
-void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_moment *moment,
-                               uint32_t strip, float *scratch) {
+void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_planes *planes,
+                               const sea_moment *moment, uint32_t strip, float *scratch) {
     switch (moment->stream) { // a constant in each case, so that the loops have no branches
-    case SEA_STREAM_NONE: columns(plan, cascade, moment, SEA_STREAM_NONE, strip, scratch); break;
-    case SEA_STREAM_PLANES: columns(plan, cascade, moment, SEA_STREAM_PLANES, strip, scratch); break;
-    case SEA_STREAM_ALL: columns(plan, cascade, moment, SEA_STREAM_ALL, strip, scratch); break;
+    case SEA_STREAM_NONE: columns(plan, cascade, planes, moment, SEA_STREAM_NONE, strip, scratch); break;
+    case SEA_STREAM_PLANES: columns(plan, cascade, planes, moment, SEA_STREAM_PLANES, strip, scratch); break;
+    case SEA_STREAM_ALL: columns(plan, cascade, planes, moment, SEA_STREAM_ALL, strip, scratch); break;
     }
     wide_stream_end();
 }

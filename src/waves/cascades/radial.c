@@ -11,7 +11,7 @@
 // wind. What is kept then adds up to M1 + (B - M1)(1 - keep) < B however short the waves get, without a visible edge.
 // Where the long waves alone reach B (a swell in a calm) the short ones get a tenth of B, and so are few.
 #include "spectrum/portable.h"
-#include "waves/sea.h"
+#include "waves/cascades/cascades.h"
 
 enum { DIRECTIONS = 96 };
 

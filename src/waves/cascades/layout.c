@@ -10,7 +10,7 @@
 // the waves at the edge are too coarse in direction and their variance is off by 4 %. Ratios and angles are
 // incommensurate, so that repetitions never line up.
 #include "spectrum/portable.h"
-#include "waves/sea.h"
+#include "waves/cascades/cascades.h"
 
 static const double ratio_of_ratio[BOLAN_MAX_CASCADES - 1] = {0.99713, 0.96189, 0.93407};
 static const double angles_deg[BOLAN_MAX_CASCADES] = {0.0, 37.0817, 71.6183, 113.2631};
@@ -22,21 +22,14 @@ static const double angles_deg[BOLAN_MAX_CASCADES] = {0.0, 37.0817, 71.6183, 113
 
 static double modes_to_inner_edge(uint32_t n) { return n >= 256 ? 10.0 : n >= 128 ? 9.0 : n >= 64 ? 6.0 : 4.0; }
 
-// 12 peak wavelengths, and at least 10 of the longest waves that matter: those 5 % of the variance is longer than.
-// The one tile of TEXTURES holds 7 and 5: its resolution has to do for the short ones, too.
+// At least extent.longest of the longest waves that matter: those 5 % of the variance is longer than.
 static double automatic_length(const sea_radial *radial, const bolan_sea_summary *summary, double depth,
-                               bool textures) {
+                               cascade_extent extent) {
     const double k_long = bolan_sea_radial_quantile(radial, 0.05);
     if (!(k_long > 0.0) || !(summary->tp > 0.0)) return CALM_LENGTH;
     const double k_peak = bolan_k_from_omega(2.0 * BOLAN_PI / summary->tp, depth);
-    const double length = fmax((textures ? 7.0 : 12.0) / k_peak, (textures ? 5.0 : 10.0) / k_long) * 2.0 * BOLAN_PI;
+    const double length = fmax(extent.peaks / k_peak, extent.longest / k_long) * 2.0 * BOLAN_PI;
     return fmin(fmax(length, 10.0), 1e5);
-}
-
-// The whole number of peak periods that is nearest to 10 s: so the highest waves keep their own speed.
-static double automatic_loop(double tp) {
-    if (!(tp > 0.0)) return 10.0;
-    return tp * fmax(floor(10.0 / tp + 0.5), 1.0);
 }
 
 // Ratio of successive lengths: as large as the rings allow, less when the last ring would reach beyond SHORTEST_WAVE.
@@ -48,21 +41,20 @@ static double length_ratio(double length, uint32_t n, uint32_t count) {
     return fmin(largest, fmax(enough, 2.0));
 }
 
-void bolan_sea_layout(bolan_sea *sea, const sea_radial *radial) {
-    bolan_sea_desc *d = &sea->desc;
-    const bool textures = d->waves == BOLAN_WAVES_TEXTURES;
-    if (textures && d->textures.period == 0.0) d->textures.period = automatic_loop(sea->summary.tp);
-    if (d->length == 0.0) d->length = automatic_length(radial, &sea->summary, d->sea_state.depth, textures);
-    sea->count = textures ? 1 : d->fft.cascade_count;
-    const double ratio = length_ratio(d->length, d->resolution, sea->count);
-    for (uint32_t i = 0; i < sea->count; i++) {
-        sea_cascade *c = &sea->cascade[i];
+void bolan_cascades_layout(sea_shared *shared, const sea_radial *radial, cascade_extent extent) {
+    bolan_sea_desc *d = &shared->desc;
+    cascade_tables *t = shared->tables;
+    const uint32_t count = shared->cascades;
+    if (d->length == 0.0) d->length = automatic_length(radial, &shared->summary, d->sea_state.depth, extent);
+    const double ratio = length_ratio(d->length, d->resolution, count);
+    for (uint32_t i = 0; i < count; i++) {
+        sea_cascade *c = &t->cascade[i];
         c->n = d->resolution;
-        c->length = i == 0 ? d->length : sea->cascade[i - 1].length / (ratio * ratio_of_ratio[i - 1]);
+        c->length = i == 0 ? d->length : t->cascade[i - 1].length / (ratio * ratio_of_ratio[i - 1]);
         c->angle = bolan_radians(angles_deg[i]);
         bolan_sincos(c->angle, &c->sine, &c->cosine);
         const double nyquist = BOLAN_PI * c->n / c->length;
-        c->k_min = i == 0 ? 0.0 : sea->cascade[i - 1].k_max;
-        c->k_max = (i + 1 == sea->count ? LAST_RING_END : RING_END) * nyquist;
+        c->k_min = i == 0 ? 0.0 : t->cascade[i - 1].k_max;
+        c->k_max = (i + 1 == count ? LAST_RING_END : RING_END) * nyquist;
     }
 }

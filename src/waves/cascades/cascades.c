@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Cascades from creation to destruction, and what is read of them. The model FFT.
+#include "waves/cascades/synth.h"
+
+// ---- creation -------------------------------------------------------------------------------------------------------
+
+bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent) {
+    cascade_tables *t = shared->tables = bolan_sea_reserve(&shared->memory, sizeof *t);
+    if (!t) return false;
+    t->kernels = bolan_sea_kernels_for(shared->desc.cpu);
+    shared->cascades = shared->bands = count;
+    for (uint32_t i = 0; i < count; i++) t->cascade[i].band = &shared->band[i];
+    const bolan_sea_state *state = &shared->desc.sea_state;
+    double up, cross;
+    bolan_cox_munk(state->wind_speed, &up, &cross);
+    sea_radial radial;
+    bolan_sea_radial_prepare(eval, bolan_sea_wind_peak(state, &shared->summary), up + cross, &radial);
+    bolan_cascades_layout(shared, &radial, extent);
+    if (!bolan_fft_plan_create(shared->desc.resolution, &t->plan)) return false;
+    if (!bolan_cascades_modes(shared, eval, &radial)) return false;
+    for (uint32_t i = 0; i < count; i++)
+        if (!bolan_cascade_lift(&t->cascade[i], shared->desc.choppiness)) return false;
+    return true;
+}
+
+static bool create_fft(sea_shared *shared, const spectrum_eval *eval) {
+    return bolan_cascades_create(shared, eval, shared->desc.fft.cascade_count, (cascade_extent){12.0, 10.0});
+}
+
+void bolan_cascades_destroy(sea_shared *shared) {
+    cascade_tables *t = shared->tables;
+    if (t) bolan_fft_plan_destroy(&t->plan);
+}
+
+// Planes begin some lines after a multiple of their size: written row by row at once, they would otherwise all
+// compete for one set of the cache.
+enum { PLANE_SHIFT = 7 * 16 }; // floats
+
+static bool reserve_planes(sea_memory *memory, const sea_cascade *c, sea_planes *p) {
+    const size_t n = c->n, plane = n * n + PLANE_SHIFT;
+    const size_t middle = n * c->strips * FFT_LANES * SEA_PARTS * 2, planes = plane * (SEA_FIELDS + 6);
+    float *next = bolan_sea_reserve(memory, (middle + planes) * sizeof(float));
+    if (!next) return false;
+    p->middle = next;
+    next += middle;
+    for (int f = 0; f < SEA_FIELDS; f++, next += plane) p->field[f] = next;
+    p->foam = next;
+    p->displacement_half = (uint16_t *)(void *)(next + plane);
+    p->slope_half = (uint16_t *)(void *)(next + 3 * plane);
+    p->foam_half = (uint16_t *)(void *)(next + 5 * plane);
+    return true;
+}
+
+// A worker that a later bolan_set_threads() adds finds no scratch and stays idle.
+bool bolan_cascades_create_fields(bolan_sea *sea) {
+    const cascade_tables *t = cascade_tables_of(sea->shared);
+    cascade_fields *f = sea->fields = bolan_sea_reserve(&sea->memory, sizeof *f);
+    if (!f) return false;
+    f->slots = bolan_threads();
+    f->scratch_floats = SEA_SCRATCH_BUFFERS * sea_scratch_pitch(t->plan.n);
+    f->scratch = bolan_sea_reserve(&sea->memory, f->slots * f->scratch_floats * sizeof(float));
+    if (!f->scratch) return false;
+    for (uint32_t i = 0; i < sea->shared->cascades; i++)
+        if (!reserve_planes(&sea->memory, &t->cascade[i], &f->planes[i])) return false;
+    return true;
+}
+
+// ---- reading --------------------------------------------------------------------------------------------------------
+
+void bolan_cascades_each_wave(const sea_shared *shared, sea_visit *visit, void *context) {
+    for (uint32_t i = 0; i < shared->cascades; i++)
+        bolan_sea_each_mode(&cascade_tables_of(shared)->cascade[i], visit, context);
+}
+
+void bolan_cascades_slopes(const sea_shared *shared, double out[3]) {
+    for (uint32_t i = 0; i < shared->cascades; i++)
+        for (int e = 0; e < 3; e++) out[e] += cascade_tables_of(shared)->cascade[i].slope[e];
+}
+
+void bolan_cascades_bounds(const sea_shared *shared, double *vertical, double *horizontal) {
+    double variance = 0.0, displacement = 0.0;
+    for (uint32_t i = 0; i < shared->cascades; i++) {
+        variance += shared->band[i].variance;
+        displacement += cascade_tables_of(shared)->cascade[i].displacement;
+    }
+    *vertical = 6.0 * sqrt(variance) + shared->lift;
+    *horizontal = 6.0 * sqrt(displacement) * shared->desc.choppiness;
+}
+
+double bolan_cascades_side(const sea_shared *shared) { return cascade_tables_of(shared)->cascade[0].length; }
+
+uint64_t bolan_cascades_hash(const bolan_sea *sea, uint64_t hash) {
+    for (uint32_t i = 0; i < sea->shared->cascades; i++) {
+        const size_t n = cascade_tables_of(sea->shared)->cascade[i].n;
+        const sea_planes *p = &cascade_fields_of(sea)->planes[i];
+        for (int f = 0; f < SEA_FIELDS; f++) hash = bolan_sea_hash_plane(hash, p->field[f], n * n);
+    }
+    return hash;
+}
+
+bolan_cascade_view bolan_cascades_view(const bolan_sea *sea, uint32_t index) {
+    const sea_cascade *c = &cascade_tables_of(sea->shared)->cascade[index];
+    const sea_planes *p = &cascade_fields_of(sea)->planes[index];
+    return (bolan_cascade_view){.n = c->n,
+                                .length = c->length,
+                                .angle = c->angle,
+                                .k_min = c->k_min,
+                                .k_max = c->k_max,
+                                .variance = c->band->variance,
+                                .mss = c->slope[0] + c->slope[2],
+                                .height = p->field[FIELD_HEIGHT],
+                                .dx = p->field[FIELD_DX],
+                                .dy = p->field[FIELD_DY],
+                                .slope_x = p->field[FIELD_SLOPE_X],
+                                .slope_y = p->field[FIELD_SLOPE_Y],
+                                .dxx = p->field[FIELD_DXX],
+                                .dyy = p->field[FIELD_DYY],
+                                .dxy = p->field[FIELD_DXY],
+                                .foam = p->foam,
+                                .displacement_half = p->displacement_half,
+                                .slope_half = p->slope_half,
+                                .foam_half = p->foam_half};
+}
+
+const sea_model bolan_sea_model_fft = {CASCADES_MODEL, .create = create_fft, .shown_time = bolan_sea_reduced_time};

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// A sea of cascades: tiles of random modes, synthesised by FFT. Private to src/waves; loop/ builds on it.
+//
+// How a step goes. Each cascade has n x n modes (i, j), wave vector k = (i, j) 2 pi / length in tile axes; its height
+// is real, so only j >= 0 is kept. Two parallel passes, each over strips of 16 (fft/strip.h):
+//
+//     rows     16 values of j at once: modes at time t -> 5 FFTs along i -> `middle`, transposed
+//     columns  16 values of x at once: 8 fields from the 5 by factors of j -> 4 complex FFTs along j -> fields, halfs,
+//              foam
+//
+// Five are enough for eight fields because a factor that depends on j alone commutes with the FFT along i:
+// with u = h coth(kh)/k the rows transform h, i h, u, i u, i^2 u, and the columns multiply by j and j^2.
+//
+// Who owns what. A sea_cascade is a table: written at creation, then read by every fork. What a step writes are the
+// planes and the scratch memory of one sea.
+#ifndef BOLAN_WAVES_CASCADES_H
+#define BOLAN_WAVES_CASCADES_H
+
+#include "fft/plan.h"
+#include "waves/model.h"
+
+enum {
+    SEA_PARTS = 5,                  // transforms along i
+    SEA_CELL = SEA_PARTS * FFT_ROW, // floats of `middle` for one (strip of x, j)
+    SEA_MAX_STRIPS = FFT_MAX / 2 / FFT_LANES,
+};
+
+typedef struct sea_cascade {
+    uint32_t n;
+    double length, angle, cosine, sine, k_min, k_max;
+    double slope[3];     // expected slope covariance xx, xy, yy in world axes
+    double displacement; // expected variance of dx plus that of dy [m2]
+    sea_band *band;      // in sea_shared: variance, the discrete sum over the ring, and lift
+
+    uint32_t strips;                // strips of 16 j that hold modes
+    uint32_t reach[SEA_MAX_STRIPS]; // in a strip modes have |i| < reach
+    float *amplitude;               // [strip][i][4][16]: h = (A0 c + A1 s) + i (A2 c + A3 s), c + i s = e^{i w t}
+    double *turns;                  // [strip][i][16]: w / 2 pi [1/s]
+    float *inverse_k;               // [strip][i][16]: coth(kh) / |k| [m]
+    float *expected;                // [strip][i][2][16]: variance of the waves k and -k [m2]
+    float *k, *k2;                  // [n]: tile wave number of index i (wrapped), and its square
+} sea_cascade;
+
+// What a step writes of a cascade.
+typedef struct sea_planes {
+    float *middle;            // [strip of x][j][SEA_PARTS][row]
+    float *field[SEA_FIELDS]; // by FIELD_HEIGHT ...
+    float *foam;
+    uint16_t *displacement_half, *slope_half, *foam_half;
+} sea_planes;
+
+struct sea_kernels;
+
+// sea_shared.tables
+typedef struct cascade_tables {
+    sea_cascade cascade[BOLAN_MAX_CASCADES];
+    fft_plan plan;
+    const struct sea_kernels *kernels;
+} cascade_tables;
+
+// bolan_sea.fields
+typedef struct cascade_fields {
+    sea_planes planes[BOLAN_MAX_CASCADES];
+    uint32_t slots; // workers that a step uses at most
+    float *scratch; // [slots][scratch_floats]
+    size_t scratch_floats;
+} cascade_fields;
+
+static inline const cascade_tables *cascade_tables_of(const sea_shared *shared) { return shared->tables; }
+static inline const cascade_fields *cascade_fields_of(const bolan_sea *sea) { return sea->fields; }
+
+// ---- creation -------------------------------------------------------------------------------------------------------
+
+// Omnidirectional quantities of a sea state over log k, and the roll-off of its short waves.
+enum { RADIAL_COUNT = 384 };
+#define RADIAL_K_MIN 1e-4
+#define RADIAL_K_MAX 4e3
+typedef struct sea_radial {
+    double k[RADIAL_COUNT];
+    double variance[RADIAL_COUNT]; // m0 of the waves longer than k [m2]
+    double mss[RADIAL_COUNT];      // their slope variance
+    double keep[RADIAL_COUNT];     // factor on the power at k, 1 for the long waves
+} sea_radial;
+// `budget` is the slope variance of all waves, by Cox & Munk.
+void bolan_sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget, sea_radial *out);
+double bolan_sea_radial_keep(const sea_radial *radial, double k);
+// Wave number above which a fraction 1 - share of the variance lies; 0 in a flat calm.
+double bolan_sea_radial_quantile(const sea_radial *radial, double share);
+// Wave number of the highest spectral peak among the systems [rad/m]; 0 where there is none.
+double bolan_sea_wind_peak(const bolan_sea_state *state, const bolan_sea_summary *summary);
+
+// How long the first tile is where the desc leaves it open: so many peak wavelengths, and at least so many of the
+// longest waves that matter.
+typedef struct cascade_extent {
+    double peaks, longest;
+} cascade_extent;
+// Reserves the tables, resolves desc.length, and makes `count` cascades with all that is in them. Sets bands and
+// counts. False when memory is short.
+bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent);
+// Lengths, angles and rings of `count` cascades.
+void bolan_cascades_layout(sea_shared *shared, const sea_radial *radial, cascade_extent extent);
+// Mode tables of every cascade. False when memory is short.
+bool bolan_cascades_modes(sea_shared *shared, const spectrum_eval *eval, const sea_radial *radial);
+// The lift of a cascade. False when memory is short.
+bool bolan_cascade_lift(const sea_cascade *cascade, double choppiness);
+// Calls `visit` for every mode with energy, in a fixed order.
+void bolan_sea_each_mode(const sea_cascade *cascade, sea_visit *visit, void *context);
+
+// ---- the functions of the table (model.h) ---------------------------------------------------------------------------
+
+void bolan_cascades_destroy(sea_shared *shared);
+bool bolan_cascades_create_fields(bolan_sea *sea);
+void bolan_cascades_step(bolan_sea *sea, double shown, float decay);
+void bolan_cascades_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
+void bolan_cascades_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
+                                bolan_sea_sample *out);
+void bolan_cascades_sample_direct(const sea_shared *shared, double x, double y, double shown, sea_sums *out);
+
+// The part of a table that FFT and TEXTURES have in common.
+#define CASCADES_MODEL                                                                             \
+    .form = BOLAN_FORM_CASCADES, .remembers = true, .destroy = bolan_cascades_destroy,             \
+    .create_fields = bolan_cascades_create_fields, .step = bolan_cascades_step,                    \
+    .sample_rest = bolan_cascades_sample_rest, .sample_grid = bolan_cascades_sample_grid,          \
+    .sample_direct = bolan_cascades_sample_direct, .each_wave = bolan_cascades_each_wave,          \
+    .slopes = bolan_cascades_slopes, .bounds = bolan_cascades_bounds, .side = bolan_cascades_side, \
+    .hash = bolan_cascades_hash, .cascade = bolan_cascades_view
+void bolan_cascades_each_wave(const sea_shared *shared, sea_visit *visit, void *context);
+void bolan_cascades_slopes(const sea_shared *shared, double out[3]);
+void bolan_cascades_bounds(const sea_shared *shared, double *vertical, double *horizontal);
+double bolan_cascades_side(const sea_shared *shared);
+uint64_t bolan_cascades_hash(const bolan_sea *sea, uint64_t hash);
+bolan_cascade_view bolan_cascades_view(const bolan_sea *sea, uint32_t index);
+
+#endif
