@@ -65,8 +65,7 @@ static bool upload_cascades(host_fields *p, const bolan_sea *sea, uint32_t count
 static double exp_scale(double sharpness) { return sharpness > 0.0 ? 2.0 / (1.0 - exp(-2.0 * sharpness)) : 1.0; }
 
 static double sharpness_of(const bolan_sea *sea) {
-    const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
-    return desc->waves == BOLAN_WAVES_EXP_COSINE ? desc->exp_cosine.sharpness : 0.0;
+    return bolan_sea_form(sea) == BOLAN_FORM_EXP_COSINES ? bolan_sea_get_desc(sea)->exp_cosine.sharpness : 0.0;
 }
 
 // Phases are those at the origin now, reduced in double, so that the GPU never sees a large coordinate.

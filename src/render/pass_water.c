@@ -118,13 +118,13 @@ static water_setup setup_of(const frame *f) {
     const bolan_technique *t = &f->scene->technique;
     const water_optics *o = optics_table[t->optics];
     const bolan_sea *sea = f->desc->sea;
-    const bolan_wave_model model = bolan_sea_get_desc(sea)->waves;
+    const bolan_wave_form form = bolan_sea_form(sea);
     const bolan_look *look = &f->scene->look;
-    const water_waves waves = bolan_water_waves_of(model, t->surface);
+    const water_waves waves = bolan_water_waves_of(form, t->surface);
     const bool edges = look->show == BOLAN_SHOW_MESH;
     return (water_setup){.quality = f->quality,
                          .waves = waves,
-                         .waves_below = bolan_water_waves_of(model, BOLAN_SURFACE_QUAD),
+                         .waves_below = bolan_water_waves_of(form, BOLAN_SURFACE_QUAD),
                          .surface = t->surface,
                          .below = o->from_below,
                          .land = f->shore->present,
