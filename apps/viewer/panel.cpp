@@ -5,6 +5,7 @@
 
 #include "bolan/io.h"
 #include "messages.h"
+#include "panel_rows.h"
 
 #include <backends/imgui_impl_opengl3.h>
 #include <backends/imgui_impl_sdl.h>
@@ -24,14 +25,30 @@ float text_scale = 1.0f;
 
 const ImGuiSliderFlags clamp = ImGuiSliderFlags_AlwaysClamp;
 
-// A float slider over a double; true while it moves.
-bool slide(const char *label, double *value, double low, double high, const char *format, ImGuiSliderFlags flags = 0) {
-    return ImGui::SliderScalar(label, ImGuiDataType_Double, value, &low, &high, format, clamp | flags);
+panel_row rows[PANEL_ROW_COUNT];
+
+ImGuiSliderFlags flags_of(const panel_row &row) {
+    return row.logarithmic ? clamp | ImGuiSliderFlags_Logarithmic : clamp;
 }
 
-// True when a slider has been let go at a new value.
-bool let_go(const char *label, float *value, float low, float high, const char *format, ImGuiSliderFlags flags = 0) {
-    ImGui::SliderFloat(label, value, low, high, format, clamp | flags);
+// A slider over a factor that is no parameter of a scene.
+void slide_factor(const char *label, double *value, double low, double high, const char *format) {
+    ImGui::SliderScalar(label, ImGuiDataType_Double, value, &low, &high, format, clamp | ImGuiSliderFlags_Logarithmic);
+}
+
+// A slider over a field of the scene.
+void slide(panel_row_id id, double *field) {
+    const panel_row &row = rows[id];
+    double value = *field / row.factor;
+    if (ImGui::SliderScalar(row.label, ImGuiDataType_Double, &value, &row.low, &row.high, row.format, flags_of(row)))
+        *field = value * row.factor;
+}
+
+// A slider over a knob, which is in units of the row. True when it has been let go at a new value.
+bool let_go(panel_row_id id, float *value) {
+    const panel_row &row = rows[id];
+    ImGui::SliderFloat(row.label, value, static_cast<float>(row.low), static_cast<float>(row.high), row.format,
+                       flags_of(row));
     return ImGui::IsItemDeactivatedAfterEdit();
 }
 
@@ -62,7 +79,7 @@ void time_controls(const panel_edits *e, const panel_facts *f) {
         *e->paused = !*e->paused;
     ImGui::SameLine();
     ImGui::Text("%.1f s", f->time);
-    slide("time scale", e->time_scale, 0.0625, 16.0, "%.3gx", ImGuiSliderFlags_Logarithmic);
+    slide_factor("time scale", e->time_scale, 0.0625, 16.0, "%.3gx");
 }
 
 unsigned sea_preset(sea_knobs *k) {
@@ -94,10 +111,10 @@ unsigned sea_preset(sea_knobs *k) {
 unsigned swell_section(sea_knobs *k) {
     unsigned changed = group(ImGui::Checkbox("swell", &k->swell), SEA_KNOBS_SWELL);
     if (!k->swell) return changed;
-    bool turned = let_go("height##swell", &k->swell_height, 0.1f, 10.0f, "%.1f m");
-    turned |= let_go("period##swell", &k->swell_period, 5.0f, 25.0f, "%.1f s");
-    turned |= let_go("from##swell", &k->swell_from, 0.0f, 360.0f, "%.0f deg");
-    turned |= let_go("narrowness##swell", &k->swell_spread, 5.0f, 100.0f, "%.0f");
+    bool turned = let_go(ROW_SWELL_HEIGHT, &k->swell_height);
+    turned |= let_go(ROW_SWELL_PERIOD, &k->swell_period);
+    turned |= let_go(ROW_SWELL_FROM, &k->swell_from);
+    turned |= let_go(ROW_SWELL_SPREAD, &k->swell_spread);
     return changed | group(turned, SEA_KNOBS_SWELL);
 }
 
@@ -111,13 +128,11 @@ unsigned sea_section(const panel_edits *e, const panel_facts *f) {
         ImGui::TextWrapped("Measured spectrum %s: the wind here only roughens it.", e->scene->spectrum_path);
     else
         changed |= sea_preset(k);
-    bool wind = let_go("wind", &k->wind_speed, 0.0f, 40.0f, "%.1f m/s");
-    wind |= let_go("wind from", &k->wind_from, 0.0f, 360.0f, "%.0f deg");
-    if (!k->measured)
-        wind |= let_go("fetch", &k->fetch_km, SEA_KNOBS_FETCH_MIN, SEA_KNOBS_FETCH_MAX, "%.0f km",
-                       ImGuiSliderFlags_Logarithmic);
+    bool wind = let_go(ROW_WIND_SPEED, &k->wind_speed);
+    wind |= let_go(ROW_WIND_FROM, &k->wind_from);
+    if (!k->measured) wind |= let_go(ROW_FETCH, &k->fetch_km);
     changed |= group(wind, SEA_KNOBS_WIND) | swell_section(k);
-    bool layout = let_go("choppiness", &k->choppiness, 0.0f, 2.0f, "%.2f");
+    bool layout = let_go(ROW_CHOPPINESS, &k->choppiness);
     ImGui::InputInt("seed", &k->seed);
     layout |= ImGui::IsItemDeactivatedAfterEdit();
     if (k->seed < 0) k->seed = 0;
@@ -126,25 +141,24 @@ unsigned sea_section(const panel_edits *e, const panel_facts *f) {
 
 void sky_section(bolan_sky *sky) {
     if (!ImGui::CollapsingHeader("Sun and sky", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    slide("sun azimuth", &sky->sun_azimuth_deg, 0.0, 360.0, "%.0f deg");
-    slide("sun elevation", &sky->sun_elevation_deg, -18.0, 90.0, "%.1f deg");
-    double km = sky->visibility * 1e-3;
-    if (slide("visibility", &km, 0.5, 300.0, "%.1f km", ImGuiSliderFlags_Logarithmic)) sky->visibility = km * 1e3;
-    slide("clouds", &sky->cloud_cover, 0.0, 1.0, "%.2f");
-    slide("cloud base", &sky->cloud_base, 300.0, 6000.0, "%.0f m");
+    slide(ROW_SUN_AZIMUTH, &sky->sun_azimuth_deg);
+    slide(ROW_SUN_ELEVATION, &sky->sun_elevation_deg);
+    slide(ROW_VISIBILITY, &sky->visibility);
+    slide(ROW_CLOUD_COVER, &sky->cloud_cover);
+    slide(ROW_CLOUD_BASE, &sky->cloud_base);
 }
 
 unsigned water_section(const panel_edits *e) {
     if (!ImGui::CollapsingHeader("Water", ImGuiTreeNodeFlags_DefaultOpen)) return 0;
     bolan_seawater *water = &e->scene->water;
-    if (begin_combo("Jerlov type", bolan_jerlov_name(water->type))) {
-        for (int t = BOLAN_JERLOV_I; t <= BOLAN_JERLOV_9C; ++t)
+    if (begin_combo(rows[ROW_WATER_TYPE].label, bolan_jerlov_name(water->type))) {
+        for (int t = 0; t < BOLAN_JERLOV_TYPES; ++t)
             if (ImGui::Selectable(bolan_jerlov_name(static_cast<bolan_jerlov>(t)), t == water->type))
                 water->type = static_cast<bolan_jerlov>(t);
         ImGui::EndCombo();
     }
-    slide("foam", &water->foam, 0.0, 2.0, "%.2f");
-    bool lasting = let_go("foam lasts", &e->knobs->foam_decay, 0.5f, 20.0f, "%.1f s", ImGuiSliderFlags_Logarithmic);
+    slide(ROW_FOAM, &water->foam);
+    bool lasting = let_go(ROW_FOAM_DECAY, &e->knobs->foam_decay);
     return group(lasting, SEA_KNOBS_LAYOUT);
 }
 
@@ -166,7 +180,7 @@ unsigned technique_section(const panel_edits *e, panel_wishes *wishes) {
     if (!ImGui::CollapsingHeader("Technique and quality")) return 0;
     bool layout = technique_list(e->scene);
     int quality = static_cast<int>(*e->quality);
-    if (ImGui::Combo("quality", &quality, "low\0medium\0high\0ultra\0")) {
+    if (ImGui::Combo("quality", &quality, bolan_quality_names, BOLAN_QUALITIES)) {
         *e->quality = static_cast<bolan_quality>(quality);
         wishes->quality = true;
     }
@@ -179,11 +193,13 @@ unsigned technique_section(const panel_edits *e, panel_wishes *wishes) {
     static const char *const sizes[] = {"64", "128", "256", "512", "1024"};
     int size = 0;
     while (size < 4 && (64 << size) < e->knobs->resolution) ++size;
-    if (ImGui::Combo("waves a side", &size, sizes, 5)) {
+    if (ImGui::Combo(rows[ROW_RESOLUTION].label, &size, sizes, 5)) {
         e->knobs->resolution = 64 << size;
         layout = true;
     }
-    ImGui::SliderInt("cascades", &e->knobs->cascades, 1, BOLAN_MAX_CASCADES, "%d", clamp);
+    const panel_row &cascades = rows[ROW_CASCADES];
+    ImGui::SliderInt(cascades.label, &e->knobs->cascades, static_cast<int>(cascades.low),
+                     static_cast<int>(cascades.high), "%d", clamp);
     layout |= ImGui::IsItemDeactivatedAfterEdit();
     return group(layout, SEA_KNOBS_LAYOUT);
 }
@@ -194,9 +210,9 @@ void camera_section(const panel_edits *e, const panel_facts *f, panel_wishes *wi
     ImGui::Text("east %.1f  north %.1f  up %.1f m", c->position.x, c->position.y, c->position.z);
     ImGui::Text("heading %.0f %s  pitch %+.1f deg", c->heading_deg, compass(c->heading_deg), c->pitch_deg);
     ImGui::Text("%.1f m over the %s, %.1f m/s", f->camera_height, f->over_land ? "ground" : "water", f->camera_speed);
-    slide("field of view", &c->fov_deg, 5.0, 120.0, "%.0f deg");
-    slide("speed", e->speed, 0.02, 50.0, "%.2gx", ImGuiSliderFlags_Logarithmic);
-    slide("exposure", &e->scene->exposure, -4.0, 4.0, "%+.1f stops");
+    slide(ROW_FIELD_OF_VIEW, &c->fov_deg);
+    slide_factor("speed", e->speed, 0.02, 50.0, "%.2gx");
+    slide(ROW_EXPOSURE, &e->scene->exposure);
     if (ImGui::Button("back to the scene's view")) wishes->home = true;
 }
 
@@ -305,6 +321,7 @@ void set_style() {
 } // namespace
 
 bool panel_open(const window *w) {
+    panel_rows_make(rows);
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO &io = ImGui::GetIO();

@@ -162,7 +162,7 @@ typedef struct bolan_raster_desc {
     /// Name of the variable or of the band.
     /// Default "": the one that is an elevation by its standard_name, name or unit.
     char variable[BOLAN_NAME_MAX];
-    /// Number of the band, from 1.
+    /// Number of the band, 1..65535.
     /// Default 0: the only band, or the one that is an elevation by its name.
     uint32_t band;
     /// Coordinates of the file: "metres", "degrees", or a CRS that PROJ knows ("EPSG:32604", WKT).

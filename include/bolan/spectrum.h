@@ -60,7 +60,7 @@ typedef struct bolan_wave_system {
     double from_deg;                ///< where the waves come FROM, compass [deg], -360..360
     bolan_spreading_kind spreading; ///< default HASSELMANN
     double spread_s;                ///< s of COS2S, 0..200; default 10. Raised: longer crests
-    double wind_speed;              ///< U10 [m/s] for HASSELMANN's U/cp; 0: taken as U = cp
+    double wind_speed;              ///< U10 [m/s] for HASSELMANN's U/cp, 0..70; 0: taken as U = cp
     double swell;                   ///< Horvath's swell parameter xi, 0..1: lengthens the crests; default 0
 } bolan_wave_system;
 
@@ -242,7 +242,7 @@ typedef struct bolan_spectrum_options {
     /// Which location of a SWAN or WAVEWATCH III text, from 1. 0 (default): the one nearest to @ref place, or the
     /// first, with a warning where there are several.
     uint32_t location;
-    /// Longitude and latitude [deg], or x and y [m]; NAN (default): no place.
+    /// Longitude and latitude [deg], or x and y [m], +-1e9; NAN (default): no place.
     double place[2];
     /// Where the waves come FROM, compass [deg], -360..360, for a spectrum without directions. NAN (default): not
     /// known; 270 stands in, with a warning.

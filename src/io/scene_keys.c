@@ -34,11 +34,14 @@ static const bolan_param sun_rows[] = {
 
 #define STRUCT struct scene_file_swell
 static const bolan_param swell_rows[] = {
-    NUMBER(hs, .key = "hs", .high = SPECTRUM_MAX_HS, .unit = "m", .rules = BOLAN_PARAM_REQUIRED, .help = "height"),
-    NUMBER(tp, .key = "tp", .low = 1, .high = 60, .unit = "s", .rules = BOLAN_PARAM_REQUIRED, .help = "peak period"),
+    NUMBER(hs, .key = "hs", .high = SPECTRUM_MAX_HS, .unit = "m", .rules = BOLAN_PARAM_REQUIRED, .label = "height",
+           .usual_low = 0.1, .usual_high = 10, .digits = 1, .help = "height"),
+    NUMBER(tp, .key = "tp", .low = 1, .high = 60, .unit = "s", .rules = BOLAN_PARAM_REQUIRED, .label = "period",
+           .usual_low = 5, .usual_high = 25, .digits = 1, .help = "peak period"),
     HEADING(from, .key = "from", .rules = BOLAN_PARAM_OR_NAN, .fallback = (double)NAN, .otherwise = "the wind's",
-            .help = "where it comes from, compass degrees"),
-    NUMBER(spread, .key = "spread", .high = 200, .fallback = 30, .help = "exponent of cos-2s; larger: longer crests"),
+            .usual_high = 360, .help = "where it comes from, compass degrees"),
+    NUMBER(spread, .key = "spread", .high = 200, .fallback = 30, .label = "narrowness", .usual_low = 5,
+           .usual_high = 100, .help = "exponent of cos-2s; larger: longer crests"),
 };
 #undef STRUCT
 
