@@ -40,11 +40,9 @@ uniform highp sampler2D surface_rest; // water_shape.glsl's outputs
 uniform sampler2D surface_slope;
 uniform sampler2D surface_transmittance;
 uniform sampler2D surface_inscatter;
-uniform vec4 slope_total; // xyz: covariance of the slopes of all waves; w: standard deviation of their height [m]
-uniform vec4 foam_law;    // x: Jacobian threshold (below -999: nothing foams), y: slope variance beyond the cascades
-uniform vec4 foam_edge;   // x, y: variances that soften the edges of fresh and of old foam; the thresholds allow for them; z: choppiness squared
-// x: threshold of the foam memory (above 999: none), y: its variance, z: variance of the Jacobian, all scales
-uniform vec4 foam_memory;
+layout(std140) uniform Optics {
+#include "shared/physical_block.glsl"
+};
 
 #ifdef LAND
 #pragma unit scene_color 3
@@ -136,7 +134,7 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, flo
 // Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash
 // at the edge. Up a slope the fronts follow the depth; over flats they travel the way the sea goes.
 float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 noise) {
-    float hs = sea_law.z, wobble = noise.b - 0.5;
+    float hs = shore_height, wobble = noise.b - 0.5;
     float zone = smoothstep(1.6 * hs, 0.35 * hs, depth + wobble * hs);
     float cover = zone * (0.1 + 0.9 * bore(behind_front(rest, depth, 0.9 * wobble + 0.5 * noise.a)));
     float surge = 0.55 + 0.45 * sin(2.0 * PI * (surf_time + 2.0 * wobble));
@@ -149,11 +147,11 @@ float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 no
 // Covered shares by breaking crests and by what they leave (Dupuy & Bruneton 2012: the mean and the hidden variance of
 // the Jacobian).
 void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float old) {
-    float variance = max(covariance.x + covariance.z - foam_law.y, 0.0) * foam_edge.z;
-    fresh = foam_law.x < -999.0 ? 0.0 : normal_cdf((foam_law.x - w.jacobian) * inversesqrt(variance + foam_edge.x));
-    float hidden = clamp(variance / max(foam_memory.z, 1e-6), 0.0, 1.0);
-    float excess = (w.foam - foam_memory.x) * inversesqrt(foam_memory.y * (hidden + foam_edge.y));
-    old = foam_memory.x > 999.0 ? 0.0 : normal_cdf(excess);
+    float variance = max(covariance.x + covariance.z - slopes_beyond_cascades, 0.0) * choppiness * choppiness;
+    fresh = breaking_jacobian < -999.0 ? 0.0 : normal_cdf((breaking_jacobian - w.jacobian) * inversesqrt(variance + fresh_edge));
+    float hidden = clamp(variance / max(jacobian_variance, 1e-6), 0.0, 1.0);
+    float excess = (w.foam - old_foam_memory) * inversesqrt(memory_variance * (hidden + old_edge));
+    old = old_foam_memory > 999.0 ? 0.0 : normal_cdf(excess);
 }
 
 // What is known of a pixel of water before it is lit.
@@ -185,7 +183,7 @@ vec3 slopes_beyond_mesh(footprint f, float coded) {
 // Waves that shallow water has left: share of the amplitude.
 float waves_left(float depth) {
 #ifdef LAND
-    return max(coast_attenuation(depth, sea_law.x), 0.05);
+    return max(coast_attenuation(depth, significant_height), 0.05);
 #else
     return 1.0;
 #endif
@@ -213,8 +211,8 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
 #endif
     p.hidden = unresolved_slopes(p.place);
     p.roughness = p.hidden * gust * gust;
-    vec3 total = mix(beyond, slope_total.xyz, left * left);
-    p.near = surroundings_of(slope_light.xy, beyond, total, p.height / (slope_total.w * left));
+    vec3 total = mix(beyond, slope_total, left * left);
+    p.near = surroundings_of(slope_light.xy, beyond, total, p.height / (height_deviation * left));
     p.slope = seen_slope(p.view, p.waves.slope, p.near, p.whole, p.roughness);
     p.seen = facets_seen(p.view, p.slope, p.roughness);
     p.normal = normalize(vec3(-p.slope, 1.0));
@@ -236,13 +234,13 @@ vec3 reflected_light(water_here p, rough_reflection mirror) {
 #ifdef LAND
     light = with_land(light, p.position, p.view, p.slope, p.seen.toward, mirror);
 #endif
-    float again = level_reflectance(slope_variance(normalize(level_part(p.view)), slope_total.xyz));
+    float again = level_reflectance(slope_variance(normalize(level_part(p.view)), slope_total));
     return light + (mirror.reflectance - mirror.clear) * again * low_sky;
 }
 
 // Radiance of the water itself: sunlight and skylight that entered it and were scattered back.
 vec3 water_light(vec3 sunlight) {
-    rough_facets to_sun = rough_seen(sun_direction, vec2(0.0), slope_total.xyz);
+    rough_facets to_sun = rough_seen(sun_direction, vec2(0.0), slope_total);
     float enters = 1.0 - rough_fresnel(sun_direction, vec2(0.0), to_sun, water_index);
     return water_reflectance * (sunlight * (max(sun_direction.z, 0.0) * enters) + sky_light * SKY_ENTERS);
 }
@@ -268,7 +266,7 @@ void main() {
     film = smoothstep(0.0, 0.12, water_path); // the last centimetres over the sand
 #endif
     if (effect_is_on(EFFECT_SCATTERING))
-        below += crest_glow(water_reflectance, sunlight, p.view, sun_direction, (p.position.z + eye_height) / max(sea_law.x, 0.3),
+        below += crest_glow(water_reflectance, sunlight, p.view, sun_direction, (p.position.z + eye_height) / max(significant_height, 0.3),
                             p.waves.jacobian);
     surface = (1.0 - mirror.reflectance) * below;
     if (effect_is_on(EFFECT_REFLECTION)) surface += reflected_light(p, mirror);

@@ -7,8 +7,6 @@ uniform sampler2D ripple_map;
 #ifndef RIPPLES // serves an offline compiler
 #define RIPPLES 2
 #endif
-uniform vec4 ripple_tile[2]; // where the eye stands in it, unit vector of its u axis
-uniform vec4 ripple_size[2]; // 1 / its side [1/m], its slope variance, log2 of the side, rms slope
 #endif
 
 // Adds the ripples to a slope, and takes from the covariance what is seen of them.

@@ -16,13 +16,6 @@ uniform sampler2D slope_map1;
 uniform sampler2D slope_map2;
 uniform sampler2D slope_map3;
 #endif
-uniform int cascade_count;
-uniform vec4 cascade_tile[4]; // xy: the eye in the tile [0,1), zw: cos(angle), sin(angle) over the side [1/m]
-uniform vec4 cascade_band[4]; // x: significant height of the band [m], y: texel [m], z: longest wave [m], w: log2 of the texel
-uniform float choppiness;
-// What each cascade adds to every height by log2 of the mesh's spacing in texels, two octaves more than that:
-// bolan_sea_lift().
-uniform vec4 cascade_lift[13];
 
 // Share of the amplitude that depth leaves of each cascade.
 #ifdef LAND

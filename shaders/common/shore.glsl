@@ -2,10 +2,9 @@
 // The ground under the water, for any stage. shore_map holds nested square levels of elevation above the water level
 // around the eye, snapped to their texels so that nothing swims; src/render/shore_map.c fills it.
 #include "shared/attenuation.glsl"
+#include "common/water_block.glsl"
 #pragma unit shore_map 5
 uniform highp sampler2DArray shore_map;
-uniform vec4 shore_level[4]; // west, south (eye-relative), side, texel [m]
-uniform int shore_present;
 
 const float SHORE_NONE = -1000.0; // no ground within reach
 

@@ -27,8 +27,6 @@ footprint mesh_footprint(footprint f, float spacing) {
 #ifdef VERTEX
 #ifdef STATIC_GRID
 layout(location = 0) in vec2 grid_place; // column and row in 0..1: the same in every frame
-uniform vec4 grid_reach, grid_azimuth; // see common/grid.glsl
-uniform vec2 grid_cells;
 #else
 layout(location = 0) in vec4 vertex; // eye-relative mean water; w: spacing [m]
 layout(location = 1) in vec2 stitch; // to the neighbours whose mean this vertex is; (0, 0): none

@@ -8,6 +8,7 @@
 // (sea_gpu.h). CASCADES: how many of them pixels look up, longest waves first.
 // Twins of bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
 #include "shared/constants.glsl"
+#include "common/water_block.glsl"
 #ifdef LAND
 #include "common/shore.glsl"
 #endif
@@ -23,23 +24,16 @@ struct wave_fields {
     float foam;     // foam memory
 };
 
-uniform vec4 sea_law; // x: significant height, y: peak wave length, z: significant height that the shore sees [m]
-
 #if defined(WAVES_EXP) || defined(WAVES_SUM)
 #ifdef WAVES_EXP
-uniform vec4 wave_component[16]; // kx, ky [turns/m], amplitude [m], phase at the eye [turns]
-uniform vec4 exp_law;            // x: sharpness s, y: mean e^-s I0(s) of the shape
-uniform vec4 exp_slope[2];       // c0..c3, c4..c7: the shape's derivative by the phase [turns] is sin cos of half of it times c0 + c1 sin^2 + ...
 vec4 wave_of(int i) { return wave_component[i]; }
 #else
 #pragma unit wave_table 8
 uniform highp sampler2D wave_table; // likewise, a texel a wave, 64 in a row; longest first
 vec4 wave_of(int i) { return texelFetch(wave_table, ivec2(i & 63, i >> 6), 0); }
 #endif
-uniform vec4 wave_total; // xyz: slope covariance with what is no part of the waves; w: a wave's by its amplitude and turns/m
 // WAVE_COUNT: how many, where that is known: a loop of so many is a fifth faster
 #ifndef WAVE_COUNT
-uniform int wave_count;
 #define WAVE_COUNT wave_count
 #endif
 
@@ -57,7 +51,7 @@ vec2 half_sincos(float x) {
 float wave_height(float phase, float faded) {
     float s = half_sincos(within_half_a_turn(phase * 0.15915494)).x;
 #ifdef WAVES_EXP
-    return exp2(exp_law.x * -2.88539008 * s * s + faded) - exp_law.y * exp2(faded);
+    return exp2(exp_sharpness * -2.88539008 * s * s + faded) - exp_mean * exp2(faded);
 #else
     return (1.0 - 2.0 * s * s) * exp2(faded);
 #endif
@@ -66,7 +60,7 @@ float wave_height(float phase, float faded) {
 float wave_slope(float phase, float faded) {
     vec2 w = half_sincos(within_half_a_turn(phase * 0.15915494));
 #ifdef WAVES_EXP
-    return -2.0 * exp_law.x * w.x * w.y * exp2(exp_law.x * -2.88539008 * w.x * w.x + faded);
+    return -2.0 * exp_sharpness * w.x * w.y * exp2(exp_sharpness * -2.88539008 * w.x * w.x + faded);
 #else
     return -2.0 * w.x * w.y * exp2(faded);
 #endif
@@ -122,7 +116,6 @@ vec3 unresolved_slopes(footprint f) {
 
 #ifdef VERTEX
 #ifdef WAVES_MESH
-uniform float mesh_lift; // what is in the mesh's heights to keep their mean at the level [m]: bolan_sea_lift()
 layout(location = 2) in vec3 mesh_offset; // height, dx, dy
 layout(location = 3) in vec4 mesh_fields; // slope, jacobian, foam
 #endif
@@ -135,7 +128,7 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
     fields = mesh_fields;
     float keep = 1.0;
 #ifdef LAND
-    keep = coast_attenuation(depth, sea_law.x);
+    keep = coast_attenuation(depth, significant_height);
 #endif
     fields.xy *= keep;
     offset = keep * mesh_offset.yzx;
@@ -150,7 +143,7 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
         fields.xy += keep * wave_slope(phase, 0.0) * 6.28318531 * w.xy;
     }
 #ifdef LAND
-    float shallow = coast_attenuation(depth, sea_law.x);
+    float shallow = coast_attenuation(depth, significant_height);
     offset.z *= shallow;
     fields.xy *= shallow;
 #endif
@@ -284,10 +277,10 @@ wave_fields waves_of_footprint(vec2 rest, footprint f, float gust, float depth, 
         seen += kept * kept * square;
     }
 #ifdef LAND
-    float shallow = coast_attenuation(depth, sea_law.x);
+    float shallow = coast_attenuation(depth, significant_height);
     slope *= shallow;
 #endif
-    hidden = max(wave_total.xyz - wave_total.w * seen, vec3(0.0, -1.0, 0.0)) + vec3(SUN_DISC_SLOPES, 0.0, SUN_DISC_SLOPES);
+    hidden = max(wave_slopes - wave_slope_share * seen, vec3(0.0, -1.0, 0.0)) + vec3(SUN_DISC_SLOPES, 0.0, SUN_DISC_SLOPES);
     return wave_fields(slope * gust, 1.0, 0.0);
 }
 

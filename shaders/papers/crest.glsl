@@ -46,8 +46,9 @@ uniform sampler2D air_transmittance_map; // of crest_air.glsl
 uniform sampler2D air_inscatter_map;
 uniform sampler2D air_bed_map;
 
-uniform vec4 crest_foam;   // x: sum dxx + dyy (choppiness applied) where a crest breaks, y: foam memory where old foam begins, z, w: variances that soften these edges
-uniform vec4 crest_hidden; // x: slope variance beyond the cascades, y: choppiness squared, z: variance of the memory over that of the slopes
+layout(std140) uniform Optics {
+#include "shared/crest_block.glsl"
+};
 
 #pragma unit crest_tables 15
 // Rows by t: shares of three densities of foam and of foam without holes (a) by intensity (s), for the zones RAMP_...;
@@ -128,8 +129,8 @@ const vec3 PAPER_TINT = vec3(0.088, 0.497, 0.456);
 
 // The mask of crests, 0..1. `rise`: of the mean water's surface here [m]; toward: horizontal direction to the eye.
 float crest_mask(crest_pixel p, wave_fields w, float rise, vec2 toward) {
-    if (look_mix.z > 0.5) return clamp(10.0 * length(vec3(p.position.xy - p.rest, rise)) / sea_law.y, 0.0, 1.0);
-    float high = clamp(0.35 + 0.9 * rise / max(sea_law.x, 0.2), 0.0, 1.0);
+    if (look_by_the_paper > 0.5) return clamp(10.0 * length(vec3(p.position.xy - p.rest, rise)) / peak_length, 0.0, 1.0);
+    float high = clamp(0.35 + 0.9 * rise / max(significant_height, 0.2), 0.0, 1.0);
     float pinched = clamp(0.25 + 1.3 * (1.0 - w.jacobian), 0.0, 1.0);
     float facing = clamp(0.4 - 2.0 * dot(w.slope, toward), 0.0, 1.0); // the side that leans to the eye
     return high * pinched * facing * 2.0 * min(1.0, 2.0 * high);
@@ -141,8 +142,8 @@ vec3 crest_light(float mask, vec3 view, vec3 sunlight) {
     float towards = ahead * ahead;
     towards *= towards * ahead; // ^5
     float across = (1.0 - view.z * view.z) * mask;
-    if (look_mix.z > 0.5) return 1.7 * towards * across * PAPER_TINT * sunlight / 3.14159265; // base 0, sun 1.7
-    float path = clamp(1.2 * sea_law.x, 0.5, 5.0);
+    if (look_by_the_paper > 0.5) return 1.7 * towards * across * PAPER_TINT * sunlight / 3.14159265; // base 0, sun 1.7
+    float path = clamp(1.2 * significant_height, 0.5, 5.0);
     // forward scattering, most of it within 40 degrees; the rest, from all around, lights every thin crest a little
     return (0.16 * towards + 0.012) * across * exp(-path * water_attenuation) * (sunlight + 0.3 * sky_light);
 }
@@ -151,9 +152,9 @@ vec3 crest_light(float mask, vec3 view, vec3 sunlight) {
 
 // Shares of foam by breaking crests and by what they left behind (means over what the pixel does not resolve).
 float open_foam(wave_fields w, vec3 slopes) {
-    float hidden = max(slopes.x + slopes.z - crest_hidden.x, 0.0) * crest_hidden.y;
-    vec2 edges = inversesqrt(6.2831853 * vec2(hidden + crest_foam.z, hidden * crest_hidden.z + crest_foam.w));
-    vec2 shares = clamp(0.5 + vec2(crest_foam.x + 1.0 - w.jacobian, w.foam - crest_foam.y) * edges, 0.0, 1.0);
+    float hidden = max(slopes.x + slopes.z - slopes_beyond_cascades, 0.0) * choppiness * choppiness;
+    vec2 edges = inversesqrt(6.2831853 * vec2(hidden + fresh_edge, hidden * memory_share + old_edge));
+    vec2 shares = clamp(0.5 + vec2(breaking_pinch + 1.0 - w.jacobian, w.foam - old_foam_memory) * edges, 0.0, 1.0);
     return max(shares.x, 0.55 * shares.y);
 }
 
@@ -180,7 +181,7 @@ vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
 // Foam of the shore: bores that run in over the shallows, denser with less depth, and swash at the edge. bed: depth of the bed below
 // the surface here [m]. Gives intensity and zone.
 vec2 shore_foam(crest_pixel p, float bed) {
-    float hs = sea_law.z;
+    float hs = shore_height;
     float depth = min(bed, max(p.depth, 0.0) + hs), reach = 2.2 * hs;
     float near = clamp(1.0 - depth / reach, 0.0, 1.0); // the paper's t = 1 - depth / foam depth
     float distance = p.shore, length = bore_length();
@@ -278,7 +279,7 @@ vec3 light_here(ivec2 at, vec4 shape) {
         surface = mix(surface, light, lather.x * min(foam_strength, 1.0));
     }
     surface = surface * p.transmittance + p.inscatter;
-    if (look_mix.w > 0.5 && look_mix.w < 1.5) surface = false_colors(mask, foam, reflectance, normal);
+    if (look_show > 0.5 && look_show < 1.5) surface = false_colors(mask, foam, reflectance, normal);
 #ifdef LAND
     float film = smoothstep(0.0, 0.15, bed); // the last centimetres over the sand
     if (film < 1.0) surface = mix(texelFetch(scene_color, at, 0).rgb, surface, film);

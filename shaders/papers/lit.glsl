@@ -23,7 +23,9 @@ out vec4 color;
 
 #pragma unit foam_detail 7
 uniform sampler2D foam_detail; // see common/foam.glsl
-uniform vec4 foam_law;         // x: Jacobian below which water foams, y: softness of that edge, z: choppiness, w: slope variance beyond the waves
+layout(std140) uniform Optics {
+#include "shared/lit_block.glsl"
+};
 
 #ifdef LAND
 #pragma unit scene_color 3
@@ -43,10 +45,10 @@ wave_fields waves_here(water_pixel p, footprint f) {
 
 // Opacity of the foam, for a pixel of that width [m]. Its bubbles are looked up only where there is any.
 float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
-    float hidden = foam_law.z * foam_law.z * max(covariance.x + covariance.z - foam_law.w, 0.0);
-    float cover = clamp(0.5 + (foam_law.x - w.jacobian) * inversesqrt(6.2831853 * (hidden + foam_law.y * foam_law.y)), 0.0, 1.0);
+    float hidden = choppiness * choppiness * max(covariance.x + covariance.z - slopes_beyond_waves, 0.0);
+    float cover = clamp(0.5 + (foam_jacobian - w.jacobian) * inversesqrt(6.2831853 * (hidden + foam_edge * foam_edge)), 0.0, 1.0);
 #ifdef LAND
-    cover = max(cover, smoothstep(0.7, 0.0, p.least / clamp(sea_law.x, 0.3, 3.0)) * 0.5);
+    cover = max(cover, smoothstep(0.7, 0.0, p.least / clamp(significant_height, 0.3, 3.0)) * 0.5);
 #endif
     float alpha = 0.0;
     for (int i = 0; i < 1 && cover > 0.02; ++i) { // a loop: some drivers sample textures in both branches of an if
@@ -86,9 +88,9 @@ vec3 with_bed(vec3 deep, water_pixel p, vec3 view, vec2 slope, out float film) {
 vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
     vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light * p.shade, light = vec3(0.0);
     float facing = max(dot(sun_direction, normal), 0.0), high = max(dot(normal, normalize(view + sun_direction)), 1e-6);
-    if (effect_is_on(EFFECT_AMBIENT)) light += look_light.x * water_reflectance * (sunlight * facing + sky_light);
-    if (effect_is_on(EFFECT_DIFFUSE)) light += look_light.y * sunlight * facing * 0.31830989;
-    if (effect_is_on(EFFECT_SPECULAR)) light += look_light.z * sunlight * exp2(look_light.w * log2(high)) * step(0.0, sun_direction.z);
+    if (effect_is_on(EFFECT_AMBIENT)) light += look_ambient * water_reflectance * (sunlight * facing + sky_light);
+    if (effect_is_on(EFFECT_DIFFUSE)) light += look_diffuse * sunlight * facing * 0.31830989;
+    if (effect_is_on(EFFECT_SPECULAR)) light += look_specular * sunlight * exp2(look_shininess * log2(high)) * step(0.0, sun_direction.z);
     return light;
 }
 #else
@@ -99,14 +101,14 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
     vec3 hidden = water_hidden_slopes(f) * (p.gust * p.gust), covariance = hidden;
     footprint pixel = pixel_footprint(view, length(p.position), p.mesh.xy);
     add_ripples(p.rest, pixel, p.gust, p.depth, w.slope, covariance);
-    covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
+    covariance += vec3(1.0, 0.0, 1.0) / look_shininess;
     rough_facets seen = rough_seen(view, w.slope, covariance);
     float reflectance = rough_fresnel(view, w.slope, seen, water_index), film = 1.0;
 
     vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light * p.shade, below = vec3(0.0);
     float facing = max(dot(sun_direction, normal), 0.0);
-    if (effect_is_on(EFFECT_AMBIENT)) below += look_light.x * water_reflectance * (sunlight * facing + sky_light);
-    if (effect_is_on(EFFECT_DIFFUSE)) below += look_light.y * sunlight * facing * 0.31830989;
+    if (effect_is_on(EFFECT_AMBIENT)) below += look_ambient * water_reflectance * (sunlight * facing + sky_light);
+    if (effect_is_on(EFFECT_DIFFUSE)) below += look_diffuse * sunlight * facing * 0.31830989;
 #ifdef LAND
     if (effect_is_on(EFFECT_REFRACTION)) below = with_bed(below, p, view, w.slope, film);
 #endif
@@ -116,7 +118,7 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
     if (effect_is_on(EFFECT_REFLECTION))
         light += reflectance * environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), seen.sigma);
     if (effect_is_on(EFFECT_SPECULAR))
-        light += look_light.z * sunlight * step(-0.01, sun_direction.z) *
+        light += look_specular * sunlight * step(-0.01, sun_direction.z) *
                  rough_glint(view, sun_direction, w.slope, covariance, seen, water_index);
     if (effect_is_on(EFFECT_FOAM))
         light = mix(light, foam_radiance(sunlight, facing, sky_light) * FOAM_ALBEDO,

@@ -48,12 +48,9 @@ uniform highp sampler2D refraction_depth;
 uniform sampler2D tile_slopes;    // slopes along the world's axes, their squares' sum, brightness of the water's own texture; PAPER: unit normal
 uniform sampler2D ripple_slopes;  // of shorter waves
 uniform sampler2D glint_texture;  // r: the sun as the slide has it
-uniform vec4 tile_place;          // xy: eye in the tile, zw: cos, sin of its turn over its side [1/m]
-uniform vec4 ripple_place;        // likewise
-uniform vec4 tile_law;            // x, y: log2 of texels a metre of tile and ripples, z: share of the ripples, w: slope variance of what neither has
-uniform vec4 tile_detail;         // rgb: mean radiance of the water's own texture by light on flat water; PAPER: what its 1 stands for
-uniform vec4 sun_slide[3];        // rows x, y, w of bias P_sun V_sun: mirrored directions to the slide's coordinates
-uniform vec4 disturbance;         // x: Co of eq. 9, y: Cpo of eq. 10, z: texels of the mirrored picture that twice a radian covers, w: rms radius of the slide's sun [rad]
+layout(std140) uniform Optics {
+#include "shared/mirror_block.glsl"
+};
 
 
 vec2 in_tile(vec4 place, vec2 p) { return place.xy + vec2(dot(p, place.zw), dot(p, vec2(-place.w, place.z))); }
@@ -79,7 +76,7 @@ waves_here look_at_waves(water_pixel p, vec3 view, float dist) {
 #ifdef TILES
     float lod = log2(max(f.minor, 0.5 * f.major)); // sharper than the long side at a grazing look, and still quiet
     vec2 uv = in_tile(tile_place, p.rest);
-    vec4 t = textureLod(tile_slopes, uv, lod + tile_law.x);
+    vec4 t = textureLod(tile_slopes, uv, lod + tile_texels);
 #ifdef PAPER
     w.slope = -out_of_tile(tile_place, t.xy); // the normal's x and y, as eq. 9 to 11 take them, turned into slopes
     w.variance = 1e-4;
@@ -88,24 +85,24 @@ waves_here look_at_waves(water_pixel p, vec3 view, float dist) {
     w.slope = keep * t.xy;
     float lost = max(t.z - keep * keep * dot(t.xy, t.xy), 0.0);
 #ifdef RIPPLES
-    vec4 r = textureLod(ripple_slopes, in_tile(ripple_place, p.rest), lod + tile_law.y);
+    vec4 r = textureLod(ripple_slopes, in_tile(ripple_place, p.rest), lod + ripple_texels);
     keep = far_share(ripple_place, dist);
-    w.slope += tile_law.z * keep * r.xy;
-    lost += tile_law.z * tile_law.z * max(r.z - keep * keep * dot(r.xy, r.xy), 0.0);
+    w.slope += ripple_share * keep * r.xy;
+    lost += ripple_share * ripple_share * max(r.z - keep * keep * dot(r.xy, r.xy), 0.0);
 #endif
-    w.variance = 0.5 * (lost + tile_law.w);
+    w.variance = 0.5 * (lost + missing_slopes);
 #endif
 #ifdef PAPER
-    w.own = tile_detail.rgb * textureLod(water_tile, uv, lod + tile_law.x).rgb;
+    w.own = own_radiance * textureLod(water_tile, uv, lod + tile_texels).rgb;
 #else
-    w.own = tile_detail.rgb * t.w;
+    w.own = own_radiance * t.w;
 #endif
 #else
     wave_fields at = waves_at(p.rest, f, p.gust, p.depth, p.mesh);
     vec3 c = unresolved_slopes(f);
     w.slope = at.slope;
     w.variance = 0.5 * (c.x + c.z);
-    w.own = tile_detail.rgb;
+    w.own = own_radiance;
 #endif
     return w;
 }
@@ -118,7 +115,7 @@ vec2 place_in_picture(vec3 direction) {
 // Share of a bent ray's turn that shows: what touches the water is not displaced, the sky wholly.
 float bent_share(highp sampler2D depth, vec2 uv) {
     float behind = textureLod(depth, uv, 0.0).x / (near_distance * gl_FragCoord.w);
-    return clamp(1.0 - behind, 0.0, 1.0) * look_mix.x;
+    return clamp(1.0 - behind, 0.0, 1.0) * look_distortion;
 }
 
 float slide(vec3 mirrored, vec2 push, float spread) {
@@ -150,7 +147,7 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     float turn = bent_share(reflection_depth, screen);
     vec3 bent = mix(to, vec3(ray.xy, -ray.z), bends ? turn : 0.0);
     // rough water blurs what it mirrors: along the view by twice its rms slope, across by less
-    float blur = disturbance.z * turn * sqrt(w.variance * max(view.z, 0.03));
+    float blur = blur_texels * turn * sqrt(w.variance * max(view.z, 0.03));
     vec3 mirrored = textureLod(reflection_picture, place_in_picture(bent), log2(max(blur, 1.0))).rgb;
 
     // the ray in the water, n times its level part: as it would come out of flat water
@@ -161,15 +158,15 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     vec3 seen = textureLod(refraction_picture, place_in_picture(bent), 0.0).rgb;
 
     vec3 own = effect_is_on(EFFECT_BUMP) ? w.own * (light * max((sun_direction.z - dot(w.slope, sun_direction.xy)) * sqrt(flat2), 0.0) + sky_light)
-                                         : tile_detail.rgb * (light * max(sun_direction.z, 0.0) + sky_light);
-    vec3 below = mix(own, seen, clear ? look_mix.y : 0.0);
+                                         : own_radiance * (light * max(sun_direction.z, 0.0) + sky_light);
+    vec3 below = mix(own, seen, clear ? look_blend : 0.0);
     vec3 result = mix(below, mirrored, mirrors ? reflectance : 0.0);
     if (effect_is_on(EFFECT_GLITTER)) {
-        // a facet turns the ray by twice its tilt; the texture's own sun has the rms radius disturbance.w
+        // a facet turns the ray by twice its tilt; the texture's own sun has the rms radius slide_radius
         ray = to + 2.0 * flat_facing * flat2 * vec3(-w.slope, 1.0);
-        float narrow = inversesqrt(4.0 * w.variance + disturbance.w * disturbance.w);
+        float narrow = inversesqrt(4.0 * w.variance + slide_radius * slide_radius);
         float peak = min(narrow * narrow * (0.5 / PI), 90.0);
-        float glint = slide(vec3(ray.xy, abs(ray.z)), vec2(0.0), disturbance.w * narrow);
+        float glint = slide(vec3(ray.xy, abs(ray.z)), vec2(0.0), slide_radius * narrow);
         float half_way = sqrt(0.5 + 0.5 * clamp(dot(view, sun_direction), -1.0, 1.0)), grazing = 1.0 - half_way, grazing2 = grazing * grazing;
         result += light * ((0.021 + 0.979 * grazing2 * grazing2 * grazing) * peak * glint); // Schlick at the facet that mirrors
     }
@@ -181,12 +178,12 @@ vec3 printed_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     vec3 n = normalize(vec3(-w.slope, 1.0)), light = sun_light;
     vec3 own = w.own * (light + sky_light);
     if (effect_is_on(EFFECT_BUMP)) own *= max(dot(n, sun_direction), 0.0);
-    vec2 bent = effect_is_on(EFFECT_DISTORTION) ? screen + disturbance.x * screen * n.xy : screen; // eq. 9
-    vec3 mirrored = mix(own, textureLod(reflection_picture, bent, 0.0).rgb, look_mix.y);
-    vec3 seen = mix(own, textureLod(refraction_picture, bent, 0.0).rgb, look_mix.y);
+    vec2 bent = effect_is_on(EFFECT_DISTORTION) ? screen + picture_push * screen * n.xy : screen; // eq. 9
+    vec3 mirrored = mix(own, textureLod(reflection_picture, bent, 0.0).rgb, look_blend);
+    vec3 seen = mix(own, textureLod(refraction_picture, bent, 0.0).rgb, look_blend);
     bool mirrors = effect_is_on(EFFECT_REFLECTION), clear = effect_is_on(EFFECT_REFRACTION);
     vec3 result = mirrors ? (clear ? 0.5 * (mirrored + seen) : mirrored) : (clear ? seen : own);
-    if (effect_is_on(EFFECT_GLITTER)) result += light * slide(vec3(to.xy, -to.z), disturbance.y * n.xy, 1.0); // eq. 10
+    if (effect_is_on(EFFECT_GLITTER)) result += light * slide(vec3(to.xy, -to.z), glitter_push * n.xy, 1.0); // eq. 10
     return result;
 }
 #else
@@ -205,8 +202,8 @@ vec3 light_from_below(waves_here w, vec3 to, float dist, vec2 screen) {
     vec4 land = textureLod(refraction_picture, place_in_picture(bent), 0.0);
     vec3 sky = environment_radiance(vec3(out_ray.xy, max(out_ray.z, 0.0)), 0.02);
     if (effect_is_on(EFFECT_GLITTER)) {
-        float sigma = sqrt(0.2 * w.variance + disturbance.w * disturbance.w); // through the surface facets turn rays by a third
-        sky += sun_light * min(1.0 / (2.0 * PI * sigma * sigma), 90.0) * slide(out_ray, vec2(0.0), disturbance.w / sigma);
+        float sigma = sqrt(0.2 * w.variance + slide_radius * slide_radius); // through the surface facets turn rays by a third
+        sky += sun_light * min(1.0 / (2.0 * PI * sigma * sigma), 90.0) * slide(out_ray, vec2(0.0), slide_radius / sigma);
     }
     vec3 window = mix(sky, land.rgb, land.a) * (effect_is_on(EFFECT_REFRACTION) ? water_index * water_index : 0.0);
     vec3 left = exp(-under_fog * water_attenuation * dist);

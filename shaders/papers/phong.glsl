@@ -41,7 +41,9 @@ out vec4 color;
 uniform sampler2D reflection_picture; // premultiplied: a is 0 where there is only sky
 uniform sampler2D refraction_picture; // a is 0 where there is only water
 #endif
-uniform vec2 bend; // how far the look-ups move for a normal of 1 [m]: dC of the mirrored (> 0) and of the refracted (< 0)
+layout(std140) uniform Optics {
+#include "shared/phong_block.glsl"
+};
 
 // A pixel of water, its waves and their roughness.
 struct phong_surface {
@@ -59,13 +61,10 @@ struct phong_surface {
 #endif
 
 #if !defined(WAVES_CASCADES) && !defined(PAPER)
-uniform vec4 wander_eye;   // the eye in the two tiles of wander_of() [0,1)
-uniform vec2 wander_tiles; // tiles per metre
-
 // Some way off [m], the same for kilometres' worth of sea: what bends the crests of waves that would run straight for ever.
 vec2 wander_of(vec2 rest) {
-    vec2 at = wander_eye.xy + rest * wander_tiles.x, broad = wander_eye.zw + rest.yx * wander_tiles.y;
-    return 0.25 * sea_law.y * (textureLod(ripple_map, at, 5.0).xy + textureLod(ripple_map, broad, 5.0).yx);
+    vec2 at = wander_eye.xy + rest * wander_fine, broad = wander_eye.zw + rest.yx * wander_broad;
+    return 0.25 * peak_length * (textureLod(ripple_map, at, 5.0).xy + textureLod(ripple_map, broad, 5.0).yx);
 }
 #endif
 
@@ -106,13 +105,13 @@ phong_surface surface_here() {
 #ifndef PAPER
     add_ripples(s.here.rest, f, s.here.gust, s.here.depth, s.slope, s.covariance);
 #endif
-    s.covariance += vec3(1.0, 0.0, 1.0) / look_light.w;
+    s.covariance += vec3(1.0, 0.0, 1.0) / look_shininess;
     s.normal = normalize(vec3(-s.slope, 1.0));
     s.seen = rough_seen(s.view, s.slope, s.covariance);
     return s;
 }
 
-float bending() { return effect_is_on(EFFECT_DISTORTION) ? look_mix.x : 0.0; }
+float bending() { return effect_is_on(EFFECT_DISTORTION) ? look_distortion : 0.0; }
 
 // The place in a picture of a point, eye-relative: the water plane stays where it is in the pictures.
 vec2 picture_of(vec3 point) {
@@ -131,7 +130,7 @@ vec4 behind_water(sampler2D picture, vec3 point, float level, water_pixel p) {
 #ifdef PAPER
 // (Du, Dv) = dC (Nx, Ny), on the water's plane, before the projection.
 vec3 reflection(phong_surface s) {
-    vec3 at = s.here.position + vec3(bend.x * bending() * s.normal.xy, 0.0);
+    vec3 at = s.here.position + vec3(reflection_push * bending() * s.normal.xy, 0.0);
     vec3 ray = normalize(at);
     vec3 sky = environment_radiance(vec3(ray.xy, abs(ray.z)), 0.0);
 #ifdef PICTURES
@@ -180,7 +179,7 @@ vec3 refraction(phong_surface s, out vec3 passed, out vec4 bed) {
 #else
     float depth = clamp(s.here.depth, 0.0, 60.0);
 #ifdef PAPER
-    float shift = bend.y;
+    float shift = refraction_push;
 #else
     float shift = -0.25 * depth; // (1/n - 1) of it
 #endif
@@ -198,7 +197,7 @@ vec3 refraction(phong_surface s, out vec3 passed, out vec4 bed) {
 
 float highlight(phong_surface s) {
 #ifdef PAPER
-    return exp2(look_light.w * log2(max(dot(s.normal, normalize(s.view + sun_direction)), 1e-6)));
+    return exp2(look_shininess * log2(max(dot(s.normal, normalize(s.view + sun_direction)), 1e-6)));
 #else
     return rough_glint(s.view, sun_direction, s.slope, s.covariance, s.seen, water_index);
 #endif
@@ -226,9 +225,9 @@ void main() {
     vec3 ambient = water * (1.0 - f) * (1.0 - passed);
     diffuse *= 1.0 - f;
 #endif
-    if (effect_is_on(EFFECT_AMBIENT)) light += look_light.x * ambient;
-    if (effect_is_on(EFFECT_DIFFUSE)) light += look_light.y * diffuse;
-    if (effect_is_on(EFFECT_SPECULAR)) light += look_light.z * highlight(s) * sunlight * step(-0.01, sun_direction.z);
+    if (effect_is_on(EFFECT_AMBIENT)) light += look_ambient * ambient;
+    if (effect_is_on(EFFECT_DIFFUSE)) light += look_diffuse * diffuse;
+    if (effect_is_on(EFFECT_SPECULAR)) light += look_specular * highlight(s) * sunlight * step(-0.01, sun_direction.z);
 #if defined(PICTURES) && !defined(PAPER)
     // the last centimetres over the sand, where nothing is bent any more
     light = mix(bed.rgb, light, max(smoothstep(0.0, 0.12, s.here.depth), 1.0 - bed.a));

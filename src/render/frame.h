@@ -17,6 +17,7 @@
 #include "blocks.h"
 #include "bolan/render.h"
 #include "gl/gl.h"
+#include "water_block.h"
 
 // Texture units are fixed; shaders name them by `#pragma unit`. Units 3, 4, 6 to 10 and 15 to 19 have several meanings:
 // a pass or an optics that has no use for one binds its own there, for the time of its draw calls.
@@ -156,7 +157,7 @@ typedef struct shore_map {
     bool present;
 } shore_map; // level: west, south, size, texel (eye-relative [m])
 const shore_map *bolan_pass_ground_shore(
-    const pass_ground *p); // uniforms "shore_level[SHORE_LEVELS]" and "shore_present": see common/shore.glsl
-void bolan_shore_map_apply(const shore_map *s, const gl_program *program); // sets them
+    const pass_ground *p); // members shore_level and shore_present of the block Water: see common/shore.glsl
+void bolan_shore_map_fill(const shore_map *s, water_block *b);
 
 #endif

@@ -11,6 +11,7 @@ struct pass_water {
     sea_gpu fields;
     water_mesh mesh;
     water_programs programs;
+    water_block_buffers blocks;
     half_rate sparse;
     void *state[BOLAN_OPTICS_KINDS]; // of the optics, made when it is first needed
     bool failed[BOLAN_OPTICS_KINDS]; // it could not be made, and the log says why
@@ -32,6 +33,7 @@ bolan_result bolan_pass_water_create(bolan_quality quality, uint32_t max_vertice
     if (p == NULL) return BOLAN_ERROR_MEMORY;
     p->quality = quality;
     bolan_result result = bolan_sea_gpu_create(&p->fields);
+    if (result == BOLAN_OK) result = bolan_water_blocks_create(&p->blocks);
     if (result == BOLAN_OK) result = bolan_water_mesh_create(&p->mesh, quality, max_vertices);
     if (result != BOLAN_OK) {
         bolan_pass_water_destroy(&p);
@@ -49,6 +51,7 @@ void bolan_pass_water_destroy(pass_water **pass) {
         bolan_release(p->state[i], optics_table[i]->size);
     }
     bolan_water_programs_free(&p->programs);
+    bolan_water_blocks_free(&p->blocks);
     bolan_half_rate_free(&p->sparse);
     bolan_sea_gpu_free(&p->fields);
     bolan_water_mesh_free(&p->mesh);
@@ -73,6 +76,7 @@ static water_draw draw_of(pass_water *p, frame *f) {
                     .fields = &p->fields,
                     .mesh = &p->mesh,
                     .programs = &p->programs,
+                    .blocks = &p->blocks,
                     .packed = optics_table[f->scene->technique.optics]->packed,
                     .waves = bolan_water_waves_of(bolan_sea_form(f->desc->sea), bolan_water_surface(f))};
     double horizontal;
@@ -175,6 +179,9 @@ void bolan_pass_water_prepare(pass_water *p, frame *f) {
     bolan_water_mesh_build(&p->mesh, f, bolan_water_surface(f), d.waves, o->static_grid && !edges);
     if (o->prepare != NULL && !p->failed[t->optics]) o->prepare(p->state[t->optics], &d);
     prepare_programs(p, f);
+    water_block block;
+    bolan_water_fill(&block, &d);
+    bolan_water_blocks_upload(&p->blocks, &block);
 }
 
 // BOLAN_SHOW_MESH: the triangles, whichever optics would light them.

@@ -101,25 +101,23 @@ bolan_result bolan_ripple_texture_create(gl_texture *out) {
 static double fraction(double x) { return x - floor(x); }
 
 // Where the eye stands in a tile that runs with the phase speed of the wave in its middle, by `angle` off the wind.
-static void place(const frame *f, double longest, double angle, float tile[4], float size[4]) {
+static void place(const frame *f, double longest, double angle, vec4 *tile, vec4 *size) {
     const double to = bolan_compass_from_to_math(bolan_sea_get_desc(f->desc->sea)->sea_state.wind_from_deg) + angle;
     const double length = RIPPLE_LONGEST * longest, c = cos(to), s = sin(to);
     const double middle = longest * pow(0.5, 0.5 * RIPPLE_OCTAVES);
     const double speed = sqrt(BOLAN_GRAVITY * middle / (2.0 * BOLAN_PI));
-    tile[0] = (float)fraction((f->eye.x * c + f->eye.y * s - fraction(speed * f->time / length) * length) / length);
-    tile[1] = (float)fraction((-f->eye.x * s + f->eye.y * c) / length);
-    tile[2] = (float)c;
-    tile[3] = (float)s;
-    size[0] = (float)(1.0 / length);
-    size[2] = (float)log2(length);
+    tile->x = (float)fraction((f->eye.x * c + f->eye.y * s - fraction(speed * f->time / length) * length) / length);
+    tile->y = (float)fraction((-f->eye.x * s + f->eye.y * c) / length);
+    tile->z = (float)c;
+    tile->w = (float)s;
+    size->x = (float)(1.0 / length);
+    size->z = (float)log2(length);
 }
 
-void bolan_ripple_apply(const gl_texture *texture, const gl_program *program, const frame *f, water_waves waves) {
+void bolan_ripple_fill(water_block *b, const frame *f) {
     const bolan_sea *sea = f->desc->sea;
     const uint32_t count = bolan_sea_component_count(sea);
-    if (waves == WATER_CASCADES) return;
-    bolan_gl_texture_bind(texture, UNIT_OPTICS);
-    float tile[8] = {0}, size[8] = {0}, rest[3];
+    float rest[3];
     double shortest = 1.0; // of the sum
     if (count > 0) {
         bolan_sea_component last = bolan_sea_get_component(sea, count - 1);
@@ -128,10 +126,10 @@ void bolan_ripple_apply(const gl_texture *texture, const gl_program *program, co
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
     double octaves = fmax(log2(shortest / SHORTEST_WAVE), 2.0 * RIPPLE_OCTAVES);
     double variance = (rest[0] + rest[2]) * RIPPLE_OCTAVES / octaves; // of one of the two
-    place(f, 0.7 * shortest, 0.3, tile, size);
-    place(f, 0.7 * shortest * pow(0.5, RIPPLE_OCTAVES), -0.4, tile + 4, size + 4);
-    size[1] = size[5] = (float)variance;
-    size[3] = size[7] = (float)sqrt(variance);
-    bolan_gl_program_vec4_array(program, "ripple_tile", tile, 2);
-    bolan_gl_program_vec4_array(program, "ripple_size", size, 2);
+    place(f, 0.7 * shortest, 0.3, &b->ripple_tile[0], &b->ripple_size[0]);
+    place(f, 0.7 * shortest * pow(0.5, RIPPLE_OCTAVES), -0.4, &b->ripple_tile[1], &b->ripple_size[1]);
+    for (int i = 0; i < 2; ++i) {
+        b->ripple_size[i].y = (float)variance;
+        b->ripple_size[i].w = (float)sqrt(variance);
+    }
 }

@@ -13,7 +13,7 @@
 // Slope along u, along v (together of variance 1), their squared sum, 0: size * size * 4 floats.
 void bolan_ripple_texture_fill(float *out);
 bolan_result bolan_ripple_texture_create(gl_texture *out);
-// Binds it to UNIT_OPTICS and sets the uniforms of ripples.glsl. `waves`: cascades have no use for it.
-void bolan_ripple_apply(const gl_texture *texture, const gl_program *program, const frame *f, water_waves waves);
+// Fills what ripples.glsl reads of the block Water. Optics bind the texture to UNIT_OPTICS; cascades have no use for it.
+void bolan_ripple_fill(water_block *b, const frame *f);
 
 #endif

@@ -220,42 +220,34 @@ static bool upload_cascades(sea_gpu *p, const bolan_sea *sea, bool packed, bool 
     return true;
 }
 
-enum { LIFT_OCTAVES = 13 }; // from a quarter of a texel up to a tile of 1024
+enum { LIFT_OCTAVES = sizeof((water_block *)0)->cascade_lift / sizeof(vec4) }; // from a quarter of a texel up
 
-static void set_lift(const gl_program *g, const bolan_sea *sea) {
-    float lift[LIFT_OCTAVES][4] = {{0}};
-    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
-        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
-        for (int i = 0; i < LIFT_OCTAVES; ++i)
-            lift[i][c] = (float)bolan_sea_lift(sea, c, v.length / v.n * exp2(i - 2.0));
+static void set_lift(water_block *b, const bolan_sea *sea) {
+    for (int i = 0; i < LIFT_OCTAVES; ++i) {
+        float lift[BOLAN_MAX_CASCADES] = {0};
+        for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
+            const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+            lift[c] = (float)bolan_sea_lift(sea, c, v.length / v.n * exp2(i - 2.0));
+        }
+        b->cascade_lift[i] = (vec4){lift[0], lift[1], lift[2], lift[3]};
     }
-    bolan_gl_program_vec4_array(g, "cascade_lift", lift[0], LIFT_OCTAVES);
 }
 
 // Where the eye stands in each tile, reduced in double so that the GPU never sees a large coordinate.
-static void set_cascades(const gl_program *g, const frame *f) {
-    float tile[4 * BOLAN_MAX_CASCADES] = {0}, band[4 * BOLAN_MAX_CASCADES] = {0};
-    uint32_t count = bolan_sea_cascade_count(f->desc->sea);
-    for (uint32_t c = 0; c < count; ++c) {
-        bolan_cascade_view v = bolan_sea_cascade(f->desc->sea, c);
+static void set_cascades(water_block *b, const frame *f) {
+    b->cascade_count = (int)bolan_sea_cascade_count(f->desc->sea);
+    for (int c = 0; c < b->cascade_count; ++c) {
+        bolan_cascade_view v = bolan_sea_cascade(f->desc->sea, (uint32_t)c);
         double ca = cos(v.angle), sa = sin(v.angle);
         double u = (f->eye.x * ca + f->eye.y * sa) / v.length, w = (-f->eye.x * sa + f->eye.y * ca) / v.length;
         double texel = v.length / v.n;
         // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
-        tile[4 * c] = (float)(u - floor(u) + 0.5 / v.n);
-        tile[4 * c + 1] = (float)(w - floor(w) + 0.5 / v.n);
-        tile[4 * c + 2] = (float)(ca / v.length);
-        tile[4 * c + 3] = (float)(sa / v.length);
-        band[4 * c] = (float)(4.0 * sqrt(v.variance));
-        band[4 * c + 1] = (float)texel;
-        band[4 * c + 3] = (float)log2(texel);
-        band[4 * c + 2] = (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length);
+        b->cascade_tile[c] = (vec4){(float)(u - floor(u) + 0.5 / v.n), (float)(w - floor(w) + 0.5 / v.n),
+                                    (float)(ca / v.length), (float)(sa / v.length)};
+        b->cascade_band[c] = (vec4){(float)(4.0 * sqrt(v.variance)), (float)texel,
+                                    (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length), (float)log2(texel)};
     }
-    bolan_gl_program_int(g, "cascade_count", (int)count);
-    bolan_gl_program_vec4_array(g, "cascade_tile", tile, BOLAN_MAX_CASCADES);
-    bolan_gl_program_vec4_array(g, "cascade_band", band, BOLAN_MAX_CASCADES);
-    bolan_gl_program_float(g, "choppiness", (float)bolan_sea_get_desc(f->desc->sea)->choppiness);
-    set_lift(g, f->desc->sea);
+    set_lift(b, f->desc->sea);
 }
 
 // ---- sums -----------------------------------------------------------------------------------------------------------
@@ -311,7 +303,7 @@ static void fit_slope(double s, double factor, double out[SLOPE_TERMS]) {
 
 // What the shader's sum knows of the covariance of slopes. `square`: of a wave of amplitude 1, by its phase [rad], the mean square
 // of the derivative.
-static void set_total(const gl_program *g, const frame *f, double amplitude_factor, double square) {
+static void set_sum_slopes(water_block *b, const frame *f, double amplitude_factor, double square) {
     float total[3];
     bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, total); // what is no part of the waves
     for (uint32_t i = 0; i < bolan_sea_component_count(f->desc->sea); ++i) {
@@ -321,29 +313,31 @@ static void set_total(const gl_program *g, const frame *f, double amplitude_fact
         total[1] += (float)(v * w.kx * w.ky);
         total[2] += (float)(v * w.ky * w.ky);
     }
-    bolan_gl_program_vec4(g, "wave_total",
-                          (bolan_vec4){total[0], total[1], total[2], (float)(square * 4.0 * BOLAN_PI * BOLAN_PI)});
+    b->wave_slopes = (vec3){total[0], total[1], total[2]};
+    b->wave_slope_share = (float)(square * 4.0 * BOLAN_PI * BOLAN_PI);
 }
 
 // Liu & Xie 2010, in zero-mean, unit-range form: amplitude * 2 / (1 - e^-2s) * (e^{s (cos th - 1)} - e^-s I0(s)).
-static void set_exp_waves(const gl_program *g, const frame *f) {
-    float waves[4 * BOLAN_MAX_EXP_WAVES] = {0}, terms[SLOPE_TERMS];
+static void set_exp_waves(water_block *b, const frame *f) {
     const double s = bolan_sea_get_desc(f->desc->sea)->exp_cosine.sharpness, range = 2.0 / (1.0 - exp(-2.0 * s));
     double c[SLOPE_TERMS];
-    uint32_t count = bolan_sea_component_count(f->desc->sea);
-    for (uint32_t i = 0; i < count; ++i) fill_wave(f, i, range, waves + 4 * i);
+    b->wave_count = (int)bolan_sea_component_count(f->desc->sea);
+    for (int i = 0; i < b->wave_count; ++i) {
+        float wave[4];
+        fill_wave(f, (uint32_t)i, range, wave);
+        b->wave_component[i] = (vec4){wave[0], wave[1], wave[2], wave[3]};
+    }
     fit_slope(s, -4.0 * BOLAN_PI * s, c);
-    for (int i = 0; i < SLOPE_TERMS; ++i) terms[i] = (float)c[i];
-    bolan_gl_program_int(g, "wave_count", (int)count);
-    bolan_gl_program_vec4_array(g, "wave_component", waves, BOLAN_MAX_EXP_WAVES);
-    bolan_gl_program_vec4(g, "exp_law", (bolan_vec4){(float)s, (float)(exp(-s) * bessel_i0(s)), 0.0f, 0.0f});
-    bolan_gl_program_vec4_array(g, "exp_slope", terms, SLOPE_TERMS / 4);
-    set_total(g, f, range, s * s * exp(-2.0 * s) * bessel_i1_share(2.0 * s)); // s^2 e^-2s I1(2s) / 2s
+    for (int i = 0; i < SLOPE_TERMS / 4; ++i)
+        b->exp_slope[i] = (vec4){(float)c[4 * i], (float)c[4 * i + 1], (float)c[4 * i + 2], (float)c[4 * i + 3]};
+    b->exp_sharpness = (float)s;
+    b->exp_mean = (float)(exp(-s) * bessel_i0(s));
+    set_sum_slopes(b, f, range, s * s * exp(-2.0 * s) * bessel_i1_share(2.0 * s)); // s^2 e^-2s I1(2s) / 2s
 }
 
-static void set_sum(const gl_program *g, const frame *f) {
-    bolan_gl_program_int(g, "wave_count", (int)bolan_sea_component_count(f->desc->sea));
-    set_total(g, f, 1.0, 0.5);
+static void set_sum(water_block *b, const frame *f) {
+    b->wave_count = (int)bolan_sea_component_count(f->desc->sea);
+    set_sum_slopes(b, f, 1.0, 0.5);
 }
 
 static void upload_table(sea_gpu *p, const frame *f) {
@@ -397,14 +391,25 @@ void bolan_sea_gpu_bind(const sea_gpu *p, water_waves waves) {
     bolan_gl_texture_bind(&p->slope_table, UNIT_SLOPE_TABLE);
 }
 
-void bolan_sea_gpu_apply(const gl_program *g, const frame *f, water_waves waves) {
-    const bolan_sea_summary *s = bolan_sea_get_summary(f->desc->sea);
-    bolan_gl_program_vec4(
-        g, "sea_law",
-        (bolan_vec4){(float)s->hs, (float)bolan_sea_peak_length(s), (float)bolan_sea_surf_height(s), 0.0f});
-    if (f->shore->present) bolan_shore_map_apply(f->shore, g);
-    if (waves == WATER_CASCADES) set_cascades(g, f);
-    if (waves == WATER_EXP) set_exp_waves(g, f);
-    if (waves == WATER_SUM) set_sum(g, f);
-    if (waves == WATER_MESH) bolan_gl_program_float(g, "mesh_lift", (float)bolan_sea_lift(f->desc->sea, 0, 0.0));
+#define EVERY_WAVE 1e6 // standard deviation of a footprint that resolves none [m]
+
+static void set_statistics(water_block *b, const bolan_sea *sea) {
+    const bolan_sea_summary *s = bolan_sea_get_summary(sea);
+    float total[3];
+    bolan_sea_unresolved_slopes(sea, EVERY_WAVE, EVERY_WAVE, 0.0, total);
+    b->slope_total = (vec3){total[0], total[1], total[2]};
+    b->height_deviation = (float)fmax(0.25 * s->hs, 1e-3);
+    b->significant_height = (float)s->hs;
+    b->peak_length = (float)bolan_sea_peak_length(s);
+    b->shore_height = (float)bolan_sea_surf_height(s);
+    b->choppiness = (float)bolan_sea_get_desc(sea)->choppiness;
+}
+
+void bolan_sea_gpu_fill(water_block *b, const frame *f, water_waves waves) {
+    set_statistics(b, f->desc->sea);
+    if (f->shore->present) bolan_shore_map_fill(f->shore, b);
+    if (waves == WATER_CASCADES) set_cascades(b, f);
+    if (waves == WATER_EXP) set_exp_waves(b, f);
+    if (waves == WATER_SUM) set_sum(b, f);
+    if (waves == WATER_MESH) b->mesh_lift = (float)bolan_sea_lift(f->desc->sea, 0, 0.0);
 }

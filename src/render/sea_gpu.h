@@ -4,6 +4,7 @@
 #define BOLAN_RENDER_WATER_FIELDS_H
 
 #include "frame.h"
+#include "water_block.h"
 
 // Which of the four ways of waves.glsl.
 typedef enum water_waves { WATER_CASCADES, WATER_EXP, WATER_SUM, WATER_MESH } water_waves;
@@ -36,8 +37,8 @@ bolan_result bolan_sea_gpu_create(sea_gpu *p);
 bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_waves waves, water_textures textures);
 // Binds the textures again, for a pass that follows one which used their units.
 void bolan_sea_gpu_bind(const sea_gpu *p, water_waves waves);
-// Sets the uniforms of waves.glsl.
-void bolan_sea_gpu_apply(const gl_program *program, const frame *f, water_waves waves);
+// Fills what waves.glsl reads of the block Water: the sea's own members, and where the eye stands in its fields.
+void bolan_sea_gpu_fill(water_block *b, const frame *f, water_waves waves);
 void bolan_sea_gpu_free(sea_gpu *p);
 
 #endif

@@ -134,7 +134,8 @@ void bolan_shore_builder_update(shore_builder *b, const frame *f) {
     }
 }
 
-void bolan_shore_map_apply(const shore_map *s, const gl_program *program) {
-    bolan_gl_program_int(program, "shore_present", s->present);
-    bolan_gl_program_vec4_array(program, "shore_level", s->level[0], SHORE_LEVELS);
+void bolan_shore_map_fill(const shore_map *s, water_block *b) {
+    b->shore_present = s->present;
+    for (int l = 0; l < SHORE_LEVELS; ++l)
+        b->shore_level[l] = (vec4){s->level[l][0], s->level[l][1], s->level[l][2], s->level[l][3]};
 }

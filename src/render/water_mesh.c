@@ -296,13 +296,13 @@ void bolan_water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind ki
     bolan_gl_buffer_update(&m->waves, 0, sizeof(bolan_sea_sample) * count, m->cpu_waves);
 }
 
-void bolan_water_mesh_apply(const water_mesh *m, const gl_program *program) {
+void bolan_water_mesh_fill(const water_mesh *m, water_block *b) {
     float grid[8];
     if (!m->fixed) return;
     bolan_surface_projector_uniforms(&m->projector, m->fixed_size, grid);
-    bolan_gl_program_vec4(program, "grid_reach", (bolan_vec4){grid[0], grid[1], grid[2], grid[3]});
-    bolan_gl_program_vec4(program, "grid_azimuth", (bolan_vec4){grid[4], grid[5], grid[6], grid[7]});
-    bolan_gl_program_vec2(program, "grid_cells", (float)(m->fixed_size.columns - 1), (float)(m->fixed_size.rows - 1));
+    b->grid_reach = (vec4){grid[0], grid[1], grid[2], grid[3]};
+    b->grid_azimuth = (vec4){grid[4], grid[5], grid[6], grid[7]};
+    b->grid_cells = (vec2){(float)(m->fixed_size.columns - 1), (float)(m->fixed_size.rows - 1)};
 }
 
 void bolan_water_mesh_draw(const water_mesh *m) {

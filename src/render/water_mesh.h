@@ -40,8 +40,8 @@ bolan_result bolan_water_mesh_create(water_mesh *m, bolan_quality quality, uint3
 // Makes the mesh of this view; WATER_MESH: with waves on its vertices. `fixed`: the projected surface as the static grid, for
 // optics that light each pixel from textures and need few vertices; not with waves that are made on the CPU.
 void bolan_water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves, bool fixed);
-// Sets the uniforms of the static grid, where it is drawn.
-void bolan_water_mesh_apply(const water_mesh *m, const gl_program *program);
+// Fills the members of the static grid, where it is drawn.
+void bolan_water_mesh_fill(const water_mesh *m, water_block *b);
 void bolan_water_mesh_draw(const water_mesh *m);
 // Makes the edges of the triangles, for bolan_water_mesh_draw_edges(). False: there is no memory for them (logged).
 bool bolan_water_mesh_find_edges(water_mesh *m);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the optics share. See water_optics.h.
 #include "water_optics.h"
+#include "ripple_texture.h"
 
 #include "bolan/earth.h"
 #include "shared/earth.glsl"
@@ -28,19 +29,27 @@ const gl_program *bolan_water_program(const water_draw *d, const water_shader *s
     const gl_program *program = bolan_water_programs_find(d->programs, &v);
     if (program == NULL) return NULL;
     bolan_gl_program_use(program);
-    bolan_sea_gpu_apply(program, d->f, d->waves);
-    bolan_water_mesh_apply(d->mesh, program);
     return program;
 }
 
-void bolan_water_look_apply(const gl_program *g, const bolan_look *look) {
-    bolan_gl_program_vec4(
-        g, "look_light",
-        (bolan_vec4){(float)look->ambient, (float)look->diffuse, (float)look->specular, (float)look->shininess});
-    bolan_gl_program_vec4(
-        g, "look_mix",
-        (bolan_vec4){(float)look->distortion, (float)look->blend, look->paper ? 1.0f : 0.0f, (float)look->show});
-    bolan_gl_program_int(g, "look_effects", (int)look->effects);
+static void set_look(water_block *b, const bolan_look *look) {
+    b->look_ambient = (float)look->ambient;
+    b->look_diffuse = (float)look->diffuse;
+    b->look_specular = (float)look->specular;
+    b->look_shininess = (float)look->shininess;
+    b->look_distortion = (float)look->distortion;
+    b->look_blend = (float)look->blend;
+    b->look_by_the_paper = look->paper ? 1.0f : 0.0f;
+    b->look_show = (float)look->show;
+    b->look_effects = (int)look->effects;
+}
+
+void bolan_water_fill(water_block *b, const water_draw *d) {
+    *b = (water_block){.cascade_count = 0};
+    bolan_sea_gpu_fill(b, d->f, d->waves);
+    bolan_water_mesh_fill(d->mesh, b);
+    if (d->waves != WATER_CASCADES) bolan_ripple_fill(b, d->f);
+    set_look(b, &d->f->scene->look);
 }
 
 void bolan_water_draw_forward(const water_draw *d) {

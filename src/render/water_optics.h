@@ -15,16 +15,16 @@ typedef struct water_draw {
     const sea_gpu *fields;
     const water_mesh *mesh;
     const water_programs *programs;
+    water_block_buffers *blocks;
     water_waves waves;
     bool packed;     // layout of the cascades' textures
     double vertical; // bound of the displacement [m]
 } water_draw;
 
-// The program of this shader for these waves, this surface, with or without land, and its own defines `own`; used, and
-// with the uniforms of the waves set. NULL: it does not compile (logged when it was prepared).
+// The program of this shader for these waves, this surface, with or without land, and its own defines `own`; used. NULL: it does not compile (logged when it was prepared).
 const gl_program *bolan_water_program(const water_draw *d, const water_shader *shader, uint32_t own);
-// Sets the uniforms look_light, look_mix and look_effects: see shaders/common/look.glsl.
-void bolan_water_look_apply(const gl_program *program, const bolan_look *look);
+// The one function that writes the block Water.
+void bolan_water_fill(water_block *b, const water_draw *d);
 // Draws the mesh with its depth into the frame's picture: what most optics do with a program that is set up.
 void bolan_water_draw_forward(const water_draw *d);
 // Rows of the picture, from the bottom, that can show water: up to the horizon raised by the highest wave.

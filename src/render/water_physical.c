@@ -74,7 +74,11 @@ static void free_all(void *state) {
 #define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
 #define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
 
-static void set_foam(const gl_program *g, const frame *f) {
+typedef struct physical_block {
+#include "shared/physical_block.glsl"
+} physical_block;
+
+static physical_block foam_of(const frame *f) {
     const bolan_sea *sea = f->desc->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     double memory_variance;
@@ -85,22 +89,13 @@ static void set_foam(const gl_program *g, const frame *f) {
     double old = bolan_foam_memory_threshold(sea, share, OLD_EDGE, &memory_variance);
     float rest[3];
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
-    bolan_gl_program_vec4(g, "foam_law", (bolan_vec4){(float)fmax(threshold, -1e30), rest[0] + rest[2], 0.0f, 0.0f});
-    bolan_gl_program_vec4(g, "foam_edge",
-                          (bolan_vec4){(float)(FOAM_EDGE * FOAM_EDGE), (float)OLD_EDGE,
-                                       (float)(desc->choppiness * desc->choppiness), 0.0f});
-    bolan_gl_program_vec4(g, "foam_memory",
-                          (bolan_vec4){(float)old, (float)fmax(memory_variance, 1e-9), (float)spread, 0.0f});
-}
-
-#define EVERY_WAVE 1e6 // standard deviation of a footprint that resolves none [m]
-
-// Covariance of the slopes of all waves, and the standard deviation of their height.
-static void set_total(const gl_program *g, const bolan_sea *sea) {
-    float total[3];
-    bolan_sea_unresolved_slopes(sea, EVERY_WAVE, EVERY_WAVE, 0.0, total);
-    const double height = 0.25 * bolan_sea_get_summary(sea)->hs;
-    bolan_gl_program_vec4(g, "slope_total", (bolan_vec4){total[0], total[1], total[2], (float)fmax(height, 1e-3)});
+    return (physical_block){.breaking_jacobian = (float)fmax(threshold, -1e30),
+                            .slopes_beyond_cascades = rest[0] + rest[2],
+                            .fresh_edge = (float)(FOAM_EDGE * FOAM_EDGE),
+                            .old_edge = (float)OLD_EDGE,
+                            .old_foam_memory = (float)old,
+                            .memory_variance = (float)fmax(memory_variance, 1e-9),
+                            .jacobian_variance = (float)spread};
 }
 
 static void draw_shape(physical *p, const water_draw *d) {
@@ -112,11 +107,9 @@ static void draw_shape(physical *p, const water_draw *d) {
 }
 
 static void draw_light(physical *p, const water_draw *d) {
-    const gl_program *g = bolan_water_program(d, &light_shader, 1u << p->quality);
-    if (!g) return;
-    set_foam(g, d->f);
-    set_total(g, d->f->desc->sea);
-    bolan_water_look_apply(g, &d->f->scene->look);
+    if (!bolan_water_program(d, &light_shader, 1u << p->quality)) return;
+    const physical_block block = foam_of(d->f);
+    bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     bolan_gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
     for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape_map[i], UNIT_SURFACE + i);
     bolan_gl_target_bind_part(&d->f->hdr, 0, 0, d->f->hdr.width, bolan_water_rows(d->f, d->vertical));

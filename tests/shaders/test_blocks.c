@@ -7,6 +7,7 @@
 
 #include "probe.h"
 #include "render/blocks.h"
+#include "render/water_block.h"
 
 typedef struct member {
     const char *name;
@@ -19,6 +20,10 @@ typedef struct member {
     { #name, offsetof(frame_block, name) }
 #define VIEW(name) \
     { #name, offsetof(view_block, name) }
+#define WATER(name) \
+    { #name, offsetof(water_block, name) }
+#define WATER_ARRAY(name) \
+    { #name "[0]", offsetof(water_block, name) }
 static const member frame_members[] = {
     FRAME(sun_direction),     FRAME(radiance_unit), FRAME(water_reflectance), FRAME(water_index),
     FRAME(water_attenuation), FRAME(foam_strength), FRAME(wind_direction),    FRAME(cloud_cover),
@@ -52,6 +57,16 @@ static const member view_members[] = {VIEW(view_projection),
                                       VIEW(caustic_place),
                                       VIEW(surf_phase),
                                       VIEW(view_padding)};
+static const member water_members[] = {
+    WATER_ARRAY(cascade_tile), WATER_ARRAY(cascade_band), WATER_ARRAY(cascade_lift), WATER_ARRAY(wave_component),
+    WATER_ARRAY(exp_slope),    WATER_ARRAY(shore_level),  WATER_ARRAY(ripple_tile),  WATER_ARRAY(ripple_size),
+    WATER(grid_reach),         WATER(grid_azimuth),       WATER(wave_slopes),        WATER(wave_slope_share),
+    WATER(slope_total),        WATER(height_deviation),   WATER(grid_cells),         WATER(significant_height),
+    WATER(peak_length),        WATER(shore_height),       WATER(choppiness),         WATER(exp_sharpness),
+    WATER(exp_mean),           WATER(mesh_lift),          WATER(look_distortion),    WATER(look_blend),
+    WATER(look_shininess),     WATER(look_ambient),       WATER(look_diffuse),       WATER(look_specular),
+    WATER(look_by_the_paper),  WATER(look_show),          WATER(look_effects),       WATER(cascade_count),
+    WATER(wave_count),         WATER(shore_present),      WATER(water_padding),      WATER(water_padding_more)};
 #define COUNT(a) (GLint)(sizeof(a) / sizeof((a)[0]))
 
 static void compare(GLuint program, const char *block, GLuint slot, const member *members, GLint count, size_t size) {
@@ -78,8 +93,13 @@ static void compare(GLuint program, const char *block, GLuint slot, const member
 static void set(const gl_program *program, const void *context) {
     compare(program->id, "Frame", BLOCK_FRAME, frame_members, COUNT(frame_members), sizeof(frame_block));
     compare(program->id, "View", BLOCK_VIEW, view_members, COUNT(view_members), sizeof(view_block));
+    compare(program->id, "Water", BLOCK_WATER, water_members, COUNT(water_members), sizeof(water_block));
     block_buffers *buffers = (block_buffers *)(uintptr_t)context;
     const block_values values = {.frame.earth_radius = 3.0f, .view.surf_phase = 5.0f};
+    const water_block water = {.height_deviation = 7.0f};
+    water_block_buffers water_buffers; // gone with the test's context
+    assert_int_equal(bolan_water_blocks_create(&water_buffers), BOLAN_OK);
+    bolan_water_blocks_upload(&water_buffers, &water);
     assert_int_equal(bolan_blocks_create(buffers), BOLAN_OK);
     bolan_blocks_upload(buffers, &values);
 }
@@ -88,12 +108,13 @@ static void members_have_the_same_offset_in_both_languages(void **state) {
     (void)state;
     block_buffers buffers = {0};
     float in[1][4] = {{1.0f}}, out[1][4];
-    probe_run_with("#include \"common/frame.glsl\"",
-                   "vec4 probe(vec4 x) { return x.x * vec4(earth_radius, surf_phase, eye_height, 1.0); }", NULL, set,
-                   &buffers, in, 1, out);
+    probe_run_with("#include \"common/frame.glsl\"\n#include \"common/water_block.glsl\"",
+                   "vec4 probe(vec4 x) { return x.x * vec4(earth_radius, surf_phase, eye_height, height_deviation); }",
+                   NULL, set, &buffers, in, 1, out);
     assert_near(out[0][0], 3.0, 0.0);
     assert_near(out[0][1], 5.0, 0.0);
     assert_near(out[0][2], 0.0, 0.0);
+    assert_near(out[0][3], 7.0, 0.0);
     bolan_blocks_free(&buffers);
 }
 

@@ -12,6 +12,7 @@
 #include "render/frame.h"
 #include "render/papers/foam_ramps.h"
 #include "render/sea_texels.h"
+#include "render/water_block.h"
 #include "shared/constants.glsl"
 
 // ---- the static grid ------------------------------------------------------------------------------------------------
@@ -125,7 +126,11 @@ typedef struct crest_rig {
 static void set_crest(const gl_program *program, const void *context) {
     const crest_rig *r = context;
     bolan_blocks_bind(&r->uniforms);
-    bolan_gl_program_vec4(program, "sea_law", (bolan_vec4){2.0f, 60.0f, 2.0f, 0.0f});
+    (void)program;
+    const water_block block = {.significant_height = 2.0f, .peak_length = 60.0f, .shore_height = 2.0f};
+    water_block_buffers buffers; // gone with the test's context
+    assert_int_equal(bolan_water_blocks_create(&buffers), BOLAN_OK);
+    bolan_water_blocks_upload(&buffers, &block);
 }
 
 // Sunlight leaves a crest through the side that leans to the eye: water that falls towards it. The higher and the more

@@ -15,6 +15,8 @@ typedef struct rig {
     shore_map shore;
     frame f;
     sea_gpu fields;
+    water_block_buffers *blocks;
+    water_block_buffers own_blocks;
     bool packed;
 } rig;
 
@@ -40,18 +42,24 @@ static void rig_open(rig *r, double from_deg, double choppiness, bolan_dvec2 eye
                    .eye = {eye.x, eye.y, 5.0},
                    .shore = &r->shore};
     assert_int_equal(bolan_sea_gpu_create(&r->fields), BOLAN_OK);
+    assert_int_equal(bolan_water_blocks_create(&r->own_blocks), BOLAN_OK);
+    r->blocks = &r->own_blocks;
     bolan_sea_gpu_prepare(&r->fields, &r->f, WATER_CASCADES, packed ? WATER_TEXTURES_PACKED : WATER_TEXTURES_ALL);
 }
 
 static void rig_close(rig *r) {
     bolan_sea_gpu_free(&r->fields);
+    bolan_water_blocks_free(&r->own_blocks);
     bolan_sea_destroy(&r->sea);
 }
 
 static void set_waves(const gl_program *program, const void *context) {
     const rig *r = context;
     bolan_sea_gpu_bind(&r->fields, WATER_CASCADES);
-    bolan_sea_gpu_apply(program, &r->f, WATER_CASCADES);
+    (void)program;
+    water_block block = {.cascade_count = 0};
+    bolan_sea_gpu_fill(&block, &r->f, WATER_CASCADES);
+    bolan_water_blocks_upload(r->blocks, &block);
 }
 
 // Both stages' functions in one. LAND: depth attenuates each band.

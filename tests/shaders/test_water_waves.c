@@ -17,6 +17,8 @@ typedef struct rig {
     shore_map shore;
     frame f;
     sea_gpu fields;
+    water_block_buffers *blocks;
+    water_block_buffers own_blocks;
     water_waves waves;
 } rig;
 
@@ -38,18 +40,24 @@ static void rig_open(rig *r, bolan_wave_model model, uint32_t wave_count, double
     r->f = (frame){.desc = &r->desc, .scene = &r->scene, .time = TIME, .eye = {EYE_X, EYE_Y, 5.0}, .shore = &r->shore};
     r->waves = model == BOLAN_WAVES_EXP_COSINE ? WATER_EXP : WATER_SUM;
     assert_int_equal(bolan_sea_gpu_create(&r->fields), BOLAN_OK);
+    assert_int_equal(bolan_water_blocks_create(&r->own_blocks), BOLAN_OK);
+    r->blocks = &r->own_blocks;
     bolan_sea_gpu_prepare(&r->fields, &r->f, r->waves, false);
 }
 
 static void rig_close(rig *r) {
     bolan_sea_gpu_free(&r->fields);
+    bolan_water_blocks_free(&r->own_blocks);
     bolan_sea_destroy(&r->sea);
 }
 
 static void set_waves(const gl_program *program, const void *context) {
     const rig *r = context;
     bolan_sea_gpu_bind(&r->fields, r->waves);
-    bolan_sea_gpu_apply(program, &r->f, r->waves);
+    (void)program;
+    water_block block = {.cascade_count = 0};
+    bolan_sea_gpu_fill(&block, &r->f, r->waves);
+    bolan_water_blocks_upload(r->blocks, &block);
 }
 
 // Both stages' functions in one; the number of waves as the programs of the water have it.

@@ -179,7 +179,7 @@ void bolan_gl_set_framebuffer_srgb(
     bool on); // desktop: let an sRGB framebuffer encode what is written; on ES it always does
 
 // The caller's state: see saved.c.
-enum { GL_UNIFORM_SLOTS = 2 }; // of the blocks Frame and View
+enum { GL_UNIFORM_SLOTS = 4 }; // of the blocks Frame, View, Water and Optics
 enum { GL_SAVED_UNITS = 25, GL_SAVED_BUFFERS = 8, GL_SAVED_VIEWPORTS = 16, GL_SAVED_CLIPS = 8, GL_SAVED_SLOTS = 32 };
 typedef struct gl_saved {
     const gl_caps *caps;

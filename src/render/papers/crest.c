@@ -143,7 +143,11 @@ static void free_all(void *state) {
 #define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
 #define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
 
-static void set_foam(const gl_program *g, const frame *f) {
+typedef struct crest_block {
+#include "shared/crest_block.glsl"
+} crest_block;
+
+static crest_block foam_of(const frame *f) {
     const bolan_sea *sea = f->desc->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     const double cover = bolan_monahan_cover(desc->sea_state.wind_speed), edge = FRESH_EDGE * FRESH_EDGE;
@@ -153,12 +157,12 @@ static void set_foam(const gl_program *g, const frame *f) {
     const double old = bolan_foam_memory_threshold(sea, share, OLD_EDGE, &memory_variance);
     float rest[3];
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
-    bolan_gl_program_vec4(
-        g, "crest_foam",
-        (bolan_vec4){(float)breaks, (float)old, (float)edge, (float)fmax(memory_variance * OLD_EDGE, 1e-9)});
-    bolan_gl_program_vec4(g, "crest_hidden",
-                          (bolan_vec4){rest[0] + rest[2], (float)(desc->choppiness * desc->choppiness),
-                                       (float)(memory_variance / spread), 0.0f});
+    return (crest_block){.breaking_pinch = (float)breaks,
+                         .old_foam_memory = (float)old,
+                         .fresh_edge = (float)edge,
+                         .old_edge = (float)fmax(memory_variance * OLD_EDGE, 1e-9),
+                         .slopes_beyond_cascades = rest[0] + rest[2],
+                         .memory_share = (float)(memory_variance / spread)};
 }
 
 // Plan area of the facets that a direction of that elevation sees, as common/facets.glsl has it.
@@ -243,10 +247,7 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
 
 static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
     const bool sparse = d->f->uniforms.view.shade_columns > 1.0f;
-    const gl_program *g = bolan_water_program(d, &light_shader, own_defines(p->quality, rows.cascades, sparse));
-    if (!g) return;
-    bolan_water_look_apply(g, &d->f->scene->look);
-    set_foam(g, d->f);
+    if (!bolan_water_program(d, &light_shader, own_defines(p->quality, rows.cascades, sparse))) return;
     bolan_gl_texture_bind(&p->densities, UNIT_FOAM_DETAIL);
     bolan_gl_texture_bind(&p->tables, UNIT_PASS);
     bolan_gl_texture_bind(&p->rest, UNIT_SURFACE);
@@ -268,6 +269,8 @@ static uint32_t rows_of_cascade(const water_draw *d, uint32_t cascade, double ta
 // Far rows fetch fewer cascades.
 static void draw_light(crest *p, const water_draw *d) {
     const uint32_t rows = bolan_water_rows(d->f, d->vertical);
+    const crest_block block = foam_of(d->f);
+    bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     light_rows part = {.cascades = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->f->desc->sea) : 1};
     while (part.from < rows) {
         part.to = part.cascades > 1 ? rows_of_cascade(d, part.cascades - 1, p->taps, rows) : rows;

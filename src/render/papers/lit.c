@@ -31,13 +31,16 @@ static bolan_result create(void *state, bolan_quality quality) {
 #define FOAM_EDGE 0.1 // how widely a breaking patch's edge is drawn, in Jacobian
 
 // Unresolved slopes widen the Jacobian's distribution, so that more area falls below the threshold.
-static void set_foam(const gl_program *g, const frame *f) {
-    const double choppiness = bolan_sea_get_desc(f->desc->sea)->choppiness;
+typedef struct lit_block {
+#include "shared/lit_block.glsl"
+} lit_block;
+
+static lit_block foam_of(const frame *f) {
     float beyond[3]; // what is no part of the waves whose Jacobian the threshold is made for
     bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, beyond);
-    bolan_gl_program_vec4(g, "foam_law",
-                          (bolan_vec4){(float)fmax(bolan_sea_foam_threshold(f->desc->sea), -1e30), (float)FOAM_EDGE,
-                                       (float)choppiness, beyond[0] + beyond[2]});
+    return (lit_block){.foam_jacobian = (float)fmax(bolan_sea_foam_threshold(f->desc->sea), -1e30),
+                       .foam_edge = (float)FOAM_EDGE,
+                       .slopes_beyond_waves = beyond[0] + beyond[2]};
 }
 
 static uint32_t own_defines(bool by_the_paper, bolan_quality quality) {
@@ -51,11 +54,10 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
 
 static void draw(void *state, const water_draw *d) {
     const lit *p = state;
-    const gl_program *g = bolan_water_program(d, &shader, own_defines(d->f->scene->look.paper, p->quality));
-    if (!g) return;
-    bolan_water_look_apply(g, &d->f->scene->look);
-    bolan_ripple_apply(&p->ripples, g, d->f, d->waves);
-    set_foam(g, d->f);
+    if (!bolan_water_program(d, &shader, own_defines(d->f->scene->look.paper, p->quality))) return;
+    const lit_block block = foam_of(d->f);
+    bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
+    if (d->waves != WATER_CASCADES) bolan_gl_texture_bind(&p->ripples, UNIT_OPTICS);
     bolan_gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
     bolan_water_draw_forward(d);
 }

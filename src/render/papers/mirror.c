@@ -20,6 +20,10 @@ static const water_shader shader = {.stem = "papers/mirror",
 // [m]. Below it the shadow of one cloud is all that is seen of the sea, and the air is alike all the way.
 #define HIGH_EYE 40.0f
 
+typedef struct mirror_block {
+#include "shared/mirror_block.glsl"
+} mirror_block;
+
 static bolan_result create(void *state, bolan_quality quality) {
     (void)quality;
     return bolan_paper_tiles_create(state);
@@ -73,47 +77,53 @@ static void prepare(void *state, const water_draw *d) {
 
 // Rows x, y, w of bias * P_sun * V_sun for directions: the sun looks along itself reversed, so what it would see of a mirrored ray is where
 // the ray hits the slide (the paper's section 3 (1), steps 1 and 3).
-static void set_slide(const gl_program *g, const frame *f) {
+static void set_slide(mirror_block *b, const frame *f) {
     const bolan_vec3 s = f->sun_direction;
     const float level = fmaxf(sqrtf(s.x * s.x + s.y * s.y), 1e-4f);
     const bolan_vec3 right = {-s.y / level, s.x / level, 0.0f};
     const bolan_vec3 up = {-s.z * s.x / level, -s.z * s.y / level, level};
     const float scale =
         (float)(0.5 * SLIDE_SHARE / SLIDE_RADIUS); // bias: half; projection: 1 / tangent of half the width
-    const float rows[12] = {scale * right.x + 0.5f * s.x,
-                            scale * right.y + 0.5f * s.y,
-                            0.5f * s.z,
-                            0.0f,
-                            scale * up.x + 0.5f * s.x,
-                            scale * up.y + 0.5f * s.y,
-                            scale * up.z + 0.5f * s.z,
-                            0.0f,
-                            s.x,
-                            s.y,
-                            s.z,
-                            0.0f};
-    bolan_gl_program_vec4_array(g, "sun_slide", rows, 3);
+    b->sun_slide[0] = (vec4){scale * right.x + 0.5f * s.x, scale * right.y + 0.5f * s.y, 0.5f * s.z, 0.0f};
+    b->sun_slide[1] = (vec4){scale * up.x + 0.5f * s.x, scale * up.y + 0.5f * s.y, scale * up.z + 0.5f * s.z, 0.0f};
+    b->sun_slide[2] = (vec4){s.x, s.y, s.z, 0.0f};
 }
 
 // Slope variance that neither tile has: the sea's total less what they hold. The fine tile overlaps the base
 // tile; it is scaled to supply only the missing variance.
-static void set_waves(const gl_program *g, const frame *f, const paper_tiles *t) {
+static void set_waves(mirror_block *b, const frame *f, const paper_tiles *t) {
     const bolan_tiles *base = bolan_paper_tiles_base(t), *fine = bolan_paper_tiles_fine(t);
     float rest[3];
     bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, rest);
     double missing = fmax((double)(rest[0] + rest[2]), 0.0), share = 0.0;
     bolan_tiles_view v = bolan_tiles_get_view(base);
-    bolan_gl_program_vec4(g, "tile_place", place_of(&v, f));
+    b->tile_place = place_of(&v, f);
     const double texels = log2(v.n / v.length);
     if (fine != base) {
         v = bolan_tiles_get_view(fine);
         v.angle = bolan_paper_tiles_ripple_angle(t);
-        bolan_gl_program_vec4(g, "ripple_place", place_of(&v, f));
+        b->ripple_place = place_of(&v, f);
         share = fmin(1.0, sqrt(missing / fmax(t->fine_variance, 1e-9)));
         missing = fmax(missing - share * share * t->fine_variance, 0.0);
     }
-    bolan_gl_program_vec4(g, "tile_law",
-                          (bolan_vec4){(float)texels, (float)log2(v.n / v.length), (float)share, (float)missing});
+    b->tile_texels = (float)texels;
+    b->ripple_texels = (float)log2(v.n / v.length);
+    b->ripple_share = (float)share;
+    b->missing_slopes = (float)missing;
+}
+
+static mirror_block block_of(const frame *f, const paper_tiles *t) {
+    const bolan_look *look = &f->scene->look;
+    const float bright = (float)OWN_BRIGHTNESS;
+    mirror_block b = {.own_radiance =
+                          look->paper ? (vec3){bright, bright, bright} : f->uniforms.frame.water_reflectance,
+                      .picture_push = (float)(PUSH * look->distortion),
+                      .glitter_push = (float)(GLITTER_PUSH * look->distortion),
+                      .blur_texels = 2.0f * (float)bolan_planar_views_share(f) / f->uniforms.view.radians_per_pixel,
+                      .slide_radius = (float)SLIDE_RADIUS};
+    if (bolan_paper_tiles_base(t) != NULL) set_waves(&b, f, t);
+    set_slide(&b, f);
+    return b;
 }
 
 static uint32_t own_defines(const paper_tiles *t, bool by_the_paper) {
@@ -140,21 +150,9 @@ static void draw(void *state, const water_draw *d) {
     const bool below = f->uniforms.view.eye_under_water > 0.5f;
     const bool high = f->uniforms.view.eye_height > HIGH_EYE;
     const uint32_t own = own_defines(t, look->paper) | (below ? BELOW : high ? HIGH : 0u);
-    const gl_program *g = bolan_water_program(d, &shader, own);
-    if (!g) return;
-    bolan_water_look_apply(g, look);
-    if (tiles) set_waves(g, f, t);
-    set_slide(g, f);
-    const bolan_vec3 deep = f->uniforms.frame.water_reflectance;
-    const float bright = (float)OWN_BRIGHTNESS;
-    bolan_gl_program_vec4(g, "tile_detail",
-                          look->paper ? (bolan_vec4){bright, bright, bright, 0.0f}
-                                      : (bolan_vec4){deep.x, deep.y, deep.z, 0.0f});
-    const float texels = 2.0f * (float)bolan_planar_views_share(f) /
-                         f->uniforms.view.radians_per_pixel; // of the mirrored picture, to twice a radian
-    bolan_gl_program_vec4(g, "disturbance",
-                          (bolan_vec4){(float)(PUSH * look->distortion), (float)(GLITTER_PUSH * look->distortion),
-                                       texels, (float)SLIDE_RADIUS});
+    if (!bolan_water_program(d, &shader, own)) return;
+    const mirror_block block = block_of(f, t);
+    bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     bolan_paper_tiles_bind(t);
     if (d->waves == WATER_CASCADES && !tiles) bolan_gl_texture_bind(&d->fields->fold, UNIT_FOLD);
     bolan_water_draw_forward(d);

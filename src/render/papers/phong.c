@@ -26,7 +26,8 @@ static const water_shader shader = {.stem = "papers/phong",
 
 // dC of the paper's look-ups, which gives no numbers: the mirrored as far behind the water as 1 m, the refracted 1 m under it, of
 // which refraction takes 1 - 1/1.333 [m].
-static const bolan_vec2 paper_bend = {2.0f, -0.25f};
+#define REFLECTION_PUSH 2.0f
+#define REFRACTION_PUSH (-0.25f)
 
 static bolan_result create(void *state, bolan_quality quality) {
     phong *p = state;
@@ -35,14 +36,20 @@ static bolan_result create(void *state, bolan_quality quality) {
 }
 
 // Two broad tiles of the ripples, the second turned by a right angle, bend the crests: see wander_of() in the shader.
-static void set_wander(const gl_program *g, const frame *f) {
+typedef struct phong_block {
+#include "shared/phong_block.glsl"
+} phong_block;
+
+static phong_block block_of(const frame *f) {
     const double peak_length = bolan_sea_peak_length(bolan_sea_get_summary(f->desc->sea));
     const double fine = 1.0 / fmax(32.0 * peak_length, 1.0), broad = 0.37 * fine;
     const double x = f->eye.x * fine, y = f->eye.y * fine, u = f->eye.y * broad, v = f->eye.x * broad;
-    bolan_gl_program_vec4(
-        g, "wander_eye",
-        (bolan_vec4){(float)(x - floor(x)), (float)(y - floor(y)), (float)(u - floor(u)), (float)(v - floor(v))});
-    bolan_gl_program_vec2(g, "wander_tiles", (float)fine, (float)broad);
+    return (phong_block){
+        .wander_eye = {(float)(x - floor(x)), (float)(y - floor(y)), (float)(u - floor(u)), (float)(v - floor(v))},
+        .wander_fine = (float)fine,
+        .wander_broad = (float)broad,
+        .reflection_push = REFLECTION_PUSH,
+        .refraction_push = REFRACTION_PUSH};
 }
 
 static uint32_t own_defines(bolan_quality quality, bool pictures, bool by_the_paper, bool fine) {
@@ -59,12 +66,10 @@ static void draw(void *state, const water_draw *d) {
     const phong *p = state;
     const bool pictures = bolan_pass_water_mirrors(d->f), paper = d->f->scene->look.paper;
     const bool fine = p->quality >= BOLAN_QUALITY_HIGH || d->f->uniforms.view.eye_height > HIGH_EYE;
-    const gl_program *g = bolan_water_program(d, &shader, own_defines(p->quality, pictures, paper, fine));
-    if (!g) return;
-    bolan_water_look_apply(g, &d->f->scene->look);
-    bolan_ripple_apply(&p->ripples, g, d->f, d->waves);
-    set_wander(g, d->f);
-    bolan_gl_program_vec2(g, "bend", paper_bend.x, paper_bend.y);
+    if (!bolan_water_program(d, &shader, own_defines(p->quality, pictures, paper, fine))) return;
+    const phong_block block = block_of(d->f);
+    bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
+    if (d->waves != WATER_CASCADES) bolan_gl_texture_bind(&p->ripples, UNIT_OPTICS);
     bolan_water_draw_forward(d);
 }
 

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// Members of the uniform block Optics of the physical optics, written by src/render/water_physical.c.
+float breaking_jacobian;      // Jacobian below which crests break (below -999: nothing foams)
+float slopes_beyond_cascades; // slope variance of the waves that no cascade has
+float fresh_edge;             // variance that softens the edge of fresh foam; the threshold allows for it
+float old_edge;               // likewise of old foam, as a share of the memory's variance
+float old_foam_memory;        // foam memory where old foam begins (above 999: there is none)
+float memory_variance;
+float jacobian_variance;      // of all scales
+float physical_padding;       // the block's size is a multiple of 16 bytes
