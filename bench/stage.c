@@ -30,9 +30,8 @@ static bool parse_threads(const char *text, stage_options *o) {
 }
 
 static bool parse_quality(const char *text, stage_options *o) {
-    static const char *const names[] = {"low", "medium", "high", "ultra"};
-    for (int i = 0; i < 4; ++i)
-        if (strcmp(text, names[i]) == 0) {
+    for (int i = 0; i < BOLAN_QUALITIES; ++i)
+        if (strcmp(text, bolan_quality_names[i]) == 0) {
             o->quality = (bolan_quality)i;
             return true;
         }
