@@ -50,28 +50,20 @@ extern "C" {
 
 /// How waves are made of a sea state.
 typedef enum bolan_wave_model {
-    /// Cascades of inverse FFTs of a random sea.
-    BOLAN_WAVES_FFT,
-    /// A sum of frequencies x directions cosine waves (Liu, Xu & Chen 2009).
-    BOLAN_WAVES_COSINES,
-    /// A sum of few waves exp(s cos): sharp crests, wide troughs (Liu & Xie 2010).
-    BOLAN_WAVES_EXP_COSINE,
-    /// One tile of FFT whose time runs in a loop of few still frames (Ma, Zhu & Gong 2006).
-    BOLAN_WAVES_TEXTURES,
+    BOLAN_WAVES_FFT,        ///< cascades of inverse FFTs of a random sea
+    BOLAN_WAVES_COSINES,    ///< a sum of frequencies x directions cosine waves (Liu, Xu & Chen 2009)
+    BOLAN_WAVES_EXP_COSINE, ///< a sum of few waves exp(s cos): sharp crests, wide troughs (Liu & Xie 2010)
+    BOLAN_WAVES_TEXTURES,   ///< one tile of FFT whose time runs in a loop of few still frames (Ma, Zhu & Gong 2006)
 } bolan_wave_model;
-/// Number of wave models.
-#define BOLAN_WAVE_MODELS 4
+#define BOLAN_WAVE_MODELS 4 ///< number of wave models
 /// The names that the command line and scene files use, "fft" ...; by bolan_wave_model, NULL at the end.
 extern const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1];
 
 /// What the fields of a sea are read from. Several wave models have one form.
 typedef enum bolan_wave_form {
-    /// Periodic tiles: bolan_sea_cascade().
-    BOLAN_FORM_CASCADES,
-    /// Cosine waves: bolan_sea_get_component().
-    BOLAN_FORM_COSINES,
-    /// Waves exp(s cos): bolan_sea_get_component() and the desc's exp_cosine.sharpness.
-    BOLAN_FORM_EXP_COSINES,
+    BOLAN_FORM_CASCADES,    ///< periodic tiles: bolan_sea_cascade()
+    BOLAN_FORM_COSINES,     ///< cosine waves: bolan_sea_get_component()
+    BOLAN_FORM_EXP_COSINES, ///< waves exp(s cos): bolan_sea_get_component(), and exp_cosine.sharpness of the desc
 } bolan_wave_form;
 
 /// How BOLAN_WAVES_COSINES cuts a spectrum into frequencies.
@@ -82,21 +74,15 @@ typedef enum bolan_frequency_split {
     /// The groups of waves repeat after 2 pi / step (32 s at Hs 3 m).
     BOLAN_SPLIT_EQUAL_WIDTH,
 } bolan_frequency_split;
-/// Number of ways to cut a spectrum.
-#define BOLAN_FREQUENCY_SPLITS 2
+#define BOLAN_FREQUENCY_SPLITS 2 ///< number of ways to cut a spectrum
 /// The names that scene files use, "equal-energy" ...; by bolan_frequency_split, NULL at the end.
 extern const char *const bolan_frequency_split_names[BOLAN_FREQUENCY_SPLITS + 1];
 
-/// Most cascades of a sea.
-#define BOLAN_MAX_CASCADES 4
-/// Most frequencies of BOLAN_WAVES_COSINES.
-#define BOLAN_MAX_FREQUENCIES 64
-/// Most directions of BOLAN_WAVES_COSINES.
-#define BOLAN_MAX_DIRECTIONS 32
-/// Most waves of BOLAN_WAVES_EXP_COSINE.
-#define BOLAN_MAX_EXP_WAVES 16
-/// Most frames of BOLAN_WAVES_TEXTURES.
-#define BOLAN_MAX_LOOP_FRAMES 64
+#define BOLAN_MAX_CASCADES 4     ///< most cascades of a sea
+#define BOLAN_MAX_FREQUENCIES 64 ///< most frequencies of BOLAN_WAVES_COSINES
+#define BOLAN_MAX_DIRECTIONS 32  ///< most directions of BOLAN_WAVES_COSINES
+#define BOLAN_MAX_EXP_WAVES 16   ///< most waves of BOLAN_WAVES_EXP_COSINE
+#define BOLAN_MAX_LOOP_FRAMES 64 ///< most frames of BOLAN_WAVES_TEXTURES
 
 /// How a sea is made.
 ///
@@ -167,7 +153,6 @@ typedef struct bolan_sea_desc {
         /// Time of the loop [s].
         /// 1..1e6, or 0 (default): the whole number of peak periods nearest to 10 s, at least one.
         double period;
-
         /// Frames of the loop.
         /// 2..BOLAN_MAX_LOOP_FRAMES; default 32.
         /// Raised: smoother motion. The foam memory runs in the time of the steps, not of the frames.
@@ -180,13 +165,11 @@ typedef struct bolan_sea_desc {
         /// 1..BOLAN_MAX_FREQUENCIES; default 16.
         /// Raised: a richer sea, proportionally slower.
         uint32_t frequencies;
-
         /// Number of directions of each frequency, N.
         /// 1..BOLAN_MAX_DIRECTIONS; default 8.
         /// They are the mid-points of +-90 degrees for one system with COS2, else directions of equal energy.
         /// Raised: shorter crests, proportionally slower.
         uint32_t directions;
-
         /// How the spectrum is cut into frequencies.
         /// Default BOLAN_SPLIT_EQUAL_ENERGY.
         bolan_frequency_split split;
@@ -198,7 +181,6 @@ typedef struct bolan_sea_desc {
         /// 1..BOLAN_MAX_EXP_WAVES; default 8.
         /// Raised: less regular from above, slower.
         uint32_t wave_count;
-
         /// Sharpness s.
         /// 0.01..2; default 0.5. The paper's is 1, steeper than any wave that does not break.
         /// Raised: sharper crests, wider troughs.
@@ -214,16 +196,14 @@ extern const bolan_param_table bolan_sea_params;
 /// A sea: spectrum tables, and the fields of one time.
 typedef struct bolan_sea bolan_sea;
 
-/// Returns the defaults named above the fields: a fresh breeze over the open sea.
-/// Thread-safe.
+/// Returns the defaults named above the fields: a fresh breeze over the open sea. Thread-safe.
 bolan_sea_desc bolan_sea_desc_default(void);
 
 /// Creates a sea: builds the spectrum tables and reserves all memory, so that no later call allocates.
 /// The sea stands at time 0.
 /// The desc is copied; a measured spectrum in it is not needed afterwards.
 /// Uses the task hook; a sea steps on at most as many workers as there were at its creation.
-/// Errors: ARGUMENT, with the field named in the log, and MEMORY. Then *out is NULL.
-/// Thread-safe.
+/// Errors: ARGUMENT, with the field named in the log, and MEMORY. Then *out is NULL. Thread-safe.
 bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out);
 
 /// Creates a sea that shows the same waves as @p sea at another time, for example for a physics thread.
@@ -232,8 +212,7 @@ bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out);
 /// The fork stands at time 0, with an empty foam memory, whatever the time of @p sea.
 /// It lives on its own: forks and their origin may be destroyed in any order, on any thread.
 /// Its memory is that of the fields alone.
-/// Errors: MEMORY. Then *out is NULL.
-/// Thread-safe, also during a step of @p sea.
+/// Errors: MEMORY. Then *out is NULL. Thread-safe, also during a step of @p sea.
 bolan_result bolan_sea_fork(const bolan_sea *sea, bolan_sea **out);
 
 /// Destroys a sea. NULL-safe; sets the pointer to NULL.
@@ -242,8 +221,7 @@ void bolan_sea_destroy(bolan_sea **sea);
 
 /// Makes all fields of @p time [s]: any finite value, backwards too.
 /// Beyond 2^36 s, 2000 years, the time wraps round.
-/// A step to the time of the last step does nothing.
-/// Uses the task hook. Never fails.
+/// A step to the time of the last step does nothing. Uses the task hook. Never fails.
 void bolan_sea_step(bolan_sea *sea, double time);
 
 /// Like bolan_sea_step(), and fills the foam memory first, so that a single image has the foam of a sea that has run.
@@ -277,8 +255,7 @@ const bolan_sea_summary *bolan_sea_get_summary(const bolan_sea *sea);
 /// Valid while the sea lives. Thread-safe, also during a step.
 const char *bolan_sea_record_time(const bolan_sea *sea);
 
-/// Returns what the fields are read from.
-/// Thread-safe, also during a step.
+/// Returns what the fields are read from. Thread-safe, also during a step.
 bolan_wave_form bolan_sea_form(const bolan_sea *sea);
 
 /// How a sea repeats in time.
@@ -296,8 +273,7 @@ bolan_sea_loop bolan_sea_get_loop(const bolan_sea *sea);
 /// Returns what band @p index adds to every height to keep the mean of the surface at the water level [m], >= 0.
 /// A band is a cascade, or all components of a sum (index 0).
 /// @p spacing [m] is that of the grid that carries the waves; 0: a single point.
-/// 0 without choppiness and for EXP_COSINE, whose parcels do not move sideways.
-/// Thread-safe, also during a step.
+/// 0 without choppiness and for EXP_COSINE, whose parcels do not move sideways. Thread-safe, also during a step.
 double bolan_sea_lift(const bolan_sea *sea, uint32_t index, double spacing);
 
 // ---- cascades -------------------------------------------------------------------------------------------------------
@@ -336,8 +312,7 @@ typedef struct bolan_cascade_view {
     /// n * n halfs: foam.
     const uint16_t *foam_half;
 } bolan_cascade_view;
-/// Returns the number of cascades: 1..BOLAN_MAX_CASCADES of form CASCADES, else 0.
-/// Thread-safe, also during a step.
+/// Returns the number of cascades: 1..BOLAN_MAX_CASCADES of form CASCADES, else 0. Thread-safe, also during a step.
 uint32_t bolan_sea_cascade_count(const bolan_sea *sea);
 /// Returns cascade @p index; 0 is the one of the longest waves.
 bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index);
@@ -361,11 +336,9 @@ typedef struct bolan_sea_component {
     /// Amplitude of the horizontal displacement, choppiness not applied [m]; 0 with EXP_COSINES.
     double drift;
 } bolan_sea_component;
-/// Returns the number of waves of a sum; 0 of form CASCADES.
-/// Thread-safe, also during a step.
+/// Returns the number of waves of a sum; 0 of form CASCADES. Thread-safe, also during a step.
 uint32_t bolan_sea_component_count(const bolan_sea *sea);
-/// Returns wave @p index of the sum; 0 is the longest.
-/// Thread-safe, also during a step.
+/// Returns wave @p index of the sum; 0 is the longest. Thread-safe, also during a step.
 bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint32_t index);
 
 // ---- samples --------------------------------------------------------------------------------------------------------
@@ -403,11 +376,10 @@ void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, cons
 bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time);
 
 /// Returns bounds that the surface does not leave, 6 standard deviations: vertical with the lift [m], horizontal with
-/// the choppiness [m].
-/// Thread-safe, also during a step.
+/// the choppiness [m]. Thread-safe, also during a step.
 void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal);
 
-// ---- roughness and foam ---------------------------------------------------------------------------------------------
+// ---- roughness, foam, measures --------------------------------------------------------------------------------------
 
 /// Returns the slope covariance that a filter removes: what a pixel or a radar cell cannot resolve and must treat as
 /// roughness.
@@ -437,8 +409,6 @@ const float *bolan_sea_slope_table(const bolan_sea *sea);
 /// -1e30 where nothing foams: without wind, without waves, and with EXP_COSINE.
 /// Computed at creation. Thread-safe, also during a step.
 double bolan_sea_foam_threshold(const bolan_sea *sea);
-
-// ---- measures -------------------------------------------------------------------------------------------------------
 
 /// Statistics of the surface at the present time, as queries return and images show it: the JSON keys of `bolan
 /// measure`. They are taken at 65536 places. At fixed points a parcel counts by the area that it covers, its Jacobian.
