@@ -358,6 +358,10 @@ static void a_serial_changes_when_the_fields_may_have(void **state) {
             assert_true(seen[i] != 0);
             for (uint32_t j = 0; j < i; j++) assert_true(seen[i] != seen[j]);
         }
+        for (int step = 0; step < 100; step++) { // however often one of them is stepped
+            bolan_sea_step(fork, 20.0 + step);
+            for (uint32_t i = 0; i < count; i++) assert_true(bolan_sea_serial(fork) != seen[i]);
+        }
         bolan_sea_destroy(&fork);
         bolan_sea_destroy(&sea);
     }
