@@ -87,9 +87,9 @@ static void scatter(double extent, bolan_dvec2 *xy) {
 
 static void ask(const bolan_sea *sea, const query_case *what, const buffers *b, uint32_t points) {
     if (what->surface) {
-        bolan_query_surface(sea, NULL, 0.0, b->xy, points, b->surface);
+        bolan_query_surface(&(bolan_water){.sea = sea}, b->xy, points, b->surface);
     } else {
-        bolan_query_heights(sea, b->xy, points, b->height);
+        bolan_query_heights(&(bolan_water){.sea = sea}, b->xy, points, b->height);
     }
 }
 

@@ -13,13 +13,15 @@ int main(void) {
     const bolan_sea_summary summary = bolan_sea_state_summary(&desc.sea_state);
     printf("significant wave height %.2f m, peak period %.1f s\n", summary.hs, summary.tp);
 
+    bolan_water water = bolan_water_default(); // what is asked, and drawn: here the sea alone, without a sea bed
+    water.sea = sea;
     const bolan_dvec2 places[3] = {{0.0, 0.0}, {25.0, 0.0}, {1e6, -1e6}}; // metres east and north
     printf("  time [s]    here [m]    25 m east [m]    far away [m]\n");
     for (int i = 0; i <= 8; i++) {
         const double time = 0.5 * i;
         float height[3];
         bolan_sea_step(sea, time);
-        bolan_query_heights(sea, places, 3, height);
+        bolan_query_heights(&water, places, 3, height);
         printf("%10.1f %11.3f %16.3f %15.3f\n", time, (double)height[0], (double)height[1], (double)height[2]);
     }
     bolan_sea_destroy(&sea);

@@ -53,13 +53,15 @@ int main(void) {
     if (bolan_sea_create(&desc, &sea) != BOLAN_OK) return 1;
 
     bolan_dvec2 xy[POINTS];
-    bolan_query_point water[POINTS];
+    bolan_query_point answers[POINTS];
+    bolan_water water = bolan_water_default();
+    water.sea = sea;
     printf("time,height,pitch,roll,steepest\n");
     for (double time = 0.0; time <= 20.0; time += 0.5) {
         bolan_sea_step(sea, time);
         place_points(time, xy);
-        bolan_query_surface(sea, NULL, 0.0, xy, POINTS, water);
-        const hull_water w = fit(water);
+        bolan_query_surface(&water, xy, POINTS, answers);
+        const hull_water w = fit(answers);
         printf("%.1f,%.3f,%.2f,%.2f,%.3f\n", time, w.height, w.pitch, w.roll, w.steepest);
     }
     bolan_sea_destroy(&sea);

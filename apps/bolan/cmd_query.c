@@ -52,7 +52,7 @@ static bool answer_all(const session *s, const bolan_points *points, text *out) 
         const uint32_t count = points->count - first < BATCH ? points->count - first : BATCH;
         for (uint32_t i = 0; i < count; i++)
             xy[i] = (bolan_dvec2){points->points[first + i].x, points->points[first + i].y};
-        bolan_query_surface(s->sea, s->assets.terrain, s->scene.water.level, xy, count, answers);
+        bolan_query_surface(&(bolan_water){.sea = s->sea, .ground = s->assets.terrain, .level = s->scene.water.level}, xy, count, answers);
         ok = append_rows(out, xy, answers, count);
     }
     free(xy);

@@ -49,7 +49,7 @@ void world_step(world *w, double time) {
 
 double world_surface(const world *w, double x, double y, bool *land) {
     bolan_query_point point = {0};
-    bolan_query_surface(w->sea, w->assets.terrain, w->scene.water.level, &(bolan_dvec2){x, y}, 1, &point);
+    bolan_query_surface(&(bolan_water){.sea = w->sea, .ground = w->assets.terrain, .level = w->scene.water.level}, &(bolan_dvec2){x, y}, 1, &point);
     double ground = w->assets.terrain != NULL ? bolan_ground_elevation(w->assets.terrain, x, y, 0.0) : -INFINITY;
     *land = ground > point.height;
     return *land ? ground : point.height;

@@ -12,8 +12,7 @@
 #ifndef BOLAN_QUERY_BLOCK_H
 #define BOLAN_QUERY_BLOCK_H
 
-#include "bolan/ground.h"
-#include "bolan/waves.h"
+#include "bolan/water.h"
 
 #include "waves/sum/sum.h"
 
@@ -87,8 +86,8 @@ const query_kernels *bolan_query_kernels_for(bolan_cpu cpu);
 typedef struct query {
     query_sea sea;
     const query_kernels *kernels;
-    const bolan_ground *terrain;       // or NULL: deep water
-    double water_level;                // [m]
+    const bolan_water *water;
+    double time;                       // of the sea [s]
     float band_hs[BOLAN_MAX_CASCADES]; // significant height of each cascade [m]
     float hs;                          // of all cascades [m]
     float reach;                       // how far apart the roots of a fold may lie [m]
@@ -99,7 +98,7 @@ enum { QUERY_STEPS = 5, QUERY_SEARCH_STEPS = 10 };
 // Newton steps, each with the attenuation of the depth at the rest points it starts from. With `graded` step i uses the first
 // i + 1 cascades: the long waves put the rest point where the short ones can be linearised.
 void bolan_query_solve(const query *q, uint32_t steps, bool graded, query_block *block);
-// Attenuation at the present offsets, then the evaluate kernel.
+// Attenuation at the present offsets, then the evaluate kernel, then the layers of the water.
 void bolan_query_evaluate(const query *q, bool full, query_block *block);
 // Unit vector along which the Jacobian matrix (xx, xy; xy, yy) compresses most: the eigenvector of the smaller
 // eigenvalue.

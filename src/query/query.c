@@ -5,6 +5,7 @@
 #include "bolan/coast.h"
 
 #include "query/block.h"
+#include "water/layer.h"
 
 #include <math.h>
 
@@ -25,7 +26,7 @@ typedef struct batch {
 // Depth [m] under the rest point of a lane.
 static float depth_at(const query *q, const query_block *b, uint32_t l) {
     const double x = b->x[l] + (double)b->ox[l], y = b->y[l] + (double)b->oy[l];
-    return (float)(q->water_level - (double)bolan_ground_elevation(q->terrain, x, y, GROUND_RESOLUTION));
+    return (float)(q->water->level - (double)bolan_ground_elevation(q->water->ground, x, y, GROUND_RESOLUTION));
 }
 
 static void attenuate_lane(const query *q, float depth, query_block *b, uint32_t l) {
@@ -39,7 +40,7 @@ static void attenuate_lane(const query *q, float depth, query_block *b, uint32_t
 static void settle(const query *q, query_block *b) {
     for (uint32_t l = 0; l < QUERY_LANES; l++) {
         b->settled[l] = true;
-        if (!q->terrain) continue;
+        if (!q->water->ground) continue;
         const float depth = depth_at(q, b, l);
         attenuate_lane(q, depth, b, l);
         b->settled[l] = depth > 16.0f * q->hs || depth < -4.0f * q->hs;
@@ -59,9 +60,36 @@ void bolan_query_solve(const query *q, uint32_t steps, bool graded, query_block 
     }
 }
 
+// Adds the layers at the rest points. They move no parcel sideways, so the solver need not know them.
+static void add_layers(const query *q, query_block *b) {
+    double x[QUERY_LANES], y[QUERY_LANES];
+    float depth[QUERY_LANES];
+    for (uint32_t l = 0; l < QUERY_LANES; l++) {
+        x[l] = b->x[l] + (double)b->ox[l];
+        y[l] = b->y[l] + (double)b->oy[l];
+        depth[l] = q->water->ground ? depth_at(q, b, l) : INFINITY;
+    }
+    for (uint32_t i = 0; i < q->water->layer_count; i++) {
+        const bolan_wave_layer *layer = q->water->layers[i];
+        bolan_wave_layer_sample waves[QUERY_LANES];
+        layer->kind->sample(layer, q->time, QUERY_LANES, x, y, waves);
+        for (uint32_t l = 0; l < QUERY_LANES; l++) {
+            const float keep = q->water->ground ? bolan_coast_attenuation(depth[l], layer->hs) : 1.0f;
+            b->height[l] += keep * waves[l].height;
+            b->slope_x[l] += keep * waves[l].slope_x;
+            b->slope_y[l] += keep * waves[l].slope_y;
+        }
+    }
+}
+
+static void evaluate(const query *q, bool full, query_block *block) {
+    q->kernels->evaluate(&q->sea, full, block);
+    if (q->water->layer_count > 0) add_layers(q, block);
+}
+
 void bolan_query_evaluate(const query *q, bool full, query_block *block) {
     attenuate(q, block);
-    q->kernels->evaluate(&q->sea, full, block);
+    evaluate(q, full, block);
 }
 
 // True if the last step was not small enough, or the map is nearly singular there.
@@ -77,7 +105,7 @@ static void solve_block(const query *q, bool full, uint32_t lanes, query_block *
     bool evaluated_in_full = full;
     for (uint32_t l = 0; l < lanes; l++) {
         if (!is_hard(b, l)) continue;
-        if (!evaluated_in_full) q->kernels->evaluate(&q->sea, true, b);
+        if (!evaluated_in_full) evaluate(q, true, b);
         evaluated_in_full = true;
         bolan_query_search_folds(q, b, l);
     }
@@ -106,7 +134,7 @@ static bolan_vec3 normal_of(const query_block *b, uint32_t l) {
 
 static bolan_query_point point_of(const query *q, const query_block *b, uint32_t l) {
     bolan_query_point p;
-    p.height = (float)(q->water_level + (double)b->height[l]);
+    p.height = (float)(q->water->level + (double)b->height[l]);
     p.normal = normal_of(b, l);
     p.jacobian = b->jxx[l] * b->jyy[l] - b->jxy[l] * b->jxy[l];
     p.residual = sqrtf(b->rx[l] * b->rx[l] + b->ry[l] * b->ry[l]);
@@ -117,9 +145,9 @@ static void write_block(const batch *t, uint32_t first, uint32_t lanes, const qu
     for (uint32_t l = 0; l < lanes; l++) {
         const uint32_t i = first + l;
         const bool valid = isfinite(t->xy[i].x) && isfinite(t->xy[i].y);
-        if (t->height) t->height[i] = valid ? b->height[l] : 0.0f;
+        if (t->height) t->height[i] = (float)(t->q.water->level + (valid ? (double)b->height[l] : 0.0));
         if (!t->out) continue;
-        const bolan_query_point mean = {(float)t->q.water_level, {0.0f, 0.0f, 1.0f}, 1.0f, 0.0f};
+        const bolan_query_point mean = {(float)t->q.water->level, {0.0f, 0.0f, 1.0f}, 1.0f, 0.0f};
         t->out[i] = valid ? point_of(&t->q, b, l) : mean;
     }
 }
@@ -156,9 +184,10 @@ static query_cascade cascade_of(const bolan_cascade_view *v) {
                            .tile_s = s / v->length};
 }
 
-static query query_of(const bolan_sea *sea, const bolan_ground *terrain, double water_level) {
+static query query_of(const bolan_water *water) {
+    const bolan_sea *sea = water->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
-    query q = {.kernels = bolan_query_kernels_for(desc->cpu), .terrain = terrain, .water_level = water_level};
+    query q = {.kernels = bolan_query_kernels_for(desc->cpu), .water = water, .time = bolan_sea_time(sea)};
     q.sea.choppiness = (float)desc->choppiness;
     q.sea.sum = bolan_sea_sum(sea);
     if (q.sea.sum) {
@@ -191,15 +220,18 @@ static void run(batch *t) {
     }
 }
 
-void bolan_query_heights(const bolan_sea *sea, const bolan_dvec2 *xy, uint32_t count, float *height) {
-    BOLAN_ASSERT(sea && (count == 0 || (xy && height)));
-    batch t = {.q = query_of(sea, NULL, 0.0), .xy = xy, .count = count, .height = height};
+void bolan_query_heights(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, float *height) {
+    const bool valid = bolan_water_is_valid(water) && (count == 0 || (xy && height));
+    BOLAN_ASSERT(valid);
+    if (!valid) return;
+    batch t = {.q = query_of(water), .xy = xy, .count = count, .height = height};
     run(&t);
 }
 
-void bolan_query_surface(const bolan_sea *sea, const bolan_ground *terrain, double water_level, const bolan_dvec2 *xy,
-                         uint32_t count, bolan_query_point *out) {
-    BOLAN_ASSERT(sea && (count == 0 || (xy && out)));
-    batch t = {.q = query_of(sea, terrain, water_level), .xy = xy, .count = count, .out = out};
+void bolan_query_surface(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, bolan_query_point *out) {
+    const bool valid = bolan_water_is_valid(water) && (count == 0 || (xy && out));
+    BOLAN_ASSERT(valid);
+    if (!valid) return;
+    batch t = {.q = query_of(water), .xy = xy, .count = count, .out = out};
     run(&t);
 }

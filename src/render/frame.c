@@ -93,7 +93,7 @@ static bolan_dvec3 eye_clear_of_water(const bolan_frame_desc *d) {
     }
     bolan_dvec2 below = {eye.x, eye.y};
     bolan_query_point water;
-    bolan_query_surface(d->sea, d->terrain, d->scene->water.level, &below, 1, &water);
+    bolan_query_surface(&(bolan_water){.sea = d->sea, .ground = d->terrain, .level = d->scene->water.level}, &below, 1, &water);
     eye.z = fmax(eye.z, (double)water.height + 0.3);
     return eye;
 }

@@ -269,7 +269,7 @@ static void float_on_water(pose *p, const frame *f, const bolan_object *o, bolan
         const double u = mid_x + at[i][0] * half_x, v = mid_y + at[i][1] * half_y;
         xy[i] = (bolan_dvec2){p->origin.x + u * p->x.x + v * p->y.x, p->origin.y + u * p->x.y + v * p->y.y};
     }
-    bolan_query_surface(f->desc->sea, f->desc->terrain, f->scene->water.level, xy, 5, water);
+    bolan_query_surface(&(bolan_water){.sea = f->desc->sea, .ground = f->desc->terrain, .level = f->scene->water.level}, xy, 5, water);
     double sum = 0.0;
     for (int i = 0; i < 5; i++) sum += (double)water[i].height;
     const double pitch = SOFTENING * ((double)water[1].height - (double)water[2].height) / fmax(1.6 * half_y, 1e-3);

@@ -83,11 +83,11 @@ static uint64_t add_answers(uint64_t hash, const bolan_sea *sea, const bolan_gro
     bolan_sea_sample sample[POINTS];
     place(at);
     for (int i = 0; i < POINTS; i++) spacing[i] = 0.21f * (float)(i % 50);
-    bolan_query_heights(sea, at, POINTS, height);
+    bolan_query_heights(&(bolan_water){.sea = sea}, at, POINTS, height);
     ADD(hash, height);
-    bolan_query_surface(sea, NULL, 0.0, at, POINTS, water);
+    bolan_query_surface(&(bolan_water){.sea = sea}, at, POINTS, water);
     ADD(hash, water);
-    bolan_query_surface(sea, terrain, 0.5, at, POINTS, water);
+    bolan_query_surface(&(bolan_water){.sea = sea, .ground = terrain, .level = 0.5}, at, POINTS, water);
     ADD(hash, water);
     bolan_sea_sample_rest(sea, at, POINTS, sample);
     ADD(hash, sample);

@@ -39,7 +39,7 @@ static void compare_pixel(const stage *s, double along, uint32_t x, uint32_t y, 
     if (s->assets.terrain && (double)bolan_ground_elevation(s->assets.terrain, at.x, at.y, 2.0) > level - 0.3) return;
     const double drop = (ray.x * ray.x + ray.y * ray.y) * along * along / (2.0 * BOLAN_EARTH_RADIUS);
     bolan_query_point answer;
-    bolan_query_surface(s->sea, s->assets.terrain, level, &at, 1, &answer);
+    bolan_query_surface(&(bolan_water){.sea = s->sea, .ground = s->assets.terrain, .level = level}, &at, 1, &answer);
     const double error = fabs(c->position.z + ray.z * along + drop - (double)answer.height);
     const double pixel = distance * 2.0 * tan(0.5 * bolan_radians(c->fov_deg)) / HEIGHT;
     sum->pixels++;

@@ -12,7 +12,7 @@ BEGIN {
     may["coast"] = "base math params ground"
     may["waves"] = "base math params spectrum fft"
     may["surface"] = may["body"] = may["tiles"] = "base math params earth spectrum optics fft waves"
-    may["water"] = "base math params earth spectrum waves ground coast"
+    may["water"] = "base math params earth spectrum optics waves ground coast"
     may["query"] = may["water"] " fft water"
     may["model"] = "base math params ground"
     core = "base math params earth spectrum optics fft ground coast waves surface body tiles water query model"

@@ -64,7 +64,7 @@ static void check(double wind, double choppiness, double x0, double y0) {
     bolan_query_point answer[POINTS];
     for (int i = 0; i < POINTS; i++)
         xy[i] = (bolan_dvec2){x0 + 17.31 * (i % 7) + 0.37 * i, y0 + 23.77 * (i / 7) - 0.53 * i};
-    bolan_query_surface(sea, NULL, 0.0, xy, POINTS, answer);
+    bolan_query_surface(&(bolan_water){.sea = sea}, xy, POINTS, answer);
 
     double height = 0.0, slope = 0.0, variance = 0.0;
     int used = 0;

@@ -51,7 +51,7 @@ static void queries_have_the_level_as_their_mean(void **state) {
         bolan_sea *sea = make(seas[i].model, seas[i].wind, seas[i].depth, seas[i].choppiness);
         double sum = 0.0;
         scatter(bolan_sea_cascade_count(sea) > 0 ? 6.0 * bolan_sea_cascade(sea, 0).length : 2e4);
-        bolan_query_heights(sea, at, POINTS, height);
+        bolan_query_heights(&(bolan_water){.sea = sea}, at, POINTS, height);
         for (int p = 0; p < POINTS; p++) sum += (double)height[p] / POINTS;
         assert_near(sum / hs_of(sea), 0.0, 0.002);
         // without the lift it would not be: the test can fail
@@ -148,7 +148,7 @@ static void shallow_water_keeps_the_level(void **state) {
         const double side = model == BOLAN_WAVES_FFT ? bolan_sea_cascade(sea, 0).length : 3e3;
         for (int p = 0; p < SIDE * SIDE; p++) // in rows and columns, which average the tile out
             at[p] = (bolan_dvec2){side * (p % SIDE) / SIDE - 0.4 * side, side * (p / SIDE) / SIDE - 0.4 * side};
-        bolan_query_surface(sea, terrain, 0.5, at, SIDE * SIDE, answer);
+        bolan_query_surface(&(bolan_water){.sea = sea, .ground = terrain, .level = 0.5}, at, SIDE * SIDE, answer);
         double sum = 0.0, square = 0.0;
         for (int p = 0; p < SIDE * SIDE; p++) {
             const double h = (double)answer[p].height - 0.5;

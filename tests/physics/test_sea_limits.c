@@ -125,7 +125,7 @@ static void queries_keep_their_promise_in_shallow_and_steep_seas(void **state) {
                 const double x = p * 0.7548776662466927, y = p * 0.5698402909980532;
                 at[p] = (bolan_dvec2){side * (x - floor(x)), side * (y - floor(y))};
             }
-            bolan_query_surface(sea, NULL, 0.0, at, POINTS, answer);
+            bolan_query_surface(&(bolan_water){.sea = sea}, at, POINTS, answer);
             int broken = 0, folded = 0;
             for (int p = 0; p < POINTS; p++) {
                 folded += answer[p].jacobian <= 0.2f;

@@ -135,7 +135,7 @@ static void the_surface_is_measured_as_a_query_answers_it(void **state) {
         const double side = model == 0 ? bolan_sea_cascade(sea, 0).length : 3000.0;
         for (int i = 0; i < POINTS; i++) // jittered rows and columns: nothing of the sea's own places
             at[i] = (bolan_dvec2){side * (i % 400 + 0.5 * (i % 3)) / 400.0, side * (i / 400 + 0.3 * (i % 5)) / 250.0};
-        bolan_query_surface(sea, NULL, 0.0, at, POINTS, answer);
+        bolan_query_surface(&(bolan_water){.sea = sea}, at, POINTS, answer);
         double sum = 0.0, square = 0.0, xx = 0.0, yy = 0.0, third = 0.0;
         for (int i = 0; i < POINTS; i++) {
             const bolan_vec3 n = answer[i].normal;

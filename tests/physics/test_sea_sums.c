@@ -293,8 +293,8 @@ static void queries_agree_with_the_map_inverted_in_double(void **state) {
                 }
                 bolan_query_point p;
                 float height;
-                bolan_query_surface(sea, NULL, 0.0, &x, 1, &p);
-                bolan_query_heights(sea, &x, 1, &height);
+                bolan_query_surface(&(bolan_water){.sea = sea}, &x, 1, &p);
+                bolan_query_heights(&(bolan_water){.sea = sea}, &x, 1, &height);
                 assert_true(p.residual < 1e-3f || p.jacobian <= 0.2f);
                 if (s.jacobian < 0.3f) continue;
                 assert_near(p.height, s.height, 1e-4); // the residual's tenth of a millimetre, and slope below 1

@@ -231,7 +231,7 @@ static void surface_equals(const host *h, const bolan_sea *sea, float depth) {
     const double hs = bolan_sea_get_summary(sea)->hs;
     bolan_ground *ground = depth < 1e5f ? flat_ground(depth) : NULL;
     place_points(points, world, depth);
-    bolan_query_surface(sea, ground, level, world, POINTS, want);
+    bolan_query_surface(&(bolan_water){.sea = sea, .ground = ground, .level = level}, world, POINTS, want);
     bolan_renderer_bind_fields(h->renderer, sea, level, origin, UNIT, SLOT);
     ask(h, 1, points, got);
     int compared = 0;

@@ -227,7 +227,7 @@ static void what_floats_follows_the_water(void **state) {
         bolan_sea_step(r.sea, 3.0 + 2.5 * i);
         for (int k = 0; k < 5; k++) {
             bolan_query_point water;
-            bolan_query_surface(r.sea, NULL, 0.0, &(bolan_dvec2){at[k][0], at[k][1]}, 1, &water);
+            bolan_query_surface(&(bolan_water){.sea = r.sea}, &(bolan_dvec2){at[k][0], at[k][1]}, 1, &water);
             mean += 0.2f * water.height;
         }
         draw(&r, everything);

@@ -76,7 +76,7 @@ static void test_a_parcel_is_found_where_it_went(void **state) {
         travel += hypot((double)parcels[i].dx, (double)parcels[i].dy) / POINTS;
     }
     assert_true(travel > 0.2); // the question would be idle if nothing had moved
-    bolan_query_surface(sea, NULL, 0.0, moved, POINTS, answers);
+    bolan_query_surface(&(bolan_water){.sea = sea}, moved, POINTS, answers);
     for (uint32_t i = 0; i < POINTS; i++) {
         if (parcels[i].jacobian < 0.3f) continue; // a fold is near: another parcel may lie above this one
         // Half the promised residual of 1 mm down a slope of at most 1, and the rounding of both float paths.
@@ -94,8 +94,8 @@ static void test_heights_and_surface_agree_to_the_bit(void **state) {
     (void)state;
     bolan_sea *sea = make_folded_sea(4);
     scatter(points, POINTS);
-    bolan_query_heights(sea, points, POINTS, heights);
-    bolan_query_surface(sea, NULL, 0.0, points, POINTS, answers);
+    bolan_query_heights(&(bolan_water){.sea = sea}, points, POINTS, heights);
+    bolan_query_surface(&(bolan_water){.sea = sea}, points, POINTS, answers);
     for (uint32_t i = 0; i < POINTS; i++) assert_true(heights[i] == answers[i].height);
     bolan_sea_destroy(&sea);
 }
@@ -103,7 +103,7 @@ static void test_heights_and_surface_agree_to_the_bit(void **state) {
 static void check_residuals(double wind, double choppiness) {
     bolan_sea *sea = make_sea(wind, choppiness, 4, BOLAN_CPU_AUTO);
     scatter(points, POINTS);
-    bolan_query_surface(sea, NULL, 0.0, points, POINTS, answers);
+    bolan_query_surface(&(bolan_water){.sea = sea}, points, POINTS, answers);
     uint32_t unfolded = 0;
     for (uint32_t i = 0; i < POINTS; i++) {
         if (answers[i].jacobian <= 0.2f) continue;
@@ -126,7 +126,7 @@ static void test_folded_water_is_finite_and_its_normals_point_up(void **state) {
     (void)state;
     bolan_sea *sea = make_folded_sea(4);
     scatter(points, POINTS);
-    bolan_query_surface(sea, NULL, 0.0, points, POINTS, answers);
+    bolan_query_surface(&(bolan_water){.sea = sea}, points, POINTS, answers);
     double vertical, horizontal;
     bolan_sea_bounds(sea, &vertical, &horizontal);
     for (uint32_t i = 0; i < POINTS; i++) {
@@ -172,7 +172,7 @@ static int find_folds(const bolan_sea *sea, bolan_dvec2 *places, int capacity) {
 // How many of the answers over `count` folds have a layer above them.
 static int count_covered(const bolan_sea *sea, const bolan_dvec2 *place, int count) {
     int covered = 0;
-    bolan_query_surface(sea, NULL, 0.0, place, (uint32_t)count, answers);
+    bolan_query_surface(&(bolan_water){.sea = sea}, place, (uint32_t)count, answers);
     for (int i = 0; i < count; i++) {
         assert_true(answers[i].residual < 1e-2f); // the promise of 1 mm is for unfolded water
         // All rest points within 3 m at 2 cm: a parcel that lands within 1 cm of the place must not be higher than the answer
@@ -233,13 +233,13 @@ static void test_a_batch_gives_what_single_questions_give_on_any_number_of_threa
     static bolan_query_point other[POINTS];
     bolan_sea *sea = make_folded_sea(4);
     scatter(points, POINTS);
-    bolan_query_surface(sea, NULL, 0.0, points, POINTS, answers);
-    for (uint32_t i = 0; i < POINTS; i++) bolan_query_surface(sea, NULL, 0.0, points + i, 1, other + i);
+    bolan_query_surface(&(bolan_water){.sea = sea}, points, POINTS, answers);
+    for (uint32_t i = 0; i < POINTS; i++) bolan_query_surface(&(bolan_water){.sea = sea}, points + i, 1, other + i);
     assert_memory_equal(answers, other, sizeof answers);
     for (uint32_t threads = 2; threads <= 5; threads++) {
         bolan_set_threads(threads);
         memset(other, 0, sizeof other);
-        bolan_query_surface(sea, NULL, 0.0, points, POINTS, other);
+        bolan_query_surface(&(bolan_water){.sea = sea}, points, POINTS, other);
         assert_memory_equal(answers, other, sizeof answers);
     }
     bolan_set_threads(1);
@@ -252,7 +252,7 @@ static void test_instruction_sets_agree_to_the_bit(void **state) {
     scatter(points, POINTS);
     for (int cpu = BOLAN_CPU_SCALAR; cpu <= (int)bolan_cpu_best(); cpu++) {
         bolan_sea *sea = make_sea(15.0, 1.8, 4, (bolan_cpu)cpu);
-        bolan_query_surface(sea, NULL, 0.0, points, POINTS, cpu == BOLAN_CPU_SCALAR ? answers : other);
+        bolan_query_surface(&(bolan_water){.sea = sea}, points, POINTS, cpu == BOLAN_CPU_SCALAR ? answers : other);
         if (cpu != BOLAN_CPU_SCALAR) assert_memory_equal(answers, other, sizeof answers);
         bolan_sea_destroy(&sea);
     }
@@ -265,12 +265,12 @@ static void test_a_tile_away_is_the_same_even_a_thousand_kilometres_off(void **s
     const bolan_cascade_view tile = bolan_sea_cascade(sea, 0);
     const double shift = floor(1e6 / tile.length) * tile.length;
     scatter(points, POINTS);
-    bolan_query_heights(sea, points, POINTS, heights);
+    bolan_query_heights(&(bolan_water){.sea = sea}, points, POINTS, heights);
     for (uint32_t i = 0; i < POINTS; i++) {
         points[i].x += shift * cos(tile.angle);
         points[i].y += shift * sin(tile.angle);
     }
-    bolan_query_heights(sea, points, POINTS, far_away);
+    bolan_query_heights(&(bolan_water){.sea = sea}, points, POINTS, far_away);
     // Positions at 1e6 m are doubles with steps of 1e-10 m; the rest is the rounding of the fraction of a cell.
     for (uint32_t i = 0; i < POINTS; i++) assert_float_equal(heights[i], far_away[i], 1e-5);
     bolan_sea_destroy(&sea);
@@ -282,15 +282,15 @@ static void test_points_that_are_not_finite_give_the_mean_level(void **state) {
     bolan_dvec2 xy[5] = {{NAN, 0.0}, {0.0, INFINITY}, {3.0, 4.0}, {-INFINITY, NAN}, {1e300, -1e300}};
     float height[5];
     bolan_query_point point[5];
-    bolan_query_heights(sea, xy, 5, height);
-    bolan_query_surface(sea, NULL, 2.0, xy, 5, point);
+    bolan_query_heights(&(bolan_water){.sea = sea}, xy, 5, height);
+    bolan_query_surface(&(bolan_water){.sea = sea, .level = 2.0}, xy, 5, point);
     assert_true(height[0] == 0.0f && height[1] == 0.0f && height[3] == 0.0f);
     assert_true(point[0].height == 2.0f && point[1].height == 2.0f && point[3].height == 2.0f);
     assert_true(height[2] != 0.0f);
     assert_float_equal(point[2].height, 2.0f + height[2], 1e-6); // not disturbed by its neighbours
     assert_true(isfinite(height[4]) && isfinite(point[4].height));
-    bolan_query_heights(sea, NULL, 0, NULL);
-    bolan_query_surface(sea, NULL, 0.0, NULL, 0, NULL);
+    bolan_query_heights(&(bolan_water){.sea = sea}, NULL, 0, NULL);
+    bolan_query_surface(&(bolan_water){.sea = sea}, NULL, 0, NULL);
     bolan_sea_destroy(&sea);
 }
 
@@ -314,8 +314,8 @@ static void test_a_query_allocates_nothing(void **state) {
     bolan_sea *sea = make_sea(20.0, 1.8, 4, BOLAN_CPU_AUTO);
     scatter(points, POINTS);
     allocations = 0;
-    bolan_query_heights(sea, points, POINTS, heights);
-    bolan_query_surface(sea, NULL, 0.0, points, POINTS, answers);
+    bolan_query_heights(&(bolan_water){.sea = sea}, points, POINTS, heights);
+    bolan_query_surface(&(bolan_water){.sea = sea}, points, POINTS, answers);
     assert_int_equal(allocations, 0);
     bolan_sea_destroy(&sea);
     bolan_set_hooks(NULL);
@@ -344,16 +344,16 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
     static bolan_query_point deep[POINTS];
     bolan_sea *sea = make_sea(10.0, 1.0, 3, BOLAN_CPU_AUTO);
     scatter(points, POINTS);
-    bolan_query_surface(sea, NULL, 1.0, points, POINTS, deep);
+    bolan_query_surface(&(bolan_water){.sea = sea, .level = 1.0}, points, POINTS, deep);
 
     bolan_ground *terrain = make_ground(-999.0f, -999.0f);
-    bolan_query_surface(sea, terrain, 1.0, points, POINTS, answers);
+    bolan_query_surface(&(bolan_water){.sea = sea, .ground = terrain, .level = 1.0}, points, POINTS, answers);
     assert_memory_equal(answers, deep, sizeof deep); // a kilometre is deep for a sea of 2 m
     bolan_ground_destroy(&terrain);
 
     for (float land = 1.5f; land < 100.0f; land *= 8.0f) {
         terrain = make_ground(land, land);
-        bolan_query_surface(sea, terrain, 1.0, points, POINTS, answers);
+        bolan_query_surface(&(bolan_water){.sea = sea, .ground = terrain, .level = 1.0}, points, POINTS, answers);
         for (uint32_t i = 0; i < POINTS; i++) {
             assert_true(answers[i].height == 1.0f && answers[i].normal.z == 1.0f && answers[i].jacobian == 1.0f);
         }
@@ -375,7 +375,7 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
     }
     assert_true(expected < 0.5 * unattenuated);
     terrain = make_ground(0.0f, 0.0f);
-    bolan_query_surface(sea, terrain, 1.0, points, POINTS, answers);
+    bolan_query_surface(&(bolan_water){.sea = sea, .ground = terrain, .level = 1.0}, points, POINTS, answers);
     const double ratio = mean_square(answers, 1.0) / mean_square(deep, 1.0) / (expected / unattenuated);
     assert_float_equal(ratio, 1.0, 0.15);
     bolan_ground_destroy(&terrain);
@@ -400,7 +400,7 @@ static void test_a_parcel_over_a_sloping_bed_is_found_where_it_went(void **state
         moved[i] =
             (bolan_dvec2){points[i].x + (double)(keep * parcel[i].dx), points[i].y + (double)(keep * parcel[i].dy)};
     }
-    bolan_query_surface(sea, bed, 0.5, moved, POINTS, answers);
+    bolan_query_surface(&(bolan_water){.sea = sea, .ground = bed, .level = 0.5}, moved, POINTS, answers);
     for (int i = 0; i < POINTS; i++) {
         if (parcel[i].jacobian < 0.3f) continue;
         assert_true(answers[i].residual < 1e-3f);

@@ -103,7 +103,7 @@ static void nothing_allocates_after_creation_and_all_memory_comes_back(void **st
         bolan_sea_settle(sea, 77.0);
         bolan_sea_sample_rest(sea, at, 300, sample);
         bolan_sea_sample_grid(sea, at, spacing, 300, sample);
-        bolan_query_heights(sea, at, 300, height);
+        bolan_query_heights(&(bolan_water){.sea = sea}, at, 300, height);
         bolan_sea_measure(sea);
         char hash[17];
         bolan_sea_hash(sea, hash);
@@ -149,7 +149,7 @@ static void a_calm_sea_is_flat_in_every_model(void **state) {
         bolan_sea_step(sea, 5.0);
         bolan_sea_sample_rest(sea, &at, 1, &s[0]);
         bolan_sea_sample_grid(sea, &at, &spacing, 1, &s[1]);
-        bolan_query_heights(sea, &at, 1, &height);
+        bolan_query_heights(&(bolan_water){.sea = sea}, &at, 1, &height);
         for (int i = 0; i < 2; i++) assert_true(s[i].height == 0.0f && s[i].jacobian == 1.0f && s[i].foam == 0.0f);
         assert_true(height == 0.0f);
         assert_int_equal(bolan_sea_component_count(sea), 0);
@@ -190,7 +190,7 @@ static void shallow_water_attenuates_a_sum_as_one(void **state) {
     bolan_dvec2 at[400];
     bolan_query_point answer[400];
     for (int i = 0; i < 400; i++) at[i] = (bolan_dvec2){20.0 * (i - 200), 3.0 * i};
-    bolan_query_surface(sea, terrain, 0.0, at, 400, answer);
+    bolan_query_surface(&(bolan_water){.sea = sea, .ground = terrain}, at, 400, answer);
     double vertical, horizontal;
     bolan_sea_bounds(sea, &vertical, &horizontal);
     uint32_t land = 0;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+/// @file layer.h
+/// A wave layer behind a table of functions. Private to the library.
+///
+/// A layer adds height and slope at *rest* points, as the cascades of a sea do, so that the query's solver has nothing
+/// to invert for it and shaders add it where they add a cascade. Each layer is attenuated by the bed as a sea of its own
+/// height: bolan_coast_attenuation().
+#ifndef BOLAN_WATER_LAYER_H
+#define BOLAN_WATER_LAYER_H
+
+#include "bolan/water.h"
+
+enum { LAYER_LANES = 16 }; // points of one call
+
+/// A kind of layer. All functions are pure and thread-safe.
+typedef struct wave_layer_kind {
+    /// Writes height and slopes at @p count <= LAYER_LANES places.
+    void (*sample)(const bolan_wave_layer *layer, double time, uint32_t count, const double *x, const double *y,
+                   bolan_wave_layer_sample *out);
+} wave_layer_kind;
+
+struct bolan_wave_layer {
+    const wave_layer_kind *kind;
+    double bound;                ///< of the height, up or down [m]
+    float hs;                    ///< height by which the bed attenuates it [m]
+    bolan_wave_train_desc train; ///< period filled in
+    double kx, ky, omega, phase; ///< of the train [rad/m, rad/s, rad]
+    double c, s;                 ///< unit direction of travel
+};
+
+#endif
