@@ -530,7 +530,7 @@ static void options_outside_their_ranges_are_refused(void **state) {
     options = plain;
     options.place[0] = 3.0;
     options.place[1] = HUGE_VAL;
-    assert_refused_with(&texts, &options, BOLAN_ERROR_ARGUMENT, BOLAN_LOG_OUT_OF_RANGE, "place[1]");
+    assert_refused_with(&texts, &options, BOLAN_ERROR_ARGUMENT, BOLAN_LOG_NOT_FINITE, "place[1]");
     options = plain;
     memset(options.time, '2', sizeof options.time);
     assert_refused_with(&texts, &options, BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT, "time is 222");
