@@ -128,7 +128,7 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, flo
     if (s.w > 0.0 && bent_bed.z < position.z) { seen = s; bed = bent_bed; }
     float error = BED_ERROR * radians_per_pixel * length(position), measured = position.z - bed.z;
     water_path = seen.w > 0.0 ? max(clamp(mapped, measured - error, measured + error), 0.0) : 1e4;
-    return radiance_of_bed(seen.rgb, deep, water_attenuation, water_path, down);
+    return radiance_of_bed(seen.rgb, deep, exp(-water_attenuation * bed_path(water_path, down)));
 }
 
 // Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What rough water reflects towards an observer: the mean over the visible facets of Fresnel's reflectance, of whether
-// the ray is clear of other waves, and of the direction it comes from. Needs common/slopes.glsl and
-// shared/fresnel.glsl.
+// the ray is clear of other waves, and of the direction it comes from. Needs common/slopes.glsl.
 //
 // Waves hide one another on two scales. The waves of the mesh stand in a ray's way by their height: Smith's function
 // for a point of known height, P(lower)^L (Bourlier, Berginc & Saillard 2002). The waves that the mesh lacks hide by
 // Smith's function over the plane of the mesh, and part of their slope belongs to waves so long that a facet shares it
 // with all that stands near: what leans towards the observer, and is therefore seen, leans away from a low sun and a
 // low sky beyond.
+#include "shared/fresnel.glsl"
+#include "shared/microfacets.glsl"
 
 // Share of the slope variance that the mesh lacks which a facet has in common with its neighbourhood. 0.2 to 0.35 give
 // the glitter of a path tracer at 1 to 10 degrees below the horizon (tests/images/test_light_bands.c); without it, 2.3
@@ -143,20 +144,18 @@ float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets w
     observer += dot(mean, hv), light += dot(mean, hto);
     // by the waves that a neighbourhood has in common, towards either side
     float shared_v = sqrt(max(near.joint, 1e-4) * variance_v), shared_to = sqrt(max(near.joint, 1e-4) * variance_to);
-    float area = flat_v * shared_v * mean_facing(observer / shared_v);
+    float area = flat_v * shared_v * facing_exact(observer / shared_v).area;
     float per_mesh = per_deviation(slope_variance(hto, near.mesh));
     return sum * whole.area / area * not_hidden(light / shared_to) * clear_of_mesh(near, to.z / flat_to, per_mesh);
 }
 
-// Radiance of the reflected sun for an irradiance of 1: density of the slope that reflects it (Cox & Munk 1954; Ross,
-// Dion & Potvin 2005). `seen`: facets of the pixel, of mean slope `slope` and covariance `unresolved`.
-const float MOST_GLINT = 400.0; // [1/sr] half floats and the glow about the sun's image end there
+// Radiance of the reflected sun for an irradiance of 1. `seen`: facets of the pixel, of mean slope `slope` and covariance
+// `unresolved`.
 float sun_glint(vec3 v, vec3 to_sun, vec2 slope, vec3 unresolved, visible_facets seen, surroundings near,
                 visible_facets whole, float index) {
     vec3 middle = normalize(v + to_sun);
-    vec2 facet = -middle.xy / max(middle.z, 1e-3);
-    float up2 = middle.z * middle.z;
-    float glint = slope_density(facet, slope, unresolved) * fresnel(clamp(dot(v, middle), 0.0, 1.0), index) /
-                  (4.0 * up2 * up2 * max(seen.area, 0.01)) * lit_share(v, to_sun, facet, near, whole);
-    return min(glint, MOST_GLINT);
+    vec2 facet = -middle.xy / max(middle.z, 1e-3), off = facet - slope;
+    float density = slope_density(off.x, off.y, unresolved.x, unresolved.y, unresolved.z);
+    return glint_radiance(density, fresnel(clamp(dot(v, middle), 0.0, 1.0), index), middle.z, seen.area,
+                          lit_share(v, to_sun, facet, near, whole));
 }

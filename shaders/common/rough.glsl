@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Rough water for the optics that have little time: what common/slopes.glsl does with distribution functions, here by square
-// roots. With u = z / sigma, the mean of max(0, u + t) over a standard normal t is u Phi(u) + phi(u), nearly
-//     A(u) = (u + sqrt(u^2 + 0.64)) / 2,     whose derivative A' = A / sqrt(u^2 + 0.64) is nearly Phi(u),
-// so that the mean tilt Phi / A of the facets in sight is 1 / sqrt(u^2 + 0.64). tests/shaders/test_water_rough.c has the errors.
-// Needs shared/fresnel.glsl.
+// Rough water for the optics that have little time: what common/slopes.glsl and common/reflection.glsl do with
+// distribution functions, here by square roots (facing_fast() of shared/microfacets.glsl).
+// tests/shaders/test_water_rough.c has the errors.
+#include "shared/fresnel.glsl"
+#include "shared/microfacets.glsl"
 
 struct rough_facets {
     float area;  // plan-projected area that a unit of plan area shows
@@ -11,16 +11,16 @@ struct rough_facets {
     float sigma; // rms slope of the facets in sight along the view
 };
 
-// c: slope covariance (xx, xy, yy); m: mean slope.
+// Variance of the slope along a horizontal direction of length 1; c: slope covariance (xx, xy, yy).
+float rough_variance(vec2 h, vec3 c) { return max(c.x * h.x * h.x + 2.0 * c.y * h.x * h.y + c.z * h.y * h.y, 1e-7); }
+
+// v: unit direction to the observer; m: mean slope.
 rough_facets rough_seen(vec3 v, vec2 m, vec3 c) {
     float horizontal = max(length(v.xy), 1e-4);
     vec2 h = v.xy / horizontal;
-    float variance = max(c.x * h.x * h.x + 2.0 * c.y * h.x * h.y + c.z * h.y * h.y, 1e-7);
-    float z = clamp(v.z / horizontal - dot(m, h), -1.0, 1e3), s = sqrt(z * z + 0.64 * variance);
-    // turned away, a facet must lean at least as far as hides it
-    float shift = variance / s + max(-z, 0.0);
-    float steady = clamp(0.5 + 0.5 * z / s, 0.0, 1.0); // of the variance stays: half of it at grazing
-    return rough_facets(horizontal * 0.5 * (max(z, 0.0) + s), shift, sqrt(variance * steady));
+    float sigma = sqrt(rough_variance(h, c)), z = clamp(v.z / horizontal - dot(m, h), -1.0, 1e3);
+    facing_facets f = facing_fast(z / sigma);
+    return rough_facets(horizontal * sigma * f.area, sigma * f.tilt, sigma * f.kept);
 }
 
 // Mean reflectance, facing `v` with mean slope m: that of a facet which leans by 0.6 of the mean shift gives the curve of
@@ -31,17 +31,19 @@ float rough_fresnel(vec3 v, vec2 m, rough_facets seen, float index) {
     return fresnel(clamp(dot(v, n) * inversesqrt(dot(n, n)), 0.01, 1.0), index);
 }
 
-// Radiance of the mirrored sun for an irradiance of 1: the density of the slope that mirrors it (Ross, Dion & Potvin 2005).
-float rough_glint(vec3 v, vec3 sun_direction, vec2 m, vec3 c, rough_facets seen, float index) {
-    vec3 middle = v + sun_direction;
+// Radiance of the mirrored sun for an irradiance of 1 across its rays. middle: unit bisector of the directions to the
+// observer and to the sun; reflectance of a facet across it; lit: see glint_radiance().
+float rough_glint_at(vec3 middle, float reflectance, vec2 m, vec3 c, float area, float lit) {
+    float up = max(middle.z, 0.02);
+    vec2 off = -middle.xy / up - m;
+    return glint_radiance(slope_density(off.x, off.y, c.x, c.y, c.z), reflectance, up, area, lit);
+}
+
+// The same with the exact dielectric. A low sun lights less of the plan than it shows of facets.
+float rough_glint(vec3 v, vec3 to_sun, vec2 m, vec3 c, rough_facets seen, float index) {
+    vec3 middle = v + to_sun;
     middle *= inversesqrt(max(dot(middle, middle), 1e-6));
-    float up = max(middle.z, 0.02), up2 = up * up;
-    vec2 d = -middle.xy / up - m;
-    float det = max(c.x * c.z - c.y * c.y, 1e-14);
-    float q = (c.z * d.x * d.x - 2.0 * c.y * d.x * d.y + c.x * d.y * d.y) / det;
-    float density = exp2(-0.72134752 * min(q, 80.0)) * 0.15915494 * inversesqrt(det);
-    // a low sun lights less of the plan than it shows of facets
-    float z = sun_direction.z, s = sqrt(z * z + 0.64 * max(c.x, c.z)), lit = 2.0 * max(z, 0.0) / (max(z, 0.0) + s);
-    float f = fresnel(clamp(dot(v, middle), 0.0, 1.0), index);
-    return min(density * f * min(lit, 1.0) / (4.0 * up2 * up2 * max(seen.area, 0.01)), 400.0);
+    float level = max(length(to_sun.xy), 1e-4);
+    float lit = lit_fast(to_sun.z, level * sqrt(rough_variance(to_sun.xy / level, c)));
+    return rough_glint_at(middle, fresnel(clamp(dot(v, middle), 0.0, 1.0), index), m, c, seen.area, lit);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The cascades of the sea as textures; twin of bolan_sea_sample_rest() in src/waves. Positions are eye-relative; each
 // cascade's tile coordinates of the eye were reduced in double on the CPU.
+#include "shared/cascade.glsl"
 #pragma unit displacement_map 8
 uniform sampler2DArray displacement_map; // dx, dy, height
 #ifndef PACKED
@@ -34,5 +35,5 @@ float lift_of(int c, float spacing) {
 
 vec2 cascade_uv(int c, vec2 rest) {
     vec4 t = cascade_tile[c];
-    return t.xy + vec2(rest.x * t.z + rest.y * t.w, rest.y * t.z - rest.x * t.w);
+    return t.xy + vec2(along_tile(rest.x, rest.y, t.z, t.w), across_tile(rest.x, rest.y, t.z, t.w));
 }

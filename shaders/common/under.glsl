@@ -34,8 +34,8 @@ void through_water(vec3 position, float height, out vec3 through, out vec3 veil)
         through = exp(-under_fog * water_attenuation * depth) * left;
         veil = water_glow(upward, -eye_height) * (1.0 - left);
     } else if (clip_side < 0.0) {
-        float up = position.z / away, down = sqrt(max(1.0 - (1.0 - up * up) / (water_index * water_index), 0.1));
-        vec3 both_ways = exp(-under_fog * water_attenuation * depth * (1.0 + 1.0 / down));
+        float down = refracted_cosine(position.z / away, water_index);
+        vec3 both_ways = exp(-under_fog * water_attenuation * bed_path(depth, down));
         through = BED_LEAVES * both_ways;
         veil = water_reflectance * (sun_light * max(sun_direction.z, 0.0) + sky_light) * (1.0 - both_ways);
     }

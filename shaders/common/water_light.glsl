@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Light that comes out of the water, and off the foam on it. Constants that the optics share.
 
-// Share of the sky's light that enters the water: 1 less the reflectance for light from all sides, 0.068 at index 1.34,
-// and for that of a sky brighter at the horizon.
-const float SKY_ENTERS = 0.93;
-// Radiance over the water for that under it: through the surface, (1 - F) / n^2, and light that is reflected down
-// again.
-const float BED_LEAVES = 0.54;
-// Albedo of fresh foam (Koepke 1984 has 0.22 for the mean over old and fresh foam; thick foam comes to 0.5 to 0.8) and
-// the share of it that its densest part covers.
-const float FOAM_ALBEDO = 0.72, FOAM_DENSEST = 0.92;
+#include "shared/bed.glsl"
+#include "shared/constants.glsl"
+#include "shared/refraction.glsl"
+
 // Light through crests: `GLOW_ALL` for every azimuth, GLOW_AHEAD more towards the sun, chosen by eye.
 const float GLOW_ALL = 0.6, GLOW_AHEAD = 5.0;
 
 // The bed's radiance and the water's own over a bed that lies `path` metres straight down; `down`: cosine of the
 // refracted view. Light falls straight down and comes up along the view (Beer's law with the diffuse attenuation `kd`).
-vec3 radiance_of_bed(vec3 bed, vec3 deep, vec3 kd, float path, float down) {
-    vec3 both_ways = exp(-kd * path * (1.0 + 1.0 / down));
+vec3 radiance_of_bed(vec3 bed, vec3 deep, vec3 both_ways) {
     return bed * BED_LEAVES * both_ways + deep * (1.0 - both_ways);
 }
 
@@ -31,4 +25,4 @@ vec3 crest_glow(vec3 deep, vec3 sunlight, vec3 view, vec3 to_sun, float height, 
 }
 
 // Radiance of foam of albedo 1 that the sun meets at that cosine: a Lambertian surface.
-vec3 foam_radiance(vec3 sunlight, float facing, vec3 sky) { return (sunlight * max(facing, 0.0) + sky) * 0.31830989; }
+vec3 foam_radiance(vec3 sunlight, float facing, vec3 sky) { return (sunlight * max(facing, 0.0) + sky) * (1.0 / PI); }

@@ -8,6 +8,7 @@
 // (sea_gpu.h). CASCADES: how many of them pixels look up, longest waves first.
 // Twins of bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
 #include "shared/constants.glsl"
+#include "shared/exp_cosine.glsl"
 #include "common/water_block.glsl"
 #ifdef LAND
 #include "common/shore.glsl"
@@ -37,32 +38,22 @@ vec4 wave_of(int i) { return texelFetch(wave_table, ivec2(i & 63, i >> 6), 0); }
 #define WAVE_COUNT wave_count
 #endif
 
-float within_half_a_turn(float turns) { return turns - floor(turns + 0.5); }
-
-// Sine and cosine of half of a phase within half a turn, to 4e-6: Taylor's series, the last coefficient moved towards the next term.
-vec2 half_sincos(float x) {
-    float x2 = x * x;
-    float s = x * (3.14159265 + x2 * (-5.16771278 + x2 * (2.55016404 + x2 * (-0.59926453 + x2 * 0.08041384))));
-    float c = 1.0 + x2 * (-4.93480220 + x2 * (4.05871213 + x2 * (-1.33526277 + x2 * 0.22931763)));
-    return vec2(s, c);
-}
-
 // Height of unit amplitude at a phase [rad], and its derivative by the phase. `faded`: log2 of what is kept of the wave.
 float wave_height(float phase, float faded) {
-    float s = half_sincos(within_half_a_turn(phase * 0.15915494)).x;
+    float s = half_sine(within_half_a_turn(phase * 0.15915494));
 #ifdef WAVES_EXP
-    return exp2(exp_sharpness * -2.88539008 * s * s + faded) - exp_mean * exp2(faded);
+    return exp_cosine(exp_sharpness, s, faded) - exp_mean * exp2(faded);
 #else
     return (1.0 - 2.0 * s * s) * exp2(faded);
 #endif
 }
 
 float wave_slope(float phase, float faded) {
-    vec2 w = half_sincos(within_half_a_turn(phase * 0.15915494));
+    float x = within_half_a_turn(phase * 0.15915494);
 #ifdef WAVES_EXP
-    return -2.0 * exp_sharpness * w.x * w.y * exp2(exp_sharpness * -2.88539008 * w.x * w.x + faded);
+    return exp_cosine_slope(exp_sharpness, half_sine(x), half_cosine(x), faded);
 #else
-    return -2.0 * w.x * w.y * exp2(faded);
+    return -2.0 * half_sine(x) * half_cosine(x) * exp2(faded);
 #endif
 }
 #endif
@@ -244,7 +235,8 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
 #if defined(WAVES_EXP) || defined(WAVES_SUM)
 // The derivative by the phase [turns] of unit amplitude.
 float wave_derivative(float turns) {
-    vec2 w = half_sincos(within_half_a_turn(turns));
+    float x = within_half_a_turn(turns);
+    vec2 w = vec2(half_sine(x), half_cosine(x));
 #ifdef WAVES_EXP
     float t = w.x * w.x; // exp(-2 s t) by a polynomial: an exponential is dear on the CPU
     vec4 c = exp_slope[0], d = exp_slope[1];

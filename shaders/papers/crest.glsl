@@ -10,7 +10,7 @@
 //
 // The shape of the water is there already (crest_shape.glsl), and what varies slowly over the picture
 // (crest_air.glsl). The facets that the eye sees lean towards it; their mean tilt, their area and the mean Fresnel
-// reflectance are rational and quadratic forms (common/facets.glsl).
+// reflectance are rational and quadratic forms (common/rough.glsl).
 //
 // LAND: there is terrain. SPARSE: into a cleared picture of fewer columns. CASCADES: how many of them these rows show. TAPS: how much sharper than its long side a footprint is looked up. Waves: see common/waves.glsl.
 #include "common/frame.glsl"
@@ -26,8 +26,9 @@ void main() { fullscreen(0.0); }
 #endif
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
-#include "common/facets.glsl"
+#include "common/rough.glsl"
 #include "common/look.glsl"
+#include "common/water_light.glsl"
 #include "shared/earth.glsl"
 #ifdef LAND
 #include "common/surf.glsl"
@@ -153,9 +154,9 @@ vec3 crest_light(float mask, vec3 view, vec3 sunlight) {
 // Shares of foam by breaking crests and by what they left behind (means over what the pixel does not resolve).
 float open_foam(wave_fields w, vec3 slopes) {
     float hidden = max(slopes.x + slopes.z - slopes_beyond_cascades, 0.0) * choppiness * choppiness;
-    vec2 edges = inversesqrt(6.2831853 * vec2(hidden + fresh_edge, hidden * memory_share + old_edge));
-    vec2 shares = clamp(0.5 + vec2(breaking_pinch + 1.0 - w.jacobian, w.foam - old_foam_memory) * edges, 0.0, 1.0);
-    return max(shares.x, 0.55 * shares.y);
+    float fresh = normal_cdf_linear(breaking_pinch + 1.0 - w.jacobian, hidden + fresh_edge);
+    float old = normal_cdf_linear(w.foam - old_foam_memory, hidden * memory_share + old_edge);
+    return max(fresh, 0.55 * old);
 }
 
 // Opacity; a: brightness of the bubbles.
@@ -212,28 +213,22 @@ float bed_depth(ivec2 at, vec3 position) {
 
 // The bed through the water, bent by the waves, or the deep water's light where it is out of sight.
 vec3 bed_light(ivec2 at, vec3 deep, vec3 position, vec3 view, vec2 slope, inout float bed) {
-    vec3 both_ways = exp(-water_attenuation * bed * (1.0 + 1.0 / max(0.66, sqrt(0.44 + 0.56 * view.z * view.z))));
+    vec3 both_ways = exp(-water_attenuation * bed_path(bed, refracted_cosine(view.z, water_index)));
     if (max(both_ways.b, both_ways.g) < 0.01) return deep;
     float bend = min(bed, 3.0) * 0.25 / (length(position) * radians_per_pixel);
     ivec2 bent = clamp(at + ivec2(vec2(dot(slope, vec2(-view.y, view.x)), -dot(slope, view.xy)) * bend), ivec2(0), ivec2(viewport_size) - 1);
     if (effect_is_on(EFFECT_DISTORTION) && bed_depth(bent, position) > 0.0) at = bent;
-    return texelFetch(scene_color, at, 0).rgb * BED_LEAVES * both_ways + deep * (1.0 - both_ways);
+    return radiance_of_bed(texelFetch(scene_color, at, 0).rgb, deep, both_ways);
 }
 #endif
 
 // ---- together -------------------------------------------------------------------------------------------------------
 
 vec3 sun_glitter(crest_pixel p, vec2 slope, float area, vec3 sunlight) {
-    vec3 bisector = p.view + sun_direction;
-    vec2 off = -bisector.xy / max(bisector.z, 1e-3) - slope;
-    float det = max(p.slopes.x * p.slopes.z - p.slopes.y * p.slopes.y, 1e-14);
-    float q = (p.slopes.z * off.x * off.x - 2.0 * p.slopes.y * off.x * off.y + p.slopes.x * off.y * off.y) / det;
-    if (q > 30.0 || sun_direction.z < -0.01) return vec3(0.0);
-    float length2 = dot(bisector, bisector), hz2 = bisector.z * bisector.z / length2;
-    float grazing = 1.0 - 0.5 * sqrt(length2); // the bisector's length is twice the cosine of incidence
-    float fresnel = 0.02 + 0.98 * grazing * grazing * grazing * grazing * grazing;
-    float density = exp(-0.5 * q) * inversesqrt(det) * (0.5 / 3.14159265);
-    return sunlight * min(density * fresnel / (4.0 * hz2 * hz2 * max(area, 0.01)) * p.lit, 400.0);
+    vec3 middle = p.view + sun_direction;
+    middle *= inversesqrt(max(dot(middle, middle), 1e-6));
+    float reflectance = fresnel_fast(clamp(dot(p.view, middle), 0.0, 1.0), water_index);
+    return sunlight * (step(-0.01, sun_direction.z) * rough_glint_at(middle, reflectance, slope, p.slopes, area, p.lit));
 }
 
 // False colours (the paper's figure 3): red crests, green shore and foam, blue open sea, shaded by what is mirrored.
@@ -247,12 +242,12 @@ vec3 light_here(ivec2 at, vec4 shape) {
     wave_fields w = waves_here(p);
     float flat_length = max(sqrt(dot(p.view.xy, p.view.xy)), 1e-4);
     vec2 toward = p.view.xy / flat_length;
-    facets seen = facets_toward(p.view.z, flat_length, dot(w.slope, toward), sqrt(facets_variance(p.slopes, toward)));
-    vec3 normal = normalize(vec3(toward * seen.tilt - w.slope, 1.0));
-    float reflectance = facets_fresnel(max(dot(p.view, normal), 0.0), seen.rms, water_index);
+    rough_facets seen = rough_seen(p.view, w.slope, p.slopes);
+    vec3 normal = normalize(vec3(toward * seen.shift - w.slope, 1.0));
+    float reflectance = fresnel_mean_fast(max(dot(p.view, normal), 0.0), seen.sigma, water_index);
 
     vec3 sunlight = sun_light * p.shade;
-    vec3 below = water_reflectance * (sunlight * (max(sun_direction.z, 0.0) * 0.95) + SKY_ENTERS * sky_light);
+    vec3 below = water_reflectance * (sunlight * (max(sun_direction.z, 0.0) * SUN_ENTERS) + SKY_ENTERS * sky_light);
     float rise = earth_height(p.position.z, eye_height, dot(p.rest, p.rest), earth_radius);
     float mask = crest_mask(p, w, rise, toward);
     float foam = open_foam(w, p.slopes), zone = RAMP_OPEN;
@@ -269,13 +264,13 @@ vec3 light_here(ivec2 at, vec4 shape) {
     vec3 surface = (1.0 - reflectance) * below;
     if (effect_is_on(EFFECT_REFLECTION)) {
         vec3 mirrored = reflect(-p.view, normal);
-        surface += reflectance * environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), seen.rms);
+        surface += reflectance * environment_radiance(vec3(mirrored.xy, abs(mirrored.z)), seen.sigma);
     }
     if (effect_is_on(EFFECT_GLITTER)) surface += sun_glitter(p, w.slope, seen.area, sunlight);
     if (effect_is_on(EFFECT_FOAM) && foam > 0.0) {
         vec2 lather = vec2(foam, 0.87); // from afar, the mean
         for (int near = 0; near < 1 && foam > 0.02 && p.fine < 2.0; ++near) lather = foam_opacity(p.rest, p.fine, foam, zone);
-        vec3 light = (sunlight * max(dot(sun_direction, normal), 0.0) + sky_light) * (lather.y * 0.66 / 3.14159265);
+        vec3 light = foam_radiance(sunlight, dot(sun_direction, normal), sky_light) * (lather.y * FOAM_ALBEDO * FOAM_DENSEST);
         surface = mix(surface, light, lather.x * min(foam_strength, 1.0));
     }
     surface = surface * p.transmittance + p.inscatter;

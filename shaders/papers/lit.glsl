@@ -46,7 +46,7 @@ wave_fields waves_here(water_pixel p, footprint f) {
 // Opacity of the foam, for a pixel of that width [m]. Its bubbles are looked up only where there is any.
 float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
     float hidden = choppiness * choppiness * max(covariance.x + covariance.z - slopes_beyond_waves, 0.0);
-    float cover = clamp(0.5 + (foam_jacobian - w.jacobian) * inversesqrt(6.2831853 * (hidden + foam_edge * foam_edge)), 0.0, 1.0);
+    float cover = normal_cdf_linear(foam_jacobian - w.jacobian, hidden + foam_edge * foam_edge);
 #ifdef LAND
     cover = max(cover, smoothstep(0.7, 0.0, p.least / clamp(significant_height, 0.3, 3.0)) * 0.5);
 #endif
@@ -77,9 +77,9 @@ vec3 with_bed(vec3 deep, water_pixel p, vec3 view, vec2 slope, out float film) {
         bed = frame_ray(uv) / max(depth, 1e-9);
     }
     float path = depth > 0.0 ? max(p.position.z - bed.z, 0.0) : 1e4;
-    float down = sqrt(1.0 - (1.0 - view.z * view.z) / (water_index * water_index));
     film = smoothstep(0.0, 0.12, path);
-    return radiance_of_bed(textureLod(scene_color, uv, 0.0).rgb, deep, water_attenuation, path, down);
+    return radiance_of_bed(textureLod(scene_color, uv, 0.0).rgb, deep,
+                           exp(-water_attenuation * bed_path(path, refracted_cosine(view.z, water_index))));
 }
 #endif
 

@@ -26,6 +26,8 @@ void main() {
 
 #ifdef FRAGMENT
 #include "common/look.glsl"
+#include "shared/cascade.glsl"
+#include "shared/constants.glsl"
 #include "shared/fresnel.glsl"
 #define PICTURE
 #include "common/under.glsl"
@@ -53,7 +55,7 @@ layout(std140) uniform Optics {
 };
 
 
-vec2 in_tile(vec4 place, vec2 p) { return place.xy + vec2(dot(p, place.zw), dot(p, vec2(-place.w, place.z))); }
+vec2 in_tile(vec4 place, vec2 p) { return place.xy + vec2(along_tile(p.x, p.y, place.z, place.w), across_tile(p.x, p.y, place.z, place.w)); }
 // Along the tile's sides to along the world's axes.
 vec2 out_of_tile(vec4 place, vec2 s) {
     vec2 turn = place.zw * inversesqrt(dot(place.zw, place.zw));
@@ -167,8 +169,8 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
         float narrow = inversesqrt(4.0 * w.variance + slide_radius * slide_radius);
         float peak = min(narrow * narrow * (0.5 / PI), 90.0);
         float glint = slide(vec3(ray.xy, abs(ray.z)), vec2(0.0), slide_radius * narrow);
-        float half_way = sqrt(0.5 + 0.5 * clamp(dot(view, sun_direction), -1.0, 1.0)), grazing = 1.0 - half_way, grazing2 = grazing * grazing;
-        result += light * ((0.021 + 0.979 * grazing2 * grazing2 * grazing) * peak * glint); // Schlick at the facet that mirrors
+        float half_way = sqrt(0.5 + 0.5 * clamp(dot(view, sun_direction), -1.0, 1.0));
+        result += light * (fresnel_fast(half_way, water_index) * peak * glint); // at the facet that mirrors
     }
     return result;
 }

@@ -188,8 +188,7 @@ vec3 refraction(phong_surface s, out vec3 passed, out vec4 bed) {
     passed = vec3(bed.a);
     return bed.rgb;
 #else
-    float down = sqrt(1.0 - (1.0 - s.view.z * s.view.z) / (water_index * water_index)); // of the refracted view
-    passed = bed.a * exp(-water_attenuation * depth * (1.0 + 1.0 / down));
+    passed = bed.a * exp(-water_attenuation * bed_path(depth, refracted_cosine(s.view.z, water_index)));
     return bed.rgb * (BED_LEAVES / max(bed.a, 1e-3)) * passed;
 #endif
 #endif

@@ -39,7 +39,8 @@ SHARED real apparent_height(real eye_z, real z, real aside, real index) {
     return over / refraction_k(refraction_tangent(over, -eye_z, aside, index), index) + min(z, 0.0);
 }
 
-// Cosine from the vertical, in the water, of a ray whose cosine in the air is `up`: Snell's law at a level surface.
-SHARED real refracted_cosine(real up, real index) { return sqrt(1.0 - (1.0 - up * up) / (index * index)); }
+// Cosine from the vertical, in the water, of a ray whose cosine in the air is `up`: Snell's law at a level surface. Never 0, since paths are
+// divided by it.
+SHARED real refracted_cosine(real up, real index) { return sqrt(max(1.0 - (1.0 - up * up) / (index * index), 1e-4)); }
 
 #endif

@@ -9,7 +9,7 @@
 // sums up every scale from the chunk's own to the whole island.
 #include "ground_chunk.h"
 
-#include "half.h"
+#include "math/half.h"
 #include "memory.h"
 
 #define SHADOW_NONE (-1e9f)

@@ -4,7 +4,9 @@
 
 #include "memory.h"
 #include "sea_texels.h"
+#include "shared/cascade.glsl"
 #include "shared/constants.glsl"
+#include "waves/sum/exp_cosine.h"
 
 #include <math.h>
 #include <string.h>
@@ -239,7 +241,8 @@ static void set_cascades(water_block *b, const frame *f) {
     for (int c = 0; c < b->cascade_count; ++c) {
         bolan_cascade_view v = bolan_sea_cascade(f->desc->sea, (uint32_t)c);
         double ca = cos(v.angle), sa = sin(v.angle);
-        double u = (f->eye.x * ca + f->eye.y * sa) / v.length, w = (-f->eye.x * sa + f->eye.y * ca) / v.length;
+        double u = along_tile(f->eye.x, f->eye.y, ca, sa) / v.length,
+               w = across_tile(f->eye.x, f->eye.y, ca, sa) / v.length;
         double texel = v.length / v.n;
         // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
         b->cascade_tile[c] = (vec4){(float)(u - floor(u) + 0.5 / v.n), (float)(w - floor(w) + 0.5 / v.n),
@@ -260,25 +263,6 @@ static void fill_wave(const frame *f, uint32_t index, double amplitude_factor, f
     out[1] = (float)(w.ky / (2.0 * BOLAN_PI));
     out[2] = (float)(w.amplitude * amplitude_factor);
     out[3] = (float)(turns - floor(turns + 0.5));
-}
-
-// Modified Bessel functions I0 and I1(x) / x, by their series: x is at most 4, so that 16 terms are enough for a float.
-static double bessel_i0(double x) {
-    double term = 1.0, sum = 1.0;
-    for (int i = 1; i < 16; ++i) {
-        term *= 0.25 * x * x / ((double)i * i);
-        sum += term;
-    }
-    return sum;
-}
-
-static double bessel_i1_share(double x) {
-    double term = 0.5, sum = 0.5;
-    for (int i = 1; i < 16; ++i) {
-        term *= 0.25 * x * x / ((double)i * (i + 1));
-        sum += term;
-    }
-    return sum;
 }
 
 enum { SLOPE_TERMS = 8 };
@@ -319,7 +303,7 @@ static void set_sum_slopes(water_block *b, const frame *f, double amplitude_fact
 
 // Liu & Xie 2010, in zero-mean, unit-range form: amplitude * 2 / (1 - e^-2s) * (e^{s (cos th - 1)} - e^-s I0(s)).
 static void set_exp_waves(water_block *b, const frame *f) {
-    const double s = bolan_sea_get_desc(f->desc->sea)->exp_cosine.sharpness, range = 2.0 / (1.0 - exp(-2.0 * s));
+    const double s = bolan_sea_get_desc(f->desc->sea)->exp_cosine.sharpness, range = exp_cosine_scale(s) * exp(s);
     double c[SLOPE_TERMS];
     b->wave_count = (int)bolan_sea_component_count(f->desc->sea);
     for (int i = 0; i < b->wave_count; ++i) {
@@ -331,8 +315,8 @@ static void set_exp_waves(water_block *b, const frame *f) {
     for (int i = 0; i < SLOPE_TERMS / 4; ++i)
         b->exp_slope[i] = (vec4){(float)c[4 * i], (float)c[4 * i + 1], (float)c[4 * i + 2], (float)c[4 * i + 3]};
     b->exp_sharpness = (float)s;
-    b->exp_mean = (float)(exp(-s) * bessel_i0(s));
-    set_sum_slopes(b, f, range, s * s * exp(-2.0 * s) * bessel_i1_share(2.0 * s)); // s^2 e^-2s I1(2s) / 2s
+    b->exp_mean = (float)(exp(-s) * exp_cosine_mean(s));
+    set_sum_slopes(b, f, range, exp(-2.0 * s) * exp_cosine_slope_variance(s));
 }
 
 static void set_sum(water_block *b, const frame *f) {

@@ -4,7 +4,7 @@
 // no texel ever changes its place or value.
 #include "shore_map.h"
 
-#include "half.h"
+#include "math/half.h"
 #include "memory.h"
 
 #include <stdlib.h>
@@ -84,7 +84,8 @@ static void move_level(shore_builder *b, int l, double west, double south, doubl
 
 static void upload(shore_builder *b, int l) {
     for (size_t n = 0; n < PLANE; n++) {
-        b->halfs[n] = half_from_float(b->level[l].elevation[n] - b->water_level);
+        b->halfs[n] =
+            half_from_float(fminf(fmaxf(b->level[l].elevation[n] - b->water_level, -HALF_LARGEST), HALF_LARGEST));
     }
     bolan_gl_texture_upload(&b->map.texture, 0, l, b->halfs, true);
 }

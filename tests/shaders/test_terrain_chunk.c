@@ -4,8 +4,8 @@
 #include "support.h"
 
 #include "bolan/math.h"
+#include "math/half.h"
 #include "render/ground_chunk.h"
-#include "render/half.h"
 
 // A plain at 10 m with a wall of 100 m along x = 0, sampled finely.
 static bolan_ground *wall(void) {

@@ -34,8 +34,8 @@ static void facets_in_sight_are_nearly_those_of_a_gaussian(void **state) {
     for (int i = 0; i < COUNT; ++i) {
         double area, shift;
         by_quadrature((double)in[i][0], (double)in[i][1], &area, &shift);
-        assert_near(out[i][0], area, 0.065 * area);             // at u = 1: (1 + sqrt(1.64)) / 2 for 1.0833
-        assert_near(out[i][1], shift, 0.09 * (double)in[i][1]); // at u = 0.3: 1.17 for 1.09
+        assert_near(out[i][0], area, 0.055 * area); // the bounds of facing_fast()
+        assert_near(out[i][1], shift, 0.08 * shift + 1e-4);
     }
 }
 
@@ -123,12 +123,11 @@ static void views_of(float (*in)[4], double (*v)[3]) {
     }
 }
 
-// As good as on level, round water: 6.5 % of the area and 9 % of the rms slope; the spread, half and half by the
-// elevation, is off by a fifth at most.
+// As good as on level, round water.
 static void facets_of_leaning_turned_water_are_those_of_the_integral(void **state) {
     (void)state;
     const tilted w = turned_water(0.06, -0.09);
-    float in[VIEWS][4] = {{0}}, rough[VIEWS][4], rational[VIEWS][4];
+    float in[VIEWS][4] = {{0}}, rough[VIEWS][4];
     double v[VIEWS][3];
     char body[512];
     views_of(in, v);
@@ -138,23 +137,12 @@ static void facets_of_leaning_turned_water_are_those_of_the_integral(void **stat
         "vec4(f.area, f.shift, f.sigma, 0.0); }",
         w.mx, w.my, w.xx, w.xy, w.yy);
     probe_run(INCLUDES, body, in, VIEWS, rough);
-    snprintf(body, sizeof body,
-             "vec4 probe(vec4 x) { float l = length(x.xy); vec2 h = x.xy / l; facets f = facets_toward(x.z, l, dot(h, "
-             "vec2(%.6f, %.6f)), sqrt(facets_variance(vec3(%.6f, %.6f, %.6f), 3.0 * h))); return vec4(f.area, f.tilt, "
-             "f.rms, 0.0); }",
-             w.mx, w.my, w.xx, w.xy, w.yy);
-    probe_run("#include \"common/facets.glsl\"", body, in, VIEWS, rational);
     for (int i = 0; i < VIEWS; ++i) {
-        const double hx = v[i][0] / hypot(v[i][0], v[i][1]), hy = v[i][1] / hypot(v[i][0], v[i][1]);
-        const double sigma = sqrt(w.xx * hx * hx + 2.0 * w.xy * hx * hy + w.yy * hy * hy);
         double want[3];
         seen_by_quadrature(&w, v[i], want);
-        assert_near(rough[i][0], want[0], 0.065 * want[0]);
-        assert_near(rough[i][1], want[1], 0.09 * sigma);
-        assert_near(rough[i][2], want[2], 0.2 * want[2]);
-        assert_near(rational[i][0], want[0], 0.06 * want[0]);
-        assert_near(rational[i][1], want[1], 0.12 * want[1] + 0.002);
-        assert_near(rational[i][2], want[2], 0.17 * want[2]);
+        assert_near(rough[i][0], want[0], 0.06 * want[0]);
+        assert_near(rough[i][1], want[1], 0.08 * want[1] + 0.002);
+        assert_near(rough[i][2], want[2], 0.1 * want[2]);
     }
 }
 

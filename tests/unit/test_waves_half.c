@@ -2,7 +2,7 @@
 // The integer conversion to half against IEEE 754's definition: the nearest half, ties to the even one.
 #include "support.h"
 
-#include "waves/cascades/half.h"
+#include "math/half.h"
 
 // A finite half as a double, by the format's definition.
 static double value_of(uint16_t half) {

@@ -7,6 +7,7 @@
 #include "render/papers/foam_ramps.h"
 #include "render/water_optics.h"
 #include "shared/constants.glsl"
+#include "shared/microfacets.glsl"
 
 #include <math.h>
 
@@ -165,12 +166,6 @@ static crest_block foam_of(const frame *f) {
                          .memory_share = (float)(memory_variance / spread)};
 }
 
-// Plan area of the facets that a direction of that elevation sees, as common/facets.glsl has it.
-static double seen_area(double up, double flat, double sigma) {
-    const double u = fmax(up / (flat * sigma), -1.5);
-    return flat * sigma * 0.5 * (u + sqrt(u * u + 2.0 / BOLAN_PI));
-}
-
 // Isotropic footprints need only row 0 of the table of unresolved slopes. With it, the share of the facets turned to
 // the sun that no other wave stands before.
 static void upload_rough(crest *p, const frame *f) {
@@ -181,11 +176,11 @@ static void upload_rough(crest *p, const frame *f) {
     for (int i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; ++i) {
         const double xx = from[4 * i] + SUN_DISC_SLOPES, xy = from[4 * i + 1], yy = from[4 * i + 2] + SUN_DISC_SLOPES;
         const double along = (xx * sun.x * sun.x + 2.0 * xy * sun.x * sun.y + yy * sun.y * sun.y) / (flat * flat);
-        const double lit = up / fmax(seen_area(up, flat, sqrt(fmax(along, 1e-8))), 1e-3);
+        const double lit = lit_fast(up, flat * sqrt(fmax(along, 1e-8)));
         row[i][0] = (float)xx;
         row[i][1] = (float)xy;
         row[i][2] = (float)yy;
-        row[i][3] = (float)fmin(fmax(lit, 0.0), 1.0);
+        row[i][3] = (float)lit;
     }
     bolan_gl_texture_upload(&p->tables, 0, -1, p->table, false);
 }

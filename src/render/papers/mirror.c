@@ -2,6 +2,7 @@
 // The mirror optics: see shaders/papers/mirror.glsl. Tiles come from paper_tiles.c, the pictures from planar_views.c.
 #include "render/papers/tiles.h"
 #include "render/water_optics.h"
+#include "shared/cascade.glsl"
 
 #include <math.h>
 
@@ -40,7 +41,8 @@ static bool table_only(const bolan_scene *scene) {
 // Where the eye stands in a tile, reduced in double: texel (0, 0) of the tile lies half a texel inside the texture.
 static bolan_vec2 place_in(const bolan_tiles_view *v, const frame *f) {
     const double c = cos(v->angle), s = sin(v->angle);
-    const double x = (f->eye.x * c + f->eye.y * s) / v->length, y = (-f->eye.x * s + f->eye.y * c) / v->length;
+    const double x = along_tile(f->eye.x, f->eye.y, c, s) / v->length,
+                 y = across_tile(f->eye.x, f->eye.y, c, s) / v->length;
     return (bolan_vec2){(float)(x - floor(x) + 0.5 / v->n), (float)(y - floor(y) + 0.5 / v->n)};
 }
 

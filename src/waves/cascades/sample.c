@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The fields of cascades at rest points: bilinear from the planes, filtered for a grid, and from the modes themselves
 // as the oracle.
+#include "shared/cascade.glsl"
 #include "waves/cascades/cascades.h"
 
 // The four samples around a point, and their weights.
@@ -15,8 +16,8 @@ static double fraction(double x) {
 }
 
 static corners corners_of(const sea_cascade *c, double x, double y) {
-    const double u = fraction((x * c->cosine + y * c->sine) / c->length) * c->n;
-    const double v = fraction((y * c->cosine - x * c->sine) / c->length) * c->n;
+    const double u = fraction(along_tile(x, y, c->cosine, c->sine) / c->length) * c->n;
+    const double v = fraction(across_tile(x, y, c->cosine, c->sine) / c->length) * c->n;
     const uint32_t mask = c->n - 1, i = (uint32_t)u & mask, j = (uint32_t)v & mask;
     const double fu = u - floor(u), fv = v - floor(v);
     const size_t row0 = (size_t)j * c->n, row1 = (size_t)((j + 1) & mask) * c->n;

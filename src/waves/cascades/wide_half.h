@@ -5,7 +5,7 @@
 #define BOLAN_WAVES_WIDE_HALF_H
 
 #include "fft/wide.h"
-#include "waves/cascades/half.h"
+#include "math/half.h"
 
 // Halfs in the low 16 bits of each lane, the high bits zero.
 static inline wide_int wide_half(wide v) {
