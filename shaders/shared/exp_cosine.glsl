@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The wave exp(s (cos th - 1)) of Liu & Xie 2010 by the sine and cosine of half its phase: cos th - 1 = -2 sin^2(th / 2),
-// so that nothing cancels at the crest. src/waves/exp_cosine.h has its moments, and the factor that makes its range 2.
+// so that nothing cancels at the crest. src/waves/sum/exp_cosine.h has its moments, and the factor that makes its range 2.
 #ifndef BOLAN_SHARED_EXP_COSINE
 #define BOLAN_SHARED_EXP_COSINE
 #include "shared/language.glsl"

@@ -9,7 +9,7 @@
 #include "shared/constants.glsl"
 #include "shared/exp_cosine.glsl"
 #include "shared/grid.glsl"
-#include "waves/exp_cosine.h"
+#include "waves/sum/exp_cosine.h"
 
 // Height of unit amplitude in the form with zero mean and range 2, and its derivative by the phase.
 static double height_of(double s, double turns) {
