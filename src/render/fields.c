@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // See fields.h. Twin of shaders/include/bolan_fields.glsl; tests/shaders/test_fields.c binds the two.
 #include "fields.h"
+#include "waves/sum/exp_cosine.h"
 
 #include "renderer.h"
 #include "shader_source.h"
@@ -108,22 +109,12 @@ static void fill_cascades(fields_block *b, const bolan_sea *sea, bolan_dvec3 ori
     }
 }
 
-// Mean of exp(s (cos - 1)): e^-s I0(s), by its series.
-static double exp_mean(double s) {
-    double term = 1.0, sum = 1.0;
-    for (int i = 1; i < 16; ++i) {
-        term *= 0.25 * s * s / ((double)i * i);
-        sum += term;
-    }
-    return exp(-s) * sum;
-}
-
 static fields_block block_of(const bolan_sea *sea, double level, bolan_dvec3 origin) {
     const double sharpness = sharpness_of(sea);
     fields_block b = {.cascade_count = (int32_t)bolan_sea_cascade_count(sea),
                       .wave_count = (int32_t)bolan_sea_component_count(sea),
                       .sharpness = (float)sharpness,
-                      .mean = (float)exp_mean(sharpness),
+                      .mean = (float)(exp(-sharpness) * exp_cosine_mean(sharpness)),
                       .wave_height = (float)bolan_sea_get_summary(sea)->hs,
                       .choppiness = (float)bolan_sea_get_desc(sea)->choppiness,
                       .foam_threshold = (float)bolan_sea_foam_threshold(sea),
