@@ -173,11 +173,11 @@ struct water_here {
 // Slope covariance that the mesh lacks: a wave of three spacings fades to half on it, as it does under a pixel 1.4
 // spacings wide.
 const float MESH_WIDTH = 1.4;
-vec3 slopes_beyond_mesh(footprint f, float coded) {
+vec3 slopes_beyond_mesh(vec2 rest, footprint f, float depth, float coded) {
 #ifndef WAVES_MESH // where the vertices carry all waves, the look-ups resolve what the mesh does
     f.major = f.minor = MESH_WIDTH * exp2(coded - 16.0);
 #endif
-    return unresolved_slopes(f);
+    return hidden_slopes(rest, f, depth);
 }
 
 // Waves that shallow water has left: share of the amplitude.
@@ -201,7 +201,7 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
     float gust = slope_light.z, dist = length(p.position), left = waves_left(p.depth);
     p.view = -p.position / dist;
     p.place = pixel_footprint(p.view, dist, slope_light.xy);
-    vec3 beyond = slopes_beyond_mesh(p.place, coded) * gust * gust;
+    vec3 beyond = slopes_beyond_mesh(p.rest, p.place, p.depth, coded) * gust * gust;
     p.whole = facets_seen(p.view, slope_light.xy, beyond);
     // the eye sees no more of the water under the pixel than what stands clear of other waves
     p.place.major = max(p.place.minor, min(p.place.major, dist * radians_per_pixel / max(p.whole.area, 0.01)));
@@ -209,7 +209,7 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
 #ifdef WAVES_CASCADES
     p.place.minor = max(p.place.minor, p.place.major / float(TAPS)); // what the look-ups really averaged over
 #endif
-    p.hidden = unresolved_slopes(p.place);
+    p.hidden = hidden_slopes(p.rest, p.place, p.depth);
     p.roughness = p.hidden * gust * gust;
     vec3 total = mix(beyond, slope_total, left * left);
     p.near = surroundings_of(slope_light.xy, beyond, total, p.height / (height_deviation * left));

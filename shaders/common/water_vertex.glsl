@@ -89,7 +89,7 @@ void water_vertex() {
     aerial_perspective(position, water_transmittance, water_inscatter);
 #ifdef ROUGH_VERTICES
     float dist = max(length(position), 1e-3);
-    water_hidden = unresolved_slopes(mesh_footprint(pixel_footprint(-position / dist, dist, water_mesh.xy), vertex.w));
+    water_hidden = hidden_slopes(rest, mesh_footprint(pixel_footprint(-position / dist, dist, water_mesh.xy), vertex.w), depth);
 #endif
     gl_Position = view_projection * vec4(position, 1.0);
 }
@@ -223,11 +223,11 @@ footprint water_footprint(water_pixel p, vec3 view, float dist) {
 }
 
 // What the footprint leaves to the roughness.
-vec3 water_hidden_slopes(footprint f) {
+vec3 water_hidden_slopes(vec2 rest, footprint f, float depth) {
 #if defined(ROUGH_VERTICES) && !defined(QUAD)
     return water_hidden;
 #else
-    return unresolved_slopes(f);
+    return hidden_slopes(rest, f, depth);
 #endif
 }
 #endif

@@ -79,6 +79,8 @@ footprint pixel_footprint(vec3 view, float dist, vec2 coarse_slope) {
     return f;
 }
 
+#include "common/layers.glsl"
+
 // Direction of an axis in half turns, 0..1, to 0.002: the table has a texel for every 0.125.
 float half_turns(vec2 axis) {
     vec2 a = abs(axis);
@@ -102,6 +104,9 @@ vec3 unresolved_slopes(footprint f) {
     vec3 m = textureLod(slope_table, t, 0.0).xyz; // xx, xy, yy
     return m + vec3(SUN_DISC_SLOPES, 0.0, SUN_DISC_SLOPES);
 }
+
+// The same, with what the footprint removes of the layers at a rest point.
+vec3 hidden_slopes(vec2 rest, footprint f, float depth) { return unresolved_slopes(f) + layers_hidden(rest, f, depth); }
 
 // ---- vertices -------------------------------------------------------------------------------------------------------
 
@@ -154,6 +159,12 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #endif
     }
 #endif
+#ifndef PACKED
+    add_layers(rest, spacing, depth, offset, fields.xy);
+#else
+    vec2 unused = vec2(0.0);
+    add_layers(rest, spacing, depth, offset, unused);
+#endif
     return offset;
 }
 #endif
@@ -188,7 +199,8 @@ wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
 #if CASCADES > 3
     sum += cascade_share(3, textureLod(slope_map3, cascade_uv(3, rest), fine - cascade_band[3].w), gust, kept.w);
 #endif
-    float pinch = choppiness * sum.z;
+    float width = exp2(fine), pinch = choppiness * sum.z;
+    sum.xy += layers_slope(rest, footprint(vec2(1.0, 0.0), width, width), depth);
     vec2 slope = sum.xy / max(1.0 + 0.75 * pinch, 0.3);
     return wave_fields(slope * min(1.0, 1.2 * inversesqrt(max(dot(slope, slope), 1e-6))), 1.0 + pinch, sum.w);
 }
@@ -224,6 +236,7 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
         gradient += keep * choppiness * vec3(slopes.zw / taps, fold.x);
         foam += keep * fold.y;
     }
+    slope += layers_slope(rest, f, depth);
     float jxx = 1.0 + gradient.x, jyy = 1.0 + gradient.y, jxy = gradient.z;
     float jacobian = jxx * jyy - jxy * jxy;
     slope = vec2(slope.x * jyy - slope.y * jxy, slope.y * jxx - slope.x * jxy) / max(jacobian, 0.25);
@@ -273,7 +286,8 @@ wave_fields waves_of_footprint(vec2 rest, footprint f, float gust, float depth, 
     slope *= shallow;
 #endif
     hidden = max(wave_slopes - wave_slope_share * seen, vec3(0.0, -1.0, 0.0)) + vec3(SUN_DISC_SLOPES, 0.0, SUN_DISC_SLOPES);
-    return wave_fields(slope * gust, 1.0, 0.0);
+    hidden += layers_hidden(rest, f, depth);
+    return wave_fields(slope * gust + layers_slope(rest, f, depth), 1.0, 0.0);
 }
 
 wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {

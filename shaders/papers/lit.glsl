@@ -98,7 +98,7 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
 #ifdef WAVES_CASCADES
     f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
 #endif
-    vec3 hidden = water_hidden_slopes(f) * (p.gust * p.gust), covariance = hidden;
+    vec3 hidden = water_hidden_slopes(p.rest, f, p.depth) * (p.gust * p.gust), covariance = hidden;
     footprint pixel = pixel_footprint(view, length(p.position), p.mesh.xy);
     add_ripples(p.rest, pixel, p.gust, p.depth, w.slope, covariance);
     covariance += vec3(1.0, 0.0, 1.0) / look_shininess;

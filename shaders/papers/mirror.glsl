@@ -92,7 +92,9 @@ waves_here look_at_waves(water_pixel p, vec3 view, float dist) {
     w.slope += ripple_share * keep * r.xy;
     lost += ripple_share * ripple_share * max(r.z - keep * keep * dot(r.xy, r.xy), 0.0);
 #endif
-    w.variance = 0.5 * (lost + missing_slopes);
+    vec3 layers = layers_hidden(p.rest, f, p.depth);
+    w.slope += layers_slope(p.rest, f, p.depth);
+    w.variance = 0.5 * (lost + missing_slopes + layers.x + layers.z);
 #endif
 #ifdef PAPER
     w.own = own_radiance * textureLod(water_tile, uv, lod + tile_texels).rgb;
@@ -101,7 +103,7 @@ waves_here look_at_waves(water_pixel p, vec3 view, float dist) {
 #endif
 #else
     wave_fields at = waves_at(p.rest, f, p.gust, p.depth, p.mesh);
-    vec3 c = unresolved_slopes(f);
+    vec3 c = hidden_slopes(p.rest, f, p.depth);
     w.slope = at.slope;
     w.variance = 0.5 * (c.x + c.z);
     w.own = own_radiance;

@@ -99,7 +99,7 @@ phong_surface surface_here() {
 #ifdef WAVES_CASCADES
     f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
 #endif
-    s.covariance = unresolved_slopes(f);
+    s.covariance = hidden_slopes(s.here.rest, f, s.here.depth);
 #endif
     s.covariance *= s.here.gust * s.here.gust;
 #ifndef PAPER

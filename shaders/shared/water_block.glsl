@@ -10,6 +10,9 @@ vec4 exp_slope[2];        // c0 to c7: the derivative of exp(s cos) by the phase
 vec4 shore_level[4];      // of the shore map: west, south (eye-relative), side, texel [m]
 vec4 ripple_tile[2];      // of both layers of ripples: the eye in the tile [0,1), unit vector of its u axis
 vec4 ripple_size[2];      // likewise 1 / its side [1/m], its slope variance, log2 of the side, rms slope
+vec4 layer_wave[8];       // wave layers: kx, ky [rad/m], amplitude [m], phase at the eye [rad]; see common/layers.glsl
+vec4 layer_area[8];       // xy: centre of the area, eye-relative [m]; zw: unit vector of travel
+vec4 layer_extent[8];     // 1 / half length, 1 / half width [1/m], share of the edge, height that the coast sees [m]
 vec4 grid_reach;          // of the static grid, see common/grid.glsl
 vec4 grid_azimuth;
 vec3 wave_slopes;         // of a sum: covariance xx, xy, yy of its slopes and of what is no part of its waves
@@ -36,5 +39,5 @@ int look_effects;         // bits of bolan_effect
 int cascade_count;
 int wave_count;
 int shore_present;        // 1: there is ground
-float water_padding;      // the block's size is a multiple of 16 bytes
-vec2 water_padding_more;
+int layer_count;
+vec2 water_padding;       // the block's size is a multiple of 16 bytes
