@@ -151,11 +151,14 @@ static const char *within(const char *section, const char *path) {
     return strncmp(section, path, length) == 0 && path[length] == '.' ? path + length + 1 : NULL;
 }
 
-// The keys of a group that belong to a section. Objects are a section of their own; the cameras of a path have the keys
+// Lists with a section of their own.
+static bool is_list_section(const char *key) { return strcmp(key, "objects") == 0 || strcmp(key, "trains") == 0; }
+
+// The keys of a group that belong to a section. The cameras of a path have the keys
 // of the camera, which its section has already.
 static void print_rows(FILE *file, const char *section, const bolan_param_group *group, const void *base) {
-    const bool objects = strcmp(section, "objects") == 0;
-    if (objects != (strcmp(group->key, "objects") == 0)) return;
+    const bool list = is_list_section(section);
+    if ((list || is_list_section(group->key)) && strcmp(section, group->key) != 0) return;
     if (group->capacity && group->table == &bolan_camera_params) return;
     for (uint32_t i = 0; i < group->table->count;) {
         const bolan_param *p = &group->table->params[i];
@@ -165,7 +168,7 @@ static void print_rows(FILE *file, const char *section, const bolan_param_group 
         if (!p->key) continue;
         snprintf(path, sizeof path, "%s%s%s%s", group->key, group->capacity ? "[]" : "", *group->key ? "." : "",
                  p->key);
-        const char *shown = objects ? p->key : within(section, path);
+        const char *shown = list ? p->key : within(section, path);
         if (!shown) continue;
         fprintf(file, "| `%s` | ", shown);
         print_values_cell(file, p, count);
@@ -212,7 +215,7 @@ static void print_options(FILE *file) {
 }
 
 void describe_print_tables(FILE *file) {
-    static const char *const sections[] = {"", "sea", "look", "water", "sky", "terrain", "objects", "camera"};
+    static const char *const sections[] = {"", "sea", "look", "trains", "water", "sky", "terrain", "objects", "camera"};
     const bolan_scene scene = bolan_scene_default();
     for (size_t s = 0; s < sizeof sections / sizeof *sections; s++) {
         fprintf(file, "# %s\n| key | values | default | |\n|---|---|---|---|\n", *sections[s] ? sections[s] : "scene");

@@ -12,6 +12,7 @@
 #include "bolan/optics.h"
 #include "bolan/params.h"
 #include "bolan/technique.h"
+#include "bolan/water.h"
 #include "bolan/waves.h"
 
 #ifdef __cplusplus
@@ -120,6 +121,10 @@ typedef struct bolan_scene {
     uint32_t camera_key_count;
     /// The path of the camera, times ascending. See bolan_scene_camera_at().
     bolan_camera_key camera_keys[BOLAN_MAX_CAMERA_KEYS];
+    /// Number of wave trains, 0..BOLAN_MAX_WAVE_LAYERS; default 0.
+    uint32_t train_count;
+    /// Wave trains that are added to the waves of the sea.
+    bolan_wave_train_desc trains[BOLAN_MAX_WAVE_LAYERS];
     /// Sun, air and clouds.
     bolan_sky sky;
     /// The water's colour and level.

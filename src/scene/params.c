@@ -134,6 +134,8 @@ const bolan_param_group bolan_scene_groups[] = {
     {.field = "", .key = "sea", .table = &bolan_wind_sea_params},
     AT(spectrum, "sea.spectrum", bolan_spectrum_options_params),
     AT(sea, "sea", bolan_sea_params),
+    LIST(trains, trains[0], train_count, "trains", bolan_wave_train_params,
+         "wave trains that are added to the waves of the sea: parallel waves of one length inside an area"),
     AT(water, "water", bolan_seawater_params),
     AT(sky, "sky", bolan_sky_params),
     AT(terrain, "terrain", bolan_ground_source_params),

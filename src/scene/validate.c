@@ -33,6 +33,7 @@ static bolan_result check_group(const bolan_scene *scene, const bolan_param_grou
 
 static bolan_result check_counts(const bolan_scene *scene) {
     if (scene->object_count > BOLAN_MAX_OBJECTS) return refuse("object_count", scene->object_count, "0 to 64");
+    if (scene->train_count > BOLAN_MAX_WAVE_LAYERS) return refuse("train_count", scene->train_count, "0 to 8");
     if (scene->camera_key_count > BOLAN_MAX_CAMERA_KEYS)
         return refuse("camera_key_count", scene->camera_key_count, "0 to 32");
     return BOLAN_OK;

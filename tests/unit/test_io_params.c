@@ -41,6 +41,8 @@ static bolan_scene scene_for(const bolan_param_group *group) {
     bolan_scene s = bolan_scene_default();
     s.object_count = 1;
     s.objects[0].scale = 1.0;
+    s.train_count = 1;
+    s.trains[0] = bolan_wave_train_desc_default();
     s.spectrum.place[0] = s.spectrum.place[1] = 0.0; // both or none
     s.camera_key_count = 2;
     s.camera_keys[0].camera = s.camera_keys[1].camera = s.camera;
@@ -208,6 +210,15 @@ static void test_keys_of_lists(void **state) {
     assert_near(s.camera_keys[0].time, -1e9, 0.0);
     assert_near(s.camera_keys[1].camera.fov_deg, 150.0, 0.0);
     assert_near(s.camera_keys[1].camera.position.y, -1e7, 0.0);
+    text = "trains: [{from: 12}, {length: 30, height: 0.5, centre: [4, -5], half_width: 60}]";
+    assert_int_equal(bolan_scene_parse("t", text, strlen(text), &s), BOLAN_OK);
+    assert_int_equal(s.train_count, 2);
+    assert_near(s.trains[0].from_deg, 12.0, 0.0);
+    assert_near(s.trains[0].length, 100.0, 0.0); // what is left out has its default
+    assert_near(s.trains[1].length, 30.0, 0.0);
+    assert_near(s.trains[1].centre.y, -5.0, 0.0);
+    assert_near(s.trains[1].half_width, 60.0, 0.0);
+    assert_near(s.trains[1].half_length, 1e7, 0.0);
     text = "objects: [{model: a, scale: 1001}]";
     assert_refusal(bolan_scene_parse("t", text, strlen(text), &s), BOLAN_ERROR_FORMAT, BOLAN_LOG_SCENE_BAD_VALUE,
                    "t:1: objects[0].scale is 1001; expected a number from 0.001 to 1000");

@@ -56,6 +56,8 @@ static const char *const exceptions[] = {
     "bolan_scene.camera_keys",
     "bolan_scene.sky",
     "bolan_scene.water",
+    "bolan_scene.train_count",
+    "bolan_scene.trains",
     "bolan_scene.terrain",
     "bolan_scene.object_count",
     "bolan_scene.objects",
