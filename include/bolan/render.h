@@ -36,6 +36,7 @@
 
 #include "bolan/scene.h"
 #include "bolan/tiles.h"
+#include "bolan/water.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -152,14 +153,14 @@ const char *bolan_fields_glsl(void);
 /// Leaves all other state as it was.
 bolan_result bolan_renderer_link_fields(bolan_renderer *renderer, uint32_t program, uint32_t first_unit, uint32_t slot);
 
-/// Binds the fields of @p sea for all programs linked with these units and this slot.
-/// @p level: of the mean water [m above the datum]. @p origin: the world point that positions in your shader are
+/// Binds the fields of @p water, its layers among them, for all programs linked with these units and this slot.
+/// @p water must be valid: bolan_water_is_valid(). @p origin: the world point that positions in your shader are
 /// relative to, usually your eye; it is reduced in double.
 /// Uploads once for each bolan_sea_serial(); a second call for another origin costs one small buffer.
 /// The texture bindings and the slot stay as set here, and sampler objects of these units are unbound.
 /// All other state is left as it was. Later draws of this renderer keep them.
 /// Allocates nothing after the first call unless the size of the sea changes.
-void bolan_renderer_bind_fields(bolan_renderer *renderer, const bolan_sea *sea, double level, bolan_dvec3 origin,
+void bolan_renderer_bind_fields(bolan_renderer *renderer, const bolan_water *water, bolan_dvec3 origin,
                                 uint32_t first_unit, uint32_t slot);
 
 /// An off-screen colour target of 8-bit sRGB values for callers without one.

@@ -39,6 +39,9 @@ layout(std140) uniform bolan_sea_block {
     vec4 bolan_cascade_tile[4];  // xy: the origin in the tile [tiles], zw: cos, sin of its angle over its side [1/m]
     vec4 bolan_cascade_band[4];  // x: significant height, y: texel (of a sum: unit of the spacing), z: longest wave [m]
     vec4 bolan_cascade_lift[13]; // by log2 of the mesh's spacing in texels plus 2 [m]; a sum has the first
+    vec4 bolan_layer_wave[8];   // of a wave train: k east, north [rad/m], half height [m], phase at the origin [rad]
+    vec4 bolan_layer_area[8];   // xy: its middle [m], zw: unit direction of travel
+    vec4 bolan_layer_extent[8]; // xy: 1 / half extent along, across [1/m], z: share of the edge, w: height for the coast [m]
     int bolan_cascade_count;
     int bolan_wave_count;       // of a sum
     float bolan_wave_sharpness; // of exp(s cos); 0: cosines
@@ -47,6 +50,7 @@ layout(std140) uniform bolan_sea_block {
     float bolan_choppiness;
     float bolan_foam_threshold; // the surface foams where the Jacobian is below it
     float bolan_water_level;    // of the mean water, above the origin [m]
+    int bolan_layer_count;
 };
 uniform highp sampler2DArray bolan_displacement_map; // dx, dy, height, dxy
 uniform highp sampler2DArray bolan_slope_map;        // slope x, slope y, dxx, dyy
@@ -130,10 +134,32 @@ void bolan_add_waves(vec2 rest, float depth, float spacing, inout bolan_raw sum)
     sum.foam += max(-(stretch.x + stretch.y), 0.0);
 }
 
+// 1 in the middle, 0 from u = +-1 on; y: its derivative.
+vec2 bolan_edge(float u, float edge) {
+    float t = clamp((1.0 - abs(u)) / edge, 0.0, 1.0);
+    return vec2(t * t * (3.0 - 2.0 * t), (u < 0.0 ? 6.0 : -6.0) * t * (1.0 - t) / edge);
+}
+
+// Wave trains: they move parcels up and down only.
+void bolan_add_layers(vec2 rest, float depth, float spacing, inout bolan_raw sum) {
+    for (int i = 0; i < bolan_layer_count; ++i) {
+        vec4 wave = bolan_layer_wave[i], area = bolan_layer_area[i], extent = bolan_layer_extent[i];
+        vec2 p = rest - area.xy, to = area.zw, aside = vec2(-to.y, to.x);
+        vec2 along = bolan_edge(dot(p, to) * extent.x, extent.z), across = bolan_edge(dot(p, aside) * extent.y, extent.z);
+        float samples = 6.28318531 / (max(length(wave.xy), 1e-9) * max(spacing, 1e-6)); // of a wave
+        float amplitude = wave.z * bolan_attenuation(depth, extent.w) * clamp(0.5 * samples - 1.0, 0.0, 1.0);
+        float phase = dot(wave.xy, rest) + wave.w, share = along.x * across.x;
+        vec2 envelope = along.y * across.x * extent.x * to + across.y * along.x * extent.y * aside;
+        sum.offset.z += amplitude * share * cos(phase);
+        sum.slope += amplitude * (envelope * cos(phase) - share * sin(phase) * wave.xy);
+    }
+}
+
 bolan_raw bolan_raw_at(vec2 rest, float depth, float spacing) {
     bolan_raw sum = bolan_raw(vec3(0.0), vec2(0.0), vec3(0.0), 0.0);
     bolan_add_cascades(rest, depth, spacing, sum);
     bolan_add_waves(rest, depth, spacing, sum);
+    bolan_add_layers(rest, depth, spacing, sum);
     return sum;
 }
 

@@ -5,6 +5,7 @@
 
 #include "renderer.h"
 #include "shader_source.h"
+#include "water/layer.h"
 
 #include <math.h>
 #include <string.h>
@@ -109,7 +110,23 @@ static void fill_cascades(fields_block *b, const bolan_sea *sea, bolan_dvec3 ori
     }
 }
 
-static fields_block block_of(const bolan_sea *sea, double level, bolan_dvec3 origin) {
+static void fill_layers(fields_block *b, const bolan_water *water, bolan_dvec3 origin) {
+    const double time = bolan_sea_time(water->sea);
+    b->layer_count = (int32_t)water->layer_count;
+    for (uint32_t i = 0; i < water->layer_count; ++i) {
+        const bolan_wave_layer *w = water->layers[i];
+        const bolan_wave_train_desc *d = &w->train;
+        const double x = d->centre.x - origin.x, y = d->centre.y - origin.y;
+        const double phase = remainder(w->phase - w->kx * x - w->ky * y - w->omega * time, 2.0 * BOLAN_PI);
+        b->layer_wave[i] = (bolan_vec4){(float)w->kx, (float)w->ky, (float)w->bound, (float)phase};
+        b->layer_area[i] = (bolan_vec4){(float)x, (float)y, (float)w->c, (float)w->s};
+        b->layer_extent[i] =
+            (bolan_vec4){(float)(1.0 / d->half_length), (float)(1.0 / d->half_width), (float)d->edge, w->hs};
+    }
+}
+
+static fields_block block_of(const bolan_water *water, bolan_dvec3 origin) {
+    const bolan_sea *sea = water->sea;
     const double sharpness = sharpness_of(sea);
     fields_block b = {.cascade_count = (int32_t)bolan_sea_cascade_count(sea),
                       .wave_count = (int32_t)bolan_sea_component_count(sea),
@@ -118,17 +135,19 @@ static fields_block block_of(const bolan_sea *sea, double level, bolan_dvec3 ori
                       .wave_height = (float)bolan_sea_get_summary(sea)->hs,
                       .choppiness = (float)bolan_sea_get_desc(sea)->choppiness,
                       .foam_threshold = (float)bolan_sea_foam_threshold(sea),
-                      .level = (float)(level - origin.z)};
+                      .level = (float)(water->level - origin.z)};
     if (b.wave_count > 0) {
         b.band[0].y = (float)SUM_SPACING_UNIT;
         fill_lift(&b, sea, 0, SUM_SPACING_UNIT);
     }
     fill_cascades(&b, sea, origin);
+    fill_layers(&b, water, origin);
     return b;
 }
 
-static bool update(host_fields *p, const bolan_sea *sea, double level, bolan_dvec3 origin) {
-    const fields_block b = block_of(sea, level, origin);
+static bool update(host_fields *p, const bolan_water *water, bolan_dvec3 origin) {
+    const bolan_sea *sea = water->sea;
+    const fields_block b = block_of(water, origin);
     const uint64_t serial = bolan_sea_serial(sea);
     if (p->block.id == 0 &&
         bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof b, NULL, &p->block) != BOLAN_OK)
@@ -186,16 +205,16 @@ static bool can_bind(bolan_renderer *r, double level, bolan_dvec3 origin, uint32
                                  first_unit, slot, problem);
 }
 
-void bolan_renderer_bind_fields(bolan_renderer *r, const bolan_sea *sea, double level, bolan_dvec3 origin,
-                                uint32_t first_unit, uint32_t slot) {
-    const bool given = r != NULL && sea != NULL;
+void bolan_renderer_bind_fields(bolan_renderer *r, const bolan_water *water, bolan_dvec3 origin, uint32_t first_unit,
+                                uint32_t slot) {
+    const bool given = r != NULL && water != NULL && bolan_water_is_valid(water);
     BOLAN_ASSERT(given);
-    if (!given || !can_bind(r, level, origin, first_unit, slot)) return;
+    if (!given || !can_bind(r, water->level, origin, first_unit, slot)) return;
     bolan_renderer_accept(r, CALL_BIND_FIELDS);
     // Textures that go may be bound in the state that is saved and given back, so they go before.
-    if (!cascades_fit(&r->fields, sea)) free_cascades(&r->fields);
+    if (!cascades_fit(&r->fields, water->sea)) free_cascades(&r->fields);
     bolan_renderer_enter(r);
-    const bool ready = update(&r->fields, sea, level, origin);
+    const bool ready = update(&r->fields, water, origin);
     bolan_renderer_leave(r);
     if (ready) bind(&r->fields, first_unit, slot);
 }

@@ -3,14 +3,17 @@
 #ifndef BOLAN_RENDER_FIELDS_H
 #define BOLAN_RENDER_FIELDS_H
 
-#include "bolan/waves.h"
+#include "bolan/water.h"
 #include "gl/gl.h"
 
 // bolan_sea_block of bolan_fields.glsl: std140, keep in step.
 typedef struct fields_block {
     bolan_vec4 tile[BOLAN_MAX_CASCADES], band[BOLAN_MAX_CASCADES], lift[13];
+    bolan_vec4 layer_wave[BOLAN_MAX_WAVE_LAYERS], layer_area[BOLAN_MAX_WAVE_LAYERS],
+        layer_extent[BOLAN_MAX_WAVE_LAYERS];
     int32_t cascade_count, wave_count;
     float sharpness, mean, wave_height, choppiness, foam_threshold, level;
+    int32_t layer_count, padding[3];
 } fields_block;
 
 typedef struct host_fields {

@@ -196,7 +196,7 @@ static void every_model_equals_the_sample(void **state) {
         bolan_sea *sea = sea_of((bolan_wave_model)m);
         place_points(points, world, 1e6f);
         bolan_sea_sample_rest(sea, world, POINTS, want);
-        bolan_renderer_bind_fields(h.renderer, sea, level, origin, UNIT, SLOT);
+        bolan_renderer_bind_fields(h.renderer, &(bolan_water){.sea = sea, .level = level}, origin, UNIT, SLOT);
         ask(&h, 0, points, got);
         compare_rest(got, want, bolan_sea_get_summary(sea)->hs);
         assert_near(got[0].level, level - origin.z, 1e-5);
@@ -223,7 +223,8 @@ static bolan_ground *flat_ground(float depth) {
     return ground;
 }
 
-static void surface_equals(const host *h, const bolan_sea *sea, float depth) {
+static void surface_equals_with(const host *h, const bolan_sea *sea, float depth, const bolan_wave_layer *const *layers,
+                                uint32_t layer_count) {
     static float points[POINTS][4];
     static bolan_dvec2 world[POINTS];
     static bolan_query_point want[POINTS];
@@ -231,8 +232,10 @@ static void surface_equals(const host *h, const bolan_sea *sea, float depth) {
     const double hs = bolan_sea_get_summary(sea)->hs;
     bolan_ground *ground = depth < 1e5f ? flat_ground(depth) : NULL;
     place_points(points, world, depth);
-    bolan_query_surface(&(bolan_water){.sea = sea, .ground = ground, .level = level}, world, POINTS, want);
-    bolan_renderer_bind_fields(h->renderer, sea, level, origin, UNIT, SLOT);
+    const bolan_water water = {
+        .sea = sea, .ground = ground, .level = level, .layers = layers, .layer_count = layer_count};
+    bolan_query_surface(&water, world, POINTS, want);
+    bolan_renderer_bind_fields(h->renderer, &water, origin, UNIT, SLOT);
     ask(h, 1, points, got);
     int compared = 0;
     for (int i = 0; i < POINTS; i++) {
@@ -246,6 +249,38 @@ static void surface_equals(const host *h, const bolan_sea *sea, float depth) {
     }
     assert_true(compared > POINTS * 9 / 10);
     bolan_ground_destroy(&ground);
+}
+
+static void surface_equals(const host *h, const bolan_sea *sea, float depth) {
+    surface_equals_with(h, sea, depth, NULL, 0);
+}
+
+// Two trains across each other, the edges of one among the points.
+static void wave_trains_are_added(void **state) {
+    (void)state;
+    host h;
+    open_host(&h);
+    bolan_wave_train_desc desc = bolan_wave_train_desc_default();
+    bolan_wave_layer *layers[2] = {NULL};
+    bolan_sea *sea = sea_of(BOLAN_WAVES_FFT);
+    desc.from_deg = 200.0;
+    desc.length = 60.0;
+    desc.height = 2.0;
+    desc.phase_deg = 70.0;
+    desc.centre = (bolan_dvec2){origin.x + 20.0, origin.y - 10.0};
+    desc.half_length = 150.0;
+    desc.half_width = 80.0;
+    assert_int_equal(bolan_wave_layer_create_train(&desc, &layers[0]), BOLAN_OK);
+    desc = bolan_wave_train_desc_default();
+    desc.from_deg = 80.0;
+    desc.height = 1.5;
+    assert_int_equal(bolan_wave_layer_create_train(&desc, &layers[1]), BOLAN_OK);
+    const bolan_wave_layer *const both[] = {layers[0], layers[1]};
+    surface_equals_with(&h, sea, 1e6f, both, 2);
+    surface_equals_with(&h, sea, 4.0f, both, 2);
+    bolan_sea_destroy(&sea);
+    for (int i = 0; i < 2; i++) bolan_wave_layer_destroy(&layers[i]);
+    close_host(&h);
 }
 
 static void every_model_equals_the_query_in_deep_and_shallow_water(void **state) {
@@ -274,7 +309,7 @@ static void grid_fades_like_the_twin(void **state) {
     place_points(points, world, 1e6f);
     for (int i = 0; i < POINTS; i++) points[i][3] = spacing[i] = 0.5f + 0.25f * (float)(i % 64);
     bolan_sea_sample_grid(sea, world, spacing, POINTS, want);
-    bolan_renderer_bind_fields(h.renderer, sea, level, origin, UNIT, SLOT);
+    bolan_renderer_bind_fields(h.renderer, &(bolan_water){.sea = sea, .level = level}, origin, UNIT, SLOT);
     ask(&h, 2, points, got);
     for (int i = 0; i < POINTS; i++)
         assert_near(got[i].displacement[2], want[i].height, HEIGHT_BOUND * bolan_sea_get_summary(sea)->hs);
@@ -323,9 +358,10 @@ static void misuse_is_refused(void **state) {
     assert_int_equal(bolan_renderer_link_fields(r, 9999, UNIT, SLOT), BOLAN_ERROR_ARGUMENT);
     assert_int_equal(bolan_renderer_link_fields(r, h.program, (uint32_t)units - 3, SLOT), BOLAN_ERROR_ARGUMENT);
     assert_int_equal(bolan_renderer_link_fields(r, h.program, UNIT, (uint32_t)slots), BOLAN_ERROR_ARGUMENT);
-    bolan_renderer_bind_fields(r, sea, level, origin, (uint32_t)units, SLOT);
-    bolan_renderer_bind_fields(r, sea, level, origin, (uint32_t)units, SLOT); // said once
-    bolan_renderer_bind_fields(r, sea, level, (bolan_dvec3){NAN, 0.0, 0.0}, UNIT, SLOT);
+    bolan_renderer_bind_fields(r, &(bolan_water){.sea = sea, .level = level}, origin, (uint32_t)units, SLOT);
+    bolan_renderer_bind_fields(r, &(bolan_water){.sea = sea, .level = level}, origin, (uint32_t)units,
+                               SLOT); // said once
+    bolan_renderer_bind_fields(r, &(bolan_water){.sea = sea, .level = level}, (bolan_dvec3){NAN, 0.0, 0.0}, UNIT, SLOT);
     bolan_set_hooks(NULL);
     assert_int_equal(heard[0], 4);
     assert_int_equal(heard[1], 2);
@@ -337,7 +373,9 @@ static void misuse_is_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {IN_BOTH_APIS(every_model_equals_the_sample),
                                        IN_BOTH_APIS(every_model_equals_the_query_in_deep_and_shallow_water),
+                                       IN_BOTH_APIS(wave_trains_are_added),
                                        IN_BOTH_APIS(grid_fades_like_the_twin),
-                                       IN_BOTH_APIS(a_step_and_another_sea_are_seen), IN_BOTH_APIS(misuse_is_refused)};
+                                       IN_BOTH_APIS(a_step_and_another_sea_are_seen),
+                                       IN_BOTH_APIS(misuse_is_refused)};
     return cmocka_run_group_tests_name("fields for the host's programs", tests, NULL, NULL);
 }
