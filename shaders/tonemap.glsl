@@ -17,6 +17,7 @@ uniform sampler2D sum;
 #pragma unit sum 4
 // x: share of the glow, y: 1 encode sRGB, z: dither [1/255], w: weight of the sum (RESOLVE), of the old sum (ACCUMULATE)
 uniform vec4 settings;
+uniform vec2 origin; // lower left corner of the picture in its framebuffer [px]
 #ifdef ACCUMULATE
 uniform sampler2D radiance_sum;
 #pragma unit radiance_sum 16
@@ -30,10 +31,11 @@ out vec4 color;
 float dither_noise(vec2 p) { return 2.0 * fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))) - 1.0; }
 
 void main() {
-    vec3 c = texelFetch(source, ivec2(gl_FragCoord.xy), 0).rgb;
+    ivec2 at = ivec2(gl_FragCoord.xy - origin);
+    vec3 c = texelFetch(source, at, 0).rgb;
 #ifdef ACCUMULATE
     bool first = settings.w <= 0.0;
-    radiance = vec4(c + (first ? vec3(0.0) : texelFetch(radiance_sum, ivec2(gl_FragCoord.xy), 0).rgb), 1.0);
+    radiance = vec4(c + (first ? vec3(0.0) : texelFetch(radiance_sum, at, 0).rgb), 1.0);
 #endif
 #ifdef RESOLVE
     vec3 display = c * settings.w;
@@ -47,7 +49,7 @@ void main() {
     vec3 display = tonemap(c);
 #endif
 #ifdef ACCUMULATE
-    color = vec4(display + (first ? vec3(0.0) : texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb), 1.0);
+    color = vec4(display + (first ? vec3(0.0) : texelFetch(sum, at, 0).rgb), 1.0);
     return;
 #endif
     if (settings.y > 0.5) display = srgb_encode(display);

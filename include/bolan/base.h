@@ -105,6 +105,7 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(502, POINTS_SYNTAX)           \
     X(503, SEA_LIMITED)             \
     X(910, LAYER_STEEP)             \
+    X(940, VIEW)                    \
     X(960, GUEST_PROGRAM)           \
     X(961, GUEST_SLOTS)
 

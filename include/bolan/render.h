@@ -6,7 +6,7 @@
 /// **A guest in your frame.** Each function here that touches your context leaves this state as it found it, whatever
 /// it was:
 /// - framebuffer bindings, program, vertex array, buffers bound for vertices, uniforms, pixels and queries, uniform
-///   slot 0;
+///   slots 0 and 1;
 /// - the active texture unit, and textures (2D, 3D, 2D array) and samplers of units 0 to 24;
 /// - viewports, scissors and depth ranges of all viewports (arrays of them on desktop OpenGL);
 /// - blend switch, function and equation, and colour mask, of each draw buffer; logic op, dither, sRGB switch;
@@ -25,9 +25,9 @@
 /// glEndConditionalRender() nothing here may be called: OpenGL does not tell whether it would draw. A program that you
 /// deleted while it is in use is lost.
 ///
-/// **What a frame does to your framebuffer.** It overwrites the lower left width x height pixels of its first draw
-/// buffer with the whole picture: sky, land, objects and water, tone-mapped, alpha 1. It neither reads nor writes your
-/// depth and stencil. It cannot be drawn into another corner.
+/// **What a view does to your framebuffer.** bolan_renderer_draw_world() overwrites the view's rectangle of its first
+/// draw buffer with the whole picture: sky, land, objects and water, alpha 1. It neither reads nor writes your depth
+/// and stencil. Nothing outside the rectangle is touched.
 ///
 /// All calls of one renderer must be made on the thread where its context is current. The calls of a frame (draw, read,
 /// show) return nothing: what they refuse they leave undone, and log it once, not in each frame.
@@ -98,6 +98,100 @@ void bolan_renderer_destroy(bolan_renderer **renderer);
 /// Compiles the shaders again from shader_directory; on an error the old ones stay and GL is returned.
 bolan_result bolan_renderer_reload(bolan_renderer *renderer);
 
+// ---- a step: prepared once, drawn from any number of views -------------------------------------------------------------
+
+/// How the water and the world are lit and shaded.
+typedef struct bolan_lighting {
+    /// Sun, air and clouds.
+    bolan_sky sky;
+    /// Exposure over the automatic one [stops], -10..10; default 0.
+    double exposure;
+    /// The surface and the optics are read; `waves` must be the wave model of the sea.
+    bolan_technique technique;
+    /// Shading options.
+    bolan_look look;
+} bolan_lighting;
+
+/// The sky, technique and shading options of bolan_scene_default().
+/// Thread-safe.
+bolan_lighting bolan_lighting_default(void);
+/// Those of @p scene.
+/// Thread-safe.
+bolan_lighting bolan_lighting_from_scene(const bolan_scene *scene);
+
+/// Takes a step of the water: uploads its fields unless those of the same serial are on the GPU already.
+/// An unchanged step costs nothing.
+/// Every view that is drawn until the next call shows this step.
+/// @p water and what it points to are borrowed until then.
+/// No current context, a sea that is NULL or of another wave model than `lighting.technique.waves`, a number out of
+/// range: nothing is prepared, and the log says why, once.
+void bolan_renderer_prepare(bolan_renderer *renderer, const bolan_water *water, const bolan_lighting *lighting);
+
+// ---- a view ---------------------------------------------------------------------------------------------------------
+
+/// What belongs to one eye: tables of the sky, clouds, the tree of the ground, the shore map.
+/// Views whose eyes are far apart need one each, or they make these anew for each picture.
+/// Belongs to its renderer and to its context.
+typedef struct bolan_view_cache bolan_view_cache;
+/// Makes an empty cache. Errors: GL, MEMORY. *out is NULL after an error.
+bolan_result bolan_view_cache_create(bolan_renderer *renderer, bolan_view_cache **out);
+/// NULL-safe; NULLs. The context must be current. Call it before the renderer is destroyed.
+void bolan_view_cache_destroy(bolan_view_cache **cache);
+
+/// What is written into the framebuffer.
+typedef enum bolan_output {
+    /// Tone-mapped, encoded as sRGB by the shader; default.
+    BOLAN_OUTPUT_SRGB,
+    /// Tone-mapped, and the framebuffer encodes sRGB itself (GL_FRAMEBUFFER_SRGB is switched on meanwhile).
+    BOLAN_OUTPUT_SRGB_FRAMEBUFFER,
+    /// Linear radiance without tone map and dither, relative to a sun irradiance of 1 in space at normal incidence.
+    BOLAN_OUTPUT_LINEAR,
+} bolan_output;
+
+/// One picture of a step: eye, frustum and target. Axes of the camera: x right, y up; it looks along -z, or along +z
+/// where the last row of the projection is 0 0 1 0.
+typedef struct bolan_view {
+    /// Place of the eye in the world [m], z above the datum. It is never moved.
+    bolan_dvec3 eye;
+    /// World to camera: a rotation; its translation is ignored, since the eye is `eye`. Column-major.
+    bolan_mat4 view;
+    /// Camera to clip: any perspective, off-centre, standard or reversed, finite or infinite. Of the whole picture
+    /// where `tile` is set. Bolan keeps a depth buffer of its own, so that the z row matters only to a host's depth.
+    bolan_mat4 projection;
+    /// True: clip depth of `projection` is [0,1], as glClipControl(GL_ZERO_TO_ONE) has it. False (default): [-1,1].
+    bool zero_to_one;
+    /// GL name; 0 (default) is the window. Complete, with a colour buffer that holds no integers.
+    uint32_t framebuffer;
+    /// Lower left corner of the rectangle that is drawn [px]; default 0, 0.
+    uint32_t x, y;
+    /// Its size [px], 1..16384; default 1280 x 720.
+    uint32_t width, height;
+    /// Moves the picture right and up by parts of a pixel; default 0, 0.
+    bolan_vec2 jitter;
+    /// This picture is the rectangle at x, y (from the lower left) of a whole picture of that size [px]; default all
+    /// 0: it is the whole. Tiles of one whole join without a seam.
+    struct bolan_view_tile {
+        uint32_t x, y, whole_width, whole_height;
+    } tile;
+    /// Supersampling: pictures with shifted pixels that are averaged, 1..256; default 1.
+    uint32_t samples;
+    /// Default BOLAN_OUTPUT_SRGB.
+    bolan_output output;
+    /// False (default): the picture is a function of step and view alone, whatever was drawn before.
+    /// True: new clouds and new ground are made over several frames, so that a moving eye never waits; until they are
+    /// done the old ones are shown. For windows.
+    bool progressive;
+    /// NULL (default): the renderer's own.
+    bolan_view_cache *cache;
+} bolan_view;
+
+/// The defaults named above, 10 m over the datum, looking north with a vertical field of view of 50 degrees.
+/// Thread-safe.
+bolan_view bolan_view_default(void);
+/// The view of @p camera into a picture of that size, into the window.
+/// Thread-safe.
+bolan_view bolan_view_from_camera(const bolan_camera *camera, uint32_t width, uint32_t height);
+
 /// What to draw, and where.
 typedef struct bolan_frame_desc {
     const bolan_scene *scene;    ///< camera, sky, water, technique, exposure are read; not NULL
@@ -110,17 +204,15 @@ typedef struct bolan_frame_desc {
     uint32_t width, height; ///< of the framebuffer [px], 1..16384; default 1280 x 720
     uint32_t samples;       ///< supersampling: pictures with shifted pixels that are averaged, 1..256; default 1
     bool srgb_framebuffer;  ///< true: the framebuffer encodes sRGB itself
-    /// false (default): the picture is a function of this desc alone, whatever the renderer drew before.
-    /// true: new clouds and new ground are made over several frames, so that a moving eye never waits; until they are
-    /// done the old ones are shown. For windows.
-    bool progressive;
+    bool progressive;       ///< as of bolan_view
 } bolan_frame_desc;
 /// One sample, everything else 0 or NULL: set scene, sea, width and height.
 bolan_frame_desc bolan_frame_desc_default(void);
-/// Draws one picture. A field out of range, a technique whose wave model is not the sea's, a framebuffer that is none
-/// or not complete, or no current context: nothing is drawn and the log says why, once. An eye below the water or
-/// within 0.3 m of it is lifted to 0.3 m above, unless the technique's optics is BOLAN_OPTICS_MIRROR, which has views
-/// from below. After the first frames nothing is allocated unless the size, the terrain or the sea changes.
+/// Draws one picture of the scene's camera: prepares the step, and draws the world from it. A field out of range, a
+/// technique whose wave model is not the sea's, a framebuffer that is none or not complete, or no current context:
+/// nothing is drawn and the log says why, once. An eye below the water or within 0.3 m of it is lifted to 0.3 m above,
+/// unless the technique's optics is BOLAN_OPTICS_MIRROR, which has views from below. After the first frames nothing is
+/// allocated unless the size, the terrain or the sea changes.
 void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame);
 
 /// Radiance and distance of the last picture. @p rgb: linear radiance before the tone map, relative to a sun irradiance

@@ -30,6 +30,9 @@ typedef struct bolan_surface_view {
     uint32_t pixel_height;       ///< of the picture: sets what an angular step is
     double water_level;          ///< [m]
     double vertical, horizontal; ///< bounds of the displacement [m] (bolan_sea_bounds())
+    /// Of an off-centre frustum: the picture's middle lies so many half widths right of the camera's axis and half
+    /// heights above it; default 0, 0.
+    double shift_x, shift_y;
 } bolan_surface_view;
 
 /// A vertex of mean water, relative to the eye: world axes, origin at the eye; z includes the drop of the round earth.

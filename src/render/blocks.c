@@ -15,10 +15,19 @@ void bolan_blocks_bind(const block_buffers *b) {
     bolan_gl_buffer_bind_uniform(&b->view, BLOCK_VIEW);
 }
 
+void bolan_blocks_upload_frame(block_buffers *b, const frame_block *values) {
+    bolan_gl_buffer_update(&b->frame, 0, sizeof *values, values);
+    bolan_gl_buffer_bind_uniform(&b->frame, BLOCK_FRAME);
+}
+
+void bolan_blocks_upload_view(block_buffers *b, const view_block *values) {
+    bolan_gl_buffer_update(&b->view, 0, sizeof *values, values);
+    bolan_gl_buffer_bind_uniform(&b->view, BLOCK_VIEW);
+}
+
 void bolan_blocks_upload(block_buffers *b, const block_values *values) {
-    bolan_gl_buffer_update(&b->frame, 0, sizeof values->frame, &values->frame);
-    bolan_gl_buffer_update(&b->view, 0, sizeof values->view, &values->view);
-    bolan_blocks_bind(b);
+    bolan_blocks_upload_frame(b, &values->frame);
+    bolan_blocks_upload_view(b, &values->view);
 }
 
 void bolan_blocks_free(block_buffers *b) {

@@ -33,6 +33,8 @@ typedef struct block_buffers {
 
 bolan_result bolan_blocks_create(block_buffers *b);
 void bolan_blocks_upload(block_buffers *b, const block_values *values); // and binds both
+void bolan_blocks_upload_frame(block_buffers *b, const frame_block *values);
+void bolan_blocks_upload_view(block_buffers *b, const view_block *values);
 void bolan_blocks_bind(const block_buffers *b);
 void bolan_blocks_free(block_buffers *b);
 

@@ -74,7 +74,7 @@ bolan_result bolan_clouds_reload(clouds *c) {
 
 const gl_texture *bolan_clouds_map(const clouds *c) { return &c->maps[c->shown].map; }
 
-double bolan_clouds_rise(const clouds *c, const frame *f) { return f->eye.z - c->maps[c->shown].eye.z; }
+double bolan_clouds_rise(const clouds *c, const render_view *v) { return v->eye.z - c->maps[c->shown].eye.z; }
 
 // ---- when ---------------------------------------------------------------------------------------------------------
 
@@ -94,36 +94,36 @@ static double allowed_shift(double base, double height) { return fmax(150.0, 0.1
 
 #define SUN_STEP 0.01 // between suns that clouds are lit by [rad]
 
-static double shift(const cloud_maps *m, const frame *f) {
-    const double dx = f->eye.x - m->eye.x, dy = f->eye.y - m->eye.y, dz = f->eye.z - m->eye.z;
+static double shift(const cloud_maps *m, const render_view *v) {
+    const double dx = v->eye.x - m->eye.x, dy = v->eye.y - m->eye.y, dz = v->eye.z - m->eye.z;
     return sqrt(dx * dx + dy * dy + dz * dz);
 }
 
-static double sun_turn(const cloud_maps *m, const frame *f) {
-    return (double)bolan_v3_length(bolan_v3_sub(f->sun_direction, m->sun));
+static double sun_turn(const cloud_maps *m, const render_view *v) {
+    return (double)bolan_v3_length(bolan_v3_sub(v->frame->sun_direction, m->sun));
 }
 
 // Where on the lattice a map for this eye is made, on the same side of the clouds' base.
-static bolan_dvec3 place_of(const frame *f, double base, bool above) {
-    const double margin = 1.0, sea_level = f->scene->water.level;
-    const double octave = floor(log2(allowed_shift(base, f->eye.z - sea_level) / 150.0));
-    bolan_dvec3 eye = bolan_sky_lattice_point(f->eye, 150.0 * exp2(octave));
+static bolan_dvec3 place_of(const render_view *v, double base, bool above) {
+    const double margin = 1.0, sea_level = v->frame->level;
+    const double octave = floor(log2(allowed_shift(base, v->eye.z - sea_level) / 150.0));
+    bolan_dvec3 eye = bolan_sky_lattice_point(v->eye, 150.0 * exp2(octave));
     eye.z = above ? fmax(eye.z, sea_level + base + margin) : fmin(eye.z, sea_level + base - margin);
     return eye;
 }
 
 // Everything that a pair of maps depends on. An empty sky is the same from everywhere.
-static void describe(cloud_maps *m, const frame *f) {
-    const block_values *u = &f->uniforms;
-    m->seed = f->scene->sky.cloud_seed;
-    m->cover = u->frame.cloud_cover;
-    m->base = u->frame.cloud_base;
-    m->visibility = u->frame.visibility;
-    m->quality = f->quality;
-    m->above = u->view.eye_height > u->frame.cloud_base;
-    m->unit = m->cover > 0.0f ? u->frame.radiance_unit : 0.0f;
-    m->sun = m->cover > 0.0f ? bolan_sky_lattice_direction(f->sun_direction, SUN_STEP) : (bolan_vec3){0};
-    m->eye = m->cover > 0.0f ? place_of(f, (double)m->base, m->above) : (bolan_dvec3){0};
+static void describe(cloud_maps *m, const render_view *v) {
+    const frame_block *f = &v->frame->block;
+    m->seed = v->frame->lighting.sky.cloud_seed;
+    m->cover = f->cloud_cover;
+    m->base = f->cloud_base;
+    m->visibility = f->visibility;
+    m->quality = v->frame->quality;
+    m->above = v->block.eye_height > f->cloud_base;
+    m->unit = m->cover > 0.0f ? f->radiance_unit : 0.0f;
+    m->sun = m->cover > 0.0f ? bolan_sky_lattice_direction(v->frame->sun_direction, SUN_STEP) : (bolan_vec3){0};
+    m->eye = m->cover > 0.0f ? place_of(v, (double)m->base, m->above) : (bolan_dvec3){0};
 }
 
 static bool is_another_sky(const cloud_maps *a, const cloud_maps *b) {
@@ -136,41 +136,42 @@ static bool is_same(const cloud_maps *a, const cloud_maps *b) {
            a->eye.z == b->eye.z && a->sun.x == b->sun.x && a->sun.y == b->sun.y && a->sun.z == b->sun.z;
 }
 
-void bolan_clouds_place(const clouds *c, const frame *f, block_values *u) {
+void bolan_clouds_place(const clouds *c, render_view *v) {
     const cloud_maps *m = &c->maps[c->shown];
-    u->view.eye_above_clouds = m->above ? 1.0f : 0.0f;
-    u->view.cloud_offset.x = m->cover > 0.0f ? (float)(f->eye.x - m->eye.x) : 0.0f;
-    u->view.cloud_offset.y = m->cover > 0.0f ? (float)(f->eye.y - m->eye.y) : 0.0f;
+    const bool any = m->cover > 0.0f;
+    v->light.above_clouds = m->above;
+    v->light.cloud_offset =
+        (bolan_vec2){any ? (float)(v->eye.x - m->eye.x) : 0.0f, any ? (float)(v->eye.y - m->eye.y) : 0.0f};
 }
 
 // The frame as an eye at the maps' own place and under their own sun sees it.
-static void set_uniforms(clouds *c, const cloud_maps *m, const frame *f) {
-    c->uniforms = f->uniforms;
-    c->uniforms.view.eye_height = (float)fmax(m->eye.z - f->scene->water.level, 0.0);
+static void set_uniforms(clouds *c, const cloud_maps *m, const render_view *v) {
+    c->uniforms = (block_values){.frame = v->frame->block, .view = v->block};
+    c->uniforms.view.eye_height = (float)fmax(m->eye.z - v->frame->level, 0.0);
     c->uniforms.frame.sun_direction = m->sun;
     c->uniforms.view.eye_above_clouds = m->above ? 1.0f : 0.0f;
     c->uniforms.view.cloud_offset.x = c->uniforms.view.cloud_offset.y = 0.0f;
 }
 
-cloud_work bolan_clouds_plan(clouds *c, const frame *f) {
+cloud_work bolan_clouds_plan(clouds *c, const render_view *v) {
     cloud_maps *shown = &c->maps[c->shown], *made = &c->maps[c->shown ^ 1], wanted = *shown;
-    describe(&wanted, f);
-    const bool fits = c->filled && is_same(shown, &wanted), gradual = f->desc->progressive;
+    describe(&wanted, v);
+    const bool fits = c->filled && is_same(shown, &wanted), gradual = v->progressive;
     if (fits && !(gradual && c->strip > 0)) {
         c->strip = 0;
         return CLOUDS_KEEP;
     }
-    const bool jump = !c->filled || is_another_sky(shown, &wanted) || sun_turn(shown, f) > 0.1 ||
-                      shift(shown, f) > 8.0 * allowed_shift((double)shown->base, shown->eye.z - f->scene->water.level);
+    const bool jump = !c->filled || is_another_sky(shown, &wanted) || sun_turn(shown, v) > 0.1 ||
+                      shift(shown, v) > 8.0 * allowed_shift((double)shown->base, shown->eye.z - v->frame->level);
     if (jump || !gradual) {
         *shown = wanted;
-        set_uniforms(c, shown, f);
+        set_uniforms(c, shown, v);
         c->strip = 0;
         return CLOUDS_ALL;
     }
     if (c->strip == 0) {
-        describe(made, f);
-        set_uniforms(c, made, f);
+        describe(made, v);
+        set_uniforms(c, made, v);
         c->strip = 1;
     }
     return CLOUDS_STRIP;
@@ -228,7 +229,7 @@ static void draw_maps(const clouds *c, const cloud_maps *m, uint32_t index, uint
     draw_strip(&m->shadow, &c->shadow_program, index, count);
 }
 
-bool bolan_clouds_march(clouds *c, const frame *f, cloud_work work) {
+bool bolan_clouds_march(clouds *c, const render_view *v, cloud_work work) {
     if (work == CLOUDS_KEEP) return false;
     cloud_maps *m = &c->maps[work == CLOUDS_ALL ? c->shown : c->shown ^ 1];
     c->filled = true;
@@ -243,7 +244,7 @@ bool bolan_clouds_march(clouds *c, const frame *f, cloud_work work) {
         return true;
     }
     const uint32_t strips =
-        f->caps->software ? (m->above ? 64 : 24) : 4; // a wider map, of clouds that are farther away
+        v->frame->caps->software ? (m->above ? 64 : 24) : 4; // a wider map, of clouds that are farther away
     draw_maps(c, m, c->strip - 1, strips);
     if (c->strip++ < strips) return false;
     c->strip = 0;

@@ -14,9 +14,9 @@
 #ifndef BOLAN_FRAME_H
 #define BOLAN_FRAME_H
 
-#include "blocks.h"
 #include "bolan/render.h"
 #include "gl/gl.h"
+#include "view.h"
 #include "water_block.h"
 
 // Texture units are fixed; shaders name them by `#pragma unit`. Units 3, 4, 6 to 10 and 15 to 19 have several meanings:
@@ -50,23 +50,41 @@ enum {
     UNIT_GLINT = 3,     // 2D R8  the sun on a slide, for optics that see nothing behind the water
 };
 
+// A step: what the caller gave to prepare, and what every view of it shares.
 typedef struct frame {
-    const bolan_frame_desc *desc;
-    const bolan_scene *scene;
     const gl_caps *caps;
     bolan_quality quality;
+    bolan_water water;
+    const bolan_sea *sea;       // the water's
+    const bolan_ground *ground; // the water's, or NULL
+    double level;               // the water's
+    bolan_lighting lighting;
+    // The rest of the world, when Bolan draws it; NULL where a host does.
+    const bolan_scene *scene; // its objects are read
+    const bolan_model *const *models;
+    const bolan_tiles *tiles;
+    bool without_water;
+    // What follows from those.
     double time;
-    bolan_dvec3 eye; // world, z above the datum
-    bolan_mat4 view, projection;
-    block_values uniforms;
     bolan_vec3 sun_direction;
-    gl_target hdr; // RGBA16F colour + depth
-    const gl_texture *hdr_depth;
-    bolan_vec4 background;               // of a picture, where nothing is drawn
-    bool picture;                        // drawn for the water to look up, or from under it: see clip and under
-    const struct shore_map *shore;       // set by bolan_pass_ground_prepare's caller
-    uint32_t triangles, water_triangles; // counted by the passes
+    double wind_to;        // the wind blows there [rad, counter-clockwise from east]
+    bolan_dvec2 surf_wave; // of the bores: cycles per metre, the way they run
+    double surf_periods;   // time in their periods
+    struct frame_caustics {
+        bolan_vec2 turn, travel;
+        float strength;
+    } caustics; // set by the mirror optics
+    frame_block block;
 } frame;
+
+// Fills what follows from the rest, and the block: the one function that writes the block Frame.
+void bolan_frame_fill(frame *f);
+// frame_block::radiance_unit for a sun whose direction has that z.
+float bolan_radiance_unit(float sun_height);
+// Place of an eye in the tile of wind streaks, for a wind that blows there.
+bolan_vec2 bolan_frame_streaks(bolan_dvec3 eye, double wind_to);
+// x modulo period, in [0, period): in double, so that a shader never sees a large coordinate.
+float bolan_reduced(double x, double period);
 
 // Period [s] and length [m] of the waves at the peak of the sea's spectrum, in deep water; a calm has those of an 8 s
 // swell.
@@ -74,10 +92,6 @@ double bolan_sea_peak_period(const bolan_sea_summary *sea);
 double bolan_sea_peak_length(const bolan_sea_summary *sea);
 // Significant height of the waves that break on a shore [m]: within what surf is drawn for.
 double bolan_sea_surf_height(const bolan_sea_summary *sea);
-
-// Sets frame.streak_scale and view.streak_place for an eye there and a wind that blows towards @p wind_to [rad,
-// counter-clockwise from east].
-void bolan_frame_streaks(block_values *blocks, bolan_dvec3 eye, double wind_to);
 
 // Every pass: create once, draw per frame, free. prepare() may run before targets are bound and fills textures it owns.
 typedef struct pass_sky pass_sky;         // atmosphere tables, sky, clouds, environment map; sets sun_light, sky_light
@@ -89,57 +103,63 @@ typedef struct pass_tonemap pass_tonemap;
 
 bolan_result bolan_pass_sky_create(const gl_caps *caps, pass_sky **out);
 void bolan_pass_sky_prepare(pass_sky *p,
-                            frame *f); // tables (when stale), sun_light, sky_light, exposure; binds its units
-void bolan_pass_sky_draw(pass_sky *p, const frame *f); // where depth is 0 (nothing drawn)
+                            render_view *v); // tables (when stale), sun_light, sky_light, exposure; binds its units
+void bolan_pass_sky_draw(pass_sky *p, const render_view *v); // where depth is 0 (nothing drawn)
 void bolan_pass_sky_draw_over(pass_sky *p,
-                              const frame *f); // after the water: clouds below a high eye; reads UNIT_SCENE_DEPTH
+                              const render_view *v); // after the water: clouds below a high eye; reads UNIT_SCENE_DEPTH
 bolan_result bolan_pass_sky_reload(pass_sky *p);
 void bolan_pass_sky_destroy(pass_sky **p);
 
 bolan_result bolan_pass_ground_create(const gl_caps *caps, pass_ground **out);
-void bolan_pass_ground_prepare(pass_ground *p, frame *f); // chunks of this view, shore map; binds its units
-void bolan_pass_ground_draw(pass_ground *p, frame *f);
+void bolan_pass_ground_prepare(pass_ground *p, render_view *v); // chunks of this view, shore map; binds its units
+void bolan_pass_ground_draw(pass_ground *p, render_view *v);
 bolan_result bolan_pass_ground_reload(pass_ground *p);
 void bolan_pass_ground_destroy(pass_ground **p);
 
 bolan_result bolan_pass_objects_create(const gl_caps *caps, pass_objects **out);
-void bolan_pass_objects_prepare(pass_objects *p, frame *f); // places of this frame; uploads what is new
-void bolan_pass_objects_draw(pass_objects *p,
-                             frame *f); // one side of the clip plane; reads UNIT_TERRAIN2 (the terrain pass's noise)
+void bolan_pass_objects_prepare(pass_objects *p, render_view *v); // places of this frame; uploads what is new
+void bolan_pass_objects_draw(
+    pass_objects *p,
+    render_view *v); // one side of the clip plane; reads UNIT_TERRAIN2 (the terrain pass's noise)
 bolan_result bolan_pass_objects_reload(pass_objects *p);
 void bolan_pass_objects_destroy(pass_objects **p);
 
 bolan_result bolan_pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out);
-void bolan_pass_water_prepare(pass_water *p, frame *f); // uploads the sea
-void bolan_pass_water_draw(pass_water *p, frame *f);    // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
+void bolan_pass_water_prepare(pass_water *p, frame *f);    // uploads the fields of a new serial
+void bolan_pass_water_view(pass_water *p, render_view *v); // the surface of a view
+void bolan_pass_water_draw(pass_water *p, render_view *v); // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
 // A copy of the frame that targets the half-rate buffer, or the frame as it is.
-frame bolan_pass_half_rate(pass_water *p, const frame *f);
-void bolan_pass_water_lay(pass_water *p, frame *f);          // upsamples that buffer into the frame
-bool bolan_pass_water_mirrors(const frame *f);               // its optics looks up the pictures of planar_views
-bool bolan_pass_water_mirrors_sky(const frame *f);           // and the sky in them
-bool bolan_pass_water_seen_from_below(const bolan_scene *s); // its optics has a picture for an eye under water
-void bolan_pass_water_cover(pass_water *p,
-                            frame *f); // puts the depth of two triangles first, so that nothing behind them is shaded
-uint32_t bolan_pass_water_rows(const frame *f); // from the bottom of the picture, that can show water
+render_view bolan_pass_half_rate(pass_water *p, const render_view *v);
+void bolan_pass_water_lay(pass_water *p, render_view *v); // upsamples that buffer into the frame
+bool bolan_pass_water_mirrors(const render_view *v);      // its optics looks up the pictures of planar_views
+bool bolan_pass_water_mirrors_sky(const render_view *v);  // and the sky in them
+bool bolan_pass_water_seen_from_below(const frame *f);    // its optics has a picture for an eye under water
+void bolan_pass_water_cover(
+    pass_water *p,
+    render_view *v); // puts the depth of two triangles first, so that nothing behind them is shaded
+uint32_t bolan_pass_water_rows(const render_view *v); // from the bottom of the picture, that can show water
 bolan_result bolan_pass_water_reload(pass_water *p);
 void bolan_pass_water_destroy(pass_water **p);
 
 bolan_result bolan_planar_views_create(planar_views **out);
-bool bolan_planar_views_fit(planar_views *p, const frame *f); // false: it cannot be had (logged)
-frame bolan_planar_views_reflect(planar_views *p,
-                                 const frame *f); // this frame, seen in the water: draw what is above it into its hdr
-frame bolan_planar_views_refract(planar_views *p,
-                                 const frame *f); // this frame, through the water: draw what is below it into its hdr
-double bolan_planar_views_share(const frame *f);  // of the frame's width and height that the pictures have
-void bolan_planar_views_finish(planar_views *p);  // both are drawn
+bool bolan_planar_views_fit(planar_views *p, const render_view *v); // false: it cannot be had (logged)
+render_view
+bolan_planar_views_reflect(planar_views *p,
+                           const render_view *v); // this frame, seen in the water: draw what is above it into its hdr
+render_view
+bolan_planar_views_refract(planar_views *p,
+                           const render_view *v); // this frame, through the water: draw what is below it into its hdr
+double bolan_planar_views_share(const render_view *v); // of the frame's width and height that the pictures have
+void bolan_planar_views_finish(planar_views *p);       // both are drawn
 void bolan_planar_views_bind(const planar_views *p);
 void bolan_planar_views_draw_body(const planar_views *p); // the water itself round an eye in it, where depth is 0
 bolan_result bolan_planar_views_reload(planar_views *p);
 void bolan_planar_views_destroy(planar_views **p);
 
 bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);
-void bolan_pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample,
-                             uint32_t samples); // into the bound target
+// Into the rectangle of `to`.
+void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_view *to, const gl_texture *hdr_color,
+                             uint32_t sample);
 // Of a picture of several samples: the sum of their radiance, width * height * 4 floats, row 0 at the bottom. Returns
 // how many were added up; 0: the picture had one sample, and @p rgba is untouched.
 uint32_t bolan_pass_tonemap_read_sum(const pass_tonemap *p, float *rgba);

@@ -173,9 +173,9 @@ static bool create_chunks(pass_ground *p, uint32_t slots) {
 }
 
 // The pool of this quality, on this terrain; false when there is no memory or no terrain.
-static bool fit_pool(pass_ground *p, const frame *f) {
-    const bolan_ground *terrain = f->desc->terrain;
-    uint32_t slots = quality_table[f->quality].slots;
+static bool fit_pool(pass_ground *p, const render_view *v) {
+    const bolan_ground *terrain = v->frame->ground;
+    uint32_t slots = quality_table[v->frame->quality].slots;
     if (!terrain || ((!p->tree || p->slots != slots) && !create_chunks(p, slots))) {
         p->terrain = NULL;
         return false;
@@ -204,43 +204,45 @@ static void upload_chunk(pass_ground *p, uint32_t index) {
     s->fresh_mesh = s->fresh_map = false;
 }
 
-static tree_view view_of(const pass_ground *p, const frame *f) {
-    bolan_dvec3 moved = bolan_dv3(f->eye.x - p->eye.x, f->eye.y - p->eye.y, f->eye.z - p->eye.z);
+static tree_view view_of(const pass_ground *p, const render_view *view) {
+    bolan_dvec3 moved = bolan_dv3(view->eye.x - p->eye.x, view->eye.y - p->eye.y, view->eye.z - p->eye.z);
     double leap = sqrt(moved.x * moved.x + moved.y * moved.y + moved.z * moved.z);
     bolan_mat4 mirror = bolan_m4_identity();
     mirror.m[10] = -1.0f;
-    mirror.m[14] = -2.0f * f->uniforms.view.eye_height;
+    mirror.m[14] = -2.0f * view->block.eye_height;
     tree_view v = {
-        .eye = f->eye,
-        .view_projection = f->uniforms.view.view_projection,
-        .mirrored = bolan_m4_mul(f->uniforms.view.view_projection, mirror),
-        .mirrors = bolan_pass_water_mirrors(f),
-        .pixel = f->uniforms.view.radians_per_pixel,
-        .water_level = f->scene->water.level,
-        .sun = bolan_chunk_sun_from(bolan_sky_lattice_direction(f->sun_direction, SHADOW_STEP)),
+        .eye = view->eye,
+        .view_projection = view->block.view_projection,
+        .mirrored = bolan_m4_mul(view->block.view_projection, mirror),
+        .mirrors = bolan_pass_water_mirrors(view),
+        .pixel = view->block.radians_per_pixel,
+        .water_level = view->frame->level,
+        .sun = bolan_chunk_sun_from(bolan_sky_lattice_direction(view->frame->sun_direction, SHADOW_STEP)),
         // A jump of the eye is a new picture, and a picture is complete; a flight in a window spreads the work.
-        .complete = !f->desc->progressive || !p->settled || leap > 0.1 * fabs(f->eye.z - f->scene->water.level) + 20.0,
-        .budget = quality_table[f->quality].budget,
-        .texel_pixels = quality_table[f->quality].texel_pixels,
-        .error_pixels = quality_table[f->quality].error_pixels,
+        .complete = !view->progressive || !p->settled || leap > 0.1 * fabs(view->eye.z - view->frame->level) + 20.0,
+        .budget = quality_table[view->frame->quality].budget,
+        .texel_pixels = quality_table[view->frame->quality].texel_pixels,
+        .error_pixels = quality_table[view->frame->quality].error_pixels,
     };
     return v;
 }
 
 // The ground then only feeds the shore map.
-static bool shown_by_object(const frame *f) { return f->scene->terrain.shown_by_object && f->desc->models; }
+static bool shown_by_object(const render_view *v) {
+    return v->frame->scene->terrain.shown_by_object && v->frame->models;
+}
 
-void bolan_pass_ground_prepare(pass_ground *p, frame *f) {
+void bolan_pass_ground_prepare(pass_ground *p, render_view *v) {
     bolan_gl_texture_bind(&p->noise, UNIT_TERRAIN2);
-    bolan_shore_builder_update(&p->shore, f);
+    bolan_shore_builder_update(&p->shore, v);
     bolan_gl_texture_bind(&p->shore.map.texture, UNIT_SHORE);
-    if (shown_by_object(f) || !fit_pool(p, f)) {
+    if (shown_by_object(v) || !fit_pool(p, v)) {
         return;
     }
-    tree_view view = view_of(p, f);
+    tree_view view = view_of(p, v);
     bolan_ground_tree_select(p->tree, &view);
     p->settled = true;
-    p->eye = f->eye;
+    p->eye = v->eye;
     uint32_t count;
     const uint32_t *list = bolan_ground_tree_draw_list(p->tree, &count);
     for (uint32_t n = 0; n < count; n++) {
@@ -251,21 +253,21 @@ void bolan_pass_ground_prepare(pass_ground *p, frame *f) {
     }
 }
 
-static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program *program, const frame *f) {
+static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program *program, const render_view *v) {
     const ground_chunk *c = &s->chunk;
     // The one place where doubles become eye-relative floats.
     bolan_gl_program_vec4(
         program, "chunk",
-        (bolan_vec4){(float)(c->west - f->eye.x), (float)(c->south - f->eye.y), (float)-f->eye.z, (float)c->size});
+        (bolan_vec4){(float)(c->west - v->eye.x), (float)(c->south - v->eye.y), (float)-v->eye.z, (float)c->size});
     // A shadow's edge is as soft as the map's own grain.
-    float slope = bolan_chunk_sun_from(f->sun_direction).slope, texel = (float)(c->size / CHUNK_TEXELS);
+    float slope = bolan_chunk_sun_from(v->frame->sun_direction).slope, texel = (float)(c->size / CHUNK_TEXELS);
     bolan_gl_program_float(program, "shadow_softness", 0.15f + 1.2f * texel * fminf(slope, 4.0f));
     bolan_gl_texture_bind(&g->map, UNIT_TERRAIN);
     bolan_gl_mesh_draw(&g->mesh, bolan_chunk_first_index(s->mesh), bolan_chunk_index_count(s->mesh));
 }
 
-void bolan_pass_ground_draw(pass_ground *p, frame *f) {
-    if (!p->terrain || !p->tree || shown_by_object(f)) {
+void bolan_pass_ground_draw(pass_ground *p, render_view *v) {
+    if (!p->terrain || !p->tree || shown_by_object(v)) {
         return;
     }
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
@@ -274,7 +276,7 @@ void bolan_pass_ground_draw(pass_ground *p, frame *f) {
     for (uint32_t n = 0; n < count; n++) {
         const chunk_slot *s = bolan_ground_tree_slot(p->tree, list[n]);
         bool near_ground = s->chunk.size / CHUNK_TEXELS < FINEST_GRAIN;
-        draw_chunk(&p->gpu[list[n]], s, &p->programs[f->picture][near_ground], f);
-        f->triangles += bolan_chunk_index_count(s->mesh) / 3;
+        draw_chunk(&p->gpu[list[n]], s, &p->programs[v->picture][near_ground], v);
+        v->triangles += bolan_chunk_index_count(s->mesh) / 3;
     }
 }

@@ -259,7 +259,7 @@ static bolan_dvec3 cross(bolan_dvec3 a, bolan_dvec3 b) {
 }
 
 // Rests on the water under five points of the hull: bow and stern give the pitch, the sides the roll.
-static void float_on_water(pose *p, const frame *f, const bolan_object *o, bolan_vec3 low, bolan_vec3 high) {
+static void float_on_water(pose *p, const render_view *view, const bolan_object *o, bolan_vec3 low, bolan_vec3 high) {
     static const double at[5][2] = {{0, 0}, {0, 0.8}, {0, -0.8}, {0.8, 0}, {-0.8, 0}};
     const double half_x = 0.5 * o->scale * (double)(high.x - low.x), half_y = 0.5 * o->scale * (double)(high.y - low.y);
     const double mid_x = 0.5 * o->scale * (double)(high.x + low.x), mid_y = 0.5 * o->scale * (double)(high.y + low.y);
@@ -269,7 +269,7 @@ static void float_on_water(pose *p, const frame *f, const bolan_object *o, bolan
         const double u = mid_x + at[i][0] * half_x, v = mid_y + at[i][1] * half_y;
         xy[i] = (bolan_dvec2){p->origin.x + u * p->x.x + v * p->y.x, p->origin.y + u * p->x.y + v * p->y.y};
     }
-    bolan_query_surface(&(bolan_water){.sea = f->desc->sea, .ground = f->desc->terrain, .level = f->scene->water.level}, xy, 5, water);
+    bolan_query_surface(&view->frame->water, xy, 5, water);
     double sum = 0.0;
     for (int i = 0; i < 5; i++) sum += (double)water[i].height;
     const double pitch = SOFTENING * ((double)water[1].height - (double)water[2].height) / fmax(1.6 * half_y, 1e-3);
@@ -333,27 +333,27 @@ static void add_caster(pass_objects *p, placed *to, bolan_vec3 low, bolan_vec3 h
     to->caster = (int)p->caster_count++;
 }
 
-void bolan_pass_objects_prepare(pass_objects *p, frame *f) {
-    const bolan_scene *s = f->scene;
+void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
+    const bolan_scene *s = v->frame->scene;
     p->count = p->caster_count = 0;
     for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) p->models[i].wanted = false;
-    const uint32_t count = f->desc->models ? s->object_count : 0;
+    const uint32_t count = v->frame->models ? s->object_count : 0;
     // First what is there already, so that nothing that is wanted makes way.
     for (uint32_t i = 0; i < count; i++) {
-        gpu_model *g = f->desc->models[i] ? find(p, bolan_model_id(f->desc->models[i])) : NULL;
+        gpu_model *g = v->frame->models[i] ? find(p, bolan_model_id(v->frame->models[i])) : NULL;
         if (g) g->wanted = true;
     }
     for (uint32_t i = 0; i < count; i++) {
-        const bolan_model *model = f->desc->models[i];
+        const bolan_model *model = v->frame->models[i];
         placed *to = &p->objects[p->count];
         if (!model || !(to->gpu = keep(p, model))) continue;
         bolan_model_bounds(model, &to->low, &to->high);
         pose at = standing(&s->objects[i]);
-        if (s->objects[i].floats) float_on_water(&at, f, &s->objects[i], to->low, to->high);
-        fill_rows(to, &at, s->objects[i].scale, f->eye);
-        measure_box(to, f->eye.z - s->water.level);
+        if (s->objects[i].floats) float_on_water(&at, v, &s->objects[i], to->low, to->high);
+        fill_rows(to, &at, s->objects[i].scale, v->eye);
+        measure_box(to, v->eye.z - v->frame->level);
         add_caster(p, to, to->low, to->high, (float)s->objects[i].scale);
-        sort_triangles(&p->sorted[i], to, model, s->objects[i].floats, f->uniforms.view.eye_height);
+        sort_triangles(&p->sorted[i], to, model, s->objects[i].floats, v->block.eye_height);
         p->count++;
     }
     qsort(p->objects, p->count, sizeof *p->objects, by_distance);
@@ -363,11 +363,11 @@ void bolan_pass_objects_prepare(pass_objects *p, frame *f) {
 
 // Whether all corners of its box lie beyond one side of the picture. Refraction raises what lies in the water, so nothing is told
 // of its top and bottom.
-static bool is_beside(const placed *o, const frame *f) {
+static bool is_beside(const placed *o, const render_view *v) {
     int left = 0, right = 0, behind = 0;
     for (int i = 0; i < 8; i++) {
         const bolan_vec3 at = corner_of(o, i);
-        const float *m = f->uniforms.view.view_projection.m;
+        const float *m = v->block.view_projection.m;
         const float x = m[0] * at.x + m[4] * at.y + m[8] * at.z + m[12],
                     w = m[3] * at.x + m[7] * at.y + m[11] * at.z + m[15];
         left += x<-w, right += x> w, behind += w <= 0.0f;
@@ -375,9 +375,9 @@ static bool is_beside(const placed *o, const frame *f) {
     return left == 8 || right == 8 || behind == 8;
 }
 
-static int kind_of(const frame *f, int class) {
-    const float side = f->uniforms.view.clip_side;
-    if (!f->picture) return MAIN;
+static int kind_of(const render_view *v, int class) {
+    const float side = v->block.clip_side;
+    if (!v->picture) return MAIN;
     return (side > 0.0f ? WHOLE : WET_WHOLE) + (class == ACROSS && side != 0.0f);
 }
 
@@ -395,38 +395,38 @@ static const gl_program *use(pass_objects *p, int flat, int kind, float pixel) {
     return program;
 }
 
-static void draw_part(const gl_program *program, const placed *o, uint32_t first, uint32_t count, frame *f) {
+static void draw_part(const gl_program *program, const placed *o, uint32_t first, uint32_t count, render_view *v) {
     bolan_gl_program_vec4_array(program, "place", o->rows, 3);
     bolan_gl_program_float(program, "grain_scale", 1.0f / o->gpu->period);
     bolan_gl_program_int(program, "own_caster", o->caster);
     bolan_gl_mesh_draw(o->mesh, first, count);
-    f->triangles += count / 3;
+    v->triangles += count / 3;
 }
 
 // All of one kind together, for a change of program costs.
-static void draw_kind(pass_objects *p, frame *f, int flat, int kind) {
-    const float side = f->uniforms.view.clip_side;
-    const float pixel = f->uniforms.view.radians_per_pixel * (float)f->desc->height / f->uniforms.view.viewport_size.y;
+static void draw_kind(pass_objects *p, render_view *v, int flat, int kind) {
+    const float side = v->block.clip_side;
+    const float pixel = v->block.radians_per_pixel * v->pixel_scale;
     const gl_program *program = NULL;
     for (uint32_t i = 0; i < p->count; i++) {
         const placed *o = &p->objects[i];
-        if (o->gpu->flat != (flat == 1) || (side != 0.0f && is_beside(o, f))) continue;
+        if (o->gpu->flat != (flat == 1) || (side != 0.0f && is_beside(o, v))) continue;
         uint32_t first = 0, from = 0, count = 0;
         for (int c = 0; c < CLASSES; first += o->counts[c], c++) {
-            if (o->counts[c] == 0 || !is_wanted(c, side) || kind_of(f, c) != kind) continue;
+            if (o->counts[c] == 0 || !is_wanted(c, side) || kind_of(v, c) != kind) continue;
             from = count == 0 ? first : from; // classes of one kind follow each other
             count += o->counts[c];
         }
         if (count == 0) continue;
         if (!program) program = use(p, flat, kind, pixel);
-        draw_part(program, o, from, count, f);
+        draw_part(program, o, from, count, v);
     }
 }
 
-void bolan_pass_objects_draw(pass_objects *p, frame *f) {
+void bolan_pass_objects_draw(pass_objects *p, render_view *v) {
     if (p->count == 0) return;
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     for (int flat = 0; flat < 2; flat++)
-        for (int kind = f->picture ? WHOLE : MAIN; kind < (f->picture ? KINDS : WHOLE); kind++)
-            draw_kind(p, f, flat, kind);
+        for (int kind = v->picture ? WHOLE : MAIN; kind < (v->picture ? KINDS : WHOLE); kind++)
+            draw_kind(p, v, flat, kind);
 }

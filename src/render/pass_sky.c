@@ -122,13 +122,6 @@ bolan_result bolan_pass_sky_reload(pass_sky *p) {
     return result;
 }
 
-// Radiance in twilight falls by six orders of magnitude, below what half floats hold: so the unit of radiance falls
-// with it, in steps of a degree.
-static float radiance_unit(float sun_height) {
-    const double below = -bolan_degrees(asin(fmax(-1.0, fmin(1.0, sun_height))));
-    return below <= 0.0 ? 1.0f : (float)pow(10.0, floor(below) / 3.0);
-}
-
 static void draw_environment(pass_sky *p) {
     bolan_gl_texture_bind(&p->air.sea_view, UNIT_PASS);
     bolan_gl_target_bind(&p->plain_target);
@@ -181,45 +174,44 @@ static float luminance(const float *c) { return 0.2126f * c[0] + 0.7152f * c[1] 
 // Automatic exposure, from the light that falls on the sea: as a photographer does, who opens up as the day fades, at
 // first by less than half a stop for each stop of light (the sky about a low sun stays bright), then by nearly all of
 // it, so that dusk is seen but looks darker than noon.
-static float exposure(const pass_sky *p, const frame *f, float unit) {
+static float exposure(const pass_sky *p, const render_view *v, float unit) {
     const float noon_light = 0.25f, noon_exposure = 9.0f;
     const float direct = 0.18f * luminance(p->measured + 4) * p->measured[12];
     const float light = fmaxf((luminance(p->measured) + direct) / unit, 1e-10f);
     const float darker = fmaxf(log2f(noon_light / light), -1.0f); // in stops
     const float stops = 0.93f * darker - 2.7f * (1.0f - expf(-darker / 5.0f));
     // Seen from above, sunlit clouds are the scene.
-    const block_values *u = &f->uniforms;
+    const frame_block *f = &v->frame->block;
     const float over =
-        fminf(fmaxf((u->view.eye_height - u->frame.cloud_base) / 2000.0f, 0.0f), 1.0f) * sqrtf(u->frame.cloud_cover);
-    return noon_exposure * exp2f(stops - 0.8f * over + (float)f->scene->exposure) / unit;
+        fminf(fmaxf((v->block.eye_height - f->cloud_base) / 2000.0f, 0.0f), 1.0f) * sqrtf(f->cloud_cover);
+    return noon_exposure * exp2f(stops - 0.8f * over + (float)v->frame->lighting.exposure) / unit;
 }
 
-static void set_light(const pass_sky *p, frame *f) {
-    block_values *u = &f->uniforms;
+static void set_light(const pass_sky *p, render_view *v) {
     const float *sky = p->measured, *sun = p->measured + 4;
-    u->view.sky_light = bolan_v3(sky[0], sky[1], sky[2]);
-    u->view.sun_light = bolan_v3(sun[0], sun[1], sun[2]);
-    u->view.exposure = exposure(p, f, u->frame.radiance_unit);
+    v->light.sky = bolan_v3(sky[0], sky[1], sky[2]);
+    v->light.sun = bolan_v3(sun[0], sun[1], sun[2]);
+    v->light.exposure = exposure(p, v, v->frame->block.radiance_unit);
 }
 
 #define SUN_STEP 0.0005 // between suns that the tables are made for [rad]: 0.3 % of the light of a sun at 5 degrees
 
 // The frame's uniforms with sun and eye where the tables are made for them.
-static block_values on_lattice(const frame *f) {
-    block_values u = f->uniforms;
-    u.frame.sun_direction = bolan_sky_lattice_direction(f->sun_direction, SUN_STEP);
+static block_values on_lattice(const render_view *v) {
+    block_values u = {.frame = v->frame->block, .view = v->block};
+    u.frame.sun_direction = bolan_sky_lattice_direction(v->frame->sun_direction, SUN_STEP);
     u.view.eye_height = (float)bolan_sky_lattice_height(u.view.eye_height);
     return u;
 }
 
 // Clouds are lit through the air of their own place and sun.
-static bool update_clouds(pass_sky *p, frame *f, cloud_work work) {
+static bool update_clouds(pass_sky *p, render_view *v, cloud_work work) {
     bolan_blocks_upload(&p->uniforms, &p->clouds.uniforms);
     if (work == CLOUDS_ALL) (void)bolan_atmosphere_update(&p->air, &p->clouds.uniforms);
     bolan_atmosphere_bind(&p->air);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_texture_bind(&p->air.sea_view, UNIT_PASS);
-    return bolan_clouds_march(&p->clouds, f, work);
+    return bolan_clouds_march(&p->clouds, v, work);
 }
 
 // Everything made of the tables and the clouds together.
@@ -230,12 +222,12 @@ static void draw_maps(pass_sky *p) {
     measure_light(p);
 }
 
-void bolan_pass_sky_prepare(pass_sky *p, frame *f) {
-    f->uniforms.frame.radiance_unit = radiance_unit(f->uniforms.frame.sun_direction.z);
-    const cloud_work work = bolan_clouds_plan(&p->clouds, f);
-    bool changed = work != CLOUDS_KEEP && update_clouds(p, f, work);
-    bolan_clouds_place(&p->clouds, f, &f->uniforms);
-    block_values u = on_lattice(f);
+void bolan_pass_sky_prepare(pass_sky *p, render_view *v) {
+    const cloud_work work = bolan_clouds_plan(&p->clouds, v);
+    bool changed = work != CLOUDS_KEEP && update_clouds(p, v, work);
+    bolan_clouds_place(&p->clouds, v);
+    bolan_view_fill(v);
+    block_values u = on_lattice(v);
     u.view.cloud_offset.x = u.view.cloud_offset.y = 0.0f; // the light is measured in the middle of the clouds' maps
     bolan_blocks_upload(&p->uniforms, &u);
     if (bolan_atmosphere_update(&p->air, &u)) changed = true;
@@ -245,27 +237,27 @@ void bolan_pass_sky_prepare(pass_sky *p, frame *f) {
         draw_maps(p);
     p->lattice_sun = u.frame.sun_direction;
     bolan_gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
-    set_light(p, f);
+    set_light(p, v);
 }
 
-void bolan_pass_sky_draw(pass_sky *p, const frame *f) {
+void bolan_pass_sky_draw(pass_sky *p, const render_view *v) {
     bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
     bolan_gl_texture_bind(&p->panorama, UNIT_PASS);
     bolan_gl_program_use(&p->sky_program);
     bolan_gl_mesh_draw(&p->mesh, 0, RECTANGLE_INDICES);
     bolan_gl_program_use(&p->below_program);
     bolan_gl_mesh_draw(&p->mesh, RECTANGLE_INDICES, INDICES - RECTANGLE_INDICES);
-    if (f->uniforms.frame.sun_direction.z < -0.1f) return; // below any horizon to 20 km
+    if (v->frame->block.sun_direction.z < -0.1f) return; // below any horizon to 20 km
     bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true, .blend = GL_BLEND_ADD});
     bolan_gl_program_use(&p->sun_program);
     bolan_gl_draw_fullscreen();
 }
 
-void bolan_pass_sky_draw_over(pass_sky *p, const frame *f) {
-    if (f->uniforms.view.eye_above_clouds < 0.5f || f->uniforms.frame.cloud_cover <= 0.0f) return;
+void bolan_pass_sky_draw_over(pass_sky *p, const render_view *v) {
+    if (v->block.eye_above_clouds < 0.5f || v->frame->block.cloud_cover <= 0.0f) return;
     bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_PREMULTIPLIED});
     bolan_gl_program_use(&p->over_program);
-    bolan_gl_program_float(&p->over_program, "rise", (float)bolan_clouds_rise(&p->clouds, f));
+    bolan_gl_program_float(&p->over_program, "rise", (float)bolan_clouds_rise(&p->clouds, v));
     bolan_gl_draw_fullscreen();
 }
 

@@ -83,10 +83,10 @@ static bool resize_glow(pass_tonemap *p, uint32_t width, uint32_t height) {
 }
 
 // Fills the glow and its mip chain. A picture too small for the levels goes without.
-static bool draw_glow(pass_tonemap *p, const frame *f, const gl_texture *hdr_color) {
+static bool draw_glow(pass_tonemap *p, const render_view *v, const gl_texture *hdr_color) {
     const uint32_t smallest = GLOW_PARTS << GLOW_LEVELS;
-    if (f->quality < BOLAN_QUALITY_HIGH || f->desc->width < smallest || f->desc->height < smallest) return false;
-    if (!resize_glow(p, f->desc->width, f->desc->height)) return false;
+    if (v->frame->quality < BOLAN_QUALITY_HIGH || v->width < smallest || v->height < smallest) return false;
+    if (!resize_glow(p, v->width, v->height)) return false;
     bolan_gl_target_bind(&p->glow_target);
     bolan_gl_texture_bind(hdr_color, UNIT_PASS);
     bolan_gl_program_use(&p->shrink);
@@ -96,38 +96,41 @@ static bool draw_glow(pass_tonemap *p, const frame *f, const gl_texture *hdr_col
     return true;
 }
 
-static void draw(const gl_program *program, const gl_texture *source, bool encode, float dither, float weight) {
+static void draw(const gl_program *program, const gl_texture *source, const bolan_view *to, bool encode, float dither,
+                 float weight) {
     bolan_gl_texture_bind(source, UNIT_PASS);
+    bolan_gl_program_vec2(program, "origin", to ? (float)to->x : 0.0f, to ? (float)to->y : 0.0f);
     bolan_gl_program_vec4(program, "settings", (bolan_vec4){glow_share, encode ? 1.0f : 0.0f, dither, weight});
     bolan_gl_draw_fullscreen();
 }
 
 // An sRGB framebuffer does the encoding itself; dither is then a little strong in the dark, never absent.
-static void draw_out(const gl_program *program, const gl_texture *source, const frame *f, float weight) {
-    const bool encode = !f->desc->srgb_framebuffer;
-    bolan_gl_target_bind_external(f->desc->framebuffer, f->desc->width, f->desc->height);
+static void draw_out(const gl_program *program, const gl_texture *source, const bolan_view *to, float weight) {
+    const bool encode = to->output == BOLAN_OUTPUT_SRGB;
+    bolan_gl_target_bind_external(to->framebuffer, to->x, to->y, to->width, to->height);
     bolan_gl_set_framebuffer_srgb(!encode);
-    draw(program, source, encode, encode ? 0.5f : 0.1f, weight);
+    draw(program, source, to, encode, encode ? 0.5f : 0.1f, weight);
     bolan_gl_set_framebuffer_srgb(false);
 }
 
-void bolan_pass_tonemap_draw(pass_tonemap *p, const frame *f, const gl_texture *hdr_color, uint32_t sample,
-                             uint32_t samples) {
+void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_view *to, const gl_texture *hdr_color,
+                             uint32_t sample) {
+    const uint32_t samples = to->samples;
     bolan_gl_set_state(&(gl_state){.color_write = true});
-    const bool glow = draw_glow(p, f, hdr_color);
+    const bool glow = draw_glow(p, v, hdr_color);
     p->summed = 0;
-    if (samples <= 1 || !resize(p, f->desc->width, f->desc->height)) {
-        draw_out(&p->single[glow], hdr_color, f, 1.0f);
+    if (samples <= 1 || !resize(p, v->width, v->height)) {
+        draw_out(&p->single[glow], hdr_color, to, 1.0f);
         return;
     }
-    const uint32_t to = sample & 1u;
+    const uint32_t pair = sample & 1u;
     p->summed = sample + 1;
-    p->latest = to;
-    bolan_gl_target_bind(&p->sum_target[to]);
-    bolan_gl_texture_bind(&p->sum[to ^ 1u], UNIT_SCENE_DEPTH);
-    bolan_gl_texture_bind(&p->radiance_sum[to ^ 1u], UNIT_SURFACE);
-    draw(&p->accumulate[glow], hdr_color, false, 0.0f, sample > 0 ? 1.0f : 0.0f);
-    if (sample + 1 == samples) draw_out(&p->resolve, &p->sum[to], f, 1.0f / (float)samples);
+    p->latest = pair;
+    bolan_gl_target_bind(&p->sum_target[pair]);
+    bolan_gl_texture_bind(&p->sum[pair ^ 1u], UNIT_SCENE_DEPTH);
+    bolan_gl_texture_bind(&p->radiance_sum[pair ^ 1u], UNIT_SURFACE);
+    draw(&p->accumulate[glow], hdr_color, NULL, false, 0.0f, sample > 0 ? 1.0f : 0.0f);
+    if (sample + 1 == samples) draw_out(&p->resolve, &p->sum[pair], to, 1.0f / (float)samples);
 }
 
 uint32_t bolan_pass_tonemap_read_sum(const pass_tonemap *p, float *rgba) {

@@ -71,73 +71,75 @@ static void make_state(pass_water *p, bolan_optics_kind kind) {
     p->failed[kind] = p->state[kind] == NULL || o->create(p->state[kind], p->quality) != BOLAN_OK;
 }
 
-static water_draw draw_of(pass_water *p, frame *f) {
-    water_draw d = {.f = f,
+static water_draw draw_of(pass_water *p, render_view *v) {
+    water_draw d = {.view = v,
                     .fields = &p->fields,
                     .mesh = &p->mesh,
                     .programs = &p->programs,
                     .blocks = &p->blocks,
-                    .packed = optics_table[f->scene->technique.optics]->packed,
-                    .waves = bolan_water_waves_of(bolan_sea_form(f->desc->sea), bolan_water_surface(f))};
+                    .packed = optics_table[v->frame->lighting.technique.optics]->packed,
+                    .waves = bolan_water_waves_of(bolan_sea_form(v->frame->sea), bolan_water_surface(v))};
     double horizontal;
-    bolan_sea_bounds(f->desc->sea, &d.vertical, &horizontal);
+    bolan_water_bounds(&v->frame->water, &d.vertical, &horizontal);
     return d;
 }
 
-bool bolan_pass_water_seen_from_below(const bolan_scene *s) { return optics_table[s->technique.optics]->from_below; }
+bool bolan_pass_water_seen_from_below(const frame *f) { return optics_table[f->lighting.technique.optics]->from_below; }
 
-uint32_t bolan_pass_water_rows(const frame *f) {
+uint32_t bolan_pass_water_rows(const render_view *v) {
     double vertical, horizontal;
-    bolan_sea_bounds(f->desc->sea, &vertical, &horizontal);
-    return bolan_water_rows(f, vertical);
+    bolan_water_bounds(&v->frame->water, &vertical, &horizontal);
+    return bolan_water_rows(v, vertical);
 }
 
 // The world behind the water is not looked at by an optics that has pictures of it, so it need not be shaded. Two triangles cost
 // nothing to draw twice; a mesh would.
-void bolan_pass_water_cover(pass_water *p, frame *f) {
-    if (bolan_water_surface(f) != BOLAN_SURFACE_QUAD || !bolan_pass_water_mirrors(f) ||
+void bolan_pass_water_cover(pass_water *p, render_view *v) {
+    if (bolan_water_surface(v) != BOLAN_SURFACE_QUAD || !bolan_pass_water_mirrors(v) ||
         bolan_water_mesh_triangles(&p->mesh) == 0)
         return;
-    water_draw d = draw_of(p, f);
+    water_draw d = draw_of(p, v);
     if (!bolan_water_program(&d, &cover_shader, 0)) return;
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true});
     bolan_water_mesh_draw(&p->mesh);
 }
 
 // Something other than water may be in the picture.
-static bool is_opaque(const frame *f) {
-    return f->desc->terrain != NULL || (f->desc->models != NULL && f->scene->object_count > 0);
+static bool is_opaque(const render_view *v) {
+    return v->frame->ground != NULL || (v->frame->models != NULL && v->frame->scene->object_count > 0);
 }
 
-bool bolan_pass_water_mirrors(const frame *f) {
-    const water_optics *o = optics_table[f->scene->technique.optics];
-    return o->mirrors && (!o->own_sky || is_opaque(f));
+bool bolan_pass_water_mirrors(const render_view *v) {
+    const water_optics *o = optics_table[v->frame->lighting.technique.optics];
+    return o->mirrors && (!o->own_sky || is_opaque(v));
 }
 
-bool bolan_pass_water_mirrors_sky(const frame *f) { return !optics_table[f->scene->technique.optics]->own_sky; }
+bool bolan_pass_water_mirrors_sky(const render_view *v) {
+    return !optics_table[v->frame->lighting.technique.optics]->own_sky;
+}
 
 // ---- programs -------------------------------------------------------------------------------------------------------
 
-static water_setup setup_of(const frame *f) {
-    const bolan_technique *t = &f->scene->technique;
+static water_setup setup_of(const render_view *v) {
+    const bolan_technique *t = &v->frame->lighting.technique;
     const water_optics *o = optics_table[t->optics];
-    const bolan_sea *sea = f->desc->sea;
+    const bolan_sea *sea = v->frame->sea;
     const bolan_wave_form form = bolan_sea_form(sea);
-    const bolan_look *look = &f->scene->look;
+    const bolan_look *look = &v->frame->lighting.look;
     const water_waves waves = bolan_water_waves_of(form, t->surface);
     const bool edges = look->show == BOLAN_SHOW_MESH;
-    return (water_setup){.quality = f->quality,
+    return (water_setup){.quality = v->frame->quality,
                          .waves = waves,
                          .waves_below = bolan_water_waves_of(form, BOLAN_SURFACE_QUAD),
                          .surface = t->surface,
                          .below = o->from_below,
-                         .land = f->shore->present,
+                         .land = v->shore->present,
                          .static_grid =
                              o->static_grid && !edges && t->surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH,
                          .packed = o->packed,
-                         .opaque = is_opaque(f),
+                         .opaque = is_opaque(v),
                          .by_the_paper = look->paper,
-                         .shares_samples = o->columns[f->quality] > 1 && !look->paper,
+                         .shares_samples = o->columns[v->frame->quality] > 1 && !look->paper,
                          .edges = edges,
                          .wave_count = bolan_sea_component_count(sea),
                          .cascades = waves == WATER_CASCADES ? bolan_sea_cascade_count(sea) : 1};
@@ -151,10 +153,10 @@ static void list_edges(pass_water *p, const water_setup *s) {
 }
 
 // Everything that frames like this one can need, wherever the eye goes.
-static void prepare_programs(pass_water *p, const frame *f) {
-    const bolan_optics_kind kind = f->scene->technique.optics;
+static void prepare_programs(pass_water *p, const render_view *v) {
+    const bolan_optics_kind kind = v->frame->lighting.technique.optics;
     const water_optics *o = optics_table[kind];
-    const water_setup s = setup_of(f);
+    const water_setup s = setup_of(v);
     if (p->failed[kind]) return;
     if (s.edges) list_edges(p, &s);
     o->list(p->state[kind], &s, &p->programs);
@@ -166,19 +168,25 @@ static void prepare_programs(pass_water *p, const frame *f) {
 }
 
 void bolan_pass_water_prepare(pass_water *p, frame *f) {
-    const bolan_technique *t = &f->scene->technique;
+    const bolan_technique *t = &f->lighting.technique;
     const water_optics *o = optics_table[t->optics];
-    water_draw d = draw_of(p, f);
     make_state(p, t->optics);
-    const bool table_only = o->table_only != NULL && o->table_only(f->scene);
-    p->ready = bolan_sea_gpu_prepare(&p->fields, f, d.waves,
+    const bool table_only = o->table_only != NULL && o->table_only(f);
+    p->ready = bolan_sea_gpu_prepare(&p->fields, f,
                                      table_only  ? WATER_TEXTURES_NONE
                                      : o->packed ? WATER_TEXTURES_PACKED
                                                  : WATER_TEXTURES_ALL);
-    const bool edges = f->scene->look.show == BOLAN_SHOW_MESH; // these are made of the mesh that the CPU has
-    bolan_water_mesh_build(&p->mesh, f, bolan_water_surface(f), d.waves, o->static_grid && !edges);
+}
+
+void bolan_pass_water_view(pass_water *p, render_view *v) {
+    const bolan_technique *t = &v->frame->lighting.technique;
+    const water_optics *o = optics_table[t->optics];
+    water_draw d = draw_of(p, v);
+    bolan_sea_gpu_view(&p->fields, v, d.waves);
+    const bool edges = v->frame->lighting.look.show == BOLAN_SHOW_MESH; // these are made of the mesh that the CPU has
+    bolan_water_mesh_build(&p->mesh, v, bolan_water_surface(v), d.waves, o->static_grid && !edges);
     if (o->prepare != NULL && !p->failed[t->optics]) o->prepare(p->state[t->optics], &d);
-    prepare_programs(p, f);
+    prepare_programs(p, v);
     water_block block;
     bolan_water_fill(&block, &d);
     bolan_water_blocks_upload(&p->blocks, &block);
@@ -191,26 +199,26 @@ static void draw_edges(pass_water *p, const water_draw *d) {
     if (bolan_water_program(d, &edge_shader, 0)) bolan_water_mesh_draw_edges(&p->mesh);
 }
 
-frame bolan_pass_half_rate(pass_water *p, const frame *f) {
-    const water_optics *o = optics_table[f->scene->technique.optics];
-    const uint32_t columns = bolan_water_mesh_triangles(&p->mesh) > 0 ? bolan_half_rate_columns(f, o->columns) : 1;
-    return bolan_half_rate_begin(&p->sparse, f, columns, o->keeps_shape, is_opaque(f));
+render_view bolan_pass_half_rate(pass_water *p, const render_view *v) {
+    const water_optics *o = optics_table[v->frame->lighting.technique.optics];
+    const uint32_t columns = bolan_water_mesh_triangles(&p->mesh) > 0 ? bolan_half_rate_columns(v, o->columns) : 1;
+    return bolan_half_rate_begin(&p->sparse, v, columns, o->keeps_shape, is_opaque(v));
 }
 
-void bolan_pass_water_lay(pass_water *p, frame *f) {
-    water_draw d = draw_of(p, f);
-    bolan_half_rate_lay(&p->sparse, &d, optics_table[f->scene->technique.optics]->keeps_shape, is_opaque(f));
+void bolan_pass_water_lay(pass_water *p, render_view *v) {
+    water_draw d = draw_of(p, v);
+    bolan_half_rate_lay(&p->sparse, &d, optics_table[v->frame->lighting.technique.optics]->keeps_shape, is_opaque(v));
 }
 
-void bolan_pass_water_draw(pass_water *p, frame *f) {
-    const bolan_optics_kind kind = f->scene->technique.optics;
+void bolan_pass_water_draw(pass_water *p, render_view *v) {
+    const bolan_optics_kind kind = v->frame->lighting.technique.optics;
     if (bolan_water_mesh_triangles(&p->mesh) == 0 || p->failed[kind] || !p->ready) return;
-    water_draw d = draw_of(p, f);
+    water_draw d = draw_of(p, v);
     bolan_sea_gpu_bind(&p->fields, d.waves);
-    if (f->scene->look.show == BOLAN_SHOW_MESH)
+    if (v->frame->lighting.look.show == BOLAN_SHOW_MESH)
         draw_edges(p, &d);
     else
         optics_table[kind]->draw(p->state[kind], &d);
-    f->triangles += bolan_water_mesh_triangles(&p->mesh);
-    f->water_triangles += bolan_water_mesh_triangles(&p->mesh);
+    v->triangles += bolan_water_mesh_triangles(&p->mesh);
+    v->water_triangles += bolan_water_mesh_triangles(&p->mesh);
 }

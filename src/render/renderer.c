@@ -21,8 +21,7 @@ bolan_frame_desc bolan_frame_desc_default(void) {
 }
 
 static bolan_result create_passes(bolan_renderer *r) {
-    bolan_result result = bolan_pass_sky_create(&r->caps, &r->sky);
-    if (result == BOLAN_OK) result = bolan_pass_ground_create(&r->caps, &r->terrain);
+    bolan_result result = bolan_view_cache_open(&r->caps, &r->own_cache);
     if (result == BOLAN_OK) result = bolan_pass_objects_create(&r->caps, &r->models);
     if (result == BOLAN_OK) result = bolan_pass_water_create(r->desc.quality, r->desc.max_vertices, &r->water);
     if (result == BOLAN_OK) result = bolan_planar_views_create(&r->mirror);
@@ -117,16 +116,6 @@ bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_render
     return BOLAN_OK;
 }
 
-static void free_targets(bolan_renderer *r) {
-    bolan_gl_target_free(&r->hdr);
-    bolan_gl_target_free(&r->behind);
-    bolan_gl_texture_free(&r->hdr_color);
-    bolan_gl_texture_free(&r->hdr_depth);
-    bolan_gl_texture_free(&r->behind_color);
-    bolan_gl_texture_free(&r->behind_depth);
-    r->width = r->height = 0;
-}
-
 // Nothing is bound here, so nothing of the caller's is to be saved.
 void bolan_renderer_destroy(bolan_renderer **renderer) {
     if (renderer == NULL || *renderer == NULL) return;
@@ -135,8 +124,7 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT,
                   "renderer: destroyed while no OpenGL context is current; what it has on the GPU stays until its "
                   "context is gone");
-    bolan_pass_sky_destroy(&r->sky);
-    bolan_pass_ground_destroy(&r->terrain);
+    bolan_view_cache_close(&r->own_cache);
     bolan_pass_objects_destroy(&r->models);
     bolan_pass_water_destroy(&r->water);
     bolan_planar_views_destroy(&r->mirror);
@@ -146,16 +134,17 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     bolan_gl_program_free(&r->yardstick);
     bolan_gl_depth_reader_free(&r->depth_reader);
     for (int i = 0; i < PART_COUNT; ++i) bolan_gl_timer_free(&r->timers[i]);
-    free_targets(r);
+    bolan_renderer_free_targets(r);
     bolan_release(r->scratch, r->scratch_bytes);
     bolan_release(r, sizeof *r);
     *renderer = NULL;
 }
 
 static bolan_result reload_passes(bolan_renderer *r) {
-    const bolan_result results[] = {bolan_pass_sky_reload(r->sky),        bolan_pass_ground_reload(r->terrain),
-                                    bolan_pass_objects_reload(r->models), bolan_pass_water_reload(r->water),
-                                    bolan_planar_views_reload(r->mirror), bolan_pass_tonemap_reload(r->tonemap)};
+    const bolan_result results[] = {
+        bolan_pass_sky_reload(r->own_cache.sky), bolan_pass_ground_reload(r->own_cache.ground),
+        bolan_pass_objects_reload(r->models),    bolan_pass_water_reload(r->water),
+        bolan_planar_views_reload(r->mirror),    bolan_pass_tonemap_reload(r->tonemap)};
     for (size_t i = 0; i < sizeof results / sizeof results[0]; ++i)
         if (results[i] != BOLAN_OK) return results[i];
     return BOLAN_OK;
@@ -169,36 +158,6 @@ bolan_result bolan_renderer_reload(bolan_renderer *r) {
     result = reload_passes(r);
     bolan_renderer_leave(r);
     return result;
-}
-
-static bolan_result create_target(gl_texture *color, gl_texture *depth, gl_target *target, uint32_t width,
-                                  uint32_t height) {
-    gl_texture_desc c = {
-        .format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
-    gl_texture_desc d = {.format = GL_FMT_DEPTH32F,
-                         .width = width,
-                         .height = height,
-                         .filter = GL_FILTER_NEAREST,
-                         .wrap = GL_WRAP_CLAMP};
-    bolan_result result = bolan_gl_texture_create(&c, color);
-    if (result == BOLAN_OK) result = bolan_gl_texture_create(&d, depth);
-    const gl_texture *colors[] = {color};
-    if (result == BOLAN_OK) result = bolan_gl_target_create(colors, 1, depth, -1, 0, target);
-    return result;
-}
-
-bolan_result bolan_renderer_resize(bolan_renderer *r, uint32_t width, uint32_t height) {
-    if (r->width == width && r->height == height) return BOLAN_OK;
-    free_targets(r);
-    bolan_result result = create_target(&r->hdr_color, &r->hdr_depth, &r->hdr, width, height);
-    if (result == BOLAN_OK) result = create_target(&r->behind_color, &r->behind_depth, &r->behind, width, height);
-    if (result != BOLAN_OK) {
-        free_targets(r);
-        return result;
-    }
-    r->width = width;
-    r->height = height;
-    return BOLAN_OK;
 }
 
 // ---- reading back ---------------------------------------------------------------------------------------------------

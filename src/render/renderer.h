@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The renderer's insides, shared by renderer.c (life and read-back) and frame.c (one picture).
+// The renderer's insides, shared by renderer.c (life and read-back), targets.c (textures) and frame.c (one picture).
 #ifndef BOLAN_RENDERER_H
 #define BOLAN_RENDERER_H
 
@@ -22,10 +22,26 @@ typedef enum frame_part {
 extern const char *const bolan_frame_part_names[PART_COUNT];
 
 // Calls of a frame, which cannot fail: what they refuse they say once.
-typedef enum renderer_call { CALL_DRAW, CALL_READ_LINEAR, CALL_READ_RGB8, CALL_YARDSTICK, CALL_BIND_FIELDS, CALL_COUNT } renderer_call;
+typedef enum renderer_call {
+    CALL_DRAW,
+    CALL_PREPARE,
+    CALL_READ_LINEAR,
+    CALL_READ_RGB8,
+    CALL_YARDSTICK,
+    CALL_BIND_FIELDS,
+    CALL_COUNT
+} renderer_call;
 
 enum { DIRECTORY_BYTES = 1024, REFUSAL_BYTES = 256 };
 enum { MOST_PIXELS = 16384, MOST_SAMPLES = 256 }; // of a picture each way; of a pixel
+
+struct bolan_view_cache {
+    bolan_renderer *renderer;
+    pass_sky *sky;
+    pass_ground *ground;
+};
+bolan_result bolan_view_cache_open(const gl_caps *caps, bolan_view_cache *cache);
+void bolan_view_cache_close(bolan_view_cache *cache);
 
 struct bolan_renderer {
     bolan_renderer_desc desc;
@@ -33,8 +49,9 @@ struct bolan_renderer {
     gl_saved saved;                          // the caller's state, while a call runs
     char shader_directory[DIRECTORY_BYTES];  // "": the built-in shaders
     char refusal[CALL_COUNT][REFUSAL_BYTES]; // the last sentence of each call, "" after one that was done
-    pass_sky *sky;
-    pass_ground *terrain;
+    frame frame;                             // the step
+    bool prepared;                           // it can be drawn
+    bolan_view_cache own_cache;              // of views that bring none
     pass_objects *models;
     pass_water *water;
     planar_views *mirror;
@@ -61,6 +78,7 @@ struct bolan_renderer {
 
 // Makes the targets fit; logs and returns GL when they cannot be had.
 bolan_result bolan_renderer_resize(bolan_renderer *r, uint32_t width, uint32_t height);
+void bolan_renderer_free_targets(bolan_renderer *r);
 
 // Saves the caller's state, or gives it back. Between the two the shaders come from this renderer's directory.
 void bolan_renderer_enter(bolan_renderer *r);
@@ -74,9 +92,10 @@ bool bolan_renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id i
 // The next refusal of this call is a new one.
 void bolan_renderer_accept(bolan_renderer *r, renderer_call call);
 
-// Whether this frame can be drawn; if not, the log says why. The second asks about the framebuffer, and binds it:
-// between bolan_renderer_enter() and bolan_renderer_leave() only.
-bool bolan_frame_is_valid(bolan_renderer *r, const bolan_frame_desc *d);
-bool bolan_frame_has_framebuffer(bolan_renderer *r, const bolan_frame_desc *d);
+// Whether this step can be prepared, and this view drawn; if not, the log says why. The last asks about the
+// framebuffer, and binds it: between bolan_renderer_enter() and bolan_renderer_leave() only.
+bool bolan_step_is_valid(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting);
+bool bolan_view_is_valid(bolan_renderer *r, const bolan_view *view);
+bool bolan_view_has_framebuffer(bolan_renderer *r, const bolan_view *view);
 
 #endif

@@ -101,21 +101,22 @@ bolan_result bolan_ripple_texture_create(gl_texture *out) {
 static double fraction(double x) { return x - floor(x); }
 
 // Where the eye stands in a tile that runs with the phase speed of the wave in its middle, by `angle` off the wind.
-static void place(const frame *f, double longest, double angle, vec4 *tile, vec4 *size) {
-    const double to = bolan_compass_from_to_math(bolan_sea_get_desc(f->desc->sea)->sea_state.wind_from_deg) + angle;
+static void place(const render_view *v, double longest, double angle, vec4 *tile, vec4 *size) {
+    const double to = bolan_compass_from_to_math(bolan_sea_get_desc(v->frame->sea)->sea_state.wind_from_deg) + angle;
     const double length = RIPPLE_LONGEST * longest, c = cos(to), s = sin(to);
     const double middle = longest * pow(0.5, 0.5 * RIPPLE_OCTAVES);
     const double speed = sqrt(BOLAN_GRAVITY * middle / (2.0 * BOLAN_PI));
-    tile->x = (float)fraction((f->eye.x * c + f->eye.y * s - fraction(speed * f->time / length) * length) / length);
-    tile->y = (float)fraction((-f->eye.x * s + f->eye.y * c) / length);
+    tile->x =
+        (float)fraction((v->eye.x * c + v->eye.y * s - fraction(speed * v->frame->time / length) * length) / length);
+    tile->y = (float)fraction((-v->eye.x * s + v->eye.y * c) / length);
     tile->z = (float)c;
     tile->w = (float)s;
     size->x = (float)(1.0 / length);
     size->z = (float)log2(length);
 }
 
-void bolan_ripple_fill(water_block *b, const frame *f) {
-    const bolan_sea *sea = f->desc->sea;
+void bolan_ripple_fill(water_block *b, const render_view *v) {
+    const bolan_sea *sea = v->frame->sea;
     const uint32_t count = bolan_sea_component_count(sea);
     float rest[3];
     double shortest = 1.0; // of the sum
@@ -126,8 +127,8 @@ void bolan_ripple_fill(water_block *b, const frame *f) {
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
     double octaves = fmax(log2(shortest / SHORTEST_WAVE), 2.0 * RIPPLE_OCTAVES);
     double variance = (rest[0] + rest[2]) * RIPPLE_OCTAVES / octaves; // of one of the two
-    place(f, 0.7 * shortest, 0.3, &b->ripple_tile[0], &b->ripple_size[0]);
-    place(f, 0.7 * shortest * pow(0.5, RIPPLE_OCTAVES), -0.4, &b->ripple_tile[1], &b->ripple_size[1]);
+    place(v, 0.7 * shortest, 0.3, &b->ripple_tile[0], &b->ripple_size[0]);
+    place(v, 0.7 * shortest * pow(0.5, RIPPLE_OCTAVES), -0.4, &b->ripple_tile[1], &b->ripple_size[1]);
     for (int i = 0; i < 2; ++i) {
         b->ripple_size[i].y = (float)variance;
         b->ripple_size[i].w = (float)sqrt(variance);

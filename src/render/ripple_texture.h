@@ -14,6 +14,6 @@
 void bolan_ripple_texture_fill(float *out);
 bolan_result bolan_ripple_texture_create(gl_texture *out);
 // Fills what ripples.glsl reads of the block Water. Optics bind the texture to UNIT_OPTICS; cascades have no use for it.
-void bolan_ripple_fill(water_block *b, const frame *f);
+void bolan_ripple_fill(water_block *b, const render_view *view);
 
 #endif

@@ -236,13 +236,13 @@ static void set_lift(water_block *b, const bolan_sea *sea) {
 }
 
 // Where the eye stands in each tile, reduced in double so that the GPU never sees a large coordinate.
-static void set_cascades(water_block *b, const frame *f) {
-    b->cascade_count = (int)bolan_sea_cascade_count(f->desc->sea);
+static void set_cascades(water_block *b, const render_view *view) {
+    b->cascade_count = (int)bolan_sea_cascade_count(view->frame->sea);
     for (int c = 0; c < b->cascade_count; ++c) {
-        bolan_cascade_view v = bolan_sea_cascade(f->desc->sea, (uint32_t)c);
+        bolan_cascade_view v = bolan_sea_cascade(view->frame->sea, (uint32_t)c);
         double ca = cos(v.angle), sa = sin(v.angle);
-        double u = along_tile(f->eye.x, f->eye.y, ca, sa) / v.length,
-               w = across_tile(f->eye.x, f->eye.y, ca, sa) / v.length;
+        double u = along_tile(view->eye.x, view->eye.y, ca, sa) / v.length,
+               w = across_tile(view->eye.x, view->eye.y, ca, sa) / v.length;
         double texel = v.length / v.n;
         // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
         b->cascade_tile[c] = (vec4){(float)(u - floor(u) + 0.5 / v.n), (float)(w - floor(w) + 0.5 / v.n),
@@ -250,15 +250,15 @@ static void set_cascades(water_block *b, const frame *f) {
         b->cascade_band[c] = (vec4){(float)(4.0 * sqrt(v.variance)), (float)texel,
                                     (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length), (float)log2(texel)};
     }
-    set_lift(b, f->desc->sea);
+    set_lift(b, view->frame->sea);
 }
 
 // ---- sums -----------------------------------------------------------------------------------------------------------
 
 // One wave as the shader has it: kx, ky, amplitude, and the phase at the eye now, reduced in double; in turns.
-static void fill_wave(const frame *f, uint32_t index, double amplitude_factor, float out[4]) {
-    bolan_sea_component w = bolan_sea_get_component(f->desc->sea, index);
-    double turns = (w.kx * f->eye.x + w.ky * f->eye.y - w.omega * f->time + w.phase) / (2.0 * BOLAN_PI);
+static void fill_wave(const render_view *v, uint32_t index, double amplitude_factor, float out[4]) {
+    bolan_sea_component w = bolan_sea_get_component(v->frame->sea, index);
+    double turns = (w.kx * v->eye.x + w.ky * v->eye.y - w.omega * v->frame->time + w.phase) / (2.0 * BOLAN_PI);
     out[0] = (float)(w.kx / (2.0 * BOLAN_PI));
     out[1] = (float)(w.ky / (2.0 * BOLAN_PI));
     out[2] = (float)(w.amplitude * amplitude_factor);
@@ -287,11 +287,11 @@ static void fit_slope(double s, double factor, double out[SLOPE_TERMS]) {
 
 // What the shader's sum knows of the covariance of slopes. `square`: of a wave of amplitude 1, by its phase [rad], the mean square
 // of the derivative.
-static void set_sum_slopes(water_block *b, const frame *f, double amplitude_factor, double square) {
+static void set_sum_slopes(water_block *b, const render_view *view, double amplitude_factor, double square) {
     float total[3];
-    bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, total); // what is no part of the waves
-    for (uint32_t i = 0; i < bolan_sea_component_count(f->desc->sea); ++i) {
-        bolan_sea_component w = bolan_sea_get_component(f->desc->sea, i);
+    bolan_sea_unresolved_slopes(view->frame->sea, 0.0, 0.0, 0.0, total); // what is no part of the waves
+    for (uint32_t i = 0; i < bolan_sea_component_count(view->frame->sea); ++i) {
+        bolan_sea_component w = bolan_sea_get_component(view->frame->sea, i);
         const double a = w.amplitude * amplitude_factor, v = a * a * square;
         total[0] += (float)(v * w.kx * w.kx);
         total[1] += (float)(v * w.kx * w.ky);
@@ -302,13 +302,13 @@ static void set_sum_slopes(water_block *b, const frame *f, double amplitude_fact
 }
 
 // Liu & Xie 2010, in zero-mean, unit-range form: amplitude * 2 / (1 - e^-2s) * (e^{s (cos th - 1)} - e^-s I0(s)).
-static void set_exp_waves(water_block *b, const frame *f) {
-    const double s = bolan_sea_get_desc(f->desc->sea)->exp_cosine.sharpness, range = exp_cosine_scale(s) * exp(s);
+static void set_exp_waves(water_block *b, const render_view *v) {
+    const double s = bolan_sea_get_desc(v->frame->sea)->exp_cosine.sharpness, range = exp_cosine_scale(s) * exp(s);
     double c[SLOPE_TERMS];
-    b->wave_count = (int)bolan_sea_component_count(f->desc->sea);
+    b->wave_count = (int)bolan_sea_component_count(v->frame->sea);
     for (int i = 0; i < b->wave_count; ++i) {
         float wave[4];
-        fill_wave(f, (uint32_t)i, range, wave);
+        fill_wave(v, (uint32_t)i, range, wave);
         b->wave_component[i] = (vec4){wave[0], wave[1], wave[2], wave[3]};
     }
     fit_slope(s, -4.0 * BOLAN_PI * s, c);
@@ -316,21 +316,21 @@ static void set_exp_waves(water_block *b, const frame *f) {
         b->exp_slope[i] = (vec4){(float)c[4 * i], (float)c[4 * i + 1], (float)c[4 * i + 2], (float)c[4 * i + 3]};
     b->exp_sharpness = (float)s;
     b->exp_mean = (float)(exp(-s) * exp_cosine_mean(s));
-    set_sum_slopes(b, f, range, exp(-2.0 * s) * exp_cosine_slope_variance(s));
+    set_sum_slopes(b, v, range, exp(-2.0 * s) * exp_cosine_slope_variance(s));
 }
 
-static void set_sum(water_block *b, const frame *f) {
-    b->wave_count = (int)bolan_sea_component_count(f->desc->sea);
-    set_sum_slopes(b, f, 1.0, 0.5);
+static void set_sum(water_block *b, const render_view *v) {
+    b->wave_count = (int)bolan_sea_component_count(v->frame->sea);
+    set_sum_slopes(b, v, 1.0, 0.5);
 }
 
-static void upload_table(sea_gpu *p, const frame *f) {
+static void upload_table(sea_gpu *p, const render_view *v) {
     static const float empty[4] = {0};
     float waves[TABLE_ROW * TABLE_ROWS][4];
-    uint32_t count = bolan_sea_component_count(f->desc->sea);
+    uint32_t count = bolan_sea_component_count(v->frame->sea);
     for (uint32_t i = 0; i < TABLE_ROW * TABLE_ROWS; ++i) {
         if (i < count)
-            fill_wave(f, i, 1.0, waves[i]);
+            fill_wave(v, i, 1.0, waves[i]);
         else
             memcpy(waves[i], empty, sizeof empty);
     }
@@ -348,14 +348,25 @@ static void upload_slope_table(sea_gpu *p, const bolan_sea *sea) {
     bolan_gl_texture_upload(&p->slope_table, 0, -1, table, false);
 }
 
-bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_waves waves, water_textures textures) {
-    bool all = true;
-    if (waves == WATER_CASCADES && textures != WATER_TEXTURES_NONE)
-        all = upload_cascades(p, f->desc->sea, textures == WATER_TEXTURES_PACKED, f->caps->software);
-    if (waves == WATER_SUM) upload_table(p, f);
-    upload_slope_table(p, f->desc->sea);
+bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_textures textures) {
+    const water_waves waves = bolan_water_waves_of(bolan_sea_form(f->sea), f->lighting.technique.surface);
+    const uint64_t serial = bolan_sea_serial(f->sea), sea = bolan_sea_id(f->sea);
+    if (p->sea != sea) upload_slope_table(p, f->sea);
+    p->sea = sea;
+    if (p->serial == serial && p->textures == textures) return true;
+    p->serial = 0;
+    if (waves == WATER_CASCADES && textures != WATER_TEXTURES_NONE) {
+        ++p->uploads;
+        if (!upload_cascades(p, f->sea, textures == WATER_TEXTURES_PACKED, f->caps->software)) return false;
+    }
+    p->serial = serial;
+    p->textures = textures;
+    return true;
+}
+
+void bolan_sea_gpu_view(sea_gpu *p, const render_view *v, water_waves waves) {
+    if (waves == WATER_SUM) upload_table(p, v);
     bolan_sea_gpu_bind(p, waves);
-    return all;
 }
 
 static void bind_cascades(const sea_gpu *p) {
@@ -389,11 +400,11 @@ static void set_statistics(water_block *b, const bolan_sea *sea) {
     b->choppiness = (float)bolan_sea_get_desc(sea)->choppiness;
 }
 
-void bolan_sea_gpu_fill(water_block *b, const frame *f, water_waves waves) {
-    set_statistics(b, f->desc->sea);
-    if (f->shore->present) bolan_shore_map_fill(f->shore, b);
-    if (waves == WATER_CASCADES) set_cascades(b, f);
-    if (waves == WATER_EXP) set_exp_waves(b, f);
-    if (waves == WATER_SUM) set_sum(b, f);
-    if (waves == WATER_MESH) b->mesh_lift = (float)bolan_sea_lift(f->desc->sea, 0, 0.0);
+void bolan_sea_gpu_fill(water_block *b, const render_view *v, water_waves waves) {
+    set_statistics(b, v->frame->sea);
+    if (v->shore->present) bolan_shore_map_fill(v->shore, b);
+    if (waves == WATER_CASCADES) set_cascades(b, v);
+    if (waves == WATER_EXP) set_exp_waves(b, v);
+    if (waves == WATER_SUM) set_sum(b, v);
+    if (waves == WATER_MESH) b->mesh_lift = (float)bolan_sea_lift(v->frame->sea, 0, 0.0);
 }

@@ -23,7 +23,10 @@ typedef enum water_textures {
 typedef struct sea_gpu {
     gl_texture displacement, slopes, fold;             // cascades: arrays, a layer each
     gl_texture packed_slopes[BOLAN_MAX_CASCADES];      // instead of slopes and fold
-    bool packed;                                       // which of them hold this frame's waves
+    bool packed;                                       // which of them hold this step's waves
+    uint64_t serial, sea;                              // of the fields in them; of the slope table
+    water_textures textures;                           // what was uploaded of that serial
+    uint32_t uploads;                                  // of fields, since creation
     struct water_texel_work *work[BOLAN_MAX_CASCADES]; // levels made on the CPU
     uint32_t work_n;
     gl_texture table; // WATER_SUM: a texel a wave
@@ -33,12 +36,14 @@ typedef struct sea_gpu {
 } sea_gpu;
 
 bolan_result bolan_sea_gpu_create(sea_gpu *p);
-// Uploads what this frame's waves need, and binds it. False: it cannot be had (logged).
-bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_waves waves, water_textures textures);
+// Uploads the fields of this step, unless those of its serial are there. False: they cannot be had (logged).
+bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_textures textures);
+// Uploads what belongs to a view's eye, and binds all.
+void bolan_sea_gpu_view(sea_gpu *p, const render_view *v, water_waves waves);
 // Binds the textures again, for a pass that follows one which used their units.
 void bolan_sea_gpu_bind(const sea_gpu *p, water_waves waves);
 // Fills what waves.glsl reads of the block Water: the sea's own members, and where the eye stands in its fields.
-void bolan_sea_gpu_fill(water_block *b, const frame *f, water_waves waves);
+void bolan_sea_gpu_fill(water_block *b, const render_view *v, water_waves waves);
 void bolan_sea_gpu_free(sea_gpu *p);
 
 #endif

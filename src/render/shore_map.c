@@ -99,9 +99,9 @@ static double finest_texel(double height) {
     return texel;
 }
 
-void bolan_shore_builder_update(shore_builder *b, const frame *f) {
-    const bolan_ground *terrain = f->desc->terrain;
-    float water_level = (float)f->scene->water.level;
+void bolan_shore_builder_update(shore_builder *b, const render_view *v) {
+    const bolan_ground *terrain = v->frame->ground;
+    float water_level = (float)v->frame->level;
     bool raised = water_level != b->water_level;
     uint64_t id = terrain ? bolan_ground_id(terrain) : 0;
     if (terrain != b->terrain || id != b->terrain_id) {
@@ -116,11 +116,11 @@ void bolan_shore_builder_update(shore_builder *b, const frame *f) {
     if (!terrain) {
         return;
     }
-    double texel = finest_texel(fabs(f->eye.z - f->scene->water.level));
+    double texel = finest_texel(fabs(v->eye.z - v->frame->level));
     for (int l = 0; l < SHORE_LEVELS; l++, texel *= 4.0) {
         double grain = SNAP * texel, half = 0.5 * SHORE_SIZE * texel;
-        double west = floor(f->eye.x / grain + 0.5) * grain - half,
-               south = floor(f->eye.y / grain + 0.5) * grain - half;
+        double west = floor(v->eye.x / grain + 0.5) * grain - half,
+               south = floor(v->eye.y / grain + 0.5) * grain - half;
         bool moved =
             !b->level[l].valid || west != b->level[l].west || south != b->level[l].south || texel != b->level[l].texel;
         if (moved) {
@@ -130,7 +130,7 @@ void bolan_shore_builder_update(shore_builder *b, const frame *f) {
             upload(b, l);
         }
         float *to = b->map.level[l];
-        to[0] = (float)(west - f->eye.x), to[1] = (float)(south - f->eye.y), to[2] = (float)(SHORE_SIZE * texel),
+        to[0] = (float)(west - v->eye.x), to[1] = (float)(south - v->eye.y), to[2] = (float)(SHORE_SIZE * texel),
         to[3] = (float)texel;
     }
 }

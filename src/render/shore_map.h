@@ -22,6 +22,6 @@ typedef struct shore_builder {
 bolan_result bolan_shore_builder_create(shore_builder *b);
 void bolan_shore_builder_free(shore_builder *b);
 // Moves the levels with the eye and uploads what changed.
-void bolan_shore_builder_update(shore_builder *b, const frame *f);
+void bolan_shore_builder_update(shore_builder *b, const render_view *v);
 
 #endif

@@ -109,17 +109,19 @@ void bolan_water_mesh_free(water_mesh *m) {
     bolan_release(m->cpu_indices, m->index_capacity * sizeof *m->cpu_indices);
 }
 
-bolan_surface_view bolan_water_mesh_view(const frame *f) {
-    const bolan_camera *camera = &f->scene->camera;
-    bolan_surface_view view = {.eye = f->eye,
-                               .heading_deg = camera->heading_deg,
-                               .pitch_deg = camera->pitch_deg,
-                               .roll_deg = camera->roll_deg,
-                               .fov_y = bolan_radians(camera->fov_deg),
-                               .aspect = (double)f->desc->width / f->desc->height,
-                               .pixel_height = f->desc->height,
-                               .water_level = f->scene->water.level};
-    bolan_sea_bounds(f->desc->sea, &view.vertical, &view.horizontal);
+bolan_surface_view bolan_water_mesh_view(const render_view *v) {
+    const view_lens *lens = &v->lens;
+    bolan_surface_view view = {.eye = v->eye,
+                               .heading_deg = lens->heading_deg,
+                               .pitch_deg = lens->pitch_deg,
+                               .roll_deg = lens->roll_deg,
+                               .fov_y = lens->fov_y,
+                               .aspect = lens->aspect,
+                               .shift_x = lens->shift_x,
+                               .shift_y = lens->shift_y,
+                               .pixel_height = lens->pixel_height,
+                               .water_level = v->frame->level};
+    bolan_water_bounds(&v->frame->water, &view.vertical, &view.horizontal);
     return view;
 }
 
@@ -269,8 +271,9 @@ static void build_fixed(water_mesh *m, const bolan_surface_view *view) {
     m->grid = (bolan_surface_size){0, 0}; // the other buffers' indices count no longer
 }
 
-void bolan_water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves, bool fixed) {
-    bolan_surface_view view = bolan_water_mesh_view(f);
+void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_kind kind, water_waves waves,
+                            bool fixed) {
+    bolan_surface_view view = bolan_water_mesh_view(v);
     m->fixed = fixed && kind == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH;
     if (m->fixed) {
         build_fixed(m, &view);
@@ -278,7 +281,7 @@ void bolan_water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind ki
         return;
     }
     uint32_t count = kind == BOLAN_SURFACE_QUAD     ? bolan_build_quad(m, &view)
-                     : kind == BOLAN_SURFACE_NESTED ? build_nested(m, &view, &f->scene->look)
+                     : kind == BOLAN_SURFACE_NESTED ? build_nested(m, &view, &v->frame->lighting.look)
                                                     : build_projected(m, &view);
     m->kind = kind;
     if (count < 3) {
@@ -288,10 +291,10 @@ void bolan_water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind ki
     }
     bolan_gl_buffer_update(&m->vertices, 0, sizeof(bolan_surface_vertex) * count, m->cpu_vertices);
     if (waves != WATER_MESH) return;
-    sample_waves(m, f->desc->sea, count);
+    sample_waves(m, v->frame->sea, count);
     if (kind == BOLAN_SURFACE_NESTED) {
         stitch_waves(m, count);
-        if (f->scene->look.paper) average_normals(m, count);
+        if (v->frame->lighting.look.paper) average_normals(m, count);
     }
     bolan_gl_buffer_update(&m->waves, 0, sizeof(bolan_sea_sample) * count, m->cpu_waves);
 }

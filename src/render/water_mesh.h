@@ -39,7 +39,8 @@ typedef struct water_mesh {
 bolan_result bolan_water_mesh_create(water_mesh *m, bolan_quality quality, uint32_t max_vertices);
 // Makes the mesh of this view; WATER_MESH: with waves on its vertices. `fixed`: the projected surface as the static grid, for
 // optics that light each pixel from textures and need few vertices; not with waves that are made on the CPU.
-void bolan_water_mesh_build(water_mesh *m, const frame *f, bolan_surface_kind kind, water_waves waves, bool fixed);
+void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_kind kind, water_waves waves,
+                            bool fixed);
 // Fills the members of the static grid, where it is drawn.
 void bolan_water_mesh_fill(const water_mesh *m, water_block *b);
 void bolan_water_mesh_draw(const water_mesh *m);
@@ -50,6 +51,6 @@ uint32_t bolan_water_mesh_triangles(const water_mesh *m);
 void bolan_water_mesh_free(water_mesh *m);
 
 // The view of this frame for the functions of surface.h.
-bolan_surface_view bolan_water_mesh_view(const frame *f);
+bolan_surface_view bolan_water_mesh_view(const render_view *v);
 
 #endif

@@ -11,7 +11,7 @@
 
 // What an optics draws.
 typedef struct water_draw {
-    frame *f;
+    render_view *view;
     const sea_gpu *fields;
     const water_mesh *mesh;
     const water_programs *programs;
@@ -28,9 +28,9 @@ void bolan_water_fill(water_block *b, const water_draw *d);
 // Draws the mesh with its depth into the frame's picture: what most optics do with a program that is set up.
 void bolan_water_draw_forward(const water_draw *d);
 // Rows of the picture, from the bottom, that can show water: up to the horizon raised by the highest wave.
-uint32_t bolan_water_rows(const frame *f, double vertical);
+uint32_t bolan_water_rows(const render_view *v, double vertical);
 // The surface that is drawn: two triangles for an eye under water, whatever the technique says.
-bolan_surface_kind bolan_water_surface(const frame *f);
+bolan_surface_kind bolan_water_surface(const render_view *v);
 
 typedef struct water_optics {
     size_t size;      // of its state, which starts as zeros
@@ -40,8 +40,8 @@ typedef struct water_optics {
     bool static_grid; // it lights each pixel from textures: the static grid is fine enough
     bool keeps_shape; // it lights each pixel from a shape that it keeps, on UNIT_SURFACE: see half_rate.h
     uint32_t columns[BOLAN_QUALITY_ULTRA + 1]; // of pixels that share a sample, by quality; 0: each has its own
-    bool packed; // of the cascades it reads slopes, pinch and foam, nothing else: see sea_gpu.h
-    bool (*table_only)(const bolan_scene *scene); // true: it has no use for the cascades' textures; NULL: it has
+    bool packed;                        // of the cascades it reads slopes, pinch and foam, nothing else: see sea_gpu.h
+    bool (*table_only)(const frame *f); // true: it has no use for the cascades' textures; NULL: it has
     bolan_result (*create)(void *state, bolan_quality quality);
     // Notes every program that draw() can ask for, whatever the eye does; called after prepare().
     void (*list)(const void *state, const water_setup *s, water_programs *all);

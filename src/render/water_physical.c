@@ -39,26 +39,25 @@ static void free_shape(physical *p) {
 }
 
 // Textures of the frame's size, with its depth.
-static bolan_result fit_shape(physical *p, const frame *f) {
-    if (p->depth_id == f->hdr_depth->id && p->shape_map[0].width == f->desc->width &&
-        p->shape_map[0].height == f->desc->height)
+static bolan_result fit_shape(physical *p, const render_view *v) {
+    if (p->depth_id == v->hdr_depth->id && p->shape_map[0].width == v->width && p->shape_map[0].height == v->height)
         return BOLAN_OK;
     free_shape(p);
     const gl_texture *colors[SURFACE_COUNT];
     bolan_result result = BOLAN_OK;
     for (int i = 0; i < SURFACE_COUNT && result == BOLAN_OK; ++i) {
         gl_texture_desc desc = {.format = i == 0 ? GL_FMT_RGBA32F : GL_FMT_RGBA16F,
-                                .width = f->desc->width,
-                                .height = f->desc->height,
+                                .width = v->width,
+                                .height = v->height,
                                 .filter = GL_FILTER_NEAREST,
                                 .wrap = GL_WRAP_CLAMP};
         result = bolan_gl_texture_create(&desc, &p->shape_map[i]);
         colors[i] = &p->shape_map[i];
     }
     if (result == BOLAN_OK)
-        result = bolan_gl_target_create(colors, SURFACE_COUNT, f->hdr_depth, -1, 0, &p->shape_target);
+        result = bolan_gl_target_create(colors, SURFACE_COUNT, v->hdr_depth, -1, 0, &p->shape_target);
     if (result == BOLAN_OK)
-        p->depth_id = f->hdr_depth->id;
+        p->depth_id = v->hdr_depth->id;
     else
         free_shape(p);
     return result;
@@ -78,8 +77,8 @@ typedef struct physical_block {
 #include "shared/physical_block.glsl"
 } physical_block;
 
-static physical_block foam_of(const frame *f) {
-    const bolan_sea *sea = f->desc->sea;
+static physical_block foam_of(const render_view *v) {
+    const bolan_sea *sea = v->frame->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     double memory_variance;
     // A soft edge widens a Gaussian field; the covered share stays when the threshold moves out with the standard deviation.
@@ -108,14 +107,14 @@ static void draw_shape(physical *p, const water_draw *d) {
 
 static void draw_light(physical *p, const water_draw *d) {
     if (!bolan_water_program(d, &light_shader, 1u << p->quality)) return;
-    const physical_block block = foam_of(d->f);
+    const physical_block block = foam_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     bolan_gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
     for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape_map[i], UNIT_SURFACE + i);
-    bolan_gl_target_bind_part(&d->f->hdr, 0, 0, d->f->hdr.width, bolan_water_rows(d->f, d->vertical));
+    bolan_gl_target_bind_part(&d->view->hdr, 0, 0, d->view->hdr.width, bolan_water_rows(d->view, d->vertical));
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
-    bolan_gl_target_bind(&d->f->hdr);
+    bolan_gl_target_bind(&d->view->hdr);
 }
 
 static void list(const void *state, const water_setup *s, water_programs *all) {
@@ -126,7 +125,7 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
 
 static void draw(void *state, const water_draw *d) {
     physical *p = state;
-    if (fit_shape(p, d->f) != BOLAN_OK) return;
+    if (fit_shape(p, d->view) != BOLAN_OK) return;
     draw_shape(p, d);
     draw_light(p, d);
 }

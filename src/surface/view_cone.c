@@ -12,7 +12,7 @@ static double tangent_of(double angle) {
 
 bolan_dvec3 bolan_surface_view_direction(const bolan_surface_view *v, double sx, double sy) {
     double tangent = tangent_of(0.5 * v->fov_y);
-    double x = sx * tangent * v->aspect, y = sy * tangent;
+    double x = (sx + v->shift_x) * tangent * v->aspect, y = (sy + v->shift_y) * tangent;
     double sr, cr, sp, cp;
     bolan_sincos(bolan_radians(v->roll_deg), &sr, &cr);
     bolan_sincos(bolan_radians(v->pitch_deg), &sp, &cp);
@@ -28,8 +28,9 @@ bool bolan_surface_sees_nadir(const bolan_surface_view *v) {
     double forward = -sp, up = -cp; // of (0, 0, -1) in the unrolled camera
     if (forward <= 0.0) return false;
     double x = -up * sr / forward, y = up * cr / forward;
-    double tangent = tangent_of(0.5 * v->fov_y) + SURFACE_GUARD_ANGLE;
-    return fabs(x) <= tangent * v->aspect + SURFACE_GUARD_ANGLE && fabs(y) <= tangent;
+    double tangent = tangent_of(0.5 * v->fov_y), wide = tangent + SURFACE_GUARD_ANGLE;
+    x -= v->shift_x * tangent * v->aspect, y -= v->shift_y * tangent;
+    return fabs(x) <= wide * v->aspect + SURFACE_GUARD_ANGLE && fabs(y) <= wide;
 }
 
 double bolan_surface_horizon_distance(double h, double crest) {

@@ -228,8 +228,7 @@ static uint64_t tiles_bits(bolan_cpu cpu) {
 // bolan_surface_nested_place() promises the same levels on every machine.
 static uint64_t nested_bits(void) {
     const bolan_surface_view view = {
-        {123.4, -56.7, 21.0}, 33.0, -7.0, 4.0, 0.9, 1.5, 720, 0.25, 2.0, 1.5,
-    };
+        {123.4, -56.7, 21.0}, 33.0, -7.0, 4.0, 0.9, 1.5, 720, 0.25, 2.0, 1.5, 0.0, 0.0};
     bolan_nested_desc desc = bolan_nested_desc_default();
     const bolan_nested nested = bolan_surface_nested_place(&desc, &view);
     uint64_t hash = FNV_START;

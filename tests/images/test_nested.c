@@ -29,9 +29,9 @@ static const char shader[] = "#ifdef VERTEX\n"
 typedef struct rig {
     bolan_sea *sea;
     bolan_scene scene;
-    bolan_frame_desc desc;
     shore_map shore;
-    frame f;
+    frame step;
+    render_view f;
     water_mesh mesh;
     gl_program program;
     gl_texture color;
@@ -64,11 +64,6 @@ static void rig_open(rig *r) {
     desc.cosines.directions = 3;
     assert_int_equal(bolan_sea_create(&desc, &r->sea), BOLAN_OK);
     r->scene = bolan_scene_default();
-    r->desc = bolan_frame_desc_default();
-    r->desc.scene = &r->scene;
-    r->desc.sea = r->sea;
-    r->desc.width = WIDTH;
-    r->desc.height = HEIGHT;
     assert_int_equal(bolan_water_mesh_create(&r->mesh, BOLAN_QUALITY_LOW, 0), BOLAN_OK);
     make_program(&r->program);
     gl_texture_desc color = {.format = GL_FMT_RGBA8, .width = WIDTH, .height = HEIGHT, .filter = GL_FILTER_NEAREST};
@@ -106,8 +101,13 @@ static void random_view(rig *r, double highest) {
         r->mesh.nested.cells < 12 ? 12 : 8; // else level 0 of so few cells does not resemble a round earth
     r->mesh.nested.levels = r->mesh.nested.levels > least ? least : r->mesh.nested.levels;
     bolan_sea_step(r->sea, uniform(0.0, 1e5));
-    r->f = (frame){
-        .desc = &r->desc, .scene = &r->scene, .time = bolan_sea_time(r->sea), .eye = c->position, .shore = &r->shore};
+    r->step = (frame){.sea = r->sea,
+                      .water = {.sea = r->sea},
+                      .lighting = bolan_lighting_from_scene(&r->scene),
+                      .time = bolan_sea_time(r->sea)};
+    const bolan_view view = bolan_view_from_camera(c, WIDTH, HEIGHT);
+    bolan_view_open(&r->f, &r->step, &view, false);
+    r->f.shore = &r->shore;
 }
 
 static bolan_mat4 draw(rig *r) {
@@ -165,7 +165,7 @@ static void look(uint32_t views) {
             fail_msg("view %u: %u pixels of background; n %u, %u levels, camera %.3f,%.3f,%.3f,%.3f,%.3f,%.3f roll "
                      "%.3f at %.3f s",
                      i, found, r->mesh.placed.cells, r->mesh.placed.levels, c->position.x, c->position.y, c->position.z,
-                     c->heading_deg, c->pitch_deg, c->fov_deg, c->roll_deg, r->f.time);
+                     c->heading_deg, c->pitch_deg, c->fov_deg, c->roll_deg, r->step.time);
         for (uint32_t k = 0; k < WIDTH * HEIGHT; ++k) water += r->pixels[3 * k + 1] > 128;
     }
     assert_true(water / views > WIDTH * HEIGHT / 4); // the views do show water

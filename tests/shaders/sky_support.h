@@ -12,9 +12,10 @@
 
 typedef struct sky_rig {
     gl_caps caps;
-    bolan_scene scene;
-    bolan_frame_desc desc;
-    frame f;
+    bolan_camera camera;
+    bolan_view to;
+    frame step;
+    render_view f;
     pass_sky *sky;
     pass_tonemap *tonemap;
     gl_texture color, depth, out;
@@ -37,51 +38,48 @@ static inline void rig_create(sky_rig *r, uint32_t width, uint32_t height) {
     assert_int_equal(bolan_gl_target_create(&c, 1, &r->depth, -1, 0, &r->hdr), BOLAN_OK);
     assert_int_equal(bolan_gl_target_create(&o, 1, NULL, -1, 0, &r->display), BOLAN_OK);
     assert_int_equal(bolan_blocks_create(&r->uniforms), BOLAN_OK);
-    r->scene.sky = (bolan_sky){
+    r->step.lighting.sky = (bolan_sky){
         .sun_azimuth_deg = 180, .sun_elevation_deg = 35, .visibility = 40000, .cloud_base = 1200, .cloud_seed = 1};
-    r->scene.camera.fov_deg = 50;
-    r->desc = (bolan_frame_desc){
-        .scene = &r->scene, .framebuffer = r->display.id, .width = width, .height = height, .samples = 1};
-    r->f = (frame){.desc = &r->desc,
-                   .scene = &r->scene,
-                   .caps = &r->caps,
-                   .quality = BOLAN_QUALITY_LOW,
-                   .hdr = r->hdr,
-                   .hdr_depth = &r->depth};
+    r->camera.fov_deg = 50;
+    r->to = bolan_view_default();
+    r->to.framebuffer = r->display.id;
+    r->to.width = width;
+    r->to.height = height;
+    r->step.caps = &r->caps;
+    r->step.quality = BOLAN_QUALITY_LOW;
+    r->f = (render_view){.frame = &r->step, .width = width, .height = height, .hdr = r->hdr, .hdr_depth = &r->depth};
 }
 
-static inline void rig_upload(sky_rig *r) { bolan_blocks_upload(&r->uniforms, &r->f.uniforms); }
+static inline void rig_upload(sky_rig *r) {
+    bolan_blocks_upload_frame(&r->uniforms, &r->step.block);
+    bolan_blocks_upload_view(&r->uniforms, &r->f.block);
+}
 
-// Uniforms of the scene's sky and camera, as the renderer sets them; then the pass's tables.
+// Blocks of the sky and the camera, as the renderer fills them; then the pass's tables.
 static inline void rig_prepare(sky_rig *r) {
-    const bolan_sky *s = &r->scene.sky;
-    const bolan_camera *c = &r->scene.camera;
-    block_values *u = &r->f.uniforms;
+    const bolan_sky *s = &r->step.lighting.sky;
+    bolan_view view = bolan_view_from_camera(&r->camera, r->f.width, r->f.height);
+    const bool progressive = r->f.progressive;
+    frame_block *b = &r->step.block;
     const double azimuth = bolan_radians(s->sun_azimuth_deg), elevation = bolan_radians(s->sun_elevation_deg);
-    const double fov = bolan_radians(c->fov_deg), width = r->desc.width, height = r->desc.height;
     bolan_gl_set_clip_zero_to_one(r->caps.clip_control);
-    r->f.eye = c->position;
-    r->f.view = bolan_m4_view(c->heading_deg, c->pitch_deg, c->roll_deg);
-    r->f.projection = bolan_m4_projection(fov, width / height, 0.1, r->caps.clip_control);
-    r->f.sun_direction =
+    bolan_view_open(&r->f, &r->step, &view, r->caps.clip_control);
+    r->f.progressive = progressive;
+    r->step.sun_direction =
         bolan_v3((float)(sin(azimuth) * cos(elevation)), (float)(cos(azimuth) * cos(elevation)), (float)sin(elevation));
-    u->view.view_projection = bolan_m4_mul(r->f.projection, r->f.view);
-    u->view.inverse_view_projection = bolan_m4_inverse(u->view.view_projection);
-    bolan_view_block_resize(&u->view, r->desc.width, r->desc.height);
-    u->view.eye_height = (float)c->position.z;
-    u->view.radians_per_pixel = (float)(2.0 * tan(0.5 * fov) / height);
-    u->view.near_distance = 0.1f;
-    u->view.clip_zero_to_one = r->caps.clip_control ? 1.0f : 0.0f;
-    u->frame.sun_direction = r->f.sun_direction;
-    u->frame.wind_direction = (bolan_vec2){1, 0};
-    u->frame.cloud_cover = (float)s->cloud_cover;
-    u->frame.cloud_base = (float)s->cloud_base;
-    u->frame.visibility = (float)s->visibility;
-    u->frame.earth_radius = (float)BOLAN_EARTH_RADIUS;
-    u->frame.water_reflectance = bolan_v3(0.0005f, 0.003f, 0.006f);
-    u->frame.water_index = 1.34f;
+    b->sun_direction = r->step.sun_direction;
+    b->radiance_unit = bolan_radiance_unit(r->step.sun_direction.z);
+    b->wind_direction = (bolan_vec2){1, 0};
+    b->cloud_cover = (float)s->cloud_cover;
+    b->cloud_base = (float)s->cloud_base;
+    b->visibility = (float)s->visibility;
+    b->earth_radius = (float)BOLAN_EARTH_RADIUS;
+    b->water_reflectance = bolan_v3(0.0005f, 0.003f, 0.006f);
+    b->water_index = 1.34f;
+    bolan_view_fill(&r->f);
     rig_upload(r);
     bolan_pass_sky_prepare(r->sky, &r->f);
+    bolan_view_fill(&r->f);
     rig_upload(r);
 }
 

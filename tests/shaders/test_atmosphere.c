@@ -77,7 +77,7 @@ static void the_transmittance_table_agrees_with_an_independent_quadrature(void *
     atmosphere a;
     assert_int_equal(bolan_atmosphere_create(&a), BOLAN_OK);
     rig_prepare(&r);
-    assert_true(bolan_atmosphere_update(&a, &r.f.uniforms));
+    assert_true(bolan_atmosphere_update(&a, &(block_values){.frame = r.step.block, .view = r.f.block}));
     float *table = malloc(sizeof(float) * 4 * SKY_TRANSMITTANCE_WIDTH * SKY_TRANSMITTANCE_HEIGHT);
     bolan_gl_target_read_float(&a.transmittance_target, 0, table);
     double worst = 0.0;
@@ -107,8 +107,8 @@ static void the_zenith_sun_in_clean_air_loses_bodhaine_and_ozone(void **state) {
     float got[QUESTIONS][4];
     rig_create(&r, 16, 16);
     probe_create(&p);
-    r.scene.sky.visibility = 300000;
-    r.scene.sky.sun_elevation_deg = 90;
+    r.step.lighting.sky.visibility = 300000;
+    r.step.lighting.sky.sun_elevation_deg = 90;
     rig_prepare(&r);
     probe_ask(&p, 0, 0, 1, 0, got);
     // Bodhaine et al. 1999, eq. 30: 0.04918, 0.09707, 0.22111 at 650, 550, 450 nm; 300 Dobson units of ozone: 8.06e18
@@ -127,8 +127,8 @@ static void contrast_falls_to_two_per_cent_at_the_visibility(void **state) {
     rig_create(&r, 16, 16);
     probe_create(&p);
     for (double visibility = 1000; visibility <= 20000; visibility *= 4) {
-        r.scene.sky.visibility = visibility;
-        r.scene.camera.position.z = 2;
+        r.step.lighting.sky.visibility = visibility;
+        r.camera.position.z = 2;
         rig_prepare(&r);
         // Along the level line of sight; the earth falls away under it, by 20 m in 16 km, so the air thins by a
         // percent.
@@ -143,11 +143,10 @@ static void contrast_falls_to_two_per_cent_at_the_visibility(void **state) {
 
 // Height of the horizon in a picture of the bare sky: below it every row is alike, above it brightness changes.
 static double rendered_dip(sky_rig *r, double height, double dip_deg) {
-    r->scene.camera =
-        (bolan_camera){.position = {0, 0, height}, .heading_deg = 0, .pitch_deg = -dip_deg, .fov_deg = 1.0};
+    r->camera = (bolan_camera){.position = {0, 0, height}, .heading_deg = 0, .pitch_deg = -dip_deg, .fov_deg = 1.0};
     rig_prepare(r);
     rig_draw(r);
-    const uint32_t w = r->desc.width, h = r->desc.height;
+    const uint32_t w = r->f.width, h = r->f.height;
     float *rgba = malloc(sizeof(float) * 4 * w * h);
     bolan_gl_target_read_float(&r->hdr, 0, rgba);
     uint32_t y = 0; // bottom row first
@@ -233,12 +232,11 @@ static void the_sky_is_positive_and_finite_for_every_sun_and_height(void **state
     static const double suns[] = {-18, -6, -0.3, 0.5, 20, 90}, heights[] = {0, 2, 1000, 20000};
     for (int s = 0; s < 6; s++) {
         for (int h = 0; h < 4; h++) {
-            r.scene.sky.sun_elevation_deg = suns[s];
-            r.scene.camera.position.z = heights[h];
+            r.step.lighting.sky.sun_elevation_deg = suns[s];
+            r.camera.position.z = heights[h];
             rig_prepare(&r);
-            assert_true(isfinite(r.f.uniforms.view.exposure) && r.f.uniforms.view.exposure > 0);
-            assert_true(r.f.uniforms.view.sky_light.x > 0 && r.f.uniforms.view.sky_light.y > 0 &&
-                        r.f.uniforms.view.sky_light.z > 0);
+            assert_true(isfinite(r.f.block.exposure) && r.f.block.exposure > 0);
+            assert_true(r.f.block.sky_light.x > 0 && r.f.block.sky_light.y > 0 && r.f.block.sky_light.z > 0);
             for (int i = 0; i < 24; i++) {
                 const double z = -1 + 2 * (i + 0.5) / 24, side = sqrt(1 - z * z), d = pow(10, 1 + i % 5);
                 probe_ask(&p, d * side * sin(i * 2.4), d * side * cos(i * 2.4), d * z, 0.1, got);
@@ -262,10 +260,10 @@ static void the_light_on_the_sea_is_the_integral_of_the_sky(void **state) {
     probe p;
     rig_create(&r, 16, 16);
     probe_create(&p);
-    r.scene.camera.position.z = 2.0; // the height that the sea's own sky is made for
-    r.scene.sky.cloud_cover = 0.0;
+    r.camera.position.z = 2.0; // the height that the sea's own sky is made for
+    r.step.lighting.sky.cloud_cover = 0.0;
     for (int s = 0; s < 3; s++) {
-        r.scene.sky.sun_elevation_deg = suns[s];
+        r.step.lighting.sky.sun_elevation_deg = suns[s];
         rig_prepare(&r);
         double sum[3] = {0.0, 0.0, 0.0};
         float got[QUESTIONS][4];
@@ -279,8 +277,7 @@ static void the_light_on_the_sea_is_the_integral_of_the_sky(void **state) {
                 for (int c = 0; c < 3; c++) sum[c] += weight * got[0][c];
             }
         }
-        const float light[3] = {r.f.uniforms.view.sky_light.x, r.f.uniforms.view.sky_light.y,
-                                r.f.uniforms.view.sky_light.z};
+        const float light[3] = {r.f.block.sky_light.x, r.f.block.sky_light.y, r.f.block.sky_light.z};
         // Both sums have steps of 3 to 5 degrees, in which the glare round the sun is coarse: 1 % of the whole.
         for (int c = 0; c < 3; c++) {
             if (fabs(light[c] / sum[c] - 1.0) > 0.015)
@@ -294,13 +291,12 @@ static void the_light_on_the_sea_is_the_integral_of_the_sky(void **state) {
 
 // Illuminance on a level surface, in lux: 128 klx is the sun's above the air.
 static double illuminance(sky_rig *r, double elevation) {
-    r->scene.sky.sun_elevation_deg = elevation;
+    r->step.lighting.sky.sun_elevation_deg = elevation;
     rig_prepare(r);
-    const block_values *u = &r->f.uniforms;
-    const float sun[3] = {u->view.sun_light.x, u->view.sun_light.y, u->view.sun_light.z},
-                sky[3] = {u->view.sky_light.x, u->view.sky_light.y, u->view.sky_light.z};
-    const double lux =
-        128e3 * (luminance(sun) * fmax(sin(bolan_radians(elevation)), 0.0) + luminance(sky)) / u->frame.radiance_unit;
+    const float sun[3] = {r->f.block.sun_light.x, r->f.block.sun_light.y, r->f.block.sun_light.z},
+                sky[3] = {r->f.block.sky_light.x, r->f.block.sky_light.y, r->f.block.sky_light.z};
+    const double lux = 128e3 * (luminance(sun) * fmax(sin(bolan_radians(elevation)), 0.0) + luminance(sky)) /
+                       r->step.block.radiance_unit;
     print_message("%5.1f deg: %.3g lx\n", elevation, lux);
     return lux;
 }
@@ -328,7 +324,7 @@ static void the_noon_zenith_is_blue_and_the_setting_sun_is_red(void **state) {
     float zenith[QUESTIONS][4], horizon[QUESTIONS][4];
     rig_create(&r, 16, 16);
     probe_create(&p);
-    r.scene.sky.sun_elevation_deg = 60;
+    r.step.lighting.sky.sun_elevation_deg = 60;
     rig_prepare(&r);
     probe_ask(&p, 0, 0.1, 1, 0, zenith);
     probe_ask(&p, 0, 1, 0.02, 0, horizon);
@@ -337,10 +333,10 @@ static void the_noon_zenith_is_blue_and_the_setting_sun_is_red(void **state) {
     assert_true(zenith[0][2] / zenith[0][0] > 2.0 && zenith[0][2] / zenith[0][0] < 4.4);
     assert_true(horizon[0][2] / horizon[0][0] < 0.6 * zenith[0][2] / zenith[0][0]);
     assert_true(luminance(horizon[0]) > 1.5 * luminance(zenith[0]));
-    r.scene.sky.sun_elevation_deg = 1;
+    r.step.lighting.sky.sun_elevation_deg = 1;
     rig_prepare(&r);
-    assert_true(r.f.uniforms.view.sun_light.x > 2.0f * r.f.uniforms.view.sun_light.y &&
-                r.f.uniforms.view.sun_light.y > 2.0f * r.f.uniforms.view.sun_light.z);
+    assert_true(r.f.block.sun_light.x > 2.0f * r.f.block.sun_light.y &&
+                r.f.block.sun_light.y > 2.0f * r.f.block.sun_light.z);
     probe_destroy(&p);
     rig_destroy(&r);
 }
@@ -355,8 +351,8 @@ static void the_far_sea_fades_into_the_sky_above_it(void **state) {
     static const double heights[] = {300, 3000, 10000, 20000};
     for (int i = 0; i < 4; i++) {
         const double h = heights[i], R = 6371000.0, far = sqrt(2 * R * h + h * h), dip = acos(R / (R + h));
-        r.scene.camera.position.z = h;
-        r.scene.sky.visibility = 20000;
+        r.camera.position.z = h;
+        r.step.lighting.sky.visibility = 20000;
         rig_prepare(&r);
         for (double azimuth = 0; azimuth < 3.2; azimuth += 0.5) {
             const double x = sin(azimuth), y = cos(azimuth);
@@ -378,12 +374,12 @@ static void draw_picture(bolan_gl_api api, uint8_t *rgb, uint32_t w, uint32_t h)
     assert_int_equal(bolan_context_create(api, &context), BOLAN_OK);
     sky_rig r;
     rig_create(&r, w, h);
-    r.scene.sky.cloud_cover = 0.3;
-    r.scene.camera = (bolan_camera){.position = {0, 0, 5}, .heading_deg = 200, .pitch_deg = 10, .fov_deg = 50};
+    r.step.lighting.sky.cloud_cover = 0.3;
+    r.camera = (bolan_camera){.position = {0, 0, 5}, .heading_deg = 200, .pitch_deg = 10, .fov_deg = 50};
     rig_prepare(&r);
     rig_draw(&r);
     bolan_gl_target_bind(&r.display);
-    bolan_pass_tonemap_draw(r.tonemap, &r.f, &r.color, 0, 1);
+    bolan_pass_tonemap_draw(r.tonemap, &r.f, &r.to, &r.color, 0);
     read_bytes(r.display.id, w, h, rgb);
     assert_true(watch_is_clean("picture"));
     rig_destroy(&r);

@@ -11,14 +11,14 @@ enum { WIDTH = 96, HEIGHT = 64, SIZE = WIDTH * HEIGHT * 3 };
 static void draw(sky_rig *r, uint8_t *rgb) {
     rig_draw(r);
     bolan_gl_target_bind(&r->display);
-    bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->color, 0, 1);
+    bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->to, &r->color, 0);
     read_bytes(r->display.id, WIDTH, HEIGHT, rgb);
     assert_true(watch_is_clean("clouds"));
 }
 
 static void set_view(sky_rig *r, double x, double y, double z) {
-    r->scene.sky.cloud_cover = 0.4;
-    r->scene.camera = (bolan_camera){.position = {x, y, z}, .heading_deg = 20, .pitch_deg = 15, .fov_deg = 60};
+    r->step.lighting.sky.cloud_cover = 0.4;
+    r->camera = (bolan_camera){.position = {x, y, z}, .heading_deg = 20, .pitch_deg = 15, .fov_deg = 60};
 }
 
 static void clouds_marched_in_strips_are_those_marched_at_once(void **state) {
@@ -26,7 +26,7 @@ static void clouds_marched_in_strips_are_those_marched_at_once(void **state) {
     static uint8_t moved[SIZE], fresh[SIZE];
     sky_rig r;
     rig_create(&r, WIDTH, HEIGHT);
-    r.desc.progressive = true;
+    r.f.progressive = true;
     set_view(&r, 0, 0, 5);
     rig_prepare(&r);
     draw(&r, moved);
@@ -56,15 +56,15 @@ static void a_still_eye_makes_no_new_clouds(void **state) {
     r.f.eye.x += 60;
     r.f.eye.y -= 70;
     assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_KEEP);
-    bolan_clouds_place(&c, &r.f, &r.f.uniforms);
-    assert_near(r.f.uniforms.view.cloud_offset.x, 60, 0);
-    assert_near(r.f.uniforms.view.cloud_offset.y, -70, 0);
+    bolan_clouds_place(&c, &r.f);
+    assert_near(r.f.light.cloud_offset.x, 60, 0);
+    assert_near(r.f.light.cloud_offset.y, -70, 0);
     r.f.eye.x += 200;
-    r.desc.progressive = true;
+    r.f.progressive = true;
     assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_STRIP);
-    r.desc.progressive = false; // a picture waits for its clouds
+    r.f.progressive = false; // a picture waits for its clouds
     assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_ALL);
-    r.desc.progressive = true;
+    r.f.progressive = true;
     r.f.eye.x += 1e6;
     assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_ALL);
     bolan_clouds_free(&c);
@@ -74,9 +74,9 @@ static void a_still_eye_makes_no_new_clouds(void **state) {
 // Mean of the shadow under a high sun, over two seeds: the share of the sky that is open, in the mean.
 static double open_share(sky_rig *r, clouds *c, double cover) {
     double sum = 0;
-    r->f.uniforms.frame.cloud_cover = (float)cover;
+    r->step.block.cloud_cover = (float)cover;
     for (uint64_t seed = 1; seed <= 2; seed++) {
-        r->scene.sky.cloud_seed = seed;
+        r->step.lighting.sky.cloud_seed = seed;
         assert_int_equal(bolan_clouds_plan(c, &r->f), CLOUDS_ALL);
         rig_upload(r);
         bolan_clouds_march(c, &r->f, CLOUDS_ALL);
@@ -94,7 +94,7 @@ static void as_many_clouds_stand_as_were_asked_for(void **state) {
     sky_rig r;
     clouds c;
     rig_create(&r, WIDTH, HEIGHT);
-    r.scene.sky.sun_elevation_deg = 90;
+    r.step.lighting.sky.sun_elevation_deg = 90;
     rig_prepare(&r);
     assert_int_equal(bolan_clouds_create(&c), BOLAN_OK);
     assert_near(open_share(&r, &c, 0), 1, 0);

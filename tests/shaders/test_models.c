@@ -18,8 +18,8 @@ enum { SIDE = 256 };
 typedef struct rig {
     gl_caps caps;
     bolan_scene scene;
-    bolan_frame_desc desc;
-    frame frame;
+    frame step;
+    render_view frame;
     block_buffers uniforms;
     gl_texture color, depth;
     pass_objects *pass;
@@ -52,10 +52,13 @@ static void rig_open(rig *r, float bottom) {
     r->scene.objects[0] = (bolan_object){.scale = 1.0};
     r->scene.sea.resolution = 64;
     assert_int_equal(bolan_sea_create(&r->scene.sea, &r->sea), BOLAN_OK);
-    r->desc = bolan_frame_desc_default();
-    r->desc.scene = &r->scene, r->desc.sea = r->sea, r->desc.models = r->models;
-    r->desc.width = r->desc.height = SIDE;
-    r->frame = (frame){.desc = &r->desc, .scene = &r->scene, .caps = &r->caps, .quality = BOLAN_QUALITY_LOW};
+    r->step = (frame){.caps = &r->caps,
+                      .quality = BOLAN_QUALITY_LOW,
+                      .sea = r->sea,
+                      .water = {.sea = r->sea},
+                      .scene = &r->scene,
+                      .models = r->models};
+    r->frame = (render_view){.frame = &r->step, .width = SIDE, .height = SIDE, .pixel_scale = 1.0f};
     gl_texture_desc c = {.format = GL_FMT_RGBA16F, .width = SIDE, .height = SIDE, .filter = GL_FILTER_NEAREST};
     gl_texture_desc d = {.format = GL_FMT_DEPTH32F, .width = SIDE, .height = SIDE, .filter = GL_FILTER_NEAREST};
     assert_int_equal(bolan_gl_texture_create(&c, &r->color), BOLAN_OK);
@@ -81,32 +84,33 @@ static const bolan_vec4 everything = {0.0f, 0.0f, 1.0f, 0.0f};
 
 // clip: clip_side, clip_elevation, refraction_raise, refraction_mode of the view.
 static void draw(rig *r, bolan_vec4 clip) {
-    frame *f = &r->frame;
+    render_view *f = &r->frame;
     f->picture = clip.x != 0.0f;
     const bool zero_to_one = r->caps.clip_control;
     f->eye = bolan_dv3(0.0, -20.0, 0.0);
     f->triangles = 0;
-    f->uniforms = (block_values){.frame = {.sun_direction = {0.0f, -0.6f, 0.8f},
-                                           .cloud_base = 1200.0f,
-                                           .visibility = 40000.0f,
-                                           .earth_radius = (float)BOLAN_EARTH_RADIUS},
-                                 .view = {.sun_light = {1.0f, 1.0f, 1.0f},
-                                          .exposure = 1.0f,
-                                          .sky_light = {1.0f, 1.0f, 1.0f},
-                                          .radians_per_pixel = 0.01f,
-                                          .near_distance = 0.2f,
-                                          .clip_zero_to_one = zero_to_one ? 1.0f : 0.0f,
-                                          .clip_side = clip.x,
-                                          .clip_elevation = clip.y,
-                                          .refraction_raise = clip.z,
-                                          .refraction_mode = clip.w}};
-    bolan_view_block_resize(&f->uniforms.view, SIDE, SIDE);
+    r->step.block = (frame_block){.sun_direction = {0.0f, -0.6f, 0.8f},
+                                  .cloud_base = 1200.0f,
+                                  .visibility = 40000.0f,
+                                  .earth_radius = (float)BOLAN_EARTH_RADIUS};
+    f->block = (view_block){.sun_light = {1.0f, 1.0f, 1.0f},
+                            .exposure = 1.0f,
+                            .sky_light = {1.0f, 1.0f, 1.0f},
+                            .radians_per_pixel = 0.01f,
+                            .near_distance = 0.2f,
+                            .clip_zero_to_one = zero_to_one ? 1.0f : 0.0f,
+                            .clip_side = clip.x,
+                            .clip_elevation = clip.y,
+                            .refraction_raise = clip.z,
+                            .refraction_mode = clip.w};
+    bolan_view_block_resize(&f->block, SIDE, SIDE);
     f->view = bolan_m4_view(0.0, 0.0, 0.0);
     f->projection = bolan_m4_projection(0.5 * BOLAN_PI, 1.0, 0.2, zero_to_one);
-    f->uniforms.view.view_projection = bolan_m4_mul(f->projection, f->view);
-    f->uniforms.view.inverse_view_projection = bolan_m4_inverse(f->uniforms.view.view_projection);
+    f->block.view_projection = bolan_m4_mul(f->projection, f->view);
+    f->block.inverse_view_projection = bolan_m4_inverse(f->block.view_projection);
     if (r->caps.clip_control) bolan_gl_set_clip_zero_to_one(zero_to_one);
-    bolan_blocks_upload(&r->uniforms, &f->uniforms);
+    bolan_blocks_upload_frame(&r->uniforms, &r->step.block);
+    bolan_blocks_upload_view(&r->uniforms, &f->block);
     bolan_pass_objects_prepare(r->pass, f);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     bolan_gl_target_bind(&f->hdr);
@@ -147,7 +151,7 @@ static void a_box_stands_where_it_is_put(void **state) {
     draw(&r, everything);
     assert_true(extent(&r, &low, &high));
     assert_near(low, 1.0 * 18.0 / 22.0, PIXEL); // from below its far edge is seen, at 22 m
-    r.desc.models = NULL;
+    r.step.models = NULL;
     draw(&r, everything);
     assert_false(extent(&r, &low, &high));
     rig_close(&r);

@@ -49,8 +49,8 @@ enum { WIDTH = 480, HEIGHT = 320 };
 typedef struct stage {
     gl_caps caps;
     bolan_scene scene;
-    bolan_frame_desc desc;
-    frame frame;
+    frame step;
+    render_view frame;
     block_buffers uniforms;
     gl_texture color, depth;
     pass_ground *pass;
@@ -78,10 +78,9 @@ static void stage_open(stage *s) {
     const size_t memory = bolan_memory_in_use();
     *s = (stage){
         .memory = memory, .caps = bolan_gl_get_caps(), .scene = bolan_scene_default(), .terrain = rough_hills()};
-    s->desc = bolan_frame_desc_default();
-    s->desc.scene = &s->scene, s->desc.terrain = s->terrain, s->desc.width = WIDTH, s->desc.height = HEIGHT;
-    s->frame = (frame){.desc = &s->desc, .scene = &s->scene, .caps = &s->caps, .quality = BOLAN_QUALITY_LOW};
-    s->frame.sun_direction = bolan_v3(0.5f, 0.3f, 0.8124f);
+    s->step = (frame){.caps = &s->caps, .quality = BOLAN_QUALITY_LOW, .ground = s->terrain, .scene = &s->scene};
+    s->frame = (render_view){.frame = &s->step, .width = WIDTH, .height = HEIGHT};
+    s->step.sun_direction = bolan_v3(0.5f, 0.3f, 0.8124f);
     gl_texture_desc c = {.format = GL_FMT_RGBA16F, .width = WIDTH, .height = HEIGHT, .filter = GL_FILTER_NEAREST};
     gl_texture_desc d = {.format = GL_FMT_DEPTH32F, .width = WIDTH, .height = HEIGHT, .filter = GL_FILTER_NEAREST};
     assert_int_equal(bolan_gl_texture_create(&c, &s->color), BOLAN_OK);
@@ -102,27 +101,28 @@ static void stage_close(stage *s) {
 }
 
 static void draw(stage *s, bolan_dvec3 eye, double heading, double pitch) {
-    frame *f = &s->frame;
+    render_view *f = &s->frame;
     bool zero_to_one = s->caps.clip_control;
     f->eye = eye;
-    f->uniforms = (block_values){.frame = {.sun_direction = {0.5f, 0.3f, 0.8124f},
-                                           .cloud_base = 1200.0f,
-                                           .visibility = 40000.0f,
-                                           .earth_radius = (float)BOLAN_EARTH_RADIUS},
-                                 .view = {.eye_height = (float)eye.z,
-                                          .sun_light = {1.0f, 1.0f, 1.0f},
-                                          .exposure = 1.0f,
-                                          .sky_light = {0.3f, 0.3f, 0.3f},
-                                          .radians_per_pixel = (float)(2.0 * tan(0.5) / HEIGHT),
-                                          .near_distance = 0.2f,
-                                          .clip_zero_to_one = zero_to_one ? 1.0f : 0.0f}};
-    bolan_view_block_resize(&f->uniforms.view, WIDTH, HEIGHT);
+    s->step.block = (frame_block){.sun_direction = {0.5f, 0.3f, 0.8124f},
+                                  .cloud_base = 1200.0f,
+                                  .visibility = 40000.0f,
+                                  .earth_radius = (float)BOLAN_EARTH_RADIUS};
+    f->block = (view_block){.eye_height = (float)eye.z,
+                            .sun_light = {1.0f, 1.0f, 1.0f},
+                            .exposure = 1.0f,
+                            .sky_light = {0.3f, 0.3f, 0.3f},
+                            .radians_per_pixel = (float)(2.0 * tan(0.5) / HEIGHT),
+                            .near_distance = 0.2f,
+                            .clip_zero_to_one = zero_to_one ? 1.0f : 0.0f};
+    bolan_view_block_resize(&f->block, WIDTH, HEIGHT);
     f->view = bolan_m4_view(heading, pitch, 0.0);
     f->projection = bolan_m4_projection(1.0, (double)WIDTH / HEIGHT, 0.2, zero_to_one);
-    f->uniforms.view.view_projection = bolan_m4_mul(f->projection, f->view);
-    f->uniforms.view.inverse_view_projection = bolan_m4_inverse(f->uniforms.view.view_projection);
+    f->block.view_projection = bolan_m4_mul(f->projection, f->view);
+    f->block.inverse_view_projection = bolan_m4_inverse(f->block.view_projection);
     if (s->caps.clip_control) bolan_gl_set_clip_zero_to_one(zero_to_one);
-    bolan_blocks_upload(&s->uniforms, &f->uniforms);
+    bolan_blocks_upload_frame(&s->uniforms, &s->step.block);
+    bolan_blocks_upload_view(&s->uniforms, &f->block);
     bolan_pass_ground_prepare(s->pass, f);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     bolan_gl_target_bind(&f->hdr);
@@ -187,12 +187,12 @@ static void what_is_drawn_lies_where_the_terrain_is(void **state) {
             if (d <= 0.0f) continue;
             bolan_vec4 clip = {((float)x + 0.5f) / WIDTH * 2.0f - 1.0f, ((float)y + 0.5f) / HEIGHT * 2.0f - 1.0f,
                                window, 1.0f};
-            bolan_vec4 p = bolan_m4_mul_v4(s.frame.uniforms.view.inverse_view_projection, clip);
+            bolan_vec4 p = bolan_m4_mul_v4(s.frame.block.inverse_view_projection, clip);
             double px = p.x / p.w, py = p.y / p.w, pz = p.z / p.w, distance = sqrt(px * px + py * py + pz * pz);
             double ground = bolan_ground_elevation(s.terrain, eye.x + px, eye.y + py, 0.0) - eye.z;
             ground -= (px * px + py * py) / (2.0 * BOLAN_EARTH_RADIUS);
             // LOW lets the mesh depart by 6 pixels at most, and leaves out detail below its texels of 6.5 pixels
-            double pixel = s.frame.uniforms.view.radians_per_pixel * distance;
+            double pixel = s.frame.block.radians_per_pixel * distance;
             assert_true(fabs(pz - ground) < 12.0 * pixel + 0.5);
         }
     }

@@ -18,11 +18,12 @@ static void tone_map_ramp(sky_rig *r, const float color[3], uint32_t samples) {
         rgba[4 * i + 3] = 1.0f;
     }
     bolan_gl_texture_upload(&r->color, 0, -1, rgba, false);
-    r->f.uniforms.view.exposure = 1.0f;
+    r->f.block.exposure = 1.0f;
     rig_upload(r);
     for (uint32_t s = 0; s < samples; s++) {
         bolan_gl_target_bind(&r->display);
-        bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->color, s, samples);
+        r->to.samples = samples;
+        bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->to, &r->color, s);
     }
     read_bytes(r->display.id, WIDTH, HEIGHT, picture);
     assert_true(watch_is_clean("tone map"));
@@ -141,13 +142,14 @@ static void fill_square(float *rgba) {
 }
 
 static void draw_square(sky_rig *r, const float *rgba, bolan_quality quality, uint32_t samples, uint8_t *rgb) {
-    r->f.quality = quality;
-    r->f.uniforms.view.exposure = 1.0f;
+    r->step.quality = quality;
+    r->f.block.exposure = 1.0f;
     rig_upload(r);
     bolan_gl_texture_upload(&r->color, 0, -1, rgba, false);
     for (uint32_t s = 0; s < samples; s++) {
         bolan_gl_target_bind(&r->display);
-        bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->color, s, samples);
+        r->to.samples = samples;
+        bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->to, &r->color, s);
     }
     read_bytes(r->display.id, GLOW_SIZE, GLOW_SIZE, rgb);
     assert_true(watch_is_clean("glow"));

@@ -9,11 +9,10 @@
 
 typedef struct rig {
     bolan_sea *sea;
-    bolan_scene scene;
-    bolan_frame_desc desc;
     gl_caps caps;
     shore_map shore;
-    frame f;
+    frame step;
+    render_view f;
     sea_gpu fields;
     water_block_buffers *blocks;
     water_block_buffers own_blocks;
@@ -29,22 +28,15 @@ static void rig_open(rig *r, double from_deg, double choppiness, bolan_dvec2 eye
     desc.foam_decay = 1.0;
     assert_int_equal(bolan_sea_create(&desc, &r->sea), BOLAN_OK);
     bolan_sea_settle(r->sea, time);
-    r->scene = bolan_scene_default();
-    r->desc = bolan_frame_desc_default();
-    r->desc.scene = &r->scene;
-    r->desc.sea = r->sea;
     r->caps = bolan_gl_get_caps();
     r->packed = packed;
-    r->f = (frame){.desc = &r->desc,
-                   .scene = &r->scene,
-                   .caps = &r->caps,
-                   .time = time,
-                   .eye = {eye.x, eye.y, 5.0},
-                   .shore = &r->shore};
+    r->step = (frame){.caps = &r->caps, .sea = r->sea, .lighting = bolan_lighting_default(), .time = time};
+    r->f = (render_view){.frame = &r->step, .eye = {eye.x, eye.y, 5.0}, .shore = &r->shore};
     assert_int_equal(bolan_sea_gpu_create(&r->fields), BOLAN_OK);
     assert_int_equal(bolan_water_blocks_create(&r->own_blocks), BOLAN_OK);
     r->blocks = &r->own_blocks;
-    bolan_sea_gpu_prepare(&r->fields, &r->f, WATER_CASCADES, packed ? WATER_TEXTURES_PACKED : WATER_TEXTURES_ALL);
+    bolan_sea_gpu_prepare(&r->fields, &r->step, packed ? WATER_TEXTURES_PACKED : WATER_TEXTURES_ALL);
+    bolan_sea_gpu_view(&r->fields, &r->f, WATER_CASCADES);
 }
 
 static void rig_close(rig *r) {

@@ -12,10 +12,9 @@
 
 typedef struct rig {
     bolan_sea *sea;
-    bolan_scene scene;
-    bolan_frame_desc desc;
     shore_map shore;
-    frame f;
+    frame step;
+    render_view f;
     sea_gpu fields;
     water_block_buffers *blocks;
     water_block_buffers own_blocks;
@@ -33,16 +32,14 @@ static void rig_open(rig *r, bolan_wave_model model, uint32_t wave_count, double
     desc.choppiness = 0.0;
     assert_int_equal(bolan_sea_create(&desc, &r->sea), BOLAN_OK);
     bolan_sea_step(r->sea, TIME);
-    r->scene = bolan_scene_default();
-    r->desc = bolan_frame_desc_default();
-    r->desc.scene = &r->scene;
-    r->desc.sea = r->sea;
-    r->f = (frame){.desc = &r->desc, .scene = &r->scene, .time = TIME, .eye = {EYE_X, EYE_Y, 5.0}, .shore = &r->shore};
+    r->step = (frame){.sea = r->sea, .lighting = bolan_lighting_default(), .time = TIME};
+    r->f = (render_view){.frame = &r->step, .eye = {EYE_X, EYE_Y, 5.0}, .shore = &r->shore};
     r->waves = model == BOLAN_WAVES_EXP_COSINE ? WATER_EXP : WATER_SUM;
     assert_int_equal(bolan_sea_gpu_create(&r->fields), BOLAN_OK);
     assert_int_equal(bolan_water_blocks_create(&r->own_blocks), BOLAN_OK);
     r->blocks = &r->own_blocks;
-    bolan_sea_gpu_prepare(&r->fields, &r->f, r->waves, false);
+    bolan_sea_gpu_prepare(&r->fields, &r->step, WATER_TEXTURES_ALL);
+    bolan_sea_gpu_view(&r->fields, &r->f, r->waves);
 }
 
 static void rig_close(rig *r) {

@@ -111,7 +111,7 @@ bolan_result bolan_gl_target_create(const gl_texture *const *color, uint32_t cou
 void bolan_gl_target_bind(const gl_target *t); // binds and sets the viewport
 void bolan_gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width,
                                uint32_t height);                                           // draws go there only
-void bolan_gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t height); // the caller's
+void bolan_gl_target_bind_external(uint32_t framebuffer, uint32_t x, uint32_t y, uint32_t width, uint32_t height); // the caller's
 // From now on only the lowest rows of a target are drawn and cleared, at their own places; 0: all of it.
 void bolan_gl_clip_rows(uint32_t rows);
 void bolan_gl_target_clear_color(float r, float g, float b, float a);

@@ -48,16 +48,16 @@ bolan_result bolan_gl_target_create(const gl_texture *const *color, uint32_t cou
     return BOLAN_OK;
 }
 
-void bolan_gl_target_bind(const gl_target *t) { bolan_gl_target_bind_external(t->id, t->width, t->height); }
+void bolan_gl_target_bind(const gl_target *t) { bolan_gl_target_bind_external(t->id, 0, 0, t->width, t->height); }
 
 void bolan_gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
     glBindFramebuffer(GL_FRAMEBUFFER, t->id);
     glViewport((GLint)x, (GLint)y, (GLsizei)width, (GLsizei)height);
 }
 
-void bolan_gl_target_bind_external(uint32_t framebuffer, uint32_t width, uint32_t height) {
+void bolan_gl_target_bind_external(uint32_t framebuffer, uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, (GLsizei)width, (GLsizei)height);
+    glViewport((GLint)x, (GLint)y, (GLsizei)width, (GLsizei)height);
 }
 
 void bolan_gl_clip_rows(uint32_t rows) {

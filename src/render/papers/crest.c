@@ -101,35 +101,34 @@ static void free_pictures(crest *p) {
     p->depth_id = 0;
 }
 
-static bolan_result create_pictures(crest *p, const frame *f) {
+static bolan_result create_pictures(crest *p, const render_view *v) {
     gl_texture_desc rest = {
-        .format = GL_FMT_RGBA32F, .width = f->desc->width, .height = f->desc->height, .filter = GL_FILTER_NEAREST};
+        .format = GL_FMT_RGBA32F, .width = v->width, .height = v->height, .filter = GL_FILTER_NEAREST};
     gl_texture_desc mesh = {
-        .format = GL_FMT_RGBA16F, .width = f->desc->width, .height = f->desc->height, .filter = GL_FILTER_NEAREST};
+        .format = GL_FMT_RGBA16F, .width = v->width, .height = v->height, .filter = GL_FILTER_NEAREST};
     gl_texture_desc air = {.format = GL_FMT_RGBA16F,
-                           .width = (f->desc->width + AIR_COLUMN - 1) / AIR_COLUMN,
-                           .height = (f->desc->height + AIR_ROW - 1) / AIR_ROW,
+                           .width = (v->width + AIR_COLUMN - 1) / AIR_COLUMN,
+                           .height = (v->height + AIR_ROW - 1) / AIR_ROW,
                            .filter = GL_FILTER_LINEAR,
                            .wrap = GL_WRAP_CLAMP};
     const gl_texture *shapes[] = {&p->rest, &p->mesh}, *airs[AIR_COUNT] = {&p->air[0], &p->air[1], &p->air[2]};
     bolan_result result = bolan_gl_texture_create(&rest, &p->rest);
     if (result == BOLAN_OK) result = bolan_gl_texture_create(&mesh, &p->mesh);
     for (int i = 0; i < AIR_COUNT && result == BOLAN_OK; ++i) result = bolan_gl_texture_create(&air, &p->air[i]);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 1, f->hdr_depth, -1, 0, &p->shape);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 2, f->hdr_depth, -1, 0, &p->shape_mesh);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 1, v->hdr_depth, -1, 0, &p->shape);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 2, v->hdr_depth, -1, 0, &p->shape_mesh);
     if (result == BOLAN_OK) result = bolan_gl_target_create(airs, AIR_COUNT, NULL, -1, 0, &p->air_target);
     return result;
 }
 
-static bool fit_pictures(crest *p, const frame *f) {
-    if (p->depth_id == f->hdr_depth->id && p->rest.width == f->desc->width && p->rest.height == f->desc->height)
-        return true;
+static bool fit_pictures(crest *p, const render_view *v) {
+    if (p->depth_id == v->hdr_depth->id && p->rest.width == v->width && p->rest.height == v->height) return true;
     free_pictures(p);
-    if (create_pictures(p, f) != BOLAN_OK) {
+    if (create_pictures(p, v) != BOLAN_OK) {
         free_pictures(p);
         return false;
     }
-    p->depth_id = f->hdr_depth->id;
+    p->depth_id = v->hdr_depth->id;
     return true;
 }
 
@@ -148,8 +147,8 @@ typedef struct crest_block {
 #include "shared/crest_block.glsl"
 } crest_block;
 
-static crest_block foam_of(const frame *f) {
-    const bolan_sea *sea = f->desc->sea;
+static crest_block foam_of(const render_view *v) {
+    const bolan_sea *sea = v->frame->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     const double cover = bolan_monahan_cover(desc->sea_state.wind_speed), edge = FRESH_EDGE * FRESH_EDGE;
     double memory_variance, spread;
@@ -168,9 +167,9 @@ static crest_block foam_of(const frame *f) {
 
 // Isotropic footprints need only row 0 of the table of unresolved slopes. With it, the share of the facets turned to
 // the sun that no other wave stands before.
-static void upload_rough(crest *p, const frame *f) {
-    const float *from = bolan_sea_slope_table(f->desc->sea);
-    const bolan_vec3 sun = f->sun_direction;
+static void upload_rough(crest *p, const render_view *v) {
+    const float *from = bolan_sea_slope_table(v->frame->sea);
+    const bolan_vec3 sun = v->frame->sun_direction;
     const double flat = fmax(sqrt((double)sun.x * sun.x + (double)sun.y * sun.y), 1e-4), up = fmax(sun.z, 0.0f);
     float(*row)[4] = p->table[TABLE_SLOPES];
     for (int i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; ++i) {
@@ -185,7 +184,7 @@ static void upload_rough(crest *p, const frame *f) {
     bolan_gl_texture_upload(&p->tables, 0, -1, p->table, false);
 }
 
-static void prepare(void *state, const water_draw *d) { upload_rough(state, d->f); }
+static void prepare(void *state, const water_draw *d) { upload_rough(state, d->view); }
 
 static bool draw_shape(crest *p, const water_draw *d) {
     if (!bolan_water_program(d, &shape_shader, 0)) return false;
@@ -200,7 +199,7 @@ static bool draw_air(crest *p, const water_draw *d) {
     const gl_program *g = bolan_water_program(d, &air_shader, 0);
     if (!g) return false;
     const uint32_t width = p->air[0].width, height = p->air[0].height;
-    const uint32_t rows = (bolan_water_rows(d->f, d->vertical) + AIR_ROW - 1) / AIR_ROW + 1;
+    const uint32_t rows = (bolan_water_rows(d->view, d->vertical) + AIR_ROW - 1) / AIR_ROW + 1;
     bolan_gl_program_vec4(g, "air_size", (bolan_vec4){1.0f / (float)width, 1.0f / (float)height, 0.0f, 0.0f});
     bolan_gl_target_bind_part(&p->air_target, 0, 0, width, rows < height ? rows : height);
     bolan_gl_set_state(&(gl_state){.color_write = true});
@@ -210,16 +209,14 @@ static bool draw_air(crest *p, const water_draw *d) {
 
 // Rows of the picture, from the bottom, where pixels may be narrower than that [m]. Crests are nearer than the mean water on their
 // rays: reckoned from as high as most of them reach.
-static uint32_t rows_of_width(const frame *f, double width, double taps, uint32_t rows) {
-    const bolan_camera *c = &f->scene->camera;
-    const double above = f->uniforms.view.eye_height - 0.7 * bolan_sea_get_summary(f->desc->sea)->hs;
-    if (c->roll_deg != 0.0 || above <= 0.0) return rows;
-    const double steep = above * f->uniforms.view.radians_per_pixel / (width * taps); // squared sine
-    if (steep >= 1.0) return 0;                                                       // even straight below
-    const double down = bolan_radians(c->pitch_deg) + asin(sqrt(steep));              // from the middle of the picture
+static uint32_t rows_of_width(const render_view *v, double width, double taps, uint32_t rows) {
+    const double above = v->block.eye_height - 0.7 * bolan_sea_get_summary(v->frame->sea)->hs;
+    if (fabs(v->lens.roll_deg) > LEVEL_ROLL || above <= 0.0) return rows;
+    const double steep = above * v->block.radians_per_pixel / (width * taps); // squared sine
+    if (steep >= 1.0) return 0;                                               // even straight below
+    const double down = bolan_radians(v->lens.pitch_deg) + asin(sqrt(steep)); // from the middle of the picture
     if (fabs(down) > 1.5) return down > 0.0 ? 0 : rows;
-    const double y = -tan(down) / tan(0.5 * bolan_radians(c->fov_deg));
-    return (uint32_t)fmin(fmax((0.5 + 0.5 * y) * f->desc->height + 2.0, 0.0), rows);
+    return (uint32_t)fmin(fmax(bolan_view_row(v, -tan(down)) + 2.0, 0.0), rows);
 }
 
 typedef struct light_rows {
@@ -241,7 +238,7 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
 }
 
 static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
-    const bool sparse = d->f->uniforms.view.shade_columns > 1.0f;
+    const bool sparse = d->view->block.shade_columns > 1.0f;
     if (!bolan_water_program(d, &light_shader, own_defines(p->quality, rows.cascades, sparse))) return;
     bolan_gl_texture_bind(&p->densities, UNIT_FOAM_DETAIL);
     bolan_gl_texture_bind(&p->tables, UNIT_PASS);
@@ -250,23 +247,23 @@ static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
     bolan_gl_texture_bind(&p->air[0], UNIT_OPTICS);
     bolan_gl_texture_bind(&p->air[1], UNIT_OPTICS + 1);
     bolan_gl_texture_bind(&p->air[2], UNIT_FOLD); // packed cascades have no such map
-    bolan_gl_target_bind_part(&d->f->hdr, 0, rows.from, d->f->hdr.width, rows.to - rows.from);
+    bolan_gl_target_bind_part(&d->view->hdr, 0, rows.from, d->view->hdr.width, rows.to - rows.from);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
 }
 
 // Rows where the widths of pixels still show waves of that cascade: 2.5 of them are its longest wave, and a tenth of its slopes left.
 static uint32_t rows_of_cascade(const water_draw *d, uint32_t cascade, double taps, uint32_t rows) {
-    const bolan_cascade_view v = bolan_sea_cascade(d->f->desc->sea, cascade);
-    return v.k_min > 0.0 ? rows_of_width(d->f, 0.4 * 2.0 * BOLAN_PI / v.k_min, taps, rows) : rows;
+    const bolan_cascade_view v = bolan_sea_cascade(d->view->frame->sea, cascade);
+    return v.k_min > 0.0 ? rows_of_width(d->view, 0.4 * 2.0 * BOLAN_PI / v.k_min, taps, rows) : rows;
 }
 
 // Far rows fetch fewer cascades.
 static void draw_light(crest *p, const water_draw *d) {
-    const uint32_t rows = bolan_water_rows(d->f, d->vertical);
-    const crest_block block = foam_of(d->f);
+    const uint32_t rows = bolan_water_rows(d->view, d->vertical);
+    const crest_block block = foam_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
-    light_rows part = {.cascades = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->f->desc->sea) : 1};
+    light_rows part = {.cascades = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->view->frame->sea) : 1};
     while (part.from < rows) {
         part.to = part.cascades > 1 ? rows_of_cascade(d, part.cascades - 1, p->taps, rows) : rows;
         if (part.to > part.from) {
@@ -279,9 +276,9 @@ static void draw_light(crest *p, const water_draw *d) {
 
 static void draw(void *state, const water_draw *d) {
     crest *p = state;
-    if (!fit_pictures(p, d->f)) return;
+    if (!fit_pictures(p, d->view)) return;
     if (draw_shape(p, d) && draw_air(p, d)) draw_light(p, d);
-    bolan_gl_target_bind(&d->f->hdr);
+    bolan_gl_target_bind(&d->view->hdr);
 }
 
 const water_optics bolan_optics_crest = {.size = sizeof(crest),

@@ -22,13 +22,13 @@ bool bolan_half_rate_prepare(half_rate *s, const water_setup *setup, bool keeps_
     return bolan_water_programs_add(all, setup, false, &mesh_resolve, 0);
 }
 
-uint32_t bolan_half_rate_columns(const frame *f, const uint32_t by_quality[]) {
-    const bolan_look *look = &f->scene->look;
-    const bool plain = !look->paper && look->show == BOLAN_SHOW_PICTURE && f->uniforms.view.eye_under_water < 0.5f;
-    if (!plain || f->scene->camera.pitch_deg < -STEEPEST_DEG || f->desc->width < SMALLEST) return 1;
+uint32_t bolan_half_rate_columns(const render_view *v, const uint32_t by_quality[]) {
+    const bolan_look *look = &v->frame->lighting.look;
+    const bool plain = !look->paper && look->show == BOLAN_SHOW_PICTURE && v->block.eye_under_water < 0.5f;
+    if (!plain || v->lens.pitch_deg < -STEEPEST_DEG || v->width < SMALLEST) return 1;
     // Where the camera rolls, a row runs partly along the view, and there every pixel shows other water.
-    const double along = fabs(sin(bolan_radians(f->scene->camera.roll_deg)));
-    uint32_t columns = by_quality[f->quality] > 1 ? by_quality[f->quality] : 1;
+    const double along = fabs(sin(bolan_radians(v->lens.roll_deg)));
+    uint32_t columns = by_quality[v->frame->quality] > 1 ? by_quality[v->frame->quality] : 1;
     while (columns > 1 && columns * along > 1.0) columns /= 2;
     return columns;
 }
@@ -54,9 +54,9 @@ static bool fit(half_rate *s, uint32_t width, uint32_t height) {
 }
 
 // Of the pixels that a sample serves, the farthest: whatever shows water is lit.
-static bool fill_depth(half_rate *s, const frame *f, uint32_t columns) {
+static bool fill_depth(half_rate *s, const render_view *v, uint32_t columns) {
     if (s->farthest.id == 0) return false;
-    bolan_gl_texture_bind(f->hdr_depth, UNIT_SPARSE);
+    bolan_gl_texture_bind(v->hdr_depth, UNIT_SPARSE);
     bolan_gl_program_use(&s->farthest);
     bolan_gl_program_int(&s->farthest, "columns", (int)columns);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true});
@@ -64,26 +64,26 @@ static bool fill_depth(half_rate *s, const frame *f, uint32_t columns) {
     return true;
 }
 
-frame bolan_half_rate_begin(half_rate *s, const frame *f, uint32_t columns, bool keeps_shape, bool opaque) {
-    const uint32_t width = (f->desc->width + columns - 1) / columns, height = f->desc->height;
-    frame sparse = *f;
+render_view bolan_half_rate_begin(half_rate *s, const render_view *v, uint32_t columns, bool keeps_shape, bool opaque) {
+    const uint32_t width = (v->width + columns - 1) / columns, height = v->height;
+    render_view sparse = *v;
     if (columns == 1 || !fit(s, width, height)) return sparse;
     bolan_gl_target_bind(&s->target);
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     if (!keeps_shape) {
         bolan_gl_target_clear_depth(0.0f);
-        if (opaque && !fill_depth(s, f, columns)) return sparse;
-        bolan_view_block_resize(&sparse.uniforms.view, width, height);
+        if (opaque && !fill_depth(s, v, columns)) return sparse;
+        sparse.width = width;
         sparse.hdr_depth = &s->depth;
     }
     sparse.hdr = s->target;
-    sparse.uniforms.view.shade_columns = (float)columns;
+    sparse.shade_columns = (float)columns;
     return sparse;
 }
 
 // A shape is lit at the pixels' middles, half a pixel off the samples' own.
-static bolan_vec4 places(const half_rate *s, const frame *f, bool keeps_shape) {
-    const uint32_t width = f->desc->width, columns = (width + s->target.width - 1) / s->target.width;
+static bolan_vec4 places(const half_rate *s, const render_view *v, bool keeps_shape) {
+    const uint32_t width = v->width, columns = (width + s->target.width - 1) / s->target.width;
     const float scale = keeps_shape ? 1.0f / (float)columns : (float)s->target.width / (float)width;
     return (bolan_vec4){scale, keeps_shape ? -0.5f * scale - 0.5f : -0.5f, (float)(s->target.width - 1), 0.0f};
 }
@@ -92,16 +92,16 @@ void bolan_half_rate_lay(const half_rate *s, const water_draw *d, bool keeps_sha
     const gl_program *g = keeps_shape ? bolan_water_program(d, &shape_resolve, opaque ? KEPT | OPAQUE : KEPT)
                                       : bolan_water_program(d, &mesh_resolve, 0);
     if (!g) return;
-    bolan_gl_program_vec4(g, "places", places(s, d->f, keeps_shape));
+    bolan_gl_program_vec4(g, "places", places(s, d->view, keeps_shape));
     bolan_gl_texture_bind(&s->color, UNIT_SPARSE);
     if (!keeps_shape) {
         bolan_water_draw_forward(d);
         return;
     }
-    bolan_gl_target_bind_part(&d->f->hdr, 0, 0, d->f->hdr.width, bolan_water_rows(d->f, d->vertical));
+    bolan_gl_target_bind_part(&d->view->hdr, 0, 0, d->view->hdr.width, bolan_water_rows(d->view, d->vertical));
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
-    bolan_gl_target_bind(&d->f->hdr);
+    bolan_gl_target_bind(&d->view->hdr);
 }
 
 bolan_result bolan_half_rate_reload(half_rate *s) {

@@ -20,12 +20,12 @@ typedef struct half_rate {
 // Notes and compiles the programs of this stage. False: they cannot be had (logged).
 bool bolan_half_rate_prepare(half_rate *s, const water_setup *setup, bool keeps_shape, water_programs *all);
 // How many columns of this picture one sample serves, of what an optics has; 1: each pixel has its own.
-uint32_t bolan_half_rate_columns(const frame *f, const uint32_t by_quality[]);
+uint32_t bolan_half_rate_columns(const render_view *f, const uint32_t by_quality[]);
 // The frame to light the water in: cleared, and with the depth of what stands before the water where
 // something is `opaque`. Its sampling.x is 1 and
 // it is `f` itself where it cannot be had (logged).
-frame bolan_half_rate_begin(half_rate *s, const frame *f, uint32_t columns, bool keeps_shape, bool opaque);
-// Into the frame's picture; d->f is the frame that bolan_half_rate_begin() had. With its own shape bound (UNIT_SURFACE) or by the mesh.
+render_view bolan_half_rate_begin(half_rate *s, const render_view *f, uint32_t columns, bool keeps_shape, bool opaque);
+// Into the frame's picture; d->view is the frame that bolan_half_rate_begin() had. With its own shape bound (UNIT_SURFACE) or by the mesh.
 void bolan_half_rate_lay(const half_rate *s, const water_draw *d, bool keeps_shape, bool opaque);
 bolan_result bolan_half_rate_reload(half_rate *s);
 void bolan_half_rate_free(half_rate *s);

@@ -35,10 +35,10 @@ typedef struct lit_block {
 #include "shared/lit_block.glsl"
 } lit_block;
 
-static lit_block foam_of(const frame *f) {
+static lit_block foam_of(const render_view *v) {
     float beyond[3]; // what is no part of the waves whose Jacobian the threshold is made for
-    bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, beyond);
-    return (lit_block){.foam_jacobian = (float)fmax(bolan_sea_foam_threshold(f->desc->sea), -1e30),
+    bolan_sea_unresolved_slopes(v->frame->sea, 0.0, 0.0, 0.0, beyond);
+    return (lit_block){.foam_jacobian = (float)fmax(bolan_sea_foam_threshold(v->frame->sea), -1e30),
                        .foam_edge = (float)FOAM_EDGE,
                        .slopes_beyond_waves = beyond[0] + beyond[2]};
 }
@@ -54,8 +54,8 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
 
 static void draw(void *state, const water_draw *d) {
     const lit *p = state;
-    if (!bolan_water_program(d, &shader, own_defines(d->f->scene->look.paper, p->quality))) return;
-    const lit_block block = foam_of(d->f);
+    if (!bolan_water_program(d, &shader, own_defines(d->view->frame->lighting.look.paper, p->quality))) return;
+    const lit_block block = foam_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     if (d->waves != WATER_CASCADES) bolan_gl_texture_bind(&p->ripples, UNIT_OPTICS);
     bolan_gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);

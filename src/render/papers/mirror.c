@@ -33,16 +33,17 @@ static bolan_result create(void *state, bolan_quality quality) {
 static void free_all(void *state) { bolan_paper_tiles_free(state); }
 
 // The quad has no displaced vertices, and its pixels take the waves from tiles.
-static bool table_only(const bolan_scene *scene) {
-    return scene->technique.surface == BOLAN_SURFACE_QUAD && scene->technique.waves == BOLAN_WAVES_TEXTURES &&
-           scene->spectrum_path[0] == '\0';
+static bool table_only(const frame *f) {
+    const bolan_technique *t = &f->lighting.technique;
+    return t->surface == BOLAN_SURFACE_QUAD && t->waves == BOLAN_WAVES_TEXTURES && f->scene != NULL &&
+           f->scene->spectrum_path[0] == '\0';
 }
 
 // Where the eye stands in a tile, reduced in double: texel (0, 0) of the tile lies half a texel inside the texture.
-static bolan_vec2 place_in(const bolan_tiles_view *v, const frame *f) {
+static bolan_vec2 place_in(const bolan_tiles_view *v, const render_view *view) {
     const double c = cos(v->angle), s = sin(v->angle);
-    const double x = along_tile(f->eye.x, f->eye.y, c, s) / v->length,
-                 y = across_tile(f->eye.x, f->eye.y, c, s) / v->length;
+    const double x = along_tile(view->eye.x, view->eye.y, c, s) / v->length,
+                 y = across_tile(view->eye.x, view->eye.y, c, s) / v->length;
     return (bolan_vec2){(float)(x - floor(x) + 0.5 / v->n), (float)(y - floor(y) + 0.5 / v->n)};
 }
 
@@ -51,36 +52,36 @@ static bolan_vec2 turn_of(const bolan_tiles_view *v) {
     return (bolan_vec2){(float)(cos(v->angle) / v->length), (float)(sin(v->angle) / v->length)};
 }
 
-static bolan_vec4 place_of(const bolan_tiles_view *v, const frame *f) {
-    const bolan_vec2 place = place_in(v, f), turn = turn_of(v);
+static bolan_vec4 place_of(const bolan_tiles_view *v, const render_view *view) {
+    const bolan_vec2 place = place_in(v, view), turn = turn_of(v);
     return (bolan_vec4){place.x, place.y, turn.x, turn.y};
 }
 
-static void set_caustics(frame *f, const paper_tiles *t) {
-    const bolan_look *look = &f->scene->look;
+static void set_caustics(render_view *view, const paper_tiles *t) {
+    const bolan_look *look = &view->frame->lighting.look;
     const bolan_tiles_view v = bolan_tiles_get_view(bolan_paper_tiles_fine(t));
-    const double height = fmax((double)f->sun_direction.z, 0.12), n = (double)f->uniforms.frame.water_index;
-    const double level = hypot((double)f->sun_direction.x, (double)f->sun_direction.y);
+    const double height = fmax((double)view->frame->sun_direction.z, 0.12), n = (double)view->frame->block.water_index;
+    const double level = hypot((double)view->frame->sun_direction.x, (double)view->frame->sun_direction.y);
     const double sine = sqrt(1.0 - height * height) / n,
                  travel = level > 1e-6 ? sine / sqrt(1.0 - sine * sine) / level : 0.0;
-    f->uniforms.frame.caustic_strength = look->effects & BOLAN_EFFECT_CAUSTICS ? 1.0f : 0.0f;
-    f->uniforms.view.caustic_place = place_in(&v, f);
-    f->uniforms.frame.caustic_turn = turn_of(&v);
+    view->frame->caustics.strength = look->effects & BOLAN_EFFECT_CAUSTICS ? 1.0f : 0.0f;
+    view->caustic_place = place_in(&v, view);
+    view->frame->caustics.turn = turn_of(&v);
     // sunlight runs away from the sun
-    f->uniforms.frame.caustic_travel =
-        (bolan_vec2){(float)(-travel * (double)f->sun_direction.x), (float)(-travel * (double)f->sun_direction.y)};
+    view->frame->caustics.travel = (bolan_vec2){(float)(-travel * (double)view->frame->sun_direction.x),
+                                                (float)(-travel * (double)view->frame->sun_direction.y)};
 }
 
 static void prepare(void *state, const water_draw *d) {
     paper_tiles *t = state;
-    bolan_paper_tiles_prepare(t, d->f);
-    if (!t->failed) set_caustics(d->f, t);
+    bolan_paper_tiles_prepare(t, d->view);
+    if (!t->failed) set_caustics(d->view, t);
 }
 
 // Rows x, y, w of bias * P_sun * V_sun for directions: the sun looks along itself reversed, so what it would see of a mirrored ray is where
 // the ray hits the slide (the paper's section 3 (1), steps 1 and 3).
-static void set_slide(mirror_block *b, const frame *f) {
-    const bolan_vec3 s = f->sun_direction;
+static void set_slide(mirror_block *b, const render_view *v) {
+    const bolan_vec3 s = v->frame->sun_direction;
     const float level = fmaxf(sqrtf(s.x * s.x + s.y * s.y), 1e-4f);
     const bolan_vec3 right = {-s.y / level, s.x / level, 0.0f};
     const bolan_vec3 up = {-s.z * s.x / level, -s.z * s.y / level, level};
@@ -93,18 +94,18 @@ static void set_slide(mirror_block *b, const frame *f) {
 
 // Slope variance that neither tile has: the sea's total less what they hold. The fine tile overlaps the base
 // tile; it is scaled to supply only the missing variance.
-static void set_waves(mirror_block *b, const frame *f, const paper_tiles *t) {
+static void set_waves(mirror_block *b, const render_view *view, const paper_tiles *t) {
     const bolan_tiles *base = bolan_paper_tiles_base(t), *fine = bolan_paper_tiles_fine(t);
     float rest[3];
-    bolan_sea_unresolved_slopes(f->desc->sea, 0.0, 0.0, 0.0, rest);
+    bolan_sea_unresolved_slopes(view->frame->sea, 0.0, 0.0, 0.0, rest);
     double missing = fmax((double)(rest[0] + rest[2]), 0.0), share = 0.0;
     bolan_tiles_view v = bolan_tiles_get_view(base);
-    b->tile_place = place_of(&v, f);
+    b->tile_place = place_of(&v, view);
     const double texels = log2(v.n / v.length);
     if (fine != base) {
         v = bolan_tiles_get_view(fine);
         v.angle = bolan_paper_tiles_ripple_angle(t);
-        b->ripple_place = place_of(&v, f);
+        b->ripple_place = place_of(&v, view);
         share = fmin(1.0, sqrt(missing / fmax(t->fine_variance, 1e-9)));
         missing = fmax(missing - share * share * t->fine_variance, 0.0);
     }
@@ -114,17 +115,16 @@ static void set_waves(mirror_block *b, const frame *f, const paper_tiles *t) {
     b->missing_slopes = (float)missing;
 }
 
-static mirror_block block_of(const frame *f, const paper_tiles *t) {
-    const bolan_look *look = &f->scene->look;
+static mirror_block block_of(const render_view *v, const paper_tiles *t) {
+    const bolan_look *look = &v->frame->lighting.look;
     const float bright = (float)OWN_BRIGHTNESS;
-    mirror_block b = {.own_radiance =
-                          look->paper ? (vec3){bright, bright, bright} : f->uniforms.frame.water_reflectance,
+    mirror_block b = {.own_radiance = look->paper ? (vec3){bright, bright, bright} : v->frame->block.water_reflectance,
                       .picture_push = (float)(PUSH * look->distortion),
                       .glitter_push = (float)(GLITTER_PUSH * look->distortion),
-                      .blur_texels = 2.0f * (float)bolan_planar_views_share(f) / f->uniforms.view.radians_per_pixel,
+                      .blur_texels = 2.0f * (float)bolan_planar_views_share(v) / v->block.radians_per_pixel,
                       .slide_radius = (float)SLIDE_RADIUS};
-    if (bolan_paper_tiles_base(t) != NULL) set_waves(&b, f, t);
-    set_slide(&b, f);
+    if (bolan_paper_tiles_base(t) != NULL) set_waves(&b, v, t);
+    set_slide(&b, v);
     return b;
 }
 
@@ -145,15 +145,15 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
 
 static void draw(void *state, const water_draw *d) {
     paper_tiles *t = state;
-    const frame *f = d->f;
+    const render_view *v = d->view;
     if (t->failed) return;
-    const bolan_look *look = &f->scene->look;
+    const bolan_look *look = &v->frame->lighting.look;
     const bool tiles = bolan_paper_tiles_base(t) != NULL;
-    const bool below = f->uniforms.view.eye_under_water > 0.5f;
-    const bool high = f->uniforms.view.eye_height > HIGH_EYE;
+    const bool below = v->block.eye_under_water > 0.5f;
+    const bool high = v->block.eye_height > HIGH_EYE;
     const uint32_t own = own_defines(t, look->paper) | (below ? BELOW : high ? HIGH : 0u);
     if (!bolan_water_program(d, &shader, own)) return;
-    const mirror_block block = block_of(f, t);
+    const mirror_block block = block_of(v, t);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     bolan_paper_tiles_bind(t);
     if (d->waves == WATER_CASCADES && !tiles) bolan_gl_texture_bind(&d->fields->fold, UNIT_FOLD);

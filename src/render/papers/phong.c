@@ -40,10 +40,10 @@ typedef struct phong_block {
 #include "shared/phong_block.glsl"
 } phong_block;
 
-static phong_block block_of(const frame *f) {
-    const double peak_length = bolan_sea_peak_length(bolan_sea_get_summary(f->desc->sea));
+static phong_block block_of(const render_view *view) {
+    const double peak_length = bolan_sea_peak_length(bolan_sea_get_summary(view->frame->sea));
     const double fine = 1.0 / fmax(32.0 * peak_length, 1.0), broad = 0.37 * fine;
-    const double x = f->eye.x * fine, y = f->eye.y * fine, u = f->eye.y * broad, v = f->eye.x * broad;
+    const double x = view->eye.x * fine, y = view->eye.y * fine, u = view->eye.y * broad, v = view->eye.x * broad;
     return (phong_block){
         .wander_eye = {(float)(x - floor(x)), (float)(y - floor(y)), (float)(u - floor(u)), (float)(v - floor(v))},
         .wander_fine = (float)fine,
@@ -64,10 +64,10 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
 
 static void draw(void *state, const water_draw *d) {
     const phong *p = state;
-    const bool pictures = bolan_pass_water_mirrors(d->f), paper = d->f->scene->look.paper;
-    const bool fine = p->quality >= BOLAN_QUALITY_HIGH || d->f->uniforms.view.eye_height > HIGH_EYE;
+    const bool pictures = bolan_pass_water_mirrors(d->view), paper = d->view->frame->lighting.look.paper;
+    const bool fine = p->quality >= BOLAN_QUALITY_HIGH || d->view->block.eye_height > HIGH_EYE;
     if (!bolan_water_program(d, &shader, own_defines(p->quality, pictures, paper, fine))) return;
-    const phong_block block = block_of(d->f);
+    const phong_block block = block_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     if (d->waves != WATER_CASCADES) bolan_gl_texture_bind(&p->ripples, UNIT_OPTICS);
     bolan_water_draw_forward(d);

@@ -64,14 +64,15 @@ static bolan_result create_picture(uint32_t width, uint32_t height, uint32_t lev
     return r == BOLAN_OK ? bolan_gl_target_create(colors, 1, depth, -1, 0, target) : r;
 }
 
-double bolan_planar_views_share(const frame *f) { return f->scene->look.paper ? 1.0 : shares[f->quality]; }
+double bolan_planar_views_share(const render_view *v) {
+    return v->frame->lighting.look.paper ? 1.0 : shares[v->frame->quality];
+}
 
 void bolan_planar_views_finish(planar_views *p) { bolan_gl_texture_generate_mipmaps(&p->reflection); }
 
-bool bolan_planar_views_fit(planar_views *p, const frame *f) {
-    const double share = bolan_planar_views_share(f);
-    const uint32_t width = (uint32_t)fmax(f->desc->width * share, 1.0),
-                   height = (uint32_t)fmax(f->desc->height * share, 1.0);
+bool bolan_planar_views_fit(planar_views *p, const render_view *v) {
+    const double share = bolan_planar_views_share(v);
+    const uint32_t width = (uint32_t)fmax(v->width * share, 1.0), height = (uint32_t)fmax(v->height * share, 1.0);
     if (p->refraction_target.id != 0 && p->refraction.width == width && p->refraction.height == height) return true;
     free_pictures(p);
     return create_picture(width, height, BLUR_LEVELS, &p->reflection, &p->reflection_depth, &p->reflection_target) ==
@@ -81,19 +82,17 @@ bool bolan_planar_views_fit(planar_views *p, const frame *f) {
 
 // The mirror z -> -2 h - z about the plane h below the eye, before the camera (paper A: S = I - 2 n n^T). Directions, which the
 // sky is drawn by, have no translation.
-frame bolan_planar_views_reflect(planar_views *p, const frame *f) {
-    frame m = *f;
-    const bool under = f->uniforms.view.eye_under_water > 0.5f;
-    const float overlap = f->scene->look.paper ? 0.0f : OVERLAP, side = under ? -1.0f : 1.0f;
-    bolan_mat4 mirror = bolan_m4_identity(), turn = bolan_m4_identity();
-    mirror.m[10] = turn.m[10] = -1.0f;
-    mirror.m[14] = -2.0f * f->uniforms.view.eye_height;
-    m.uniforms.view.view_projection = bolan_m4_mul(f->uniforms.view.view_projection, mirror);
-    m.uniforms.view.inverse_view_projection = bolan_m4_mul(turn, f->uniforms.view.inverse_view_projection);
-    m.uniforms.view.clip_side = side;
-    m.uniforms.view.clip_elevation = -side * overlap;
-    bolan_view_block_resize(&m.uniforms.view, p->reflection.width, p->reflection.height);
-    m.uniforms.view.mirrored_under_water = under ? 1.0f : 0.0f;
+render_view bolan_planar_views_reflect(planar_views *p, const render_view *v) {
+    render_view m = *v;
+    const bool under = v->block.eye_under_water > 0.5f;
+    const float overlap = v->frame->lighting.look.paper ? 0.0f : OVERLAP, side = under ? -1.0f : 1.0f;
+    m.mirror.m[10] = -1.0f;
+    m.mirror.m[14] = -2.0f * v->block.eye_height;
+    m.clip = (view_clip){.side = side, .elevation = -side * overlap};
+    m.width = p->reflection.width;
+    m.height = p->reflection.height;
+    m.pixel_scale = (float)v->height / (float)m.height;
+    m.mirrored_under = under;
     m.picture = true;
     m.hdr = p->reflection_target;
     return m;
@@ -101,31 +100,35 @@ frame bolan_planar_views_reflect(planar_views *p, const frame *f) {
 
 // The one factor of the paper's mode: at the middle of what the picture shows below the horizon, as the paper leaves open which angle
 // it means.
-static double paper_factor(const bolan_camera *c) {
-    const double low = c->pitch_deg - 0.5 * c->fov_deg, high = fmin(c->pitch_deg + 0.5 * c->fov_deg, 0.0);
+static double paper_factor(const view_lens *lens) {
+    const double half = 0.5 * bolan_degrees(lens->fov_y);
+    const double low = lens->pitch_deg - half, high = fmin(lens->pitch_deg + half, 0.0);
     const double depression = fmin(fmax(-0.5 * (low + high), 0.5), 90.0);
     return bolan_refraction_k_paper(bolan_radians(90.0 - depression));
 }
 
-static bolan_vec4 deep_water(const block_values *u) {
-    const float sun = fmaxf(u->frame.sun_direction.z, 0.0f);
-    return (bolan_vec4){u->frame.water_reflectance.x * (u->view.sun_light.x * sun + u->view.sky_light.x),
-                        u->frame.water_reflectance.y * (u->view.sun_light.y * sun + u->view.sky_light.y),
-                        u->frame.water_reflectance.z * (u->view.sun_light.z * sun + u->view.sky_light.z), 1.0f};
+static bolan_vec4 deep_water(const render_view *v) {
+    const frame_block *f = &v->frame->block;
+    const bolan_vec3 s = v->light.sun, k = v->light.sky;
+    const float sun = fmaxf(f->sun_direction.z, 0.0f);
+    return (bolan_vec4){f->water_reflectance.x * (s.x * sun + k.x), f->water_reflectance.y * (s.y * sun + k.y),
+                        f->water_reflectance.z * (s.z * sun + k.z), 1.0f};
 }
 
-frame bolan_planar_views_refract(planar_views *p, const frame *f) {
-    frame m = *f;
-    const bool under = f->uniforms.view.eye_under_water > 0.5f, paper = f->scene->look.paper && !under;
-    const float overlap = f->scene->look.paper ? 0.0f : OVERLAP, side = under ? 1.0f : -1.0f;
-    m.uniforms.view.clip_side = side;
-    m.uniforms.view.clip_elevation = under ? 0.0f : overlap;
-    m.uniforms.view.refraction_raise = (float)paper_factor(&f->scene->camera);
-    m.uniforms.view.refraction_mode = paper ? 1.0f : 2.0f;
-    bolan_view_block_resize(&m.uniforms.view, p->refraction.width, p->refraction.height);
+render_view bolan_planar_views_refract(planar_views *p, const render_view *v) {
+    render_view m = *v;
+    const bool under = v->block.eye_under_water > 0.5f, paper = v->frame->lighting.look.paper && !under;
+    const float overlap = v->frame->lighting.look.paper ? 0.0f : OVERLAP, side = under ? 1.0f : -1.0f;
+    m.clip = (view_clip){.side = side,
+                         .elevation = under ? 0.0f : overlap,
+                         .raise = (float)paper_factor(&v->lens),
+                         .mode = paper ? 1.0f : 2.0f};
+    m.width = p->refraction.width;
+    m.height = p->refraction.height;
+    m.pixel_scale = (float)v->height / (float)m.height;
     // An optics with a sky of its own attenuates the bed itself: once is enough.
-    if (!bolan_pass_water_mirrors_sky(f)) m.uniforms.view.under_fog = 0.0f;
-    m.background = under ? (bolan_vec4){0.0f, 0.0f, 0.0f, 0.0f} : deep_water(&f->uniforms);
+    if (!bolan_pass_water_mirrors_sky(v)) m.fog = false;
+    m.background = under ? (bolan_vec4){0.0f, 0.0f, 0.0f, 0.0f} : deep_water(v);
     m.picture = true;
     m.hdr = p->refraction_target;
     return m;

@@ -74,15 +74,15 @@ void bolan_paper_tiles_bind(const paper_tiles *t) {
 
 // ---- baking ---------------------------------------------------------------------------------------------------------
 
-static bolan_tiles_desc how(const frame *f) {
+static bolan_tiles_desc how(const render_view *v) {
     bolan_tiles_desc d = bolan_tiles_desc_default();
-    const bolan_vec3 sun = bolan_sky_lattice_direction(f->sun_direction, bolan_radians(SUN_STEP));
-    d.paper = f->scene->look.paper;
-    d.color = f->uniforms.frame.water_reflectance;
+    const bolan_vec3 sun = bolan_sky_lattice_direction(v->frame->sun_direction, bolan_radians(SUN_STEP));
+    d.paper = v->frame->lighting.look.paper;
+    d.color = v->frame->block.water_reflectance;
     // A darkish blue-green whatever the water is, as animation programs paint it.
     if (d.paper) d.color = bolan_v3(0.035f, 0.09f, 0.10f);
     d.sun = bolan_v3_normalize(bolan_v3(sun.x, sun.y, fmaxf(sun.z, (float)LOWEST_SUN)));
-    d.index = (double)f->uniforms.frame.water_index;
+    d.index = (double)v->frame->block.water_index;
     return d;
 }
 
@@ -111,17 +111,17 @@ static double slope_variance(const bolan_tiles *tiles) {
     return sum / ((double)v.n * v.n);
 }
 
-static void bake_all(paper_tiles *t, const frame *f, const bolan_tiles_desc desc) {
+static void bake_all(paper_tiles *t, const render_view *v, const bolan_tiles_desc desc) {
     t->brightest = desc.color.z >= desc.color.y && desc.color.z >= desc.color.x ? 2
                    : desc.color.y >= desc.color.x                               ? 1
                                                                                 : 0;
-    const double hs = bolan_sea_get_summary(f->desc->sea)->hs;
-    bolan_sea_desc sea = *bolan_sea_get_desc(f->desc->sea);
+    const double hs = bolan_sea_get_summary(v->frame->sea)->hs;
+    bolan_sea_desc sea = *bolan_sea_get_desc(v->frame->sea);
     double found = 0.0;
     bolan_tiles_destroy(&t->base);
     bolan_tiles_destroy(&t->fine);
     sea.resolution = TILE;
-    const bool textures = bolan_sea_get_loop(f->desc->sea).frames > 0;
+    const bool textures = bolan_sea_get_loop(v->frame->sea).frames > 0;
     sea.waves = BOLAN_WAVES_TEXTURES;
     if (textures && t->given == NULL) t->base = bake(&sea, &desc, &found);
     // A measured spectrum is not in the sea's desc: then the tiles are another sea.
@@ -138,24 +138,25 @@ static void bake_all(paper_tiles *t, const frame *f, const bolan_tiles_desc desc
     t->shown = NAN;
 }
 
-static bool changed(const paper_tiles *t, const frame *f, bolan_vec3 sun) {
-    return !t->ready || t->given != f->desc->tiles || t->paper != f->scene->look.paper || t->sun.x != sun.x ||
-           t->sun.y != sun.y || t->sun.z != sun.z || t->water != (int)f->scene->water.type ||
-           t->sea != bolan_sea_id(f->desc->sea);
+static bool changed(const paper_tiles *t, const render_view *v, const bolan_tiles_desc *desc) {
+    const bolan_vec3 sun = desc->sun, color = desc->color;
+    return !t->ready || t->given != v->frame->tiles || t->paper != v->frame->lighting.look.paper || t->sun.x != sun.x ||
+           t->sun.y != sun.y || t->sun.z != sun.z || t->color.x != color.x || t->color.y != color.y ||
+           t->color.z != color.z || t->sea != bolan_sea_id(v->frame->sea);
 }
 
-static void keep(paper_tiles *t, const frame *f) {
-    const bolan_tiles_desc desc = how(f);
-    if (!changed(t, f, desc.sun)) return;
-    t->sea = bolan_sea_id(f->desc->sea);
-    t->given = bolan_sea_get_loop(f->desc->sea).frames > 0 ? f->desc->tiles : NULL;
+static void keep(paper_tiles *t, const render_view *v) {
+    const bolan_tiles_desc desc = how(v);
+    if (!changed(t, v, &desc)) return;
+    t->sea = bolan_sea_id(v->frame->sea);
+    t->given = bolan_sea_get_loop(v->frame->sea).frames > 0 ? v->frame->tiles : NULL;
     if (t->given != NULL && bolan_tiles_get_view(t->given).n != TILE) t->given = NULL;
-    t->paper = f->scene->look.paper;
+    t->paper = v->frame->lighting.look.paper;
     t->sun = desc.sun;
-    t->water = (int)f->scene->water.type;
+    t->color = desc.color;
     t->ready = true;
-    bake_all(t, f, desc);
-    if (f->desc->tiles != NULL) t->given = f->desc->tiles; // so that it is not asked for again
+    bake_all(t, v, desc);
+    if (v->frame->tiles != NULL) t->given = v->frame->tiles; // so that it is not asked for again
 }
 
 // ---- the textures of a moment ---------------------------------------------------------------------------------------
@@ -234,18 +235,19 @@ static void fill_own(paper_tiles *t, const moment *mo, const moment *mc) {
     bolan_gl_texture_generate_mipmaps(&t->own);
 }
 
-void bolan_paper_tiles_prepare(paper_tiles *t, const frame *f) {
-    keep(t, f);
+void bolan_paper_tiles_prepare(paper_tiles *t, const render_view *v) {
+    keep(t, v);
     if (t->failed) return;
-    if (t->shown != f->time) {
+    if (t->shown != v->frame->time) {
         const bolan_tiles *base = bolan_paper_tiles_base(t), *fine = bolan_paper_tiles_fine(t);
-        const moment mf = moment_of(fine, f->time, t->paper), mb = base ? moment_of(base, f->time, t->paper) : mf;
+        const moment mf = moment_of(fine, v->frame->time, t->paper),
+                     mb = base ? moment_of(base, v->frame->time, t->paper) : mf;
         if (base && t->paper) fill_normals(t, base, &mb, &t->slopes);
         if (base && !t->paper) fill_slopes(t, base, &mb, bolan_tiles_get_view(base).angle, &t->slopes);
         if (base && !t->paper && fine != base)
             fill_slopes(t, fine, &mf, bolan_paper_tiles_ripple_angle(t), &t->ripples);
         fill_own(t, &mb, &mf);
-        t->shown = f->time;
+        t->shown = v->frame->time;
     }
     bolan_paper_tiles_bind(t);
 }

@@ -16,7 +16,7 @@ typedef struct paper_tiles {
     uint64_t sea;             // id of the sea that they were baked for; 0: none yet
     const bolan_tiles *given;
     bolan_vec3 sun; // that the light on the bottom is made for
-    int water;
+    bolan_vec3 color;
     bool ready, failed, paper, whole; // whole: the sea's waves are in the tiles
     int brightest;                    // channel of the water's own texture
     double shown;                     // time that the textures show
@@ -27,7 +27,7 @@ typedef struct paper_tiles {
 
 bolan_result bolan_paper_tiles_create(paper_tiles *t);
 // Bakes what the frame's sea, sun and water need, where they changed; fills the textures of its time.
-void bolan_paper_tiles_prepare(paper_tiles *t, const frame *f);
+void bolan_paper_tiles_prepare(paper_tiles *t, const render_view *v);
 // The tiles of the sea's own waves; NULL: it has none.
 const bolan_tiles *bolan_paper_tiles_base(const paper_tiles *t);
 // Those of shorter waves, and of the light on the bottom: the same, where the sea's are short enough. NULL: there are none.

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// A step: what every view of it shares, and the uniform block Frame.
+#include <math.h>
+
+#include "bolan/earth.h"
+
+#include "frame.h"
+#include "shared/constants.glsl"
+
+#define BORE_DEPTH 0.71            // of the water under a bore, in heights of the bore
+#define STREAK_ACROSS (1.0 / 16.0) // tiles of wind streaks per metre
+#define STREAK_ALONG (0.4 * STREAK_ACROSS)
+
+float bolan_reduced(double x, double period) { return (float)(x - period * floor(x / period)); }
+
+double bolan_sea_peak_period(const bolan_sea_summary *sea) { return sea->tp > 0.0 ? sea->tp : 8.0; }
+
+double bolan_sea_peak_length(const bolan_sea_summary *sea) {
+    const double period = bolan_sea_peak_period(sea);
+    return BOLAN_GRAVITY * period * period / (2.0 * BOLAN_PI);
+}
+
+double bolan_sea_surf_height(const bolan_sea_summary *sea) { return fmin(fmax(sea->hs, 0.25), 4.0); }
+
+bolan_vec2 bolan_frame_streaks(bolan_dvec3 eye, double wind_to) {
+    const double c = cos(wind_to), s = sin(wind_to);
+    return (bolan_vec2){bolan_reduced((c * eye.y - s * eye.x) * STREAK_ACROSS, 1.0),
+                        bolan_reduced((c * eye.x + s * eye.y) * STREAK_ALONG, 1.0)};
+}
+
+static bolan_vec3 direction_to_sun(const bolan_sky *sky) {
+    const double azimuth = bolan_radians(sky->sun_azimuth_deg), elevation = bolan_radians(sky->sun_elevation_deg);
+    return bolan_v3((float)(sin(azimuth) * cos(elevation)), (float)(cos(azimuth) * cos(elevation)),
+                    (float)sin(elevation));
+}
+
+// Radiance in twilight falls by six orders of magnitude, below what half floats hold: so the unit of radiance falls
+// with it, in steps of a degree.
+float bolan_radiance_unit(float sun_height) {
+    const double below = -bolan_degrees(asin(fmax(-1.0, fmin(1.0, (double)sun_height))));
+    return below <= 0.0 ? 1.0f : (float)pow(10.0, floor(below) / 3.0);
+}
+
+// Bores run with the speed of shallow water, one in each period of the sea.
+static void fill_surf(frame *f, const bolan_sea_summary *sea) {
+    const double period = fmin(fmax(bolan_sea_peak_period(sea), 3.0), 12.0);
+    const double length = period * sqrt(BOLAN_GRAVITY * BORE_DEPTH * bolan_sea_surf_height(sea));
+    const double to = bolan_compass_from_to_math(sea->from_deg);
+    f->surf_wave = (bolan_dvec2){cos(to) / length, sin(to) / length};
+    f->surf_periods = f->time / period;
+    f->block.surf_wave = (bolan_vec2){(float)f->surf_wave.x, (float)f->surf_wave.y};
+    f->block.surf_time = bolan_reduced(f->surf_periods, 1.0);
+}
+
+static void fill_water(frame *f) {
+    frame_block *b = &f->block;
+    b->water_reflectance = f->water.optics.deep;
+    b->water_index = f->water.optics.index;
+    b->water_attenuation = f->water.optics.kd;
+    b->foam_strength = (float)f->water.foam;
+    b->water_level = (float)f->level;
+    b->caustic_strength = f->caustics.strength;
+    b->caustic_turn = f->caustics.turn;
+    b->caustic_travel = f->caustics.travel;
+}
+
+void bolan_frame_fill(frame *f) {
+    const bolan_sky *sky = &f->lighting.sky;
+    const bolan_sea_state *state = &bolan_sea_get_desc(f->sea)->sea_state;
+    frame_block *b = &f->block;
+    f->time = bolan_sea_time(f->sea);
+    f->sun_direction = direction_to_sun(sky);
+    f->wind_to = bolan_compass_from_to_math(state->wind_from_deg);
+    b->sun_direction = f->sun_direction;
+    b->radiance_unit = bolan_radiance_unit(f->sun_direction.z);
+    b->wind_direction = (bolan_vec2){(float)cos(f->wind_to), (float)sin(f->wind_to)};
+    b->wind_speed = (float)state->wind_speed;
+    b->cloud_cover = (float)sky->cloud_cover;
+    b->cloud_base = (float)sky->cloud_base;
+    b->visibility = (float)sky->visibility;
+    b->earth_radius = (float)BOLAN_EARTH_RADIUS;
+    b->streak_scale = (bolan_vec2){(float)STREAK_ACROSS, (float)STREAK_ALONG};
+    fill_surf(f, bolan_sea_get_summary(f->sea));
+    fill_water(f);
+}
