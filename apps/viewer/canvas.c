@@ -52,6 +52,7 @@ static void draw(canvas *c, const world *w, uint32_t framebuffer, uint32_t width
     frame.width = width;
     frame.height = height;
     frame.samples = samples;
+    if (bolan_renderer_needs_baking(c->renderer)) bolan_renderer_bake(c->renderer); // the panel's sun may be waited for
     bolan_renderer_draw(c->renderer, &frame);
 }
 

@@ -106,6 +106,7 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(503, SEA_LIMITED)             \
     X(910, LAYER_STEEP)             \
     X(940, VIEW)                    \
+    X(950, BAKE_WANTED)             \
     X(960, GUEST_PROGRAM)           \
     X(961, GUEST_SLOTS)
 

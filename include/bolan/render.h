@@ -215,6 +215,14 @@ bolan_frame_desc bolan_frame_desc_default(void);
 /// allocated unless the size, the terrain or the sea changes.
 void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame);
 
+/// Whether the last frame showed something that was baked for another light. Only the optics MIRROR bakes: loops of its
+/// waves with the light on the bottom. It bakes them when a frame with another sea, water or mode is prepared, and again
+/// when the sun has turned by 8 degrees. A view with bolan_view.progressive never bakes for the sun: it keeps the old
+/// light, and this returns true.
+bool bolan_renderer_needs_baking(const bolan_renderer *renderer);
+/// Lets the next view bake, which takes up to some seconds.
+void bolan_renderer_bake(bolan_renderer *renderer);
+
 /// Radiance and distance of the last picture. @p rgb: linear radiance before the tone map, relative to a sun irradiance
 /// of 1 in space at normal incidence; the mean over the picture's samples. @p distance: from the eye along the view
 /// axis, at the middle of the pixel [m]; infinity is the sky. Row 0 at the top. Each pointer may be NULL; the buffers

@@ -38,14 +38,10 @@ out vec4 color;
 
 #pragma unit shape_rest 16
 #pragma unit shape_mesh 17
-#pragma unit air_transmittance_map 18
-#pragma unit air_inscatter_map 19
-#pragma unit air_bed_map 10
+#pragma unit air_map 18
 uniform highp sampler2D shape_rest; // of crest_shape.glsl
 uniform sampler2D shape_mesh;
-uniform sampler2D air_transmittance_map; // of crest_air.glsl
-uniform sampler2D air_inscatter_map;
-uniform sampler2D air_bed_map;
+uniform sampler2DArray air_map; // outputs of crest_air.glsl: transmittance, inscatter, bed
 
 layout(std140) uniform Optics {
 #include "shared/crest_block.glsl"
@@ -91,7 +87,7 @@ crest_pixel pixel_here(ivec2 at, vec4 shape) {
     p.width = max(p.dist * radians_per_pixel, 1e-4);
     p.width = max(p.width * shade_columns, p.width / (float(TAPS) * clamp(p.view.z, 0.02, 1.0)));
     p.fine = log2(p.width);
-    vec4 through = textureLod(air_transmittance_map, uv, 0.0), from = textureLod(air_inscatter_map, uv, 0.0);
+    vec4 through = textureLod(air_map, vec3(uv, 0.0), 0.0), from = textureLod(air_map, vec3(uv, 1.0), 0.0);
     // a crest before the horizon is nearer than the mean water on its ray
     float share = min(p.dist * max(p.view.z, 0.5 * earth_dip(max(eye_height, 0.3), earth_radius)) / max(eye_height, 0.3), 1.0);
     p.transmittance = mix(vec3(1.0), through.rgb, share);
@@ -101,7 +97,7 @@ crest_pixel pixel_here(ivec2 at, vec4 shape) {
     p.depth = 1000.0;
     p.shore = 1e4;
 #ifdef LAND
-    vec2 bed = textureLod(air_bed_map, uv, 0.0).xy;
+    vec2 bed = textureLod(air_map, vec3(uv, 2.0), 0.0).xy;
     p.depth = bed.x;
     p.shore = bed.y;
 #endif

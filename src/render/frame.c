@@ -237,12 +237,23 @@ static bool open_view(bolan_renderer *r, render_view *v, const bolan_view *from)
     bolan_view_open(v, f, from, zero_to_one);
     v->hdr = r->hdr;
     v->hdr_depth = &r->hdr_depth;
+    v->bake = !v->progressive || r->bake;
+    r->bake = false;
     v->under = v->picture = v->eye.z < f->level && bolan_pass_water_seen_from_below(f);
     // The paper names the fog as work to come, so above the water its mode has none.
     v->fog = f->lighting.look.effects & BOLAN_EFFECT_FOG && (v->under || !f->lighting.look.paper);
     r->near_plane = v->near_distance;
     r->radiance_unit = f->block.radiance_unit;
     return true;
+}
+
+static void note_stale(bolan_renderer *r) {
+    const bool stale = !r->frame.without_water && bolan_pass_water_needs_baking(r->water, &r->frame);
+    if (stale && !r->stale)
+        bolan_log(BOLAN_LOG_INFO, BOLAN_LOG_BAKE_WANTED,
+                  "draw: the sun has turned since the light on the bottom was baked; bolan_renderer_bake() bakes it "
+                  "anew");
+    r->stale = stale;
 }
 
 static void draw_view(bolan_renderer *r, const bolan_view *to) {
@@ -254,6 +265,7 @@ static void draw_view(bolan_renderer *r, const bolan_view *to) {
     prepare_view(r, &v, cache);
     // The unshifted sample comes last, so that the depth that remains is that of the pixels' middles.
     for (uint32_t s = 0; s < to->samples; ++s) draw_sample(r, &v, to, cache, s);
+    note_stale(r);
 }
 
 // ---- a scene --------------------------------------------------------------------------------------------------------

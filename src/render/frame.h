@@ -138,6 +138,7 @@ void bolan_pass_water_cover(
     pass_water *p,
     render_view *v); // puts the depth of two triangles first, so that nothing behind them is shaded
 uint32_t bolan_pass_water_rows(const render_view *v); // from the bottom of the picture, that can show water
+bool bolan_pass_water_needs_baking(const pass_water *p, const frame *f); // and was not asked to
 bolan_result bolan_pass_water_reload(pass_water *p);
 void bolan_pass_water_destroy(pass_water **p);
 

@@ -59,6 +59,12 @@ void bolan_pass_water_destroy(pass_water **pass) {
     *pass = NULL;
 }
 
+bool bolan_pass_water_needs_baking(const pass_water *p, const frame *f) {
+    const bolan_optics_kind kind = f->lighting.technique.optics;
+    const water_optics *o = optics_table[kind];
+    return o->stale != NULL && p->state[kind] != NULL && !p->failed[kind] && o->stale(p->state[kind]);
+}
+
 bolan_result bolan_pass_water_reload(pass_water *p) {
     const bolan_result result = bolan_water_programs_reload(&p->programs);
     return result == BOLAN_OK ? bolan_half_rate_reload(&p->sparse) : result;
@@ -171,7 +177,7 @@ void bolan_pass_water_prepare(pass_water *p, frame *f) {
     const bolan_technique *t = &f->lighting.technique;
     const water_optics *o = optics_table[t->optics];
     make_state(p, t->optics);
-    const bool table_only = o->table_only != NULL && o->table_only(f);
+    const bool table_only = o->table_only != NULL && !p->failed[t->optics] && o->table_only(p->state[t->optics], f);
     p->ready = bolan_sea_gpu_prepare(&p->fields, f,
                                      table_only  ? WATER_TEXTURES_NONE
                                      : o->packed ? WATER_TEXTURES_PACKED

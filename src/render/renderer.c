@@ -160,6 +160,16 @@ bolan_result bolan_renderer_reload(bolan_renderer *r) {
     return result;
 }
 
+bool bolan_renderer_needs_baking(const bolan_renderer *r) {
+    BOLAN_ASSERT(r != NULL);
+    return r != NULL && r->stale;
+}
+
+void bolan_renderer_bake(bolan_renderer *r) {
+    BOLAN_ASSERT(r != NULL);
+    if (r != NULL) r->bake = true;
+}
+
 // ---- reading back ---------------------------------------------------------------------------------------------------
 
 // Memory that is kept for the next reading; NULL: there is none (logged).

@@ -70,6 +70,8 @@ struct bolan_renderer {
     // timing
     gl_timer timers[PART_COUNT];
     bool measure;
+    bool bake;                // asked for, by the next frame
+    bool stale;               // the last frame showed what was baked for another sun
     double near_plane;        // of the last picture [m]
     float radiance_unit;      // of the last picture: stored / unit is radiance
     uint32_t programs_before; // compiled by this thread when the present call began

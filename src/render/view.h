@@ -42,6 +42,7 @@ typedef struct render_view {
     bool zero_to_one;            // clip depth is [0,1]
     uint32_t width, height;      // [px]
     bool progressive;
+    bool bake; // the optics may bake anew what another sun has lit
     // Inputs of the block.
     bolan_mat4 mirror;   // applied to the eye-relative world before the camera
     bool under;          // the eye is below the mean water, and the optics has a picture from there

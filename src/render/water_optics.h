@@ -41,7 +41,9 @@ typedef struct water_optics {
     bool keeps_shape; // it lights each pixel from a shape that it keeps, on UNIT_SURFACE: see half_rate.h
     uint32_t columns[BOLAN_QUALITY_ULTRA + 1]; // of pixels that share a sample, by quality; 0: each has its own
     bool packed;                        // of the cascades it reads slopes, pinch and foam, nothing else: see sea_gpu.h
-    bool (*table_only)(const frame *f); // true: it has no use for the cascades' textures; NULL: it has
+    // True: it has no use for the cascades' textures; NULL: it has.
+    bool (*table_only)(const void *state, const frame *f);
+    bool (*stale)(const void *state); // it shows what was baked for another sun; may be NULL
     bolan_result (*create)(void *state, bolan_quality quality);
     // Notes every program that draw() can ask for, whatever the eye does; called after prepare().
     void (*list)(const void *state, const water_setup *s, water_programs *all);

@@ -132,10 +132,56 @@ static void a_flight_over_a_coast_compiles_nothing(void **state) {
     fly_all("island", BOLAN_QUALITY_MEDIUM);
 }
 
+// ---- the sun turns --------------------------------------------------------------------------------------------------
+
+static long allocations;
+
+static void *count_and_allocate(void *user, size_t size, size_t align) {
+    (void)user;
+    void *memory = NULL;
+    ++allocations;
+    return posix_memalign(&memory, align < sizeof(void *) ? sizeof(void *) : align, size) == 0 ? memory : NULL;
+}
+
+static void release(void *user, void *memory, size_t size) {
+    (void)user, (void)size;
+    free(memory);
+}
+
+static void a_window_bakes_for_a_new_sun_only_when_asked(void **state) {
+    (void)state;
+    flight f;
+    bolan_set_hooks(&(bolan_hooks){.allocate = count_and_allocate, .release = release});
+    open_flight(&f, "pond", &bolan_technique_two_triangle, BOLAN_QUALITY_LOW);
+    f.scene.sky.sun_azimuth_deg = 100.0;
+    f.scene.sky.sun_elevation_deg = 40.0;
+    programs_after(&f);
+    programs_after(&f);
+    assert_false(bolan_renderer_needs_baking(f.renderer));
+    for (int i = 1; i <= 3; ++i) { // the light of another 25 degrees, thrice
+        f.scene.sky.sun_azimuth_deg += 25.0;
+        const long before = allocations;
+        programs_after(&f);
+        assert_int_equal(allocations, before);
+        assert_true(bolan_renderer_needs_baking(f.renderer));
+    }
+    long before = allocations;
+    bolan_renderer_bake(f.renderer);
+    programs_after(&f);
+    assert_true(allocations > before);
+    assert_false(bolan_renderer_needs_baking(f.renderer));
+    before = allocations;
+    programs_after(&f);
+    assert_int_equal(allocations, before);
+    close_flight(&f);
+    bolan_set_hooks(NULL);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_flight_over_the_open_sea_compiles_nothing, gl_setup_core, gl_teardown),
         cmocka_unit_test_setup_teardown(a_flight_over_a_coast_compiles_nothing, gl_setup_core, gl_teardown),
+        cmocka_unit_test_setup_teardown(a_window_bakes_for_a_new_sun_only_when_asked, gl_setup_core, gl_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -83,10 +83,17 @@ void bolan_gl_texture_free(gl_texture *t);
 // core" or "#version 300 es" + precision put before it, and #include "common/x.glsl" resolved. `defines`: "A 1\nB 2\n"
 // or NULL. The uniform block Frame is bound to slot 0. A file is included once per shader. "#pragma unit NAME N" in any
 // file sets the sampler NAME to texture unit N, so a pass that includes it need not.
+enum { GL_PROGRAM_UNIFORMS = 24, GL_UNIFORM_NAME = 28 };
 typedef struct gl_program {
     uint32_t id;
     char stem[32];
     char defines[160];
+    // Uniforms outside the blocks, found when the program is linked.
+    struct {
+        char name[GL_UNIFORM_NAME];
+        int32_t location;
+    } uniforms[GL_PROGRAM_UNIFORMS];
+    uint32_t uniform_count;
 } gl_program;
 void bolan_gl_program_set_directory(const char *directory); // NULL: the embedded sources
 bolan_result bolan_gl_program_create(const char *stem, const char *defines, gl_program *out);
@@ -105,7 +112,8 @@ typedef struct gl_target {
     uint32_t id;
     uint32_t width, height;
 } gl_target;
-// colour may be NULL (count 0); depth may be NULL. layer: slice of a 3D/array texture, -1 for 2D; level 0..
+// colour may be NULL (count 0); depth may be NULL. layer: slice of a 3D/array texture, the next one for each further
+// colour; -1 for 2D; level 0..
 bolan_result bolan_gl_target_create(const gl_texture *const *color, uint32_t count, const gl_texture *depth, int layer,
                                     uint32_t level, gl_target *out);
 void bolan_gl_target_bind(const gl_target *t); // binds and sets the viewport

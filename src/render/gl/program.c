@@ -56,6 +56,26 @@ static void set_defaults(GLuint id, const shader_text *vertex, const shader_text
     glUseProgram(0);
 }
 
+// Members of blocks have no location.
+static void find_uniforms(gl_program *p) {
+    GLint count = 0;
+    p->uniform_count = 0;
+    glGetProgramiv(p->id, GL_ACTIVE_UNIFORMS, &count);
+    for (GLint i = 0; i < count; i++) {
+        char name[64];
+        GLsizei length = 0;
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(p->id, (GLuint)i, sizeof name, &length, &size, &type, name);
+        const GLint location = glGetUniformLocation(p->id, name);
+        name[strcspn(name, "[")] = '\0';
+        if (location < 0) continue;
+        BOLAN_ASSERT(p->uniform_count < GL_PROGRAM_UNIFORMS && strlen(name) < GL_UNIFORM_NAME);
+        snprintf(p->uniforms[p->uniform_count].name, GL_UNIFORM_NAME, "%s", name);
+        p->uniforms[p->uniform_count++].location = location;
+    }
+}
+
 static _Thread_local uint32_t compiled; // by this thread
 uint32_t bolan_gl_programs_compiled(void) { return compiled; }
 
@@ -87,6 +107,7 @@ bolan_result bolan_gl_program_create(const char *stem, const char *defines, gl_p
     snprintf(p.stem, sizeof p.stem, "%s", stem);
     snprintf(p.defines, sizeof p.defines, "%s", defines ? defines : "");
     const bolan_result result = build(p.stem, p.defines, &p.id);
+    if (p.id) find_uniforms(&p);
     *out = p;
     return result;
 }
@@ -97,15 +118,19 @@ bolan_result bolan_gl_program_reload(gl_program *p) {
     if (result != BOLAN_OK) return result;
     glDeleteProgram(p->id);
     p->id = id;
+    find_uniforms(p);
     return BOLAN_OK;
 }
 
 void bolan_gl_program_use(const gl_program *p) { glUseProgram(p->id); }
 
 // A uniform that the compiler removed has location -1, which GL ignores: so a pass may set what a variant does not use.
+// The driver is not asked: some answer only when they have finished what was drawn before.
 static GLint locate(const gl_program *p, const char *name) {
     glUseProgram(p->id);
-    return glGetUniformLocation(p->id, name);
+    for (uint32_t i = 0; i < p->uniform_count; i++)
+        if (strcmp(p->uniforms[i].name, name) == 0) return p->uniforms[i].location;
+    return -1;
 }
 
 void bolan_gl_program_int(const gl_program *p, const char *name, int value) { glUniform1i(locate(p, name), value); }

@@ -31,7 +31,8 @@ bolan_result bolan_gl_target_create(const gl_texture *const *color, uint32_t cou
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
     glGenFramebuffers(1, &t.id);
     glBindFramebuffer(GL_FRAMEBUFFER, t.id);
-    for (uint32_t i = 0; i < count; i++) attach(GL_COLOR_ATTACHMENT0 + i, color[i], layer, level);
+    for (uint32_t i = 0; i < count; i++)
+        attach(GL_COLOR_ATTACHMENT0 + i, color[i], layer < 0 ? layer : layer + (int)i, level);
     if (depth) attach(GL_DEPTH_ATTACHMENT, depth, layer, level);
     set_draw_buffers(count);
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);

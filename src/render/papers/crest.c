@@ -27,7 +27,7 @@ typedef struct crest {
     float table[TABLE_ROWS][FOAM_RAMP_SIZE][4]; // what `tables` holds
     gl_texture rest, mesh;                      // outputs of crest_shape.glsl
     gl_target shape, shape_mesh;
-    gl_texture air[AIR_COUNT]; // outputs of crest_air.glsl
+    gl_texture air; // outputs of crest_air.glsl, a layer each
     gl_target air_target;
     uint32_t depth_id; // the frame's depth that shape draws with
 } crest;
@@ -97,7 +97,7 @@ static void free_pictures(crest *p) {
     bolan_gl_target_free(&p->air_target);
     bolan_gl_texture_free(&p->rest);
     bolan_gl_texture_free(&p->mesh);
-    for (int i = 0; i < AIR_COUNT; ++i) bolan_gl_texture_free(&p->air[i]);
+    bolan_gl_texture_free(&p->air);
     p->depth_id = 0;
 }
 
@@ -109,15 +109,17 @@ static bolan_result create_pictures(crest *p, const render_view *v) {
     gl_texture_desc air = {.format = GL_FMT_RGBA16F,
                            .width = (v->width + AIR_COLUMN - 1) / AIR_COLUMN,
                            .height = (v->height + AIR_ROW - 1) / AIR_ROW,
+                           .depth = AIR_COUNT,
+                           .array = true,
                            .filter = GL_FILTER_LINEAR,
                            .wrap = GL_WRAP_CLAMP};
-    const gl_texture *shapes[] = {&p->rest, &p->mesh}, *airs[AIR_COUNT] = {&p->air[0], &p->air[1], &p->air[2]};
+    const gl_texture *shapes[] = {&p->rest, &p->mesh}, *airs[AIR_COUNT] = {&p->air, &p->air, &p->air};
     bolan_result result = bolan_gl_texture_create(&rest, &p->rest);
     if (result == BOLAN_OK) result = bolan_gl_texture_create(&mesh, &p->mesh);
-    for (int i = 0; i < AIR_COUNT && result == BOLAN_OK; ++i) result = bolan_gl_texture_create(&air, &p->air[i]);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&air, &p->air);
     if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 1, v->hdr_depth, -1, 0, &p->shape);
     if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 2, v->hdr_depth, -1, 0, &p->shape_mesh);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(airs, AIR_COUNT, NULL, -1, 0, &p->air_target);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(airs, AIR_COUNT, NULL, 0, 0, &p->air_target);
     return result;
 }
 
@@ -198,7 +200,7 @@ static bool draw_shape(crest *p, const water_draw *d) {
 static bool draw_air(crest *p, const water_draw *d) {
     const gl_program *g = bolan_water_program(d, &air_shader, 0);
     if (!g) return false;
-    const uint32_t width = p->air[0].width, height = p->air[0].height;
+    const uint32_t width = p->air.width, height = p->air.height;
     const uint32_t rows = (bolan_water_rows(d->view, d->vertical) + AIR_ROW - 1) / AIR_ROW + 1;
     bolan_gl_program_vec4(g, "air_size", (bolan_vec4){1.0f / (float)width, 1.0f / (float)height, 0.0f, 0.0f});
     bolan_gl_target_bind_part(&p->air_target, 0, 0, width, rows < height ? rows : height);
@@ -244,9 +246,7 @@ static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
     bolan_gl_texture_bind(&p->tables, UNIT_PASS);
     bolan_gl_texture_bind(&p->rest, UNIT_SURFACE);
     bolan_gl_texture_bind(&p->mesh, UNIT_SURFACE + 1);
-    bolan_gl_texture_bind(&p->air[0], UNIT_OPTICS);
-    bolan_gl_texture_bind(&p->air[1], UNIT_OPTICS + 1);
-    bolan_gl_texture_bind(&p->air[2], UNIT_FOLD); // packed cascades have no such map
+    bolan_gl_texture_bind(&p->air, UNIT_OPTICS);
     bolan_gl_target_bind_part(&d->view->hdr, 0, rows.from, d->view->hdr.width, rows.to - rows.from);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();

@@ -33,11 +33,13 @@ static bolan_result create(void *state, bolan_quality quality) {
 static void free_all(void *state) { bolan_paper_tiles_free(state); }
 
 // The quad has no displaced vertices, and its pixels take the waves from tiles.
-static bool table_only(const frame *f) {
-    const bolan_technique *t = &f->lighting.technique;
-    return t->surface == BOLAN_SURFACE_QUAD && t->waves == BOLAN_WAVES_TEXTURES && f->scene != NULL &&
-           f->scene->spectrum_path[0] == '\0';
+// The quad has no displaced vertices, and its pixels take the waves from tiles, once these are baked.
+static bool table_only(const void *state, const frame *f) {
+    const paper_tiles *t = state;
+    return t->whole && t->sea == bolan_sea_id(f->sea) && f->lighting.technique.surface == BOLAN_SURFACE_QUAD;
 }
+
+static bool stale(const void *state) { return ((const paper_tiles *)state)->stale; }
 
 // Where the eye stands in a tile, reduced in double: texel (0, 0) of the tile lies half a texel inside the texture.
 static bolan_vec2 place_in(const bolan_tiles_view *v, const render_view *view) {
@@ -165,6 +167,7 @@ const water_optics bolan_optics_mirror = {.size = sizeof(paper_tiles),
                                           .mirrors = true,
                                           .from_below = true,
                                           .table_only = table_only,
+                                          .stale = stale,
                                           .create = create,
                                           .list = list,
                                           .prepare = prepare,

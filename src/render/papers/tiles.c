@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See paper_tiles.h. Baking takes a moment when the sea, the sun or the water changes; afterwards nothing is allocated.
+// See tiles.h. Baking takes a moment when the sea or the water changes, or when it is asked for; nothing is allocated else.
 #include "render/papers/tiles.h"
 #include "render/memory.h"
 
@@ -138,25 +138,31 @@ static void bake_all(paper_tiles *t, const render_view *v, const bolan_tiles_des
     t->shown = NAN;
 }
 
-static bool changed(const paper_tiles *t, const render_view *v, const bolan_tiles_desc *desc) {
-    const bolan_vec3 sun = desc->sun, color = desc->color;
-    return !t->ready || t->given != v->frame->tiles || t->paper != v->frame->lighting.look.paper || t->sun.x != sun.x ||
-           t->sun.y != sun.y || t->sun.z != sun.z || t->color.x != color.x || t->color.y != color.y ||
-           t->color.z != color.z || t->sea != bolan_sea_id(v->frame->sea);
+// Of what the loops show; the sun only lights the bottom under them.
+static bool is_other_water(const paper_tiles *t, const render_view *v, const bolan_tiles_desc *desc) {
+    return !t->ready || t->asked != v->frame->tiles || t->paper != v->frame->lighting.look.paper ||
+           t->color.x != desc->color.x || t->color.y != desc->color.y || t->color.z != desc->color.z ||
+           t->sea != bolan_sea_id(v->frame->sea);
+}
+
+static bool is_other_sun(const paper_tiles *t, bolan_vec3 sun) {
+    return t->sun.x != sun.x || t->sun.y != sun.y || t->sun.z != sun.z;
 }
 
 static void keep(paper_tiles *t, const render_view *v) {
     const bolan_tiles_desc desc = how(v);
-    if (!changed(t, v, &desc)) return;
+    const bool other = is_other_water(t, v, &desc), turned = is_other_sun(t, desc.sun);
+    t->stale = turned && !other && !v->bake;
+    if (!other && (!turned || t->stale)) return;
     t->sea = bolan_sea_id(v->frame->sea);
     t->given = bolan_sea_get_loop(v->frame->sea).frames > 0 ? v->frame->tiles : NULL;
     if (t->given != NULL && bolan_tiles_get_view(t->given).n != TILE) t->given = NULL;
     t->paper = v->frame->lighting.look.paper;
     t->sun = desc.sun;
     t->color = desc.color;
+    t->asked = v->frame->tiles;
     t->ready = true;
     bake_all(t, v, desc);
-    if (v->frame->tiles != NULL) t->given = v->frame->tiles; // so that it is not asked for again
 }
 
 // ---- the textures of a moment ---------------------------------------------------------------------------------------

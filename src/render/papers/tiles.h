@@ -14,10 +14,12 @@ typedef struct paper_tiles {
     gl_texture glint;
     bolan_tiles *base, *fine; // baked here; base NULL: the sea has other waves than textures
     uint64_t sea;             // id of the sea that they were baked for; 0: none yet
-    const bolan_tiles *given;
-    bolan_vec3 sun; // that the light on the bottom is made for
+    const bolan_tiles *given; // the caller's, where they are of use here
+    const bolan_tiles *asked; // the caller's that these were baked for
+    bolan_vec3 sun;           // that the light on the bottom is made for
     bolan_vec3 color;
     bool ready, failed, paper, whole; // whole: the sea's waves are in the tiles
+    bool stale;                       // the light on the bottom is of another sun, until baking is asked for
     int brightest;                    // channel of the water's own texture
     double shown;                     // time that the textures show
     float *staging;
@@ -26,7 +28,8 @@ typedef struct paper_tiles {
 } paper_tiles;
 
 bolan_result bolan_paper_tiles_create(paper_tiles *t);
-// Bakes what the frame's sea, sun and water need, where they changed; fills the textures of its time.
+// Fills the textures of the frame's time. Bakes for a sea, water or mode that is new; where the sun alone has turned,
+// only if render_view::bake asks for it, and sets `stale` otherwise.
 void bolan_paper_tiles_prepare(paper_tiles *t, const render_view *v);
 // The tiles of the sea's own waves; NULL: it has none.
 const bolan_tiles *bolan_paper_tiles_base(const paper_tiles *t);
