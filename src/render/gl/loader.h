@@ -12,39 +12,38 @@
 // In every OpenGL 3.3 and OpenGL ES 3.0.
 #define GL_NEEDED(X)                                                                                                   \
     X(ActiveTexture)                                                                                                   \
-    X(AttachShader)                                                                                                    \
-    X(BindBuffer) X(BindBufferBase) X(BindBufferRange) X(BindFramebuffer) X(BindSampler) X(BindTexture)                \
-        X(BindVertexArray) X(BlendEquation) X(BlendEquationSeparate) X(BlendFunc) X(BlendFuncSeparate)                 \
+    X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) X(BindFramebuffer) X(BindSampler)               \
+        X(BindTexture) X(BindVertexArray) X(BlendEquation) X(BlendEquationSeparate) X(BlendFunc) X(BlendFuncSeparate)  \
             X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) X(ClearColor)         \
                 X(ColorMask) X(CompileShader) X(CreateProgram) X(CreateShader) X(CullFace) X(DeleteBuffers)            \
                     X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) X(DeleteShader) X(DeleteTextures)          \
                         X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(Disable) X(DrawArrays) X(DrawBuffers)        \
-                            X(DrawElements) X(Enable) X(EnableVertexAttribArray) X(Finish) X(FramebufferTexture2D) X(  \
-                                FramebufferTextureLayer) X(FrontFace) X(GenBuffers) X(GenFramebuffers) X(GenQueries)   \
-                                X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) X(GetActiveUniform) X(GetBooleanv) \
-                                    X(GetBufferParameteri64v) X(GetFloatv) X(GetFramebufferAttachmentParameteriv)      \
-                                        X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryObjectuiv)       \
-                                            X(GetQueryiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString)              \
-                                                X(GetStringi) X(GetUniformBlockIndex) X(GetUniformLocation)            \
-                                                    X(IsEnabled) X(IsFramebuffer) X(IsProgram) X(LineWidth)            \
-                                                        X(LinkProgram) X(PixelStorei) X(ReadBuffer) X(ReadPixels)      \
-                                                            X(Scissor) X(ShaderSource) X(TexImage2D) X(TexImage3D)     \
-                                                                X(TexParameterf) X(TexParameteri) X(TexSubImage2D)     \
-                                                                    X(TexSubImage3D) X(Uniform1f) X(Uniform1i)         \
-                                                                        X(Uniform2f) X(Uniform4f) X(Uniform4fv)        \
-                                                                            X(UniformBlockBinding) X(UseProgram)       \
-                                                                                X(VertexAttribPointer) X(Viewport)
+                            X(DrawElements) X(Enable) X(EnableVertexAttribArray) X(Finish) X(FramebufferTexture2D)     \
+                                X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) X(GenFramebuffers) X(GenQueries) \
+                                    X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) X(GetActiveUniform)            \
+                                        X(GetBooleanv)                                                                 \
+                                        X(GetBufferParameteri64v) X(GetFloatv) X(GetFramebufferAttachmentParameteriv)  \
+                                            X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryObjectuiv)   \
+                                                X(GetQueryiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString)          \
+                                                    X(GetStringi) X(GetUniformBlockIndex) X(GetUniformLocation)        \
+                                                        X(IsEnabled) X(IsFramebuffer) X(IsProgram) X(LineWidth)        \
+                                                            X(LinkProgram) X(PixelStorei) X(ReadBuffer) X(ReadPixels)  \
+                                                                X(Scissor) X(ShaderSource) X(TexImage2D) X(TexImage3D) \
+                                                                    X(TexParameterf) X(TexParameteri) X(TexSubImage2D) \
+                                                                        X(TexSubImage3D) X(Uniform1f) X(Uniform1i)     \
+                                                                            X(Uniform2f) X(Uniform4f) X(Uniform4fv)    \
+                                                                                X(UniformBlockBinding) X(UseProgram)   \
+                                                                                    X(VertexAttribPointer) X(Viewport)
 
 // In some versions only; gl_caps tells which may be called.
-#define GL_OPTIONAL(X)                                                                                              \
-    X(BlendEquationSeparatei)                                                                                       \
-    X(BlendEquationi)                                                                                               \
-    X(BlendFuncSeparatei) X(ClampColor) X(ClearDepth) X(ClearDepthf) X(ClipControl) X(ClipControlEXT) X(ColorMaski) \
-        X(DebugMessageCallback) X(DebugMessageCallbackKHR) X(DepthRange) X(DepthRangeIndexed) X(DepthRangef)        \
-            X(Disablei) X(Enablei) X(GetDoublev) X(GetPointerv) X(GetPointervKHR) X(GetQueryObjectui64v)            \
-                X(GetTexLevelParameteriv) X(IsEnabledi) X(PauseTransformFeedback) X(PixelTransferf) X(PolygonMode)  \
-                    X(ProvokingVertex) X(QueryCounter) X(ResumeTransformFeedback) X(ScissorIndexedv)                \
-                        X(ViewportIndexedfv)
+#define GL_OPTIONAL(X)                                                                                                \
+    X(BlendEquationSeparatei)                                                                                         \
+    X(BlendEquationi) X(BlendFuncSeparatei) X(ClampColor) X(ClearDepth) X(ClearDepthf) X(ClipControl)                 \
+        X(ClipControlEXT) X(ColorMaski) X(DebugMessageCallback) X(DebugMessageCallbackKHR) X(DepthRange)              \
+            X(DepthRangeIndexed) X(DepthRangef) X(Disablei) X(Enablei) X(GetDoublev) X(GetPointerv) X(GetPointervKHR) \
+                X(GetQueryObjectui64v) X(GetTexLevelParameteriv) X(IsEnabledi) X(PauseTransformFeedback)              \
+                    X(PixelTransferf) X(PolygonMode) X(ProvokingVertex) X(QueryCounter) X(ResumeTransformFeedback)    \
+                        X(ScissorIndexedv) X(ViewportIndexedfv)
 
 #define GL_POINTER(name) __typeof__(epoxy_gl##name) name;
 typedef struct gl_functions {
