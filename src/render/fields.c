@@ -5,7 +5,7 @@
 
 #include "renderer.h"
 #include "shader_source.h"
-#include "water/layer.h"
+#include "wave_layers.h"
 
 #include <math.h>
 #include <string.h>
@@ -110,21 +110,6 @@ static void fill_cascades(fields_block *b, const bolan_sea *sea, bolan_dvec3 ori
     }
 }
 
-static void fill_layers(fields_block *b, const bolan_water *water, bolan_dvec3 origin) {
-    const double time = bolan_sea_time(water->sea);
-    b->layer_count = (int32_t)water->layer_count;
-    for (uint32_t i = 0; i < water->layer_count; ++i) {
-        const bolan_wave_layer *w = water->layers[i];
-        const bolan_wave_train_desc *d = &w->train;
-        const double x = d->centre.x - origin.x, y = d->centre.y - origin.y;
-        const double phase = remainder(w->phase - w->kx * x - w->ky * y - w->omega * time, 2.0 * BOLAN_PI);
-        b->layer_wave[i] = (bolan_vec4){(float)w->kx, (float)w->ky, (float)w->bound, (float)phase};
-        b->layer_area[i] = (bolan_vec4){(float)x, (float)y, (float)w->c, (float)w->s};
-        b->layer_extent[i] =
-            (bolan_vec4){(float)(1.0 / d->half_length), (float)(1.0 / d->half_width), (float)d->edge, w->hs};
-    }
-}
-
 static fields_block block_of(const bolan_water *water, bolan_dvec3 origin) {
     const bolan_sea *sea = water->sea;
     const double sharpness = sharpness_of(sea);
@@ -141,7 +126,7 @@ static fields_block block_of(const bolan_water *water, bolan_dvec3 origin) {
         fill_lift(&b, sea, 0, SUM_SPACING_UNIT);
     }
     fill_cascades(&b, sea, origin);
-    fill_layers(&b, water, origin);
+    b.layer_count = bolan_wave_layers_fill(water, origin, b.layer_wave, b.layer_area, b.layer_extent);
     return b;
 }
 

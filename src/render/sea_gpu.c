@@ -6,6 +6,7 @@
 #include "sea_texels.h"
 #include "shared/cascade.glsl"
 #include "shared/constants.glsl"
+#include "wave_layers.h"
 #include "waves/sum/exp_cosine.h"
 
 #include <math.h>
@@ -402,6 +403,7 @@ static void set_statistics(water_block *b, const bolan_sea *sea) {
 
 void bolan_sea_gpu_fill(water_block *b, const render_view *v, water_waves waves) {
     set_statistics(b, v->frame->sea);
+    b->layer_count = bolan_wave_layers_fill(&v->frame->water, v->eye, b->layer_wave, b->layer_area, b->layer_extent);
     if (v->shore->present) bolan_shore_map_fill(v->shore, b);
     if (waves == WATER_CASCADES) set_cascades(b, v);
     if (waves == WATER_EXP) set_exp_waves(b, v);

@@ -2,7 +2,6 @@
 // What the optics share. See water_optics.h.
 #include "water_optics.h"
 #include "ripple_texture.h"
-#include "wave_layers.h"
 
 #include "bolan/earth.h"
 #include "shared/earth.glsl"
@@ -48,7 +47,6 @@ static void set_look(water_block *b, const bolan_look *look) {
 void bolan_water_fill(water_block *b, const water_draw *d) {
     *b = (water_block){.cascade_count = 0};
     bolan_sea_gpu_fill(b, d->view, d->waves);
-    bolan_wave_layers_fill(b, &d->view->frame->water, d->view->eye);
     bolan_water_mesh_fill(d->mesh, b);
     if (d->waves != WATER_CASCADES) bolan_ripple_fill(b, d->view);
     set_look(b, &d->view->frame->lighting.look);

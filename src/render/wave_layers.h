@@ -6,7 +6,9 @@
 #include "bolan/water.h"
 #include "water_block.h"
 
-// Sets the members of the block that begin with layer_, for an eye in world metres.
-void bolan_wave_layers_fill(water_block *block, const bolan_water *water, bolan_dvec3 eye);
+// The members of a uniform block that begin with layer_, for an eye in world metres; arrays of BOLAN_MAX_WAVE_LAYERS.
+// Returns layer_count.
+int bolan_wave_layers_fill(const bolan_water *water, bolan_dvec3 eye, bolan_vec4 *wave, bolan_vec4 *area,
+                           bolan_vec4 *extent);
 
 #endif

@@ -53,7 +53,8 @@ static void set_layers(const gl_program *program, const void *context) {
     const rig *r = context;
     water_block block = {.cascade_count = 0};
     (void)program;
-    bolan_wave_layers_fill(&block, &r->water, r->eye);
+    block.layer_count =
+        bolan_wave_layers_fill(&r->water, r->eye, block.layer_wave, block.layer_area, block.layer_extent);
     bolan_water_blocks_upload(r->blocks, &block);
 }
 
