@@ -65,8 +65,7 @@ int stage_option(const char *name, int argc, char **argv, int *index, stage_opti
 void stage_close(stage *s) {
     bolan_target_destroy(&s->target);
     bolan_renderer_destroy(&s->renderer);
-    bolan_sea_destroy(&s->sea);
-    bolan_scene_assets_destroy(&s->assets);
+    bolan_world_destroy(&s->world);
 }
 
 bolan_result stage_open(stage *s, const char *name, const stage_options *o,
@@ -75,36 +74,28 @@ bolan_result stage_open(stage *s, const char *name, const stage_options *o,
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = o->quality;
     desc.max_vertices = o->max_vertices;
-    bolan_result result = bolan_scene_load(name, &s->scene);
-    if (result == BOLAN_OK && change) change(&s->scene, context);
-    if (result == BOLAN_OK) result = bolan_scene_validate(&s->scene);
-    if (result == BOLAN_OK) result = bolan_scene_assets_load(&s->scene, &s->assets);
-    if (result == BOLAN_OK) result = bolan_scene_create_sea(&s->scene, &s->assets, &s->sea);
+    bolan_scene scene;
+    bolan_result result = bolan_scene_load(name, &scene);
+    if (result == BOLAN_OK && change) change(&scene, context);
+    if (result == BOLAN_OK) result = bolan_world_load_scene(&scene, &s->world);
     if (result == BOLAN_OK) result = bolan_renderer_create(&desc, &s->renderer);
     if (result == BOLAN_OK) result = bolan_target_create(s->width, s->height, &s->target);
     if (result != BOLAN_OK) {
         stage_close(s);
         return result;
     }
-    s->time = s->scene.time;
-    bolan_sea_settle(s->sea, s->time);
+    bolan_world_settle(s->world, scene.time);
     return BOLAN_OK;
 }
 
 static double step_sea(stage *s) {
     double start = bench_now_ms();
-    s->time += TICK;
-    if (!s->without_water) bolan_sea_step(s->sea, s->time);
+    if (!s->without_water) bolan_world_step(s->world, bolan_world_scene(s->world)->time + TICK);
     return bench_now_ms() - start;
 }
 
 static void draw(stage *s) {
-    bolan_frame_desc frame = bolan_frame_desc_default();
-    frame.scene = &s->scene;
-    frame.sea = s->sea;
-    frame.terrain = s->assets.terrain;
-    frame.models = s->assets.object_models;
-    frame.tiles = s->assets.tiles;
+    bolan_frame_desc frame = bolan_frame_desc_of_world(s->world);
     frame.without_water = s->without_water;
     frame.framebuffer = bolan_target_framebuffer(s->target);
     frame.width = s->width;
@@ -177,8 +168,9 @@ static stage_yard time_yardstick(stage *s) {
 }
 
 void stage_measure(stage *s, bool passes, stage_figures *f) {
-    *f = (stage_figures){.technique = s->scene.technique.name};
-    memcpy(f->scene, s->scene.name, sizeof f->scene);
+    const bolan_scene *scene = bolan_world_scene(s->world);
+    *f = (stage_figures){.technique = scene->technique.name};
+    memcpy(f->scene, scene->name, sizeof f->scene);
     const stage_yard before = time_yardstick(s);
     time_frames(s, f);
     const stage_yard after = time_yardstick(s);

@@ -21,13 +21,10 @@ stage_options stage_options_default(void);
 int stage_option(const char *name, int argc, char **argv, int *index, stage_options *o);
 
 typedef struct stage {
-    bolan_scene scene;
-    bolan_scene_assets assets;
-    bolan_sea *sea;
+    bolan_world *world;
     bolan_renderer *renderer;
     bolan_target *target;
     uint32_t width, height;
-    double time;
     bool without_water;
 } stage;
 

@@ -9,11 +9,10 @@
 #include <math.h>
 
 // A sea of textures, whatever the scene's technique.
-static int open_sea(const options *o, session *w, bolan_sea **sea) {
+static int open_sea(const options *o, bolan_world **w, bolan_sea **sea) {
     const int result = session_open_sea(o, w);
     if (result) return result;
-    bolan_sea_desc desc = bolan_scene_sea_desc(&w->scene);
-    desc.sea_state.measured = w->assets.spectrum;
+    bolan_sea_desc desc = bolan_world_sea_desc(*w);
     desc.waves = BOLAN_WAVES_TEXTURES;
     if (!isnan(o->frames)) desc.textures.frames = (uint32_t)o->frames;
     return bolan_sea_create(&desc, sea) ? EXIT_FAILED : EXIT_OK;
@@ -33,8 +32,8 @@ static bolan_tiles_desc how(const bolan_scene *scene) {
     return d;
 }
 
-static int bake(const options *o, const session *w, bolan_sea *sea) {
-    const bolan_tiles_desc desc = how(&w->scene);
+static int bake(const options *o, const bolan_world *w, bolan_sea *sea) {
+    const bolan_tiles_desc desc = how(bolan_world_scene(w));
     bolan_tiles *tiles = NULL;
     const bool ok = !bolan_tiles_bake(sea, &desc, &tiles) && !bolan_tiles_save(tiles, o->output);
     if (ok && !o->quiet) {
@@ -49,7 +48,7 @@ static int bake(const options *o, const session *w, bolan_sea *sea) {
 
 int command_bake(int count, char **arguments) {
     options o;
-    session w;
+    bolan_world *w = NULL;
     bolan_sea *sea = NULL;
     int result = options_parse(ON_BAKE, "bake", count, arguments, &o);
     if (result) return result;
@@ -63,8 +62,8 @@ int command_bake(int count, char **arguments) {
         return usage_error("--frames %.0f: a loop has 2 to %d frames", o.frames, BOLAN_MAX_LOOP_FRAMES);
     if (bolan_tiles_check_writable(o.output)) return EXIT_FAILED;
     result = open_sea(&o, &w, &sea);
-    if (!result) result = bake(&o, &w, sea);
+    if (!result) result = bake(&o, w, sea);
     bolan_sea_destroy(&sea);
-    session_close(&w);
+    bolan_world_destroy(&w);
     return result;
 }

@@ -95,24 +95,24 @@ static void print_table(const bolan_scene *scene, const bolan_sea *sea, const qu
 
 int command_measure(int count, char **arguments) {
     options o;
-    session s;
+    bolan_world *w = NULL;
     int result = options_parse(ON_MEASURE, "measure", count, arguments, &o);
     if (result) return result;
     if (o.help)
         return help_command(ON_MEASURE, "measure [SCENE] [OPTIONS]", "Makes the scene's sea and prints what it is.");
-    result = session_open_sea(&o, &s);
+    result = session_open_sea(&o, &w);
     if (result) return result;
-    bolan_sea_step(s.sea, s.scene.time);
-    const bolan_sea_statistics statistics = bolan_sea_measure(s.sea);
+    const bolan_sea *sea = bolan_world_water(w)->sea;
+    const bolan_sea_statistics statistics = bolan_sea_measure(sea);
     char hash[17];
-    bolan_sea_hash(s.sea, hash);
+    bolan_sea_hash(sea, hash);
     quantity list[QUANTITIES];
     list_quantities(&statistics, list);
     if (o.json) {
-        print_json(s.sea, list, hash);
+        print_json(sea, list, hash);
     } else {
-        print_table(&s.scene, s.sea, list, hash);
+        print_table(bolan_world_scene(w), sea, list, hash);
     }
-    session_close(&s);
+    bolan_world_destroy(&w);
     return EXIT_OK;
 }

@@ -40,7 +40,7 @@ static bool append_rows(text *t, const bolan_dvec2 *xy, const bolan_query_point 
     return true;
 }
 
-static bool answer_all(const session *s, const bolan_points *points, text *out) {
+static bool answer_all(const bolan_water *water, const bolan_points *points, text *out) {
     bolan_dvec2 *xy = malloc(BATCH * sizeof *xy);
     bolan_query_point *answers = malloc(BATCH * sizeof *answers);
     bool ok = xy && answers && reserve(out, strlen(header));
@@ -52,7 +52,7 @@ static bool answer_all(const session *s, const bolan_points *points, text *out) 
         const uint32_t count = points->count - first < BATCH ? points->count - first : BATCH;
         for (uint32_t i = 0; i < count; i++)
             xy[i] = (bolan_dvec2){points->points[first + i].x, points->points[first + i].y};
-        bolan_query_surface(&(bolan_water){.sea = s->sea, .ground = s->assets.terrain, .level = s->scene.water.level}, xy, count, answers);
+        bolan_query_surface(water, xy, count, answers);
         ok = append_rows(out, xy, answers, count);
     }
     free(xy);
@@ -60,10 +60,10 @@ static bool answer_all(const session *s, const bolan_points *points, text *out) 
     return ok;
 }
 
-static int write_answers(const session *s, const bolan_points *points, const char *output) {
+static int write_answers(const bolan_water *water, const bolan_points *points, const char *output) {
     text rows = {NULL, 0, 0};
     int result = EXIT_OK;
-    if (!answer_all(s, points, &rows)) {
+    if (!answer_all(water, points, &rows)) {
         result = failure("no memory for the answers to %u points", (unsigned)points->count);
     } else if (output) {
         result = bolan_file_write(output, rows.data, rows.size) ? EXIT_FAILED : EXIT_OK;
@@ -76,7 +76,7 @@ static int write_answers(const session *s, const bolan_points *points, const cha
 
 int command_query(int count, char **arguments) {
     options o;
-    session s;
+    bolan_world *w = NULL;
     bolan_points points;
     int result = options_parse(ON_QUERY, "query", count, arguments, &o);
     if (result) return result;
@@ -86,11 +86,10 @@ int command_query(int count, char **arguments) {
     if (!o.points) return usage_error("query needs --points FILE, a CSV file of x,y in metres");
     if (o.output && strcmp(o.output, "-") == 0) o.output = NULL;
     if (bolan_points_load(strcmp(o.points, "-") == 0 ? "/dev/stdin" : o.points, &points)) return EXIT_FAILED;
-    result = o.output && bolan_file_check_writable(o.output) ? EXIT_FAILED : session_open(&o, &s);
+    result = o.output && bolan_file_check_writable(o.output) ? EXIT_FAILED : session_open(&o, &w);
     if (!result) {
-        bolan_sea_step(s.sea, s.scene.time);
-        result = write_answers(&s, &points, o.output);
-        session_close(&s);
+        result = write_answers(bolan_world_water(w), &points, o.output);
+        bolan_world_destroy(&w);
     }
     bolan_points_destroy(&points);
     return result;

@@ -15,7 +15,7 @@ typedef struct job {
     const char *path;
     output_name name;
     uint32_t width, height, frames, samples;
-    double fps;
+    double fps, start; // frames a second; time of the first [s]
     bolan_quality quality;
     bool quiet;
 } job;
@@ -120,21 +120,16 @@ static bool write_frame(const job *j, stage *s, uint32_t number) {
     return bolan_png_write(path, j->width, j->height, s->rgb) == BOLAN_OK;
 }
 
-static bool render_frame(const job *j, session *w, stage *s, uint32_t number) {
-    const double time = w->scene.time + number / j->fps;
+static bool render_frame(const job *j, bolan_world *w, stage *s, uint32_t number) {
+    const double time = j->start + number / j->fps;
     if (number == 0) {
-        bolan_sea_settle(w->sea, time); // with the foam that the seconds before would have left
+        bolan_world_settle(w, time); // with the foam that the seconds before would have left
     } else {
-        bolan_sea_step(w->sea, time);
+        bolan_world_step(w, time);
     }
-    w->scene.camera = bolan_scene_camera_at(&w->scene, time);
-    session_lift_camera(w);
-    bolan_frame_desc frame = bolan_frame_desc_default();
-    frame.scene = &w->scene;
-    frame.sea = w->sea;
-    frame.terrain = w->assets.terrain;
-    frame.tiles = w->assets.tiles;
-    frame.models = w->assets.object_models;
+    const bolan_camera camera = bolan_world_camera_at(w, time);
+    bolan_world_set_camera(w, &camera);
+    bolan_frame_desc frame = bolan_frame_desc_of_world(w);
     frame.framebuffer = bolan_target_framebuffer(s->target);
     frame.width = j->width;
     frame.height = j->height;
@@ -150,7 +145,7 @@ static void print_name(const job *j) {
     printf("\n");
 }
 
-static int render_all(const job *j, session *w) {
+static int render_all(const job *j, bolan_world *w) {
     stage s;
     bool ok = open_stage(j, &s);
     progress bar = progress_start(j->frames, j->quiet || !ok);
@@ -173,10 +168,18 @@ static bool can_write(const job *j) {
     return !bolan_file_check_writable(path);
 }
 
+static int check_camera(const bolan_world *w) {
+    const bolan_scene *scene = bolan_world_scene(w);
+    const double below = scene->water.level - bolan_world_camera_at(w, scene->time).position.z;
+    if (below <= 0.0 || scene->technique.optics == BOLAN_OPTICS_MIRROR) return EXIT_OK;
+    return usage_error(
+        "the camera stands %g m below the water; expected above it: only --optics mirror has views from below", below);
+}
+
 int command_render(int count, char **arguments) {
     options o;
     job j;
-    session w;
+    bolan_world *w = NULL;
     int result = options_parse(ON_RENDER, "render", count, arguments, &o);
     if (result) return result;
     if (o.help)
@@ -187,15 +190,11 @@ int command_render(int count, char **arguments) {
     result = make_job(&o, &j);
     if (result) return result;
     result = can_write(&j) ? session_open(&o, &w) : EXIT_FAILED;
-    if (result) return result;
-    const double below = w.scene.water.level - w.scene.camera.position.z;
-    if (below > 0.0 && w.scene.technique.optics != BOLAN_OPTICS_MIRROR) {
-        session_close(&w);
-        return usage_error(
-            "the camera stands %g m below the water; expected above it: only --optics mirror has views from below",
-            below);
+    if (!result) result = check_camera(w);
+    if (!result) {
+        j.start = bolan_world_scene(w)->time;
+        result = render_all(&j, w);
     }
-    result = render_all(&j, &w);
-    session_close(&w);
+    bolan_world_destroy(&w);
     return result;
 }

@@ -2,6 +2,9 @@
 // The renderer and its pictures.
 #include "canvas.h"
 
+#include "bolan/io.h"
+#include "bolan/render.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <unistd.h>
@@ -40,14 +43,9 @@ static bool need_target(canvas *c, uint32_t width, uint32_t height) {
     return bolan_target_create(width, height, &c->target) == BOLAN_OK;
 }
 
-static void draw(canvas *c, const world *w, uint32_t framebuffer, uint32_t width, uint32_t height, uint32_t samples) {
-    bolan_frame_desc frame = bolan_frame_desc_default();
+static void draw(canvas *c, const bolan_world *w, uint32_t framebuffer, uint32_t width, uint32_t height, uint32_t samples) {
+    bolan_frame_desc frame = bolan_frame_desc_of_world(w);
     frame.progressive = samples == 1; // a saved picture waits for all that is in it
-    frame.scene = &w->scene;
-    frame.sea = w->sea;
-    frame.terrain = w->assets.terrain;
-    frame.tiles = w->assets.tiles;
-    frame.models = w->assets.object_models;
     frame.framebuffer = framebuffer;
     frame.width = width;
     frame.height = height;
@@ -58,7 +56,7 @@ static void draw(canvas *c, const world *w, uint32_t framebuffer, uint32_t width
 
 static uint32_t scaled(uint32_t pixels, double scale) { return (uint32_t)fmax(round(pixels * scale), 1.0); }
 
-void canvas_draw(canvas *c, const world *w, uint32_t width, uint32_t height, double scale) {
+void canvas_draw(canvas *c, const bolan_world *w, uint32_t width, uint32_t height, double scale) {
     c->width = scaled(width, scale);
     c->height = scaled(height, scale);
     if ((c->width == width && c->height == height) || !need_target(c, c->width, c->height)) {
@@ -83,7 +81,7 @@ bolan_result canvas_save_window(canvas *c, uint32_t width, uint32_t height, cons
     return save(c, 0, width, height, path);
 }
 
-bolan_result canvas_save_picture(canvas *c, const world *w, uint32_t width, uint32_t height, const char *path) {
+bolan_result canvas_save_picture(canvas *c, const bolan_world *w, uint32_t width, uint32_t height, const char *path) {
     bolan_target *target = NULL;
     bolan_result result = bolan_target_create(width, height, &target);
     if (result != BOLAN_OK) return result;

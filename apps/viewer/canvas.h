@@ -4,7 +4,7 @@
 #define VIEWER_CANVAS_H
 
 #include "bolan/render.h"
-#include "world.h"
+#include "bolan/world.h"
 
 typedef struct canvas {
     bolan_renderer *renderer;
@@ -20,11 +20,11 @@ void canvas_close(canvas *c);
 // Makes the renderer again; the old one stays on failure.
 bolan_result canvas_set_quality(canvas *c, bolan_quality quality);
 // Draws the world into the window of width x height pixels, at @p scale (0.25..1) of its resolution.
-void canvas_draw(canvas *c, const world *w, uint32_t width, uint32_t height, double scale);
+void canvas_draw(canvas *c, const bolan_world *w, uint32_t width, uint32_t height, double scale);
 // Writes what the window shows now, before it is presented, as PNG.
 bolan_result canvas_save_window(canvas *c, uint32_t width, uint32_t height, const char *path);
 // Draws the world once more, fine and without panel, as PNG.
-bolan_result canvas_save_picture(canvas *c, const world *w, uint32_t width, uint32_t height, const char *path);
+bolan_result canvas_save_picture(canvas *c, const bolan_world *w, uint32_t width, uint32_t height, const char *path);
 // The first name bolan-0001.png, bolan-0002.png .. that is free in the current folder.
 void canvas_free_name(char *name, size_t size);
 

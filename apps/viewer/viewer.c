@@ -2,12 +2,14 @@
 // The viewer's loop: events, movement, sea, picture, panel, and what was asked for.
 #include "viewer.h"
 
+#include "bolan/io.h"
 #include "canvas.h"
 #include "input.h"
 #include "messages.h"
 #include "pace.h"
 #include "panel.h"
 #include "reload.h"
+#include "world.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -22,7 +24,11 @@ typedef struct viewer {
     const viewer_options *options;
     window window;
     input input;
-    world world;
+    bolan_world *world;
+    bolan_scene scene; // as panel, keys and mouse want it; the world takes it over before each frame
+    bolan_camera home; // the camera that the scene came with
+    bolan_sea_statistics statistics; // of the sea when it was made
+    double synthesis_ms;             // of the last step
     sea_knobs knobs;
     canvas canvas;
     pace pace;
@@ -58,7 +64,7 @@ notice(viewer *v, const char *format, ...) {
 static void take_screenshot(viewer *v) {
     char name[32];
     canvas_free_name(name, sizeof name);
-    if (canvas_save_picture(&v->canvas, &v->world, v->width, v->height, name) != BOLAN_OK) {
+    if (canvas_save_picture(&v->canvas, v->world, v->width, v->height, name) != BOLAN_OK) {
         notice(v, "the screenshot failed");
         return;
     }
@@ -77,55 +83,67 @@ static void reload_shaders(viewer *v) {
     notice(v, ok ? "shaders reloaded" : "shaders not reloaded: see the messages");
 }
 
+static void read_knobs(viewer *v) { v->knobs = sea_knobs_read(&v->scene.sea, v->scene.spectrum_path[0] != '\0'); }
+
+// Gives the world the scene as it is wanted. Where that cannot be, the scene becomes that of the world again.
+static bool update_world(viewer *v) {
+    const uint64_t old = bolan_sea_id(bolan_world_water(v->world)->sea);
+    const bool ok = bolan_world_set_scene(v->world, &v->scene) == BOLAN_OK;
+    if (!ok) v->scene = *bolan_world_scene(v->world);
+    const bolan_sea *sea = bolan_world_water(v->world)->sea;
+    if (bolan_sea_id(sea) != old) v->statistics = bolan_sea_measure(sea);
+    return ok;
+}
+
 static void rebuild_sea(viewer *v, unsigned changed) {
-    bolan_sea_desc old = v->world.scene.sea;
-    sea_knobs_write(&v->knobs, changed, &v->world.scene.sea);
-    if (world_rebuild_sea(&v->world) == BOLAN_OK) return;
-    v->world.scene.sea = old;
-    v->knobs = sea_knobs_read(&old, v->world.scene.spectrum_path[0] != '\0');
+    sea_knobs_write(&v->knobs, changed, &v->scene.sea);
+    if (!update_world(v)) read_knobs(v);
 }
 
 // The same scene and camera by the next technique of the list.
 static void next_technique(viewer *v) {
-    const bolan_scene old = v->world.scene;
     uint32_t count = 0, now = 0;
     const bolan_technique *all = bolan_techniques(&count);
-    while (now < count && strcmp(all[now].name, old.technique.name) != 0) now++;
+    while (now < count && strcmp(all[now].name, v->scene.technique.name) != 0) now++;
     const bolan_technique *next = &all[(now + 1) % count];
-    bolan_scene_set_technique(&v->world.scene, next);
-    if (world_rebuild_sea(&v->world) != BOLAN_OK) {
-        v->world.scene = old;
+    bolan_scene_set_technique(&v->scene, next);
+    if (!update_world(v)) {
         notice(v, "%s cannot be shown here: see the messages", next->name);
         return;
     }
-    v->knobs = sea_knobs_read(&v->world.scene.sea, v->world.scene.spectrum_path[0] != '\0');
+    read_knobs(v);
     notice(v, "%s: %s waves on a %s surface, %s optics", next->name, bolan_wave_model_names[next->waves],
            bolan_surface_kind_names[next->surface], bolan_optics_kind_names[next->optics]);
 }
 
 static void set_title(viewer *v) {
     char title[BOLAN_NAME_MAX + 16];
-    snprintf(title, sizeof title, "%s - Bolan", v->world.scene.name);
+    snprintf(title, sizeof title, "%s - Bolan", v->scene.name);
     SDL_SetWindowTitle(v->window.handle, title);
 }
 
-static void show_world(viewer *v) {
-    v->time = v->world.scene.time;
-    v->knobs = sea_knobs_read(&v->world.scene.sea, v->world.scene.spectrum_path[0] != '\0');
+static bool open_world(viewer *v, const bolan_scene *scene) {
+    bolan_world *fresh = NULL;
+    if (bolan_world_load_scene(scene, &fresh) != BOLAN_OK) return false;
+    bolan_world_destroy(&v->world);
+    v->world = fresh;
+    bolan_world_settle(fresh, scene->time);
+    v->scene = *scene;
+    v->home = scene->camera;
+    v->time = scene->time;
+    v->statistics = bolan_sea_measure(bolan_world_water(fresh)->sea);
+    read_knobs(v);
     set_title(v);
+    return true;
 }
 
 static void load_scene(viewer *v, const char *name) {
     bolan_scene scene;
-    world fresh;
-    if (bolan_scene_load(name, &scene) != BOLAN_OK || world_open(&fresh, &scene) != BOLAN_OK) {
+    if (bolan_scene_load(name, &scene) != BOLAN_OK || !open_world(v, &scene)) {
         notice(v, "%s was not loaded: see the messages", name);
         return;
     }
-    world_close(&v->world);
-    v->world = fresh;
-    show_world(v);
-    notice(v, "%s", fresh.scene.description);
+    notice(v, "%s", scene.description);
 }
 
 static void set_quality(viewer *v) {
@@ -138,7 +156,7 @@ static void obey_panel(viewer *v, const panel_wishes *wishes) {
     if (wishes->quality) set_quality(v);
     if (wishes->screenshot) take_screenshot(v);
     if (wishes->reload) reload_shaders(v);
-    if (wishes->home) v->world.scene.camera = v->world.home;
+    if (wishes->home) v->scene.camera = v->home;
     if (wishes->scene != NULL) {
         v->pending_scene = wishes->scene;
         notice(v, "loading %s ...", wishes->scene);
@@ -155,7 +173,7 @@ static void obey_commands(viewer *v, unsigned commands) {
     if (commands & COMMAND_FULLSCREEN) window_toggle_fullscreen(&v->window);
     if (commands & COMMAND_SCREENSHOT) take_screenshot(v);
     if (commands & COMMAND_RELOAD) reload_shaders(v);
-    if (commands & COMMAND_HOME) v->world.scene.camera = v->world.home;
+    if (commands & COMMAND_HOME) v->scene.camera = v->home;
     if (commands & COMMAND_TECHNIQUE) next_technique(v);
 }
 
@@ -165,18 +183,18 @@ static void take_events(viewer *v, double seconds, panel_facts *facts) {
     SDL_Event event;
     int units = 0;
     input_taken taken;
-    bolan_camera *camera = &v->world.scene.camera;
+    bolan_camera *camera = &v->scene.camera;
     SDL_GetWindowSize(v->window.handle, NULL, &units);
     panel_taken(&taken.mouse, &taken.keyboard);
     while (SDL_PollEvent(&event)) {
         panel_event(&event);
         obey_commands(v, input_event(&v->input, &v->window, &event, taken, camera->fov_deg / fmax(units, 1.0)));
     }
-    double surface = world_surface(&v->world, camera->position.x, camera->position.y, &facts->over_land);
+    double surface = world_surface(v->world, camera->position.x, camera->position.y, &facts->over_land);
     double speed = fly_speed(camera->position.z - surface);
     fly_input movement = input_movement(&v->input, taken, seconds);
     fly_step(camera, &movement, speed, -INFINITY, seconds);
-    fly_keep_above(camera, world_floor(&v->world, camera->position.x, camera->position.y));
+    fly_keep_above(camera, world_floor(v->world, camera->position.x, camera->position.y));
     facts->camera_height = camera->position.z - surface;
     facts->camera_speed = speed * movement.faster;
     facts->gamepad = v->input.gamepad != NULL;
@@ -184,15 +202,17 @@ static void take_events(viewer *v, double seconds, panel_facts *facts) {
 
 static void advance(viewer *v, double seconds) {
     if (v->paused) {
-        v->world.synthesis_ms = 0.0;
+        v->synthesis_ms = 0.0;
         return;
     }
     v->time += seconds * v->time_scale;
-    world_step(&v->world, v->time);
+    const double start = seconds_now();
+    bolan_world_step(v->world, v->time);
+    v->synthesis_ms = (seconds_now() - start) * 1e3;
 }
 
 static void draw_panel(viewer *v, panel_facts *facts) {
-    panel_edits edits = {.scene = &v->world.scene,
+    panel_edits edits = {.scene = &v->scene,
                          .knobs = &v->knobs,
                          .quality = &v->quality,
                          .time_scale = &v->time_scale,
@@ -205,9 +225,9 @@ static void draw_panel(viewer *v, panel_facts *facts) {
     facts->picture_width = v->canvas.width;
     facts->picture_height = v->canvas.height;
     facts->frame_ms = v->pace.frame_ms;
-    facts->synthesis_ms = v->world.synthesis_ms;
+    facts->synthesis_ms = v->synthesis_ms;
     facts->statistics = bolan_renderer_statistics(v->canvas.renderer);
-    facts->sea = v->world.statistics;
+    facts->sea = v->statistics;
     facts->time = v->time;
     facts->device = v->device;
     facts->shader_directory = v->options->shader_directory;
@@ -246,7 +266,8 @@ static void one_frame(viewer *v) {
     bool automatic = v->render_scale == 0.0 && v->options->frames == 0;
     if (v->frame > 0) pace_frame(&v->pace, elapsed * 1e3, automatic);
     advance(v, seconds);
-    canvas_draw(&v->canvas, &v->world, v->width, v->height, v->render_scale > 0.0 ? v->render_scale : v->pace.scale);
+    update_world(v);
+    canvas_draw(&v->canvas, v->world, v->width, v->height, v->render_scale > 0.0 ? v->render_scale : v->pace.scale);
     draw_panel(v, &facts);
     if (v->frame++ == 0) v->first_frame = seconds_now();
     finish_test(v);
@@ -260,7 +281,7 @@ static bool start(viewer *v, const bolan_scene *scene) {
     const viewer_options *o = v->options;
     if (!window_open(&v->window, "Bolan", o->width, o->height)) return false;
     if (canvas_open(&v->canvas, o->quality, o->shader_directory) != BOLAN_OK) return false;
-    if (world_open(&v->world, scene) != BOLAN_OK || !panel_open(&v->window)) return false;
+    if (!open_world(v, scene) || !panel_open(&v->window)) return false;
     input_open(&v->input);
     bolan_gl_info info = bolan_gl_get_info();
     snprintf(v->device, sizeof v->device, "%s, %s%s", info.renderer, v->window.es ? "" : "OpenGL ", info.version);
@@ -272,7 +293,6 @@ static bool start(viewer *v, const bolan_scene *scene) {
     v->last_frame = seconds_now();
     reload_start(&v->watch, o->shader_directory, v->last_frame);
     window_pixels(&v->window, &v->width, &v->height);
-    show_world(v);
     return true;
 }
 
@@ -289,7 +309,7 @@ static void stop(viewer *v) {
     input_close(&v->input);
     panel_close();
     canvas_close(&v->canvas);
-    world_close(&v->world);
+    bolan_world_destroy(&v->world);
     window_close(&v->window);
 }
 

@@ -105,6 +105,8 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(502, POINTS_SYNTAX)           \
     X(503, SEA_LIMITED)             \
     X(910, LAYER_STEEP)             \
+    X(930, WORLD_MODEL)             \
+    X(931, WORLD_ASSETS)            \
     X(940, VIEW)                    \
     X(950, BAKE_WANTED)             \
     X(960, GUEST_PROGRAM)           \

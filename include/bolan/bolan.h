@@ -19,11 +19,13 @@
 #include "bolan/query.h"
 #include "bolan/surface.h"
 #include "bolan/tiles.h"
+#include "bolan/water.h"
 
 #include "bolan/content.h"
 #include "bolan/model.h"
 #include "bolan/scene.h"
 #include "bolan/technique.h"
+#include "bolan/world.h"
 
 #include "bolan/io.h"
 

@@ -11,6 +11,7 @@
 
 #include "bolan/scene.h"
 #include "bolan/tiles.h"
+#include "bolan/world.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -59,22 +60,22 @@ extern const bolan_param_group bolan_scene_file_groups[];
 /// Names of the built-in scenes; NULL past the last.
 const char *bolan_scene_builtin_name(uint32_t index);
 
-/// What a scene refers to, loaded: the measured spectrum and the terrain (NULL where the scene has none), the models.
-typedef struct bolan_scene_assets {
-    bolan_measured_spectrum *spectrum;
-    bolan_ground *terrain;
-    bolan_tiles *tiles;                                  ///< of scene->tiles_path, or NULL
-    uint32_t model_count;                                ///< different models
-    bolan_model *models[BOLAN_MAX_OBJECTS];              ///< owned
-    const bolan_model *object_models[BOLAN_MAX_OBJECTS]; ///< the model of each object of the scene
-} bolan_scene_assets;
-/// Reads them. A raster scene with an empty path takes the global ETOPO5 relief where Debian's ferret-datasets put it,
-/// and says what to do when it is not there. Errors: IO, FORMAT, MEMORY; @p out is then empty.
-bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_assets *out);
-/// NULL-safe; NULLs the members.
-void bolan_scene_assets_destroy(bolan_scene_assets *assets);
-/// Creates the scene's sea: its desc with the measured spectrum of @p assets put in.
-bolan_result bolan_scene_create_sea(const bolan_scene *scene, const bolan_scene_assets *assets, bolan_sea **out);
+// ---- worlds ---------------------------------------------------------------------------------------------------------
+
+/// Loads a world: the scene of that name or path, see bolan_scene_load(), and all that it refers to.
+/// @param out receives the world; NULL on failure.
+/// Errors: those of bolan_scene_load() and bolan_world_load_scene().
+bolan_result bolan_world_load(const char *name_or_path, bolan_world **out);
+
+/// Loads what @p scene refers to and makes a world of both.
+/// "builtin:" models and generated grounds come from bolan_content.
+/// A raster with an empty path is the global relief ETOPO5 where Debian's package ferret-datasets puts it.
+/// @param out receives the world; NULL on failure.
+/// Errors: IO, FORMAT, MEMORY, UNSUPPORTED (a format that this build does not have), ARGUMENT (a field of the scene out
+/// of range, an unknown name of a model or a ground).
+bolan_result bolan_world_load_scene(const bolan_scene *scene, bolan_world **out);
+
+// ---- models ---------------------------------------------------------------------------------------------------------
 
 /// A model file.
 typedef struct bolan_model_desc {

@@ -37,6 +37,7 @@
 #include "bolan/scene.h"
 #include "bolan/tiles.h"
 #include "bolan/water.h"
+#include "bolan/world.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -208,6 +209,9 @@ typedef struct bolan_frame_desc {
 } bolan_frame_desc;
 /// One sample, everything else 0 or NULL: set scene, sea, width and height.
 bolan_frame_desc bolan_frame_desc_default(void);
+/// The default with everything that stands in @p world at its present time; set width and height. Valid until the world
+/// is stepped or changed.
+bolan_frame_desc bolan_frame_desc_of_world(const bolan_world *world);
 /// Draws one picture of the scene's camera: prepares the step, and draws the world from it. A field out of range, a
 /// technique whose wave model is not the sea's, a framebuffer that is none or not complete, or no current context:
 /// nothing is drawn and the log says why, once. An eye below the water or within 0.3 m of it is lifted to 0.3 m above,

@@ -2,7 +2,7 @@
 // The scene's objects: keeps their meshes on the GPU, sets them on the waves, draws them. Shader: shaders/objects.glsl.
 #include "frame.h"
 
-#include "bolan/query.h"
+#include "bolan/world.h"
 #include "memory.h"
 
 #include <stdio.h>
@@ -12,7 +12,6 @@
 #define VERTEX_FLOATS 10    // position, normal, colour and openness
 #define MAX_CASTERS 32      // twin of caster[] in objects.glsl
 #define WIDEST_CASTER 30.0f // [m]: what is larger is a landscape
-#define SOFTENING 0.7       // of the tilt: a hull averages over more than the points that are asked for
 #define OVERLAP 0.25f // [m], as in planar_views.c: what stands clear of the water by more is cut by no picture's plane
 
 enum { ABOVE, ACROSS, BELOW, CLASSES }; // the paper's three classes (section 2.2), of triangles
@@ -239,49 +238,8 @@ static void sort_triangles(sorted *s, placed *o, const bolan_model *model, bool 
 
 // ---- places ---------------------------------------------------------------------------------------------------------
 
-typedef struct pose {
-    bolan_dvec3 origin;  // world [m]
-    bolan_dvec3 x, y, z; // unit axes of the model in the world
-} pose;
-
-static pose standing(const bolan_object *o) {
-    double s, c;
-    bolan_sincos(bolan_radians(o->heading_deg), &s, &c);
-    return (pose){o->position, {c, -s, 0.0}, {s, c, 0.0}, {0.0, 0.0, 1.0}};
-}
-
-static bolan_dvec3 unit(bolan_dvec3 v) {
-    const double length = sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-    return bolan_dv3(v.x / length, v.y / length, v.z / length);
-}
-static bolan_dvec3 cross(bolan_dvec3 a, bolan_dvec3 b) {
-    return bolan_dv3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-}
-
-// Rests on the water under five points of the hull: bow and stern give the pitch, the sides the roll.
-static void float_on_water(pose *p, const render_view *view, const bolan_object *o, bolan_vec3 low, bolan_vec3 high) {
-    static const double at[5][2] = {{0, 0}, {0, 0.8}, {0, -0.8}, {0.8, 0}, {-0.8, 0}};
-    const double half_x = 0.5 * o->scale * (double)(high.x - low.x), half_y = 0.5 * o->scale * (double)(high.y - low.y);
-    const double mid_x = 0.5 * o->scale * (double)(high.x + low.x), mid_y = 0.5 * o->scale * (double)(high.y + low.y);
-    bolan_dvec2 xy[5];
-    bolan_query_point water[5];
-    for (int i = 0; i < 5; i++) {
-        const double u = mid_x + at[i][0] * half_x, v = mid_y + at[i][1] * half_y;
-        xy[i] = (bolan_dvec2){p->origin.x + u * p->x.x + v * p->y.x, p->origin.y + u * p->x.y + v * p->y.y};
-    }
-    bolan_query_surface(&view->frame->water, xy, 5, water);
-    double sum = 0.0;
-    for (int i = 0; i < 5; i++) sum += (double)water[i].height;
-    const double pitch = SOFTENING * ((double)water[1].height - (double)water[2].height) / fmax(1.6 * half_y, 1e-3);
-    const double roll = SOFTENING * ((double)water[3].height - (double)water[4].height) / fmax(1.6 * half_x, 1e-3);
-    p->origin.z = o->position.z + sum / 5.0;
-    p->y = unit(bolan_dv3(p->y.x, p->y.y, pitch));
-    p->z = unit(cross(bolan_dv3(p->x.x, p->x.y, roll), p->y));
-    p->x = cross(p->y, p->z);
-}
-
 // The one place where doubles become eye-relative floats.
-static void fill_rows(placed *to, const pose *p, double scale, bolan_dvec3 eye) {
+static void fill_rows(placed *to, const bolan_pose *p, double scale, bolan_dvec3 eye) {
     const float rows[12] = {(float)(scale * p->x.x),      (float)(scale * p->y.x),      (float)(scale * p->z.x),
                             (float)(p->origin.x - eye.x), (float)(scale * p->x.y),      (float)(scale * p->y.y),
                             (float)(scale * p->z.y),      (float)(p->origin.y - eye.y), (float)(scale * p->x.z),
@@ -348,8 +306,7 @@ void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
         placed *to = &p->objects[p->count];
         if (!model || !(to->gpu = keep(p, model))) continue;
         bolan_model_bounds(model, &to->low, &to->high);
-        pose at = standing(&s->objects[i]);
-        if (s->objects[i].floats) float_on_water(&at, v, &s->objects[i], to->low, to->high);
+        const bolan_pose at = bolan_object_pose(&s->objects[i], model, &v->frame->water);
         fill_rows(to, &at, s->objects[i].scale, v->eye);
         measure_box(to, v->eye.z - v->frame->level);
         add_caster(p, to, to->low, to->high, (float)s->objects[i].scale);

@@ -30,49 +30,65 @@ static inline void picture_free(picture *p) {
 static const char
     *stage_shaders; // the folder that the renderers of stages take their shaders from; NULL: the built-in ones
 
-// Everything a scene needs to be drawn; the context must be current.
+// A world and a renderer; the context must be current. The world takes over `scene`, which a test may change, before it
+// is drawn.
 typedef struct stage {
     bolan_scene scene;
-    bolan_scene_assets assets;
-    bolan_sea *sea;
+    bolan_world *world;
     bolan_renderer *renderer;
     bool progressive; // as a window is drawn: see bolan_frame_desc
 } stage;
 
+static inline const bolan_sea *stage_sea(const stage *s) { return bolan_world_water(s->world)->sea; }
+static inline const bolan_ground *stage_ground(const stage *s) { return bolan_world_water(s->world)->ground; }
+static inline void stage_step(stage *s, double time) { bolan_world_step(s->world, time); }
+static inline void stage_settle(stage *s, double time) { bolan_world_settle(s->world, time); }
+
+// Puts another world in the place of the present one, stepped to the scene's time.
+static inline bool stage_load(stage *s, const bolan_scene *scene) {
+    bolan_world_destroy(&s->world);
+    s->scene = *scene;
+    return bolan_world_load_scene(scene, &s->world) == BOLAN_OK;
+}
+
 static inline bool stage_open(stage *s, const bolan_scene *scene, bolan_quality quality, bool no_clip_control) {
     watch_begin();
-    *s = (stage){.scene = *scene};
+    *s = (stage){.world = NULL};
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = quality;
     desc.no_clip_control = no_clip_control;
     desc.shader_directory = stage_shaders;
-    if (bolan_scene_assets_load(scene, &s->assets) != BOLAN_OK) return false;
-    if (bolan_scene_create_sea(scene, &s->assets, &s->sea) != BOLAN_OK) return false;
-    bolan_sea_settle(s->sea, scene->time);
+    if (!stage_load(s, scene)) return false;
+    stage_settle(s, scene->time);
     return bolan_renderer_create(&desc, &s->renderer) == BOLAN_OK;
 }
 
 static inline void stage_close(stage *s) {
     bolan_renderer_destroy(&s->renderer);
-    bolan_sea_destroy(&s->sea);
-    bolan_scene_assets_destroy(&s->assets);
+    bolan_world_destroy(&s->world);
     assert_true(watch_is_clean("at the end of a stage"));
+}
+
+// Gives the world the scene as the test has changed it.
+static inline void stage_update(stage *s) { assert_int_equal(bolan_world_set_scene(s->world, &s->scene), BOLAN_OK); }
+
+// A frame of the stage; what stage_update() changes later shows in it too.
+static inline bolan_frame_desc stage_frame(stage *s, const bolan_target *target, uint32_t width, uint32_t height) {
+    stage_update(s);
+    bolan_frame_desc frame = bolan_frame_desc_of_world(s->world);
+    frame.framebuffer = bolan_target_framebuffer(target);
+    frame.width = width;
+    frame.height = height;
+    frame.progressive = s->progressive;
+    return frame;
 }
 
 static inline picture stage_draw(stage *s, uint32_t width, uint32_t height, uint32_t samples) {
     picture p = {width, height, malloc((size_t)width * height * 3), malloc(sizeof(float) * width * height)};
     bolan_target *target = NULL;
     if (bolan_target_create(width, height, &target) != BOLAN_OK) return p;
-    bolan_frame_desc frame = bolan_frame_desc_default();
-    frame.scene = &s->scene;
-    frame.sea = s->sea;
-    frame.terrain = s->assets.terrain;
-    frame.models = s->assets.object_models;
-    frame.framebuffer = bolan_target_framebuffer(target);
-    frame.width = width;
-    frame.height = height;
+    bolan_frame_desc frame = stage_frame(s, target, width, height);
     frame.samples = samples;
-    frame.progressive = s->progressive;
     bolan_renderer_draw(s->renderer, &frame);
     bolan_renderer_read_rgb8(s->renderer, frame.framebuffer, width, height, p.rgb);
     bolan_renderer_read_linear(s->renderer, NULL, p.distance);

@@ -117,13 +117,12 @@ static bolan_scene scene_of(const view *v) {
 }
 
 static bool open_stage(stage *s, const bolan_scene *scene, const char *shaders) {
-    *s = (stage){.scene = *scene};
+    *s = (stage){.world = NULL};
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = BOLAN_QUALITY_HIGH;
     desc.shader_directory = shaders;
-    if (bolan_scene_assets_load(scene, &s->assets) != BOLAN_OK) return false;
-    if (bolan_scene_create_sea(scene, &s->assets, &s->sea) != BOLAN_OK) return false;
-    bolan_sea_settle(s->sea, scene->time);
+    if (!stage_load(s, scene)) return false;
+    stage_settle(s, scene->time);
     return bolan_renderer_create(&desc, &s->renderer) == BOLAN_OK;
 }
 
@@ -138,12 +137,7 @@ static double through_air(int channel, double distance) {
 static void add_part(stage *s, const bolan_target *target, uint32_t effects, double sign, double weight, float *rgb,
                      float *distance, double *sum) {
     s->scene.look.effects = effects;
-    bolan_frame_desc frame = bolan_frame_desc_default();
-    frame.scene = &s->scene;
-    frame.sea = s->sea;
-    frame.framebuffer = bolan_target_framebuffer(target);
-    frame.width = WIDTH;
-    frame.height = HEIGHT;
+    const bolan_frame_desc frame = stage_frame(s, target, WIDTH, HEIGHT);
     bolan_renderer_draw(s->renderer, &frame);
     bolan_renderer_read_linear(s->renderer, rgb, distance);
     const double half = tan(bolan_radians(20.0));
@@ -165,7 +159,7 @@ static void draw_parts(const view *v, const char *shaders, int samples, double *
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
     // The reference's surface had its mean below the level by what now lifts it: so its eye stood higher over the
     // waves.
-    for (uint32_t c = 0; c < bolan_sea_cascade_count(s.sea); ++c) s.scene.water.level -= bolan_sea_lift(s.sea, c, 0.0);
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(stage_sea(&s)); ++c) s.scene.water.level -= bolan_sea_lift(stage_sea(&s), c, 0.0);
     float *rgb = malloc(sizeof(float) * 3 * PIXELS), *distance = malloc(sizeof(float) * PIXELS);
     const double pixel = 2.0 * bolan_degrees(tan(bolan_radians(20.0))) / HEIGHT;
     for (int i = 0; i < samples; ++i) { // the R2 sequence

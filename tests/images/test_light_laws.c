@@ -28,12 +28,7 @@ static stage *set_stage(const bolan_scene *scene) {
         assert_true(stage_open(s, scene, BOLAN_QUALITY_MEDIUM, false));
         return s;
     }
-    bolan_sea_destroy(&s->sea);
-    bolan_scene_assets_destroy(&s->assets);
-    s->scene = *scene;
-    assert_int_equal(bolan_scene_assets_load(scene, &s->assets), BOLAN_OK);
-    assert_int_equal(bolan_scene_create_sea(scene, &s->assets, &s->sea), BOLAN_OK);
-    bolan_sea_step(s->sea, scene->time);
+    assert_true(stage_load(s, scene));
     return s;
 }
 
@@ -113,7 +108,7 @@ static void check_glitter(const bolan_technique *technique, unsigned effect, dou
     double got[3];
     float want[3];
     measure_glitter(s, effect, got);
-    bolan_sea_unresolved_slopes(s->sea, 1e5, 1e5, 0.0, want);
+    bolan_sea_unresolved_slopes(stage_sea(s), 1e5, 1e5, 0.0, want);
     const double size = got[0] + got[2], all = (double)(want[0] + want[2]);
     print_message("%s, wind from %.0f: %.4f of %.4f; %.3f %+.3f %.3f, not %.3f %+.3f %.3f\n", technique->name, from,
                   size, all, got[0] / size, got[1] / size, got[2] / size, (double)want[0] / all, (double)want[1] / all,
@@ -186,7 +181,7 @@ static void light_from_the_bed_goes_through_the_water_twice(void **state) {
 static void check_foam(const bolan_technique *technique, unsigned own) {
     bolan_scene scene = from_above("storm", technique, 40.0, 60.0);
     stage *s = set_stage(&scene);
-    bolan_sea_settle(s->sea, 20.0);
+    stage_settle(s, 20.0);
     float *foam = radiance_with(s, own | BOLAN_EFFECT_FOAM), *water = radiance_with(s, own);
     const double deep = (double)bolan_water_optics_from_jerlov(scene.water.type).deep.y;
     double most = 0.0;
@@ -232,9 +227,9 @@ static void check_motion(const bolan_technique *technique, double from) {
     double along = 0.0, across = 0.0;
     for (int k = 0; k < 2; ++k) {
         const double time = 20.0 + 3.7 * k;
-        bolan_sea_step(s->sea, time);
+        stage_step(s, time);
         float *before = radiance(s);
-        bolan_sea_step(s->sea, time + 0.35); // a frame of the loop of textures lasts 0.3 s
+        stage_step(s, time + 0.35); // a frame of the loop of textures lasts 0.3 s
         float *after = radiance(s);
         along += 0.5 * flow(before, after, c, n), across += 0.5 * flow(before, after, -n, c);
         free(before);
@@ -257,7 +252,7 @@ static void the_sea_runs_with_the_wind(void **state) {
 
 // The foam alone: what it adds to a picture, averaged over 5 x 5 pixels, for its bubbles stay where they are.
 static float *foam_of(stage *s, double time) {
-    bolan_sea_step(s->sea, time);
+    stage_step(s, time);
     s->scene.water.foam = 1.0;
     float *with = radiance(s);
     s->scene.water.foam = 0.0;
@@ -280,7 +275,7 @@ typedef struct bores {
 
 // Adds how the change from one picture of foam to the next goes with its slope towards (x, y), where the ground rises.
 static void add_bores(const stage *s, const float *before, const float *after, double metre, bores *b) {
-    const bolan_ground *ground = s->assets.terrain;
+    const bolan_ground *ground = stage_ground(s);
     const size_t row = 3 * SIZE;
     for (int j = 3; j + 3 < SIZE; ++j)
         for (int i = 3; i + 3 < SIZE; ++i) {
@@ -329,11 +324,11 @@ static void check_bores(const bolan_technique *technique) {
     const double height = 60.0, metre = 2.0 * height * tan(bolan_radians(35.0)) / SIZE, step = 0.4;
     bolan_scene scene = from_above("island", technique, height, 70.0);
     stage *s = set_stage(&scene);
-    const bolan_dvec2 up = find_beach(s->assets.terrain, &scene.camera.position);
+    const bolan_dvec2 up = find_beach(stage_ground(s), &scene.camera.position);
     // waves that run straight onto it
     scene.sea.sea_state = bolan_sea_state_from_wind(7.0, bolan_degrees(atan2(-up.x, -up.y)), 6e4);
     s = set_stage(&scene);
-    const double period = bolan_sea_get_summary(s->sea)->tp;
+    const double period = bolan_sea_get_summary(stage_sea(s))->tp;
     bores b = {0};
     for (int k = 0; k < 4; ++k) { // all phases of a wave: what swells and ebbs where it is counts for nothing
         const double time = 20.0 + 0.25 * period * k;

@@ -137,18 +137,12 @@ static void frames_after_the_first_allocate_nothing(void **state) {
     assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
     bolan_target *target = NULL;
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
-    bolan_frame_desc frame = bolan_frame_desc_default();
-    frame.scene = &s.scene;
-    frame.sea = s.sea;
-    frame.terrain = s.assets.terrain;
-    frame.models = s.assets.object_models;
-    frame.framebuffer = bolan_target_framebuffer(target);
-    frame.width = WIDTH;
-    frame.height = HEIGHT;
+    const bolan_frame_desc frame = stage_frame(&s, target, WIDTH, HEIGHT);
     for (int i = 0; i < 5; ++i) {
         if (i == 1) allocations = 0;
         s.scene.camera.heading_deg += 1.0;
-        bolan_sea_step(s.sea, scene.time + 0.1 * i);
+        stage_update(&s);
+        stage_step(&s, scene.time + 0.1 * i);
         bolan_renderer_draw(s.renderer, &frame);
     }
     assert_int_equal(allocations, 0);

@@ -283,18 +283,12 @@ static void later_frames_allocate_nothing(void **state) {
         assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
         bolan_target *target = NULL;
         assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
-        bolan_frame_desc frame = bolan_frame_desc_default();
-        frame.scene = &s.scene;
-        frame.sea = s.sea;
-        frame.terrain = s.assets.terrain;
-        frame.models = s.assets.object_models;
-        frame.framebuffer = bolan_target_framebuffer(target);
-        frame.width = WIDTH;
-        frame.height = HEIGHT;
+        const bolan_frame_desc frame = stage_frame(&s, target, WIDTH, HEIGHT);
         for (int k = 0; k < 5; ++k) {
             if (k == 2) allocations = 0;
             s.scene.camera.position.x += 0.3;
-            bolan_sea_step(s.sea, scene.time + 0.1 * k);
+            stage_update(&s);
+            stage_step(&s, scene.time + 0.1 * k);
             bolan_renderer_draw(s.renderer, &frame);
         }
         assert_int_equal(errors, 0);

@@ -54,10 +54,8 @@ static void without_models_the_terrain_is_drawn(void **state) {
     picture with = stage_draw(&s, WIDTH, HEIGHT, 1);
     bolan_target *target = NULL;
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
-    bolan_frame_desc frame = bolan_frame_desc_default();
-    frame.scene = &s.scene, frame.sea = s.sea, frame.terrain = s.assets.terrain;
-    frame.framebuffer = bolan_target_framebuffer(target);
-    frame.width = WIDTH, frame.height = HEIGHT;
+    bolan_frame_desc frame = stage_frame(&s, target, WIDTH, HEIGHT);
+    frame.models = NULL;
     bolan_renderer_draw(s.renderer, &frame);
     const bolan_frame_statistics statistics = bolan_renderer_statistics(s.renderer);
     assert_true(statistics.triangles > statistics.water_triangles);

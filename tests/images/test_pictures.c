@@ -73,7 +73,7 @@ static void the_sea_has_no_holes(void **state) {
     stage s;
     assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
     double vertical, horizontal;
-    bolan_sea_bounds(s.sea, &vertical, &horizontal);
+    bolan_sea_bounds(stage_sea(&s), &vertical, &horizontal);
     srand(11);
     for (int k = 0; k < (test_is_short() ? 3 : 24); ++k) {
         bolan_camera *c = &s.scene.camera;
@@ -119,19 +119,13 @@ static void frames_after_the_first_allocate_nothing(void **state) {
     assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
     bolan_target *target = NULL;
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
-    bolan_frame_desc frame = bolan_frame_desc_default();
-    frame.scene = &s.scene;
-    frame.sea = s.sea;
-    frame.terrain = s.assets.terrain;
-    frame.models = s.assets.object_models;
-    frame.framebuffer = bolan_target_framebuffer(target);
-    frame.width = WIDTH;
-    frame.height = HEIGHT;
+    const bolan_frame_desc frame = stage_frame(&s, target, WIDTH, HEIGHT);
     for (int i = 0; i < 6; ++i) {
         if (i == 2) allocations = 0;
         s.scene.camera.position.x += 3.0;
         s.scene.camera.heading_deg += 1.0;
-        bolan_sea_step(s.sea, scene.time + 0.1 * i);
+        stage_update(&s);
+        stage_step(&s, scene.time + 0.1 * i);
         bolan_renderer_draw(s.renderer, &frame);
     }
     assert_int_equal(allocations, 0);

@@ -36,10 +36,10 @@ static void compare_pixel(const stage *s, double along, uint32_t x, uint32_t y, 
     if (!(distance < 1000.0)) return;
     const bolan_dvec2 at = {c->position.x + ray.x * along, c->position.y + ray.y * along};
     const double level = s->scene.water.level;
-    if (s->assets.terrain && (double)bolan_ground_elevation(s->assets.terrain, at.x, at.y, 2.0) > level - 0.3) return;
+    if (stage_ground(s) && (double)bolan_ground_elevation(stage_ground(s), at.x, at.y, 2.0) > level - 0.3) return;
     const double drop = (ray.x * ray.x + ray.y * ray.y) * along * along / (2.0 * BOLAN_EARTH_RADIUS);
     bolan_query_point answer;
-    bolan_query_surface(&(bolan_water){.sea = s->sea, .ground = s->assets.terrain, .level = level}, &at, 1, &answer);
+    bolan_query_surface(bolan_world_water(s->world), &at, 1, &answer);
     const double error = fabs(c->position.z + ray.z * along + drop - (double)answer.height);
     const double pixel = distance * 2.0 * tan(0.5 * bolan_radians(c->fov_deg)) / HEIGHT;
     sum->pixels++;

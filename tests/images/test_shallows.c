@@ -41,7 +41,10 @@ static void shallows_brighten_towards_the_beach(void **state) {
     scene.camera = (bolan_camera){.position = {0.0, -4200.0, 700.0}, .pitch_deg = -14.0, .fov_deg = 60.0};
     stage s;
     assert_true(stage_open(&s, &scene, BOLAN_QUALITY_MEDIUM, false));
-    s.assets.terrain = island_on_a_shelf();
+    bolan_world_destroy(&s.world);
+    bolan_world_assets assets = {.ground = island_on_a_shelf()};
+    assert_int_equal(bolan_world_create(&(bolan_world_desc){&scene, &assets}, &s.world), BOLAN_OK);
+    stage_settle(&s, scene.time);
     picture p = stage_draw(&s, WIDTH, HEIGHT, 4);
     static float rgb[WIDTH * HEIGHT * 3];
     bolan_renderer_read_linear(s.renderer, rgb, NULL);

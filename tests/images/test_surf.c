@@ -20,11 +20,12 @@ static bolan_scene over_the_beach(const bolan_technique *technique) {
     assert_int_equal(bolan_scene_load("island", &scene), BOLAN_OK);
     bolan_scene_set_technique(&scene, technique);
     scene.sea.resolution = 64;
-    bolan_scene_assets assets;
-    assert_int_equal(bolan_scene_assets_load(&scene, &assets), BOLAN_OK);
+    bolan_world *world = NULL;
+    assert_int_equal(bolan_world_load_scene(&scene, &world), BOLAN_OK);
+    const bolan_ground *ground = bolan_world_water(world)->ground;
     double y = -8000.0; // from the open sea towards the island
-    while (y < 0.0 && bolan_ground_elevation(assets.terrain, 0.0, y, 0.0) < -1.0f) y += 2.0;
-    bolan_scene_assets_destroy(&assets);
+    while (y < 0.0 && bolan_ground_elevation(ground, 0.0, y, 0.0) < -1.0f) y += 2.0;
+    bolan_world_destroy(&world);
     assert_true(y < 0.0);
     scene.camera = (bolan_camera){.position = {0.0, y, 60.0}, .pitch_deg = -90.0, .fov_deg = 50.0};
     return scene;
@@ -58,7 +59,7 @@ static double tear(const bolan_scene *scene, bool columns) {
     assert_true(stage_open(&s, scene, BOLAN_QUALITY_MEDIUM, false));
     double middle = 0.0, all = 0.0;
     for (int t = 0; t < MOMENTS; t++) {
-        bolan_sea_step(s.sea, 2.3 * t);
+        stage_step(&s, 2.3 * t);
         picture p = stage_draw(&s, SIZE, SIZE, 1);
         for (uint32_t i = 0; i + 1 < SIZE; i++) all += step_between(&p, columns, i) / (SIZE - 1);
         middle += step_between(&p, columns, SIZE / 2 - 1);
@@ -137,11 +138,11 @@ static double jump(const bolan_technique *technique, double time) {
     const bolan_scene scene = over_the_beach(technique);
     stage s;
     assert_true(stage_open(&s, &scene, BOLAN_QUALITY_MEDIUM, false));
-    bolan_sea_settle(s.sea, time - 0.15);
+    stage_settle(&s, time - 0.15);
     double change[2] = {0.0, 0.0};
     picture last = stage_draw(&s, SIZE, SIZE, 1);
     for (int t = 0; t < 2; t++) {
-        bolan_sea_step(s.sea, time - 0.05 + 0.1 * t);
+        stage_step(&s, time - 0.05 + 0.1 * t);
         picture p = stage_draw(&s, SIZE, SIZE, 1);
         for (size_t i = 0; i < (size_t)SIZE * SIZE * 3; i++) change[t] += abs((int)p.rgb[i] - (int)last.rgb[i]);
         picture_free(&last);

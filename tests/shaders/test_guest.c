@@ -25,11 +25,11 @@ typedef struct rig {
 
 static void open_rig(rig *r, const bolan_renderer_desc *desc) {
     memset(r, 0, sizeof *r);
-    bolan_scene_assets assets = {0};
     assert_int_equal(bolan_scene_load("open-sea", &r->scene), BOLAN_OK);
     r->scene.sea.resolution = 64;
     r->scene.sea.fft.cascade_count = 2;
-    assert_int_equal(bolan_scene_create_sea(&r->scene, &assets, &r->sea), BOLAN_OK);
+    const bolan_sea_desc sea = bolan_scene_sea_desc(&r->scene);
+    assert_int_equal(bolan_sea_create(&sea, &r->sea), BOLAN_OK);
     bolan_sea_step(r->sea, 3.0);
     assert_int_equal(bolan_renderer_create(desc, &r->renderer), BOLAN_OK);
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &r->target), BOLAN_OK);
@@ -280,11 +280,11 @@ static void no_technique_changes_any_state_or_leaves_an_error(void **state) {
     set_apart(&h);
     take(&before);
     for (uint32_t i = 0; i < count; i++) {
-        bolan_scene_assets assets = {0};
-        bolan_sea_destroy(&r.sea);
+            bolan_sea_destroy(&r.sea);
         bolan_scene_set_technique(&r.scene, &list[i]);
         r.scene.sea.resolution = 64;
-        assert_int_equal(bolan_scene_create_sea(&r.scene, &assets, &r.sea), BOLAN_OK);
+        const bolan_sea_desc sea = bolan_scene_sea_desc(&r.scene);
+        assert_int_equal(bolan_sea_create(&sea, &r.sea), BOLAN_OK);
         bolan_sea_step(r.sea, 1.0);
         r.frame.sea = r.sea;
         for (int show = BOLAN_SHOW_PICTURE; show <= BOLAN_SHOW_MESH; show += BOLAN_SHOW_MESH - BOLAN_SHOW_PICTURE) {

@@ -50,7 +50,6 @@ typedef struct rig {
 } rig;
 
 static void open_rig(rig *r) {
-    bolan_scene_assets assets = {0};
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     memset(r, 0, sizeof *r);
     memset(&heard, 0, sizeof heard);
@@ -61,7 +60,8 @@ static void open_rig(rig *r) {
     assert_int_equal(bolan_scene_load("open-sea", &r->scene), BOLAN_OK);
     r->scene.sea.resolution = 32;
     r->scene.sea.fft.cascade_count = 2;
-    assert_int_equal(bolan_scene_create_sea(&r->scene, &assets, &r->sea), BOLAN_OK);
+    const bolan_sea_desc sea = bolan_scene_sea_desc(&r->scene);
+    assert_int_equal(bolan_sea_create(&sea, &r->sea), BOLAN_OK);
     bolan_sea_step(r->sea, 3.0);
     assert_int_equal(bolan_renderer_create(&desc, &r->renderer), BOLAN_OK);
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &r->target), BOLAN_OK);

@@ -123,8 +123,7 @@ static void a_target_without_memory_is_refused(void **state) {
 
 typedef struct rig {
     bolan_scene scene;
-    bolan_scene_assets assets;
-    bolan_sea *sea;
+    bolan_world *world;
     bolan_target *target;
     bolan_frame_desc frame;
 } rig;
@@ -135,15 +134,11 @@ static void open_rig(rig *r, const char *scene, const bolan_technique *technique
     r->scene.sea.resolution = 32;
     r->scene.sea.fft.cascade_count = 2;
     bolan_scene_set_technique(&r->scene, technique);
-    assert_int_equal(bolan_scene_assets_load(&r->scene, &r->assets), BOLAN_OK);
-    assert_int_equal(bolan_scene_create_sea(&r->scene, &r->assets, &r->sea), BOLAN_OK);
+    assert_int_equal(bolan_world_load_scene(&r->scene, &r->world), BOLAN_OK);
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &r->target), BOLAN_OK);
-    bolan_sea_step(r->sea, 1.0);
-    r->frame = bolan_frame_desc_default();
+    bolan_world_step(r->world, 1.0);
+    r->frame = bolan_frame_desc_of_world(r->world);
     r->frame.scene = &r->scene;
-    r->frame.sea = r->sea;
-    r->frame.terrain = r->assets.terrain;
-    r->frame.models = r->assets.object_models;
     r->frame.framebuffer = bolan_target_framebuffer(r->target);
     r->frame.width = WIDTH;
     r->frame.height = HEIGHT;
@@ -151,8 +146,7 @@ static void open_rig(rig *r, const char *scene, const bolan_technique *technique
 
 static void close_rig(rig *r) {
     bolan_target_destroy(&r->target);
-    bolan_sea_destroy(&r->sea);
-    bolan_scene_assets_destroy(&r->assets);
+    bolan_world_destroy(&r->world);
 }
 
 // Each allocation of a first frame fails, or all from it on: said, no error in GL, nothing leaked. The frame after it,

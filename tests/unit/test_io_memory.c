@@ -197,26 +197,20 @@ static bolan_result load_scene(void **out) {
     return *out = NULL, result;
 }
 
-static bolan_scene_assets assets;
-
-static bolan_result load_assets(void **out) {
+static bolan_result load_world(void **out) {
     static bolan_scene scene;
     scene = bolan_scene_default();
+    scene.sea.resolution = 32;
     snprintf(scene.spectrum_path, sizeof scene.spectrum_path, "memory.spec");
     scene.terrain.kind = BOLAN_GROUND_GENERATED;
     scene.terrain.generator = generator_named("pond");
     scene.object_count = 2;
     snprintf(scene.objects[0].model, sizeof scene.objects[0].model, "builtin:%s", bolan_content_model_name(0));
     snprintf(scene.objects[1].model, sizeof scene.objects[1].model, "builtin:%s", bolan_content_model_name(1));
-    const bolan_result result = bolan_scene_assets_load(&scene, &assets);
-    if (result) assert_true(!assets.spectrum && !assets.terrain && !assets.models[0] && !assets.models[1]);
-    *out = assets.spectrum;
-    return result;
+    scene.objects[0].scale = scene.objects[1].scale = 1.0;
+    return bolan_world_load_scene(&scene, (bolan_world **)out);
 }
-static void destroy_assets(void **made) {
-    (void)made;
-    bolan_scene_assets_destroy(&assets);
-}
+static void destroy_world(void **world) { bolan_world_destroy((bolan_world **)world); }
 
 static bolan_result open_video(void **out) { return bolan_video_open("memory.mp4", 64, 36, 30, (bolan_video **)out); }
 static void close_video(void **video) { bolan_video_close((bolan_video **)video, false); }
@@ -250,7 +244,7 @@ static void files(void **state) {
     sweep("points", load_points, destroy_points);
     sweep("image", read_image, release_image);
     sweep("scene", load_scene, nothing);
-    sweep("assets", load_assets, destroy_assets);
+    sweep("world", load_world, destroy_world);
     sweep("video", open_video, close_video);
     sweep("exr", write_exr, remove_exr);
     assert_int_equal(system("rm memory.csv memory.png memory.yaml memory.spec; ! ls memory* 2> /dev/null"), 0);

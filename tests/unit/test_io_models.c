@@ -442,36 +442,45 @@ static void test_up_and_offset(void **state) {
 
 // ---- scenes ---------------------------------------------------------------------------------------------------------
 
-static uint32_t triangles_of(const bolan_scene *scene, const bolan_scene_assets *assets) {
+static uint32_t triangles_of(const bolan_world *world) {
     uint32_t sum = 0;
-    for (uint32_t i = 0; i < scene->object_count; i++)
-        sum += bolan_model_get_view(assets->object_models[i]).index_count / 3;
+    for (uint32_t i = 0; i < bolan_world_scene(world)->object_count; i++)
+        sum += bolan_model_get_view(bolan_world_object_models(world)[i]).index_count / 3;
     return sum;
+}
+
+static uint32_t different_models(const bolan_world *world) {
+    const bolan_model *const *models = bolan_world_object_models(world);
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < bolan_world_scene(world)->object_count; i++) {
+        uint32_t same = 0;
+        while (models[same] != models[i]) same++;
+        count += same == i;
+    }
+    return count;
 }
 
 static void test_the_pond_has_the_triangles_of_the_paper(void **state) {
     (void)state;
     bolan_scene scene;
-    bolan_scene_assets assets;
+    bolan_world *world = NULL;
     assert_int_equal(bolan_scene_load("pond", &scene), BOLAN_OK);
     assert_int_equal(scene.terrain.kind, BOLAN_GROUND_GENERATED);
     assert_string_equal(scene.terrain.generator.name, "pond");
     assert_true(scene.terrain.shown_by_object);
     assert_string_equal(scene.technique.name, "two-triangle");
-    assert_int_equal(bolan_scene_assets_load(&scene, &assets), BOLAN_OK);
-    assert_non_null(assets.terrain);
-    assert_int_equal(triangles_of(&scene, &assets), 13912); // Ma, Zhu & Gong 2006, table 2
-    assert_true(assets.model_count < scene.object_count);   // each different model once
-    bolan_scene_assets_destroy(&assets);
-    assert_null(assets.models[0]);
-    assert_null(assets.object_models[0]);
-    assert_int_equal(assets.model_count, 0);
+    assert_int_equal(bolan_world_load("pond", &world), BOLAN_OK);
+    assert_non_null(bolan_world_water(world)->ground);
+    assert_int_equal(triangles_of(world), 13912);               // Ma, Zhu & Gong 2006, table 2
+    assert_true(different_models(world) < scene.object_count); // each different model once
+    bolan_world_destroy(&world);
+    assert_null(world);
 }
 
 static void test_a_scene_finds_its_models_beside_it(void **state) {
     (void)state;
     bolan_scene scene;
-    bolan_scene_assets assets;
+    bolan_world *world = NULL;
     write_text("square.obj", square_obj);
     write_text("objects.yaml", "objects:\n  - {model: square.obj, position: [1, 2, 3], heading: 90, scale: 2}\n"
                                "  - {model: \"builtin:rock\", floats: yes}\n  - {model: square.obj}\n"
@@ -490,13 +499,14 @@ static void test_a_scene_finds_its_models_beside_it(void **state) {
     assert_false(scene.objects[0].floats);
     assert_true(scene.objects[1].floats);
     assert_near(scene.objects[1].scale, 1.0, 0.0);
-    assert_int_equal(bolan_scene_assets_load(&scene, &assets), BOLAN_OK);
-    assert_int_equal(assets.model_count, 6); // the rock, and the file by its axes and offsets
-    assert_ptr_equal(assets.object_models[5], assets.object_models[8]);
-    assert_ptr_equal(assets.object_models[0], assets.object_models[2]);
-    assert_ptr_equal(assets.object_models[0], assets.object_models[4]);
-    assert_near(bolan_model_get_view(assets.object_models[3]).positions[0].z, 3.0, 0.0);
-    bolan_scene_assets_destroy(&assets);
+    assert_int_equal(bolan_world_load("./objects.yaml", &world), BOLAN_OK);
+    assert_int_equal(different_models(world), 6); // the rock, and the file by its axes and offsets
+    const bolan_model *const *models = bolan_world_object_models(world);
+    assert_ptr_equal(models[5], models[8]);
+    assert_ptr_equal(models[0], models[2]);
+    assert_ptr_equal(models[0], models[4]);
+    assert_near(bolan_model_get_view(models[3]).positions[0].z, 3.0, 0.0);
+    bolan_world_destroy(&world);
 }
 
 static void test_a_model_that_is_not_there_is_named_with_its_line(void **state) {

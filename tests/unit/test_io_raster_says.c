@@ -272,12 +272,12 @@ static void test_a_scene_names_a_variable_beside_it(void **state) {
     (void)state;
     char path[1024];
     bolan_scene scene;
-    bolan_scene_assets assets;
+    bolan_world *world = NULL;
     assert_int_equal(bolan_scene_load(test_data("rasters/sub.yaml", path, sizeof path), &scene), BOLAN_OK);
     scene.terrain.raster.radius = 20e3;
-    assert_int_equal(bolan_scene_assets_load(&scene, &assets), BOLAN_OK);
-    assert_near(bolan_ground_get_extent(assets.terrain).highest, 92.9289, 1e-4);
-    bolan_scene_assets_destroy(&assets);
+    assert_int_equal(bolan_world_load_scene(&scene, &world), BOLAN_OK);
+    assert_near(bolan_ground_get_extent(bolan_world_water(world)->ground).highest, 92.9289, 1e-4);
+    bolan_world_destroy(&world);
     static const struct {
         const char *written, *read;
     } names[] = {

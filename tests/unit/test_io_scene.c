@@ -495,16 +495,14 @@ static void test_paths_count_from_the_scenes_folder(void **state) {
 // The shipped spectrum was made from two systems of 1.6 m and 1.3 m.
 static void test_the_measured_scene_needs_no_data(void **state) {
     (void)state;
-    bolan_scene scene;
-    bolan_scene_assets assets;
-    assert_int_equal(bolan_scene_load("measured", &scene), BOLAN_OK);
-    assert_int_equal(bolan_scene_assets_load(&scene, &assets), BOLAN_OK);
+    bolan_world *world = NULL;
+    assert_int_equal(bolan_world_load("measured", &world), BOLAN_OK);
     bolan_sea_state sea = bolan_sea_state_default();
-    sea.measured = assets.spectrum;
+    sea.measured = bolan_world_sea_desc(world).sea_state.measured;
+    assert_non_null(sea.measured);
     // 1 % for the integers of the format and the rule of integration.
     assert_near(bolan_sea_state_summary(&sea).hs, sqrt(1.6 * 1.6 + 1.3 * 1.3), 0.02);
-    bolan_scene_assets_destroy(&assets);
-    assert_null(assets.spectrum);
+    bolan_world_destroy(&world);
 }
 
 int main(void) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene refers to: its spectrum, its terrain and its models.
+// Worlds: what a scene refers to (its spectrum, its ground, its tiles and its models) is loaded.
 #include "bolan/io.h"
 
 #include "bolan/content.h"
@@ -19,7 +19,7 @@ static bolan_result no_raster(const bolan_scene *scene) {
     return BOLAN_ERROR_IO;
 }
 
-static bolan_result load_terrain(const bolan_scene *scene, bolan_ground **out) {
+static bolan_result load_ground(const bolan_scene *scene, bolan_ground **out) {
     const bolan_ground_source *t = &scene->terrain;
     if (t->kind == BOLAN_GROUND_NONE) return BOLAN_OK;
     if (t->kind == BOLAN_GROUND_GENERATED) return bolan_content_create_ground(&t->generator, out);
@@ -42,7 +42,7 @@ static bool same_model(const bolan_object *a, const bolan_object *b) {
 }
 
 // Each different model once.
-static bolan_result load_models(const bolan_scene *scene, bolan_scene_assets *out) {
+static bolan_result load_models(const bolan_scene *scene, bolan_world_assets *out) {
     for (uint32_t i = 0; i < scene->object_count; i++) {
         uint32_t same = 0;
         while (same < i && !same_model(&scene->objects[same], &scene->objects[i])) same++;
@@ -57,31 +57,29 @@ static bolan_result load_models(const bolan_scene *scene, bolan_scene_assets *ou
     return BOLAN_OK;
 }
 
-bolan_result bolan_scene_assets_load(const bolan_scene *scene, bolan_scene_assets *out) {
-    BOLAN_ASSERT(scene && out);
-    *out = (bolan_scene_assets){.spectrum = NULL};
+static bolan_result load_assets(const bolan_scene *scene, bolan_world_assets *out) {
     bolan_result result = BOLAN_OK;
     if (scene->spectrum_path[0]) result = bolan_spectrum_load(scene->spectrum_path, &scene->spectrum, &out->spectrum);
-    if (!result) result = load_terrain(scene, &out->terrain);
+    if (!result) result = load_ground(scene, &out->ground);
     if (!result && scene->tiles_path[0]) result = bolan_tiles_load(scene->tiles_path, &out->tiles);
     if (!result) result = load_models(scene, out);
-    if (result) bolan_scene_assets_destroy(out);
     return result;
 }
 
-void bolan_scene_assets_destroy(bolan_scene_assets *assets) {
-    if (!assets) return;
-    bolan_measured_spectrum_destroy(&assets->spectrum);
-    bolan_ground_destroy(&assets->terrain);
-    bolan_tiles_destroy(&assets->tiles);
-    for (uint32_t i = 0; i < BOLAN_MAX_OBJECTS; i++) bolan_model_destroy(&assets->models[i]);
-    memset(assets->object_models, 0, sizeof assets->object_models);
-    assets->model_count = 0;
+bolan_result bolan_world_load_scene(const bolan_scene *scene, bolan_world **out) {
+    BOLAN_ASSERT(scene && out);
+    *out = NULL;
+    bolan_world_assets assets = {.model_count = 0};
+    const bolan_result result = load_assets(scene, &assets);
+    if (!result) return bolan_world_create(&(bolan_world_desc){.scene = scene, .assets = &assets}, out);
+    bolan_world_assets_destroy(&assets);
+    return result;
 }
 
-bolan_result bolan_scene_create_sea(const bolan_scene *scene, const bolan_scene_assets *assets, bolan_sea **out) {
-    BOLAN_ASSERT(scene && out);
-    bolan_sea_desc desc = bolan_scene_sea_desc(scene);
-    desc.sea_state.measured = assets ? assets->spectrum : NULL;
-    return bolan_sea_create(&desc, out);
+bolan_result bolan_world_load(const char *name_or_path, bolan_world **out) {
+    BOLAN_ASSERT(name_or_path && out);
+    *out = NULL;
+    bolan_scene scene;
+    const bolan_result result = bolan_scene_load(name_or_path, &scene);
+    return result ? result : bolan_world_load_scene(&scene, out);
 }
