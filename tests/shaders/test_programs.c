@@ -14,21 +14,19 @@ enum { WIDTH = 96, HEIGHT = 64, MOST_SAMPLERS = 12, MOST_NAMES = 4000 };
 
 typedef struct flight {
     bolan_scene scene;
-    bolan_scene_assets assets;
-    bolan_sea *sea;
+    bolan_world *world;
     bolan_renderer *renderer;
     bolan_target *target;
 } flight;
 
 static void open_flight(flight *f, const char *name, const bolan_technique *technique, bolan_quality quality) {
-    *f = (flight){.sea = NULL};
+    *f = (flight){.world = NULL};
     assert_int_equal(bolan_scene_load(name, &f->scene), BOLAN_OK);
     f->scene.sea.resolution = 64;
     f->scene.sky.cloud_cover = 0.0;
     bolan_scene_set_technique(&f->scene, technique);
-    assert_int_equal(bolan_scene_assets_load(&f->scene, &f->assets), BOLAN_OK);
-    assert_int_equal(bolan_scene_create_sea(&f->scene, &f->assets, &f->sea), BOLAN_OK);
-    bolan_sea_step(f->sea, 1.0);
+    assert_int_equal(bolan_world_load_scene(&f->scene, &f->world), BOLAN_OK);
+    bolan_world_step(f->world, 1.0);
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = quality;
     assert_int_equal(bolan_renderer_create(&desc, &f->renderer), BOLAN_OK);
@@ -38,17 +36,13 @@ static void open_flight(flight *f, const char *name, const bolan_technique *tech
 static void close_flight(flight *f) {
     bolan_target_destroy(&f->target);
     bolan_renderer_destroy(&f->renderer);
-    bolan_sea_destroy(&f->sea);
-    bolan_scene_assets_destroy(&f->assets);
+    bolan_world_destroy(&f->world);
 }
 
 // Draws a frame and returns how many programs the renderer has compiled so far.
 static uint32_t programs_after(flight *f) {
-    bolan_frame_desc d = bolan_frame_desc_default();
+    bolan_frame_desc d = bolan_frame_desc_of_world(f->world);
     d.scene = &f->scene;
-    d.sea = f->sea;
-    d.terrain = f->assets.terrain;
-    d.models = f->assets.object_models;
     d.framebuffer = bolan_target_framebuffer(f->target);
     d.width = WIDTH;
     d.height = HEIGHT;
