@@ -36,13 +36,15 @@ static void sleep_until(const struct timespec *start, double seconds) {
 // The time of a tick is a multiple of 1/200 s, not what a clock says: so the answers do not depend on the machine.
 static void *run_physics(void *context) {
     physics *p = context;
+    bolan_water water = bolan_water_default();
+    water.sea = p->sea;
     struct timespec start;
     clock_gettime(CLOCK_MONOTONIC, &start);
     for (int i = 0; i < TICKS; i++) {
         const double time = (double)i / RATE;
         if (p->paced) sleep_until(&start, time);
         bolan_sea_step(p->sea, time);
-        bolan_query_surface(p->sea, NULL, 0.0, hull, POINTS, p->answers[i]);
+        bolan_query_surface(&water, hull, POINTS, p->answers[i]);
     }
     return NULL;
 }
@@ -51,13 +53,15 @@ static void *run_physics(void *context) {
 static double run_frames(bolan_sea *sea) {
     struct timespec start;
     clock_gettime(CLOCK_MONOTONIC, &start);
+    bolan_water water = bolan_water_default();
+    water.sea = sea;
     double highest = 0.0;
     for (int i = 0; i < FRAMES * SECONDS; i++) {
         const double time = (double)i / FRAMES;
         sleep_until(&start, time);
         bolan_sea_step(sea, time);
         float height;
-        bolan_query_heights(sea, &(bolan_dvec2){50.0, -80.0}, 1, &height);
+        bolan_query_heights(&water, &(bolan_dvec2){50.0, -80.0}, 1, &height);
         highest = fmax(highest, (double)height);
     }
     return highest;
