@@ -110,7 +110,8 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(940, VIEW)                    \
     X(950, BAKE_WANTED)             \
     X(960, GUEST_PROGRAM)           \
-    X(961, GUEST_SLOTS)
+    X(961, GUEST_SLOTS)             \
+    X(962, GUEST_LIGHT)
 
 /// The ids of ::BOLAN_LOG_TABLE as BOLAN_LOG_&lt;NAME&gt;, their value the id.
 typedef enum bolan_log_id {

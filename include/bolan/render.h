@@ -99,6 +99,56 @@ void bolan_renderer_destroy(bolan_renderer **renderer);
 /// Compiles the shaders again from shader_directory; on an error the old ones stay and GL is returned.
 bolan_result bolan_renderer_reload(bolan_renderer *renderer);
 
+// ---- light from your engine -----------------------------------------------------------------------------------------
+
+/// Sky and sun of yours, in place of Bolan's.
+/// Radiance and irradiance are in units of yours, which the linear output has too.
+typedef struct bolan_environment {
+    /// GL name of a complete cube map of linear radiance, without the sun's disc; its first level is read.
+    /// 0 (default): Bolan's own sky and sun, and the other fields have no effect.
+    uint32_t cube;
+
+    /// Change this number whenever the contents of `cube` have changed: the environment map of the water is made anew.
+    uint64_t serial;
+
+    /// From the world to the axes of the cube map: a rotation.
+    /// Default the identity: the face +x looks east, +y north, +z up.
+    bolan_mat4 turn;
+
+    /// Unit vector to the sun.
+    bolan_vec3 sun_direction;
+
+    /// Irradiance of the sun at the sea, on a surface that faces it; 0: no sun.
+    bolan_vec3 sun_irradiance;
+
+    /// Irradiance of the sky on a horizontal surface.
+    /// A negative x (default -1): the integral over the upper half of the cube.
+    bolan_vec3 sky_irradiance;
+} bolan_environment;
+
+/// The defaults named above.
+/// Thread-safe.
+bolan_environment bolan_environment_default(void);
+
+/// Who adds the haze between the eye and the water.
+typedef enum bolan_haze_kind {
+    /// Bolan: its clear air over a round earth, of the visibility of bolan_sky.
+    BOLAN_HAZE_AIR,
+    /// Bolan, by the numbers of bolan_haze.
+    BOLAN_HAZE_GIVEN,
+    /// Nobody, or you after the water.
+    BOLAN_HAZE_NONE,
+} bolan_haze_kind;
+
+/// Haze: light L from a distance d arrives as L e^(-extinction d) + radiance (1 - e^(-extinction d)).
+typedef struct bolan_haze {
+    /// Default BOLAN_HAZE_AIR.
+    bolan_haze_kind kind;
+    /// Radiance of endless haze, >= 0; for BOLAN_HAZE_GIVEN.
+    bolan_vec3 radiance;
+    /// Extinction [1/m], >= 0; for BOLAN_HAZE_GIVEN.
+    bolan_vec3 extinction;
+} bolan_haze;
 // ---- a step: prepared once, drawn from any number of views -------------------------------------------------------------
 
 /// How the water and the world are lit and shaded.
@@ -111,6 +161,10 @@ typedef struct bolan_lighting {
     bolan_technique technique;
     /// Shading options.
     bolan_look look;
+    /// Sky and sun of yours; default: Bolan's.
+    bolan_environment environment;
+    /// Haze between the eye and the water; default: Bolan's air.
+    bolan_haze haze;
 } bolan_lighting;
 
 /// The sky, technique and shading options of bolan_scene_default().

@@ -66,10 +66,20 @@ vec3 air_transmittance(float h, float mu, float d) {
     return exp(-d * (RAYLEIGH * sum.x + mie_extinction() * sum.y));
 }
 
+// Haze that the host gives: the same in all directions and at all heights.
+void given_haze(float d, out vec3 transmittance, out vec3 inscatter) {
+    transmittance = exp(-given_haze_extinction * d);
+    inscatter = given_haze_radiance * (1.0 - transmittance);
+}
+
 // What the air does to light from an eye-relative position: color * transmittance + inscatter. Clouds below a high
 // eye are laid over the picture at its end (sky_over.glsl).
 void aerial_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
     float d = max(length(position), 1e-3), h = max(eye_height, 0.0);
+    if (haze_given > 0.5) {
+        given_haze(d, transmittance, inscatter);
+        return;
+    }
     vec3 dir = position / d;
     transmittance = air_transmittance(h, dir.z, d);
     inscatter = textureLod(aerial_table, aerial_uv(dir, h, d), 0.0).rgb;

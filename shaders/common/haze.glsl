@@ -24,6 +24,12 @@ vec3 haze_towards(float azimuth, float h) {
 }
 
 void haze_vertex() {
+    if (haze_given > 0.5) {
+        haze_extinction = given_haze_extinction;
+        haze_level = given_haze_radiance;
+        haze_slope = haze_lobe = vec3(0.0);
+        return;
+    }
     float h = max(eye_height, 0.0), haze_scale = 1000.0 * clamp(visibility / 5000.0, 0.25, 1.0);
     haze_extinction = RAYLEIGH * mean_density(h, RAYLEIGH_SCALE) + mie_extinction() * mean_density(h, haze_scale);
     vec3 ahead = haze_towards(0.0, h), aside = haze_towards(PI / 3.0, h), behind = haze_towards(PI, h);

@@ -176,6 +176,10 @@ float quick_asin(float x) {
 // aerial_perspective() for a point of the mean sea.
 void quad_aerial(vec3 position, out vec3 transmittance, out vec3 inscatter) {
     float d = max(length(position), 1e-3), h = max(eye_height, 0.5), x = min(earth_drop(d * d, earth_radius) / h, 1.2);
+    if (haze_given > 0.5) {
+        given_haze(d, transmittance, inscatter);
+        return;
+    }
     vec3 dir = position / d;
     transmittance = exp(-d * (quad_extinction.rgb + x * (quad_extinction1 + x * quad_extinction2)));
     float c = dot(dir.xy, sun_direction.xy) * inversesqrt(max(dot(dir.xy, dir.xy) * dot(sun_direction.xy, sun_direction.xy), 1e-12));

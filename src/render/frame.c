@@ -28,7 +28,11 @@ static void end_part(bolan_renderer *r, frame_part part) { bolan_gl_timer_end(&r
 bolan_lighting bolan_lighting_from_scene(const bolan_scene *scene) {
     BOLAN_ASSERT(scene != NULL);
     return (bolan_lighting){
-        .sky = scene->sky, .exposure = scene->exposure, .technique = scene->technique, .look = scene->look};
+        .sky = scene->sky,
+        .exposure = scene->exposure,
+        .technique = scene->technique,
+        .look = scene->look,
+        .environment = bolan_environment_default()};
 }
 
 bolan_lighting bolan_lighting_default(void) {

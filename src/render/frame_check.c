@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a step and a view must be before they are drawn.
+#include "host_light.h"
 #include "renderer.h"
 
 static bool check_kind(bolan_renderer *r, const char *field, int value, int count) {
@@ -18,6 +19,10 @@ bool bolan_step_is_valid(bolan_renderer *r, const bolan_water *water, const bola
         !check_kind(r, "surface", (int)t->surface, BOLAN_SURFACE_KINDS) ||
         !check_kind(r, "optics", (int)t->optics, BOLAN_OPTICS_KINDS))
         return false;
+    const char *problem = bolan_environment_problem(&lighting->environment);
+    if (problem == NULL) problem = bolan_haze_problem(&lighting->haze);
+    if (problem != NULL)
+        return bolan_renderer_refuse(r, CALL_PREPARE, BOLAN_LOG_GUEST_LIGHT, "prepare: the lighting's %s", problem);
     if (t->waves == waves) return true;
     return bolan_renderer_refuse(r, CALL_PREPARE, BOLAN_LOG_BAD_ARGUMENT,
                                  "draw: technique.waves is %s, but the sea is made of %s; expected the same wave model",

@@ -3,6 +3,7 @@
 // the background. Shader: shaders/sky.glsl; atmosphere.c and clouds.c fill the tables.
 #include "atmosphere.h"
 #include "clouds.h"
+#include "host_light.h"
 #include "memory.h"
 #include "sky_lattice.h"
 
@@ -17,6 +18,7 @@ enum { COLUMNS = 8, CORNERS = 2 * (COLUMNS + 1), RECTANGLE_INDICES = 6, INDICES 
 struct pass_sky {
     atmosphere air;
     clouds clouds;
+    host_light host;
     gl_program sky_program, below_program, panorama_program;
     gl_buffer corners, indices;
     gl_mesh mesh;
@@ -90,6 +92,7 @@ bolan_result bolan_pass_sky_create(const gl_caps *caps, pass_sky **out) {
     if (!p) return BOLAN_ERROR_MEMORY;
     bolan_result result = bolan_atmosphere_create(&p->air);
     if (result == BOLAN_OK) result = bolan_clouds_create(&p->clouds);
+    if (result == BOLAN_OK) result = bolan_host_light_create(&p->host);
     if (result == BOLAN_OK) result = bolan_gl_program_create("sky", NULL, &p->sky_program);
     if (result == BOLAN_OK) result = bolan_gl_program_create("sky", "BELOW 1\n", &p->below_program);
     if (result == BOLAN_OK) result = bolan_gl_program_create("sky_panorama", NULL, &p->panorama_program);
@@ -111,6 +114,7 @@ bolan_result bolan_pass_sky_create(const gl_caps *caps, pass_sky **out) {
 bolan_result bolan_pass_sky_reload(pass_sky *p) {
     bolan_result result = bolan_atmosphere_reload(&p->air);
     if (result == BOLAN_OK) result = bolan_clouds_reload(&p->clouds);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->host.program);
     if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->sky_program);
     if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->below_program);
     if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->panorama_program);
@@ -122,11 +126,16 @@ bolan_result bolan_pass_sky_reload(pass_sky *p) {
     return result;
 }
 
-static void draw_environment(pass_sky *p) {
-    bolan_gl_texture_bind(&p->air.sea_view, UNIT_PASS);
+static void draw_environment(pass_sky *p, const bolan_environment *e) {
     bolan_gl_target_bind(&p->plain_target);
-    bolan_gl_program_use(&p->environment_program);
-    bolan_gl_draw_fullscreen();
+    if (e->cube != 0) {
+        bolan_host_light_draw(&p->host, e, UNIT_PASS);
+    } else {
+        bolan_gl_texture_bind(&p->air.sea_view, UNIT_PASS);
+        bolan_gl_program_use(&p->environment_program);
+        bolan_gl_draw_fullscreen();
+    }
+    p->host.drawn = *e;
     bolan_gl_texture_generate_mipmaps(&p->plain);
     bolan_gl_texture_bind(&p->plain, UNIT_PASS);
     for (int l = 0; l < ENVIRONMENT_LEVELS; l++) {
@@ -167,6 +176,14 @@ static void measure_light(pass_sky *p) {
     bolan_gl_program_use(&p->light_program);
     bolan_gl_draw_fullscreen();
     bolan_gl_target_read_float(&p->light_target, 0, p->measured);
+}
+
+// What the host says counts; what it leaves out was measured.
+static void keep_given_light(pass_sky *p, const bolan_environment *e) {
+    const bolan_vec3 sun = e->sun_direction.z > 0.0f ? e->sun_irradiance : bolan_v3(0.0f, 0.0f, 0.0f);
+    const bolan_vec3 lights[] = {e->sky_irradiance, sun, sun};
+    for (int i = e->sky_irradiance.x < 0.0f ? 1 : 0; i < 3; ++i) memcpy(p->measured + 4 * i, &lights[i], sizeof sun);
+    p->measured[12] = 1.0f; // no cloud of Bolan's takes any
 }
 
 static float luminance(const float *c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
@@ -215,14 +232,16 @@ static bool update_clouds(pass_sky *p, render_view *v, cloud_work work) {
 }
 
 // Everything made of the tables and the clouds together.
-static void draw_maps(pass_sky *p) {
+static void draw_maps(pass_sky *p, const bolan_environment *e) {
     draw_panorama(p);
     bolan_gl_set_state(&(gl_state){.color_write = true});
-    draw_environment(p);
+    draw_environment(p, e);
     measure_light(p);
+    if (e->cube != 0) keep_given_light(p, e);
 }
 
 void bolan_pass_sky_prepare(pass_sky *p, render_view *v) {
+    const bolan_environment *e = &v->frame->lighting.environment;
     const cloud_work work = bolan_clouds_plan(&p->clouds, v);
     bool changed = work != CLOUDS_KEEP && update_clouds(p, v, work);
     bolan_clouds_place(&p->clouds, v);
@@ -233,8 +252,8 @@ void bolan_pass_sky_prepare(pass_sky *p, render_view *v) {
     if (bolan_atmosphere_update(&p->air, &u)) changed = true;
     bolan_atmosphere_bind(&p->air);
     bolan_gl_texture_bind(bolan_clouds_map(&p->clouds), UNIT_CLOUDS);
-    if (changed || u.frame.sun_direction.x != p->lattice_sun.x || u.frame.sun_direction.y != p->lattice_sun.y)
-        draw_maps(p);
+    if (changed || bolan_host_light_is_new(&p->host, e) || u.frame.sun_direction.x != p->lattice_sun.x || u.frame.sun_direction.y != p->lattice_sun.y)
+        draw_maps(p, e);
     p->lattice_sun = u.frame.sun_direction;
     bolan_gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
     set_light(p, v);
@@ -265,6 +284,7 @@ void bolan_pass_sky_destroy(pass_sky **pp) {
     if (!pp || !*pp) return;
     pass_sky *p = *pp;
     bolan_atmosphere_free(&p->air);
+    bolan_host_light_free(&p->host);
     bolan_clouds_free(&p->clouds);
     for (int l = 0; l < ENVIRONMENT_LEVELS; l++) bolan_gl_target_free(&p->environment_target[l]);
     bolan_gl_target_free(&p->plain_target);

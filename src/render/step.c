@@ -52,6 +52,16 @@ static void fill_surf(frame *f, const bolan_sea_summary *sea) {
     f->block.surf_time = bolan_reduced(f->surf_periods, 1.0);
 }
 
+// No haze is haze that neither dims nor shines.
+static void fill_haze(frame *f) {
+    const bolan_haze *h = &f->lighting.haze;
+    const bool given = h->kind == BOLAN_HAZE_GIVEN;
+    f->block.haze_given = h->kind != BOLAN_HAZE_AIR ? 1.0f : 0.0f;
+    f->block.given_haze_radiance =
+        given ? bolan_v3_scale(h->radiance, f->block.radiance_unit) : bolan_v3(0.0f, 0.0f, 0.0f);
+    f->block.given_haze_extinction = given ? h->extinction : bolan_v3(0.0f, 0.0f, 0.0f);
+}
+
 static void fill_water(frame *f) {
     frame_block *b = &f->block;
     b->water_reflectance = f->water.optics.deep;
@@ -69,17 +79,19 @@ void bolan_frame_fill(frame *f) {
     const bolan_sea_state *state = &bolan_sea_get_desc(f->sea)->sea_state;
     frame_block *b = &f->block;
     f->time = bolan_sea_time(f->sea);
-    f->sun_direction = direction_to_sun(sky);
+    const bool own_sky = f->lighting.environment.cube == 0;
+    f->sun_direction = own_sky ? direction_to_sun(sky) : f->lighting.environment.sun_direction;
     f->wind_to = bolan_compass_from_to_math(state->wind_from_deg);
     b->sun_direction = f->sun_direction;
-    b->radiance_unit = bolan_radiance_unit(f->sun_direction.z);
+    b->radiance_unit = own_sky ? bolan_radiance_unit(f->sun_direction.z) : 1.0f;
     b->wind_direction = (bolan_vec2){(float)cos(f->wind_to), (float)sin(f->wind_to)};
     b->wind_speed = (float)state->wind_speed;
-    b->cloud_cover = (float)sky->cloud_cover;
+    b->cloud_cover = own_sky ? (float)sky->cloud_cover : 0.0f;
     b->cloud_base = (float)sky->cloud_base;
     b->visibility = (float)sky->visibility;
     b->earth_radius = (float)BOLAN_EARTH_RADIUS;
     b->streak_scale = (bolan_vec2){(float)STREAK_ACROSS, (float)STREAK_ALONG};
+    fill_haze(f);
     fill_surf(f, bolan_sea_get_summary(f->sea));
     fill_water(f);
 }

@@ -29,7 +29,8 @@ static const member frame_members[] = {
     FRAME(water_attenuation), FRAME(foam_strength), FRAME(wind_direction),    FRAME(cloud_cover),
     FRAME(cloud_base),        FRAME(surf_wave),     FRAME(surf_time),         FRAME(visibility),
     FRAME(streak_scale),      FRAME(caustic_turn),  FRAME(caustic_travel),    FRAME(caustic_strength),
-    FRAME(water_level),       FRAME(earth_radius),  FRAME(wind_speed),        FRAME(frame_padding)};
+    FRAME(water_level),       FRAME(earth_radius),  FRAME(wind_speed),        FRAME(frame_padding),
+    FRAME(given_haze_radiance), FRAME(haze_given), FRAME(given_haze_extinction), FRAME(frame_padding_end)};
 static const member view_members[] = {VIEW(view_projection),
                                       VIEW(inverse_view_projection),
                                       VIEW(eye_wrapped),

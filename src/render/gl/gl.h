@@ -222,7 +222,16 @@ typedef struct gl_saved {
 void bolan_gl_save(gl_saved *s, const gl_caps *caps, bool debug);
 void bolan_gl_restore(const gl_saved *s);
 
-// ---- programs of the host's ----
+// ---- textures and programs of the host's ----
+typedef struct gl_sampler {
+    uint32_t id;
+} gl_sampler;
+void bolan_gl_sampler_create(gl_sampler *out); // linear, without levels, clamped: whatever the texture itself says
+void bolan_gl_sampler_free(gl_sampler *s);
+bool bolan_gl_is_cube(uint32_t name); // a cube map of this context
+// Binds the host's cube map, and returns what was bound; bolan_gl_cube_unbind() puts that back, without a sampler.
+uint32_t bolan_gl_cube_bind(uint32_t name, const gl_sampler *sampler, uint32_t unit);
+void bolan_gl_cube_unbind(uint32_t before, uint32_t unit);
 // NULL: this context has `count` texture units from `first` on, and this uniform buffer slot. Else the reason.
 const char *bolan_gl_guest_slots(uint32_t count, uint32_t first, uint32_t slot);
 // NULL: the sampler names are set to units from `first` on, the block to `slot`. Else the reason why not. Leaves the

@@ -46,3 +46,46 @@ void bolan_gl_guest_bind(const gl_texture *const *textures, uint32_t count, uint
     glBindBuffer(GL_UNIFORM_BUFFER, (GLuint)buffer);
     glActiveTexture((GLenum)active);
 }
+
+// ---- cube maps ------------------------------------------------------------------------------------------------------
+
+void bolan_gl_sampler_create(gl_sampler *out) {
+    glGenSamplers(1, &out->id);
+    glSamplerParameteri(out->id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glSamplerParameteri(out->id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glSamplerParameteri(out->id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(out->id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(out->id, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+}
+
+void bolan_gl_sampler_free(gl_sampler *s) {
+    if (s->id && bolan_gl_has_context()) glDeleteSamplers(1, &s->id);
+    s->id = 0;
+}
+
+static GLuint swap_cube(GLuint name) {
+    GLint before = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_CUBE_MAP, &before);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, name);
+    return (GLuint)before;
+}
+
+bool bolan_gl_is_cube(uint32_t name) {
+    GLint target = GL_TEXTURE_CUBE_MAP;
+    if (!glIsTexture(name)) return false;
+    // Older versions cannot tell; there a texture of another kind leaves an error of OpenGL.
+    if (!bolan_gl_is_es() && bolan_gl_version() >= 45) glGetTextureParameteriv(name, GL_TEXTURE_TARGET, &target);
+    return target == GL_TEXTURE_CUBE_MAP;
+}
+
+uint32_t bolan_gl_cube_bind(uint32_t name, const gl_sampler *sampler, uint32_t unit) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindSampler(unit, sampler->id);
+    return swap_cube(name);
+}
+
+void bolan_gl_cube_unbind(uint32_t before, uint32_t unit) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindSampler(unit, 0);
+    (void)swap_cube(before);
+}

@@ -12,6 +12,7 @@
 // In every OpenGL 3.3 and OpenGL ES 3.0.
 #define GL_NEEDED(X)                                                                                                   \
     X(ActiveTexture)                                                                                                   \
+    X(DeleteSamplers) X(GenSamplers) X(IsTexture) X(SamplerParameteri)                                                 \
     X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) X(BindFramebuffer) X(BindSampler)               \
         X(BindTexture) X(BindVertexArray) X(BlendEquation) X(BlendEquationSeparate) X(BlendFunc) X(BlendFuncSeparate)  \
             X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) X(ClearColor)         \
@@ -38,6 +39,7 @@
 // In some versions only; gl_caps tells which may be called.
 #define GL_OPTIONAL(X)                                                                                                \
     X(BlendEquationSeparatei)                                                                                         \
+    X(GetTextureParameteriv)                                                                                          \
     X(BlendEquationi) X(BlendFuncSeparatei) X(ClampColor) X(ClearDepth) X(ClearDepthf) X(ClipControl)                 \
         X(ClipControlEXT) X(ColorMaski) X(DebugMessageCallback) X(DebugMessageCallbackKHR) X(DepthRange)              \
             X(DepthRangeIndexed) X(DepthRangef) X(Disablei) X(Enablei) X(GetDoublev) X(GetPointerv) X(GetPointervKHR) \
@@ -141,6 +143,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glDeleteProgram bolan_gl_functions.DeleteProgram
 #undef glDeleteQueries
 #define glDeleteQueries bolan_gl_functions.DeleteQueries
+#undef glDeleteSamplers
+#define glDeleteSamplers bolan_gl_functions.DeleteSamplers
 #undef glDeleteShader
 #define glDeleteShader bolan_gl_functions.DeleteShader
 #undef glDeleteTextures
@@ -187,6 +191,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glGenFramebuffers bolan_gl_functions.GenFramebuffers
 #undef glGenQueries
 #define glGenQueries bolan_gl_functions.GenQueries
+#undef glGenSamplers
+#define glGenSamplers bolan_gl_functions.GenSamplers
 #undef glGenTextures
 #define glGenTextures bolan_gl_functions.GenTextures
 #undef glGenVertexArrays
@@ -231,6 +237,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glGetString bolan_gl_functions.GetString
 #undef glGetTexLevelParameteriv
 #define glGetTexLevelParameteriv bolan_gl_functions.GetTexLevelParameteriv
+#undef glGetTextureParameteriv
+#define glGetTextureParameteriv bolan_gl_functions.GetTextureParameteriv
 #undef glGetUniformBlockIndex
 #define glGetUniformBlockIndex bolan_gl_functions.GetUniformBlockIndex
 #undef glGetUniformLocation
@@ -243,6 +251,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glIsFramebuffer bolan_gl_functions.IsFramebuffer
 #undef glIsProgram
 #define glIsProgram bolan_gl_functions.IsProgram
+#undef glIsTexture
+#define glIsTexture bolan_gl_functions.IsTexture
 #undef glLineWidth
 #define glLineWidth bolan_gl_functions.LineWidth
 #undef glLinkProgram
@@ -265,6 +275,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glReadPixels bolan_gl_functions.ReadPixels
 #undef glResumeTransformFeedback
 #define glResumeTransformFeedback bolan_gl_functions.ResumeTransformFeedback
+#undef glSamplerParameteri
+#define glSamplerParameteri bolan_gl_functions.SamplerParameteri
 #undef glScissor
 #define glScissor bolan_gl_functions.Scissor
 #undef glScissorIndexedv
