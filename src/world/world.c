@@ -8,8 +8,23 @@ struct bolan_world {
     bolan_scene scene;
     bolan_world_assets assets;
     bolan_sea *sea;
-    bolan_water water; // of the three above
+    bolan_wave_layer *layers[BOLAN_MAX_WAVE_LAYERS]; // of scene.trains
+    bolan_water water;                               // of all above
 };
+
+// ---- layers ---------------------------------------------------------------------------------------------------------
+
+static void destroy_layers(bolan_wave_layer *layers[BOLAN_MAX_WAVE_LAYERS]) {
+    for (uint32_t i = 0; i < BOLAN_MAX_WAVE_LAYERS; i++) bolan_wave_layer_destroy(&layers[i]);
+}
+
+static bolan_result create_layers(const bolan_scene *scene, bolan_wave_layer *layers[BOLAN_MAX_WAVE_LAYERS]) {
+    bolan_result result = BOLAN_OK;
+    for (uint32_t i = 0; i < scene->train_count && !result; i++)
+        result = bolan_wave_layer_create_train(&scene->trains[i], &layers[i]);
+    if (result) destroy_layers(layers);
+    return result;
+}
 
 // ---- assets ---------------------------------------------------------------------------------------------------------
 
@@ -48,6 +63,8 @@ static void update_water(bolan_world *w) {
     w->water.sea = w->sea;
     w->water.ground = w->assets.ground;
     w->water.level = w->scene.water.level;
+    w->water.layers = (const bolan_wave_layer *const *)w->layers;
+    w->water.layer_count = w->scene.train_count;
     w->water.optics = bolan_water_optics_from_jerlov(w->scene.water.type);
     w->water.foam = w->scene.water.foam;
 }
@@ -56,6 +73,7 @@ static bolan_result build(bolan_world *w, const bolan_scene *scene) {
     w->scene = *scene;
     bolan_result result = bolan_scene_validate(scene);
     if (!result) result = check_models(scene, &w->assets);
+    if (!result) result = create_layers(scene, w->layers);
     if (result) return result;
     const bolan_sea_desc desc = sea_desc_of(scene, &w->assets);
     result = bolan_sea_create(&desc, &w->sea);
@@ -91,6 +109,7 @@ void bolan_world_destroy(bolan_world **world) {
     if (!world || !*world) return;
     bolan_world *w = *world;
     bolan_sea_destroy(&w->sea);
+    destroy_layers(w->layers);
     bolan_world_assets_destroy(&w->assets);
     bolan_release(w, sizeof *w);
     *world = NULL;
@@ -166,18 +185,25 @@ static bolan_result check_change(const bolan_world *w, const bolan_scene *scene)
 bolan_result bolan_world_set_scene(bolan_world *world, const bolan_scene *scene) {
     BOLAN_ASSERT(world && scene);
     const double time = world->scene.time;
+    bolan_wave_layer *layers[BOLAN_MAX_WAVE_LAYERS] = {NULL};
     bolan_result result = check_change(world, scene);
+    if (!result) result = create_layers(scene, layers);
     if (result) return result;
     // Bytes of padding may differ as well: then an equal sea is made, which is only slow.
     const bolan_sea_desc old = sea_desc_of(&world->scene, &world->assets), fresh = sea_desc_of(scene, &world->assets);
     if (memcmp(&old, &fresh, sizeof old) != 0) {
         bolan_sea *sea = NULL;
         result = bolan_sea_create(&fresh, &sea);
-        if (result) return result;
+        if (result) {
+            destroy_layers(layers);
+            return result;
+        }
         bolan_sea_settle(sea, time);
         bolan_sea_destroy(&world->sea);
         world->sea = sea;
     }
+    destroy_layers(world->layers);
+    memcpy(world->layers, layers, sizeof layers);
     world->scene = *scene;
     world->scene.time = time;
     update_water(world);

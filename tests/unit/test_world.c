@@ -353,6 +353,43 @@ static void steps_allocate_nothing(void **state) {
     allocations_left = -1;
 }
 
+static void trains_of_the_scene_are_layers_of_the_water(void **state) {
+    (void)state;
+    bolan_scene scene = small_scene();
+    scene.train_count = 2;
+    scene.trains[0] = scene.trains[1] = bolan_wave_train_desc_default();
+    scene.trains[1].from_deg = 120.0, scene.trains[1].length = 40.0, scene.trains[1].height = 0.7;
+    bolan_world *world = NULL;
+    assert_int_equal(bolan_world_create(&(bolan_world_desc){.scene = &scene}, &world), BOLAN_OK);
+    bolan_wave_layer *layers[2];
+    for (int i = 0; i < 2; i++) assert_int_equal(bolan_wave_layer_create_train(&scene.trains[i], &layers[i]), BOLAN_OK);
+    bolan_water by_hand = *bolan_world_water(world);
+    assert_int_equal(by_hand.layer_count, 2);
+    by_hand.layers = (const bolan_wave_layer *const *)layers;
+    const bolan_dvec2 places[3] = {{0.0, 0.0}, {31.0, -7.0}, {-500.0, 80.0}};
+    float a[3], b[3], c[3];
+    bolan_query_heights(bolan_world_water(world), places, 3, a);
+    bolan_query_heights(&by_hand, places, 3, b);
+    by_hand.layer_count = 0;
+    bolan_query_heights(&by_hand, places, 3, c);
+    assert_memory_equal(a, b, sizeof a);
+    assert_memory_not_equal(a, c, sizeof a);
+
+    // Another scene, other trains; one that breaks is refused and changes nothing.
+    scene.train_count = 1;
+    assert_int_equal(bolan_world_set_scene(world, &scene), BOLAN_OK);
+    assert_int_equal(bolan_world_water(world)->layer_count, 1);
+    scene.trains[0].length = 5.0;
+    scene.trains[0].height = 2.0;
+    assert_int_equal(bolan_world_set_scene(world, &scene), BOLAN_ERROR_ARGUMENT);
+    assert_int_equal(bolan_world_water(world)->layer_count, 1);
+    assert_near(bolan_world_scene(world)->trains[0].length, 100.0, 0.0);
+    bolan_world_destroy(&world);
+    assert_int_equal(bolan_world_create(&(bolan_world_desc){.scene = &scene}, &world), BOLAN_ERROR_ARGUMENT);
+    assert_null(world);
+    for (int i = 0; i < 2; i++) bolan_wave_layer_destroy(&layers[i]);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(it_has_the_bits_of_its_parts),
@@ -365,6 +402,7 @@ int main(void) {
         cmocka_unit_test(the_camera_is_lifted_out_of_the_ground),
         cmocka_unit_test(without_memory_there_is_no_world),
         cmocka_unit_test(without_memory_the_old_sea_stays),
+        cmocka_unit_test(trains_of_the_scene_are_layers_of_the_water),
         cmocka_unit_test(steps_allocate_nothing),
     };
     return cmocka_run_group_tests(tests, listen_to_log, NULL);
