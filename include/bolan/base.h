@@ -3,9 +3,10 @@
 /// Tier 0. Version, result codes, and the only process-wide state of the library: the hooks for memory, log, assertions
 /// and tasks.
 ///
-/// Three kinds of error are never mixed: *misuse* (a NULL that must not be NULL, an index out of range) goes to the
-/// assert hook; *creation and I/O* return a ::bolan_result and log one sentence that says what was wrong, where, and
-/// what was expected; *per-frame calls* cannot fail.
+/// There are three kinds of error, and no call mixes them:
+/// - *misuse* (a NULL that must not be NULL, an index out of range) goes to the assert hook;
+/// - *creation and I/O* return a ::bolan_result and log one sentence: what was wrong, where, and what was expected;
+/// - *per-frame calls* cannot fail.
 #ifndef BOLAN_BASE_H
 #define BOLAN_BASE_H
 
@@ -44,7 +45,7 @@ const char *bolan_result_string(bolan_result result);
 
 // ---- log ------------------------------------------------------------------------------------------------------------
 
-/// How much a message matters: the call failed; it went on with less; for your information.
+/// Severity of a message. ERROR: the call failed. WARNING: the call went on with less. INFO: all is well.
 typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INFO } bolan_log_level;
 
 /// Every message the library can emit has a stable id, so that a test can assert *which* check fired.
@@ -153,8 +154,8 @@ typedef struct bolan_hooks {
 /// Replaces the hooks. NULL restores the built-in ones. Call it before anything is created and while no other thread is
 /// in the library: memory must be released by the hook that allocated it. Not thread-safe.
 void bolan_set_hooks(const bolan_hooks *hooks);
-/// The hooks in force, with NULL for each built-in one: a plug-in in a host that set some adds its own to these.
-/// Thread-safe while nobody calls bolan_set_hooks().
+/// The hooks in force, with NULL for each built-in one. A plug-in adds its hooks to those that the host has set.
+/// Thread-safe while no thread calls bolan_set_hooks().
 bolan_hooks bolan_get_hooks(void);
 
 /// Threads of the built-in pool, the calling thread included: 1 (default: the library starts no thread) to 64.

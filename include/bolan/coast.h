@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file coast.h
-/// Tier 2. What a sea bed does to the waves over it.
+/// Tier 2. Attenuation of waves over a sea bed.
 #ifndef BOLAN_COAST_H
 #define BOLAN_COAST_H
 
@@ -10,13 +10,20 @@
 extern "C" {
 #endif
 
-/// How much of its deep-water amplitude a sea of significant height @p hs [m] keeps in @p depth [m] of water: 1 in deep
-/// water, falling to 0 at the waterline so that the local height stays below the breaking limit, 0.6 of the depth.
-/// tanh form: f = tanh(0.6 depth / hs), 0 for depth <= 0. Shared source: shaders/shared/attenuation.glsl. Thread-safe.
+/// The share of its deep-water amplitude that a sea keeps in shallow water: f = tanh(0.6 depth / hs).
+/// It is 1 in deep water and falls to 0 at the waterline; the local height stays below the breaking limit, 0.6 depth.
+/// @param depth of the water [m]; <= 0 gives 0.
+/// @param hs significant height of the sea in deep water [m].
+/// Thread-safe.
+/// Shared source: shaders/shared/attenuation.glsl.
 float bolan_coast_attenuation(float depth, float hs);
-/// The same for @p count bands of the significant heights @p band_hs [m] that make one sea, in @p out. Each band keeps
-/// more the lower it is, bolan_coast_attenuation(), times a factor common to all, by which the local height of all
-/// bands together is that of one sea of their total height: it stays below 0.6 of the depth. Thread-safe.
+
+/// The shares of @p count bands that together make one sea.
+/// The share of a band is its bolan_coast_attenuation() times a factor common to all bands, so low bands keep more.
+/// With the factor the local height of all bands is that of one sea of their total height, below 0.6 depth.
+/// @param band_hs significant heights of the bands in deep water [m].
+/// @param out receives the shares.
+/// Thread-safe.
 void bolan_coast_attenuations(float depth, const float *band_hs, uint32_t count, float *out);
 
 #ifdef __cplusplus

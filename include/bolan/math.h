@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file math.h
-/// Tier 0. Vectors, matrices, angles, and the axes and units that every other header means.
+/// Tier 0. Vectors, matrices, angles; the axes and units of all headers.
 ///
 /// @code
 ///          z up                      compass (heading):  0 = north (+y), 90 = east (+x), clockwise
@@ -93,11 +93,13 @@ bolan_mat4 bolan_m4_mul(bolan_mat4 a, bolan_mat4 b);    ///< a * b: b is applied
 bolan_mat4 bolan_m4_transpose(bolan_mat4 a);            ///< rows become columns; the inverse of a rotation
 bolan_mat4 bolan_m4_inverse(bolan_mat4 a);              ///< of a regular matrix, computed in double
 bolan_vec4 bolan_m4_mul_v4(bolan_mat4 a, bolan_vec4 v); ///< a * v
-/// Rotation from world axes (camera-relative) to camera axes. Heading compass [deg], pitch up [deg], roll clockwise [deg].
+/// Rotation from world axes to camera axes. Heading by compass, pitch up, roll clockwise, all in [deg].
 bolan_mat4 bolan_m4_view(double heading_deg, double pitch_deg, double roll_deg);
-/// Reversed-Z projection with an infinite far plane: depth is near / distance: 1 at the near plane, 0 at infinity.
-/// @p fov_y vertical field of view [rad]; @p aspect width / height; @p near_m > 0 [m]. @p zero_to_one: true where clip
-/// depth is [0, 1] (clip control), false where it is [-1, 1] (the window depth is the same).
+/// Reversed-Z projection with an infinite far plane. Depth is near / distance: 1 at the near plane, 0 at infinity.
+/// @param fov_y vertical field of view [rad].
+/// @param aspect width / height.
+/// @param near_m distance of the near plane [m], > 0.
+/// @param zero_to_one true: clip depth is [0, 1] (clip control). False: it is [-1, 1]; window depth is the same.
 bolan_mat4 bolan_m4_projection(double fov_y, double aspect, double near_m, int zero_to_one);
 
 #ifdef __cplusplus

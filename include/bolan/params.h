@@ -2,11 +2,14 @@
 /// @file params.h
 /// Tier 0. Parameters as data: one row for each field of a desc that a person sets.
 ///
-/// A row states name, type, unit, range, default and one sentence of help. Validation, default values, the keys of
-/// scene
-/// files, the options of the command line, the rows of the viewer's panel, the tables of the documentation and the JSON
-/// schema for editors are all made from the rows. The tables stand beside their descs: bolan_sea_params in waves.h,
-/// bolan_scene_groups() in scene.h, and so on. Every function here is pure and thread-safe.
+/// A row states name, type, unit, range, default and one sentence of help. The rows are the source of:
+/// - validation and default values;
+/// - the keys of scene files and the options of the command line;
+/// - the rows of the viewer's panel;
+/// - the tables of the documentation and the JSON schema for editors.
+///
+/// The tables stand beside their descs: bolan_sea_params in waves.h, bolan_scene_groups() in scene.h, and so on.
+/// Every function here is pure and thread-safe.
 #ifndef BOLAN_PARAMS_H
 #define BOLAN_PARAMS_H
 

@@ -37,11 +37,14 @@ typedef enum bolan_spectrum_kind {
     BOLAN_SPECTRUM_PIERSON_MOSKOWITZ, ///< fully developed sea (Pierson & Moskowitz 1964)
     BOLAN_SPECTRUM_JONSWAP,           ///< fetch-limited sea (Hasselmann et al. 1973)
     BOLAN_SPECTRUM_TMA,               ///< JONSWAP in water of finite depth (Bouws et al. 1985)
-    BOLAN_SPECTRUM_PHILLIPS, ///< A exp(-1/(kL)^2) k^-4 cos^2 e^{-k^2 l^2} of computer graphics (Tessendorf 2001):
-                             ///< Pierson-Moskowitz with k = w^2/g, L = (4/5)^(1/2) g / wp^2, cut off below l = L/1000
+    /// A exp(-1/(kL)^2) k^-4 cos^2 e^{-k^2 l^2} of computer graphics (Tessendorf 2001).
+    /// It is Pierson-Moskowitz with k = w^2/g and L = (4/5)^(1/2) g / wp^2, cut off below l = L/1000.
+    BOLAN_SPECTRUM_PHILLIPS,
 } bolan_spectrum_kind;
-#define BOLAN_SPECTRUM_KINDS 4 ///< how many there are
-/// The names that the command line and scene files use, "pierson-moskowitz" ...; by bolan_spectrum_kind, NULL at the end.
+/// Number of spectrum kinds.
+#define BOLAN_SPECTRUM_KINDS 4
+/// The names that the command line and scene files use, "pierson-moskowitz" ...; by bolan_spectrum_kind.
+/// NULL at the end.
 extern const char *const bolan_spectrum_kind_names[BOLAN_SPECTRUM_KINDS + 1];
 
 /// The shape of a spectrum in direction.
@@ -53,74 +56,101 @@ typedef enum bolan_spreading_kind {
 
 /// One wind sea or swell. It is fixed by its height and peak; the helpers below derive these from wind and fetch.
 typedef struct bolan_wave_system {
-    bolan_spectrum_kind kind;       ///< shape in frequency; default JONSWAP
-    double hs;                      ///< significant wave height 4 sqrt(m0) [m], 0..40 (TMA: before the depth factor)
-    double peak_omega;              ///< peak angular frequency [rad/s], 0.1..50
-    double gamma;                   ///< JONSWAP peak enhancement, 1..10; default 3.3. Raised: a narrower peak
-    double from_deg;                ///< where the waves come FROM, compass [deg], -360..360
-    bolan_spreading_kind spreading; ///< default HASSELMANN
-    double spread_s;                ///< s of COS2S, 0..200; default 10. Raised: longer crests
-    double wind_speed;              ///< U10 [m/s] for HASSELMANN's U/cp, 0..70; 0: taken as U = cp
-    double swell;                   ///< Horvath's swell parameter xi, 0..1: lengthens the crests; default 0
+    /// Shape in frequency; default JONSWAP.
+    bolan_spectrum_kind kind;
+    /// Significant wave height 4 sqrt(m0) [m], 0..40. Of TMA: before the depth factor.
+    double hs;
+    /// Peak angular frequency [rad/s], 0.1..50.
+    double peak_omega;
+    /// Peak enhancement of JONSWAP, 1..10; default 3.3. Raised: a narrower peak.
+    double gamma;
+    /// Where the waves come FROM, compass [deg], -360..360.
+    double from_deg;
+    /// Shape in direction; default HASSELMANN.
+    bolan_spreading_kind spreading;
+    /// Exponent s of COS2S, 0..200; default 10. Raised: longer crests.
+    double spread_s;
+    /// U10 [m/s] for U/cp of HASSELMANN, 0..70. 0: U = cp.
+    double wind_speed;
+    /// Swell parameter xi of Horvath, 0..1; default 0. Raised: longer crests.
+    double swell;
 } bolan_wave_system;
 
-#define BOLAN_MAX_WAVE_SYSTEMS 8 ///< of a sea state
+/// Most wave systems of a sea state.
+#define BOLAN_MAX_WAVE_SYSTEMS 8
 
-/// A spectrum that was measured or forecast, on a frequency x direction grid: see bolan_spectrum_text for what is read.
-/// Immutable once parsed, then safe to share between threads.
+/// A measured or forecast spectrum on a grid of frequency x direction; bolan_spectrum_text lists the formats.
+/// Immutable; safe to share between threads.
 typedef struct bolan_measured_spectrum bolan_measured_spectrum;
 
 /// A sea: wave systems, or a measured spectrum, over water of one depth, with the local wind that roughens it.
 typedef struct bolan_sea_state {
-    uint32_t system_count; ///< 0..8
+    /// Number of systems, 0..8.
+    uint32_t system_count;
+    /// The wind seas and swells; their energies add.
     bolan_wave_system systems[BOLAN_MAX_WAVE_SYSTEMS];
-    const bolan_measured_spectrum *measured; ///< NULL, or a spectrum that is added to the systems; not owned, must live
-                                             ///< until the sea was created
-    double depth;         ///< water depth for dispersion and TMA [m], 0.1..BOLAN_DEEP; default BOLAN_DEEP
-    double wind_speed;    ///< U10 [m/s], 0..70: short waves, foam
-    double wind_from_deg; ///< compass degrees the wind comes FROM, -360..360
+    /// A spectrum that is added to the systems, or NULL.
+    /// Borrowed; it must live until bolan_sea_create() has returned.
+    const bolan_measured_spectrum *measured;
+    /// Depth of the water for dispersion and TMA [m], 0.1..BOLAN_DEEP; default BOLAN_DEEP.
+    double depth;
+    /// U10 [m/s], 0..70; it roughens the short waves and makes foam.
+    double wind_speed;
+    /// Where the wind comes FROM, compass [deg], -360..360.
+    double wind_from_deg;
 } bolan_sea_state;
 
 /// The parameters of a bolan_sea_state beside its systems, and of one system.
 extern const bolan_param_table bolan_sea_state_params, bolan_wave_system_params;
 /// A flat calm over deep water: no systems, no wind.
 bolan_sea_state bolan_sea_state_default(void);
-/// A wind sea: JONSWAP by wind and fetch, capped at the fully developed Pierson-Moskowitz sea. @p wind_speed U10 [m/s]
-/// 0..70; @p from_deg compass degrees FROM; @p fetch [m] > 0, HUGE_VAL for no limit.
+/// A wind sea: JONSWAP by wind and fetch, limited to the fully developed Pierson-Moskowitz sea.
+/// @param wind_speed U10 [m/s], 0..70; a value outside is kept for bolan_sea_state_validate() to refuse.
+/// @param from_deg where the wind comes FROM, compass [deg].
+/// @param fetch [m] > 0; HUGE_VAL: no limit.
 ///
-/// alpha = 0.076 (U^2/(g F))^0.22, wp = 22 (g^2/(U F))^(1/3), gamma 3.3 (Hasselmann et al. 1973), until wp falls to
-/// the Pierson-Moskowitz peak 0.877 g / (1.026 U10); within 10 % of it gamma passes linearly into 1. Hs grows with the
-/// fetch up to that of the fully developed sea, 0.209 (1.026 U10)^2 / g, which it reaches at 0.63 of the fetch at which
-/// the peak does. Hs is kept to 40 m. No wind, no fetch, or a peak above 50 rad/s (ripples) give no system. A @p
-/// wind_speed outside its range is kept for bolan_sea_state_validate() to refuse.
+/// Growing sea (Hasselmann et al. 1973): alpha = 0.076 (U^2/(g F))^0.22, wp = 22 (g^2/(U F))^(1/3), gamma 3.3.
+/// wp falls to the Pierson-Moskowitz peak 0.877 g / (1.026 U10); within 10 % of it gamma passes linearly into 1.
+/// Hs grows with the fetch up to that of the fully developed sea, 0.209 (1.026 U10)^2 / g.
+/// Hs arrives there at 0.63 of the fetch at which the peak arrives. Hs is at most 40 m.
+/// No wind, no fetch, or a peak above 50 rad/s (ripples) give no system.
 bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, double fetch);
-/// The wind sea of a Phillips spectrum: Psi(k) = 2 A exp(-1/(kL)^2) k^-4 cos^2(th) e^{-k^2 l^2} on the half plane that the
-/// wind blows to, L = U10^2/g, l = L/1000. The printed form has no 2 and is the same for k and -k, half of it running against
-/// the wind; a sea that travels has all of it in one half plane, and the same m0 = A pi L^2/2. A = 0.0081/(2 pi) gives the
-/// tail of Pierson-Moskowitz and Hs = 0.18 U10^2/g; in deep water the shape is theirs, its peak at (4/5)^(1/4) g/U10.
-/// Arguments and limits as above.
+
+/// The wind sea of a Phillips spectrum, on the half plane that the wind blows to:
+/// Psi(k) = 2 A exp(-1/(kL)^2) k^-4 cos^2(th) e^{-k^2 l^2}, L = U10^2/g, l = L/1000.
+/// The printed form has no 2 and is equal for k and -k, so half of its energy runs against the wind.
+/// Here all energy travels with the wind, with the same m0 = A pi L^2/2.
+/// A = 0.0081/(2 pi) gives the tail of Pierson-Moskowitz and Hs = 0.18 U10^2/g.
+/// In deep water the shape is that of Pierson-Moskowitz, with the peak at (4/5)^(1/4) g/U10.
+/// Arguments and limits are those of bolan_sea_state_from_wind().
 bolan_sea_state bolan_sea_state_from_phillips(double wind_speed, double from_deg);
+
 /// The wind sea of a Beaufort number 0..12 (v = 0.836 B^1.5), fully developed. Other numbers are misuse.
 bolan_sea_state bolan_sea_state_from_beaufort(double beaufort, double from_deg);
 /// The sea of a Douglas / WMO 3700 degree 0..9: Hs in the middle of the class (16 m for 9, which has no upper bound),
 /// PM shape, and the wind that raises it. Other degrees are misuse.
 bolan_sea_state bolan_sea_state_from_douglas(int degree, double from_deg);
-/// Adds a swell of height @p hs [m], peak period @p tp [s], FROM @p from_deg, cos-2s exponent @p spread_s (25..75
-/// usual): JONSWAP with gamma 5 (Goda 2010: 3..10 for swell). ARGUMENT, with a sentence, when the list is full or a
-/// value is outside its range; the sea state is then unchanged.
+/// Adds a swell: JONSWAP with gamma 5 (Goda 2010: 3..10 for swell) and cos-2s spreading.
+/// @param hs significant height [m].
+/// @param tp peak period [s].
+/// @param from_deg where the swell comes FROM, compass [deg].
+/// @param spread_s exponent s of cos-2s; 25..75 is usual.
+/// Errors: ARGUMENT with a sentence, when the list is full or a value is outside its range.
+/// The sea state is then unchanged.
 bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, double tp, double from_deg,
                                        double spread_s);
 /// Checks every field against its range; logs a sentence and returns ARGUMENT at the first that is not.
 bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state);
 
-/// How much lower than asked for the waves have to be, so that water of their depth carries them: factors on the
-/// height, in (0, 1]; 1 where nothing is too high. bolan_sea_create() applies the smaller one to all waves and warns.
+/// Factors on the height, in (0, 1], with which water of this depth can carry the waves; 1: nothing is too high.
+/// bolan_sea_create() applies the smaller factor to all waves and warns.
 typedef struct bolan_sea_limit {
     /// Depth: Hs <= 0.6 depth (waves that break over a flat beach have Hrms = 0.42 depth: Thornton & Guza 1982).
     double by_depth;
-    /// Steepness: the sum over the systems of (Hs / (0.142 L tanh(2 pi depth / L)))^2 is at most 1. L is the length of
-    /// the waves at the system's spectral peak: the significant wave of a lone system may be as steep as the steepest
-    /// single wave there is (Miche 1944), and of several the energies add. A measured spectrum counts as one system.
+    /// Steepness: the sum over the systems of (Hs / (0.142 L tanh(2 pi depth / L)))^2 is at most 1.
+    /// L is the wave length at the peak of the system.
+    /// So the significant wave of a lone system is at most as steep as the steepest single wave (Miche 1944).
+    /// The energies of several systems add. A measured spectrum counts as one system.
     double by_steepness;
 } bolan_sea_limit;
 /// The limits of a valid sea state. Integrates the whole spectrum: milliseconds. Thread-safe.
@@ -154,12 +184,13 @@ typedef struct bolan_sea_summary {
 /// Integrates the whole spectrum: milliseconds. Thread-safe.
 bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state);
 
-/// Cox & Munk (1954) clean-surface slope variance for a wind of @p wind_speed [m/s] at 12.5 m; up- and crosswind parts:
-/// 3.16e-3 U and 0.003 + 1.92e-3 U (+- 0.004 and 0.002). Below 0.72 m/s the constant 0.003 fades, so that a calm is
-/// flat.
+/// Slope variance of a clean surface, upwind and crosswind, by Cox & Munk (1954): 3.16e-3 U and 0.003 + 1.92e-3 U.
+/// The published errors are +- 0.004 and 0.002.
+/// Below 0.72 m/s the constant 0.003 fades, so that a calm is flat.
+/// @param wind_speed U at 12.5 m [m/s].
 void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cross);
-/// Whitecap cover fraction of Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41, at most 0.95, which 38 m/s reaches:
-/// their winds end at 17 m/s, and even a hurricane leaves dark water between its foam. 0 without wind.
+/// Fraction covered by whitecaps, by Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41; 0 without wind.
+/// It is limited to 0.95, reached at 38 m/s: the published winds end at 17 m/s, and a hurricane leaves water uncovered.
 double bolan_monahan_cover(double wind_speed);
 
 // ---- sea-state tables -----------------------------------------------------------------------------------------------
@@ -276,7 +307,8 @@ void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectrum);
 typedef struct bolan_measured_view {
     uint32_t frequency_count, direction_count, record_count;
     const double *omega, *theta, *density;
-    const char *time; ///< of the record: ISO 8601 ("2020-06-08T03:50Z"), or "" when the text gives none
+    /// Time of the record in ISO 8601 ("2020-06-08T03:50Z"); "" when the text gives none.
+    const char *time;
 } bolan_measured_view;
 /// Valid while the spectrum lives. Thread-safe.
 bolan_measured_view bolan_measured_spectrum_view(const bolan_measured_spectrum *spectrum);

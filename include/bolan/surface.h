@@ -17,152 +17,221 @@ typedef enum bolan_surface_kind {
     BOLAN_SURFACE_NESTED,    ///< square grids round the point looked at, each twice as fine (Liu, Xu & Chen 2009)
     BOLAN_SURFACE_QUAD,      ///< two triangles (Ma, Zhu & Gong 2006)
 } bolan_surface_kind;
-#define BOLAN_SURFACE_KINDS 3 ///< how many there are
+/// Number of surface kinds.
+#define BOLAN_SURFACE_KINDS 3
 /// The names that the command line and scene files use, "projected" ...; by bolan_surface_kind, NULL at the end.
 extern const char *const bolan_surface_kind_names[BOLAN_SURFACE_KINDS + 1];
 
-/// What the surface must cover.
+/// The view that the surface must cover.
 typedef struct bolan_surface_view {
-    bolan_dvec3 eye; ///< [m]; z above mean sea level
+    /// Position of the eye [m]; z above mean sea level.
+    bolan_dvec3 eye;
+    /// Attitude of the camera [deg]: heading by compass, pitch up, roll clockwise.
     double heading_deg, pitch_deg, roll_deg;
-    double fov_y;                ///< vertical field of view [rad], 0.001..2.8
-    double aspect;               ///< width / height
-    uint32_t pixel_height;       ///< of the picture: sets what an angular step is
-    double water_level;          ///< [m]
-    double vertical, horizontal; ///< bounds of the displacement [m] (bolan_sea_bounds())
-    /// Of an off-centre frustum: the picture's middle lies so many half widths right of the camera's axis and half
-    /// heights above it; default 0, 0.
+    /// Vertical field of view [rad], 0.001..2.8.
+    double fov_y;
+    /// Width over height of the view.
+    double aspect;
+    /// Height of the view [pixels]; it sets the angular step of the grid.
+    uint32_t pixel_height;
+    /// Height of mean water [m].
+    double water_level;
+    /// Bounds of the vertical and horizontal displacement [m]; see bolan_sea_bounds().
+    double vertical, horizontal;
+    /// Centre of an off-centre frustum, right of and above the camera's axis; default 0, 0.
+    /// Unit: half widths of the view (x) and half heights (y).
     double shift_x, shift_y;
 } bolan_surface_view;
 
-/// A vertex of mean water, relative to the eye: world axes, origin at the eye; z includes the drop of the round earth.
+/// A vertex of mean water.
 typedef struct bolan_surface_vertex {
+    /// Position relative to the eye, along the world's axes [m]. z includes the drop of the round earth.
     float x, y, z;
-    /// Distance to the neighbouring vertices [m], the larger direction: waves shorter than twice this must leave the geometry,
-    /// best by and by from eight times on.
+    /// Distance to the neighbouring vertices [m]; of the two directions the larger.
+    /// The geometry must not carry waves shorter than twice the spacing.
+    /// Waves should fade out between eight and two times the spacing.
     float spacing;
-    /// NESTED: this vertex lies on the straight edge between its neighbours at -stitch and +stitch [m], and is displaced to
-    /// their mean (x, y, z and spacing are theirs already); (0, 0): an ordinary vertex.
+    /// NESTED: offset to the two neighbours [m]; they lie at -stitch and +stitch, and this vertex lies between them.
+    /// A stitched vertex is displaced to the mean of its neighbours' displaced positions.
+    /// Its x, y, z and spacing are already their means.
+    /// (0, 0): the vertex is not stitched.
     float stitch_x, stitch_y;
 } bolan_surface_vertex;
 
 /// How fine the surface is.
 typedef struct bolan_surface_desc {
+    /// The kind of surface; default PROJECTED.
     bolan_surface_kind kind;
-    double pixels_per_vertex; ///< 1..32; default 3. Raised: fewer triangles
-    uint32_t
-        max_vertices; ///< capacity of the caller's vertex buffer, >= 1024; the grid is coarsened to fit; default 200000
+    /// Distance of neighbouring vertices [pixels], 1..32; default 3. Raised: fewer triangles.
+    double pixels_per_vertex;
+    /// Capacity of the caller's vertex buffer, >= 1024; default 200000. The grid is coarsened to fit.
+    uint32_t max_vertices;
 } bolan_surface_desc;
 
-/// The defaults named beside the fields.
+/// The defaults named above the fields.
 bolan_surface_desc bolan_surface_desc_default(void);
 
-/// Number of columns and rows written: vertices[row * columns + column], rows run from near to far, columns clockwise.
-/// Zero when no water can be in view. Triangles: two per cell; indices by bolan_surface_grid_indices().
+/// The size of a grid of vertices: vertices[row * columns + column].
+/// Rows run from near to far, columns clockwise.
+/// Both are zero when no water can be in view.
+/// A cell is two triangles; bolan_surface_grid_indices() writes their indices.
 typedef struct bolan_surface_size {
     uint32_t columns, rows;
 } bolan_surface_size;
-/// Fills @p vertices (at least desc->max_vertices). Pure, thread-safe, allocates nothing.
+
+/// Writes the projected grid of a view.
+/// @param vertices receives the grid; its capacity is desc->max_vertices.
+/// Pure, thread-safe, allocates nothing.
 bolan_surface_size bolan_surface_projected(const bolan_surface_desc *desc, const bolan_surface_view *view,
                                            bolan_surface_vertex *vertices);
 
-/// The projector behind bolan_surface_projected() for one view: a map from the unit square to mean water, in closed form,
-/// so that a grid that never changes can be put onto the water by a vertex shader (the static buffer of Ni, Zhang &
-/// Tan, after Johanson 2004). Level, and at the eye's own vertical: it covers what the view can see of the water,
-/// raised and pushed by the displacement's bounds, and nothing of the sky.
+/// The projector of bolan_surface_projected() for one view: a map from the unit square to mean water in closed form.
+/// With it a vertex shader can place a static grid on the water (Ni, Zhang & Tan, after Johanson 2004).
+/// The projector stands at the eye and is level.
+/// It covers the water in view, enlarged by the bounds of the displacement, and no sky.
 typedef struct bolan_surface_projector {
-    bool visible;  ///< false: no water can be in view, nothing need be drawn
-    double height; ///< of the eye over the water [m], as the steps take it: at least 0.5
-    double above;  ///< of the eye over the water [m]
-    double near_parameter,
-        range;            ///< rows are even steps of s over this range; distance = height * x(s), see projected.c
-    double heading, half; ///< azimuths, clockwise from north: heading +- half [rad]
-    double guard;         ///< nearer than this the rows close to full circles, for waves that lean into view [m]
+    /// False: no water can be in view, and nothing needs to be drawn.
+    bool visible;
+    /// Height of the eye over the water [m], at least 0.5; the rows are computed from it.
+    double height;
+    /// Height of the eye over the water [m], without a lower bound.
+    double above;
+    /// First value and length of the range of the row parameter s. Rows are even steps of s.
+    /// The distance of a row is height * x(s); projected.c has x(s).
+    double near_parameter, range;
+    /// Range of azimuths, clockwise from north: heading +- half [rad].
+    double heading, half;
+    /// Rows nearer than this distance [m] are full circles, for waves that lean into the view.
+    double guard;
 } bolan_surface_projector;
-/// Places it. Pure, thread-safe.
+
+/// The projector of a view.
+/// Pure, thread-safe.
 bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *view);
-/// Its grid of @p size, columns and rows at least 2, as bolan_surface_projected() lays them out. Pure, thread-safe.
+
+/// Writes the projector's grid of @p size, in the order of bolan_surface_projected().
+/// @param size columns and rows, each at least 2.
+/// Pure, thread-safe.
 void bolan_surface_projector_vertices(const bolan_surface_projector *projector, bolan_surface_size size,
                                       bolan_surface_vertex *vertices);
-/// The same for a vertex shader (grid_point() in shaders/common/grid.glsl, the twin): near_parameter, range, height,
-/// above; azimuth in the middle (snapped to the columns), half, guard, earth radius.
+
+/// The projector as the uniforms of a vertex shader; the twin is grid_point() in shaders/common/grid.glsl.
+/// @param out near_parameter, range, height, above, azimuth of the middle (snapped to the columns), half, guard, earth
+/// radius.
 void bolan_surface_projector_uniforms(const bolan_surface_projector *projector, bolan_surface_size size, float out[8]);
 
-/// The quad: 4 vertices (south-west, south-east, north-west, north-east) of a square round the point under the eye, on the
-/// flat plane of the mean water. Its sides are as long as the horizon is far. Do not draw what lies farther from the
-/// eye's foot than half a side, in the corners: there the plane would stand above the horizon of the round earth. Pure,
-/// thread-safe. Source: Ma, Zhu & Gong 2006, section 2.1.
+/// Writes the quad: a square round the point under the eye, on the flat plane of mean water.
+/// A side is as long as the distance to the horizon.
+/// Draw only what lies within half a side of the point under the eye; the corners lie outside.
+/// Reason: farther out the flat plane stands above the horizon of the round earth.
+/// @param vertices south-west, south-east, north-west, north-east.
+/// Pure, thread-safe.
+/// Source: Ma, Zhu & Gong 2006, section 2.1.
 void bolan_surface_quad(const bolan_surface_view *view, bolan_surface_vertex vertices[4]);
-/// Its 6 indices, counter-clockwise seen from above.
+/// The 6 indices of the quad, counter-clockwise seen from above.
 extern const uint32_t bolan_surface_quad_indices[6];
 
 // ---- nested grids ---------------------------------------------------------------------------------------------------
 
-#define BOLAN_NESTED_MAX_LEVELS 16 ///< of a nested surface
-#define BOLAN_NESTED_PARTS 12      ///< index lists of a level: 8 blocks (SW S SE W E NW N NE), 4 T-strips (S N W E)
+/// Most levels of a nested surface.
+#define BOLAN_NESTED_MAX_LEVELS 16
+/// Index lists of a level: 8 blocks (SW S SE W E NW N NE), then 4 T-strips (S N W E).
+#define BOLAN_NESTED_PARTS 12
 
-/// How nested grids are made. n = cells.
+/// How nested grids are made. n stands for `cells`.
 typedef struct bolan_nested_desc {
-    uint32_t cells;  ///< n along a side of every level, a multiple of 4, 4..256; default 32. Raised: finer everywhere
-    uint32_t levels; ///< 1..BOLAN_NESTED_MAX_LEVELS; default 6. Raised: each one more is twice as fine at the middle
-    /// d_0 of the coarsest level [m], > 0, kept to the precision of float; 0 (default): the least power of two with which
-    /// the coarsest level reaches to half a pixel below the horizon: from 10 m up, 6 levels of 32 cells end at 16 m, 10 at 1 m.
+    /// Cells along a side of every level, a multiple of 4, 4..256; default 32. Raised: finer everywhere.
+    uint32_t cells;
+    /// Number of levels, 1..BOLAN_NESTED_MAX_LEVELS; default 6. Raised by one: twice as fine at the middle.
+    uint32_t levels;
+    /// Spacing d_0 of the coarsest level [m], > 0, rounded to float; default 0.
+    /// 0: the smallest power of two for which the coarsest level reaches to half a pixel below the horizon.
+    /// For an eye at 10 m, the finest of 6 levels of 32 cells then has a spacing of 16 m, and of 10 levels 1 m.
     double spacing;
 } bolan_nested_desc;
-/// The defaults named beside the fields.
+/// The defaults named above the fields.
 bolan_nested_desc bolan_nested_desc_default(void);
 
-/// One level where a view puts it: vertex (i, j) stands at (x0 + i d, y0 + j d), world metres; the next finer level
-/// covers the cells [hole_i, hole_i + n/2) x [hole_j, hole_j + n/2). The finest level has no hole: (0, 0).
+/// The place of one level: vertex (i, j) stands at (x0 + i d, y0 + j d), d the spacing.
 typedef struct bolan_nested_level {
+    /// Place of vertex (0, 0) in the world, and the spacing d [m].
     double x0, y0, spacing;
+    /// The next finer level covers the cells [hole_i, hole_i + n/2) x [hole_j, hole_j + n/2).
+    /// The finest level has no hole: (0, 0).
     uint32_t hole_i, hole_j;
 } bolan_nested_level;
-/// All levels of a view, 0 the coarsest.
+
+/// All levels of a view.
 typedef struct bolan_nested {
+    /// Cells along a side, and number of levels.
     uint32_t cells, levels;
-    bolan_dvec2 centre; ///< the point that the levels lie round [m]
-    /// Smallest spacing of any vertex [m], so that detail comes and goes smoothly with the eye's height.
+    /// The point that the levels lie round [m].
+    bolan_dvec2 centre;
+    /// Smallest spacing of any vertex [m]. It varies smoothly with the eye's height, so that detail does not pop.
     double least_spacing;
+    /// The levels; 0 is the coarsest.
     bolan_nested_level level[BOLAN_NESTED_MAX_LEVELS];
 } bolan_nested;
-/// Places the levels round the point of the mean water in the middle of the view, or nearer to the eye where that point is
-/// so far that the finest level would be lost there: at most twice as far as the nearest water in the picture
-/// (or the eye's height).
-/// Every level stands on multiples of its own spacing, exactly, and moves in steps of two: no vertex moves over the water,
-/// and where a level stands depends on the centre and its spacing alone (n > 4; for n = 4 the hole cannot move).
-/// Levels whose cells would be below two pixels are left out. Pure, thread-safe, the same on every machine. Misuse:
-/// @p desc out of range is clamped. Source: Liu, Xu & Chen 2009, section 1.
+
+/// Places the levels for a view.
+/// The centre is the point of mean water in the middle of the view.
+/// The centre is moved nearer where that point is too far for the finest level to be seen.
+/// The bound is twice the distance of the nearest water in view (or twice the eye's height).
+/// Every level stands on exact multiples of its own spacing and moves in steps of two spacings.
+/// So no vertex moves over the water.
+/// For n > 4 the place of a level depends on the centre and its spacing alone; for n = 4 the hole cannot move.
+/// Levels whose cells would be smaller than two pixels are left out.
+/// Values of @p desc outside their ranges are clamped.
+/// Pure, thread-safe, the same on every machine.
+/// Source: Liu, Xu & Chen 2009, section 1.
 bolan_nested bolan_surface_nested_place(const bolan_nested_desc *desc, const bolan_surface_view *view);
-/// (n + 1)^2 for each level.
+
+/// Number of vertices: (n + 1)^2 for each level.
 uint32_t bolan_surface_nested_vertex_count(const bolan_nested *nested);
-/// The vertices, level by level, row by row from the south-west: vertex (i, j) of a level is its (j (n + 1) + i)th. Each of
-/// the three arrays holds bolan_surface_nested_vertex_count() or is NULL: @p rest in world metres, @p vertices relative to
-/// the eye, @p visible 1 where the view can show a triangle of the vertex (section 4: two cross products in plan, widened
-/// by a cell and the bounds of the displacement; the four side planes of the picture where it is wide or looks down), 0
-/// where its waves need not be computed. Vertices inside a hole are written too, and belong to no triangle.
+
+/// Writes the vertices, level by level, row by row from the south-west: vertex (i, j) of a level is its (j (n + 1) +
+/// i)th.
+/// Each array has bolan_surface_nested_vertex_count() elements or is NULL.
+/// @param view may be NULL where only @p rest is asked for.
+/// @param rest receives world positions [m].
+/// @param vertices receives vertices relative to the eye.
+/// @param visible receives 1 where the view can show a triangle of the vertex, and 0 where no waves are needed.
 ///
-/// A vertex's spacing grows from d to 2 d towards the border of its level, by its distance from the centre, so that it is
-/// continuous over the water and in time; where levels meet, both sides have the same position, spacing and visibility, bit for bit.
-/// Odd vertices on the border of a level inside another are stitched (section 2); their neighbours are never stitched.
-/// Pure, thread-safe, allocates nothing. @p view may be NULL where only @p rest is asked for.
+/// Visibility is tested by two cross products in plan, widened by a cell and the bounds of the displacement (section
+/// 4). A view that is wide or looks down is tested by its four side planes.
+/// Vertices inside a hole are written too; no triangle uses them.
+/// The spacing of a vertex grows from d at the centre to 2 d at the border of its level.
+/// So the spacing is continuous over the water and in time.
+/// Where levels meet, both have the same position, spacing and visibility, bit for bit.
+/// Odd vertices on the border of an inner level are stitched (section 2); their neighbours are never stitched.
+/// Pure, thread-safe, allocates nothing.
 void bolan_surface_nested_vertices(const bolan_nested *nested, const bolan_surface_view *view, bolan_dvec2 *rest,
                                    bolan_surface_vertex *vertices, uint8_t *visible);
-/// Index list @p part of @p level as plain triangles, counter-clockwise seen from above; returns the count (0 where the finest
-/// level has no such part); @p out may be NULL to ask for it. The T-strips are the level's own outermost ring of cells, the
-/// blocks what is between it and the hole; the finest level is one block, part 0, its ring included. All parts of all
-/// levels together: 2 n^2 triangles for the finest and 2 (n^2 - n^2/4) for each other. Thread-safe.
+
+/// Writes index list @p part of @p level as triangles, counter-clockwise seen from above, and returns their count.
+/// The count is 0 where the finest level has no such part.
+/// The T-strips are the outermost ring of cells of the level; the blocks lie between the ring and the hole.
+/// The finest level is one block, part 0, with its ring.
+/// All parts together have 2 n^2 triangles for the finest level and 2 (n^2 - n^2/4) for each other level.
+/// @param out receives the indices; NULL asks for the count alone.
+/// Thread-safe.
 uint32_t bolan_surface_nested_indices(const bolan_nested *nested, uint32_t level, uint32_t part, uint32_t *out);
-/// Normals of the displaced mesh as the paper makes them: the mean of the unit normals of the triangles round each vertex,
-/// of both levels where two meet; a stitched vertex has the mean of its neighbours' normals, as the edge it lies on. Up for
-/// vertices inside a hole. @p positions: displaced vertices, @p normals receives unit vectors, both of
-/// bolan_surface_nested_vertex_count(). Thread-safe, allocates nothing. Source: Liu, Xu & Chen 2009, section 3.
+
+/// Normals of the displaced mesh after the paper: the mean of the unit normals of the triangles round each vertex.
+/// Where two levels meet, the triangles of both count.
+/// A stitched vertex lies on the edge between its neighbours and has the mean of their normals.
+/// Vertices inside a hole have normals that point up.
+/// @param positions displaced vertices, bolan_surface_nested_vertex_count() of them.
+/// @param normals receives as many unit vectors.
+/// Thread-safe, allocates nothing.
+/// Source: Liu, Xu & Chen 2009, section 3.
 void bolan_surface_nested_normals(const bolan_nested *nested, const bolan_vec3 *positions, bolan_vec3 *normals);
 
 // ---- grids ----------------------------------------------------------------------------------------------------------
 
-/// Indices of a columns x rows grid, 6 per cell, counter-clockwise seen from above: (columns-1)*(rows-1)*6 values. Returns that count;
-/// @p out may be NULL to ask for it.
+/// Writes the indices of a grid, 6 per cell, counter-clockwise seen from above.
+/// Returns their number, (columns - 1) * (rows - 1) * 6.
+/// @param out receives the indices; NULL asks for the number alone.
 uint32_t bolan_surface_grid_indices(bolan_surface_size size, uint32_t *out);
 
 #ifdef __cplusplus
