@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Land and sea bed. The mesh gives the shape; the chunk's map gives normals four times finer, cast shadows and open sky; a
-// tiled noise, looked up at the pixel's own footprint, gives the grain of rock, crowns and sand below that.
-// NEAR is defined for chunks fine enough to show the nearest grain, PICTURE for what the water mirrors and refracts, and for an eye
-// under it.
-// Points under the water are left as if dry and without haze: the water pass puts the water over them.
+// Land and sea bed. The mesh gives the shape; the chunk's map gives normals four times finer, cast shadows and open
+// sky; a tiled noise, looked up at the pixel's own footprint, gives the grain of rock, crowns and sand below that. NEAR
+// is defined for chunks fine enough to show the nearest grain, PICTURE for what the water mirrors and refracts, and for
+// an eye under it. Points under the water are left as if dry and without haze: the water pass puts the water over them.
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
 #include "common/under.glsl"
@@ -67,7 +66,8 @@ float footprint_level(vec2 uv) {
     return max(0.5 * log2(max(area, 1e-8)), 0.5 * log2(max(major, 1e-8)) - 1.6);
 }
 
-// A period must divide the 4096 m after which eye_wrapped wraps. Below two texels a pixel, the mean: no grain is better than noise.
+// A period must divide the 4096 m after which eye_wrapped wraps. Below two texels a pixel, the mean: no grain is better
+// than noise.
 vec4 noise(vec2 p, float period, float footprint) {
     return textureLod(ground_noise, p / period, log2(max(footprint * 256.0 / period, 1e-3)));
 }

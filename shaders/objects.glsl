@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Objects. All light is computed at the vertices, so that the pixels cost little: this is drawn up to three times a frame.
-// GROUND is defined for models that lie flat, PICTURE for what the water mirrors and refracts, and for an eye under it; CUT where the
-// picture's plane cuts the triangles, WET where they may lie under the water.
-// As in ground.glsl, points under the water are left as if dry and without haze: the water pass puts the water over them.
+// Objects. All light is computed at the vertices, so that the pixels cost little: this is drawn up to three times a
+// frame. GROUND is defined for models that lie flat, PICTURE for what the water mirrors and refracts, and for an eye
+// under it; CUT where the picture's plane cuts the triangles, WET where they may lie under the water. As in
+// ground.glsl, points under the water are left as if dry and without haze: the water pass puts the water over them.
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
 #include "common/under.glsl"

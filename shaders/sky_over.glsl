@@ -20,7 +20,8 @@ out vec4 color;
 
 const float MIDDLE = 400.0; // of the layer, above its base [m]
 
-// Towards the same place of the layer's middle from where the map was made: clouds stay where they are while the eye flies on.
+// Towards the same place of the layer's middle from where the map was made: clouds stay where they are while the eye
+// flies on.
 vec3 from_map(vec3 dir, float h) {
     float b = (earth_radius + h) * dir.z, c = earth_shell(h, cloud_base + MIDDLE, earth_radius);
     float root = sqrt(max(b * b - c, 0.0)), d = c / max(root - b, 1.0); // nearest to it, where the ray passes over it

@@ -15,7 +15,8 @@ uniform sampler2D glow;
 #pragma unit glow 3
 uniform sampler2D sum;
 #pragma unit sum 4
-// x: share of the glow, y: 1 encode sRGB, z: dither [1/255], w: weight of the sum (RESOLVE), of the old sum (ACCUMULATE)
+// x: share of the glow, y: 1 encode sRGB, z: dither [1/255], w: weight of the sum (RESOLVE), of the old sum
+// (ACCUMULATE)
 uniform vec4 settings;
 uniform vec2 origin; // lower left corner of the picture in its framebuffer [px]
 #ifdef ACCUMULATE

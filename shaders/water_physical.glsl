@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The light of the water, pixel by pixel over the surface that water_shape.glsl left. What the pixel cannot resolve of the
-// waves is in the covariance of its slopes (Bruneton, Neyret & Holzschuch 2010), which widens the sun's glitter, blurs the
-// mirrored sky and lowers the mean Fresnel reflectance; waves hide sky and sun from one another
+// The light of the water, pixel by pixel over the surface that water_shape.glsl left. What the pixel cannot resolve of
+// the waves is in the covariance of its slopes (Bruneton, Neyret & Holzschuch 2010), which widens the sun's glitter,
+// blurs the mirrored sky and lowers the mean Fresnel reflectance; waves hide sky and sun from one another
 // (common/reflection.glsl); the light from below comes from the sea bed behind and from the water's own backscatter
 // (Gordon et al. 1988; Lee et al. 1998 for finite depth).
 //

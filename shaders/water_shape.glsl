@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shape of the water, written as a few numbers per pixel that water_physical.glsl shades afterwards, each pixel once: the triangles are
-// so small that shading them one by one would pay for most pixels several times.
+// The shape of the water, written as a few numbers per pixel that water_physical.glsl shades afterwards, each pixel
+// once: the triangles are so small that shading them one by one would pay for most pixels several times.
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The triangles of the water's surface, where its waves put them: FILL, a plain face to hide what is behind; else their edges.
+// The triangles of the water's surface, where its waves put them: FILL, a plain face to hide what is behind; else their
+// edges.
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 

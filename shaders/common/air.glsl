@@ -104,6 +104,6 @@ vec3 sun_transmittance_at(float h, float mu) { return transmittance_to_space(h, 
 // twilight.
 vec3 night_radiance() { return vec3(0.85, 1.0, 1.2) * 1.6e-9 * radiance_unit; }
 
-// Solar irradiance above the air, in the unit of every stored radiance: radiance_unit is 1 by day and grows in twilight, so
-// that half floats hold it.
+// Solar irradiance above the air, in the unit of every stored radiance: radiance_unit is 1 by day and grows in
+// twilight, so that half floats hold it.
 vec3 solar_irradiance() { return SUN_COLOR * radiance_unit; }

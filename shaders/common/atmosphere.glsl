@@ -41,8 +41,8 @@ float cloud_shadow(vec2 position) {
     return mix(average, textureLod(cloud_map, vec3(clamp(p + 0.5, 0.001, 0.999), 1.0), 0.0).r, inside);
 }
 
-// The panorama of the clouds round the eye. Below the clouds it covers the sky (eye_above_clouds = 0), above them the whole
-// sphere, most of it what lies below the horizon. Rows are closest at the horizon.
+// The panorama of the clouds round the eye. Below the clouds it covers the sky (eye_above_clouds = 0), above them the
+// whole sphere, most of it what lies below the horizon. Rows are closest at the horizon.
 const float CLOUD_HORIZON = 0.625; // the horizon's place in the whole sphere's map; cirrus above needs its rows too
 
 vec2 cloud_uv(vec3 dir, float h) {

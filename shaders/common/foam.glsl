@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From a covered share to bubbles: a tiled texture whose values are uniformly distributed, so that the texels above
-// 1 - share cover the share. src/render/foam_texture.c makes it: r, g two nets of bubbles, coarse and fine; b, a smooth noise.
-// Needs common/slopes.glsl for normal_cdf().
+// 1 - share cover the share. src/render/foam_texture.c makes it: r, g two nets of bubbles, coarse and fine; b, a smooth
+// noise. Needs common/slopes.glsl for normal_cdf().
 #include "shared/constants.glsl"
 #pragma unit foam_detail 7
 uniform sampler2D foam_detail;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The projector of the static grid: from a place in the unit square (column, row) to mean water round the eye. Pure; the twin of
-// bolan_surface_projector_vertices() in src/surface/projected.c, which says why it is so.
+// The projector of the static grid: from a place in the unit square (column, row) to mean water round the eye. Pure;
+// the twin of bolan_surface_projector_vertices() in src/surface/projected.c, which says why it is so.
 
 #include "shared/earth.glsl"
 #include "shared/grid.glsl"
 
 // reach: s of the first row, from there to the last row, height that sets the steps [m], of the eye over the water [m];
-// azimuth: middle, half [rad], guard [m], earth radius [m]; cells along both sides. Gives eye-relative position and spacing [m].
+// azimuth: middle, half [rad], guard [m], earth radius [m]; cells along both sides. Gives eye-relative position and
+// spacing [m].
 vec4 grid_point(vec2 place, vec4 reach, vec4 azimuth, vec2 cells) {
     float s = reach.x + reach.y * place.y, x = grid_distance(s), r = reach.z * x;
     float radial = reach.z * grid_steepness(x) * reach.y / cells.y;

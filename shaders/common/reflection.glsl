@@ -149,8 +149,8 @@ float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets w
     return sum * whole.area / area * not_hidden(light / shared_to) * clear_of_mesh(near, to.z / flat_to, per_mesh);
 }
 
-// Radiance of the reflected sun for an irradiance of 1. `seen`: facets of the pixel, of mean slope `slope` and covariance
-// `unresolved`.
+// Radiance of the reflected sun for an irradiance of 1. `seen`: facets of the pixel, of mean slope `slope` and
+// covariance `unresolved`.
 float sun_glint(vec3 v, vec3 to_sun, vec2 slope, vec3 unresolved, visible_facets seen, surroundings near,
                 visible_facets whole, float index) {
     vec3 middle = normalize(v + to_sun);

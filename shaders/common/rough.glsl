@@ -23,8 +23,9 @@ rough_facets rough_seen(vec3 v, vec2 m, vec3 c) {
     return rough_facets(horizontal * sigma * f.area, sigma * f.tilt, sigma * f.kept);
 }
 
-// Mean reflectance, facing `v` with mean slope m: that of a facet which leans by 0.6 of the mean shift gives the curve of
-// Bruneton, Neyret & Holzschuch 2010, eq. 17, where it is measured (85 degrees), and the exact dielectric for a mirror.
+// Mean reflectance, facing `v` with mean slope m: that of a facet which leans by 0.6 of the mean shift gives the curve
+// of Bruneton, Neyret & Holzschuch 2010, eq. 17, where it is measured (85 degrees), and the exact dielectric for a
+// mirror.
 float rough_fresnel(vec3 v, vec2 m, rough_facets seen, float index) {
     vec2 lean = m - v.xy * (0.6 * seen.shift / max(length(v.xy), 1e-4));
     vec3 n = vec3(-lean, 1.0);

@@ -8,8 +8,8 @@ uniform highp sampler2DArray shore_map;
 
 const float SHORE_NONE = -1000.0; // no ground within reach
 
-// Share of level l in the blend at this place: 1 inside, 0 from the border outward. Half a texel of the border cannot be
-// interpolated.
+// Share of level l in the blend at this place: 1 inside, 0 from the border outward. Half a texel of the border cannot
+// be interpolated.
 float shore_share(int l, vec2 position) {
     vec4 s = shore_level[l];
     vec2 from_border = min(position - s.xy, s.xy + s.zz - position);
@@ -34,8 +34,8 @@ float shore_elevation(vec2 position) {
     return elevation + rest * SHORE_NONE;
 }
 
-// coast_attenuation() of four bands that make one sea, 0 for a band that is not there; together they keep what one sea of
-// their height does. Twin of bolan_coast_attenuations() in src/coast/attenuation.c.
+// coast_attenuation() of four bands that make one sea, 0 for a band that is not there; together they keep what one sea
+// of their height does. Twin of bolan_coast_attenuations() in src/coast/attenuation.c.
 vec4 coast_attenuations(float depth, vec4 hs) {
     vec4 alone = vec4(coast_attenuation(depth, hs.x), coast_attenuation(depth, hs.y), coast_attenuation(depth, hs.z),
                       coast_attenuation(depth, hs.w));

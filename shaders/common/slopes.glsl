@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Statistics of the facets of rough water that an observer sees. Slopes are Gaussian with mean `m` and covariance
-// `c` = (xx, xy, yy). A facet of slope s has the normal (-s, 1) / |..|; from direction v (to the observer) it shows the area
-// max(0, v.z - s . v.xy) per unit of plan area. Along the observer's horizontal direction this is a one-dimensional problem
-// in the tilt towards the observer, with closed forms.
+// `c` = (xx, xy, yy). A facet of slope s has the normal (-s, 1) / |..|; from direction v (to the observer) it shows the
+// area max(0, v.z - s . v.xy) per unit of plan area. Along the observer's horizontal direction this is a
+// one-dimensional problem in the tilt towards the observer, with closed forms.
 #include "shared/microfacets.glsl"
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What water does to things in it, for the pictures that it mirrors and refracts and for an eye under it: raises them, dims them, puts
-// its own light before them, and gathers sunlight on them (Ma, Zhu & Gong 2006, sections 2.2.3, 3 (2) and 5).
+// What water does to things in it, for the pictures that it mirrors and refracts and for an eye under it: raises them,
+// dims them, puts its own light before them, and gathers sunlight on them (Ma, Zhu & Gong 2006, sections 2.2.3, 3 (2)
+// and 5).
 #include "shared/refraction.glsl"
 #include "common/water_light.glsl"
 #ifdef PICTURE
@@ -11,8 +12,8 @@ float seen_height(vec2 position, float height) {
     return refraction_mode > 0.5 ? height * refraction_raise : height;
 }
 
-// Light of the water itself, seen under it along a unit direction from a depth [m]: what leaves it upwards, before the surface takes its share; more
-// from where the light comes.
+// Light of the water itself, seen under it along a unit direction from a depth [m]: what leaves it upwards, before the
+// surface takes its share; more from where the light comes.
 vec3 water_glow(float upward, float depth) {
     vec3 light = sun_light * max(sun_direction.z, 0.0) + sky_light;
     float from_above = 0.5 + 0.5 * upward;
@@ -20,7 +21,8 @@ vec3 water_glow(float upward, float depth) {
            exp(-water_attenuation * max(depth, 0.0));
 }
 
-// What becomes of light from a point at that height above the water, seen from above it or under it: light * through + veil.
+// What becomes of light from a point at that height above the water, seen from above it or under it: light * through +
+// veil.
 void through_water(vec3 position, float height, out vec3 through, out vec3 veil) {
     through = vec3(1.0);
     veil = vec3(0.0);
@@ -45,8 +47,8 @@ void through_water(vec3 position, float height, out vec3 through, out vec3 veil)
 #pragma unit water_tile 19
 uniform sampler2D water_tile; // a: light on the bottom, a quarter of it
 
-// Sunlight at a depth [m] below level eye-relative xy, as a share of what flat water lets through: the tile lies on the surface where
-// the ray came in. Shallow water has not gathered it yet, deep water scatters it.
+// Sunlight at a depth [m] below level eye-relative xy, as a share of what flat water lets through: the tile lies on the
+// surface where the ray came in. Shallow water has not gathered it yet, deep water scatters it.
 float gathered_light(vec2 position, float depth) {
     float strength = caustic_strength * clamp(depth * 2.0, 0.0, 1.0) * exp(-0.06 * max(depth, 0.0));
     vec2 p = position - caustic_travel * max(depth, 0.0);

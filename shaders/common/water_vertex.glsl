@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The water's mesh: the vertex stage of every optics, and what its pixels get of it. A vertex shader is
-// void main() { water_vertex(); }. What varies slowly (haze, gusts, cloud shadow, depth) is made at the vertices; the quad has only
-// four, so there the pixels make it themselves, and the vertices only what is the same for the whole picture.
+// void main() { water_vertex(); }. What varies slowly (haze, gusts, cloud shadow, depth) is made at the vertices; the
+// quad has only four, so there the pixels make it themselves, and the vertices only what is the same for the whole
+// picture.
 //
 // STATIC_GRID: the vertices are places of the unit square, which the projector puts onto the water.
-// LAND: there is terrain, and shallow water attenuates the waves. QUAD: the surface is the quad; TRIM: of which the corners beyond the
-// horizon can be seen, and are left out. ROUGH_VERTICES: the vertices look up
-// the roughness too.
+// LAND: there is terrain, and shallow water attenuates the waves. QUAD: the surface is the quad; TRIM: of which the
+// corners beyond the horizon can be seen, and are left out. ROUGH_VERTICES: the vertices look up the roughness too.
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
 #include "common/gusts.glsl"
@@ -14,8 +14,8 @@
 #include "common/grid.glsl"
 #endif
 
-// What a pixel cannot resolve. Where the vertices carry the waves, it is they who cannot: a wave of three spacings fades to half
-// (bolan_sea_sample_grid), as it does under a pixel 1.4 spacings wide.
+// What a pixel cannot resolve. Where the vertices carry the waves, it is they who cannot: a wave of three spacings
+// fades to half (bolan_sea_sample_grid), as it does under a pixel 1.4 spacings wide.
 footprint mesh_footprint(footprint f, float spacing) {
 #ifdef WAVES_MESH
     f.minor = max(f.minor, 1.4 * spacing);
@@ -94,8 +94,8 @@ void water_vertex() {
     gl_Position = view_projection * vec4(position, 1.0);
 }
 #else
-// Mean over a straight way down to the sea of exp(-height / scale), d^2 = 2 R h x long: x = 0 straight down, x = 1 to the
-// horizon. Heights are h (s - x s (1 - s)) on it.
+// Mean over a straight way down to the sea of exp(-height / scale), d^2 = 2 R h x long: x = 0 straight down, x = 1 to
+// the horizon. Heights are h (s - x s (1 - s)) on it.
 float mean_density(float h, float x, float scale) {
     float sum = 0.0;
     for (int i = 0; i < 32; ++i) {
@@ -153,8 +153,8 @@ struct water_pixel {
 };
 
 #ifdef QUAD
-// From above, how much farther away than this plane the round earth's water is on the same ray. At twice as far it ends, in the
-// horizon: there the plane does not, and a square would end in corners.
+// From above, how much farther away than this plane the round earth's water is on the same ray. At twice as far it
+// ends, in the horizon: there the plane does not, and a square would end in corners.
 float round_earth(vec2 position) {
     float left = 1.0 - 4.0 * earth_drop(dot(position, position), earth_radius) / max(eye_height, 0.5);
 #ifdef TRIM
@@ -163,7 +163,8 @@ float round_earth(vec2 position) {
     return eye_under_water < 0.5 ? 2.0 / (1.0 + sqrt(max(left, 0.0))) : 1.0;
 }
 
-// acos to 7e-5 (Abramowitz & Stegun 4.4.45), and asin, near 0 by its series: the function itself costs as much as look-ups.
+// acos to 7e-5 (Abramowitz & Stegun 4.4.45), and asin, near 0 by its series: the function itself costs as much as
+// look-ups.
 float quick_acos(float x) {
     float a = abs(x), y = sqrt(max(1.0 - a, 0.0)) * (1.5707288 + a * (-0.2121144 + a * (0.0742610 - 0.0187293 * a)));
     return x < 0.0 ? 3.14159265 - y : y;

@@ -4,9 +4,9 @@
 //   WAVES_SUM   many cosines, here for each pixel: only the quad needs that (Liu, Xu & Chen 2009)
 //   WAVES_MESH  the same, made on the CPU for each vertex; the pixels interpolate
 //   none        cascades: tiles of an FFT
-// PACKED: slope_map0 to slope_map3, one for each cascade, hold slope, dxx + dyy, foam memory, and there is no slope_map or fold_map
-// (sea_gpu.h). CASCADES: how many of them pixels look up, longest waves first.
-// Twins of bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
+// PACKED: slope_map0 to slope_map3, one for each cascade, hold slope, dxx + dyy, foam memory, and there is no slope_map
+// or fold_map (sea_gpu.h). CASCADES: how many of them pixels look up, longest waves first. Twins of
+// bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
 #include "shared/constants.glsl"
 #include "shared/exp_cosine.glsl"
 #include "common/water_block.glsl"
@@ -38,7 +38,8 @@ vec4 wave_of(int i) { return texelFetch(wave_table, ivec2(i & 63, i >> 6), 0); }
 #define WAVE_COUNT wave_count
 #endif
 
-// Height of unit amplitude at a phase [rad], and its derivative by the phase. `faded`: log2 of what is kept of the wave.
+// Height of unit amplitude at a phase [rad], and its derivative by the phase. `faded`: log2 of what is kept of the
+// wave.
 float wave_height(float phase, float faded) {
     float s = half_sine(within_half_a_turn(phase * 0.15915494));
 #ifdef WAVES_EXP
@@ -116,7 +117,8 @@ layout(location = 2) in vec3 mesh_offset; // height, dx, dy
 layout(location = 3) in vec4 mesh_fields; // slope, jacobian, foam
 #endif
 
-// Displacement of the vertex at `rest` on a mesh of that spacing, over water of that depth; fields of the mesh: slope, jacobian, foam.
+// Displacement of the vertex at `rest` on a mesh of that spacing, over water of that depth; fields of the mesh: slope,
+// jacobian, foam.
 vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
     vec3 offset = vec3(0.0);
     fields = vec4(0.0, 0.0, 1.0, 0.0);
@@ -185,8 +187,9 @@ vec4 cascade_share(int c, vec4 fields, float gust, float kept) {
     return (cascade_band[c].z < 20.0 ? gust : 1.0) * kept * fields;
 }
 
-// One look-up a cascade, at the level of a width whose log2 is `fine`. Slopes over the displaced surface as if waves came from all
-// sides. Textures of their own and no loop: an array, and a loop that pixels leave at different times, cost twice as much.
+// One look-up a cascade, at the level of a width whose log2 is `fine`. Slopes over the displaced surface as if waves
+// came from all sides. Textures of their own and no loop: an array, and a loop that pixels leave at different times,
+// cost twice as much.
 wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
     vec4 kept = cascades_kept(depth);
     vec4 sum = cascade_share(0, textureLod(slope_map0, cascade_uv(0, rest), fine - cascade_band[0].w), gust, kept.x);
@@ -213,8 +216,8 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
 #pragma unit fold_map 10
 uniform sampler2DArray fold_map; // r: dxy, g: foam memory
 
-// Each cascade is looked up along the footprint as often as its texels are shorter than it, at most TAPS times; the level of
-// detail makes up for the rest. Rings whose longest wave is shorter than the pixel is wide have nothing left.
+// Each cascade is looked up along the footprint as often as its texels are shorter than it, at most TAPS times; the
+// level of detail makes up for the rest. Rings whose longest wave is shorter than the pixel is wide have nothing left.
 wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
     vec2 slope = vec2(0.0);
     vec3 gradient = vec3(0.0); // dxx, dyy, dxy of the displacement, choppiness applied
@@ -267,8 +270,8 @@ float faded16(float u) {
     return e8 * e8;
 }
 
-// Each wave fades by its own footprint, a Gaussian of 0.4 of the widths. `hidden`: the slope covariance of what they lose and of
-// what is no part of them.
+// Each wave fades by its own footprint, a Gaussian of 0.4 of the widths. `hidden`: the slope covariance of what they
+// lose and of what is no part of them.
 wave_fields waves_of_footprint(vec2 rest, footprint f, float gust, float depth, out vec3 hidden) {
     vec2 slope = vec2(0.0), a = f.axis;
     float major = 0.19739209 * f.major * f.major, minor = 0.19739209 * f.minor * f.minor; // (0.4 2 pi)^2 / 2 / 16

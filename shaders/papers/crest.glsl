@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Light through the crests and ramps of foam (Ni, Zhang & Tan, "Ocean simulation of a flight simulator's view"), per pixel:
+// Light through the crests and ramps of foam (Ni, Zhang & Tan, "Ocean simulation of a flight simulator's view"), per
+// pixel:
 //
 //   color = F sky(mirrored) + glitter + (1 - F) (bed or deep water + light through crests), under foam
 //
-// Light that enters the far side of a wave leaves through the near one. Where that can be, a mask of crests says; how much, the
-// directions of sun and view. The paper: mask = |displacement| / peak wave length, a fixed tint. Here by default: a mask from
-// height, pinch and the side that faces the eye, and the tint that the water's own attenuation leaves of sunlight over a
-// path through the crest.
+// Light that enters the far side of a wave leaves through the near one. Where that can be, a mask of crests says; how
+// much, the directions of sun and view. The paper: mask = |displacement| / peak wave length, a fixed tint. Here by
+// default: a mask from height, pinch and the side that faces the eye, and the tint that the water's own attenuation
+// leaves of sunlight over a path through the crest.
 //
 // The shape of the water is there already (crest_shape.glsl), and what varies slowly over the picture
 // (crest_air.glsl). The facets that the eye sees lean towards it; their mean tilt, their area and the mean Fresnel
 // reflectance are rational and quadratic forms (common/rough.glsl).
 //
-// LAND: there is terrain. SPARSE: into a cleared picture of fewer columns. CASCADES: how many of them these rows show. TAPS: how much sharper than its long side a footprint is looked up. Waves: see common/waves.glsl.
+// LAND: there is terrain. SPARSE: into a cleared picture of fewer columns. CASCADES: how many of them these rows show.
+// TAPS: how much sharper than its long side a footprint is looked up. Waves: see common/waves.glsl.
 #include "common/frame.glsl"
 #include "common/fullscreen.glsl"
 
@@ -175,8 +177,8 @@ vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
 }
 
 #ifdef LAND
-// Foam of the shore: bores that run in over the shallows, denser with less depth, and swash at the edge. bed: depth of the bed below
-// the surface here [m]. Gives intensity and zone.
+// Foam of the shore: bores that run in over the shallows, denser with less depth, and swash at the edge. bed: depth of
+// the bed below the surface here [m]. Gives intensity and zone.
 vec2 shore_foam(crest_pixel p, float bed) {
     float hs = shore_height;
     float depth = min(bed, max(p.depth, 0.0) + hs), reach = 2.2 * hs;

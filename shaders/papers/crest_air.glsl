@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What varies slowly over the picture of the water, in few pixels: air between, gusts, shadows of clouds, depth. Each pixel is
-// a ray, here met with the mean water; above the horizon it stands for the horizon.
+// What varies slowly over the picture of the water, in few pixels: air between, gusts, shadows of clouds, depth. Each
+// pixel is a ray, here met with the mean water; above the horizon it stands for the horizon.
 #include "common/frame.glsl"
 #include "common/fullscreen.glsl"
 

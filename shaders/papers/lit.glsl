@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Normals of the mesh and one light (Liu, Xu & Chen 2009, section 3): ambient, diffuse and specular, as OpenGL lit things then.
+// Normals of the mesh and one light (Liu, Xu & Chen 2009, section 3): ambient, diffuse and specular, as OpenGL lit
+// things then.
 //
-// Beyond the paper, from its list of future work: the mirrored sky and what shines through by Fresnel's law, foam where crests
-// fold; and what neither the mesh nor the pixel resolves of the waves widens the highlight and blurs the mirror.
+// Beyond the paper, from its list of future work: the mirrored sky and what shines through by Fresnel's law, foam where
+// crests fold; and what neither the mesh nor the pixel resolves of the waves widens the highlight and blurs the mirror.
 //
-// LAND: there is terrain: the bed shines through, and the sea foams where it ends. PAPER: nothing but what the paper has. (Defines,
-// since software OpenGL takes both ways of a branch.)
+// LAND: there is terrain: the bed shines through, and the sea foams where it ends. PAPER: nothing but what the paper
+// has. (Defines, since software OpenGL takes both ways of a branch.)
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 
@@ -133,7 +134,8 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
 void main() {
     water_pixel p = water_here();
 #if !defined(QUAD) && !defined(PAPER)
-    // between vertices so far apart lies more than one cloud; a loop: some drivers sample textures in both branches of an if
+    // between vertices so far apart lies more than one cloud; a loop: some drivers sample textures in both branches of
+    // an if
     for (int i = 0; i < 1 && p.spacing > 100.0; ++i) p.shade = cloud_shadow(p.position.xy);
 #endif
     float dist = length(p.position);

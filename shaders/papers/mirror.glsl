@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Two pictures, of the world mirrored in the water and of the world seen through it, looked up where the waves bend them to; the
-// water's own texture, lit as a bumpy surface; the sun's glitter by a texture that the sun projects (Ma, Zhu & Gong 2006).
+// Two pictures, of the world mirrored in the water and of the world seen through it, looked up where the waves bend
+// them to; the water's own texture, lit as a bumpy surface; the sun's glitter by a texture that the sun projects (Ma,
+// Zhu & Gong 2006).
 //
-// TILES: the waves are tiles baked from the sea, else waves_at() has them. RIPPLES: with a second, finer tile. HIGH: cloud shadows lie on the water apart, and the air
-// thins with height. PAPER: the paper to the letter: its normal maps, its disturbance, its sums. BELOW: the eye is under water.
+// TILES: the waves are tiles baked from the sea, else waves_at() has them. RIPPLES: with a second, finer tile. HIGH:
+// cloud shadows lie on the water apart, and the air thins with height. PAPER: the paper to the letter: its normal maps,
+// its disturbance, its sums. BELOW: the eye is under water.
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 #ifdef QUAD
@@ -129,7 +131,8 @@ float slide(vec3 mirrored, vec2 push, float spread) {
 }
 
 #ifndef BELOW
-// Exact dielectric, the mean tilt of the facets that face the eye, and the glitter as wide as what the pixel cannot show makes it.
+// Exact dielectric, the mean tilt of the facets that face the eye, and the glitter as wide as what the pixel cannot
+// show makes it.
 vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
 #if defined(QUAD) && !defined(HIGH)
     vec3 light = sun_light * water_shade;

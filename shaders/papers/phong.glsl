@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Pictures of what is mirrored and refracted, mixed by Fresnel's law, and three parts of light over them (Liu & Xie 2010,
-// sections 1.2 and 1.3; the pictures are those of planar_views.c):
+// Pictures of what is mirrored and refracted, mixed by Fresnel's law, and three parts of light over them (Liu & Xie
+// 2010, sections 1.2 and 1.3; the pictures are those of planar_views.c):
 //
 //     C = F reflection + (1 - F) refraction,   each looked up where the waves bend it
 //     ambient = Ka water (N . V)   diffuse = Kd light max(N . L, 0)   specular = Ks light max(N . H, 0)^shininess
 //
-// Beyond the paper: what a pixel cannot resolve of the waves blurs the mirror and widens the highlight; a look-up is bent by the
-// mirrored ray itself; the water's own colour fills what the water takes from the bed, so that Ka stands for (1 - F) and not N . V.
+// Beyond the paper: what a pixel cannot resolve of the waves blurs the mirror and widens the highlight; a look-up is
+// bent by the mirrored ray itself; the water's own colour fills what the water takes from the bed, so that Ka stands
+// for (1 - F) and not N . V.
 //
-// PICTURES: there is something to mirror or to see through the water. TAPS: look-ups of it across the blur. PAPER: nothing but what
-// the paper has. (Defines, since software OpenGL takes both ways of a branch.)
+// PICTURES: there is something to mirror or to see through the water. TAPS: look-ups of it across the blur. PAPER:
+// nothing but what the paper has. (Defines, since software OpenGL takes both ways of a branch.)
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 
@@ -61,7 +62,8 @@ struct phong_surface {
 #endif
 
 #if !defined(WAVES_CASCADES) && !defined(PAPER)
-// Some way off [m], the same for kilometres' worth of sea: what bends the crests of waves that would run straight for ever.
+// Some way off [m], the same for kilometres' worth of sea: what bends the crests of waves that would run straight for
+// ever.
 vec2 wander_of(vec2 rest) {
     vec2 at = wander_eye.xy + rest * wander_fine, broad = wander_eye.zw + rest.yx * wander_broad;
     return 0.25 * peak_length * (textureLod(ripple_map, at, 5.0).xy + textureLod(ripple_map, broad, 5.0).yx);
@@ -85,8 +87,8 @@ phong_surface surface_here() {
     footprint wide = f;
     vec2 at = s.here.rest;
 #ifndef PAPER
-    // few waves make a pattern that repeats: it goes over into roughness where a wave is a few pixels long, and from high up, where
-    // much of it is in sight, earlier, and the tile's longest waves bend it
+    // few waves make a pattern that repeats: it goes over into roughness where a wave is a few pixels long, and from
+    // high up, where much of it is in sight, earlier, and the tile's longest waves bend it
     float high = smoothstep(30.0, 200.0, eye_height);
     wide.minor *= 3.0 + 7.0 * high;
     wide.major = max(f.major, wide.minor);
@@ -120,7 +122,8 @@ vec2 picture_of(vec3 point) {
 }
 
 #ifdef PICTURES
-// A picture has the air between the eye and what it shows; of that, the part before the water is laid over the water itself.
+// A picture has the air between the eye and what it shows; of that, the part before the water is laid over the water
+// itself.
 vec4 behind_water(sampler2D picture, vec3 point, float level, water_pixel p) {
     vec4 c = textureLod(picture, picture_of(point), level);
     return vec4(max(c.rgb - c.a * p.inscatter, 0.0) / max(p.transmittance, vec3(0.02)), c.a);
@@ -154,7 +157,8 @@ vec3 reflection(phong_surface s) {
     vec3 sky = environment_radiance(mirrored_ray(s.view, leaning), s.seen.sigma);
 #ifdef PICTURES
     vec4 land = vec4(0.0);
-    // a facet's slope turns the ray by twice that, of which the other side of the picture's place shows half, and across the view little
+    // a facet's slope turns the ray by twice that, of which the other side of the picture's place shows half, and
+    // across the view little
     float texels = 0.25 * s.seen.sigma / float(TAPS) * float(textureSize(reflection_picture, 0).y) * pixel_size.y / radians_per_pixel;
     float level = log2(clamp(texels, 1.0, 4.0)); // further up, the steps from one to the next would show
     for (int i = 0; i < TAPS; ++i) {

@@ -5,8 +5,8 @@
 #define BOLAN_SHARED_ATTENUATION
 #include "shared/language.glsl"
 
-// tanh for x >= 0 by Lambert's continued fraction to seven terms: error below 4e-6 up to 3.4 and below 1.3e-4 up to 4.9,
-// where it passes 1 and is cut. tanh() itself overflows on some drivers.
+// tanh for x >= 0 by Lambert's continued fraction to seven terms: error below 4e-6 up to 3.4 and below 1.3e-4 up to
+// 4.9, where it passes 1 and is cut. tanh() itself overflows on some drivers.
 SHARED float rational_tanh(float x) {
     float x2 = x * x;
     float p = x * (135135.0f + x2 * (17325.0f + x2 * (378.0f + x2)));

@@ -9,16 +9,16 @@
 #define SKY_ENTERS 0.93
 // The same of sunlight, at all heights of the sun alike: from 25 degrees on it is 0.94 to 0.98.
 #define SUN_ENTERS 0.95
-// Radiance over the water for that under it: through the surface, (1 - F) / n^2 = 0.545 at index 1.34 straight up; light
-// that is reflected down again and comes back makes up for the larger reflectance of slanting rays.
+// Radiance over the water for that under it: through the surface, (1 - F) / n^2 = 0.545 at index 1.34 straight up;
+// light that is reflected down again and comes back makes up for the larger reflectance of slanting rays.
 #define BED_LEAVES 0.54
-// Albedo of fresh foam (Koepke 1984 has 0.22 for the mean over old and fresh foam; thick foam comes to 0.5 to 0.8) and the
-// share of it that its densest part covers.
+// Albedo of fresh foam (Koepke 1984 has 0.22 for the mean over old and fresh foam; thick foam comes to 0.5 to 0.8) and
+// the share of it that its densest part covers.
 #define FOAM_ALBEDO 0.72
 #define FOAM_DENSEST 0.92
 
-// Path that attenuates light from the bed [m], water `depth` deep: straight down once, and up along the view. down: cosine of
-// the refracted view.
+// Path that attenuates light from the bed [m], water `depth` deep: straight down once, and up along the view. down:
+// cosine of the refracted view.
 SHARED real bed_path(real depth, real down) { return depth * (1.0 + 1.0 / down); }
 
 #endif

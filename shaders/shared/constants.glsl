@@ -11,7 +11,8 @@
 #define WORLD_WRAP 4096.0
 #define WORLD_WRAP_WIDE 131072.0 // gusts of wind
 
-// ---- the table of unresolved slopes (bolan_sea_slope_table) -----------------------------------------------------------
+// ---- the table of unresolved slopes (bolan_sea_slope_table)
+// -----------------------------------------------------------
 
 #define SLOPE_TABLE_MAJOR 24  // texel i: a footprint's standard deviation is 2^(i / PER_OCTAVE + FIRST) m
 #define SLOPE_TABLE_ASPECT 8  // texel j: minor over major is 2^-j
@@ -26,7 +27,8 @@
 // 0.00465 rad, still mirrors its rim, (0.00465 / 2)^2 = 5.4e-6. It keeps a glint finite on flat water.
 #define SUN_DISC_SLOPES 6e-6
 
-// ---- the tables of clear air [texels] ---------------------------------------------------------------------------------
+// ---- the tables of clear air [texels]
+// ---------------------------------------------------------------------------------
 
 #define SKY_TRANSMITTANCE_WIDTH 256
 #define SKY_TRANSMITTANCE_HEIGHT 64
@@ -38,14 +40,16 @@
 #define SKY_AERIAL_ELEVATIONS 65 // row 32 is the horizon
 #define SKY_AERIAL_SLICES 32
 
-// ---- foam -------------------------------------------------------------------------------------------------------------
+// ---- foam
+// -------------------------------------------------------------------------------------------------------------
 
 // Mean opacity of thin, middling and dense foam of the multi-ramp map.
 #define FOAM_THIN 0.22
 #define FOAM_MIDDLING 0.5
 #define FOAM_DENSE 0.82
 
-// ---- parts of the shading: bits of bolan_effect -----------------------------------------------------------------------
+// ---- parts of the shading: bits of bolan_effect
+// -----------------------------------------------------------------------
 
 #define EFFECT_REFLECTION 1
 #define EFFECT_REFRACTION 2

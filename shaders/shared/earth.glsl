@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The round earth: a sphere of mean water. All lengths [m], angles [rad]. An eye of height h stands over the point where
-// the tangent plane touches; `radius` is the sphere's.
+// The round earth: a sphere of mean water. All lengths [m], angles [rad]. An eye of height h stands over the point
+// where the tangent plane touches; `radius` is the sphere's.
 //
 // The geometry of the water uses the parabola r^2 / 2R in place of the circle. At a level distance r the parabola lies
 // r^4 / 8R^3 higher: 0.4 mm at 30 km, 3 cm at 90 km (the horizon of an eye 630 m up), 8 m at 357 km (10 km up).

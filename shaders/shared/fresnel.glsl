@@ -26,9 +26,9 @@ SHARED real fresnel_fast(real cos_incident, real eta) {
 }
 
 // Fast mean over facets whose mean normal is seen at cosine c, their slopes along the view spreading by rms: Schlick's
-// curve and its curvature times the variance. Half the second derivative would be 10 g^3; 9 fits the mean over facets that
-// facing_fast() of shared/microfacets.glsl describes. For rms slopes of 0.1 to 0.25 it is within 12 % up to 20 degrees over
-// the horizon, and up to 30 % low at 45 degrees, where Schlick's curve is low.
+// curve and its curvature times the variance. Half the second derivative would be 10 g^3; 9 fits the mean over facets
+// that facing_fast() of shared/microfacets.glsl describes. For rms slopes of 0.1 to 0.25 it is within 12 % up to 20
+// degrees over the horizon, and up to 30 % low at 45 degrees, where Schlick's curve is low.
 SHARED real fresnel_mean_fast(real cosine, real rms, real eta) {
     real f0 = fresnel_normal(eta), c = min(cosine, 1.0), g = 1.0 - c, g3 = g * g * g;
     return f0 + (1.0 - f0) * g3 * (g * g + 9.0 * rms * rms * (1.0 - c * c));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The facets of rough water that an observer sees. Slopes are Gaussian. Along the observer's horizontal direction this is
-// a one-dimensional problem: with t the tilt of a facet towards the observer and u the observer's elevation (as a slope),
-// both over the mean plane and in standard deviations of the slope, a facet shows the area max(0, u + t) of its plan.
-// With the normal distribution P and its density p:
+// The facets of rough water that an observer sees. Slopes are Gaussian. Along the observer's horizontal direction this
+// is a one-dimensional problem: with t the tilt of a facet towards the observer and u the observer's elevation (as a
+// slope), both over the mean plane and in standard deviations of the slope, a facet shows the area max(0, u + t) of its
+// plan. With the normal distribution P and its density p:
 //
 //   area   mean of max(0, u + t)            u P + p
 //   tilt   mean of t over what is shown     P / (u P + p)
@@ -18,9 +18,9 @@ struct facing_facets {
     real kept; // rms slope of the visible facets along the view, over that of all
 };
 
-// From u = -1 on to 1e-4 of the area and of the tilt and 0.12 % of what is kept; at -1.5 these are 3e-4, 4e-4 and 0.6 %. An
-// observer more than 2.5 deviations under the mean plane counts as being there. The upper bound lets a calm be seen from
-// straight above.
+// From u = -1 on to 1e-4 of the area and of the tilt and 0.12 % of what is kept; at -1.5 these are 3e-4, 4e-4 and 0.6
+// %. An observer more than 2.5 deviations under the mean plane counts as being there. The upper bound lets a calm be
+// seen from straight above.
 SHARED facing_facets facing_exact(real elevation) {
     real u = clamp(elevation, -2.5, 1e7);
     real pdf = normal_pdf(u), cdf = normal_below(u, pdf), norm = max(u * cdf + pdf, 1e-4);
@@ -31,9 +31,9 @@ SHARED facing_facets facing_exact(real elevation) {
     return f;
 }
 
-// Fast, by square roots. For u >= 0: area at most 5.3 % too large (near u = 0.7), tilt within 8 %, kept within 9.5 %. Down to
-// u = -1: area up to 0.07 too large, tilt within 8 %, kept within 15 %. Far below, a facet must lean at least as far as
-// hides it, and tilt goes with -u.
+// Fast, by square roots. For u >= 0: area at most 5.3 % too large (near u = 0.7), tilt within 8 %, kept within 9.5 %.
+// Down to u = -1: area up to 0.07 too large, tilt within 8 %, kept within 15 %. Far below, a facet must lean at least
+// as far as hides it, and tilt goes with -u.
 SHARED facing_facets facing_fast(real u) {
     real s2 = u * u + 0.63661977, per_s = inversesqrt(s2);
     facing_facets f;
@@ -44,8 +44,8 @@ SHARED facing_facets facing_fast(real u) {
 }
 
 // Share of the facets turned to a distant light that no other facet hides from it: what they show of the plan that the
-// light falls on. up: height of the light's unit direction; deviation: of the slope along its level part, times the length
-// of that part.
+// light falls on. up: height of the light's unit direction; deviation: of the slope along its level part, times the
+// length of that part.
 SHARED real lit_fast(real up, real deviation) {
     return clamp(up / max(deviation * facing_fast(max(up, 0.0) / deviation).area, 1e-3), 0.0, 1.0);
 }
@@ -69,8 +69,8 @@ SHARED real slope_density(real x, real y, real xx, real xy, real yy) {
 #define MOST_GLINT 400.0
 
 // Radiance of the mirrored sun for an irradiance of 1 across its rays: density of the slope that mirrors it (Cox & Munk
-// 1954; Ross, Dion & Potvin 2005). reflectance: of that facet; up: height of its unit normal; area: plan area that a unit of
-// plan area shows the observer; lit: share of such facets that see the sun.
+// 1954; Ross, Dion & Potvin 2005). reflectance: of that facet; up: height of its unit normal; area: plan area that a
+// unit of plan area shows the observer; lit: share of such facets that see the sun.
 SHARED real glint_radiance(real density, real reflectance, real up, real area, real lit) {
     real up2 = up * up;
     return min(density * reflectance * lit / (4.0 * up2 * up2 * max(area, 0.01)), MOST_GLINT);

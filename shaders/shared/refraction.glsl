@@ -12,8 +12,8 @@
 #endif
 
 // Tangent t of the angle in the air of the path between a point `air` above the water and a point `water` below it,
-// `aside` apart [m], air > 0: air t + water t / sqrt(n^2 + (n^2 - 1) t^2) = aside. The left side is concave in t, so Newton's
-// steps from a start that is too small never overshoot; both bounds are such starts.
+// `aside` apart [m], air > 0: air t + water t / sqrt(n^2 + (n^2 - 1) t^2) = aside. The left side is concave in t, so
+// Newton's steps from a start that is too small never overshoot; both bounds are such starts.
 SHARED real refraction_tangent(real air, real water, real aside, real index) {
     real n2 = index * index, m2 = n2 - 1.0;
     real t = max(aside / (air + water / index), (aside - water * inversesqrt(m2)) / air);
@@ -39,8 +39,8 @@ SHARED real apparent_height(real eye_z, real z, real aside, real index) {
     return over / refraction_k(refraction_tangent(over, -eye_z, aside, index), index) + min(z, 0.0);
 }
 
-// Cosine from the vertical, in the water, of a ray whose cosine in the air is `up`: Snell's law at a level surface. Never 0, since paths are
-// divided by it.
+// Cosine from the vertical, in the water, of a ray whose cosine in the air is `up`: Snell's law at a level surface.
+// Never 0, since paths are divided by it.
 SHARED real refracted_cosine(real up, real index) { return sqrt(max(1.0 - (1.0 - up * up) / (index * index), 1e-4)); }
 
 #endif

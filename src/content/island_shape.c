@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The island's plan and shape. Signed distances make the picture: to the coast (positive on land) and to the outer edge of
-// the reef (positive inside).
+// The island's plan and shape. Signed distances make the picture: to the coast (positive on land) and to the outer edge
+// of the reef (positive inside).
 //
 //      windward: cliffs,   .-~~~-.      u -> lagoon side
 //      rock stacks       .'  ^ ^  '.__        headlands, bays with beaches
@@ -19,7 +19,8 @@ static void direction(float degrees, float *u, float *v) {
     *u = c[0], *v = c[1];
 }
 
-// ---- the plan --------------------------------------------------------------------------------------------------------
+// ---- the plan
+// --------------------------------------------------------------------------------------------------------
 
 static void plan_headlands(island_plan *p) {
     const float at[ISLAND_HEADLANDS] = {-78.0f, -24.0f, 31.0f, 84.0f};
@@ -62,7 +63,8 @@ island_plan bolan_island_plan_make(const bolan_ground_generator *generator) {
     return p;
 }
 
-// ---- distances -------------------------------------------------------------------------------------------------------
+// ---- distances
+// -------------------------------------------------------------------------------------------------------
 
 // Where a point stands: distances [radii] and how the place is.
 typedef struct place {
@@ -113,7 +115,8 @@ static place locate(const island_plan *p, double x, double y) {
     return a;
 }
 
-// ---- land ------------------------------------------------------------------------------------------------------------
+// ---- land
+// ------------------------------------------------------------------------------------------------------------
 
 // Concave flank of an eroded ridge: 1 on the crest, falling as running water leaves it.
 static float flank(float x) { return 1.0f / ((1.0f + x) * (1.0f + 0.8f * x * x)); }
@@ -157,7 +160,8 @@ static float land(const island_plan *p, const place *a, float *drained) {
     return z;
 }
 
-// ---- sea bed ---------------------------------------------------------------------------------------------------------
+// ---- sea bed
+// ---------------------------------------------------------------------------------------------------------
 
 // Something round on every @cell metres: returns the nearest one's distance over its radius (> 1: outside) and its own
 // random number.

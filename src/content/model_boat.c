@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A wooden rowing boat, 4.4 m long, bow to +y, its origin in the waterline amidships. The hull is lofted through sections
-// whose half-beam, keel and sheer follow simple curves; the inside is the same surface, a plank's thickness within.
+// A wooden rowing boat, 4.4 m long, bow to +y, its origin in the waterline amidships. The hull is lofted through
+// sections whose half-beam, keel and sheer follow simple curves; the inside is the same surface, a plank's thickness
+// within.
 #include "content/model_build.h"
 
 #define STATIONS 11 // along the hull

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lattice noise for the ground's detail: a hash, gradient noise (Perlin 2002 with Quilez's analytic derivatives) and a
-// directed noise whose ridges run down a given slope. Only + - * / and sqrt are used, so that the same seed makes the same
-// bits on every machine.
+// directed noise whose ridges run down a given slope. Only + - * / and sqrt are used, so that the same seed makes the
+// same bits on every machine.
 #ifndef BOLAN_SHORE_NOISE_H
 #define BOLAN_SHORE_NOISE_H
 
@@ -45,8 +45,8 @@ static inline int32_t split_cell(double x, float *fraction) {
     return i;
 }
 
-// The four corners of a cell side by side, as vectors that GCC and Clang map to any machine's registers: the same operations
-// in the same order, so the same bits as plain C.
+// The four corners of a cell side by side, as vectors that GCC and Clang map to any machine's registers: the same
+// operations in the same order, so the same bits as plain C.
 typedef float corners __attribute__((vector_size(16)));
 typedef int32_t corners_int __attribute__((vector_size(16)));
 typedef uint32_t corners_bits __attribute__((vector_size(16)));
@@ -95,9 +95,10 @@ static inline noise_value gradient_noise(double x, double y, uint32_t seed) {
 }
 
 // Directed noise: each lattice corner sends out a plane wave of one period per cell with a random phase; the waves are
-// faded into each other and their variance is kept. (across_x, across_y) is the unit direction along which they vary, so the
-// crests run at right angles to it: give it the level direction of a hillside, and ridges and gullies run down the hill
-// and branch where phases meet. Value -1..1; the gradient is that of the waves, which is enough to steer the next octave.
+// faded into each other and their variance is kept. (across_x, across_y) is the unit direction along which they vary,
+// so the crests run at right angles to it: give it the level direction of a hillside, and ridges and gullies run down
+// the hill and branch where phases meet. Value -1..1; the gradient is that of the waves, which is enough to steer the
+// next octave.
 static inline noise_value directed_noise(double x, double y, float across_x, float across_y, uint32_t seed) {
     float fx, fy;
     int32_t ix = split_cell(x, &fx), iy = split_cell(y, &fy);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file schema.h
-/// Reads a YAML document into structs by tables of parameters: a dotted key such as "sky.clouds.cover" is the key `cover`
-/// of the map `clouds` in the map `sky`. What is not in the tables, or outside its range, is refused with file, line, key
-/// and what was expected. Private to src/io.
+/// Reads a YAML document into structs by tables of parameters: a dotted key such as "sky.clouds.cover" is the key
+/// `cover` of the map `clouds` in the map `sky`. What is not in the tables, or outside its range, is refused with file,
+/// line, key and what was expected. Private to src/io.
 #ifndef BOLAN_IO_SCHEMA_H
 #define BOLAN_IO_SCHEMA_H
 
@@ -27,9 +27,9 @@ typedef struct schema_target {
 } schema_target;
 enum { SCHEMA_TARGETS = 2 };
 
-/// Parses @p text into the structs of @p targets. Fields without a key in the document keep their values; an element of a
-/// list starts with its defaults. The root is a map; an empty document is an empty map. FORMAT on failure, also beyond
-/// the limits of yaml_limits.h, and MEMORY (one sentence is logged; the structs are then partly filled).
+/// Parses @p text into the structs of @p targets. Fields without a key in the document keep their values; an element of
+/// a list starts with its defaults. The root is a map; an empty document is an empty map. FORMAT on failure, also
+/// beyond the limits of yaml_limits.h, and MEMORY (one sentence is logged; the structs are then partly filled).
 bolan_result bolan_schema_read(const char *name, const char *text, size_t size,
                                const schema_target targets[SCHEMA_TARGETS], schema_given *given);
 /// The line of what stands at @p path, or 0 where the document does not have it.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Folders of tiles: index.json, and for each frame height_NNN.pgm (16-bit grey), normal_NNN.png, detail_NNN.png, caustics_NNN.png.
-// Row 0 of a picture is row 0 of the tile.
+// Folders of tiles: index.json, and for each frame height_NNN.pgm (16-bit grey), normal_NNN.png, detail_NNN.png,
+// caustics_NNN.png. Row 0 of a picture is row 0 of the tile.
 #include "io/file.h"
 #include "io/tiles_index.h"
 

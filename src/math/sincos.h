@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Sine and cosine with the same bits everywhere: only +, -, * and integer operations on IEEE numbers, each rounded once.
-// No libm, whose results differ between systems; no fused multiply-add (-ffp-contract=off). The functions are branch-free
-// and inline, so that a loop over lanes is vectorised and a kernel for any instruction set gives these very bits.
+// Sine and cosine with the same bits everywhere: only +, -, * and integer operations on IEEE numbers, each rounded
+// once. No libm, whose results differ between systems; no fused multiply-add (-ffp-contract=off). The functions are
+// branch-free and inline, so that a loop over lanes is vectorised and a kernel for any instruction set gives these very
+// bits.
 //
 // x is reduced to r = x - n pi/2 with |r| <= pi/4, pi/2 being split in three parts (Cody & Waite 1980, Software Manual
 // for the Elementary Functions, ch. 8) whose first two have few enough bits that n times them is exact. Then
-// sin r = r + r^3 P(r^2) and cos r = 1 - r^2/2 + r^4 Q(r^2), P and Q minimax for the absolute error of the result (Remez).
+// sin r = r + r^3 P(r^2) and cos r = 1 - r^2/2 + r^4 Q(r^2), P and Q minimax for the absolute error of the result
+// (Remez).
 #ifndef BOLAN_MATH_SINCOS_H
 #define BOLAN_MATH_SINCOS_H
 

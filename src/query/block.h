@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A query block: 16 points whose rest points are looked for at once, one lane each.
 //
-// The surface is known on rest points x0: the parcel of x0 is found at x0 + choppiness * sum_c att_c D_c(x0). A question is
-// asked at a world point x, so each lane solves for the offset o = x0 - x that makes
+// The surface is known on rest points x0: the parcel of x0 is found at x0 + choppiness * sum_c att_c D_c(x0). A
+// question is asked at a world point x, so each lane solves for the offset o = x0 - x that makes
 //
 //     r(o) = o + choppiness * sum_c att_c D_c(x + o) = 0                                                         (1)
 //
-// x is kept only as a cell and a fraction in each cascade, reduced in double precision; all that follows is float on small
-// numbers, so that a point at 1e6 m is answered as well as one at the origin. Lanes never look at one another: what a point
-// gets does not depend on which points share its block, and so not on how a batch is cut over threads.
+// x is kept only as a cell and a fraction in each cascade, reduced in double precision; all that follows is float on
+// small numbers, so that a point at 1e6 m is answered as well as one at the origin. Lanes never look at one another:
+// what a point gets does not depend on which points share its block, and so not on how a batch is cut over threads.
 #ifndef BOLAN_QUERY_BLOCK_H
 #define BOLAN_QUERY_BLOCK_H
 
@@ -95,16 +95,16 @@ typedef struct query {
 
 enum { QUERY_STEPS = 5, QUERY_SEARCH_STEPS = 10 };
 
-// Newton steps, each with the attenuation of the depth at the rest points it starts from. With `graded` step i uses the first
-// i + 1 cascades: the long waves put the rest point where the short ones can be linearised.
+// Newton steps, each with the attenuation of the depth at the rest points it starts from. With `graded` step i uses the
+// first i + 1 cascades: the long waves put the rest point where the short ones can be linearised.
 void bolan_query_solve(const query *q, uint32_t steps, bool graded, query_block *block);
 // Attenuation at the present offsets, then the evaluate kernel, then the layers of the water.
 void bolan_query_evaluate(const query *q, bool full, query_block *block);
 // Unit vector along which the Jacobian matrix (xx, xy; xy, yy) compresses most: the eigenvector of the smaller
 // eigenvalue.
 bolan_vec2 bolan_query_compressed_direction(float xx, float yy, float xy);
-// Where steps did not converge or the surface is about to fold: looks for every root near lane `lane` and puts the highest into
-// the lane (all members). The block must have been evaluated in full.
+// Where steps did not converge or the surface is about to fold: looks for every root near lane `lane` and puts the
+// highest into the lane (all members). The block must have been evaluated in full.
 void bolan_query_search_folds(const query *q, query_block *block, uint32_t lane);
 
 #endif

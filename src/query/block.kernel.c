@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The lanes of a query block, compiled once per instruction set. Bilinear look-ups in the planes of all cascades, and
-// Newton's method on the equation of block.h. The shader twin of the look-up is the texture unit, in the vertex shader of
-// shaders/common/water_vertex.glsl.
+// Newton's method on the equation of block.h. The shader twin of the look-up is the texture unit, in the vertex shader
+// of shaders/common/water_vertex.glsl.
 #include "query/block.h"
 
 #include <math.h>
@@ -74,8 +74,8 @@ static inline void add_plane(const float *restrict plane, const corners *restric
     }
 }
 
-// The same with the gradient of the interpolated plane along the tile's axes, per cell: it costs no further look-up, and it is
-// the derivative of exactly what Newton's method iterates on.
+// The same with the gradient of the interpolated plane along the tile's axes, per cell: it costs no further look-up,
+// and it is the derivative of exactly what Newton's method iterates on.
 static inline void add_plane_gradient(const float *restrict plane, const corners *restrict at,
                                       const float *restrict weight, float *restrict sum, float *restrict sum_u,
                                       float *restrict sum_v) {

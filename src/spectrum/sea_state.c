@@ -68,8 +68,8 @@ bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, do
     return sea_state;
 }
 
-// A exp(-1/(kL)^2) k^-4 cos^2 in w: k = w^2/g makes it 2 pi A g^2 w^-5 exp(-(g/U)^4 w^-4) / 2, Pierson-Moskowitz's shape
-// with alpha g^2 before it and (5/4) wp^4 = (g/U)^4.
+// A exp(-1/(kL)^2) k^-4 cos^2 in w: k = w^2/g makes it 2 pi A g^2 w^-5 exp(-(g/U)^4 w^-4) / 2, Pierson-Moskowitz's
+// shape with alpha g^2 before it and (5/4) wp^4 = (g/U)^4.
 bolan_sea_state bolan_sea_state_from_phillips(double wind_speed, double from_deg) {
     bolan_sea_state sea_state = bolan_sea_state_default();
     sea_state.wind_speed = wind_speed;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Frequency spectra by height and peak.
 //   Pierson & Moskowitz, J. Geophys. Res. 69 (1964); Hasselmann et al., "Measurements of wind-wave growth and swell
-//   decay during JONSWAP", Deutsche Hydrogr. Z. A8(12) (1973); Bouws et al., "Similarity of the wind wave spectrum in finite
-//   depth water", J. Geophys. Res. 90 (1985), with the depth factor of Kitaigorodskii (1975); Phillips's spectrum as Tessendorf,
-//   "Simulating ocean water", SIGGRAPH course (2001), eq. 40-41, has it, which in w is Pierson & Moskowitz's but for its cut.
+//   decay during JONSWAP", Deutsche Hydrogr. Z. A8(12) (1973); Bouws et al., "Similarity of the wind wave spectrum in
+// finite
+//   depth water", J. Geophys. Res. 90 (1985), with the depth factor of Kitaigorodskii (1975); Phillips's spectrum as
+// Tessendorf,
+//   "Simulating ocean water", SIGGRAPH course (2001), eq. 40-41, has it, which in w is Pierson & Moskowitz's but for
+// its cut.
 #include "bolan/math.h"
 #include "spectrum/portable.h"
 #include "spectrum/spectrum_eval.h"

@@ -42,8 +42,8 @@ void bolan_spectrum_eval_scale(spectrum_eval *eval, double factor);
 /// Psi(kx, ky) [m4], tail included; 0 at k = 0. As bolan_sea_state_wavenumber_density(). Thread-safe.
 double bolan_spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky);
 
-/// S(w, th) [m2 s/rad per rad] for waves that go along the unit vector (ux, uy), without the tail of a measured spectrum. As
-/// bolan_sea_state_density(). @p omega > 0. Thread-safe.
+/// S(w, th) [m2 s/rad per rad] for waves that go along the unit vector (ux, uy), without the tail of a measured
+/// spectrum. As bolan_sea_state_density(). @p omega > 0. Thread-safe.
 double bolan_spectrum_eval_density(const spectrum_eval *eval, double omega, double ux, double uy);
 
 /// S(w) [m2 s/rad]: the former over all directions. @p omega > 0. Thread-safe.

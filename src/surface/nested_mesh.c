@@ -79,7 +79,8 @@ static void add_level(const bolan_nested *nested, uint32_t level, const bolan_ve
     }
 }
 
-// The k-th of the 4 n border vertices of a level, counter-clockwise from the south-west corner; even k lie on the parent.
+// The k-th of the 4 n border vertices of a level, counter-clockwise from the south-west corner; even k lie on the
+// parent.
 static void border_vertex(uint32_t n, uint32_t k, uint32_t *i, uint32_t *j) {
     uint32_t side = k / n, along = k % n;
     *i = side == 0 ? along : side == 1 ? n : side == 2 ? n - along : 0;

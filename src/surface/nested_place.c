@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nested grids, where they stand (Liu, Xu & Chen 2009, section 1). Level 0 is the coarsest; every next one is as many cells,
-// half as long, in a hole of its parent:
+// Nested grids, where they stand (Liu, Xu & Chen 2009, section 1). Level 0 is the coarsest; every next one is as many
+// cells, half as long, in a hole of its parent:
 //
 //      +---+---+---+---+---+---+---+---+      n = 8 cells along a side of every level
 //      |   |   |   |   |   |   |   |   |      ring: the outermost cells, next to the parent's coarser ones
@@ -10,15 +10,15 @@
 //      |   |   +-+-+-+-+-+-+-+-+   |   |         nearest to c, so c is within a cell of every middle
 //      +---+---+-+-+-+c+-+-+-+-+---+---+
 //
-// A vertex's world position is a whole multiple of its level's spacing. The spacing has at most 24 bits and the multiple at
-// most 29, so positions, and those of the levels that share them, are exact in double.
+// A vertex's world position is a whole multiple of its level's spacing. The spacing has at most 24 bits and the
+// multiple at most 29, so positions, and those of the levels that share them, are exact in double.
 #include "surface/view_cone.h"
 
 #include "shared/earth.glsl"
 
-// The centre lies at most so many times as far as the nearest water in the picture: with 2, no water in the direction of
-// view is farther from the centre than from the eye, so that cells (which grow with the distance from the centre) look as
-// large near as far.
+// The centre lies at most so many times as far as the nearest water in the picture: with 2, no water in the direction
+// of view is farther from the centre than from the eye, so that cells (which grow with the distance from the centre)
+// look as large near as far.
 #define NEAR_SHARE 2.0
 #define LEAST_PIXELS 2.0
 

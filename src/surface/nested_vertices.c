@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nested grids, their vertices: positions, spacing, stitches (Liu, Xu & Chen 2009, section 2) and visibility (section 4).
+// Nested grids, their vertices: positions, spacing, stitches (Liu, Xu & Chen 2009, section 2) and visibility (section
+// 4).
 //
 // The spacing of a vertex at p in a level of spacing d, by its distance |p - c| = max(|x - cx|, |y - cy|) in cells:
 //
@@ -124,8 +125,8 @@ static bool in_sight(const sight *s, bolan_dvec3 p, double cell) {
     return true;
 }
 
-// The cell of the guard is that of the spacing, so that both levels of a border say the same; for a stitched vertex its own
-// half of that, so that its neighbours are visible where it is.
+// The cell of the guard is that of the spacing, so that both levels of a border say the same; for a stitched vertex its
+// own half of that, so that its neighbours are visible where it is.
 static bool visible_at(const place *p, const sight *s, bolan_dvec2 at, double cell) {
     double x = at.x - p->eye.x, y = at.y - p->eye.y;
     double z = -p->eye.z - earth_drop(x * x + y * y, BOLAN_EARTH_RADIUS);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The projected grid: vertices at constant angular steps seen from the eye, so that the cost does not depend on how far the
-// sea reaches (the idea of Johanson 2004). The projector here is always level and stands at the eye's own vertical: columns
-// are azimuths and rows are distances on the round earth. It cannot degenerate when the camera pitches or rolls, its rows
-// do not move when the camera turns, and a wave that leans into the picture from outside is covered by a guard that widens
-// towards the eye:
+// The projected grid: vertices at constant angular steps seen from the eye, so that the cost does not depend on how far
+// the sea reaches (the idea of Johanson 2004). The projector here is always level and stands at the eye's own vertical:
+// columns are azimuths and rows are distances on the round earth. It cannot degenerate when the camera pitches or
+// rolls, its rows do not move when the camera turns, and a wave that leans into the picture from outside is covered by
+// a guard that widens towards the eye:
 //
 //        \    far rows: the azimuths of     /         half(r) = half + (pi - half) * min(1, (1.5 H / r)^1.5)
 //         \   the picture                  /

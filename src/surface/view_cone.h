@@ -12,8 +12,8 @@
 bolan_dvec3 bolan_surface_view_direction(const bolan_surface_view *v, double sx, double sy);
 // True when the point straight below lies in the picture (with the guard).
 bool bolan_surface_sees_nadir(const bolan_surface_view *v);
-// Distance [m] over mean water from the point under an eye at height h to its horizon, where crests of height `crest` show
-// behind it.
+// Distance [m] over mean water from the point under an eye at height h to its horizon, where crests of height `crest`
+// show behind it.
 double bolan_surface_horizon_distance(double h, double crest);
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Light gathered on the bottom: each triangle of the surface carries its light to where its corners' refracted rays land. The light of a
-// texel is the ratio of the two areas, summed over all sheets of the fold: none is lost, so the mean is 1.
+// Light gathered on the bottom: each triangle of the surface carries its light to where its corners' refracted rays
+// land. The light of a texel is the ratio of the two areas, summed over all sheets of the fold: none is lost, so the
+// mean is 1.
 #include "bolan/tiles.h"
 
 #include <math.h>
@@ -30,7 +31,8 @@ static void splat(const bottom *b, float x, float y, float flux) {
     add(b, i + 1, j + 1, flux * u * v);
 }
 
-// The middles of the four triangles that its edges' middles cut it into: a lattice of one point each beats with the texels.
+// The middles of the four triangles that its edges' middles cut it into: a lattice of one point each beats with the
+// texels.
 static void splat_quarters(const bottom *b, const landing t[3], float flux) {
     const float x = (t[0].x + t[1].x + t[2].x) / 3.0f, y = (t[0].y + t[1].y + t[2].y) / 3.0f;
     splat(b, x, y, 0.25f * flux);

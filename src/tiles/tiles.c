@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sequences of tiles: Ma, Zhu & Gong 2006, sections 2.3 (3) and 3 (2). The paper takes its pictures from an animation program; here they
-// are frames of a sea of BOLAN_WAVES_TEXTURES.
+// Sequences of tiles: Ma, Zhu & Gong 2006, sections 2.3 (3) and 3 (2). The paper takes its pictures from an animation
+// program; here they are frames of a sea of BOLAN_WAVES_TEXTURES.
 #include "bolan/tiles.h"
 
 #include <math.h>
@@ -107,7 +107,8 @@ void bolan_tile_normals(const float *height, uint32_t n, double s, uint8_t *rgb)
         }
 }
 
-// The water's own texture, as figure 6c: its colour, lighter on crests and on slopes towards the sun, white where it breaks.
+// The water's own texture, as figure 6c: its colour, lighter on crests and on slopes towards the sun, white where it
+// breaks.
 static void paint(const bolan_tiles_desc *desc, const float *height, const float *foam, uint32_t n, double texel,
                   double sigma, double steep, uint8_t *rgb) {
     const bolan_vec3 c = desc->color;
@@ -185,8 +186,8 @@ static bolan_result check(const bolan_sea *sea, const bolan_tiles_desc *d) {
     return BOLAN_OK;
 }
 
-// Light varies by d (n - 1)/n times the Laplacian of the height while the rays have not crossed: where its rms is about NET the first of
-// them do, and the light stands in a net of bright lines.
+// Light varies by d (n - 1)/n times the Laplacian of the height while the rays have not crossed: where its rms is about
+// NET the first of them do, and the light stands in a net of bright lines.
 #define NET 0.7
 #define DEEPEST_NET 2.0 // [m]
 
