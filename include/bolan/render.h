@@ -247,6 +247,29 @@ bolan_view bolan_view_default(void);
 /// Thread-safe.
 bolan_view bolan_view_from_camera(const bolan_camera *camera, uint32_t width, uint32_t height);
 
+// ---- into a host's frame ----------------------------------------------------------------------------------------------
+
+/// A host's opaque scene, as it stands in the view's rectangle before the water is drawn.
+typedef struct bolan_host {
+    /// GL name of a 2D texture with the scene's linear radiance.
+    uint32_t color;
+    /// GL name of a 2D texture with the scene's window depth, made with the view's projection and a depth range of
+    /// [0,1]. Both may be attached to the view's framebuffer. Of a multisampled framebuffer: resolved copies.
+    uint32_t depth;
+    /// Lower left corner of the view's rectangle in the two textures [px]; default 0, 0.
+    uint32_t x, y;
+    /// The host's radiance over Bolan's, where the sun's irradiance in space is 1 at normal incidence; 0 (default): 1.
+    double radiance;
+} bolan_host;
+
+/// Draws the prepared water, and nothing else, into the view's rectangle.
+/// The water is tested against the depth of the view's framebuffer, sample by sample, and writes depth there, in the
+/// convention of the view's projection: less-or-equal, or greater-or-equal where depth is reversed.
+/// The host's scene is refracted, absorbed and mirrored (screen-space) through its two textures.
+/// `samples` is not used: draw with `jitter`, or into a multisampled framebuffer.
+/// No step prepared, a view or texture that is none, no current context: nothing is drawn, and the log says why, once.
+void bolan_renderer_draw_water(bolan_renderer *renderer, const bolan_view *view, const bolan_host *host);
+
 /// What to draw, and where.
 typedef struct bolan_frame_desc {
     const bolan_scene *scene;    ///< camera, sky, water, technique, exposure are read; not NULL

@@ -61,6 +61,8 @@ static void prepare(bolan_renderer *r, const bolan_water *water, const bolan_lig
                        .models = around->models,
                        .tiles = around->tiles,
                        .without_water = around->without_water};
+    const bool objects = around->models != NULL && around->scene->object_count > 0;
+    r->frame.behind = water->ground != NULL || objects;
     bolan_frame_fill(&r->frame);
     begin_part(r, PART_SEA);
     bolan_pass_water_prepare(r->water, &r->frame);
@@ -186,7 +188,7 @@ static void draw_water(bolan_renderer *r, render_view *v, bolan_view_cache *cach
     const bool water = !v->frame->without_water, mirrors = water && bolan_pass_water_mirrors(v);
     begin_part(r, PART_COPY);
     // Clouds below a high eye are laid over by the depth of the land.
-    if (water && v->shore->present && (!mirrors || v->light.above_clouds)) copy_behind(r, v);
+    if (water && v->frame->behind && (!mirrors || v->light.above_clouds)) copy_behind(r, v);
     end_part(r, PART_COPY);
     begin_part(r, PART_MIRROR);
     if (mirrors) draw_mirrors(r, v, cache);
@@ -270,6 +272,44 @@ static void draw_view(bolan_renderer *r, const bolan_view *to) {
     // The unshifted sample comes last, so that the depth that remains is that of the pixels' middles.
     for (uint32_t s = 0; s < to->samples; ++s) draw_sample(r, &v, to, cache, s);
     note_stale(r);
+}
+
+// ---- into a host's frame --------------------------------------------------------------------------------------------
+
+static void draw_hosted(bolan_renderer *r, const bolan_view *to, const bolan_host *host) {
+    render_view v = {.frame = NULL};
+    bolan_view_cache *cache = to->cache != NULL ? to->cache : &r->own_cache;
+    if (!bolan_view_has_framebuffer(r, to) || !bolan_host_has_textures(r, host)) return;
+    bolan_renderer_accept(r, CALL_DRAW);
+    r->frame.hosted = r->frame.behind = true;
+    if (!open_view(r, &v, to)) return;
+    prepare_view(r, &v, cache);
+    bolan_host_import(&r->host, &v, to, host);
+    copy_behind(r, &v);
+    begin_part(r, PART_MIRROR);
+    if (bolan_pass_water_mirrors(&v)) draw_mirrors(r, &v, cache);
+    end_part(r, PART_MIRROR);
+    begin_part(r, PART_WATER);
+    light_water(r, &v);
+    bolan_gl_texture_bind(&r->behind_depth, UNIT_SCENE_DEPTH);
+    bolan_host_resolve(&r->host, &v, to, host, &r->hdr_color);
+    end_part(r, PART_WATER);
+    keep_statistics(r, &v);
+}
+
+void bolan_renderer_draw_water(bolan_renderer *r, const bolan_view *view, const bolan_host *host) {
+    const bool given = r != NULL && view != NULL && host != NULL;
+    BOLAN_ASSERT(given);
+    if (!given) return;
+    if (!r->prepared) {
+        bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_BAD_ARGUMENT,
+                              "draw_water: no step is prepared; call bolan_renderer_prepare() before");
+        return;
+    }
+    if (!bolan_view_is_valid(r, view)) return;
+    bolan_renderer_enter(r);
+    draw_hosted(r, view, host);
+    bolan_renderer_leave(r);
 }
 
 // ---- a scene --------------------------------------------------------------------------------------------------------

@@ -64,6 +64,8 @@ typedef struct frame {
     const bolan_model *const *models;
     const bolan_tiles *tiles;
     bool without_water;
+    bool behind; // something may be seen through the water or mirrored in it: ground, objects, a host's scene
+    bool hosted; // it is a host's scene
     // What follows from those.
     double time;
     bolan_vec3 sun_direction;

@@ -62,3 +62,11 @@ bool bolan_view_has_framebuffer(bolan_renderer *r, const bolan_view *v) {
     if (problem == NULL) return true;
     return bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GL_TARGET, "draw: framebuffer %u %s", v->framebuffer, problem);
 }
+
+bool bolan_host_has_textures(bolan_renderer *r, const bolan_host *host) {
+    const bool color = bolan_gl_guest_is_texture(host->color), depth = bolan_gl_guest_is_texture(host->depth);
+    if (color && depth) return true;
+    return bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GL_TARGET,
+                                 "draw_water: the host's %s %u is no texture; expected the name of a 2D texture",
+                                 color ? "depth" : "color", color ? host->depth : host->color);
+}

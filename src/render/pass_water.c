@@ -112,7 +112,8 @@ void bolan_pass_water_cover(pass_water *p, render_view *v) {
 
 // Something other than water may be in the picture.
 static bool is_opaque(const render_view *v) {
-    return v->frame->ground != NULL || (v->frame->models != NULL && v->frame->scene->object_count > 0);
+    return v->frame->hosted || v->frame->ground != NULL ||
+           (v->frame->models != NULL && v->frame->scene->object_count > 0);
 }
 
 bool bolan_pass_water_mirrors(const render_view *v) {
@@ -139,7 +140,7 @@ static water_setup setup_of(const render_view *v) {
                          .waves_below = bolan_water_waves_of(form, BOLAN_SURFACE_QUAD),
                          .surface = t->surface,
                          .below = o->from_below,
-                         .land = v->shore->present,
+                         .land = v->frame->behind,
                          .static_grid =
                              o->static_grid && !edges && t->surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH,
                          .packed = o->packed,

@@ -26,6 +26,7 @@ static bolan_result create_passes(bolan_renderer *r) {
     if (result == BOLAN_OK) result = bolan_pass_water_create(r->desc.quality, r->desc.max_vertices, &r->water);
     if (result == BOLAN_OK) result = bolan_planar_views_create(&r->mirror);
     if (result == BOLAN_OK) result = bolan_pass_tonemap_create(&r->caps, &r->tonemap);
+    if (result == BOLAN_OK) result = bolan_host_create(&r->host);
     if (result == BOLAN_OK) result = bolan_blocks_create(&r->uniforms);
     return result;
 }
@@ -129,6 +130,7 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     bolan_pass_water_destroy(&r->water);
     bolan_planar_views_destroy(&r->mirror);
     bolan_pass_tonemap_destroy(&r->tonemap);
+    bolan_host_free(&r->host);
     bolan_host_fields_free(&r->fields);
     bolan_blocks_free(&r->uniforms);
     bolan_gl_program_free(&r->yardstick);
@@ -141,10 +143,13 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
 }
 
 static bolan_result reload_passes(bolan_renderer *r) {
-    const bolan_result results[] = {
-        bolan_pass_sky_reload(r->own_cache.sky), bolan_pass_ground_reload(r->own_cache.ground),
-        bolan_pass_objects_reload(r->models),    bolan_pass_water_reload(r->water),
-        bolan_planar_views_reload(r->mirror),    bolan_pass_tonemap_reload(r->tonemap)};
+    const bolan_result results[] = {bolan_pass_sky_reload(r->own_cache.sky),
+                                    bolan_pass_ground_reload(r->own_cache.ground),
+                                    bolan_pass_objects_reload(r->models),
+                                    bolan_pass_water_reload(r->water),
+                                    bolan_planar_views_reload(r->mirror),
+                                    bolan_pass_tonemap_reload(r->tonemap),
+                                    bolan_host_reload(&r->host)};
     for (size_t i = 0; i < sizeof results / sizeof results[0]; ++i)
         if (results[i] != BOLAN_OK) return results[i];
     return BOLAN_OK;

@@ -5,6 +5,7 @@
 
 #include "fields.h"
 #include "frame.h"
+#include "host.h"
 
 // The timed parts of a frame, in order.
 typedef enum frame_part {
@@ -56,6 +57,7 @@ struct bolan_renderer {
     pass_water *water;
     planar_views *mirror;
     pass_tonemap *tonemap;
+    host_frame host;    // pictures into a host's frame
     host_fields fields; // for programs of the host's
     block_buffers uniforms;
     gl_program yardstick;
@@ -99,5 +101,6 @@ void bolan_renderer_accept(bolan_renderer *r, renderer_call call);
 bool bolan_step_is_valid(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting);
 bool bolan_view_is_valid(bolan_renderer *r, const bolan_view *view);
 bool bolan_view_has_framebuffer(bolan_renderer *r, const bolan_view *view);
+bool bolan_host_has_textures(bolan_renderer *r, const bolan_host *host);
 
 #endif

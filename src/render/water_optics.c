@@ -19,7 +19,7 @@ static bool is_trimmed(const render_view *v) {
 static uint32_t features_of(const water_draw *d) {
     const bool quad = bolan_water_surface(d->view) == BOLAN_SURFACE_QUAD;
     return (quad ? WATER_FEATURE_QUAD : 0) | (quad && is_trimmed(d->view) ? WATER_FEATURE_TRIM : 0) |
-           (d->view->shore->present ? WATER_FEATURE_LAND : 0) | (d->mesh->fixed ? WATER_FEATURE_GRID : 0) |
+           (d->view->frame->behind ? WATER_FEATURE_LAND : 0) | (d->mesh->fixed ? WATER_FEATURE_GRID : 0) |
            (d->packed ? WATER_FEATURE_PACKED : 0);
 }
 

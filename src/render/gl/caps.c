@@ -34,7 +34,8 @@ bolan_result bolan_gl_check_context(const char *whom) {
     const int version = bolan_gl_version(), least = bolan_gl_is_es() ? 30 : 33;
     const char *missing = bolan_gl_load();
     if (version >= least && missing) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_LOADER, "%s: the get_proc_address hook does not know %s", whom, missing);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_LOADER, "%s: the get_proc_address hook does not know %s", whom,
+                  missing);
         return BOLAN_ERROR_GL;
     }
     if (version >= least) return BOLAN_OK;

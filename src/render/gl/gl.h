@@ -118,8 +118,9 @@ bolan_result bolan_gl_target_create(const gl_texture *const *color, uint32_t cou
                                     uint32_t level, gl_target *out);
 void bolan_gl_target_bind(const gl_target *t); // binds and sets the viewport
 void bolan_gl_target_bind_part(const gl_target *t, uint32_t x, uint32_t y, uint32_t width,
-                               uint32_t height);                                           // draws go there only
-void bolan_gl_target_bind_external(uint32_t framebuffer, uint32_t x, uint32_t y, uint32_t width, uint32_t height); // the caller's
+                               uint32_t height); // draws go there only
+void bolan_gl_target_bind_external(uint32_t framebuffer, uint32_t x, uint32_t y, uint32_t width,
+                                   uint32_t height); // the caller's
 // From now on only the lowest rows of a target are drawn and cleared, at their own places; 0: all of it.
 void bolan_gl_clip_rows(uint32_t rows);
 void bolan_gl_target_clear_color(float r, float g, float b, float a);
@@ -179,8 +180,8 @@ void bolan_gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers:
 typedef struct gl_state {
     bool depth_test, depth_write, cull_back, color_write;
     enum { GL_BLEND_NONE, GL_BLEND_ALPHA, GL_BLEND_ADD, GL_BLEND_PREMULTIPLIED } blend;
-    bool depth_equal;
-} gl_state; // depth test: greater-or-equal (reversed-Z)
+    bool depth_equal, depth_less;
+} gl_state; // depth test: greater-or-equal (reversed-Z), or equal, or less-or-equal
 void bolan_gl_set_state(const gl_state *s);
 void bolan_gl_set_clip_zero_to_one(bool on); // only where caps.clip_control
 void bolan_gl_set_framebuffer_srgb(
@@ -232,6 +233,11 @@ bool bolan_gl_is_cube(uint32_t name); // a cube map of this context
 // Binds the host's cube map, and returns what was bound; bolan_gl_cube_unbind() puts that back, without a sampler.
 uint32_t bolan_gl_cube_bind(uint32_t name, const gl_sampler *sampler, uint32_t unit);
 void bolan_gl_cube_unbind(uint32_t before, uint32_t unit);
+// Textures of the host's that are read: through a sampler that takes the nearest texel and compares nothing.
+uint32_t bolan_gl_guest_sampler_create(void);
+void bolan_gl_guest_sampler_free(uint32_t *sampler);
+bool bolan_gl_guest_is_texture(uint32_t texture);
+void bolan_gl_guest_texture_bind(uint32_t texture, uint32_t unit, uint32_t sampler);
 // NULL: this context has `count` texture units from `first` on, and this uniform buffer slot. Else the reason.
 const char *bolan_gl_guest_slots(uint32_t count, uint32_t first, uint32_t slot);
 // NULL: the sampler names are set to units from `first` on, the block to `slot`. Else the reason why not. Leaves the

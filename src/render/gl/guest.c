@@ -2,6 +2,28 @@
 // What is set in programs of the host's, and what is bound for them and stays bound.
 #include "gl_internal.h"
 
+uint32_t bolan_gl_guest_sampler_create(void) {
+    GLuint id = 0;
+    glGenSamplers(1, &id);
+    glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glSamplerParameteri(id, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    return id;
+}
+
+void bolan_gl_guest_sampler_free(uint32_t *sampler) {
+    if (*sampler != 0 && bolan_gl_has_context()) glDeleteSamplers(1, sampler);
+    *sampler = 0;
+}
+
+bool bolan_gl_guest_is_texture(uint32_t texture) { return glIsTexture(texture); }
+
+void bolan_gl_guest_texture_bind(uint32_t texture, uint32_t unit, uint32_t sampler) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glBindSampler(unit, sampler);
+}
+
 const char *bolan_gl_guest_slots(uint32_t count, uint32_t first, uint32_t slot) {
     GLint units = 0, slots = 0;
     glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);

@@ -13,7 +13,7 @@ void bolan_gl_set_enabled(GLenum name, bool on) {
 void bolan_gl_set_state(const gl_state *s) {
     // Writing depth without testing it needs the test switched on with ALWAYS.
     bolan_gl_set_enabled(GL_DEPTH_TEST, s->depth_test || s->depth_write);
-    glDepthFunc(!s->depth_test ? GL_ALWAYS : s->depth_equal ? GL_EQUAL : GL_GEQUAL);
+    glDepthFunc(!s->depth_test ? GL_ALWAYS : s->depth_equal ? GL_EQUAL : s->depth_less ? GL_LEQUAL : GL_GEQUAL);
     glDepthMask(s->depth_write);
     bolan_gl_set_enabled(GL_CULL_FACE, s->cull_back);
     glColorMask(s->color_write, s->color_write, s->color_write, s->color_write);

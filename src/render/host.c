@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// See host.h. For every perspective, standard or reversed, finite or infinite, window depth is a + b / t at distance t
+// along the view axis: clip z is m10 Z + m14 and w is m11 Z, so that z / w = m10 / m11 + m14 / (|m11| t). Our own depth
+// is near / t. So each depth is a linear function of the other, and nothing is lost but the host's own precision.
+#include "host.h"
+
+#include <math.h>
+
+#include "frame.h"
+
+host_depth bolan_host_depth_of(const bolan_view *view) {
+    const float *m = view->projection.m;
+    const double a = (double)m[10] / (double)m[11], b = (double)m[14] / fabs((double)m[11]);
+    return view->zero_to_one ? (host_depth){a, b} : (host_depth){0.5 * a + 0.5, 0.5 * b};
+}
+
+bolan_result bolan_host_create(host_frame *h) {
+    bolan_result result = bolan_gl_program_create("host_import", NULL, &h->import);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("host_resolve", NULL, &h->resolve);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("host_resolve", "TONEMAP 1\n", &h->tonemap);
+    h->sampler = bolan_gl_guest_sampler_create();
+    return result;
+}
+
+bolan_result bolan_host_reload(host_frame *h) {
+    bolan_result result = bolan_gl_program_reload(&h->import);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&h->resolve);
+    return result == BOLAN_OK ? bolan_gl_program_reload(&h->tonemap) : result;
+}
+
+// Window depth of the host over ours: offset, scale.
+static bolan_vec4 depth_law(const render_view *v, const bolan_view *to, float radiance, bool encode) {
+    const host_depth d = bolan_host_depth_of(to);
+    return (bolan_vec4){(float)d.offset, (float)(d.scale / v->near_distance), radiance, encode ? 1.0f : 0.0f};
+}
+
+static float radiance_of(const bolan_host *host) { return host->radiance > 0.0 ? (float)host->radiance : 1.0f; }
+
+void bolan_host_import(host_frame *h, const render_view *v, const bolan_view *to, const bolan_host *host) {
+    const gl_program *p = &h->import;
+    bolan_gl_target_bind(&v->hdr);
+    bolan_gl_set_state(&(gl_state){.depth_write = true, .color_write = true});
+    bolan_gl_program_use(p);
+    bolan_gl_program_vec4(p, "host_depth", depth_law(v, to, v->frame->block.radiance_unit / radiance_of(host), false));
+    bolan_gl_program_vec2(p, "host_origin", (float)host->x, (float)host->y);
+    bolan_gl_guest_texture_bind(host->color, UNIT_PASS, h->sampler);
+    bolan_gl_guest_texture_bind(host->depth, UNIT_SURFACE, h->sampler);
+    bolan_gl_draw_fullscreen();
+    bolan_gl_guest_texture_bind(0, UNIT_PASS, 0);
+    bolan_gl_guest_texture_bind(0, UNIT_SURFACE, 0);
+}
+
+void bolan_host_resolve(host_frame *h, const render_view *v, const bolan_view *to, const bolan_host *host,
+                        const gl_texture *color) {
+    const bool linear = to->output == BOLAN_OUTPUT_LINEAR, encode = to->output == BOLAN_OUTPUT_SRGB;
+    const gl_program *p = linear ? &h->resolve : &h->tonemap;
+    const bool reversed = bolan_host_depth_of(to).scale > 0.0;
+    bolan_gl_target_bind_external(to->framebuffer, to->x, to->y, to->width, to->height);
+    bolan_gl_set_state(
+        &(gl_state){.depth_test = true, .depth_write = true, .color_write = true, .depth_less = !reversed});
+    bolan_gl_set_framebuffer_srgb(to->output == BOLAN_OUTPUT_SRGB_FRAMEBUFFER);
+    bolan_gl_program_use(p);
+    bolan_gl_program_vec4(p, "host_depth", depth_law(v, to, radiance_of(host) / v->frame->block.radiance_unit, encode));
+    bolan_gl_program_vec2(p, "host_origin", (float)to->x, (float)to->y);
+    bolan_gl_texture_bind(color, UNIT_PASS);
+    bolan_gl_texture_bind(v->hdr_depth, UNIT_SURFACE);
+    bolan_gl_draw_fullscreen();
+    bolan_gl_set_framebuffer_srgb(false);
+}
+
+void bolan_host_free(host_frame *h) {
+    bolan_gl_program_free(&h->import);
+    bolan_gl_program_free(&h->resolve);
+    bolan_gl_program_free(&h->tonemap);
+    bolan_gl_guest_sampler_free(&h->sampler);
+}
