@@ -247,6 +247,13 @@ bolan_view bolan_view_default(void);
 /// Thread-safe.
 bolan_view bolan_view_from_camera(const bolan_camera *camera, uint32_t width, uint32_t height);
 
+// ---- a whole world ---------------------------------------------------------------------------------------------------
+
+/// Prepares the step of @p world and draws all of it, sky, ground, objects and water, from @p view.
+/// An unchanged step is not uploaded again, so that any number of views may follow.
+/// A view or framebuffer that cannot be drawn, no current context: nothing is drawn, and the log says why, once.
+void bolan_renderer_draw_world(bolan_renderer *renderer, const bolan_world *world, const bolan_view *view);
+
 // ---- into a host's frame ----------------------------------------------------------------------------------------------
 
 /// A host's opaque scene, as it stands in the view's rectangle before the water is drawn.

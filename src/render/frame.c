@@ -356,3 +356,18 @@ void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *d) {
     prepare_step(r, &water, &lighting, &around);
     if (r->prepared) draw_scene(r, d, &view);
 }
+
+void bolan_renderer_draw_world(bolan_renderer *r, const bolan_world *world, const bolan_view *view) {
+    const bool given = r != NULL && world != NULL && view != NULL;
+    BOLAN_ASSERT(given);
+    if (!given || !bolan_view_is_valid(r, view)) return;
+    const bolan_scene *scene = bolan_world_scene(world);
+    const bolan_lighting lighting = bolan_lighting_from_scene(scene);
+    const surroundings around = {
+        .scene = scene, .models = bolan_world_object_models(world), .tiles = bolan_world_tiles(world)};
+    prepare_step(r, bolan_world_water(world), &lighting, &around);
+    if (!r->prepared) return;
+    bolan_renderer_enter(r);
+    draw_view(r, view);
+    bolan_renderer_leave(r);
+}

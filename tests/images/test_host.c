@@ -47,8 +47,7 @@ typedef struct host_rig {
 static void draw_opaque(host_rig *h) {
     bolan_target *target = NULL;
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
-    bolan_frame_desc d = bolan_frame_desc_default();
-    d.scene = &h->s.scene, d.sea = h->s.sea, d.terrain = h->s.assets.terrain, d.models = h->s.assets.object_models;
+    bolan_frame_desc d = bolan_frame_desc_of_world(h->s.world);
     d.framebuffer = bolan_target_framebuffer(target), d.width = WIDTH, d.height = HEIGHT;
     d.without_water = true;
     bolan_renderer_draw(h->s.renderer, &d);
@@ -69,9 +68,7 @@ static void rig_open(host_rig *h, const char *scene_name) {
     bolan_scene scene;
     assert_int_equal(bolan_scene_load(scene_name, &scene), BOLAN_OK);
     assert_true(stage_open(&h->s, &scene, BOLAN_QUALITY_MEDIUM, false));
-    h->water = bolan_water_default();
-    h->water.sea = h->s.sea, h->water.ground = h->s.assets.terrain, h->water.level = scene.water.level;
-    h->water.optics = bolan_water_optics_from_jerlov(scene.water.type), h->water.foam = scene.water.foam;
+    h->water = *bolan_world_water(h->s.world);
     h->lighting = bolan_lighting_from_scene(&h->s.scene);
     h->whole = stage_draw(&h->s, WIDTH, HEIGHT, 1);
     draw_opaque(h);
@@ -174,12 +171,27 @@ static void compare(host_rig *h, const char *scene_name) {
     }
 }
 
+// The world drawn from a view is the world drawn from its camera.
+static void compare_world(host_rig *h) {
+    bolan_target *target = NULL;
+    bolan_view view = bolan_view_from_camera(&h->s.scene.camera, WIDTH, HEIGHT);
+    picture p = {WIDTH, HEIGHT, malloc(WIDTH * HEIGHT * 3), NULL};
+    assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
+    view.framebuffer = bolan_target_framebuffer(target);
+    bolan_renderer_draw_world(h->s.renderer, h->s.world, &view);
+    bolan_renderer_read_rgb8(h->s.renderer, view.framebuffer, WIDTH, HEIGHT, p.rgb);
+    bolan_target_destroy(&target);
+    assert_memory_equal(p.rgb, h->whole.rgb, WIDTH * HEIGHT * 3);
+    picture_free(&p);
+}
+
 static void water_in_a_host_s_frame_is_the_water_of_the_world(void **state) {
     (void)state;
     static const char *const scenes[] = {"open-sea", "island"};
     for (int i = 0; i < 2; ++i) {
         host_rig *h = calloc(1, sizeof *h);
         rig_open(h, scenes[i]);
+        compare_world(h);
         compare(h, scenes[i]);
         rig_close(h);
         free(h);
