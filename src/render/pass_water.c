@@ -164,9 +164,9 @@ static void prepare_programs(pass_water *p, const render_view *v) {
     const bolan_optics_kind kind = v->frame->lighting.technique.optics;
     const water_optics *o = optics_table[kind];
     const water_setup s = setup_of(v);
-    if (p->failed[kind]) return;
+    p->programs.refused = false;
     if (s.edges) list_edges(p, &s);
-    o->list(p->state[kind], &s, &p->programs);
+    if (!p->failed[kind]) o->list(p->state[kind], &s, &p->programs);
     if (o->mirrors && s.surface == BOLAN_SURFACE_QUAD)
         bolan_water_programs_add(&p->programs, &s, false, &cover_shader, 0);
     if (o->mirrors && s.below) bolan_water_programs_add(&p->programs, &s, true, &cover_shader, 0);

@@ -48,7 +48,10 @@ static bool grow(water_programs *all) {
 static bool add(water_programs *all, const water_variant *v) {
     for (uint32_t i = 0; i < all->count; ++i)
         if (is_same(&all->list[i].variant, v)) return true;
-    if (all->count == all->capacity && !grow(all)) return false;
+    if (all->count == all->capacity && !grow(all)) {
+        all->refused = true;
+        return false;
+    }
     all->list[all->count++] = (water_program){.variant = *v};
     return true;
 }
@@ -69,7 +72,7 @@ bool bolan_water_programs_add(water_programs *all, const water_setup *s, bool be
 const gl_program *bolan_water_programs_find(const water_programs *all, const water_variant *v) {
     for (uint32_t i = 0; i < all->count; ++i)
         if (is_same(&all->list[i].variant, v)) return all->list[i].program.id != 0 ? &all->list[i].program : NULL;
-    BOLAN_ASSERT(!"a program of the water was not listed by its optics");
+    BOLAN_ASSERT(all->refused && "every program of the water is listed by its optics");
     return NULL;
 }
 

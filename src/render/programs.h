@@ -52,6 +52,7 @@ typedef struct water_program {
 typedef struct water_programs {
     uint32_t count, capacity;
     water_program *list;
+    bool refused; // by the present preparation: memory for the list ran out, and the log says so
 } water_programs;
 
 // What decides which programs a frame of the water can need. It does not change while the eye moves.

@@ -14,12 +14,11 @@ static const water_shader mesh_resolve = {.stem = "papers/half_rate_resolve", .r
 enum { OPAQUE = 1, KEPT = 2 };
 
 bool bolan_half_rate_prepare(half_rate *s, const water_setup *setup, bool keeps_shape, water_programs *all) {
-    if (keeps_shape)
-        return bolan_water_programs_add(all, setup, false, &shape_resolve, setup->opaque ? KEPT | OPAQUE : KEPT);
-    if (setup->opaque && s->farthest.stem[0] == '\0' && // tried once
-        bolan_gl_program_create("papers/half_rate_depth", NULL, &s->farthest) != BOLAN_OK)
-        return false;
-    return bolan_water_programs_add(all, setup, false, &mesh_resolve, 0);
+    const bool listed =
+        keeps_shape ? bolan_water_programs_add(all, setup, false, &shape_resolve, setup->opaque ? KEPT | OPAQUE : KEPT)
+                    : bolan_water_programs_add(all, setup, false, &mesh_resolve, 0);
+    if (keeps_shape || !setup->opaque || s->farthest.stem[0] != '\0') return listed; // made, or tried once
+    return bolan_gl_program_create("papers/half_rate_depth", NULL, &s->farthest) == BOLAN_OK && listed;
 }
 
 uint32_t bolan_half_rate_columns(const render_view *v, const uint32_t by_quality[]) {
