@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bolan-bench frame: what a picture costs, pass by pass, and as a ratio to a full-screen pass of 6 bilinear look-ups of
-// the same size in the same run.
+// bolan-bench frame: what a picture costs, pass by pass, and as a ratio to a full-screen pass of 6 bilinear texture
+// fetches of the same size in the same run.
 #include "stage.h"
 
 #include <stdio.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bolan-bench query: questions a second, and their time as a ratio to what memory needs to stream the samples they read.
+// bolan-bench query: questions a second, and their time as a ratio to what memory needs to stream the samples they
+// read.
 #include "bench.h"
 
 #include "bolan/query.h"
@@ -10,7 +11,8 @@
 
 enum { MOST_POINTS = 1000000, REPEATS = 7, CORNERS = 4, COPY_BYTES = 64 << 20 };
 
-// What is asked, where. An answer reads four samples of so many planes of each cascade, from memory if they are scattered.
+// What is asked, where. An answer reads four samples of so many planes of each cascade, from memory if they are
+// scattered.
 typedef struct query_case {
     const char *name;
     double extent; // side of the square the points lie in [m]

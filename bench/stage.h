@@ -17,7 +17,8 @@ typedef struct stage_options {
 } stage_options;
 // The usual: 1024 x 768, medium.
 stage_options stage_options_default(void);
-// Takes the option at *index; 1: taken, 0: it is none of these, -1: its value is wrong (said on stderr after "bolan-bench NAME: ").
+// Takes the option at *index; 1: taken, 0: it is none of these, -1: its value is wrong (said on stderr after
+// "bolan-bench NAME: ").
 int stage_option(const char *name, int argc, char **argv, int *index, stage_options *o);
 
 typedef struct stage {
@@ -28,7 +29,7 @@ typedef struct stage {
     bool without_water;
 } stage;
 
-// The yardstick: a full-screen pass of 6 bilinear look-ups at the stage's size.
+// The yardstick: a full-screen pass of 6 bilinear texture fetches at the stage's size.
 typedef struct stage_yard {
     double ms, cpu_ms;
 } stage_yard;

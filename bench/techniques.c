@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// bolan-bench techniques: every technique on the scene it was made for, and the tables of the four papers measured again, with
-// the printed figures beside ours. Their machines were of 2004 to 2018; what can be compared is how figures of one table compare.
+// bolan-bench techniques: every technique on the scene it was made for, and the tables of the four papers measured
+// again, with the printed figures beside ours. Their machines were of 2004 to 2018; what can be compared is how figures
+// of one table compare.
 //   A  Ma, Zhu & Gong 2006, table 2: a scene once, twice, three times, without and with two triangles of water
 //   B  Liu & Xie 2010, table 1 (its figures are lost): four ways to the same water
 //   C  Liu, Xu & Chen 2009, section 6: 16 x 8 waves on 6 levels of 32 x 32 cells
@@ -106,9 +107,9 @@ static bolan_result measure_a(const stage_options *o, results *r) {
     return result;
 }
 
-// B: the four ways of the paper's section 2, each to the letter of its paper: 8 exp-cosines at the vertices of a mesh, which have
-// the normals; a coarse mesh with its waves and normals from a texture (Kryachko 2005); two triangles with textures (paper A);
-// two triangles with 8 exp-cosines. The light is that of this paper, of the third that of its own.
+// B: the four ways of the paper's section 2, each to the letter of its paper: 8 exp-cosines at the vertices of a mesh,
+// which have the normals; a coarse mesh with its waves and normals from a texture (Kryachko 2005); two triangles with
+// textures (paper A); two triangles with 8 exp-cosines. The light is that of this paper, of the third that of its own.
 static bolan_result measure_b(const stage_options *o, results *r) {
     static const bolan_technique mesh = {"mesh", BOLAN_WAVES_EXP_COSINE, BOLAN_SURFACE_PROJECTED, BOLAN_OPTICS_PHONG,
                                          -1},

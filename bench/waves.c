@@ -3,7 +3,8 @@
 // FFTW doing only the four bare complex transforms that the eight fields of a cascade need. FFTW gets its best plan:
 // the fastest of in place, out of place, and in place with padded rows; on two threads whole fields are shared out.
 // Both sides are timed in turns, and the shortest time of each counts, so that other work on the machine disturbs
-// them alike. Then the sums of waves: their fields at the 6534 points of a mesh (Liu, Xu & Chen 2009, n = 32, 6 levels).
+// them alike. Then the sums of waves: their fields at the 6534 points of a mesh (Liu, Xu & Chen 2009, n = 32, 6
+// levels).
 #include "bench.h"
 
 #include "bolan/waves.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The sky behind everything: one look-up a pixel, in clear air and clouds drawn together (sky_panorama.glsl). The sun's
-// disc is drawn over it by sky_sun.glsl. The picture is drawn in two parts, which meet under the lowest point of the
-// horizon. In the part below (BELOW), should no water have been drawn there, shines the horizon's own light.
-// All that differs between views is in the uniform block.
+// The sky behind everything: one texture fetch a pixel, in clear air and clouds drawn together (sky_panorama.glsl). The
+// sun's disc is drawn over it by sky_sun.glsl. The picture is drawn in two parts, which meet under the lowest point of
+// the horizon. In the part below (BELOW), should no water have been drawn there, shines the horizon's own light. All
+// that differs between views is in the uniform block.
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The yardstick of the benchmarks: six bilinear look-ups per pixel and nothing else.
+// The yardstick of the benchmarks: six bilinear texture fetches per pixel and nothing else.
 #include "common/fullscreen.glsl"
 
 #ifdef VERTEX

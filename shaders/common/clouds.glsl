@@ -11,7 +11,7 @@ const float BILLOW_TILE = 5760.0, DETAIL_TILE = 1152.0, WEATHER_TILE = 57600.0;
 
 float cloud_top() { return cloud_base + cloud_origin.z; }
 
-// Level of a noise look-up whose tile has that size [m], for a footprint [m]: 64 texels to a tile.
+// Level of a noise texture fetch whose tile has that size [m], for a footprint [m]: 64 texels to a tile.
 float cloud_level(float footprint, float tile) { return max(log2(footprint * 64.0 / tile), 0.0); }
 
 // Extinction [1/m] at eye-relative xy and height h, for a sample as wide as `footprint`; 0: without the small

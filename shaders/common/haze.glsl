@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Haze for two triangles: their vertices lie far away, so their pixels must make it, and cheaply. The air between the
 // eye and the flat sea thins out with height alone, so that one extinction serves the whole picture, and the light it
-// scatters towards the eye comes to a parabola of the cosine of the azimuth from the sun, through three look-ups of the
-// table. Needs common/atmosphere.glsl. Henyey and Greenstein's shape for g = 0.88.
+// scatters towards the eye comes to a parabola of the cosine of the azimuth from the sun, through three texture fetches
+// of the table. Needs common/atmosphere.glsl. Henyey and Greenstein's shape for g = 0.88.
 float forward_lobe(float c) {
     float q = 1.0 / (1.7744 - 1.76 * c);
     return q * sqrt(q);

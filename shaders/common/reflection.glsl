@@ -42,9 +42,9 @@ float clear_of_mesh(surroundings s, float elevation, float per_slope) {
 
 float not_hidden(float u) { return 1.0 / (1.0 + smith_ratio(u)); }
 
-// Slope of a place whose look-ups resolve more than the mesh: these find any slope alike, but an observer sees those
-// that lean towards him more often. The part beyond the mesh's plane is moved and narrowed as the visible part of a
-// Gaussian is. `whole`: facets over the mesh's plane; `unresolved`: slope covariance that the look-ups lack.
+// Slope of a place whose texture fetches resolve more than the mesh: these find any slope alike, but an observer sees
+// those that lean towards him more often. The part beyond the mesh's plane is moved and narrowed as the visible part of
+// a Gaussian is. `whole`: facets over the mesh's plane; `unresolved`: slope covariance that the texture fetches lack.
 vec2 seen_slope(vec3 v, vec2 slope, surroundings s, visible_facets whole, vec3 unresolved) {
     vec2 h = normalize(level_part(v));
     float share = clamp(1.0 - slope_variance(h, unresolved) / max(slope_variance(h, s.covariance), 1e-8), 0.0, 1.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Waves shorter than those of a sum, from a tile (src/render/ripple_texture.c). What a look-up averages away stays as
-// variance (Olano & Baker 2010: the tile holds the square of the slope too). RIPPLES: how often the tile is laid, 1 or
-// 2; set by quality.
+// Waves shorter than those of a sum, from a tile (src/render/ripple_texture.c). What a texture fetch averages away
+// stays as variance (Olano & Baker 2010: the tile holds the square of the slope too). RIPPLES: how often the tile is
+// laid, 1 or 2; set by quality.
 #ifndef WAVES_CASCADES
 #pragma unit ripple_map 18
 uniform sampler2D ripple_map;

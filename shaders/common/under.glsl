@@ -21,8 +21,8 @@ vec3 water_glow(float upward, float depth) {
            exp(-water_attenuation * max(depth, 0.0));
 }
 
-// What becomes of light from a point at that height above the water, seen from above it or under it: light * through +
-// veil.
+// Attenuation and in-scattering of light from a point at that height above the water, seen from above it or under it:
+// light * through + veil.
 void through_water(vec3 position, float height, out vec3 through, out vec3 veil) {
     through = vec3(1.0);
     veil = vec3(0.0);

@@ -164,7 +164,7 @@ float round_earth(vec2 position) {
 }
 
 // acos to 7e-5 (Abramowitz & Stegun 4.4.45), and asin, near 0 by its series: the function itself costs as much as
-// look-ups.
+// texture fetches.
 float quick_acos(float x) {
     float a = abs(x), y = sqrt(max(1.0 - a, 0.0)) * (1.5707288 + a * (-0.2121144 + a * (0.0742610 - 0.0187293 * a)));
     return x < 0.0 ? 3.14159265 - y : y;

@@ -174,7 +174,9 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 // ---- pixels ---------------------------------------------------------------------------------------------------------
 
 #ifdef FRAGMENT
-#ifndef TAPS // most look-ups along the long side of the pixel's footprint; set by quality, this serves an offline compiler
+// Most texture fetches along the long side of the pixel's footprint. The quality sets TAPS; the default serves an
+// offline compiler.
+#ifndef TAPS
 #define TAPS 4
 #endif
 
@@ -187,9 +189,9 @@ vec4 cascade_share(int c, vec4 fields, float gust, float kept) {
     return (cascade_band[c].z < 20.0 ? gust : 1.0) * kept * fields;
 }
 
-// One look-up a cascade, at the level of a width whose log2 is `fine`. Slopes over the displaced surface as if waves
-// came from all sides. Textures of their own and no loop: an array, and a loop that pixels leave at different times,
-// cost twice as much.
+// One texture fetch a cascade, at the level of a width whose log2 is `fine`. Slopes over the displaced surface as if
+// waves came from all sides. Textures of their own and no loop: an array, and a loop that pixels leave at different
+// times, cost twice as much.
 wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
     vec4 kept = cascades_kept(depth);
     vec4 sum = cascade_share(0, textureLod(slope_map0, cascade_uv(0, rest), fine - cascade_band[0].w), gust, kept.x);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Foam on water is a net of thin walls round round holes, torn at larger scales. The walls are the borders of a cellular
-// pattern (Worley 1996: distance to the second nearest point less that to the nearest) at three sizes, displaced by smooth
-// noise. The histogram is then flattened by rank.
+// Foam on water is a net of thin walls round round holes, torn at larger scales. The walls are the borders of a
+// cellular pattern (Worley 1996: distance to the second nearest point less that to the nearest) at three sizes,
+// displaced by smooth noise. The histogram is then flattened by rank.
 #include "foam_texture.h"
 #include "memory.h"
 

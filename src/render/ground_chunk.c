@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Chunks of ground: heights, normals, cast shadows, ambient light, mesh.
 //
-// Shadows: a point is in shadow when the ground towards the sun rises over it by more than the sun's own slope. Swept from
-// the sun's side, the height of the shadow over each node follows from the next node alone:
+// Shadows: a point is in shadow when the ground towards the sun rises over it by more than the sun's own slope. Swept
+// from the sun's side, the height of the shadow over each node follows from the next node alone:
 //     top(p) = max(ground(q), shadow(q)),   shadow(p) = top(q) - distance * tan(elevation),   q = p one step sunward
 // so a chunk costs one pass, and what stands outside it is asked of its ancestors, which reach further.
-// Open sky: each level takes off what its own neighbourhood of seven texels hides and multiplies with its parent's, which
-// sums up every scale from the chunk's own to the whole island.
+// Open sky: each level takes off what its own neighbourhood of seven texels hides and multiplies with its parent's,
+// which sums up every scale from the chunk's own to the whole island.
 #include "ground_chunk.h"
 
 #include "math/half.h"
@@ -45,8 +45,8 @@ static const float *height_at(const ground_chunk *c, int i, int j) {
     return &c->heights[(j + CHUNK_BORDER) * CHUNK_GRID + i + CHUNK_BORDER];
 }
 
-// Distance of the nodes from the mesh of so many texels per cell: twice the rms, which few nodes exceed and one sharp rock
-// does not decide. @worst receives the largest.
+// Distance of the nodes from the mesh of so many texels per cell: twice the rms, which few nodes exceed and one sharp
+// rock does not decide. @worst receives the largest.
 static float mesh_error(const ground_chunk *c, int step, float *worst) {
     float sum = 0.0f;
     *worst = 0.0f;
@@ -105,7 +105,8 @@ void bolan_chunk_build(ground_chunk *c, const bolan_ground *terrain) {
     fill_normals(c);
 }
 
-// ---- light -----------------------------------------------------------------------------------------------------------
+// ---- light
+// -----------------------------------------------------------------------------------------------------------
 
 // Ground or shadow, whichever is higher, at a node coordinate of @c that lies outside it, from the ancestors.
 static float top_outside(const ground_chunk *c, float u, float v) {
@@ -193,7 +194,8 @@ void bolan_chunk_light(ground_chunk *c, const chunk_sun *sun) {
     open_sky(c);
 }
 
-// ---- mesh ------------------------------------------------------------------------------------------------------------
+// ---- mesh
+// ------------------------------------------------------------------------------------------------------------
 
 // Vertex n of the rim, counter-clockwise from the south-west corner.
 static void rim_vertex(uint32_t n, uint32_t *i, uint32_t *j) {

@@ -89,7 +89,8 @@ const uint32_t *bolan_ground_tree_draw_list(const ground_tree *t, uint32_t *coun
 chunk_slot *bolan_ground_tree_slot(ground_tree *t, uint32_t index) { return &t->slots[index]; }
 uint32_t bolan_ground_tree_work(const ground_tree *t) { return t->total_work; }
 
-// ---- the pool --------------------------------------------------------------------------------------------------------
+// ---- the pool
+// --------------------------------------------------------------------------------------------------------
 
 static uint32_t *bucket(ground_tree *t, uint32_t level, uint32_t x, uint32_t y) {
     uint32_t h = (x * 0x9e3779b1u) ^ (y * 0x85ebca77u) ^ (level * 0xc2b2ae3du);
@@ -148,7 +149,8 @@ static uint32_t take(ground_tree *t, uint32_t level, uint32_t x, uint32_t y) {
     return n;
 }
 
-// ---- what a view sees ------------------------------------------------------------------------------------------------
+// ---- what a view sees
+// ------------------------------------------------------------------------------------------------
 
 // Eye-relative box with the earth's curvature taken off.
 typedef struct box {
@@ -225,7 +227,8 @@ static uint32_t choose_mesh(const tree_view *v, const ground_chunk *c, double pi
     return m;
 }
 
-// ---- the walk --------------------------------------------------------------------------------------------------------
+// ---- the walk
+// --------------------------------------------------------------------------------------------------------
 
 static void queue_work(ground_tree *t, uint32_t n) { t->work[t->work_count++] = n; }
 

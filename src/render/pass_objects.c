@@ -318,8 +318,8 @@ void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
 
 // ---- drawing --------------------------------------------------------------------------------------------------------
 
-// Whether all corners of its box lie beyond one side of the picture. Refraction raises what lies in the water, so nothing is told
-// of its top and bottom.
+// Whether all corners of its box lie beyond one side of the picture. Refraction raises what lies in the water, so
+// nothing is told of its top and bottom.
 static bool is_beside(const placed *o, const render_view *v) {
     int left = 0, right = 0, behind = 0;
     for (int i = 0; i < 8; i++) {

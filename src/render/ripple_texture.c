@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A sum of a few long waves leaves the water between them smooth, where the wind makes ripples that carry most of the slope. Here
-// they are drawn from a tile, once for the five octaves below the shortest wave of the sum, and where there is time once more for
-// the next five. Their variance is taken from what the wind's law (Cox & Munk 1954) leaves over from the sum, in equal parts for each octave.
+// A sum of a few long waves leaves the water between them smooth, where the wind makes ripples that carry most of the
+// slope. Here they are drawn from a tile, once for the five octaves below the shortest wave of the sum, and where there
+// is time once more for the next five. Their variance is taken from what the wind's law (Cox & Munk 1954) leaves over
+// from the sum, in equal parts for each octave.
 #include "ripple_texture.h"
 #include "memory.h"
 

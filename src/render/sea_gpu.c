@@ -150,7 +150,8 @@ static void interleave_fold(const bolan_cascade_view *v, uint16_t *out) {
     }
 }
 
-// What the workers make of a frame's cascades: item 2c the levels of the displacement of cascade c, 2c + 1 of its slopes.
+// What the workers make of a frame's cascades: item 2c the levels of the displacement of cascade c, 2c + 1 of its
+// slopes.
 typedef struct texel_job {
     const sea_gpu *fields;
     const bolan_sea *sea;
@@ -268,8 +269,8 @@ static void fill_wave(const render_view *v, uint32_t index, double amplitude_fac
 
 enum { SLOPE_TERMS = 8 };
 
-// factor * exp(-2 s t) for t in 0..1 as a polynomial through Chebyshev's points, by Newton's divided differences: to 1e-5 of the
-// factor at s = 2.
+// factor * exp(-2 s t) for t in 0..1 as a polynomial through Chebyshev's points, by Newton's divided differences: to
+// 1e-5 of the factor at s = 2.
 static void fit_slope(double s, double factor, double out[SLOPE_TERMS]) {
     double at[SLOPE_TERMS], difference[SLOPE_TERMS];
     for (int i = 0; i < SLOPE_TERMS; ++i) {
@@ -286,8 +287,8 @@ static void fit_slope(double s, double factor, double out[SLOPE_TERMS]) {
     }
 }
 
-// What the shader's sum knows of the covariance of slopes. `square`: of a wave of amplitude 1, by its phase [rad], the mean square
-// of the derivative.
+// What the shader's sum knows of the covariance of slopes. `square`: of a wave of amplitude 1, by its phase [rad], the
+// mean square of the derivative.
 static void set_sum_slopes(water_block *b, const render_view *view, double amplitude_factor, double square) {
     float total[3];
     bolan_sea_unresolved_slopes(view->frame->sea, 0.0, 0.0, 0.0, total); // what is no part of the waves

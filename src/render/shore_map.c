@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Four levels, each four times as wide as the one before, twin of shaders/common/shore.glsl. A level lies on multiples of 32
-// of its texels; when the eye has gone on, it is shifted by such a multiple and only the new strip is evaluated, so that
-// no texel ever changes its place or value.
+// Four levels, each four times as wide as the one before, twin of shaders/common/shore.glsl. A level lies on multiples
+// of 32 of its texels; when the eye has gone on, it is shifted by such a multiple and only the new strip is evaluated,
+// so that no texel ever changes its place or value.
 #include "shore_map.h"
 
 #include "math/half.h"

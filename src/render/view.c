@@ -72,8 +72,9 @@ static const char *rotation_problem(const float *m, double sign) {
     return sign * determinant > 0.0 ? NULL : "its view matrix mirrors the world";
 }
 
-// The grid of the water is placed by the lens, and its columns must not come and go with the rounding of a float matrix:
-// so the lens has whole steps of 1e-5 degrees, and the sides of the picture where they fit. Its guard is 1.1 degrees.
+// The grid of the water is placed by the lens, and its columns must not come and go with the rounding of a float
+// matrix: so the lens has whole steps of 1e-5 degrees, and the sides of the picture where they fit. Its guard is 1.1
+// degrees.
 static double stepped(double degrees) { return floor(degrees * 1e5 + 0.5) / 1e5; }
 
 // Rows of a rotation: right, up, backward in world axes. A camera that looks along +z has its z row turned.

@@ -125,7 +125,8 @@ bolan_surface_view bolan_water_mesh_view(const render_view *v) {
     return view;
 }
 
-// ---- the three surfaces: each fills vertices, and indices where they changed; returns the number of vertices ----------
+// ---- the three surfaces: each fills vertices, and indices where they changed; returns the number of vertices
+// ----------
 
 static void upload_indices(water_mesh *m, uint32_t count) {
     bolan_gl_buffer_update(&m->indices, 0, sizeof(uint32_t) * (count + m->seam_count), m->cpu_indices);
@@ -165,8 +166,9 @@ static bool same_shape(const bolan_nested *a, const bolan_nested *b) {
     return same;
 }
 
-// Where a level ends, its odd vertices lie on its parent's edges but for rounding, and a pixel on such an edge may belong to
-// neither side. A triangle of no area between the three points of each edge shares their edges, and then nothing is left out.
+// Where a level ends, its odd vertices lie on its parent's edges but for rounding, and a pixel on such an edge may
+// belong to neither side. A triangle of no area between the three points of each edge shares their edges, and then
+// nothing is left out.
 static uint32_t fill_seams(const bolan_nested *placed, uint32_t *out) {
     const uint32_t n = placed->cells, row = n + 1;
     uint32_t count = 0;
@@ -217,8 +219,8 @@ static uint32_t build_nested(water_mesh *m, const bolan_surface_view *view, cons
 
 // ---- waves made on the CPU ------------------------------------------------------------------------------------------
 
-// Waves only where the view can see them: packs the visible vertices to the front, samples, and spreads them out again from the
-// end (Liu, Xu & Chen 2009, section 4: the others lie flat).
+// Waves only where the view can see them: packs the visible vertices to the front, samples, and spreads them out again
+// from the end (Liu, Xu & Chen 2009, section 4: the others lie flat).
 static void sample_waves(water_mesh *m, const bolan_sea *sea, uint32_t count) {
     uint32_t seen = 0;
     for (uint32_t i = 0; i < count; ++i) {

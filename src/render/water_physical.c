@@ -81,7 +81,8 @@ static physical_block foam_of(const render_view *v) {
     const bolan_sea *sea = v->frame->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     double memory_variance;
-    // A soft edge widens a Gaussian field; the covered share stays when the threshold moves out with the standard deviation.
+    // A soft edge widens a Gaussian field; the covered share stays when the threshold moves out with the standard
+    // deviation.
     double spread = fmax(desc->choppiness * desc->choppiness * bolan_foam_slope_variance(sea), 1e-9);
     double threshold = 1.0 - (1.0 - bolan_sea_foam_threshold(sea)) * sqrt(1.0 + FOAM_EDGE * FOAM_EDGE / spread);
     double share = fmin(0.3, OLD_FOAM_SHARE * bolan_monahan_cover(desc->sea_state.wind_speed));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A camera's path through its keys: monotone cubic pieces for each number (Fritsch & Carlson, SIAM J. Numer. Anal. 17, 1980), so
-// that a descent never dips below the key it ends at.
+// A camera's path through its keys: monotone cubic pieces for each number (Fritsch & Carlson, SIAM J. Numer. Anal. 17,
+// 1980), so that a descent never dips below the key it ends at.
 #include "bolan/scene.h"
 
 enum { NUMBERS = 7 }; // x, y, z, heading, pitch, roll, fov

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// viewer_pixels FILE X0 Y0 X1 Y1: mean red, green, blue and the standard deviation of brightness inside a rectangle of a
-// picture, given in parts of its size, as four whole numbers.
+// viewer_pixels FILE X0 Y0 X1 Y1: mean red, green, blue and the standard deviation of brightness inside a rectangle of
+// a picture, given in parts of its size, as four whole numbers.
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
 #include <stb/stb_image.h>

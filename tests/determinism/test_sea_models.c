@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sums of waves and the loop of TEXTURES to the bit: over instruction sets, thread counts, batches and turns of the loop.
+// The sums of waves and the loop of TEXTURES to the bit: over instruction sets, thread counts, batches and turns of the
+// loop.
 #include "sea_support.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs a fuzz target without libFuzzer: standalone CORPUS-FOLDER MUTATIONS. First the empty input, then each file of the
-// corpus, whole and cut short, then that many mutations: the same ones every time, on every machine.
+// Runs a fuzz target without libFuzzer: standalone CORPUS-FOLDER MUTATIONS. First the empty input, then each file of
+// the corpus, whole and cut short, then that many mutations: the same ones every time, on every machine.
 #include <dirent.h>
 #include <stdint.h>
 #include <stdio.h>

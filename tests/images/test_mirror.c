@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mirror optics in pictures: Snell's window, what each effect does, two triangles, and nothing allocated on the way.
+// The mirror optics in pictures: Snell's window, what each effect does, two triangles, and nothing allocated on the
+// way.
 #include "picture.h"
 #include "support.h"
 
@@ -59,8 +60,8 @@ static void snells_window_has_the_right_radius(void **state) {
     const double half = 0.5 * SIZE / tan(bolan_radians(0.5 * fov));
     const double east = bolan_degrees(atan((last + 1 - 0.5 * SIZE) / half)),
                  west = bolan_degrees(atan((0.5 * SIZE - first) / half));
-    // 48.268 degrees for an index of 1.34; the acceptance number is half a degree. The sky is brighter at its rim than at the
-    // zenith, and Fresnel's reflectance takes half of it 0.2 degrees inside.
+    // 48.268 degrees for an index of 1.34; the acceptance number is half a degree. The sky is brighter at its rim than
+    // at the zenith, and Fresnel's reflectance takes half of it 0.2 degrees inside.
     assert_near(0.5 * (east + west), 48.268, 0.5);
     assert_near(east, west, 0.3);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Techniques: every mix of waves, surface and optics draws water; core and ES agree; frames after the first allocate nothing;
-// and the counts of triangles that the papers give.
+// Techniques: every mix of waves, surface and optics draws water; core and ES agree; frames after the first allocate
+// nothing; and the counts of triangles that the papers give.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -29,8 +29,8 @@ static bolan_scene load(const char *name) {
     return scene;
 }
 
-// Mean radiance of the lower third of the picture. Everything in the picture is a finite, non-negative radiance, and below the
-// horizon nothing is missing.
+// Mean radiance of the lower third of the picture. Everything in the picture is a finite, non-negative radiance, and
+// below the horizon nothing is missing.
 static double look_at(stage *s, const char *what) {
     float *rgb = malloc(sizeof(float) * WIDTH * HEIGHT * 3);
     picture p = stage_draw(s, WIDTH, HEIGHT, 1);
@@ -47,8 +47,8 @@ static double look_at(stage *s, const char *what) {
     return sum / (WIDTH * HEIGHT);
 }
 
-// The physical optics over the projected FFT is the yardstick: water is neither black nor burnt out by any other way. A factor of
-// 4 either way: the glitter of a few pixels may be in one picture and not in the other.
+// The physical optics over the projected FFT is the yardstick: water is neither black nor burnt out by any other way. A
+// factor of 4 either way: the glitter of a few pixels may be in one picture and not in the other.
 static void every_mix_draws_water(void **state) {
     (void)state;
     static const char *const scenes[] = {"pond", "open-sea"};
@@ -226,8 +226,8 @@ static void a_bound_of_the_mesh_out_of_range_is_refused(void **state) {
     bolan_context_destroy(&context);
 }
 
-// From 10 km the round earth's horizon lies acos(R / (R + h)) = 3.209 degrees below the level (R = 6371 km), and so must that of the
-// plane that two triangles are.
+// From 10 km the round earth's horizon lies acos(R / (R + h)) = 3.209 degrees below the level (R = 6371 km), and so
+// must that of the plane that two triangles are.
 static void two_triangles_end_at_the_horizon(void **state) {
     (void)state;
     static const bolan_technique *const flat[] = {&bolan_technique_two_triangle, &bolan_technique_exp_cosine};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// No hole in the nested grids as they are drawn: over ten thousand random views the waves are drawn over a coloured background, and
-// below the horizon none of it may show. tests/unit/test_surface_nested_cracks.c shows the same of the triangles, by their bits.
+// No hole in the nested grids as they are drawn: over ten thousand random views the waves are drawn over a coloured
+// background, and below the horizon none of it may show. tests/unit/test_surface_nested_cracks.c shows the same of the
+// triangles, by their bits.
 #include "../shaders/gl_support.h"
 #include "bolan/earth.h"
 
@@ -126,8 +127,8 @@ static bolan_mat4 draw(rig *r) {
     return bolan_m4_inverse(clip);
 }
 
-// Whether a ray must meet the water: it meets a round earth that lies as deep as the deepest trough and the chords of the coarsest
-// cells, and a pixel's width before its horizon.
+// Whether a ray must meet the water: it meets a round earth that lies as deep as the deepest trough and the chords of
+// the coarsest cells, and a pixel's width before its horizon.
 static bool must_be_water(const rig *r, bolan_vec4 far, double low) {
     const double plan = hypot((double)far.x, (double)far.y), h = r->scene.camera.position.z + low;
     const double pixel = 2.0 * tan(0.5 * bolan_radians(r->scene.camera.fov_deg)) / HEIGHT;

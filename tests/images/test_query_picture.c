@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Query and picture are the same water: where the depth buffer shows the surface, the query finds it. By the eye, far from the
-// origin, and over the sand of the lagoon, where each cascade is attenuated by the depth.
+// Query and picture are the same water: where the depth buffer shows the surface, the query finds it. By the eye, far
+// from the origin, and over the sand of the lagoon, where each cascade is attenuated by the depth.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -45,7 +45,8 @@ static void compare_pixel(const stage *s, double along, uint32_t x, uint32_t y, 
     sum->pixels++;
     sum->wrong += error > 0.01 + pixel;
     sum->near += distance < NEAR;
-    // What the mesh cuts off a crest between its vertices, 2 pixels apart, and the half floats: a quarter of a pixel, and 1 cm.
+    // What the mesh cuts off a crest between its vertices, 2 pixels apart, and the half floats: a quarter of a pixel,
+    // and 1 cm.
     sum->near_wrong += distance < NEAR && error > 0.01 + 0.25 * pixel;
 }
 

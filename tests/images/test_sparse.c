@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Water lit at fewer places than there are pixels (src/render/papers/half_rate.c) is where it is in a picture that lights each pixel, as
-// bright, and leaves no pixel out, whatever the picture's width.
+// Water lit at fewer places than there are pixels (src/render/papers/half_rate.c) is where it is in a picture that
+// lights each pixel, as bright, and leaves no pixel out, whatever the picture's width.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -88,7 +88,8 @@ static void compare(const char *what, const look *sparse, const look *dense) {
         }
 }
 
-// The quad, a mesh, and a shape that is kept (over the quad: the static grids of two qualities put waves elsewhere); widths that 4 and 2 divide, that 2 divides, that nothing does.
+// The quad, a mesh, and a shape that is kept (over the quad: the static grids of two qualities put waves elsewhere);
+// widths that 4 and 2 divide, that 2 divides, that nothing does.
 static void sparse_water_is_like_dense_water(void **state) {
     (void)state;
     static const bolan_technique kept = {"kept shape", BOLAN_WAVES_FFT, BOLAN_SURFACE_QUAD, BOLAN_OPTICS_CREST, -1};

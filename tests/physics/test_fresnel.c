@@ -32,7 +32,8 @@ static void test_from_air_into_sea_water(void **state) {
 
 static void test_from_below(void **state) {
     (void)state;
-    // The last row of the table, 48.5 degrees, lies 0.1 degree from total reflection, where the curve rises 2.6 per degree.
+    // The last row of the table, 48.5 degrees, lies 0.1 degree from total reflection, where the curve rises 2.6 per
+    // degree.
     static const row rows[] = {{30, .02552}, {40, .05558}, {45, .13946}, {47, .26136}, {48, .43308}, {48.5, .70031}};
     compare(rows, sizeof rows / sizeof *rows, 1.0 / 1.333);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Nested grids under a moving camera: between two frames no point of the drawn sea may jump by a pixel. The sea stands
-// still, so that whatever moves is the mesh's doing. 64 cosines of the spectrum of Pierson and Moskowitz, Hs = 3 m, leave the
-// geometry where they become shorter than the spacing resolves.
+// still, so that whatever moves is the mesh's doing. 64 cosines of the spectrum of Pierson and Moskowitz, Hs = 3 m,
+// leave the geometry where they become shorter than the spacing resolves.
 #include "support.h"
 
 #include "bolan/surface.h"

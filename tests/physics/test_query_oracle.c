@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Heights and normals against the sum over every wave of the sea, inverted here in double precision by plain fixed point.
+// Heights and normals against the sum over every wave of the sea, inverted here in double precision by plain fixed
+// point.
 //
-// The one error of the query is that it interpolates the fields bilinearly. For a wave with phase advance p = k h from sample
-// to sample the mean square error of linear interpolation is p^4 / 120 of its variance (the mean of (t (1 - t) / 2)^2 is 1/120),
-// for bilinear interpolation at most (k h)^4 / 120 whatever its direction. Over a cascade with spacing h, slope variance mss and
-// waves up to k_max that sums to at most h^4 k_max^2 mss / 120 for the height; for the horizontal displacement, which has the
-// same spectrum, the same, and it moves the height by the slope; for the slopes h^4 k_max^4 mss / 120.
+// The one error of the query is that it interpolates the fields bilinearly. For a wave with phase advance p = k h from
+// sample to sample the mean square error of linear interpolation is p^4 / 120 of its variance (the mean of (t (1 - t) /
+// 2)^2 is 1/120), for bilinear interpolation at most (k h)^4 / 120 whatever its direction. Over a cascade with spacing
+// h, slope variance mss and waves up to k_max that sums to at most h^4 k_max^2 mss / 120 for the height; for the
+// horizontal displacement, which has the same spectrum, the same, and it moves the height by the slope; for the slopes
+// h^4 k_max^4 mss / 120.
 #include "bolan/query.h"
 
 #include <setjmp.h>

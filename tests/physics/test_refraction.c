@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mirrors and raised bottoms against the numbers of Ma, Zhu & Gong 2006 and of Fermat's principle solved by other means.
+// Mirrors and raised bottoms against the numbers of Ma, Zhu & Gong 2006 and of Fermat's principle solved by other
+// means.
 #include "bolan/scene.h"
 #include "support.h"
 

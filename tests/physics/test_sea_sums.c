@@ -7,7 +7,8 @@
 
 #define TURN (2.0 * BOLAN_PI)
 
-// The spectrum of the paper: S = 0.78 w^-5 exp(-3.11 / (w^4 H^2)), H = 3 m, cos^2 about east. Its m0 is 0.78 H^2 / (4 * 3.11).
+// The spectrum of the paper: S = 0.78 w^-5 exp(-3.11 / (w^4 H^2)), H = 3 m, cos^2 about east. Its m0 is 0.78 H^2 / (4 *
+// 3.11).
 static const double paper_m0 = 0.78 * 9.0 / (4.0 * 3.11), paper_b = 3.11 / 9.0;
 
 static bolan_sea_desc paper_desc(void) {

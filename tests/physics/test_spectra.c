@@ -202,7 +202,8 @@ static void cox_and_munk_and_monahan_give_their_regressions(void **state) {
     assert_ratio(bolan_monahan_cover(35.0), 3.84e-6 * pow(35.0, 3.41), 1e-9);
 }
 
-// Psi = 2 A exp(-1/(kL)^2) k^-4 cos^2 e^{-k^2 l^2} where the wind blows to: the printed form without the 2 is spread over k and
+// Psi = 2 A exp(-1/(kL)^2) k^-4 cos^2 e^{-k^2 l^2} where the wind blows to: the printed form without the 2 is spread
+// over k and
 // -k alike (Tessendorf 2001, eq. 40-41). A = alpha / (2 pi) = 1.289e-3 has the tail of Pierson & Moskowitz.
 static double phillips(double wind, double kx, double ky) {
     const double l = wind * wind / BOLAN_GRAVITY, k2 = kx * kx + ky * ky, small = l / 1000.0;
@@ -220,8 +221,8 @@ static void phillips_has_the_density_of_its_formula(void **state) {
         for (double k = 0.3 / l; k < 2000.0 / l; k *= 1.3) {
             for (double th = -3.0; th < 3.1; th += 0.375) {
                 const double kx = k * cos(th), ky = k * sin(th), expected = phillips(wind, kx, ky);
-                // Capillary waves are no part of the formula: with 1 + t, t = 7.17e-5 k^2 / g, in place of 1, w is larger by t/2
-                // and Psi off by some t; the cut, whose k is w^2 / g, by 2 t (k l)^2.
+                // Capillary waves are no part of the formula: with 1 + t, t = 7.17e-5 k^2 / g, in place of 1, w is
+                // larger by t/2 and Psi off by some t; the cut, whose k is w^2 / g, by 2 t (k l)^2.
                 const double t = BOLAN_SURFACE_TENSION_SEA * k * k / BOLAN_GRAVITY, kl = k * l / 1000.0;
                 assert_near(bolan_sea_state_wavenumber_density(&sea_state, kx, ky), expected,
                             expected * (1e-4 + (3.0 + 4.0 * kl * kl) * t) + 1e-30);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// print_shader STEM VERTEX|FRAGMENT core|es [NAME...]: with these names defined as 1, the text that the engine hands to the driver, for an offline compiler.
+// print_shader STEM VERTEX|FRAGMENT core|es [NAME...]: with these names defined as 1, the text that the engine hands to
+// the driver, for an offline compiler.
 #include "render/gl/source.h"
 
 #include <stdio.h>

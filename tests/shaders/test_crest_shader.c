@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The parts of the crest optics: the static grid's twin, the rational forms of the facets, the foam's densities, ramps and
-// threshold, and the texels made on the CPU.
+// The parts of the crest optics: the static grid's twin, the rational forms of the facets, the foam's densities, ramps
+// and threshold, and the texels made on the CPU.
 #include "probe.h"
 
 #include <math.h>
@@ -55,8 +55,8 @@ static void the_vertex_shader_puts_the_grid_where_the_cpu_does(void **state) {
         grid_on_the_gpu(u, gpu);
         for (int i = 0; i < COLUMNS * ROWS; ++i) {
             const double r = hypot(cpu[i].x, cpu[i].y);
-            // float's sine, tangent and exponential, the worst of them the tangent near x1: 2e-5 of the distance is a fiftieth of
-            // a pixel, and the mesh has no seams for it to open
+            // float's sine, tangent and exponential, the worst of them the tangent near x1: 2e-5 of the distance is a
+            // fiftieth of a pixel, and the mesh has no seams for it to open
             assert_true(hypot(gpu[i][0] - cpu[i].x, gpu[i][1] - cpu[i].y) < 2e-5 * r + 1e-4);
             assert_true(fabs(gpu[i][2] - cpu[i].z) < 1e-6 * fabs(cpu[i].z) + 4e-5 * r * r / BOLAN_EARTH_RADIUS + 1e-4);
             assert_true(fabs(gpu[i][3] - cpu[i].spacing) < 1e-4 * cpu[i].spacing);

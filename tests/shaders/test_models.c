@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Objects on the GPU: where a box comes to stand in the picture, what clipping, the vertical scale and the three classes
-// leave of it, and how it floats.
+// Objects on the GPU: where a box comes to stand in the picture, what clipping, the vertical scale and the three
+// classes leave of it, and how it floats.
 #include "gl_support.h"
 
 #include "bolan/earth.h"
@@ -13,8 +13,8 @@
 
 enum { SIDE = 256 };
 
-// A camera 20 m south of the origin looks north along the water's plane through a window of 90 degrees: a point at height
-// z over the origin stands at row SIDE / 2 * (1 + z / 20).
+// A camera 20 m south of the origin looks north along the water's plane through a window of 90 degrees: a point at
+// height z over the origin stands at row SIDE / 2 * (1 + z / 20).
 typedef struct rig {
     gl_caps caps;
     bolan_scene scene;
@@ -121,8 +121,8 @@ static void draw(rig *r, bolan_vec4 clip) {
     assert_true(watch_is_clean("models"));
 }
 
-// Lowest and highest height [m] of what is drawn in the column through the origin, in the plane of the box's south face,
-// 18 m away.
+// Lowest and highest height [m] of what is drawn in the column through the origin, in the plane of the box's south
+// face, 18 m away.
 static bool extent(const rig *r, float *low, float *high) {
     int first = -1, last = -1;
     for (int j = 0; j < SIDE; j++) {
@@ -163,8 +163,8 @@ static void its_light_is_that_of_sun_and_sky(void **state) {
     rig_open(&r, -1.0f);
     draw(&r, everything);
     // A wall to the south: the sun comes in at a cosine of 0.6, half of the sky is open; the air's tables are empty, so
-    // the shadow of the clouds is whole: sky alone, 0.5, and half of the light from around, (0.6 * 0.8 + 1) (.13, .14, .08).
-    // An absent texture is black and opaque: the grain's red and alpha add up to its mean.
+    // the shadow of the clouds is whole: sky alone, 0.5, and half of the light from around, (0.6 * 0.8 + 1) (.13, .14,
+    // .08). An absent texture is black and opaque: the grain's red and alpha add up to its mean.
     const float *p = r.pixels + 4 * (SIDE / 2 * SIDE + SIDE / 2);
     assert_near(p[1], 0.5 / BOLAN_PI * (0.5 + 0.5 * 1.48 * 0.14), 2e-3); // half floats, and clear air over 18 m
     rig_close(&r);

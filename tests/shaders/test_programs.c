@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// No program is compiled inside a frame: for each technique the eye flies from 10 km to under the waves, turns and comes
-// to a coast, and after the first frame the renderer's count of programs stays. Every program that this made keeps to 12
-// texture units a fragment shader: the 16 of WebGL 2, with four to spare.
+// No program is compiled inside a frame: for each technique the eye flies from 10 km to under the waves, turns and
+// comes to a coast, and after the first frame the renderer's count of programs stays. Every program that this made
+// keeps to 12 texture units a fragment shader: the 16 of WebGL 2, with four to spare.
 #include "gl_support.h"
 
 #include "bolan/io.h"

@@ -21,7 +21,8 @@ static void raised_bottoms_match_the_library(void **state) {
     for (int i = 0; i < COUNT; ++i) {
         const double depth = -(double)in[i][1];
         const double expected = bolan_apparent_depth((double)in[i][0], depth, (double)in[i][2], (double)in[i][3]);
-        // acceptance: within 1 %; four steps of Newton leave most of it unused, near the start of the steep part most is left
+        // acceptance: within 1 %; four steps of Newton leave most of it unused, near the start of the steep part most
+        // is left
         assert_true(fabs(-(double)out[i][0] - expected) < 0.004 * expected + 1e-4);
     }
 }

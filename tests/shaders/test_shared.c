@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every function of shaders/shared/ on the GPU against the same source in C: each expression of the list below is compiled
-// as GLSL and as C and evaluated at 256 places. C computes in double, so the bounds are single precision's rounding, for a
-// function with a difference of nearly equal numbers as much more as that difference loses.
+// Every function of shaders/shared/ on the GPU against the same source in C: each expression of the list below is
+// compiled as GLSL and as C and evaluated at 256 places. C computes in double, so the bounds are single precision's
+// rounding, for a function with a difference of nearly equal numbers as much more as that difference loses.
 #include "probe.h"
 
 #include "shared/attenuation.glsl"

@@ -106,7 +106,8 @@ static void sky_is_open_on_a_slope_and_hidden_in_a_valley(void **state) {
     chunk_sun sun = bolan_chunk_sun_from(bolan_v3(0.0f, 0.0f, 1.0f));
     bolan_chunk_light(&c, &sun);
     assert_near(channel(&c, 300.0, 0.0, 3), 1.0, 2e-3); // a plane hides nothing from itself; half-float rounding
-    // Flanks of 26.6 degrees on both sides hide sin^2 of that, a fifth of a cosine-weighted sky, as seen from the bottom.
+    // Flanks of 26.6 degrees on both sides hide sin^2 of that, a fifth of a cosine-weighted sky, as seen from the
+    // bottom.
     assert_true(channel(&c, 0.0, 0.0, 3) < 0.8f && channel(&c, 0.0, 0.0, 3) > 0.4f);
     bolan_chunk_free(&c);
     bolan_ground_destroy(&t);

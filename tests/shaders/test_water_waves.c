@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sums of waves as the shader makes them (shaders/common/waves.glsl) against their twins on the CPU: the sum in double and the
-// kernels of src/waves.
+// The sums of waves as the shader makes them (shaders/common/waves.glsl) against their twins on the CPU: the sum in
+// double and the kernels of src/waves.
 #include "probe.h"
 
 #include "render/sea_gpu.h"
@@ -78,8 +78,9 @@ static void scatter(float (*in)[4]) {
         }
 }
 
-// A phase of k REACH is known to half an ulp of float for each of two products and two sums, less than 4 * 2^-24 of it, and the
-// polynomials to 4e-6: that much of every wave's height, and of its slope, whose derivative is at most e^s times as great.
+// A phase of k REACH is known to half an ulp of float for each of two products and two sums, less than 4 * 2^-24 of it,
+// and the polynomials to 4e-6: that much of every wave's height, and of its slope, whose derivative is at most e^s
+// times as great.
 static void tolerance(const rig *r, double *height, double *slope) {
     *height = *slope = 1e-6;
     for (uint32_t i = 0; i < bolan_sea_component_count(r->sea); ++i) {
@@ -145,7 +146,8 @@ static void one_wave_of_amplitude_one_has_the_papers_numbers(void **state) {
     (void)state;
     rig r;
     rig_open(&r, BOLAN_WAVES_EXP_COSINE, 1, 1.0);
-    // Liu & Xie 2010 with s = 1: e^cos has the mean 1.26607, from .36788 to 2.71828; its slope is 1.45853 at most, where cos = .61803
+    // Liu & Xie 2010 with s = 1: e^cos has the mean 1.26607, from .36788 to 2.71828; its slope is 1.45853 at most,
+    // where cos = .61803
     float in[COUNT][4] = {{0}}, out[COUNT][4];
     for (int i = 0; i < COUNT; ++i) in[i][0] = (float)(i * BOLAN_PI / 128.0);
     in[1][0] = (float)acos(0.5 * (sqrt(5.0) - 1.0));
@@ -187,8 +189,8 @@ static void what_a_footprint_takes_from_a_wave_is_in_the_table(void **state) {
         bolan_sea_unresolved_slopes(r.sea, 0.4 * (double)in[i][0], 0.4 * (double)in[i][1], (double)in[i][2], left);
         const double kept =
             1.0 - (double)(left[0] + left[2] - none[0] - none[2]) / (double)(all[0] + all[2] - none[0] - none[2]);
-        // the table gathers waves by 16 directions over half a turn and gives all of a bin the direction of its middle, 0.1 rad off
-        // at most; of a slant footprint exp(-x) changes by 0.1 at most for that
+        // the table gathers waves by 16 directions over half a turn and gives all of a bin the direction of its middle,
+        // 0.1 rad off at most; of a slant footprint exp(-x) changes by 0.1 at most for that
         const bool slant = i >= 20;
         assert_near((double)out[i][0] * (double)out[i][0], kept, slant ? 0.1 : 2e-3);
     }

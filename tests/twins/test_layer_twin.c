@@ -120,7 +120,8 @@ static void vertices_carry_the_layers(void **state) {
 
 static void a_coarse_mesh_leaves_short_waves_to_the_pixels(void **state) {
     (void)state;
-    // 10 m apart: 9 to a wave of 90 m, all; 3 to one of 30 m: 3/2 - 1 = half. 20 m apart: all, for 4.5 are enough; none.
+    // 10 m apart: 9 to a wave of 90 m, all; 3 to one of 30 m: 3/2 - 1 = half. 20 m apart: all, for 4.5 are enough;
+    // none.
     check_vertices(10.0f, 1e4f, (const double[2]){1.0, 0.5});
     check_vertices(20.0f, 1e4f, (const double[2]){1.0, 0.0});
 }

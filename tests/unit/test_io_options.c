@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every option that is a parameter: its range is that of its row, its value lands in the row's field of the scene, and in no
-// other.
+// Every option that is a parameter: its range is that of its row, its value lands in the row's field of the scene, and
+// in no other.
 #include "../../apps/bolan/describe.c"
 #include "../../apps/bolan/options.c"
 

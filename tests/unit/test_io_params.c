@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every parameter through every door: its range by validation, by the key of a scene file and by the option's reader; its
-// default in the default functions; its range and default in the comment of the header; its field in no other row.
+// Every parameter through every door: its range by validation, by the key of a scene file and by the option's reader;
+// its default in the default functions; its range and default in the comment of the header; its field in no other row.
 #include "bolan/io.h"
 #include "io_support.h"
 

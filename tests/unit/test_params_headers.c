@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the public headers say and what the tables of parameters hold: every member of a desc has a row, or stands in the
-// list of exceptions here; the range and the default in the comment of a member are those of its row.
+// What the public headers say and what the tables of parameters hold: every member of a desc has a row, or stands in
+// the list of exceptions here; the range and the default in the comment of a member are those of its row.
 #include "bolan/scene.h"
 
 #include "support.h"

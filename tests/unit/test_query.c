@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What query.h promises, whatever the sea: parcels are found again where they went, residuals, independence of batch, threads
-// and instruction set, bad input, no allocation, shallow water.
+// What query.h promises, whatever the sea: parcels are found again where they went, residuals, independence of batch,
+// threads and instruction set, bad input, no allocation, shallow water.
 #include "bolan/coast.h"
 #include "bolan/query.h"
 
@@ -83,7 +83,8 @@ static void test_a_parcel_is_found_where_it_went(void **state) {
         assert_float_equal(answers[i].height, parcels[i].height, 1e-3);
         assert_float_equal(answers[i].jacobian, parcels[i].jacobian, 2e-2);
         const bolan_vec3 n = answers[i].normal;
-        // Slopes of the shortest waves change by some 0.1 a centimetre, and the place is off by up to half a millimetre.
+        // Slopes of the shortest waves change by some 0.1 a centimetre, and the place is off by up to half a
+        // millimetre.
         assert_float_equal(-n.x / n.z, parcels[i].slope_x, 1e-2);
         assert_float_equal(-n.y / n.z, parcels[i].slope_y, 1e-2);
     }
@@ -175,8 +176,8 @@ static int count_covered(const bolan_sea *sea, const bolan_dvec2 *place, int cou
     bolan_query_surface(&(bolan_water){.sea = sea}, place, (uint32_t)count, answers);
     for (int i = 0; i < count; i++) {
         assert_true(answers[i].residual < 1e-2f); // the promise of 1 mm is for unfolded water
-        // All rest points within 3 m at 2 cm: a parcel that lands within 1 cm of the place must not be higher than the answer
-        // by more than that distance up a slope of 2.
+        // All rest points within 3 m at 2 cm: a parcel that lands within 1 cm of the place must not be higher than the
+        // answer by more than that distance up a slope of 2.
         sample_square(sea, place[i], 0.02);
         bool above = false;
         for (int k = 0; k < SIDE * SIDE; k++) {
@@ -360,9 +361,9 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
         bolan_ground_destroy(&terrain);
     }
 
-    // 1 m of water over a level bed: band c keeps the fraction f_c of its amplitude, so the variance is sum f_c^2 var_c. Choppy
-    // water gathers at crests, which changes the variance at fixed points by a few percent; 3000 points know theirs to about
-    // sqrt(2 / independent waves), some 10 %.
+    // 1 m of water over a level bed: band c keeps the fraction f_c of its amplitude, so the variance is sum f_c^2
+    // var_c. Choppy water gathers at crests, which changes the variance at fixed points by a few percent; 3000 points
+    // know theirs to about sqrt(2 / independent waves), some 10 %.
     double expected = 0.0, unattenuated = 0.0;
     float band_hs[BOLAN_MAX_CASCADES], keep[BOLAN_MAX_CASCADES];
     for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); c++)

@@ -108,9 +108,9 @@ static void test_techniques_are_found_by_name(void **state) {
     assert_null(bolan_technique_find("Ocean"));
 }
 
-// Reda & Andreas, Solar Position Algorithm, NREL/TP-560-34302 (2008), appendix A.5: 2003-10-17 12:30:30 UTC-7 at 39.742476
-// N 105.1786 W: azimuth 194.34024, topocentric zenith 50.11162 with 0.016 deg of refraction at 820 mbar and 11 C. The low
-// precision formulas promise 0.01 deg for the sun's place and leave out the parallax of 0.002 deg.
+// Reda & Andreas, Solar Position Algorithm, NREL/TP-560-34302 (2008), appendix A.5: 2003-10-17 12:30:30 UTC-7 at
+// 39.742476 N 105.1786 W: azimuth 194.34024, topocentric zenith 50.11162 with 0.016 deg of refraction at 820 mbar and
+// 11 C. The low precision formulas promise 0.01 deg for the sun's place and leave out the parallax of 0.002 deg.
 static void test_the_sun_stands_where_nrel_says(void **state) {
     (void)state;
     double azimuth = 0.0, elevation = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Visible facets, glints and the normal distribution as C and shaders share them (shaders/shared/): against the library's
-// erfc and against integrals over slopes.
+// Visible facets, glints and the normal distribution as C and shaders share them (shaders/shared/): against the
+// library's erfc and against integrals over slopes.
 #include "support.h"
 
 #include "shared/constants.glsl"
@@ -132,8 +132,9 @@ static void the_density_of_slopes_has_its_moments(void **state) {
     assert_near(syy, yy, 1e-6);
 }
 
-// Over all directions the mirrored sun, weighed by their cosine, is the reflectance of what falls on the water. A high sun,
-// so that nothing is hidden and no ray goes down; the lattice is over slopes, which the mirrored directions follow.
+// Over all directions the mirrored sun, weighed by their cosine, is the reflectance of what falls on the water. A high
+// sun, so that nothing is hidden and no ray goes down; the lattice is over slopes, which the mirrored directions
+// follow.
 static void the_glint_returns_the_suns_energy(void **state) {
     (void)state;
     const double sun_x = 0.2, sun_z = sqrt(1.0 - 0.04);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light at the water as C and shaders share it (shaders/shared/): limits, published values, closed forms, and how far the
-// fast forms are off.
+// Light at the water as C and shaders share it (shaders/shared/): limits, published values, closed forms, and how far
+// the fast forms are off.
 #include "support.h"
 
 #include "shared/bed.glsl"
@@ -10,8 +10,8 @@
 
 static double radians_of(double degrees) { return degrees * PI / 180.0; }
 
-// Degrees, reflectance: exact dielectric of index 1.333, from Born & Wolf's equations in other hands; the air's side and
-// the water's.
+// Degrees, reflectance: exact dielectric of index 1.333, from Born & Wolf's equations in other hands; the air's side
+// and the water's.
 static const double from_air[][2] = {{0, .020373}, {30, .02144}, {40, .02450}, {50, .03367}, {60, .05969},
                                      {70, .13348}, {75, .21238}, {80, .34792}, {85, .58352}, {89, .89628}};
 static const double from_water[][2] = {{30, .02552}, {40, .05558}, {45, .13946},

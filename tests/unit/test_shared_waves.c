@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Waves and grids as C and shaders share them (shaders/shared/): the exponential of a cosine, attenuation over a bed, rows of
-// the projected grid, tiles, half floats.
+// Waves and grids as C and shaders share them (shaders/shared/): the exponential of a cosine, attenuation over a bed,
+// rows of the projected grid, tiles, half floats.
 #include "support.h"
 
 #include "math/half.h"

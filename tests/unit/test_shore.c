@@ -27,7 +27,8 @@ static void attenuation_is_none_on_land_and_full_in_deep_water(void **state) {
 
 static void waves_stay_below_the_breaking_limit(void **state) {
     (void)state;
-    // tanh(x) <= x: the height that is kept, hs * tanh(0.6 d / hs), is at most 0.6 of the depth; McCowan's limit is 0.78
+    // tanh(x) <= x: the height that is kept, hs * tanh(0.6 d / hs), is at most 0.6 of the depth; McCowan's limit is
+    // 0.78
     for (float depth = 0.05f; depth < 20.0f; depth *= 1.3f) {
         for (float hs = 0.1f; hs < 12.0f; hs *= 1.4f) {
             assert_true(hs * bolan_coast_attenuation(depth, hs) <= 0.6f * depth * 1.00001f);

@@ -103,7 +103,8 @@ static void every_visible_point_of_mean_water_lies_on_the_grid(void **state) {
     assert_true(tried > 2000);
 }
 
-// A picture that does not reach the horizon has its last row just beyond its upper edge, so that no row is spent in vain.
+// A picture that does not reach the horizon has its last row just beyond its upper edge, so that no row is spent in
+// vain.
 static void rows_end_where_the_picture_does(void **state) {
     (void)state;
     bolan_surface_view view = view_at(10000, 0, -60);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nested grids: the template of the paper, where the levels stand, what of them is seen, and their normals. And the quad.
+// Nested grids: the template of the paper, where the levels stand, what of them is seen, and their normals. And the
+// quad.
 #include "support.h"
 
 #include "bolan/earth.h"
@@ -46,7 +47,8 @@ static bolan_nested place(uint32_t cells, uint32_t levels, double spacing, bolan
     return bolan_surface_nested_place(&desc, &view);
 }
 
-// Counted on the figures of the paper: n = 4 with two levels, n = 8 with three, and the 32 cells and 6 levels of section 6.
+// Counted on the figures of the paper: n = 4 with two levels, n = 8 with three, and the 32 cells and 6 levels of
+// section 6.
 static void the_papers_templates_have_their_counts_of_triangles(void **state) {
     (void)state;
     const uint32_t table[][4] = {{4, 2, 56, 50}, {8, 3, 320, 243}, {32, 6, 9728, 6534}};
@@ -286,8 +288,8 @@ static void spacing_changes_smoothly_while_levels_step_come_and_go(void **state)
     assert_true(stepped > 100 && fewer > 3);
 }
 
-// Figure 4 with the angle instead of the cross products. Where the sides are moved outwards by g they meet at g / sin(half)
-// behind the eye; a point is between them where its azimuth from there is within half of the heading.
+// Figure 4 with the angle instead of the cross products. Where the sides are moved outwards by g they meet at g /
+// sin(half) behind the eye; a point is between them where its azimuth from there is within half of the heading.
 static void two_cross_products_agree_with_the_angle(void **state) {
     (void)state;
     int tried = 0, seen = 0, mismatches = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// No crack in ten thousand views. Every drawn vertex is displaced by random numbers that depend on the bits of its place,
-// its spacing and nothing else, so that the least difference between two levels tears the surface; then every edge must
-// be found again on its other side, whole or in two halves that lie on it, and the areas must add up.
+// No crack in ten thousand views. Every drawn vertex is displaced by random numbers that depend on the bits of its
+// place, its spacing and nothing else, so that the least difference between two levels tears the surface; then every
+// edge must be found again on its other side, whole or in two halves that lie on it, and the areas must add up.
 #include "support.h"
 
 #include "bolan/surface.h"
@@ -162,8 +162,8 @@ static void assert_on_edge(uint32_t s, uint32_t a, uint32_t b) {
     assert_near(displaced[s].z, 0.5 * (displaced[a].z + displaced[b].z), bound);
 }
 
-// Is there somebody on the other side of a -> b? 1: a triangle; 2: two halves or the whole of which it is a half; 0: the
-// outermost border.
+// Is there somebody on the other side of a -> b? 1: a triangle; 2: two halves or the whole of which it is a half; 0:
+// the outermost border.
 static int other_side(uint32_t a, uint32_t b) {
     if (has_edge(b, a)) return 1;
     int64_t side = (int64_t)nested.cells << (nested.levels - 1);

@@ -115,8 +115,8 @@ static void the_same_seed_makes_the_same_island(void **state) {
     bolan_ground_destroy(&a);
 }
 
-// The id covers every node of the island. It stays the same for every compiler, optimisation level and instruction set, and
-// changes only when the island's shape is changed on purpose.
+// The id covers every node of the island. It stays the same for every compiler, optimisation level and instruction set,
+// and changes only when the island's shape is changed on purpose.
 static void the_default_island_has_the_same_bits_everywhere(void **state) {
     (void)state;
     bolan_ground_generator d = generator_named("island");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tiles baked from a sea: normal maps as Ma, Zhu & Gong 2006 print them, and the light on the bottom against energy and optics.
+// Tiles baked from a sea: normal maps as Ma, Zhu & Gong 2006 print them, and the light on the bottom against energy and
+// optics.
 #include "bolan/tiles.h"
 #include "support.h"
 
@@ -65,8 +66,8 @@ static double crest_light(double depth) {
 static void a_sine_gathers_light_at_its_first_focus(void **state) {
     (void)state;
     sine(0.05, 2.0, 2.0);
-    // On the axis the light is 1 / |1 - (depth + a) / f|, f = n / ((n - 1) a k^2) = 8.112: the same in amplitude at both sides of
-    // the focus. Far from it the raster does not matter, so the focus is found from there.
+    // On the axis the light is 1 / |1 - (depth + a) / f|, f = n / ((n - 1) a k^2) = 8.112: the same in amplitude at
+    // both sides of the focus. Far from it the raster does not matter, so the focus is found from there.
     for (double depth = 2.0; depth < 6.5; depth += 1.0)
         assert_near((depth + 0.05) / (1.0 - 1.0 / crest_light(depth)), 8.112, 0.05 * 8.112); // the acceptance number
     double best = 0.0, most = 0.0;

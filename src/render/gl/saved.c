@@ -29,7 +29,8 @@ static bool exists(const gl_caps *caps, where w) {
     return false;
 }
 
-// Switches, all off while we draw but for those that bolan_gl_set_state() moves. Blend and scissor: see buffers, viewports.
+// Switches, all off while we draw but for those that bolan_gl_set_state() moves. Blend and scissor: see buffers,
+// viewports.
 static const struct {
     GLenum name;
     where where;

@@ -132,8 +132,8 @@ static uint32_t number_of(const shader_text *s, const char *path) {
     return i;
 }
 
-// Files of shaders/shared/ have include guards, for C too, and may be asked for inside an #ifdef that is not taken: their
-// text is put wherever they are included.
+// Files of shaders/shared/ have include guards, for C too, and may be asked for inside an #ifdef that is not taken:
+// their text is put wherever they are included.
 static bool is_guarded(const char *path) { return strncmp(path, "shared/", 7) == 0; }
 
 static bolan_result out_of_memory(const char *path) {

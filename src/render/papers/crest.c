@@ -17,7 +17,8 @@ enum {
     AIR_ROW = 4
 }; // pixels to one of the slow picture: rows are where the horizon is
 
-// Rows of one small texture: the ramps of foam, and row 0 of the table of unresolved slopes, which changes with the sun.
+// Rows of one small texture: the ramps of foam, and row 0 of the table of unresolved slopes, which changes with the
+// sun.
 enum { TABLE_SLOPES = FOAM_RAMP_ROWS, TABLE_ROWS };
 
 typedef struct crest {
@@ -209,8 +210,8 @@ static bool draw_air(crest *p, const water_draw *d) {
     return true;
 }
 
-// Rows of the picture, from the bottom, where pixels may be narrower than that [m]. Crests are nearer than the mean water on their
-// rays: reckoned from as high as most of them reach.
+// Rows of the picture, from the bottom, where pixels may be narrower than that [m]. Crests are nearer than the mean
+// water on their rays: reckoned from as high as most of them reach.
 static uint32_t rows_of_width(const render_view *v, double width, double taps, uint32_t rows) {
     const double above = v->block.eye_height - 0.7 * bolan_sea_get_summary(v->frame->sea)->hs;
     if (fabs(v->lens.roll_deg) > LEVEL_ROLL || above <= 0.0) return rows;
@@ -252,7 +253,8 @@ static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
     bolan_gl_draw_fullscreen();
 }
 
-// Rows where the widths of pixels still show waves of that cascade: 2.5 of them are its longest wave, and a tenth of its slopes left.
+// Rows where the widths of pixels still show waves of that cascade: 2.5 of them are its longest wave, and a tenth of
+// its slopes left.
 static uint32_t rows_of_cascade(const water_draw *d, uint32_t cascade, double taps, uint32_t rows) {
     const bolan_cascade_view v = bolan_sea_cascade(d->view->frame->sea, cascade);
     return v.k_min > 0.0 ? rows_of_width(d->view, 0.4 * 2.0 * BOLAN_PI / v.k_min, taps, rows) : rows;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Three densities of one net of bubbles: the thin one shows its thickest walls, the dense one lets only its holes through, so that a
-// mix of neighbours looks like a density between them. The tiles are those of foam_texture.c, added, flattened again by rank,
-// and cut where the wanted share is left.
+// Three densities of one net of bubbles: the thin one shows its thickest walls, the dense one lets only its holes
+// through, so that a mix of neighbours looks like a density between them. The tiles are those of foam_texture.c, added,
+// flattened again by rank, and cut where the wanted share is left.
 #include "render/papers/foam_ramps.h"
 #include "render/memory.h"
 #include "shared/constants.glsl"

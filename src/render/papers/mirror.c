@@ -80,8 +80,8 @@ static void prepare(void *state, const water_draw *d) {
     if (!t->failed) set_caustics(d->view, t);
 }
 
-// Rows x, y, w of bias * P_sun * V_sun for directions: the sun looks along itself reversed, so what it would see of a mirrored ray is where
-// the ray hits the slide (the paper's section 3 (1), steps 1 and 3).
+// Rows x, y, w of bias * P_sun * V_sun for directions: the sun looks along itself reversed, so what it would see of a
+// mirrored ray is where the ray hits the slide (the paper's section 3 (1), steps 1 and 3).
 static void set_slide(mirror_block *b, const render_view *v) {
     const bolan_vec3 s = v->frame->sun_direction;
     const float level = fmaxf(sqrtf(s.x * s.x + s.y * s.y), 1e-4f);

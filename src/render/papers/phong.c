@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Liu & Xie 2010: pictures of what is mirrored and refracted, and three parts of light. Shader: shaders/papers/phong.glsl.
+// Liu & Xie 2010: pictures of what is mirrored and refracted, and three parts of light. Shader:
+// shaders/papers/phong.glsl.
 #include "render/ripple_texture.h"
 #include "render/water_optics.h"
 
@@ -24,8 +25,8 @@ static const water_shader shader = {.stem = "papers/phong",
 
 #define HIGH_EYE 400.0f // [m]: from there on the haze of common/haze.glsl, which is alike all the way, would be another
 
-// dC of the paper's look-ups, which gives no numbers: the mirrored as far behind the water as 1 m, the refracted 1 m under it, of
-// which refraction takes 1 - 1/1.333 [m].
+// dC of the paper's look-ups, which gives no numbers: the mirrored as far behind the water as 1 m, the refracted 1 m
+// under it, of which refraction takes 1 - 1/1.333 [m].
 #define REFLECTION_PUSH 2.0f
 #define REFRACTION_PUSH (-0.25f)
 

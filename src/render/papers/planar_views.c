@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The pictures that some optics look up: the world on the eye's side of the water mirrored in its plane, and the world on the other
-// side raised as refraction raises it (Ma, Zhu & Gong 2006, section 2.2; there P-buffers, here textures of the picture's size). The
-// water plane stays where it is in both, so that a place of the water finds what it mirrors and what lies behind it at its own
-// place in them.
+// The pictures that some optics look up: the world on the eye's side of the water mirrored in its plane, and the world
+// on the other side raised as refraction raises it (Ma, Zhu & Gong 2006, section 2.2; there P-buffers, here textures of
+// the picture's size). The water plane stays where it is in both, so that a place of the water finds what it mirrors
+// and what lies behind it at its own place in them.
 #include "render/frame.h"
 #include "render/memory.h"
 
@@ -12,7 +12,8 @@
 #define OVERLAP 0.25f
 #define BLUR_LEVELS 6
 
-// Waves blur what they show: the pictures' share of the frame's width and height. The paper's are as large as the window.
+// Waves blur what they show: the pictures' share of the frame's width and height. The paper's are as large as the
+// window.
 static const double shares[] = {
     [BOLAN_QUALITY_LOW] = 0.4, [BOLAN_QUALITY_MEDIUM] = 0.5, [BOLAN_QUALITY_HIGH] = 1.0, [BOLAN_QUALITY_ULTRA] = 1.0};
 
@@ -80,8 +81,8 @@ bool bolan_planar_views_fit(planar_views *p, const render_view *v) {
            create_picture(width, height, 1, &p->refraction, &p->refraction_depth, &p->refraction_target) == BOLAN_OK;
 }
 
-// The mirror z -> -2 h - z about the plane h below the eye, before the camera (paper A: S = I - 2 n n^T). Directions, which the
-// sky is drawn by, have no translation.
+// The mirror z -> -2 h - z about the plane h below the eye, before the camera (paper A: S = I - 2 n n^T). Directions,
+// which the sky is drawn by, have no translation.
 render_view bolan_planar_views_reflect(planar_views *p, const render_view *v) {
     render_view m = *v;
     const bool under = v->block.eye_under_water > 0.5f;
@@ -98,8 +99,8 @@ render_view bolan_planar_views_reflect(planar_views *p, const render_view *v) {
     return m;
 }
 
-// The one factor of the paper's mode: at the middle of what the picture shows below the horizon, as the paper leaves open which angle
-// it means.
+// The one factor of the paper's mode: at the middle of what the picture shows below the horizon, as the paper leaves
+// open which angle it means.
 static double paper_factor(const view_lens *lens) {
     const double half = 0.5 * bolan_degrees(lens->fov_y);
     const double low = lens->pitch_deg - half, high = fmin(lens->pitch_deg + half, 0.0);

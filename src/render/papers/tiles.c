@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See tiles.h. Baking takes a moment when the sea or the water changes, or when it is asked for; nothing is allocated else.
+// See tiles.h. Baking takes a moment when the sea or the water changes, or when it is asked for; nothing is allocated
+// else.
 #include "render/papers/tiles.h"
 #include "render/memory.h"
 
@@ -21,7 +22,8 @@ static bolan_result create_texture(gl_format format, uint32_t size, gl_filter fi
     return bolan_gl_texture_create(&d, out);
 }
 
-// The slide that the sun projects: a round glow that has faded to nothing at its rim. Its rms radius is GLINT_RADIUS of half a width.
+// The slide that the sun projects: a round glow that has faded to nothing at its rim. Its rms radius is GLINT_RADIUS of
+// half a width.
 static void draw_glint(gl_texture *t) {
     uint8_t pixels[GLINT_SIZE * GLINT_SIZE];
     for (int j = 0; j < GLINT_SIZE; ++j)
