@@ -64,7 +64,8 @@ macro(bolan_add_library target)
             PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/shaders) # the latter for shared/*.glsl, also C
         # Before 1.0 a minor version may change the API, so programs ask for major.minor.
         set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
-            SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH $ORIGIN)
+            SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH $ORIGIN
+            C_VISIBILITY_PRESET hidden)
         list(PREPEND BOLAN_LIBRARIES ${target})
     endif()
 endmacro()

@@ -14,6 +14,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/// Marks the declarations that a shared library exports; everything else of it is hidden.
+#if defined(__GNUC__)
+#define BOLAN_API __attribute__((visibility("default")))
+#else
+#define BOLAN_API
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -27,7 +34,7 @@ extern "C" {
 #define BOLAN_PATH_MAX 1024 ///< bytes of a path in a desc, NUL included
 
 /// The version of the linked library, "major.minor.patch". Static storage. Thread-safe.
-const char *bolan_version(void);
+BOLAN_API const char *bolan_version(void);
 
 /// What a creation or I/O call returns. Zero is success; every failure has been logged as one sentence.
 typedef enum bolan_result {
@@ -41,7 +48,7 @@ typedef enum bolan_result {
 } bolan_result;
 
 /// A short English name for a result code ("format error"). Static storage. Thread-safe.
-const char *bolan_result_string(bolan_result result);
+BOLAN_API const char *bolan_result_string(bolan_result result);
 
 // ---- log ------------------------------------------------------------------------------------------------------------
 
@@ -153,40 +160,41 @@ typedef struct bolan_hooks {
 
 /// Replaces the hooks. NULL restores the built-in ones. Call it before anything is created and while no other thread is
 /// in the library: memory must be released by the hook that allocated it. Not thread-safe.
-void bolan_set_hooks(const bolan_hooks *hooks);
+BOLAN_API void bolan_set_hooks(const bolan_hooks *hooks);
 /// The hooks in force, with NULL for each built-in one. A plug-in adds its hooks to those that the host has set.
 /// Thread-safe while no thread calls bolan_set_hooks().
-bolan_hooks bolan_get_hooks(void);
+BOLAN_API bolan_hooks bolan_get_hooks(void);
 
 /// Threads of the built-in pool, the calling thread included: 1 (default: the library starts no thread) to 64.
 /// 0 means one per online processor. The threads sleep between loops; setting 1 ends them. Not thread-safe; results
 /// never depend on it.
-void bolan_set_threads(uint32_t threads);
+BOLAN_API void bolan_set_threads(uint32_t threads);
 
 /// Workers that a parallel loop may use now, >= 1. Thread-safe.
-uint32_t bolan_threads(void);
+BOLAN_API uint32_t bolan_threads(void);
 
 /// Runs @p task over [0, count) on the hook or the built-in pool, and waits. Loops do not nest: a loop started inside a
 /// task runs on that task's own thread. Thread-safe.
-void bolan_parallel(uint32_t count, uint32_t grain, bolan_task_fn *task, void *context);
+BOLAN_API void bolan_parallel(uint32_t count, uint32_t grain, bolan_task_fn *task, void *context);
 
 /// Memory through the hooks; @p size 0 gives NULL. Zero-filled, aligned to 64 bytes. Thread-safe if the hook is.
-void *bolan_allocate(size_t size);
+BOLAN_API void *bolan_allocate(size_t size);
 /// Gives memory of bolan_allocate() back; @p size is what was asked for. NULL is ignored.
-void bolan_release(void *memory, size_t size);
+BOLAN_API void bolan_release(void *memory, size_t size);
 /// Bytes that the library holds now. Thread-safe.
-size_t bolan_memory_in_use(void);
+BOLAN_API size_t bolan_memory_in_use(void);
 
 /// Emits one log sentence (printf style, numbers in the C locale). Control characters and bytes that are not UTF-8 are
 /// escaped as by bolan_text_escape(), so a sentence is one line and no input can steer a terminal. A sentence ends
 /// after 2047 bytes. For the library's own modules and tools built on it. Thread-safe.
 #if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
+BOLAN_API __attribute__((format(printf, 3, 4)))
 #endif
-void bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...);
+BOLAN_API void
+bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...);
 
 /// Reports misuse to the assert hook. Use the BOLAN_ASSERT() macro.
-void bolan_assert_failed(const char *expression, const char *file, int line);
+BOLAN_API void bolan_assert_failed(const char *expression, const char *file, int line);
 /// Reports misuse where @p x does not hold; in every build, and execution goes on if the hook returns.
 #define BOLAN_ASSERT(x) ((x) ? (void)0 : bolan_assert_failed(#x, __FILE__, __LINE__))
 
@@ -195,20 +203,21 @@ void bolan_assert_failed(const char *expression, const char *file, int line);
 /// snprintf() in the C locale, whatever locale the program has set: a decimal point, no grouping. For everything that a
 /// machine reads. Thread-safe.
 #if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
+BOLAN_API __attribute__((format(printf, 3, 4)))
 #endif
-int bolan_format(char *out, size_t capacity, const char *format, ...);
+BOLAN_API int
+bolan_format(char *out, size_t capacity, const char *format, ...);
 /// Reads a decimal number, [+-]digits[.digits][e[+-]digits], that fills all @p size bytes of @p text, correctly rounded
 /// and in the C locale. False for anything else: blanks, "nan", "inf", hexadecimal, more than 400 bytes, and a number
 /// beyond the range of a double. Thread-safe.
-bool bolan_parse_number(const char *text, size_t size, double *value);
+BOLAN_API bool bolan_parse_number(const char *text, size_t size, double *value);
 
 /// How many bytes of @p text fit into @p most without a cut inside a UTF-8 character; for "%.*s". Thread-safe.
-size_t bolan_text_fit(const char *text, size_t most);
+BOLAN_API size_t bolan_text_fit(const char *text, size_t most);
 /// Copies @p text for a terminal: control characters (C0, DEL, C1, line breaks, changes of direction) and bytes that
 /// are not UTF-8 become \\n, \\t, \\x1b or \\u009b. A character that is cut off at the end is left out. What does not
 /// fit into @p capacity bytes, NUL included, is left out, never half of a character. Thread-safe.
-void bolan_text_escape(const char *text, char *out, size_t capacity);
+BOLAN_API void bolan_text_escape(const char *text, char *out, size_t capacity);
 
 // ---- instruction sets -----------------------------------------------------------------------------------------------
 
@@ -223,12 +232,12 @@ typedef enum bolan_cpu {
 /// How many there are.
 #define BOLAN_CPUS 5
 /// The names that the command line uses, "auto", "scalar" ...; by bolan_cpu, NULL at the end.
-extern const char *const bolan_cpu_names[BOLAN_CPUS + 1];
+BOLAN_API extern const char *const bolan_cpu_names[BOLAN_CPUS + 1];
 
 /// The widest set this machine runs. Thread-safe.
-bolan_cpu bolan_cpu_best(void);
+BOLAN_API bolan_cpu bolan_cpu_best(void);
 /// "auto", "scalar", "sse2", "avx2", "avx512". Static storage. Thread-safe.
-const char *bolan_cpu_name(bolan_cpu cpu);
+BOLAN_API const char *bolan_cpu_name(bolan_cpu cpu);
 
 #ifdef __cplusplus
 }

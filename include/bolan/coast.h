@@ -16,7 +16,7 @@ extern "C" {
 /// @param hs significant height of the sea in deep water [m].
 /// Thread-safe.
 /// Shared source: shaders/shared/attenuation.glsl.
-float bolan_coast_attenuation(float depth, float hs);
+BOLAN_API float bolan_coast_attenuation(float depth, float hs);
 
 /// The shares of @p count bands that together make one sea.
 /// The share of a band is its bolan_coast_attenuation() times a factor common to all bands, so low bands keep more.
@@ -24,7 +24,7 @@ float bolan_coast_attenuation(float depth, float hs);
 /// @param band_hs significant heights of the bands in deep water [m].
 /// @param out receives the shares.
 /// Thread-safe.
-void bolan_coast_attenuations(float depth, const float *band_hs, uint32_t count, float *out);
+BOLAN_API void bolan_coast_attenuations(float depth, const float *band_hs, uint32_t count, float *out);
 
 #ifdef __cplusplus
 }

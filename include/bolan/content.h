@@ -20,7 +20,7 @@ extern "C" {
 /// NULL past the last.
 /// Static storage.
 /// Thread-safe.
-const char *bolan_content_ground_name(uint32_t index);
+BOLAN_API const char *bolan_content_ground_name(uint32_t index);
 
 /// Generates a ground. Its bits are a function of @p generator alone.
 ///
@@ -35,11 +35,11 @@ const char *bolan_content_ground_name(uint32_t index);
 /// @param out receives the ground, which the caller destroys; NULL on failure.
 /// Errors: ARGUMENT (an unknown name, a parameter out of its range), MEMORY.
 /// Thread-safe.
-bolan_result bolan_content_create_ground(const bolan_ground_generator *generator, bolan_ground **out);
+BOLAN_API bolan_result bolan_content_create_ground(const bolan_ground_generator *generator, bolan_ground **out);
 
 /// Elevation of the pond's ground [m] at world (x, y) [m], before it is sampled on a grid.
 /// Thread-safe.
-float bolan_pond_elevation(double x, double y);
+BOLAN_API float bolan_pond_elevation(double x, double y);
 
 // ---- models ---------------------------------------------------------------------------------------------------------
 
@@ -47,14 +47,14 @@ float bolan_pond_elevation(double x, double y);
 /// NULL past the last.
 /// Static storage.
 /// Thread-safe.
-const char *bolan_content_model_name(uint32_t index);
+BOLAN_API const char *bolan_content_model_name(uint32_t index);
 
 /// Builds the model of that name.
 /// @param name one of bolan_content_model_name(), without "builtin:".
 /// @param out receives the model, which the caller destroys; NULL on failure.
 /// Errors: ARGUMENT (an unknown name), MEMORY.
 /// Thread-safe.
-bolan_result bolan_content_create_model(const char *name, bolan_model **out);
+BOLAN_API bolan_result bolan_content_create_model(const char *name, bolan_model **out);
 
 #ifdef __cplusplus
 }

@@ -27,27 +27,27 @@ extern "C" {
 #define BOLAN_EARTH_RADIUS 6371000.0
 
 /// How far mean water lies below the tangent plane at level distance @p r: the parabola r^2 / 2R.
-double bolan_earth_drop(double r);
+BOLAN_API double bolan_earth_drop(double r);
 /// The same of the sphere: R - sqrt(R^2 - r^2). |r| beyond R counts as R.
-double bolan_earth_drop_exact(double r);
+BOLAN_API double bolan_earth_drop_exact(double r);
 
 /// Level distance to the horizon of the parabola from height @p h >= 0: sqrt(2 R h).
-double bolan_earth_horizon(double h);
+BOLAN_API double bolan_earth_horizon(double h);
 /// Straight distance from height @p h >= 0 to the horizon of the sphere: sqrt(h (2 R + h)).
-double bolan_earth_horizon_exact(double h);
+BOLAN_API double bolan_earth_horizon_exact(double h);
 
 /// Dip of the parabola's horizon seen from height @p h >= 0, as a tangent: sqrt(2 h / R).
-double bolan_earth_dip(double h);
+BOLAN_API double bolan_earth_dip(double h);
 /// Dip of the sphere's horizon seen from height @p h >= 0, as an angle: acos(R / (R + h)).
-double bolan_earth_dip_exact(double h);
+BOLAN_API double bolan_earth_dip_exact(double h);
 
 /// Level distance at which a ray from height @p h >= 0 meets the parabola.
 /// @p slope: by how much the ray sinks for each metre that it goes level, the tangent of the angle below level.
 /// HUGE_VAL where the ray passes over the horizon.
-double bolan_earth_meets(double slope, double h);
+BOLAN_API double bolan_earth_meets(double slope, double h);
 
 /// Distance along the great circle between two places on the sphere, longitudes and latitudes in degrees (haversine).
-double bolan_earth_distance(double longitude_a, double latitude_a, double longitude_b, double latitude_b);
+BOLAN_API double bolan_earth_distance(double longitude_a, double latitude_a, double longitude_b, double latitude_b);
 
 #ifdef __cplusplus
 }

@@ -45,18 +45,18 @@ typedef struct bolan_ground_desc {
 typedef struct bolan_ground bolan_ground;
 
 /// The defaults named above the fields, and no grid.
-bolan_ground_desc bolan_ground_desc_default(void);
+BOLAN_API bolan_ground_desc bolan_ground_desc_default(void);
 
 /// Makes a ground of a grid.
 /// Between the nodes the data are interpolated by limited bicubic patches (C1, no overshoot; Fritsch & Carlson 1980).
 /// Below twice the spacing the detail adds ridges and gullies that run down the slopes of the data.
 /// @param out receives the ground; NULL on failure.
 /// Errors: ARGUMENT (the sentence names the field), MEMORY.
-bolan_result bolan_ground_create(const bolan_ground_desc *desc, bolan_ground **out);
+BOLAN_API bolan_result bolan_ground_create(const bolan_ground_desc *desc, bolan_ground **out);
 
 /// Releases the ground.
 /// NULL-safe; NULLs the pointer.
-void bolan_ground_destroy(bolan_ground **ground);
+BOLAN_API void bolan_ground_destroy(bolan_ground **ground);
 
 // ---- elevations -----------------------------------------------------------------------------------------------------
 
@@ -66,14 +66,14 @@ void bolan_ground_destroy(bolan_ground **ground);
 /// A resolution of 0 keeps everything.
 /// The elevation is continuous in x, y and resolution, and finite everywhere.
 /// Thread-safe.
-float bolan_ground_elevation(const bolan_ground *ground, double x, double y, double resolution);
+BOLAN_API float bolan_ground_elevation(const bolan_ground *ground, double x, double y, double resolution);
 
 /// Elevations at a regular grid: out[j * nx + i] is bolan_ground_elevation() at (west + i * step, south + j * step).
 /// The spacing @p step [m] is the resolution.
 /// Uses the task hook; the values are equal to those of single calls for any number of threads.
 /// Thread-safe.
-void bolan_ground_elevations(const bolan_ground *ground, double west, double south, double step, uint32_t nx,
-                             uint32_t ny, float *out);
+BOLAN_API void bolan_ground_elevations(const bolan_ground *ground, double west, double south, double step, uint32_t nx,
+                                       uint32_t ny, float *out);
 
 /// Extent of the data that a ground was made from.
 typedef struct bolan_ground_extent {
@@ -87,17 +87,17 @@ typedef struct bolan_ground_extent {
 
 /// The extent of the data.
 /// Thread-safe.
-bolan_ground_extent bolan_ground_get_extent(const bolan_ground *ground);
+BOLAN_API bolan_ground_extent bolan_ground_get_extent(const bolan_ground *ground);
 
 /// A 64-bit hash of everything that the ground was created from: equal for equal grounds.
 /// Thread-safe.
-uint64_t bolan_ground_id(const bolan_ground *ground);
+BOLAN_API uint64_t bolan_ground_id(const bolan_ground *ground);
 
 /// Bounds [m] of the elevations, at any resolution, in the square of side @p size [m] from (@p west, @p south).
 /// The bounds are not tight. A call costs a few memory reads; for culling.
 /// Thread-safe.
-void bolan_ground_bounds(const bolan_ground *ground, double west, double south, double size, float *lowest,
-                         float *highest);
+BOLAN_API void bolan_ground_bounds(const bolan_ground *ground, double west, double south, double size, float *lowest,
+                                   float *highest);
 
 // ---- where a ground comes from --------------------------------------------------------------------------------------
 
@@ -130,7 +130,7 @@ typedef struct bolan_ground_generator {
 } bolan_ground_generator;
 
 /// The defaults named above the fields.
-bolan_ground_generator bolan_ground_generator_default(void);
+BOLAN_API bolan_ground_generator bolan_ground_generator_default(void);
 
 /// What a sample without a value is.
 typedef enum bolan_raster_nodata {
@@ -187,7 +187,7 @@ typedef struct bolan_raster_desc {
 } bolan_raster_desc;
 
 /// The defaults named above the fields.
-bolan_raster_desc bolan_raster_desc_default(void);
+BOLAN_API bolan_raster_desc bolan_raster_desc_default(void);
 
 /// The ground of a scene, by description.
 typedef struct bolan_ground_source {
@@ -203,7 +203,7 @@ typedef struct bolan_ground_source {
 } bolan_ground_source;
 
 /// The parameters of the structs above.
-extern const bolan_param_table bolan_ground_generator_params, bolan_raster_params, bolan_ground_source_params;
+BOLAN_API extern const bolan_param_table bolan_ground_generator_params, bolan_raster_params, bolan_ground_source_params;
 
 #ifdef __cplusplus
 }

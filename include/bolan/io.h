@@ -30,42 +30,42 @@ typedef struct bolan_io_features {
     bool exr;
 } bolan_io_features;
 /// The formats of this build. Thread-safe.
-bolan_io_features bolan_io_get_features(void);
+BOLAN_API bolan_io_features bolan_io_get_features(void);
 
 // ---- files ----------------------------------------------------------------------------------------------------------
 
 /// Writes a whole file. Symbolic links are followed, also to a name that is not there yet; the mode of a file that is
 /// replaced is kept, hard links to it keep the old content. A device or pipe is opened once and written straight. IO
 /// where it cannot be written, and for a file that has no permission to write for anybody.
-bolan_result bolan_file_write(const char *path, const void *data, size_t size);
+BOLAN_API bolan_result bolan_file_write(const char *path, const void *data, size_t size);
 /// Would a file be written at @p path? Leaves nothing behind; for long work that should fail before it starts. IO if
 /// not.
-bolan_result bolan_file_check_writable(const char *path);
+BOLAN_API bolan_result bolan_file_check_writable(const char *path);
 /// Removes every file and folder of this library that is being written and not finished, and ends the ffmpeg processes.
 /// For a signal handler that ends the program: async-signal-safe, from any thread. No file is written after it: a
 /// thread that tries to waits for ever, so call _exit() next.
-void bolan_files_abandon(void);
+BOLAN_API void bolan_files_abandon(void);
 
 // ---- scenes ---------------------------------------------------------------------------------------------------------
 
 /// Reads a scene: the name of a built-in scene ("island"), or a path to a YAML file of at most 256 KiB. Relative paths
 /// in the file are taken from the file's folder. On failure @p scene is untouched: IO, or FORMAT with file, line and
 /// key (an unknown key, a value outside its range, text that is not YAML).
-bolan_result bolan_scene_load(const char *name_or_path, bolan_scene *scene);
+BOLAN_API bolan_result bolan_scene_load(const char *name_or_path, bolan_scene *scene);
 /// Parses YAML text of @p size bytes; @p name is used in messages; relative paths stay as they are.
-bolan_result bolan_scene_parse(const char *name, const char *text, size_t size, bolan_scene *scene);
+BOLAN_API bolan_result bolan_scene_parse(const char *name, const char *text, size_t size, bolan_scene *scene);
 /// The keys of scene files that are no field of a scene, such as sea.beaufort: what follows from them is worked out when
 /// the file is read. Every other key is in bolan_scene_groups. A NULL table ends the list.
-extern const bolan_param_group bolan_scene_file_groups[];
+BOLAN_API extern const bolan_param_group bolan_scene_file_groups[];
 /// Names of the built-in scenes; NULL past the last.
-const char *bolan_scene_builtin_name(uint32_t index);
+BOLAN_API const char *bolan_scene_builtin_name(uint32_t index);
 
 // ---- worlds ---------------------------------------------------------------------------------------------------------
 
 /// Loads a world: the scene of that name or path, see bolan_scene_load(), and all that it refers to.
 /// @param out receives the world; NULL on failure.
 /// Errors: those of bolan_scene_load() and bolan_world_load_scene().
-bolan_result bolan_world_load(const char *name_or_path, bolan_world **out);
+BOLAN_API bolan_result bolan_world_load(const char *name_or_path, bolan_world **out);
 
 /// Loads what @p scene refers to and makes a world of both.
 /// "builtin:" models and generated grounds come from bolan_content.
@@ -73,7 +73,7 @@ bolan_result bolan_world_load(const char *name_or_path, bolan_world **out);
 /// @param out receives the world; NULL on failure.
 /// Errors: IO, FORMAT, MEMORY, UNSUPPORTED (a format that this build does not have), ARGUMENT (a field of the scene out
 /// of range, an unknown name of a model or a ground).
-bolan_result bolan_world_load_scene(const bolan_scene *scene, bolan_world **out);
+BOLAN_API bolan_result bolan_world_load_scene(const bolan_scene *scene, bolan_world **out);
 
 // ---- models ---------------------------------------------------------------------------------------------------------
 
@@ -92,19 +92,19 @@ typedef struct bolan_model_desc {
 /// are not read. A mesh without normals gets flat ones (glTF 2.0, 3.7.2.1), in other formats smooth ones but for edges
 /// of 45 degrees and more. At most 64 MiB, 8388608 vertices, nodes 64 deep. Errors: IO; FORMAT (a glTF that requires an
 /// extension, no triangle, a vertex that is not finite or beyond 1e7 m); ARGUMENT (offset); MEMORY.
-bolan_result bolan_model_load(const bolan_model_desc *desc, bolan_model **out);
+BOLAN_API bolan_result bolan_model_load(const bolan_model_desc *desc, bolan_model **out);
 
 // ---- tiles ----------------------------------------------------------------------------------------------------------
 
 /// Writes tiles into the new folder @p folder, whole or not at all: index.json and, for each frame NNN from 000,
 /// height_NNN.pgm (16-bit grey: (value - 32768) * height_step metres), normal_NNN.png, detail_NNN.png,
 /// caustics_NNN.png. Row 0 of a picture is row 0 of the tile. IO: it is there already, or cannot be written; MEMORY.
-bolan_result bolan_tiles_save(const bolan_tiles *tiles, const char *folder);
+BOLAN_API bolan_result bolan_tiles_save(const bolan_tiles *tiles, const char *folder);
 /// Would the folder be written? Leaves nothing behind. IO if not.
-bolan_result bolan_tiles_check_writable(const char *folder);
+BOLAN_API bolan_result bolan_tiles_check_writable(const char *folder);
 /// Reads such a folder. Errors: IO; FORMAT with the file and what is wrong with it (index.json is one JSON object with
 /// the numbers that bolan_tiles_save() writes, each once, and nothing else); ARGUMENT, MEMORY.
-bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out);
+BOLAN_API bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out);
 
 // ---- spectra, rasters, points ---------------------------------------------------------------------------------------
 
@@ -112,8 +112,8 @@ bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out);
 /// publishes beside a density are used where they lie beside it: for NAME.data_spec (real time) NAME.swdir, .swdir2,
 /// .swr1, .swr2; for NAMEwYEAR.txt (history) the same name with d, i, j, k. A path that begins with "builtin:" names a
 /// shipped spectrum ("builtin:synthetic-bimodal"). Errors: IO, and those of bolan_measured_spectrum_parse().
-bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options *options,
-                                 bolan_measured_spectrum **out);
+BOLAN_API bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options *options,
+                                           bolan_measured_spectrum **out);
 
 /// Reads part of a raster (any GDAL format; projected or geographic) as elevations on a local grid in metres around
 /// (desc->latitude, longitude): azimuthal equidistant, x east, y north, +-radius. The grid's step follows the raster's
@@ -133,7 +133,7 @@ bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options 
 /// A sea in place of no-data or 0 has a bed that is nowhere above the data around it, and falls off from the coast as a
 /// sandy beach does (Dean 1991: 0.1 m^(1/3) distance^(2/3)), to 50 m. One message of level INFO names what was chosen.
 /// Errors: IO, FORMAT, ARGUMENT (a field of the desc; the place is outside), MEMORY.
-bolan_result bolan_raster_load(const bolan_raster_desc *desc, bolan_ground **out);
+BOLAN_API bolan_result bolan_raster_load(const bolan_raster_desc *desc, bolan_ground **out);
 
 /// A growable list of points.
 typedef struct bolan_points {
@@ -144,19 +144,19 @@ typedef struct bolan_points {
 /// CSV of x,y[,z] [m] with an optional header line, which begins with x; numbers may stand in double quotes; blank
 /// lines and # comments are skipped, numbers may be separated by commas, semicolons or white space. A number that is
 /// missing, not finite or beyond 1e8 m is refused with its line.
-bolan_result bolan_points_parse(const char *name, const char *text, size_t size, bolan_points *out);
+BOLAN_API bolan_result bolan_points_parse(const char *name, const char *text, size_t size, bolan_points *out);
 /// The same from a file. IO where it cannot be read.
-bolan_result bolan_points_load(const char *path, bolan_points *out);
+BOLAN_API bolan_result bolan_points_load(const char *path, bolan_points *out);
 /// Releases the points; NULL-safe, and leaves an empty list.
-void bolan_points_destroy(bolan_points *points);
+BOLAN_API void bolan_points_destroy(bolan_points *points);
 
 // ---- images and video -----------------------------------------------------------------------------------------------
 
 /// 8-bit sRGB, 3 channels, row 0 at the top, to PNG. Width and height 1..16384.
-bolan_result bolan_png_write(const char *path, uint32_t width, uint32_t height, const uint8_t *rgb);
+BOLAN_API bolan_result bolan_png_write(const char *path, uint32_t width, uint32_t height, const uint8_t *rgb);
 /// Reads any image stb_image can, as 8-bit RGB; release with bolan_release(pixels, width * height * 3). Errors: IO;
 /// FORMAT, also for a header that asks for more pixels than the file can hold, or than 16384 each way; MEMORY.
-bolan_result bolan_image_read(const char *path, uint32_t *width, uint32_t *height, uint8_t **rgb);
+BOLAN_API bolan_result bolan_image_read(const char *path, uint32_t *width, uint32_t *height, uint8_t **rgb);
 /// One plane of an EXR; pixels row 0 at the top.
 typedef struct bolan_exr_channel {
     const char *name;
@@ -164,24 +164,25 @@ typedef struct bolan_exr_channel {
 } bolan_exr_channel;
 /// Multi-channel 32-bit float EXR, ZIP compressed. Channels may come in any order; 1..64 of them, with different names.
 /// Errors: ARGUMENT, IO, MEMORY: the file is made in memory first.
-bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height, const bolan_exr_channel *channels,
-                             uint32_t count);
+BOLAN_API bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height,
+                                       const bolan_exr_channel *channels, uint32_t count);
 
 /// A film that is being written.
 typedef struct bolan_video bolan_video;
 /// Could a film be begun? Leaves nothing behind; for long work that should fail before it starts. Errors as for
 /// bolan_video_open().
-bolan_result bolan_video_check(const char *path, uint32_t width, uint32_t height, double fps);
+BOLAN_API bolan_result bolan_video_check(const char *path, uint32_t width, uint32_t height, double fps);
 /// Starts the `ffmpeg` program: .mp4 (H.264, yuv420p) or .webm (VP9) by the suffix. Width and height must be even, @p
 /// fps 1..240. UNSUPPORTED where ffmpeg is not installed; ARGUMENT, also for a device or pipe; MEMORY; IO with ffmpeg's
 /// own words.
-bolan_result bolan_video_open(const char *path, uint32_t width, uint32_t height, double fps, bolan_video **out);
+BOLAN_API bolan_result bolan_video_open(const char *path, uint32_t width, uint32_t height, double fps,
+                                        bolan_video **out);
 /// Appends a frame, rgb as for bolan_png_write(). IO when ffmpeg gave up; then only bolan_video_close() is left to do.
-bolan_result bolan_video_write(bolan_video *video, const uint8_t *rgb);
+BOLAN_API bolan_result bolan_video_write(bolan_video *video, const uint8_t *rgb);
 /// Ends the stream and waits for ffmpeg. The file gets its name when ffmpeg succeeded without a complaint and the
 /// container is complete; otherwise IO, with the first line that ffmpeg said. @p keep false: throws it away. NULL-safe,
 /// NULLs.
-bolan_result bolan_video_close(bolan_video **video, bool keep);
+BOLAN_API bolan_result bolan_video_close(bolan_video **video, bool keep);
 
 #ifdef __cplusplus
 }

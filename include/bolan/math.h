@@ -14,6 +14,8 @@
 #ifndef BOLAN_MATH_H
 #define BOLAN_MATH_H
 
+#include "bolan/base.h"
+
 #include <math.h>
 #include <stdint.h>
 
@@ -52,17 +54,17 @@ typedef struct bolan_mat4 {
 static inline double bolan_radians(double degrees) { return degrees * (BOLAN_PI / 180.0); }
 static inline double bolan_degrees(double radians) { return radians * (180.0 / BOLAN_PI); }
 /// Reduces degrees to [0, 360).
-double bolan_wrap_degrees(double degrees);
+BOLAN_API double bolan_wrap_degrees(double degrees);
 /// Compass degrees a sea comes FROM -> mathematical angle [rad] where it GOES, in [0, 2 pi).
-double bolan_compass_from_to_math(double from_degrees);
+BOLAN_API double bolan_compass_from_to_math(double from_degrees);
 /// Mathematical angle [rad] where a sea goes -> compass degrees it comes FROM, in [0, 360).
-double bolan_math_to_compass_from(double to_radians);
+BOLAN_API double bolan_math_to_compass_from(double to_radians);
 
 /// Sine and cosine of @p x [rad], |x| < 1e6, error < 2 ulp of 1. The same bits on every machine, compiler and
 /// instruction set (no libm, no fused multiply-add); used wherever a result must be reproducible.
-void bolan_sincos(double x, double *sine, double *cosine);
+BOLAN_API void bolan_sincos(double x, double *sine, double *cosine);
 /// The float twin used by the wide kernels: |x| <= 8192, error < 2e-7. Bit-stable likewise.
-void bolan_sincosf(float x, float *sine, float *cosine);
+BOLAN_API void bolan_sincosf(float x, float *sine, float *cosine);
 
 static inline bolan_vec3 bolan_v3(float x, float y, float z) {
     bolan_vec3 v;
@@ -88,19 +90,19 @@ static inline bolan_vec3 bolan_v3_cross(bolan_vec3 a, bolan_vec3 b) {
 static inline float bolan_v3_length(bolan_vec3 a) { return sqrtf(bolan_v3_dot(a, a)); }
 static inline bolan_vec3 bolan_v3_normalize(bolan_vec3 a) { return bolan_v3_scale(a, 1.0f / bolan_v3_length(a)); }
 
-bolan_mat4 bolan_m4_identity(void);                     ///< ones on the diagonal
-bolan_mat4 bolan_m4_mul(bolan_mat4 a, bolan_mat4 b);    ///< a * b: b is applied first
-bolan_mat4 bolan_m4_transpose(bolan_mat4 a);            ///< rows become columns; the inverse of a rotation
-bolan_mat4 bolan_m4_inverse(bolan_mat4 a);              ///< of a regular matrix, computed in double
-bolan_vec4 bolan_m4_mul_v4(bolan_mat4 a, bolan_vec4 v); ///< a * v
+BOLAN_API bolan_mat4 bolan_m4_identity(void);                     ///< ones on the diagonal
+BOLAN_API bolan_mat4 bolan_m4_mul(bolan_mat4 a, bolan_mat4 b);    ///< a * b: b is applied first
+BOLAN_API bolan_mat4 bolan_m4_transpose(bolan_mat4 a);            ///< rows become columns; the inverse of a rotation
+BOLAN_API bolan_mat4 bolan_m4_inverse(bolan_mat4 a);              ///< of a regular matrix, computed in double
+BOLAN_API bolan_vec4 bolan_m4_mul_v4(bolan_mat4 a, bolan_vec4 v); ///< a * v
 /// Rotation from world axes to camera axes. Heading by compass, pitch up, roll clockwise, all in [deg].
-bolan_mat4 bolan_m4_view(double heading_deg, double pitch_deg, double roll_deg);
+BOLAN_API bolan_mat4 bolan_m4_view(double heading_deg, double pitch_deg, double roll_deg);
 /// Reversed-Z projection with an infinite far plane. Depth is near / distance: 1 at the near plane, 0 at infinity.
 /// @param fov_y vertical field of view [rad].
 /// @param aspect width / height.
 /// @param near_m distance of the near plane [m], > 0.
 /// @param zero_to_one true: clip depth is [0, 1] (clip control). False: it is [-1, 1]; window depth is the same.
-bolan_mat4 bolan_m4_projection(double fov_y, double aspect, double near_m, int zero_to_one);
+BOLAN_API bolan_mat4 bolan_m4_projection(double fov_y, double aspect, double near_m, int zero_to_one);
 
 #ifdef __cplusplus
 }

@@ -32,23 +32,23 @@ typedef struct bolan_model_view {
 /// Makes a model of a copy of the arrays.
 /// @param out receives the model; NULL on failure.
 /// Errors: ARGUMENT (an index beyond the last vertex, a vertex that is not finite), MEMORY.
-bolan_result bolan_model_create(const bolan_model_view *view, bolan_model **out);
+BOLAN_API bolan_result bolan_model_create(const bolan_model_view *view, bolan_model **out);
 
 /// Releases the model.
 /// NULL-safe; NULLs the pointer.
-void bolan_model_destroy(bolan_model **model);
+BOLAN_API void bolan_model_destroy(bolan_model **model);
 
 /// A 64-bit hash of all arrays: equal for equal models.
 /// Thread-safe.
-uint64_t bolan_model_id(const bolan_model *model);
+BOLAN_API uint64_t bolan_model_id(const bolan_model *model);
 
 /// The least and the greatest coordinates of the vertices [m].
 /// Thread-safe.
-void bolan_model_bounds(const bolan_model *model, bolan_vec3 *low, bolan_vec3 *high);
+BOLAN_API void bolan_model_bounds(const bolan_model *model, bolan_vec3 *low, bolan_vec3 *high);
 
 /// The arrays of the model.
 /// Thread-safe.
-bolan_model_view bolan_model_get_view(const bolan_model *model);
+BOLAN_API bolan_model_view bolan_model_get_view(const bolan_model *model);
 
 /// Which axis of a model file points up.
 typedef enum bolan_up {

@@ -107,31 +107,31 @@ typedef struct bolan_param_group {
 } bolan_param_group;
 
 /// The row of the field @p field; NULL when there is none.
-const bolan_param *bolan_param_find(const bolan_param_table *table, const char *field);
+BOLAN_API const bolan_param *bolan_param_find(const bolan_param_table *table, const char *field);
 /// The value as a number: of a FLAG 0 or 1, of a NAME or SET the number behind the name, of a TEXT its length.
-double bolan_param_get(const bolan_param *param, const void *desc);
+BOLAN_API double bolan_param_get(const bolan_param *param, const void *desc);
 /// Writes a number to the field; of a TEXT nothing. The range is not checked.
-void bolan_param_set(const bolan_param *param, void *desc, double value);
+BOLAN_API void bolan_param_set(const bolan_param *param, void *desc, double value);
 /// Whether @p value, in the field's unit, lies in the range and obeys the rules.
-bool bolan_param_accepts(const bolan_param *param, double value);
+BOLAN_API bool bolan_param_accepts(const bolan_param *param, double value);
 /// Reads @p size bytes of @p text, as a key or option has them, into the field: in units of the key; names in any case;
 /// a SET as names with commas or blanks between, or "all" or "none". False, and nothing changed or logged, if the text
 /// is no such value or outside the range.
-bool bolan_param_parse(const bolan_param *param, const char *text, size_t size, void *desc);
+BOLAN_API bool bolan_param_parse(const bolan_param *param, const char *text, size_t size, void *desc);
 /// What bolan_param_parse() takes, for messages: "a number from 0 to 70 m/s". Cut to @p capacity bytes.
-void bolan_param_expected(const bolan_param *param, char *out, size_t capacity);
+BOLAN_API void bolan_param_expected(const bolan_param *param, char *out, size_t capacity);
 /// The first row with the dotted key @p path ("sky.clouds.cover"; in a list "objects.scale"), NULL when there is none.
 /// @p count receives how many rows share the key; @p group, unless it is NULL, receives where they stand.
-const bolan_param *bolan_param_find_key(const bolan_param_group *groups, const char *path,
-                                        const bolan_param_group **group, uint32_t *count);
+BOLAN_API const bolan_param *bolan_param_find_key(const bolan_param_group *groups, const char *path,
+                                                  const bolan_param_group **group, uint32_t *count);
 /// Adds the keys of the map @p map, "" for the document, to the text @p words, ", " between them and each once. Cut to
 /// @p capacity bytes.
-void bolan_param_list_keys(const bolan_param_group *groups, const char *map, char *words, size_t capacity);
+BOLAN_API void bolan_param_list_keys(const bolan_param_group *groups, const char *map, char *words, size_t capacity);
 /// Fills the fields of the table with their defaults, and leaves the others.
-void bolan_params_default(const bolan_param_table *table, void *desc);
+BOLAN_API void bolan_params_default(const bolan_param_table *table, void *desc);
 /// Checks every field of the table. At the first that is wrong it logs one sentence that begins with @p where, the
 /// field, the value and what was expected, and returns ARGUMENT.
-bolan_result bolan_params_validate(const bolan_param_table *table, const void *desc, const char *where);
+BOLAN_API bolan_result bolan_params_validate(const bolan_param_table *table, const void *desc, const char *where);
 
 #ifdef __cplusplus
 }

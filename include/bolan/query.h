@@ -38,9 +38,10 @@ typedef struct bolan_query_point {
 /// never on batch, threads or instruction set.
 /// Uses the task hook for large batches. Allocates nothing. Cannot fail; a water that is not valid is misuse.
 /// Thread-safe between steps of the sea: to step it elsewhere meanwhile, query a fork of it (bolan_sea_fork()).
-void bolan_query_surface(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, bolan_query_point *out);
+BOLAN_API void bolan_query_surface(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count,
+                                   bolan_query_point *out);
 /// Heights alone [m above the datum], count floats. Otherwise like bolan_query_surface().
-void bolan_query_heights(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, float *height);
+BOLAN_API void bolan_query_heights(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, float *height);
 
 #ifdef __cplusplus
 }

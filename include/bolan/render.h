@@ -50,18 +50,18 @@ typedef enum bolan_gl_api { BOLAN_GL_CORE, BOLAN_GL_ES } bolan_gl_api;
 /// An OpenGL context of our own, without a window. Belongs to one thread at a time.
 typedef struct bolan_context bolan_context;
 /// A context without a window (EGL surfaceless), made current on this thread. GL: when there is none.
-bolan_result bolan_context_create(bolan_gl_api api, bolan_context **out);
+BOLAN_API bolan_result bolan_context_create(bolan_gl_api api, bolan_context **out);
 /// Makes it current on this thread.
-void bolan_context_make_current(bolan_context *context);
+BOLAN_API void bolan_context_make_current(bolan_context *context);
 /// NULL-safe; NULLs. Whatever was made in it must be gone before.
-void bolan_context_destroy(bolan_context **context);
+BOLAN_API void bolan_context_destroy(bolan_context **context);
 /// Name, version and so on of the current context: static strings, "" without one.
 typedef struct bolan_gl_info {
     const char *renderer, *vendor, *version, *shading_language;
     bool software, clip_control;
 } bolan_gl_info;
 /// Asks the context that is current on this thread.
-bolan_gl_info bolan_gl_get_info(void);
+BOLAN_API bolan_gl_info bolan_gl_get_info(void);
 
 /// Called after each step of a preparation that takes a while: @p done of @p total steps.
 typedef void bolan_progress(void *user, uint32_t done, uint32_t total);
@@ -88,16 +88,16 @@ typedef struct bolan_renderer_desc {
 } bolan_renderer_desc;
 
 /// The defaults named beside the fields.
-bolan_renderer_desc bolan_renderer_desc_default(void);
+BOLAN_API bolan_renderer_desc bolan_renderer_desc_default(void);
 /// Needs a current context. Errors: GL (no context, one older than OpenGL 3.3 or OpenGL ES 3.0, a shader that does not
 /// compile), ARGUMENT (a field out of range: the log names it), UNSUPPORTED (OpenGL ES without float targets), MEMORY.
 /// *out is NULL after an error.
-bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out);
+BOLAN_API bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out);
 /// NULL-safe; NULLs. The context must be current. Without any, the log says so and only the memory of the processor is
 /// released: that of the GPU goes with its context.
-void bolan_renderer_destroy(bolan_renderer **renderer);
+BOLAN_API void bolan_renderer_destroy(bolan_renderer **renderer);
 /// Compiles the shaders again from shader_directory; on an error the old ones stay and GL is returned.
-bolan_result bolan_renderer_reload(bolan_renderer *renderer);
+BOLAN_API bolan_result bolan_renderer_reload(bolan_renderer *renderer);
 
 // ---- light from your engine -----------------------------------------------------------------------------------------
 
@@ -128,7 +128,7 @@ typedef struct bolan_environment {
 
 /// The defaults named above.
 /// Thread-safe.
-bolan_environment bolan_environment_default(void);
+BOLAN_API bolan_environment bolan_environment_default(void);
 
 /// Who adds the haze between the eye and the water.
 typedef enum bolan_haze_kind {
@@ -169,10 +169,10 @@ typedef struct bolan_lighting {
 
 /// The sky, technique and shading options of bolan_scene_default().
 /// Thread-safe.
-bolan_lighting bolan_lighting_default(void);
+BOLAN_API bolan_lighting bolan_lighting_default(void);
 /// Those of @p scene.
 /// Thread-safe.
-bolan_lighting bolan_lighting_from_scene(const bolan_scene *scene);
+BOLAN_API bolan_lighting bolan_lighting_from_scene(const bolan_scene *scene);
 
 /// Takes a step of the water: uploads its fields unless those of the same serial are on the GPU already.
 /// An unchanged step costs nothing.
@@ -180,7 +180,8 @@ bolan_lighting bolan_lighting_from_scene(const bolan_scene *scene);
 /// @p water and what it points to are borrowed until then.
 /// No current context, a sea that is NULL or of another wave model than `lighting.technique.waves`, a number out of
 /// range: nothing is prepared, and the log says why, once.
-void bolan_renderer_prepare(bolan_renderer *renderer, const bolan_water *water, const bolan_lighting *lighting);
+BOLAN_API void bolan_renderer_prepare(bolan_renderer *renderer, const bolan_water *water,
+                                      const bolan_lighting *lighting);
 
 // ---- a view ---------------------------------------------------------------------------------------------------------
 
@@ -189,9 +190,9 @@ void bolan_renderer_prepare(bolan_renderer *renderer, const bolan_water *water, 
 /// Belongs to its renderer and to its context.
 typedef struct bolan_view_cache bolan_view_cache;
 /// Makes an empty cache. Errors: GL, MEMORY. *out is NULL after an error.
-bolan_result bolan_view_cache_create(bolan_renderer *renderer, bolan_view_cache **out);
+BOLAN_API bolan_result bolan_view_cache_create(bolan_renderer *renderer, bolan_view_cache **out);
 /// NULL-safe; NULLs. The context must be current. Call it before the renderer is destroyed.
-void bolan_view_cache_destroy(bolan_view_cache **cache);
+BOLAN_API void bolan_view_cache_destroy(bolan_view_cache **cache);
 
 /// What is written into the framebuffer.
 typedef enum bolan_output {
@@ -242,17 +243,17 @@ typedef struct bolan_view {
 
 /// The defaults named above, 10 m over the datum, looking north with a vertical field of view of 50 degrees.
 /// Thread-safe.
-bolan_view bolan_view_default(void);
+BOLAN_API bolan_view bolan_view_default(void);
 /// The view of @p camera into a picture of that size, into the window.
 /// Thread-safe.
-bolan_view bolan_view_from_camera(const bolan_camera *camera, uint32_t width, uint32_t height);
+BOLAN_API bolan_view bolan_view_from_camera(const bolan_camera *camera, uint32_t width, uint32_t height);
 
 // ---- a whole world ---------------------------------------------------------------------------------------------------
 
 /// Prepares the step of @p world and draws all of it, sky, ground, objects and water, from @p view.
 /// An unchanged step is not uploaded again, so that any number of views may follow.
 /// A view or framebuffer that cannot be drawn, no current context: nothing is drawn, and the log says why, once.
-void bolan_renderer_draw_world(bolan_renderer *renderer, const bolan_world *world, const bolan_view *view);
+BOLAN_API void bolan_renderer_draw_world(bolan_renderer *renderer, const bolan_world *world, const bolan_view *view);
 
 // ---- into a host's frame ----------------------------------------------------------------------------------------------
 
@@ -275,7 +276,7 @@ typedef struct bolan_host {
 /// The host's scene is refracted, absorbed and mirrored (screen-space) through its two textures.
 /// `samples` is not used: draw with `jitter`, or into a multisampled framebuffer.
 /// No step prepared, a view or texture that is none, no current context: nothing is drawn, and the log says why, once.
-void bolan_renderer_draw_water(bolan_renderer *renderer, const bolan_view *view, const bolan_host *host);
+BOLAN_API void bolan_renderer_draw_water(bolan_renderer *renderer, const bolan_view *view, const bolan_host *host);
 
 /// What to draw, and where.
 typedef struct bolan_frame_desc {
@@ -292,35 +293,35 @@ typedef struct bolan_frame_desc {
     bool progressive;       ///< as of bolan_view
 } bolan_frame_desc;
 /// One sample, everything else 0 or NULL: set scene, sea, width and height.
-bolan_frame_desc bolan_frame_desc_default(void);
+BOLAN_API bolan_frame_desc bolan_frame_desc_default(void);
 /// The default with everything that stands in @p world at its present time; set width and height. Valid until the world
 /// is stepped or changed.
-bolan_frame_desc bolan_frame_desc_of_world(const bolan_world *world);
+BOLAN_API bolan_frame_desc bolan_frame_desc_of_world(const bolan_world *world);
 /// Draws one picture of the scene's camera: prepares the step, and draws the world from it. A field out of range, a
 /// technique whose wave model is not the sea's, a framebuffer that is none or not complete, or no current context:
 /// nothing is drawn and the log says why, once. An eye below the water or within 0.3 m of it is lifted to 0.3 m above,
 /// unless the technique's optics is BOLAN_OPTICS_MIRROR, which has views from below. After the first frames nothing is
 /// allocated unless the size, the terrain or the sea changes.
-void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame);
+BOLAN_API void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame);
 
 /// Whether the last frame showed something that was baked for another light. Only the optics MIRROR bakes: loops of its
 /// waves with the light on the bottom. It bakes them when a frame with another sea, water or mode is prepared, and again
 /// when the sun has turned by 8 degrees. A view with bolan_view.progressive never bakes for the sun: it keeps the old
 /// light, and this returns true.
-bool bolan_renderer_needs_baking(const bolan_renderer *renderer);
+BOLAN_API bool bolan_renderer_needs_baking(const bolan_renderer *renderer);
 /// Lets the next view bake, which takes up to some seconds.
-void bolan_renderer_bake(bolan_renderer *renderer);
+BOLAN_API void bolan_renderer_bake(bolan_renderer *renderer);
 
 /// Radiance and distance of the last picture. @p rgb: linear radiance before the tone map, relative to a sun irradiance
 /// of 1 in space at normal incidence; the mean over the picture's samples. @p distance: from the eye along the view
 /// axis, at the middle of the pixel [m]; infinity is the sky. Row 0 at the top. Each pointer may be NULL; the buffers
 /// hold width * height * 3 and width * height floats. Before the first picture, or without a context, they are left
 /// alone (logged once). Memory is allocated only when the picture has grown since the last reading.
-void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, float *distance);
+BOLAN_API void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, float *distance);
 /// The 8-bit picture of @p framebuffer, row 0 at the top: width * height * 3 bytes. It must be complete, with one
 /// sample a pixel and colours that can be read as bytes; else @p rgb is left alone (logged once).
-void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, uint32_t width, uint32_t height,
-                              uint8_t *rgb);
+BOLAN_API void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, uint32_t width, uint32_t height,
+                                        uint8_t *rgb);
 
 // ---- the fields of the sea in programs of yours ---------------------------------------------------------------------
 
@@ -332,14 +333,15 @@ void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, ui
 /// Put it into your shader below its version line.
 /// It is also installed, as share/bolan/shaders/bolan_fields.glsl.
 /// Static storage. Thread-safe.
-const char *bolan_fields_glsl(void);
+BOLAN_API const char *bolan_fields_glsl(void);
 
 /// Sets the samplers and the uniform block of bolan_fields.glsl in your linked @p program: 4 texture units from
 /// @p first_unit on, and the uniform buffer slot @p slot.
 /// Call it once after linking, not in each frame.
 /// Errors: ARGUMENT (no linked program, one that uses no fields, units or a slot that the context has not; logged).
 /// Leaves all other state as it was.
-bolan_result bolan_renderer_link_fields(bolan_renderer *renderer, uint32_t program, uint32_t first_unit, uint32_t slot);
+BOLAN_API bolan_result bolan_renderer_link_fields(bolan_renderer *renderer, uint32_t program, uint32_t first_unit,
+                                                  uint32_t slot);
 
 /// Binds the fields of @p water, its layers among them, for all programs linked with these units and this slot.
 /// @p water must be valid: bolan_water_is_valid(). @p origin: the world point that positions in your shader are
@@ -348,22 +350,22 @@ bolan_result bolan_renderer_link_fields(bolan_renderer *renderer, uint32_t progr
 /// The texture bindings and the slot stay as set here, and sampler objects of these units are unbound.
 /// All other state is left as it was. Later draws of this renderer keep them.
 /// Allocates nothing after the first call unless the size of the sea changes.
-void bolan_renderer_bind_fields(bolan_renderer *renderer, const bolan_water *water, bolan_dvec3 origin,
-                                uint32_t first_unit, uint32_t slot);
+BOLAN_API void bolan_renderer_bind_fields(bolan_renderer *renderer, const bolan_water *water, bolan_dvec3 origin,
+                                          uint32_t first_unit, uint32_t slot);
 
 /// An off-screen colour target of 8-bit sRGB values for callers without one.
 typedef struct bolan_target bolan_target;
 /// Makes a target of @p width x @p height pixels, 1..16384 each, in the current context. Errors: ARGUMENT (another
 /// size), GL (as for a renderer), MEMORY. *out is NULL after an error.
-bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out);
+BOLAN_API bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out);
 /// Its GL framebuffer name, for bolan_frame_desc::framebuffer.
-uint32_t bolan_target_framebuffer(const bolan_target *target);
+BOLAN_API uint32_t bolan_target_framebuffer(const bolan_target *target);
 /// Copies the picture into the whole of @p framebuffer (GL name; 0 is the window), which is @p width x @p height
 /// pixels, scaled with bilinear filtering where the sizes differ. A framebuffer that cannot be drawn into, or a size
 /// that is not 1..16384 each way: nothing is copied (logged once).
-void bolan_target_show(bolan_target *target, uint32_t framebuffer, uint32_t width, uint32_t height);
+BOLAN_API void bolan_target_show(bolan_target *target, uint32_t framebuffer, uint32_t width, uint32_t height);
 /// NULL-safe; NULLs. The context must be current; see bolan_renderer_destroy().
-void bolan_target_destroy(bolan_target **target);
+BOLAN_API void bolan_target_destroy(bolan_target **target);
 
 #define BOLAN_MAX_PASSES 16 ///< of a frame
 /// Time of each pass of the last finished frame [ms], while @ref bolan_renderer_measure_passes is on; else 0. With
@@ -383,12 +385,12 @@ typedef struct bolan_frame_statistics {
 /// Measures the time of each pass; default off. By GPU timestamps, which disturb no query of yours, are some frames old
 /// when they come, and are never waited for; without them (software OpenGL, OpenGL ES) by glFinish() after each pass,
 /// which slows the frame.
-void bolan_renderer_measure_passes(bolan_renderer *renderer, bool on);
+BOLAN_API void bolan_renderer_measure_passes(bolan_renderer *renderer, bool on);
 /// Of the last finished frame.
-bolan_frame_statistics bolan_renderer_statistics(const bolan_renderer *renderer);
+BOLAN_API bolan_frame_statistics bolan_renderer_statistics(const bolan_renderer *renderer);
 /// The yardstick of the benchmarks: a full-screen pass of 6 bilinear RGBA16F look-ups at this size, mean of @p repeats
 /// [ms].
-double bolan_renderer_yardstick(bolan_renderer *renderer, uint32_t width, uint32_t height, uint32_t repeats);
+BOLAN_API double bolan_renderer_yardstick(bolan_renderer *renderer, uint32_t width, uint32_t height, uint32_t repeats);
 
 #ifdef __cplusplus
 }

@@ -64,7 +64,8 @@ typedef struct bolan_sky {
 /// @param elevation receives the elevation [deg] without refraction.
 /// Within 0.02 deg for the years 1950 to 2050.
 /// Source: the Astronomical Almanac's low-precision sun (Michalsky, Solar Energy 40, 1988).
-void bolan_sun_position(double unix_time, double latitude, double longitude, double *azimuth, double *elevation);
+BOLAN_API void bolan_sun_position(double unix_time, double latitude, double longitude, double *azimuth,
+                                  double *elevation);
 
 /// The water's colour and its level.
 typedef struct bolan_seawater {
@@ -144,13 +145,14 @@ typedef struct bolan_scene {
 } bolan_scene;
 
 /// The parameters of the structs above; those of the wind sea are fields of bolan_scene.
-extern const bolan_param_table bolan_camera_params, bolan_camera_key_params, bolan_sky_params, bolan_seawater_params;
-extern const bolan_param_table bolan_object_params, bolan_scene_params, bolan_wind_sea_params;
+BOLAN_API extern const bolan_param_table bolan_camera_params, bolan_camera_key_params, bolan_sky_params,
+    bolan_seawater_params;
+BOLAN_API extern const bolan_param_table bolan_object_params, bolan_scene_params, bolan_wind_sea_params;
 /// Where they stand in a scene and in the maps of a scene file; a NULL table ends the list.
-extern const bolan_param_group bolan_scene_groups[];
+BOLAN_API extern const bolan_param_group bolan_scene_groups[];
 
 /// A scene with every default: open sea, wind 8 m/s, camera 3 m up, sun 35 degrees high.
-bolan_scene bolan_scene_default(void);
+BOLAN_API bolan_scene bolan_scene_default(void);
 
 /// Gives the scene another wind of @p wind_speed [m/s] FROM @p from_deg [deg].
 /// The wind sea is built anew from the wind, scene->fetch, and the technique's spectrum or scene->wind_spectrum.
@@ -158,25 +160,25 @@ bolan_scene bolan_scene_default(void);
 /// The wind sea is the wave system with a wind_speed above 0.
 /// With a spectrum file the waves are those of the file, and the wind only roughens them.
 /// bolan_scene_validate() checks the values.
-void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg);
+BOLAN_API void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg);
 
 /// Gives the scene another technique.
 /// The wave model of the sea follows; the wind sea is built anew where the technique changes its spectrum.
-void bolan_scene_set_technique(bolan_scene *scene, const bolan_technique *technique);
+BOLAN_API void bolan_scene_set_technique(bolan_scene *scene, const bolan_technique *technique);
 
 /// The camera at @p time [s]: on the path through the keys, or scene->camera where there are no keys.
 /// Before the first key and after the last the camera stands still.
 /// The path is smooth and overshoots no key (monotone cubic pieces, Fritsch & Carlson 1980).
 /// Headings turn the short way.
-bolan_camera bolan_scene_camera_at(const bolan_scene *scene, double time);
+BOLAN_API bolan_camera bolan_scene_camera_at(const bolan_scene *scene, double time);
 
 /// The desc of the scene's sea with the options of scene->look applied.
 /// In paper mode the sea takes the choices of the papers: sharpness 1, equal width of frequencies.
-bolan_sea_desc bolan_scene_sea_desc(const bolan_scene *scene);
+BOLAN_API bolan_sea_desc bolan_scene_sea_desc(const bolan_scene *scene);
 
 /// Checks every field against its range.
 /// Logs a sentence that names the first field out of range, and returns ARGUMENT.
-bolan_result bolan_scene_validate(const bolan_scene *scene);
+BOLAN_API bolan_result bolan_scene_validate(const bolan_scene *scene);
 
 #ifdef __cplusplus
 }

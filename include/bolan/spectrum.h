@@ -24,11 +24,11 @@ extern "C" {
 
 /// w(k): w^2 = (g k + (sigma/rho) k^3) tanh(k h). @p k wave number [rad/m] >= 0, @p depth [m] > 0. [rad/s]
 /// Linear theory of gravity-capillary waves over a flat bottom.
-double bolan_omega_from_k(double k, double depth);
+BOLAN_API double bolan_omega_from_k(double k, double depth);
 /// The inverse, to 1e-12 relative (Guo 2002, eq. 13, as first guess, then Newton). @p omega [rad/s] >= 0. [rad/m]
-double bolan_k_from_omega(double omega, double depth);
+BOLAN_API double bolan_k_from_omega(double omega, double depth);
 /// Group speed dw/dk [m/s] at wave number k > 0.
-double bolan_group_speed(double k, double depth);
+BOLAN_API double bolan_group_speed(double k, double depth);
 
 // ---- model spectra --------------------------------------------------------------------------------------------------
 
@@ -45,7 +45,7 @@ typedef enum bolan_spectrum_kind {
 #define BOLAN_SPECTRUM_KINDS 4
 /// The names that the command line and scene files use, "pierson-moskowitz" ...; by bolan_spectrum_kind.
 /// NULL at the end.
-extern const char *const bolan_spectrum_kind_names[BOLAN_SPECTRUM_KINDS + 1];
+BOLAN_API extern const char *const bolan_spectrum_kind_names[BOLAN_SPECTRUM_KINDS + 1];
 
 /// The shape of a spectrum in direction.
 typedef enum bolan_spreading_kind {
@@ -101,9 +101,9 @@ typedef struct bolan_sea_state {
 } bolan_sea_state;
 
 /// The parameters of a bolan_sea_state beside its systems, and of one system.
-extern const bolan_param_table bolan_sea_state_params, bolan_wave_system_params;
+BOLAN_API extern const bolan_param_table bolan_sea_state_params, bolan_wave_system_params;
 /// A flat calm over deep water: no systems, no wind.
-bolan_sea_state bolan_sea_state_default(void);
+BOLAN_API bolan_sea_state bolan_sea_state_default(void);
 /// A wind sea: JONSWAP by wind and fetch, limited to the fully developed Pierson-Moskowitz sea.
 /// @param wind_speed U10 [m/s], 0..70; a value outside is kept for bolan_sea_state_validate() to refuse.
 /// @param from_deg where the wind comes FROM, compass [deg].
@@ -114,7 +114,7 @@ bolan_sea_state bolan_sea_state_default(void);
 /// Hs grows with the fetch up to that of the fully developed sea, 0.209 (1.026 U10)^2 / g.
 /// Hs arrives there at 0.63 of the fetch at which the peak arrives. Hs is at most 40 m.
 /// No wind, no fetch, or a peak above 50 rad/s (ripples) give no system.
-bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, double fetch);
+BOLAN_API bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, double fetch);
 
 /// The wind sea of a Phillips spectrum, on the half plane that the wind blows to:
 /// Psi(k) = 2 A exp(-1/(kL)^2) k^-4 cos^2(th) e^{-k^2 l^2}, L = U10^2/g, l = L/1000.
@@ -123,13 +123,13 @@ bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, do
 /// A = 0.0081/(2 pi) gives the tail of Pierson-Moskowitz and Hs = 0.18 U10^2/g.
 /// In deep water the shape is that of Pierson-Moskowitz, with the peak at (4/5)^(1/4) g/U10.
 /// Arguments and limits are those of bolan_sea_state_from_wind().
-bolan_sea_state bolan_sea_state_from_phillips(double wind_speed, double from_deg);
+BOLAN_API bolan_sea_state bolan_sea_state_from_phillips(double wind_speed, double from_deg);
 
 /// The wind sea of a Beaufort number 0..12 (v = 0.836 B^1.5), fully developed. Other numbers are misuse.
-bolan_sea_state bolan_sea_state_from_beaufort(double beaufort, double from_deg);
+BOLAN_API bolan_sea_state bolan_sea_state_from_beaufort(double beaufort, double from_deg);
 /// The sea of a Douglas / WMO 3700 degree 0..9: Hs in the middle of the class (16 m for 9, which has no upper bound),
 /// PM shape, and the wind that raises it. Other degrees are misuse.
-bolan_sea_state bolan_sea_state_from_douglas(int degree, double from_deg);
+BOLAN_API bolan_sea_state bolan_sea_state_from_douglas(int degree, double from_deg);
 /// Adds a swell: JONSWAP with gamma 5 (Goda 2010: 3..10 for swell) and cos-2s spreading.
 /// @param hs significant height [m].
 /// @param tp peak period [s].
@@ -137,10 +137,10 @@ bolan_sea_state bolan_sea_state_from_douglas(int degree, double from_deg);
 /// @param spread_s exponent s of cos-2s; 25..75 is usual.
 /// Errors: ARGUMENT with a sentence, when the list is full or a value is outside its range.
 /// The sea state is then unchanged.
-bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, double tp, double from_deg,
-                                       double spread_s);
+BOLAN_API bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, double tp, double from_deg,
+                                                 double spread_s);
 /// Checks every field against its range; logs a sentence and returns ARGUMENT at the first that is not.
-bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state);
+BOLAN_API bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state);
 
 /// Factors on the height, in (0, 1], with which water of this depth can carry the waves; 1: nothing is too high.
 /// bolan_sea_create() applies the smaller factor to all waves and warns.
@@ -154,22 +154,22 @@ typedef struct bolan_sea_limit {
     double by_steepness;
 } bolan_sea_limit;
 /// The limits of a valid sea state. Integrates the whole spectrum: milliseconds. Thread-safe.
-bolan_sea_limit bolan_sea_state_limit(const bolan_sea_state *sea_state);
+BOLAN_API bolan_sea_limit bolan_sea_state_limit(const bolan_sea_state *sea_state);
 
 /// S(w) of one system [m2 s/rad], integrated over direction, in water of @p depth [m] (TMA only); 0 at @p omega <= 0.
 /// S = (5/16) Hs^2 wp^4 C(gamma) w^-5 exp(-1.25 (wp/w)^4) gamma^r, with C by quadrature, so that 4 sqrt(m0) is Hs
 /// exactly.
-double bolan_system_density(const bolan_wave_system *system, double omega, double depth);
+BOLAN_API double bolan_system_density(const bolan_wave_system *system, double omega, double depth);
 /// D(w, th) [1/rad]: @p theta is the angle from the system's mean direction [rad]. Integrates to 1, swell factor
 /// included.
-double bolan_system_spreading(const bolan_wave_system *system, double omega, double theta);
+BOLAN_API double bolan_system_spreading(const bolan_wave_system *system, double omega, double theta);
 /// S(w, th) of the whole sea [m2 s/rad per rad]. A measured spectrum is interpolated bilinearly, which conserves its
 /// m0, and is 0 outside its frequencies.
-double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta);
+BOLAN_API double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta);
 /// Psi(kx, ky) = S(w, th) (dw/dk) / k [m4]: variance density over wave vectors that point where the waves go.
 /// Includes the w^-5 tail that continues a measured spectrum above its last frequency, so that the synthesised sea
 /// has short waves: level of its last band with energy, directions of its last three such bands. 0 at k = 0.
-double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, double kx, double ky);
+BOLAN_API double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, double kx, double ky);
 
 /// Integral parameters of a sea state. A calm has zeros, and the wind's direction.
 typedef struct bolan_sea_summary {
@@ -182,16 +182,16 @@ typedef struct bolan_sea_summary {
     double spread_deg; ///< circular spread sqrt(2 (1 - r1)) [deg]
 } bolan_sea_summary;
 /// Integrates the whole spectrum: milliseconds. Thread-safe.
-bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state);
+BOLAN_API bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state);
 
 /// Slope variance of a clean surface, upwind and crosswind, by Cox & Munk (1954): 3.16e-3 U and 0.003 + 1.92e-3 U.
 /// The published errors are +- 0.004 and 0.002.
 /// Below 0.72 m/s the constant 0.003 fades, so that a calm is flat.
 /// @param wind_speed U at 12.5 m [m/s].
-void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cross);
+BOLAN_API void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cross);
 /// Fraction covered by whitecaps, by Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41; 0 without wind.
 /// It is limited to 0.95, reached at 38 m/s: the published winds end at 17 m/s, and a hurricane leaves water uncovered.
-double bolan_monahan_cover(double wind_speed);
+BOLAN_API double bolan_monahan_cover(double wind_speed);
 
 // ---- sea-state tables -----------------------------------------------------------------------------------------------
 
@@ -208,10 +208,10 @@ typedef struct bolan_beaufort_row {
     double wave_height;        ///< probable, open sea [m]
     const char *name;
 } bolan_beaufort_row;
-extern const bolan_douglas_row bolan_douglas_table[10];   ///< WMO code 3700; a bound belongs to the lower class
-extern const bolan_beaufort_row bolan_beaufort_table[13]; ///< WMO; probable wave height
-int bolan_douglas_from_hs(double hs);                     ///< 0..9
-int bolan_beaufort_from_wind(double wind_speed);          ///< 0..12
+BOLAN_API extern const bolan_douglas_row bolan_douglas_table[10]; ///< WMO code 3700; a bound belongs to the lower class
+BOLAN_API extern const bolan_beaufort_row bolan_beaufort_table[13]; ///< WMO; probable wave height
+BOLAN_API int bolan_douglas_from_hs(double hs);                     ///< 0..9
+BOLAN_API int bolan_beaufort_from_wind(double wind_speed);          ///< 0..12
 
 // ---- measured spectra -----------------------------------------------------------------------------------------------
 
@@ -253,14 +253,14 @@ typedef struct bolan_spectrum_texts {
 } bolan_spectrum_texts;
 
 /// No text.
-bolan_spectrum_texts bolan_spectrum_texts_default(void);
+BOLAN_API bolan_spectrum_texts bolan_spectrum_texts_default(void);
 /// How many tables NDBC publishes beside a density: swdir, swdir2, swr1, swr2.
 #define BOLAN_SPECTRUM_COMPANIONS 4
 /// Name of the file of table @p index, in the order of bolan_spectrum_texts, that belongs to the density @p path: for
 /// NAME.data_spec (real time) NAME.swdir, .swdir2, .swr1, .swr2; for NAMEwYEAR.txt (history) the same name with d, i,
 /// j, k. False, and @p out is "", where @p path is no name of that kind or @p capacity is too small. Reads no file.
 /// Thread-safe.
-bool bolan_spectrum_companion(const char *path, uint32_t index, char *out, size_t capacity);
+BOLAN_API bool bolan_spectrum_companion(const char *path, uint32_t index, char *out, size_t capacity);
 
 /// What to read of a measured spectrum, and what stands in for what it lacks.
 typedef struct bolan_spectrum_options {
@@ -284,23 +284,24 @@ typedef struct bolan_spectrum_options {
 } bolan_spectrum_options;
 
 /// The parameters of bolan_spectrum_options that are numbers; the others are read by the functions below.
-extern const bolan_param_table bolan_spectrum_options_params;
+BOLAN_API extern const bolan_param_table bolan_spectrum_options_params;
 /// The defaults named beside the fields.
-bolan_spectrum_options bolan_spectrum_options_default(void);
+BOLAN_API bolan_spectrum_options bolan_spectrum_options_default(void);
 /// Reads "3" or "2018-01-01T06:00" into record and time. False, and nothing changed or logged, if it is neither.
-bool bolan_spectrum_options_set_record(bolan_spectrum_options *options, const char *text);
+BOLAN_API bool bolan_spectrum_options_set_record(bolan_spectrum_options *options, const char *text);
 /// Reads "2" or "174.67,-38.17" into location and place. False, and nothing changed or logged, if it is neither.
-bool bolan_spectrum_options_set_location(bolan_spectrum_options *options, const char *text);
+BOLAN_API bool bolan_spectrum_options_set_location(bolan_spectrum_options *options, const char *text);
 /// Checks every field against its range; logs a sentence and returns ARGUMENT at the first that is not.
-bolan_result bolan_spectrum_options_validate(const bolan_spectrum_options *options);
+BOLAN_API bolan_result bolan_spectrum_options_validate(const bolan_spectrum_options *options);
 
 /// Parses one record. The texts are not kept; @p options NULL: the defaults. On failure @p out is NULL and one sentence
 /// with name and line is logged: FORMAT, also for a location without data or a sea that cannot be; MEMORY; or ARGUMENT
 /// for options outside their ranges or beyond what the text holds.
-bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                           bolan_measured_spectrum **out);
+BOLAN_API bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts,
+                                                     const bolan_spectrum_options *options,
+                                                     bolan_measured_spectrum **out);
 /// NULL-safe; NULLs the pointer.
-void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectrum);
+BOLAN_API void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectrum);
 
 /// Read-only view: frequencies [rad/s], directions (mathematical, TO) [rad] ascending with constant step 2 pi /
 /// direction_count, density[frequency * direction_count + direction] [m2 s/rad per rad].
@@ -311,7 +312,7 @@ typedef struct bolan_measured_view {
     const char *time;
 } bolan_measured_view;
 /// Valid while the spectrum lives. Thread-safe.
-bolan_measured_view bolan_measured_spectrum_view(const bolan_measured_spectrum *spectrum);
+BOLAN_API bolan_measured_view bolan_measured_spectrum_view(const bolan_measured_spectrum *spectrum);
 
 #ifdef __cplusplus
 }

@@ -20,7 +20,7 @@ typedef enum bolan_surface_kind {
 /// Number of surface kinds.
 #define BOLAN_SURFACE_KINDS 3
 /// The names that the command line and scene files use, "projected" ...; by bolan_surface_kind, NULL at the end.
-extern const char *const bolan_surface_kind_names[BOLAN_SURFACE_KINDS + 1];
+BOLAN_API extern const char *const bolan_surface_kind_names[BOLAN_SURFACE_KINDS + 1];
 
 /// The view that the surface must cover.
 typedef struct bolan_surface_view {
@@ -69,7 +69,7 @@ typedef struct bolan_surface_desc {
 } bolan_surface_desc;
 
 /// The defaults named above the fields.
-bolan_surface_desc bolan_surface_desc_default(void);
+BOLAN_API bolan_surface_desc bolan_surface_desc_default(void);
 
 /// The size of a grid of vertices: vertices[row * columns + column].
 /// Rows run from near to far, columns clockwise.
@@ -82,8 +82,8 @@ typedef struct bolan_surface_size {
 /// Writes the projected grid of a view.
 /// @param vertices receives the grid; its capacity is desc->max_vertices.
 /// Pure, thread-safe, allocates nothing.
-bolan_surface_size bolan_surface_projected(const bolan_surface_desc *desc, const bolan_surface_view *view,
-                                           bolan_surface_vertex *vertices);
+BOLAN_API bolan_surface_size bolan_surface_projected(const bolan_surface_desc *desc, const bolan_surface_view *view,
+                                                     bolan_surface_vertex *vertices);
 
 /// The projector of bolan_surface_projected() for one view: a map from the unit square to mean water in closed form.
 /// With it a vertex shader can place a static grid on the water (Ni, Zhang & Tan, after Johanson 2004).
@@ -107,18 +107,19 @@ typedef struct bolan_surface_projector {
 
 /// The projector of a view.
 /// Pure, thread-safe.
-bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *view);
+BOLAN_API bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *view);
 
 /// Writes the projector's grid of @p size, in the order of bolan_surface_projected().
 /// @param size columns and rows, each at least 2.
 /// Pure, thread-safe.
-void bolan_surface_projector_vertices(const bolan_surface_projector *projector, bolan_surface_size size,
-                                      bolan_surface_vertex *vertices);
+BOLAN_API void bolan_surface_projector_vertices(const bolan_surface_projector *projector, bolan_surface_size size,
+                                                bolan_surface_vertex *vertices);
 
 /// The projector as the uniforms of a vertex shader; the twin is grid_point() in shaders/common/grid.glsl.
 /// @param out near_parameter, range, height, above, azimuth of the middle (snapped to the columns), half, guard, earth
 /// radius.
-void bolan_surface_projector_uniforms(const bolan_surface_projector *projector, bolan_surface_size size, float out[8]);
+BOLAN_API void bolan_surface_projector_uniforms(const bolan_surface_projector *projector, bolan_surface_size size,
+                                                float out[8]);
 
 /// Writes the quad: a square round the point under the eye, on the flat plane of mean water.
 /// A side is as long as the distance to the horizon.
@@ -127,9 +128,9 @@ void bolan_surface_projector_uniforms(const bolan_surface_projector *projector, 
 /// @param vertices south-west, south-east, north-west, north-east.
 /// Pure, thread-safe.
 /// Source: Ma, Zhu & Gong 2006, section 2.1.
-void bolan_surface_quad(const bolan_surface_view *view, bolan_surface_vertex vertices[4]);
+BOLAN_API void bolan_surface_quad(const bolan_surface_view *view, bolan_surface_vertex vertices[4]);
 /// The 6 indices of the quad, counter-clockwise seen from above.
-extern const uint32_t bolan_surface_quad_indices[6];
+BOLAN_API extern const uint32_t bolan_surface_quad_indices[6];
 
 // ---- nested grids ---------------------------------------------------------------------------------------------------
 
@@ -150,7 +151,7 @@ typedef struct bolan_nested_desc {
     double spacing;
 } bolan_nested_desc;
 /// The defaults named above the fields.
-bolan_nested_desc bolan_nested_desc_default(void);
+BOLAN_API bolan_nested_desc bolan_nested_desc_default(void);
 
 /// The place of one level: vertex (i, j) stands at (x0 + i d, y0 + j d), d the spacing.
 typedef struct bolan_nested_level {
@@ -184,10 +185,10 @@ typedef struct bolan_nested {
 /// Values of @p desc outside their ranges are clamped.
 /// Pure, thread-safe, the same on every machine.
 /// Source: Liu, Xu & Chen 2009, section 1.
-bolan_nested bolan_surface_nested_place(const bolan_nested_desc *desc, const bolan_surface_view *view);
+BOLAN_API bolan_nested bolan_surface_nested_place(const bolan_nested_desc *desc, const bolan_surface_view *view);
 
 /// Number of vertices: (n + 1)^2 for each level.
-uint32_t bolan_surface_nested_vertex_count(const bolan_nested *nested);
+BOLAN_API uint32_t bolan_surface_nested_vertex_count(const bolan_nested *nested);
 
 /// Writes the vertices, level by level, row by row from the south-west: vertex (i, j) of a level is its (j (n + 1) +
 /// i)th.
@@ -205,8 +206,8 @@ uint32_t bolan_surface_nested_vertex_count(const bolan_nested *nested);
 /// Where levels meet, both have the same position, spacing and visibility, bit for bit.
 /// Odd vertices on the border of an inner level are stitched (section 2); their neighbours are never stitched.
 /// Pure, thread-safe, allocates nothing.
-void bolan_surface_nested_vertices(const bolan_nested *nested, const bolan_surface_view *view, bolan_dvec2 *rest,
-                                   bolan_surface_vertex *vertices, uint8_t *visible);
+BOLAN_API void bolan_surface_nested_vertices(const bolan_nested *nested, const bolan_surface_view *view,
+                                             bolan_dvec2 *rest, bolan_surface_vertex *vertices, uint8_t *visible);
 
 /// Writes index list @p part of @p level as triangles, counter-clockwise seen from above, and returns their count.
 /// The count is 0 where the finest level has no such part.
@@ -215,7 +216,8 @@ void bolan_surface_nested_vertices(const bolan_nested *nested, const bolan_surfa
 /// All parts together have 2 n^2 triangles for the finest level and 2 (n^2 - n^2/4) for each other level.
 /// @param out receives the indices; NULL asks for the count alone.
 /// Thread-safe.
-uint32_t bolan_surface_nested_indices(const bolan_nested *nested, uint32_t level, uint32_t part, uint32_t *out);
+BOLAN_API uint32_t bolan_surface_nested_indices(const bolan_nested *nested, uint32_t level, uint32_t part,
+                                                uint32_t *out);
 
 /// Normals of the displaced mesh after the paper: the mean of the unit normals of the triangles round each vertex.
 /// Where two levels meet, the triangles of both count.
@@ -225,14 +227,15 @@ uint32_t bolan_surface_nested_indices(const bolan_nested *nested, uint32_t level
 /// @param normals receives as many unit vectors.
 /// Thread-safe, allocates nothing.
 /// Source: Liu, Xu & Chen 2009, section 3.
-void bolan_surface_nested_normals(const bolan_nested *nested, const bolan_vec3 *positions, bolan_vec3 *normals);
+BOLAN_API void bolan_surface_nested_normals(const bolan_nested *nested, const bolan_vec3 *positions,
+                                            bolan_vec3 *normals);
 
 // ---- grids ----------------------------------------------------------------------------------------------------------
 
 /// Writes the indices of a grid, 6 per cell, counter-clockwise seen from above.
 /// Returns their number, (columns - 1) * (rows - 1) * 6.
 /// @param out receives the indices; NULL asks for the number alone.
-uint32_t bolan_surface_grid_indices(bolan_surface_size size, uint32_t *out);
+BOLAN_API uint32_t bolan_surface_grid_indices(bolan_surface_size size, uint32_t *out);
 
 #ifdef __cplusplus
 }

@@ -29,7 +29,7 @@ typedef enum bolan_optics_kind {
 } bolan_optics_kind;
 #define BOLAN_OPTICS_KINDS 5 ///< how many there are
 /// The names that the command line and scene files use, "physical" ...; by bolan_optics_kind, NULL at the end.
-extern const char *const bolan_optics_kind_names[BOLAN_OPTICS_KINDS + 1];
+BOLAN_API extern const char *const bolan_optics_kind_names[BOLAN_OPTICS_KINDS + 1];
 
 /// A way to make water: a wave model x a surface x an optics. Every mix works.
 typedef struct bolan_technique {
@@ -45,27 +45,27 @@ typedef struct bolan_technique {
     int wind_spectrum;
 } bolan_technique;
 /// Cascades of FFTs of any spectrum, physical shading; the default.
-extern const bolan_technique bolan_technique_ocean;
+BOLAN_API extern const bolan_technique bolan_technique_ocean;
 /// Ma, Zhu & Gong 2006: two triangles, everything else is textures.
-extern const bolan_technique bolan_technique_two_triangle;
+BOLAN_API extern const bolan_technique bolan_technique_two_triangle;
 /// Liu & Xie 2010: a sum of exp(cos) in each pixel.
-extern const bolan_technique bolan_technique_exp_cosine;
+BOLAN_API extern const bolan_technique bolan_technique_exp_cosine;
 /// Liu, Xu & Chen 2009: Pierson-Moskowitz waves on nested grids.
-extern const bolan_technique bolan_technique_nested_grid;
+BOLAN_API extern const bolan_technique bolan_technique_nested_grid;
 /// Ni, Zhang & Tan: Phillips waves on a projected grid.
-extern const bolan_technique bolan_technique_flight_sim;
+BOLAN_API extern const bolan_technique bolan_technique_flight_sim;
 
 /// How many techniques there are.
 #define BOLAN_TECHNIQUES 5
 /// Their names, "ocean" ..., in the order of bolan_techniques(); NULL at the end.
-extern const char *const bolan_technique_names[BOLAN_TECHNIQUES + 1];
+BOLAN_API extern const char *const bolan_technique_names[BOLAN_TECHNIQUES + 1];
 /// All techniques, the default first; @p count receives their number.
 /// Static storage.
 /// Thread-safe.
-const bolan_technique *bolan_techniques(uint32_t *count);
+BOLAN_API const bolan_technique *bolan_techniques(uint32_t *count);
 /// The technique of that name; NULL when there is none.
 /// Thread-safe.
-const bolan_technique *bolan_technique_find(const char *name);
+BOLAN_API const bolan_technique *bolan_technique_find(const char *name);
 
 // ---- shading options ------------------------------------------------------------------------------------------------
 
@@ -88,7 +88,7 @@ typedef enum bolan_effect {
 #define BOLAN_EFFECTS_ALL 0xfffu ///< the default
 #define BOLAN_EFFECTS 12         ///< how many there are
 /// Names of the effects by bit, "reflection" ...; NULL at the end.
-extern const char *const bolan_effect_names[BOLAN_EFFECTS + 1];
+BOLAN_API extern const char *const bolan_effect_names[BOLAN_EFFECTS + 1];
 
 /// What is drawn of the water.
 typedef enum bolan_show {
@@ -98,7 +98,7 @@ typedef enum bolan_show {
 } bolan_show;
 #define BOLAN_SHOWS 3 ///< how many there are
 /// Names by bolan_show, "picture" ...; NULL at the end.
-extern const char *const bolan_show_names[BOLAN_SHOWS + 1];
+BOLAN_API extern const char *const bolan_show_names[BOLAN_SHOWS + 1];
 
 /// Shading options.
 typedef struct bolan_look {
@@ -123,7 +123,7 @@ typedef struct bolan_look {
     double shininess;
 } bolan_look;
 /// The defaults named above the fields.
-bolan_look bolan_look_default(void);
+BOLAN_API bolan_look bolan_look_default(void);
 
 /// How much a picture may cost: grid steps, texture fetches and target sizes. Raised: finer and slower.
 typedef enum bolan_quality {
@@ -134,10 +134,10 @@ typedef enum bolan_quality {
 } bolan_quality;
 #define BOLAN_QUALITIES 4 ///< how many there are
 /// The names that the command line uses, "low" ...; by bolan_quality, NULL at the end.
-extern const char *const bolan_quality_names[BOLAN_QUALITIES + 1];
+BOLAN_API extern const char *const bolan_quality_names[BOLAN_QUALITIES + 1];
 
 /// The parameters of bolan_technique and bolan_look.
-extern const bolan_param_table bolan_technique_params, bolan_look_params;
+BOLAN_API extern const bolan_param_table bolan_technique_params, bolan_look_params;
 
 #ifdef __cplusplus
 }

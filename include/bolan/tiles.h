@@ -35,7 +35,7 @@ typedef struct bolan_tiles_desc {
 } bolan_tiles_desc;
 /// The defaults named above the fields.
 /// Thread-safe.
-bolan_tiles_desc bolan_tiles_desc_default(void);
+BOLAN_API bolan_tiles_desc bolan_tiles_desc_default(void);
 
 /// Scale of a byte of a caustics tile: irradiance of the bottom = value * BOLAN_CAUSTICS_RANGE / 255.
 /// 1 is the irradiance under flat water; brighter values are clipped.
@@ -76,24 +76,24 @@ typedef struct bolan_tiles_view {
 /// Uses the task hook.
 /// @param out receives the tiles; NULL on failure.
 /// Errors: ARGUMENT (the sentence names the field; or the sea has another wave model), MEMORY.
-bolan_result bolan_tiles_bake(bolan_sea *sea, const bolan_tiles_desc *desc, bolan_tiles **out);
+BOLAN_API bolan_result bolan_tiles_bake(bolan_sea *sea, const bolan_tiles_desc *desc, bolan_tiles **out);
 
 /// Makes tiles of a copy of the arrays of a view, for example from files.
 /// Errors: ARGUMENT, MEMORY.
-bolan_result bolan_tiles_create(const bolan_tiles_view *view, bolan_tiles **out);
+BOLAN_API bolan_result bolan_tiles_create(const bolan_tiles_view *view, bolan_tiles **out);
 
 /// Releases the tiles.
 /// NULL-safe; NULLs the pointer.
-void bolan_tiles_destroy(bolan_tiles **tiles);
+BOLAN_API void bolan_tiles_destroy(bolan_tiles **tiles);
 
 /// The arrays of the tiles.
 /// Thread-safe.
-bolan_tiles_view bolan_tiles_get_view(const bolan_tiles *tiles);
+BOLAN_API bolan_tiles_view bolan_tiles_get_view(const bolan_tiles *tiles);
 
 /// The frame of the loop at @p time [s].
 /// @param share receives the weight of the next frame, 0..1.
 /// Thread-safe.
-uint32_t bolan_tiles_frame(const bolan_tiles *tiles, double time, double *share);
+BOLAN_API uint32_t bolan_tiles_frame(const bolan_tiles *tiles, double time, double *share);
 
 /// Normal map of a periodic n x n height tile.
 /// T1 = (1, 0, s (h[x+1] - h[x-1])), T2 = (0, 1, s (h[y+1] - h[y-1])), N = T1 x T2; bytes N/|N| * 127.5 + 127.5.
@@ -102,7 +102,7 @@ uint32_t bolan_tiles_frame(const bolan_tiles *tiles, double time, double *share)
 /// @param rgb receives 3 n n bytes.
 /// Thread-safe.
 /// Source: Ma, Zhu & Gong 2006, section 2.3 (3).
-void bolan_tile_normals(const float *height, uint32_t n, double s, uint8_t *rgb);
+BOLAN_API void bolan_tile_normals(const float *height, uint32_t n, double s, uint8_t *rgb);
 
 /// Caustics on a flat bottom under a periodic n x n height tile, relative to flat water: the mean is 1.
 /// Sunlight is refracted at each texel; the triangles between the points where it lands carry its light there.
@@ -113,8 +113,8 @@ void bolan_tile_normals(const float *height, uint32_t n, double s, uint8_t *rgb)
 /// @param index refractive index of the water.
 /// @param light receives n n floats.
 /// Thread-safe.
-void bolan_tile_caustics(const float *height, uint32_t n, double length, double depth, bolan_vec3 sun, double index,
-                         float *light);
+BOLAN_API void bolan_tile_caustics(const float *height, uint32_t n, double length, double depth, bolan_vec3 sun,
+                                   double index, float *light);
 
 #ifdef __cplusplus
 }

@@ -46,16 +46,16 @@ typedef struct bolan_wave_train_desc {
 } bolan_wave_train_desc;
 /// The defaults named above the fields.
 /// Thread-safe.
-bolan_wave_train_desc bolan_wave_train_desc_default(void);
+BOLAN_API bolan_wave_train_desc bolan_wave_train_desc_default(void);
 /// Ranges, defaults and help of the fields.
-extern const bolan_param_table bolan_wave_train_params;
+BOLAN_API extern const bolan_param_table bolan_wave_train_params;
 
 /// Makes a layer of a wave train.
 /// Errors: ARGUMENT (the sentence names the field, or the limit that the height exceeds), MEMORY.
 /// @p out receives the layer, NULL after an error.
-bolan_result bolan_wave_layer_create_train(const bolan_wave_train_desc *desc, bolan_wave_layer **out);
+BOLAN_API bolan_result bolan_wave_layer_create_train(const bolan_wave_train_desc *desc, bolan_wave_layer **out);
 /// NULL-safe; NULLs. No water may hold it any more.
-void bolan_wave_layer_destroy(bolan_wave_layer **layer);
+BOLAN_API void bolan_wave_layer_destroy(bolan_wave_layer **layer);
 
 /// A layer's waves at one place.
 typedef struct bolan_wave_layer_sample {
@@ -66,11 +66,11 @@ typedef struct bolan_wave_layer_sample {
 } bolan_wave_layer_sample;
 /// The waves of a layer over deep water at @p count places in world metres at @p time [s].
 /// Thread-safe.
-void bolan_wave_layer_sample_at(const bolan_wave_layer *layer, double time, const bolan_dvec2 *places, uint32_t count,
-                                bolan_wave_layer_sample *out);
+BOLAN_API void bolan_wave_layer_sample_at(const bolan_wave_layer *layer, double time, const bolan_dvec2 *places,
+                                          uint32_t count, bolan_wave_layer_sample *out);
 /// What no height of the layer exceeds, up or down [m].
 /// Thread-safe.
-double bolan_wave_layer_bound(const bolan_wave_layer *layer);
+BOLAN_API double bolan_wave_layer_bound(const bolan_wave_layer *layer);
 
 #define BOLAN_MAX_WAVE_LAYERS 8 ///< of one water
 
@@ -98,13 +98,13 @@ typedef struct bolan_water {
 
 /// The defaults named above the fields.
 /// Thread-safe.
-bolan_water bolan_water_default(void);
+BOLAN_API bolan_water bolan_water_default(void);
 /// Whether the water can be asked and drawn: a sea, and at most BOLAN_MAX_WAVE_LAYERS layers, none of them NULL.
 /// Thread-safe.
-bool bolan_water_is_valid(const bolan_water *water);
+BOLAN_API bool bolan_water_is_valid(const bolan_water *water);
 /// Bounds that the surface does not leave [m], as bolan_sea_bounds(), with the layers.
 /// Thread-safe.
-void bolan_water_bounds(const bolan_water *water, double *vertical, double *horizontal);
+BOLAN_API void bolan_water_bounds(const bolan_water *water, double *vertical, double *horizontal);
 
 #ifdef __cplusplus
 }

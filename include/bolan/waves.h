@@ -57,7 +57,7 @@ typedef enum bolan_wave_model {
 } bolan_wave_model;
 #define BOLAN_WAVE_MODELS 4 ///< number of wave models
 /// The names that the command line and scene files use, "fft" ...; by bolan_wave_model, NULL at the end.
-extern const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1];
+BOLAN_API extern const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1];
 
 /// What the fields of a sea are read from. Several wave models have one form.
 typedef enum bolan_wave_form {
@@ -76,7 +76,7 @@ typedef enum bolan_frequency_split {
 } bolan_frequency_split;
 #define BOLAN_FREQUENCY_SPLITS 2 ///< number of ways to cut a spectrum
 /// The names that scene files use, "equal-energy" ...; by bolan_frequency_split, NULL at the end.
-extern const char *const bolan_frequency_split_names[BOLAN_FREQUENCY_SPLITS + 1];
+BOLAN_API extern const char *const bolan_frequency_split_names[BOLAN_FREQUENCY_SPLITS + 1];
 
 #define BOLAN_MAX_CASCADES 4     ///< most cascades of a sea
 #define BOLAN_MAX_FREQUENCIES 64 ///< most frequencies of BOLAN_WAVES_COSINES
@@ -189,7 +189,7 @@ typedef struct bolan_sea_desc {
 } bolan_sea_desc;
 
 /// The parameters of bolan_sea_desc; those of its sea state are bolan_sea_state_params.
-extern const bolan_param_table bolan_sea_params;
+BOLAN_API extern const bolan_param_table bolan_sea_params;
 
 // ---- a sea ----------------------------------------------------------------------------------------------------------
 
@@ -197,14 +197,14 @@ extern const bolan_param_table bolan_sea_params;
 typedef struct bolan_sea bolan_sea;
 
 /// Returns the defaults named above the fields: a fresh breeze over the open sea. Thread-safe.
-bolan_sea_desc bolan_sea_desc_default(void);
+BOLAN_API bolan_sea_desc bolan_sea_desc_default(void);
 
 /// Creates a sea: builds the spectrum tables and reserves all memory, so that no later call allocates.
 /// The sea stands at time 0.
 /// The desc is copied; a measured spectrum in it is not needed afterwards.
 /// Uses the task hook; a sea steps on at most as many workers as there were at its creation.
 /// Errors: ARGUMENT, with the field named in the log, and MEMORY. Then *out is NULL. Thread-safe.
-bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out);
+BOLAN_API bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out);
 
 /// Creates a sea that shows the same waves as @p sea at another time, for example for a physics thread.
 /// The fork shares the spectrum and all tables with @p sea, which are constant, and has fields and a foam memory of its
@@ -213,50 +213,50 @@ bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out);
 /// It lives on its own: forks and their origin may be destroyed in any order, on any thread.
 /// Its memory is that of the fields alone.
 /// Errors: MEMORY. Then *out is NULL. Thread-safe, also during a step of @p sea.
-bolan_result bolan_sea_fork(const bolan_sea *sea, bolan_sea **out);
+BOLAN_API bolan_result bolan_sea_fork(const bolan_sea *sea, bolan_sea **out);
 
 /// Destroys a sea. NULL-safe; sets the pointer to NULL.
 /// The tables that forks share are released with the last of them.
-void bolan_sea_destroy(bolan_sea **sea);
+BOLAN_API void bolan_sea_destroy(bolan_sea **sea);
 
 /// Makes all fields of @p time [s]: any finite value, backwards too.
 /// Beyond 2^36 s, 2000 years, the time wraps round.
 /// A step to the time of the last step does nothing. Uses the task hook. Never fails.
-void bolan_sea_step(bolan_sea *sea, double time);
+BOLAN_API void bolan_sea_step(bolan_sea *sea, double time);
 
 /// Like bolan_sea_step(), and fills the foam memory first, so that a single image has the foam of a sea that has run.
 /// It steps through about 4 foam_decay before @p time, in ticks at multiples of 0.25 s whatever the time.
 /// Costs about 16 steps for each second of foam_decay.
-void bolan_sea_settle(bolan_sea *sea, double time);
+BOLAN_API void bolan_sea_settle(bolan_sea *sea, double time);
 
 /// Returns the time of the last step [s].
 /// A sea of TEXTURES shows the frame of its loop at that time.
 /// Thread-safe between steps, like every function below that says nothing else.
-double bolan_sea_time(const bolan_sea *sea);
+BOLAN_API double bolan_sea_time(const bolan_sea *sea);
 
 /// Returns the number of the sea: never 0, equal for all forks, and different for all other seas of this process.
 /// Compare it, not the address, to tell whether something made from a sea still belongs to it.
 /// Thread-safe, also during a step.
-uint64_t bolan_sea_id(const bolan_sea *sea);
+BOLAN_API uint64_t bolan_sea_id(const bolan_sea *sea);
 
 /// Returns the number of the present fields: never 0 and unique in this process, so that equal serials mean equal
 /// fields. Every step and settle changes it, except a step to the time of the last step.
-uint64_t bolan_sea_serial(const bolan_sea *sea);
+BOLAN_API uint64_t bolan_sea_serial(const bolan_sea *sea);
 
 /// Returns the desc the sea was made from, defaults resolved; `measured` is NULL.
 /// Valid while the sea lives. Thread-safe, also during a step.
-const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
+BOLAN_API const bolan_sea_desc *bolan_sea_get_desc(const bolan_sea *sea);
 
 /// Returns the integral parameters of the sea state, lowered by bolan_sea_state_limit(); of a measured spectrum too.
 /// Computed at creation. Valid while the sea lives. Thread-safe, also during a step.
-const bolan_sea_summary *bolan_sea_get_summary(const bolan_sea *sea);
+BOLAN_API const bolan_sea_summary *bolan_sea_get_summary(const bolan_sea *sea);
 
 /// Returns when the measured spectrum was taken, ISO 8601; "" when it does not say or there is none.
 /// Valid while the sea lives. Thread-safe, also during a step.
-const char *bolan_sea_record_time(const bolan_sea *sea);
+BOLAN_API const char *bolan_sea_record_time(const bolan_sea *sea);
 
 /// Returns what the fields are read from. Thread-safe, also during a step.
-bolan_wave_form bolan_sea_form(const bolan_sea *sea);
+BOLAN_API bolan_wave_form bolan_sea_form(const bolan_sea *sea);
 
 /// How a sea repeats in time.
 typedef struct bolan_sea_loop {
@@ -268,13 +268,13 @@ typedef struct bolan_sea_loop {
     uint32_t frame;
 } bolan_sea_loop;
 /// Returns how the sea repeats in time, and the present frame.
-bolan_sea_loop bolan_sea_get_loop(const bolan_sea *sea);
+BOLAN_API bolan_sea_loop bolan_sea_get_loop(const bolan_sea *sea);
 
 /// Returns what band @p index adds to every height to keep the mean of the surface at the water level [m], >= 0.
 /// A band is a cascade, or all components of a sum (index 0).
 /// @p spacing [m] is that of the grid that carries the waves; 0: a single point.
 /// 0 without choppiness and for EXP_COSINE, whose parcels do not move sideways. Thread-safe, also during a step.
-double bolan_sea_lift(const bolan_sea *sea, uint32_t index, double spacing);
+BOLAN_API double bolan_sea_lift(const bolan_sea *sea, uint32_t index, double spacing);
 
 // ---- cascades -------------------------------------------------------------------------------------------------------
 
@@ -313,9 +313,9 @@ typedef struct bolan_cascade_view {
     const uint16_t *foam_half;
 } bolan_cascade_view;
 /// Returns the number of cascades: 1..BOLAN_MAX_CASCADES of form CASCADES, else 0. Thread-safe, also during a step.
-uint32_t bolan_sea_cascade_count(const bolan_sea *sea);
+BOLAN_API uint32_t bolan_sea_cascade_count(const bolan_sea *sea);
 /// Returns cascade @p index; 0 is the one of the longest waves.
-bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index);
+BOLAN_API bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index);
 
 // ---- components -----------------------------------------------------------------------------------------------------
 
@@ -337,9 +337,9 @@ typedef struct bolan_sea_component {
     double drift;
 } bolan_sea_component;
 /// Returns the number of waves of a sum; 0 of form CASCADES. Thread-safe, also during a step.
-uint32_t bolan_sea_component_count(const bolan_sea *sea);
+BOLAN_API uint32_t bolan_sea_component_count(const bolan_sea *sea);
 /// Returns wave @p index of the sum; 0 is the longest. Thread-safe, also during a step.
-bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint32_t index);
+BOLAN_API bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint32_t index);
 
 // ---- samples --------------------------------------------------------------------------------------------------------
 
@@ -359,7 +359,8 @@ typedef struct bolan_sea_sample {
 
 /// Samples the sea at @p count rest points in world metres.
 /// Sums of waves use the task hook.
-void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
+BOLAN_API void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count,
+                                     bolan_sea_sample *out);
 
 /// Like bolan_sea_sample_rest(), low-passed for a grid, so that nothing aliases. Uses the task hook.
 /// @p spacing[i] >= 0 [m] is the distance of point i to its neighbours. NULL: no low-pass.
@@ -367,17 +368,17 @@ void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint
 /// A cascade is averaged over a square of two spacings by up to 4 x 4 texture fetches, and fades as a whole from 4 to 2
 /// spacings of its longest wave: waves shorter than two spacings keep about 1/16 of their energy.
 /// For sums this is the fast way to displace a mesh, by SIMD over the points.
-void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
-                           bolan_sea_sample *out);
+BOLAN_API void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing,
+                                     uint32_t count, bolan_sea_sample *out);
 
 /// The oracle of bolan_sea_sample_rest(): the same quantities at one rest point and any time by the direct sum over
 /// every mode, in double, with the same lift. The foam of the result is 0.
 /// O(n^2) a point. Thread-safe, also during a step.
-bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time);
+BOLAN_API bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time);
 
 /// Returns bounds that the surface does not leave, 6 standard deviations: vertical with the lift [m], horizontal with
 /// the choppiness [m]. Thread-safe, also during a step.
-void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal);
+BOLAN_API void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal);
 
 // ---- roughness, foam, measures --------------------------------------------------------------------------------------
 
@@ -389,7 +390,8 @@ void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *horizontal
 /// With major = minor = 0 they alone are left.
 /// @p out: xx, xy, yy.
 /// Thread-safe, also during a step. Source: Bruneton, Neyret & Holzschuch 2010, section 4.
-void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double minor, double angle, float out[3]);
+BOLAN_API void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double minor, double angle,
+                                           float out[3]);
 
 /// Texels of the slope table along log2(major): texel i is major = 2^(i/1.5 - 8) m, from 4 mm to 2^(23/1.5 - 8) = 160
 /// m.
@@ -401,14 +403,14 @@ void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double mino
 /// Returns bolan_sea_unresolved_slopes() as a table to sample with linear filtering:
 /// out[((l * ASPECT) + j) * MAJOR + i][4] = xx, xy, yy, 0.
 /// Computed at creation. Valid while the sea lives. Thread-safe, also during a step.
-const float *bolan_sea_slope_table(const bolan_sea *sea);
+BOLAN_API const float *bolan_sea_slope_table(const bolan_sea *sea);
 
 /// Returns the Jacobian below which there is foam.
 /// It is the quantile of the Jacobian that covers bolan_monahan_cover() of the surface for the wind; above 1 where more
 /// than about half is covered.
 /// -1e30 where nothing foams: without wind, without waves, and with EXP_COSINE.
 /// Computed at creation. Thread-safe, also during a step.
-double bolan_sea_foam_threshold(const bolan_sea *sea);
+BOLAN_API double bolan_sea_foam_threshold(const bolan_sea *sea);
 
 /// Statistics of the surface at the present time, as queries return and images show it: the JSON keys of `bolan
 /// measure`. They are taken at 65536 places. At fixed points a parcel counts by the area that it covers, its Jacobian.
@@ -437,12 +439,12 @@ typedef struct bolan_sea_statistics {
 } bolan_sea_statistics;
 /// Measures the surface over the largest tile, or of a sum over 50 of its longest waves.
 /// As slow as a step.
-bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea);
+BOLAN_API bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea);
 
 /// Writes a digest of every field at the present time, the foam memory excluded: 16 lower-case hex digits and NUL.
 /// Of a sum, of the fields at 4096 places.
 /// Equal for any thread count, any instruction set and any fork.
-void bolan_sea_hash(const bolan_sea *sea, char out[17]);
+BOLAN_API void bolan_sea_hash(const bolan_sea *sea, char out[17]);
 
 #ifdef __cplusplus
 }

@@ -45,7 +45,7 @@ typedef struct bolan_world_assets {
 
 /// Releases the assets and clears the struct.
 /// NULL-safe.
-void bolan_world_assets_destroy(bolan_world_assets *assets);
+BOLAN_API void bolan_world_assets_destroy(bolan_world_assets *assets);
 
 // ---- the world ------------------------------------------------------------------------------------------------------
 
@@ -62,59 +62,59 @@ typedef struct bolan_world_desc {
 } bolan_world_desc;
 
 /// The defaults named above the fields, and no scene.
-bolan_world_desc bolan_world_desc_default(void);
+BOLAN_API bolan_world_desc bolan_world_desc_default(void);
 
 /// Makes a world, whose sea is stepped to scene->time.
 /// @param out receives the world; NULL on failure, and then nothing is left in memory.
 /// Errors: ARGUMENT (a field of the scene out of range, an object without a model), MEMORY.
-bolan_result bolan_world_create(const bolan_world_desc *desc, bolan_world **out);
+BOLAN_API bolan_result bolan_world_create(const bolan_world_desc *desc, bolan_world **out);
 
 /// Releases the world and everything in it.
 /// NULL-safe; NULLs the pointer.
-void bolan_world_destroy(bolan_world **world);
+BOLAN_API void bolan_world_destroy(bolan_world **world);
 
 // ---- time and change ------------------------------------------------------------------------------------------------
 
 /// Steps the sea to @p time [s] and sets the scene's time.
 /// The foam remembers the last seconds where steps follow each other within 0.5 s: see bolan_sea_step().
 /// The camera stays: see bolan_world_camera_at().
-void bolan_world_step(bolan_world *world, double time);
+BOLAN_API void bolan_world_step(bolan_world *world, double time);
 
 /// Like bolan_world_step(), with the foam that a running sea would show at @p time: see bolan_sea_settle().
-void bolan_world_settle(bolan_world *world, double time);
+BOLAN_API void bolan_world_settle(bolan_world *world, double time);
 
 /// Replaces the scene's camera.
-void bolan_world_set_camera(bolan_world *world, const bolan_camera *camera);
+BOLAN_API void bolan_world_set_camera(bolan_world *world, const bolan_camera *camera);
 
 /// Replaces the scene by a copy of @p scene, at the present time of the world.
 /// Where the sea's desc differs, another sea takes the place of the present one, settled at the present time.
 /// What the assets stand for must not differ: the terrain's source, spectrum_path and its options, tiles_path, and the
 /// number and the models of objects. Objects may move.
 /// Errors: ARGUMENT (a field out of range, or one that must not differ), MEMORY. The world then stays as it was.
-bolan_result bolan_world_set_scene(bolan_world *world, const bolan_scene *scene);
+BOLAN_API bolan_result bolan_world_set_scene(bolan_world *world, const bolan_scene *scene);
 
 // ---- reading --------------------------------------------------------------------------------------------------------
 
 /// The scene at the present time.
-const bolan_scene *bolan_world_scene(const bolan_world *world);
+BOLAN_API const bolan_scene *bolan_world_scene(const bolan_world *world);
 
 /// The water at the present time, for queries and for drawing.
-const bolan_water *bolan_world_water(const bolan_world *world);
+BOLAN_API const bolan_water *bolan_world_water(const bolan_world *world);
 
 /// The desc of the scene's sea with its measured spectrum put in.
 /// bolan_sea_create() makes the world's sea of it.
 /// The spectrum belongs to the world.
-bolan_sea_desc bolan_world_sea_desc(const bolan_world *world);
+BOLAN_API bolan_sea_desc bolan_world_sea_desc(const bolan_world *world);
 
 /// The tiles of the mirror optics; NULL where the scene names none.
-const bolan_tiles *bolan_world_tiles(const bolan_world *world);
+BOLAN_API const bolan_tiles *bolan_world_tiles(const bolan_world *world);
 
 /// The model of each object of the scene, scene->object_count pointers.
-const bolan_model *const *bolan_world_object_models(const bolan_world *world);
+BOLAN_API const bolan_model *const *bolan_world_object_models(const bolan_world *world);
 
 /// The scene's camera at @p time [s]: see bolan_scene_camera_at().
 /// A camera inside the ground is lifted: to 1.8 m above land, to 0.3 m above the sea bed.
-bolan_camera bolan_world_camera_at(const bolan_world *world, double time);
+BOLAN_API bolan_camera bolan_world_camera_at(const bolan_world *world, double time);
 
 /// Place and axes of a model in the world.
 typedef struct bolan_pose {
@@ -128,11 +128,11 @@ typedef struct bolan_pose {
 /// A floating object rests on the water under five points of its model: bow and stern give its pitch, the sides its
 /// roll, and the mean its height.
 /// Thread-safe between steps.
-bolan_pose bolan_object_pose(const bolan_object *object, const bolan_model *model, const bolan_water *water);
+BOLAN_API bolan_pose bolan_object_pose(const bolan_object *object, const bolan_model *model, const bolan_water *water);
 
 /// The pose of object @p index of the scene at the present time.
 /// An index beyond the last object is misuse and gives a pose of zeros.
-bolan_pose bolan_world_object_pose(const bolan_world *world, uint32_t index);
+BOLAN_API bolan_pose bolan_world_object_pose(const bolan_world *world, uint32_t index);
 
 #ifdef __cplusplus
 }

@@ -34,3 +34,12 @@ grep -q 'bolan_SHADER_DIR.*share/bolan/shaders' "$(find prefix -name bolanConfig
 
 use_pkg_config "$PWD/prefix" bolan bolan_content bolan_io bolan_render
 use_find_package "$PWD/prefix" bolan bolan_content bolan_io bolan_render
+
+# A shared library exports the names that the public headers declare, and no other.
+cat "$BOLAN_SOURCE_DIR"/include/bolan/*.h | grep -ow 'bolan_[a-z0-9_]*' | sort -u > public
+for library in $(find prefix -name 'libbolan*.so'); do
+    nm -D --defined-only "$library" | awk '{ print $3 }' | grep -v '^_\(_bss_start\|edata\|end\|init\|fini\)$' | sort -u > exported
+    [ -s exported ] || fail "$library exports nothing"
+    strange=$(comm -23 exported public | tr '\n' ' ')
+    [ -z "$strange" ] || fail "$library exports what no header declares: $strange"
+done
