@@ -283,7 +283,10 @@ typedef struct bolan_frame_desc {
     const bolan_scene *scene;    ///< camera, sky, water, technique, exposure are read; not NULL
     const bolan_sea *sea;        ///< stepped by the caller; of the wave model of scene->technique; not NULL
     const bolan_ground *terrain; ///< or NULL
-    const bolan_tiles *tiles;    ///< for the mirror optics and a sea of textures; NULL: it bakes its own of the sea
+    /// Wave layers, as of bolan_water.
+    const bolan_wave_layer *const *layers;
+    uint32_t layer_count;
+    const bolan_tiles *tiles; ///< for the mirror optics and a sea of textures; NULL: it bakes its own of the sea
     const bolan_model *const *models; ///< one for each object of the scene, or NULL: no object is drawn
     bool without_water;               ///< true: all but the water, to see what that costs
     uint32_t framebuffer;   ///< GL name; 0 (default) is the window. Complete, with a colour buffer of no integers

@@ -27,12 +27,11 @@ static void end_part(bolan_renderer *r, frame_part part) { bolan_gl_timer_end(&r
 
 bolan_lighting bolan_lighting_from_scene(const bolan_scene *scene) {
     BOLAN_ASSERT(scene != NULL);
-    return (bolan_lighting){
-        .sky = scene->sky,
-        .exposure = scene->exposure,
-        .technique = scene->technique,
-        .look = scene->look,
-        .environment = bolan_environment_default()};
+    return (bolan_lighting){.sky = scene->sky,
+                            .exposure = scene->exposure,
+                            .technique = scene->technique,
+                            .look = scene->look,
+                            .environment = bolan_environment_default()};
 }
 
 bolan_lighting bolan_lighting_default(void) {
@@ -322,8 +321,7 @@ static bolan_dvec3 clear_of_water(const bolan_renderer *r, const bolan_frame_des
     if (eye.z < d->scene->water.level && bolan_pass_water_seen_from_below(&r->frame)) return eye;
     const bolan_dvec2 below = {eye.x, eye.y};
     bolan_query_point water;
-    bolan_query_surface(&(bolan_water){.sea = d->sea, .ground = d->terrain, .level = d->scene->water.level}, &below, 1,
-                        &water);
+    bolan_query_surface(&r->frame.water, &below, 1, &water);
     eye.z = fmax(eye.z, (double)water.height + CLEARANCE);
     return eye;
 }
@@ -343,6 +341,8 @@ void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *d) {
     const bolan_water water = {.sea = d->sea,
                                .ground = d->terrain,
                                .level = s->water.level,
+                               .layers = d->layers,
+                               .layer_count = d->layer_count,
                                .optics = bolan_water_optics_from_jerlov(s->water.type),
                                .foam = s->water.foam};
     const bolan_lighting lighting = bolan_lighting_from_scene(s);

@@ -9,6 +9,8 @@ bolan_frame_desc bolan_frame_desc_of_world(const bolan_world *world) {
     frame.scene = bolan_world_scene(world);
     frame.sea = water->sea;
     frame.terrain = water->ground;
+    frame.layers = water->layers;
+    frame.layer_count = water->layer_count;
     frame.tiles = bolan_world_tiles(world);
     frame.models = bolan_world_object_models(world);
     return frame;

@@ -50,9 +50,16 @@ static void compare_pixel(const stage *s, double along, uint32_t x, uint32_t y, 
     sum->near_wrong += distance < NEAR && error > 0.01 + 0.25 * pixel;
 }
 
-static void check(const char *name, double x, double y, double z, double pitch) {
+// trains: how many of the two wave trains around the eye are added.
+static void check(const char *name, double x, double y, double z, double pitch, uint32_t trains) {
     bolan_scene scene;
     assert_int_equal(bolan_scene_load(name, &scene), BOLAN_OK);
+    scene.train_count = trains;
+    scene.trains[0] = scene.trains[1] = bolan_wave_train_desc_default();
+    scene.trains[0].from_deg = 250.0, scene.trains[0].length = 45.0, scene.trains[0].height = 2.0;
+    scene.trains[0].centre = scene.trains[1].centre = (bolan_dvec2){x, y};
+    scene.trains[1].from_deg = 330.0, scene.trains[1].length = 25.0, scene.trains[1].height = 0.8;
+    scene.trains[1].half_length = 90.0, scene.trains[1].half_width = 60.0;
     scene.camera.position = bolan_dv3(x, y, z);
     scene.camera.pitch_deg = pitch;
     scene.sky.cloud_cover = 0.0; // clouds are most of the time such a picture takes
@@ -78,17 +85,23 @@ static void check(const char *name, double x, double y, double z, double pitch) 
 
 static void test_the_query_finds_the_surface_of_the_picture(void **state) {
     (void)state;
-    check("open-sea", 0.0, 0.0, 6.0, -14.0);
+    check("open-sea", 0.0, 0.0, 6.0, -14.0, 0);
 }
 
 static void test_and_a_thousand_kilometres_from_the_origin(void **state) {
     (void)state;
-    check("open-sea", 1e6, -7e5, 6.0, -14.0);
+    check("open-sea", 1e6, -7e5, 6.0, -14.0, 0);
 }
 
 static void test_and_over_the_sand_of_the_lagoon(void **state) {
     (void)state;
-    check("island", -1500.0, -1500.0, 10.0, -14.0);
+    check("island", -1500.0, -1500.0, 10.0, -14.0, 0);
+}
+
+static void test_and_with_wave_trains(void **state) {
+    (void)state;
+    check("open-sea", 1e6, -7e5, 6.0, -14.0, 2);
+    check("island", -1500.0, -1500.0, 10.0, -14.0, 2);
 }
 
 int main(void) {
@@ -96,6 +109,7 @@ int main(void) {
         cmocka_unit_test(test_the_query_finds_the_surface_of_the_picture),
         cmocka_unit_test(test_and_a_thousand_kilometres_from_the_origin),
         cmocka_unit_test(test_and_over_the_sand_of_the_lagoon),
+        cmocka_unit_test(test_and_with_wave_trains),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
