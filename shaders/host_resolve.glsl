@@ -16,12 +16,20 @@ uniform sampler2D water_depth;
 uniform sampler2D scene_depth;
 uniform vec4 host_depth;  // offset, scale; z: factor of radiance, w: 1 encode sRGB
 uniform vec2 host_origin; // lower left corner of the rectangle in the framebuffer [px]
+#ifdef MASK
+#pragma unit mask 3
+uniform sampler2D mask;   // no water where its red is above a half
+uniform vec2 mask_origin; // lower left corner of the rectangle in it [px]
+#endif
 out vec4 color;
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy - host_origin);
     float depth = texelFetch(water_depth, at, 0).r;
     if (depth <= texelFetch(scene_depth, at, 0).r) discard;
+#ifdef MASK
+    if (texelFetch(mask, at + ivec2(mask_origin), 0).r > 0.5) discard;
+#endif
     vec3 c = texelFetch(water, at, 0).rgb;
 #ifdef TONEMAP
     c = tonemap(c * exposure);

@@ -77,14 +77,21 @@ vec4 mirrored_land(vec3 position, vec3 direction) {
         if (!hit) { near = far; far *= 2.0; }
     }
     vec2 uv = vec2(0.0);
+    float gap = 0.0; // from what is seen there to the ray behind it [m]
     for (int i = 0; i < 5 && hit; ++i) {
         float middle = 0.5 * (near + far);
         vec4 c = origin + step * middle;
         uv = c.xy / c.w * 0.5 + 0.5;
         float depth = textureLod(scene_depth, uv, 0.0).x;
-        if (depth > 0.0 && frame_distance(depth) < c.w) far = middle;
-        else near = middle;
+        if (depth > 0.0 && frame_distance(depth) < c.w) {
+            far = middle;
+            gap = c.w - frame_distance(depth);
+        } else {
+            near = middle;
+        }
     }
+    // Land reaches down to its foot, so that a ray behind it has met it. On the open sea things may hang in the air.
+    if (shore_present == 0 && gap > 0.5 + 2.0 * (far - near)) hit = false;
     vec3 land;
     vec4 seen = behind(uv, land);
     bool dry = hit && seen.w > 0.0 && land.z + eye_height > -0.3; // else it ended on the sea bed
@@ -125,7 +132,7 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, flo
     vec4 target = view_projection * vec4(position + refracted * (drop / down), 1.0);
     vec2 bent = clamp(target.xy / target.w * 0.5 + 0.5, 0.001, 0.999);
     vec4 s = behind(bent, bent_bed);
-    if (s.w > 0.0 && bent_bed.z < position.z) { seen = s; bed = bent_bed; }
+    if (seen.w > 0.0 && s.w > 0.0 && bent_bed.z < position.z) { seen = s; bed = bent_bed; }
     float error = BED_ERROR * radians_per_pixel * length(position), measured = position.z - bed.z;
     water_path = seen.w > 0.0 ? max(clamp(mapped, measured - error, measured + error), 0.0) : 1e4;
     return radiance_of_bed(seen.rgb, deep, exp(-water_attenuation * bed_path(water_path, down)));

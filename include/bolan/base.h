@@ -119,7 +119,8 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(950, BAKE_WANTED)             \
     X(960, GUEST_PROGRAM)           \
     X(961, GUEST_SLOTS)             \
-    X(962, GUEST_LIGHT)
+    X(962, GUEST_LIGHT)             \
+    X(963, GUEST_FRAME)
 
 /// The ids of ::BOLAN_LOG_TABLE as BOLAN_LOG_&lt;NAME&gt;, their value the id.
 typedef enum bolan_log_id {
@@ -191,7 +192,7 @@ BOLAN_API size_t bolan_memory_in_use(void);
 BOLAN_API __attribute__((format(printf, 3, 4)))
 #endif
 BOLAN_API void
-bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...);
+BOLAN_API bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...);
 
 /// Reports misuse to the assert hook. Use the BOLAN_ASSERT() macro.
 BOLAN_API void bolan_assert_failed(const char *expression, const char *file, int line);
@@ -206,7 +207,7 @@ BOLAN_API void bolan_assert_failed(const char *expression, const char *file, int
 BOLAN_API __attribute__((format(printf, 3, 4)))
 #endif
 BOLAN_API int
-bolan_format(char *out, size_t capacity, const char *format, ...);
+BOLAN_API bolan_format(char *out, size_t capacity, const char *format, ...);
 /// Reads a decimal number, [+-]digits[.digits][e[+-]digits], that fills all @p size bytes of @p text, correctly rounded
 /// and in the C locale. False for anything else: blanks, "nan", "inf", hexadecimal, more than 400 bytes, and a number
 /// beyond the range of a double. Thread-safe.

@@ -257,25 +257,44 @@ BOLAN_API void bolan_renderer_draw_world(bolan_renderer *renderer, const bolan_w
 
 // ---- into a host's frame ----------------------------------------------------------------------------------------------
 
-/// A host's opaque scene, as it stands in the view's rectangle before the water is drawn.
+/// Most corners of bolan_host::bounds.
+#define BOLAN_MAX_BOUNDS 64
+
+/// A host's frame, as it stands in the view's rectangle before the water is drawn.
 typedef struct bolan_host {
-    /// GL name of a 2D texture with the scene's linear radiance.
+    /// GL name of a 2D texture with the scene's linear radiance. 0 (default), with `depth` 0: nothing is seen through
+    /// the water or reflected in it, and the depth buffer of the framebuffer alone hides it.
     uint32_t color;
     /// GL name of a 2D texture with the scene's window depth, made with the view's projection and a depth range of
     /// [0,1]. Both may be attached to the view's framebuffer. Of a multisampled framebuffer: resolved copies.
     uint32_t depth;
-    /// Lower left corner of the view's rectangle in the two textures [px]; default 0, 0.
+    /// Lower left corner of the view's rectangle in these textures and the mask [px]; default 0, 0.
     uint32_t x, y;
     /// The host's radiance over Bolan's, where the sun's irradiance in space is 1 at normal incidence; 0 (default): 1.
+    /// With bolan_lighting::environment Bolan's radiance is the host's.
     double radiance;
+    /// GL name of a 2D texture: no water where its red is above 0.5, as inside a hull. 0 (default): water everywhere.
+    uint32_t mask;
+    /// Corners of the polygon in which the water lies, in the world [m], in either sense; borrowed for the call.
+    /// The surface is cut where it crosses the sides.
+    const bolan_dvec2 *bounds;
+    /// 3..BOLAN_MAX_BOUNDS, or 0 (default): the water has no end.
+    uint32_t bounds_count;
 } bolan_host;
+
+/// The defaults named above.
+/// Thread-safe.
+BOLAN_API bolan_host bolan_host_default(void);
 
 /// Draws the prepared water, and nothing else, into the view's rectangle.
 /// The water is tested against the depth of the view's framebuffer, sample by sample, and writes depth there, in the
 /// convention of the view's projection: less-or-equal, or greater-or-equal where depth is reversed.
 /// The host's scene is refracted, absorbed and mirrored (screen-space) through its two textures.
+/// @p host may be NULL: the defaults.
 /// `samples` is not used: draw with `jitter`, or into a multisampled framebuffer.
-/// No step prepared, a view or texture that is none, no current context: nothing is drawn, and the log says why, once.
+/// Several waters: prepare one and draw it, then the next.
+/// No step prepared, a view, texture or polygon that is none, no current context: nothing is drawn, and the log says
+/// why, once.
 BOLAN_API void bolan_renderer_draw_water(bolan_renderer *renderer, const bolan_view *view, const bolan_host *host);
 
 /// What to draw, and where.

@@ -125,6 +125,9 @@ void water_vertex() {
 #endif
 
 #ifdef FRAGMENT
+#ifdef BOUNDS
+#include "common/bounds.glsl"
+#endif
 in vec4 water_place;
 in vec2 water_rest;
 #ifndef QUAD
@@ -219,6 +222,9 @@ water_pixel water_here() {
     p.mesh = water_mesh;
     p.transmittance = water_transmittance;
     p.inscatter = water_inscatter;
+#endif
+#ifdef BOUNDS
+    if (!is_within_bounds(p.position.xy)) discard;
 #endif
     return p;
 }

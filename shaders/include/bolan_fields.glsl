@@ -41,7 +41,7 @@ layout(std140) uniform bolan_sea_block {
     vec4 bolan_cascade_lift[13]; // by log2 of the mesh's spacing in texels plus 2 [m]; a sum has the first
     vec4 bolan_layer_wave[8];   // of a wave train: k east, north [rad/m], half height [m], phase at the origin [rad]
     vec4 bolan_layer_area[8];   // xy: its middle [m], zw: unit direction of travel
-    vec4 bolan_layer_extent[8]; // xy: 1 / half extent along, across [1/m], z: share of the edge, w: height for the coast [m]
+    vec4 bolan_layer_extent[8]; // xy: 1 / half extent along, across [1/m], z: share of the edge, w: coast height [m]
     int bolan_cascade_count;
     int bolan_wave_count;       // of a sum
     float bolan_wave_sharpness; // of exp(s cos); 0: cosines
@@ -145,7 +145,8 @@ void bolan_add_layers(vec2 rest, float depth, float spacing, inout bolan_raw sum
     for (int i = 0; i < bolan_layer_count; ++i) {
         vec4 wave = bolan_layer_wave[i], area = bolan_layer_area[i], extent = bolan_layer_extent[i];
         vec2 p = rest - area.xy, to = area.zw, aside = vec2(-to.y, to.x);
-        vec2 along = bolan_edge(dot(p, to) * extent.x, extent.z), across = bolan_edge(dot(p, aside) * extent.y, extent.z);
+        vec2 along = bolan_edge(dot(p, to) * extent.x, extent.z);
+        vec2 across = bolan_edge(dot(p, aside) * extent.y, extent.z);
         float samples = 6.28318531 / (max(length(wave.xy), 1e-9) * max(spacing, 1e-6)); // of a wave
         float amplitude = wave.z * bolan_attenuation(depth, extent.w) * clamp(0.5 * samples - 1.0, 0.0, 1.0);
         float phase = dot(wave.xy, rest) + wave.w, share = along.x * across.x;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields of a sea for the host's own programs: the textures and the uniform block of shaders/include/bolan_fields.glsl.
+// The fields of a water for the host's own programs: textures and uniform block of shaders/include/bolan_fields.glsl.
 #ifndef BOLAN_RENDER_FIELDS_H
 #define BOLAN_RENDER_FIELDS_H
 

@@ -275,16 +275,25 @@ static void draw_view(bolan_renderer *r, const bolan_view *to) {
 
 // ---- into a host's frame --------------------------------------------------------------------------------------------
 
+static void begin_hosted(bolan_renderer *r, render_view *v, const bolan_view *to, const bolan_host *host) {
+    if (r->frame.hosted) {
+        bolan_host_import(&r->host, v, to, host);
+    } else {
+        bolan_gl_target_bind(&v->hdr);
+        bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+        bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+        bolan_gl_target_clear_depth(0.0f);
+    }
+    copy_behind(r, v);
+}
+
 static void draw_hosted(bolan_renderer *r, const bolan_view *to, const bolan_host *host) {
     render_view v = {.frame = NULL};
     bolan_view_cache *cache = to->cache != NULL ? to->cache : &r->own_cache;
-    if (!bolan_view_has_framebuffer(r, to) || !bolan_host_has_textures(r, host)) return;
-    bolan_renderer_accept(r, CALL_DRAW);
-    r->frame.hosted = r->frame.behind = true;
     if (!open_view(r, &v, to)) return;
     prepare_view(r, &v, cache);
-    bolan_host_import(&r->host, &v, to, host);
-    copy_behind(r, &v);
+    if (host->bounds_count > 0 && !bolan_bounds_upload(&r->bounds, host->bounds, host->bounds_count, v.eye)) return;
+    begin_hosted(r, &v, to, host);
     begin_part(r, PART_MIRROR);
     if (bolan_pass_water_mirrors(&v)) draw_mirrors(r, &v, cache);
     end_part(r, PART_MIRROR);
@@ -296,18 +305,34 @@ static void draw_hosted(bolan_renderer *r, const bolan_view *to, const bolan_hos
     keep_statistics(r, &v);
 }
 
+// The step as this host sees it; the next view of it may be another's.
+static void draw_for(bolan_renderer *r, const bolan_view *to, const bolan_host *host) {
+    frame *f = &r->frame;
+    const bool behind = f->behind;
+    f->hosted = host->color != 0;
+    f->behind = f->behind || f->hosted;
+    f->bounds_count = host->bounds_count;
+    draw_hosted(r, to, host);
+    f->hosted = false;
+    f->behind = behind;
+    f->bounds_count = 0;
+}
+
 void bolan_renderer_draw_water(bolan_renderer *r, const bolan_view *view, const bolan_host *host) {
-    const bool given = r != NULL && view != NULL && host != NULL;
-    BOLAN_ASSERT(given);
-    if (!given) return;
+    const bolan_host nothing = bolan_host_default(), *given = host != NULL ? host : &nothing;
+    BOLAN_ASSERT(r != NULL && view != NULL);
+    if (r == NULL || view == NULL) return;
     if (!r->prepared) {
         bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_BAD_ARGUMENT,
                               "draw_water: no step is prepared; call bolan_renderer_prepare() before");
         return;
     }
-    if (!bolan_view_is_valid(r, view)) return;
+    if (!bolan_view_is_valid(r, view) || !bolan_host_is_valid(r, given)) return;
     bolan_renderer_enter(r);
-    draw_hosted(r, view, host);
+    if (bolan_view_has_framebuffer(r, view)) {
+        bolan_renderer_accept(r, CALL_DRAW);
+        draw_for(r, view, given);
+    }
     bolan_renderer_leave(r);
 }
 

@@ -66,6 +66,7 @@ typedef struct frame {
     bool without_water;
     bool behind; // something may be seen through the water or mirrored in it: ground, objects, a host's scene
     bool hosted; // it is a host's scene
+    uint32_t bounds_count; // corners of the polygon in which the water lies, while a host's frame is drawn; 0: no end
     // What follows from those.
     double time;
     bolan_vec3 sun_direction;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a step and a view must be before they are drawn.
+#include "bounds.h"
 #include "host_light.h"
 #include "renderer.h"
 
@@ -63,10 +64,16 @@ bool bolan_view_has_framebuffer(bolan_renderer *r, const bolan_view *v) {
     return bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GL_TARGET, "draw: framebuffer %u %s", v->framebuffer, problem);
 }
 
-bool bolan_host_has_textures(bolan_renderer *r, const bolan_host *host) {
-    const bool color = bolan_gl_guest_is_texture(host->color), depth = bolan_gl_guest_is_texture(host->depth);
-    if (color && depth) return true;
-    return bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GL_TARGET,
-                                 "draw_water: the host's %s %u is no texture; expected the name of a 2D texture",
-                                 color ? "depth" : "color", color ? host->depth : host->color);
+static const char *host_problem(const bolan_host *h) {
+    if (h->color != 0 && !bolan_gl_is_2d(h->color)) return "color is no 2D texture of this context";
+    if (h->depth != 0 && !bolan_gl_is_2d(h->depth)) return "depth is no 2D texture of this context";
+    if ((h->color == 0) != (h->depth == 0)) return "color and depth are not both given, or both left out";
+    if (h->mask != 0 && !bolan_gl_is_2d(h->mask)) return "mask is no 2D texture of this context";
+    return bolan_bounds_problem(h->bounds, h->bounds_count);
+}
+
+bool bolan_host_is_valid(bolan_renderer *r, const bolan_host *h) {
+    const char *problem = host_problem(h);
+    return problem == NULL ||
+           bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GUEST_FRAME, "draw_water: the host's %s", problem);
 }

@@ -8,6 +8,8 @@
 
 #include "frame.h"
 
+bolan_host bolan_host_default(void) { return (bolan_host){.color = 0}; }
+
 host_depth bolan_host_depth_of(const bolan_view *view) {
     const float *m = view->projection.m;
     const double a = (double)m[10] / (double)m[11], b = (double)m[14] / fabs((double)m[11]);
@@ -16,16 +18,21 @@ host_depth bolan_host_depth_of(const bolan_view *view) {
 
 bolan_result bolan_host_create(host_frame *h) {
     bolan_result result = bolan_gl_program_create("host_import", NULL, &h->import);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("host_resolve", NULL, &h->resolve);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("host_resolve", "TONEMAP 1\n", &h->tonemap);
-    h->sampler = bolan_gl_guest_sampler_create();
+    if (result == BOLAN_OK) result = bolan_gl_program_create("host_resolve", NULL, &h->resolve[0]);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("host_resolve", "MASK 1\n", &h->resolve[1]);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("host_resolve", "TONEMAP 1\n", &h->tonemap[0]);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("host_resolve", "TONEMAP 1\nMASK 1\n", &h->tonemap[1]);
+    bolan_gl_sampler_create(&h->sampler, false);
     return result;
 }
 
 bolan_result bolan_host_reload(host_frame *h) {
     bolan_result result = bolan_gl_program_reload(&h->import);
-    if (result == BOLAN_OK) result = bolan_gl_program_reload(&h->resolve);
-    return result == BOLAN_OK ? bolan_gl_program_reload(&h->tonemap) : result;
+    for (int i = 0; i < 2 && result == BOLAN_OK; ++i) {
+        result = bolan_gl_program_reload(&h->resolve[i]);
+        if (result == BOLAN_OK) result = bolan_gl_program_reload(&h->tonemap[i]);
+    }
+    return result;
 }
 
 // Window depth of the host over ours: offset, scale.
@@ -43,17 +50,18 @@ void bolan_host_import(host_frame *h, const render_view *v, const bolan_view *to
     bolan_gl_program_use(p);
     bolan_gl_program_vec4(p, "host_depth", depth_law(v, to, v->frame->block.radiance_unit / radiance_of(host), false));
     bolan_gl_program_vec2(p, "host_origin", (float)host->x, (float)host->y);
-    bolan_gl_guest_texture_bind(host->color, UNIT_PASS, h->sampler);
-    bolan_gl_guest_texture_bind(host->depth, UNIT_SURFACE, h->sampler);
+    bolan_gl_guest_texture_bind(host->color, UNIT_PASS, &h->sampler);
+    bolan_gl_guest_texture_bind(host->depth, UNIT_SURFACE, &h->sampler);
     bolan_gl_draw_fullscreen();
-    bolan_gl_guest_texture_bind(0, UNIT_PASS, 0);
-    bolan_gl_guest_texture_bind(0, UNIT_SURFACE, 0);
+    bolan_gl_guest_texture_bind(0, UNIT_PASS, NULL);
+    bolan_gl_guest_texture_bind(0, UNIT_SURFACE, NULL);
 }
 
 void bolan_host_resolve(host_frame *h, const render_view *v, const bolan_view *to, const bolan_host *host,
                         const gl_texture *color) {
     const bool linear = to->output == BOLAN_OUTPUT_LINEAR, encode = to->output == BOLAN_OUTPUT_SRGB;
-    const gl_program *p = linear ? &h->resolve : &h->tonemap;
+    const bool masked = host->mask != 0;
+    const gl_program *p = linear ? &h->resolve[masked] : &h->tonemap[masked];
     const bool reversed = bolan_host_depth_of(to).scale > 0.0;
     bolan_gl_target_bind_external(to->framebuffer, to->x, to->y, to->width, to->height);
     bolan_gl_set_state(
@@ -64,13 +72,18 @@ void bolan_host_resolve(host_frame *h, const render_view *v, const bolan_view *t
     bolan_gl_program_vec2(p, "host_origin", (float)to->x, (float)to->y);
     bolan_gl_texture_bind(color, UNIT_PASS);
     bolan_gl_texture_bind(v->hdr_depth, UNIT_SURFACE);
+    bolan_gl_program_vec2(p, "mask_origin", (float)host->x, (float)host->y);
+    if (masked) bolan_gl_guest_texture_bind(host->mask, UNIT_SCENE_COLOR, &h->sampler);
     bolan_gl_draw_fullscreen();
+    if (masked) bolan_gl_guest_texture_bind(0, UNIT_SCENE_COLOR, NULL);
     bolan_gl_set_framebuffer_srgb(false);
 }
 
 void bolan_host_free(host_frame *h) {
     bolan_gl_program_free(&h->import);
-    bolan_gl_program_free(&h->resolve);
-    bolan_gl_program_free(&h->tonemap);
-    bolan_gl_guest_sampler_free(&h->sampler);
+    for (int i = 0; i < 2; ++i) {
+        bolan_gl_program_free(&h->resolve[i]);
+        bolan_gl_program_free(&h->tonemap[i]);
+    }
+    bolan_gl_sampler_free(&h->sampler);
 }

@@ -6,8 +6,8 @@
 #include "view.h"
 
 typedef struct host_frame {
-    gl_program import, resolve, tonemap;
-    uint32_t sampler; // nearest texels, no comparison, whatever the host's texture says
+    gl_program import, resolve[2], tonemap[2]; // without and with a mask
+    gl_sampler sampler; // nearest texels, no comparison, whatever the host's texture says
 } host_frame;
 
 // Window depth of a projection at distance t along the view axis is offset + scale / t.

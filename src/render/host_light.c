@@ -11,7 +11,7 @@ bolan_environment bolan_environment_default(void) {
 }
 
 bolan_result bolan_host_light_create(host_light *p) {
-    bolan_gl_sampler_create(&p->sampler);
+    bolan_gl_sampler_create(&p->sampler, true);
     return bolan_gl_program_create("host_environment", NULL, &p->program);
 }
 

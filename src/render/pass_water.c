@@ -144,6 +144,7 @@ static water_setup setup_of(const render_view *v) {
                          .static_grid =
                              o->static_grid && !edges && t->surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH,
                          .packed = o->packed,
+                         .bounds = v->frame->bounds_count > 0,
                          .opaque = is_opaque(v),
                          .by_the_paper = look->paper,
                          .shares_samples = o->columns[v->frame->quality] > 1 && !look->paper,

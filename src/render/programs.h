@@ -21,7 +21,8 @@ enum {
     WATER_FEATURE_LAND = 1 << 5,   // LAND
     WATER_FEATURE_GRID = 1 << 6,   // STATIC_GRID
     WATER_FEATURE_PACKED = 1 << 7, // PACKED
-    WATER_FEATURE_COUNT = 8,
+    WATER_FEATURE_BOUNDS = 1 << 8, // BOUNDS: the water lies in a polygon
+    WATER_FEATURE_COUNT = 9,
     WATER_FEATURE_WAVES = WATER_FEATURE_EXP | WATER_FEATURE_SUM | WATER_FEATURE_MESH | WATER_FEATURE_PACKED,
     WATER_FEATURE_ALL = (1 << WATER_FEATURE_COUNT) - 1
 };
@@ -61,7 +62,7 @@ typedef struct water_setup {
     water_waves waves, waves_below; // seen from above and from under the water
     bolan_surface_kind surface;     // from above; from below it is the quad
     bool below;                     // the optics has a picture for an eye under water
-    bool land, static_grid, packed; // as the features of these names
+    bool land, static_grid, packed, bounds; // as the features of these names
     bool opaque;                    // something besides the water can be in the picture
     bool by_the_paper;              // bolan_look::paper
     bool shares_samples;            // half-rate shading: see papers/half_rate.h

@@ -131,6 +131,7 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     bolan_planar_views_destroy(&r->mirror);
     bolan_pass_tonemap_destroy(&r->tonemap);
     bolan_host_free(&r->host);
+    bolan_gl_buffer_free(&r->bounds);
     bolan_host_fields_free(&r->fields);
     bolan_blocks_free(&r->uniforms);
     bolan_gl_program_free(&r->yardstick);

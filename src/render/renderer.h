@@ -3,6 +3,7 @@
 #ifndef BOLAN_RENDERER_H
 #define BOLAN_RENDERER_H
 
+#include "bounds.h"
 #include "fields.h"
 #include "frame.h"
 #include "host.h"
@@ -59,6 +60,7 @@ struct bolan_renderer {
     pass_tonemap *tonemap;
     host_frame host;    // pictures into a host's frame
     host_fields fields; // for programs of the host's
+    gl_buffer bounds;   // the polygon of a host's water
     block_buffers uniforms;
     gl_program yardstick;
     // targets of the present size
@@ -100,7 +102,8 @@ void bolan_renderer_accept(bolan_renderer *r, renderer_call call);
 // framebuffer, and binds it: between bolan_renderer_enter() and bolan_renderer_leave() only.
 bool bolan_step_is_valid(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting);
 bool bolan_view_is_valid(bolan_renderer *r, const bolan_view *view);
-bool bolan_view_has_framebuffer(bolan_renderer *r, const bolan_view *view);
-bool bolan_host_has_textures(bolan_renderer *r, const bolan_host *host);
+bool bolan_view_has_framebuffer(bolan_renderer *r, const bolan_view *v);
+// Whether the host's textures and polygon can be used; if not, the log says why.
+bool bolan_host_is_valid(bolan_renderer *r, const bolan_host *host);
 
 #endif

@@ -60,7 +60,8 @@ function enter(path, parts) {
     area = parts[1]
     module = area == "include" ? parts[3] : area == "src" ? parts[2] : ""
     sub(/\.h$/, "", module)
-    gl_allowed = path ~ /^src\/render\/gl\//
+    engine = path ~ /^examples\/04_/ # an engine has OpenGL and a window of its own
+    gl_allowed = path ~ /^src\/render\/gl\// || engine
     viewer = path ~ /^apps\/viewer\//
     if (module != "" && !(module in may)) breach("a module that the layers do not name: " module)
 }
@@ -76,6 +77,7 @@ function check_system(header, name) {
     if (FILENAME ~ /\.cpp$/ && has(c_headers, substr(name, 2))) return # <cmath>
     if (gl_allowed && FILENAME !~ /\/gl\.h$/ && header ~ /^(epoxy|EGL|GL|GLES3)\//) return
     if (area == "src" && module == "io" && header !~ /^(epoxy|EGL|GL|GLES|SDL)/) return
+    if (engine && header ~ /^SDL2\//) return
     if (viewer && header ~ /^(SDL|imgui|backends\/imgui_impl_(sdl|opengl3))/) return
     breach("<" header "> is not for this layer")
 }

@@ -54,6 +54,8 @@ for file in *.glsl; do
         try "$file" STATIC_GRID WAVES_EXP
         try "$file" QUAD TRIM
         try "$file" KEPT OPAQUE SPARSE
+        try "$file" BOUNDS LAND
+        try "$file" BOUNDS QUAD
         ;;
     ground.glsl)
         try "$file" CLIP

@@ -188,7 +188,7 @@ void bolan_gl_set_framebuffer_srgb(
     bool on); // desktop: let an sRGB framebuffer encode what is written; on ES it always does
 
 // The caller's state: see saved.c.
-enum { GL_UNIFORM_SLOTS = 4 }; // of the blocks Frame, View, Water and Optics
+enum { GL_UNIFORM_SLOTS = 5 }; // of the blocks Frame, View, Water, Optics and Bounds
 enum { GL_SAVED_UNITS = 25, GL_SAVED_BUFFERS = 8, GL_SAVED_VIEWPORTS = 16, GL_SAVED_CLIPS = 8, GL_SAVED_SLOTS = 32 };
 typedef struct gl_saved {
     const gl_caps *caps;
@@ -227,17 +227,16 @@ void bolan_gl_restore(const gl_saved *s);
 typedef struct gl_sampler {
     uint32_t id;
 } gl_sampler;
-void bolan_gl_sampler_create(gl_sampler *out); // linear, without levels, clamped: whatever the texture itself says
+// Without levels, clamped, no comparison, linear or nearest: whatever the texture itself says.
+void bolan_gl_sampler_create(gl_sampler *out, bool linear);
 void bolan_gl_sampler_free(gl_sampler *s);
 bool bolan_gl_is_cube(uint32_t name); // a cube map of this context
 // Binds the host's cube map, and returns what was bound; bolan_gl_cube_unbind() puts that back, without a sampler.
 uint32_t bolan_gl_cube_bind(uint32_t name, const gl_sampler *sampler, uint32_t unit);
 void bolan_gl_cube_unbind(uint32_t before, uint32_t unit);
-// Textures of the host's that are read: through a sampler that takes the nearest texel and compares nothing.
-uint32_t bolan_gl_guest_sampler_create(void);
-void bolan_gl_guest_sampler_free(uint32_t *sampler);
-bool bolan_gl_guest_is_texture(uint32_t texture);
-void bolan_gl_guest_texture_bind(uint32_t texture, uint32_t unit, uint32_t sampler);
+bool bolan_gl_is_2d(uint32_t name); // a 2D texture of this context
+void bolan_gl_guest_texture_bind(uint32_t name, uint32_t unit, const gl_sampler *sampler); // 2D; NULL: no sampler
+
 // NULL: this context has `count` texture units from `first` on, and this uniform buffer slot. Else the reason.
 const char *bolan_gl_guest_slots(uint32_t count, uint32_t first, uint32_t slot);
 // NULL: the sampler names are set to units from `first` on, the block to `slot`. Else the reason why not. Leaves the

@@ -2,28 +2,6 @@
 // What is set in programs of the host's, and what is bound for them and stays bound.
 #include "gl_internal.h"
 
-uint32_t bolan_gl_guest_sampler_create(void) {
-    GLuint id = 0;
-    glGenSamplers(1, &id);
-    glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glSamplerParameteri(id, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-    return id;
-}
-
-void bolan_gl_guest_sampler_free(uint32_t *sampler) {
-    if (*sampler != 0 && bolan_gl_has_context()) glDeleteSamplers(1, sampler);
-    *sampler = 0;
-}
-
-bool bolan_gl_guest_is_texture(uint32_t texture) { return glIsTexture(texture); }
-
-void bolan_gl_guest_texture_bind(uint32_t texture, uint32_t unit, uint32_t sampler) {
-    glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glBindSampler(unit, sampler);
-}
-
 const char *bolan_gl_guest_slots(uint32_t count, uint32_t first, uint32_t slot) {
     GLint units = 0, slots = 0;
     glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
@@ -69,15 +47,17 @@ void bolan_gl_guest_bind(const gl_texture *const *textures, uint32_t count, uint
     glActiveTexture((GLenum)active);
 }
 
-// ---- cube maps ------------------------------------------------------------------------------------------------------
+// ---- textures ------------------------------------------------------------------------------------------------------
 
-void bolan_gl_sampler_create(gl_sampler *out) {
+void bolan_gl_sampler_create(gl_sampler *out, bool linear) {
+    const GLint filter = linear ? GL_LINEAR : GL_NEAREST;
     glGenSamplers(1, &out->id);
-    glSamplerParameteri(out->id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glSamplerParameteri(out->id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glSamplerParameteri(out->id, GL_TEXTURE_MIN_FILTER, filter);
+    glSamplerParameteri(out->id, GL_TEXTURE_MAG_FILTER, filter);
     glSamplerParameteri(out->id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glSamplerParameteri(out->id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glSamplerParameteri(out->id, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(out->id, GL_TEXTURE_COMPARE_MODE, GL_NONE);
 }
 
 void bolan_gl_sampler_free(gl_sampler *s) {
@@ -92,12 +72,21 @@ static GLuint swap_cube(GLuint name) {
     return (GLuint)before;
 }
 
-bool bolan_gl_is_cube(uint32_t name) {
-    GLint target = GL_TEXTURE_CUBE_MAP;
+// OpenGL before 4.5 cannot tell a texture's kind; there one of another kind leaves an error of OpenGL.
+static bool is_texture(GLuint name, GLenum kind) {
+    GLint target = (GLint)kind;
     if (!glIsTexture(name)) return false;
-    // Older versions cannot tell; there a texture of another kind leaves an error of OpenGL.
     if (!bolan_gl_is_es() && bolan_gl_version() >= 45) glGetTextureParameteriv(name, GL_TEXTURE_TARGET, &target);
-    return target == GL_TEXTURE_CUBE_MAP;
+    return target == (GLint)kind;
+}
+
+bool bolan_gl_is_cube(uint32_t name) { return is_texture(name, GL_TEXTURE_CUBE_MAP); }
+bool bolan_gl_is_2d(uint32_t name) { return is_texture(name, GL_TEXTURE_2D); }
+
+void bolan_gl_guest_texture_bind(uint32_t name, uint32_t unit, const gl_sampler *sampler) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glBindSampler(unit, sampler != NULL ? sampler->id : 0);
 }
 
 uint32_t bolan_gl_cube_bind(uint32_t name, const gl_sampler *sampler, uint32_t unit) {

@@ -45,7 +45,7 @@ static void set_units(GLuint program, const shader_text *source) {
 }
 
 static void set_defaults(GLuint id, const shader_text *vertex, const shader_text *fragment) {
-    static const char *const blocks[GL_UNIFORM_SLOTS] = {"Frame", "View", "Water", "Optics"};
+    static const char *const blocks[GL_UNIFORM_SLOTS] = {"Frame", "View", "Water", "Optics", "Bounds"};
     for (GLuint slot = 0; slot < GL_UNIFORM_SLOTS; slot++) {
         const GLuint block = glGetUniformBlockIndex(id, blocks[slot]);
         if (block != GL_INVALID_INDEX) glUniformBlockBinding(id, block, slot);
