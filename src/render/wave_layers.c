@@ -10,6 +10,7 @@ _Static_assert(sizeof((water_block *)0)->layer_wave / sizeof(vec4) == BOLAN_MAX_
 
 int bolan_wave_layers_fill(const bolan_water *water, bolan_dvec3 eye, bolan_vec4 *wave, bolan_vec4 *area,
                            bolan_vec4 *extent) {
+    if (water->layer_count == 0) return 0;
     const double time = bolan_sea_time(water->sea);
     for (uint32_t i = 0; i < water->layer_count; ++i) {
         const bolan_wave_layer *w = water->layers[i];

@@ -84,6 +84,13 @@ static void make_shaders(char *folder) {
     snprintf(common, sizeof common, "%s/common", folder);
     assert_int_equal(mkdir(common, 0777), 0);
     link_folder(BOLAN_SOURCE_DIR "/shaders", folder, "");
+    static const char *const whole[] = {"shared", "papers", "include"};
+    for (size_t i = 0; i < sizeof whole / sizeof *whole; ++i) {
+        char target[512], path[512];
+        snprintf(target, sizeof target, "%s/shaders/%s", BOLAN_SOURCE_DIR, whole[i]);
+        snprintf(path, sizeof path, "%s/%s", folder, whole[i]);
+        assert_int_equal(symlink(target, path), 0);
+    }
     link_folder(BOLAN_SOURCE_DIR "/shaders/common", common, "gusts.glsl");
     snprintf(common, sizeof common, "%s/common/gusts.glsl", folder);
     FILE *file = fopen(common, "w");

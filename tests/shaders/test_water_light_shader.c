@@ -13,8 +13,7 @@ static void a_bed_is_dimmed_both_ways_and_by_the_surface(void **state) {
     float in[5][4] = {{0, 1}, {5, 1}, {5, 0.8f}, {20, 0.66f}, {1e4f, 1}}, out[5][4];
     probe_run(INCLUDES,
               "vec4 probe(vec4 x) { return vec4(radiance_of_bed(vec3(1.0, 2.0, 3.0), vec3(0.01, 0.02, 0.04), "
-              "vec3(0.35, 0.08, "
-              "0.05), x.x, x.y), 0.0); }",
+              "exp(-vec3(0.35, 0.08, 0.05) * bed_path(x.x, x.y))), 0.0); }",
               in, 5, out);
     const double kd[3] = {0.35, 0.08, 0.05}, bed[3] = {1, 2, 3}, deep[3] = {0.01, 0.02, 0.04};
     for (int i = 0; i < 5; ++i)

@@ -67,7 +67,7 @@ static void slope_density_integrates_to_one(void **state) {
         in[i][1] = (float)((i / 16 - 7.5) * step);
     }
     probe_run("#include \"common/slopes.glsl\"",
-              "vec4 probe(vec4 x) { return vec4(slope_density(x.xy, vec2(0.02, -0.05), vec3(0.06, 0.015, 0.04))); }",
+              "vec4 probe(vec4 x) { return vec4(slope_density(x.x - 0.02, x.y + 0.05, 0.06, 0.015, 0.04)); }",
               in, 256, out);
     double sum = 0;
     for (int i = 0; i < 256; ++i) sum += out[i][0] * step * step;
