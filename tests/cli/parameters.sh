@@ -8,7 +8,7 @@ sh "$BOLAN_SOURCE_DIR/tools/parameters.sh" "$BOLAN" "$PWD/made"
 for file in docs/scenes.md docs/command-line.md scenes/scene.schema.json; do
     cmp "made/$file" "$BOLAN_SOURCE_DIR/$file" || fail "$file is out of date: run tools/parameters.sh"
 done
-[ "$(grep -c '^<!-- parameters: ' "$BOLAN_SOURCE_DIR/docs/scenes.md")" -eq 8 ] || fail 'docs/scenes.md lacks a table'
+[ "$(grep -c '^<!-- parameters: ' "$BOLAN_SOURCE_DIR/docs/scenes.md")" -eq 9 ] || fail 'docs/scenes.md lacks a table'
 grep -q '^| `sharpness` | 0.01..2 | 0.5 |' made/docs/scenes.md || fail 'the table of the sea lacks a row'
 grep -q '^| `--wind MPS` | 0..70 m/s |' made/docs/command-line.md || fail 'the table of the options lacks a row'
 

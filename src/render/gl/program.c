@@ -71,7 +71,7 @@ static void find_uniforms(gl_program *p) {
         name[strcspn(name, "[")] = '\0';
         if (location < 0) continue;
         BOLAN_ASSERT(p->uniform_count < GL_PROGRAM_UNIFORMS && strlen(name) < GL_UNIFORM_NAME);
-        snprintf(p->uniforms[p->uniform_count].name, GL_UNIFORM_NAME, "%s", name);
+        snprintf(p->uniforms[p->uniform_count].name, GL_UNIFORM_NAME, "%.*s", GL_UNIFORM_NAME - 1, name);
         p->uniforms[p->uniform_count++].location = location;
     }
 }
