@@ -84,18 +84,23 @@ static bool append(char *text, size_t size, const char *line) {
     return length + strlen(line) < size;
 }
 
-static void compile(water_program *p) {
-    const water_variant *v = &p->variant;
-    char defines[sizeof p->program.defines] = "", count[24];
+void bolan_water_variant_defines(const water_variant *v, char *defines, size_t size) {
+    char count[24];
     bool all = true;
+    defines[0] = '\0';
     for (int i = 0; i < WATER_FEATURE_COUNT; ++i)
-        if (v->features & 1u << i) all = append(defines, sizeof defines, feature_defines[i]) && all;
+        if (v->features & 1u << i) all = append(defines, size, feature_defines[i]) && all;
     snprintf(count, sizeof count, "WAVE_COUNT %u\n", v->waves);
-    if (v->waves > 0) all = append(defines, sizeof defines, count) && all;
+    if (v->waves > 0) all = append(defines, size, count) && all;
     for (int i = 0; i < WATER_SHADER_DEFINES; ++i)
-        if (v->own & 1u << i) all = append(defines, sizeof defines, v->shader->defines[i]) && all;
+        if (v->own & 1u << i) all = append(defines, size, v->shader->defines[i]) && all;
     BOLAN_ASSERT(all);
-    if (bolan_gl_program_create(v->shader->stem, defines, &p->program) != BOLAN_OK) p->program.id = 0;
+}
+
+static void compile(water_program *p) {
+    char defines[sizeof p->program.defines];
+    bolan_water_variant_defines(&p->variant, defines, sizeof defines);
+    if (bolan_gl_program_create(p->variant.shader->stem, defines, &p->program) != BOLAN_OK) p->program.id = 0;
     p->compiled = true;
 }
 

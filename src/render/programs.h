@@ -82,6 +82,8 @@ void bolan_water_programs_compile(water_programs *all, bolan_progress *progress,
 // The variant of a shader by which something is drawn: `features` are those of the surface and the ground.
 water_variant bolan_water_variant_of(const water_shader *shader, uint32_t own, water_waves waves, uint32_t wave_count,
                                      uint32_t features);
+// The lines "NAME VALUE\n" that a variant defines.
+void bolan_water_variant_defines(const water_variant *v, char *defines, size_t size);
 // The program of a variant; NULL: it was never noted (an assertion), or does not compile.
 const gl_program *bolan_water_programs_find(const water_programs *all, const water_variant *v);
 bolan_result bolan_water_programs_reload(water_programs *all);

@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check.sh SOURCE-FOLDER PRINT-SHADER SCRATCH: compiles every shader with glslangValidator, as the engine would: each
-# pass as "330 core" and "300 es", both stages; the compute shaders as "430". Does not need a GL driver.
+# check.sh SOURCE-FOLDER PRINT-SHADER PRINT-VARIANTS SCRATCH: compiles every shader with glslangValidator, as the engine
+# would: each pass as "330 core" and "300 es", both stages, and every variant that the optics of the water list; what a
+# host includes; the compute shaders as "430". Does not need a GL driver.
 set -eu
-source=$1 print_shader=$2 scratch=$3
+source=$1 print_shader=$2 print_variants=$3 scratch=$4
 if ! command -v glslangValidator >/dev/null; then
     echo 'glslangValidator is missing: skipped'
     exit 77
@@ -26,12 +27,13 @@ validate() {
 # try FILE NAMES...: both stages of both profiles, with the names defined
 try() {
     stem=${1%.glsl}
+    flat=$(echo "$stem" | tr / -)
     shift
     for profile in core es; do
         for stage in VERTEX FRAGMENT; do
             if [ $stage = VERTEX ]; then kind=vert; else kind=frag; fi
-            if "$print_shader" "$stem" $stage $profile "$@" >"$scratch/$profile.$stem.$kind"; then
-                validate $kind "$scratch/$profile.$stem.$kind" "$stem.glsl ($profile, $kind: $*)"
+            if "$print_shader" "$stem" $stage $profile "$@" >"$scratch/$profile.$flat.$kind"; then
+                validate $kind "$scratch/$profile.$flat.$kind" "$stem.glsl ($profile, $kind: $*)"
             else
                 failures=$((failures + 1))
             fi
@@ -39,25 +41,9 @@ try() {
     done
 }
 
-for file in *.glsl; do
-    [ -e "$file" ] || continue
+for file in *.glsl papers/*.glsl; do
     try "$file"
-    # every wave model on a mesh and on the quad, in the open and at a shore
-    case $file in water*)
-        try "$file" LAND
-        try "$file" QUAD LAND
-        try "$file" WAVES_EXP
-        try "$file" WAVES_EXP QUAD LAND
-        try "$file" WAVES_SUM QUAD
-        try "$file" WAVES_MESH LAND
-        try "$file" STATIC_GRID PACKED LAND
-        try "$file" STATIC_GRID WAVES_EXP
-        try "$file" QUAD TRIM
-        try "$file" KEPT OPAQUE SPARSE
-        try "$file" BOUNDS LAND
-        try "$file" BOUNDS QUAD
-        ;;
-    ground.glsl)
+    case $file in ground.glsl)
         try "$file" CLIP
         ;;
     objects.glsl)
@@ -65,8 +51,36 @@ for file in *.glsl; do
         try "$file" GROUND PICTURE WET
         try "$file" GROUND PICTURE CUT WET
         ;;
+    wireframe.glsl)
+        try "$file" FILL
+        try "$file" QUAD TRIM LAND
+        ;;
     esac
 done
+
+# what a host includes: after its own #version, in either stage
+for file in include/*.glsl; do
+    for profile in '330 core' '300 es'; do
+        for kind in vert frag; do
+            host=$scratch/host.${profile#* }.$kind
+            printf '#version %s\n' "$profile" >"$host"
+            cat "$file" >>"$host"
+            printf 'void main() {}\n' >>"$host"
+            validate $kind "$host" "$file ($profile, $kind)"
+        done
+    done
+done
+
+# every variant that the table of the water's programs can list
+rm -rf "$scratch/variants"
+mkdir "$scratch/variants"
+if "$print_variants" "$source/shaders" "$scratch/variants"; then
+    (cd "$scratch/variants" && ls | xargs -P 2 -n 32 glslangValidator) >"$scratch/log" || failures=$((failures + 1))
+    grep -B 1 -A 2 '^ERROR' "$scratch/log" | head -40 || true
+    compiled=$((compiled + $(ls "$scratch/variants" | wc -l)))
+else
+    failures=$((failures + 1))
+fi
 for file in compute/*.glsl; do
     [ -e "$file" ] || continue
     awk -v folder=. '
