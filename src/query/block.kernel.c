@@ -3,6 +3,7 @@
 // Newton's method on the equation of block.h. The shader twin of the look-up is the texture unit, in the vertex shader
 // of shaders/common/water_vertex.glsl.
 #include "query/block.h"
+#include "shared/cascade.glsl"
 
 #include <math.h>
 
@@ -36,8 +37,8 @@ void KERNEL(bolan_query_locate)(const query_sea *sea, query_block *block) {
         const query_cascade *t = &sea->cascade[c];
         const double n = t->n;
         LANES(l) {
-            const double u = fraction(block->x[l] * t->tile_c + block->y[l] * t->tile_s) * n;
-            const double v = fraction(block->y[l] * t->tile_c - block->x[l] * t->tile_s) * n;
+            const double u = fraction(along_tile(block->x[l], block->y[l], t->tile_c, t->tile_s)) * n;
+            const double v = fraction(across_tile(block->x[l], block->y[l], t->tile_c, t->tile_s)) * n;
             block->cell_u[c][l] = (int32_t)u;
             block->cell_v[c][l] = (int32_t)v;
             block->part_u[c][l] = (float)(u - (double)block->cell_u[c][l]);

@@ -3,6 +3,7 @@
 #include "support.h"
 
 #include "bolan/earth.h"
+#include "shared/earth.glsl"
 
 #include <math.h>
 
@@ -73,11 +74,27 @@ static void great_circles_have_their_lengths(void **state) {
     assert_true(bolan_earth_distance(12.3, 45.6, 12.3, 45.6) == 0.0);
 }
 
+// An eye at height h sees a mast top, of height m on the sphere, at the level distance (R + m) sin a and the elevation
+// (R + m) cos a - (R + h): the height over mean water that comes out is the mast's.
+static void heights_over_the_water_are_those_of_masts(void **state) {
+    (void)state;
+    for (double h = 2.0; h < 3000.0; h *= 7.0)
+        for (double angle = 0.0; angle < 0.005; angle += 0.0007)
+            for (double mast = -5.0; mast <= 45.0; mast += 25.0) {
+                const double r = (R + mast) * sin(angle), half = sin(0.5 * angle);
+                const double z = mast - h - 2.0 * (R + mast) * half * half;
+                // the parabola's error, and a mast that leans away by its angle
+                const double allowed = pow(r, 4.0) / (7.9 * pow(R, 3.0)) + 50.0 * angle * angle + 1e-8;
+                assert_near(earth_height(z, h, r * r, R), mast, allowed);
+            }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_horizon_is_that_of_the_sphere),
         cmocka_unit_test(the_parabola_is_as_near_the_sphere_as_stated),
         cmocka_unit_test(a_ray_meets_the_parabola_where_it_crosses_it),
+        cmocka_unit_test(heights_over_the_water_are_those_of_masts),
         cmocka_unit_test(great_circles_have_their_lengths),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -3,6 +3,7 @@
 // rows of the projected grid, tiles, half floats.
 #include "support.h"
 
+#include "bolan/query.h"
 #include "math/half.h"
 #include "shared/attenuation.glsl"
 #include "shared/cascade.glsl"
@@ -90,6 +91,50 @@ static void tiles_are_turned_counter_clockwise(void **state) {
     assert_near(across_tile(-s, c, c, s), 1.0, 1e-15);
 }
 
+// Height of an unturned cascade between its samples.
+static double between_samples(const bolan_cascade_view *v, bolan_dvec2 at) {
+    const double u = at.x / v->length * v->n, w = at.y / v->length * v->n, fu = u - floor(u), fw = w - floor(w);
+    const uint32_t i = (uint32_t)(int)floor(u) & (v->n - 1), j = (uint32_t)(int)floor(w) & (v->n - 1);
+    const uint32_t i1 = (i + 1) & (v->n - 1), j1 = (j + 1) & (v->n - 1);
+    const double south = v->height[j * v->n + i] * (1.0 - fu) + v->height[j * v->n + i1] * fu;
+    const double north = v->height[j1 * v->n + i] * (1.0 - fu) + v->height[j1 * v->n + i1] * fu;
+    return south * (1.0 - fw) + north * fw;
+}
+
+// Query and samples find the sample (i, j) of a cascade where along_tile() and across_tile() are i, j of n: the turn, the
+// side and the order of the axes that shaders use. The first of two cascades is not turned; the second is.
+static void cascades_lie_over_the_world_as_tiles_do(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.fft.cascade_count = 2;
+    desc.resolution = 64;
+    desc.choppiness = 0.0; // nothing moves sideways
+    bolan_sea *sea = NULL;
+    assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_OK);
+    bolan_sea_step(sea, 3.0);
+    const bolan_cascade_view plain = bolan_sea_cascade(sea, 0), v = bolan_sea_cascade(sea, 1);
+    assert_true(plain.angle == 0.0);
+    const double c = cos(v.angle), s = sin(v.angle);
+    assert_true(fabs(s) > 0.05 && fabs(c) > 0.05); // else a turn of the wrong sign would pass
+    bolan_water water = bolan_water_default();
+    water.sea = sea;
+    for (uint32_t k = 0; k < 200; ++k) {
+        const uint32_t i = k * 7 % v.n, j = k * 11 % v.n;
+        const double tile = v.length * ((int)(k % 5) - 2), u = tile + i * v.length / v.n, w = j * v.length / v.n - tile;
+        const bolan_dvec2 at = {u * c - w * s, u * s + w * c};
+        assert_near(along_tile(at.x, at.y, c, s), u, 1e-9);
+        assert_near(across_tile(at.x, at.y, c, s), w, 1e-9);
+        float height = 0.0f;
+        bolan_sea_sample sample;
+        bolan_query_heights(&water, &at, 1, &height);
+        bolan_sea_sample_rest(sea, &at, 1, &sample);
+        const double want = (double)v.height[j * v.n + i] + between_samples(&plain, at);
+        assert_near((double)height, want, 1e-5); // the place to 1e-9 cells, heights of a few metres in float
+        assert_near((double)sample.height, want, 1e-5);
+    }
+    bolan_sea_destroy(&sea);
+}
+
 static void half_floats_come_back(void **state) {
     (void)state;
     for (uint32_t half = 0; half < 0x10000u; ++half) {
@@ -108,6 +153,7 @@ int main(void) {
         cmocka_unit_test(shallow_water_leaves_the_hyperbolic_tangent),
         cmocka_unit_test(rows_of_the_grid_go_back_and_forth),
         cmocka_unit_test(tiles_are_turned_counter_clockwise),
+        cmocka_unit_test(cascades_lie_over_the_world_as_tiles_do),
         cmocka_unit_test(half_floats_come_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
