@@ -45,24 +45,13 @@ layout(std140) uniform Optics {
 };
 
 #ifdef LAND
-#pragma unit scene_color 3
-#pragma unit scene_depth 4
-uniform sampler2D scene_color; // what lies behind the water
-uniform sampler2D scene_depth;
+#include "common/behind.glsl"
 #endif
 
 // The ray that a facet of that slope reflects towards the observer.
 vec3 reflected_ray(vec3 view, vec2 slope) { return reflect(-view, normalize(vec3(-slope, 1.0))); }
 
 #ifdef LAND
-// What lies behind the water at a place of the picture: its colour as lit in air, and where it is; w = 0 where there is
-// nothing.
-vec4 behind(vec2 uv, out vec3 where) {
-    float depth = textureLod(scene_depth, uv, 0.0).x;
-    where = frame_ray(uv) / max(depth, 1e-9);
-    return vec4(textureLod(scene_color, uv, 0.0).rgb, depth > 0.0 ? 1.0 : 0.0);
-}
-
 // The land that a mirrored ray meets, found in the picture itself: rgb, w = how much of it counts.
 vec4 mirrored_land(vec3 position, vec3 direction) {
     vec4 origin = view_projection * vec4(position, 1.0), step = view_projection * vec4(direction, 0.0);
@@ -138,27 +127,31 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, flo
     return radiance_of_bed(seen.rgb, deep, exp(-water_attenuation * bed_path(water_path, down)));
 }
 
-// Broken water near the shore: bores that run in over the shallows with foam behind their fronts, surge at rocks, swash
-// at the edge. Up a slope the fronts follow the depth; over flats they travel the way the sea goes.
+// How this optics shows the shore, chosen by eye.
+const surf_look SURF_LOOK = surf_look(0.35, 1.6, 0.1, 0.02, 0.35, 0.75, 0.0);
+const float ROCKS_DRY = 1.5, ROCKS_DEEP = 0.8;    // heights that the surge covers: this much dry [m], this much drowned
+const float ROCKS_MEAN = 0.55, ROCKS_PULSE = 0.45; // cover by surge
+
+// Bores, swash at the edge, and surge at rocks. least: depth of the water where it is least near here [m]; water_path:
+// depth under the pixel [m]. Noise bends the fronts and lets the surge come at different times.
 float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 noise) {
-    float hs = shore_height, wobble = noise.b - 0.5;
-    float zone = smoothstep(1.6 * hs, 0.35 * hs, depth + wobble * hs);
-    float cover = zone * (0.1 + 0.9 * bore(behind_front(rest, depth, 0.9 * wobble + 0.5 * noise.a)));
-    float surge = 0.55 + 0.45 * sin(2.0 * PI * (surf_time + 2.0 * wobble));
-    float rocks = smoothstep(0.8, -1.5, least) * surge;
-    float swash = smoothstep(0.35, 0.02, water_path) * 0.75;
-    return clamp(max(max(cover, rocks), swash), 0.0, 1.0);
+    float wobble = noise.b - 0.5;
+    float bore = bore_foam(behind_front(rest, depth, 0.9 * wobble + 0.5 * noise.a));
+    float broken = surf_cover(depth / shore_height + wobble, bore, SURF_LOOK);
+    float rocks = shallows(least, -ROCKS_DRY, ROCKS_DEEP) * surge(ROCKS_MEAN, ROCKS_PULSE, surf_time + 2.0 * wobble);
+    return clamp(max(max(broken, rocks), swash_cover(water_path, surf_time, SURF_LOOK)), 0.0, 1.0);
 }
 #endif
 
-// Covered shares by breaking crests and by what they leave (Dupuy & Bruneton 2012: the mean and the hidden variance of
-// the Jacobian).
+// Covered shares by breaking crests and by what they leave, by the law of shared/foam.glsl: what the pixel hides of the
+// slopes it hides of the Jacobian and of the foam memory.
 void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float old) {
-    float variance = max(covariance.x + covariance.z - slopes_beyond_cascades, 0.0) * choppiness * choppiness;
-    fresh = breaking_jacobian < -999.0 ? 0.0 : normal_cdf((breaking_jacobian - w.jacobian) * inversesqrt(variance + fresh_edge));
-    float hidden = clamp(variance / max(jacobian_variance, 1e-6), 0.0, 1.0);
-    float excess = (w.foam - old_foam_memory) * inversesqrt(memory_variance * (hidden + old_edge));
-    old = old_foam_memory > 999.0 ? 0.0 : normal_cdf(excess);
+    float hidden = jacobian_variance_of(covariance.x + covariance.z - slopes_beyond_cascades, choppiness);
+    float share = clamp(hidden / max(jacobian_variance, 1e-6), 0.0, 1.0);
+    fresh = foam_cover(breaking_jacobian - w.jacobian, hidden + fresh_edge);
+    old = foam_cover(w.foam - old_foam_memory, memory_variance * (share + old_edge));
+    fresh = breaking_jacobian <= 1.0 - FOAM_NEVER ? 0.0 : fresh;
+    old = old_foam_memory >= FOAM_NEVER ? 0.0 : old;
 }
 
 // What is known of a pixel of water before it is lit.
@@ -252,6 +245,48 @@ vec3 water_light(vec3 sunlight) {
     return water_reflectance * (sunlight * (max(sun_direction.z, 0.0) * enters) + sky_light * SKY_ENTERS);
 }
 
+// What comes up through the surface: the water's own light, and the bed. water_path: depth under the pixel [m].
+vec3 transmitted_light(water_here p, vec2 uv, vec3 sunlight, out float water_path) {
+    vec3 below = effect_is_on(EFFECT_AMBIENT) ? water_light(sunlight) : vec3(0.0);
+    water_path = 1e4;
+#ifdef LAND
+    vec3 over_bed = bed_radiance(uv, below, p.position, p.view, p.normal, p.depth + p.height, water_path);
+    if (effect_is_on(EFFECT_REFRACTION)) below = over_bed;
+#endif
+    if (effect_is_on(EFFECT_SCATTERING)) {
+        float height = (p.position.z + eye_height) / max(significant_height, 0.3);
+        below += crest_glow(water_reflectance, sunlight, p.view, sun_direction, height, p.waves.jacobian);
+    }
+    return below;
+}
+
+// The light that leaves the clean surface.
+vec3 surface_light(water_here p, vec3 sunlight, vec3 below) {
+    rough_reflection mirror = reflection_of(p.view, p.slope, p.seen, p.near, water_index);
+    vec3 light = (1.0 - mirror.reflectance) * below;
+    if (effect_is_on(EFFECT_REFLECTION)) light += reflected_light(p, mirror);
+    if (effect_is_on(EFFECT_GLITTER) && sun_direction.z > -0.01)
+        light += sunlight *
+                 sun_glint(p.view, sun_direction, p.slope, p.roughness, p.seen, p.near, p.whole, water_index);
+    return light;
+}
+
+// The surface under its foam.
+vec3 covered(vec3 surface, water_here p, vec3 sunlight, float water_path) {
+    if (!effect_is_on(EFFECT_FOAM)) return surface;
+    float fresh, old;
+    breaking_cover(p.waves, p.hidden, fresh, old);
+    foam_texels texels = foam_look_up(p.rest, p.place.minor);
+#ifdef LAND
+    fresh = max(fresh, shore_cover(p.rest, p.depth, p.least, water_path, texels.broad));
+#endif
+    float foam = foam_alpha(texels, p.place.minor, fresh, old) * foam_strength;
+    vec3 light = foam_radiance(sunlight, dot(sun_direction, p.normal), sky_light) * FOAM_ALBEDO;
+    return mix(surface, light, clamp(foam, 0.0, 1.0) * FOAM_DENSEST);
+}
+
+const float FILM = 0.12; // depth within which the water's edge fades into wet sand [m]
+
 void main() {
     ivec2 pixel = sampled_pixel();
     vec2 uv = (vec2(pixel) + 0.5) * pixel_size;
@@ -259,33 +294,12 @@ void main() {
     if (through_air.w < 0.5) discard; // no water here
     vec4 from_air = texelFetch(surface_inscatter, pixel, 0);
     water_here p = water_at(pixel, uv, through_air.w, from_air.w);
-    vec3 sunlight = sun_light * p.shade, surface = vec3(0.0);
-    rough_reflection mirror = reflection_of(p.view, p.slope, p.seen, p.near, water_index);
-    vec3 below = effect_is_on(EFFECT_AMBIENT) ? water_light(sunlight) : vec3(0.0);
-    float fresh, old, film = 1.0;
-    breaking_cover(p.waves, p.hidden, fresh, old);
-    foam_texels texels = foam_look_up(p.rest, p.place.minor);
-#ifdef LAND
+    vec3 sunlight = sun_light * p.shade;
     float water_path;
-    vec3 over_bed = bed_radiance(uv, below, p.position, p.view, p.normal, p.depth + p.height, water_path);
-    if (effect_is_on(EFFECT_REFRACTION)) below = over_bed;
-    fresh = max(fresh, shore_cover(p.rest, p.depth, p.least, water_path, texels.broad));
-    film = smoothstep(0.0, 0.12, water_path); // the last centimetres over the sand
-#endif
-    if (effect_is_on(EFFECT_SCATTERING))
-        below += crest_glow(water_reflectance, sunlight, p.view, sun_direction, (p.position.z + eye_height) / max(significant_height, 0.3),
-                            p.waves.jacobian);
-    surface = (1.0 - mirror.reflectance) * below;
-    if (effect_is_on(EFFECT_REFLECTION)) surface += reflected_light(p, mirror);
-    if (effect_is_on(EFFECT_GLITTER) && sun_direction.z > -0.01)
-        surface += sunlight * sun_glint(p.view, sun_direction, p.slope, p.roughness, p.seen, p.near, p.whole, water_index);
-    if (effect_is_on(EFFECT_FOAM)) {
-        float foam = foam_alpha(texels, p.place.minor, fresh, old) * foam_strength;
-        vec3 light = foam_radiance(sunlight, dot(sun_direction, p.normal), sky_light) * FOAM_ALBEDO;
-        surface = mix(surface, light, clamp(foam, 0.0, 1.0) * FOAM_DENSEST);
-    }
+    vec3 below = transmitted_light(p, uv, sunlight, water_path);
+    vec3 surface = covered(surface_light(p, sunlight, below), p, sunlight, water_path);
 #ifdef LAND
-    surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, film);
+    surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, smoothstep(0.0, FILM, water_path));
 #endif
     color = vec4(surface * through_air.rgb + from_air.rgb, 1.0);
 }

@@ -33,9 +33,9 @@ void main() { fullscreen(0.0); }
 #include "common/water_light.glsl"
 #include "shared/earth.glsl"
 #ifdef LAND
+#include "common/behind.glsl"
 #include "common/surf.glsl"
 #endif
-#include "common/water_light.glsl"
 out vec4 color;
 
 #pragma unit shape_rest 16
@@ -91,7 +91,8 @@ crest_pixel pixel_here(ivec2 at, vec4 shape) {
     p.fine = log2(p.width);
     vec4 through = textureLod(air_map, vec3(uv, 0.0), 0.0), from = textureLod(air_map, vec3(uv, 1.0), 0.0);
     // a crest before the horizon is nearer than the mean water on its ray
-    float share = min(p.dist * max(p.view.z, 0.5 * earth_dip(max(eye_height, 0.3), earth_radius)) / max(eye_height, 0.3), 1.0);
+    float above = max(eye_height, 0.3), sinks = max(p.view.z, 0.5 * earth_dip(above, earth_radius));
+    float share = min(p.dist * sinks / above, 1.0);
     p.transmittance = mix(vec3(1.0), through.rgb, share);
     p.inscatter = from.rgb * share;
     p.gust = through.w;
@@ -123,16 +124,28 @@ uniform sampler2D foam_densities; // opacity of thin, middling and dense foam; a
 const vec3 FOAM_DENSITIES = vec3(FOAM_THIN, FOAM_MIDDLING, FOAM_DENSE); // mean opacity of the three
 
 const vec3 PAPER_TINT = vec3(0.088, 0.497, 0.456);
+const float PAPER_SUN = 1.7; // the paper's factor of sunlight; its base is 0
+
+// How this optics shows crests, chosen by eye on waves of 0.5 to 5 m. The mask is the product of three ramps:
+const float HIGH_MEAN = 0.35, HIGH_RISE = 0.9;       // height: at the mean water, and a significant height over it
+const float PINCH_MEAN = 0.25, PINCH_RISE = 1.3;     // pinch: of flat water, and for each unit that the Jacobian lacks
+const float FACING_LEVEL = 0.4, FACING_RISE = 2.0;   // side: of level water, and for each unit of slope to the eye
+const float MASK_GAIN = 2.0;
+const float GLOW_FORWARD = 0.16, GLOW_AROUND = 0.012; // of sunlight: scattered forwards, and to all sides
+const float GLOW_SKY = 0.3;                           // skylight beside it
+const float PATH_HEIGHTS = 1.2;                       // way through a crest, in significant heights
+const float OLD_OPACITY = 0.55;                       // of old foam beside fresh
 
 // ---- light through crests -------------------------------------------------------------------------------------------
 
 // The mask of crests, 0..1. `rise`: of the mean water's surface here [m]; toward: horizontal direction to the eye.
 float crest_mask(crest_pixel p, wave_fields w, float rise, vec2 toward) {
-    if (look_by_the_paper > 0.5) return clamp(10.0 * length(vec3(p.position.xy - p.rest, rise)) / peak_length, 0.0, 1.0);
-    float high = clamp(0.35 + 0.9 * rise / max(significant_height, 0.2), 0.0, 1.0);
-    float pinched = clamp(0.25 + 1.3 * (1.0 - w.jacobian), 0.0, 1.0);
-    float facing = clamp(0.4 - 2.0 * dot(w.slope, toward), 0.0, 1.0); // the side that leans to the eye
-    return high * pinched * facing * 2.0 * min(1.0, 2.0 * high);
+    if (look_by_the_paper > 0.5)
+        return clamp(10.0 * length(vec3(p.position.xy - p.rest, rise)) / peak_length, 0.0, 1.0);
+    float high = clamp(HIGH_MEAN + HIGH_RISE * rise / max(significant_height, 0.2), 0.0, 1.0);
+    float pinched = clamp(PINCH_MEAN + PINCH_RISE * (1.0 - w.jacobian), 0.0, 1.0);
+    float facing = clamp(FACING_LEVEL - FACING_RISE * dot(w.slope, toward), 0.0, 1.0);
+    return high * pinched * facing * MASK_GAIN * min(1.0, 2.0 * high); // troughs, twice: by their depth squared
 }
 
 // Light from below that came through crests. ahead: cosine between the view and the sunlight's way.
@@ -141,20 +154,21 @@ vec3 crest_light(float mask, vec3 view, vec3 sunlight) {
     float towards = ahead * ahead;
     towards *= towards * ahead; // ^5
     float across = (1.0 - view.z * view.z) * mask;
-    if (look_by_the_paper > 0.5) return 1.7 * towards * across * PAPER_TINT * sunlight / 3.14159265; // base 0, sun 1.7
-    float path = clamp(1.2 * significant_height, 0.5, 5.0);
+    if (look_by_the_paper > 0.5) return PAPER_SUN * towards * across * PAPER_TINT * sunlight / PI;
+    float path = clamp(PATH_HEIGHTS * significant_height, 0.5, 5.0);
     // forward scattering, most of it within 40 degrees; the rest, from all around, lights every thin crest a little
-    return (0.16 * towards + 0.012) * across * exp(-path * water_attenuation) * (sunlight + 0.3 * sky_light);
+    return (GLOW_FORWARD * towards + GLOW_AROUND) * across * exp(-path * water_attenuation) *
+           (sunlight + GLOW_SKY * sky_light);
 }
 
 // ---- foam -----------------------------------------------------------------------------------------------------------
 
 // Shares of foam by breaking crests and by what they left behind (means over what the pixel does not resolve).
 float open_foam(wave_fields w, vec3 slopes) {
-    float hidden = max(slopes.x + slopes.z - slopes_beyond_cascades, 0.0) * choppiness * choppiness;
-    float fresh = normal_cdf_linear(breaking_pinch + 1.0 - w.jacobian, hidden + fresh_edge);
-    float old = normal_cdf_linear(w.foam - old_foam_memory, hidden * memory_share + old_edge);
-    return max(fresh, 0.55 * old);
+    float hidden = jacobian_variance_of(slopes.x + slopes.z - slopes_beyond_cascades, choppiness);
+    float fresh = foam_cover_fast(breaking_pinch + 1.0 - w.jacobian, hidden + fresh_edge);
+    float old = foam_cover_fast(w.foam - old_foam_memory, hidden * memory_share + old_edge);
+    return max(fresh, OLD_OPACITY * old);
 }
 
 // Opacity; a: brightness of the bubbles.
@@ -164,42 +178,43 @@ vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
     vec4 tile = textureLod(foam_densities, at * (1.0 / 16.0), max(level - 4.0, 0.0));
     for (int finer = 0; finer < 1 && width_log2 < -4.0; ++finer) { // a loop: software OpenGL takes both ways of an if
         vec4 close = textureLod(foam_densities, at.yx * (1.0 / 4.0), max(level - 2.0, 0.0));
-        tile = mix(tile, sqrt(tile * close) , clamp(-4.0 - width_log2, 0.0, 1.0) * 0.6);
+        tile = mix(tile, sqrt(tile * close), clamp(-4.0 - width_log2, 0.0, 1.0) * 0.6);
     }
 #ifdef LAND
     vec4 ramp = textureLod(crest_tables, vec2(intensity, zone), 0.0);
     float opacity = clamp(dot(tile.rgb, ramp.rgb) + ramp.a, 0.0, 1.0);
 #else // the row of the open sea: between nothing, thin, middling, dense, everything
-    vec4 share = clamp((intensity - vec4(0.0, FOAM_DENSITIES)) / (vec4(FOAM_DENSITIES, 1.0) - vec4(0.0, FOAM_DENSITIES)), 0.0, 1.0);
+    vec4 from = vec4(0.0, FOAM_DENSITIES), to = vec4(FOAM_DENSITIES, 1.0);
+    vec4 share = clamp((intensity - from) / (to - from), 0.0, 1.0);
     float opacity = mix(mix(mix(tile.r * share.x, tile.g, share.y), tile.b, share.z), 1.0, share.w);
 #endif
     return vec2(opacity, 0.75 + 0.25 * tile.a);
 }
 
 #ifdef LAND
+// How this optics shows the shore, chosen by eye.
+const surf_look SURF_LOOK = surf_look(0.88, 2.2, 0.06, 0.05, 0.5, 0.6, 0.3);
+const float SURF_FULL_FROM_SHORE = 2.0, SURF_NONE_FROM_SHORE = 6.0; // over the length from front to front
+const float SWASH_ZONE = 12.0; // [m] from the shore, within which foam takes the ramp of swash
+const float FILM = 0.15;       // depth within which the water's edge fades into wet sand [m]
+
 // Foam of the shore: bores that run in over the shallows, denser with less depth, and swash at the edge. bed: depth of
 // the bed below the surface here [m]. Gives intensity and zone.
 vec2 shore_foam(crest_pixel p, float bed) {
     float hs = shore_height;
-    float depth = min(bed, max(p.depth, 0.0) + hs), reach = 2.2 * hs;
-    float near = clamp(1.0 - depth / reach, 0.0, 1.0); // the paper's t = 1 - depth / foam depth
-    float distance = p.shore, length = bore_length();
-    near *= smoothstep(6.0, 2.0, distance / length); // where the bed hardly rises, waves broke before they came there
-    if (near <= 0.0) return vec2(0.0, RAMP_SURF);
+    float depth = min(bed, max(p.depth, 0.0) + hs), length = bore_length();
+    // where the bed hardly rises, waves broke before they came there
+    float near = shallows(p.shore / length, SURF_FULL_FROM_SHORE, SURF_NONE_FROM_SHORE);
+    if (near <= 0.0 || depth >= SURF_LOOK.zone_none * hs) return vec2(0.0, RAMP_SURF);
     vec2 at = mod(eye_wrapped + p.rest, WORLD_WRAP) * (2.0 * PI / WORLD_WRAP);
     float wobble = sin(61.0 * at.x + 2.0 * sin(37.0 * at.y)) + sin(83.0 * at.y + 2.0 * sin(49.0 * at.x));
-    float front = bore(behind_front(p.rest, max(p.depth, 0.0), 0.22 * wobble));
-    float running = mix(0.3, front, clamp(length / (6.0 * p.width), 0.0, 1.0));
-    float breaking = smoothstep(0.0, 0.6, near) * (0.06 + 0.94 * running);
-    float edge = smoothstep(0.5, 0.05, bed) * (0.6 + 0.3 * sin(6.2831853 * (surf_time + 0.2 * wobble)));
+    float front = bore_foam(behind_front(p.rest, max(p.depth, 0.0), 0.22 * wobble));
+    float running = mix(BORE_MEAN, front, clamp(length / (6.0 * p.width), 0.0, 1.0));
+    float breaking = surf_cover(mix(SURF_LOOK.zone_none, max(depth / hs, 0.0), near), running, SURF_LOOK);
+    float edge = swash_cover(bed, surf_time + 0.2 * wobble, SURF_LOOK);
     return vec2(clamp(max(breaking, edge), 0.0, 1.0),
-                mix(RAMP_SURF, RAMP_SWASH, clamp(1.0 - distance / 12.0, 0.0, 1.0)));
+                mix(RAMP_SURF, RAMP_SWASH, clamp(1.0 - p.shore / SWASH_ZONE, 0.0, 1.0)));
 }
-
-#pragma unit scene_color 3
-#pragma unit scene_depth 4
-uniform sampler2D scene_color; // what lies behind the water
-uniform sampler2D scene_depth;
 
 // How deep below the pixel's water what is behind it lies [m]; 1e4 where nothing is.
 float bed_depth(ivec2 at, vec3 position) {
@@ -214,7 +229,8 @@ vec3 bed_light(ivec2 at, vec3 deep, vec3 position, vec3 view, vec2 slope, inout 
     vec3 both_ways = exp(-water_attenuation * bed_path(bed, refracted_cosine(view.z, water_index)));
     if (max(both_ways.b, both_ways.g) < 0.01) return deep;
     float bend = min(bed, 3.0) * 0.25 / (length(position) * radians_per_pixel);
-    ivec2 bent = clamp(at + ivec2(vec2(dot(slope, vec2(-view.y, view.x)), -dot(slope, view.xy)) * bend), ivec2(0), ivec2(viewport_size) - 1);
+    vec2 aside = vec2(dot(slope, vec2(-view.y, view.x)), -dot(slope, view.xy)) * bend;
+    ivec2 bent = clamp(at + ivec2(aside), ivec2(0), ivec2(viewport_size) - 1);
     if (effect_is_on(EFFECT_DISTORTION) && bed_depth(bent, position) > 0.0) at = bent;
     return radiance_of_bed(texelFetch(scene_color, at, 0).rgb, deep, both_ways);
 }
@@ -226,7 +242,8 @@ vec3 sun_glitter(crest_pixel p, vec2 slope, float area, vec3 sunlight) {
     vec3 middle = p.view + sun_direction;
     middle *= inversesqrt(max(dot(middle, middle), 1e-6));
     float reflectance = fresnel_fast(clamp(dot(p.view, middle), 0.0, 1.0), water_index);
-    return sunlight * (step(-0.01, sun_direction.z) * rough_glint_at(middle, reflectance, slope, p.slopes, area, p.lit));
+    float up = step(-0.01, sun_direction.z);
+    return sunlight * (up * rough_glint_at(middle, reflectance, slope, p.slopes, area, p.lit));
 }
 
 // False colours (the paper's figure 3): red crests, green shore and foam, blue open sea, shaded by what is mirrored.
@@ -267,14 +284,16 @@ vec3 light_here(ivec2 at, vec4 shape) {
     if (effect_is_on(EFFECT_GLITTER)) surface += sun_glitter(p, w.slope, seen.area, sunlight);
     if (effect_is_on(EFFECT_FOAM) && foam > 0.0) {
         vec2 lather = vec2(foam, 0.87); // from afar, the mean
-        for (int near = 0; near < 1 && foam > 0.02 && p.fine < 2.0; ++near) lather = foam_opacity(p.rest, p.fine, foam, zone);
-        vec3 light = foam_radiance(sunlight, dot(sun_direction, normal), sky_light) * (lather.y * FOAM_ALBEDO * FOAM_DENSEST);
+        for (int near = 0; near < 1 && foam > 0.02 && p.fine < 2.0; ++near)
+            lather = foam_opacity(p.rest, p.fine, foam, zone);
+        vec3 light = foam_radiance(sunlight, dot(sun_direction, normal), sky_light);
+        light *= lather.y * FOAM_ALBEDO * FOAM_DENSEST;
         surface = mix(surface, light, lather.x * min(foam_strength, 1.0));
     }
     surface = surface * p.transmittance + p.inscatter;
     if (look_show > 0.5 && look_show < 1.5) surface = false_colors(mask, foam, reflectance, normal);
 #ifdef LAND
-    float film = smoothstep(0.0, 0.15, bed); // the last centimetres over the sand
+    float film = smoothstep(0.0, FILM, bed);
     if (film < 1.0) surface = mix(texelFetch(scene_color, at, 0).rgb, surface, film);
 #endif
     return surface;

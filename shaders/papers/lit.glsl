@@ -29,11 +29,12 @@ layout(std140) uniform Optics {
 };
 
 #ifdef LAND
-#pragma unit scene_color 3
-#pragma unit scene_depth 4
-uniform sampler2D scene_color; // what lies behind the water
-uniform sampler2D scene_depth;
+#include "common/behind.glsl"
+#include "shared/surf.glsl"
 #endif
+
+const float SHORE_REACH = 0.7, SHORE_COVER = 0.5; // foam where the sea ends: within this depth in significant heights
+const float FILM = 0.12;                          // depth within which the water's edge fades into wet sand [m]
 
 // Slope, jacobian and foam of the waves here. The paper has those of the vertices.
 wave_fields waves_here(water_pixel p, footprint f) {
@@ -46,10 +47,10 @@ wave_fields waves_here(water_pixel p, footprint f) {
 
 // Opacity of the foam, for a pixel of that width [m]. Its bubbles are looked up only where there is any.
 float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
-    float hidden = choppiness * choppiness * max(covariance.x + covariance.z - slopes_beyond_waves, 0.0);
-    float cover = normal_cdf_linear(foam_jacobian - w.jacobian, hidden + foam_edge * foam_edge);
+    float hidden = jacobian_variance_of(covariance.x + covariance.z - slopes_beyond_waves, choppiness);
+    float cover = foam_cover_fast(foam_jacobian - w.jacobian, hidden + foam_edge * foam_edge);
 #ifdef LAND
-    cover = max(cover, smoothstep(0.7, 0.0, p.least / clamp(significant_height, 0.3, 3.0)) * 0.5);
+    cover = max(cover, shallows(p.least / clamp(significant_height, 0.3, 3.0), 0.0, SHORE_REACH) * SHORE_COVER);
 #endif
     float alpha = 0.0;
     for (int i = 0; i < 1 && cover > 0.02; ++i) { // a loop: some drivers sample textures in both branches of an if
@@ -70,16 +71,12 @@ float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
 // The radiance from below with the bed in it, and how much of the picture is water, 0 in the last centimetres.
 vec3 with_bed(vec3 deep, water_pixel p, vec3 view, vec2 slope, out float film) {
     vec2 here = gl_FragCoord.xy * pixel_size, uv = here - 0.06 * slope * clamp(p.depth * 0.3, 0.0, 1.0);
-    float depth = textureLod(scene_depth, uv, 0.0).x;
-    vec3 bed = frame_ray(uv) / max(depth, 1e-9);
-    if (bed.z > p.position.z) { // something stands before the water there
-        uv = here;
-        depth = textureLod(scene_depth, uv, 0.0).x;
-        bed = frame_ray(uv) / max(depth, 1e-9);
-    }
-    float path = depth > 0.0 ? max(p.position.z - bed.z, 0.0) : 1e4;
-    film = smoothstep(0.0, 0.12, path);
-    return radiance_of_bed(textureLod(scene_color, uv, 0.0).rgb, deep,
+    vec3 bed;
+    vec4 seen = behind(uv, bed);
+    if (bed.z > p.position.z) seen = behind(here, bed); // something stands before the water there
+    float path = seen.w > 0.0 ? max(p.position.z - bed.z, 0.0) : 1e4;
+    film = smoothstep(0.0, FILM, path);
+    return radiance_of_bed(seen.rgb, deep,
                            exp(-water_attenuation * bed_path(path, refracted_cosine(view.z, water_index))));
 }
 #endif

@@ -12,10 +12,6 @@
 // Radiance over the water for that under it: through the surface, (1 - F) / n^2 = 0.545 at index 1.34 straight up;
 // light that is reflected down again and comes back makes up for the larger reflectance of slanting rays.
 #define BED_LEAVES 0.54
-// Albedo of fresh foam (Koepke 1984 has 0.22 for the mean over old and fresh foam; thick foam comes to 0.5 to 0.8) and
-// the share of it that its densest part covers.
-#define FOAM_ALBEDO 0.72
-#define FOAM_DENSEST 0.92
 
 // Path that attenuates light from the bed [m], water `depth` deep: straight down once, and up along the view. down:
 // cosine of the refracted view.

@@ -40,14 +40,6 @@
 #define SKY_AERIAL_ELEVATIONS 65 // row 32 is the horizon
 #define SKY_AERIAL_SLICES 32
 
-// ---- foam
-// -------------------------------------------------------------------------------------------------------------
-
-// Mean opacity of thin, middling and dense foam of the multi-ramp map.
-#define FOAM_THIN 0.22
-#define FOAM_MIDDLING 0.5
-#define FOAM_DENSE 0.82
-
 // ---- parts of the shading: bits of bolan_effect
 // -----------------------------------------------------------------------
 

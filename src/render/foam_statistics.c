@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // See foam_statistics.h.
 #include "foam_statistics.h"
+#include "shared/foam.glsl"
 
 #include <math.h>
 
@@ -42,16 +43,27 @@ double bolan_foam_slope_variance(const bolan_sea *sea) {
     return mss;
 }
 
-double bolan_foam_memory_threshold(const bolan_sea *sea, double share, double softness, double *variance) {
-    double mean;
-    memory_moments(sea, &mean, variance);
-    return share > 0.0 && *variance > 0.0 ? mean - bolan_foam_quantile(share) * sqrt(*variance * (1.0 + softness))
-                                          : FOAM_NEVER;
+// Threshold of old foam; FOAM_NEVER in a calm, and where there is no memory.
+static double memory_threshold(double share, double mean, double variance) {
+    if (!(share > 0.0) || !(variance > 0.0)) return FOAM_NEVER;
+    return mean + softened_offset(-bolan_foam_quantile(share) * sqrt(variance), variance, OLD_FOAM_EDGE * variance);
 }
 
-double bolan_foam_breaking_pinch(const bolan_sea *sea, double edge, double *spread) {
+foam_law bolan_foam_law(const bolan_sea *sea, double edge) {
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     const double cover = bolan_monahan_cover(desc->sea_state.wind_speed);
-    *spread = fmax(desc->choppiness * desc->choppiness * bolan_foam_slope_variance(sea), 1e-9);
-    return cover > 1e-7 ? bolan_foam_quantile(cover) * sqrt(*spread + edge * edge) : -FOAM_NEVER;
+    const double spread = fmax(jacobian_variance_of(bolan_foam_slope_variance(sea), desc->choppiness), 1e-9);
+    double mean, variance;
+    float rest[3];
+    memory_moments(sea, &mean, &variance);
+    bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
+    const double measured = softened_offset(bolan_sea_foam_threshold(sea) - 1.0, spread, edge * edge);
+    const double gaussian = softened_offset(bolan_foam_quantile(cover) * sqrt(spread), spread, edge * edge);
+    return (foam_law){.breaking = fmax(measured, -1e30),
+                      .breaking_gaussian = cover > 1e-7 ? gaussian : -FOAM_NEVER,
+                      .variance = spread,
+                      .edge = edge * edge,
+                      .slopes_beyond = (double)rest[0] + (double)rest[2],
+                      .memory = memory_threshold(old_foam_share(cover), mean, variance),
+                      .memory_variance = variance};
 }

@@ -9,14 +9,19 @@
 double bolan_foam_quantile(double p);
 // Slope variance of all waves, whichever model makes them.
 double bolan_foam_slope_variance(const bolan_sea *sea);
-// Far above every sum of foam memories, and of the pinch of the surface: nothing foams.
-#define FOAM_NEVER 1e3
-// The foam memory above which `share` of the sea is covered by old foam, its edge softened by `softness` of its
-// variance, which is set. FOAM_NEVER in a calm, and where there is no memory: with sums of waves.
-double bolan_foam_memory_threshold(const bolan_sea *sea, double share, double softness, double *variance);
-// The sum dxx + dyy, choppiness applied, below which a crest breaks: their sum is normal with variance choppiness^2 mss (*spread),
-// so what covers the share of Monahan & O'Muircheartaigh (1980) is a quantile. A soft edge, of a normal distribution's standard
-// deviation `edge`, widens the distribution, and the quantile with it. -FOAM_NEVER where no wind blows.
-double bolan_foam_breaking_pinch(const bolan_sea *sea, double edge, double *spread);
+
+// The law of shaders/shared/foam.glsl for a sea. Thresholds are those of a soft edge: the covered share is kept.
+typedef struct foam_law {
+    double breaking;          // a crest breaks where the Jacobian less 1 is below this: by the sea's own Jacobians
+    double breaking_gaussian; // the same by the quantile of a Gaussian Jacobian; -FOAM_NEVER in a calm
+    double variance;          // of the Jacobian, all waves
+    double edge;              // variance that softens the edge of breaking crests
+    double slopes_beyond;     // slope variance of what is no part of the waves
+    double memory;            // foam memory where old foam begins; FOAM_NEVER in a calm and where there is no memory
+    double memory_variance;   // of the foam memory
+} foam_law;
+
+// edge: standard deviation that softens the edge of breaking crests, in Jacobian.
+foam_law bolan_foam_law(const bolan_sea *sea, double edge);
 
 #endif

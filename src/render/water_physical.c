@@ -3,6 +3,7 @@
 // behind. Shaders: shaders/water_shape.glsl, shaders/water_physical.glsl.
 #include "foam_statistics.h"
 #include "foam_texture.h"
+#include "shared/foam.glsl"
 #include "water_optics.h"
 
 #include <math.h>
@@ -69,33 +70,21 @@ static void free_all(void *state) {
     bolan_gl_texture_free(&p->foam_detail);
 }
 
-#define FOAM_EDGE 0.12     // how widely a breaking patch's edge is drawn, in Jacobian
-#define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
-#define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
+#define FOAM_EDGE 0.12 // how widely the edge of a breaking patch is drawn, in Jacobian
 
 typedef struct physical_block {
 #include "shared/physical_block.glsl"
 } physical_block;
 
 static physical_block foam_of(const render_view *v) {
-    const bolan_sea *sea = v->frame->sea;
-    const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
-    double memory_variance;
-    // A soft edge widens a Gaussian field; the covered share stays when the threshold moves out with the standard
-    // deviation.
-    double spread = fmax(desc->choppiness * desc->choppiness * bolan_foam_slope_variance(sea), 1e-9);
-    double threshold = 1.0 - (1.0 - bolan_sea_foam_threshold(sea)) * sqrt(1.0 + FOAM_EDGE * FOAM_EDGE / spread);
-    double share = fmin(0.3, OLD_FOAM_SHARE * bolan_monahan_cover(desc->sea_state.wind_speed));
-    double old = bolan_foam_memory_threshold(sea, share, OLD_EDGE, &memory_variance);
-    float rest[3];
-    bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
-    return (physical_block){.breaking_jacobian = (float)fmax(threshold, -1e30),
-                            .slopes_beyond_cascades = rest[0] + rest[2],
-                            .fresh_edge = (float)(FOAM_EDGE * FOAM_EDGE),
-                            .old_edge = (float)OLD_EDGE,
-                            .old_foam_memory = (float)old,
-                            .memory_variance = (float)fmax(memory_variance, 1e-9),
-                            .jacobian_variance = (float)spread};
+    const foam_law law = bolan_foam_law(v->frame->sea, FOAM_EDGE);
+    return (physical_block){.breaking_jacobian = (float)(1.0 + law.breaking),
+                            .slopes_beyond_cascades = (float)law.slopes_beyond,
+                            .fresh_edge = (float)law.edge,
+                            .old_edge = (float)OLD_FOAM_EDGE,
+                            .old_foam_memory = (float)law.memory,
+                            .memory_variance = (float)fmax(law.memory_variance, 1e-9),
+                            .jacobian_variance = (float)law.variance};
 }
 
 static void draw_shape(physical *p, const water_draw *d) {

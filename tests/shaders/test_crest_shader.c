@@ -9,6 +9,7 @@
 #include "bolan/surface.h"
 #include "bolan/waves.h"
 #include "render/foam_statistics.h"
+#include "shared/foam.glsl"
 #include "render/frame.h"
 #include "render/papers/foam_ramps.h"
 #include "render/sea_texels.h"
@@ -199,8 +200,7 @@ static void breaking_crests_cover_monahans_share(void **state) {
         bolan_sea *sea = NULL;
         assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_OK);
         bolan_sea_step(sea, 3.0);
-        double spread;
-        const double breaks = bolan_foam_breaking_pinch(sea, 0.0, &spread);
+        const double breaks = bolan_foam_law(sea, 0.0).breaking_gaussian;
         uint32_t below = 0, random = 1;
         enum { TRIES = 400000 };
         for (int i = 0; i < TRIES; ++i) { // tiles are independent: any place of each

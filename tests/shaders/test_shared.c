@@ -10,11 +10,13 @@
 #include "shared/constants.glsl"
 #include "shared/earth.glsl"
 #include "shared/exp_cosine.glsl"
+#include "shared/foam.glsl"
 #include "shared/fresnel.glsl"
 #include "shared/grid.glsl"
 #include "shared/microfacets.glsl"
 #include "shared/normal.glsl"
 #include "shared/refraction.glsl"
+#include "shared/surf.glsl"
 
 #define R 6371000.0          // of the earth
 #define SINGLE(x) (float)(x) // an argument that is a float in C too
@@ -62,6 +64,12 @@
     X(distribution, normal_below(a, normal_pdf(a)), -4, 4, 0, 0, 0, 0, 1e-6, 1e-5)                       \
     X(distribution_fast, normal_cdf(a), -9, 9, 0, 0, 0, 0, 1e-6, 0)                                      \
     X(distribution_linear, normal_cdf_linear(a, b), -2, 2, 0.01, 2, 0, 0, 2e-6, 0)                       \
+    X(cover, foam_cover(a, b), -2, 2, 0.01, 2, 0, 0, 2e-6, 1e-5)                                         \
+    X(cover_fast, foam_cover_fast(a, b), -2, 2, 0.01, 2, 0, 0, 2e-6, 0)                                  \
+    X(threshold, softened_offset(a, b, c), -2, 2, 0.01, 2, 0, 0.1, 1e-6, 1e-6)                           \
+    X(bore, bore_foam(a), 0, 1, 0, 0, 0, 0, 1e-6, 1e-5)                                                  \
+    X(shoal, shallows(a, b, b + c), 0, 3, 0.1, 1, 0.2, 2, 2e-6, 0)                                       \
+    X(swash, surge(a, b, c), 0, 1, 0, 1, 0, 1, 2e-6, 0)                                                  \
     X(facets_area, facing_exact(a).area, -2, 20, 0, 0, 0, 0, 1e-6, 1e-5)                                 \
     X(facets_tilt, facing_exact(a).tilt, -1, 20, 0, 0, 0, 0, 1e-5, 1e-4)                                 \
     X(facets_kept, facing_exact(a).kept, -0.5, 20, 0, 0, 0, 0, 1e-5, 1e-4)                               \
@@ -94,6 +102,7 @@ enum { COUNT = sizeof twins / sizeof *twins };
 static const char includes[] = "#include \"shared/attenuation.glsl\"\n#include \"shared/bed.glsl\"\n"
                                "#include \"shared/cascade.glsl\"\n#include \"shared/constants.glsl\"\n"
                                "#include \"shared/earth.glsl\"\n#include \"shared/exp_cosine.glsl\"\n"
+                               "#include \"shared/foam.glsl\"\n#include \"shared/surf.glsl\"\n"
                                "#include \"shared/fresnel.glsl\"\n#include \"shared/grid.glsl\"\n"
                                "#include \"shared/microfacets.glsl\"\n#include \"shared/refraction.glsl\"\n"
                                "#define R 6371000.0\n#define SINGLE(x) (x)\n";

@@ -7,6 +7,7 @@
 #include "render/papers/foam_ramps.h"
 #include "render/water_optics.h"
 #include "shared/constants.glsl"
+#include "shared/foam.glsl"
 #include "shared/microfacets.glsl"
 
 #include <math.h>
@@ -142,30 +143,20 @@ static void free_all(void *state) {
     bolan_gl_texture_free(&p->tables);
 }
 
-#define FRESH_EDGE 0.09    // standard deviation that softens the edge of breaking crests, in pinch
-#define OLD_EDGE 0.1       // likewise for old foam, as a share of the memory's variance
-#define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
+#define FRESH_EDGE 0.09 // how widely the edge of a breaking crest is drawn, in Jacobian
 
 typedef struct crest_block {
 #include "shared/crest_block.glsl"
 } crest_block;
 
 static crest_block foam_of(const render_view *v) {
-    const bolan_sea *sea = v->frame->sea;
-    const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
-    const double cover = bolan_monahan_cover(desc->sea_state.wind_speed), edge = FRESH_EDGE * FRESH_EDGE;
-    double memory_variance, spread;
-    const double breaks = bolan_foam_breaking_pinch(sea, FRESH_EDGE, &spread);
-    const double share = fmin(0.3, OLD_FOAM_SHARE * cover);
-    const double old = bolan_foam_memory_threshold(sea, share, OLD_EDGE, &memory_variance);
-    float rest[3];
-    bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
-    return (crest_block){.breaking_pinch = (float)breaks,
-                         .old_foam_memory = (float)old,
-                         .fresh_edge = (float)edge,
-                         .old_edge = (float)fmax(memory_variance * OLD_EDGE, 1e-9),
-                         .slopes_beyond_cascades = rest[0] + rest[2],
-                         .memory_share = (float)(memory_variance / spread)};
+    const foam_law law = bolan_foam_law(v->frame->sea, FRESH_EDGE);
+    return (crest_block){.breaking_pinch = (float)law.breaking_gaussian,
+                         .old_foam_memory = (float)law.memory,
+                         .fresh_edge = (float)law.edge,
+                         .old_edge = (float)fmax(law.memory_variance * OLD_FOAM_EDGE, 1e-9),
+                         .slopes_beyond_cascades = (float)law.slopes_beyond,
+                         .memory_share = (float)(law.memory_variance / law.variance)};
 }
 
 // Isotropic footprints need only row 0 of the table of unresolved slopes. With it, the share of the facets turned to

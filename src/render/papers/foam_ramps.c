@@ -4,7 +4,7 @@
 // flattened again by rank, and cut where the wanted share is left.
 #include "render/papers/foam_ramps.h"
 #include "render/memory.h"
-#include "shared/constants.glsl"
+#include "shared/foam.glsl"
 
 #include <math.h>
 #include <string.h>
@@ -14,11 +14,6 @@
 #define SOFT 0.35 // width of the cut's edge, in rank
 
 static const double densities[3] = {FOAM_THIN, FOAM_MIDDLING, FOAM_DENSE};
-
-static double smooth(double from, double to, double x) {
-    const double t = fmin(fmax((x - from) / (to - from), 0.0), 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 // Coarse net, fine net, noise: weights of thin, middling and dense foam.
 static int value_of(const uint8_t *texel, int density) {
@@ -36,7 +31,7 @@ static void cut(const uint8_t *tiles, int density, uint8_t *out) {
     const double share = densities[density], soft = fmin(SOFT, 2.0 * fmin(share, 1.0 - share));
     for (size_t i = 0; i < PIXELS; ++i) {
         const double at = rank[value_of(tiles + 4 * i, density)] / (double)PIXELS;
-        out[4 * i + density] = (uint8_t)(255.0 * smooth(1.0 - share - 0.5 * soft, 1.0 - share + 0.5 * soft, at) + 0.5);
+        out[4 * i + density] = (uint8_t)(255.0 * smoothstep(1.0 - share - 0.5 * soft, 1.0 - share + 0.5 * soft, at) + 0.5);
     }
 }
 
@@ -63,11 +58,11 @@ static void shares_of_mean(double t, double out[4]) {
 
 // The shore's foam thickens faster: thin foam at a small intensity, dense at a large one, by smooth thresholds.
 static void shares_of_shore(double t, double thin, double middling, double dense, double out[4]) {
-    const double a = smooth(0.0, thin, t), b = smooth(thin, middling, t), c = smooth(middling, dense, t);
+    const double a = smoothstep(0.0, thin, t), b = smoothstep(thin, middling, t), c = smoothstep(middling, dense, t);
     out[0] = a * (1.0 - b);
     out[1] = b * (1.0 - c);
     out[2] = c;
-    out[3] = 0.35 * smooth(dense, 1.0, t);
+    out[3] = 0.35 * smoothstep(dense, 1.0, t);
 }
 
 void bolan_foam_ramps_fill(uint8_t out[FOAM_RAMP_ROWS][FOAM_RAMP_SIZE][4]) {

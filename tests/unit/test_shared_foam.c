@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Foam and surf as C and shaders share them (shaders/shared/): covered shares by quadrature over what a pixel sees and
+// hides, limits, closed forms.
+#include "support.h"
+
+#include "shared/foam.glsl"
+#include "shared/surf.glsl"
+
+// Shares and the quantiles of the standard normal distribution (Abramowitz & Stegun, table 26.5).
+static const double quantiles[][2] = {
+    {0.01, -2.32635}, {0.02, -2.05375}, {0.1, -1.28155}, {0.25, -0.67449}, {0.5, 0.0}};
+
+// Mean cover over pixels whose means are Gaussian with variance `seen`, where each hides `hidden`.
+static double mean_cover(double threshold, double seen, double hidden, double edge) {
+    enum { STEPS = 4000 };
+    double sum = 0.0;
+    for (int i = 0; i < STEPS; ++i) {
+        const double x = -8.0 + 16.0 * (i + 0.5) / STEPS, excess = threshold - x * sqrt(seen);
+        sum += exp(-0.5 * x * x) / sqrt(2.0 * PI) * 16.0 / STEPS * foam_cover(excess, hidden + edge);
+    }
+    return sum;
+}
+
+// However much of the sea a pixel resolves and however soft the edge, the covered share is the one asked for.
+static void the_covered_share_is_that_of_the_quantile(void **state) {
+    (void)state;
+    for (size_t k = 0; k < sizeof quantiles / sizeof *quantiles; ++k)
+        for (double variance = 0.01; variance < 0.2; variance *= 4.0)
+            for (double resolved = 0.0; resolved <= 1.0; resolved += 0.25)
+                for (double edge = 0.002; edge < 0.05; edge *= 4.0) {
+                    const double share = quantiles[k][0];
+                    const double threshold = softened_offset(quantiles[k][1] * sqrt(variance), variance, edge);
+                    const double seen = resolved * variance, hidden = variance - seen;
+                    // normal_cdf() is good to 2e-4
+                    assert_near(mean_cover(threshold, seen, hidden, edge), share, 2.5e-4);
+                }
+}
+
+static void the_fast_cover_is_within_its_bound(void **state) {
+    (void)state;
+    double worst = 0.0;
+    for (double x = -5.0; x <= 5.0; x += 0.01)
+        worst = fmax(worst, fabs(foam_cover_fast(0.3 * x, 0.09) - 0.5 * erfc(-x / sqrt(2.0))));
+    assert_near(worst, 0.105, 0.005);
+    assert_near(foam_cover_fast(0.0, 0.4), 0.5, 1e-15);
+    assert_near((foam_cover_fast(1e-4, 0.04) - 0.5) / 1e-4, 1.0 / sqrt(2.0 * PI * 0.04), 1e-6); // the density
+}
+
+static void covers_have_their_limits(void **state) {
+    (void)state;
+    assert_near(foam_cover(0.0, 0.01), 0.5, 1e-12);
+    assert_near(foam_cover(1.0, 1e-4), 1.0, 1e-12);
+    assert_near(foam_cover(-1.0, 1e-4), 0.0, 1e-12);
+    assert_near(foam_cover(-0.2, 0.04), 0.158655, 2e-4); // one standard deviation
+    assert_near(softened_offset(-0.3, 0.04, 0.0), -0.3, 1e-15);
+    assert_near(softened_offset(-0.3, 0.04, 0.12), -0.6, 1e-12); // four times the variance: twice as far
+    assert_near(jacobian_variance_of(0.03, 2.0), 0.12, 1e-15);
+    assert_true(jacobian_variance_of(-0.03, 2.0) == 0.0);
+    assert_near(old_foam_share(0.01), 0.02, 1e-15);
+    assert_near(old_foam_share(0.4), 0.3, 1e-15);
+    assert_true(old_foam_share(0.0) == 0.0);
+    assert_true(FOAM_ALBEDO * FOAM_DENSEST > 0.5 && FOAM_ALBEDO < 0.8); // thick foam
+}
+
+static void a_bore_is_steep_in_front_and_thins_out_behind(void **state) {
+    (void)state;
+    enum { STEPS = 100000 };
+    double mean = 0.0;
+    for (int i = 0; i < STEPS; ++i) mean += bore_foam((i + 0.5) / STEPS) / STEPS;
+    // the tail alone has (1 - e^-3) / 3 = 0.3167; half of the front's length is missing, at its full foam
+    assert_near(mean, (1.0 - exp(-3.0)) / 3.0 - 0.5 * BORE_FRONT, 0.003);
+    assert_near(BORE_MEAN, mean, 0.015);
+    assert_near(bore_foam(0.0), 0.0, 1e-15);
+    assert_near(bore_foam(0.06), exp(-0.18), 1e-12);
+    assert_near(bore_foam(1.0), exp(-3.0), 1e-12);
+    assert_near(between_fronts(1.8, 2.0, 0.0), 0.0, 1e-12); // a front at each 0.9 heights of depth
+    assert_near(between_fronts(0.9, 2.0, 0.25), 0.75, 1e-12);
+    assert_near(between_fronts(0.45, 2.0, -1.0), 0.25, 1e-12); // whole cycles change nothing
+}
+
+static void surf_covers_the_shallows(void **state) {
+    (void)state;
+    const surf_look look = {.zone_full = 0.5,
+                            .zone_none = 2.0,
+                            .between = 0.2,
+                            .edge_full = 0.1,
+                            .edge_none = 0.4,
+                            .edge_mean = 0.6,
+                            .edge_pulse = 0.3};
+    assert_near(surf_cover(0.4, 1.0, look), 1.0, 1e-15);
+    assert_near(surf_cover(0.4, 0.0, look), 0.2, 1e-15);  // between the fronts
+    assert_near(surf_cover(1.25, 1.0, look), 0.5, 1e-15); // halfway out
+    assert_near(surf_cover(1.25, 0.5, look), 0.5 * 0.6, 1e-15);
+    assert_true(surf_cover(2.1, 1.0, look) == 0.0);
+    assert_near(swash_cover(0.05, 0.0, look), 0.6, 1e-15);
+    assert_near(swash_cover(0.05, 0.25, look), 0.9, 1e-12);
+    assert_near(swash_cover(0.05, 0.75, look), 0.3, 1e-12);
+    assert_near(swash_cover(0.25, 1.25, look), 0.45, 1e-12);
+    assert_true(swash_cover(0.5, 0.25, look) == 0.0);
+    assert_near(shallows(-1.0, -1.5, 0.8), 1.0 - 3.0 * pow(0.5 / 2.3, 2.0) + 2.0 * pow(0.5 / 2.3, 3.0), 1e-12);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_covered_share_is_that_of_the_quantile),
+        cmocka_unit_test(the_fast_cover_is_within_its_bound),
+        cmocka_unit_test(covers_have_their_limits),
+        cmocka_unit_test(a_bore_is_steep_in_front_and_thins_out_behind),
+        cmocka_unit_test(surf_covers_the_shallows),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
