@@ -61,11 +61,11 @@ static void list(const water_optics *o, const water_setup *s, water_programs *al
     if (s->shares_samples) bolan_half_rate_prepare(&sparse, s, o->keeps_shape, all);
 }
 
-// Bits of `choice`: land, paper; what else stands in the picture goes with the land.
+// Bits of `choice`: land, paper, bounds; what else stands in the picture goes with the land.
 static void list_setups(const water_optics *o, bolan_quality quality, bolan_surface_kind surface, int choice,
                         water_programs *all) {
     static const bolan_wave_form forms[] = {BOLAN_FORM_CASCADES, BOLAN_FORM_COSINES, BOLAN_FORM_EXP_COSINES};
-    const bool land = choice & 1, paper = choice & 2;
+    const bool land = choice & 1, paper = choice & 2, bounds = choice & 4;
     for (int i = 0; i < 3; ++i) {
         const water_waves waves = bolan_water_waves_of(forms[i], surface);
         const bool grid = o->static_grid && surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH;
@@ -78,6 +78,7 @@ static void list_setups(const water_optics *o, bolan_quality quality, bolan_surf
                                .opaque = land,
                                .static_grid = grid,
                                .packed = o->packed,
+                               .bounds = bounds,
                                .by_the_paper = paper,
                                .shares_samples = o->columns[quality] > 1 && !paper,
                                .wave_count = 5,
@@ -95,8 +96,8 @@ int main(int argc, char **argv) {
     for (int o = 0; o < OPTICS; ++o)
         for (int quality = BOLAN_QUALITY_LOW; quality <= BOLAN_QUALITY_ULTRA; ++quality)
             for (int surface = BOLAN_SURFACE_PROJECTED; surface <= BOLAN_SURFACE_QUAD; ++surface)
-                // by the paper a quality changes nothing but the fetches that all variants of it share
-                for (int choice = 0; choice < (quality == BOLAN_QUALITY_HIGH ? 4 : 2); ++choice)
+                // paper and bounds meet no line that depends on the quality
+                for (int choice = 0; choice < (quality == BOLAN_QUALITY_HIGH ? 6 : 2); ++choice)
                     list_setups(optics[o], (bolan_quality)quality, (bolan_surface_kind)surface, choice, &all);
     bolan_gl_program_set_directory(argv[1]);
     bool written = all.count > 0 && !all.refused;
