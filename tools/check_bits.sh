@@ -58,7 +58,8 @@ check() {
         cmake --build "$build" -j "${BOLAN_CHECK_JOBS:-2}" &&
         $compiler $flags $machine -fno-fast-math -ffp-contract=off -std=c17 -D_XOPEN_SOURCE=700 -I"$root/tests/cross" \
             -I"$root/tests" -I"$root/include" -I"$root/src" "-DBOLAN_SOURCE_DIR=\"$root\"" \
-            "$root/tests/determinism/test_golden.c" "$build/libbolan_content.a" "$build/libbolan.a" -lm -pthread -o "$build/golden"; } \
+            "$root/tests/determinism/test_golden.c" "$build/libbolan_content.a" "$build/libbolan.a" \
+            -lm -pthread -o "$build/golden"; } \
         >"$scratch/log" 2>&1; then
         tail -n 20 "$scratch/log"
         echo "FAILED   $1: it does not build"
