@@ -12,8 +12,8 @@ static bool given(double value) { return !isnan(value); }
 // A spectrum's name, or "pm"; -1 for anything else, which is a file.
 static int shape_of(const char *spectrum) {
     if (spectrum && strcmp(spectrum, "pm") == 0) return BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
-    for (int i = 0; spectrum && bolan_spectrum_kind_names[i]; i++)
-        if (strcmp(spectrum, bolan_spectrum_kind_names[i]) == 0) return i;
+    for (int i = 0; spectrum && bolan_wind_spectrum_names[i]; i++)
+        if (strcmp(spectrum, bolan_wind_spectrum_names[i]) == 0) return i;
     return -1;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file spectrum.h
-/// Tier 1. Sea states as directional wave spectra: model spectra (Pierson-Moskowitz, JONSWAP, TMA), directional
-/// spreading, measured spectra (SWAN, WAVEWATCH III, NDBC), dispersion, and sea-state tables. Pure functions; every one
-/// is thread-safe. Densities use no libm function that differs between machines, so a sea state gives the same bits
+/// Tier 1. Sea states as directional wave spectra: model spectra, directional spreading, measured spectra (SWAN,
+/// WAVEWATCH III, NDBC), dispersion, and sea-state tables. Pure functions; every one is thread-safe. Densities use no libm function that differs between machines, so a sea state gives the same bits
 /// everywhere.
 ///
 /// Convention: S(w, th) is the one-sided directional variance density [m2 s/rad per rad]; w = angular frequency
@@ -40,37 +39,65 @@ typedef enum bolan_spectrum_kind {
     /// A exp(-1/(kL)^2) k^-4 cos^2 e^{-k^2 l^2} of computer graphics (Tessendorf 2001).
     /// It is Pierson-Moskowitz with k = w^2/g and L = (4/5)^(1/2) g / wp^2, cut off below l = L/1000.
     BOLAN_SPECTRUM_PHILLIPS,
+    /// w^-4 exp(-(wp/w)^4) gamma^r, whose gamma and width follow U/cp (Donelan, Hamilton & Hui 1985).
+    BOLAN_SPECTRUM_DONELAN,
+    /// Gravity and capillary waves in one formula of wave number, U10 and U/cp (Elfouhaily et al. 1997, eq. 30 to 44).
+    /// Its short waves end by themselves: a sea of this kind is not rolled off to Cox & Munk's slope variance.
+    BOLAN_SPECTRUM_ELFOUHAILY,
+    /// w^-(4 lambda + 1) exp(-(lambda + 1/4) (wp/w)^4): one peak of Ochi & Hubble (1976). lambda 1: Pierson-Moskowitz.
+    BOLAN_SPECTRUM_OCHI_HUBBLE,
+    /// w^-4 exp(-(wp/w)^4) gamma^r with the widths of JONSWAP: one peak of Torsethaugen & Haver (2004).
+    BOLAN_SPECTRUM_TORSETHAUGEN,
 } bolan_spectrum_kind;
 /// Number of spectrum kinds.
-#define BOLAN_SPECTRUM_KINDS 4
+#define BOLAN_SPECTRUM_KINDS 8
+/// Number of spectrum kinds that follow from a wind and a fetch: the first ones.
+#define BOLAN_WIND_SPECTRUM_KINDS 6
 /// The names that the command line and scene files use, "pierson-moskowitz" ...; by bolan_spectrum_kind.
 /// NULL at the end.
 BOLAN_API extern const char *const bolan_spectrum_kind_names[BOLAN_SPECTRUM_KINDS + 1];
+/// The names of the kinds that follow from a wind and a fetch. NULL at the end.
+BOLAN_API extern const char *const bolan_wind_spectrum_names[BOLAN_WIND_SPECTRUM_KINDS + 1];
 
 /// The shape of a spectrum in direction.
 typedef enum bolan_spreading_kind {
     BOLAN_SPREADING_COS2,       ///< (2/pi) cos^2 th on +-90 deg (ITTC)
     BOLAN_SPREADING_COS2S,      ///< N(s) cos^{2s}(th/2), the same s at all frequencies
     BOLAN_SPREADING_HASSELMANN, ///< cos-2s with s(w/wp, U/cp) (Hasselmann, Dunckel & Ewing 1980)
+    /// cos-2s with s = sp (w/wp)^5 below the peak and sp (w/wp)^-2.5 above, sp = 11.5 (U/cp)^-2.5 (Mitsuyasu et al.
+    /// 1975). s is at most 200.
+    BOLAN_SPREADING_MITSUYASU,
+    /// sech^2(b th) with b(w/wp) (Donelan, Hamilton & Hui 1985; above 1.6 wp Banner 1990).
+    BOLAN_SPREADING_DONELAN_BANNER,
+    /// 1 + D cos 2 th with D(w, U) on the half circle of the wind (Elfouhaily et al. 1997, eq. 49 and 57).
+    /// The paper's is equal for waves with and against the wind; here all waves go with it.
+    BOLAN_SPREADING_ELFOUHAILY,
 } bolan_spreading_kind;
+/// Number of spreading kinds.
+#define BOLAN_SPREADING_KINDS 6
+/// The names that scene files use, "cos2" ...; by bolan_spreading_kind. NULL at the end.
+BOLAN_API extern const char *const bolan_spreading_kind_names[BOLAN_SPREADING_KINDS + 1];
 
 /// One wind sea or swell. It is fixed by its height and peak; the helpers below derive these from wind and fetch.
 typedef struct bolan_wave_system {
     /// Shape in frequency; default JONSWAP.
     bolan_spectrum_kind kind;
-    /// Significant wave height 4 sqrt(m0) [m], 0..40. Of TMA: before the depth factor.
+    /// Significant wave height 4 sqrt(m0) [m], 0..40; default 0. Of TMA: before the depth factor.
     double hs;
-    /// Peak angular frequency [rad/s], 0.1..50.
+    /// Peak angular frequency [rad/s], 0.1..50; default 1.
     double peak_omega;
-    /// Peak enhancement of JONSWAP, 1..10; default 3.3. Raised: a narrower peak.
+    /// Peak enhancement of JONSWAP, TMA and TORSETHAUGEN, 1..10; default 3.3. Raised: a narrower peak.
     double gamma;
+    /// Shape of OCHI_HUBBLE, 0.1..10, or 0 (default): 1. Raised: a narrower peak and a steeper tail.
+    double lambda;
     /// Where the waves come FROM, compass [deg], -360..360.
     double from_deg;
     /// Shape in direction; default HASSELMANN.
     bolan_spreading_kind spreading;
     /// Exponent s of COS2S, 0..200; default 10. Raised: longer crests.
     double spread_s;
-    /// U10 [m/s] for U/cp of HASSELMANN, 0..70. 0: U = cp.
+    /// U10 [m/s], 0..70; default 0: U = cp, the phase speed g/wp at the peak.
+    /// U/cp shapes DONELAN, ELFOUHAILY, HASSELMANN and MITSUYASU; U10 the short waves of ELFOUHAILY.
     double wind_speed;
     /// Swell parameter xi of Horvath, 0..1; default 0. Raised: longer crests.
     double swell;
@@ -104,6 +131,12 @@ typedef struct bolan_sea_state {
 BOLAN_API extern const bolan_param_table bolan_sea_state_params, bolan_wave_system_params;
 /// A flat calm over deep water: no systems, no wind.
 BOLAN_API bolan_sea_state bolan_sea_state_default(void);
+/// A system without height, and the defaults named above the fields.
+BOLAN_API bolan_wave_system bolan_wave_system_default(void);
+/// Adds a wind sea or swell to the sea.
+/// Errors: ARGUMENT with a sentence, when the list is full or a field is outside its range.
+/// The sea state is then unchanged.
+BOLAN_API bolan_result bolan_sea_state_add_system(bolan_sea_state *sea_state, const bolan_wave_system *system);
 /// A wind sea: JONSWAP by wind and fetch, limited to the fully developed Pierson-Moskowitz sea.
 /// @param wind_speed U10 [m/s], 0..70; a value outside is kept for bolan_sea_state_validate() to refuse.
 /// @param from_deg where the wind comes FROM, compass [deg].
@@ -125,6 +158,18 @@ BOLAN_API bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double fr
 /// Arguments and limits are those of bolan_sea_state_from_wind().
 BOLAN_API bolan_sea_state bolan_sea_state_from_phillips(double wind_speed, double from_deg);
 
+/// A wind sea after Donelan, Hamilton & Hui (1985), with Donelan-Banner spreading.
+/// U/cp = 11.6 (g F/U^2)^-0.23, at least 0.83: the fully developed sea. alpha = 0.006 (U/cp)^0.55,
+/// S = alpha g^2 w^-4 / wp exp(-(wp/w)^4) gamma^r, gamma = 1.7 + 6 log10(U/cp) for U/cp above 1 and 1.7 below,
+/// r = exp(-(w/wp - 1)^2 / (2 s^2)), s = 0.08 (1 + 4 (U/cp)^-3). gamma and s keep their values beyond U/cp = 5.
+/// Arguments and limits are those of bolan_sea_state_from_wind().
+BOLAN_API bolan_sea_state bolan_sea_state_from_donelan(double wind_speed, double from_deg, double fetch);
+/// A wind sea after Elfouhaily, Chapron, Katsaros & Vandemark (1997), with the paper's spreading.
+/// U/cp = 0.84 tanh((g F/U^2 / 2.2e4)^0.4)^-0.75 (eq. 37). The curvature spectrum of the short waves is multiplied by
+/// the cut of the long ones, exp(-1.25 (kp/k)^2), as in the authors' programs; without it m0 has no limit.
+/// Arguments and limits are those of bolan_sea_state_from_wind().
+BOLAN_API bolan_sea_state bolan_sea_state_from_elfouhaily(double wind_speed, double from_deg, double fetch);
+
 /// The wind sea of a Beaufort number 0..12 (v = 0.836 B^1.5), fully developed. Other numbers are misuse.
 BOLAN_API bolan_sea_state bolan_sea_state_from_beaufort(double beaufort, double from_deg);
 /// The sea of a Douglas / WMO 3700 degree 0..9: Hs in the middle of the class (16 m for 9, which has no upper bound),
@@ -139,6 +184,25 @@ BOLAN_API bolan_sea_state bolan_sea_state_from_douglas(int degree, double from_d
 /// The sea state is then unchanged.
 BOLAN_API bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, double tp, double from_deg,
                                                  double spread_s);
+/// Members of Ochi & Hubble's family.
+#define BOLAN_OCHI_HUBBLE_MEMBERS 11
+/// Adds the two peaks of Ochi & Hubble (1976) for one height, with cos-2s spreading of s = 10.
+/// @param hs significant height of the sum [m], 0..40. (In the paper's rounded table the squares of both heights add to
+/// 0.995..1.009 of hs^2; here to hs^2.)
+/// @param member 0 the most probable shape; 1..10 those of the 95 % confidence limit, as docs/sea-states.md lists them.
+/// @param from_deg where both peaks come FROM, compass [deg].
+/// Errors: as bolan_sea_state_add_system().
+BOLAN_API bolan_result bolan_sea_state_add_ochi_hubble(bolan_sea_state *sea_state, double hs, uint32_t member,
+                                                       double from_deg);
+/// Adds the two peaks of Torsethaugen & Haver, "Simplified double peak spectral model for ocean waves" (ISOPE 2004).
+/// Tp up to 6.6 hs^(1/3) is a wind sea with some swell; a longer Tp is a swell with some wind sea. The swell has cos-2s
+/// spreading of s = 30, the wind sea of s = 10.
+/// @param hs significant height of the sum [m], 0..40.
+/// @param tp period of the higher peak [s], 1..60.
+/// @param from_deg where both peaks come FROM, compass [deg].
+/// Errors: as bolan_sea_state_add_system().
+BOLAN_API bolan_result bolan_sea_state_add_torsethaugen(bolan_sea_state *sea_state, double hs, double tp,
+                                                        double from_deg);
 /// Checks every field against its range; logs a sentence and returns ARGUMENT at the first that is not.
 BOLAN_API bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state);
 
@@ -157,8 +221,9 @@ typedef struct bolan_sea_limit {
 BOLAN_API bolan_sea_limit bolan_sea_state_limit(const bolan_sea_state *sea_state);
 
 /// S(w) of one system [m2 s/rad], integrated over direction, in water of @p depth [m] (TMA only); 0 at @p omega <= 0.
-/// S = (5/16) Hs^2 wp^4 C(gamma) w^-5 exp(-1.25 (wp/w)^4) gamma^r, with C by quadrature, so that 4 sqrt(m0) is Hs
-/// exactly.
+/// JONSWAP is (5/16) Hs^2 wp^4 C(gamma) w^-5 exp(-1.25 (wp/w)^4) gamma^r. C, as the level of every other kind, is by
+/// quadrature, so that 4 sqrt(m0) is Hs.
+/// ELFOUHAILY, a function of wave number, is taken at the deep-water wave number of w.
 BOLAN_API double bolan_system_density(const bolan_wave_system *system, double omega, double depth);
 /// D(w, th) [1/rad]: @p theta is the angle from the system's mean direction [rad]. Integrates to 1, swell factor
 /// included.

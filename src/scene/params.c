@@ -106,8 +106,8 @@ static const bolan_param wind_sea_rows[] = {
     NUMBER(fetch, .key = "fetch_km", .option = "fetch", .low = 100, .high = 1e7, .unit = "m", .fallback = 200e3,
            .factor = 1e3, .factor_unit = "km", .usual_low = 1, .usual_high = 5000, .rules = BOLAN_PARAM_LOGARITHMIC,
            .help = "open water to windward; a short fetch makes a young, steep sea"),
-    NAME(wind_spectrum, .key = "spectrum.shape", .names = bolan_spectrum_kind_names, .high = BOLAN_SPECTRUM_KINDS - 1,
-         .fallback = BOLAN_SPECTRUM_JONSWAP,
+    NAME(wind_spectrum, .key = "spectrum.shape", .names = bolan_wind_spectrum_names,
+         .high = BOLAN_WIND_SPECTRUM_KINDS - 1, .fallback = BOLAN_SPECTRUM_JONSWAP,
          .help = "of the wind sea. `pierson-moskowitz` is fully developed whatever the fetch; `tma` needs `depth`"),
     TEXT(spectrum_path, .key = "spectrum.file", .rules = BOLAN_PARAM_PATH,
          .help = "a measured spectrum (SWAN, WAVEWATCH III, NDBC; see [sea states](sea-states.md)) in place of the "

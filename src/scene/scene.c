@@ -16,14 +16,20 @@ bolan_scene bolan_scene_default(void) {
     return scene;
 }
 
+static bolan_sea_state sea_of_kind(bolan_spectrum_kind kind, double wind_speed, double from_deg, double fetch) {
+    switch (kind) {
+    case BOLAN_SPECTRUM_PHILLIPS: return bolan_sea_state_from_phillips(wind_speed, from_deg);
+    case BOLAN_SPECTRUM_DONELAN: return bolan_sea_state_from_donelan(wind_speed, from_deg, fetch);
+    case BOLAN_SPECTRUM_ELFOUHAILY: return bolan_sea_state_from_elfouhaily(wind_speed, from_deg, fetch);
+    case BOLAN_SPECTRUM_PIERSON_MOSKOWITZ: return bolan_sea_state_from_wind(wind_speed, from_deg, HUGE_VAL);
+    default: return bolan_sea_state_from_wind(wind_speed, from_deg, fetch);
+    }
+}
+
 static bolan_sea_state wind_sea_of(const bolan_scene *scene, double wind_speed, double from_deg) {
     const int own = scene->technique.wind_spectrum;
     const bolan_spectrum_kind kind = own < 0 ? scene->wind_spectrum : (bolan_spectrum_kind)own;
-    const bool developed = kind == BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
-    bolan_sea_state sea_state =
-        kind == BOLAN_SPECTRUM_PHILLIPS
-            ? bolan_sea_state_from_phillips(wind_speed, from_deg)
-            : bolan_sea_state_from_wind(wind_speed, from_deg, developed ? HUGE_VAL : scene->fetch);
+    bolan_sea_state sea_state = sea_of_kind(kind, wind_speed, from_deg, scene->fetch);
     if (kind == BOLAN_SPECTRUM_TMA && sea_state.system_count > 0) sea_state.systems[0].kind = BOLAN_SPECTRUM_TMA;
     if (scene->spectrum_path[0] != '\0') sea_state.system_count = 0;
     return sea_state;

@@ -3,8 +3,6 @@
 #include "params/rows.h"
 #include "spectrum/measured.h"
 
-static const char *const spreading_names[] = {"cos2", "cos2s", "hasselmann", NULL}; // bolan_spreading_kind
-
 #define STRUCT bolan_sea_state
 static const bolan_param sea_state_rows[] = {
     NUMBER(wind_speed, .key = "wind.speed", .option = "wind", .low = 0, .high = 70, .unit = "m/s", .label = "wind",
@@ -26,8 +24,10 @@ static const bolan_param wave_system_rows[] = {
     NUMBER(peak_omega, .low = SPECTRUM_PEAK_OMEGA_MIN, .high = SPECTRUM_PEAK_OMEGA_MAX, .fallback = 1, .unit = "rad/s",
            .help = "angular frequency of the peak"),
     NUMBER(gamma, .low = 1, .high = 10, .fallback = 3.3, .help = "peak enhancement; larger: a narrower peak"),
+    NUMBER(lambda, .low = 0.1, .high = 10, .rules = BOLAN_PARAM_OR_ZERO, .otherwise = "1",
+           .help = "shape of `ochi-hubble`; larger: a narrower peak and a steeper tail"),
     HEADING(from_deg, .help = "where the waves come from, compass degrees"),
-    NAME(spreading, .names = spreading_names, .high = BOLAN_SPREADING_HASSELMANN,
+    NAME(spreading, .names = bolan_spreading_kind_names, .high = BOLAN_SPREADING_KINDS - 1,
          .fallback = BOLAN_SPREADING_HASSELMANN, .help = "shape in direction"),
     NUMBER(spread_s, .low = 0, .high = 200, .fallback = 10, .help = "exponent of cos-2s; larger: longer crests"),
     NUMBER(wind_speed, .low = 0, .high = 70, .unit = "m/s", .help = "the wind that raises a wind sea; 0 of a swell"),

@@ -10,6 +10,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#define PORTABLE_LN2 0.69314718055994530942
+#define PORTABLE_LN10 2.30258509299404568402
 #define PORTABLE_LN2_HIGH 6.93147180369123816490e-01 // ln 2 in 33 bits, so that n * high is exact
 #define PORTABLE_LN2_LOW 1.90821492927058770002e-10
 

@@ -7,17 +7,29 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #define HS_MAX SPECTRUM_MAX_HS
 #define SWELL_PERIOD_MIN (2.0 * BOLAN_PI / SPECTRUM_PEAK_OMEGA_MAX) // [s]
 #define SWELL_PERIOD_MAX (2.0 * BOLAN_PI / SPECTRUM_PEAK_OMEGA_MIN)
 
-const char *const bolan_spectrum_kind_names[BOLAN_SPECTRUM_KINDS + 1] = {"pierson-moskowitz", "jonswap", "tma",
-                                                                         "phillips", NULL};
+#define WIND_KINDS "pierson-moskowitz", "jonswap", "tma", "phillips", "donelan", "elfouhaily"
+const char *const bolan_spectrum_kind_names[BOLAN_SPECTRUM_KINDS + 1] = {WIND_KINDS, "ochi-hubble", "torsethaugen",
+                                                                         NULL};
+const char *const bolan_wind_spectrum_names[BOLAN_WIND_SPECTRUM_KINDS + 1] = {WIND_KINDS, NULL};
+const char *const bolan_spreading_kind_names[BOLAN_SPREADING_KINDS + 1] = {
+    "cos2", "cos2s", "hasselmann", "mitsuyasu", "donelan-banner", "elfouhaily", NULL};
 
 bolan_sea_state bolan_sea_state_default(void) {
     const bolan_sea_state calm = {.depth = BOLAN_DEEP};
     return calm;
+}
+
+bolan_wave_system bolan_wave_system_default(void) {
+    bolan_wave_system system;
+    memset(&system, 0, sizeof system); // the padding too: equal systems are equal bytes
+    bolan_params_default(&bolan_wave_system_params, &system);
+    return system;
 }
 
 static bolan_wave_system wind_sea(double hs, double peak_omega, double gamma, double wind_speed, double from_deg) {
@@ -119,30 +131,33 @@ bolan_result bolan_sea_state_validate(const bolan_sea_state *sea_state) {
     return BOLAN_OK;
 }
 
-bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, double tp, double from_deg,
-                                       double spread_s) {
-    BOLAN_ASSERT(sea_state);
+bolan_result bolan_sea_state_add_system(bolan_sea_state *sea_state, const bolan_wave_system *system) {
+    BOLAN_ASSERT(sea_state && system);
     if (sea_state->system_count >= BOLAN_MAX_WAVE_SYSTEMS) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
-                  "bolan_sea_state_add_swell: the sea has %u systems; expected fewer than %d",
+                  "bolan_sea_state: another system does not fit, the sea has %u systems; expected fewer than %d",
                   (unsigned)sea_state->system_count, BOLAN_MAX_WAVE_SYSTEMS);
         return BOLAN_ERROR_ARGUMENT;
     }
-    if (!(tp >= SWELL_PERIOD_MIN && tp <= SWELL_PERIOD_MAX)) {
+    if (validate_system(system, sea_state->system_count)) return BOLAN_ERROR_ARGUMENT;
+    sea_state->systems[sea_state->system_count++] = *system;
+    return BOLAN_OK;
+}
+
+bolan_result bolan_sea_state_add_swell(bolan_sea_state *sea_state, double hs, double tp, double from_deg,
+                                       double spread_s) {
+    BOLAN_ASSERT(sea_state);
+    if (sea_state->system_count < BOLAN_MAX_WAVE_SYSTEMS && !(tp >= SWELL_PERIOD_MIN && tp <= SWELL_PERIOD_MAX)) {
         bolan_log(BOLAN_LOG_ERROR, isfinite(tp) ? BOLAN_LOG_OUT_OF_RANGE : BOLAN_LOG_NOT_FINITE,
                   "bolan_sea_state: swell tp is %g; expected %g to %g s", tp, SWELL_PERIOD_MIN, SWELL_PERIOD_MAX);
         return BOLAN_ERROR_ARGUMENT;
     }
-    const bolan_wave_system swell = {
-        .kind = BOLAN_SPECTRUM_JONSWAP,
-        .hs = hs,
-        .peak_omega = 2.0 * BOLAN_PI / tp,
-        .gamma = 5.0, // a swell that has travelled is narrower than a wind sea: 3 to 10 (Goda 2010, section 2.3)
-        .from_deg = from_deg,
-        .spreading = BOLAN_SPREADING_COS2S,
-        .spread_s = spread_s,
-    };
-    if (validate_system(&swell, sea_state->system_count)) return BOLAN_ERROR_ARGUMENT;
-    sea_state->systems[sea_state->system_count++] = swell;
-    return BOLAN_OK;
+    bolan_wave_system swell = bolan_wave_system_default();
+    swell.hs = hs;
+    swell.peak_omega = 2.0 * BOLAN_PI / tp;
+    swell.gamma = 5.0; // a swell that has travelled is narrower than a wind sea: 3 to 10 (Goda 2010, section 2.3)
+    swell.from_deg = from_deg;
+    swell.spreading = BOLAN_SPREADING_COS2S;
+    swell.spread_s = spread_s;
+    return bolan_sea_state_add_system(sea_state, &swell);
 }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Frequency spectra by height and peak.
-//   Pierson & Moskowitz, J. Geophys. Res. 69 (1964); Hasselmann et al., "Measurements of wind-wave growth and swell
-//   decay during JONSWAP", Deutsche Hydrogr. Z. A8(12) (1973); Bouws et al., "Similarity of the wind wave spectrum in
-// finite
-//   depth water", J. Geophys. Res. 90 (1985), with the depth factor of Kitaigorodskii (1975); Phillips's spectrum as
-// Tessendorf,
-//   "Simulating ocean water", SIGGRAPH course (2001), eq. 40-41, has it, which in w is Pierson & Moskowitz's but for
-// its cut.
+// Frequency spectra by height and peak. Sources:
+// - Pierson & Moskowitz, J. Geophys. Res. 69 (1964).
+// - Hasselmann et al., "Measurements of wind-wave growth and swell decay during JONSWAP", Deutsche Hydrogr. Z. A8(12)
+//   (1973).
+// - Bouws et al., "Similarity of the wind wave spectrum in finite depth water", J. Geophys. Res. 90 (1985), with the
+//   depth factor of Kitaigorodskii (1975).
+// - Tessendorf, "Simulating ocean water", SIGGRAPH course (2001), eq. 40-41, for Phillips's spectrum, which in w is
+//   Pierson & Moskowitz's but for its cut.
+// - Donelan, Hamilton & Hui, "Directional spectra of wind-generated waves", Phil. Trans. R. Soc. A 315 (1985).
+// - Ochi & Hubble, "Six-parameter wave spectra", 15th Coastal Engineering Conference (1976), eq. 2.
+// - Torsethaugen & Haver, "Simplified double peak spectral model for ocean waves", ISOPE (2004).
+// elfouhaily.c has the one of Elfouhaily et al. (1997).
 #include "bolan/math.h"
 #include "spectrum/portable.h"
 #include "spectrum/spectrum_eval.h"
@@ -54,25 +58,113 @@ double bolan_spectrum_cos2s_norm(double s) {
     return up / down * sqrt(x) * ratio * 0.28209479177387814; // 1 / (2 sqrt(pi))
 }
 
+double bolan_spectrum_wave_age(double wind_speed, double peak_omega) {
+    return wind_speed > 0.0 ? wind_speed * peak_omega / BOLAN_GRAVITY : 1.0;
+}
+
+void bolan_spectrum_donelan_peak(double wave_age, double *gamma, double *width) {
+    const double age = fmin(fmax(wave_age, 0.83), 5.0); // the waves that were measured
+    *gamma = 1.7 + (age > 1.0 ? 6.0 / PORTABLE_LN10 * portable_log(age) : 0.0);
+    *width = 0.08 * (1.0 + 4.0 / (age * age * age));
+}
+
+// By the trapezoid rule over ln x, which converges exponentially for functions that fade at both ends. The kink of the
+// peak's width falls on a node.
+double bolan_spectrum_tail4_integral(double log_gamma, double width_below, double width_above) {
+    enum { BELOW = 60, ABOVE = 350 };
+    const double step = 0.02;
+    double sum = 0.0;
+    for (int i = -BELOW; i <= ABOVE; i++) {
+        const double x = portable_exp(step * i), x3 = 1.0 / (x * x * x);
+        const double d = (x - 1.0) / (i <= 0 ? width_below : width_above);
+        sum += x3 * portable_exp(log_gamma * portable_exp(-0.5 * d * d) - x3 / x);
+    }
+    return sum * step;
+}
+
+// ln Gamma(x), x > 0, by Stirling's series at x + 8; error < 1e-13.
+static double log_gamma_function(double x) {
+    double product = 1.0;
+    for (int i = 0; i < 8; i++) product *= x + i;
+    const double z = x + 8.0, y = 1.0 / z, y2 = y * y;
+    return (z - 0.5) * portable_log(z) - z + 0.91893853320467274178 +
+           y * (1.0 / 12 - y2 * (1.0 / 360 - y2 * (1.0 / 1260 - y2 / 1680))) - portable_log(product);
+}
+
 // The horizontal unit vector that the waves follow.
 static void mean_direction(const bolan_wave_system *from, spectrum_system *to) {
     bolan_sincos(bolan_compass_from_to_math(from->from_deg), &to->to_y, &to->to_x);
 }
 
-spectrum_system bolan_spectrum_system_prepare(const bolan_wave_system *system) {
-    spectrum_system p = {.peak_omega = system->peak_omega, .spreading = system->spreading, .s = system->spread_s};
+static void prepare_jonswap(const bolan_wave_system *system, spectrum_system *p) {
     const bool peaked = system->kind == BOLAN_SPECTRUM_JONSWAP || system->kind == BOLAN_SPECTRUM_TMA;
     const double wp2 = system->peak_omega * system->peak_omega;
-    p.log_gamma = peaked && system->gamma > 1.0 ? portable_log(system->gamma) : 0.0;
-    p.level = 5.0 / 16.0 * system->hs * system->hs * wp2 * wp2 / bolan_spectrum_peak_integral(p.log_gamma);
-    p.depth_limited = system->kind == BOLAN_SPECTRUM_TMA;
+    p->log_gamma = peaked && system->gamma > 1.0 ? portable_log(system->gamma) : 0.0;
+    p->level = 5.0 / 16.0 * system->hs * system->hs * wp2 * wp2 / bolan_spectrum_peak_integral(p->log_gamma);
+    p->depth_limited = system->kind == BOLAN_SPECTRUM_TMA;
     // L = U^2 / g = (4/5)^(1/2) g / wp^2, l = L / 1000. The cut takes 1e-6 of m0, so the level stays.
-    if (system->kind == BOLAN_SPECTRUM_PHILLIPS) p.cut = 0.89442719099991588e-3 / wp2;
-    // Hasselmann, Dunckel & Ewing, J. Phys. Oceanogr. 10 (1980): U/cp with cp = g / wp.
-    const double wave_age = system->wind_speed > 0.0 ? system->wind_speed * system->peak_omega / BOLAN_GRAVITY : 1.0;
-    p.s_tail_power = -2.33 - 1.45 * (wave_age - 1.17);
-    p.swell_s = 16.0 * system->swell * system->swell;
-    mean_direction(system, &p);
+    if (system->kind == BOLAN_SPECTRUM_PHILLIPS) p->cut = 0.89442719099991588e-3 / wp2;
+}
+
+static void prepare_tail4(const bolan_wave_system *system, double wave_age, spectrum_system *p) {
+    const double wp = system->peak_omega;
+    double gamma = system->gamma;
+    if (system->kind == BOLAN_SPECTRUM_DONELAN) {
+        bolan_spectrum_donelan_peak(wave_age, &gamma, &p->width_below);
+        p->width_above = p->width_below;
+    }
+    p->power = 4.0;
+    p->log_gamma = gamma > 1.0 ? portable_log(gamma) : 0.0;
+    p->level = system->hs * system->hs / 16.0 * (wp * wp * wp) /
+               bolan_spectrum_tail4_integral(p->log_gamma, p->width_below, p->width_above);
+}
+
+// S = (Hs^2/4) ((lambda + 1/4) wp^4)^lambda / Gamma(lambda) w^-(4 lambda + 1) exp(-(lambda + 1/4) (wp/w)^4).
+static void prepare_ochi_hubble(const bolan_wave_system *system, spectrum_system *p) {
+    const double lambda = system->lambda > 0.0 ? system->lambda : 1.0;
+    p->power = 4.0 * lambda + 1.0;
+    p->level = 0.25 * system->hs * system->hs / system->peak_omega *
+               portable_exp(lambda * portable_log(lambda + 0.25) - log_gamma_function(lambda));
+}
+
+static void prepare_elfouhaily(const bolan_wave_system *system, spectrum_system *p) {
+    const bool shape = system->kind == BOLAN_SPECTRUM_ELFOUHAILY;
+    if (!shape && system->spreading != BOLAN_SPREADING_ELFOUHAILY) return;
+    p->elfouhaily = bolan_spectrum_elfouhaily_prepare(system->peak_omega, system->wind_speed);
+    if (shape) p->level = system->hs * system->hs / 16.0 / bolan_spectrum_elfouhaily_variance(&p->elfouhaily);
+}
+
+// Hasselmann, Dunckel & Ewing, J. Phys. Oceanogr. 10 (1980); Mitsuyasu et al., J. Phys. Oceanogr. 5 (1975).
+static void prepare_spreading(const bolan_wave_system *system, double wave_age, spectrum_system *p) {
+    p->spreading = system->spreading;
+    p->s = system->spread_s;
+    p->s_tail_power = -2.33 - 1.45 * (wave_age - 1.17);
+    if (system->spreading == BOLAN_SPREADING_MITSUYASU) {
+        p->s = fmin(11.5 * portable_pow(wave_age, -2.5), SPREADING_S_MAX);
+        p->s_tail_power = -2.5;
+    }
+    p->swell_s = 16.0 * system->swell * system->swell;
+    mean_direction(system, p);
+}
+
+spectrum_system bolan_spectrum_system_prepare(const bolan_wave_system *system) {
+    spectrum_system p = {.kind = system->kind, .peak_omega = system->peak_omega, .power = 5.0};
+    const double wave_age = bolan_spectrum_wave_age(system->wind_speed, system->peak_omega);
+    p.width_below = 0.07;
+    p.width_above = 0.09;
+    switch (system->kind) {
+    case BOLAN_SPECTRUM_PIERSON_MOSKOWITZ:
+    case BOLAN_SPECTRUM_JONSWAP:
+    case BOLAN_SPECTRUM_TMA:
+    case BOLAN_SPECTRUM_PHILLIPS: prepare_jonswap(system, &p); break;
+    case BOLAN_SPECTRUM_DONELAN:
+    case BOLAN_SPECTRUM_TORSETHAUGEN: prepare_tail4(system, wave_age, &p); break;
+    case BOLAN_SPECTRUM_OCHI_HUBBLE: prepare_ochi_hubble(system, &p); break;
+    case BOLAN_SPECTRUM_ELFOUHAILY: break;
+    }
+    p.steepness = 0.25 * p.power;
+    prepare_elfouhaily(system, &p);
+    prepare_spreading(system, wave_age, &p);
     return p;
 }
 
@@ -84,16 +176,26 @@ static double depth_factor(double kh) {
     return t * t / (1.0 + 4.0 * kh / (e - 1.0 / e));
 }
 
+// (wp/w)^power of the kinds whose tail is not w^-5, in the units of their level.
+static double tail(const spectrum_system *system, double omega, double x) {
+    if (system->kind == BOLAN_SPECTRUM_OCHI_HUBBLE) return portable_pow(x, system->power);
+    const double w2 = omega * omega;
+    return 1.0 / (w2 * w2);
+}
+
 double bolan_spectrum_system_density(const spectrum_system *system, double omega, double kh) {
+    if (system->kind == BOLAN_SPECTRUM_ELFOUHAILY)
+        return system->level * bolan_spectrum_elfouhaily_density(&system->elfouhaily, omega);
     const double x = system->peak_omega / omega;
     const double x4 = x * x * x * x;
     if (!(x4 < 500.0)) return 0.0;
-    double exponent = -1.25 * x4;
+    double exponent = -system->steepness * x4;
     if (system->log_gamma > 0.0) {
-        const double width = omega <= system->peak_omega ? 0.07 : 0.09;
+        const double width = omega <= system->peak_omega ? system->width_below : system->width_above;
         const double d = (omega / system->peak_omega - 1.0) / width;
         exponent += system->log_gamma * portable_exp(-0.5 * d * d);
     }
+    if (system->kind > BOLAN_SPECTRUM_PHILLIPS) return system->level * tail(system, omega, x) * portable_exp(exponent);
     const double w2 = omega * omega, kl = system->cut * w2;
     if (!(kl < 20.0)) return 0.0;
     exponent -= kl * kl;

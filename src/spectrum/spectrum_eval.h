@@ -10,15 +10,32 @@
 
 #include <stdbool.h>
 
+#define SPREADING_S_MAX 200.0 ///< the largest exponent of cos-2s
+
+/// Constants of the spectrum and the spreading of Elfouhaily et al. (1997). See elfouhaily.c.
+typedef struct spectrum_elfouhaily {
+    double peak_k, peak_speed; ///< kp [rad/m] and cp [m/s]
+    double log_gamma, width;   ///< of the peak, in sqrt(k/kp)
+    double decay;              ///< Omega / sqrt(10)
+    double long_level;         ///< alpha_p / 2
+    double short_level;        ///< alpha_m / 2
+    double friction;           ///< 0.13 u* / cm
+} spectrum_elfouhaily;
+
 typedef struct spectrum_system {
-    double level;       ///< (5/16) Hs^2 wp^4 C(gamma): S = level w^-5 exp(...) gamma^r
-    double peak_omega;  ///< [rad/s]
-    double log_gamma;   ///< 0 for Pierson-Moskowitz
-    bool depth_limited; ///< TMA
+    bolan_spectrum_kind kind;
+    double level;                    ///< S = level w^-5 exp(...) gamma^r; of OCHI_HUBBLE the factor on (wp/w)^power
+    double peak_omega;               ///< [rad/s]
+    double power;                    ///< of the tail w^-power
+    double steepness;                ///< m in exp(-m (wp/w)^4): power / 4, so that the peak lies at wp
+    double log_gamma;                ///< 0 without a peak enhancement
+    double width_below, width_above; ///< of that enhancement, below and above the peak
+    bool depth_limited;              ///< TMA
+    spectrum_elfouhaily elfouhaily;  ///< of the kind or spreading of this name
     double cut;         ///< l / g of Phillips's e^{-k^2 l^2} with k = w^2 / g; 0 for the others
     bolan_spreading_kind spreading;
-    double s;            ///< exponent of COS2S
-    double s_tail_power; ///< Hasselmann's exponent of w/wp above the peak
+    double s;            ///< exponent of COS2S; of MITSUYASU that at the peak
+    double s_tail_power; ///< of HASSELMANN and MITSUYASU the power of w/wp above the peak
     double swell_s;      ///< 16 xi^2, Horvath's exponent before the factor tanh(wp/w)
     double to_x, to_y;   ///< unit vector of the mean direction the waves go
 } spectrum_system;
@@ -56,6 +73,22 @@ double bolan_spectrum_system_density(const spectrum_system *system, double omega
 double bolan_spectrum_system_spreading(const spectrum_system *system, double omega, double cosine);
 /// First moment of D: the mean of cos th, 0..1.
 double bolan_spectrum_system_mean_cosine(const spectrum_system *system, double omega);
+
+/// The constants of Elfouhaily et al. for a peak and a wind.
+spectrum_elfouhaily bolan_spectrum_elfouhaily_prepare(double peak_omega, double wind_speed);
+/// S(w) [m2 s/rad] as in the paper, at the deep-water wave number of @p omega.
+double bolan_spectrum_elfouhaily_density(const spectrum_elfouhaily *e, double omega);
+/// m0 of that [m2].
+double bolan_spectrum_elfouhaily_variance(const spectrum_elfouhaily *e);
+/// Delta(w) of the spreading, 0..1.
+double bolan_spectrum_elfouhaily_delta(const spectrum_elfouhaily *e, double omega);
+
+/// U/cp of a wave system with its peak at @p peak_omega; 1 without wind.
+double bolan_spectrum_wave_age(double wind_speed, double peak_omega);
+/// Peak enhancement 1.7 + 6 log10(U/cp) of Donelan, Hamilton & Hui, from 1.7, and its width 0.08 (1 + 4 (U/cp)^-3).
+void bolan_spectrum_donelan_peak(double wave_age, double *gamma, double *width);
+/// The integral of x^-4 exp(-x^-4) gamma^r(x) over x = w/wp: m0 = level / wp^3 times it for the tails w^-4.
+double bolan_spectrum_tail4_integral(double log_gamma, double width_below, double width_above);
 
 /// 1 / C(gamma) = the integral over x of 5 x^-5 exp(-1.25 x^-4) gamma^r(x), 1 <= gamma <= 10; error < 1e-9.
 double bolan_spectrum_peak_integral(double log_gamma);

@@ -112,10 +112,12 @@ static void each_field_is_refused_by_name(void **state) {
     REFUSE(depth, NAN, NOT_FINITE, "depth is not a finite number");
     REFUSE(wind_speed, 71.0, OUT_OF_RANGE, "bolan_sea_state: wind_speed is 71; expected 0 to 70 m/s");
     REFUSE(wind_from_deg, INFINITY, NOT_FINITE, "wind_from_deg");
-    REFUSE(systems[1].kind, (bolan_spectrum_kind)7, BAD_ARGUMENT, "systems[1].kind is 7");
+    REFUSE(systems[1].kind, (bolan_spectrum_kind)8, BAD_ARGUMENT, "systems[1].kind is 8");
     REFUSE(systems[1].hs, 41.0, OUT_OF_RANGE, "systems[1].hs is 41; expected 0 to 40 m");
     REFUSE(systems[0].peak_omega, 0.05, OUT_OF_RANGE, "systems[0].peak_omega is 0.05; expected 0.1 to 50 rad/s");
     REFUSE(systems[0].gamma, 0.5, OUT_OF_RANGE, "systems[0].gamma is 0.5; expected 1 to 10");
+    REFUSE(systems[0].lambda, 0.05, OUT_OF_RANGE, "systems[0].lambda is 0.05; expected 0.1 to 10");
+    REFUSE(systems[0].lambda, NAN, NOT_FINITE, "systems[0].lambda");
     REFUSE(systems[0].from_deg, 400.0, OUT_OF_RANGE, "systems[0].from_deg");
     REFUSE(systems[0].spreading, (bolan_spreading_kind)9, BAD_ARGUMENT, "systems[0].spreading");
     REFUSE(systems[0].spread_s, 201.0, OUT_OF_RANGE, "systems[0].spread_s");

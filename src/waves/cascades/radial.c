@@ -10,6 +10,7 @@
 // M(k) being the slope variance of the waves longer than k, M1 that at 10 k_peak, and B Cox & Munk's total for the
 // wind. What is kept then adds up to M1 + (B - M1)(1 - keep) < B however short the waves get, without a visible edge.
 // Where the long waves alone reach B (a swell in a calm) the short ones get a tenth of B, and so are few.
+// A sea with a system of Elfouhaily keeps all: its short waves are those of that system and end by themselves.
 #include "spectrum/portable.h"
 #include "waves/cascades/cascades.h"
 
@@ -50,14 +51,21 @@ static void integrate(const spectrum_eval *eval, sea_radial *out) {
     }
 }
 
+static bool ends_by_itself(const spectrum_eval *eval) {
+    for (uint32_t i = 0; i < eval->system_count; i++)
+        if (eval->systems[i].kind == BOLAN_SPECTRUM_ELFOUHAILY) return true;
+    return false;
+}
+
 void bolan_sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget, sea_radial *out) {
     out->variance[0] = out->mss[0] = 0.0;
     integrate(eval, out);
     const double m1 = at_k(out->mss, 10.0 * peak_k);
     const double room = fmax(fmax(budget - m1, 0.1 * budget), 1e-6);
+    const bool all = ends_by_itself(eval);
     for (int i = 0; i < RADIAL_COUNT; i++) {
         const double beyond = out->mss[i] - m1;
-        out->keep[i] = beyond > 0.0 ? portable_exp(-beyond / room) : 1.0;
+        out->keep[i] = beyond > 0.0 && !all ? portable_exp(-beyond / room) : 1.0;
     }
 }
 
