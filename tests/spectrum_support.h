@@ -5,6 +5,7 @@
 #define BOLAN_TESTS_SPECTRUM_SUPPORT_H
 
 #include "bolan/math.h"
+#include "bolan/formats.h"
 #include "bolan/spectrum.h"
 
 #include <math.h>

@@ -11,6 +11,7 @@
 #include "bolan/optics.h"
 #include "bolan/params.h"
 #include "bolan/spectrum.h"
+#include "bolan/formats.h"
 
 #include "bolan/waves.h"
 

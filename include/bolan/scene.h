@@ -7,6 +7,7 @@
 #ifndef BOLAN_SCENE_H
 #define BOLAN_SCENE_H
 
+#include "bolan/formats.h"
 #include "bolan/ground.h"
 #include "bolan/model.h"
 #include "bolan/optics.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Query points from CSV.
 #include "io/file.h"
-#include "spectrum/text.h"
+#include "formats/text.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 #include "io/schema.h"
 
 #include "io/yaml_limits.h"
-#include "spectrum/text.h"
+#include "formats/text.h"
 
 #include <stdio.h>
 #include <string.h>

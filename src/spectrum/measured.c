@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Measured spectra: recognising the format, and bringing what a parser found to one regular grid.
+// Measured spectra: bringing what a reader found (src/formats) to one regular grid.
 //
-//     parser ──► spectrum_grid ──► sort directions ──► constant step ──► [m2 s/rad per rad] ──► + tail
+//     reader ──► spectrum_grid ──► sort directions ──► constant step ──► [m2 s/rad per rad] ──► + tail
 //                (hertz, any order)                    (energy conserved)
 #include "spectrum/measured.h"
 
 #include "bolan/math.h"
-#include "spectrum/ndbc_table.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -296,6 +295,31 @@ bolan_result bolan_spectrum_measured_build(const char *name, spectrum_grid *grid
     return BOLAN_OK;
 }
 
+// ---- two records ----------------------------------------------------------------------------------------------------
+
+static bool same_values(const double *a, const double *b, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++)
+        if (fabs(a[i] - b[i]) > 1e-9 * fmax(fabs(a[i]), 1.0)) return false;
+    return true;
+}
+
+bolan_result bolan_spectrum_measured_blend(const char *name, bolan_measured_spectrum *a,
+                                           const bolan_measured_spectrum *b, double share) {
+    if (a->frequency_count != b->frequency_count || a->direction_count != b->direction_count ||
+        !same_values(a->omega, b->omega, a->frequency_count) || !same_values(a->theta, b->theta, a->direction_count)) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_SYNTAX,
+                  "%s: the records of %s and %s have different frequencies or directions; expected the same, to "
+                  "interpolate between them",
+                  name, a->time, b->time);
+        return BOLAN_ERROR_FORMAT;
+    }
+    for (size_t i = 0; i < grid_cells(a->frequency_count, a->direction_count); i++)
+        a->density[i] = (1.0 - share) * a->density[i] + share * b->density[i];
+    memset(a->tail, 0, a->direction_count * sizeof *a->tail);
+    add_tail(a);
+    return BOLAN_OK;
+}
+
 // ---- look-up --------------------------------------------------------------------------------------------------------
 
 // The last row whose frequency is not above omega, which lies inside the file's range.
@@ -327,60 +351,6 @@ double bolan_spectrum_measured_density(const bolan_measured_spectrum *m, double 
 }
 
 // ---- public ---------------------------------------------------------------------------------------------------------
-
-bolan_spectrum_texts bolan_spectrum_texts_default(void) {
-    const bolan_spectrum_texts texts = {.density = {.name = NULL}};
-    return texts;
-}
-
-bolan_result bolan_spectrum_read_frequencies(text_cursor *text, double *hertz, uint32_t count) {
-    for (uint32_t i = 0; i < count; i++) {
-        text_word word;
-        if (!bolan_text_next_word(text, &word)) return bolan_text_unexpected(text, NULL, "a frequency");
-        if (!bolan_text_number(word, &hertz[i]) || (i > 0 && !(hertz[i] > hertz[i - 1])) ||
-            !(hertz[i] >= SPECTRUM_MIN_HERTZ && hertz[i] <= SPECTRUM_MAX_HERTZ))
-            return bolan_text_unexpected(text, &word, "an ascending frequency, 0.001 to 10 Hz");
-    }
-    return BOLAN_OK;
-}
-
-static bolan_result parse_any(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                              spectrum_grid *grid) {
-    text_cursor cursor = bolan_text_open(&texts->density);
-    text_word first;
-    if (!bolan_text_next_word(&cursor, &first)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_EMPTY,
-                  "%s: the text is empty; expected a SWAN, WAVEWATCH III or NDBC spectrum", cursor.name);
-        return BOLAN_ERROR_FORMAT;
-    }
-    if (bolan_text_equals(first, "SWAN")) return bolan_spectrum_parse_swan(texts, options, grid);
-    if (bolan_spectrum_is_ww3(first)) return bolan_spectrum_parse_ww3(texts, options, grid);
-    if (bolan_ndbc_is_header(first)) return bolan_spectrum_parse_ndbc(texts, options, grid);
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_UNKNOWN_FORMAT,
-              "%s:%u: the format is not known; expected \"SWAN\", \"'WAVEWATCH III SPECTRA'\", "
-              "\"YYYY MM DD hh\" (NDBC history) or \"#YY MM DD hh mm\" (NDBC real time) at the start",
-              cursor.name, (unsigned)first.line);
-    return BOLAN_ERROR_FORMAT;
-}
-
-bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                           bolan_measured_spectrum **out) {
-    BOLAN_ASSERT(texts && out);
-    *out = NULL;
-    const bolan_spectrum_options defaults = bolan_spectrum_options_default();
-    if (!options) options = &defaults;
-    if (bolan_spectrum_options_validate(options)) return BOLAN_ERROR_ARGUMENT;
-    spectrum_grid grid = {.hertz = NULL};
-    bolan_result result = parse_any(texts, options, &grid);
-    const char *name = texts->density.name ? texts->density.name : "spectrum";
-    if (!result && grid.own_directions && (!isnan(options->from_deg) || !isnan(options->spread_s)))
-        bolan_spectrum_note(&grid.notes, BOLAN_LOG_SPECTRUM_UNUSED,
-                            "%s: has directions of its own; from and spread are not used", name);
-    if (!result) result = bolan_spectrum_measured_build(name, &grid, out);
-    bolan_spectrum_grid_release(&grid);
-    if (!result) bolan_spectrum_notes_log(&grid.notes);
-    return result;
-}
 
 void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectrum) {
     if (!spectrum || !*spectrum) return;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// @file measured.h
-/// The inside of a measured spectrum, and the way from a parsed grid to it. Private to src/spectrum.
+/// The inside of a measured spectrum, and the way from a grid that was read to it. Private to the library.
 #ifndef BOLAN_SPECTRUM_MEASURED_H
 #define BOLAN_SPECTRUM_MEASURED_H
 
 #include "bolan/spectrum.h"
 
 #include "spectrum/notes.h"
-#include "spectrum/text.h"
 
 #include <stdbool.h>
 
@@ -37,7 +36,7 @@ struct bolan_measured_spectrum {
     char time[32];
 };
 
-/// What a parser found: any direction order and step, hertz, and density per hertz and radian.
+/// What a reader found: any direction order and step, hertz, and density per hertz and radian.
 typedef struct spectrum_grid {
     uint32_t frequency_count, direction_count, record_count;
     double *hertz;  ///< [frequency]
@@ -59,6 +58,10 @@ void bolan_spectrum_grid_release(spectrum_grid *grid);
 /// refused; no energy at all is a calm. @p name is for messages.
 bolan_result bolan_spectrum_measured_build(const char *name, spectrum_grid *grid, bolan_measured_spectrum **out);
 
+/// (1 - share) a + share b, in place of @p a. FORMAT (one sentence) where their frequencies or directions differ.
+bolan_result bolan_spectrum_measured_blend(const char *name, bolan_measured_spectrum *a,
+                                           const bolan_measured_spectrum *b, double share);
+
 /// S(w, th) by bilinear interpolation; 0 outside the file's frequencies, or the tail above them when @p with_tail.
 /// Integrated over th it is the rectangle rule of the grid, over w the trapezoid rule: it conserves the file's m0.
 /// @p theta in [0, 2 pi).
@@ -67,19 +70,5 @@ double bolan_spectrum_measured_density(const bolan_measured_spectrum *measured, 
 
 /// The weight of sample @p i of the trapezoid rule over ascending @p x.
 double bolan_spectrum_trapezoid_weight(const double *x, uint32_t count, uint32_t i);
-
-/// The parsers: one record of one text to a grid, which the caller releases, also after failure.
-bolan_result bolan_spectrum_parse_swan(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                       spectrum_grid *grid);
-bolan_result bolan_spectrum_parse_ndbc(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                       spectrum_grid *grid);
-
-bolan_result bolan_spectrum_parse_ww3(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                      spectrum_grid *grid);
-/// Reads @p count ascending frequencies [Hz].
-bolan_result bolan_spectrum_read_frequencies(text_cursor *text, double *hertz, uint32_t count);
-
-/// Does a text begin as WAVEWATCH III's do?
-bool bolan_spectrum_is_ww3(text_word first);
 
 #endif

@@ -5,19 +5,32 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-void bolan_spectrum_note(spectrum_notes *notes, bolan_log_id id, const char *format, ...) {
+static void keep(spectrum_notes *notes, bolan_log_level level, bolan_log_id id, const char *format, va_list arguments) {
     char sentence[NOTE_SIZE], *out = notes->count < NOTES_MAX ? notes->note[notes->count].sentence : sentence;
+    vsnprintf(out, NOTE_SIZE, format, arguments);
+    if (out == sentence) {
+        bolan_log(level, id, "%s", sentence);
+        return;
+    }
+    notes->note[notes->count].level = level;
+    notes->note[notes->count++].id = id;
+}
+
+void bolan_spectrum_note(spectrum_notes *notes, bolan_log_id id, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(out, NOTE_SIZE, format, arguments);
+    keep(notes, BOLAN_LOG_WARNING, id, format, arguments);
     va_end(arguments);
-    if (out == sentence)
-        bolan_log(BOLAN_LOG_WARNING, id, "%s", sentence);
-    else
-        notes->note[notes->count++].id = id;
+}
+
+void bolan_spectrum_note_level(spectrum_notes *notes, bolan_log_level level, bolan_log_id id, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    keep(notes, level, id, format, arguments);
+    va_end(arguments);
 }
 
 void bolan_spectrum_notes_log(const spectrum_notes *notes) {
     for (uint32_t i = 0; i < notes->count; i++)
-        bolan_log(BOLAN_LOG_WARNING, notes->note[i].id, "%s", notes->note[i].sentence);
+        bolan_log(notes->note[i].level, notes->note[i].id, "%s", notes->note[i].sentence);
 }

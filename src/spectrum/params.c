@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of sea states and of what is read of a measured spectrum.
+// The parameters of sea states.
 #include "params/rows.h"
 #include "spectrum/measured.h"
 
@@ -35,19 +35,3 @@ static const bolan_param wave_system_rows[] = {
 };
 #undef STRUCT
 const bolan_param_table bolan_wave_system_params = TABLE("bolan_wave_system", wave_system_rows);
-
-#define STRUCT bolan_spectrum_options
-static const bolan_param options_rows[] = {
-    HEADING(from_deg, .key = "from", .option = "from", .rules = BOLAN_PARAM_OR_NAN, .fallback = (double)NAN,
-            .otherwise = "270, with a warning",
-            .help = "where the waves come from, compass degrees, for a spectrum file without directions"),
-    NUMBER(spread_s, .key = "spread", .option = "spread", .low = 0, .high = 200, .rules = BOLAN_PARAM_OR_NAN,
-           .fallback = (double)NAN, .otherwise = "10, with a warning",
-           .help = "exponent of the waves' cos-2s spreading, for a spectrum file without spreads"),
-    NUMBER(place[0], .low = -1e9, .high = 1e9, .rules = BOLAN_PARAM_OR_NAN, .fallback = (double)NAN,
-           .help = "longitude, or x, of the location that is read"),
-    NUMBER(place[1], .low = -1e9, .high = 1e9, .rules = BOLAN_PARAM_OR_NAN, .fallback = (double)NAN,
-           .help = "latitude, or y, of the location that is read"),
-};
-#undef STRUCT
-const bolan_param_table bolan_spectrum_options_params = TABLE("bolan_spectrum_options", options_rows);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as an NDBC density table with its four direction tables, which are divided by form feeds.
+#include "bolan/formats.h"
 #include "bolan/spectrum.h"
 
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a SWAN spectrum: either a valid sea or a refusal, never a step outside the text. The last byte picks the
 // record and the location.
+#include "bolan/formats.h"
 #include "bolan/spectrum.h"
 
 #include <stdlib.h>

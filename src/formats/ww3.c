@@ -7,10 +7,8 @@
 //         'name' latitude longitude depth wind its-direction current its-direction
 //         densities [m2/Hz/rad], for each direction those of all frequencies
 //
-// The text is walked twice, as in parse_swan.c.
-#include "spectrum/locations.h"
-#include "spectrum/measured.h"
-#include "spectrum/records.h"
+// The text is walked twice, as in swan.c.
+#include "formats/format.h"
 
 #include "bolan/math.h"
 
@@ -24,8 +22,6 @@ typedef struct ww3_header {
     uint32_t frequencies, directions, points;
     double hertz[SPECTRUM_MAX_FREQUENCIES], to[SPECTRUM_MAX_DIRECTIONS];
 } ww3_header;
-
-bool bolan_spectrum_is_ww3(text_word first) { return bolan_text_equals(first, "'WAVEWATCH"); }
 
 // ---- the header -----------------------------------------------------------------------------------------------------
 
@@ -53,7 +49,7 @@ static bolan_result read_header(const bolan_spectrum_text *text, ww3_header *h) 
         bolan_text_read_count(&h->text, "a number of points", 1, MAX_POINTS, &h->points))
         return BOLAN_ERROR_FORMAT;
     bolan_text_skip_line(&h->text);
-    if (bolan_spectrum_read_frequencies(&h->text, h->hertz, h->frequencies)) return BOLAN_ERROR_FORMAT;
+    if (bolan_format_read_frequencies(&h->text, h->hertz, h->frequencies)) return BOLAN_ERROR_FORMAT;
     for (uint32_t j = 0; j < h->directions; j++) {
         double radians;
         if (!bolan_text_next_word(&h->text, &word)) return bolan_text_unexpected(&h->text, NULL, "a direction");
@@ -92,12 +88,13 @@ static bolan_result read_date(text_cursor *text, record_date *date) {
 }
 
 // 'name' and seven numbers, of which the first two are latitude and longitude.
-static bolan_result read_point(text_cursor *text, double place[2]) {
+static bolan_result read_point(text_cursor *text, double place[2], text_word *name) {
     text_word word;
     if (!bolan_text_next_word(text, &word)) return bolan_text_unexpected(text, NULL, "the name of a point in quotes");
     const char *quote =
         word.begin[0] == '\'' ? memchr(word.begin + 1, '\'', (size_t)(text->end - word.begin - 1)) : NULL;
     if (!quote) return bolan_text_unexpected(text, &word, "the name of a point in quotes");
+    if (name) *name = (text_word){word.begin + 1, (size_t)(quote - word.begin - 1), word.line};
     text->next = quote + 1;
     if (bolan_text_read_number(text, "the latitude of a point", &place[1]) ||
         bolan_text_read_number(text, "the longitude of a point", &place[0]))
@@ -118,7 +115,7 @@ static void skip_densities(const ww3_header *h, text_cursor *text) {
     }
 }
 
-static bolan_result list_records(const ww3_header *h, record_list *list) {
+static bolan_result list_records_of(const ww3_header *h, record_list *list) {
     text_cursor text = h->text;
     text_word word;
     *list = (record_list){.timed = true, .style = RECORD_LOCAL_SECONDS};
@@ -129,22 +126,32 @@ static bolan_result list_records(const ww3_header *h, record_list *list) {
         const bolan_result result = bolan_record_list_add(list, &date, text);
         if (result) return result;
         for (uint32_t i = 0; i < h->points && text.next < text.end; i++) {
-            if (read_point(&text, place)) return BOLAN_ERROR_FORMAT;
+            if (read_point(&text, place, NULL)) return BOLAN_ERROR_FORMAT;
             skip_densities(h, &text);
         }
     }
     return list->count ? BOLAN_OK : bolan_text_unexpected(&text, NULL, "the date of the first time");
 }
 
-static bolan_result choose_point(const ww3_header *h, text_cursor text, location_choice *choice, text_cursor *found) {
+static bolan_result list_records(const bolan_spectrum_texts *texts, record_list *list) {
+    ww3_header h;
+    return read_header(&texts->density, &h) ? BOLAN_ERROR_FORMAT : list_records_of(&h, list);
+}
+
+static bolan_result list_locations(const bolan_spectrum_texts *texts, const record_entry *record, location_list *list) {
+    ww3_header h;
+    text_cursor text = record->at;
+    if (read_header(&texts->density, &h)) return BOLAN_ERROR_FORMAT;
+    list->spherical = true;
     if (text.next == text.end) return bolan_text_unexpected(&text, NULL, "the name of a point in quotes");
-    for (uint32_t i = 0; i < h->points && text.next < text.end; i++) {
+    for (uint32_t i = 0; i < h.points && text.next < text.end; i++) {
         double place[2];
-        if (read_point(&text, place)) return BOLAN_ERROR_FORMAT;
-        if (bolan_location_choice_offer(choice, place)) *found = text;
-        skip_densities(h, &text);
+        text_word name;
+        if (read_point(&text, place, &name)) return BOLAN_ERROR_FORMAT;
+        if (bolan_location_list_add(list, place[0], place[1], name.begin, name.length)) return BOLAN_ERROR_MEMORY;
+        skip_densities(&h, &text);
     }
-    return bolan_location_choice_end(choice, text.name);
+    return BOLAN_OK;
 }
 
 // ---- the whole ------------------------------------------------------------------------------------------------------
@@ -165,29 +172,25 @@ static bolan_result read_densities(const ww3_header *h, text_cursor *text, spect
     return BOLAN_OK;
 }
 
-static bolan_result read_record(const ww3_header *h, const record_entry *entry, const bolan_spectrum_options *options,
-                                spectrum_grid *grid) {
-    location_choice choice = bolan_location_choice_begin(options, true);
-    text_cursor text = entry->at;
-    bolan_result result = choose_point(h, entry->at, &choice, &text);
-    if (!result) result = read_densities(h, &text, grid);
-    if (!result) bolan_location_choice_say(&choice, h->text.name, &grid->notes);
-    return result;
+static bolan_result read_spectrum(const bolan_spectrum_texts *texts, const format_choice *choice,
+                                  const bolan_spectrum_options *options, spectrum_grid *grid) {
+    (void)options;
+    ww3_header h;
+    text_cursor text = choice->record->at;
+    if (read_header(&texts->density, &h)) return BOLAN_ERROR_FORMAT;
+    for (uint32_t i = 0; i <= choice->location; i++) {
+        double place[2];
+        if (read_point(&text, place, NULL)) return BOLAN_ERROR_FORMAT;
+        if (i < choice->location) skip_densities(&h, &text);
+    }
+    return read_densities(&h, &text, grid);
 }
 
-bolan_result bolan_spectrum_parse_ww3(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                      spectrum_grid *grid) {
-    ww3_header h;
-    record_list list = {.entries = NULL};
-    const record_entry *entry = NULL;
-    if (read_header(&texts->density, &h)) return BOLAN_ERROR_FORMAT;
-    bolan_result result = list_records(&h, &list);
-    if (!result) result = bolan_record_list_choose(&list, h.text.name, options, &grid->notes, &entry);
-    if (!result) {
-        grid->record_count = list.count;
-        bolan_record_date_print(&entry->date, list.style, grid->time);
-        result = read_record(&h, entry, options, grid);
-    }
-    bolan_record_list_release(&list);
-    return result;
+static bool is_ww3(const bolan_spectrum_text *text) {
+    text_cursor cursor = bolan_text_open(text);
+    text_word first;
+    return bolan_text_next_word(&cursor, &first) && bolan_text_equals(first, "'WAVEWATCH");
 }
+
+const spectrum_format bolan_format_ww3 = {"ww3",          "WAVEWATCH III point spectra (text)", is_ww3, list_records,
+                                          list_locations, read_spectrum};

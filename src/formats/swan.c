@@ -7,10 +7,9 @@
 //
 // The text is walked twice. First all blocks are stepped over, without a look at their numbers, for the list of
 // records; then the one block that is asked for is read strictly.
-#include "spectrum/bands.h"
-#include "spectrum/locations.h"
-#include "spectrum/records.h"
-#include "spectrum/swan_header.h"
+#include "formats/bands.h"
+#include "formats/format.h"
+#include "formats/swan_header.h"
 
 #include "bolan/math.h"
 
@@ -112,7 +111,7 @@ static bolan_result read_date(const swan_header *h, text_cursor *text, text_word
     return BOLAN_OK;
 }
 
-static bolan_result list_records(const swan_header *h, record_list *list) {
+static bolan_result list_records_of(const swan_header *h, record_list *list) {
     text_cursor text = h->text;
     text_word word;
     *list = (record_list){.timed = h->has_times && h->time_code == 1, .style = RECORD_LOCAL_SECONDS};
@@ -129,22 +128,30 @@ static bolan_result list_records(const swan_header *h, record_list *list) {
                : BOLAN_OK;
 }
 
-// ---- the location ---------------------------------------------------------------------------------------------------
+static bolan_result list_records(const bolan_spectrum_texts *texts, record_list *list) {
+    swan_header h;
+    return bolan_swan_read_header(&texts->density, &h) ? BOLAN_ERROR_FORMAT : list_records_of(&h, list);
+}
 
-static bolan_result choose_location(const swan_header *h, const bolan_spectrum_options *options, location_choice *out) {
-    text_cursor places = h->places;
-    *out = bolan_location_choice_begin(options, h->spherical);
-    for (uint32_t i = 0; i < h->locations; i++) {
+// ---- the locations --------------------------------------------------------------------------------------------------
+
+static bolan_result list_locations(const bolan_spectrum_texts *texts, const record_entry *record, location_list *list) {
+    (void)record; // all records have the same
+    swan_header h;
+    if (bolan_swan_read_header(&texts->density, &h)) return BOLAN_ERROR_FORMAT;
+    list->spherical = h.spherical;
+    for (uint32_t i = 0; i < h.locations; i++) {
         double place[2];
-        if (bolan_swan_read_place(&places, place)) return BOLAN_ERROR_FORMAT;
-        bolan_location_choice_offer(out, place);
+        if (bolan_swan_read_place(&h.places, place)) return BOLAN_ERROR_FORMAT;
+        if (bolan_location_list_add(list, place[0], place[1], NULL, 0)) return BOLAN_ERROR_MEMORY;
     }
-    return bolan_location_choice_end(out, h->text.name);
+    return BOLAN_OK;
 }
 
 // The chosen location is dry: the sentence counts the locations and says which have energy at this time.
-static bolan_result refuse_dry(const swan_header *h, const location_choice *chosen, const char *time,
-                               text_cursor text) {
+static bolan_result refuse_dry(const swan_header *h, const format_choice *choice, const char *time) {
+    const bolan_spectrum_place *place = &choice->locations->entries[choice->location];
+    text_cursor text = choice->record->at;
     enum { SHOWN = 8 };
     char list[96] = "";
     uint32_t wet = 0;
@@ -157,8 +164,7 @@ static bolan_result refuse_dry(const swan_header *h, const location_choice *chos
     }
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_NO_ENERGY,
               "%s: location %u of %u, at %g, %g, has no data (NODATA)%s%s; %u of the %u have energy%s%s%s",
-              h->text.name, (unsigned)chosen->index + 1, (unsigned)h->locations, chosen->place[0], chosen->place[1],
-              time[0] ? " at " : "", time, (unsigned)wet, (unsigned)h->locations, wet ? ": " : "", list,
+              h->text.name, (unsigned)choice->location + 1, (unsigned)h->locations, place->x, place->y, time[0] ? " at " : "", time, (unsigned)wet, (unsigned)h->locations, wet ? ": " : "", list,
               wet > SHOWN ? ", ..."
               : wet       ? "; give location to choose"
                           : "");
@@ -295,14 +301,11 @@ static block_kind block_after_number(const swan_header *h, text_cursor text) {
     return kind == BLOCK_NONE ? BLOCK_VALUES : kind;
 }
 
-static bolan_result read_record(const swan_header *h, const record_entry *entry, const bolan_spectrum_options *options,
-                                spectrum_grid *grid) {
-    location_choice chosen;
-    text_cursor text = entry->at;
+static bolan_result read_block(const swan_header *h, const format_choice *choice,
+                               const bolan_spectrum_options *options, spectrum_grid *grid) {
+    text_cursor text = choice->record->at;
     text_word word;
-    bolan_result result = choose_location(h, options, &chosen);
-    if (result) return result;
-    for (uint32_t i = 0; i < chosen.index; i++) {
+    for (uint32_t i = 0; i < choice->location; i++) {
         block_kind skipped;
         if (skip_block(h, &text, &skipped)) return BOLAN_ERROR_FORMAT;
     }
@@ -310,33 +313,26 @@ static bolan_result read_record(const swan_header *h, const record_entry *entry,
     block_kind kind = kind_of(h, word);
     if (kind == BLOCK_VALUES && !h->directions) kind = block_after_number(h, text);
     if (kind == BLOCK_NONE) return bolan_text_unexpected(&text, &word, block_words(h));
-    if (kind == BLOCK_NODATA) return refuse_dry(h, &chosen, grid->time, entry->at);
-    result = h->directions ? read_2d(h, &text, kind, grid) : read_1d(h, &text, kind, options, grid);
-    if (!result) bolan_location_choice_say(&chosen, h->text.name, &grid->notes);
-    return result;
+    if (kind == BLOCK_NODATA) return refuse_dry(h, choice, grid->time);
+    return h->directions ? read_2d(h, &text, kind, grid) : read_1d(h, &text, kind, options, grid);
 }
 
-static void say_times(const swan_header *h, spectrum_notes *notes) {
-    if (h->has_times && h->time_code != 1)
-        bolan_spectrum_note(notes, BOLAN_LOG_SPECTRUM_DATE,
-                            "%s: times are coded by option %u, which is not read; records count as in the text",
-                            h->text.name, (unsigned)h->time_code);
-}
-
-bolan_result bolan_spectrum_parse_swan(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                       spectrum_grid *grid) {
+static bolan_result read_spectrum(const bolan_spectrum_texts *texts, const format_choice *choice,
+                                  const bolan_spectrum_options *options, spectrum_grid *grid) {
     swan_header h;
-    record_list list = {.entries = NULL};
-    const record_entry *entry = NULL;
     if (bolan_swan_read_header(&texts->density, &h)) return BOLAN_ERROR_FORMAT;
-    bolan_result result = list_records(&h, &list);
-    if (!result) result = bolan_record_list_choose(&list, h.text.name, options, &grid->notes, &entry);
-    if (!result) {
-        grid->record_count = list.count;
-        if (list.timed) bolan_record_date_print(&entry->date, list.style, grid->time);
-        result = read_record(&h, entry, options, grid);
-    }
-    if (!result) say_times(&h, &grid->notes);
-    bolan_record_list_release(&list);
+    const bolan_result result = read_block(&h, choice, options, grid);
+    if (!result && h.has_times && h.time_code != 1)
+        bolan_spectrum_note(&grid->notes, BOLAN_LOG_SPECTRUM_DATE,
+                            "%s: times are coded by option %u, which is not read; records count as in the text",
+                            h.text.name, (unsigned)h.time_code);
     return result;
 }
+
+static bool is_swan(const bolan_spectrum_text *text) {
+    text_cursor cursor = bolan_text_open(text);
+    text_word first;
+    return bolan_text_next_word(&cursor, &first) && bolan_text_equals(first, "SWAN");
+}
+
+const spectrum_format bolan_format_swan = {"swan", "SWAN spectra", is_swan, list_records, list_locations, read_spectrum};

@@ -2,8 +2,9 @@
 // NDBC's spectra: a table of densities, and up to four of directions. Directions are compass degrees FROM. Rows of the
 // tables are matched by their time, columns by their frequency. The layouts are in ndbc_table.h, what stands in for
 // missing values in bands.h.
-#include "spectrum/bands.h"
-#include "spectrum/ndbc_table.h"
+#include "formats/bands.h"
+#include "formats/format.h"
+#include "formats/ndbc_table.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -108,8 +109,10 @@ static bolan_result take_densities(const text_cursor *line, const ndbc_row *row,
     return row->count >= SPECTRUM_MIN_FREQUENCIES ? BOLAN_OK : bolan_text_unexpected(&at, NULL, "a second frequency");
 }
 
-static bolan_result list_records(ndbc_table table, record_list *list) {
+static bolan_result list_records(const bolan_spectrum_texts *texts, record_list *list) {
+    ndbc_table table;
     text_cursor line;
+    if (bolan_ndbc_open(&texts->density, &table)) return BOLAN_ERROR_FORMAT;
     *list = (record_list){.timed = true, .style = RECORD_UTC_MINUTES};
     while (bolan_ndbc_next_row(&table, &line)) {
         const text_cursor start = line;
@@ -222,44 +225,44 @@ static bolan_result read_companions(const bolan_spectrum_texts *texts, const rec
 typedef struct ndbc_scratch {
     ndbc_row row;
     spectrum_bands bands;
-    record_list list;
     reason why;
 } ndbc_scratch;
 
-static bolan_result read_all(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options, ndbc_scratch *s,
-                             spectrum_grid *grid) {
+static bolan_result read_record(const bolan_spectrum_texts *texts, const record_entry *record,
+                                const bolan_spectrum_options *options, ndbc_scratch *s, spectrum_grid *grid) {
     ndbc_table table;
-    const record_entry *entry = NULL;
-    bolan_result result = bolan_ndbc_open(&texts->density, &table);
-    if (!result) result = list_records(table, &s->list);
-    if (!result) result = bolan_record_list_choose(&s->list, table.rows.name, options, &grid->notes, &entry);
-    if (result) return result;
+    if (bolan_ndbc_open(&texts->density, &table)) return BOLAN_ERROR_FORMAT;
     bolan_spectrum_bands_clear(&s->bands);
-    grid->record_count = s->list.count;
-    bolan_record_date_print(&entry->date, s->list.style, grid->time);
-    if (bolan_ndbc_read_row(&table, entry->at, &s->row) || check_is_density(&table, &entry->at, &s->row) ||
-        take_densities(&entry->at, &s->row, &s->bands) ||
-        read_companions(texts, &entry->date, &s->bands, &s->row, &s->why, &grid->notes))
+    if (bolan_ndbc_read_row(&table, record->at, &s->row) || check_is_density(&table, &record->at, &s->row) ||
+        take_densities(&record->at, &s->row, &s->bands) ||
+        read_companions(texts, &record->date, &s->bands, &s->row, &s->why, &grid->notes))
         return BOLAN_ERROR_FORMAT;
     return bolan_spectrum_bands_to_grid(&s->bands, table.rows.name, s->why.text, options, grid);
 }
 
-bolan_result bolan_spectrum_parse_ndbc(const bolan_spectrum_texts *texts, const bolan_spectrum_options *options,
-                                       spectrum_grid *grid) {
-    if (options->location > 0 || !isnan(options->place[0])) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_LOCATION,
-                  "%s: a location was asked for, but an NDBC table is of one buoy; expected none",
-                  texts->density.name ? texts->density.name : "spectrum");
-        return BOLAN_ERROR_ARGUMENT;
-    }
+static bolan_result no_locations(const bolan_spectrum_texts *texts, const record_entry *record, location_list *list) {
+    (void)texts, (void)record, (void)list;
+    return BOLAN_OK;
+}
+
+static bolan_result read_spectrum(const bolan_spectrum_texts *texts, const format_choice *choice,
+                                  const bolan_spectrum_options *options, spectrum_grid *grid) {
     ndbc_scratch *scratch = bolan_allocate(sizeof *scratch);
     if (!scratch) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY,
                   "an NDBC spectrum needs %zu bytes, which could not be allocated", sizeof *scratch);
         return BOLAN_ERROR_MEMORY;
     }
-    const bolan_result result = read_all(texts, options, scratch, grid);
-    bolan_record_list_release(&scratch->list);
+    const bolan_result result = read_record(texts, choice->record, options, scratch, grid);
     bolan_release(scratch, sizeof *scratch);
     return result;
 }
+
+static bool is_ndbc(const bolan_spectrum_text *text) {
+    text_cursor cursor = bolan_text_open(text);
+    text_word first;
+    return bolan_text_next_word(&cursor, &first) && bolan_ndbc_is_header(first);
+}
+
+const spectrum_format bolan_format_ndbc = {"ndbc",       "NDBC spectral wave density", is_ndbc, list_records,
+                                           no_locations, read_spectrum};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // See records.h.
-#include "spectrum/records.h"
+#include "formats/records.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -99,30 +99,58 @@ static int by_time(const void *a, const void *b) {
     return (x->order > y->order) - (x->order < y->order);
 }
 
-static bolan_result choose_number(const record_list *list, const char *name, uint32_t record,
-                                  const record_entry **chosen) {
+void bolan_record_list_sort(record_list *list) { qsort(list->entries, list->count, sizeof *list->entries, by_time); }
+
+static bolan_result choose_number(const record_list *list, const char *name, uint32_t record, record_choice *chosen) {
     if (record >= list->count) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TIME_INDEX, "%s: record %u was asked for; expected 0 to %u", name,
                   (unsigned)record, (unsigned)(list->count - 1));
         return BOLAN_ERROR_ARGUMENT;
     }
-    *chosen = &list->entries[record];
+    chosen->first = &list->entries[record];
     return BOLAN_OK;
 }
 
-static bolan_result choose_time(const record_list *list, const char *name, const char *time, spectrum_notes *notes,
-                                const record_entry **chosen) {
-    record_date date;
-    if (!list->timed || !bolan_record_date_from_text(time, &date)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TIME_INDEX,
-                  "%s: the record of %s was asked for, but the text has no times that can be read; expected a number",
-                  name, time);
-        return BOLAN_ERROR_ARGUMENT;
-    }
-    const int64_t wanted = bolan_record_date_seconds(&date);
+// The last record before a time and the next, where the time lies between them.
+static bool choose_pair(const record_list *list, const char *name, const record_date *date, spectrum_notes *notes,
+                        record_choice *chosen) {
+    const int64_t wanted = bolan_record_date_seconds(date);
+    uint32_t next = 0;
+    while (next < list->count && list->entries[next].seconds < wanted) next++;
+    if (next == 0 || next == list->count || list->entries[next].seconds == wanted) return false;
+    const record_entry *a = &list->entries[next - 1], *b = &list->entries[next];
+    char before[RECORD_TIME_SIZE], after[RECORD_TIME_SIZE];
+    bolan_record_date_print(&a->date, list->style, before);
+    bolan_record_date_print(&b->date, list->style, after);
+    bolan_record_date_print(date, list->style, chosen->time);
+    bolan_spectrum_note_level(notes, BOLAN_LOG_INFO, BOLAN_LOG_SPECTRUM_NEAREST_TIME,
+                              "%s: the spectrum of %s is interpolated between the records of %s and %s", name,
+                              chosen->time, before, after);
+    chosen->first = a;
+    chosen->second = b;
+    chosen->share = (double)(wanted - a->seconds) / (double)(b->seconds - a->seconds);
+    return true;
+}
+
+static const record_entry *nearest_to(const record_list *list, int64_t wanted) {
     const record_entry *best = &list->entries[0];
     for (uint32_t i = 1; i < list->count; i++)
         if (llabs(list->entries[i].seconds - wanted) < llabs(best->seconds - wanted)) best = &list->entries[i];
+    return best;
+}
+
+static bolan_result choose_time(const record_list *list, const char *name, const bolan_spectrum_options *options,
+                                spectrum_notes *notes, record_choice *chosen) {
+    record_date date;
+    if (!list->timed || !bolan_record_date_from_text(options->time, &date)) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TIME_INDEX,
+                  "%s: the record of %s was asked for, but the text has no times that can be read; expected a number",
+                  name, options->time);
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    if (options->interpolate && choose_pair(list, name, &date, notes, chosen)) return BOLAN_OK;
+    const int64_t wanted = bolan_record_date_seconds(&date);
+    const record_entry *best = nearest_to(list, wanted);
     char nearest[RECORD_TIME_SIZE], first[RECORD_TIME_SIZE], last[RECORD_TIME_SIZE];
     bolan_record_date_print(&best->date, list->style, nearest);
     if (llabs(best->seconds - wanted) > RECORD_NEAR_SECONDS) {
@@ -130,19 +158,19 @@ static bolan_result choose_time(const record_list *list, const char *name, const
         bolan_record_date_print(&list->entries[list->count - 1].date, list->style, last);
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TIME_INDEX,
                   "%s: the record of %s was asked for; the nearest of its %u records, from %s to %s, is that of %s",
-                  name, time, (unsigned)list->count, first, last, nearest);
+                  name, options->time, (unsigned)list->count, first, last, nearest);
         return BOLAN_ERROR_ARGUMENT;
     }
     if (best->seconds != wanted)
         bolan_spectrum_note(notes, BOLAN_LOG_SPECTRUM_NEAREST_TIME,
-                            "%s: there is no record of %s; the nearest, of %s, is taken", name, time, nearest);
-    *chosen = best;
+                            "%s: there is no record of %s; the nearest, of %s, is taken", name, options->time, nearest);
+    chosen->first = best;
     return BOLAN_OK;
 }
 
-bolan_result bolan_record_list_choose(record_list *list, const char *name, const bolan_spectrum_options *options,
-                                      spectrum_notes *notes, const record_entry **chosen) {
-    qsort(list->entries, list->count, sizeof *list->entries, by_time);
-    return options->time[0] ? choose_time(list, name, options->time, notes, chosen)
+bolan_result bolan_record_list_choose(const record_list *list, const char *name, const bolan_spectrum_options *options,
+                                      spectrum_notes *notes, record_choice *chosen) {
+    *chosen = (record_choice){.first = NULL};
+    return options->time[0] ? choose_time(list, name, options, notes, chosen)
                             : choose_number(list, name, options->record, chosen);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // See text.h.
-#include "spectrum/text.h"
+#include "formats/text.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -6,7 +6,7 @@
 //
 // The plain Fourier sum is negative in every eighth bin of a real buoy record, and clipping it turns and widens the
 // spread by degrees; this form keeps the reported direction and spread exactly.
-#include "spectrum/directional.h"
+#include "formats/directional.h"
 
 #include "bolan/math.h"
 #include "spectrum/portable.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file directional.h
-/// Directional distributions from what a buoy reports. Private to src/spectrum.
-#ifndef BOLAN_SPECTRUM_DIRECTIONAL_H
-#define BOLAN_SPECTRUM_DIRECTIONAL_H
+/// Directional distributions from what a buoy reports. Private to src/formats.
+#ifndef BOLAN_FORMATS_DIRECTIONAL_H
+#define BOLAN_FORMATS_DIRECTIONAL_H
 
 #include <stdint.h>
 

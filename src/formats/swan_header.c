@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // See swan_header.h.
-#include "spectrum/swan_header.h"
+#include "formats/swan_header.h"
+
+#include "formats/format.h"
 
 #include "bolan/math.h"
 
@@ -46,7 +48,7 @@ static bolan_result read_frequencies(swan_header *h) {
                               &h->frequencies))
         return BOLAN_ERROR_FORMAT;
     bolan_text_skip_line(&h->text);
-    if (bolan_spectrum_read_frequencies(&h->text, h->hertz, h->frequencies)) return BOLAN_ERROR_FORMAT;
+    if (bolan_format_read_frequencies(&h->text, h->hertz, h->frequencies)) return BOLAN_ERROR_FORMAT;
     bolan_text_skip_line(&h->text);
     return BOLAN_OK;
 }

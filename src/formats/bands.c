@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // See bands.h.
-#include "spectrum/bands.h"
+#include "formats/bands.h"
 
 #include "bolan/math.h"
-#include "spectrum/directional.h"
+#include "formats/directional.h"
 
 #include <math.h>
 #include <stdio.h>

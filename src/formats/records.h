@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file records.h
-/// The records of a text: their dates, their order in time, and the choice of one. Private to src/spectrum.
-#ifndef BOLAN_SPECTRUM_RECORDS_H
-#define BOLAN_SPECTRUM_RECORDS_H
+/// The records of a text: their dates, their order in time, and the choice of one. Private to src/formats.
+#ifndef BOLAN_FORMATS_RECORDS_H
+#define BOLAN_FORMATS_RECORDS_H
 
+#include "formats/text.h"
 #include "spectrum/notes.h"
-#include "spectrum/text.h"
 
 /// Year, month, day, hour, minute, second of the Gregorian calendar, UTC.
 typedef struct record_date {
@@ -46,10 +46,19 @@ typedef struct record_list {
 /// Appends an entry; MEMORY (logged). Sets seconds by the date, or by the order where the list is not timed.
 bolan_result bolan_record_list_add(record_list *list, const record_date *date, text_cursor at);
 void bolan_record_list_release(record_list *list);
-/// Sorts by time, equal times as in the text, and gives the record that the options ask for. ARGUMENT (one sentence) if
-/// there is none. A date that is not exact, but within an hour, is a note.
-bolan_result bolan_record_list_choose(record_list *list, const char *name, const bolan_spectrum_options *options,
-                                      spectrum_notes *notes, const record_entry **chosen);
+/// One record, or two for a time between them.
+typedef struct record_choice {
+    const record_entry *first, *second; ///< second NULL: the first alone
+    double share;                       ///< of the second, 0..1
+    char time[RECORD_TIME_SIZE];        ///< that is asked for between the two
+} record_choice;
+
+/// Sorts by time, equal times as in the text.
+void bolan_record_list_sort(record_list *list);
+/// The record of a sorted list that the options ask for. ARGUMENT (one sentence) if there is none. A date that is not
+/// exact, but within an hour, or between two records that are interpolated, is a note.
+bolan_result bolan_record_list_choose(const record_list *list, const char *name, const bolan_spectrum_options *options,
+                                      spectrum_notes *notes, record_choice *chosen);
 
 /// How far apart [s] two times may be for one to stand in for the other.
 #define RECORD_NEAR_SECONDS 3600

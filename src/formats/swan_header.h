@@ -6,12 +6,12 @@
 ///     2-D:  NDIR or CDIR n, n values / QUANT 1, then VaDens or EnDens, unit, exception
 ///     1-D:  QUANT n, then for each quantity: name, unit, exception
 ///
-/// Words matter, lines only where a remark may follow a value. Private to src/spectrum.
-#ifndef BOLAN_SPECTRUM_SWAN_HEADER_H
-#define BOLAN_SPECTRUM_SWAN_HEADER_H
+/// Words matter, lines only where a remark may follow a value. Private to src/formats.
+#ifndef BOLAN_FORMATS_SWAN_HEADER_H
+#define BOLAN_FORMATS_SWAN_HEADER_H
 
 #include "spectrum/measured.h"
-#include "spectrum/text.h"
+#include "formats/text.h"
 
 enum { SWAN_MAX_QUANTITIES = 8 };
 

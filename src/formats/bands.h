@@ -2,8 +2,10 @@
 /// @file bands.h
 /// A spectrum by frequency bands, as a buoy or a 1-D file gives it, and what stands in for what it lacks. Private to
 /// src/spectrum.
-#ifndef BOLAN_SPECTRUM_BANDS_H
-#define BOLAN_SPECTRUM_BANDS_H
+#ifndef BOLAN_FORMATS_BANDS_H
+#define BOLAN_FORMATS_BANDS_H
+
+#include "bolan/formats.h"
 
 #include "spectrum/measured.h"
 

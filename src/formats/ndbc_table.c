@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // See ndbc_table.h.
-#include "spectrum/ndbc_table.h"
+#include "formats/ndbc_table.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -7,12 +7,12 @@
 ///   real time   #YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) ... >
 ///               2020 06 08 03 50 0.225 0.000 (0.033) ...      newest first; r1, r2 as fractions
 ///
-/// 999 is a missing value everywhere. Private to src/spectrum.
-#ifndef BOLAN_SPECTRUM_NDBC_TABLE_H
-#define BOLAN_SPECTRUM_NDBC_TABLE_H
+/// 999 is a missing value everywhere. Private to src/formats.
+#ifndef BOLAN_FORMATS_NDBC_TABLE_H
+#define BOLAN_FORMATS_NDBC_TABLE_H
 
 #include "spectrum/measured.h"
-#include "spectrum/records.h"
+#include "formats/records.h"
 
 /// What the header says that a table holds.
 typedef enum ndbc_quantity { NDBC_UNNAMED, NDBC_SPEC, NDBC_ALPHA1, NDBC_ALPHA2, NDBC_R1, NDBC_R2 } ndbc_quantity;

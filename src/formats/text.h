@@ -2,10 +2,10 @@
 /// @file text.h
 /// Reading words and numbers from text in memory that need not end in NUL. Independent of the locale; knows the line
 /// for messages. Private to the library.
-#ifndef BOLAN_SPECTRUM_TEXT_H
-#define BOLAN_SPECTRUM_TEXT_H
+#ifndef BOLAN_FORMATS_TEXT_H
+#define BOLAN_FORMATS_TEXT_H
 
-#include "bolan/spectrum.h"
+#include "bolan/formats.h"
 
 #include <stdbool.h>
 #include <string.h>

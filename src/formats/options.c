@@ -1,11 +1,30 @@
 // SPDX-License-Identifier: MIT
 // The options of a measured spectrum: which record and location, and what stands in for directions.
-#include "bolan/spectrum.h"
-#include "spectrum/records.h"
+#include "bolan/formats.h"
+#include "formats/records.h"
+#include "params/rows.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+#define STRUCT bolan_spectrum_options
+static const bolan_param options_rows[] = {
+    HEADING(from_deg, .key = "from", .option = "from", .rules = BOLAN_PARAM_OR_NAN, .fallback = (double)NAN,
+            .otherwise = "270, with a warning",
+            .help = "where the waves come from, compass degrees, for a spectrum file without directions"),
+    NUMBER(spread_s, .key = "spread", .option = "spread", .low = 0, .high = 200, .rules = BOLAN_PARAM_OR_NAN,
+           .fallback = (double)NAN, .otherwise = "10, with a warning",
+           .help = "exponent of the waves' cos-2s spreading, for a spectrum file without spreads"),
+    FLAG(interpolate, .key = "interpolate", .option = "interpolate",
+         .help = "a date between two records of the spectrum file is interpolated; otherwise the nearest record"),
+    NUMBER(place[0], .low = -1e9, .high = 1e9, .rules = BOLAN_PARAM_OR_NAN, .fallback = (double)NAN,
+           .help = "longitude, or x, of the location that is read"),
+    NUMBER(place[1], .low = -1e9, .high = 1e9, .rules = BOLAN_PARAM_OR_NAN, .fallback = (double)NAN,
+           .help = "latitude, or y, of the location that is read"),
+};
+#undef STRUCT
+const bolan_param_table bolan_spectrum_options_params = TABLE("bolan_spectrum_options", options_rows);
 
 bolan_spectrum_options bolan_spectrum_options_default(void) {
     bolan_spectrum_options options;
