@@ -37,11 +37,11 @@ static void use_file(const options *o, bolan_scene *scene) {
 
 // What is read of the spectrum file.
 static int apply_spectrum(const options *o, bolan_scene *scene) {
-    static const char *const names[] = {"record", "location", "from", "spread"};
-    for (int i = 0; i < 4; i++)
+    static const char *const names[] = {"record", "location", "interpolate", "from", "spread"};
+    for (int i = 0; i < 5; i++)
         if (option_given(o, names[i]) && !scene->spectrum_path[0])
             return usage_error("--%s %s a spectrum file; give --spectrum FILE", names[i],
-                               i < 2 ? "chooses from" : "completes");
+                               i < 3 ? "chooses from" : "completes");
     if (option_given(o, "record") && !bolan_spectrum_options_set_record(&scene->spectrum, o->record))
         return usage_error("--record is %.60s; expected a whole number from 0, or a date such as 2018-01-01T06:00",
                            o->record);

@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "describe.h"
 #include "help.h"
+#include "info_spectra.h"
 #include "options.h"
 
 #include "bolan/io.h"
@@ -47,8 +48,8 @@ static void print_text(const facts *f) {
         printf("\nOpenGL       none: %s\n", gl_message);
     }
     const bolan_io_features io = bolan_io_get_features();
-    printf("files        rasters: %s; models: %s; EXR: %s\n", yes_or_no(io.rasters), yes_or_no(io.models),
-           yes_or_no(io.exr));
+    printf("files        rasters: %s; models: %s; EXR: %s; gzip: %s; NetCDF-4: %s\n", yes_or_no(io.rasters),
+           yes_or_no(io.models), yes_or_no(io.exr), yes_or_no(io.gzip), yes_or_no(io.netcdf4));
     uint32_t count = 0;
     const bolan_technique *techniques = bolan_techniques(&count);
     printf("techniques   waves x surface x optics\n");
@@ -89,8 +90,9 @@ static void print_json(const facts *f) {
         printf("null");
     }
     const bolan_io_features io = bolan_io_get_features();
-    printf(",\n  \"files\": {\"rasters\": %s, \"models\": %s, \"exr\": %s}", io.rasters ? "true" : "false",
-           io.models ? "true" : "false", io.exr ? "true" : "false");
+    printf(",\n  \"files\": {\"rasters\": %s, \"models\": %s, \"exr\": %s, \"gzip\": %s, \"netcdf4\": %s}",
+           io.rasters ? "true" : "false", io.models ? "true" : "false", io.exr ? "true" : "false",
+           io.gzip ? "true" : "false", io.netcdf4 ? "true" : "false");
     uint32_t count = 0;
     const bolan_technique *techniques = bolan_techniques(&count);
     printf(",\n  \"techniques\": [");
@@ -105,7 +107,10 @@ int command_info(int count, char **arguments) {
     options o;
     const int result = options_parse(ON_INFO, "info", count, arguments, &o);
     if (result) return result;
-    if (o.help) return help_command(ON_INFO, "info [OPTIONS]", "Prints what this build and this machine can do.");
+    if (o.help)
+        return help_command(ON_INFO, "info [FILE] [OPTIONS]",
+                            "Prints what this build and this machine can do, or what a file of spectra holds.");
+    if (o.scene) return info_spectra(o.scene, o.json);
     if (o.parameters || o.schema) {
         if (o.parameters) describe_print_tables(stdout);
         if (o.schema) describe_print_schema(stdout);

@@ -24,7 +24,8 @@ static const command commands[] = {
     {"bake", command_bake, "[SCENE] -o DIR                looping tiles: heights, normal maps, light on the bottom",
      NULL},
     {"bench", command_bench, "[waves|query|frame|techniques]  benchmarks", bench_is_there},
-    {"info", command_info, "                              build, processor, OpenGL, scenes, techniques", NULL},
+    {"info", command_info, "[FILE]                        build, processor, scenes; or what a file of spectra holds",
+     NULL},
 };
 
 enum { COMMANDS = sizeof commands / sizeof *commands };
@@ -41,8 +42,9 @@ static int print_help(FILE *file) {
 // Every message of the library and of the program itself. bolan_log() has made one line without control characters of
 // it.
 static void print_message(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
-    (void)user, (void)id;
-    if (level == BOLAN_LOG_INFO) return;
+    (void)user;
+    // What was chosen among records and locations is worth a line; other information is not.
+    if (level == BOLAN_LOG_INFO && id != BOLAN_LOG_SPECTRUM_LOCATION && id != BOLAN_LOG_SPECTRUM_NEAREST_TIME) return;
     fprintf(stderr, "bolan: %s%s\n", level == BOLAN_LOG_WARNING ? "warning: " : "", sentence);
 }
 

@@ -43,6 +43,7 @@ const option_info option_table[] = {
            .help = "jonswap, pm, tma, phillips; or a measured spectrum (SWAN, WAVEWATCH III, NDBC) in the place of all waves"),
     OF_FILE("record", record, SCENE_COMMANDS, "N|DATE"),
     OF_FILE("location", location, SCENE_COMMANDS, "N|LON,LAT"),
+    OF_SCENE("interpolate", SCENE_COMMANDS, NULL),
     OF_SCENE("from", SCENE_COMMANDS, "DEG"),
     OF_SCENE("spread", SCENE_COMMANDS, "S"),
     OF_SCENE("depth", SCENE_COMMANDS, "M"),
@@ -287,10 +288,10 @@ int options_parse(unsigned command, const char *command_name, int count, char **
         } else if (!only_names && is_option(arguments[i])) {
             const int result = parse_option(command, command_name, count, arguments, &i, out);
             if (result) return result;
-        } else if (out->scene || command == ON_INFO) {
+        } else if (out->scene) {
             char word[SHORT_WORD];
-            return usage_error("unexpected %s; bolan %s takes %s", shorten(arguments[i], word), command_name,
-                               command == ON_INFO ? "only options" : "one scene");
+            return usage_error("unexpected %s; bolan %s takes one %s", shorten(arguments[i], word), command_name,
+                               command == ON_INFO ? "file" : "scene");
         } else {
             out->scene = arguments[i];
         }

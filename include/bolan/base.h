@@ -85,6 +85,7 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(302, FILE_WRITE)              \
     X(303, FILE_TOO_LARGE)          \
     X(304, SCENE_TOO_DEEP)          \
+    X(305, FILE_UNPACK)             \
     X(310, SCENE_SYNTAX)            \
     X(311, SCENE_UNKNOWN_KEY)       \
     X(312, SCENE_BAD_VALUE)         \

@@ -28,6 +28,10 @@ typedef struct bolan_io_features {
     bool models;
     /// bolan_exr_write(), by OpenEXR.
     bool exr;
+    /// Spectra packed by gzip, by zlib.
+    bool gzip;
+    /// Spectra in NetCDF-4, by netCDF-C. NetCDF-3 needs no library.
+    bool netcdf4;
 } bolan_io_features;
 /// The formats of this build. Thread-safe.
 BOLAN_API bolan_io_features bolan_io_get_features(void);
@@ -108,12 +112,15 @@ BOLAN_API bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out);
 
 // ---- spectra, rasters, points ---------------------------------------------------------------------------------------
 
-/// Reads a measured spectrum file of at most 64 MiB; @p options NULL: the defaults. The tables of directions that NDBC
+/// Reads a measured spectrum file of at most 64 MiB, also packed by gzip; @p options NULL: the defaults. The tables of directions that NDBC
 /// publishes beside a density are used where they lie beside it: for NAME.data_spec (real time) NAME.swdir, .swdir2,
 /// .swr1, .swr2; for NAMEwYEAR.txt (history) the same name with d, i, j, k. A path that begins with "builtin:" names a
-/// shipped spectrum ("builtin:synthetic-bimodal"). Errors: IO, and those of bolan_measured_spectrum_parse().
+/// shipped spectrum ("builtin:synthetic-bimodal"). Errors: IO, UNSUPPORTED (a packing that this build does not have),
+/// and those of bolan_measured_spectrum_parse().
 BOLAN_API bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options *options,
                                            bolan_measured_spectrum **out);
+/// Lists what such a file holds. Errors: IO, UNSUPPORTED, and those of bolan_spectrum_contents_parse().
+BOLAN_API bolan_result bolan_spectrum_contents_load(const char *path, bolan_spectrum_contents **out);
 
 /// Reads part of a raster (any GDAL format; projected or geographic) as elevations on a local grid in metres around
 /// (desc->latitude, longitude): azimuthal equidistant, x east, y north, +-radius. The grid's step follows the raster's

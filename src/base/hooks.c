@@ -29,7 +29,12 @@ static void print_line(bolan_log_level level, const char *sentence) {
     fprintf(stderr, "bolan: %s: %s\n", names[level], sentence);
 }
 
+static _Thread_local bool muted;
+
+void bolan_log_mute(bool on) { muted = on; }
+
 void bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...) {
+    if (muted) return;
     char raw[SENTENCE_CAPACITY], sentence[SENTENCE_CAPACITY];
     va_list arguments;
     va_start(arguments, format);

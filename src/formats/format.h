@@ -41,6 +41,23 @@ extern const spectrum_format *const bolan_formats[];
 /// The format of a text; NULL, with a sentence, where none claims it or it is empty.
 const spectrum_format *bolan_format_of(const bolan_spectrum_text *text);
 
+/// Texts whose format is known, and their records.
+typedef struct format_file {
+    const spectrum_format *format;
+    const bolan_spectrum_texts *texts;
+    const char *name; ///< for messages
+    record_list records;
+} format_file;
+
+/// Finds the format and lists the records, in the order of time. FORMAT, MEMORY; bolan_format_close() is due in any
+/// case.
+bolan_result bolan_format_open(const bolan_spectrum_texts *texts, format_file *out);
+void bolan_format_close(format_file *file);
+/// Reads one record at one location. @p own_directions, unless NULL, receives whether the file has directions.
+bolan_result bolan_format_read(const format_file *file, const format_choice *choice,
+                               const bolan_spectrum_options *options, spectrum_notes *notes, bool *own_directions,
+                               bolan_measured_spectrum **out);
+
 /// Reads @p count ascending frequencies [Hz].
 bolan_result bolan_format_read_frequencies(text_cursor *text, double *hertz, uint32_t count);
 

@@ -40,55 +40,57 @@ bolan_result bolan_format_read_frequencies(text_cursor *text, double *hertz, uin
 
 // ---- one record -----------------------------------------------------------------------------------------------------
 
-typedef struct reading {
-    const spectrum_format *format;
-    const bolan_spectrum_texts *texts;
-    const bolan_spectrum_options *options;
-    const char *name;
-    record_list records;
-    spectrum_notes notes;
-} reading;
+bolan_result bolan_format_open(const bolan_spectrum_texts *texts, format_file *out) {
+    *out = (format_file){.format = bolan_format_of(&texts->density), .texts = texts};
+    out->name = texts->density.name ? texts->density.name : "spectrum";
+    if (!out->format) return BOLAN_ERROR_FORMAT;
+    const bolan_result result = out->format->records(texts, &out->records);
+    if (!result) bolan_record_list_sort(&out->records);
+    return result;
+}
+
+void bolan_format_close(format_file *file) { bolan_record_list_release(&file->records); }
+
+bolan_result bolan_format_read(const format_file *file, const format_choice *choice,
+                               const bolan_spectrum_options *options, spectrum_notes *notes, bool *own_directions,
+                               bolan_measured_spectrum **out) {
+    spectrum_grid grid = {.record_count = file->records.count, .notes = *notes};
+    if (file->records.timed) bolan_record_date_print(&choice->record->date, file->records.style, grid.time);
+    bolan_result result = file->format->read(file->texts, choice, options, &grid);
+    if (!result && grid.own_directions && (!isnan(options->from_deg) || !isnan(options->spread_s)))
+        bolan_spectrum_note(&grid.notes, BOLAN_LOG_SPECTRUM_UNUSED,
+                            "%s: has directions of its own; from and spread are not used", file->name);
+    if (own_directions) *own_directions = grid.own_directions;
+    if (!result) result = bolan_spectrum_measured_build(file->name, &grid, out);
+    bolan_spectrum_grid_release(&grid);
+    *notes = grid.notes;
+    return result;
+}
 
 // One record at the location that the options choose.
-static bolan_result read_record(reading *r, const record_entry *record, bolan_measured_spectrum **out) {
+static bolan_result read_record(const format_file *file, const record_entry *record,
+                                const bolan_spectrum_options *options, spectrum_notes *notes,
+                                bolan_measured_spectrum **out) {
     location_list locations = {.entries = NULL};
-    spectrum_grid grid = {.record_count = r->records.count, .notes = r->notes};
     format_choice choice = {.record = record, .locations = &locations};
-    if (r->records.timed) bolan_record_date_print(&record->date, r->records.style, grid.time);
-    bolan_result result = r->format->locations(r->texts, record, &locations);
-    if (!result) result = bolan_location_list_choose(&locations, r->name, r->options, &grid.notes, &choice.location);
-    if (!result) result = r->format->read(r->texts, &choice, r->options, &grid);
-    if (!result && grid.own_directions && (!isnan(r->options->from_deg) || !isnan(r->options->spread_s)))
-        bolan_spectrum_note(&grid.notes, BOLAN_LOG_SPECTRUM_UNUSED,
-                            "%s: has directions of its own; from and spread are not used", r->name);
-    if (!result) result = bolan_spectrum_measured_build(r->name, &grid, out);
-    bolan_spectrum_grid_release(&grid);
+    bolan_result result = file->format->locations(file->texts, record, &locations);
+    if (!result) result = bolan_location_list_choose(&locations, file->name, options, notes, &choice.location);
+    if (!result) result = bolan_format_read(file, &choice, options, notes, NULL, out);
     bolan_location_list_release(&locations);
-    r->notes = grid.notes;
     return result;
 }
 
-// The second record gives the same notes as the first: what stands in is said once.
-static bolan_result blend_second(reading *r, const record_choice *choice, bolan_measured_spectrum *first) {
+static bolan_result read_choice(const format_file *file, const record_choice *choice,
+                                const bolan_spectrum_options *options, spectrum_notes *notes,
+                                bolan_measured_spectrum **out) {
+    bolan_result result = read_record(file, choice->first, options, notes, out);
+    if (result || !choice->second) return result;
     bolan_measured_spectrum *second = NULL;
-    const spectrum_notes kept = r->notes;
-    bolan_result result = read_record(r, choice->second, &second);
-    r->notes = kept;
-    if (!result) result = bolan_spectrum_measured_blend(r->name, first, second, choice->share);
+    spectrum_notes repeated = *notes; // the second record gives the notes of the first again: they are said once
+    result = read_record(file, choice->second, options, &repeated, &second);
+    if (!result) result = bolan_spectrum_measured_blend(file->name, *out, second, choice->share);
+    if (!result) memcpy((*out)->time, choice->time, sizeof(*out)->time);
     bolan_measured_spectrum_destroy(&second);
-    if (!result) memcpy(first->time, choice->time, sizeof first->time);
-    return result;
-}
-
-static bolan_result read_all(reading *r, bolan_measured_spectrum **out) {
-    record_choice choice;
-    bolan_result result = r->format->records(r->texts, &r->records);
-    if (result) return result;
-    bolan_record_list_sort(&r->records);
-    result = bolan_record_list_choose(&r->records, r->name, r->options, &r->notes, &choice);
-    if (!result) result = read_record(r, choice.first, out);
-    if (!result && choice.second) result = blend_second(r, &choice, *out);
-    if (result) bolan_measured_spectrum_destroy(out);
     return result;
 }
 
@@ -99,11 +101,14 @@ bolan_result bolan_measured_spectrum_parse(const bolan_spectrum_texts *texts, co
     const bolan_spectrum_options defaults = bolan_spectrum_options_default();
     if (!options) options = &defaults;
     if (bolan_spectrum_options_validate(options)) return BOLAN_ERROR_ARGUMENT;
-    reading r = {.format = bolan_format_of(&texts->density), .texts = texts, .options = options};
-    if (!r.format) return BOLAN_ERROR_FORMAT;
-    r.name = texts->density.name ? texts->density.name : "spectrum";
-    const bolan_result result = read_all(&r, out);
-    bolan_record_list_release(&r.records);
-    if (!result) bolan_spectrum_notes_log(&r.notes);
+    format_file file;
+    record_choice choice;
+    spectrum_notes notes = {.count = 0};
+    bolan_result result = bolan_format_open(texts, &file);
+    if (!result) result = bolan_record_list_choose(&file.records, file.name, options, &notes, &choice);
+    if (!result) result = read_choice(&file, &choice, options, &notes, out);
+    if (result) bolan_measured_spectrum_destroy(out);
+    bolan_format_close(&file);
+    if (!result) bolan_spectrum_notes_log(&notes);
     return result;
 }

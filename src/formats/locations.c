@@ -70,14 +70,15 @@ static void choose_nearest(const location_list *list, const char *name, const do
                               place[1], (unsigned)*chosen + 1, at->x, at->y, best < 10.0, best);
 }
 
-bolan_result bolan_location_list_choose(const location_list *list, const char *name,
-                                        const bolan_spectrum_options *o, spectrum_notes *notes, uint32_t *chosen) {
+bolan_result bolan_location_list_choose(const location_list *list, const char *name, const bolan_spectrum_options *o,
+                                        spectrum_notes *notes, uint32_t *chosen) {
     const bool by_place = o->location == 0 && !isnan(o->place[0]);
     *chosen = o->location ? o->location - 1 : 0;
     if (list->count == 0 && (o->location > 0 || by_place)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_LOCATION,
-                  "%s: a location was asked for, but the file is of one buoy, whose place it does not give; expected none",
-                  name);
+        bolan_log(
+            BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_LOCATION,
+            "%s: a location was asked for, but the file is of one buoy, whose place it does not give; expected none",
+            name);
         return BOLAN_ERROR_ARGUMENT;
     }
     if (o->location > list->count) {

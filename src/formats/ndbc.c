@@ -264,5 +264,5 @@ static bool is_ndbc(const bolan_spectrum_text *text) {
     return bolan_text_next_word(&cursor, &first) && bolan_ndbc_is_header(first);
 }
 
-const spectrum_format bolan_format_ndbc = {"ndbc",       "NDBC spectral wave density", is_ndbc, list_records,
-                                           no_locations, read_spectrum};
+const spectrum_format bolan_format_ndbc = {
+    "ndbc", "NDBC spectral wave density", is_ndbc, list_records, no_locations, read_spectrum};

@@ -11,8 +11,8 @@
 #ifndef BOLAN_FORMATS_NDBC_TABLE_H
 #define BOLAN_FORMATS_NDBC_TABLE_H
 
-#include "spectrum/measured.h"
 #include "formats/records.h"
+#include "spectrum/measured.h"
 
 /// What the header says that a table holds.
 typedef enum ndbc_quantity { NDBC_UNNAMED, NDBC_SPEC, NDBC_ALPHA1, NDBC_ALPHA2, NDBC_R1, NDBC_R2 } ndbc_quantity;

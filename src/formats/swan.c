@@ -164,7 +164,8 @@ static bolan_result refuse_dry(const swan_header *h, const format_choice *choice
     }
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_NO_ENERGY,
               "%s: location %u of %u, at %g, %g, has no data (NODATA)%s%s; %u of the %u have energy%s%s%s",
-              h->text.name, (unsigned)choice->location + 1, (unsigned)h->locations, place->x, place->y, time[0] ? " at " : "", time, (unsigned)wet, (unsigned)h->locations, wet ? ": " : "", list,
+              h->text.name, (unsigned)choice->location + 1, (unsigned)h->locations, place->x, place->y,
+              time[0] ? " at " : "", time, (unsigned)wet, (unsigned)h->locations, wet ? ": " : "", list,
               wet > SHOWN ? ", ..."
               : wet       ? "; give location to choose"
                           : "");
@@ -301,8 +302,8 @@ static block_kind block_after_number(const swan_header *h, text_cursor text) {
     return kind == BLOCK_NONE ? BLOCK_VALUES : kind;
 }
 
-static bolan_result read_block(const swan_header *h, const format_choice *choice,
-                               const bolan_spectrum_options *options, spectrum_grid *grid) {
+static bolan_result read_block(const swan_header *h, const format_choice *choice, const bolan_spectrum_options *options,
+                               spectrum_grid *grid) {
     text_cursor text = choice->record->at;
     text_word word;
     for (uint32_t i = 0; i < choice->location; i++) {
@@ -335,4 +336,5 @@ static bool is_swan(const bolan_spectrum_text *text) {
     return bolan_text_next_word(&cursor, &first) && bolan_text_equals(first, "SWAN");
 }
 
-const spectrum_format bolan_format_swan = {"swan", "SWAN spectra", is_swan, list_records, list_locations, read_spectrum};
+const spectrum_format bolan_format_swan = {"swan",       "SWAN spectra", is_swan,
+                                           list_records, list_locations, read_spectrum};

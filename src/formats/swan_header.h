@@ -10,8 +10,8 @@
 #ifndef BOLAN_FORMATS_SWAN_HEADER_H
 #define BOLAN_FORMATS_SWAN_HEADER_H
 
-#include "spectrum/measured.h"
 #include "formats/text.h"
+#include "spectrum/measured.h"
 
 enum { SWAN_MAX_QUANTITIES = 8 };
 

@@ -192,5 +192,5 @@ static bool is_ww3(const bolan_spectrum_text *text) {
     return bolan_text_next_word(&cursor, &first) && bolan_text_equals(first, "'WAVEWATCH");
 }
 
-const spectrum_format bolan_format_ww3 = {"ww3",          "WAVEWATCH III point spectra (text)", is_ww3, list_records,
-                                          list_locations, read_spectrum};
+const spectrum_format bolan_format_ww3 = {
+    "ww3", "WAVEWATCH III point spectra (text)", is_ww3, list_records, list_locations, read_spectrum};

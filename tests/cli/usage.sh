@@ -85,5 +85,6 @@ done
 refuse 2 '--frames 3 into one picture' render -o a.png --frames 3
 refuse 2 'width and height are even' render -o a.mp4 --size 101x100
 refuse 2 'query needs --points FILE' query
-refuse 2 'unexpected island; bolan info takes only options' info island
+refuse 2 'unexpected storm; bolan info takes one file' info island storm
+refuse 1 'island: cannot be read: No such file' info island
 refuse 2 'there is no such scene; expected approach, coast, island' measure atlantis

@@ -249,6 +249,31 @@ static void test_ndbc_companions_are_found(void **state) {
     assert_near(s.from_deg, 180.0, 1e-3);
 }
 
+// The set of a year again, packed by gzip, the densities in two parts; and bytes that are not whole.
+static void test_packed_spectra(void **state) {
+    (void)state;
+    char path[1024];
+    bolan_measured_spectrum *spectrum = NULL;
+    if (!bolan_io_get_features().gzip) skip();
+    const bolan_sea_summary s = load_sea(test_data("spectra/packed/41004w2018.txt.gz", path, sizeof path), NULL);
+    assert_near(s.hs, 1.99544, 1e-5);
+    assert_near(s.from_deg, 180.0, 1e-3); // from the companions
+    FILE *file = fopen("files_i.spec", "wb");
+    fwrite("\x1f\x8b\x08\0\0\0\0\0\0\x03\x4b", 1, 11, file);
+    fclose(file);
+    assert_refusal(bolan_spectrum_load("files_i.spec", NULL, &spectrum), BOLAN_ERROR_FORMAT, BOLAN_LOG_FILE_UNPACK,
+                   "files_i.spec: cannot be unpacked: it ends too soon");
+    assert_null(spectrum);
+    write_text("files_i.spec", "\x1f\x8b not packed");
+    assert_refusal(bolan_spectrum_load("files_i.spec", NULL, &spectrum), BOLAN_ERROR_FORMAT, BOLAN_LOG_FILE_UNPACK,
+                   "files_i.spec: cannot be unpacked");
+    remove("files_i.spec");
+    bolan_spectrum_contents *contents = NULL;
+    assert_int_equal(bolan_spectrum_contents_load(path, &contents), BOLAN_OK);
+    assert_string_equal(contents->format, "ndbc");
+    bolan_spectrum_contents_destroy(&contents);
+}
+
 // Each companion by its own letter, also in capitals, and only where the density's name has its own.
 static void test_letters_in_names_of_the_history(void **state) {
     (void)state;
@@ -292,6 +317,7 @@ int main(void) {
         cmocka_unit_test(test_a_film_appears_when_it_is_whole),
         cmocka_unit_test(test_spectrum_files),
         cmocka_unit_test(test_ndbc_companions_are_found),
+        cmocka_unit_test(test_packed_spectra),
         cmocka_unit_test(test_letters_in_names_of_the_history),
     };
     return cmocka_run_group_tests(tests, listen_to_log, NULL);

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// See info_spectra.h.
+#include "info_spectra.h"
+
+#include "options.h"
+#include "output.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { PLACES_SHOWN = 20 };
+
+// ---- a table --------------------------------------------------------------------------------------------------------
+
+// A length of time in its largest fitting unit: 3600 is "1 h", 5400 "1.5 h", 90 "1.5 min".
+static void print_step(double seconds) {
+    static const struct {
+        double length;
+        const char *name;
+    } units[] = {{86400.0, "d"}, {3600.0, "h"}, {60.0, "min"}, {0.0, "s"}};
+    int i = 0;
+    while (seconds < units[i].length) i++;
+    printf("%.4g %s", units[i].length > 0.0 ? seconds / units[i].length : seconds, units[i].name);
+}
+
+static void print_records(const bolan_spectrum_contents *c) {
+    printf("  records      %u", (unsigned)c->record_count);
+    const bolan_spectrum_record *r = c->records;
+    if (r[0].time[0]) printf(", %s", r[0].time);
+    if (r[0].time[0] && c->record_count > 1) {
+        double least = HUGE_VAL, most = 0.0;
+        for (uint32_t i = 1; i < c->record_count; i++) {
+            least = fmin(least, r[i].seconds - r[i - 1].seconds);
+            most = fmax(most, r[i].seconds - r[i - 1].seconds);
+        }
+        printf(" to %s, every ", r[c->record_count - 1].time);
+        if (least < most) print_step(least), printf(" to ");
+        print_step(most);
+    }
+    printf("\n");
+}
+
+static void print_places(const bolan_spectrum_contents *c) {
+    printf("  locations    %s", c->place_count == 0 ? "one, which the file does not give\n" : "");
+    for (uint32_t i = 0; i < c->place_count && i < PLACES_SHOWN; i++) {
+        const bolan_spectrum_place *p = &c->places[i];
+        printf("%s%u at %.6g, %.6g%s", i ? "               " : "", (unsigned)i + 1, p->x, p->y,
+               c->spherical ? "" : " m");
+        if (p->name[0]) printf("  "), output_print(p->name);
+        printf("\n");
+    }
+    if (c->place_count > PLACES_SHOWN) printf("               and %u more\n", (unsigned)c->place_count - PLACES_SHOWN);
+}
+
+static void print_table(const char *path, const bolan_spectrum_contents *c) {
+    output_print(path);
+    printf(": %s\n", c->title);
+    print_records(c);
+    print_places(c);
+    printf("  frequencies  %u, %.4g to %.4g Hz\n", (unsigned)c->frequency_count, c->lowest_hertz, c->highest_hertz);
+    if (c->direction_count)
+        printf("  directions   %u, every %.4g degrees\n", (unsigned)c->direction_count, 360.0 / c->direction_count);
+    else
+        printf("  directions   none, or their moments\n");
+    printf("  height       Hs %.4g to %.4g m\n", c->hs_min, c->hs_max);
+    printf("  period       Tp %.4g to %.4g s\n", c->tp_min, c->tp_max);
+    const double all = (double)c->record_count * (c->place_count ? c->place_count : 1);
+    if (c->read_count < all) printf("               (of %u of the %.0f spectra)\n", (unsigned)c->read_count, all);
+    if (c->unreadable_count)
+        printf("  unreadable   %u of the %u spectra that were read\n", (unsigned)c->unreadable_count,
+               (unsigned)c->read_count);
+}
+
+// ---- JSON -----------------------------------------------------------------------------------------------------------
+
+static void print_json(const bolan_spectrum_contents *c) {
+    printf("{\n  \"format\": \"%s\",\n  \"title\": \"%s\",\n  \"records\": [", c->format, c->title);
+    for (uint32_t i = 0; i < c->record_count; i++) printf("%s\"%s\"", i ? ", " : "", c->records[i].time);
+    printf("],\n  \"spherical\": %s,\n  \"locations\": [", c->spherical ? "true" : "false");
+    for (uint32_t i = 0; i < c->place_count; i++) {
+        const bolan_spectrum_place *p = &c->places[i];
+        printf("%s{\"x\": %.9g, \"y\": %.9g, \"name\": \"", i ? ", " : "", p->x, p->y);
+        for (const char *t = p->name; *t; t++) printf(*t == '"' || *t == '\\' ? "\\%c" : "%c", *t);
+        printf("\"}");
+    }
+    printf("],\n  \"frequencies\": {\"count\": %u, \"lowest\": %.9g, \"highest\": %.9g},\n",
+           (unsigned)c->frequency_count, c->lowest_hertz, c->highest_hertz);
+    printf("  \"directions\": %u,\n  \"read\": %u,\n  \"unreadable\": %u,\n", (unsigned)c->direction_count,
+           (unsigned)c->read_count, (unsigned)c->unreadable_count);
+    printf("  \"hs\": [%.9g, %.9g],\n  \"tp\": [%.9g, %.9g]\n}\n", c->hs_min, c->hs_max, c->tp_min, c->tp_max);
+}
+
+int info_spectra(const char *path, bool json) {
+    bolan_spectrum_contents *contents = NULL;
+    if (bolan_spectrum_contents_load(path, &contents)) return EXIT_FAILED;
+    if (json) {
+        print_json(contents);
+    } else {
+        print_table(path, contents);
+    }
+    bolan_spectrum_contents_destroy(&contents);
+    return EXIT_OK;
+}
