@@ -2,6 +2,8 @@
 // Creation, validation, layout and memory of a sea.
 #include "sea_support.h"
 
+#include "bolan/formats.h"
+
 #include <string.h>
 
 typedef struct watcher {
