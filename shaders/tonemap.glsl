@@ -54,6 +54,7 @@ void main() {
     return;
 #endif
     if (settings.y > 0.5) display = srgb_encode(display);
-    color = vec4(display + settings.z / 255.0 * dither_noise(gl_FragCoord.xy), 1.0);
+    vec2 place = vec2(at) + 0.5 + tile_corner; // in the whole picture, so that tiles have the dither of the whole
+    color = vec4(display + settings.z / 255.0 * dither_noise(place), 1.0);
 }
 #endif

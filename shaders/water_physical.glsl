@@ -84,7 +84,7 @@ vec4 mirrored_land(vec3 position, vec3 direction) {
     vec3 land;
     vec4 seen = behind(uv, land);
     bool dry = hit && seen.w > 0.0 && land.z + eye_height > -0.3; // else it ended on the sea bed
-    vec2 edge = min(uv, 1.0 - uv);
+    vec2 whole = uv * tile_share + tile_corner * (pixel_size * tile_share), edge = min(whole, 1.0 - whole);
     return vec4(seen.rgb, dry ? smoothstep(0.0, 0.05, min(edge.x, edge.y)) : 0.0);
 }
 

@@ -59,6 +59,8 @@ BOLAN_API void bolan_context_destroy(bolan_context **context);
 typedef struct bolan_gl_info {
     const char *renderer, *vendor, *version, *shading_language;
     bool software, clip_control;
+    /// Largest picture that the context can draw at once [px], each way; a view has at most 16384. 0 without a context.
+    uint32_t max_picture;
 } bolan_gl_info;
 /// Asks the context that is current on this thread.
 BOLAN_API bolan_gl_info bolan_gl_get_info(void);
@@ -174,8 +176,13 @@ BOLAN_API bolan_lighting bolan_lighting_default(void);
 /// Thread-safe.
 BOLAN_API bolan_lighting bolan_lighting_from_scene(const bolan_scene *scene);
 
+/// Seas whose fields a renderer keeps on the GPU. The fields of a further sea take the place of those that were prepared
+/// the longest time ago.
+#define BOLAN_KEPT_SEAS 4
+
 /// Takes a step of the water: uploads its fields unless those of the same serial are on the GPU already.
-/// An unchanged step costs nothing.
+/// An unchanged step uploads nothing: see bolan_frame_statistics::uploads.
+/// The fields of the last BOLAN_KEPT_SEAS seas stay on the GPU, so that several waters may take turns in each frame.
 /// Every view that is drawn until the next call shows this step.
 /// @p water and what it points to are borrowed until then.
 /// No current context, a sea that is NULL or of another wave model than `lighting.technique.waves`, a number out of
@@ -204,6 +211,9 @@ typedef enum bolan_output {
     BOLAN_OUTPUT_LINEAR,
 } bolan_output;
 
+/// Guard band of a tile [px], and what its corners are multiples of.
+#define BOLAN_TILE_STEP 64
+
 /// One picture of a step: eye, frustum and target. Axes of the camera: x right, y up; it looks along -z, or along +z
 /// where the last row of the projection is 0 0 1 0.
 typedef struct bolan_view {
@@ -225,7 +235,11 @@ typedef struct bolan_view {
     /// Moves the picture right and up by parts of a pixel; default 0, 0.
     bolan_vec2 jitter;
     /// This picture is the rectangle at x, y (from the lower left) of a whole picture of that size [px]; default all
-    /// 0: it is the whole. Tiles of one whole join without a seam.
+    /// 0: it is the whole.
+    /// Sky and water of tiles are those of the whole to one level of 255.
+    /// Reflections of land and objects, refraction, glow and half-rate shading read the image round a pixel: overlap the
+    /// tiles by a guard band of BOLAN_TILE_STEP, twice that with glow (from BOLAN_QUALITY_HIGH on), and cut it off.
+    /// Let x and y be multiples of BOLAN_TILE_STEP. A reflection of what stands outside tile and guard is that of the sky.
     struct bolan_view_tile {
         uint32_t x, y, whole_width, whole_height;
     } tile;
@@ -403,6 +417,11 @@ typedef struct bolan_frame_statistics {
     /// Shader programs compiled by this renderer since it was created. It rises when a frame of another technique, sea
     /// or ground is prepared, and stays while only the view changes.
     uint32_t programs;
+    /// Uploads to textures of this renderer since it was created: fields of seas, maps of the ground, tables. They stay
+    /// while the step and the eye stay, and on the open sea while the step stays.
+    uint32_t uploads;
+    /// Bytes of those uploads.
+    uint64_t upload_bytes;
 } bolan_frame_statistics;
 /// Measures the time of each pass; default off. By GPU timestamps, which disturb no query of yours, are some frames old
 /// when they come, and are never waited for; without them (software OpenGL, OpenGL ES) by glFinish() after each pass,

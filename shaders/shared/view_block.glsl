@@ -26,4 +26,6 @@ vec2 cloud_offset;            // of the eye from the middle of the clouds' maps 
 vec2 streak_place;            // of the eye in the tile of wind streaks [0,1)
 vec2 caustic_place;           // of the eye in the caustics' tile
 float surf_phase;             // of the bores at the eye [cycles]
-float view_padding;           // the block's size is a multiple of 16 bytes
+float view_padding;           // a vec2 that begins at a multiple of 8 bytes
+vec2 tile_corner;             // lower left corner of the picture in the whole of which it is a tile [px]
+vec2 tile_share;              // size of the picture over that of the whole; 1 where it is the whole

@@ -37,10 +37,14 @@ void bolan_renderer_enter(bolan_renderer *r) {
     bolan_gl_program_set_directory(r->shader_directory[0] ? r->shader_directory : NULL);
     bolan_gl_save(&r->saved, &r->caps, r->desc.debug);
     r->programs_before = bolan_gl_programs_compiled();
+    r->uploads_before = bolan_gl_uploads();
 }
 
 void bolan_renderer_leave(bolan_renderer *r) {
+    const gl_uploads uploads = bolan_gl_uploads();
     r->statistics.programs += bolan_gl_programs_compiled() - r->programs_before;
+    r->statistics.uploads += uploads.count - r->uploads_before.count;
+    r->statistics.upload_bytes += uploads.bytes - r->uploads_before.bytes;
     bolan_gl_restore(&r->saved);
 }
 

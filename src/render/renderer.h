@@ -79,6 +79,7 @@ struct bolan_renderer {
     double near_plane;        // of the last picture [m]
     float radiance_unit;      // of the last picture: stored / unit is radiance
     uint32_t programs_before; // compiled by this thread when the present call began
+    gl_uploads uploads_before; // by this thread, then
     bolan_frame_statistics statistics;
 };
 

@@ -29,17 +29,11 @@ const char *bolan_water_waves_define(water_waves waves) {
 }
 
 bolan_result bolan_sea_gpu_create(sea_gpu *p) {
-    *p = (sea_gpu){.cpu_fold = NULL};
-    gl_texture_desc slopes = {.format = GL_FMT_RGBA16F,
-                              .width = BOLAN_SLOPE_TABLE_MAJOR,
-                              .height = BOLAN_SLOPE_TABLE_ASPECT,
-                              .depth = SLOPE_TABLE_LAYERS,
-                              .filter = GL_FILTER_LINEAR,
-                              .wrap = GL_WRAP_CLAMP};
     gl_texture_desc waves = {
         .format = GL_FMT_RGBA32F, .width = TABLE_ROW, .height = TABLE_ROWS, .filter = GL_FILTER_NEAREST};
-    bolan_result result = bolan_gl_texture_create(&slopes, &p->slope_table);
-    return result == BOLAN_OK ? bolan_gl_texture_create(&waves, &p->table) : result;
+    *p = (sea_gpu){.now = NULL};
+    p->now = &p->kept[0];
+    return bolan_gl_texture_create(&waves, &p->table);
 }
 
 // What a cascade's texels are made in.
@@ -85,11 +79,14 @@ static water_texel_work *create_work(uint32_t n) {
     return w;
 }
 
-static void free_textures(sea_gpu *p) {
-    bolan_gl_texture_free(&p->displacement);
-    bolan_gl_texture_free(&p->slopes);
-    bolan_gl_texture_free(&p->fold);
-    for (int c = 0; c < BOLAN_MAX_CASCADES; ++c) bolan_gl_texture_free(&p->packed_slopes[c]);
+static void free_textures(sea_fields *f) {
+    bolan_gl_texture_free(&f->displacement);
+    bolan_gl_texture_free(&f->slopes);
+    bolan_gl_texture_free(&f->fold);
+    for (int c = 0; c < BOLAN_MAX_CASCADES; ++c) bolan_gl_texture_free(&f->packed_slopes[c]);
+}
+
+static void free_fold(sea_gpu *p) {
     bolan_release(p->cpu_fold, p->cpu_fold_bytes);
     p->cpu_fold = NULL;
     p->cpu_fold_bytes = 0;
@@ -97,14 +94,17 @@ static void free_textures(sea_gpu *p) {
 
 void bolan_sea_gpu_free(sea_gpu *p) {
     free_work(p);
-    free_textures(p);
+    free_fold(p);
+    for (int i = 0; i < BOLAN_KEPT_SEAS; ++i) {
+        free_textures(&p->kept[i]);
+        bolan_gl_texture_free(&p->kept[i].slope_table);
+    }
     bolan_gl_texture_free(&p->table);
-    bolan_gl_texture_free(&p->slope_table);
 }
 
 // ---- cascades -------------------------------------------------------------------------------------------------------
 
-static bolan_result create_packed(sea_gpu *p, gl_texture_desc desc, uint32_t count) {
+static bolan_result create_packed(sea_fields *p, gl_texture_desc desc, uint32_t count) {
     bolan_result result = BOLAN_OK;
     desc.array = false;
     desc.depth = 0;
@@ -113,19 +113,15 @@ static bolan_result create_packed(sea_gpu *p, gl_texture_desc desc, uint32_t cou
     return result;
 }
 
-static bolan_result create_whole(sea_gpu *p, gl_texture_desc desc, uint32_t n) {
+static bolan_result create_whole(sea_fields *p, gl_texture_desc desc) {
     bolan_result result = bolan_gl_texture_create(&desc, &p->slopes);
     desc.format = GL_FMT_RG16F;
-    if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, &p->fold);
-    if (result != BOLAN_OK) return result;
-    p->cpu_fold_bytes = sizeof(uint16_t) * 2 * n * n;
-    p->cpu_fold = allocate_for("the foam of the cascades", p->cpu_fold_bytes);
-    return p->cpu_fold != NULL ? BOLAN_OK : BOLAN_ERROR_MEMORY;
+    return result == BOLAN_OK ? bolan_gl_texture_create(&desc, &p->fold) : result;
 }
 
 // Textures that fit this sea; kept while n, the number of cascades and what they hold stay. False: they cannot be had
 // (logged).
-static bool fit_textures(sea_gpu *p, uint32_t n, uint32_t count, bool packed) {
+static bool fit_textures(sea_fields *p, uint32_t n, uint32_t count, bool packed) {
     if (p->displacement.width == n && p->displacement.depth == count && p->packed == packed) return true;
     free_textures(p);
     gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
@@ -137,7 +133,7 @@ static bool fit_textures(sea_gpu *p, uint32_t n, uint32_t count, bool packed) {
                             .wrap = GL_WRAP_REPEAT};
     p->packed = packed;
     bolan_result result = bolan_gl_texture_create(&desc, &p->displacement);
-    if (result == BOLAN_OK) result = packed ? create_packed(p, desc, count) : create_whole(p, desc, n);
+    if (result == BOLAN_OK) result = packed ? create_packed(p, desc, count) : create_whole(p, desc);
     if (result != BOLAN_OK) free_textures(p);
     return result == BOLAN_OK;
 }
@@ -153,7 +149,7 @@ static void interleave_fold(const bolan_cascade_view *v, uint16_t *out) {
 // What the workers make of a frame's cascades: item 2c the levels of the displacement of cascade c, 2c + 1 of its
 // slopes.
 typedef struct texel_job {
-    const sea_gpu *fields;
+    const sea_gpu *gpu;
     const bolan_sea *sea;
     bool packed, levels;
 } texel_job;
@@ -162,7 +158,7 @@ static void make_texels(void *context, uint32_t begin, uint32_t end, uint32_t wo
     const texel_job *job = context;
     (void)worker;
     for (uint32_t item = begin; item < end; ++item) {
-        water_texel_work *w = job->fields->work[item / 2];
+        water_texel_work *w = job->gpu->work[item / 2];
         const bolan_cascade_view v = bolan_sea_cascade(job->sea, item / 2);
         const float *displacement[] = {v.dx, v.dy, v.height, v.dxy};
         const float *slopes[] = {v.slope_x, v.slope_y, job->packed ? w->sum : v.dxx, job->packed ? v.foam : v.dyy};
@@ -192,35 +188,44 @@ static bool fit_work(sea_gpu *p, uint32_t n, uint32_t count) {
     return all;
 }
 
-static void upload_fold(sea_gpu *p, const bolan_sea *sea, uint32_t count) {
+static bool fit_fold(sea_gpu *p, uint32_t n) {
+    const size_t bytes = sizeof(uint16_t) * 2 * n * n;
+    if (p->cpu_fold_bytes == bytes) return true;
+    free_fold(p);
+    p->cpu_fold = allocate_for("the foam of the cascades", bytes);
+    p->cpu_fold_bytes = p->cpu_fold != NULL ? bytes : 0;
+    return p->cpu_fold != NULL;
+}
+
+static void upload_fold(const sea_gpu *p, sea_fields *f, const bolan_sea *sea, uint32_t count) {
     for (uint32_t c = 0; c < count; ++c) {
         bolan_cascade_view v = bolan_sea_cascade(sea, c);
         interleave_fold(&v, p->cpu_fold);
-        bolan_gl_texture_upload(&p->fold, 0, (int)c, p->cpu_fold, true);
+        bolan_gl_texture_upload(&f->fold, 0, (int)c, p->cpu_fold, true);
     }
-    bolan_gl_texture_generate_mipmaps(&p->fold);
+    bolan_gl_texture_generate_mipmaps(&f->fold);
 }
 
 // On software GL the levels are made here; a GPU makes them in no time.
-static bool upload_cascades(sea_gpu *p, const bolan_sea *sea, bool packed, bool software) {
+static bool upload_cascades(sea_gpu *p, sea_fields *f, const bolan_sea *sea, bool packed, bool software) {
     const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade(sea, 0).n;
-    if (!fit_textures(p, n, count, packed) || !fit_work(p, n, count)) return false;
-    texel_job job = {.fields = p, .sea = sea, .packed = packed, .levels = software};
+    if (!fit_textures(f, n, count, packed) || !fit_work(p, n, count) || (!packed && !fit_fold(p, n))) return false;
+    texel_job job = {.gpu = p, .sea = sea, .packed = packed, .levels = software};
     if (packed || software) bolan_parallel(2 * count, 1, make_texels, &job);
     for (uint32_t c = 0; c < count; ++c) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
-        bolan_gl_texture_upload(&p->displacement, 0, (int)c, v.displacement_half, true);
-        gl_texture *slopes = packed ? &p->packed_slopes[c] : &p->slopes;
+        bolan_gl_texture_upload(&f->displacement, 0, (int)c, v.displacement_half, true);
+        gl_texture *slopes = packed ? &f->packed_slopes[c] : &f->slopes;
         const int layer = packed ? -1 : (int)c;
         bolan_gl_texture_upload(slopes, 0, layer, packed ? p->work[c]->packed : v.slope_half, true);
-        if (software) upload_levels(&p->displacement, (int)c, p->work[c]->levels[0]);
+        if (software) upload_levels(&f->displacement, (int)c, p->work[c]->levels[0]);
         if (software) upload_levels(slopes, layer, p->work[c]->levels[1]);
         if (!software && packed) bolan_gl_texture_generate_mipmaps(slopes);
     }
-    if (!packed) upload_fold(p, sea, count);
+    if (!packed) upload_fold(p, f, sea, count);
     if (software) return true;
-    bolan_gl_texture_generate_mipmaps(&p->displacement);
-    if (!packed) bolan_gl_texture_generate_mipmaps(&p->slopes);
+    bolan_gl_texture_generate_mipmaps(&f->displacement);
+    if (!packed) bolan_gl_texture_generate_mipmaps(&f->slopes);
     return true;
 }
 
@@ -341,28 +346,52 @@ static void upload_table(sea_gpu *p, const render_view *v) {
 
 // ---- both -----------------------------------------------------------------------------------------------------------
 
-static void upload_slope_table(sea_gpu *p, const bolan_sea *sea) {
+static bool upload_slope_table(sea_fields *f, const bolan_sea *sea) {
+    static const gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
+                                         .width = BOLAN_SLOPE_TABLE_MAJOR,
+                                         .height = BOLAN_SLOPE_TABLE_ASPECT,
+                                         .depth = SLOPE_TABLE_LAYERS,
+                                         .filter = GL_FILTER_LINEAR,
+                                         .wrap = GL_WRAP_CLAMP};
     float table[SLOPE_TABLE_LAYERS * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_MAJOR * 4];
     size_t layer = (size_t)BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_MAJOR * 4;
     const float *from = bolan_sea_slope_table(sea);
+    if (f->slope_table.id == 0 && bolan_gl_texture_create(&desc, &f->slope_table) != BOLAN_OK) return false;
     memcpy(table, from, sizeof(float) * layer * BOLAN_SLOPE_TABLE_ANGLE);
     memcpy(table + layer * BOLAN_SLOPE_TABLE_ANGLE, from, sizeof(float) * layer);
-    bolan_gl_texture_upload(&p->slope_table, 0, -1, table, false);
+    bolan_gl_texture_upload(&f->slope_table, 0, -1, table, false);
+    return true;
+}
+
+// The fields of this sea and layout; else those that were prepared the longest time ago, which another sea may have.
+static sea_fields *choose(sea_gpu *p, uint64_t sea, water_textures textures) {
+    sea_fields *oldest = &p->kept[0];
+    for (int i = 0; i < BOLAN_KEPT_SEAS; ++i) {
+        sea_fields *f = &p->kept[i];
+        if (f->sea == sea && f->textures == textures) return f;
+        if (f->used < oldest->used) oldest = f;
+    }
+    return oldest;
 }
 
 bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_textures textures) {
     const water_waves waves = bolan_water_waves_of(bolan_sea_form(f->sea), f->lighting.technique.surface);
     const uint64_t serial = bolan_sea_serial(f->sea), sea = bolan_sea_id(f->sea);
-    if (p->sea != sea) upload_slope_table(p, f->sea);
-    p->sea = sea;
-    if (p->serial == serial && p->textures == textures) return true;
-    p->serial = 0;
-    if (waves == WATER_CASCADES && textures != WATER_TEXTURES_NONE) {
-        ++p->uploads;
-        if (!upload_cascades(p, f->sea, textures == WATER_TEXTURES_PACKED, f->caps->software)) return false;
+    sea_fields *now = p->now = choose(p, sea, textures);
+    const bool known = now->sea == sea && now->textures == textures;
+    now->used = ++p->preparations;
+    if (known && now->serial == serial) return true;
+    now->serial = 0;
+    if (now->sea != sea) {
+        now->sea = 0;
+        if (!upload_slope_table(now, f->sea)) return false;
     }
-    p->serial = serial;
-    p->textures = textures;
+    now->sea = sea;
+    now->textures = textures;
+    if (waves == WATER_CASCADES && textures != WATER_TEXTURES_NONE &&
+        !upload_cascades(p, now, f->sea, textures == WATER_TEXTURES_PACKED, f->caps->software))
+        return false;
+    now->serial = serial;
     return true;
 }
 
@@ -371,21 +400,21 @@ void bolan_sea_gpu_view(sea_gpu *p, const render_view *v, water_waves waves) {
     bolan_sea_gpu_bind(p, waves);
 }
 
-static void bind_cascades(const sea_gpu *p) {
-    bolan_gl_texture_bind(&p->displacement, UNIT_DISPLACEMENT);
-    if (p->packed) {
-        bolan_gl_texture_bind(&p->packed_slopes[0], UNIT_SLOPES);
-        for (int c = 1; c < BOLAN_MAX_CASCADES; ++c) bolan_gl_texture_bind(&p->packed_slopes[c], UNIT_CASCADES + c - 1);
+static void bind_cascades(const sea_fields *f) {
+    bolan_gl_texture_bind(&f->displacement, UNIT_DISPLACEMENT);
+    if (f->packed) {
+        bolan_gl_texture_bind(&f->packed_slopes[0], UNIT_SLOPES);
+        for (int c = 1; c < BOLAN_MAX_CASCADES; ++c) bolan_gl_texture_bind(&f->packed_slopes[c], UNIT_CASCADES + c - 1);
     } else {
-        bolan_gl_texture_bind(&p->slopes, UNIT_SLOPES);
-        bolan_gl_texture_bind(&p->fold, UNIT_FOLD);
+        bolan_gl_texture_bind(&f->slopes, UNIT_SLOPES);
+        bolan_gl_texture_bind(&f->fold, UNIT_FOLD);
     }
 }
 
 void bolan_sea_gpu_bind(const sea_gpu *p, water_waves waves) {
     if (waves == WATER_SUM) bolan_gl_texture_bind(&p->table, UNIT_DISPLACEMENT);
-    if (waves == WATER_CASCADES) bind_cascades(p);
-    bolan_gl_texture_bind(&p->slope_table, UNIT_SLOPE_TABLE);
+    if (waves == WATER_CASCADES) bind_cascades(p->now);
+    bolan_gl_texture_bind(&p->now->slope_table, UNIT_SLOPE_TABLE);
 }
 
 #define EVERY_WAVE 1e6 // standard deviation of a footprint that resolves none [m]

@@ -20,23 +20,31 @@ typedef enum water_textures {
     WATER_TEXTURES_NONE,   // only the table of unresolved slopes (the optics has the waves by other means)
 } water_textures;
 
+// What the GPU holds of one sea.
+typedef struct sea_fields {
+    gl_texture displacement, slopes, fold;        // cascades: arrays, a layer each
+    gl_texture packed_slopes[BOLAN_MAX_CASCADES]; // instead of slopes and fold
+    bool packed;                                  // which of them hold this step's waves
+    gl_texture slope_table;
+    uint64_t sea, serial;    // of the slope table, and of the fields; 0: none
+    water_textures textures; // what was uploaded of that serial
+    uint64_t used;           // when it was prepared, in preparations
+} sea_fields;
+
 typedef struct sea_gpu {
-    gl_texture displacement, slopes, fold;             // cascades: arrays, a layer each
-    gl_texture packed_slopes[BOLAN_MAX_CASCADES];      // instead of slopes and fold
-    bool packed;                                       // which of them hold this step's waves
-    uint64_t serial, sea;                              // of the fields in them; of the slope table
-    water_textures textures;                           // what was uploaded of that serial
-    uint32_t uploads;                                  // of fields, since creation
+    sea_fields kept[BOLAN_KEPT_SEAS];
+    sea_fields *now;                                   // of the step that is drawn
+    uint64_t preparations;                             // since creation
     struct water_texel_work *work[BOLAN_MAX_CASCADES]; // levels made on the CPU
     uint32_t work_n;
     gl_texture table; // WATER_SUM: a texel a wave
-    gl_texture slope_table;
     uint16_t *cpu_fold;
     size_t cpu_fold_bytes;
 } sea_gpu;
 
 bolan_result bolan_sea_gpu_create(sea_gpu *p);
-// Uploads the fields of this step, unless those of its serial are there. False: they cannot be had (logged).
+// Takes the fields of this step: those of its serial where they are kept; else uploads them, into those of the same sea
+// or those that were prepared the longest time ago. False: they cannot be had (logged).
 bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_textures textures);
 // Uploads what belongs to a view's eye, and binds all.
 void bolan_sea_gpu_view(sea_gpu *p, const render_view *v, water_waves waves);

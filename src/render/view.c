@@ -98,12 +98,15 @@ static double near_plane(double height, bool zero_to_one) {
 }
 
 // The part of the whole picture that is drawn: the same directions, other edges.
-static void cut_tile(bolan_mat4 *p, const bolan_view *from) {
+static void cut_tile(render_view *v, const bolan_view *from) {
+    bolan_mat4 *p = &v->projection;
     const double w = (double)from->tile.whole_width / from->width, h = (double)from->tile.whole_height / from->height;
     p->m[8] = (float)((double)p->m[8] * w - (w - 2.0 * from->tile.x / from->width - 1.0));
     p->m[9] = (float)((double)p->m[9] * h - (h - 2.0 * from->tile.y / from->height - 1.0));
     p->m[0] = (float)((double)p->m[0] * w);
     p->m[5] = (float)((double)p->m[5] * h);
+    v->tile_corner = (bolan_vec2){(float)from->tile.x, (float)from->tile.y};
+    v->tile_share = (bolan_vec2){(float)(1.0 / w), (float)(1.0 / h)};
 }
 
 static bool is_tile(const bolan_view *v) { return v->tile.whole_width != 0 || v->tile.whole_height != 0; }
@@ -153,7 +156,9 @@ void bolan_view_open(render_view *v, frame *f, const bolan_view *from, bool zero
     v->lens.shift_x = (double)v->projection.m[8];
     v->lens.shift_y = (double)v->projection.m[9];
     v->lens.pixel_height = is_tile(from) ? from->tile.whole_height : from->height;
-    if (is_tile(from)) cut_tile(&v->projection, from);
+    v->tile_corner = (bolan_vec2){0.0f, 0.0f};
+    v->tile_share = (bolan_vec2){1.0f, 1.0f};
+    if (is_tile(from)) cut_tile(v, from);
     v->projection.m[8] -= 2.0f * from->jitter.x / (float)from->width;
     v->projection.m[9] -= 2.0f * from->jitter.y / (float)from->height;
     v->zero_to_one = zero_to_one;
@@ -214,6 +219,8 @@ void bolan_view_fill(render_view *v) {
     b->mirrored_under_water = v->mirrored_under ? 1.0f : 0.0f;
     b->under_fog = v->fog ? 1.0f : 0.0f;
     b->shade_columns = v->shade_columns;
+    b->tile_corner = v->tile_corner;
+    b->tile_share = v->tile_share;
     b->clip_side = v->clip.side;
     b->clip_elevation = v->clip.elevation;
     b->refraction_raise = v->clip.raise;

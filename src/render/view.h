@@ -41,6 +41,7 @@ typedef struct render_view {
     double near_distance;        // [m]
     bool zero_to_one;            // clip depth is [0,1]
     uint32_t width, height;      // [px]
+    bolan_vec2 tile_corner, tile_share; // as of the block View
     bool progressive;
     bool bake; // the optics may bake anew what another sun has lit
     // Inputs of the block.

@@ -86,6 +86,10 @@ static double snapped(double heading, double half, uint32_t columns) {
     return floor(heading / step + 0.5) * step;
 }
 
+// Columns that are snapped reach up to half a step less far to one side: where that and a pixel are more than the guard,
+// so much more [rad].
+static double beyond_guard(double step, double pixel) { return fmax(0.5 * step + pixel - SURFACE_GUARD_ANGLE, 0.0); }
+
 // Azimuths at even steps, each turned from the one before: an error of 1e-16 each, and no sine for each vertex.
 static void fill_row(bolan_surface_vertex *out, uint32_t columns, double centre, double half, double r, double z,
                      double radial) {
@@ -127,11 +131,13 @@ void bolan_surface_projector_uniforms(const bolan_surface_projector *p, bolan_su
 bolan_surface_size bolan_surface_projected(const bolan_surface_desc *desc, const bolan_surface_view *view,
                                            bolan_surface_vertex *vertices) {
     BOLAN_ASSERT(desc != NULL && view != NULL && vertices != NULL && desc->max_vertices >= 1024);
-    const bolan_surface_projector p = bolan_surface_projector_of(view);
+    bolan_surface_projector p = bolan_surface_projector_of(view);
     if (!p.visible) return (bolan_surface_size){0, 0};
     bolan_surface_size size;
-    double angle = view->fov_y / view->pixel_height * desc->pixels_per_vertex;
-    for (;; angle *= 1.02) { // coarser until it fits: at most a twentieth fewer than may be
+    const double pixel = view->fov_y / view->pixel_height, half = p.half;
+    // coarser until it fits: at most a twentieth fewer than may be
+    for (double angle = pixel * desc->pixels_per_vertex;; angle *= 1.02) {
+        p.half = fmin(half + beyond_guard(angle, pixel), BOLAN_PI);
         size.rows = (uint32_t)ceil(p.range / angle) + 2;
         size.columns = (uint32_t)ceil(2.0 * p.half / angle) + 2;
         if ((uint64_t)size.rows * size.columns <= desc->max_vertices) break;

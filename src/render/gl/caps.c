@@ -104,8 +104,17 @@ gl_caps bolan_gl_get_caps(void) {
     return caps;
 }
 
+// Of a texture that is drawn into, each way.
+static uint32_t max_picture(void) {
+    GLint texture = 0, viewport[2] = {0};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    const GLint view = viewport[0] < viewport[1] ? viewport[0] : viewport[1];
+    return (uint32_t)(texture < view ? texture : view);
+}
+
 bolan_gl_info bolan_gl_get_info(void) {
-    bolan_gl_info info = {"", "", "", "", false, false};
+    bolan_gl_info info = {"", "", "", "", false, false, 0};
     if (!bolan_gl_has_context()) return info;
     info.renderer = gl_string(GL_RENDERER);
     info.vendor = gl_string(GL_VENDOR);
@@ -113,5 +122,6 @@ bolan_gl_info bolan_gl_get_info(void) {
     if (bolan_gl_version() >= 20) info.shading_language = gl_string(GL_SHADING_LANGUAGE_VERSION);
     info.software = is_software(info.renderer);
     info.clip_control = has_clip_control();
+    info.max_picture = max_picture();
     return info;
 }

@@ -75,6 +75,12 @@ bolan_result bolan_gl_texture_create(const gl_texture_desc *desc, gl_texture *ou
 // Uploads a whole level: floats for *16F/*32F, bytes for *8. `half`: the data are halfs already. layer: -1 all (2D, 3D), else one layer/slice.
 void bolan_gl_texture_upload(gl_texture *t, uint32_t level, int layer, const void *data, bool half);
 void bolan_gl_texture_generate_mipmaps(gl_texture *t);
+// Calls of bolan_gl_texture_upload() by this thread so far, and the bytes that they sent.
+typedef struct gl_uploads {
+    uint32_t count;
+    uint64_t bytes;
+} gl_uploads;
+gl_uploads bolan_gl_uploads(void);
 void bolan_gl_texture_bind(const gl_texture *t, uint32_t unit); // nothing for a texture that was not made
 void bolan_gl_texture_free(gl_texture *t);
 

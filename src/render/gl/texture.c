@@ -137,6 +137,15 @@ bolan_result bolan_gl_texture_create(const gl_texture_desc *d, gl_texture *out) 
     return BOLAN_OK;
 }
 
+static _Thread_local gl_uploads uploads; // by this thread
+gl_uploads bolan_gl_uploads(void) { return uploads; }
+
+static void count_upload(const format_info *f, GLenum type, uint32_t texels) {
+    const uint64_t channel = type == GL_UNSIGNED_BYTE ? 1 : type == GL_HALF_FLOAT ? 2 : 4;
+    uploads.count++;
+    uploads.bytes += channel * f->components * texels;
+}
+
 void bolan_gl_texture_upload(gl_texture *t, uint32_t level, int layer, const void *data, bool half) {
     BOLAN_ASSERT(t->id && data && level < t->levels);
     const format_info *f = bolan_gl_format_info(t->format);
@@ -145,11 +154,12 @@ void bolan_gl_texture_upload(gl_texture *t, uint32_t level, int layer, const voi
     const GLsizei w = (GLsizei)mip(t->width, level), h = (GLsizei)mip(t->height, level);
     bind_scratch(t);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const uint32_t all = t->target == GL_TEXTURE_3D ? mip(t->depth, level) : t->depth;
+    count_upload(f, type, (uint32_t)w * (uint32_t)h * (layer < 0 ? all : 1));
     if (t->target == GL_TEXTURE_2D) {
         glTexSubImage2D(t->target, (GLint)level, 0, 0, w, h, f->format, type, data);
         return;
     }
-    const uint32_t all = t->target == GL_TEXTURE_3D ? mip(t->depth, level) : t->depth;
     glTexSubImage3D(t->target, (GLint)level, 0, 0, layer < 0 ? 0 : layer, w, h, layer < 0 ? (GLsizei)all : 1, f->format,
                     type, data);
 }

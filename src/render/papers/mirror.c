@@ -158,7 +158,7 @@ static void draw(void *state, const water_draw *d) {
     const mirror_block block = block_of(v, t);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     bolan_paper_tiles_bind(t);
-    if (d->waves == WATER_CASCADES && !tiles) bolan_gl_texture_bind(&d->fields->fold, UNIT_FOLD);
+    if (d->waves == WATER_CASCADES && !tiles) bolan_gl_texture_bind(&d->fields->now->fold, UNIT_FOLD);
     bolan_water_draw_forward(d);
 }
 
