@@ -61,6 +61,8 @@ static void apply_wind(const options *o, bolan_scene *scene) {
         scene->wind_spectrum = BOLAN_SPECTRUM_JONSWAP; // a fetch means a growing sea
     if (has_table(o)) scene->wind_spectrum = BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
     if (shape >= 0) scene->wind_spectrum = (bolan_spectrum_kind)shape;
+    // A wind sea that was asked for joins the waves that the scene lists, or replaces the first, if that has a wind.
+    if (option_given(o, "fetch") || has_table(o) || shape >= 0) scene->wind_sea = true;
     // What was asked for, whatever the technique makes of a wind.
     if (has_table(o) || shape >= 0) scene->technique.wind_spectrum = -1;
     // A Beaufort or Douglas sea is that sea alone; a wind leaves the swells that are there.

@@ -40,7 +40,8 @@ const option_info option_table[] = {
     OF_FILE("beaufort", beaufort, SCENE_COMMANDS, "B"),
     OF_FILE("sea-state", sea_state, SCENE_COMMANDS, "D"),
     OPTION("spectrum", TEXT, spectrum, SCENE_COMMANDS, "NAME|FILE",
-           .help = "jonswap, pm, tma, phillips; or a measured spectrum (SWAN, WAVEWATCH III, NDBC) in the place of all waves"),
+           .help = "jonswap, pm, tma, phillips, donelan, elfouhaily; or a measured spectrum (SWAN, WAVEWATCH III, NDBC) "
+                   "in the place of all waves"),
     OF_FILE("record", record, SCENE_COMMANDS, "N|DATE"),
     OF_FILE("location", location, SCENE_COMMANDS, "N|LON,LAT"),
     OF_SCENE("interpolate", SCENE_COMMANDS, NULL),

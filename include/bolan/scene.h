@@ -113,6 +113,9 @@ typedef struct bolan_scene {
     double fetch;
     /// Spectrum of the wind sea; default JONSWAP. See bolan_scene_set_wind().
     bolan_spectrum_kind wind_spectrum;
+    /// Whether the wind raises a wind sea; default true. False: the sea has the systems of sea.sea_state alone, and the
+    /// wind roughens them. See bolan_scene_set_wind().
+    bool wind_sea;
     /// A measured spectrum file; "" for none.
     char spectrum_path[BOLAN_PATH_MAX];
     /// What is read of that file, and what stands in for what it lacks.
@@ -157,9 +160,9 @@ BOLAN_API bolan_scene bolan_scene_default(void);
 
 /// Gives the scene another wind of @p wind_speed [m/s] FROM @p from_deg [deg].
 /// The wind sea is built anew from the wind, scene->fetch, and the technique's spectrum or scene->wind_spectrum.
-/// A Pierson-Moskowitz sea is fully developed whatever the fetch; a TMA sea takes the sea's depth. Swells stay.
-/// The wind sea is the wave system with a wind_speed above 0.
-/// With a spectrum file the waves are those of the file, and the wind only roughens them.
+/// A Pierson-Moskowitz sea is fully developed whatever the fetch; a TMA sea takes the sea's depth. Other systems stay.
+/// The wind sea is the first wave system, where that has a wind_speed above 0.
+/// With a spectrum file, or without scene->wind_sea, the wind only roughens the waves that are there.
 /// bolan_scene_validate() checks the values.
 BOLAN_API void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg);
 

@@ -68,10 +68,60 @@ static void build_wind(const builder *b) {
     bolan_scene_set_wind(b->scene, speed, from);
 }
 
+// Where waves come from that say it, or as the wind.
+static double from_of(const builder *b, const char *path, double from) {
+    return has(b, path) ? from : b->scene->sea.sea_state.wind_from_deg;
+}
+
+static bolan_result build_systems(const builder *b) {
+    bolan_sea_state *state = &b->scene->sea.sea_state;
+    for (uint32_t i = 0; i < b->file->system_count; i++) {
+        bolan_wave_system system = b->file->systems[i].system;
+        char path[SCHEMA_PATH];
+        snprintf(path, sizeof path, "sea.systems[%u].from", (unsigned)i);
+        system.peak_omega = 2.0 * BOLAN_PI / b->file->systems[i].tp;
+        system.from_deg = from_of(b, path, system.from_deg);
+        if (bolan_sea_state_add_system(state, &system)) return BOLAN_ERROR_FORMAT;
+    }
+    return BOLAN_OK;
+}
+
+static bolan_result build_peaks(const builder *b) {
+    bolan_sea_state *state = &b->scene->sea.sea_state;
+    const struct scene_file_peaks *o = &b->file->ochi_hubble, *t = &b->file->torsethaugen;
+    if (has(b, "sea.ochi_hubble") != has(b, "sea.ochi_hubble.hs"))
+        return refuse(b, "sea.ochi_hubble", "sea.ochi_hubble needs hs, the height in metres");
+    if (has(b, "sea.torsethaugen") != (has(b, "sea.torsethaugen.hs") && has(b, "sea.torsethaugen.tp")))
+        return refuse(b, "sea.torsethaugen",
+                      "sea.torsethaugen needs hs and tp, the height in metres and the period in "
+                      "seconds");
+    const bool ochi_hubble = has(b, "sea.ochi_hubble"), torsethaugen = has(b, "sea.torsethaugen");
+    if (ochi_hubble &&
+        bolan_sea_state_add_ochi_hubble(state, o->hs, o->member, from_of(b, "sea.ochi_hubble.from", o->from)))
+        return BOLAN_ERROR_FORMAT;
+    if (torsethaugen &&
+        bolan_sea_state_add_torsethaugen(state, t->hs, t->tp, from_of(b, "sea.torsethaugen.from", t->from)))
+        return BOLAN_ERROR_FORMAT;
+    return BOLAN_OK;
+}
+
+// Waves that are given stand in place of the wind sea, unless the file has both.
+static bolan_result choose_wind_sea(const builder *b) {
+    const bool given = b->file->system_count > 0 || has(b, "sea.ochi_hubble") || has(b, "sea.torsethaugen");
+    if (given && !has(b, "sea.wind.sea")) b->scene->wind_sea = false;
+    if (!b->scene->wind_sea && (has(b, "sea.fetch_km") || has(b, "sea.spectrum.shape")))
+        return refuse(b, "sea",
+                      "sea.fetch_km and sea.spectrum.shape are of the wind sea, and this sea has none; "
+                      "sea.wind.sea: true gives it one beside the waves that are listed");
+    return BOLAN_OK;
+}
+
 static bolan_result build_sea(const builder *b) {
     bolan_sea_state *state = &b->scene->sea.sea_state;
-    if (check_sea(b) || build_spectrum(b)) return BOLAN_ERROR_FORMAT;
+    if (check_sea(b) || build_spectrum(b) || choose_wind_sea(b)) return BOLAN_ERROR_FORMAT;
     build_wind(b);
+    if (!b->scene->wind_sea) state->system_count = 0; // that of the default scene
+    if (build_systems(b) || build_peaks(b)) return BOLAN_ERROR_FORMAT;
     for (uint32_t i = 0; i < b->file->swell_count; i++) {
         const struct scene_file_swell *s = &b->file->swell[i];
         const double from = isnan(s->from) ? state->wind_from_deg : s->from;

@@ -19,6 +19,15 @@ typedef struct scene_file {
     char record[32], location[64]; ///< which record and location of the spectrum file
     char date[32];                 ///< when and
     double latitude, longitude;    ///< where the sun is seen [deg]
+    struct scene_file_peaks {
+        double hs, tp, from; ///< [m], [s], [deg] NAN: as the wind
+        uint32_t member;
+    } ochi_hubble, torsethaugen; ///< two-peak families
+    uint32_t system_count;
+    struct scene_file_system {
+        bolan_wave_system system;
+        double tp; ///< [s]
+    } systems[BOLAN_MAX_WAVE_SYSTEMS];
     uint32_t swell_count;
     struct scene_file_swell {
         double hs, tp, from, spread; ///< [m], [s], [deg] NAN: as the wind, exponent of cos-2s

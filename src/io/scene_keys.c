@@ -23,12 +23,32 @@ static const bolan_param sea_rows[] = {
     TEXT(location, .key = "spectrum.location", .option = "location", .otherwise = "the first",
          .help = "which location of the spectrum file, from 1; or `LON,LAT`, as in `174.67,-38.17`: the nearest"),
 };
+static const bolan_param peaks_rows[] = {
+    NUMBER(ochi_hubble.hs, .key = "ochi_hubble.hs", .high = SPECTRUM_MAX_HS, .unit = "m", .otherwise = "",
+           .help = "height of a sea of two peaks, in place of the wind sea: Ochi & Hubble's family"),
+    WHOLE(ochi_hubble.member, .key = "ochi_hubble.member", .high = BOLAN_OCHI_HUBBLE_MEMBERS - 1,
+          .help = "member of that family; 0 the most probable, 1 to 10 the bounds of 95 %"),
+    HEADING(ochi_hubble.from, .key = "ochi_hubble.from", .otherwise = "the wind's",
+            .help = "where it comes from, compass degrees"),
+    NUMBER(torsethaugen.hs, .key = "torsethaugen.hs", .high = SPECTRUM_MAX_HS, .unit = "m", .otherwise = "",
+           .help = "height of a sea of two peaks, in place of the wind sea: Torsethaugen's"),
+    NUMBER(torsethaugen.tp, .key = "torsethaugen.tp", .low = 1, .high = 60, .unit = "s", .otherwise = "must be given",
+           .help = "period of its higher peak"),
+    HEADING(torsethaugen.from, .key = "torsethaugen.from", .otherwise = "the wind's",
+            .help = "where it comes from, compass degrees"),
+};
 static const bolan_param sun_rows[] = {
     TEXT(date, .key = "date", .otherwise = "",
          .help = "in the place of the angles, with `place`: `\"2026-06-21T18:00:00Z\"`, or `+02:00` for `Z`"),
     NUMBER(latitude, .key = "place", .low = -90, .high = 90, .unit = "degrees", .otherwise = "",
            .help = "latitude and longitude of the observer; the sun is within 0.02 degrees"),
     NUMBER(longitude, .key = "place", .low = -360, .high = 360, .unit = "degrees"),
+};
+#undef STRUCT
+
+#define STRUCT struct scene_file_system
+static const bolan_param system_rows[] = {
+    NUMBER(tp, .key = "tp", .low = 0.2, .high = 60, .unit = "s", .rules = BOLAN_PARAM_REQUIRED, .help = "peak period"),
 };
 #undef STRUCT
 
@@ -47,6 +67,8 @@ static const bolan_param swell_rows[] = {
 
 static const bolan_param_table document_table = TABLE("scene file", document_rows);
 static const bolan_param_table sea_table = TABLE("scene file", sea_rows);
+static const bolan_param_table peaks_table = TABLE("scene file", peaks_rows);
+static const bolan_param_table system_table = TABLE("wave system", system_rows);
 static const bolan_param_table sun_table = TABLE("scene file", sun_rows);
 static const bolan_param_table swell_table = TABLE("swell", swell_rows);
 static const bolan_param_table no_keys = {"pond", document_rows, 0};
@@ -54,6 +76,22 @@ static const bolan_param_table no_keys = {"pond", document_rows, 0};
 const bolan_param_group bolan_scene_file_groups[] = {
     {.field = "", .key = "", .table = &document_table},
     {.field = "", .key = "sea", .table = &sea_table},
+    {.field = "", .key = "sea", .table = &peaks_table},
+    {.field = "systems",
+     .help = "wind seas and swells, in place of the wind sea",
+     .key = "sea.systems",
+     .table = &bolan_wave_system_params,
+     .offset = offsetof(scene_file, systems[0].system),
+     .capacity = BOLAN_MAX_WAVE_SYSTEMS,
+     .stride = sizeof(struct scene_file_system),
+     .count_offset = offsetof(scene_file, system_count)},
+    {.field = "systems",
+     .key = "sea.systems",
+     .table = &system_table,
+     .offset = offsetof(scene_file, systems),
+     .capacity = BOLAN_MAX_WAVE_SYSTEMS,
+     .stride = sizeof(struct scene_file_system),
+     .count_offset = offsetof(scene_file, system_count)},
     {.field = "swell",
      .help = "waves from elsewhere",
      .key = "sea.swell",

@@ -109,6 +109,8 @@ static const bolan_param wind_sea_rows[] = {
     NAME(wind_spectrum, .key = "spectrum.shape", .names = bolan_wind_spectrum_names,
          .high = BOLAN_WIND_SPECTRUM_KINDS - 1, .fallback = BOLAN_SPECTRUM_JONSWAP,
          .help = "of the wind sea. `pierson-moskowitz` is fully developed whatever the fetch; `tma` needs `depth`"),
+    FLAG(wind_sea, .key = "wind.sea", .fallback = 1, .otherwise = "`true`, `false` with `systems` or two peaks",
+         .help = "the wind raises a wind sea; `false`: it only roughens the waves that are given"),
     TEXT(spectrum_path, .key = "spectrum.file", .rules = BOLAN_PARAM_PATH,
          .help = "a measured spectrum (SWAN, WAVEWATCH III, NDBC; see [sea states](sea-states.md)) in place of the "
                  "wind sea; relative to "

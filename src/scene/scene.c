@@ -31,7 +31,7 @@ static bolan_sea_state wind_sea_of(const bolan_scene *scene, double wind_speed, 
     const bolan_spectrum_kind kind = own < 0 ? scene->wind_spectrum : (bolan_spectrum_kind)own;
     bolan_sea_state sea_state = sea_of_kind(kind, wind_speed, from_deg, scene->fetch);
     if (kind == BOLAN_SPECTRUM_TMA && sea_state.system_count > 0) sea_state.systems[0].kind = BOLAN_SPECTRUM_TMA;
-    if (scene->spectrum_path[0] != '\0') sea_state.system_count = 0;
+    if (scene->spectrum_path[0] != '\0' || !scene->wind_sea) sea_state.system_count = 0;
     return sea_state;
 }
 
@@ -41,8 +41,9 @@ void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg
     bolan_sea_state next = wind_sea_of(scene, wind_speed, from_deg);
     next.depth = old.depth;
     next.measured = old.measured;
-    for (uint32_t i = 0; i < old.system_count && next.system_count < BOLAN_MAX_WAVE_SYSTEMS; i++)
-        if (!(old.systems[i].wind_speed > 0.0)) next.systems[next.system_count++] = old.systems[i];
+    const bool has_wind_sea = scene->wind_sea && old.system_count > 0 && old.systems[0].wind_speed > 0.0;
+    for (uint32_t i = has_wind_sea; i < old.system_count && next.system_count < BOLAN_MAX_WAVE_SYSTEMS; i++)
+        next.systems[next.system_count++] = old.systems[i];
     scene->sea.sea_state = next;
 }
 

@@ -49,8 +49,8 @@ bolan_sea_state bolan_sea_state_from_donelan(double wind_speed, double from_deg,
     bolan_spectrum_donelan_peak(age, &gamma, &width);
     const double wp = sea_state.systems[0].peak_omega, speed = BOLAN_GRAVITY / wp;
     const double alpha = 0.006 * portable_pow(age, 0.55);
-    set_variance(&sea_state, alpha * speed * speed / (wp * wp) *
-                                 bolan_spectrum_tail4_integral(portable_log(gamma), width, width));
+    set_variance(&sea_state,
+                 alpha * speed * speed / (wp * wp) * bolan_spectrum_tail4_integral(portable_log(gamma), width, width));
     return sea_state;
 }
 

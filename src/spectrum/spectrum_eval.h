@@ -32,7 +32,7 @@ typedef struct spectrum_system {
     double width_below, width_above; ///< of that enhancement, below and above the peak
     bool depth_limited;              ///< TMA
     spectrum_elfouhaily elfouhaily;  ///< of the kind or spreading of this name
-    double cut;         ///< l / g of Phillips's e^{-k^2 l^2} with k = w^2 / g; 0 for the others
+    double cut;                      ///< l / g of Phillips's e^{-k^2 l^2} with k = w^2 / g; 0 for the others
     bolan_spreading_kind spreading;
     double s;            ///< exponent of COS2S; of MITSUYASU that at the peak
     double s_tail_power; ///< of HASSELMANN and MITSUYASU the power of w/wp above the peak

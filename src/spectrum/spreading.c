@@ -21,8 +21,7 @@ static double cos2s_exponent(const spectrum_system *system, double omega) {
     const double r = omega / system->peak_omega;
     if (system->spreading == BOLAN_SPREADING_HASSELMANN)
         s = r <= 1.0 ? 6.97 * portable_pow(r, 4.06) : 9.77 * portable_pow(r, system->s_tail_power);
-    if (system->spreading == BOLAN_SPREADING_MITSUYASU)
-        s *= portable_pow(r, r <= 1.0 ? 5.0 : system->s_tail_power);
+    if (system->spreading == BOLAN_SPREADING_MITSUYASU) s *= portable_pow(r, r <= 1.0 ? 5.0 : system->s_tail_power);
     return s + swell_exponent(system, omega);
 }
 
@@ -59,7 +58,8 @@ typedef struct spread_shape {
 
 static spread_shape shape_at(const spectrum_system *system, double omega) {
     if (system->spreading == BOLAN_SPREADING_ELFOUHAILY)
-        return (spread_shape){.delta = bolan_spectrum_elfouhaily_delta(&system->elfouhaily, omega), .reach = 0.5 * BOLAN_PI};
+        return (spread_shape){.delta = bolan_spectrum_elfouhaily_delta(&system->elfouhaily, omega),
+                              .reach = 0.5 * BOLAN_PI};
     const double b = sech_width(omega / system->peak_omega);
     return (spread_shape){.sech = true, .b = b, .level = 0.5 * b / portable_tanh(b * BOLAN_PI), .reach = BOLAN_PI};
 }

@@ -58,7 +58,8 @@ static void every_kind_peaks_at_its_peak(void **state) {
         system.wind_speed = 14.0;
         system.lambda = 2.2;
         const double at = bolan_system_density(&system, 0.8, BOLAN_DEEP);
-        const double reach = kind == BOLAN_SPECTRUM_ELFOUHAILY ? 0.08 : 0.01; // of Elfouhaily's, kp is not quite the top
+        const double reach =
+            kind == BOLAN_SPECTRUM_ELFOUHAILY ? 0.08 : 0.01; // of Elfouhaily's, kp is not quite the top
         for (double r = 0.3; r < 4.0; r += 0.01)
             if (fabs(r - 1.0) > reach) assert_true(bolan_system_density(&system, r * 0.8, BOLAN_DEEP) < at);
         assert_true(bolan_system_density(&system, 0.0, BOLAN_DEEP) == 0.0);
@@ -145,7 +146,8 @@ static void elfouhaily_has_the_curvature_of_its_paper(void **state) {
 // Hs, slope variance, and at 10 m/s its parts: integrals of the paper's formula with U/cp = 0.84.
 static void elfouhaily_has_the_height_and_slopes_of_its_integrals(void **state) {
     (void)state;
-    static const double table[][3] = {{5, 0.6441, 0.0322}, {10, 2.606, 0.0622}, {15, 5.869, 0.0853}, {20, 10.42, 0.1020}};
+    static const double table[][3] = {
+        {5, 0.6441, 0.0322}, {10, 2.606, 0.0622}, {15, 5.869, 0.0853}, {20, 10.42, 0.1020}};
     for (int i = 0; i < 4; i++) {
         const bolan_sea_state sea_state = bolan_sea_state_from_elfouhaily(table[i][0], 270.0, HUGE_VAL);
         const spectrum_eval eval = bolan_spectrum_eval_prepare(&sea_state);
@@ -239,7 +241,8 @@ static void torsethaugen_has_the_density_of_its_paper(void **state) {
         bolan_wave_system s = system_of(BOLAN_SPECTRUM_TORSETHAUGEN, 3.0, 0.7);
         s.gamma = gamma;
         for (double f = 0.55; f < 6.0; f *= 1.21) {
-            const double width = f < 1.0 ? 0.07 : 0.09, peak = pow(gamma, exp(-pow(f - 1.0, 2.0) / (2.0 * width * width)));
+            const double width = f < 1.0 ? 0.07 : 0.09,
+                         peak = pow(gamma, exp(-pow(f - 1.0, 2.0) / (2.0 * width * width)));
             const double level = 3.26 * (1.0 + 1.1 * pow(log(gamma), 1.19)) / gamma;
             // S(w) = S(f) / (2 pi), S(f) = (Hs^2 / 16) Tp level f^-4 exp(-f^-4) peak; their fit is good to 3.5 %.
             const double expected = 9.0 / 16.0 / 0.7 * level / pow(f, 4.0) * exp(-pow(f, -4.0)) * peak;
@@ -295,14 +298,14 @@ static void a_pair_that_does_not_fit_leaves_the_sea_as_it_was(void **state) {
     assert_int_equal(sea_state.system_count, BOLAN_MAX_WAVE_SYSTEMS - 1);
 }
 
-#define REFUSED(call, id, part)                                   \
-    do {                                                          \
-        bolan_sea_state sea_state = bolan_sea_state_default();    \
-        last_sentence[0] = '\0';                                  \
-        assert_int_equal(call, BOLAN_ERROR_ARGUMENT);             \
-        assert_int_equal(last_log_id, BOLAN_LOG_##id);            \
-        assert_non_null(strstr(last_sentence, part));             \
-        assert_int_equal(sea_state.system_count, 0);              \
+#define REFUSED(call, id, part)                                \
+    do {                                                       \
+        bolan_sea_state sea_state = bolan_sea_state_default(); \
+        last_sentence[0] = '\0';                               \
+        assert_int_equal(call, BOLAN_ERROR_ARGUMENT);          \
+        assert_int_equal(last_log_id, BOLAN_LOG_##id);         \
+        assert_non_null(strstr(last_sentence, part));          \
+        assert_int_equal(sea_state.system_count, 0);           \
     } while (0)
 
 static void arguments_outside_their_ranges_are_refused(void **state) {

@@ -113,8 +113,8 @@ static void the_swell_parameter_lengthens_the_crests(void **state) {
 // Mitsuyasu et al. (1975) at U10 = 10 m/s over 100 km.
 static void the_exponent_of_mitsuyasu_follows_its_table(void **state) {
     (void)state;
-    static const double table[][2] = {{0.6, 0.8352}, {0.8, 3.5195},  {1, 10.7407},
-                                      {1.5, 3.8977}, {2, 1.8987}, {4, 0.3356}};
+    static const double table[][2] = {{0.6, 0.8352}, {0.8, 3.5195}, {1, 10.7407},
+                                      {1.5, 3.8977}, {2, 1.8987},   {4, 0.3356}};
     bolan_wave_system system = system_of(BOLAN_SPREADING_MITSUYASU, 0.0, 0.0);
     for (int i = 0; i < 6; i++)
         assert_ratio(bolan_system_spreading(&system, table[i][0] * system.peak_omega, 0.0), cos2s_norm(table[i][1]),
@@ -128,8 +128,8 @@ static void the_exponent_of_mitsuyasu_follows_its_table(void **state) {
 // b of sech^2(b th) (Donelan, Hamilton & Hui 1985, Banner 1990), from D(0) = b / (2 tanh(b pi)).
 static void the_width_of_donelan_and_banner_follows_its_branches(void **state) {
     (void)state;
-    static const double table[][2] = {{0.3, 1.24},        {0.561, 1.231097},   {0.8, 1.952799},  {0.9499, 2.441303},
-                                      {0.9501, 2.436883}, {1.2, 1.798868},     {1.5999, 1.237696}, {1.6001, 1.237398},
+    static const double table[][2] = {{0.3, 1.24},        {0.561, 1.231097}, {0.8, 1.952799},    {0.9499, 2.441303},
+                                      {0.9501, 2.436883}, {1.2, 1.798868},   {1.5999, 1.237696}, {1.6001, 1.237398},
                                       {2.5, 0.788732},    {10.0, 0.458826}};
     const bolan_wave_system system = system_of(BOLAN_SPREADING_DONELAN_BANNER, 0.0, 0.0);
     for (int i = 0; i < 10; i++) {

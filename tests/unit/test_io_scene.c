@@ -71,6 +71,57 @@ static const char *const everything =
     "time: 12.5\n"
     "exposure: -1\n";
 
+static const char *const several =
+    "sea:\n"
+    "  wind: {speed: 12, from: 250}\n"
+    "  systems:\n"
+    "    - {shape: donelan, hs: 2.5, tp: 7, wind: 12, spreading: donelan-banner, swell: 0.25}\n"
+    "    - {hs: 1.5, tp: 14, from: 300, gamma: 6, spreading: cos2s, spread: 45}\n"
+    "    - {shape: ochi-hubble, hs: 1, tp: 10, lambda: 2.5, from: -20}\n"
+    "  swell: [{hs: 0.5, tp: 18}]\n";
+
+static void test_systems_stand_in_place_of_the_wind_sea(void **state) {
+    (void)state;
+    bolan_scene s;
+    assert_int_equal(parse(several, &s), BOLAN_OK);
+    const bolan_sea_state *sea = &s.sea.sea_state;
+    assert_int_equal(sea->system_count, 4);
+    assert_true(sea->wind_speed == 12.0 && !s.wind_sea);
+    const bolan_wave_system *w = sea->systems;
+    assert_int_equal(w[0].kind, BOLAN_SPECTRUM_DONELAN);
+    assert_int_equal(w[0].spreading, BOLAN_SPREADING_DONELAN_BANNER);
+    assert_true(w[0].hs == 2.5 && w[0].wind_speed == 12.0 && w[0].swell == 0.25);
+    assert_near(w[0].peak_omega, 2 * BOLAN_PI / 7, 1e-12);
+    assert_true(w[0].from_deg == 250.0); // without a direction it comes with the wind
+    assert_int_equal(w[1].kind, BOLAN_SPECTRUM_JONSWAP);
+    assert_int_equal(w[1].spreading, BOLAN_SPREADING_COS2S);
+    assert_true(w[1].from_deg == 300.0 && w[1].gamma == 6.0 && w[1].spread_s == 45.0 && w[1].wind_speed == 0.0);
+    assert_true(w[2].kind == BOLAN_SPECTRUM_OCHI_HUBBLE && w[2].lambda == 2.5 && w[2].from_deg == -20.0);
+    assert_true(w[3].hs == 0.5);
+    bolan_scene_set_wind(&s, 20.0, 90.0); // the waves stay, also the one with a wind
+    assert_int_equal(s.sea.sea_state.system_count, 4);
+    assert_true(s.sea.sea_state.systems[0].hs == 2.5 && s.sea.sea_state.wind_speed == 20.0);
+    assert_int_equal(parse("sea: {wind: {sea: true}, fetch_km: 50, systems: [{hs: 1, tp: 12}]}\n", &s), BOLAN_OK);
+    assert_true(s.sea.sea_state.system_count == 2 && s.wind_sea && s.sea.sea_state.systems[1].hs == 1.0);
+    assert_int_equal(parse("sea: {wind: {speed: 9, sea: false}}\n", &s), BOLAN_OK);
+    assert_true(s.sea.sea_state.system_count == 0 && s.sea.sea_state.wind_speed == 9.0);
+}
+
+static void test_two_peaks_stand_in_place_of_the_wind_sea(void **state) {
+    (void)state;
+    bolan_scene s;
+    bolan_sea_state expected = bolan_sea_state_default();
+    assert_int_equal(parse("sea: {wind: {from: 200}, ochi_hubble: {hs: 4, member: 3}}\n", &s), BOLAN_OK);
+    assert_int_equal(bolan_sea_state_add_ochi_hubble(&expected, 4.0, 3, 200.0), BOLAN_OK);
+    assert_int_equal(s.sea.sea_state.system_count, 2);
+    assert_memory_equal(s.sea.sea_state.systems, expected.systems, 2 * sizeof *expected.systems);
+    expected = bolan_sea_state_default();
+    assert_int_equal(parse("sea: {torsethaugen: {hs: 3, tp: 14, from: 310}}\n", &s), BOLAN_OK);
+    assert_int_equal(bolan_sea_state_add_torsethaugen(&expected, 3.0, 14.0, 310.0), BOLAN_OK);
+    assert_int_equal(s.sea.sea_state.system_count, 2);
+    assert_memory_equal(s.sea.sea_state.systems, expected.systems, 2 * sizeof *expected.systems);
+}
+
 static void test_every_key_arrives(void **state) {
     (void)state;
     bolan_scene s;
@@ -298,6 +349,25 @@ static void test_what_is_wrong_is_refused_with_line_and_key(void **state) {
         {"sea:\n  swell:\n    - {hs: 2}\n", "test.yaml:3: sea.swell[0] needs tp; expected a number from 1 to 60 s", BOLAN_LOG_SCENE_BAD_VALUE},
         {"sea:\n  swell:\n    - {hs: 2, tp: 12, size: 4}\n", "test.yaml:3: unknown key sea.swell[0].size",
          BOLAN_LOG_SCENE_UNKNOWN_KEY},
+        {"sea:\n  systems:\n    - {hs: 2}\n", "test.yaml:3: sea.systems[0] needs tp; expected a number from 0.2 to 60 s",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea:\n  systems:\n    - {tp: 9}\n", "test.yaml:3: sea.systems[0] needs hs; expected a number from 0 to 40 m",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {systems: [{hs: 2, tp: 9, shape: bretschneider}]}\n",
+         "sea.systems[0].shape is bretschneider; expected pierson-moskowitz, jonswap, ", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {systems: [{hs: 2, tp: 9, gamma: .nan}]}\n", "sea.systems[0].gamma is .nan; expected a number from 1 to 10",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {systems: [{hs: 2, tp: 9, spreading: wide}]}\n", "sea.systems[0].spreading is wide; expected cos2, cos2s",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {systems: [{hs: 2, tp: 9, period: 3}]}\n", "unknown key sea.systems[0].period", BOLAN_LOG_SCENE_UNKNOWN_KEY},
+        {"sea: {systems: [{hs: 2, tp: 9}], fetch_km: 9}\n", "sea.fetch_km and sea.spectrum.shape are of the wind sea",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {ochi_hubble: {member: 2}}\n", "sea.ochi_hubble needs hs", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {ochi_hubble: {hs: 2, member: 11}}\n", "sea.ochi_hubble.member is 11; expected a whole number from 0 to 10",
+         BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {torsethaugen: {hs: 2}}\n", "sea.torsethaugen needs hs and tp", BOLAN_LOG_SCENE_BAD_VALUE},
+        {"sea: {spectrum: {shape: torsethaugen}}\n", "sea.spectrum.shape is torsethaugen; expected pierson-moskowitz",
+         BOLAN_LOG_SCENE_BAD_VALUE},
         {"sea: {wind: {speed: 5}, beaufort: 3}\n", "more than one of wind.speed, beaufort", BOLAN_LOG_SCENE_BAD_VALUE},
         {"sea: {spectrum: {shape: tma}}\n", "tma needs sea.depth", BOLAN_LOG_SCENE_BAD_VALUE},
         {"sea: {beaufort: 3, fetch_km: 10}\n", "sea.fetch_km does not go with", BOLAN_LOG_SCENE_BAD_VALUE},
@@ -508,6 +578,8 @@ static void test_the_measured_scene_needs_no_data(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_an_empty_document_is_the_default_scene),
+        cmocka_unit_test(test_systems_stand_in_place_of_the_wind_sea),
+        cmocka_unit_test(test_two_peaks_stand_in_place_of_the_wind_sea),
         cmocka_unit_test(test_every_key_arrives),
         cmocka_unit_test(test_a_raster_and_a_spectrum_file),
         cmocka_unit_test(test_what_is_read_of_a_spectrum_file),

@@ -90,6 +90,14 @@ static void test_another_wind_keeps_the_swell(void **state) {
     s.wind_spectrum = BOLAN_SPECTRUM_TMA;
     bolan_scene_set_wind(&s, 15.0, 200.0);
     assert_int_equal(sea->systems[0].kind, BOLAN_SPECTRUM_TMA);
+    s.wind_spectrum = BOLAN_SPECTRUM_DONELAN;
+    bolan_scene_set_wind(&s, 15.0, 200.0);
+    assert_int_equal(sea->systems[0].kind, BOLAN_SPECTRUM_DONELAN);
+    assert_true(sea->systems[0].hs == bolan_sea_state_from_donelan(15.0, 200.0, s.fetch).systems[0].hs);
+    s.wind_spectrum = BOLAN_SPECTRUM_ELFOUHAILY;
+    bolan_scene_set_wind(&s, 15.0, 200.0);
+    assert_int_equal(sea->systems[0].kind, BOLAN_SPECTRUM_ELFOUHAILY);
+    assert_true(sea->systems[0].hs == bolan_sea_state_from_elfouhaily(15.0, 200.0, s.fetch).systems[0].hs);
     bolan_scene_set_wind(&s, 0.0, 200.0);
     assert_int_equal(sea->system_count, 1);
     snprintf(s.spectrum_path, sizeof s.spectrum_path, "buoy.spec");
