@@ -95,15 +95,14 @@ static double step_sea(stage *s) {
 }
 
 static void draw(stage *s) {
-    bolan_frame_desc frame = bolan_frame_desc_of_world(s->world);
-    frame.without_water = s->without_water;
-    frame.framebuffer = bolan_target_framebuffer(s->target);
-    frame.width = s->width;
-    frame.height = s->height;
-    frame.progressive = true; // as a window is drawn
-    bolan_renderer_draw(s->renderer, &frame);
+    bolan_view view = bolan_view_from_camera(&bolan_world_scene(s->world)->camera, s->width, s->height);
+    view.eye = bolan_world_clear_eye(s->world, view.eye);
+    view.without_water = s->without_water;
+    view.framebuffer = bolan_target_framebuffer(s->target);
+    view.progressive = true; // as a window is drawn
+    bolan_renderer_draw_world(s->renderer, s->world, &view);
     uint8_t pixel[3]; // to read one pixel is to wait for all of them
-    bolan_renderer_read_rgb8(s->renderer, frame.framebuffer, 1, 1, pixel);
+    bolan_renderer_read_rgb8(s->renderer, view.framebuffer, 1, 1, pixel);
 }
 
 void stage_frame(stage *s) {

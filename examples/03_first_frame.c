@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A first picture: a headless context, a sea, the renderer, a target, a PNG.
+// A first picture: a headless context, a world, the renderer, a target, a PNG.
 //
 //     03_first_frame [FILE.png]
 #include "bolan/io.h"
@@ -22,7 +22,7 @@ static bolan_scene make_scene(void) {
 
 // Draws the scene and writes the file; false if something failed, and then the log has said what.
 static bool draw(const bolan_scene *scene, const char *path) {
-    bolan_sea *sea = NULL;
+    bolan_world *world = NULL;
     bolan_renderer *renderer = NULL;
     bolan_target *target = NULL;
     uint8_t *rgb = NULL;
@@ -30,29 +30,28 @@ static bool draw(const bolan_scene *scene, const char *path) {
     bool ok = false;
 
     const bolan_renderer_desc desc = bolan_renderer_desc_default();
-    if (bolan_sea_create(&scene->sea, &sea) != BOLAN_OK) goto done;
+    bolan_world_desc world_desc = bolan_world_desc_default();
+    world_desc.scene = scene;
+    if (bolan_world_create(&world_desc, &world) != BOLAN_OK) goto done;
     if (bolan_renderer_create(&desc, &renderer) != BOLAN_OK) goto done;
     if (bolan_target_create(WIDTH, HEIGHT, &target) != BOLAN_OK) goto done;
     rgb = bolan_allocate(size);
     if (!rgb) goto done;
 
-    bolan_sea_settle(sea, 30.0); // to half a minute, with the foam that the last seconds would have left
-    bolan_frame_desc frame = bolan_frame_desc_default();
-    frame.scene = scene;
-    frame.sea = sea;
-    frame.framebuffer = bolan_target_framebuffer(target);
-    frame.width = WIDTH;
-    frame.height = HEIGHT;
-    frame.samples = 4;
-    bolan_renderer_draw(renderer, &frame);
-    bolan_renderer_read_rgb8(renderer, frame.framebuffer, WIDTH, HEIGHT, rgb);
+    bolan_world_settle(world, 30.0); // to half a minute, with the foam that the last seconds would have left
+    bolan_view view = bolan_view_from_camera(&scene->camera, WIDTH, HEIGHT);
+    view.eye = bolan_world_clear_eye(world, view.eye); // no wave covers it
+    view.framebuffer = bolan_target_framebuffer(target);
+    view.samples = 4;
+    bolan_renderer_draw_world(renderer, world, &view);
+    bolan_renderer_read_rgb8(renderer, view.framebuffer, WIDTH, HEIGHT, rgb);
     ok = bolan_png_write(path, WIDTH, HEIGHT, rgb) == BOLAN_OK;
 
 done:
     bolan_release(rgb, size);
     bolan_target_destroy(&target);
     bolan_renderer_destroy(&renderer);
-    bolan_sea_destroy(&sea);
+    bolan_world_destroy(&world);
     return ok;
 }
 

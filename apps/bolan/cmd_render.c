@@ -129,12 +129,11 @@ static bool render_frame(const job *j, bolan_world *w, stage *s, uint32_t number
     }
     const bolan_camera camera = bolan_world_camera_at(w, time);
     bolan_world_set_camera(w, &camera);
-    bolan_frame_desc frame = bolan_frame_desc_of_world(w);
-    frame.framebuffer = bolan_target_framebuffer(s->target);
-    frame.width = j->width;
-    frame.height = j->height;
-    frame.samples = j->samples;
-    bolan_renderer_draw(s->renderer, &frame);
+    bolan_view view = bolan_view_from_camera(&camera, j->width, j->height);
+    view.eye = bolan_world_clear_eye(w, view.eye);
+    view.framebuffer = bolan_target_framebuffer(s->target);
+    view.samples = j->samples;
+    bolan_renderer_draw_world(s->renderer, w, &view);
     return write_frame(j, s, number);
 }
 
@@ -171,7 +170,7 @@ static bool can_write(const job *j) {
 static int check_camera(const bolan_world *w) {
     const bolan_scene *scene = bolan_world_scene(w);
     const double below = scene->water.level - bolan_world_camera_at(w, scene->time).position.z;
-    if (below <= 0.0 || scene->technique.optics == BOLAN_OPTICS_MIRROR) return EXIT_OK;
+    if (below <= 0.0 || bolan_optics_seen_from_below(scene->technique.optics)) return EXIT_OK;
     return usage_error(
         "the camera stands %g m below the water; expected above it: only --optics mirror has views from below", below);
 }

@@ -43,15 +43,15 @@ static bool need_target(canvas *c, uint32_t width, uint32_t height) {
     return bolan_target_create(width, height, &c->target) == BOLAN_OK;
 }
 
-static void draw(canvas *c, const bolan_world *w, uint32_t framebuffer, uint32_t width, uint32_t height, uint32_t samples) {
-    bolan_frame_desc frame = bolan_frame_desc_of_world(w);
-    frame.progressive = samples == 1; // a saved picture waits for all that is in it
-    frame.framebuffer = framebuffer;
-    frame.width = width;
-    frame.height = height;
-    frame.samples = samples;
+static void draw(canvas *c, const bolan_world *w, uint32_t framebuffer, uint32_t width, uint32_t height,
+                 uint32_t samples) {
+    bolan_view view = bolan_view_from_camera(&bolan_world_scene(w)->camera, width, height);
+    view.eye = bolan_world_clear_eye(w, view.eye);
+    view.progressive = samples == 1; // a saved picture waits for all that is in it
+    view.framebuffer = framebuffer;
+    view.samples = samples;
     if (bolan_renderer_needs_baking(c->renderer)) bolan_renderer_bake(c->renderer); // the panel's sun may be waited for
-    bolan_renderer_draw(c->renderer, &frame);
+    bolan_renderer_draw_world(c->renderer, w, &view);
 }
 
 static uint32_t scaled(uint32_t pixels, double scale) { return (uint32_t)fmax(round(pixels * scale), 1.0); }

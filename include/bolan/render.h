@@ -251,6 +251,8 @@ typedef struct bolan_view {
     /// True: new clouds and new ground are made over several frames, so that a moving eye never waits; until they are
     /// done the old ones are shown. For windows.
     bool progressive;
+    /// True: bolan_renderer_draw_world() draws all but the water. False (default): the water too.
+    bool without_water;
     /// NULL (default): the renderer's own.
     bolan_view_cache *cache;
 } bolan_view;
@@ -266,6 +268,8 @@ BOLAN_API bolan_view bolan_view_from_camera(const bolan_camera *camera, uint32_t
 
 /// Prepares the step of @p world and draws all of it, sky, ground, objects and water, from @p view.
 /// An unchanged step is not uploaded again, so that any number of views may follow.
+/// The eye is never moved: bolan_world_clear_eye() keeps one out of the waves.
+/// After the first frames nothing is allocated unless the size, the ground or the sea changes.
 /// A view or framebuffer that cannot be drawn, no current context: nothing is drawn, and the log says why, once.
 BOLAN_API void bolan_renderer_draw_world(bolan_renderer *renderer, const bolan_world *world, const bolan_view *view);
 
@@ -310,35 +314,6 @@ BOLAN_API bolan_host bolan_host_default(void);
 /// No step prepared, a view, texture or polygon that is none, no current context: nothing is drawn, and the log says
 /// why, once.
 BOLAN_API void bolan_renderer_draw_water(bolan_renderer *renderer, const bolan_view *view, const bolan_host *host);
-
-/// What to draw, and where.
-typedef struct bolan_frame_desc {
-    const bolan_scene *scene;    ///< camera, sky, water, technique, exposure are read; not NULL
-    const bolan_sea *sea;        ///< stepped by the caller; of the wave model of scene->technique; not NULL
-    const bolan_ground *terrain; ///< or NULL
-    /// Wave layers, as of bolan_water.
-    const bolan_wave_layer *const *layers;
-    uint32_t layer_count;
-    const bolan_tiles *tiles; ///< for the mirror optics and a sea of textures; NULL: it bakes its own of the sea
-    const bolan_model *const *models; ///< one for each object of the scene, or NULL: no object is drawn
-    bool without_water;               ///< true: all but the water, to see what that costs
-    uint32_t framebuffer;   ///< GL name; 0 (default) is the window. Complete, with a colour buffer of no integers
-    uint32_t width, height; ///< of the framebuffer [px], 1..16384; default 1280 x 720
-    uint32_t samples;       ///< supersampling: pictures with shifted pixels that are averaged, 1..256; default 1
-    bool srgb_framebuffer;  ///< true: the framebuffer encodes sRGB itself
-    bool progressive;       ///< as of bolan_view
-} bolan_frame_desc;
-/// One sample, everything else 0 or NULL: set scene, sea, width and height.
-BOLAN_API bolan_frame_desc bolan_frame_desc_default(void);
-/// The default with everything that stands in @p world at its present time; set width and height. Valid until the world
-/// is stepped or changed.
-BOLAN_API bolan_frame_desc bolan_frame_desc_of_world(const bolan_world *world);
-/// Draws one picture of the scene's camera: prepares the step, and draws the world from it. A field out of range, a
-/// technique whose wave model is not the sea's, a framebuffer that is none or not complete, or no current context:
-/// nothing is drawn and the log says why, once. An eye below the water or within 0.3 m of it is lifted to 0.3 m above,
-/// unless the technique's optics is BOLAN_OPTICS_MIRROR, which has views from below. After the first frames nothing is
-/// allocated unless the size, the terrain or the sea changes.
-BOLAN_API void bolan_renderer_draw(bolan_renderer *renderer, const bolan_frame_desc *frame);
 
 /// Whether the last frame showed something that was baked for another light. Only the optics MIRROR bakes: loops of its
 /// waves with the light on the bottom. It bakes them when a frame with another sea, water or mode is prepared, and again
@@ -394,7 +369,7 @@ typedef struct bolan_target bolan_target;
 /// Makes a target of @p width x @p height pixels, 1..16384 each, in the current context. Errors: ARGUMENT (another
 /// size), GL (as for a renderer), MEMORY. *out is NULL after an error.
 BOLAN_API bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out);
-/// Its GL framebuffer name, for bolan_frame_desc::framebuffer.
+/// Its GL framebuffer name, for bolan_view::framebuffer.
 BOLAN_API uint32_t bolan_target_framebuffer(const bolan_target *target);
 /// Copies the picture into the whole of @p framebuffer (GL name; 0 is the window), which is @p width x @p height
 /// pixels, scaled with bilinear filtering where the sizes differ. A framebuffer that cannot be drawn into, or a size

@@ -4,7 +4,6 @@
 
 #include <math.h>
 
-#include "bolan/query.h"
 #include "renderer.h"
 
 const char *const bolan_frame_part_names[PART_COUNT] = {"sky tables", "sea",   "terrain", "models",  "copy",
@@ -39,16 +38,10 @@ bolan_lighting bolan_lighting_default(void) {
     return bolan_lighting_from_scene(&scene);
 }
 
-// Objects and tiles, where Bolan draws more than the water.
-typedef struct surroundings {
-    const bolan_scene *scene;
-    const bolan_model *const *models;
-    const bolan_tiles *tiles;
-    bool without_water;
-} surroundings;
-
+// `world`: objects and tiles are drawn too; NULL: the water alone.
 static void prepare(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting,
-                    const surroundings *around) {
+                    const bolan_world *world) {
+    const bolan_scene *scene = world != NULL ? bolan_world_scene(world) : NULL;
     r->frame = (frame){.caps = &r->caps,
                        .quality = r->desc.quality,
                        .water = *water,
@@ -56,12 +49,10 @@ static void prepare(bolan_renderer *r, const bolan_water *water, const bolan_lig
                        .ground = water->ground,
                        .level = water->level,
                        .lighting = *lighting,
-                       .scene = around->scene,
-                       .models = around->models,
-                       .tiles = around->tiles,
-                       .without_water = around->without_water};
-    const bool objects = around->models != NULL && around->scene->object_count > 0;
-    r->frame.behind = water->ground != NULL || objects;
+                       .scene = scene,
+                       .models = world != NULL ? bolan_world_object_models(world) : NULL,
+                       .tiles = world != NULL ? bolan_world_tiles(world) : NULL};
+    r->frame.behind = water->ground != NULL || (scene != NULL && scene->object_count > 0);
     bolan_frame_fill(&r->frame);
     begin_part(r, PART_SEA);
     bolan_pass_water_prepare(r->water, &r->frame);
@@ -70,19 +61,19 @@ static void prepare(bolan_renderer *r, const bolan_water *water, const bolan_lig
 }
 
 static void prepare_step(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting,
-                         const surroundings *around) {
+                         const bolan_world *world) {
     r->prepared = false;
     if (!bolan_step_is_valid(r, water, lighting)) return;
     bolan_renderer_accept(r, CALL_PREPARE);
     bolan_renderer_enter(r);
-    prepare(r, water, lighting, around);
+    prepare(r, water, lighting, world);
     bolan_renderer_leave(r);
 }
 
 void bolan_renderer_prepare(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting) {
     const bool given = r != NULL && water != NULL && water->sea != NULL && lighting != NULL;
     BOLAN_ASSERT(given);
-    if (given) prepare_step(r, water, lighting, &(surroundings){.scene = NULL});
+    if (given) prepare_step(r, water, lighting, NULL);
 }
 
 // ---- a picture ------------------------------------------------------------------------------------------------------
@@ -109,7 +100,7 @@ static void prepare_view(bolan_renderer *r, render_view *v, bolan_view_cache *ca
     bolan_pass_ground_prepare(cache->ground, v);
     v->shore = bolan_pass_ground_shore(cache->ground);
     bolan_pass_objects_prepare(r->models, v);
-    if (!v->frame->without_water) bolan_pass_water_view(r->water, v);
+    if (!v->without_water) bolan_pass_water_view(r->water, v);
     use_frame(r); // the optics may have put caustics into it
 }
 
@@ -124,7 +115,7 @@ static void draw_opaque(bolan_renderer *r, render_view *v, bolan_view_cache *cac
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     bolan_gl_target_clear_depth(0.0f);
     begin_part(r, PART_TERRAIN);
-    if (!v->frame->without_water) bolan_pass_water_cover(r->water, v);
+    if (!v->without_water) bolan_pass_water_cover(r->water, v);
     bolan_pass_ground_draw(cache->ground, v);
     end_part(r, PART_TERRAIN);
     begin_part(r, PART_MODELS);
@@ -184,7 +175,7 @@ static void light_water(bolan_renderer *r, render_view *v) {
 }
 
 static void draw_water(bolan_renderer *r, render_view *v, bolan_view_cache *cache) {
-    const bool water = !v->frame->without_water, mirrors = water && bolan_pass_water_mirrors(v);
+    const bool water = !v->without_water, mirrors = water && bolan_pass_water_mirrors(v);
     begin_part(r, PART_COPY);
     // Clouds below a high eye are laid over by the depth of the land.
     if (water && v->frame->behind && (!mirrors || v->light.above_clouds)) copy_behind(r, v);
@@ -252,8 +243,8 @@ static bool open_view(bolan_renderer *r, render_view *v, const bolan_view *from)
     return true;
 }
 
-static void note_stale(bolan_renderer *r) {
-    const bool stale = !r->frame.without_water && bolan_pass_water_needs_baking(r->water, &r->frame);
+static void note_stale(bolan_renderer *r, const render_view *v) {
+    const bool stale = !v->without_water && bolan_pass_water_needs_baking(r->water, &r->frame);
     if (stale && !r->stale)
         bolan_log(BOLAN_LOG_INFO, BOLAN_LOG_BAKE_WANTED,
                   "draw: the sun has turned since the light on the bottom was baked; bolan_renderer_bake() bakes it "
@@ -267,10 +258,11 @@ static void draw_view(bolan_renderer *r, const bolan_view *to) {
     if (!bolan_view_has_framebuffer(r, to)) return;
     bolan_renderer_accept(r, CALL_DRAW);
     if (!open_view(r, &v, to)) return;
+    v.without_water = to->without_water;
     prepare_view(r, &v, cache);
     // The unshifted sample comes last, so that the depth that remains is that of the pixels' middles.
     for (uint32_t s = 0; s < to->samples; ++s) draw_sample(r, &v, to, cache, s);
-    note_stale(r);
+    note_stale(r, &v);
 }
 
 // ---- into a host's frame --------------------------------------------------------------------------------------------
@@ -336,61 +328,14 @@ void bolan_renderer_draw_water(bolan_renderer *r, const bolan_view *view, const 
     bolan_renderer_leave(r);
 }
 
-// ---- a scene --------------------------------------------------------------------------------------------------------
-
-#define CLEARANCE 0.3 // [m]
-
-// An eye that a wave would swallow rides over it, unless the optics has a picture from below.
-static bolan_dvec3 clear_of_water(const bolan_renderer *r, const bolan_frame_desc *d) {
-    bolan_dvec3 eye = d->scene->camera.position;
-    if (eye.z < d->scene->water.level && bolan_pass_water_seen_from_below(&r->frame)) return eye;
-    const bolan_dvec2 below = {eye.x, eye.y};
-    bolan_query_point water;
-    bolan_query_surface(&r->frame.water, &below, 1, &water);
-    eye.z = fmax(eye.z, (double)water.height + CLEARANCE);
-    return eye;
-}
-
-static void draw_scene(bolan_renderer *r, const bolan_frame_desc *d, bolan_view *view) {
-    view->eye = clear_of_water(r, d);
-    bolan_renderer_enter(r);
-    draw_view(r, view);
-    bolan_renderer_leave(r);
-}
-
-void bolan_renderer_draw(bolan_renderer *r, const bolan_frame_desc *d) {
-    const bool given = r != NULL && d != NULL && d->scene != NULL && d->sea != NULL;
-    BOLAN_ASSERT(given);
-    if (!given) return;
-    const bolan_scene *s = d->scene;
-    const bolan_water water = {.sea = d->sea,
-                               .ground = d->terrain,
-                               .level = s->water.level,
-                               .layers = d->layers,
-                               .layer_count = d->layer_count,
-                               .optics = bolan_water_optics_from_jerlov(s->water.type),
-                               .foam = s->water.foam};
-    const bolan_lighting lighting = bolan_lighting_from_scene(s);
-    bolan_view view = bolan_view_from_camera(&s->camera, d->width, d->height);
-    view.framebuffer = d->framebuffer;
-    view.samples = d->samples;
-    view.output = d->srgb_framebuffer ? BOLAN_OUTPUT_SRGB_FRAMEBUFFER : BOLAN_OUTPUT_SRGB;
-    view.progressive = d->progressive;
-    if (!bolan_view_is_valid(r, &view)) return;
-    const surroundings around = {d->scene, d->models, d->tiles, d->without_water};
-    prepare_step(r, &water, &lighting, &around);
-    if (r->prepared) draw_scene(r, d, &view);
-}
+// ---- a world ---------------------------------------------------------------------------------------------------------
 
 void bolan_renderer_draw_world(bolan_renderer *r, const bolan_world *world, const bolan_view *view) {
     const bool given = r != NULL && world != NULL && view != NULL;
     BOLAN_ASSERT(given);
     if (!given || !bolan_view_is_valid(r, view)) return;
-    const bolan_scene *scene = bolan_world_scene(world);
-    const bolan_lighting lighting = bolan_lighting_from_scene(scene);
-    const surroundings around = {
-        .scene = scene, .models = bolan_world_object_models(world), .tiles = bolan_world_tiles(world)};
-    prepare_step(r, bolan_world_water(world), &lighting, &around);
+    const bolan_lighting lighting = bolan_lighting_from_scene(bolan_world_scene(world));
+    prepare_step(r, bolan_world_water(world), &lighting, world);
     if (!r->prepared) return;
     bolan_renderer_enter(r);
     draw_view(r, view);

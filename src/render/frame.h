@@ -63,7 +63,6 @@ typedef struct frame {
     const bolan_scene *scene; // its objects are read
     const bolan_model *const *models;
     const bolan_tiles *tiles;
-    bool without_water;
     bool behind; // something may be seen through the water or mirrored in it: ground, objects, a host's scene
     bool hosted; // it is a host's scene
     uint32_t bounds_count; // corners of the polygon in which the water lies, while a host's frame is drawn; 0: no end

@@ -230,7 +230,7 @@ static tree_view view_of(const pass_ground *p, const render_view *view) {
 // The ground then only feeds the shore map.
 static bool shown_by_object(const render_view *v) {
     if (v->frame->scene == NULL) return false;
-    return v->frame->scene->terrain.shown_by_object && v->frame->models;
+    return v->frame->scene->terrain.shown_by_object && v->frame->scene->object_count > 0;
 }
 
 void bolan_pass_ground_prepare(pass_ground *p, render_view *v) {

@@ -90,7 +90,9 @@ static water_draw draw_of(pass_water *p, render_view *v) {
     return d;
 }
 
-bool bolan_pass_water_seen_from_below(const frame *f) { return optics_table[f->lighting.technique.optics]->from_below; }
+bool bolan_pass_water_seen_from_below(const frame *f) {
+    return bolan_optics_seen_from_below(f->lighting.technique.optics);
+}
 
 uint32_t bolan_pass_water_rows(const render_view *v) {
     double vertical, horizontal;
@@ -139,7 +141,7 @@ static water_setup setup_of(const render_view *v) {
                          .waves = waves,
                          .waves_below = bolan_water_waves_of(form, BOLAN_SURFACE_QUAD),
                          .surface = t->surface,
-                         .below = o->from_below,
+                         .below = bolan_optics_seen_from_below(t->optics),
                          .land = v->frame->behind,
                          .static_grid =
                              o->static_grid && !edges && t->surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH,

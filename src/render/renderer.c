@@ -16,10 +16,6 @@ static bool is_size(uint32_t pixels) { return pixels >= 1 && pixels <= MOST_PIXE
 
 bolan_renderer_desc bolan_renderer_desc_default(void) { return (bolan_renderer_desc){.quality = BOLAN_QUALITY_MEDIUM}; }
 
-bolan_frame_desc bolan_frame_desc_default(void) {
-    return (bolan_frame_desc){.width = 1280, .height = 720, .samples = 1};
-}
-
 static bolan_result create_passes(bolan_renderer *r) {
     bolan_result result = bolan_view_cache_open(&r->caps, &r->own_cache);
     if (result == BOLAN_OK) result = bolan_pass_objects_create(&r->caps, &r->models);

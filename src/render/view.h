@@ -43,6 +43,7 @@ typedef struct render_view {
     uint32_t width, height;      // [px]
     bolan_vec2 tile_corner, tile_share; // as of the block View
     bool progressive;
+    bool without_water; // all but the water is drawn
     bool bake; // the optics may bake anew what another sun has lit
     // Inputs of the block.
     bolan_mat4 mirror;   // applied to the eye-relative world before the camera

@@ -33,10 +33,10 @@ uint32_t bolan_water_rows(const render_view *v, double vertical);
 bolan_surface_kind bolan_water_surface(const render_view *v);
 
 typedef struct water_optics {
+    bolan_optics_kind kind; // see bolan_optics_seen_from_below()
     size_t size;      // of its state, which starts as zeros
     bool mirrors;     // it looks up the pictures of planar_views.c
     bool own_sky;     // draws its own sky, so skips the planar views where the scene is empty
-    bool from_below;  // it has a picture for an eye under water
     bool static_grid; // it lights each pixel from textures: the static grid is fine enough
     bool keeps_shape; // it lights each pixel from a shape that it keeps, on UNIT_SURFACE: see half_rate.h
     uint32_t columns[BOLAN_QUALITY_ULTRA + 1]; // of pixels that share a sample, by quality; 0: each has its own

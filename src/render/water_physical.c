@@ -120,7 +120,8 @@ static void draw(void *state, const water_draw *d) {
     draw_light(p, d);
 }
 
-const water_optics bolan_optics_physical = {.size = sizeof(physical),
+const water_optics bolan_optics_physical = {.kind = BOLAN_OPTICS_PHYSICAL,
+                                            .size = sizeof(physical),
                                             .keeps_shape = true,
                                             .columns = {[BOLAN_QUALITY_LOW] = 2},
                                             .create = create,

@@ -26,6 +26,8 @@ const char *const bolan_technique_names[BOLAN_TECHNIQUES + 1] = {TECHNIQUES(NAME
 const char *const bolan_optics_kind_names[BOLAN_OPTICS_KINDS + 1] = {"physical", "mirror", "phong",
                                                                      "lit",      "crest",  NULL};
 
+bool bolan_optics_seen_from_below(bolan_optics_kind optics) { return optics == BOLAN_OPTICS_MIRROR; }
+
 _Static_assert(EFFECT_REFLECTION == BOLAN_EFFECT_REFLECTION && EFFECT_REFRACTION == BOLAN_EFFECT_REFRACTION &&
                    EFFECT_BUMP == BOLAN_EFFECT_BUMP && EFFECT_DISTORTION == BOLAN_EFFECT_DISTORTION &&
                    EFFECT_GLITTER == BOLAN_EFFECT_GLITTER && EFFECT_CAUSTICS == BOLAN_EFFECT_CAUSTICS &&

@@ -2,6 +2,8 @@
 // A scene with its assets and its water.
 #include "bolan/world.h"
 
+#include "bolan/query.h"
+
 #include <string.h>
 
 struct bolan_world {
@@ -245,6 +247,18 @@ bolan_camera bolan_world_camera_at(const bolan_world *world, double time) {
     const double ground = (double)bolan_ground_elevation(world->assets.ground, p->x, p->y, 0.0);
     p->z = fmax(p->z, ground + (ground > world->scene.water.level ? 1.8 : 0.3)); // a diver's mask, over the sea bed
     return camera;
+}
+
+#define EYE_CLEARANCE 0.3 // over the water [m]
+
+bolan_dvec3 bolan_world_clear_eye(const bolan_world *world, bolan_dvec3 eye) {
+    BOLAN_ASSERT(world);
+    if (eye.z < world->water.level && bolan_optics_seen_from_below(world->scene.technique.optics)) return eye;
+    const bolan_dvec2 place = {eye.x, eye.y};
+    bolan_query_point water;
+    bolan_query_surface(&world->water, &place, 1, &water);
+    eye.z = fmax(eye.z, (double)water.height + EYE_CLEARANCE);
+    return eye;
 }
 
 bolan_pose bolan_world_object_pose(const bolan_world *world, uint32_t index) {

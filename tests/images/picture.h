@@ -36,7 +36,7 @@ typedef struct stage {
     bolan_scene scene;
     bolan_world *world;
     bolan_renderer *renderer;
-    bool progressive; // as a window is drawn: see bolan_frame_desc
+    bool progressive; // as a window is drawn: see bolan_view
 } stage;
 
 static inline const bolan_sea *stage_sea(const stage *s) { return bolan_world_water(s->world)->sea; }
@@ -72,25 +72,24 @@ static inline void stage_close(stage *s) {
 // Gives the world the scene as the test has changed it.
 static inline void stage_update(stage *s) { assert_int_equal(bolan_world_set_scene(s->world, &s->scene), BOLAN_OK); }
 
-// A frame of the stage; what stage_update() changes later shows in it too.
-static inline bolan_frame_desc stage_frame(stage *s, const bolan_target *target, uint32_t width, uint32_t height) {
+// The view of the stage's camera; the eye keeps clear of the water.
+static inline bolan_view stage_view(stage *s, const bolan_target *target, uint32_t width, uint32_t height) {
     stage_update(s);
-    bolan_frame_desc frame = bolan_frame_desc_of_world(s->world);
-    frame.framebuffer = bolan_target_framebuffer(target);
-    frame.width = width;
-    frame.height = height;
-    frame.progressive = s->progressive;
-    return frame;
+    bolan_view view = bolan_view_from_camera(&s->scene.camera, width, height);
+    view.eye = bolan_world_clear_eye(s->world, view.eye);
+    view.framebuffer = bolan_target_framebuffer(target);
+    view.progressive = s->progressive;
+    return view;
 }
 
 static inline picture stage_draw(stage *s, uint32_t width, uint32_t height, uint32_t samples) {
     picture p = {width, height, malloc((size_t)width * height * 3), malloc(sizeof(float) * width * height)};
     bolan_target *target = NULL;
     if (bolan_target_create(width, height, &target) != BOLAN_OK) return p;
-    bolan_frame_desc frame = stage_frame(s, target, width, height);
-    frame.samples = samples;
-    bolan_renderer_draw(s->renderer, &frame);
-    bolan_renderer_read_rgb8(s->renderer, frame.framebuffer, width, height, p.rgb);
+    bolan_view view = stage_view(s, target, width, height);
+    view.samples = samples;
+    bolan_renderer_draw_world(s->renderer, s->world, &view);
+    bolan_renderer_read_rgb8(s->renderer, view.framebuffer, width, height, p.rgb);
     bolan_renderer_read_linear(s->renderer, NULL, p.distance);
     bolan_target_destroy(&target);
     assert_true(watch_is_clean("after a picture"));

@@ -47,11 +47,10 @@ typedef struct host_rig {
 static void draw_opaque(host_rig *h) {
     bolan_target *target = NULL;
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
-    bolan_frame_desc d = bolan_frame_desc_of_world(h->s.world);
-    d.framebuffer = bolan_target_framebuffer(target), d.width = WIDTH, d.height = HEIGHT;
-    d.without_water = true;
-    bolan_renderer_draw(h->s.renderer, &d);
-    bolan_renderer_read_rgb8(h->s.renderer, d.framebuffer, WIDTH, HEIGHT, h->opaque);
+    bolan_view view = stage_view(&h->s, target, WIDTH, HEIGHT);
+    view.without_water = true;
+    bolan_renderer_draw_world(h->s.renderer, h->s.world, &view);
+    bolan_renderer_read_rgb8(h->s.renderer, view.framebuffer, WIDTH, HEIGHT, h->opaque);
     bolan_renderer_read_linear(h->s.renderer, h->radiance, h->distance);
     bolan_target_destroy(&target);
 }

@@ -144,8 +144,8 @@ static double through_air(int channel, double distance) {
 static void add_part(stage *s, const bolan_target *target, uint32_t effects, double sign, double weight, float *rgb,
                      float *distance, double *sum) {
     s->scene.look.effects = effects;
-    const bolan_frame_desc frame = stage_frame(s, target, WIDTH, HEIGHT);
-    bolan_renderer_draw(s->renderer, &frame);
+    const bolan_view v = stage_view(s, target, WIDTH, HEIGHT);
+    bolan_renderer_draw_world(s->renderer, s->world, &v);
     bolan_renderer_read_linear(s->renderer, rgb, distance);
     const double half = tan(bolan_radians(20.0));
     for (int i = 0; i < PIXELS; ++i) {

@@ -283,13 +283,13 @@ static void later_frames_allocate_nothing(void **state) {
         assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
         bolan_target *target = NULL;
         assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
-        const bolan_frame_desc frame = stage_frame(&s, target, WIDTH, HEIGHT);
         for (int k = 0; k < 5; ++k) {
             if (k == 2) allocations = 0;
             s.scene.camera.position.x += 0.3;
             stage_update(&s);
             stage_step(&s, scene.time + 0.1 * k);
-            bolan_renderer_draw(s.renderer, &frame);
+            const bolan_view view = stage_view(&s, target, WIDTH, HEIGHT);
+            bolan_renderer_draw_world(s.renderer, s.world, &view);
         }
         assert_int_equal(errors, 0);
         if (allocations) fail_msg("%s: %d allocations", all[i].name, allocations);

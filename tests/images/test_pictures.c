@@ -119,14 +119,14 @@ static void frames_after_the_first_allocate_nothing(void **state) {
     assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
     bolan_target *target = NULL;
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
-    const bolan_frame_desc frame = stage_frame(&s, target, WIDTH, HEIGHT);
     for (int i = 0; i < 6; ++i) {
         if (i == 2) allocations = 0;
         s.scene.camera.position.x += 3.0;
         s.scene.camera.heading_deg += 1.0;
         stage_update(&s);
         stage_step(&s, scene.time + 0.1 * i);
-        bolan_renderer_draw(s.renderer, &frame);
+        const bolan_view view = stage_view(&s, target, WIDTH, HEIGHT);
+        bolan_renderer_draw_world(s.renderer, s.world, &view);
     }
     assert_int_equal(allocations, 0);
     bolan_target_destroy(&target);

@@ -13,10 +13,10 @@ enum { WIDTH = 64, HEIGHT = 48, PIXELS = WIDTH * HEIGHT };
 
 typedef struct rig {
     bolan_scene scene;
-    bolan_sea *sea;
+    bolan_world *world;
     bolan_renderer *renderer;
     bolan_target *target;
-    bolan_frame_desc frame;
+    bolan_view view;
 } rig;
 
 static inline void open_rig(rig *r, const bolan_renderer_desc *desc) {
@@ -24,17 +24,12 @@ static inline void open_rig(rig *r, const bolan_renderer_desc *desc) {
     assert_int_equal(bolan_scene_load("open-sea", &r->scene), BOLAN_OK);
     r->scene.sea.resolution = 64;
     r->scene.sea.fft.cascade_count = 2;
-    const bolan_sea_desc sea = bolan_scene_sea_desc(&r->scene);
-    assert_int_equal(bolan_sea_create(&sea, &r->sea), BOLAN_OK);
-    bolan_sea_step(r->sea, 3.0);
+    assert_int_equal(bolan_world_load_scene(&r->scene, &r->world), BOLAN_OK);
+    bolan_world_step(r->world, 3.0);
     assert_int_equal(bolan_renderer_create(desc, &r->renderer), BOLAN_OK);
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &r->target), BOLAN_OK);
-    r->frame = bolan_frame_desc_default();
-    r->frame.scene = &r->scene;
-    r->frame.sea = r->sea;
-    r->frame.framebuffer = bolan_target_framebuffer(r->target);
-    r->frame.width = WIDTH;
-    r->frame.height = HEIGHT;
+    r->view = bolan_view_from_camera(&r->scene.camera, WIDTH, HEIGHT);
+    r->view.framebuffer = bolan_target_framebuffer(r->target);
 }
 
 static inline bolan_renderer_desc low_quality(void) {
@@ -51,8 +46,10 @@ static inline void open_low(rig *r) {
 static inline void close_rig(rig *r) {
     bolan_target_destroy(&r->target);
     bolan_renderer_destroy(&r->renderer);
-    bolan_sea_destroy(&r->sea);
+    bolan_world_destroy(&r->world);
 }
+
+static inline void draw_rig(rig *r) { bolan_renderer_draw_world(r->renderer, r->world, &r->view); }
 
 typedef struct shot {
     uint8_t rgb[PIXELS * 3];
@@ -61,8 +58,8 @@ typedef struct shot {
 
 static inline void take_shot(rig *r, shot *s) {
     memset(s, 0, sizeof *s);
-    bolan_renderer_draw(r->renderer, &r->frame);
-    bolan_renderer_read_rgb8(r->renderer, r->frame.framebuffer, WIDTH, HEIGHT, s->rgb);
+    draw_rig(r);
+    bolan_renderer_read_rgb8(r->renderer, r->view.framebuffer, WIDTH, HEIGHT, s->rgb);
     bolan_renderer_read_linear(r->renderer, s->linear, s->distance);
 }
 

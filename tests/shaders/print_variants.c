@@ -73,7 +73,7 @@ static void list_setups(const water_optics *o, bolan_quality quality, bolan_surf
                                .waves = waves,
                                .waves_below = bolan_water_waves_of(forms[i], BOLAN_SURFACE_QUAD),
                                .surface = surface,
-                               .below = o->from_below,
+                               .below = bolan_optics_seen_from_below(o->kind),
                                .land = land,
                                .opaque = land,
                                .static_grid = grid,

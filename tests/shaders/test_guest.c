@@ -28,11 +28,11 @@ static void no_call_changes_any_state(void **state) {
     take_shot(&r, &wild);
     assert_same(&before, "draw and read");
     assert_memory_equal(&wild, &calm, sizeof wild);
-    r.frame.samples = 3;
-    bolan_renderer_draw(r.renderer, &r.frame);
+    r.view.samples = 3;
+    draw_rig(&r);
     assert_same(&before, "draw with 3 samples");
     bolan_renderer_measure_passes(r.renderer, true);
-    bolan_renderer_draw(r.renderer, &r.frame);
+    draw_rig(&r);
     bolan_renderer_measure_passes(r.renderer, false);
     assert_same(&before, "draw with times");
     assert_int_equal(bolan_renderer_reload(r.renderer), BOLAN_OK);
@@ -64,16 +64,12 @@ static void no_technique_changes_any_state_or_leaves_an_error(void **state) {
     set_apart(&h);
     take(&before);
     for (uint32_t i = 0; i < count; i++) {
-        bolan_sea_destroy(&r.sea);
         bolan_scene_set_technique(&r.scene, &list[i]);
         r.scene.sea.resolution = 64;
-        const bolan_sea_desc sea = bolan_scene_sea_desc(&r.scene);
-        assert_int_equal(bolan_sea_create(&sea, &r.sea), BOLAN_OK);
-        bolan_sea_step(r.sea, 1.0);
-        r.frame.sea = r.sea;
         for (int show = BOLAN_SHOW_PICTURE; show <= BOLAN_SHOW_MESH; show += BOLAN_SHOW_MESH - BOLAN_SHOW_PICTURE) {
             r.scene.look.show = (bolan_show)show;
-            bolan_renderer_draw(r.renderer, &r.frame);
+            assert_int_equal(bolan_world_set_scene(r.world, &r.scene), BOLAN_OK);
+            draw_rig(&r);
             assert_same(&before, list[i].name);
         }
     }
@@ -170,10 +166,10 @@ static void a_renderer_with_debug_gives_the_callback_back(void **state) {
     open_rig(&r, &desc);
     assert_same(&before, "create with debug");
     open_rig(&second, &desc);
-    bolan_renderer_draw(r.renderer, &r.frame);
+    draw_rig(&r);
     assert_same(&before, "draw with debug");
     close_rig(&r);
-    bolan_renderer_draw(second.renderer, &second.frame);
+    draw_rig(&second);
     close_rig(&second);
     assert_same(&before, "destroy with debug");
 }
@@ -203,7 +199,7 @@ static void timers_leave_the_hosts_query_alone(void **state) {
     glGenQueries(1, &query);
     for (int i = 0; i < 12; i++) {
         glBeginQuery(GL_TIME_ELAPSED, query);
-        bolan_renderer_draw(r.renderer, &r.frame);
+        draw_rig(&r);
         glGetQueryiv(GL_TIME_ELAPSED, GL_CURRENT_QUERY, &current);
         assert_int_equal(current, query);
         glEndQuery(GL_TIME_ELAPSED);
@@ -215,7 +211,7 @@ static void timers_leave_the_hosts_query_alone(void **state) {
     const double ms = sum_of_passes(&r);
     assert_true(ms > 0.0 && ms < 1e5); // less than a minute and a half
     bolan_renderer_measure_passes(r.renderer, false);
-    bolan_renderer_draw(r.renderer, &r.frame);
+    draw_rig(&r);
     assert_true(sum_of_passes(&r) == 0.0);
     glDeleteQueries(1, &query);
     close_rig(&r);
@@ -225,10 +221,10 @@ static void times_come_without_timers_too(void **state) {
     (void)state;
     rig r;
     open_low(&r);
-    bolan_renderer_draw(r.renderer, &r.frame);
+    draw_rig(&r);
     assert_true(sum_of_passes(&r) == 0.0);
     bolan_renderer_measure_passes(r.renderer, true);
-    bolan_renderer_draw(r.renderer, &r.frame);
+    draw_rig(&r);
     assert_true(sum_of_passes(&r) > 0.0);
     close_rig(&r);
 }

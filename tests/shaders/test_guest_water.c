@@ -38,7 +38,7 @@ static void open_frame(guest_frame *f, const rig *r) {
     for (int i = 0; i < 4; i++)
         f->corners[i] = (bolan_dvec2){e.x + (i == 0 || i == 3 ? -40.0 : 40.0), e.y + (i < 2 ? -90.0 : 90.0)};
     f->water = bolan_water_default();
-    f->water.sea = r->sea;
+    f->water.sea = bolan_world_water(r->world)->sea;
     f->lighting = bolan_lighting_from_scene(&r->scene);
     f->lighting.environment.cube = f->cube;
     f->lighting.environment.sun_irradiance = bolan_v3(1.0f, 1.0f, 1.0f);
@@ -109,7 +109,7 @@ static void fields_touch_their_units_and_slot_alone(void **state) {
     open_host(&h);
     set_apart(&h);
     take(&before);
-    bolan_renderer_bind_fields(r.renderer, &(bolan_water){.sea = r.sea}, (bolan_dvec3){0.0, 0.0, 2.0}, unit, slot);
+    bolan_renderer_bind_fields(r.renderer, bolan_world_water(r.world), (bolan_dvec3){0.0, 0.0, 2.0}, unit, slot);
     take(&after);
     assert_int_equal(before.count, after.count);
     int changed = 0;

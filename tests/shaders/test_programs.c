@@ -41,13 +41,12 @@ static void close_flight(flight *f) {
 
 // Draws a frame and returns how many programs the renderer has compiled so far.
 static uint32_t programs_after(flight *f) {
-    bolan_frame_desc d = bolan_frame_desc_of_world(f->world);
-    d.scene = &f->scene;
-    d.framebuffer = bolan_target_framebuffer(f->target);
-    d.width = WIDTH;
-    d.height = HEIGHT;
-    d.progressive = true;
-    bolan_renderer_draw(f->renderer, &d);
+    assert_int_equal(bolan_world_set_scene(f->world, &f->scene), BOLAN_OK);
+    bolan_view view = bolan_view_from_camera(&f->scene.camera, WIDTH, HEIGHT);
+    view.eye = bolan_world_clear_eye(f->world, view.eye);
+    view.framebuffer = bolan_target_framebuffer(f->target);
+    view.progressive = true;
+    bolan_renderer_draw_world(f->renderer, f->world, &view);
     return bolan_renderer_statistics(f->renderer).programs;
 }
 

@@ -43,11 +43,17 @@ static void note_assert(void *user, const char *expression, const char *file, in
 
 typedef struct rig {
     bolan_scene scene;
-    bolan_sea *sea;
+    bolan_world *world;
     bolan_renderer *renderer;
     bolan_target *target;
-    bolan_frame_desc frame;
+    bolan_view view;
 } rig;
+
+static bolan_view view_of(const rig *r, uint32_t width, uint32_t height) {
+    bolan_view view = bolan_view_from_camera(&r->scene.camera, width, height);
+    view.framebuffer = bolan_target_framebuffer(r->target);
+    return view;
+}
 
 static void open_rig(rig *r) {
     bolan_renderer_desc desc = bolan_renderer_desc_default();
@@ -60,23 +66,17 @@ static void open_rig(rig *r) {
     assert_int_equal(bolan_scene_load("open-sea", &r->scene), BOLAN_OK);
     r->scene.sea.resolution = 32;
     r->scene.sea.fft.cascade_count = 2;
-    const bolan_sea_desc sea = bolan_scene_sea_desc(&r->scene);
-    assert_int_equal(bolan_sea_create(&sea, &r->sea), BOLAN_OK);
-    bolan_sea_step(r->sea, 3.0);
+    assert_int_equal(bolan_world_load_scene(&r->scene, &r->world), BOLAN_OK);
+    bolan_world_step(r->world, 3.0);
     assert_int_equal(bolan_renderer_create(&desc, &r->renderer), BOLAN_OK);
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &r->target), BOLAN_OK);
-    r->frame = bolan_frame_desc_default();
-    r->frame.scene = &r->scene;
-    r->frame.sea = r->sea;
-    r->frame.framebuffer = bolan_target_framebuffer(r->target);
-    r->frame.width = WIDTH;
-    r->frame.height = HEIGHT;
+    r->view = view_of(r, WIDTH, HEIGHT);
 }
 
 static void close_rig(rig *r) {
     bolan_target_destroy(&r->target);
     bolan_renderer_destroy(&r->renderer);
-    bolan_sea_destroy(&r->sea);
+    bolan_world_destroy(&r->world);
     bolan_set_hooks(NULL);
 }
 
@@ -103,19 +103,21 @@ static void paint_white(rig *r) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
+static void draw(rig *r, const bolan_view *view) { bolan_renderer_draw_world(r->renderer, r->world, view); }
+
 // Refused twice and said once; said again after a frame that was drawn. The host's framebuffer keeps what it had.
-static void assert_refused(rig *r, bolan_frame_desc frame, bolan_log_id id, const char *part) {
+static void assert_refused(rig *r, bolan_view view, bolan_log_id id, const char *part) {
     paint_white(r);
-    bolan_renderer_draw(r->renderer, &frame);
-    bolan_renderer_draw(r->renderer, &frame);
+    draw(r, &view);
+    draw(r, &view);
     assert_heard(1, id, part);
     assert_int_equal(mean_red(r), 255);
-    bolan_renderer_draw(r->renderer, &r->frame);
+    draw(r, &r->view);
     assert_int_equal(heard.errors, 0);
     assert_true(mean_red(r) < 255);
-    bolan_renderer_draw(r->renderer, &frame);
+    draw(r, &view);
     assert_heard(1, id, part);
-    bolan_renderer_draw(r->renderer, &r->frame);
+    draw(r, &r->view);
 }
 
 static void a_frame_out_of_range_is_refused(void **state) {
@@ -133,31 +135,46 @@ static void a_frame_out_of_range_is_refused(void **state) {
     rig r;
     open_rig(&r);
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
-        bolan_frame_desc frame = r.frame;
-        frame.width = list[i].width, frame.height = list[i].height, frame.samples = list[i].samples;
-        assert_refused(&r, frame, BOLAN_LOG_OUT_OF_RANGE, list[i].part);
+        bolan_view view = r.view;
+        view.width = list[i].width, view.height = list[i].height, view.samples = list[i].samples;
+        assert_refused(&r, view, BOLAN_LOG_OUT_OF_RANGE, list[i].part);
     }
     close_rig(&r);
+}
+
+// Refused twice and said once, and no water is drawn after it; said again after a step that was prepared.
+static void assert_not_prepared(rig *r, const bolan_lighting *lighting, bolan_log_id id, const char *part) {
+    const bolan_water *water = bolan_world_water(r->world);
+    paint_white(r);
+    for (int twice = 0; twice < 2; twice++) bolan_renderer_prepare(r->renderer, water, lighting);
+    assert_heard(1, id, part);
+    bolan_renderer_draw_water(r->renderer, &r->view, NULL);
+    assert_heard(1, BOLAN_LOG_BAD_ARGUMENT, "no step is prepared");
+    assert_int_equal(mean_red(r), 255);
+    draw(r, &r->view);
+    assert_int_equal(heard.errors, 0);
+    assert_true(mean_red(r) < 255);
+    bolan_renderer_prepare(r->renderer, water, lighting);
+    assert_heard(1, id, part);
+    draw(r, &r->view);
 }
 
 static void a_technique_that_is_none_or_not_the_seas_is_refused(void **state) {
     (void)state;
     rig r;
     open_rig(&r);
-    bolan_scene scene = r.scene;
-    bolan_frame_desc frame = r.frame;
-    frame.scene = &scene;
-    scene.technique.optics = (bolan_optics_kind)99;
-    assert_refused(&r, frame, BOLAN_LOG_OUT_OF_RANGE, "technique.optics is 99");
-    scene = r.scene;
-    scene.technique.surface = (bolan_surface_kind)BOLAN_SURFACE_KINDS;
-    assert_refused(&r, frame, BOLAN_LOG_OUT_OF_RANGE, "technique.surface");
-    scene = r.scene;
-    scene.technique.waves = (bolan_wave_model)99;
-    assert_refused(&r, frame, BOLAN_LOG_OUT_OF_RANGE, "technique.waves is 99");
-    scene = r.scene;
-    scene.technique.waves = BOLAN_WAVES_COSINES;
-    assert_refused(&r, frame, BOLAN_LOG_BAD_ARGUMENT, "waves is cosines, but the sea is made of fft");
+    bolan_lighting lighting = bolan_lighting_from_scene(&r.scene);
+    lighting.technique.optics = (bolan_optics_kind)99;
+    assert_not_prepared(&r, &lighting, BOLAN_LOG_OUT_OF_RANGE, "technique.optics is 99");
+    lighting = bolan_lighting_from_scene(&r.scene);
+    lighting.technique.surface = (bolan_surface_kind)BOLAN_SURFACE_KINDS;
+    assert_not_prepared(&r, &lighting, BOLAN_LOG_OUT_OF_RANGE, "technique.surface");
+    lighting = bolan_lighting_from_scene(&r.scene);
+    lighting.technique.waves = (bolan_wave_model)99;
+    assert_not_prepared(&r, &lighting, BOLAN_LOG_OUT_OF_RANGE, "technique.waves is 99");
+    lighting = bolan_lighting_from_scene(&r.scene);
+    lighting.technique.waves = BOLAN_WAVES_COSINES;
+    assert_not_prepared(&r, &lighting, BOLAN_LOG_BAD_ARGUMENT, "waves is cosines, but the sea is made of fft");
     close_rig(&r);
 }
 
@@ -208,9 +225,9 @@ static void a_framebuffer_that_will_not_do_is_refused(void **state) {
                 {odd.names[2], "has no draw buffer"},
                 {odd.names[3], "holds integers"}};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
-        bolan_frame_desc frame = r.frame;
-        frame.framebuffer = list[i].framebuffer;
-        assert_refused(&r, frame, BOLAN_LOG_GL_TARGET, list[i].part);
+        bolan_view view = r.view;
+        view.framebuffer = list[i].framebuffer;
+        assert_refused(&r, view, BOLAN_LOG_GL_TARGET, list[i].part);
         bolan_target_show(r.target, list[i].framebuffer, WIDTH, HEIGHT);
         bolan_target_show(r.target, list[i].framebuffer, WIDTH, HEIGHT);
         assert_heard(1, BOLAN_LOG_GL_TARGET, strchr(list[i].part, ' ') ? strrchr(list[i].part, ' ') : "");
@@ -219,9 +236,9 @@ static void a_framebuffer_that_will_not_do_is_refused(void **state) {
     assert_heard(1, BOLAN_LOG_GL_TARGET, "the target itself");
     bolan_target_show(r.target, 9999, 0, HEIGHT);
     assert_heard(1, BOLAN_LOG_GL_TARGET, "1 to 16384");
-    bolan_frame_desc frame = r.frame; // several samples are drawn into
-    frame.framebuffer = odd.names[1];
-    bolan_renderer_draw(r.renderer, &frame);
+    bolan_view view = r.view; // several samples are drawn into
+    view.framebuffer = odd.names[1];
+    draw(&r, &view);
     assert_int_equal(heard.errors, 0);
     assert_true(watch_is_clean("several samples"));
     close_odd(&odd);
@@ -256,9 +273,9 @@ static void reading_what_cannot_be_read_is_refused(void **state) {
         assert_heard(1, BOLAN_LOG_GL_TARGET, list[i].part);
         assert_int_equal(rgb[0], 77);
     }
-    bolan_renderer_read_rgb8(r.renderer, r.frame.framebuffer, 0, HEIGHT, rgb);
+    bolan_renderer_read_rgb8(r.renderer, r.view.framebuffer, 0, HEIGHT, rgb);
     assert_heard(1, BOLAN_LOG_OUT_OF_RANGE, "0 x 24");
-    bolan_renderer_read_rgb8(r.renderer, r.frame.framebuffer, WIDTH, 16385, rgb);
+    bolan_renderer_read_rgb8(r.renderer, r.view.framebuffer, WIDTH, 16385, rgb);
     assert_heard(1, BOLAN_LOG_OUT_OF_RANGE, "32 x 16385");
     assert_true(bolan_renderer_yardstick(r.renderer, 0, 9, 1) == 0.0);
     assert_heard(1, BOLAN_LOG_OUT_OF_RANGE, "0 x 9");
@@ -308,7 +325,7 @@ static void a_renderer_of_wrong_wishes_is_refused(void **state) {
     assert_int_equal(bolan_renderer_create(&desc, &renderer), BOLAN_ERROR_GL);
     assert_null(renderer);
     assert_heard(1, BOLAN_LOG_GL_SHADER, "nowhere");
-    bolan_renderer_draw(r.renderer, &r.frame); // from its own directory still: a first draw compiles shaders
+    draw(&r, &r.view); // from its own directory still: a first draw compiles shaders
     assert_int_equal(heard.errors, 0);
     close_rig(&r);
 }
@@ -317,14 +334,11 @@ static void misuse_is_asserted_and_survived(void **state) {
     (void)state;
     rig r;
     open_rig(&r);
-    bolan_frame_desc frame = r.frame;
-    frame.scene = NULL;
-    bolan_renderer_draw(r.renderer, &frame);
-    frame = r.frame;
-    frame.sea = NULL;
-    bolan_renderer_draw(r.renderer, &frame);
-    bolan_renderer_draw(r.renderer, NULL);
-    bolan_renderer_draw(NULL, &r.frame);
+    const bolan_lighting lighting = bolan_lighting_default();
+    bolan_renderer_draw_world(NULL, r.world, &r.view);
+    bolan_renderer_draw_world(r.renderer, NULL, &r.view);
+    bolan_renderer_draw_world(r.renderer, r.world, NULL);
+    bolan_renderer_prepare(r.renderer, &(bolan_water){.sea = NULL}, &lighting);
     assert_int_equal(asserted, 4);
     assert_true(watch_is_clean("misuse"));
     close_rig(&r);
@@ -341,7 +355,7 @@ static void without_a_context_all_is_refused(void **state) {
     open_rig(&r);
     bolan_context_destroy(&context);
     const long before = allocations;
-    for (int twice = 0; twice < 2; twice++) bolan_renderer_draw(r.renderer, &r.frame);
+    for (int twice = 0; twice < 2; twice++) draw(&r, &r.view);
     assert_int_equal(heard.errors, 1);
     for (int twice = 0; twice < 2; twice++) bolan_renderer_read_linear(r.renderer, linear, NULL);
     assert_int_equal(heard.errors, 2);
@@ -378,13 +392,13 @@ static void reading_again_allocates_nothing(void **state) {
     open_rig(&r);
     for (int i = 0; i < 3; i++) {
         const long before = allocations;
-        bolan_renderer_draw(r.renderer, &r.frame);
+        draw(&r, &r.view);
         bolan_renderer_read_linear(r.renderer, linear, distance);
-        bolan_renderer_read_rgb8(r.renderer, r.frame.framebuffer, WIDTH, HEIGHT, rgb);
+        bolan_renderer_read_rgb8(r.renderer, r.view.framebuffer, WIDTH, HEIGHT, rgb);
         if (i == 2) assert_int_equal(allocations, before);
     }
-    r.frame.width = WIDTH / 2; // smaller: what is there will do, and is read in its own size
-    bolan_renderer_draw(r.renderer, &r.frame);
+    r.view = view_of(&r, WIDTH / 2, HEIGHT); // smaller: what is there will do, and is read in its own size
+    draw(&r, &r.view);
     bolan_renderer_read_linear(r.renderer, linear, distance);
     assert_true(isinf(distance[0]) && isfinite(distance[WIDTH / 2 * HEIGHT - 1]));
     assert_int_equal(heard.errors, 0);

@@ -125,7 +125,7 @@ typedef struct rig {
     bolan_scene scene;
     bolan_world *world;
     bolan_target *target;
-    bolan_frame_desc frame;
+    bolan_view view;
 } rig;
 
 static void open_rig(rig *r, const char *scene, const bolan_technique *technique) {
@@ -137,11 +137,8 @@ static void open_rig(rig *r, const char *scene, const bolan_technique *technique
     assert_int_equal(bolan_world_load_scene(&r->scene, &r->world), BOLAN_OK);
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &r->target), BOLAN_OK);
     bolan_world_step(r->world, 1.0);
-    r->frame = bolan_frame_desc_of_world(r->world);
-    r->frame.scene = &r->scene;
-    r->frame.framebuffer = bolan_target_framebuffer(r->target);
-    r->frame.width = WIDTH;
-    r->frame.height = HEIGHT;
+    r->view = bolan_view_from_camera(&r->scene.camera, WIDTH, HEIGHT);
+    r->view.framebuffer = bolan_target_framebuffer(r->target);
 }
 
 static void close_rig(rig *r) {
@@ -160,12 +157,12 @@ static long sweep_frame(rig *r, bool on, long step) {
         succeed();
         assert_int_equal(make_renderer(&renderer), BOLAN_OK);
         fail_at(n, on);
-        bolan_renderer_draw(renderer, &r->frame);
+        bolan_renderer_draw_world(renderer, r->world, &r->view);
         const long in_frame = world.count;
         bolan_renderer_read_linear(renderer, linear, distance);
         const long failed = world.failed, sentences = world.memory_errors, errors = world.errors;
         succeed();
-        bolan_renderer_draw(renderer, &r->frame);
+        bolan_renderer_draw_world(renderer, r->world, &r->view);
         bolan_renderer_read_linear(renderer, linear, distance);
         if (!watch_is_clean("a frame without memory")) fail_msg("allocation %ld leaves an error in GL", n);
         assert_int_equal(world.errors, 0);

@@ -295,6 +295,31 @@ static void the_camera_is_lifted_out_of_the_ground(void **state) {
     bolan_world_destroy(&world);
 }
 
+static void an_eye_keeps_clear_of_the_water(void **state) {
+    (void)state;
+    bolan_world *world = pond_world();
+    const bolan_water *water = bolan_world_water(world);
+    bolan_world_step(world, 4.0);
+    for (int i = 0; i < 9; i++) {
+        const double x = 3.1 * i, y = -1.7 * i, clear = height_at(water, x, y) + 0.3;
+        const double heights[] = {-40.0, 0.2, clear - 0.01, clear, clear + 0.01, 900.0};
+        for (int k = 0; k < 6; k++) {
+            const bolan_dvec3 eye = bolan_world_clear_eye(world, bolan_dv3(x, y, heights[k]));
+            assert_true(eye.x == x && eye.y == y && eye.z == (k < 3 ? clear : heights[k]));
+        }
+    }
+    // With views from below an eye under the level stays; one between crest and level does not.
+    bolan_scene scene = *bolan_world_scene(world);
+    scene.technique.optics = BOLAN_OPTICS_MIRROR;
+    assert_int_equal(bolan_world_set_scene(world, &scene), BOLAN_OK);
+    const double clear = height_at(water, 9.0, 4.0) + 0.3;
+    assert_true(bolan_world_clear_eye(world, bolan_dv3(9.0, 4.0, 0.2499)).z == 0.2499);
+    assert_true(bolan_world_clear_eye(world, bolan_dv3(9.0, 4.0, 0.2501)).z == clear);
+    for (int kind = -1; kind <= BOLAN_OPTICS_KINDS; kind++)
+        assert_true(bolan_optics_seen_from_below((bolan_optics_kind)kind) == (kind == BOLAN_OPTICS_MIRROR));
+    bolan_world_destroy(&world);
+}
+
 // ---- memory that runs out -------------------------------------------------------------------------------------------
 
 static bolan_result create(void) {
@@ -400,6 +425,7 @@ int main(void) {
         cmocka_unit_test(what_the_assets_stand_for_does_not_change),
         cmocka_unit_test(floating_objects_ride_the_water),
         cmocka_unit_test(the_camera_is_lifted_out_of_the_ground),
+        cmocka_unit_test(an_eye_keeps_clear_of_the_water),
         cmocka_unit_test(without_memory_there_is_no_world),
         cmocka_unit_test(without_memory_the_old_sea_stays),
         cmocka_unit_test(trains_of_the_scene_are_layers_of_the_water),

@@ -274,7 +274,8 @@ static void draw(void *state, const water_draw *d) {
     bolan_gl_target_bind(&d->view->hdr);
 }
 
-const water_optics bolan_optics_crest = {.size = sizeof(crest),
+const water_optics bolan_optics_crest = {.kind = BOLAN_OPTICS_CREST,
+                                         .size = sizeof(crest),
                                          .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
                                          .static_grid = true,
                                          .keeps_shape = true,

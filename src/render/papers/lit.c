@@ -68,7 +68,8 @@ static void free_all(void *state) {
     bolan_gl_texture_free(&p->ripples);
 }
 
-const water_optics bolan_optics_lit = {.size = sizeof(lit),
+const water_optics bolan_optics_lit = {.kind = BOLAN_OPTICS_LIT,
+                                       .size = sizeof(lit),
                                        .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
                                        .create = create,
                                        .list = list,

@@ -162,10 +162,10 @@ static void draw(void *state, const water_draw *d) {
     bolan_water_draw_forward(d);
 }
 
-const water_optics bolan_optics_mirror = {.size = sizeof(paper_tiles),
+const water_optics bolan_optics_mirror = {.kind = BOLAN_OPTICS_MIRROR,
+                                          .size = sizeof(paper_tiles),
                                           .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
                                           .mirrors = true,
-                                          .from_below = true,
                                           .table_only = table_only,
                                           .stale = stale,
                                           .create = create,

@@ -76,7 +76,8 @@ static void draw(void *state, const water_draw *d) {
 
 static void free_all(void *state) { bolan_gl_texture_free(&((phong *)state)->ripples); }
 
-const water_optics bolan_optics_phong = {.size = sizeof(phong),
+const water_optics bolan_optics_phong = {.kind = BOLAN_OPTICS_PHONG,
+                                         .size = sizeof(phong),
                                          .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
                                          .mirrors = true,
                                          .own_sky = true,
