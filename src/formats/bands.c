@@ -12,6 +12,19 @@
 #define DEFAULT_FROM 270.0
 #define DEFAULT_SPREAD 10.0
 
+bolan_result bolan_spectrum_bands_create(spectrum_bands **out) {
+    *out = bolan_allocate(sizeof **out);
+    if (*out) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY,
+              "a spectrum of bands needs %zu bytes, which could not be allocated", sizeof **out);
+    return BOLAN_ERROR_MEMORY;
+}
+
+void bolan_spectrum_bands_destroy(spectrum_bands **bands) {
+    if (*bands) bolan_release(*bands, sizeof **bands);
+    *bands = NULL;
+}
+
 void bolan_spectrum_bands_clear(spectrum_bands *bands) {
     for (uint32_t i = 0; i < SPECTRUM_MAX_FREQUENCIES; i++)
         bands->density[i] = bands->alpha1[i] = bands->alpha2[i] = bands->r1[i] = bands->r2[i] = (double)NAN;

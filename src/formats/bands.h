@@ -18,6 +18,10 @@ typedef struct spectrum_bands {
     double r1[SPECTRUM_MAX_FREQUENCIES], r2[SPECTRUM_MAX_FREQUENCIES];         ///< 0..1
 } spectrum_bands;
 
+/// A set of bands, which is too large for a stack; MEMORY (logged).
+bolan_result bolan_spectrum_bands_create(spectrum_bands **out);
+/// NULL-safe; NULLs the pointer.
+void bolan_spectrum_bands_destroy(spectrum_bands **bands);
 /// Every value missing; @ref count and hertz stay.
 void bolan_spectrum_bands_clear(spectrum_bands *bands);
 /// Fills the gaps and spreads each band over direction, into the grid's arrays, which it allocates. Each kind of

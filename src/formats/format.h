@@ -34,7 +34,9 @@ typedef struct spectrum_format {
                          const bolan_spectrum_options *options, spectrum_grid *grid);
 } spectrum_format;
 
-extern const spectrum_format bolan_format_swan, bolan_format_ww3, bolan_format_ndbc;
+extern const spectrum_format bolan_format_swan, bolan_format_ww3, bolan_format_ndbc, bolan_format_datawell,
+    bolan_format_triaxys, bolan_format_spotter, bolan_format_octopus;
+extern const spectrum_format bolan_format_ww3_netcdf, bolan_format_era5, bolan_format_cdip, bolan_format_ndbc_netcdf;
 
 /// All formats, in the order in which they are probed; NULL at the end.
 extern const spectrum_format *const bolan_formats[];

@@ -1,28 +1,46 @@
 // SPDX-License-Identifier: MIT
 // The table of formats, and the way from texts and options to one measured spectrum (format.h).
 #include "formats/format.h"
+#include "formats/netcdf.h"
 
 #include <math.h>
 
-const spectrum_format *const bolan_formats[] = {&bolan_format_swan, &bolan_format_ww3, &bolan_format_ndbc, NULL};
+const spectrum_format *const bolan_formats[] = {
+    &bolan_format_swan,    &bolan_format_ww3,     &bolan_format_ndbc,        &bolan_format_triaxys,
+    &bolan_format_octopus, &bolan_format_spotter, &bolan_format_datawell,    &bolan_format_ww3_netcdf,
+    &bolan_format_era5,    &bolan_format_cdip,    &bolan_format_ndbc_netcdf, NULL};
 
 bolan_spectrum_texts bolan_spectrum_texts_default(void) {
     const bolan_spectrum_texts texts = {.density = {.name = NULL}};
     return texts;
 }
 
+// NetCDF that is damaged, or holds something else.
+static void refuse_netcdf(const bolan_spectrum_text *text) {
+    netcdf_file file;
+    if (bolan_netcdf_open(text, &file)) return;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_UNKNOWN_FORMAT,
+              "%s: NetCDF without wave spectra that are known; expected a variable efth (WAVEWATCH III), d2fd (ERA5), "
+              "waveEnergyDensity (CDIP) or spectral_wave_density (NDBC)",
+              file.name);
+}
+
 const spectrum_format *bolan_format_of(const bolan_spectrum_text *text) {
     for (int i = 0; bolan_formats[i]; i++)
         if (bolan_formats[i]->probe(text)) return bolan_formats[i];
+    if (bolan_netcdf_is(text)) {
+        refuse_netcdf(text);
+        return NULL;
+    }
     text_cursor cursor = bolan_text_open(text);
     text_word first;
     if (!bolan_text_next_word(&cursor, &first))
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_EMPTY,
-                  "%s: the text is empty; expected a SWAN, WAVEWATCH III or NDBC spectrum", cursor.name);
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_EMPTY, "%s: the text is empty; expected a spectrum", cursor.name);
     else
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_UNKNOWN_FORMAT,
-                  "%s:%u: the format is not known; expected \"SWAN\", \"'WAVEWATCH III SPECTRA'\", "
-                  "\"YYYY MM DD hh\" (NDBC history) or \"#YY MM DD hh mm\" (NDBC real time) at the start",
+                  "%s:%u: the format is not known; expected \"SWAN\", \"'WAVEWATCH III SPECTRA'\", \"YYYY MM DD hh\" "
+                  "(NDBC history), \"#YY MM DD hh mm\" (NDBC real time), \"TRIAXYS BUOY\" or NetCDF at the start, or a "
+                  "spectrum of Datawell (.spt), Spotter (JSON) or OCTOPUS",
                   cursor.name, (unsigned)first.line);
     return NULL;
 }

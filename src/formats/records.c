@@ -2,6 +2,7 @@
 // See records.h.
 #include "formats/records.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,6 +31,22 @@ int64_t bolan_record_date_seconds(const record_date *date) {
     for (int month = 1; month < f[1]; month++) days += bolan_record_days_in_month(f[0], month);
     days += f[2] - 1;
     return ((days * 24 + f[3]) * 60 + f[4]) * 60 + f[5];
+}
+
+bool bolan_record_date_from_seconds(double seconds, record_date *date) {
+    static const record_date first = {{1900, 1, 1, 0, 0, 0}}, last = {{2999, 12, 31, 23, 59, 59}};
+    if (!(seconds >= (double)bolan_record_date_seconds(&first) && seconds < (double)bolan_record_date_seconds(&last)))
+        return false;
+    const int64_t whole = (int64_t)floor(seconds + 0.5);
+    int64_t days = whole / 86400 - (whole % 86400 < 0);
+    const int rest = (int)(whole - 86400 * days);
+    *date = (record_date){{1970, 1, 1, rest / 3600, rest / 60 % 60, rest % 60}};
+    int *f = date->field;
+    while (days < 0) days += bolan_record_days_in_month(--f[0], 2) + 337;
+    while (days >= bolan_record_days_in_month(f[0], 2) + 337) days -= bolan_record_days_in_month(f[0]++, 2) + 337;
+    while (days >= bolan_record_days_in_month(f[0], f[1])) days -= bolan_record_days_in_month(f[0], f[1]++);
+    f[2] += (int)days;
+    return true;
 }
 
 // @p count digits at *p, after the character @p before (0 for none).

@@ -18,6 +18,8 @@ int bolan_record_days_in_month(int year, int month);
 bool bolan_record_date_is_valid(const record_date *date);
 /// Seconds since 1970. Of a valid date.
 int64_t bolan_record_date_seconds(const record_date *date);
+/// The date of that many seconds since 1970, to the nearest second; false outside the valid years.
+bool bolan_record_date_from_seconds(double seconds, record_date *date);
 /// "2018-01-01", "2018-01-01T06:00" or "2018-01-01T06:00:00", with or without Z; false if it is none, or impossible.
 bool bolan_record_date_from_text(const char *text, record_date *date);
 

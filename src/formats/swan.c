@@ -278,17 +278,13 @@ static bolan_result read_table(const swan_header *h, text_cursor *text, block_ki
 
 static bolan_result read_1d(const swan_header *h, text_cursor *text, block_kind kind,
                             const bolan_spectrum_options *options, spectrum_grid *grid) {
-    spectrum_bands *bands = bolan_allocate(sizeof *bands);
-    if (!bands) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY,
-                  "a 1-D spectrum needs %zu bytes, which could not be allocated", sizeof *bands);
-        return BOLAN_ERROR_MEMORY;
-    }
+    spectrum_bands *bands;
+    bolan_result result = bolan_spectrum_bands_create(&bands);
     bolan_spectrum_options calm = *options;
     if (kind == BLOCK_ZERO) calm.from_deg = 270.0, calm.spread_s = 0.0; // a calm needs no direction, nor a word on it
-    bolan_result result = read_table(h, text, kind, bands);
+    if (!result) result = read_table(h, text, kind, bands);
     if (!result) result = bolan_spectrum_bands_to_grid(bands, h->text.name, "has no directions", &calm, grid);
-    bolan_release(bands, sizeof *bands);
+    bolan_spectrum_bands_destroy(&bands);
     return result;
 }
 

@@ -32,6 +32,16 @@ bool bolan_text_next_word(text_cursor *cursor, text_word *word) {
     return word->length > 0;
 }
 
+bool bolan_text_next_field(text_cursor *cursor, text_word *word) {
+    while (cursor->next < cursor->end && (is_space(*cursor->next) || *cursor->next == ','))
+        cursor->line += *cursor->next++ == '\n';
+    word->begin = cursor->next;
+    word->line = cursor->line;
+    while (cursor->next < cursor->end && !is_space(*cursor->next) && *cursor->next != ',') cursor->next++;
+    word->length = (size_t)(cursor->next - word->begin);
+    return word->length > 0;
+}
+
 void bolan_text_skip_line(text_cursor *cursor) {
     if (cursor->next == cursor->end) return;
     const char *newline = memchr(cursor->next, '\n', (size_t)(cursor->end - cursor->next));
@@ -154,4 +164,12 @@ bolan_result bolan_text_read_count(text_cursor *cursor, const char *what, uint32
         return bolan_text_unexpected(cursor, &word, expected);
     *count = (uint32_t)value;
     return BOLAN_OK;
+}
+
+bolan_result bolan_text_read_field(text_cursor *cursor, const char *what, double low, double high, double *value) {
+    text_word word;
+    if (!bolan_text_next_field(cursor, &word)) return bolan_text_unexpected(cursor, NULL, what);
+    return bolan_text_number(word, value) && *value >= low && *value <= high
+               ? BOLAN_OK
+               : bolan_text_unexpected(cursor, &word, what);
 }

@@ -26,6 +26,8 @@ typedef struct text_word {
 text_cursor bolan_text_open(const bolan_spectrum_text *text);
 /// The next run of characters that are not white space, on this line or a later one; false at the end of the text.
 bool bolan_text_next_word(text_cursor *cursor, text_word *word);
+/// The same where commas part the words, too.
+bool bolan_text_next_field(text_cursor *cursor, text_word *word);
 /// Moves past the end of the current line.
 void bolan_text_skip_line(text_cursor *cursor);
 /// The next line that is not blank, as a text of its own, without its end and the white space before that.
@@ -54,6 +56,8 @@ bolan_result bolan_text_unexpected(const text_cursor *cursor, const text_word *w
 /// densities as SPECTRUM_NEGATIVE.
 bolan_result bolan_text_read_number(text_cursor *cursor, const char *what, double *value);
 bolan_result bolan_text_read_count(text_cursor *cursor, const char *what, uint32_t low, uint32_t high, uint32_t *count);
+/// The next field as a number of @p low to @p high; @p what names it with its range.
+bolan_result bolan_text_read_field(text_cursor *cursor, const char *what, double low, double high, double *value);
 bolan_result bolan_text_negative(const text_cursor *cursor, double value);
 
 #endif
