@@ -73,7 +73,8 @@ static void an_octopus_forecast_agrees_with_its_own_header(void **state) {
         const bolan_measured_view view = bolan_measured_spectrum_view(spectrum);
         double x = 0.0, y = 0.0;
         for (uint32_t i = 0; i < view.frequency_count; i++) {
-            const double width = 0.5 * (view.omega[i + 1 < view.frequency_count ? i + 1 : i] - view.omega[i ? i - 1 : 0]);
+            const double width =
+                0.5 * (view.omega[i + 1 < view.frequency_count ? i + 1 : i] - view.omega[i ? i - 1 : 0]);
             for (uint32_t j = 0; j < view.direction_count; j++) {
                 const double e = view.density[i * view.direction_count + j] * width / view.omega[i];
                 x += e * cos(view.theta[j]);
