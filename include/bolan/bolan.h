@@ -16,6 +16,7 @@
 #include "bolan/waves.h"
 
 #include "bolan/coast.h"
+#include "bolan/flow.h"
 #include "bolan/ground.h"
 #include "bolan/query.h"
 #include "bolan/surface.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file query.h
-/// Tier 2. Surface height and normal at fixed world points: the surface that is drawn, choppy displacement inverted.
+/// Tier 2. Questions at fixed world points: height and normal of the surface that is drawn, choppy displacement inverted;
+/// velocity, acceleration and pressure of the water at the surface and below it.
 #ifndef BOLAN_QUERY_H
 #define BOLAN_QUERY_H
 
@@ -42,6 +43,78 @@ BOLAN_API void bolan_query_surface(const bolan_water *water, const bolan_dvec2 *
                                    bolan_query_point *out);
 /// Heights alone [m above the datum], count floats. Otherwise like bolan_query_surface().
 BOLAN_API void bolan_query_heights(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, float *height);
+
+// ---- the moving water -----------------------------------------------------------------------------------------------
+
+/// At which depth the waves of linear theory are taken for a point at height z over the mean level, under a surface at
+/// height eta over it. Linear theory ends at the mean level; H is the depth of the sea.
+typedef enum bolan_stretching {
+    /// At z; above the mean level at the mean level, so that the flow is constant up to the crest.
+    BOLAN_STRETCH_NONE,
+    /// At H (z - eta) / (H + eta): the surface is where linear theory has the mean level (Wheeler 1970).
+    BOLAN_STRETCH_WHEELER,
+} bolan_stretching;
+
+/// How a question about moving water is meant.
+typedef struct bolan_question {
+    /// Waves shorter than this are left out [m], 0..1e5; 0 (default): none.
+    /// The filter is 1 - (1 - e^{-kl})^4 on the amplitude, with l = 0.29258 of this wavelength: it keeps half of a wave
+    /// of this length, 87 % of one twice and 98 % of one four times as long, 10 % of one half and 0.3 % of one a quarter
+    /// as long.
+    double least_wavelength;
+    /// Default BOLAN_STRETCH_NONE.
+    bolan_stretching stretching;
+} bolan_question;
+/// The defaults named above the fields. Thread-safe.
+BOLAN_API bolan_question bolan_question_default(void);
+
+/// The water at one world point, over the ground. Velocity and acceleration are those of linear theory whatever the
+/// choppiness, which moves parcels in place only.
+typedef struct bolan_kinematics {
+    /// Orbital velocity of the waves, and the current of the sea [m/s].
+    bolan_vec3 velocity;
+    /// [m/s2]
+    bolan_vec3 acceleration;
+    /// Dynamic pressure [Pa]: what the waves add to the hydrostatic pressure of still water, density g (level - z) for
+    /// water of BOLAN_SEA_WATER_DENSITY. Both together are 0 at the surface; a gauge of depth measures both.
+    float pressure;
+    /// The point is in the water. If not, all else is 0.
+    bool wet;
+} bolan_kinematics;
+/// The water at @p count world points @p xyz [m].
+///
+/// A parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is by the question's
+/// stretching. The rest point is found as for bolan_query_surface(), but folds are not searched: where the surface folds
+/// the answer belongs to one of the parcels.
+/// A point is wet up to a millimetre above the surface, and above the ground of the water. Waves are attenuated over the
+/// ground as for bolan_query_surface(). Wave layers are added, by linear theory with their own period and depth; the
+/// gradient of their edges is ignored.
+///
+/// @p water needs a flow at the time of its sea: water->flow, bolan_flow_step(). A water without is misuse.
+/// @p question NULL: the default.
+/// Uses the task hook for large batches. Allocates nothing. Cannot fail. Points that are not finite are dry.
+/// Thread-safe between steps of sea and flow.
+BOLAN_API void bolan_query_below(const bolan_water *water, const bolan_question *question, const bolan_dvec3 *xyz,
+                                 uint32_t count, bolan_kinematics *out);
+
+/// The surface and its motion at one world point.
+typedef struct bolan_surface_motion {
+    /// Of the surface above the datum [m].
+    float height;
+    /// How fast the height at this point rises [m/s]: what a wave staff measures.
+    float rise;
+    /// Unit normal, z >= 0.
+    bolan_vec3 normal;
+    /// Of the water at the surface, as in bolan_kinematics [m/s], [m/s2].
+    bolan_vec3 velocity, acceleration;
+} bolan_surface_motion;
+/// Height, normal and motion of the surface at @p count world points @p xy [m], without the waves that the question
+/// leaves out: a long hull does not feel ripples. Folds are not searched.
+/// The potentials of the flow are smoother between samples than the fields that bolan_query_surface() reads: the two
+/// heights differ by what bolan_query_surface() loses between samples.
+/// Otherwise like bolan_query_below(). On dry land the height is the level and nothing moves.
+BOLAN_API void bolan_query_motion(const bolan_water *water, const bolan_question *question, const bolan_dvec2 *xy,
+                                  uint32_t count, bolan_surface_motion *out);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,7 @@
 #ifndef BOLAN_WATER_H
 #define BOLAN_WATER_H
 
+#include "bolan/flow.h"
 #include "bolan/ground.h"
 #include "bolan/optics.h"
 #include "bolan/params.h"
@@ -82,6 +83,8 @@ BOLAN_API double bolan_wave_layer_bound(const bolan_wave_layer *layer);
 typedef struct bolan_water {
     /// The waves. Must not be NULL where the water is asked or drawn. Default NULL.
     const bolan_sea *sea;
+    /// The flow of that sea, for questions about moving water. Default NULL: such questions are misuse.
+    const bolan_flow *flow;
     /// The ground under the water. Default NULL: deep water everywhere.
     const bolan_ground *ground;
     /// Mean water level above the datum of the ground [m]; default 0.

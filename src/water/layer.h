@@ -12,11 +12,19 @@
 
 enum { LAYER_LANES = 16 }; // points of one call
 
+/// The water under a layer's waves at one place: what flow_motion holds of a sea.
+typedef struct wave_layer_flow {
+    double vx, vy, vz, ax, ay, az;
+    double potential; ///< pressure over -density [m2/s2]
+} wave_layer_flow;
+
 /// A kind of layer. All functions are pure and thread-safe.
 typedef struct wave_layer_kind {
     /// Writes height and slopes at @p count <= LAYER_LANES places.
     void (*sample)(const bolan_wave_layer *layer, double time, uint32_t count, const double *x, const double *y,
                    bolan_wave_layer_sample *out);
+    /// Writes the flow at the depth @p below, at rest [m].
+    void (*flow)(const bolan_wave_layer *layer, double time, double x, double y, double below, wave_layer_flow *out);
 } wave_layer_kind;
 
 struct bolan_wave_layer {

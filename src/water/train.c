@@ -3,6 +3,7 @@
 #include "water/layer.h"
 
 #include "shared/wave_train.glsl"
+#include "spectrum/portable.h"
 
 #include <math.h>
 
@@ -27,7 +28,34 @@ static void sample(const bolan_wave_layer *w, double time, uint32_t count, const
     }
 }
 
-static const wave_layer_kind train_kind = {.sample = sample};
+// e^{-ka} / (1 - e^{-2kH}): two of these are cosh k(H - d) / sinh kH and sinh k(H - d) / sinh kH, as in flow/tables.h.
+static double decayed(double k, double depth, double a) {
+    return portable_exp(-k * a) / (1.0 - portable_exp(-2.0 * k * depth));
+}
+
+// Linear theory with the period that the train was given, its edges as constants.
+static void flow(const bolan_wave_layer *w, double time, double x, double y, double below, wave_layer_flow *out) {
+    const bolan_wave_train_desc *d = &w->train;
+    const double px = x - d->centre.x, py = y - d->centre.y, k = 2.0 * BOLAN_PI / d->length, o = w->omega;
+    const double along = (px * w->c + py * w->s) / d->half_length, across = (py * w->c - px * w->s) / d->half_width;
+    const double a = 0.5 * d->height * train_edge(along, d->edge) * train_edge(across, d->edge);
+    const double deep = fmin(below, d->depth);
+    const double direct = decayed(k, d->depth, deep), image = decayed(k, d->depth, 2.0 * d->depth - deep);
+    const double level = a * (direct + image), upright = a * (direct - image);
+    double s, c;
+    bolan_sincos(remainder(w->kx * px + w->ky * py - o * time + w->phase, 2.0 * BOLAN_PI), &s, &c);
+    *out = (wave_layer_flow){
+        .vx = o * level * w->c * c,
+        .vy = o * level * w->s * c,
+        .vz = o * upright * s,
+        .ax = o * o * level * w->c * s,
+        .ay = o * o * level * w->s * s,
+        .az = -o * o * upright * c,
+        .potential = -o * o / k * level * c,
+    };
+}
+
+static const wave_layer_kind train_kind = {.sample = sample, .flow = flow};
 
 static bolan_result check(const bolan_wave_train_desc *d) {
     const bolan_result result = bolan_params_validate(&bolan_wave_train_params, d, "bolan_wave_train_desc");

@@ -20,7 +20,7 @@
 
 // ---- memory ---------------------------------------------------------------------------------------------------------
 
-enum { SEA_MAX_BLOCKS = 16 };
+enum { SEA_MAX_BLOCKS = 24 };
 typedef struct sea_memory {
     uint32_t count;
     struct {

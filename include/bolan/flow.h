@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+/// @file flow.h
+/// Tier 2. The flow of a sea: what linear theory says of the water under its waves, at one time.
+///
+/// **What it is.** The flow of a linear wave is that of a potential. With h(k, t) the mode of the sea (waves.h), d >= 0
+/// the depth of a point at rest below the mean level and H the depth of the sea, the potential of displacement is
+///
+///     Phi = sum of h(k, t) / k cosh k(H - d) / sinh kH e^{i k.x},                                                  (1)
+///
+/// in deep water cosh / sinh is e^{-kd}. Displacement is grad Phi, velocity grad dPhi/dt, acceleration grad d2Phi/dt2,
+/// dynamic pressure -density d2Phi/dt2 (Lamb 1932, section 229; Dean & Dalrymple 1991, section 3.4). At d = 0 the
+/// displacement is that of the sea's own fields.
+///
+/// **How it is stored.** Of each cascade, e^{-kd} for every depth is a combination of four exponentials: the potential
+/// is synthesised at four depths (0 and three others, chosen for the band), and their weights at any depth are a least
+/// squares fit over the band, weighted by the energy of its modes. Between samples the potential is a cubic B-spline,
+/// whose transfer is divided out of the modes. Against the direct sum the error of velocity, acceleration and pressure
+/// is below 1 % of their root mean square at the surface, at every depth (tests/physics/test_below.c).
+/// A sum of waves is summed wave by wave.
+///
+/// **Memory and time.** 64 bytes a sample, and the last cascade has twice the samples a side, since its waves have too
+/// few: 30 MB for four cascades of 256. bolan_flow_size() tells. A step costs about ten steps of the sea.
+#ifndef BOLAN_FLOW_H
+#define BOLAN_FLOW_H
+
+#include "bolan/base.h"
+#include "bolan/waves.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// The density by which pressures are computed, sea water at 15 degrees [kg/m3].
+#define BOLAN_SEA_WATER_DENSITY 1026.0
+
+/// The water under the waves of one sea at one time.
+typedef struct bolan_flow bolan_flow;
+
+/// Creates the flow of a sea, at the time of the sea, and reserves all memory.
+/// The flow keeps nothing of @p sea, which may be destroyed before it.
+/// Uses the task hook. Errors: MEMORY. Then *out is NULL.
+/// Thread-safe between steps of the sea.
+BOLAN_API bolan_result bolan_flow_create(const bolan_sea *sea, bolan_flow **out);
+/// NULL-safe; NULLs.
+BOLAN_API void bolan_flow_destroy(bolan_flow **flow);
+
+/// Brings the flow to the time of @p sea, which is the sea of its creation or a fork of it.
+/// A step to the time at which the flow stands does nothing. Allocates nothing. Uses the task hook. Never fails.
+/// Queries must not run meanwhile.
+BOLAN_API void bolan_flow_step(bolan_flow *flow, const bolan_sea *sea);
+/// The time of the flow [s]. Thread-safe between steps.
+BOLAN_API double bolan_flow_time(const bolan_flow *flow);
+/// The number of the sea that the flow belongs to: bolan_sea_id(). Thread-safe.
+BOLAN_API uint64_t bolan_flow_sea_id(const bolan_flow *flow);
+/// Bytes that the flow holds. Thread-safe.
+BOLAN_API size_t bolan_flow_size(const bolan_flow *flow);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// The flow at a point: weights of the levels at its depth, and the gradients of the potentials.
+#include "flow/tables.h"
+#include "shared/cascade.glsl"
+#include "spectrum/portable.h"
+
+#include <string.h>
+
+#define NEGLIGIBLE 1e-7f // of a weight: a level holds no more than some metres
+
+#define FLOW_DECLARE(set)                                                                                       \
+    void bolan_flow_values_##set(const float *, uint32_t, double, double, float[FLOW_TEXEL], float[FLOW_TEXEL], \
+                                 float[FLOW_TEXEL]);                                                            \
+    void bolan_flow_bends_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT]);
+
+FLOW_DECLARE(scalar)
+#ifdef BOLAN_KERNELS_X86
+FLOW_DECLARE(sse2)
+FLOW_DECLARE(avx2)
+FLOW_DECLARE(avx512)
+#endif
+
+static const flow_kernels table[] = {
+    [BOLAN_CPU_SCALAR] = {bolan_flow_values_scalar, bolan_flow_bends_scalar},
+#ifdef BOLAN_KERNELS_X86
+    [BOLAN_CPU_SSE2] = {bolan_flow_values_sse2, bolan_flow_bends_sse2},
+    [BOLAN_CPU_AVX2] = {bolan_flow_values_avx2, bolan_flow_bends_avx2},
+    [BOLAN_CPU_AVX512] = {bolan_flow_values_avx512, bolan_flow_bends_avx512},
+#endif
+};
+
+const flow_kernels *bolan_flow_kernels_for(bolan_cpu cpu) {
+    const bolan_cpu best = bolan_cpu_best();
+    return &table[cpu == BOLAN_CPU_AUTO || cpu > best ? best : cpu];
+}
+
+// ---- depths ---------------------------------------------------------------------------------------------------------
+
+// Coefficients of 1 - (1 - e)^4 in e, e^2, e^3, e^4.
+static const double binomial[FLOW_ORDER] = {4.0, -6.0, 4.0, -1.0};
+
+double bolan_flow_kept(double k, double smoothing) {
+    if (!(smoothing > 0.0)) return 1.0;
+    const double e = portable_exp(-k * smoothing);
+    return e * (4.0 + e * (-6.0 + e * (4.0 - e)));
+}
+
+// Adds `share` of the weights of e^{-kd}; `mirror` is the sign of those of k e^{-kd}: -1 for what the bed mirrors.
+static void add_weights(const flow_tile *t, double d, float share, float mirror, flow_weights *out) {
+    const double x = d / t->finest + 1.0;
+    if (!(x < (double)(1 << FLOW_OCTAVES))) return;
+    int octave;
+    const double mantissa = 2.0 * frexp(x, &octave); // 1..2
+    const double cell = (mantissa - 1.0) * FLOW_CELLS;
+    const int within = cell < FLOW_CELLS - 1 ? (int)cell : FLOW_CELLS - 1;
+    const flow_node *a = &t->node[(octave - 1) * FLOW_CELLS + within], *b = a + 1;
+    // Hermite's basis.
+    const float f = (float)(cell - within), width = (float)(t->finest * ldexp(1.0 / FLOW_CELLS, octave - 1));
+    const float b0 = (1.0f + 2.0f * f) * (1.0f - f) * (1.0f - f), b1 = f * f * (3.0f - 2.0f * f);
+    const float s0 = f * (1.0f - f) * (1.0f - f) * width, s1 = f * f * (f - 1.0f) * width;
+    for (int l = 0; l < FLOW_LEVELS; l++) {
+        out->across[l] +=
+            share * (b0 * a->across[l] + b1 * b->across[l] + s0 * a->across_slope[l] + s1 * b->across_slope[l]);
+        out->up[l] += share * mirror * (b0 * a->up[l] + b1 * b->up[l] + s0 * a->up_slope[l] + s1 * b->up_slope[l]);
+    }
+}
+
+// (3) of tables.h: the surface's e^{-kd}, and that of its image below the bed.
+static void add_depth(const flow_tile *t, double sea_depth, double d, double farther, float share, flow_weights *out) {
+    add_weights(t, d + farther, share, 1.0f, out);
+    add_weights(t, 2.0 * sea_depth - d + farther, share, -1.0f, out);
+}
+
+static void set_weights(const flow_tile *t, double sea_depth, double d, double smoothing, flow_weights *out) {
+    memset(out, 0, sizeof *out);
+    if (t->mode_count == 0) return;
+    if (smoothing > 0.0) {
+        for (int i = 0; i < FLOW_ORDER; i++) add_depth(t, sea_depth, d, (i + 1) * smoothing, (float)binomial[i], out);
+    } else {
+        add_depth(t, sea_depth, d, 0.0, 1.0f, out);
+    }
+    const float unit = (float)(t->k_low * NEGLIGIBLE);
+    for (int l = 0; l < FLOW_LEVELS; l++) {
+        if (fabsf(out->across[l]) > NEGLIGIBLE || fabsf(out->up[l]) > unit) out->used = true;
+    }
+}
+
+void bolan_flow_depth(const bolan_flow *flow, double below, double smoothing, flow_depth *out) {
+    out->below = below > 0.0 ? fmin(below, flow->depth) : 0.0;
+    out->smoothing = smoothing;
+    for (uint32_t i = 0; i < flow->tiles; i++)
+        set_weights(&flow->tile[i], flow->depth, out->below, smoothing, &out->weights[i]);
+}
+
+void bolan_flow_lifts(const bolan_flow *flow, double smoothing, float out[BOLAN_MAX_CASCADES]) {
+    for (uint32_t i = 0; i < flow->bands; i++) out[i] = 0.0f;
+    for (uint32_t i = 0; i < flow->tiles; i++) {
+        double sum = 0.0;
+        for (int b = 0; b < FLOW_BINS; b++) {
+            const double kept = bolan_flow_kept(flow->tile[i].bin[b].k, smoothing);
+            sum += flow->tile[i].bin[b].lift * kept * kept;
+        }
+        out[flow->tile[i].band] += (float)sum;
+    }
+    for (uint32_t i = 0; i < flow->wave_count; i++) {
+        const flow_wave *w = &flow->waves[i];
+        const double kept = bolan_flow_kept(w->k, smoothing), a = w->amplitude * kept;
+        out[0] += (float)(0.5 * (double)flow->choppiness * w->k * a * a * (2.0 * w->norm - 1.0)); // coth kH
+    }
+}
+
+// ---- points ---------------------------------------------------------------------------------------------------------
+
+static double fraction(double x) {
+    const double f = x - floor(x);
+    return f >= 0.0 && f < 1.0 ? f : 0.0; // 1 by rounding of a tiny negative, or not a number
+}
+
+static double weigh(const float *weight, const float *field) {
+    double sum = 0.0;
+    for (int l = 0; l < FLOW_LEVELS; l++) sum += (double)(weight[l] * field[l]);
+    return sum;
+}
+
+// A derivative of a field: the stored one at level 0, that of the spline, `per` samples a metre, at the others.
+static double blend(const float *weight, double per, const float *spline, float stored) {
+    double sum = 0.0;
+    for (int l = 1; l < FLOW_LEVELS; l++) sum += (double)(weight[l] * spline[l]);
+    return per * sum + (double)(weight[0] * stored);
+}
+
+// Where a point is in a tile, in samples.
+static bolan_dvec2 place(const flow_tile *t, double x, double y) {
+    return (bolan_dvec2){fraction(along_tile(x, y, t->cosine, t->sine) / t->length) * t->n,
+                         fraction(across_tile(x, y, t->cosine, t->sine) / t->length) * t->n};
+}
+
+void bolan_flow_bend(const bolan_flow *flow, const flow_depth *at, double x, double y, const float *weight,
+                     flow_bend *out) {
+    *out = (flow_bend){0};
+    if (flow->wave_count > 0) {
+        bolan_flow_bend_waves(flow, at, x, y, out);
+        out->dx *= (double)weight[0], out->dy *= (double)weight[0];
+        out->dxx *= (double)weight[0], out->dxy *= (double)weight[0], out->dyy *= (double)weight[0];
+    }
+    for (uint32_t i = 0; i < flow->tiles; i++) {
+        const flow_tile *t = &flow->tile[i];
+        const double keep = (double)weight[t->band];
+        if (!at->weights[i].used || keep == 0.0) continue;
+        const bolan_dvec2 p = place(t, x, y);
+        float f[6][FLOW_BENT];
+        flow->kernels->bends(t->texels, t->n, p.x, p.y, f);
+        const double per = t->n / t->length, c = t->cosine, s = t->sine;
+        const float *w = at->weights[i].across;
+        const double u = keep * blend(w, per, f[1], f[0][FLOW_DRIFT]);
+        const double v = keep * blend(w, per, f[2], f[0][FLOW_DRIFT + 1]);
+        const double uu = keep * per * blend(w, per, f[3], f[1][FLOW_DRIFT]);
+        const double uv = keep * per * blend(w, per, f[4], f[2][FLOW_DRIFT]);
+        const double vv = keep * per * blend(w, per, f[5], f[2][FLOW_DRIFT + 1]);
+        out->dx += u * c - v * s;
+        out->dy += u * s + v * c;
+        out->dxx += uu * c * c - 2.0 * uv * c * s + vv * s * s;
+        out->dyy += uu * s * s + 2.0 * uv * c * s + vv * c * c;
+        out->dxy += (uu - vv) * c * s + uv * (c * c - s * s);
+    }
+}
+
+typedef struct texel {
+    float value[FLOW_TEXEL], u[FLOW_TEXEL], v[FLOW_TEXEL];
+} texel;
+
+static void add_turned(const flow_tile *t, double u, double v, double *x, double *y) {
+    *x += u * t->cosine - v * t->sine;
+    *y += u * t->sine + v * t->cosine;
+}
+
+static void add_tile(const bolan_flow *flow, const flow_tile *t, const flow_weights *w, double x, double y, double keep,
+                     flow_motion *out) {
+    const bolan_dvec2 p = place(t, x, y);
+    const double per = t->n / t->length;
+    texel f;
+    flow->kernels->values(t->texels, t->n, p.x, p.y, f.value, f.u, f.v);
+    out->height += keep * weigh(w->up, f.value);
+    add_turned(t, keep * blend(w->up, per, f.u, f.value[FLOW_DRIFT]),
+               keep * blend(w->up, per, f.v, f.value[FLOW_DRIFT + 1]), &out->slope_x, &out->slope_y);
+    add_turned(t, keep * per * weigh(w->across, f.u + FLOW_SPEED), keep * per * weigh(w->across, f.v + FLOW_SPEED),
+               &out->vx, &out->vy);
+    out->vz += keep * weigh(w->up, f.value + FLOW_SPEED);
+    add_turned(t, keep * blend(w->across, per, f.u + FLOW_RATE, f.value[FLOW_PUSH]),
+               keep * blend(w->across, per, f.v + FLOW_RATE, f.value[FLOW_PUSH + 1]), &out->ax, &out->ay);
+    out->az += keep * weigh(w->up, f.value + FLOW_RATE);
+    out->potential += keep * weigh(w->across, f.value + FLOW_RATE);
+}
+
+static void scale(flow_motion *m, double f) {
+    m->height *= f, m->slope_x *= f, m->slope_y *= f;
+    m->vx *= f, m->vy *= f, m->vz *= f;
+    m->ax *= f, m->ay *= f, m->az *= f;
+    m->potential *= f;
+}
+
+void bolan_flow_motion(const bolan_flow *flow, const flow_depth *at, double x, double y, const float *weight,
+                       flow_motion *out) {
+    *out = (flow_motion){0};
+    if (flow->wave_count > 0) {
+        bolan_flow_motion_waves(flow, at, x, y, out);
+        scale(out, (double)weight[0]);
+    }
+    for (uint32_t i = 0; i < flow->tiles; i++) {
+        const flow_tile *t = &flow->tile[i];
+        if (at->weights[i].used && weight[t->band] != 0.0f)
+            add_tile(flow, t, &at->weights[i], x, y, (double)weight[t->band], out);
+    }
+}

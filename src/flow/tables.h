@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// The inside of a flow. Private to src/flow and src/query.
+//
+// The potential (1) of flow.h, its first and its second time derivative are three scalars, from whose gradients
+// everything else follows. Each is synthesised at FLOW_LEVELS depths of each cascade:
+//
+//     level l holds  sum of E(d_l) / k * mode,   E(d) = e^{-kd} / (1 - e^{-2kH}),                                  (2)
+//     cosh k(H - d) / sinh kH = E(d) + E(2H - d),   sinh k(H - d) / sinh kH = E(d) - E(2H - d)                      (3)
+//
+// and for every d there are weights with  e^{-kd} = sum_l across_l e^{-k d_l}  and  k e^{-kd} = sum_l up_l e^{-k d_l}
+// over the band (fit.c). So a point costs one look-up in one grid, whatever its depth. 16 floats, a cache line, are one
+// texel:
+//
+//     | Phi at 4 levels | its gradient, that of d2Phi/dt2 at level 0 | dPhi/dt at 4 levels | d2Phi/dt2 at 4 levels |
+//
+// Where no gradient is stored it is that of the spline, whose error for short waves is three times that of a value. At
+// depth there are none. Gradients are along the axes of the tile. Two of the fields share a complex FFT.
+#ifndef BOLAN_FLOW_TABLES_H
+#define BOLAN_FLOW_TABLES_H
+
+#include "bolan/flow.h"
+
+#include "fft/transform.h"
+#include "waves/model.h"
+
+enum {
+    FLOW_LEVELS = 4,
+    FLOW_DRIFT = FLOW_LEVELS,   // fields of the gradient of Phi at level 0: u, v
+    FLOW_PUSH = FLOW_DRIFT + 2, // of d2Phi/dt2
+    FLOW_BENT = FLOW_PUSH + 2,  // fields that finding a rest point reads: a half of the texel
+    FLOW_SPEED = FLOW_BENT,     // of dPhi/dt at all levels
+    FLOW_RATE = FLOW_SPEED + FLOW_LEVELS,
+    FLOW_TEXEL = FLOW_RATE + FLOW_LEVELS,
+    FLOW_PAIRS = FLOW_TEXEL / 2,
+    FLOW_BINS = 24,    // of wave number, along a band
+    FLOW_CELLS = 4,    // of the table of weights, in an octave of depth
+    FLOW_OCTAVES = 16, // beyond, every wave of the band has died out
+    FLOW_NODES = FLOW_CELLS * FLOW_OCTAVES + 1,
+    FLOW_MAX_STRIPS = FFT_MAX / 2 / FFT_LANES,
+    FLOW_ORDER = 4,                          // of the least wavelength's filter
+    FLOW_MAX_TILES = 2 * BOLAN_MAX_CASCADES, // a cascade of a wide band is two
+};
+
+// Weights of the levels.
+typedef struct flow_weights {
+    float across[FLOW_LEVELS], up[FLOW_LEVELS];
+    bool used; // some weight is not negligible
+} flow_weights;
+
+// Weights at a node of the table, and their derivatives by depth.
+typedef struct flow_node {
+    float across[FLOW_LEVELS], across_slope[FLOW_LEVELS], up[FLOW_LEVELS], up_slope[FLOW_LEVELS];
+} flow_node;
+
+typedef struct flow_mode {
+    double turns;                   // [1/s]
+    float re, im, back_re, back_im; // h0(k), conj(h0(-k))
+    float level[FLOW_LEVELS];       // (2), over the transfer of the spline
+    uint16_t row, lane;             // index along i, wrapped; along j, in its strip
+} flow_mode;
+
+// Realised waves of a band by wave number.
+typedef struct flow_bin {
+    double k;      // mean [rad/m]
+    double motion; // variance of velocity and acceleration, each as a share of that of the band
+    double lift;   // [m]
+} flow_bin;
+
+typedef struct flow_tile {
+    uint32_t n;
+    double length, cosine, sine;
+    uint32_t band;             // the cascade that it comes from
+    double k_low, k_high;      // waves that matter
+    double depth[FLOW_LEVELS]; // [m]
+    flow_bin bin[FLOW_BINS];
+    double finest; // the unit of the table of weights [m]
+    flow_node node[FLOW_NODES];
+    fft_plan plan;
+    uint32_t strips, mode_count, first[FLOW_MAX_STRIPS + 1]; // modes of strip s: [first[s], first[s + 1])
+    flow_mode *modes;
+    float (*evolved)[6]; // of each mode at the time: h, dh/dt, d2h/dt2
+    float *texels;       // [n][n][FLOW_TEXEL]
+} flow_tile;
+
+// A wave of a sum. A wave exp(s cos) is its harmonics.
+typedef struct flow_wave {
+    double kx, ky, k;
+    double turns; // over the ground [1/s]
+    double omega; // against the water [rad/s]
+    double amplitude, phase;
+    double norm; // 1 / (1 - e^{-2kH})
+    double base; // phase at the world origin and the time [turns]
+} flow_wave;
+
+typedef struct flow_kernels {
+    // Value and gradient by u and v, per cell, of all fields of a texel.
+    void (*values)(const float *texels, uint32_t n, double u, double v, float value[FLOW_TEXEL],
+                   float along_u[FLOW_TEXEL], float along_v[FLOW_TEXEL]);
+    // Value, gradient u, v and second derivatives uu, uv, vv of the first FLOW_BENT fields, per cell.
+    void (*bends)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]);
+} flow_kernels;
+
+struct bolan_flow {
+    uint64_t sea_id;
+    double time;
+    const sea_model *model; // of the sea: constant
+    double depth;           // of the sea [m]
+    float choppiness;       // 0 where parcels do not move sideways
+    float current_x, current_y;
+    uint32_t bands;
+    float band_hs[BOLAN_MAX_CASCADES]; // [m]
+    uint32_t tiles;                    // 0 of a sum
+    flow_tile tile[FLOW_MAX_TILES];
+    const flow_kernels *kernels;
+    fft_strip_fn *transform;
+    float *middle; // of the tile that is stepped: [strip of x][j][row]
+    uint32_t slots;
+    float *scratch;
+    size_t scratch_floats;
+    uint32_t wave_count; // of a sum
+    flow_wave *waves;
+    sea_memory memory;
+};
+
+// ---- creation -------------------------------------------------------------------------------------------------------
+
+// Sets depth and node of a tile from its bins. `sea_depth` is H.
+void bolan_flow_fit(flow_tile *tile, double sea_depth);
+// Modes and memory of every cascade, or waves of a sum. False when memory is short.
+bool bolan_flow_create_tiles(bolan_flow *flow, const bolan_sea *sea);
+bool bolan_flow_create_waves(bolan_flow *flow, const bolan_sea *sea);
+void bolan_flow_evolve_tiles(bolan_flow *flow, double shown);
+void bolan_flow_evolve_waves(bolan_flow *flow, double shown);
+const flow_kernels *bolan_flow_kernels_for(bolan_cpu cpu);
+
+// ---- reading --------------------------------------------------------------------------------------------------------
+
+// What a least wavelength leaves of a wave: 1 - (1 - e^{-kl})^4 is a sum of four exponentials, and so four depths. It
+// is 1/2 where kl = FLOW_HALF.
+#define FLOW_HALF 1.8383
+// The length l of a least wavelength [m].
+static inline double flow_smoothing(double least_wavelength) {
+    return least_wavelength * (FLOW_HALF / (2.0 * BOLAN_PI));
+}
+double bolan_flow_kept(double k, double smoothing);
+
+// A depth at rest, as it counts for all bands.
+typedef struct flow_depth {
+    double below;     // d [m], 0 .. H
+    double smoothing; // l [m]
+    flow_weights weights[FLOW_MAX_TILES];
+} flow_depth;
+void bolan_flow_depth(const bolan_flow *flow, double below, double smoothing, flow_depth *out);
+
+// Displacement at a rest point, choppiness not applied, and its gradient; `weight` is a factor for each band.
+typedef struct flow_bend {
+    double dx, dy, dxx, dxy, dyy;
+} flow_bend;
+void bolan_flow_bend(const bolan_flow *flow, const flow_depth *at, double x, double y, const float *weight,
+                     flow_bend *out);
+// Everything else there.
+typedef struct flow_motion {
+    double height, slope_x, slope_y; // vertical displacement and its gradient
+    double vx, vy, vz, ax, ay, az;
+    double potential; // d2Phi/dt2 [m2/s2]: the pressure is -density times it
+} flow_motion;
+void bolan_flow_motion(const bolan_flow *flow, const flow_depth *at, double x, double y, const float *weight,
+                       flow_motion *out);
+// The lift of each band that is left by a least wavelength [m].
+void bolan_flow_lifts(const bolan_flow *flow, double smoothing, float out[BOLAN_MAX_CASCADES]);
+// For sums.
+void bolan_flow_bend_waves(const bolan_flow *flow, const flow_depth *at, double x, double y, flow_bend *out);
+void bolan_flow_motion_waves(const bolan_flow *flow, const flow_depth *at, double x, double y, flow_motion *out);
+
+#endif

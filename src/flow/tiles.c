@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+// The flow of cascades: their modes, prepared for four depths, and the synthesis of the potentials at a time.
+//
+// Two real fields A and B share a complex transform: P = A + iB at k, conj(A) + i conj(B) at -k. Modes are kept for
+// j >= 0, in strips of 16 j (fft/strip.h). A step does, for each of the eight pairs of fields of a texel:
+//
+//     rows     16 values of j: modes -> FFT along i -> `middle`, transposed; and the same for -j
+//     columns  16 values of x: FFT along j -> texels
+#include "flow/tables.h"
+#include "spectrum/portable.h"
+#include "waves/cascades/cascades.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+#define WIDE 12.0 // ratio of a band's ends beyond which four levels are not enough
+
+// ---- modes ----------------------------------------------------------------------------------------------------------
+
+typedef struct gathering {
+    flow_tile *tile;
+    const sea_cascade *cascade;
+    double sea_depth, choppiness;
+    double from, to;                 // the range of wave numbers that the tile takes
+    double low, high;                // wave numbers of the modes
+    uint32_t reach;                  // largest index along an axis, and 1
+    uint32_t count[FLOW_MAX_STRIPS]; // modes of each strip
+    double speed[FLOW_BINS], rate[FLOW_BINS], energy[FLOW_BINS], moment[FLOW_BINS];
+} gathering;
+
+// Lattice indices of a mode.
+static void index_of(const gathering *g, const sea_mode *m, int32_t *i, int32_t *j) {
+    const sea_cascade *c = g->cascade;
+    const double scale = c->length / (2.0 * BOLAN_PI);
+    *i = (int32_t)floor((m->kx * c->cosine + m->ky * c->sine) * scale + 0.5);
+    *j = (int32_t)floor((m->ky * c->cosine - m->kx * c->sine) * scale + 0.5);
+}
+
+static double length_of(const sea_mode *m) { return sqrt(m->kx * m->kx + m->ky * m->ky); }
+
+static bool is_taken(const gathering *g, const sea_mode *m) { return length_of(m) >= g->from && length_of(m) < g->to; }
+
+static void count_mode(void *context, const sea_mode *m) {
+    gathering *g = context;
+    if (!is_taken(g, m)) return;
+    int32_t i, j;
+    index_of(g, m, &i, &j);
+    const uint32_t a = (uint32_t)(i < 0 ? -i : i) + 1, b = (uint32_t)j + 1;
+    g->reach = a > g->reach ? a : g->reach;
+    g->reach = b > g->reach ? b : g->reach;
+    g->count[j / FFT_LANES]++;
+    g->low = fmin(g->low, length_of(m));
+    g->high = fmax(g->high, length_of(m));
+}
+
+static double bin_edge(const gathering *g, double index) {
+    return g->low * portable_pow(g->high / g->low, index / FLOW_BINS);
+}
+
+static void bin_mode(void *context, const sea_mode *m) {
+    gathering *g = context;
+    if (!is_taken(g, m)) return;
+    const double k = length_of(m), omega = 2.0 * BOLAN_PI * m->turns;
+    const double x = portable_log(k / g->low) / portable_log(g->high / g->low) * FLOW_BINS;
+    const int b = (int)fmin(fmax(x, 0.0), FLOW_BINS - 1.0);
+    const double realised = m->re * m->re + m->im * m->im + m->back_re * m->back_re + m->back_im * m->back_im;
+    const double energy = (m->paired ? 2.0 : 1.0) * realised;
+    g->speed[b] += omega * omega * energy;
+    g->rate[b] += omega * omega * omega * omega * energy;
+    g->energy[b] += energy;
+    g->moment[b] += energy * k;
+    g->tile->bin[b].lift += g->choppiness * energy * k * k * m->inverse_k; // (1) of waves/lift.c
+}
+
+// Bins of motion, and the wave number below which there is next to none.
+static void set_bins(gathering *g) {
+    flow_tile *t = g->tile;
+    double speed = 1e-30, rate = 1e-30, below = 0.0;
+    for (int b = 0; b < FLOW_BINS; b++) speed += g->speed[b], rate += g->rate[b];
+    t->k_low = g->low;
+    t->k_high = g->high;
+    for (int b = 0; b < FLOW_BINS; b++) {
+        t->bin[b].motion = g->speed[b] / speed + g->rate[b] / rate;
+        t->bin[b].k = g->energy[b] > 0.0 ? g->moment[b] / g->energy[b] : bin_edge(g, b + 0.5);
+        below += g->speed[b];
+        if (below < 1e-4 * speed) t->k_low = bin_edge(g, b + 1.0);
+    }
+}
+
+// Response of the cubic B-spline to a wave of `index` cycles over n samples.
+static double transfer(int32_t index, uint32_t n) {
+    const double x = BOLAN_PI * index / n;
+    double s, c;
+    bolan_sincos(x, &s, &c);
+    const double sinc = index == 0 ? 1.0 : s / x;
+    return sinc * sinc * sinc * sinc;
+}
+
+static void add_mode(void *context, const sea_mode *m) {
+    gathering *g = context;
+    flow_tile *t = g->tile;
+    int32_t i, j;
+    if (!is_taken(g, m)) return;
+    index_of(g, m, &i, &j);
+    const double k = length_of(m), all = 1.0 - portable_exp(-2.0 * k * g->sea_depth);
+    const double scale = 1.0 / (k * all * transfer(i, t->n) * transfer(j, t->n));
+    flow_mode *out = &t->modes[t->first[j / FFT_LANES] + g->count[j / FFT_LANES]++];
+    out->turns = m->turns;
+    out->re = (float)m->re;
+    out->im = (float)m->im;
+    out->back_re = (float)m->back_re;
+    out->back_im = (float)m->back_im;
+    for (int l = 0; l < FLOW_LEVELS; l++) out->level[l] = (float)(scale * portable_exp(-k * t->depth[l]));
+    out->row = (uint16_t)((uint32_t)(i + (int32_t)t->n) & (t->n - 1));
+    out->lane = (uint16_t)(j % FFT_LANES);
+}
+
+// Four samples a wave, as far as the FFT goes.
+static uint32_t side_of(uint32_t reach) {
+    uint32_t n = FFT_MIN;
+    while (n < FFT_MAX && 4 * (reach - 1) > n) n *= 2;
+    return n;
+}
+
+static void set_strips(gathering *g) {
+    flow_tile *t = g->tile;
+    t->strips = (g->reach + FFT_LANES - 1) / FFT_LANES;
+    t->mode_count = 0;
+    for (uint32_t s = 0; s < t->strips; s++) {
+        t->first[s] = t->mode_count;
+        t->mode_count += g->count[s];
+        g->count[s] = 0;
+    }
+    t->first[t->strips] = t->mode_count;
+}
+
+static gathering gather(bolan_flow *flow, const sea_cascade *cascade, double choppiness, double from, double to) {
+    flow_tile *t = &flow->tile[flow->tiles];
+    gathering g = {.tile = t,
+                   .cascade = cascade,
+                   .sea_depth = flow->depth,
+                   .choppiness = choppiness,
+                   .from = from,
+                   .to = to,
+                   .low = 1e30};
+    memset(t, 0, sizeof *t);
+    bolan_sea_each_mode(cascade, count_mode, &g);
+    if (!(g.high > g.low)) g.high = g.low * 1.0001; // one mode, or none
+    if (g.reach == 0) return g;
+    bolan_sea_each_mode(cascade, bin_mode, &g);
+    set_bins(&g);
+    return g;
+}
+
+// False when memory is short.
+static bool add_tile(bolan_flow *flow, uint32_t band, gathering *g) {
+    if (g->reach == 0) return true; // no waves
+    const sea_cascade *cascade = g->cascade;
+    flow_tile *t = &flow->tile[flow->tiles];
+    t->band = band;
+    t->length = cascade->length;
+    t->cosine = cascade->cosine;
+    t->sine = cascade->sine;
+    t->n = side_of(g->reach);
+    bolan_flow_fit(t, flow->depth);
+    set_strips(g);
+    if (!bolan_fft_plan_create(t->n, &t->plan)) return false;
+    flow->tiles++; // from here on it is released with the flow
+    t->modes = bolan_sea_reserve(&flow->memory, t->mode_count * (sizeof *t->modes + sizeof *t->evolved));
+    t->texels = t->modes ? bolan_sea_reserve(&flow->memory, (size_t)t->n * t->n * FLOW_TEXEL * sizeof(float)) : NULL;
+    if (!t->texels) return false;
+    t->evolved = (float(*)[6])(void *)(t->modes + t->mode_count);
+    bolan_sea_each_mode(cascade, add_mode, g);
+    return true;
+}
+
+// One tile, or two where the band is too wide for the levels of one.
+static bool add_cascade(bolan_flow *flow, const sea_cascade *cascade, uint32_t band, double choppiness) {
+    gathering g = gather(flow, cascade, choppiness, 0.0, INFINITY);
+    const double low = g.tile->k_low, high = g.tile->k_high;
+    if (g.reach == 0 || high < WIDE * low) return add_tile(flow, band, &g);
+    const double between = sqrt(low * high);
+    g = gather(flow, cascade, choppiness, 0.0, between);
+    if (!add_tile(flow, band, &g)) return false;
+    g = gather(flow, cascade, choppiness, between, INFINITY);
+    return add_tile(flow, band, &g);
+}
+
+bool bolan_flow_create_tiles(bolan_flow *flow, const bolan_sea *sea) {
+    const cascade_tables *tables = cascade_tables_of(sea->shared);
+    uint32_t largest = FFT_MIN;
+    for (uint32_t i = 0; i < sea->shared->cascades; i++)
+        if (!add_cascade(flow, &tables->cascade[i], i, sea->shared->desc.choppiness)) return false;
+    for (uint32_t i = 0; i < flow->tiles; i++) largest = flow->tile[i].n > largest ? flow->tile[i].n : largest;
+    flow->transform = bolan_fft_strip_for(sea->shared->desc.cpu);
+    flow->slots = bolan_threads();
+    flow->scratch_floats = 2 * (size_t)largest * FFT_ROW;
+    flow->scratch = bolan_sea_reserve(&flow->memory, flow->slots * flow->scratch_floats * sizeof(float));
+    if (!flow->scratch) return false;
+    flow->middle = bolan_sea_reserve(&flow->memory, 2 * (size_t)largest * largest * sizeof(float));
+    return flow->middle != NULL;
+}
+
+// ---- a time ---------------------------------------------------------------------------------------------------------
+
+typedef struct step {
+    bolan_flow *flow;
+    flow_tile *tile;
+    double time;
+    int pair;
+    atomic_uint next;
+    uint32_t items;
+    void (*work)(struct step *s, uint32_t item, float *scratch);
+} step;
+
+// Task: slots [begin, end), of which each owns scratch memory.
+static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    (void)end, (void)worker;
+    step *s = context;
+    for (;;) {
+        const uint32_t item = atomic_fetch_add_explicit(&s->next, 1, memory_order_relaxed);
+        if (item >= s->items) return;
+        s->work(s, item, s->flow->scratch + begin * s->flow->scratch_floats);
+    }
+}
+
+static void run(step *s, uint32_t items, void (*work)(step *s, uint32_t item, float *scratch)) {
+    atomic_store_explicit(&s->next, 0, memory_order_relaxed);
+    s->items = items;
+    s->work = work;
+    bolan_parallel(s->flow->slots, 1, run_slots, s);
+}
+
+// h = h0(k) e^{-iwt} + conj(h0(-k)) e^{iwt} and its derivatives, of the modes of a strip.
+static void evolve(step *s, uint32_t strip, float *scratch) {
+    (void)scratch;
+    const flow_tile *t = s->tile;
+    for (uint32_t i = t->first[strip]; i < t->first[strip + 1]; i++) {
+        const flow_mode *m = &t->modes[i];
+        const double turns = m->turns * s->time;
+        float sine, cosine, *h = t->evolved[i];
+        bolan_sincosf((float)(2.0 * BOLAN_PI * (turns - floor(turns + 0.5))), &sine, &cosine);
+        const float omega = (float)(2.0 * BOLAN_PI * m->turns);
+        const float forth_re = m->re * cosine + m->im * sine, forth_im = m->im * cosine - m->re * sine;
+        const float back_re = m->back_re * cosine - m->back_im * sine;
+        const float back_im = m->back_im * cosine + m->back_re * sine;
+        h[0] = forth_re + back_re;
+        h[1] = forth_im + back_im;
+        h[2] = -omega * (back_im - forth_im);
+        h[3] = omega * (back_re - forth_re);
+        h[4] = -omega * omega * h[0];
+        h[5] = -omega * omega * h[1];
+    }
+}
+
+static void put(float *strip, size_t row, uint32_t lane, float re, float im) {
+    strip[row * FFT_ROW + lane] = re;
+    strip[row * FFT_ROW + FFT_LANES + lane] = im;
+}
+
+// Row r of the transform stands at order[r]; lanes j become rows of `middle`.
+static void transpose_out(const step *s, const float *rows, uint32_t first_j, bool mirrored) {
+    const flow_tile *t = s->tile;
+    for (uint32_t lane = 0; lane < FFT_LANES; lane++) {
+        const uint32_t j = first_j + lane, to = mirrored ? (t->n - j) & (t->n - 1) : j;
+        if ((mirrored && j == 0) || j >= t->n / 2) continue;
+        for (uint32_t x = 0; x < t->n; x++) {
+            const float *from = rows + (size_t)t->plan.order[x] * FFT_ROW + lane;
+            float *out = s->flow->middle + ((size_t)(x / FFT_LANES) * t->n + to) * FFT_ROW + x % FFT_LANES;
+            out[0] = from[0];
+            out[FFT_LANES] = from[FFT_LANES];
+        }
+    }
+}
+
+// Which derivative by time and which level a field of a texel is, and along which axis it is a gradient.
+typedef struct field {
+    int rate, level, axis; // axis 0: none, 1: u, 2: v
+} field;
+static const field fields[FLOW_TEXEL] = {
+    {0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {0, 3, 0}, {0, 0, 1}, {0, 0, 2}, {2, 0, 1}, {2, 0, 2},
+    {1, 0, 0}, {1, 1, 0}, {1, 2, 0}, {1, 3, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {2, 3, 0},
+};
+
+// A field of one mode.
+static void field_of(const flow_tile *t, const flow_mode *m, const float *h, uint32_t strip, int index, float out[2]) {
+    const field f = fields[index];
+    const float w = m->level[f.level], re = w * h[2 * f.rate], im = w * h[2 * f.rate + 1];
+    if (f.axis == 0) {
+        out[0] = re, out[1] = im;
+        return;
+    }
+    const int32_t i = m->row < t->n / 2 ? (int32_t)m->row : (int32_t)m->row - (int32_t)t->n;
+    const int32_t along = f.axis == 1 ? i : (int32_t)(strip * FFT_LANES + m->lane);
+    const float k = (float)(2.0 * BOLAN_PI * along / t->length);
+    out[0] = -k * im;
+    out[1] = k * re;
+}
+
+static void do_rows(step *s, uint32_t strip, float *scratch) {
+    const flow_tile *t = s->tile;
+    float *plus = scratch, *minus = scratch + (size_t)t->n * FFT_ROW;
+    memset(scratch, 0, 2 * (size_t)t->n * FFT_ROW * sizeof(float));
+    for (uint32_t i = t->first[strip]; i < t->first[strip + 1]; i++) {
+        const flow_mode *m = &t->modes[i];
+        float a[2], b[2];
+        field_of(t, m, t->evolved[i], strip, 2 * s->pair, a);
+        field_of(t, m, t->evolved[i], strip, 2 * s->pair + 1, b);
+        put(plus, m->row, m->lane, a[0] - b[1], a[1] + b[0]);
+        put(minus, (t->n - m->row) & (t->n - 1), m->lane, a[0] + b[1], b[0] - a[1]);
+    }
+    s->flow->transform(&t->plan, plus);
+    s->flow->transform(&t->plan, minus);
+    transpose_out(s, plus, strip * FFT_LANES, false);
+    transpose_out(s, minus, strip * FFT_LANES, true);
+}
+
+static void do_columns(step *s, uint32_t strip, float *scratch) {
+    const flow_tile *t = s->tile;
+    const size_t floats = (size_t)t->n * FFT_ROW;
+    memcpy(scratch, s->flow->middle + strip * floats, floats * sizeof(float));
+    s->flow->transform(&t->plan, scratch);
+    for (uint32_t y = 0; y < t->n; y++) {
+        const float *row = scratch + (size_t)t->plan.order[y] * FFT_ROW;
+        float *out = t->texels + ((size_t)y * t->n + (size_t)strip * FFT_LANES) * FLOW_TEXEL + 2 * (size_t)s->pair;
+        for (uint32_t lane = 0; lane < FFT_LANES; lane++, out += FLOW_TEXEL) {
+            out[0] = row[lane];
+            out[1] = row[FFT_LANES + lane];
+        }
+    }
+}
+
+void bolan_flow_evolve_tiles(bolan_flow *flow, double shown) {
+    for (uint32_t i = 0; i < flow->tiles; i++) {
+        flow_tile *t = &flow->tile[i];
+        if (t->mode_count == 0) continue;
+        step s = {.flow = flow, .tile = t, .time = shown};
+        run(&s, t->strips, evolve);
+        memset(flow->middle, 0, 2 * (size_t)t->n * t->n * sizeof(float)); // rows without modes
+        for (s.pair = 0; s.pair < FLOW_PAIRS; s.pair++) {
+            run(&s, t->strips, do_rows);
+            run(&s, t->n / FFT_LANES, do_columns);
+        }
+    }
+}
