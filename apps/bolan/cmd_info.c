@@ -37,6 +37,12 @@ typedef struct facts {
 
 static const char *yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 
+// Memory of a scene's sea.
+static size_t sea_bytes(const bolan_scene *scene) {
+    const bolan_sea_bytes bytes = bolan_sea_size(&scene->sea);
+    return bytes.tables + bytes.fields;
+}
+
 static void print_text(const facts *f) {
     printf("bolan %s, compiled by %s\n", bolan_version(), compiler);
     printf("processors   %ld; wide kernels:", f->processors);
@@ -59,8 +65,8 @@ static void print_text(const facts *f) {
     printf("scenes\n");
     for (uint32_t i = 0; bolan_scene_builtin_name(i); i++) {
         bolan_scene scene;
-        if (bolan_scene_load(bolan_scene_builtin_name(i), &scene) == BOLAN_OK)
-            printf("  %-10s %s\n", scene.name, scene.description);
+        if (bolan_scene_load(bolan_scene_builtin_name(i), &scene) != BOLAN_OK) continue;
+        printf("  %-10s %s (sea: %.1f MB)\n", scene.name, scene.description, 1e-6 * (double)sea_bytes(&scene));
     }
 }
 
@@ -100,7 +106,13 @@ static void print_json(const facts *f) {
     printf("],\n  \"scenes\": [");
     for (uint32_t i = 0; bolan_scene_builtin_name(i); i++)
         printf("%s\"%s\"", i ? ", " : "", bolan_scene_builtin_name(i));
-    printf("]\n}\n");
+    printf("],\n  \"sea_bytes\": {");
+    for (uint32_t i = 0; bolan_scene_builtin_name(i); i++) {
+        bolan_scene scene;
+        const bool ok = bolan_scene_load(bolan_scene_builtin_name(i), &scene) == BOLAN_OK;
+        printf("%s\"%s\": %zu", i ? ", " : "", bolan_scene_builtin_name(i), ok ? sea_bytes(&scene) : (size_t)0);
+    }
+    printf("}\n}\n");
 }
 
 int command_info(int count, char **arguments) {

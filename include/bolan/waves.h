@@ -199,6 +199,19 @@ typedef struct bolan_sea bolan_sea;
 /// Returns the defaults named above the fields: a fresh breeze over the open sea. Thread-safe.
 BOLAN_API bolan_sea_desc bolan_sea_desc_default(void);
 
+/// Memory of a sea [bytes].
+typedef struct bolan_sea_bytes {
+    /// Of the spectrum and all tables, which forks share.
+    size_t tables;
+    /// Of the fields, which every sea and every fork has.
+    size_t fields;
+} bolan_sea_bytes;
+
+/// Returns the memory that a sea of this desc will hold, without creating it: exact with as many workers as now, since
+/// fields include scratch memory for each. The creation borrows up to 1 MB more.
+/// Both are 0 where the desc is not valid, with the field named in the log. Allocates nothing. Thread-safe.
+BOLAN_API bolan_sea_bytes bolan_sea_size(const bolan_sea_desc *desc);
+
 /// Creates a sea: builds the spectrum tables and reserves all memory, so that no later call allocates.
 /// The sea stands at time 0.
 /// The desc is copied; a measured spectrum in it is not needed afterwards.

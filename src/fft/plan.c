@@ -39,11 +39,14 @@ static uint32_t reversed(const fft_plan *plan, uint32_t y) {
     return row;
 }
 
+// 2 (r - 1) m / r < 2 m floats for each stage, and the blocks shrink at least fourfold.
+size_t bolan_fft_plan_bytes(uint32_t n) { return 4 * (size_t)n * sizeof(float); }
+
 bool bolan_fft_plan_create(uint32_t n, fft_plan *plan) {
     memset(plan, 0, sizeof *plan);
     plan->n = n;
     choose_radices(plan);
-    plan->bytes = 4 * n * sizeof(float); // 2 (r - 1) m / r < 2 m, and the blocks shrink at least fourfold
+    plan->bytes = bolan_fft_plan_bytes(n);
     plan->memory = bolan_allocate(plan->bytes);
     if (!plan->memory) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for the tables of an FFT of %u points", n);

@@ -29,6 +29,8 @@ typedef struct fft_plan {
     size_t bytes;
 } fft_plan;
 
+// Memory of a plan [bytes], beside the struct itself.
+size_t bolan_fft_plan_bytes(uint32_t n);
 // `n` is a power of two in 32 .. 1024. False when memory is short (logged).
 bool bolan_fft_plan_create(uint32_t n, fft_plan *plan);
 void bolan_fft_plan_destroy(fft_plan *plan);

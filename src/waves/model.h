@@ -25,6 +25,8 @@ typedef struct sea_model {
     // Writes shared->tables, the bands and counts, and the defaults of desc that depend on the sea state. False when
     // memory is short (logged); what was reserved by then is released with `shared`.
     bool (*create)(sea_shared *shared, const spectrum_eval *eval);
+    // Adds what create() and create_fields() reserve; shared has a desc, a summary and a limit, and no memory.
+    void (*size)(sea_shared *shared, const spectrum_eval *eval, bolan_sea_bytes *bytes);
     // Frees what create() holds beside the memory reserved by bolan_sea_reserve(). NULL: nothing.
     void (*destroy)(sea_shared *shared);
     // Reserves sea->fields. False when memory is short (logged).

@@ -42,8 +42,8 @@ static void release(const sea_memory *memory) {
 
 // ---- creation -------------------------------------------------------------------------------------------------------
 
-// Sets the summary, and the factor that brings the waves down to what their depth carries.
-static void set_limit(sea_shared *s) {
+// Sets the summary, and the factor that brings the waves down to what their depth carries. Says so if `aloud`.
+static void set_limit(sea_shared *s, bool aloud) {
     const bolan_sea_limit limit = bolan_sea_state_limit(&s->desc.sea_state);
     s->summary = bolan_sea_state_summary(&s->desc.sea_state);
     const double asked = s->summary.hs;
@@ -51,6 +51,7 @@ static void set_limit(sea_shared *s) {
     if (s->limit == 1.0) return;
     s->summary.hs *= s->limit;
     s->summary.m0 *= s->limit * s->limit;
+    if (!aloud) return;
     if (limit.by_depth <= limit.by_steepness) {
         bolan_log(BOLAN_LOG_WARNING, BOLAN_LOG_SEA_LIMITED,
                   "the sea is too high for its depth of %.4g m: Hs lowered from %.3g to %.3g m, 0.6 of the depth",
@@ -85,9 +86,23 @@ static void leave(sea_shared *shared) {
     bolan_release(shared, sizeof *shared);
 }
 
-static bool create_tables(sea_shared *shared) {
+// What a sea is before it has any memory.
+static void describe(sea_shared *shared, const bolan_sea_desc *desc, bool aloud) {
+    shared->desc = *desc;
+    shared->model = bolan_sea_model_of(desc->waves);
+    shared->period = desc->loop_period;
+    shared->slope_ratio = 1.0;
+    set_limit(shared, aloud);
+}
+
+static spectrum_eval eval_of(const sea_shared *shared) {
     spectrum_eval eval = bolan_spectrum_eval_prepare(&shared->desc.sea_state);
     bolan_spectrum_eval_scale(&eval, shared->limit);
+    return eval;
+}
+
+static bool create_tables(sea_shared *shared) {
+    const spectrum_eval eval = eval_of(shared);
     if (!shared->model->create(shared, &eval)) return false;
     for (uint32_t i = 0; i < shared->bands; i++) shared->lift += shared->band[i].lift.level[0];
     return bolan_sea_slopes_create(shared);
@@ -99,11 +114,7 @@ static sea_shared *create_shared(const bolan_sea_desc *desc) {
     if (!shared) return NULL;
     atomic_init(&shared->owners, 1);
     shared->id = next_number();
-    shared->desc = *desc;
-    shared->model = bolan_sea_model_of(desc->waves);
-    shared->period = desc->loop_period;
-    shared->slope_ratio = 1.0;
-    set_limit(shared);
+    describe(shared, desc, true);
     if (create_tables(shared)) return shared;
     leave(shared);
     return NULL;
@@ -124,6 +135,20 @@ static bolan_sea *create_on(sea_shared *shared) {
 static bolan_result validate(const bolan_sea_desc *desc) {
     const bolan_result result = bolan_params_validate(&bolan_sea_params, desc, "bolan_sea_desc.");
     return result ? result : bolan_sea_state_validate(&desc->sea_state);
+}
+
+bolan_sea_bytes bolan_sea_size(const bolan_sea_desc *desc) {
+    BOLAN_ASSERT(desc);
+    bolan_sea_bytes bytes = {0, 0};
+    if (validate(desc) != BOLAN_OK) return bytes;
+    sea_shared shared;
+    memset(&shared, 0, sizeof shared);
+    describe(&shared, desc, false);
+    const spectrum_eval eval = eval_of(&shared);
+    bytes.tables = sizeof(sea_shared) + bolan_sea_slopes_bytes();
+    bytes.fields = sizeof(bolan_sea);
+    shared.model->size(&shared, &eval, &bytes);
+    return bytes;
 }
 
 bolan_result bolan_sea_create(const bolan_sea_desc *desc, bolan_sea **out) {

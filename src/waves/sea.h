@@ -140,6 +140,8 @@ uint64_t bolan_sea_hash_plane(uint64_t hash, const float *plane, size_t count);
 
 // ---- steps of the creation ------------------------------------------------------------------------------------------
 
+// Memory of slope_map and slope_table [bytes].
+size_t bolan_sea_slopes_bytes(void);
 // rest_slope, slope_map and slope_table. False when memory is short.
 bool bolan_sea_slopes_create(sea_shared *shared);
 // foam_threshold, from the fields of `sea` at a few times; leaves it at time 0. False when memory is short.

@@ -128,11 +128,15 @@ static void set_rest(sea_shared *shared) {
     shared->rest_slope[2] = s * s * up + c * c * cross;
 }
 
+static const size_t table_bytes =
+    (size_t)BOLAN_SLOPE_TABLE_MAJOR * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_ANGLE * 4 * sizeof(float);
+
+size_t bolan_sea_slopes_bytes(void) { return sizeof(struct slope_map) + table_bytes; }
+
 bool bolan_sea_slopes_create(sea_shared *shared) {
     set_rest(shared);
-    const size_t texels = (size_t)BOLAN_SLOPE_TABLE_MAJOR * BOLAN_SLOPE_TABLE_ASPECT * BOLAN_SLOPE_TABLE_ANGLE;
     shared->slope_map = bolan_sea_reserve(&shared->memory, sizeof *shared->slope_map);
-    shared->slope_table = shared->slope_map ? bolan_sea_reserve(&shared->memory, texels * 4 * sizeof(float)) : NULL;
+    shared->slope_table = shared->slope_map ? bolan_sea_reserve(&shared->memory, table_bytes) : NULL;
     gathering *g = shared->slope_table ? bolan_sea_borrow(sizeof *g) : NULL;
     if (!g) return false;
     g->ratio = shared->slope_ratio;

@@ -4,18 +4,25 @@
 
 // ---- creation -------------------------------------------------------------------------------------------------------
 
-bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent) {
-    cascade_tables *t = shared->tables = bolan_sea_reserve(&shared->memory, sizeof *t);
-    if (!t) return false;
-    t->kernels = bolan_sea_kernels_for(shared->desc.cpu);
+// Counts, lengths and rings in shared->tables.
+static void plan_cascades(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent,
+                          sea_radial *radial) {
+    cascade_tables *t = shared->tables;
     shared->cascades = shared->bands = count;
     for (uint32_t i = 0; i < count; i++) t->cascade[i].band = &shared->band[i];
     const bolan_sea_state *state = &shared->desc.sea_state;
     double up, cross;
     bolan_cox_munk(state->wind_speed, &up, &cross);
+    bolan_sea_radial_prepare(eval, bolan_sea_wind_peak(state, &shared->summary), up + cross, radial);
+    bolan_cascades_layout(shared, radial, extent);
+}
+
+bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent) {
+    cascade_tables *t = shared->tables = bolan_sea_reserve(&shared->memory, sizeof *t);
+    if (!t) return false;
+    t->kernels = bolan_sea_kernels_for(shared->desc.cpu);
     sea_radial radial;
-    bolan_sea_radial_prepare(eval, bolan_sea_wind_peak(state, &shared->summary), up + cross, &radial);
-    bolan_cascades_layout(shared, &radial, extent);
+    plan_cascades(shared, eval, count, extent, &radial);
     if (!bolan_fft_plan_create(shared->desc.resolution, &t->plan)) return false;
     if (!bolan_cascades_modes(shared, eval, &radial)) return false;
     for (uint32_t i = 0; i < count; i++)
@@ -23,8 +30,14 @@ bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32
     return true;
 }
 
+static const cascade_extent fft_extent = {12.0, 10.0};
+
 static bool create_fft(sea_shared *shared, const spectrum_eval *eval) {
-    return bolan_cascades_create(shared, eval, shared->desc.fft.cascade_count, (cascade_extent){12.0, 10.0});
+    return bolan_cascades_create(shared, eval, shared->desc.fft.cascade_count, fft_extent);
+}
+
+static void size_fft(sea_shared *shared, const spectrum_eval *eval, bolan_sea_bytes *bytes) {
+    bolan_cascades_size(shared, eval, shared->desc.fft.cascade_count, fft_extent, bytes);
 }
 
 void bolan_cascades_destroy(sea_shared *shared) {
@@ -36,13 +49,19 @@ void bolan_cascades_destroy(sea_shared *shared) {
 // compete for one set of the cache.
 enum { PLANE_SHIFT = 7 * 16 }; // floats
 
+static size_t plane_floats(const sea_cascade *c) { return (size_t)c->n * c->n + PLANE_SHIFT; }
+static size_t middle_floats(const sea_cascade *c) { return (size_t)c->n * c->strips * FFT_LANES * SEA_PARTS * 2; }
+static size_t planes_bytes(const sea_cascade *c) {
+    return (middle_floats(c) + plane_floats(c) * (SEA_FIELDS + 6)) * sizeof(float);
+}
+static size_t scratch_floats(uint32_t n) { return SEA_SCRATCH_BUFFERS * sea_scratch_pitch(n); }
+
 static bool reserve_planes(sea_memory *memory, const sea_cascade *c, sea_planes *p) {
-    const size_t n = c->n, plane = n * n + PLANE_SHIFT;
-    const size_t middle = n * c->strips * FFT_LANES * SEA_PARTS * 2, planes = plane * (SEA_FIELDS + 6);
-    float *next = bolan_sea_reserve(memory, (middle + planes) * sizeof(float));
+    const size_t plane = plane_floats(c);
+    float *next = bolan_sea_reserve(memory, planes_bytes(c));
     if (!next) return false;
     p->middle = next;
-    next += middle;
+    next += middle_floats(c);
     for (int f = 0; f < SEA_FIELDS; f++, next += plane) p->field[f] = next;
     p->foam = next;
     p->displacement_half = (uint16_t *)(void *)(next + plane);
@@ -57,12 +76,29 @@ bool bolan_cascades_create_fields(bolan_sea *sea) {
     cascade_fields *f = sea->fields = bolan_sea_reserve(&sea->memory, sizeof *f);
     if (!f) return false;
     f->slots = bolan_threads();
-    f->scratch_floats = SEA_SCRATCH_BUFFERS * sea_scratch_pitch(t->plan.n);
+    f->scratch_floats = scratch_floats(t->plan.n);
     f->scratch = bolan_sea_reserve(&sea->memory, f->slots * f->scratch_floats * sizeof(float));
     if (!f->scratch) return false;
     for (uint32_t i = 0; i < sea->shared->cascades; i++)
         if (!reserve_planes(&sea->memory, &t->cascade[i], &f->planes[i])) return false;
     return true;
+}
+
+void bolan_cascades_size(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent,
+                         bolan_sea_bytes *bytes) {
+    cascade_tables t = {.kernels = NULL};
+    sea_radial radial;
+    shared->tables = &t;
+    plan_cascades(shared, eval, count, extent, &radial);
+    bytes->tables += sizeof t + bolan_fft_plan_bytes(shared->desc.resolution);
+    bytes->fields += sizeof(cascade_fields);
+    bytes->fields += bolan_threads() * scratch_floats(shared->desc.resolution) * sizeof(float);
+    for (uint32_t i = 0; i < count; i++) {
+        bolan_cascade_set_reach(&t.cascade[i]);
+        bytes->tables += bolan_cascade_table_bytes(&t.cascade[i]);
+        bytes->fields += planes_bytes(&t.cascade[i]);
+    }
+    shared->tables = NULL;
 }
 
 // ---- reading --------------------------------------------------------------------------------------------------------
@@ -122,4 +158,5 @@ bolan_cascade_view bolan_cascades_view(const bolan_sea *sea, uint32_t index) {
                                 .foam_half = p->foam_half};
 }
 
-const sea_model bolan_sea_model_fft = {CASCADES_MODEL, .create = create_fft, .shown_time = bolan_sea_reduced_time};
+const sea_model bolan_sea_model_fft = {CASCADES_MODEL, .create = create_fft, .size = size_fft,
+                                       .shown_time = bolan_sea_reduced_time};

@@ -97,8 +97,15 @@ typedef struct cascade_extent {
 // Reserves the tables, resolves desc.length, and makes `count` cascades with all that is in them. Sets bands and
 // counts. False when memory is short.
 bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent);
+// See sea_model.size.
+void bolan_cascades_size(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent,
+                         bolan_sea_bytes *bytes);
 // Lengths, angles and rings of `count` cascades.
 void bolan_cascades_layout(sea_shared *shared, const sea_radial *radial, cascade_extent extent);
+// The strips of a cascade that hold modes, and how far they reach.
+void bolan_cascade_set_reach(sea_cascade *cascade);
+// Memory of the mode tables of a cascade [bytes].
+size_t bolan_cascade_table_bytes(const sea_cascade *cascade);
 // Mode tables of every cascade. False when memory is short.
 bool bolan_cascades_modes(sea_shared *shared, const spectrum_eval *eval, const sea_radial *radial);
 // The lift of a cascade. False when memory is short.

@@ -111,7 +111,7 @@ static void fill_strips(void *context, uint32_t begin, uint32_t end, uint32_t wo
     }
 }
 
-static void set_reach(sea_cascade *c) {
+void bolan_cascade_set_reach(sea_cascade *c) {
     const double dk = 2.0 * BOLAN_PI / c->length, outer = c->k_max / dk;
     const double rows = fmin(ceil(outer), 0.5 * c->n); // j < outer
     c->strips = ((uint32_t)rows + FFT_LANES - 1) / FFT_LANES;
@@ -121,9 +121,14 @@ static void set_reach(sea_cascade *c) {
     }
 }
 
+size_t bolan_cascade_table_bytes(const sea_cascade *c) {
+    const size_t n = c->n, modes = n * c->strips * FFT_LANES;
+    return (modes * 9 + 2 * n) * sizeof(float);
+}
+
 static bool reserve_tables(sea_memory *memory, sea_cascade *c) {
     const size_t n = c->n, modes = n * c->strips * FFT_LANES;
-    float *next = bolan_sea_reserve(memory, (modes * 9 + 2 * n) * sizeof(float));
+    float *next = bolan_sea_reserve(memory, bolan_cascade_table_bytes(c));
     if (!next) return false;
     c->turns = (double *)(void *)next;
     c->amplitude = next + 2 * modes;
@@ -186,7 +191,7 @@ bool bolan_cascades_modes(sea_shared *shared, const spectrum_eval *eval, const s
     cascade_tables *t = shared->tables;
     for (uint32_t i = 0; i < shared->cascades; i++) {
         sea_cascade *c = &t->cascade[i];
-        set_reach(c);
+        bolan_cascade_set_reach(c);
         if (!reserve_tables(&shared->memory, c)) return false;
         fill_wave_numbers(c);
         fill f = {shared, c, eval, radial, tile_key(shared->desc.seed, c->length)};

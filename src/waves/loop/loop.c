@@ -10,13 +10,19 @@ static double automatic_period(double tp) {
     return tp * fmax(floor(10.0 / tp + 0.5), 1.0);
 }
 
+static const cascade_extent loop_extent = {7.0, 5.0};
+
+static void size(sea_shared *shared, const spectrum_eval *eval, bolan_sea_bytes *bytes) {
+    bolan_cascades_size(shared, eval, 1, loop_extent, bytes);
+}
+
 // The one tile holds 7 peak wavelengths, not 12: its resolution has to do for the short waves, too.
 static bool create(sea_shared *shared, const spectrum_eval *eval) {
     bolan_sea_desc *d = &shared->desc;
     if (d->textures.period == 0.0) d->textures.period = automatic_period(shared->summary.tp);
     shared->period = d->textures.period;
     shared->frames = d->textures.frames;
-    return bolan_cascades_create(shared, eval, 1, (cascade_extent){7.0, 5.0});
+    return bolan_cascades_create(shared, eval, 1, loop_extent);
 }
 
 static double shown_time(const sea_shared *shared, double time, uint32_t *frame) {
@@ -26,4 +32,4 @@ static double shown_time(const sea_shared *shared, double time, uint32_t *frame)
     return on * shared->period / frames;
 }
 
-const sea_model bolan_sea_model_textures = {CASCADES_MODEL, .create = create, .shown_time = shown_time};
+const sea_model bolan_sea_model_textures = {CASCADES_MODEL, .create = create, .size = size, .shown_time = shown_time};

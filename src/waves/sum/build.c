@@ -231,10 +231,18 @@ static void set_lift(sea_shared *shared) {
 
 // ---- all of it ------------------------------------------------------------------------------------------------------
 
+static size_t waves_bytes(uint32_t count) {
+    return count * (sizeof(sum_wave) + sizeof(bolan_sea_component) + 2 * sizeof(double));
+}
+
+size_t bolan_sum_table_bytes(const sum_cut *cut) {
+    return sizeof(sea_sum) + waves_bytes(cut->lines * cut->directions);
+}
+
 static bool reserve_waves(sea_memory *memory, uint32_t count, sea_sum *sum) {
-    const size_t each = sizeof(sum_wave) + sizeof(bolan_sea_component) + 2 * sizeof(double);
-    char *next = bolan_sea_reserve(memory, count * each);
+    char *next = bolan_sea_reserve(memory, waves_bytes(count));
     if (!next) return false;
+    sum->tables.capacity = count;
     sum->tables.wave = (sum_wave *)(void *)next;
     sum->component = (bolan_sea_component *)(void *)(sum->tables.wave + count);
     sum->turns = (double *)(void *)(sum->component + count);

@@ -30,16 +30,23 @@ sum_fields_function *bolan_sum_fields_for(bolan_cpu cpu) {
 
 static double fraction(double x) { return x - floor(x); }
 
-static bool create_cosines(sea_shared *shared, const spectrum_eval *eval) {
-    const bolan_sea_desc *d = &shared->desc;
-    const sum_cut cut = {false, d->cosines.frequencies, d->cosines.directions, d->cosines.split};
+// EXP_COSINE has one direction each, and so as many frequencies as waves.
+static sum_cut cut_of(const bolan_sea_desc *d) {
+    if (d->waves == BOLAN_WAVES_EXP_COSINE)
+        return (sum_cut){true, d->exp_cosine.wave_count, 1, BOLAN_SPLIT_EQUAL_ENERGY};
+    return (sum_cut){false, d->cosines.frequencies, d->cosines.directions, d->cosines.split};
+}
+
+static bool create(sea_shared *shared, const spectrum_eval *eval) {
+    const sum_cut cut = cut_of(&shared->desc);
     return bolan_sum_create(shared, eval, &cut);
 }
 
-// One direction each, and so as many frequencies as waves.
-static bool create_exp_cosine(sea_shared *shared, const spectrum_eval *eval) {
-    const sum_cut cut = {true, shared->desc.exp_cosine.wave_count, 1, BOLAN_SPLIT_EQUAL_ENERGY};
-    return bolan_sum_create(shared, eval, &cut);
+static void size(sea_shared *shared, const spectrum_eval *eval, bolan_sea_bytes *bytes) {
+    (void)eval;
+    const sum_cut cut = cut_of(&shared->desc);
+    bytes->tables += bolan_sum_table_bytes(&cut);
+    bytes->fields += sizeof(sum_tables) + (size_t)cut.lines * cut.directions * sizeof(sum_wave);
 }
 
 static bool create_fields(bolan_sea *sea) {
@@ -47,8 +54,8 @@ static bool create_fields(bolan_sea *sea) {
     sum_tables *t = sea->fields = bolan_sea_reserve(&sea->memory, sizeof *t);
     if (!t) return false;
     *t = *from;
-    if (t->count == 0) return true; // a flat calm
-    t->wave = bolan_sea_reserve(&sea->memory, t->count * sizeof *t->wave);
+    t->wave =
+        bolan_sea_reserve(&sea->memory, t->capacity * sizeof *t->wave); // also in a calm: as bolan_sea_size() says
     if (t->wave) memcpy(t->wave, from->wave, t->count * sizeof *t->wave);
     return t->wave != NULL;
 }
@@ -255,10 +262,11 @@ static bolan_sea_component component(const sea_shared *shared, uint32_t index) {
     return sea_sum_of(shared)->component[index];
 }
 
-#define SUM_MODEL                                                                                                   \
-    .create_fields = create_fields, .shown_time = bolan_sea_reduced_time, .step = step, .sample_rest = sample_rest, \
-    .sample_grid = sample_grid, .sample_direct = sample_direct, .each_wave = each_wave, .slopes = slopes,           \
-    .bounds = bounds, .peak_period = peak_period, .side = side, .hash = hash_places, .component = component
+#define SUM_MODEL                                                                                         \
+    .create = create, .size = size, .create_fields = create_fields, .shown_time = bolan_sea_reduced_time, \
+    .step = step, .sample_rest = sample_rest, .sample_grid = sample_grid, .sample_direct = sample_direct, \
+    .each_wave = each_wave, .slopes = slopes, .bounds = bounds, .peak_period = peak_period, .side = side, \
+    .hash = hash_places, .component = component
 
-const sea_model bolan_sea_model_cosines = {SUM_MODEL, .form = BOLAN_FORM_COSINES, .create = create_cosines};
-const sea_model bolan_sea_model_exp_cosine = {SUM_MODEL, .form = BOLAN_FORM_EXP_COSINES, .create = create_exp_cosine};
+const sea_model bolan_sea_model_cosines = {SUM_MODEL, .form = BOLAN_FORM_COSINES};
+const sea_model bolan_sea_model_exp_cosine = {SUM_MODEL, .form = BOLAN_FORM_EXP_COSINES};

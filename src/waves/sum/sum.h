@@ -45,6 +45,7 @@ typedef struct sum_line {
 // All that the kernels read: bolan_sea.fields.
 typedef struct sum_tables {
     uint32_t count;
+    uint32_t capacity; // waves that memory was reserved for
     bool exponential;
     float sharpness_8th, mean; // s / 8, I0(s)
     sum_wave *wave;            // longest first
@@ -75,6 +76,8 @@ typedef struct sum_cut {
 } sum_cut;
 // Writes shared->tables and the one band. False when memory is short.
 bool bolan_sum_create(sea_shared *shared, const spectrum_eval *eval, const sum_cut *cut);
+// Memory of shared->tables [bytes].
+size_t bolan_sum_table_bytes(const sum_cut *cut);
 // Cuts the spectrum into `count` frequencies; none in a flat calm. False when memory is short.
 bool bolan_sum_set_lines(const spectrum_eval *eval, uint32_t count, bolan_frequency_split split, sea_sum *out);
 
