@@ -10,7 +10,8 @@
 /// - the active texture unit, and textures (2D, 3D, 2D array) and samplers of units 0 to 24;
 /// - viewports, scissors and depth ranges of all viewports (arrays of them on desktop OpenGL);
 /// - blend switch, function and equation, and colour mask, of each draw buffer; logic op, dither, sRGB switch;
-/// - depth test, function, mask, clear value and clamp, clip control, clip distances, depth bounds test, stencil test;
+/// - depth test, function, mask, clear value and clamp, clip control, clip distances, depth bounds test, stencil test,
+///   function and operations;
 /// - cull face, front face, polygon mode (both of the compatibility profile's), offset, smoothing and stipple, line
 ///   width, provoking vertex;
 /// - sample coverage, sample mask, sample shading, alpha to coverage and to one, alpha test, rasterizer discard,
@@ -284,8 +285,13 @@ typedef struct bolan_host {
     /// the water or reflected in it, and the depth buffer of the framebuffer alone hides it.
     uint32_t color;
     /// GL name of a 2D texture with the scene's window depth, made with the view's projection and a depth range of
-    /// [0,1]. Both may be attached to the view's framebuffer. Of a multisampled framebuffer: resolved copies.
+    /// [0,1]. Both may be attached to the view's framebuffer.
     uint32_t depth;
+    /// Samples a pixel of `color` and `depth`; 0 (default) or 1: 2D textures.
+    /// More: multisampled 2D textures, of which the farthest sample of a pixel is read, so that the water reaches under
+    /// every edge of the host's objects. OpenGL ES 3.0 has none: there draw with resolved copies, whose edges may show
+    /// what stood behind the water.
+    uint32_t samples;
     /// Lower left corner of the view's rectangle in these textures and the mask [px]; default 0, 0.
     uint32_t x, y;
     /// The host's radiance over Bolan's, where the sun's irradiance in space is 1 at normal incidence; 0 (default): 1.
@@ -293,6 +299,9 @@ typedef struct bolan_host {
     double radiance;
     /// GL name of a 2D texture: no water where its red is above 0.5, as inside a hull. 0 (default): water everywhere.
     uint32_t mask;
+    /// No water where the framebuffer's stencil equals `stencil` in the bits of `stencil_mask`, sample by sample.
+    /// The stencil is read and not written. A `stencil_mask` of 0 (default): the stencil has no effect.
+    uint8_t stencil, stencil_mask;
     /// Corners of the polygon in which the water lies, in the world [m], in either sense; borrowed for the call.
     /// The surface is cut where it crosses the sides.
     const bolan_dvec2 *bounds;
@@ -309,7 +318,8 @@ BOLAN_API bolan_host bolan_host_default(void);
 /// convention of the view's projection: less-or-equal, or greater-or-equal where depth is reversed.
 /// The host's scene is refracted, absorbed and mirrored (screen-space) through its two textures.
 /// @p host may be NULL: the defaults.
-/// `samples` is not used: draw with `jitter`, or into a multisampled framebuffer.
+/// bolan_view::samples is not used: draw with `jitter`, or into a multisampled framebuffer, where each sample has its
+/// own test and the water one colour a pixel.
 /// Several waters: prepare one and draw it, then the next.
 /// No step prepared, a view, texture or polygon that is none, no current context: nothing is drawn, and the log says
 /// why, once.

@@ -319,7 +319,7 @@ void bolan_renderer_draw_water(bolan_renderer *r, const bolan_view *view, const 
                               "draw_water: no step is prepared; call bolan_renderer_prepare() before");
         return;
     }
-    if (!bolan_view_is_valid(r, view) || !bolan_host_is_valid(r, given)) return;
+    if (!bolan_view_is_valid(r, view) || !bolan_host_is_valid(r, given, view->framebuffer)) return;
     bolan_renderer_enter(r);
     if (bolan_view_has_framebuffer(r, view)) {
         bolan_renderer_accept(r, CALL_DRAW);

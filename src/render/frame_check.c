@@ -64,16 +64,29 @@ bool bolan_view_has_framebuffer(bolan_renderer *r, const bolan_view *v) {
     return bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GL_TARGET, "draw: framebuffer %u %s", v->framebuffer, problem);
 }
 
-static const char *host_problem(const bolan_host *h) {
-    if (h->color != 0 && !bolan_gl_is_2d(h->color)) return "color is no 2D texture of this context";
-    if (h->depth != 0 && !bolan_gl_is_2d(h->depth)) return "depth is no 2D texture of this context";
+static const char *scene_problem(const bolan_host *h, const gl_caps *caps) {
     if ((h->color == 0) != (h->depth == 0)) return "color and depth are not both given, or both left out";
+    if (h->color == 0) return NULL;
+    if (h->samples <= 1) {
+        if (!bolan_gl_is_2d(h->color)) return "color is no 2D texture of this context, and samples is not above 1";
+        return bolan_gl_is_2d(h->depth) ? NULL : "depth is no 2D texture of this context, and samples is not above 1";
+    }
+    if (caps->es) return "samples is above 1, and OpenGL ES 3.0 has no multisampled textures: resolve them first";
+    if (!bolan_gl_is_multisampled(h->color)) return "color is no multisampled 2D texture, and samples is above 1";
+    return bolan_gl_is_multisampled(h->depth) ? NULL : "depth is no multisampled 2D texture, and samples is above 1";
+}
+
+static const char *host_problem(const bolan_host *h, const gl_caps *caps, uint32_t framebuffer) {
+    const char *problem = scene_problem(h, caps);
+    if (problem != NULL) return problem;
+    if (h->stencil_mask != 0 && !bolan_gl_has_stencil(framebuffer))
+        return "stencil_mask is not 0, and the view's framebuffer has no stencil";
     if (h->mask != 0 && !bolan_gl_is_2d(h->mask)) return "mask is no 2D texture of this context";
     return bolan_bounds_problem(h->bounds, h->bounds_count);
 }
 
-bool bolan_host_is_valid(bolan_renderer *r, const bolan_host *h) {
-    const char *problem = host_problem(h);
+bool bolan_host_is_valid(bolan_renderer *r, const bolan_host *h, uint32_t framebuffer) {
+    const char *problem = host_problem(h, &r->caps, framebuffer);
     return problem == NULL ||
            bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GUEST_FRAME, "draw_water: the host's %s", problem);
 }

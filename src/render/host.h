@@ -6,7 +6,8 @@
 #include "view.h"
 
 typedef struct host_frame {
-    gl_program import, resolve[2], tonemap[2]; // without and with a mask
+    gl_program import[2];              // of 2D and of multisampled textures; ES has the first alone
+    gl_program resolve[2], tonemap[2]; // without and with a mask
     gl_sampler sampler; // nearest texels, no comparison, whatever the host's texture says
 } host_frame;
 
@@ -16,7 +17,7 @@ typedef struct host_depth {
 } host_depth;
 host_depth bolan_host_depth_of(const bolan_view *view);
 
-bolan_result bolan_host_create(host_frame *h);
+bolan_result bolan_host_create(const gl_caps *caps, host_frame *h);
 bolan_result bolan_host_reload(host_frame *h);
 // Fills the view's target with the host's scene.
 void bolan_host_import(host_frame *h, const render_view *v, const bolan_view *to, const bolan_host *host);

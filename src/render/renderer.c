@@ -22,7 +22,7 @@ static bolan_result create_passes(bolan_renderer *r) {
     if (result == BOLAN_OK) result = bolan_pass_water_create(r->desc.quality, r->desc.max_vertices, &r->water);
     if (result == BOLAN_OK) result = bolan_planar_views_create(&r->mirror);
     if (result == BOLAN_OK) result = bolan_pass_tonemap_create(&r->caps, &r->tonemap);
-    if (result == BOLAN_OK) result = bolan_host_create(&r->host);
+    if (result == BOLAN_OK) result = bolan_host_create(&r->caps, &r->host);
     if (result == BOLAN_OK) result = bolan_blocks_create(&r->uniforms);
     return result;
 }

@@ -104,7 +104,7 @@ void bolan_renderer_accept(bolan_renderer *r, renderer_call call);
 bool bolan_step_is_valid(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting);
 bool bolan_view_is_valid(bolan_renderer *r, const bolan_view *view);
 bool bolan_view_has_framebuffer(bolan_renderer *r, const bolan_view *v);
-// Whether the host's textures and polygon can be used; if not, the log says why.
-bool bolan_host_is_valid(bolan_renderer *r, const bolan_host *host);
+// Whether the host's textures, stencil and polygon can be used; if not, the log says why.
+bool bolan_host_is_valid(bolan_renderer *r, const bolan_host *host, uint32_t framebuffer);
 
 #endif

@@ -229,6 +229,14 @@ typedef struct gl_saved {
 void bolan_gl_save(gl_saved *s, const gl_caps *caps, bool debug);
 void bolan_gl_restore(const gl_saved *s);
 
+// Leaves out what the stencil of a framebuffer excludes: see bolan_host::stencil. What is set comes back with end().
+typedef struct gl_stencil {
+    int32_t function[2], reference[2], mask[2], operations[2][3]; // front, back
+} gl_stencil;
+void bolan_gl_stencil_begin(gl_stencil *saved, uint8_t reference, uint8_t mask);
+void bolan_gl_stencil_end(const gl_stencil *saved);
+bool bolan_gl_has_stencil(uint32_t framebuffer);
+
 // ---- textures and programs of the host's ----
 typedef struct gl_sampler {
     uint32_t id;
@@ -241,6 +249,10 @@ bool bolan_gl_is_cube(uint32_t name); // a cube map of this context
 uint32_t bolan_gl_cube_bind(uint32_t name, const gl_sampler *sampler, uint32_t unit);
 void bolan_gl_cube_unbind(uint32_t before, uint32_t unit);
 bool bolan_gl_is_2d(uint32_t name); // a 2D texture of this context
+bool bolan_gl_is_multisampled(uint32_t name); // a multisampled one; false on ES
+// Binds a multisampled texture, and returns what was bound; bolan_gl_multisampled_unbind() puts that back.
+uint32_t bolan_gl_multisampled_bind(uint32_t name, uint32_t unit);
+void bolan_gl_multisampled_unbind(uint32_t before, uint32_t unit);
 void bolan_gl_guest_texture_bind(uint32_t name, uint32_t unit, const gl_sampler *sampler); // 2D; NULL: no sampler
 
 // NULL: this context has `count` texture units from `first` on, and this uniform buffer slot. Else the reason.

@@ -100,3 +100,65 @@ void bolan_gl_cube_unbind(uint32_t before, uint32_t unit) {
     glBindSampler(unit, 0);
     (void)swap_cube(before);
 }
+
+static GLuint swap_multisampled(GLuint name) {
+    GLint before = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D_MULTISAMPLE, &before);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, name);
+    return (GLuint)before;
+}
+
+bool bolan_gl_is_multisampled(uint32_t name) {
+    return !bolan_gl_is_es() && is_texture(name, GL_TEXTURE_2D_MULTISAMPLE);
+}
+
+uint32_t bolan_gl_multisampled_bind(uint32_t name, uint32_t unit) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    return swap_multisampled(name);
+}
+
+void bolan_gl_multisampled_unbind(uint32_t before, uint32_t unit) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    (void)swap_multisampled(before);
+}
+
+// ---- the stencil of a framebuffer -----------------------------------------------------------------------------------
+
+static const GLenum sides[2] = {GL_FRONT, GL_BACK};
+
+void bolan_gl_stencil_begin(gl_stencil *s, uint8_t reference, uint8_t mask) {
+    static const GLenum names[2][6] = {{GL_STENCIL_FUNC, GL_STENCIL_REF, GL_STENCIL_VALUE_MASK, GL_STENCIL_FAIL,
+                                        GL_STENCIL_PASS_DEPTH_FAIL, GL_STENCIL_PASS_DEPTH_PASS},
+                                       {GL_STENCIL_BACK_FUNC, GL_STENCIL_BACK_REF, GL_STENCIL_BACK_VALUE_MASK,
+                                        GL_STENCIL_BACK_FAIL, GL_STENCIL_BACK_PASS_DEPTH_FAIL,
+                                        GL_STENCIL_BACK_PASS_DEPTH_PASS}};
+    for (int i = 0; i < 2; ++i) {
+        glGetIntegerv(names[i][0], &s->function[i]);
+        glGetIntegerv(names[i][1], &s->reference[i]);
+        glGetIntegerv(names[i][2], &s->mask[i]);
+        for (int k = 0; k < 3; ++k) glGetIntegerv(names[i][3 + k], &s->operations[i][k]);
+    }
+    glEnable(GL_STENCIL_TEST);
+    glStencilFuncSeparate(GL_FRONT_AND_BACK, GL_NOTEQUAL, reference, mask);
+    glStencilOpSeparate(GL_FRONT_AND_BACK, GL_KEEP, GL_KEEP, GL_KEEP);
+}
+
+void bolan_gl_stencil_end(const gl_stencil *s) {
+    glDisable(GL_STENCIL_TEST);
+    for (int i = 0; i < 2; ++i) {
+        const GLint *o = s->operations[i];
+        glStencilFuncSeparate(sides[i], (GLenum)s->function[i], s->reference[i], (GLuint)s->mask[i]);
+        glStencilOpSeparate(sides[i], (GLenum)o[0], (GLenum)o[1], (GLenum)o[2]);
+    }
+}
+
+bool bolan_gl_has_stencil(uint32_t framebuffer) {
+    GLint before = 0, object = GL_NONE;
+    if (framebuffer != 0 && !glIsFramebuffer(framebuffer)) return false;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, framebuffer != 0 ? GL_STENCIL_ATTACHMENT : GL_STENCIL,
+                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &object);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)before);
+    return object != GL_NONE;
+}

@@ -12,7 +12,8 @@
 // In every OpenGL 3.3 and OpenGL ES 3.0.
 #define GL_NEEDED(X)                                                                                                   \
     X(ActiveTexture)                                                                                                   \
-    X(DeleteSamplers) X(GenSamplers) X(IsTexture) X(SamplerParameteri)                                                 \
+    X(DeleteSamplers) X(GenSamplers) X(IsTexture) X(SamplerParameteri) X(StencilFuncSeparate)                          \
+    X(StencilOpSeparate)                                                                                               \
     X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) X(BindFramebuffer) X(BindSampler)               \
         X(BindTexture) X(BindVertexArray) X(BlendEquation) X(BlendEquationSeparate) X(BlendFunc) X(BlendFuncSeparate)  \
             X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) X(ClearColor)         \
@@ -283,6 +284,10 @@ bool bolan_gl_has_extension(const char *name);
 #define glScissorIndexedv bolan_gl_functions.ScissorIndexedv
 #undef glShaderSource
 #define glShaderSource bolan_gl_functions.ShaderSource
+#undef glStencilFuncSeparate
+#define glStencilFuncSeparate bolan_gl_functions.StencilFuncSeparate
+#undef glStencilOpSeparate
+#define glStencilOpSeparate bolan_gl_functions.StencilOpSeparate
 #undef glTexImage2D
 #define glTexImage2D bolan_gl_functions.TexImage2D
 #undef glTexImage3D
