@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file render.h
-/// Tier 4, library bolan_render. Draws a scene with OpenGL 3.3 core or OpenGL ES 3.0 in the caller's
-/// context, or in a headless one made here.
+/// Tier 4, library bolan_render. Draws worlds, or the water alone, with OpenGL 3.3 core or OpenGL ES 3.0 in the
+/// caller's context, or in one of render_context.h.
 ///
-/// **A guest in your frame.** Each function here that touches your context leaves this state as it found it, whatever
-/// it was:
-/// - framebuffer bindings, program, vertex array, buffers bound for vertices, uniforms, pixels and queries, uniform
-///   slots 0 and 1;
+/// **State.** Each function here that touches your context leaves this state as it found it, whatever it was:
+/// - framebuffer bindings, program, vertex array;
+/// - buffers bound for vertices, uniforms, pixels and queries, uniform slots 0 to 4;
 /// - the active texture unit, and textures (2D, 3D, 2D array) and samplers of units 0 to 24;
 /// - viewports, scissors and depth ranges of all viewports (arrays of them on desktop OpenGL);
 /// - blend switch, function and equation, and colour mask, of each draw buffer; logic op, dither, sRGB switch;
@@ -16,25 +15,25 @@
 ///   width, provoking vertex;
 /// - sample coverage, sample mask, sample shading, alpha to coverage and to one, alpha test, rasterizer discard,
 ///   primitive restart, clear colour, colour clamping, pixel store, pixel transfer;
-/// - transform feedback, which is paused meanwhile (OpenGL 3.3 without ARB_transform_feedback2 cannot pause it: end it
-///   first).
+/// - transform feedback, which is paused meanwhile. OpenGL 3.3 without ARB_transform_feedback2 cannot pause it: end it
+///   before.
 ///
-/// It asks for no error flag: an error of yours that is pending stays for you to find. What it refuses it logs, and
-/// leaves no error behind, unless the driver itself runs out of memory.
+/// **Errors of OpenGL.** No function asks for the error flag: an error of yours that is pending stays for you to find.
+/// What a function refuses it logs, and it leaves no error behind, unless the driver itself runs out of memory.
 ///
-/// A query of yours that is open goes on and counts what is drawn here. Between glBeginConditionalRender() and
-/// glEndConditionalRender() nothing here may be called: OpenGL does not tell whether it would draw. A program that you
-/// deleted while it is in use is lost.
+/// **Queries.** A query of yours that is open goes on and counts what is drawn here.
+/// Call nothing between glBeginConditionalRender() and glEndConditionalRender(): OpenGL does not tell whether it would
+/// draw.
+/// A program that you deleted while it is in use is lost.
 ///
-/// **What a view does to your framebuffer.** bolan_renderer_draw_world() overwrites the view's rectangle of its first
-/// draw buffer with the whole picture: sky, land, objects and water, alpha 1. It neither reads nor writes your depth
-/// and stencil. Nothing outside the rectangle is touched.
+/// **Threads.** All calls of one renderer belong on the thread where its context is current.
 ///
-/// All calls of one renderer must be made on the thread where its context is current. The calls of a frame (draw, read,
-/// show) return nothing: what they refuse they leave undone, and log it once, not in each frame.
+/// **Frames.** The calls of a frame (prepare, draw, read, show) return nothing. What they refuse they leave undone, and
+/// the log says why, once.
 #ifndef BOLAN_RENDER_H
 #define BOLAN_RENDER_H
 
+#include "bolan/render_context.h"
 #include "bolan/scene.h"
 #include "bolan/tiles.h"
 #include "bolan/water.h"
@@ -44,62 +43,48 @@
 extern "C" {
 #endif
 
-// ---- a headless context ---------------------------------------------------------------------------------------------
-
-/// Desktop OpenGL (core profile) or OpenGL ES.
-typedef enum bolan_gl_api { BOLAN_GL_CORE, BOLAN_GL_ES } bolan_gl_api;
-/// An OpenGL context of our own, without a window. Belongs to one thread at a time.
-typedef struct bolan_context bolan_context;
-/// A context without a window (EGL surfaceless), made current on this thread. GL: when there is none.
-BOLAN_API bolan_result bolan_context_create(bolan_gl_api api, bolan_context **out);
-/// Makes it current on this thread.
-BOLAN_API void bolan_context_make_current(bolan_context *context);
-/// NULL-safe; NULLs. Whatever was made in it must be gone before.
-BOLAN_API void bolan_context_destroy(bolan_context **context);
-/// Name, version and so on of the current context: static strings, "" without one.
-typedef struct bolan_gl_info {
-    const char *renderer, *vendor, *version, *shading_language;
-    bool software, clip_control;
-    /// Largest picture that the context can draw at once [px], each way; a view has at most 16384. 0 without a context.
-    uint32_t max_picture;
-} bolan_gl_info;
-/// Asks the context that is current on this thread.
-BOLAN_API bolan_gl_info bolan_gl_get_info(void);
-
-/// Called after each step of a preparation that takes a while: @p done of @p total steps.
-typedef void bolan_progress(void *user, uint32_t done, uint32_t total);
-
 // ---- the renderer ---------------------------------------------------------------------------------------------------
 
-/// The programs, tables and targets that draw scenes in one context.
+/// The programs, tables and targets that draw in one context.
 typedef struct bolan_renderer bolan_renderer;
 
 /// How a renderer is made.
 typedef struct bolan_renderer_desc {
-    bolan_quality quality; ///< default MEDIUM
-    /// Most vertices of the water on BOLAN_SURFACE_PROJECTED, 1024..1000000, whatever the quality and the picture's
-    /// size; 0 (default): as the quality has it. Raised: smaller triangles, down to what the quality asks for
+    /// Default MEDIUM.
+    bolan_quality quality;
+    /// Most vertices of the water on BOLAN_SURFACE_PROJECTED, 1024..1000000, whatever the quality and the size of the
+    /// image. 0 (default): as the quality has it. Raised: smaller triangles, down to what the quality asks for.
     uint32_t max_vertices;
-    /// NULL (default): built-in shaders. Else shaders are read from there, and again by bolan_renderer_reload().
+    /// Folder from which shaders are read, and again by bolan_renderer_reload(). NULL (default): the built-in shaders.
     /// Copied; at most 1023 characters.
     const char *shader_directory;
-    bool no_clip_control; ///< true: take the fallback path even where clip control exists (tests)
-    bool force_timers;    ///< true: use GPU timers even on software OpenGL, where their times mean little (tests)
-    /// true: log the driver's debug messages while a call of this renderer runs. Your own callback gets them too, and
-    /// is the only one again afterwards. False (default): debug output is left alone.
+    /// True: the path without clip control is taken also where the context has it, for tests. Default false.
+    bool no_clip_control;
+    /// True: GPU timers are used also on software OpenGL, where their times mean little, for tests. Default false.
+    bool force_timers;
+    /// True: the driver's debug messages are logged while a call of this renderer runs. A callback of yours gets them
+    /// too, and is the only one again afterwards. False (default): debug output is left alone.
     bool debug;
 } bolan_renderer_desc;
 
-/// The defaults named beside the fields.
+/// The defaults named above.
+/// Thread-safe.
 BOLAN_API bolan_renderer_desc bolan_renderer_desc_default(void);
-/// Needs a current context. Errors: GL (no context, one older than OpenGL 3.3 or OpenGL ES 3.0, a shader that does not
-/// compile), ARGUMENT (a field out of range: the log names it), UNSUPPORTED (OpenGL ES without float targets), MEMORY.
-/// *out is NULL after an error.
+
+/// Makes a renderer in the current context.
+/// @param out receives the renderer; NULL after an error.
+/// Errors: GL (no context, one older than OpenGL 3.3 or OpenGL ES 3.0, a shader that does not compile), ARGUMENT (a
+/// field out of range), UNSUPPORTED (OpenGL ES without float targets), MEMORY.
 BOLAN_API bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out);
-/// NULL-safe; NULLs. The context must be current. Without any, the log says so and only the memory of the processor is
-/// released: that of the GPU goes with its context.
+
+/// Releases the renderer.
+/// The context must be current. Without one the log says so, and only the memory of the CPU is released: that of the
+/// GPU goes with its context.
+/// NULL-safe; NULLs the pointer.
 BOLAN_API void bolan_renderer_destroy(bolan_renderer **renderer);
-/// Compiles the shaders again from shader_directory; on an error the old ones stay and GL is returned.
+
+/// Compiles all shaders again from shader_directory, those of its view caches too.
+/// Errors: GL (a shader that does not compile; the old programs stay).
 BOLAN_API bolan_result bolan_renderer_reload(bolan_renderer *renderer);
 
 // ---- light from your engine -----------------------------------------------------------------------------------------
@@ -152,7 +137,8 @@ typedef struct bolan_haze {
     /// Extinction [1/m], >= 0; for BOLAN_HAZE_GIVEN.
     bolan_vec3 extinction;
 } bolan_haze;
-// ---- a step: prepared once, drawn from any number of views -------------------------------------------------------------
+
+// ---- a step: prepared once, drawn from any number of views ----------------------------------------------------------
 
 /// How the water and the world are lit and shaded.
 typedef struct bolan_lighting {
@@ -173,12 +159,13 @@ typedef struct bolan_lighting {
 /// The sky, technique and shading options of bolan_scene_default().
 /// Thread-safe.
 BOLAN_API bolan_lighting bolan_lighting_default(void);
-/// Those of @p scene.
+
+/// The sky, technique and shading options of @p scene.
 /// Thread-safe.
 BOLAN_API bolan_lighting bolan_lighting_from_scene(const bolan_scene *scene);
 
-/// Seas whose fields a renderer keeps on the GPU. The fields of a further sea take the place of those that were prepared
-/// the longest time ago.
+/// Seas whose fields a renderer keeps on the GPU.
+/// The fields of a further sea take the place of those that were prepared the longest time ago.
 #define BOLAN_KEPT_SEAS 4
 
 /// Takes a step of the water: uploads its fields unless those of the same serial are on the GPU already.
@@ -191,15 +178,34 @@ BOLAN_API bolan_lighting bolan_lighting_from_scene(const bolan_scene *scene);
 BOLAN_API void bolan_renderer_prepare(bolan_renderer *renderer, const bolan_water *water,
                                       const bolan_lighting *lighting);
 
+/// Called after each step of a preparation that takes a while: @p done of @p total steps.
+typedef void bolan_progress(void *user, uint32_t done, uint32_t total);
+
+/// Compiles the programs that views of this water with this lighting can need, whatever their eye: over the open sea
+/// and over ground, in a world and in a host's frame, with and without bounds.
+/// Without this call each of them is compiled by the first view that can need it.
+/// @param progress is called after each program; may be NULL. @p user is handed to it.
+/// Errors: GL (no current context, a shader that does not compile), ARGUMENT (as bolan_renderer_prepare() refuses),
+/// MEMORY.
+BOLAN_API bolan_result bolan_renderer_compile(bolan_renderer *renderer, const bolan_water *water,
+                                              const bolan_lighting *lighting, bolan_progress *progress, void *user);
+
 // ---- a view ---------------------------------------------------------------------------------------------------------
 
 /// What belongs to one eye: tables of the sky, clouds, the tree of the ground, the shore map.
 /// Views whose eyes are far apart need one each, or they make these anew for each picture.
+/// Its programs are the renderer's: a cache costs memory and no compilation.
 /// Belongs to its renderer and to its context.
 typedef struct bolan_view_cache bolan_view_cache;
-/// Makes an empty cache. Errors: GL, MEMORY. *out is NULL after an error.
+
+/// Makes an empty cache.
+/// @param out receives the cache; NULL after an error.
+/// Errors: GL, MEMORY.
 BOLAN_API bolan_result bolan_view_cache_create(bolan_renderer *renderer, bolan_view_cache **out);
-/// NULL-safe; NULLs. The context must be current. Call it before the renderer is destroyed.
+
+/// Releases the cache.
+/// The context must be current. Call it before the renderer is destroyed.
+/// NULL-safe; NULLs the pointer.
 BOLAN_API void bolan_view_cache_destroy(bolan_view_cache **cache);
 
 /// What is written into the framebuffer.
@@ -238,9 +244,10 @@ typedef struct bolan_view {
     /// This picture is the rectangle at x, y (from the lower left) of a whole picture of that size [px]; default all
     /// 0: it is the whole.
     /// Sky and water of tiles are those of the whole to one level of 255.
-    /// Reflections of land and objects, refraction, glow and half-rate shading read the image round a pixel: overlap the
-    /// tiles by a guard band of BOLAN_TILE_STEP, twice that with glow (from BOLAN_QUALITY_HIGH on), and cut it off.
-    /// Let x and y be multiples of BOLAN_TILE_STEP. A reflection of what stands outside tile and guard is that of the sky.
+    /// Reflections of land and objects, refraction, glow and half-rate shading read the image round a pixel: overlap
+    /// the tiles by a guard band of BOLAN_TILE_STEP, twice that with glow (from BOLAN_QUALITY_HIGH on), and cut it off.
+    /// Let x and y be multiples of BOLAN_TILE_STEP. A reflection of what stands outside tile and guard is that of the
+    /// sky.
     struct bolan_view_tile {
         uint32_t x, y, whole_width, whole_height;
     } tile;
@@ -261,20 +268,23 @@ typedef struct bolan_view {
 /// The defaults named above, 10 m over the datum, looking north with a vertical field of view of 50 degrees.
 /// Thread-safe.
 BOLAN_API bolan_view bolan_view_default(void);
+
 /// The view of @p camera into a picture of that size, into the window.
 /// Thread-safe.
 BOLAN_API bolan_view bolan_view_from_camera(const bolan_camera *camera, uint32_t width, uint32_t height);
 
-// ---- a whole world ---------------------------------------------------------------------------------------------------
+// ---- a whole world --------------------------------------------------------------------------------------------------
 
 /// Prepares the step of @p world and draws all of it, sky, ground, objects and water, from @p view.
 /// An unchanged step is not uploaded again, so that any number of views may follow.
+/// The view's rectangle of the first draw buffer is overwritten with sky, land, objects and water, alpha 1. Depth and
+/// stencil of your framebuffer are neither read nor written, and nothing outside the rectangle is touched.
 /// The eye is never moved: bolan_world_clear_eye() keeps one out of the waves.
 /// After the first frames nothing is allocated unless the size, the ground or the sea changes.
 /// A view or framebuffer that cannot be drawn, no current context: nothing is drawn, and the log says why, once.
 BOLAN_API void bolan_renderer_draw_world(bolan_renderer *renderer, const bolan_world *world, const bolan_view *view);
 
-// ---- into a host's frame ----------------------------------------------------------------------------------------------
+// ---- into a host's frame --------------------------------------------------------------------------------------------
 
 /// Most corners of bolan_host::bounds.
 #define BOLAN_MAX_BOUNDS 64
@@ -325,22 +335,32 @@ BOLAN_API bolan_host bolan_host_default(void);
 /// why, once.
 BOLAN_API void bolan_renderer_draw_water(bolan_renderer *renderer, const bolan_view *view, const bolan_host *host);
 
-/// Whether the last frame showed something that was baked for another light. Only the optics MIRROR bakes: loops of its
-/// waves with the light on the bottom. It bakes them when a frame with another sea, water or mode is prepared, and again
-/// when the sun has turned by 8 degrees. A view with bolan_view.progressive never bakes for the sun: it keeps the old
-/// light, and this returns true.
+// ---- baked light ----------------------------------------------------------------------------------------------------
+
+/// Whether the last frame showed something that was baked for another light.
+/// Only the optics MIRROR bakes: loops of its waves with the light on the bottom.
+/// It bakes them when a frame with another sea, water or mode is prepared, and again when the sun has turned by 8
+/// degrees. A view with bolan_view.progressive never bakes for the sun: it keeps the old light, and this returns true.
 BOLAN_API bool bolan_renderer_needs_baking(const bolan_renderer *renderer);
+
 /// Lets the next view bake, which takes up to some seconds.
 BOLAN_API void bolan_renderer_bake(bolan_renderer *renderer);
 
-/// Radiance and distance of the last picture. @p rgb: linear radiance before the tone map, relative to a sun irradiance
-/// of 1 in space at normal incidence; the mean over the picture's samples. @p distance: from the eye along the view
-/// axis, at the middle of the pixel [m]; infinity is the sky. Row 0 at the top. Each pointer may be NULL; the buffers
-/// hold width * height * 3 and width * height floats. Before the first picture, or without a context, they are left
-/// alone (logged once). Memory is allocated only when the picture has grown since the last reading.
+// ---- reading back ---------------------------------------------------------------------------------------------------
+
+/// Reads radiance and distance of the last view.
+/// @param rgb linear radiance before the tone map, relative to a sun irradiance of 1 in space at normal incidence; the
+/// mean over the view's samples. width * height * 3 floats, or NULL.
+/// @param distance from the eye along the view axis, at the middle of the pixel [m]; infinity is the sky.
+/// width * height floats, or NULL.
+/// Row 0 is at the top.
+/// Before the first view, or without a context, the buffers are left alone, logged once.
+/// Allocates only where the view is larger than all that were read before.
 BOLAN_API void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, float *distance);
-/// The 8-bit picture of @p framebuffer, row 0 at the top: width * height * 3 bytes. It must be complete, with one
-/// sample a pixel and colours that can be read as bytes; else @p rgb is left alone (logged once).
+
+/// Reads the 8-bit image of @p framebuffer, row 0 at the top: width * height * 3 bytes.
+/// A framebuffer that is not complete, has several samples a pixel or holds integers: @p rgb is left alone, logged
+/// once.
 BOLAN_API void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, uint32_t width, uint32_t height,
                                         uint8_t *rgb);
 
@@ -374,30 +394,24 @@ BOLAN_API bolan_result bolan_renderer_link_fields(bolan_renderer *renderer, uint
 BOLAN_API void bolan_renderer_bind_fields(bolan_renderer *renderer, const bolan_water *water, bolan_dvec3 origin,
                                           uint32_t first_unit, uint32_t slot);
 
-/// An off-screen colour target of 8-bit sRGB values for callers without one.
-typedef struct bolan_target bolan_target;
-/// Makes a target of @p width x @p height pixels, 1..16384 each, in the current context. Errors: ARGUMENT (another
-/// size), GL (as for a renderer), MEMORY. *out is NULL after an error.
-BOLAN_API bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out);
-/// Its GL framebuffer name, for bolan_view::framebuffer.
-BOLAN_API uint32_t bolan_target_framebuffer(const bolan_target *target);
-/// Copies the picture into the whole of @p framebuffer (GL name; 0 is the window), which is @p width x @p height
-/// pixels, scaled with bilinear filtering where the sizes differ. A framebuffer that cannot be drawn into, or a size
-/// that is not 1..16384 each way: nothing is copied (logged once).
-BOLAN_API void bolan_target_show(bolan_target *target, uint32_t framebuffer, uint32_t width, uint32_t height);
-/// NULL-safe; NULLs. The context must be current; see bolan_renderer_destroy().
-BOLAN_API void bolan_target_destroy(bolan_target **target);
+// ---- measuring ------------------------------------------------------------------------------------------------------
 
-#define BOLAN_MAX_PASSES 16 ///< of a frame
-/// Time of each pass of the last finished frame [ms], while @ref bolan_renderer_measure_passes is on; else 0. With
-/// several samples, of one of them.
+/// Most passes of a frame.
+#define BOLAN_MAX_PASSES 16
+
+/// What a frame was made of.
 typedef struct bolan_frame_statistics {
+    /// How many entries of `passes` are filled.
     uint32_t pass_count;
+    /// Name of each pass, and its time [ms] while bolan_renderer_measure_passes() is on; else 0. With several samples,
+    /// of one of them.
     struct {
         const char *name;
         double ms;
     } passes[BOLAN_MAX_PASSES];
-    uint32_t triangles; ///< all that were submitted
+    /// Triangles that were submitted.
+    uint32_t triangles;
+    /// Triangles of the water.
     uint32_t water_triangles;
     /// Shader programs compiled by this renderer since it was created. It rises when a frame of another technique, sea
     /// or ground is prepared, and stays while only the view changes.
@@ -408,14 +422,17 @@ typedef struct bolan_frame_statistics {
     /// Bytes of those uploads.
     uint64_t upload_bytes;
 } bolan_frame_statistics;
-/// Measures the time of each pass; default off. By GPU timestamps, which disturb no query of yours, are some frames old
-/// when they come, and are never waited for; without them (software OpenGL, OpenGL ES) by glFinish() after each pass,
-/// which slows the frame.
+
+/// Switches measuring the time of each pass on or off; default off.
+/// GPU timestamps are used where there are any: they disturb no query of yours, are some frames old when they come, and
+/// are never waited for. Without them (software OpenGL, OpenGL ES) glFinish() after each pass slows the frame.
 BOLAN_API void bolan_renderer_measure_passes(bolan_renderer *renderer, bool on);
-/// Of the last finished frame.
+
+/// The statistics of the last finished frame.
 BOLAN_API bolan_frame_statistics bolan_renderer_statistics(const bolan_renderer *renderer);
-/// The yardstick of the benchmarks: a full-screen pass of 6 bilinear RGBA16F look-ups at this size, mean of @p repeats
-/// [ms].
+
+/// The yardstick of the benchmarks: a full-screen pass of 6 bilinear RGBA16F fetches at this size.
+/// Returns the mean time of @p repeats passes [ms].
 BOLAN_API double bolan_renderer_yardstick(bolan_renderer *renderer, uint32_t width, uint32_t height, uint32_t repeats);
 
 #ifdef __cplusplus

@@ -140,7 +140,7 @@ const float OLD_OPACITY = 0.55;                       // of old foam beside fres
 
 // The mask of crests, 0..1. `rise`: of the mean water's surface here [m]; toward: horizontal direction to the eye.
 float crest_mask(crest_pixel p, wave_fields w, float rise, vec2 toward) {
-    if (look_by_the_paper > 0.5)
+    if (to_the_letter > 0.5)
         return clamp(10.0 * length(vec3(p.position.xy - p.rest, rise)) / peak_length, 0.0, 1.0);
     float high = clamp(HIGH_MEAN + HIGH_RISE * rise / max(significant_height, 0.2), 0.0, 1.0);
     float pinched = clamp(PINCH_MEAN + PINCH_RISE * (1.0 - w.jacobian), 0.0, 1.0);
@@ -154,7 +154,7 @@ vec3 crest_light(float mask, vec3 view, vec3 sunlight) {
     float towards = ahead * ahead;
     towards *= towards * ahead; // ^5
     float across = (1.0 - view.z * view.z) * mask;
-    if (look_by_the_paper > 0.5) return PAPER_SUN * towards * across * PAPER_TINT * sunlight / PI;
+    if (to_the_letter > 0.5) return PAPER_SUN * towards * across * PAPER_TINT * sunlight / PI;
     float path = clamp(PATH_HEIGHTS * significant_height, 0.5, 5.0);
     // forward scattering, most of it within 40 degrees; the rest, from all around, lights every thin crest a little
     return (GLOW_FORWARD * towards + GLOW_AROUND) * across * exp(-path * water_attenuation) *

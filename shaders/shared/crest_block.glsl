@@ -6,4 +6,5 @@ float fresh_edge;             // variance that softens the edge of breaking cres
 float old_edge;               // variance that softens the edge of old foam
 float slopes_beyond_cascades; // slope variance of the waves that no cascade has
 float memory_share;           // variance of the foam memory over that of the slopes
-vec2 crest_padding;           // the block's size is a multiple of 16 bytes
+float to_the_letter;          // 1: light and foam as the paper has them
+float crest_padding;          // the block's size is a multiple of 16 bytes

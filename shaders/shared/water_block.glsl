@@ -33,11 +33,11 @@ float look_shininess;
 float look_ambient;
 float look_diffuse;
 float look_specular;
-float look_by_the_paper;  // 1: to the letter of the technique's source
 float look_show;          // a bolan_show
 int look_effects;         // bits of bolan_effect
 int cascade_count;
 int wave_count;
 int shore_present;        // 1: there is ground
 int layer_count;
-vec2 water_padding;       // the block's size is a multiple of 16 bytes
+float water_padding_first; // the block's size is a multiple of 16 bytes
+vec2 water_padding;

@@ -26,12 +26,26 @@ static bolan_result create_aerial(atmosphere *a) {
     return result;
 }
 
-bolan_result bolan_atmosphere_create(atmosphere *a) {
-    memset(a, 0, sizeof *a);
+void bolan_atmosphere_share(atmosphere *a, const atmosphere *from) {
+    a->borrowed = true;
+    a->filled = false;
+    a->transmittance_program = from->transmittance_program;
+    a->multiple_program = from->multiple_program;
+    a->view_program = from->view_program;
+    a->aerial_program = from->aerial_program;
+}
+
+static bolan_result create_programs(atmosphere *a) {
     bolan_result result = bolan_gl_program_create("sky_transmittance", NULL, &a->transmittance_program);
     if (result == BOLAN_OK) result = bolan_gl_program_create("sky_multiple", NULL, &a->multiple_program);
     if (result == BOLAN_OK) result = bolan_gl_program_create("sky_view", NULL, &a->view_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_aerial", NULL, &a->aerial_program);
+    return result == BOLAN_OK ? bolan_gl_program_create("sky_aerial", NULL, &a->aerial_program) : result;
+}
+
+bolan_result bolan_atmosphere_create(atmosphere *a, const atmosphere *from) {
+    memset(a, 0, sizeof *a);
+    if (from != NULL) bolan_atmosphere_share(a, from);
+    bolan_result result = from != NULL ? BOLAN_OK : create_programs(a);
     if (result == BOLAN_OK) {
         result = create_table(&a->transmittance, &a->transmittance_target, SKY_TRANSMITTANCE_WIDTH,
                               SKY_TRANSMITTANCE_HEIGHT);
@@ -123,6 +137,7 @@ void bolan_atmosphere_free(atmosphere *a) {
     bolan_gl_texture_free(&a->eye_view);
     bolan_gl_texture_free(&a->sea_view);
     bolan_gl_texture_free(&a->aerial);
+    if (a->borrowed) return;
     bolan_gl_program_free(&a->transmittance_program);
     bolan_gl_program_free(&a->multiple_program);
     bolan_gl_program_free(&a->view_program);

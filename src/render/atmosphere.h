@@ -13,10 +13,14 @@ typedef struct atmosphere {
     gl_texture transmittance, multiple, eye_view, sea_view, aerial;
     gl_target transmittance_target, multiple_target, eye_view_target, sea_view_target, aerial_target[SKY_AERIAL_SLICES];
     bool filled;
+    bool borrowed; // the programs are those of another
     float visibility, cover, cloud_base, sun_height, eye_height, unit; // what the tables were made for
 } atmosphere;
 
-bolan_result bolan_atmosphere_create(atmosphere *a);
+// Shares the programs of `from`, which must live longer; NULL: makes its own.
+bolan_result bolan_atmosphere_create(atmosphere *a, const atmosphere *from);
+// Takes the programs of `from` again, which has reloaded them.
+void bolan_atmosphere_share(atmosphere *a, const atmosphere *from);
 bolan_result bolan_atmosphere_reload(atmosphere *a);
 // Refills what was not made for these uniforms, which must be bound in slot 0, with sun and eye on the lattice of
 // sky_lattice.h. True when something changed.

@@ -47,7 +47,21 @@ static bolan_result create_maps(cloud_maps *m, bolan_quality quality) {
     return result;
 }
 
-bolan_result bolan_clouds_create(clouds *c) {
+void bolan_clouds_share(clouds *c, const clouds *from) {
+    c->borrowed = true;
+    c->filled = c->noise_filled = false;
+    c->noise_program = from->noise_program;
+    c->panorama_program = from->panorama_program;
+    c->shadow_program = from->shadow_program;
+}
+
+static bolan_result create_programs(clouds *c) {
+    bolan_result result = bolan_gl_program_create("cloud_noise", NULL, &c->noise_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("cloud_panorama", NULL, &c->panorama_program);
+    return result == BOLAN_OK ? bolan_gl_program_create("cloud_shadow", NULL, &c->shadow_program) : result;
+}
+
+bolan_result bolan_clouds_create(clouds *c, const clouds *from) {
     memset(c, 0, sizeof *c);
     const gl_texture_desc noise = {.format = GL_FMT_RGBA8,
                                    .width = NOISE_SIZE,
@@ -55,9 +69,8 @@ bolan_result bolan_clouds_create(clouds *c) {
                                    .depth = NOISE_SIZE,
                                    .filter = GL_FILTER_MIPMAP_NEAREST,
                                    .wrap = GL_WRAP_REPEAT};
-    bolan_result result = bolan_gl_program_create("cloud_noise", NULL, &c->noise_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("cloud_panorama", NULL, &c->panorama_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("cloud_shadow", NULL, &c->shadow_program);
+    if (from != NULL) bolan_clouds_share(c, from);
+    bolan_result result = from != NULL ? BOLAN_OK : create_programs(c);
     if (result == BOLAN_OK) result = bolan_gl_texture_create(&noise, &c->noise);
     for (int i = 0; i < 2 && result == BOLAN_OK; i++) result = create_maps(&c->maps[i], BOLAN_QUALITY_LOW);
     if (result != BOLAN_OK) bolan_clouds_free(c);
@@ -256,6 +269,7 @@ void bolan_clouds_free(clouds *c) {
     free_maps(&c->maps[0]);
     free_maps(&c->maps[1]);
     bolan_gl_texture_free(&c->noise);
+    if (c->borrowed) return;
     bolan_gl_program_free(&c->noise_program);
     bolan_gl_program_free(&c->panorama_program);
     bolan_gl_program_free(&c->shadow_program);

@@ -25,13 +25,17 @@ typedef struct clouds {
     cloud_maps maps[2]; // what is seen, and what is in the making
     int shown;
     bool filled, noise_filled;
+    bool borrowed;         // the programs are those of another
     uint32_t strip;        // next of the one in the making; 0: nothing is
     block_values uniforms; // that the maps in the making are drawn with
 } clouds;
 
 typedef enum cloud_work { CLOUDS_KEEP, CLOUDS_ALL, CLOUDS_STRIP } cloud_work;
 
-bolan_result bolan_clouds_create(clouds *c);
+// Shares the programs of `from`, which must live longer; NULL: makes its own.
+bolan_result bolan_clouds_create(clouds *c, const clouds *from);
+// Takes the programs of `from` again, which has reloaded them.
+void bolan_clouds_share(clouds *c, const clouds *from);
 bolan_result bolan_clouds_reload(clouds *c);
 // What this frame must do: nothing, make the maps at once, or one strip of new ones. Strips are for progressive frames,
 // where a moving eye never waits, unless it is the first frame, another sky or a jump. Sets c->uniforms.

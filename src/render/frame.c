@@ -39,21 +39,41 @@ bolan_lighting bolan_lighting_default(void) {
 }
 
 // `world`: objects and tiles are drawn too; NULL: the water alone.
+static frame step_of(const bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting,
+                     const bolan_world *world) {
+    const bolan_scene *scene = world != NULL ? bolan_world_scene(world) : NULL;
+    frame f = {.caps = &r->caps,
+               .quality = r->desc.quality,
+               .water = *water,
+               .sea = water->sea,
+               .ground = water->ground,
+               .level = water->level,
+               .lighting = *lighting,
+               .scene = scene,
+               .models = world != NULL ? bolan_world_object_models(world) : NULL,
+               .tiles = world != NULL ? bolan_world_tiles(world) : NULL};
+    f.behind = water->ground != NULL || (scene != NULL && scene->object_count > 0);
+    bolan_frame_fill(&f);
+    return f;
+}
+
+bolan_result bolan_renderer_compile(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting,
+                                    bolan_progress *progress, void *user) {
+    const bool given = r != NULL && water != NULL && water->sea != NULL && lighting != NULL;
+    BOLAN_ASSERT(given);
+    if (!given) return BOLAN_ERROR_ARGUMENT;
+    if (!bolan_gl_has_context()) return bolan_gl_check_context("compile");
+    if (!bolan_step_is_valid(r, water, lighting)) return BOLAN_ERROR_ARGUMENT;
+    const frame f = step_of(r, water, lighting, NULL);
+    bolan_renderer_enter(r);
+    const bolan_result result = bolan_pass_water_compile(r->water, &f, progress, user);
+    bolan_renderer_leave(r);
+    return result;
+}
+
 static void prepare(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting,
                     const bolan_world *world) {
-    const bolan_scene *scene = world != NULL ? bolan_world_scene(world) : NULL;
-    r->frame = (frame){.caps = &r->caps,
-                       .quality = r->desc.quality,
-                       .water = *water,
-                       .sea = water->sea,
-                       .ground = water->ground,
-                       .level = water->level,
-                       .lighting = *lighting,
-                       .scene = scene,
-                       .models = world != NULL ? bolan_world_object_models(world) : NULL,
-                       .tiles = world != NULL ? bolan_world_tiles(world) : NULL};
-    r->frame.behind = water->ground != NULL || (scene != NULL && scene->object_count > 0);
-    bolan_frame_fill(&r->frame);
+    r->frame = step_of(r, water, lighting, world);
     begin_part(r, PART_SEA);
     bolan_pass_water_prepare(r->water, &r->frame);
     end_part(r, PART_SEA);
@@ -78,11 +98,6 @@ void bolan_renderer_prepare(bolan_renderer *r, const bolan_water *water, const b
 
 // ---- a picture ------------------------------------------------------------------------------------------------------
 
-static void use_view(bolan_renderer *r, render_view *v) {
-    bolan_view_fill(v);
-    bolan_blocks_upload_view(&r->uniforms, &v->block);
-}
-
 static void use_frame(bolan_renderer *r) {
     bolan_frame_fill(&r->frame);
     bolan_blocks_upload_frame(&r->uniforms, &r->frame.block);
@@ -91,11 +106,11 @@ static void use_frame(bolan_renderer *r) {
 // Everything that does not depend on the sub-pixel shift.
 static void prepare_view(bolan_renderer *r, render_view *v, bolan_view_cache *cache) {
     use_frame(r);
-    use_view(r, v);
+    bolan_view_use(v);
     begin_part(r, PART_SKY_TABLES);
     bolan_pass_sky_prepare(cache->sky, v);
     end_part(r, PART_SKY_TABLES);
-    use_view(r, v); // the light is known now
+    bolan_view_use(v); // the light is known now
     bolan_blocks_bind(&r->uniforms);
     bolan_pass_ground_prepare(cache->ground, v);
     v->shore = bolan_pass_ground_shore(cache->ground);
@@ -125,66 +140,43 @@ static void draw_opaque(bolan_renderer *r, render_view *v, bolan_view_cache *cac
 
 // What lies behind the water, for an optics that looks through it.
 static void copy_behind(bolan_renderer *r, const render_view *v) {
-    bolan_gl_target_copy_color(&r->hdr, &r->behind);
-    bolan_gl_target_copy_depth(&r->hdr, &r->behind);
-    bolan_gl_texture_bind(&r->behind_color, UNIT_SCENE_COLOR);
-    bolan_gl_texture_bind(&r->behind_depth, UNIT_SCENE_DEPTH);
+    bolan_gl_target_copy_color(&r->targets.hdr, &r->targets.behind);
+    bolan_gl_target_copy_depth(&r->targets.hdr, &r->targets.behind);
+    bolan_gl_texture_bind(&r->targets.behind_color, UNIT_SCENE_COLOR);
+    bolan_gl_texture_bind(&r->targets.behind_depth, UNIT_SCENE_DEPTH);
     bolan_gl_target_bind(&v->hdr);
 }
 
-static void draw_picture(bolan_renderer *r, render_view *m, bolan_view_cache *cache, bool sky) {
-    const bolan_vec4 b = m->background;
-    use_view(r, m);
-    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
-    bolan_gl_target_bind(&m->hdr);
-    bolan_gl_target_clear_color(b.x, b.y, b.z, b.w);
-    bolan_gl_target_clear_depth(0.0f);
-    draw_land(r, m, cache);
-    if (m->mirrored_under)
-        bolan_planar_views_draw_body(r->mirror);
+typedef struct drawn_world {
+    bolan_renderer *renderer;
+    bolan_view_cache *cache;
+} drawn_world;
+
+static void draw_world(void *user, render_view *v, bool sky) {
+    const drawn_world *w = user;
+    draw_land(w->renderer, v, w->cache);
+    if (v->mirrored_under)
+        bolan_pass_water_draw_body(w->renderer->water, v->frame);
     else if (sky)
-        bolan_pass_sky_draw(cache->sky, m);
+        bolan_pass_sky_draw(w->cache->sky, v);
 }
 
-// What the water mirrors, and what shines through it, each as a picture.
-static void draw_mirrors(bolan_renderer *r, render_view *v, bolan_view_cache *cache) {
-    if (!bolan_planar_views_fit(r->mirror, v)) return;
-    render_view above = bolan_planar_views_reflect(r->mirror, v), below = bolan_planar_views_refract(r->mirror, v);
-    const bolan_look *look = &v->frame->lighting.look;
-    // A margin for blurred fetches at the horizon; what is mirrored there is the haze.
-    bolan_gl_clip_rows(bolan_pass_water_rows(v) * above.hdr.height / v->hdr.height + 64);
-    if (look->effects & BOLAN_EFFECT_REFLECTION) draw_picture(r, &above, cache, bolan_pass_water_mirrors_sky(v));
-    if (look->effects & BOLAN_EFFECT_REFRACTION) draw_picture(r, &below, cache, false);
-    bolan_gl_clip_rows(0);
-    if (!look->paper) bolan_planar_views_finish(r->mirror);
-    use_view(r, v);
-    bolan_planar_views_bind(r->mirror);
-}
-
-static void light_water(bolan_renderer *r, render_view *v) {
-    render_view sparse = bolan_pass_half_rate(r->water, v);
-    const bool fewer = sparse.shade_columns > 1.0f;
-    if (fewer) use_view(r, &sparse);
-    bolan_gl_target_bind(&sparse.hdr);
-    bolan_pass_water_draw(r->water, &sparse);
-    v->triangles = sparse.triangles;
-    v->water_triangles = sparse.water_triangles;
-    if (!fewer) return;
-    use_view(r, v);
-    bolan_pass_water_lay(r->water, v);
+static void draw_behind(bolan_renderer *r, render_view *v, bolan_view_cache *cache) {
+    drawn_world w = {r, cache};
+    begin_part(r, PART_MIRROR);
+    bolan_pass_water_behind(r->water, v, &(world_drawer){draw_world, &w});
+    end_part(r, PART_MIRROR);
 }
 
 static void draw_water(bolan_renderer *r, render_view *v, bolan_view_cache *cache) {
-    const bool water = !v->without_water, mirrors = water && bolan_pass_water_mirrors(v);
+    const frame *f = v->frame;
     begin_part(r, PART_COPY);
     // Clouds below a high eye are laid over by the depth of the land.
-    if (water && v->frame->behind && (!mirrors || v->light.above_clouds)) copy_behind(r, v);
+    if (f->behind && (bolan_pass_water_looks_through(f) || v->light.above_clouds)) copy_behind(r, v);
     end_part(r, PART_COPY);
-    begin_part(r, PART_MIRROR);
-    if (mirrors) draw_mirrors(r, v, cache);
-    end_part(r, PART_MIRROR);
+    draw_behind(r, v, cache);
     begin_part(r, PART_WATER);
-    if (water) light_water(r, v);
+    bolan_pass_water_draw(r->water, v);
     end_part(r, PART_WATER);
 }
 
@@ -192,7 +184,7 @@ static void draw_water(bolan_renderer *r, render_view *v, bolan_view_cache *cach
 static void draw_sky(bolan_renderer *r, render_view *v, bolan_view_cache *cache) {
     begin_part(r, PART_SKY);
     if (v->under) {
-        bolan_planar_views_draw_body(r->mirror);
+        bolan_pass_water_draw_body(r->water, v->frame);
     } else {
         bolan_pass_sky_draw(cache->sky, v);
         bolan_pass_sky_draw_over(cache->sky, v);
@@ -215,12 +207,12 @@ static void draw_sample(bolan_renderer *r, const render_view *whole, const bolan
                         uint32_t sample) {
     render_view v = *whole;
     bolan_view_shift(&v, sample_shift(to->samples - 1 - sample));
-    use_view(r, &v);
+    bolan_view_use(&v);
     draw_opaque(r, &v, cache);
-    draw_water(r, &v, cache);
+    if (!v.without_water) draw_water(r, &v, cache);
     draw_sky(r, &v, cache);
     begin_part(r, PART_TONEMAP);
-    bolan_pass_tonemap_draw(r->tonemap, &v, to, &r->hdr_color, sample);
+    bolan_pass_tonemap_draw(r->tonemap, &v, to, &r->targets.hdr_color, sample);
     end_part(r, PART_TONEMAP);
     keep_statistics(r, &v);
 }
@@ -231,13 +223,14 @@ static bool open_view(bolan_renderer *r, render_view *v, const bolan_view *from)
     if (bolan_renderer_resize(r, from->width, from->height) != BOLAN_OK) return false;
     if (r->caps.clip_control) bolan_gl_set_clip_zero_to_one(zero_to_one);
     bolan_view_open(v, f, from, zero_to_one);
-    v->hdr = r->hdr;
-    v->hdr_depth = &r->hdr_depth;
+    v->hdr = r->targets.hdr;
+    v->hdr_depth = &r->targets.hdr_depth;
+    v->depth_serial = r->targets.serial;
     v->bake = !v->progressive || r->bake;
     r->bake = false;
-    v->under = v->picture = v->eye.z < f->level && bolan_pass_water_seen_from_below(f);
-    // The paper names the fog as work to come, so above the water its mode has none.
-    v->fog = f->lighting.look.effects & BOLAN_EFFECT_FOG && (v->under || !f->lighting.look.paper);
+    v->under = v->picture = v->eye.z < f->level && bolan_optics_seen_from_below(f->lighting.technique.optics);
+    v->fog = f->lighting.look.effects & BOLAN_EFFECT_FOG;
+    v->uniforms = &r->uniforms;
     r->near_plane = v->near_distance;
     r->radiance_unit = f->block.radiance_unit;
     return true;
@@ -286,13 +279,11 @@ static void draw_hosted(bolan_renderer *r, const bolan_view *to, const bolan_hos
     prepare_view(r, &v, cache);
     if (host->bounds_count > 0 && !bolan_bounds_upload(&r->bounds, host->bounds, host->bounds_count, v.eye)) return;
     begin_hosted(r, &v, to, host);
-    begin_part(r, PART_MIRROR);
-    if (bolan_pass_water_mirrors(&v)) draw_mirrors(r, &v, cache);
-    end_part(r, PART_MIRROR);
+    draw_behind(r, &v, cache);
     begin_part(r, PART_WATER);
-    light_water(r, &v);
-    bolan_gl_texture_bind(&r->behind_depth, UNIT_SCENE_DEPTH);
-    bolan_host_resolve(&r->host, &v, to, host, &r->hdr_color);
+    bolan_pass_water_draw(r->water, &v);
+    bolan_gl_texture_bind(&r->targets.behind_depth, UNIT_SCENE_DEPTH);
+    bolan_host_resolve(&r->host, &v, to, host, &r->targets.hdr_color);
     end_part(r, PART_WATER);
     keep_statistics(r, &v);
 }

@@ -100,10 +100,12 @@ typedef struct pass_sky pass_sky;         // atmosphere tables, sky, clouds, env
 typedef struct pass_ground pass_ground;   // land and sea bed; the shore map
 typedef struct pass_objects pass_objects; // the scene's objects
 typedef struct pass_water pass_water;
-typedef struct planar_views planar_views; // pictures of what the water mirrors and refracts
 typedef struct pass_tonemap pass_tonemap;
 
-bolan_result bolan_pass_sky_create(const gl_caps *caps, pass_sky **out);
+// Shares the programs of `from`, which must live longer; NULL: makes its own.
+bolan_result bolan_pass_sky_create(const gl_caps *caps, const pass_sky *from, pass_sky **out);
+// Takes the programs of `from` again, which has reloaded them, and makes its tables anew.
+void bolan_pass_sky_share(pass_sky *p, const pass_sky *from);
 void bolan_pass_sky_prepare(pass_sky *p,
                             render_view *v); // tables (when stale), sun_light, sky_light, exposure; binds its units
 void bolan_pass_sky_draw(pass_sky *p, const render_view *v); // where depth is 0 (nothing drawn)
@@ -112,7 +114,8 @@ void bolan_pass_sky_draw_over(pass_sky *p,
 bolan_result bolan_pass_sky_reload(pass_sky *p);
 void bolan_pass_sky_destroy(pass_sky **p);
 
-bolan_result bolan_pass_ground_create(const gl_caps *caps, pass_ground **out);
+bolan_result bolan_pass_ground_create(const gl_caps *caps, const pass_ground *from, pass_ground **out); // as the sky
+void bolan_pass_ground_share(pass_ground *p, const pass_ground *from);
 void bolan_pass_ground_prepare(pass_ground *p, render_view *v); // chunks of this view, shore map; binds its units
 void bolan_pass_ground_draw(pass_ground *p, render_view *v);
 bolan_result bolan_pass_ground_reload(pass_ground *p);
@@ -126,38 +129,30 @@ void bolan_pass_objects_draw(
 bolan_result bolan_pass_objects_reload(pass_objects *p);
 void bolan_pass_objects_destroy(pass_objects **p);
 
+// Draws the world for the water's optics, into the view's target: land and objects and, where `sky`, the sky behind.
+typedef struct world_drawer {
+    void (*draw)(void *user, render_view *v, bool sky);
+    void *user;
+} world_drawer;
+
 bolan_result bolan_pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out);
+// Compiles every program that views of this step can need, in a world and in a host's frame, with and without bounds.
+bolan_result bolan_pass_water_compile(pass_water *p, const frame *f, bolan_progress *progress, void *user);
 void bolan_pass_water_prepare(pass_water *p, frame *f);    // uploads the fields of a new serial
 void bolan_pass_water_view(pass_water *p, render_view *v); // the surface of a view
-void bolan_pass_water_draw(pass_water *p, render_view *v); // reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH
-// A copy of the frame that targets the half-rate buffer, or the frame as it is.
-render_view bolan_pass_half_rate(pass_water *p, const render_view *v);
-void bolan_pass_water_lay(pass_water *p, render_view *v); // upsamples that buffer into the frame
-bool bolan_pass_water_mirrors(const render_view *v);      // its optics looks up the pictures of planar_views
-bool bolan_pass_water_mirrors_sky(const render_view *v);  // and the sky in them
-bool bolan_pass_water_seen_from_below(const frame *f);    // its optics has a picture for an eye under water
-void bolan_pass_water_cover(
-    pass_water *p,
-    render_view *v); // puts the depth of two triangles first, so that nothing behind them is shaded
-uint32_t bolan_pass_water_rows(const render_view *v); // from the bottom of the picture, that can show water
+bool bolan_pass_water_looks_through(const frame *f);       // its optics fetches what lies behind the water
+bool bolan_pass_water_mirrors(const frame *f);             // its optics fetches planar views
+// Puts the depth of two triangles first, so that nothing behind them is shaded.
+void bolan_pass_water_cover(pass_water *p, render_view *v);
+// Draws the planar views, where its optics has any: before bolan_pass_water_draw().
+void bolan_pass_water_behind(pass_water *p, render_view *v, const world_drawer *world);
+// Shades the water into the view; reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH.
+void bolan_pass_water_draw(pass_water *p, render_view *v);
+// The water round an eye in it, where the depth is 0.
+void bolan_pass_water_draw_body(pass_water *p, const frame *f);
 bool bolan_pass_water_needs_baking(const pass_water *p, const frame *f); // and was not asked to
 bolan_result bolan_pass_water_reload(pass_water *p);
 void bolan_pass_water_destroy(pass_water **p);
-
-bolan_result bolan_planar_views_create(planar_views **out);
-bool bolan_planar_views_fit(planar_views *p, const render_view *v); // false: it cannot be had (logged)
-render_view
-bolan_planar_views_reflect(planar_views *p,
-                           const render_view *v); // this frame, seen in the water: draw what is above it into its hdr
-render_view
-bolan_planar_views_refract(planar_views *p,
-                           const render_view *v); // this frame, through the water: draw what is below it into its hdr
-double bolan_planar_views_share(const render_view *v); // of the frame's width and height that the pictures have
-void bolan_planar_views_finish(planar_views *p);       // both are drawn
-void bolan_planar_views_bind(const planar_views *p);
-void bolan_planar_views_draw_body(const planar_views *p); // the water itself round an eye in it, where depth is 0
-bolan_result bolan_planar_views_reload(planar_views *p);
-void bolan_planar_views_destroy(planar_views **p);
 
 bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);
 // Into the rectangle of `to`.

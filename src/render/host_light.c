@@ -10,9 +10,11 @@ bolan_environment bolan_environment_default(void) {
         .turn = bolan_m4_identity(), .sun_direction = {0.0f, 0.0f, 1.0f}, .sky_irradiance = {-1.0f, 0.0f, 0.0f}};
 }
 
-bolan_result bolan_host_light_create(host_light *p) {
+bolan_result bolan_host_light_create(host_light *p, const host_light *from) {
     bolan_gl_sampler_create(&p->sampler, true);
-    return bolan_gl_program_create("host_environment", NULL, &p->program);
+    p->borrowed = from != NULL;
+    if (from != NULL) p->program = from->program;
+    return from != NULL ? BOLAN_OK : bolan_gl_program_create("host_environment", NULL, &p->program);
 }
 
 static bool is_same(bolan_vec3 a, bolan_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
@@ -37,7 +39,7 @@ void bolan_host_light_draw(host_light *p, const bolan_environment *e, uint32_t u
 }
 
 void bolan_host_light_free(host_light *p) {
-    bolan_gl_program_free(&p->program);
+    if (!p->borrowed) bolan_gl_program_free(&p->program);
     bolan_gl_sampler_free(&p->sampler);
 }
 

@@ -8,11 +8,13 @@
 
 typedef struct host_light {
     gl_program program;
+    bool borrowed; // the program is that of another
     gl_sampler sampler;
     bolan_environment drawn; // what the environment map was made of; cube 0: Bolan's own sky
 } host_light;
 
-bolan_result bolan_host_light_create(host_light *p);
+// Shares the program of `from`, which must live longer; NULL: makes its own.
+bolan_result bolan_host_light_create(host_light *p, const host_light *from);
 // Whether `drawn` is another light, or other contents of the same cube.
 bool bolan_host_light_is_new(const host_light *p, const bolan_environment *e);
 // Draws the cube into the bound target, a square of the environment map.

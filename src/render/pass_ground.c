@@ -9,6 +9,8 @@
 #include "shore_map.h"
 #include "sky_lattice.h"
 
+#include <string.h>
+
 // Chunks with smaller texels [m] show the grain of 16 m period.
 #define FINEST_GRAIN 0.8
 
@@ -23,6 +25,7 @@ typedef struct gpu_chunk {
 
 struct pass_ground {
     gl_program programs[2][2]; // [picture][near]: near for chunks whose texels resolve the finest grain
+    bool borrowed;             // the programs are those of another
     gl_buffer indices;
     gl_texture noise;
     shore_builder shore;
@@ -76,7 +79,12 @@ static bolan_result create_noise(pass_ground *p) {
     return r;
 }
 
-bolan_result bolan_pass_ground_create(const gl_caps *caps, pass_ground **out) {
+void bolan_pass_ground_share(pass_ground *p, const pass_ground *from) {
+    p->borrowed = true;
+    memcpy(p->programs, from->programs, sizeof p->programs);
+}
+
+bolan_result bolan_pass_ground_create(const gl_caps *caps, const pass_ground *from, pass_ground **out) {
     (void)caps;
     *out = NULL;
     pass_ground *p = allocate_for("the pass of the ground", sizeof *p);
@@ -85,7 +93,8 @@ bolan_result bolan_pass_ground_create(const gl_caps *caps, pass_ground **out) {
     }
     static const char *const defines[] = {NULL, "NEAR 1\n", "PICTURE 1\n", "NEAR 1\nPICTURE 1\n"};
     bolan_result r = BOLAN_OK;
-    for (int i = 0; i < 4 && r == BOLAN_OK; i++) {
+    if (from != NULL) bolan_pass_ground_share(p, from);
+    for (int i = 0; i < 4 && from == NULL && r == BOLAN_OK; i++) {
         r = bolan_gl_program_create("ground", defines[i], &p->programs[i / 2][i % 2]);
     }
     r = r == BOLAN_OK ? create_indices(p) : r;
@@ -123,7 +132,7 @@ void bolan_pass_ground_destroy(pass_ground **pass) {
     bolan_shore_builder_free(&p->shore);
     bolan_gl_texture_free(&p->noise);
     bolan_gl_buffer_free(&p->indices);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4 && !p->borrowed; i++) {
         bolan_gl_program_free(&p->programs[i / 2][i % 2]);
     }
     bolan_release(p->vertices, CHUNK_VERTICES * 3 * sizeof(float));
@@ -214,7 +223,7 @@ static tree_view view_of(const pass_ground *p, const render_view *view) {
         .eye = view->eye,
         .view_projection = view->block.view_projection,
         .mirrored = bolan_m4_mul(view->block.view_projection, mirror),
-        .mirrors = bolan_pass_water_mirrors(view),
+        .mirrors = bolan_pass_water_mirrors(view->frame),
         .pixel = view->block.radians_per_pixel,
         .water_level = view->frame->level,
         .sun = bolan_chunk_sun_from(bolan_sky_lattice_direction(view->frame->sun_direction, SHADOW_STEP)),

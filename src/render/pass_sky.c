@@ -15,17 +15,34 @@ enum { ENVIRONMENT_SIZE = 512, ENVIRONMENT_LEVELS = 8, LIGHT_PIXELS = 4 };
 // The two parts of the background are drawn with one mesh: first a rectangle, then the same in columns.
 enum { COLUMNS = 8, CORNERS = 2 * (COLUMNS + 1), RECTANGLE_INDICES = 6, INDICES = RECTANGLE_INDICES * (COLUMNS + 1) };
 
+// The programs of the background, and what each defines.
+enum {
+    SKY,
+    SKY_BELOW,
+    SKY_PANORAMA,
+    SKY_SUN,
+    SKY_OVER,
+    SKY_ENVIRONMENT,
+    SKY_PREFILTER,
+    SKY_LIGHT,
+    SKY_PROGRAMS
+};
+static const char *const sky_sources[SKY_PROGRAMS][2] = {
+    [SKY] = {"sky", NULL},           [SKY_BELOW] = {"sky", "BELOW 1\n"}, [SKY_PANORAMA] = {"sky_panorama", NULL},
+    [SKY_SUN] = {"sky_sun", NULL},   [SKY_OVER] = {"sky_over", NULL},    [SKY_ENVIRONMENT] = {"sky_environment", NULL},
+    [SKY_PREFILTER] = {"sky_prefilter", NULL}, [SKY_LIGHT] = {"sky_light", NULL}};
+
 struct pass_sky {
     atmosphere air;
     clouds clouds;
     host_light host;
-    gl_program sky_program, below_program, panorama_program;
+    gl_program programs[SKY_PROGRAMS];
+    bool borrowed; // the programs are those of another
     gl_buffer corners, indices;
     gl_mesh mesh;
     gl_texture panorama; // clear sky and clouds together
     gl_target panorama_target;
     bolan_vec3 lattice_sun; // direction to the sun that all of this was made for
-    gl_program sun_program, over_program, environment_program, prefilter_program, light_program;
     gl_texture plain, environment, light; // the environment before and after its levels are blurred
     gl_target plain_target, environment_target[ENVIRONMENT_LEVELS], light_target;
     block_buffers uniforms;           // while tables are drawn
@@ -81,7 +98,19 @@ static bolan_result create_mesh(pass_sky *p) {
     return result;
 }
 
-bolan_result bolan_pass_sky_create(const gl_caps *caps, pass_sky **out) {
+static void share_programs(pass_sky *p, const pass_sky *from) {
+    p->borrowed = true;
+    memcpy(p->programs, from->programs, sizeof p->programs);
+}
+
+void bolan_pass_sky_share(pass_sky *p, const pass_sky *from) {
+    bolan_atmosphere_share(&p->air, &from->air);
+    bolan_clouds_share(&p->clouds, &from->clouds);
+    p->host.program = from->host.program;
+    share_programs(p, from);
+}
+
+bolan_result bolan_pass_sky_create(const gl_caps *caps, const pass_sky *from, pass_sky **out) {
     *out = NULL;
     if (!caps->color_float) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_UNSUPPORTED,
@@ -90,17 +119,12 @@ bolan_result bolan_pass_sky_create(const gl_caps *caps, pass_sky **out) {
     }
     pass_sky *p = allocate_for("the sky", sizeof *p);
     if (!p) return BOLAN_ERROR_MEMORY;
-    bolan_result result = bolan_atmosphere_create(&p->air);
-    if (result == BOLAN_OK) result = bolan_clouds_create(&p->clouds);
-    if (result == BOLAN_OK) result = bolan_host_light_create(&p->host);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("sky", NULL, &p->sky_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("sky", "BELOW 1\n", &p->below_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_panorama", NULL, &p->panorama_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_sun", NULL, &p->sun_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_over", NULL, &p->over_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_environment", NULL, &p->environment_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_prefilter", NULL, &p->prefilter_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_light", NULL, &p->light_program);
+    bolan_result result = bolan_atmosphere_create(&p->air, from != NULL ? &from->air : NULL);
+    if (result == BOLAN_OK) result = bolan_clouds_create(&p->clouds, from != NULL ? &from->clouds : NULL);
+    if (result == BOLAN_OK) result = bolan_host_light_create(&p->host, from != NULL ? &from->host : NULL);
+    if (from != NULL) share_programs(p, from);
+    for (int i = 0; i < SKY_PROGRAMS && from == NULL && result == BOLAN_OK; i++)
+        result = bolan_gl_program_create(sky_sources[i][0], sky_sources[i][1], &p->programs[i]);
     if (result == BOLAN_OK) result = create_targets(p);
     if (result == BOLAN_OK) result = create_mesh(p);
     if (result != BOLAN_OK) {
@@ -115,14 +139,7 @@ bolan_result bolan_pass_sky_reload(pass_sky *p) {
     bolan_result result = bolan_atmosphere_reload(&p->air);
     if (result == BOLAN_OK) result = bolan_clouds_reload(&p->clouds);
     if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->host.program);
-    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->sky_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->below_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->panorama_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->sun_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->over_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->environment_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->prefilter_program);
-    if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->light_program);
+    for (int i = 0; i < SKY_PROGRAMS && result == BOLAN_OK; i++) result = bolan_gl_program_reload(&p->programs[i]);
     return result;
 }
 
@@ -132,7 +149,7 @@ static void draw_environment(pass_sky *p, const bolan_environment *e) {
         bolan_host_light_draw(&p->host, e, UNIT_PASS);
     } else {
         bolan_gl_texture_bind(&p->air.sea_view, UNIT_PASS);
-        bolan_gl_program_use(&p->environment_program);
+        bolan_gl_program_use(&p->programs[SKY_ENVIRONMENT]);
         bolan_gl_draw_fullscreen();
     }
     p->host.drawn = *e;
@@ -140,7 +157,7 @@ static void draw_environment(pass_sky *p, const bolan_environment *e) {
     bolan_gl_texture_bind(&p->plain, UNIT_PASS);
     for (int l = 0; l < ENVIRONMENT_LEVELS; l++) {
         bolan_gl_target_bind(&p->environment_target[l]);
-        bolan_gl_program_float(&p->prefilter_program, "level", (float)l);
+        bolan_gl_program_float(&p->programs[SKY_PREFILTER], "level", (float)l);
         bolan_gl_draw_fullscreen();
     }
 }
@@ -165,7 +182,7 @@ static void draw_panorama(pass_sky *p) {
     if (!resize_panorama(p, map->width, map->height)) return;
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_target_bind(&p->panorama_target);
-    bolan_gl_program_use(&p->panorama_program);
+    bolan_gl_program_use(&p->programs[SKY_PANORAMA]);
     bolan_gl_draw_fullscreen();
 }
 
@@ -173,7 +190,7 @@ static void draw_panorama(pass_sky *p) {
 static void measure_light(pass_sky *p) {
     bolan_gl_texture_bind(&p->plain, UNIT_ENVIRONMENT);
     bolan_gl_target_bind(&p->light_target);
-    bolan_gl_program_use(&p->light_program);
+    bolan_gl_program_use(&p->programs[SKY_LIGHT]);
     bolan_gl_draw_fullscreen();
     bolan_gl_target_read_float(&p->light_target, 0, p->measured);
 }
@@ -252,8 +269,9 @@ void bolan_pass_sky_prepare(pass_sky *p, render_view *v) {
     if (bolan_atmosphere_update(&p->air, &u)) changed = true;
     bolan_atmosphere_bind(&p->air);
     bolan_gl_texture_bind(bolan_clouds_map(&p->clouds), UNIT_CLOUDS);
-    if (changed || bolan_host_light_is_new(&p->host, e) || u.frame.sun_direction.x != p->lattice_sun.x || u.frame.sun_direction.y != p->lattice_sun.y)
-        draw_maps(p, e);
+    const bool turned =
+        u.frame.sun_direction.x != p->lattice_sun.x || u.frame.sun_direction.y != p->lattice_sun.y;
+    if (changed || turned || bolan_host_light_is_new(&p->host, e)) draw_maps(p, e);
     p->lattice_sun = u.frame.sun_direction;
     bolan_gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
     set_light(p, v);
@@ -262,21 +280,21 @@ void bolan_pass_sky_prepare(pass_sky *p, render_view *v) {
 void bolan_pass_sky_draw(pass_sky *p, const render_view *v) {
     bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
     bolan_gl_texture_bind(&p->panorama, UNIT_PASS);
-    bolan_gl_program_use(&p->sky_program);
+    bolan_gl_program_use(&p->programs[SKY]);
     bolan_gl_mesh_draw(&p->mesh, 0, RECTANGLE_INDICES);
-    bolan_gl_program_use(&p->below_program);
+    bolan_gl_program_use(&p->programs[SKY_BELOW]);
     bolan_gl_mesh_draw(&p->mesh, RECTANGLE_INDICES, INDICES - RECTANGLE_INDICES);
     if (v->frame->block.sun_direction.z < -0.1f) return; // below any horizon to 20 km
     bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true, .blend = GL_BLEND_ADD});
-    bolan_gl_program_use(&p->sun_program);
+    bolan_gl_program_use(&p->programs[SKY_SUN]);
     bolan_gl_draw_fullscreen();
 }
 
 void bolan_pass_sky_draw_over(pass_sky *p, const render_view *v) {
     if (v->block.eye_above_clouds < 0.5f || v->frame->block.cloud_cover <= 0.0f) return;
     bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_PREMULTIPLIED});
-    bolan_gl_program_use(&p->over_program);
-    bolan_gl_program_float(&p->over_program, "rise", (float)bolan_clouds_rise(&p->clouds, v));
+    bolan_gl_program_use(&p->programs[SKY_OVER]);
+    bolan_gl_program_float(&p->programs[SKY_OVER], "rise", (float)bolan_clouds_rise(&p->clouds, v));
     bolan_gl_draw_fullscreen();
 }
 
@@ -297,14 +315,7 @@ void bolan_pass_sky_destroy(pass_sky **pp) {
     bolan_gl_mesh_free(&p->mesh);
     bolan_gl_buffer_free(&p->corners);
     bolan_gl_buffer_free(&p->indices);
-    bolan_gl_program_free(&p->sky_program);
-    bolan_gl_program_free(&p->below_program);
-    bolan_gl_program_free(&p->panorama_program);
-    bolan_gl_program_free(&p->sun_program);
-    bolan_gl_program_free(&p->over_program);
-    bolan_gl_program_free(&p->environment_program);
-    bolan_gl_program_free(&p->prefilter_program);
-    bolan_gl_program_free(&p->light_program);
+    for (int i = 0; i < SKY_PROGRAMS && !p->borrowed; i++) bolan_gl_program_free(&p->programs[i]);
     bolan_blocks_free(&p->uniforms);
     bolan_release(p, sizeof *p);
     *pp = NULL;

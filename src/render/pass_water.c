@@ -2,7 +2,7 @@
 // The water: the sea's waves on the GPU (sea_gpu.c), the surface of this view (water_mesh.c), and the optics that the scene's
 // technique names (water_optics.h).
 #include "memory.h"
-#include "papers/half_rate.h"
+#include "half_rate.h"
 
 #include <string.h>
 
@@ -24,7 +24,7 @@ static const water_optics *const optics_table[BOLAN_OPTICS_KINDS] = {
     [BOLAN_OPTICS_CREST] = &bolan_optics_crest,
 };
 
-static const water_shader cover_shader = {.stem = "papers/depth_only", .reads = WATER_FEATURE_ALL};
+static const water_shader cover_shader = {.stem = "water_depth", .reads = WATER_FEATURE_ALL};
 static const water_shader edge_shader = {.stem = "wireframe", .reads = WATER_FEATURE_ALL, .defines = {"FILL 1\n"}};
 enum { EDGES_FILL = 1 };
 
@@ -66,8 +66,12 @@ bool bolan_pass_water_needs_baking(const pass_water *p, const frame *f) {
 }
 
 bolan_result bolan_pass_water_reload(pass_water *p) {
-    const bolan_result result = bolan_water_programs_reload(&p->programs);
-    return result == BOLAN_OK ? bolan_half_rate_reload(&p->sparse) : result;
+    bolan_result result = bolan_water_programs_reload(&p->programs);
+    if (result == BOLAN_OK) result = bolan_half_rate_reload(&p->sparse);
+    for (int i = 0; i < BOLAN_OPTICS_KINDS && result == BOLAN_OK; ++i)
+        if (p->state[i] != NULL && !p->failed[i] && optics_table[i]->reload != NULL)
+            result = optics_table[i]->reload(p->state[i]);
+    return result;
 }
 
 static void make_state(pass_water *p, bolan_optics_kind kind) {
@@ -90,20 +94,21 @@ static water_draw draw_of(pass_water *p, render_view *v) {
     return d;
 }
 
-bool bolan_pass_water_seen_from_below(const frame *f) {
-    return bolan_optics_seen_from_below(f->lighting.technique.optics);
+static const water_optics *optics_of(const frame *f) { return optics_table[f->lighting.technique.optics]; }
+
+static bool can_draw(const pass_water *p, const frame *f) { return !p->failed[f->lighting.technique.optics]; }
+
+bool bolan_pass_water_looks_through(const frame *f) { return optics_of(f)->looks_through; }
+
+bool bolan_pass_water_mirrors(const frame *f) {
+    const water_optics *o = optics_of(f);
+    return o->planar_mirrors && (!o->own_sky || f->behind);
 }
 
-uint32_t bolan_pass_water_rows(const render_view *v) {
-    double vertical, horizontal;
-    bolan_water_bounds(&v->frame->water, &vertical, &horizontal);
-    return bolan_water_rows(v, vertical);
-}
-
-// The world behind the water is not looked at by an optics that has pictures of it, so it need not be shaded. Two triangles cost
-// nothing to draw twice; a mesh would.
+// An optics with planar views does not look through the water at the world behind, so that need not be shaded. Two
+// triangles cost nothing to draw twice; a mesh would.
 void bolan_pass_water_cover(pass_water *p, render_view *v) {
-    if (bolan_water_surface(v) != BOLAN_SURFACE_QUAD || !bolan_pass_water_mirrors(v) ||
+    if (bolan_water_surface(v) != BOLAN_SURFACE_QUAD || !bolan_pass_water_mirrors(v->frame) ||
         bolan_water_mesh_triangles(&p->mesh) == 0)
         return;
     water_draw d = draw_of(p, v);
@@ -112,47 +117,34 @@ void bolan_pass_water_cover(pass_water *p, render_view *v) {
     bolan_water_mesh_draw(&p->mesh);
 }
 
-// Something other than water may be in the picture.
-static bool is_opaque(const render_view *v) {
-    return v->frame->hosted || v->frame->ground != NULL ||
-           (v->frame->models != NULL && v->frame->scene->object_count > 0);
-}
-
-bool bolan_pass_water_mirrors(const render_view *v) {
-    const water_optics *o = optics_table[v->frame->lighting.technique.optics];
-    return o->mirrors && (!o->own_sky || is_opaque(v));
-}
-
-bool bolan_pass_water_mirrors_sky(const render_view *v) {
-    return !optics_table[v->frame->lighting.technique.optics]->own_sky;
-}
-
 // ---- programs -------------------------------------------------------------------------------------------------------
 
-static water_setup setup_of(const render_view *v) {
-    const bolan_technique *t = &v->frame->lighting.technique;
-    const water_optics *o = optics_table[t->optics];
-    const bolan_sea *sea = v->frame->sea;
-    const bolan_wave_form form = bolan_sea_form(sea);
-    const bolan_look *look = &v->frame->lighting.look;
+static uint32_t columns_of(const frame *f) {
+    const water_optics *o = optics_of(f);
+    return o->shade_columns != NULL ? o->shade_columns(&f->lighting.look, f->quality) : 1;
+}
+
+static water_setup setup_of(const frame *f) {
+    const bolan_technique *t = &f->lighting.technique;
+    const water_optics *o = optics_of(f);
+    const bolan_wave_form form = bolan_sea_form(f->sea);
     const water_waves waves = bolan_water_waves_of(form, t->surface);
-    const bool edges = look->show == BOLAN_SHOW_MESH;
-    return (water_setup){.quality = v->frame->quality,
+    const bool edges = f->lighting.look.show == BOLAN_SHOW_MESH;
+    return (water_setup){.quality = f->quality,
                          .waves = waves,
                          .waves_below = bolan_water_waves_of(form, BOLAN_SURFACE_QUAD),
                          .surface = t->surface,
                          .below = bolan_optics_seen_from_below(t->optics),
-                         .land = v->frame->behind,
+                         .land = f->behind,
                          .static_grid =
                              o->static_grid && !edges && t->surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH,
                          .packed = o->packed,
-                         .bounds = v->frame->bounds_count > 0,
-                         .opaque = is_opaque(v),
-                         .by_the_paper = look->paper,
-                         .shares_samples = o->columns[v->frame->quality] > 1 && !look->paper,
+                         .bounds = f->bounds_count > 0,
+                         .look = &f->lighting.look,
+                         .shares_samples = columns_of(f) > 1,
                          .edges = edges,
-                         .wave_count = bolan_sea_component_count(sea),
-                         .cascades = waves == WATER_CASCADES ? bolan_sea_cascade_count(sea) : 1};
+                         .wave_count = bolan_sea_component_count(f->sea),
+                         .cascades = waves == WATER_CASCADES ? bolan_sea_cascade_count(f->sea) : 1};
 }
 
 static void list_edges(pass_water *p, const water_setup *s) {
@@ -162,19 +154,38 @@ static void list_edges(pass_water *p, const water_setup *s) {
     }
 }
 
-// Everything that frames like this one can need, wherever the eye goes.
-static void prepare_programs(pass_water *p, const render_view *v) {
-    const bolan_optics_kind kind = v->frame->lighting.technique.optics;
-    const water_optics *o = optics_table[kind];
-    const water_setup s = setup_of(v);
+// Everything that frames of this setup can need, wherever the eye goes.
+static void list_programs(pass_water *p, const frame *f, const water_setup *s) {
+    const bolan_optics_kind kind = f->lighting.technique.optics;
+    const water_optics *o = optics_of(f);
+    if (s->edges) list_edges(p, s);
+    if (!p->failed[kind]) o->list(p->state[kind], s, &p->programs);
+    if (o->planar_mirrors && s->surface == BOLAN_SURFACE_QUAD)
+        bolan_water_programs_add(&p->programs, s, false, &cover_shader, 0);
+    if (o->planar_mirrors && s->below) bolan_water_programs_add(&p->programs, s, true, &cover_shader, 0);
+    if (s->shares_samples) bolan_half_rate_prepare(&p->sparse, s, o->keeps_shape, &p->programs);
+}
+
+static void prepare_programs(pass_water *p, const frame *f) {
+    const water_setup s = setup_of(f);
     p->programs.refused = false;
-    if (s.edges) list_edges(p, &s);
-    if (!p->failed[kind]) o->list(p->state[kind], &s, &p->programs);
-    if (o->mirrors && s.surface == BOLAN_SURFACE_QUAD)
-        bolan_water_programs_add(&p->programs, &s, false, &cover_shader, 0);
-    if (o->mirrors && s.below) bolan_water_programs_add(&p->programs, &s, true, &cover_shader, 0);
-    if (s.shares_samples) bolan_half_rate_prepare(&p->sparse, &s, o->keeps_shape, &p->programs);
+    list_programs(p, f, &s);
     bolan_water_programs_compile(&p->programs, NULL, NULL);
+}
+
+bolan_result bolan_pass_water_compile(pass_water *p, const frame *f, bolan_progress *progress, void *user) {
+    water_setup s = setup_of(f);
+    make_state(p, f->lighting.technique.optics);
+    p->programs.refused = false;
+    for (int land = f->ground != NULL; land <= 1; ++land)
+        for (int bounds = 0; bounds <= 1; ++bounds) {
+            s.land = land;
+            s.bounds = bounds;
+            list_programs(p, f, &s);
+        }
+    bolan_water_programs_compile(&p->programs, progress, user);
+    if (p->programs.refused) return BOLAN_ERROR_MEMORY;
+    return can_draw(p, f) && bolan_water_programs_are_whole(&p->programs) ? BOLAN_OK : BOLAN_ERROR_GL;
 }
 
 void bolan_pass_water_prepare(pass_water *p, frame *f) {
@@ -194,9 +205,10 @@ void bolan_pass_water_view(pass_water *p, render_view *v) {
     water_draw d = draw_of(p, v);
     bolan_sea_gpu_view(&p->fields, v, d.waves);
     const bool edges = v->frame->lighting.look.show == BOLAN_SHOW_MESH; // these are made of the mesh that the CPU has
-    bolan_water_mesh_build(&p->mesh, v, bolan_water_surface(v), d.waves, o->static_grid && !edges);
+    const mesh_rules *rules = o->mesh != NULL ? o->mesh(&v->frame->lighting.look) : NULL;
+    bolan_water_mesh_build(&p->mesh, v, bolan_water_surface(v), d.waves, o->static_grid && !edges, rules);
     if (o->prepare != NULL && !p->failed[t->optics]) o->prepare(p->state[t->optics], &d);
-    prepare_programs(p, v);
+    prepare_programs(p, v->frame);
     water_block block;
     bolan_water_fill(&block, &d);
     bolan_water_blocks_upload(&p->blocks, &block);
@@ -209,26 +221,43 @@ static void draw_edges(pass_water *p, const water_draw *d) {
     if (bolan_water_program(d, &edge_shader, 0)) bolan_water_mesh_draw_edges(&p->mesh);
 }
 
-render_view bolan_pass_half_rate(pass_water *p, const render_view *v) {
-    const water_optics *o = optics_table[v->frame->lighting.technique.optics];
-    const uint32_t columns = bolan_water_mesh_triangles(&p->mesh) > 0 ? bolan_half_rate_columns(v, o->columns) : 1;
-    return bolan_half_rate_begin(&p->sparse, v, columns, o->keeps_shape, is_opaque(v));
-}
-
-void bolan_pass_water_lay(pass_water *p, render_view *v) {
-    water_draw d = draw_of(p, v);
-    bolan_half_rate_lay(&p->sparse, &d, optics_table[v->frame->lighting.technique.optics]->keeps_shape, is_opaque(v));
-}
-
-void bolan_pass_water_draw(pass_water *p, render_view *v) {
-    const bolan_optics_kind kind = v->frame->lighting.technique.optics;
-    if (bolan_water_mesh_triangles(&p->mesh) == 0 || p->failed[kind] || !p->ready) return;
+static void draw_surface(pass_water *p, render_view *v) {
     water_draw d = draw_of(p, v);
     bolan_sea_gpu_bind(&p->fields, d.waves);
     if (v->frame->lighting.look.show == BOLAN_SHOW_MESH)
         draw_edges(p, &d);
     else
-        optics_table[kind]->draw(p->state[kind], &d);
+        optics_of(v->frame)->draw(p->state[v->frame->lighting.technique.optics], &d);
     v->triangles += bolan_water_mesh_triangles(&p->mesh);
     v->water_triangles += bolan_water_mesh_triangles(&p->mesh);
+}
+
+void bolan_pass_water_behind(pass_water *p, render_view *v, const world_drawer *world) {
+    if (!bolan_pass_water_mirrors(v->frame) || !can_draw(p, v->frame)) return;
+    const water_draw d = draw_of(p, v);
+    optics_of(v->frame)->behind(p->state[v->frame->lighting.technique.optics], &d, world);
+}
+
+void bolan_pass_water_draw(pass_water *p, render_view *v) {
+    if (bolan_water_mesh_triangles(&p->mesh) == 0 || !can_draw(p, v->frame) || !p->ready) return;
+    const bool keeps_shape = optics_of(v->frame)->keeps_shape, behind = v->frame->behind;
+    const uint32_t columns = bolan_half_rate_columns(v, columns_of(v->frame));
+    render_view sparse = bolan_half_rate_begin(&p->sparse, v, columns, keeps_shape, behind);
+    if (sparse.shade_columns <= 1.0f) {
+        bolan_gl_target_bind(&v->hdr);
+        draw_surface(p, v);
+        return;
+    }
+    bolan_view_use(&sparse);
+    bolan_gl_target_bind(&sparse.hdr);
+    draw_surface(p, &sparse);
+    v->triangles = sparse.triangles;
+    v->water_triangles = sparse.water_triangles;
+    bolan_view_use(v);
+    const water_draw d = draw_of(p, v);
+    bolan_half_rate_lay(&p->sparse, &d, keeps_shape, behind);
+}
+
+void bolan_pass_water_draw_body(pass_water *p, const frame *f) {
+    if (can_draw(p, f)) optics_of(f)->draw_body(p->state[f->lighting.technique.optics]);
 }

@@ -120,6 +120,12 @@ void bolan_water_programs_compile(water_programs *all, bolan_progress *progress,
     }
 }
 
+bool bolan_water_programs_are_whole(const water_programs *all) {
+    for (uint32_t i = 0; i < all->count; ++i)
+        if (all->list[i].program.id == 0) return false;
+    return true;
+}
+
 bolan_result bolan_water_programs_reload(water_programs *all) {
     bolan_result result = BOLAN_OK;
     for (uint32_t i = 0; i < all->count && result == BOLAN_OK; ++i)

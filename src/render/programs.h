@@ -63,9 +63,8 @@ typedef struct water_setup {
     bolan_surface_kind surface;     // from above; from below it is the quad
     bool below;                     // the optics has a picture for an eye under water
     bool land, static_grid, packed, bounds; // as the features of these names
-    bool opaque;                    // something besides the water can be in the picture
-    bool by_the_paper;              // bolan_look::paper
-    bool shares_samples;            // half-rate shading: see papers/half_rate.h
+    const bolan_look *look;
+    bool shares_samples;            // half-rate shading: see half_rate.h
     bool edges;                     // BOLAN_SHOW_MESH
     uint32_t wave_count;            // exp-cosine waves
     uint32_t cascades;              // 1 to BOLAN_MAX_CASCADES
@@ -79,6 +78,8 @@ bool bolan_water_programs_add(water_programs *all, const water_setup *s, bool be
 uint32_t bolan_water_programs_missing(const water_programs *all);
 // Compiles them. `progress` may be NULL. What does not compile is logged once, and draws nothing.
 void bolan_water_programs_compile(water_programs *all, bolan_progress *progress, void *user);
+// Whether every noted variant has compiled.
+bool bolan_water_programs_are_whole(const water_programs *all);
 // The variant of a shader by which something is drawn: `features` are those of the surface and the ground.
 water_variant bolan_water_variant_of(const water_shader *shader, uint32_t own, water_waves waves, uint32_t wave_count,
                                      uint32_t features);

@@ -17,10 +17,9 @@ static bool is_size(uint32_t pixels) { return pixels >= 1 && pixels <= MOST_PIXE
 bolan_renderer_desc bolan_renderer_desc_default(void) { return (bolan_renderer_desc){.quality = BOLAN_QUALITY_MEDIUM}; }
 
 static bolan_result create_passes(bolan_renderer *r) {
-    bolan_result result = bolan_view_cache_open(&r->caps, &r->own_cache);
+    bolan_result result = bolan_view_cache_open(&r->caps, NULL, &r->own_cache);
     if (result == BOLAN_OK) result = bolan_pass_objects_create(&r->caps, &r->models);
     if (result == BOLAN_OK) result = bolan_pass_water_create(r->desc.quality, r->desc.max_vertices, &r->water);
-    if (result == BOLAN_OK) result = bolan_planar_views_create(&r->mirror);
     if (result == BOLAN_OK) result = bolan_pass_tonemap_create(&r->caps, &r->tonemap);
     if (result == BOLAN_OK) result = bolan_host_create(&r->caps, &r->host);
     if (result == BOLAN_OK) result = bolan_blocks_create(&r->uniforms);
@@ -128,7 +127,6 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     bolan_view_cache_close(&r->own_cache);
     bolan_pass_objects_destroy(&r->models);
     bolan_pass_water_destroy(&r->water);
-    bolan_planar_views_destroy(&r->mirror);
     bolan_pass_tonemap_destroy(&r->tonemap);
     bolan_host_free(&r->host);
     bolan_gl_buffer_free(&r->bounds);
@@ -148,7 +146,6 @@ static bolan_result reload_passes(bolan_renderer *r) {
                                     bolan_pass_ground_reload(r->own_cache.ground),
                                     bolan_pass_objects_reload(r->models),
                                     bolan_pass_water_reload(r->water),
-                                    bolan_planar_views_reload(r->mirror),
                                     bolan_pass_tonemap_reload(r->tonemap),
                                     bolan_host_reload(&r->host)};
     for (size_t i = 0; i < sizeof results / sizeof results[0]; ++i)
@@ -162,6 +159,7 @@ bolan_result bolan_renderer_reload(bolan_renderer *r) {
     if (result != BOLAN_OK) return result;
     bolan_renderer_enter(r);
     result = reload_passes(r);
+    for (bolan_view_cache *c = r->caches; c != NULL; c = c->next) bolan_view_cache_share(c, &r->own_cache);
     bolan_renderer_leave(r);
     return result;
 }
@@ -190,7 +188,7 @@ static void *scratch_of(bolan_renderer *r, size_t bytes) {
 static void read_radiance(bolan_renderer *r, float *scratch, float *rgb) {
     const size_t width = r->width, height = r->height;
     const uint32_t samples = bolan_pass_tonemap_read_sum(r->tonemap, scratch);
-    if (samples == 0) bolan_gl_target_read_float(&r->hdr, 0, scratch);
+    if (samples == 0) bolan_gl_target_read_float(&r->targets.hdr, 0, scratch);
     const float unit = r->radiance_unit * (float)(samples > 0 ? samples : 1);
     for (size_t j = 0; j < height; ++j)
         for (size_t i = 0; i < width; ++i)
@@ -200,7 +198,7 @@ static void read_radiance(bolan_renderer *r, float *scratch, float *rgb) {
 
 static void read_distance(bolan_renderer *r, float *scratch, float *distance) {
     const size_t width = r->width, height = r->height;
-    if (bolan_gl_depth_read(&r->depth_reader, &r->hdr_depth, scratch) != BOLAN_OK) return;
+    if (bolan_gl_depth_read(&r->depth_reader, &r->targets.hdr_depth, scratch) != BOLAN_OK) return;
     for (size_t j = 0; j < height; ++j)
         for (size_t i = 0; i < width; ++i) {
             const float depth = scratch[4 * (j * width + i)];
@@ -260,7 +258,7 @@ static double now_ms(void) {
 }
 
 static double run_yardstick(bolan_renderer *r, const gl_texture *image, uint32_t repeats) {
-    bolan_gl_target_bind(&r->hdr);
+    bolan_gl_target_bind(&r->targets.hdr);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_texture_bind(image, UNIT_PASS);
     bolan_gl_program_use(&r->yardstick);

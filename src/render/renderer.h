@@ -7,6 +7,7 @@
 #include "fields.h"
 #include "frame.h"
 #include "host.h"
+#include "kept_sizes.h"
 
 // The timed parts of a frame, in order.
 typedef enum frame_part {
@@ -41,9 +42,20 @@ struct bolan_view_cache {
     bolan_renderer *renderer;
     pass_sky *sky;
     pass_ground *ground;
+    bolan_view_cache *next; // of the renderer's caches
 };
-bolan_result bolan_view_cache_open(const gl_caps *caps, bolan_view_cache *cache);
+// Shares the programs of `from`, which must live longer; NULL: makes its own.
+bolan_result bolan_view_cache_open(const gl_caps *caps, const bolan_view_cache *from, bolan_view_cache *cache);
+// Takes the programs of `from` again, which has reloaded them.
+void bolan_view_cache_share(bolan_view_cache *cache, const bolan_view_cache *from);
 void bolan_view_cache_close(bolan_view_cache *cache);
+
+// What has the size of a view: 24 bytes a pixel.
+typedef struct frame_targets {
+    gl_texture hdr_color, hdr_depth, behind_color, behind_depth;
+    gl_target hdr, behind;
+    uint64_t serial; // of their making: GL gives names of deleted textures to new ones
+} frame_targets;
 
 struct bolan_renderer {
     bolan_renderer_desc desc;
@@ -53,19 +65,20 @@ struct bolan_renderer {
     char refusal[CALL_COUNT][REFUSAL_BYTES]; // the last sentence of each call, "" after one that was done
     frame frame;                             // the step
     bool prepared;                           // it can be drawn
-    bolan_view_cache own_cache;              // of views that bring none
+    bolan_view_cache own_cache;              // of views that bring none; all caches share its programs
+    bolan_view_cache *caches;                // made by the host
     pass_objects *models;
     pass_water *water;
-    planar_views *mirror;
     pass_tonemap *tonemap;
     host_frame host;    // pictures into a host's frame
     host_fields fields; // for programs of the host's
     gl_buffer bounds;   // the polygon of a host's water
     block_buffers uniforms;
     gl_program yardstick;
-    // targets of the present size
-    gl_texture hdr_color, hdr_depth, behind_color, behind_depth;
-    gl_target hdr, behind;
+    kept_sizes kept;
+    frame_targets sizes[KEPT_SIZES];
+    frame_targets targets; // those of the present size
+    uint64_t target_serial; // of the last that were made
     uint32_t width, height;
     // reading back
     gl_depth_reader depth_reader;

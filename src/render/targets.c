@@ -3,14 +3,13 @@
 // copy of them that the water looks through. The optics own what they keep of a shape.
 #include "renderer.h"
 
-static void free_targets(bolan_renderer *r) {
-    bolan_gl_target_free(&r->hdr);
-    bolan_gl_target_free(&r->behind);
-    bolan_gl_texture_free(&r->hdr_color);
-    bolan_gl_texture_free(&r->hdr_depth);
-    bolan_gl_texture_free(&r->behind_color);
-    bolan_gl_texture_free(&r->behind_depth);
-    r->width = r->height = 0;
+static void free_set(frame_targets *t) {
+    bolan_gl_target_free(&t->hdr);
+    bolan_gl_target_free(&t->behind);
+    bolan_gl_texture_free(&t->hdr_color);
+    bolan_gl_texture_free(&t->hdr_depth);
+    bolan_gl_texture_free(&t->behind_color);
+    bolan_gl_texture_free(&t->behind_depth);
 }
 
 static bolan_result create_target(gl_texture *color, gl_texture *depth, gl_target *target, uint32_t width,
@@ -29,18 +28,35 @@ static bolan_result create_target(gl_texture *color, gl_texture *depth, gl_targe
     return result;
 }
 
+static bolan_result create_set(frame_targets *t, uint32_t width, uint32_t height) {
+    const bolan_result result = create_target(&t->hdr_color, &t->hdr_depth, &t->hdr, width, height);
+    if (result != BOLAN_OK) return result;
+    return create_target(&t->behind_color, &t->behind_depth, &t->behind, width, height);
+}
+
 bolan_result bolan_renderer_resize(bolan_renderer *r, uint32_t width, uint32_t height) {
     if (r->width == width && r->height == height) return BOLAN_OK;
-    free_targets(r);
-    bolan_result result = create_target(&r->hdr_color, &r->hdr_depth, &r->hdr, width, height);
-    if (result == BOLAN_OK) result = create_target(&r->behind_color, &r->behind_depth, &r->behind, width, height);
+    bool fresh;
+    const uint32_t slot = bolan_kept_sizes_use(&r->kept, width, height, &fresh);
+    frame_targets *t = &r->sizes[slot];
+    uint32_t over;
+    if (fresh) free_set(t);
+    while (bolan_kept_sizes_over(&r->kept, &over)) free_set(&r->sizes[over]);
+    const bolan_result result = fresh ? create_set(t, width, height) : BOLAN_OK;
+    r->width = r->height = 0;
     if (result != BOLAN_OK) {
-        free_targets(r);
+        free_set(t);
+        bolan_kept_sizes_forget(&r->kept, slot);
         return result;
     }
+    if (fresh) t->serial = ++r->target_serial;
+    r->targets = *t;
     r->width = width;
     r->height = height;
     return BOLAN_OK;
 }
 
-void bolan_renderer_free_targets(bolan_renderer *r) { free_targets(r); }
+void bolan_renderer_free_targets(bolan_renderer *r) {
+    for (int i = 0; i < KEPT_SIZES; ++i) free_set(&r->sizes[i]);
+    r->width = r->height = 0;
+}

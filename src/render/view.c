@@ -226,3 +226,8 @@ void bolan_view_fill(render_view *v) {
     b->refraction_raise = v->clip.raise;
     b->refraction_mode = v->clip.mode;
 }
+
+void bolan_view_use(render_view *v) {
+    bolan_view_fill(v);
+    bolan_blocks_upload_view(v->uniforms, &v->block);
+}

@@ -56,9 +56,11 @@ typedef struct render_view {
     view_light light;
     bolan_vec2 caustic_place;
     view_block block;
+    block_buffers *uniforms; // where the block is uploaded
     // Targets.
     gl_target hdr; // RGBA16F colour + depth
     const gl_texture *hdr_depth;
+    uint64_t depth_serial; // of the making of that depth; 0: not the frame's
     bolan_vec4 background;               // of a picture, where nothing is drawn
     bool picture;                        // drawn for the water to read, or from under it: see clip and under
     const struct shore_map *shore;       // set by bolan_pass_ground_prepare's caller
@@ -77,5 +79,7 @@ double bolan_view_row(const render_view *v, double t);
 void bolan_view_shift(render_view *v, bolan_vec2 pixels);
 // The one function that writes the block View.
 void bolan_view_fill(render_view *v);
+// Fills the block and uploads it: what is drawn from here on is drawn from this view.
+void bolan_view_use(render_view *v);
 
 #endif

@@ -3,9 +3,15 @@
 #include "memory.h"
 #include "renderer.h"
 
-bolan_result bolan_view_cache_open(const gl_caps *caps, bolan_view_cache *cache) {
-    bolan_result result = bolan_pass_sky_create(caps, &cache->sky);
-    return result == BOLAN_OK ? bolan_pass_ground_create(caps, &cache->ground) : result;
+bolan_result bolan_view_cache_open(const gl_caps *caps, const bolan_view_cache *from, bolan_view_cache *cache) {
+    const bolan_result result = bolan_pass_sky_create(caps, from != NULL ? from->sky : NULL, &cache->sky);
+    if (result != BOLAN_OK) return result;
+    return bolan_pass_ground_create(caps, from != NULL ? from->ground : NULL, &cache->ground);
+}
+
+void bolan_view_cache_share(bolan_view_cache *cache, const bolan_view_cache *from) {
+    bolan_pass_sky_share(cache->sky, from->sky);
+    bolan_pass_ground_share(cache->ground, from->ground);
 }
 
 void bolan_view_cache_close(bolan_view_cache *cache) {
@@ -23,17 +29,24 @@ bolan_result bolan_view_cache_create(bolan_renderer *r, bolan_view_cache **out) 
     if (cache == NULL) return BOLAN_ERROR_MEMORY;
     cache->renderer = r;
     bolan_renderer_enter(r);
-    result = bolan_view_cache_open(&r->caps, cache);
+    result = bolan_view_cache_open(&r->caps, &r->own_cache, cache);
     bolan_renderer_leave(r);
-    if (result != BOLAN_OK)
-        bolan_view_cache_destroy(&cache);
-    else
-        *out = cache;
-    return result;
+    if (result != BOLAN_OK) {
+        bolan_view_cache_close(cache);
+        bolan_release(cache, sizeof *cache);
+        return result;
+    }
+    cache->next = r->caches;
+    r->caches = cache;
+    *out = cache;
+    return BOLAN_OK;
 }
 
 void bolan_view_cache_destroy(bolan_view_cache **cache) {
     if (cache == NULL || *cache == NULL) return;
+    bolan_view_cache **link = &(*cache)->renderer->caches;
+    while (*link != *cache) link = &(*link)->next;
+    *link = (*cache)->next;
     bolan_view_cache_close(*cache);
     bolan_release(*cache, sizeof **cache);
     *cache = NULL;

@@ -125,8 +125,7 @@ bolan_surface_view bolan_water_mesh_view(const render_view *v) {
     return view;
 }
 
-// ---- the three surfaces: each fills vertices, and indices where they changed; returns the number of vertices
-// ----------
+// ---- the three surfaces: each fills vertices, and indices where they changed; returns the number of vertices -----------
 
 static void upload_indices(water_mesh *m, uint32_t count) {
     bolan_gl_buffer_update(&m->indices, 0, sizeof(uint32_t) * (count + m->seam_count), m->cpu_indices);
@@ -182,30 +181,13 @@ static uint32_t fill_seams(const bolan_nested *placed, uint32_t *out) {
     return count;
 }
 
-enum { PAPER_CELLS = 32, PAPER_LEVELS = 6 };
-
-// To the letter: 6 levels of 32 cells that are fine near the eye and end three pixels below the horizon.
-static bolan_nested_desc nested_desc(const water_mesh *m, const bolan_surface_view *view, bool paper) {
-    if (!paper) return m->nested;
-    const double height = fmax(fabs(view->eye.z - view->water_level), 1.0);
-    const double dip = earth_dip(height, BOLAN_EARTH_RADIUS), pixels = 3.0 * view->fov_y / view->pixel_height;
-    return (bolan_nested_desc){PAPER_CELLS, PAPER_LEVELS, height / (dip + pixels) / (PAPER_CELLS / 2)};
-}
-
-// To see which vertices get waves, the paper's figure 5 takes a narrower view for the choice than for the picture.
-static void narrow_choice(water_mesh *m, const bolan_nested *placed, const bolan_surface_view *view) {
-    bolan_surface_view narrow = *view;
-    narrow.fov_y *= 0.5;
-    bolan_surface_nested_vertices(placed, &narrow, NULL, NULL, m->cpu_visible);
-}
-
-static uint32_t build_nested(water_mesh *m, const bolan_surface_view *view, const bolan_look *look) {
-    const bolan_nested_desc desc = nested_desc(m, view, look->paper);
+static uint32_t build_nested(water_mesh *m, const bolan_surface_view *view, const mesh_rules *rules) {
+    const bolan_nested_desc desc = rules != NULL ? rules->levels(view) : m->nested;
     bolan_nested placed = bolan_surface_nested_place(&desc, view);
     bool same = m->kind == BOLAN_SURFACE_NESTED && same_shape(&placed, &m->placed);
     m->placed = placed;
     bolan_surface_nested_vertices(&placed, view, m->cpu_rest, m->cpu_vertices, m->cpu_visible);
-    if (look->paper && look->show == BOLAN_SHOW_MESH) narrow_choice(m, &placed, view);
+    if (rules != NULL) rules->choose(m, view);
     if (!same) {
         uint32_t count = 0;
         for (uint32_t l = 0; l < placed.levels; ++l)
@@ -250,21 +232,6 @@ static void stitch_waves(water_mesh *m, uint32_t count) {
     }
 }
 
-// The paper's normals: means over the triangles round each vertex, as slopes.
-static void average_normals(water_mesh *m, uint32_t count) {
-    bolan_vec3 *positions = (bolan_vec3 *)(void *)m->cpu_rest,
-               *normals = positions + count; // free by now, and large enough
-    BOLAN_ASSERT(2 * sizeof(bolan_vec3) * count <= sizeof *m->cpu_rest * m->capacity);
-    for (uint32_t i = 0; i < count; ++i)
-        positions[i] = bolan_v3(m->cpu_vertices[i].x + m->cpu_waves[i].dx, m->cpu_vertices[i].y + m->cpu_waves[i].dy,
-                                m->cpu_vertices[i].z + m->cpu_waves[i].height);
-    bolan_surface_nested_normals(&m->placed, positions, normals);
-    for (uint32_t i = 0; i < count; ++i) {
-        m->cpu_waves[i].slope_x = -normals[i].x / fmaxf(normals[i].z, 0.05f);
-        m->cpu_waves[i].slope_y = -normals[i].y / fmaxf(normals[i].z, 0.05f);
-    }
-}
-
 static void build_fixed(water_mesh *m, const bolan_surface_view *view) {
     m->projector = bolan_surface_projector_of(view);
     const bolan_surface_size size = m->fixed_size;
@@ -274,7 +241,7 @@ static void build_fixed(water_mesh *m, const bolan_surface_view *view) {
 }
 
 void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_kind kind, water_waves waves,
-                            bool fixed) {
+                            bool fixed, const mesh_rules *rules) {
     bolan_surface_view view = bolan_water_mesh_view(v);
     m->fixed = fixed && kind == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH;
     if (m->fixed) {
@@ -283,7 +250,7 @@ void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_k
         return;
     }
     uint32_t count = kind == BOLAN_SURFACE_QUAD     ? bolan_build_quad(m, &view)
-                     : kind == BOLAN_SURFACE_NESTED ? build_nested(m, &view, &v->frame->lighting.look)
+                     : kind == BOLAN_SURFACE_NESTED ? build_nested(m, &view, rules)
                                                     : build_projected(m, &view);
     m->kind = kind;
     if (count < 3) {
@@ -296,7 +263,7 @@ void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_k
     sample_waves(m, v->frame->sea, count);
     if (kind == BOLAN_SURFACE_NESTED) {
         stitch_waves(m, count);
-        if (v->frame->lighting.look.paper) average_normals(m, count);
+        if (rules != NULL) rules->slopes(m, count);
     }
     bolan_gl_buffer_update(&m->waves, 0, sizeof(bolan_sea_sample) * count, m->cpu_waves);
 }

@@ -35,12 +35,23 @@ typedef struct water_mesh {
     bool fixed; // it is what this view draws
 } water_mesh;
 
+// How an optics changes the nested levels; each function is given.
+typedef struct mesh_rules {
+    // Number and size of the levels.
+    bolan_nested_desc (*levels)(const bolan_surface_view *view);
+    // Chooses the vertices of m->placed that get waves, in m->cpu_visible, which has the choice of every other optics.
+    void (*choose)(water_mesh *m, const bolan_surface_view *view);
+    // Puts slopes of its own into m->cpu_waves.
+    void (*slopes)(water_mesh *m, uint32_t count);
+} mesh_rules;
+
 // max_vertices: of the projected surface, as bolan_renderer_desc has it; 0: by quality.
 bolan_result bolan_water_mesh_create(water_mesh *m, bolan_quality quality, uint32_t max_vertices);
-// Makes the mesh of this view; WATER_MESH: with waves on its vertices. `fixed`: the projected surface as the static grid, for
-// optics that light each pixel from textures and need few vertices; not with waves that are made on the CPU.
-void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_kind kind, water_waves waves,
-                            bool fixed);
+// Makes the mesh of this view; WATER_MESH: with waves on its vertices. `fixed`: the projected surface as the static
+// grid, for optics that shade each pixel from textures and need few vertices; not with waves that are made on the CPU.
+// `rules` may be NULL.
+void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_kind kind, water_waves waves, bool fixed,
+                            const mesh_rules *rules);
 // Fills the members of the static grid, where it is drawn.
 void bolan_water_mesh_fill(const water_mesh *m, water_block *b);
 void bolan_water_mesh_draw(const water_mesh *m);

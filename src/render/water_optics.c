@@ -39,7 +39,6 @@ static void set_look(water_block *b, const bolan_look *look) {
     b->look_shininess = (float)look->shininess;
     b->look_distortion = (float)look->distortion;
     b->look_blend = (float)look->blend;
-    b->look_by_the_paper = look->paper ? 1.0f : 0.0f;
     b->look_show = (float)look->show;
     b->look_effects = (int)look->effects;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What becomes of light at the water: one table of functions for each bolan_optics_kind, and what they draw with. pass_water.c
-// chooses; optics_<name>.c and shaders/water_<name>.glsl are an optics.
+// How the water is shaded: one table of capabilities and functions for each bolan_optics_kind, and what they draw with.
+// pass_water.c chooses.
 #ifndef BOLAN_RENDER_WATER_OPTICS_H
 #define BOLAN_RENDER_WATER_OPTICS_H
 
@@ -21,7 +21,8 @@ typedef struct water_draw {
     double vertical; // bound of the displacement [m]
 } water_draw;
 
-// The program of this shader for these waves, this surface, with or without land, and its own defines `own`; used. NULL: it does not compile (logged when it was prepared).
+// The program of this shader for these waves, this surface, with or without land, and its own defines `own`; used.
+// NULL: it does not compile (logged when it was prepared).
 const gl_program *bolan_water_program(const water_draw *d, const water_shader *shader, uint32_t own);
 // The one function that writes the block Water.
 void bolan_water_fill(water_block *b, const water_draw *d);
@@ -32,23 +33,33 @@ uint32_t bolan_water_rows(const render_view *v, double vertical);
 // The surface that is drawn: two triangles for an eye under water, whatever the technique says.
 bolan_surface_kind bolan_water_surface(const render_view *v);
 
+// What an optics can do and needs. The passes and the frame ask this table, and never which optics it is.
 typedef struct water_optics {
     bolan_optics_kind kind; // see bolan_optics_seen_from_below()
-    size_t size;      // of its state, which starts as zeros
-    bool mirrors;     // it looks up the pictures of planar_views.c
-    bool own_sky;     // draws its own sky, so skips the planar views where the scene is empty
-    bool static_grid; // it lights each pixel from textures: the static grid is fine enough
-    bool keeps_shape; // it lights each pixel from a shape that it keeps, on UNIT_SURFACE: see half_rate.h
-    uint32_t columns[BOLAN_QUALITY_ULTRA + 1]; // of pixels that share a sample, by quality; 0: each has its own
-    bool packed;                        // of the cascades it reads slopes, pinch and foam, nothing else: see sea_gpu.h
+    size_t size;            // of its state, which starts as zeros
+    bool looks_through;     // fetches what lies behind the water from the copy of the frame
+    bool planar_mirrors;    // fetches planar views of the world instead: see behind()
+    bool own_sky;           // reflects a sky of its own, so needs no planar views where the scene is empty
+    bool static_grid;       // shades each pixel from textures: the static grid is fine enough
+    bool keeps_shape;       // shades each pixel from a shape that it keeps, on UNIT_SURFACE: see half_rate.h
+    bool packed;            // of the cascades it reads slopes, pinch and foam, nothing else: see sea_gpu.h
+    // Columns of pixels that share a sample; NULL: each pixel has its own.
+    uint32_t (*shade_columns)(const bolan_look *look, bolan_quality quality);
+    // How the mesh of the water differs for this look; NULL, or a function that returns NULL: not at all.
+    const mesh_rules *(*mesh)(const bolan_look *look);
     // True: it has no use for the cascades' textures; NULL: it has.
     bool (*table_only)(const void *state, const frame *f);
     bool (*stale)(const void *state); // it shows what was baked for another sun; may be NULL
     bolan_result (*create)(void *state, bolan_quality quality);
+    bolan_result (*reload)(void *state); // programs of its own that list() does not note; may be NULL
     // Notes every program that draw() can ask for, whatever the eye does; called after prepare().
     void (*list)(const void *state, const water_setup *s, water_programs *all);
-    void (*prepare)(void *state, const water_draw *d); // once a frame, before anything is drawn; may be NULL
+    void (*prepare)(void *state, const water_draw *d); // once a view, before anything is drawn; may be NULL
+    // Once a sample, after the world and before the water: draws the planar views. Where planar_mirrors.
+    void (*behind)(void *state, const water_draw *d, const world_drawer *world);
     void (*draw)(void *state, const water_draw *d);
+    // The water round an eye in it, where the depth is 0. Where bolan_optics_seen_from_below().
+    void (*draw_body)(void *state);
     void (*free)(void *state);
 } water_optics;
 

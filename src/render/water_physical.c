@@ -3,6 +3,7 @@
 // behind. Shaders: shaders/water_shape.glsl, shaders/water_physical.glsl.
 #include "foam_statistics.h"
 #include "foam_texture.h"
+#include "kept_sizes.h"
 #include "shared/foam.glsl"
 #include "water_optics.h"
 
@@ -10,11 +11,18 @@
 
 enum { SURFACE_COUNT = 4 };
 
+// What has the size of a view: 40 bytes a pixel.
+typedef struct shape {
+    gl_texture map[SURFACE_COUNT]; // outputs of water_shape.glsl
+    gl_target target;              // they, and the frame's depth
+    uint64_t depth_serial;         // of that depth
+} shape;
+
 typedef struct physical {
     bolan_quality quality;
-    gl_texture shape_map[SURFACE_COUNT]; // outputs of water_shape.glsl
-    gl_target shape_target;              // they, and the frame's depth
-    uint32_t depth_id;                   // of that depth
+    kept_sizes kept;
+    shape shapes[KEPT_SIZES];
+    shape *shape; // of the present size
     gl_texture foam_detail;
 } physical;
 
@@ -33,17 +41,13 @@ static bolan_result create(void *state, bolan_quality quality) {
     return bolan_foam_texture_create(&p->foam_detail);
 }
 
-static void free_shape(physical *p) {
-    bolan_gl_target_free(&p->shape_target);
-    for (int i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_free(&p->shape_map[i]);
-    p->depth_id = 0;
+static void free_shape(shape *s) {
+    bolan_gl_target_free(&s->target);
+    for (int i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_free(&s->map[i]);
+    s->depth_serial = 0;
 }
 
-// Textures of the frame's size, with its depth.
-static bolan_result fit_shape(physical *p, const render_view *v) {
-    if (p->depth_id == v->hdr_depth->id && p->shape_map[0].width == v->width && p->shape_map[0].height == v->height)
-        return BOLAN_OK;
-    free_shape(p);
+static bolan_result create_shape(shape *s, const render_view *v) {
     const gl_texture *colors[SURFACE_COUNT];
     bolan_result result = BOLAN_OK;
     for (int i = 0; i < SURFACE_COUNT && result == BOLAN_OK; ++i) {
@@ -52,21 +56,34 @@ static bolan_result fit_shape(physical *p, const render_view *v) {
                                 .height = v->height,
                                 .filter = GL_FILTER_NEAREST,
                                 .wrap = GL_WRAP_CLAMP};
-        result = bolan_gl_texture_create(&desc, &p->shape_map[i]);
-        colors[i] = &p->shape_map[i];
+        result = bolan_gl_texture_create(&desc, &s->map[i]);
+        colors[i] = &s->map[i];
     }
-    if (result == BOLAN_OK)
-        result = bolan_gl_target_create(colors, SURFACE_COUNT, v->hdr_depth, -1, 0, &p->shape_target);
-    if (result == BOLAN_OK)
-        p->depth_id = v->hdr_depth->id;
-    else
-        free_shape(p);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(colors, SURFACE_COUNT, v->hdr_depth, -1, 0, &s->target);
+    if (result == BOLAN_OK) s->depth_serial = v->depth_serial;
+    return result;
+}
+
+// Textures of the view's size, with its depth.
+static bolan_result fit_shape(physical *p, const render_view *v) {
+    bool fresh;
+    uint32_t over;
+    const uint32_t slot = bolan_kept_sizes_use(&p->kept, v->width, v->height, &fresh);
+    shape *s = p->shape = &p->shapes[slot];
+    while (bolan_kept_sizes_over(&p->kept, &over)) free_shape(&p->shapes[over]);
+    if (!fresh && s->depth_serial == v->depth_serial) return BOLAN_OK;
+    free_shape(s);
+    const bolan_result result = create_shape(s, v);
+    if (result != BOLAN_OK) {
+        free_shape(s);
+        bolan_kept_sizes_forget(&p->kept, slot);
+    }
     return result;
 }
 
 static void free_all(void *state) {
     physical *p = state;
-    free_shape(p);
+    for (int i = 0; i < KEPT_SIZES; ++i) free_shape(&p->shapes[i]);
     bolan_gl_texture_free(&p->foam_detail);
 }
 
@@ -89,7 +106,7 @@ static physical_block foam_of(const render_view *v) {
 
 static void draw_shape(physical *p, const water_draw *d) {
     if (!bolan_water_program(d, &shape_shader, 0)) return;
-    bolan_gl_target_bind(&p->shape_target);
+    bolan_gl_target_bind(&p->shape->target);
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     bolan_water_mesh_draw(d->mesh);
@@ -100,7 +117,7 @@ static void draw_light(physical *p, const water_draw *d) {
     const physical_block block = foam_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     bolan_gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
-    for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape_map[i], UNIT_SURFACE + i);
+    for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape->map[i], UNIT_SURFACE + i);
     bolan_gl_target_bind_part(&d->view->hdr, 0, 0, d->view->hdr.width, bolan_water_rows(d->view, d->vertical));
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
@@ -120,10 +137,16 @@ static void draw(void *state, const water_draw *d) {
     draw_light(p, d);
 }
 
+static uint32_t shade_columns(const bolan_look *look, bolan_quality quality) {
+    (void)look;
+    return quality == BOLAN_QUALITY_LOW ? 2 : 1;
+}
+
 const water_optics bolan_optics_physical = {.kind = BOLAN_OPTICS_PHYSICAL,
                                             .size = sizeof(physical),
+                                            .looks_through = true,
                                             .keeps_shape = true,
-                                            .columns = {[BOLAN_QUALITY_LOW] = 2},
+                                            .shade_columns = shade_columns,
                                             .create = create,
                                             .list = list,
                                             .draw = draw,

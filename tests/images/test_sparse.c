@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Water lit at fewer places than there are pixels (src/render/papers/half_rate.c) is where it is in a picture that
+// Water lit at fewer places than there are pixels (src/render/half_rate.c) is where it is in a picture that
 // lights each pixel, as bright, and leaves no pixel out, whatever the picture's width.
 #include <setjmp.h>
 #include <stdarg.h>
@@ -158,8 +158,8 @@ static void rounding_of_depth_changes_nothing(void **state) {
     } list[] = {
         {"papers/phong", "gl_Position.z -= 4.8e-7 * gl_Position.w;"},
         {"papers/phong", "gl_Position.z += 4.8e-7 * gl_Position.w;"},
-        {"papers/depth_only", "gl_Position.z += 4.8e-7 * gl_Position.w;"},
-        {"papers/half_rate_resolve", "gl_Position.z -= 4.8e-7 * gl_Position.w;"},
+        {"water_depth", "gl_Position.z += 4.8e-7 * gl_Position.w;"},
+        {"half_rate_resolve", "gl_Position.z -= 4.8e-7 * gl_Position.w;"},
     };
     bolan_context *context = NULL;
     if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();

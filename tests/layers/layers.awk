@@ -22,7 +22,9 @@ BEGIN {
     may["content"] = "base math params ground model"
     may["scene"] = core " technique"
     may["world"] = core " technique scene"
-    may["io"] = may["render"] = core " technique scene world" # they do not know each other
+    may["render_context"] = "base"
+    may["io"] = core " technique scene world" # it and render do not know each other
+    may["render"] = may["io"] " render_context"
     may["io"] = may["io"] " content" # scene files name generated grounds and models
     may["bolan"] = may["io"] " io"                    # the umbrella header: never GL
 

@@ -124,7 +124,7 @@ static inline void bind_everything(const host *h) {
     glBindBuffer(GL_UNIFORM_BUFFER, h->buffers[2]);
     glBufferData(GL_UNIFORM_BUFFER, 1024, NULL, GL_STATIC_DRAW);
     glBindBufferRange(GL_UNIFORM_BUFFER, 0, h->buffers[2], 256, 512);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 1, h->buffers[2]);
+    for (GLuint slot = 1; slot < 5; slot++) glBindBufferBase(GL_UNIFORM_BUFFER, slot, h->buffers[2 + slot % 2]);
     glBindBuffer(GL_UNIFORM_BUFFER, h->buffers[3]);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, h->buffers[4]);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, h->buffers[5]);

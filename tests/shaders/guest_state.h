@@ -184,7 +184,7 @@ static void put_buffers(snapshot *s) {
             put(s, blends[k].name, (int)i, 0, v);
         }
     }
-    for (GLuint i = 0; i < 4; i++) {
+    for (GLuint i = 0; i < 5; i++) {
         GLint name = 0;
         GLint64 start = 0, size = 0;
         glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, i, &name);

@@ -2,7 +2,7 @@
 // print_variants SHADER-FOLDER OUT-FOLDER: every variant of the water's programs that the optics list for any setup
 // (src/render/programs.h), as the text that the engine hands to the driver: both stages, core and ES, one file each.
 #include "render/gl/source.h"
-#include "render/papers/half_rate.h"
+#include "render/half_rate.h"
 #include "render/papers/tiles.h"
 #include "render/water_optics.h"
 
@@ -65,7 +65,8 @@ static void list(const water_optics *o, const water_setup *s, water_programs *al
 static void list_setups(const water_optics *o, bolan_quality quality, bolan_surface_kind surface, int choice,
                         water_programs *all) {
     static const bolan_wave_form forms[] = {BOLAN_FORM_CASCADES, BOLAN_FORM_COSINES, BOLAN_FORM_EXP_COSINES};
-    const bool land = choice & 1, paper = choice & 2, bounds = choice & 4;
+    const bool land = choice & 1, bounds = choice & 4;
+    const bolan_look look = {.paper = choice & 2};
     for (int i = 0; i < 3; ++i) {
         const water_waves waves = bolan_water_waves_of(forms[i], surface);
         const bool grid = o->static_grid && surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH;
@@ -75,12 +76,11 @@ static void list_setups(const water_optics *o, bolan_quality quality, bolan_surf
                                .surface = surface,
                                .below = bolan_optics_seen_from_below(o->kind),
                                .land = land,
-                               .opaque = land,
                                .static_grid = grid,
                                .packed = o->packed,
                                .bounds = bounds,
-                               .by_the_paper = paper,
-                               .shares_samples = o->columns[quality] > 1 && !paper,
+                               .look = &look,
+                               .shares_samples = o->shade_columns(&look, quality) > 1,
                                .wave_count = 5,
                                .cascades = waves == WATER_CASCADES ? BOLAN_MAX_CASCADES : 1};
         list(o, &s, all);

@@ -26,7 +26,7 @@ typedef struct sky_rig {
 static inline void rig_create(sky_rig *r, uint32_t width, uint32_t height) {
     memset(r, 0, sizeof *r);
     r->caps = bolan_gl_get_caps();
-    assert_int_equal(bolan_pass_sky_create(&r->caps, &r->sky), BOLAN_OK);
+    assert_int_equal(bolan_pass_sky_create(&r->caps, NULL, &r->sky), BOLAN_OK);
     assert_int_equal(bolan_pass_tonemap_create(&r->caps, &r->tonemap), BOLAN_OK);
     const gl_texture_desc hdr = {.format = GL_FMT_RGBA16F, .width = width, .height = height};
     const gl_texture_desc depth = {.format = GL_FMT_DEPTH32F, .width = width, .height = height};

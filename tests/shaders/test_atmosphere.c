@@ -75,7 +75,7 @@ static void the_transmittance_table_agrees_with_an_independent_quadrature(void *
     sky_rig r;
     rig_create(&r, 16, 16);
     atmosphere a;
-    assert_int_equal(bolan_atmosphere_create(&a), BOLAN_OK);
+    assert_int_equal(bolan_atmosphere_create(&a, NULL), BOLAN_OK);
     rig_prepare(&r);
     assert_true(bolan_atmosphere_update(&a, &(block_values){.frame = r.step.block, .view = r.f.block}));
     float *table = malloc(sizeof(float) * 4 * SKY_TRANSMITTANCE_WIDTH * SKY_TRANSMITTANCE_HEIGHT);

@@ -68,9 +68,9 @@ static const member water_members[] = {
     WATER(height_deviation),   WATER(grid_cells),         WATER(significant_height), WATER(peak_length),
     WATER(shore_height),       WATER(choppiness),         WATER(exp_sharpness),      WATER(exp_mean),
     WATER(mesh_lift),          WATER(look_distortion),    WATER(look_blend),         WATER(look_shininess),
-    WATER(look_ambient),       WATER(look_diffuse),       WATER(look_specular),      WATER(look_by_the_paper),
-    WATER(look_show),          WATER(look_effects),       WATER(cascade_count),      WATER(wave_count),
-    WATER(shore_present),      WATER(layer_count),        WATER(water_padding)};
+    WATER(look_ambient),       WATER(look_diffuse),       WATER(look_specular),      WATER(look_show),
+    WATER(look_effects),       WATER(cascade_count),      WATER(wave_count),         WATER(shore_present),
+    WATER(layer_count),        WATER(water_padding_first), WATER(water_padding)};
 #define COUNT(a) (GLint)(sizeof(a) / sizeof((a)[0]))
 
 static void compare(GLuint program, const char *block, GLuint slot, const member *members, GLint count, size_t size) {

@@ -47,7 +47,7 @@ static void a_still_eye_makes_no_new_clouds(void **state) {
     sky_rig r;
     clouds c;
     rig_create(&r, WIDTH, HEIGHT);
-    assert_int_equal(bolan_clouds_create(&c), BOLAN_OK);
+    assert_int_equal(bolan_clouds_create(&c, NULL), BOLAN_OK);
     set_view(&r, 0, 0, 5);
     rig_prepare(&r);
     assert_int_equal(bolan_clouds_plan(&c, &r.f), CLOUDS_ALL);
@@ -96,7 +96,7 @@ static void as_many_clouds_stand_as_were_asked_for(void **state) {
     rig_create(&r, WIDTH, HEIGHT);
     r.step.lighting.sky.sun_elevation_deg = 90;
     rig_prepare(&r);
-    assert_int_equal(bolan_clouds_create(&c), BOLAN_OK);
+    assert_int_equal(bolan_clouds_create(&c, NULL), BOLAN_OK);
     assert_near(open_share(&r, &c, 0), 1, 0);
     double before = 1;
     for (double cover = 0.25; cover < 1; cover += 0.25) {

@@ -89,7 +89,7 @@ static void stage_open(stage *s) {
     const gl_texture *colors[] = {&s->color};
     assert_int_equal(bolan_gl_target_create(colors, 1, &s->depth, -1, 0, &s->frame.hdr), BOLAN_OK);
     assert_int_equal(bolan_blocks_create(&s->uniforms), BOLAN_OK);
-    assert_int_equal(bolan_pass_ground_create(&s->caps, &s->pass), BOLAN_OK);
+    assert_int_equal(bolan_pass_ground_create(&s->caps, NULL, &s->pass), BOLAN_OK);
 }
 
 static void stage_close(stage *s) {

@@ -81,6 +81,7 @@ typedef struct gl_uploads {
     uint64_t bytes;
 } gl_uploads;
 gl_uploads bolan_gl_uploads(void);
+uint32_t bolan_gl_textures_made(void); // by this thread so far
 void bolan_gl_texture_bind(const gl_texture *t, uint32_t unit); // nothing for a texture that was not made
 void bolan_gl_texture_free(gl_texture *t);
 

@@ -20,4 +20,8 @@ const format_info *bolan_gl_format_info(gl_format format);
 
 void bolan_gl_set_enabled(GLenum name, bool on);
 
+// The driver's messages go to the log from here on, and to the caller's own callback; or to that callback alone again.
+void bolan_gl_listen(gl_saved *s);
+void bolan_gl_stop_listening(const gl_saved *s);
+
 #endif

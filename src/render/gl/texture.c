@@ -108,6 +108,9 @@ static bool is_allocated(const gl_texture *t) {
     return all;
 }
 
+static _Thread_local uint32_t made; // by this thread
+uint32_t bolan_gl_textures_made(void) { return made; }
+
 bolan_result bolan_gl_texture_create(const gl_texture_desc *d, gl_texture *out) {
     BOLAN_ASSERT(d && out && d->width > 0 && d->height > 0);
     gl_texture t = {.width = d->width, .height = d->height, .depth = d->depth ? d->depth : 1, .format = d->format};
@@ -134,6 +137,7 @@ bolan_result bolan_gl_texture_create(const gl_texture_desc *d, gl_texture *out) 
         return BOLAN_ERROR_MEMORY;
     }
     *out = t;
+    made++;
     return BOLAN_OK;
 }
 

@@ -3,8 +3,10 @@
 // (shaders/papers/crest_shape.glsl), what varies slowly, in a small picture (crest_air.glsl), and the light, each pixel
 // once (crest.glsl).
 #include "render/foam_statistics.h"
+#include "render/kept_sizes.h"
 #include "render/memory.h"
 #include "render/papers/foam_ramps.h"
+#include "render/papers/shade_columns.h"
 #include "render/water_optics.h"
 #include "shared/constants.glsl"
 #include "shared/foam.glsl"
@@ -22,16 +24,23 @@ enum {
 // sun.
 enum { TABLE_SLOPES = FOAM_RAMP_ROWS, TABLE_ROWS };
 
+// What has the size of a view: 24 bytes a pixel.
+typedef struct crest_targets {
+    gl_texture rest, mesh; // outputs of crest_shape.glsl
+    gl_target shape, shape_mesh;
+    gl_texture air; // outputs of crest_air.glsl, a layer each
+    gl_target air_target;
+    uint64_t depth_serial; // of the frame's depth that shape draws with
+} crest_targets;
+
 typedef struct crest {
     bolan_quality quality;
     double taps;
     gl_texture densities, tables;
     float table[TABLE_ROWS][FOAM_RAMP_SIZE][4]; // what `tables` holds
-    gl_texture rest, mesh;                      // outputs of crest_shape.glsl
-    gl_target shape, shape_mesh;
-    gl_texture air; // outputs of crest_air.glsl, a layer each
-    gl_target air_target;
-    uint32_t depth_id; // the frame's depth that shape draws with
+    kept_sizes kept;
+    crest_targets sizes[KEPT_SIZES];
+    crest_targets *now; // those of the present size
 } crest;
 
 enum { ONE_CASCADE = 1 << 4, SPARSE = 1 << 8 };
@@ -93,17 +102,17 @@ static bolan_result create(void *state, bolan_quality quality) {
     return result == BOLAN_OK ? create_tables(p) : result;
 }
 
-static void free_pictures(crest *p) {
+static void free_pictures(crest_targets *p) {
     bolan_gl_target_free(&p->shape);
     bolan_gl_target_free(&p->shape_mesh);
     bolan_gl_target_free(&p->air_target);
     bolan_gl_texture_free(&p->rest);
     bolan_gl_texture_free(&p->mesh);
     bolan_gl_texture_free(&p->air);
-    p->depth_id = 0;
+    p->depth_serial = 0;
 }
 
-static bolan_result create_pictures(crest *p, const render_view *v) {
+static bolan_result create_pictures(crest_targets *p, const render_view *v) {
     gl_texture_desc rest = {
         .format = GL_FMT_RGBA32F, .width = v->width, .height = v->height, .filter = GL_FILTER_NEAREST};
     gl_texture_desc mesh = {
@@ -126,19 +135,25 @@ static bolan_result create_pictures(crest *p, const render_view *v) {
 }
 
 static bool fit_pictures(crest *p, const render_view *v) {
-    if (p->depth_id == v->hdr_depth->id && p->rest.width == v->width && p->rest.height == v->height) return true;
-    free_pictures(p);
-    if (create_pictures(p, v) != BOLAN_OK) {
-        free_pictures(p);
+    bool fresh;
+    uint32_t over;
+    const uint32_t slot = bolan_kept_sizes_use(&p->kept, v->width, v->height, &fresh);
+    crest_targets *t = p->now = &p->sizes[slot];
+    while (bolan_kept_sizes_over(&p->kept, &over)) free_pictures(&p->sizes[over]);
+    if (!fresh && t->depth_serial == v->depth_serial) return true;
+    free_pictures(t);
+    if (create_pictures(t, v) != BOLAN_OK) {
+        free_pictures(t);
+        bolan_kept_sizes_forget(&p->kept, slot);
         return false;
     }
-    p->depth_id = v->hdr_depth->id;
+    t->depth_serial = v->depth_serial;
     return true;
 }
 
 static void free_all(void *state) {
     crest *p = state;
-    free_pictures(p);
+    for (int i = 0; i < KEPT_SIZES; ++i) free_pictures(&p->sizes[i]);
     bolan_gl_texture_free(&p->densities);
     bolan_gl_texture_free(&p->tables);
 }
@@ -156,7 +171,8 @@ static crest_block foam_of(const render_view *v) {
                          .fresh_edge = (float)law.edge,
                          .old_edge = (float)fmax(law.memory_variance * OLD_FOAM_EDGE, 1e-9),
                          .slopes_beyond_cascades = (float)law.slopes_beyond,
-                         .memory_share = (float)(law.memory_variance / law.variance)};
+                         .memory_share = (float)(law.memory_variance / law.variance),
+                         .to_the_letter = v->frame->lighting.look.paper ? 1.0f : 0.0f};
 }
 
 // Isotropic footprints need only row 0 of the table of unresolved slopes. With it, the share of the facets turned to
@@ -182,7 +198,7 @@ static void prepare(void *state, const water_draw *d) { upload_rough(state, d->v
 
 static bool draw_shape(crest *p, const water_draw *d) {
     if (!bolan_water_program(d, &shape_shader, 0)) return false;
-    bolan_gl_target_bind(d->waves == WATER_MESH ? &p->shape_mesh : &p->shape);
+    bolan_gl_target_bind(d->waves == WATER_MESH ? &p->now->shape_mesh : &p->now->shape);
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     bolan_water_mesh_draw(d->mesh);
@@ -192,10 +208,10 @@ static bool draw_shape(crest *p, const water_draw *d) {
 static bool draw_air(crest *p, const water_draw *d) {
     const gl_program *g = bolan_water_program(d, &air_shader, 0);
     if (!g) return false;
-    const uint32_t width = p->air.width, height = p->air.height;
+    const uint32_t width = p->now->air.width, height = p->now->air.height;
     const uint32_t rows = (bolan_water_rows(d->view, d->vertical) + AIR_ROW - 1) / AIR_ROW + 1;
     bolan_gl_program_vec4(g, "air_size", (bolan_vec4){1.0f / (float)width, 1.0f / (float)height, 0.0f, 0.0f});
-    bolan_gl_target_bind_part(&p->air_target, 0, 0, width, rows < height ? rows : height);
+    bolan_gl_target_bind_part(&p->now->air_target, 0, 0, width, rows < height ? rows : height);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
     return true;
@@ -236,9 +252,9 @@ static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
     if (!bolan_water_program(d, &light_shader, own_defines(p->quality, rows.cascades, sparse))) return;
     bolan_gl_texture_bind(&p->densities, UNIT_FOAM_DETAIL);
     bolan_gl_texture_bind(&p->tables, UNIT_PASS);
-    bolan_gl_texture_bind(&p->rest, UNIT_SURFACE);
-    bolan_gl_texture_bind(&p->mesh, UNIT_SURFACE + 1);
-    bolan_gl_texture_bind(&p->air, UNIT_OPTICS);
+    bolan_gl_texture_bind(&p->now->rest, UNIT_SURFACE);
+    bolan_gl_texture_bind(&p->now->mesh, UNIT_SURFACE + 1);
+    bolan_gl_texture_bind(&p->now->air, UNIT_OPTICS);
     bolan_gl_target_bind_part(&d->view->hdr, 0, rows.from, d->view->hdr.width, rows.to - rows.from);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
@@ -276,7 +292,8 @@ static void draw(void *state, const water_draw *d) {
 
 const water_optics bolan_optics_crest = {.kind = BOLAN_OPTICS_CREST,
                                          .size = sizeof(crest),
-                                         .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
+                                         .looks_through = true,
+                                         .shade_columns = bolan_paper_columns,
                                          .static_grid = true,
                                          .keeps_shape = true,
                                          .packed = true,

@@ -2,6 +2,8 @@
 // Liu, Xu & Chen 2009: normals of the mesh and one light. Shader: shaders/papers/lit.glsl.
 #include "render/foam_texture.h"
 #include "render/ripple_texture.h"
+#include "render/papers/nested_levels.h"
+#include "render/papers/shade_columns.h"
 #include "render/water_optics.h"
 
 #include <math.h>
@@ -49,7 +51,7 @@ static uint32_t own_defines(bool by_the_paper, bolan_quality quality) {
 
 static void list(const void *state, const water_setup *s, water_programs *all) {
     (void)state;
-    bolan_water_programs_add(all, s, false, &shader, own_defines(s->by_the_paper, s->quality));
+    bolan_water_programs_add(all, s, false, &shader, own_defines(s->look->paper, s->quality));
 }
 
 static void draw(void *state, const water_draw *d) {
@@ -70,7 +72,9 @@ static void free_all(void *state) {
 
 const water_optics bolan_optics_lit = {.kind = BOLAN_OPTICS_LIT,
                                        .size = sizeof(lit),
-                                       .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
+                                       .looks_through = true,
+                                       .shade_columns = bolan_paper_columns,
+                                       .mesh = bolan_paper_nested_levels,
                                        .create = create,
                                        .list = list,
                                        .draw = draw,

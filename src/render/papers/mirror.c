@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The mirror optics: see shaders/papers/mirror.glsl. Tiles come from paper_tiles.c, the pictures from planar_views.c.
+#include "render/papers/planar_views.h"
+#include "render/papers/shade_columns.h"
 #include "render/papers/tiles.h"
 #include "render/water_optics.h"
 #include "shared/cascade.glsl"
@@ -25,21 +27,35 @@ typedef struct mirror_block {
 #include "shared/mirror_block.glsl"
 } mirror_block;
 
+typedef struct mirror {
+    paper_tiles tiles;
+    planar_views views;
+    gl_program body; // the water round an eye in it
+} mirror;
+
 static bolan_result create(void *state, bolan_quality quality) {
+    mirror *m = state;
     (void)quality;
-    return bolan_paper_tiles_create(state);
+    const bolan_result result = bolan_paper_tiles_create(&m->tiles);
+    return result == BOLAN_OK ? bolan_gl_program_create("papers/medium", NULL, &m->body) : result;
 }
 
-static void free_all(void *state) { bolan_paper_tiles_free(state); }
+static bolan_result reload(void *state) { return bolan_gl_program_reload(&((mirror *)state)->body); }
 
-// The quad has no displaced vertices, and its pixels take the waves from tiles.
+static void free_all(void *state) {
+    mirror *m = state;
+    bolan_paper_tiles_free(&m->tiles);
+    bolan_planar_views_free(&m->views);
+    bolan_gl_program_free(&m->body);
+}
+
 // The quad has no displaced vertices, and its pixels take the waves from tiles, once these are baked.
 static bool table_only(const void *state, const frame *f) {
-    const paper_tiles *t = state;
+    const paper_tiles *t = &((const mirror *)state)->tiles;
     return t->whole && t->sea == bolan_sea_id(f->sea) && f->lighting.technique.surface == BOLAN_SURFACE_QUAD;
 }
 
-static bool stale(const void *state) { return ((const paper_tiles *)state)->stale; }
+static bool stale(const void *state) { return ((const mirror *)state)->tiles.stale; }
 
 // Where the eye stands in a tile, reduced in double: texel (0, 0) of the tile lies half a texel inside the texture.
 static bolan_vec2 place_in(const bolan_tiles_view *v, const render_view *view) {
@@ -75,7 +91,7 @@ static void set_caustics(render_view *view, const paper_tiles *t) {
 }
 
 static void prepare(void *state, const water_draw *d) {
-    paper_tiles *t = state;
+    paper_tiles *t = &((mirror *)state)->tiles;
     bolan_paper_tiles_prepare(t, d->view);
     if (!t->failed) set_caustics(d->view, t);
 }
@@ -136,17 +152,38 @@ static uint32_t own_defines(const paper_tiles *t, bool by_the_paper) {
     return (tiles ? TILES : 0u) | (ripples ? RIPPLES : 0u) | (by_the_paper ? BY_THE_PAPER : 0u);
 }
 
-static void list(const void *state, const water_setup *s, water_programs *all) {
-    const paper_tiles *t = state;
-    if (t->failed) return;
-    const uint32_t own = own_defines(t, s->by_the_paper);
+static void list_waves(const water_setup *s, uint32_t own, water_programs *all) {
     bolan_water_programs_add(all, s, false, &shader, own);
     bolan_water_programs_add(all, s, false, &shader, own | HIGH);
     bolan_water_programs_add(all, s, true, &shader, own | BELOW);
 }
 
+static void list(const void *state, const water_setup *s, water_programs *all) {
+    const paper_tiles *t = &((const mirror *)state)->tiles;
+    if (t->failed) return;
+    const uint32_t letter = s->look->paper ? BY_THE_PAPER : 0u;
+    if (t->sea != 0) {
+        list_waves(s, own_defines(t, s->look->paper), all);
+        return;
+    }
+    // Not baked yet: whichever tiles there will be.
+    list_waves(s, letter, all);
+    list_waves(s, letter | TILES, all);
+    if (!letter) list_waves(s, TILES | RIPPLES, all);
+}
+
+static void draw_world_behind(void *state, const water_draw *d, const world_drawer *world) {
+    bolan_planar_views_draw(&((mirror *)state)->views, d, true, world);
+}
+
+static void draw_body(void *state) {
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
+    bolan_gl_program_use(&((mirror *)state)->body);
+    bolan_gl_draw_fullscreen();
+}
+
 static void draw(void *state, const water_draw *d) {
-    paper_tiles *t = state;
+    paper_tiles *t = &((mirror *)state)->tiles;
     const render_view *v = d->view;
     if (t->failed) return;
     const bolan_look *look = &v->frame->lighting.look;
@@ -163,13 +200,16 @@ static void draw(void *state, const water_draw *d) {
 }
 
 const water_optics bolan_optics_mirror = {.kind = BOLAN_OPTICS_MIRROR,
-                                          .size = sizeof(paper_tiles),
-                                          .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
-                                          .mirrors = true,
+                                          .size = sizeof(mirror),
+                                          .shade_columns = bolan_paper_columns,
+                                          .planar_mirrors = true,
                                           .table_only = table_only,
                                           .stale = stale,
                                           .create = create,
                                           .list = list,
                                           .prepare = prepare,
+                                          .reload = reload,
+                                          .behind = draw_world_behind,
                                           .draw = draw,
+                                          .draw_body = draw_body,
                                           .free = free_all};

@@ -2,6 +2,8 @@
 // Liu & Xie 2010: pictures of what is mirrored and refracted, and three parts of light. Shader:
 // shaders/papers/phong.glsl.
 #include "render/ripple_texture.h"
+#include "render/papers/planar_views.h"
+#include "render/papers/shade_columns.h"
 #include "render/water_optics.h"
 
 #include <math.h>
@@ -9,6 +11,7 @@
 typedef struct phong {
     bolan_quality quality;
     gl_texture ripples;
+    planar_views views;
 } phong;
 
 enum { PICTURES = 1 << 4, BY_THE_PAPER = 1 << 5, FINE = 1 << 6 };
@@ -60,12 +63,12 @@ static uint32_t own_defines(bolan_quality quality, bool pictures, bool by_the_pa
 static void list(const void *state, const water_setup *s, water_programs *all) {
     (void)state;
     for (int fine = s->quality >= BOLAN_QUALITY_HIGH; fine <= 1; ++fine)
-        bolan_water_programs_add(all, s, false, &shader, own_defines(s->quality, s->opaque, s->by_the_paper, fine));
+        bolan_water_programs_add(all, s, false, &shader, own_defines(s->quality, s->land, s->look->paper, fine));
 }
 
 static void draw(void *state, const water_draw *d) {
     const phong *p = state;
-    const bool pictures = bolan_pass_water_mirrors(d->view), paper = d->view->frame->lighting.look.paper;
+    const bool pictures = d->view->frame->behind, paper = d->view->frame->lighting.look.paper;
     const bool fine = p->quality >= BOLAN_QUALITY_HIGH || d->view->block.eye_height > HIGH_EYE;
     if (!bolan_water_program(d, &shader, own_defines(p->quality, pictures, paper, fine))) return;
     const phong_block block = block_of(d->view);
@@ -74,14 +77,23 @@ static void draw(void *state, const water_draw *d) {
     bolan_water_draw_forward(d);
 }
 
-static void free_all(void *state) { bolan_gl_texture_free(&((phong *)state)->ripples); }
+static void draw_world_behind(void *state, const water_draw *d, const world_drawer *world) {
+    bolan_planar_views_draw(&((phong *)state)->views, d, false, world);
+}
+
+static void free_all(void *state) {
+    phong *p = state;
+    bolan_gl_texture_free(&p->ripples);
+    bolan_planar_views_free(&p->views);
+}
 
 const water_optics bolan_optics_phong = {.kind = BOLAN_OPTICS_PHONG,
                                          .size = sizeof(phong),
-                                         .columns = {[BOLAN_QUALITY_LOW] = 4, [BOLAN_QUALITY_MEDIUM] = 2},
-                                         .mirrors = true,
+                                         .shade_columns = bolan_paper_columns,
+                                         .planar_mirrors = true,
                                          .own_sky = true,
                                          .create = create,
                                          .list = list,
+                                         .behind = draw_world_behind,
                                          .draw = draw,
                                          .free = free_all};

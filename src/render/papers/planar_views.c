@@ -3,8 +3,7 @@
 // on the other side raised as refraction raises it (Ma, Zhu & Gong 2006, section 2.2; there P-buffers, here textures of
 // the picture's size). The water plane stays where it is in both, so that a place of the water finds what it mirrors
 // and what lies behind it at its own place in them.
-#include "render/frame.h"
-#include "render/memory.h"
+#include "render/papers/planar_views.h"
 
 #include <math.h>
 
@@ -17,38 +16,13 @@
 static const double shares[] = {
     [BOLAN_QUALITY_LOW] = 0.4, [BOLAN_QUALITY_MEDIUM] = 0.5, [BOLAN_QUALITY_HIGH] = 1.0, [BOLAN_QUALITY_ULTRA] = 1.0};
 
-struct planar_views {
-    gl_texture reflection, refraction, reflection_depth, refraction_depth;
-    gl_target reflection_target, refraction_target;
-    gl_program body;
-};
-
-bolan_result bolan_planar_views_create(planar_views **out) {
-    planar_views *p = allocate_for("the pass of mirrored pictures", sizeof *p);
-    if (p == NULL) return BOLAN_ERROR_MEMORY;
-    const bolan_result result = bolan_gl_program_create("papers/medium", NULL, &p->body);
-    if (result != BOLAN_OK) bolan_planar_views_destroy(&p);
-    *out = p;
-    return result;
-}
-
-bolan_result bolan_planar_views_reload(planar_views *p) { return bolan_gl_program_reload(&p->body); }
-
-static void free_pictures(planar_views *p) {
+static void free_targets(planar_targets *p) {
     bolan_gl_target_free(&p->reflection_target);
     bolan_gl_target_free(&p->refraction_target);
     bolan_gl_texture_free(&p->reflection);
     bolan_gl_texture_free(&p->refraction);
     bolan_gl_texture_free(&p->reflection_depth);
     bolan_gl_texture_free(&p->refraction_depth);
-}
-
-void bolan_planar_views_destroy(planar_views **pass) {
-    if (pass == NULL || *pass == NULL) return;
-    free_pictures(*pass);
-    bolan_gl_program_free(&(*pass)->body);
-    bolan_release(*pass, sizeof **pass);
-    *pass = NULL;
 }
 
 static bolan_result create_picture(uint32_t width, uint32_t height, uint32_t levels, gl_texture *color,
@@ -69,21 +43,36 @@ double bolan_planar_views_share(const render_view *v) {
     return v->frame->lighting.look.paper ? 1.0 : shares[v->frame->quality];
 }
 
-void bolan_planar_views_finish(planar_views *p) { bolan_gl_texture_generate_mipmaps(&p->reflection); }
+void bolan_planar_views_free(planar_views *p) {
+    for (int i = 0; i < KEPT_SIZES; ++i) free_targets(&p->sizes[i]);
+}
 
-bool bolan_planar_views_fit(planar_views *p, const render_view *v) {
+static bolan_result create_targets(planar_targets *t, uint32_t width, uint32_t height) {
+    const bolan_result result =
+        create_picture(width, height, BLUR_LEVELS, &t->reflection, &t->reflection_depth, &t->reflection_target);
+    if (result != BOLAN_OK) return result;
+    return create_picture(width, height, 1, &t->refraction, &t->refraction_depth, &t->refraction_target);
+}
+
+// The targets of this view; NULL: there is no memory for them (logged).
+static planar_targets *fit(planar_views *p, const render_view *v) {
     const double share = bolan_planar_views_share(v);
     const uint32_t width = (uint32_t)fmax(v->width * share, 1.0), height = (uint32_t)fmax(v->height * share, 1.0);
-    if (p->refraction_target.id != 0 && p->refraction.width == width && p->refraction.height == height) return true;
-    free_pictures(p);
-    return create_picture(width, height, BLUR_LEVELS, &p->reflection, &p->reflection_depth, &p->reflection_target) ==
-               BOLAN_OK &&
-           create_picture(width, height, 1, &p->refraction, &p->refraction_depth, &p->refraction_target) == BOLAN_OK;
+    bool fresh;
+    uint32_t over;
+    const uint32_t slot = bolan_kept_sizes_use(&p->kept, width, height, &fresh);
+    planar_targets *t = &p->sizes[slot];
+    if (fresh) free_targets(t);
+    while (bolan_kept_sizes_over(&p->kept, &over)) free_targets(&p->sizes[over]);
+    if (!fresh || create_targets(t, width, height) == BOLAN_OK) return t;
+    free_targets(t);
+    bolan_kept_sizes_forget(&p->kept, slot);
+    return NULL;
 }
 
 // The mirror z -> -2 h - z about the plane h below the eye, before the camera (paper A: S = I - 2 n n^T). Directions,
 // which the sky is drawn by, have no translation.
-render_view bolan_planar_views_reflect(planar_views *p, const render_view *v) {
+static render_view reflect(const planar_targets *p, const render_view *v) {
     render_view m = *v;
     const bool under = v->block.eye_under_water > 0.5f;
     const float overlap = v->frame->lighting.look.paper ? 0.0f : OVERLAP, side = under ? -1.0f : 1.0f;
@@ -116,7 +105,7 @@ static bolan_vec4 deep_water(const render_view *v) {
                         f->water_reflectance.z * (s.z * sun + k.z), 1.0f};
 }
 
-render_view bolan_planar_views_refract(planar_views *p, const render_view *v) {
+static render_view refract(const planar_targets *p, const render_view *v, bool sky) {
     render_view m = *v;
     const bool under = v->block.eye_under_water > 0.5f, paper = v->frame->lighting.look.paper && !under;
     const float overlap = v->frame->lighting.look.paper ? 0.0f : OVERLAP, side = under ? 1.0f : -1.0f;
@@ -127,23 +116,43 @@ render_view bolan_planar_views_refract(planar_views *p, const render_view *v) {
     m.width = p->refraction.width;
     m.height = p->refraction.height;
     m.pixel_scale = (float)v->height / (float)m.height;
-    // An optics with a sky of its own attenuates the bed itself: once is enough.
-    if (!bolan_pass_water_mirrors_sky(v)) m.fog = false;
+    // An optics with a sky of its own attenuates the bed itself: once is enough. The paper names fog as work to come.
+    if (!sky || paper) m.fog = false;
     m.background = under ? (bolan_vec4){0.0f, 0.0f, 0.0f, 0.0f} : deep_water(v);
     m.picture = true;
     m.hdr = p->refraction_target;
     return m;
 }
 
-void bolan_planar_views_bind(const planar_views *p) {
+static void bind(const planar_targets *p) {
     bolan_gl_texture_bind(&p->reflection, UNIT_REFLECTION);
     bolan_gl_texture_bind(&p->refraction, UNIT_REFRACTION);
     bolan_gl_texture_bind(&p->reflection_depth, UNIT_REFLECTION_DEPTH);
     bolan_gl_texture_bind(&p->refraction_depth, UNIT_REFRACTION_DEPTH);
 }
 
-void bolan_planar_views_draw_body(const planar_views *p) {
-    bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
-    bolan_gl_program_use(&p->body);
-    bolan_gl_draw_fullscreen();
+static void draw_one(render_view *m, bool sky, const world_drawer *world) {
+    const bolan_vec4 b = m->background;
+    bolan_view_use(m);
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    bolan_gl_target_bind(&m->hdr);
+    bolan_gl_target_clear_color(b.x, b.y, b.z, b.w);
+    bolan_gl_target_clear_depth(0.0f);
+    world->draw(world->user, m, sky);
+}
+
+void bolan_planar_views_draw(planar_views *views, const water_draw *d, bool sky, const world_drawer *world) {
+    render_view *v = d->view;
+    planar_targets *p = fit(views, v);
+    if (p == NULL) return;
+    render_view above = reflect(p, v), below = refract(p, v, sky);
+    const bolan_look *look = &v->frame->lighting.look;
+    // A margin for blurred fetches at the horizon; what is mirrored there is the haze.
+    bolan_gl_clip_rows(bolan_water_rows(v, d->vertical) * above.hdr.height / v->hdr.height + 64);
+    if (look->effects & BOLAN_EFFECT_REFLECTION) draw_one(&above, sky, world);
+    if (look->effects & BOLAN_EFFECT_REFRACTION) draw_one(&below, false, world);
+    bolan_gl_clip_rows(0);
+    if (!look->paper) bolan_gl_texture_generate_mipmaps(&p->reflection);
+    bolan_view_use(v);
+    bind(p);
 }

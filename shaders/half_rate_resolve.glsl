@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Water that was lit at fewer places (src/render/papers/half_rate.c), over the picture. KEPT: where there is water
+// Water that was lit at fewer places (src/render/half_rate.c), over the picture. KEPT: where there is water
 // stands in the shape that its optics keeps; else the mesh says it. OPAQUE: there is something else in the picture. To
 // discard is dear, for software OpenGL tests depth late then.
 #include "common/frame.glsl"

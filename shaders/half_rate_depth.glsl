@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The depth of what stands before or behind the water, for a picture with fewer columns
-// (src/render/papers/half_rate.c): the minimum depth of the covered pixels (reversed, so the farthest), biased away so
+// (src/render/half_rate.c): the minimum depth of the covered pixels (reversed, so the farthest), biased away so
 // that coplanar water passes.
 #include "common/depth.glsl"
 #include "common/fullscreen.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // See half_rate.h.
-#include "render/papers/half_rate.h"
+#include "half_rate.h"
 
 #include <math.h>
 
@@ -9,47 +9,59 @@
 #define SMALLEST 64 // columns of a picture: below, there is nothing to save
 
 // Over the shape that the optics keeps, and over the mesh. Bit 0: something opaque is in the picture.
-static const water_shader shape_resolve = {.stem = "papers/half_rate_resolve", .defines = {"OPAQUE 1\n", "KEPT 1\n"}};
-static const water_shader mesh_resolve = {.stem = "papers/half_rate_resolve", .reads = WATER_FEATURE_ALL};
+static const water_shader shape_resolve = {.stem = "half_rate_resolve", .defines = {"OPAQUE 1\n", "KEPT 1\n"}};
+static const water_shader mesh_resolve = {.stem = "half_rate_resolve", .reads = WATER_FEATURE_ALL};
 enum { OPAQUE = 1, KEPT = 2 };
 
 bool bolan_half_rate_prepare(half_rate *s, const water_setup *setup, bool keeps_shape, water_programs *all) {
     const bool listed =
-        keeps_shape ? bolan_water_programs_add(all, setup, false, &shape_resolve, setup->opaque ? KEPT | OPAQUE : KEPT)
+        keeps_shape ? bolan_water_programs_add(all, setup, false, &shape_resolve, setup->land ? KEPT | OPAQUE : KEPT)
                     : bolan_water_programs_add(all, setup, false, &mesh_resolve, 0);
-    if (keeps_shape || !setup->opaque || s->farthest.stem[0] != '\0') return listed; // made, or tried once
-    return bolan_gl_program_create("papers/half_rate_depth", NULL, &s->farthest) == BOLAN_OK && listed;
+    if (keeps_shape || !setup->land || s->farthest.stem[0] != '\0') return listed; // made, or tried once
+    return bolan_gl_program_create("half_rate_depth", NULL, &s->farthest) == BOLAN_OK && listed;
 }
 
-uint32_t bolan_half_rate_columns(const render_view *v, const uint32_t by_quality[]) {
+uint32_t bolan_half_rate_columns(const render_view *v, uint32_t most) {
     const bolan_look *look = &v->frame->lighting.look;
-    const bool plain = !look->paper && look->show == BOLAN_SHOW_PICTURE && v->block.eye_under_water < 0.5f;
+    const bool plain = look->show == BOLAN_SHOW_PICTURE && v->block.eye_under_water < 0.5f;
     if (!plain || v->lens.pitch_deg < -STEEPEST_DEG || v->width < SMALLEST) return 1;
     // Where the camera rolls, a row runs partly along the view, and there every pixel shows other water.
     const double along = fabs(sin(bolan_radians(v->lens.roll_deg)));
-    uint32_t columns = by_quality[v->frame->quality] > 1 ? by_quality[v->frame->quality] : 1;
+    uint32_t columns = most > 1 ? most : 1;
     while (columns > 1 && columns * along > 1.0) columns /= 2;
     return columns;
 }
 
-static void free_target(half_rate *s) {
-    bolan_gl_target_free(&s->target);
-    bolan_gl_texture_free(&s->color);
-    bolan_gl_texture_free(&s->depth);
+static void free_targets(half_rate_targets *t) {
+    bolan_gl_target_free(&t->target);
+    bolan_gl_texture_free(&t->color);
+    bolan_gl_texture_free(&t->depth);
 }
 
-static bool fit(half_rate *s, uint32_t width, uint32_t height) {
-    if (s->target.id != 0 && s->target.width == width && s->target.height == height) return true;
-    free_target(s);
+static bolan_result create_targets(half_rate_targets *t, uint32_t width, uint32_t height) {
     gl_texture_desc color = {
         .format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
     gl_texture_desc depth = {.format = GL_FMT_DEPTH32F, .width = width, .height = height, .filter = GL_FILTER_NEAREST};
-    const gl_texture *colors[] = {&s->color};
-    bolan_result result = bolan_gl_texture_create(&color, &s->color);
-    if (result == BOLAN_OK) result = bolan_gl_texture_create(&depth, &s->depth);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(colors, 1, &s->depth, -1, 0, &s->target);
-    if (result != BOLAN_OK) free_target(s);
-    return result == BOLAN_OK;
+    const gl_texture *colors[] = {&t->color};
+    bolan_result result = bolan_gl_texture_create(&color, &t->color);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&depth, &t->depth);
+    return result == BOLAN_OK ? bolan_gl_target_create(colors, 1, &t->depth, -1, 0, &t->target) : result;
+}
+
+static bool fit(half_rate *s, uint32_t width, uint32_t height) {
+    bool fresh;
+    uint32_t over;
+    const uint32_t slot = bolan_kept_sizes_use(&s->kept, width, height, &fresh);
+    half_rate_targets *t = &s->sizes[slot];
+    if (fresh) free_targets(t);
+    while (bolan_kept_sizes_over(&s->kept, &over)) free_targets(&s->sizes[over]);
+    if (fresh && create_targets(t, width, height) != BOLAN_OK) {
+        free_targets(t);
+        bolan_kept_sizes_forget(&s->kept, slot);
+        return false;
+    }
+    s->now = *t;
+    return true;
 }
 
 // Of the pixels that a sample serves, the farthest: whatever shows water is lit.
@@ -67,24 +79,24 @@ render_view bolan_half_rate_begin(half_rate *s, const render_view *v, uint32_t c
     const uint32_t width = (v->width + columns - 1) / columns, height = v->height;
     render_view sparse = *v;
     if (columns == 1 || !fit(s, width, height)) return sparse;
-    bolan_gl_target_bind(&s->target);
+    bolan_gl_target_bind(&s->now.target);
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     if (!keeps_shape) {
         bolan_gl_target_clear_depth(0.0f);
         if (opaque && !fill_depth(s, v, columns)) return sparse;
         sparse.width = width;
-        sparse.hdr_depth = &s->depth;
+        sparse.hdr_depth = &s->now.depth;
     }
-    sparse.hdr = s->target;
+    sparse.hdr = s->now.target;
     sparse.shade_columns = (float)columns;
     return sparse;
 }
 
 // A shape is lit at the pixels' middles, half a pixel off the samples' own.
 static bolan_vec4 places(const half_rate *s, const render_view *v, bool keeps_shape) {
-    const uint32_t width = v->width, columns = (width + s->target.width - 1) / s->target.width;
-    const float scale = keeps_shape ? 1.0f / (float)columns : (float)s->target.width / (float)width;
-    return (bolan_vec4){scale, keeps_shape ? -0.5f * scale - 0.5f : -0.5f, (float)(s->target.width - 1), 0.0f};
+    const uint32_t width = v->width, columns = (width + s->now.target.width - 1) / s->now.target.width;
+    const float scale = keeps_shape ? 1.0f / (float)columns : (float)s->now.target.width / (float)width;
+    return (bolan_vec4){scale, keeps_shape ? -0.5f * scale - 0.5f : -0.5f, (float)(s->now.target.width - 1), 0.0f};
 }
 
 void bolan_half_rate_lay(const half_rate *s, const water_draw *d, bool keeps_shape, bool opaque) {
@@ -92,7 +104,7 @@ void bolan_half_rate_lay(const half_rate *s, const water_draw *d, bool keeps_sha
                                       : bolan_water_program(d, &mesh_resolve, 0);
     if (!g) return;
     bolan_gl_program_vec4(g, "places", places(s, d->view, keeps_shape));
-    bolan_gl_texture_bind(&s->color, UNIT_SPARSE);
+    bolan_gl_texture_bind(&s->now.color, UNIT_SPARSE);
     if (!keeps_shape) {
         bolan_water_draw_forward(d);
         return;
@@ -108,6 +120,6 @@ bolan_result bolan_half_rate_reload(half_rate *s) {
 }
 
 void bolan_half_rate_free(half_rate *s) {
-    free_target(s);
+    for (int i = 0; i < KEPT_SIZES; ++i) free_targets(&s->sizes[i]);
     bolan_gl_program_free(&s->farthest);
 }

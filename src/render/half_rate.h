@@ -9,18 +9,26 @@
 #ifndef BOLAN_RENDER_WATER_SPARSE_H
 #define BOLAN_RENDER_WATER_SPARSE_H
 
-#include "render/water_optics.h"
+#include "kept_sizes.h"
+#include "water_optics.h"
 
-typedef struct half_rate {
+// What has the size of a view: 12 bytes for each sample.
+typedef struct half_rate_targets {
     gl_texture color, depth; // alpha: there is water
     gl_target target;
+} half_rate_targets;
+
+typedef struct half_rate {
+    kept_sizes kept;
+    half_rate_targets sizes[KEPT_SIZES];
+    half_rate_targets now; // those of the present size
     gl_program farthest; // fills the depth
 } half_rate;
 
 // Notes and compiles the programs of this stage. False: they cannot be had (logged).
 bool bolan_half_rate_prepare(half_rate *s, const water_setup *setup, bool keeps_shape, water_programs *all);
-// How many columns of this picture one sample serves, of what an optics has; 1: each pixel has its own.
-uint32_t bolan_half_rate_columns(const render_view *f, const uint32_t by_quality[]);
+// How many columns of this view one sample serves, at most `most`; 1: each pixel has its own.
+uint32_t bolan_half_rate_columns(const render_view *f, uint32_t most);
 // The frame to light the water in: cleared, and with the depth of what stands before the water where
 // something is `opaque`. Its sampling.x is 1 and
 // it is `f` itself where it cannot be had (logged).
