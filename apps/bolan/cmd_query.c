@@ -1,96 +1,142 @@
 // SPDX-License-Identifier: MIT
-// bolan query: the surface at points, as CSV.
+// bolan query: the water at points, as CSV of any length: points are read, answered and printed batch by batch.
 #include "commands.h"
 #include "help.h"
+#include "progress.h"
+#include "query_table.h"
 #include "session.h"
 
-#include "bolan/query.h"
-
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
-enum { LINE_CAPACITY = 192, BATCH = 65536 };
+enum { BATCH = 16384, SLICE = 256, SLICES = BATCH / SLICE, ROW = QUERY_MAX_COLUMNS * QUERY_CELL };
 
-static const char *const header = "x,y,height,normal_x,normal_y,normal_z,jacobian,residual\n";
+// A row is seldom longer than some 20 bytes a column; the longest number has less than QUERY_CELL.
+typedef struct stream {
+    const bolan_water *water;
+    bolan_question question;
+    query_columns columns;
+    unsigned asks;
+    query_batch batch;
+    bolan_points_reader *reader;
+    bolan_file_stream *file; // NULL: standard output
+    progress bar;
+    size_t row;          // capacity of a row [bytes]
+    char *text;          // SLICES * SLICE rows
+    size_t used[SLICES]; // text of each slice
+} stream;
 
-// Text that grows; one write at the end puts it into the file as a whole.
-typedef struct text {
-    char *data;
-    size_t size, capacity;
-} text;
+// Task: slices [begin, end) of the batch.
+static void print_slices(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    (void)worker;
+    stream *s = context;
+    for (uint32_t i = begin; i < end; i++) {
+        const uint32_t first = i * SLICE, last = first + SLICE < s->batch.count ? first + SLICE : s->batch.count;
+        s->used[i] =
+            query_batch_print(&s->batch, &s->columns, &s->question, first, last, s->text + (size_t)first * s->row);
+    }
+}
 
-static bool reserve(text *t, size_t more) {
-    if (t->size + more <= t->capacity) return true;
-    const size_t capacity = 2 * t->capacity + more;
-    char *data = realloc(t->data, capacity);
-    if (!data) return false;
-    t->data = data;
-    t->capacity = capacity;
+static bool write_text(stream *s, const char *text, size_t size) {
+    if (s->file) return bolan_file_stream_write(s->file, text, size) == BOLAN_OK;
+    return fwrite(text, 1, size, stdout) == size;
+}
+
+static bool write_header(stream *s) {
+    char header[ROW];
+    return write_text(s, header, query_columns_header(&s->columns, header));
+}
+
+static bool write_batch(stream *s) {
+    const uint32_t slices = (s->batch.count + SLICE - 1) / SLICE;
+    bolan_parallel(slices, 1, print_slices, s);
+    for (uint32_t i = 0; i < slices; i++)
+        if (!write_text(s, s->text + (size_t)i * SLICE * s->row, s->used[i])) return false;
     return true;
 }
 
-static bool append_rows(text *t, const bolan_dvec2 *xy, const bolan_query_point *answers, uint32_t count) {
-    if (!reserve(t, (size_t)count * LINE_CAPACITY)) return false;
-    for (uint32_t i = 0; i < count; i++) {
-        const bolan_query_point *a = &answers[i];
-        t->size += (size_t)bolan_format(t->data + t->size, LINE_CAPACITY, "%.12g,%.12g,%.7g,%.7g,%.7g,%.7g,%.6g,%.3g\n",
-                                        xy[i].x, xy[i].y, (double)a->height, (double)a->normal.x, (double)a->normal.y,
-                                        (double)a->normal.z, (double)a->jacobian, (double)a->residual);
-    }
-    return true;
+static void show_progress(stream *s) {
+    uint64_t position, size;
+    bolan_points_progress(s->reader, &position, &size);
+    progress_update(&s->bar, (uint32_t)(position >> 10));
 }
 
-static bool answer_all(const bolan_water *water, const bolan_points *points, text *out) {
-    bolan_dvec2 *xy = malloc(BATCH * sizeof *xy);
-    bolan_query_point *answers = malloc(BATCH * sizeof *answers);
-    bool ok = xy && answers && reserve(out, strlen(header));
-    if (ok) {
-        memcpy(out->data, header, strlen(header));
-        out->size = strlen(header);
+static bool answer_all(stream *s) {
+    for (bool first = true;; first = false) {
+        if (bolan_points_next(s->reader, s->batch.xyz, BATCH, &s->batch.count)) return false;
+        if (s->batch.count == 0) return true;
+        if (first && !write_header(s)) return false;
+        query_batch_answer(&s->batch, s->water, &s->question, s->asks);
+        if (!write_batch(s)) return false;
+        show_progress(s);
     }
-    for (uint32_t first = 0; first < points->count && ok; first += BATCH) {
-        const uint32_t count = points->count - first < BATCH ? points->count - first : BATCH;
-        for (uint32_t i = 0; i < count; i++)
-            xy[i] = (bolan_dvec2){points->points[first + i].x, points->points[first + i].y};
-        bolan_query_surface(water, xy, count, answers);
-        ok = append_rows(out, xy, answers, count);
-    }
-    free(xy);
-    free(answers);
-    return ok;
 }
 
-static int write_answers(const bolan_water *water, const bolan_points *points, const char *output) {
-    text rows = {NULL, 0, 0};
-    int result = EXIT_OK;
-    if (!answer_all(water, points, &rows)) {
-        result = failure("no memory for the answers to %u points", (unsigned)points->count);
-    } else if (output) {
-        result = bolan_file_write(output, rows.data, rows.size) ? EXIT_FAILED : EXIT_OK;
-    } else {
-        fwrite(rows.data, 1, rows.size, stdout);
+static int run(stream *s, const options *o) {
+    uint64_t position, size;
+    if (o->output && bolan_file_stream_open(o->output, &s->file)) return EXIT_FAILED;
+    bolan_points_progress(s->reader, &position, &size);
+    const bool on_terminal = !o->output && isatty(STDOUT_FILENO);
+    s->bar = progress_start((uint32_t)(size >> 10), o->quiet || on_terminal);
+    s->bar.unit = " KiB";
+    const bool answered = answer_all(s);
+    progress_end(&s->bar);
+    if (!s->file && ferror(stdout)) return EXIT_OK; // main() finds that and says so
+    const bool kept = bolan_file_stream_close(&s->file, answered) == BOLAN_OK;
+    return answered && kept ? EXIT_OK : EXIT_FAILED;
+}
+
+// Answers with a flow, where a column needs one.
+static int run_in(stream *s, const options *o, const bolan_world *world) {
+    bolan_water water = *bolan_world_water(world);
+    bolan_flow *flow = NULL;
+    s->row = (size_t)s->columns.count * QUERY_CELL;
+    s->text = malloc((size_t)BATCH * s->row);
+    int result = EXIT_FAILED;
+    if (!query_batch_create(&s->batch, BATCH, s->asks) || !s->text) {
+        failure("no memory for %d points", (int)BATCH);
+    } else if (!(s->asks & (ASK_MOTION | ASK_BELOW)) || bolan_flow_create(water.sea, &flow) == BOLAN_OK) {
+        water.flow = flow;
+        s->water = &water;
+        result = run(s, o);
     }
-    free(rows.data);
+    query_batch_free(&s->batch);
+    free(s->text);
+    bolan_flow_destroy(&flow);
     return result;
+}
+
+static bolan_question question_of(const options *o) {
+    bolan_question q = bolan_question_default();
+    if (!isnan(o->least_wavelength)) q.least_wavelength = o->least_wavelength;
+    if (o->stretching >= 0) q.stretching = (bolan_stretching)o->stretching;
+    return q;
 }
 
 int command_query(int count, char **arguments) {
     options o;
     bolan_world *w = NULL;
-    bolan_points points;
+    stream s = {.file = NULL};
     int result = options_parse(ON_QUERY, "query", count, arguments, &o);
     if (result) return result;
     if (o.help)
-        return help_command(ON_QUERY, "query [SCENE] --points FILE.csv [-o FILE.csv] [OPTIONS]",
-                            "Prints height, normal and Jacobian of the water at points: the surface that is drawn.");
-    if (!o.points) return usage_error("query needs --points FILE, a CSV file of x,y in metres");
+        return help_command(
+            ON_QUERY, "query [SCENE] --points FILE.csv [-o FILE.csv] [OPTIONS]",
+            "Prints the water at points: height and normal of the surface that is drawn, and its motion.");
+    if (!o.points) return usage_error("query needs --points FILE, a CSV file of x,y or x,y,z in metres");
+    if (!query_columns_parse(o.columns, &s.columns)) return EXIT_USAGE;
+    s.question = question_of(&o);
+    s.asks = s.columns.asks;
+    if (s.question.least_wavelength > 0.0 && (s.asks & ASK_SURFACE)) s.asks |= ASK_MOTION;
     if (o.output && strcmp(o.output, "-") == 0) o.output = NULL;
-    if (bolan_points_load(strcmp(o.points, "-") == 0 ? "/dev/stdin" : o.points, &points)) return EXIT_FAILED;
+    if (bolan_points_open(strcmp(o.points, "-") == 0 ? "/dev/stdin" : o.points, &s.reader)) return EXIT_FAILED;
     result = o.output && bolan_file_check_writable(o.output) ? EXIT_FAILED : session_open(&o, &w);
     if (!result) {
-        result = write_answers(bolan_world_water(w), &points, o.output);
+        result = run_in(&s, &o, w);
         bolan_world_destroy(&w);
     }
-    bolan_points_destroy(&points);
+    bolan_points_close(&s.reader);
     return result;
 }

@@ -12,6 +12,7 @@
 #define PICTURE_COMMANDS (ON_VIEW | ON_RENDER)
 #define GROUND_COMMANDS (PICTURE_COMMANDS | ON_QUERY) // the others have no use for a sea bed
 
+static const char *const stretching_names[] = {"none", "wheeler", NULL}; // by bolan_stretching
 static const char *const backend_names[] = {"cpu", "compute", NULL};
 
 // An option of the command line alone.
@@ -79,6 +80,13 @@ const option_info option_table[] = {
     OF_SCENE("cpu", SCENE_COMMANDS, "SET"),
     OPTION("points", TEXT, points, ON_QUERY, "FILE",
            .help = "CSV of x,y[,z] in metres; - is standard input"),
+    OPTION("columns", TEXT, columns, ON_QUERY, "LIST",
+           .help = "which columns: x, y, z, height, normal, jacobian, residual, foam, rise, velocity, acceleration, pressure, wet"),
+    OPTION("least-wavelength", NUMBER, least_wavelength, ON_QUERY, "M",
+           .low = 0, .high = 1e5, .unit = "m",
+           .help = "waves shorter than this are left out of height, normal, rise, velocity, acceleration and pressure"),
+    OPTION("stretching", NAME, stretching, ON_QUERY, "NAME",
+           .names = stretching_names, .help = "how linear theory is continued to the surface; none by default"),
     OPTION("output", TEXT, output, ON_RENDER | ON_QUERY | ON_BAKE, "FILE",
            .letter = 'o', .help = "where to write"),
     OPTION("screenshot", TEXT, screenshot, ON_VIEW, "FILE",

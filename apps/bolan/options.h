@@ -27,8 +27,9 @@ typedef struct options {
     double at[2], camera[6], sun[2]; // latitude, longitude; x, y, z, heading, pitch[, fov]; azimuth, elevation
     double fps, frames, samples, threads;
     double size[2];
-    int quality, backend;
-    const char *spectrum, *terrain, *points, *output, *screenshot;
+    double least_wavelength;
+    int quality, backend, stretching;
+    const char *spectrum, *terrain, *points, *columns, *output, *screenshot;
     bool json, parameters, schema, quiet, help;
 } options;
 

@@ -17,7 +17,7 @@ static double now(void) {
 }
 
 progress progress_start(uint32_t total, bool quiet) {
-    progress p = {!quiet && total > 1 && isatty(STDERR_FILENO), total, now(), 0.0};
+    progress p = {!quiet && total > 1 && isatty(STDERR_FILENO), total, now(), 0.0, NULL};
     interrupt_bar_is_shown(p.shown);
     progress_update(&p, 0);
     return p;
@@ -31,7 +31,7 @@ void progress_update(progress *p, uint32_t done) {
     const uint32_t filled = (uint32_t)((uint64_t)done * WIDTH / p->total);
     for (uint32_t i = 0; i < WIDTH; i++) bar[i] = i < filled ? '#' : '-';
     bar[WIDTH] = '\0';
-    fprintf(stderr, "\r[%s] %u/%u", bar, (unsigned)done, (unsigned)p->total);
+    fprintf(stderr, "\r[%s] %u/%u%s", bar, (unsigned)done, (unsigned)p->total, p->unit ? p->unit : "");
     if (done > 0) {
         const long left = (long)((t - p->started) / done * (p->total - done) + 0.5);
         fprintf(stderr, ", %ld:%02ld left ", left / 60, left % 60);

@@ -10,6 +10,7 @@ typedef struct progress {
     bool shown;
     uint32_t total;
     double started, drawn; // [s]
+    const char *unit;      // behind the numbers; NULL: none
 } progress;
 
 // Shows nothing when @p quiet, when stderr is no terminal, or when there is only one step.

@@ -209,6 +209,9 @@ BOLAN_API __attribute__((format(printf, 3, 4)))
 #endif
 BOLAN_API int
 BOLAN_API bolan_format(char *out, size_t capacity, const char *format, ...);
+/// Writes @p value as "%.*g" does in the C locale with @p digits 1..12, several times as fast; -0 keeps its sign.
+/// @p capacity is 32 at least. Returns the length. Thread-safe.
+BOLAN_API int bolan_format_number(char *out, size_t capacity, double value, int digits);
 /// Reads a decimal number, [+-]digits[.digits][e[+-]digits], that fills all @p size bytes of @p text, correctly rounded
 /// and in the C locale. False for anything else: blanks, "nan", "inf", hexadecimal, more than 400 bytes, and a number
 /// beyond the range of a double. Thread-safe.

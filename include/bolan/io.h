@@ -45,6 +45,15 @@ BOLAN_API bolan_result bolan_file_write(const char *path, const void *data, size
 /// Would a file be written at @p path? Leaves nothing behind; for long work that should fail before it starts. IO if
 /// not.
 BOLAN_API bolan_result bolan_file_check_writable(const char *path);
+/// A file that is written piece by piece.
+typedef struct bolan_file_stream bolan_file_stream;
+/// Begins a file at @p path, as bolan_file_write() would write it: under a temporary name until it is closed.
+/// A device or pipe is opened and written straight. Errors: IO, MEMORY; then *out is NULL.
+BOLAN_API bolan_result bolan_file_stream_open(const char *path, bolan_file_stream **out);
+/// Appends @p size bytes. IO where they cannot be written; then only bolan_file_stream_close() is left to do.
+BOLAN_API bolan_result bolan_file_stream_write(bolan_file_stream *stream, const void *data, size_t size);
+/// Gives the file its name, or removes it (@p keep false). NULL-safe, NULLs. IO where that fails; nothing is left.
+BOLAN_API bolan_result bolan_file_stream_close(bolan_file_stream **stream, bool keep);
 /// Removes every file and folder of this library that is being written and not finished, and ends the ffmpeg processes.
 /// For a signal handler that ends the program: async-signal-safe, from any thread. No file is written after it: a
 /// thread that tries to waits for ever, so call _exit() next.
@@ -156,6 +165,20 @@ BOLAN_API bolan_result bolan_points_parse(const char *name, const char *text, si
 BOLAN_API bolan_result bolan_points_load(const char *path, bolan_points *out);
 /// Releases the points; NULL-safe, and leaves an empty list.
 BOLAN_API void bolan_points_destroy(bolan_points *points);
+
+/// Points of a file of any length, read piece by piece in constant memory.
+typedef struct bolan_points_reader bolan_points_reader;
+/// Opens a file of points, of the format of bolan_points_parse(), with lines of at most 65535 bytes.
+/// Errors: IO, MEMORY; then *out is NULL.
+BOLAN_API bolan_result bolan_points_open(const char *path, bolan_points_reader **out);
+/// Reads the next points: @p count receives how many, at most @p capacity, and 0 at the end. A point that has no z gets
+/// NAN for it. Errors: IO; FORMAT with file and line, also for a file without a point: then nothing more is read.
+BOLAN_API bolan_result bolan_points_next(bolan_points_reader *reader, bolan_dvec3 *points, uint32_t capacity,
+                                         uint32_t *count);
+/// How much was read and how much there is [bytes]; @p size is 0 where that is not known, as of a pipe.
+BOLAN_API void bolan_points_progress(const bolan_points_reader *reader, uint64_t *position, uint64_t *size);
+/// NULL-safe; NULLs.
+BOLAN_API void bolan_points_close(bolan_points_reader **reader);
 
 // ---- images and video -----------------------------------------------------------------------------------------------
 

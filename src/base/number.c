@@ -6,6 +6,7 @@
 // are correctly rounded in both directions.
 #include "bolan/base.h"
 
+#include <float.h>
 #include <locale.h>
 #include <math.h>
 #include <stdarg.h>
@@ -31,6 +32,71 @@ int bolan_format(char *out, size_t capacity, const char *format, ...) {
     const int length = bolan_number_format_list(out, capacity, format, arguments);
     va_end(arguments);
     return length;
+}
+
+// Those that a double holds exactly.
+static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+// ---- short numbers, fast --------------------------------------------------------------------------------------------
+
+enum { MOST_DIGITS = 12, LONGEST_FIXED = 32 };
+
+// value * 10^power, rounded twice at most: within 4e-16 of itself. |power| <= 44.
+static double scaled(double value, int power) {
+    for (; power > 22; power -= 22) value *= 1e22;
+    for (; power < -22; power += 22) value /= 1e22;
+    return power < 0 ? value / powers[-power] : value * powers[power];
+}
+
+// The decimal digits of `value` > 0, rounded to `digits` of them, and the exponent of the first. False where the double
+// arithmetic cannot tell which way to round.
+static bool short_decimal(double value, int digits, uint64_t *integer, int *exponent) {
+    int binary;
+    frexp(value, &binary);
+    *exponent = (int)floor((binary - 1) * 0.30102999566398120); // or one more
+    double shifted = scaled(value, digits - 1 - *exponent);
+    if (shifted >= scaled(1.0, digits)) shifted = scaled(value, digits - 1 - ++*exponent);
+    const double whole = floor(shifted), rest = shifted - whole;
+    if (fabs(rest - 0.5) < 1e-15 * shifted + 1e-9) return false;
+    *integer = (uint64_t)whole + (rest > 0.5);
+    if ((double)*integer < scaled(1.0, digits)) return true;
+    *integer /= 10;
+    ++*exponent;
+    return true;
+}
+
+// Digits without zeros at the end; the first is that of 10^exponent, exponent -4 .. digits - 1.
+static int put_fixed(char *out, const char *decimal, int digits, int exponent) {
+    int used = 0;
+    while (digits > 1 && decimal[digits - 1] == '0') digits--;
+    if (exponent < 0) { // 0.00ddd
+        out[used++] = '0';
+        out[used++] = '.';
+        for (int i = exponent + 1; i < 0; i++) out[used++] = '0';
+        for (int i = 0; i < digits; i++) out[used++] = decimal[i];
+    } else {
+        for (int i = 0; i <= exponent; i++) out[used++] = i < digits ? decimal[i] : '0';
+        if (digits > exponent + 1) out[used++] = '.';
+        for (int i = exponent + 1; i < digits; i++) out[used++] = decimal[i];
+    }
+    out[used] = '\0';
+    return used;
+}
+
+int bolan_format_number(char *out, size_t capacity, double value, int digits) {
+    BOLAN_ASSERT(out && capacity >= LONGEST_FIXED && digits >= 1 && digits <= MOST_DIGITS);
+    const double magnitude = fabs(value);
+    uint64_t integer;
+    int exponent;
+    // Beyond these the form is another, and rare.
+    const bool is_short = FLT_EVAL_METHOD == 0 && magnitude >= 1e-4 && magnitude < 1e12;
+    if (!is_short || !short_decimal(magnitude, digits, &integer, &exponent) || exponent >= digits)
+        return bolan_format(out, capacity, "%.*g", digits, value);
+    char decimal[MOST_DIGITS];
+    for (int i = digits; i-- > 0; integer /= 10) decimal[i] = (char)('0' + integer % 10);
+    out[0] = '-';
+    return put_fixed(out + (value < 0.0), decimal, digits, exponent) + (value < 0.0);
 }
 
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -60,9 +126,42 @@ static bool is_number(const char *text, size_t size) {
     return at == size;
 }
 
+// The common case, exact: at most 15 digits are an integer that a double holds, and so is 10^e up to e = 22, so that one
+// product or quotient rounds once (Clinger 1990). `text` is a number.
+static bool parse_short(const char *text, size_t size, double *value) {
+    const bool negative = text[0] == '-';
+    double integer = 0.0;
+    int digits = 0, decimals = 0, exponent = 0;
+    bool point = false;
+    size_t at = negative || text[0] == '+';
+    for (; at < size && text[at] != 'e' && text[at] != 'E'; at++) {
+        if (text[at] == '.') {
+            point = true;
+            continue;
+        }
+        integer = 10.0 * integer + (text[at] - '0');
+        digits += integer > 0.0;
+        decimals += point;
+    }
+    if (digits > 15) return false;
+    if (at < size) {
+        const bool minus = text[++at] == '-';
+        at += minus || text[at] == '+';
+        if (size - at > 3) return false;
+        for (; at < size; at++) exponent = 10 * exponent + (text[at] - '0');
+        if (minus) exponent = -exponent;
+    }
+    exponent -= decimals;
+    if (exponent < -22 || exponent > 22) return false;
+    const double magnitude = exponent < 0 ? integer / powers[-exponent] : integer * powers[exponent];
+    *value = negative ? -magnitude : magnitude;
+    return true;
+}
+
 bool bolan_parse_number(const char *text, size_t size, double *value) {
     BOLAN_ASSERT(value && (text || size == 0));
     if (size > LONGEST_NUMBER || !is_number(text, size)) return false;
+    if (FLT_EVAL_METHOD == 0 && parse_short(text, size, value)) return true;
     char copy[LONGEST_NUMBER + 1];
     memcpy(copy, text, size);
     copy[size] = '\0';

@@ -58,13 +58,25 @@ static bolan_result read_stream(FILE *stream, const char *path, size_t limit, fi
     return result;
 }
 
-bolan_result bolan_file_read(const char *path, size_t limit, file_text *out) {
-    *out = (file_text){NULL, 0};
+bolan_result bolan_file_cannot_read(const char *path) {
+    return cannot_read(BOLAN_LOG_FILE_READ, path, strerror(errno));
+}
+
+bolan_result bolan_file_open(const char *path, FILE **out, uint64_t *size) {
     struct stat status;
-    if (stat(path, &status) == 0 && S_ISDIR(status.st_mode))
-        return cannot_read(BOLAN_LOG_FILE_OPEN, path, "it is a folder");
-    FILE *stream = fopen(path, "rb");
-    if (!stream) return cannot_read(BOLAN_LOG_FILE_OPEN, path, strerror(errno));
+    const bool exists = stat(path, &status) == 0;
+    if (exists && S_ISDIR(status.st_mode)) return cannot_read(BOLAN_LOG_FILE_OPEN, path, "it is a folder");
+    *size = exists && S_ISREG(status.st_mode) ? (uint64_t)status.st_size : 0;
+    *out = fopen(path, "rb");
+    return *out ? BOLAN_OK : cannot_read(BOLAN_LOG_FILE_OPEN, path, strerror(errno));
+}
+
+bolan_result bolan_file_read(const char *path, size_t limit, file_text *out) {
+    FILE *stream;
+    uint64_t size;
+    *out = (file_text){NULL, 0};
+    const bolan_result opened = bolan_file_open(path, &stream, &size);
+    if (opened) return opened;
     const bolan_result result = read_stream(stream, path, limit, out);
     fclose(stream);
     return result;
@@ -271,4 +283,41 @@ bolan_result bolan_file_write(const char *path, const void *data, size_t size) {
     const bolan_result result = written ? BOLAN_OK : bolan_file_cannot_write(path);
     const bolan_result finished = bolan_file_output_finish(&output, written);
     return result ? result : finished;
+}
+
+// ---- piece by piece -------------------------------------------------------------------------------------------------
+
+struct bolan_file_stream {
+    file_output output;
+};
+
+bolan_result bolan_file_stream_open(const char *path, bolan_file_stream **out) {
+    BOLAN_ASSERT(path && out);
+    *out = NULL;
+    bolan_file_stream *stream = bolan_allocate(sizeof *stream);
+    if (!stream) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory to write it", path);
+        return BOLAN_ERROR_MEMORY;
+    }
+    const bolan_result result = bolan_file_output_open(path, &stream->output);
+    if (result) {
+        bolan_release(stream, sizeof *stream);
+    } else {
+        *out = stream;
+    }
+    return result;
+}
+
+bolan_result bolan_file_stream_write(bolan_file_stream *stream, const void *data, size_t size) {
+    BOLAN_ASSERT(stream && (data || size == 0));
+    if (bolan_file_write_all(stream->output.file, data, size)) return BOLAN_OK;
+    return bolan_file_cannot_write(stream->output.path);
+}
+
+bolan_result bolan_file_stream_close(bolan_file_stream **stream, bool keep) {
+    if (!stream || !*stream) return BOLAN_OK;
+    const bolan_result result = bolan_file_output_finish(&(*stream)->output, keep);
+    bolan_release(*stream, sizeof **stream);
+    *stream = NULL;
+    return result;
 }

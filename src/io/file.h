@@ -7,6 +7,8 @@
 #include "bolan/io.h"
 #include "io/unfinished.h"
 
+#include <stdio.h>
+
 typedef struct file_text {
     char *data;  ///< a NUL follows the last byte
     size_t size; ///< [bytes]
@@ -15,6 +17,10 @@ typedef struct file_text {
 /// Reads at most @p limit bytes; a longer file, a folder or an unreadable one is refused with a sentence.
 bolan_result bolan_file_read(const char *path, size_t limit, file_text *out);
 void bolan_file_release(file_text *text);
+/// Opens a file to be read piece by piece; @p size receives its size, 0 of a device or pipe. IO with a sentence.
+bolan_result bolan_file_open(const char *path, FILE **out, uint64_t *size);
+/// Logs "PATH: cannot be read: REASON" by errno, and returns IO.
+bolan_result bolan_file_cannot_read(const char *path);
 
 enum { FILE_NAME_CAPACITY = BOLAN_PATH_MAX + 32 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Query points from CSV.
-#include "io/file.h"
 #include "formats/text.h"
+#include "io/file.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -65,8 +65,9 @@ static bool read_number(text_word field, double *value) {
     return bolan_parse_number(field.begin, field.length, value);
 }
 
+// z is NAN where it is not there.
 static bolan_result read_point(const char *name, uint32_t line, const field_list *list, bolan_dvec3 *point) {
-    double values[3] = {0.0, 0.0, 0.0};
+    double values[3] = {0.0, 0.0, (double)NAN};
     static const char *const expected[3] = {"x, a number of metres within 1e8", "y, a number of metres within 1e8",
                                             "z, a number of metres within 1e8"};
     if (list->count > 3) return refuse(name, line, &list->fields[3], "x,y or x,y,z");
@@ -95,37 +96,61 @@ static bolan_result append(bolan_points *points, bolan_dvec3 point) {
     return BOLAN_OK;
 }
 
+// Where a text is read.
+typedef struct cursor {
+    const char *name;
+    uint32_t line;  // the last that was read, from 1
+    bool not_first; // a line with fields was there
+} cursor;
+
+// The line between `begin` and `end`; *is_point: it holds one.
+static bolan_result parse_line(cursor *c, const char *begin, const char *end, bolan_dvec3 *point, bool *is_point) {
+    const char *comment = memchr(begin, '#', (size_t)(end - begin));
+    const field_list list = split(begin, comment ? comment : end);
+    c->line++;
+    *is_point = false;
+    if (list.count == 0) return BOLAN_OK;
+    const bool header = !c->not_first && is_header(&list);
+    c->not_first = true;
+    if (header) return BOLAN_OK;
+    *is_point = true;
+    return read_point(c->name, c->line, &list, point);
+}
+
 static bolan_result parse_lines(const char *name, const char *text, size_t size, bolan_points *points) {
     const char *end = text + size;
-    bool first = true;
-    uint32_t line = 1;
-    for (const char *next = text; next < end; line++) {
+    cursor c = {.name = name};
+    for (const char *next = text; next < end;) {
         const char *newline = memchr(next, '\n', (size_t)(end - next));
-        const char *stop = newline ? newline : end, *comment = memchr(next, '#', (size_t)(stop - next));
-        const field_list list = split(next, comment ? comment : stop);
-        next = newline ? newline + 1 : end;
-        if (list.count == 0) continue;
-        const bool header = first && is_header(&list);
-        first = false;
-        if (header) continue;
-        bolan_dvec3 point = {0.0, 0.0, 0.0};
-        bolan_result result = read_point(name, line, &list, &point);
-        if (!result) result = append(points, point);
+        bolan_dvec3 point;
+        bool is_point;
+        bolan_result result = parse_line(&c, next, newline ? newline : end, &point, &is_point);
+        if (!result && is_point) {
+            if (isnan(point.z)) point.z = 0.0;
+            result = append(points, point);
+        }
         if (result) return result;
+        next = newline ? newline + 1 : end;
     }
     return BOLAN_OK;
+}
+
+static size_t mark_length(const char *text, size_t size) { // of a byte-order mark
+    return size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+}
+
+static bolan_result no_point(const char *name) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_POINTS_SYNTAX, "%s: there is no point in it; expected lines of x,y or x,y,z",
+              name);
+    return BOLAN_ERROR_FORMAT;
 }
 
 bolan_result bolan_points_parse(const char *name, const char *text, size_t size, bolan_points *out) {
     BOLAN_ASSERT(name && (text || size == 0) && out);
     *out = (bolan_points){0, NULL, 0};
-    const size_t mark = size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0; // a byte-order mark
+    const size_t mark = mark_length(text, size);
     bolan_result result = size ? parse_lines(name, text + mark, size - mark, out) : BOLAN_OK;
-    if (!result && out->count == 0) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_POINTS_SYNTAX,
-                  "%s: there is no point in it; expected lines of x,y or x,y,z", name);
-        result = BOLAN_ERROR_FORMAT;
-    }
+    if (!result && out->count == 0) result = no_point(name);
     if (result) bolan_points_destroy(out);
     return result;
 }
@@ -144,4 +169,110 @@ void bolan_points_destroy(bolan_points *points) {
     if (!points) return;
     bolan_release(points->points, points->capacity * sizeof *points->points);
     *points = (bolan_points){0, NULL, 0};
+}
+
+// ---- piece by piece -------------------------------------------------------------------------------------------------
+
+enum { LONGEST_LINE = 1 << 16, BUFFER = 4 * LONGEST_LINE };
+
+struct bolan_points_reader {
+    char path[BOLAN_PATH_MAX];
+    FILE *file;
+    cursor at;
+    uint64_t position, size; // [bytes]
+    bool ended, any;         // the file; a point was there
+    size_t begin, end;       // what is not yet parsed, in text
+    char text[BUFFER];
+};
+
+bolan_result bolan_points_open(const char *path, bolan_points_reader **out) {
+    BOLAN_ASSERT(path && out);
+    *out = NULL;
+    bolan_points_reader *r = bolan_allocate(sizeof *r);
+    if (!r) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory to read it", path);
+        return BOLAN_ERROR_MEMORY;
+    }
+    snprintf(r->path, sizeof r->path, "%s", path);
+    r->at.name = r->path;
+    const bolan_result result = bolan_file_open(path, &r->file, &r->size);
+    if (result) {
+        bolan_release(r, sizeof *r);
+    } else {
+        *out = r;
+    }
+    return result;
+}
+
+// Moves what is left to the front and reads on behind it.
+static bolan_result refill(bolan_points_reader *r) {
+    const bool is_start = r->position == 0;
+    memmove(r->text, r->text + r->begin, r->end - r->begin);
+    r->end -= r->begin;
+    r->begin = 0;
+    const size_t got = fread(r->text + r->end, 1, BUFFER - r->end, r->file);
+    if (ferror(r->file)) return bolan_file_cannot_read(r->path);
+    r->ended = got < BUFFER - r->end;
+    r->end += got;
+    r->position += got;
+    if (is_start) r->begin = mark_length(r->text, r->end);
+    return BOLAN_OK;
+}
+
+static bolan_result too_long(const bolan_points_reader *r) {
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_POINTS_SYNTAX, "%s:%u: found a line of more than %d bytes; expected x,y",
+              r->path, (unsigned)r->at.line + 1, LONGEST_LINE - 1);
+    return BOLAN_ERROR_FORMAT;
+}
+
+// The next line, without its end; *begin is NULL where there is none.
+static bolan_result next_line(bolan_points_reader *r, const char **begin, const char **end) {
+    *begin = NULL;
+    for (;;) {
+        const char *from = r->text + r->begin, *newline = memchr(from, '\n', r->end - r->begin);
+        if (newline || (r->ended && r->begin < r->end)) {
+            *begin = from;
+            *end = newline ? newline : r->text + r->end;
+            r->begin = (size_t)(*end - r->text) + (newline != NULL);
+            return *end - from < LONGEST_LINE ? BOLAN_OK : too_long(r);
+        }
+        if (r->ended) return BOLAN_OK;
+        if (r->end - r->begin >= LONGEST_LINE) return too_long(r);
+        const bolan_result result = refill(r);
+        if (result) return result;
+    }
+}
+
+bolan_result bolan_points_next(bolan_points_reader *r, bolan_dvec3 *points, uint32_t capacity, uint32_t *count) {
+    BOLAN_ASSERT(r && points && count);
+    *count = 0;
+    while (*count < capacity) {
+        const char *begin, *end;
+        bool is_point;
+        bolan_result result = next_line(r, &begin, &end);
+        if (!result && !begin) return r->any ? BOLAN_OK : no_point(r->path);
+        if (!result) result = parse_line(&r->at, begin, end, &points[*count], &is_point);
+        if (result) {
+            *count = 0;
+            r->ended = true;
+            r->begin = r->end;
+            return result;
+        }
+        *count += is_point;
+        r->any |= is_point;
+    }
+    return BOLAN_OK;
+}
+
+void bolan_points_progress(const bolan_points_reader *reader, uint64_t *position, uint64_t *size) {
+    BOLAN_ASSERT(reader && position && size);
+    *position = reader->position;
+    *size = reader->size;
+}
+
+void bolan_points_close(bolan_points_reader **reader) {
+    if (!reader || !*reader) return;
+    fclose((*reader)->file);
+    bolan_release(*reader, sizeof **reader);
+    *reader = NULL;
 }

@@ -46,6 +46,52 @@ printf '0,0\n' > land.csv
 run query island --points land.csv
 near "$(tail -1 out | cut -d, -f3)" 0 1e-6
 
+# Columns in the order asked for. Points with a z are in the water there, without one at the surface, where dynamic and
+# hydrostatic pressure add up to 0; in the air all is 0.
+printf 'x,y,z\n0,0,-5\n0,0,40\n0,0\n' > deep.csv
+run query open-sea --points deep.csv --columns z,height,velocity_x,pressure,wet,rise,foam
+[ "$(head -1 out)" = 'z,height,velocity_x,pressure,wet,rise,foam' ] || fail 'another header than the columns'
+[ "$(sed -n 3p out | cut -d, -f3-5)" = '0,0,0' ] || fail 'there is water in the air'
+[ "$(sed -n 4p out | cut -d, -f1)" = '' ] || fail 'a point without z has one'
+near "$(sed -n 4p out | cut -d, -f4)" "$(sed -n 4p out | awk -F, '{ print 1026 * 9.81 * $2 }')" 300 # two reconstructions
+awk -F, 'NR == 2 && ($3 == 0 || $4 == 0 || $5 != 1) { exit 1 }' out || fail 'the water does not move'
+run query open-sea --points deep.csv --columns velocity
+[ "$(head -1 out)" = 'velocity_x,velocity_y,velocity_z' ] || fail 'a vector is not its components'
+run query open-sea --points deep.csv --columns velocity_x,pressure --stretching wheeler
+mv out wheeler
+run query open-sea --points deep.csv --columns velocity_x,pressure
+! cmp -s out wheeler || fail 'stretching changes nothing'
+run query open-sea --points net.csv --columns height --least-wavelength 1000
+long=$(awk -F, 'NR > 1 { q += $1 * $1 } END { print q }' out)
+run query open-sea --points net.csv --columns height --least-wavelength 1
+awk -v a="$long" 'NR > 1 { q += $1 * $1 } END { exit !(a < 0.1 * q) }' out || fail 'a least wavelength of 1 km leaves the waves'
+refuse 2 '--columns has hight; expected x, y, z, height' query --points deep.csv --columns x,hight
+refuse 2 '--columns has an empty name' query --points deep.csv --columns x,,y
+refuse 2 '--columns is empty' query --points deep.csv --columns ''
+refuse 2 '--least-wavelength is -1; expected a number from 0' query --points deep.csv --least-wavelength -1
+refuse 2 '--stretching is long; expected none, wheeler' query --points deep.csv --stretching long
+
+# A file of many batches: a row a point, in their order, the same as in pieces, in constant memory.
+awk 'BEGIN { for (i = 0; i < 50000; i++) print i * 0.37 - 5000 "," (i % 977) * 3.1 }' > many.csv
+run query open-sea --points many.csv -o many-answers.csv
+[ "$(wc -l < many-answers.csv)" -eq 50001 ] || fail 'not a row a point of many'
+tail -5000 many.csv > end.csv
+run query open-sea --points end.csv
+tail -5000 out > end
+tail -5000 many-answers.csv | cmp - end || fail 'a point is answered otherwise in a long file'
+(
+    awk 'BEGIN { for (i = 0; i < 400000; i++) print i "," i }' > long.csv
+    ulimit -v 400000
+    "$BOLAN" query pond --points long.csv --threads 1 > long-out || fail 'a long file takes more memory'
+    [ "$(wc -l < long-out)" -eq 400001 ] || fail 'not a row a point of a long file'
+)
+rm -f long.csv long-out
+# A bad line far down: named, and no file is left.
+sed 's/^\(-4999.*\)$/\1/; 49999s/.*/7,oops/' many.csv > late.csv
+refuse 1 'late.csv:49999: found oops; expected y' query open-sea --points late.csv -o late-out.csv
+awk 'BEGIN { for (i = 0; i < 70000; i++) printf "1"; print "" }' > wide.csv
+refuse 1 'wide.csv:1: found a line of more than 65535 bytes' query open-sea --points wide.csv
+
 printf '1,2\n3,abc\n' > bad.csv
 refuse 1 'bad.csv:2: found abc; expected y, a number of metres' query --points bad.csv -o out.csv
 printf '1,nan\n' > nan.csv
