@@ -110,6 +110,30 @@ typedef struct bolan_wave_system {
 /// Immutable; safe to share between threads.
 typedef struct bolan_measured_spectrum bolan_measured_spectrum;
 
+/// Who sees the spectrum of a sea on a current, that is, what its frequency w is.
+///
+/// A wave k on a current U has the frequency sigma(k) of bolan_omega_from_k() in the water, and
+/// omega = sigma(k) + k.U over the ground (Doppler). Without a current the three are one.
+///
+/// A wave is *blocked* where the current's component against it is at least its group speed, cg(k) + U.k/|k| <= 0: its
+/// energy does not get there. For waves of c0 = g/omega in deep still water that is a current of -c0/4.
+typedef enum bolan_spectrum_frame {
+    /// One who drifts with the water: w is sigma. The waves are the same with any current and no wave is blocked, since
+    /// water that moves as a whole is as good as water at rest. Wave models print spectra over sigma.
+    BOLAN_FRAME_WATER,
+    /// One who stands on the ground in the current: w is omega, as at a moored buoy.
+    /// The variance stays, S(sigma, th) d sigma = S(omega, th) d omega. Blocked waves have none.
+    BOLAN_FRAME_GROUND,
+    /// One in still water, from where the waves run into the current without turning: w is omega, which they keep.
+    /// In every direction the flux of wave action stays, E (cg + U.k/|k|) / sigma (Bretherton & Garrett 1968): waves
+    /// grow and shorten against the current, and fall and lengthen with it. Blocked waves are not there.
+    BOLAN_FRAME_STILL,
+} bolan_spectrum_frame;
+/// Number of frames.
+#define BOLAN_SPECTRUM_FRAMES 3
+/// The names that scene files use, "water" ...; by bolan_spectrum_frame. NULL at the end.
+BOLAN_API extern const char *const bolan_spectrum_frame_names[BOLAN_SPECTRUM_FRAMES + 1];
+
 /// A sea: wave systems, or a measured spectrum, over water of one depth, with the local wind that roughens it.
 typedef struct bolan_sea_state {
     /// Number of systems, 0..8.
@@ -125,6 +149,10 @@ typedef struct bolan_sea_state {
     double wind_speed;
     /// Where the wind comes FROM, compass [deg], -360..360.
     double wind_from_deg;
+    /// Uniform current, east and north [m/s], -5..5; default 0. The waves ride on it.
+    double current_x, current_y;
+    /// Who sees the spectrum of systems and measured; default WATER. Without a current it makes no difference.
+    bolan_spectrum_frame frame;
 } bolan_sea_state;
 
 /// The parameters of a bolan_sea_state beside its systems, and of one system.
@@ -228,15 +256,18 @@ BOLAN_API double bolan_system_density(const bolan_wave_system *system, double om
 /// D(w, th) [1/rad]: @p theta is the angle from the system's mean direction [rad]. Integrates to 1, swell factor
 /// included.
 BOLAN_API double bolan_system_spreading(const bolan_wave_system *system, double omega, double theta);
-/// S(w, th) of the whole sea [m2 s/rad per rad]. A measured spectrum is interpolated bilinearly, which conserves its
-/// m0, and is 0 outside its frequencies.
+/// S(w, th) of the whole sea [m2 s/rad per rad], on its current: @p omega is the frequency in the water, sigma, whatever
+/// the frame of the sea state. A measured spectrum is interpolated bilinearly, which conserves its m0, and is 0 outside
+/// its frequencies.
 BOLAN_API double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta);
-/// Psi(kx, ky) = S(w, th) (dw/dk) / k [m4]: variance density over wave vectors that point where the waves go.
+/// Psi(kx, ky) = S(w, th) (dw/dk) / k [m4]: variance density over wave vectors that point where the waves go, on the
+/// current of the sea.
 /// Includes the w^-5 tail that continues a measured spectrum above its last frequency, so that the synthesised sea
 /// has short waves: level of its last band with energy, directions of its last three such bands. 0 at k = 0.
 BOLAN_API double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, double kx, double ky);
 
-/// Integral parameters of a sea state. A calm has zeros, and the wind's direction.
+/// Integral parameters of a sea state on its current, over the frequency in the water. A calm has zeros, and the wind's
+/// direction.
 typedef struct bolan_sea_summary {
     double m0;         ///< variance [m2] (of the requested spectrum: for a measured one, over its own frequencies)
     double hs;         ///< 4 sqrt(m0) [m]

@@ -33,6 +33,10 @@
 /// peak the power is rolled off, so that the slope variance of all cascades stays below Cox & Munk's total for the
 /// wind.
 ///
+/// **Current.** On a current U a wave runs over the ground at omega = w + k.U: the sea of FFT and TEXTURES is that of
+/// water at rest, drifting by U t, with its foam. Seas of FFT cannot both drift and loop; the frames of TEXTURES repeat
+/// while their tile drifts. bolan_sea_state.frame says how a spectrum depends on the current.
+///
 /// **Threads.** Different seas may be used from different threads at the same time. One sea is stepped by one thread at
 /// a time; between steps any number of threads may read it. Forks of a sea count as different seas: bolan_sea_fork().
 #ifndef BOLAN_WAVES_H
@@ -116,14 +120,9 @@ typedef struct bolan_sea_desc {
     /// Time after which every field repeats [s].
     /// 10..1e6, or 0 (default): no repetition.
     /// Frequencies are rounded to multiples of 1 / period; from 200 s on the rounding is not visible.
+    /// With FFT and a current there is no loop: refused.
     /// TEXTURES has its own period, textures.period.
     double loop_period;
-
-    /// Uniform current, east and north [m/s].
-    /// -5..5; default 0.
-    /// The waves stay the same and run over the ground at omega + k . current.
-    /// FFT and TEXTURES ignore it.
-    double current_x, current_y;
 
     /// Samples along the side of a tile, of FFT and TEXTURES.
     /// A power of two, 32..1024; default 256.
@@ -308,6 +307,9 @@ typedef struct bolan_cascade_view {
     double variance;
     /// Expected slope variance of the ring.
     double mss;
+    /// Where sample (0, 0) lies in the world [m]: the tile drifts from the world origin with the current.
+    /// The fields of a rest point (x, y) are those of (x - origin_x, y - origin_y), turned by -angle.
+    double origin_x, origin_y;
     /// eta [m].
     const float *height;
     /// D, world east and north [m].
@@ -431,6 +433,7 @@ typedef struct bolan_sea_statistics {
     /// 4 sqrt(m0_field) [m].
     double hs;
     /// Periods of the discrete spectrum that is synthesised [s]; of a measured spectrum, of the file.
+    /// On a current: tp in the water, which goes with the length of the waves; tm02 and te over the ground.
     double tp, tm02, te;
     /// Mean direction and spread of the realised amplitudes [deg]; of a measured spectrum, of the file.
     double direction_from, spread;

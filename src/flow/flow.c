@@ -19,6 +19,7 @@ static void evolve(bolan_flow *flow, const bolan_sea *sea) {
     bolan_flow_evolve_tiles(flow, shown);
     bolan_flow_evolve_waves(flow, shown);
     flow->time = bolan_sea_time(sea);
+    flow->origin = bolan_sea_drift(sea->shared, flow->time);
 }
 
 bolan_result bolan_flow_create(const bolan_sea *sea, bolan_flow **out) {
@@ -30,6 +31,8 @@ bolan_result bolan_flow_create(const bolan_sea *sea, bolan_flow **out) {
     flow->sea_id = bolan_sea_id(sea);
     flow->model = sea->shared->model;
     flow->depth = desc->sea_state.depth;
+    flow->current_x = (float)desc->sea_state.current_x;
+    flow->current_y = (float)desc->sea_state.current_y;
     flow->kernels = bolan_flow_kernels_for(desc->cpu);
     flow->choppiness = flow->model->form == BOLAN_FORM_EXP_COSINES ? 0.0f : (float)desc->choppiness;
     set_bands(flow, sea);

@@ -130,9 +130,10 @@ static double blend(const float *weight, double per, const float *spline, float 
 }
 
 // Where a point is in a tile, in samples.
-static bolan_dvec2 place(const flow_tile *t, double x, double y) {
-    return (bolan_dvec2){fraction(along_tile(x, y, t->cosine, t->sine) / t->length) * t->n,
-                         fraction(across_tile(x, y, t->cosine, t->sine) / t->length) * t->n};
+static bolan_dvec2 place(const bolan_flow *flow, const flow_tile *t, double x, double y) {
+    const double u = x - flow->origin.x, v = y - flow->origin.y;
+    return (bolan_dvec2){fraction(along_tile(u, v, t->cosine, t->sine) / t->length) * t->n,
+                         fraction(across_tile(u, v, t->cosine, t->sine) / t->length) * t->n};
 }
 
 void bolan_flow_bend(const bolan_flow *flow, const flow_depth *at, double x, double y, const float *weight,
@@ -147,7 +148,7 @@ void bolan_flow_bend(const bolan_flow *flow, const flow_depth *at, double x, dou
         const flow_tile *t = &flow->tile[i];
         const double keep = (double)weight[t->band];
         if (!at->weights[i].used || keep == 0.0) continue;
-        const bolan_dvec2 p = place(t, x, y);
+        const bolan_dvec2 p = place(flow, t, x, y);
         float f[6][FLOW_BENT];
         flow->kernels->bends(t->texels, t->n, p.x, p.y, f);
         const double per = t->n / t->length, c = t->cosine, s = t->sine;
@@ -176,7 +177,7 @@ static void add_turned(const flow_tile *t, double u, double v, double *x, double
 
 static void add_tile(const bolan_flow *flow, const flow_tile *t, const flow_weights *w, double x, double y, double keep,
                      flow_motion *out) {
-    const bolan_dvec2 p = place(t, x, y);
+    const bolan_dvec2 p = place(flow, t, x, y);
     const double per = t->n / t->length;
     texel f;
     flow->kernels->values(t->texels, t->n, p.x, p.y, f.value, f.u, f.v);

@@ -107,6 +107,7 @@ struct bolan_flow {
     double depth;           // of the sea [m]
     float choppiness;       // 0 where parcels do not move sideways
     float current_x, current_y;
+    bolan_dvec2 origin; // where the tiles lie: they drift with the current [m]
     uint32_t bands;
     float band_hs[BOLAN_MAX_CASCADES]; // [m]
     uint32_t tiles;                    // 0 of a sum

@@ -20,7 +20,7 @@ static void add_wave(bolan_flow *flow, const bolan_sea_desc *desc, const bolan_s
     w->ky = n * c->ky;
     w->k = sqrt(w->kx * w->kx + w->ky * w->ky);
     w->turns = n * turns;
-    w->omega = 2.0 * BOLAN_PI * w->turns - w->kx * desc->current_x - w->ky * desc->current_y;
+    w->omega = 2.0 * BOLAN_PI * w->turns - w->kx * desc->sea_state.current_x - w->ky * desc->sea_state.current_y;
     w->amplitude = amplitude;
     w->phase = n * c->phase;
     w->norm = 1.0 / (1.0 - portable_exp(-2.0 * w->k * flow->depth));
@@ -43,8 +43,6 @@ bool bolan_flow_create_waves(bolan_flow *flow, const bolan_sea *sea) {
     if (count == 0) return true; // a flat calm
     flow->waves = bolan_sea_reserve(&flow->memory, (size_t)count * each * sizeof *flow->waves);
     if (!flow->waves) return false;
-    flow->current_x = (float)desc->current_x;
-    flow->current_y = (float)desc->current_y;
     for (uint32_t i = 0; i < count; i++) {
         if (sum->tables.exponential) {
             add_harmonics(flow, desc, &sum->component[i], sum->turns[i]);

@@ -33,6 +33,7 @@ typedef struct query_cascade {
 typedef struct query_sea {
     uint32_t count;
     float choppiness;
+    double origin_x, origin_y; // where the tiles lie: they drift with the current [m]
     query_cascade cascade[BOLAN_MAX_CASCADES];
     float lift[BOLAN_MAX_CASCADES]; // [m] of each cascade; bolan_sea_lift()
     const sum_tables *sum;          // waves instead of cascades, as if they were one; or NULL

@@ -37,8 +37,9 @@ void KERNEL(bolan_query_locate)(const query_sea *sea, query_block *block) {
         const query_cascade *t = &sea->cascade[c];
         const double n = t->n;
         LANES(l) {
-            const double u = fraction(along_tile(block->x[l], block->y[l], t->tile_c, t->tile_s)) * n;
-            const double v = fraction(across_tile(block->x[l], block->y[l], t->tile_c, t->tile_s)) * n;
+            const double x = block->x[l] - sea->origin_x, y = block->y[l] - sea->origin_y;
+            const double u = fraction(along_tile(x, y, t->tile_c, t->tile_s)) * n;
+            const double v = fraction(across_tile(x, y, t->tile_c, t->tile_s)) * n;
             block->cell_u[c][l] = (int32_t)u;
             block->cell_v[c][l] = (int32_t)v;
             block->part_u[c][l] = (float)(u - (double)block->cell_u[c][l]);

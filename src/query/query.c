@@ -197,6 +197,8 @@ static query query_of(const bolan_water *water) {
     for (uint32_t i = 0; i < bolan_sea_cascade_count(sea); i++) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, i);
         q.sea.cascade[i] = cascade_of(&v);
+        q.sea.origin_x = v.origin_x;
+        q.sea.origin_y = v.origin_y;
     }
     double variance = 0.0;
     const sea_band *band = bolan_sea_bands(sea, &q.sea.count);

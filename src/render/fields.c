@@ -102,8 +102,9 @@ static void fill_cascades(fields_block *b, const bolan_sea *sea, bolan_dvec3 ori
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
         const double ca = cos(v.angle) / v.length, sa = sin(v.angle) / v.length, texel = v.length / v.n;
         // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
-        b->tile[c] = (bolan_vec4){(float)(fraction(origin.x * ca + origin.y * sa) + 0.5 / v.n),
-                                  (float)(fraction(origin.y * ca - origin.x * sa) + 0.5 / v.n), (float)ca, (float)sa};
+        const double x = origin.x - v.origin_x, y = origin.y - v.origin_y;
+        b->tile[c] = (bolan_vec4){(float)(fraction(x * ca + y * sa) + 0.5 / v.n),
+                                  (float)(fraction(y * ca - x * sa) + 0.5 / v.n), (float)ca, (float)sa};
         b->band[c] = (bolan_vec4){(float)(4.0 * sqrt(v.variance)), (float)texel,
                                   (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length), 0.0f};
         fill_lift(b, sea, c, texel);

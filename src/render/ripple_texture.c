@@ -101,15 +101,17 @@ bolan_result bolan_ripple_texture_create(gl_texture *out) {
 
 static double fraction(double x) { return x - floor(x); }
 
-// Where the eye stands in a tile that runs with the phase speed of the wave in its middle, by `angle` off the wind.
+// Where the eye stands in a tile that runs with the phase speed of the wave in its middle, by `angle` off the wind, over
+// water that drifts.
 static void place(const render_view *v, double longest, double angle, vec4 *tile, vec4 *size) {
-    const double to = bolan_compass_from_to_math(bolan_sea_get_desc(v->frame->sea)->sea_state.wind_from_deg) + angle;
+    const bolan_sea_state *state = &bolan_sea_get_desc(v->frame->sea)->sea_state;
+    const double to = bolan_compass_from_to_math(state->wind_from_deg) + angle, time = v->frame->time;
+    const double x = v->eye.x - state->current_x * time, y = v->eye.y - state->current_y * time;
     const double length = RIPPLE_LONGEST * longest, c = cos(to), s = sin(to);
     const double middle = longest * pow(0.5, 0.5 * RIPPLE_OCTAVES);
     const double speed = sqrt(BOLAN_GRAVITY * middle / (2.0 * BOLAN_PI));
-    tile->x =
-        (float)fraction((v->eye.x * c + v->eye.y * s - fraction(speed * v->frame->time / length) * length) / length);
-    tile->y = (float)fraction((-v->eye.x * s + v->eye.y * c) / length);
+    tile->x = (float)fraction((x * c + y * s - fraction(speed * time / length) * length) / length);
+    tile->y = (float)fraction((-x * s + y * c) / length);
     tile->z = (float)c;
     tile->w = (float)s;
     size->x = (float)(1.0 / length);

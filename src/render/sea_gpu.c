@@ -248,8 +248,8 @@ static void set_cascades(water_block *b, const render_view *view) {
     for (int c = 0; c < b->cascade_count; ++c) {
         bolan_cascade_view v = bolan_sea_cascade(view->frame->sea, (uint32_t)c);
         double ca = cos(v.angle), sa = sin(v.angle);
-        double u = along_tile(view->eye.x, view->eye.y, ca, sa) / v.length,
-               w = across_tile(view->eye.x, view->eye.y, ca, sa) / v.length;
+        double x = view->eye.x - v.origin_x, y = view->eye.y - v.origin_y;
+        double u = along_tile(x, y, ca, sa) / v.length, w = across_tile(x, y, ca, sa) / v.length;
         double texel = v.length / v.n;
         // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
         b->cascade_tile[c] = (vec4){(float)(u - floor(u) + 0.5 / v.n), (float)(w - floor(w) + 0.5 / v.n),

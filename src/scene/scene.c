@@ -41,6 +41,9 @@ void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg
     bolan_sea_state next = wind_sea_of(scene, wind_speed, from_deg);
     next.depth = old.depth;
     next.measured = old.measured;
+    next.current_x = old.current_x;
+    next.current_y = old.current_y;
+    next.frame = old.frame;
     const bool has_wind_sea = scene->wind_sea && old.system_count > 0 && old.systems[0].wind_speed > 0.0;
     for (uint32_t i = has_wind_sea; i < old.system_count && next.system_count < BOLAN_MAX_WAVE_SYSTEMS; i++)
         next.systems[next.system_count++] = old.systems[i];

@@ -12,6 +12,14 @@ static const bolan_param sea_state_rows[] = {
             .help = "where the wind comes from, compass degrees"),
     NUMBER(depth, .key = "depth", .option = "depth", .low = 0.1, .high = BOLAN_DEEP, .unit = "m",
            .fallback = BOLAN_DEEP, .help = "water depth for the waves: their dispersion, and the spectrum `tma`"),
+    NUMBER(current_x, .key = "current.east", .low = -5, .high = 5, .unit = "m/s",
+           .help = "uniform current to the east, on which the waves ride"),
+    NUMBER(current_y, .key = "current.north", .low = -5, .high = 5, .unit = "m/s",
+           .help = "uniform current to the north"),
+    NAME(frame, .key = "current.spectrum", .names = bolan_spectrum_frame_names, .high = BOLAN_SPECTRUM_FRAMES - 1,
+         .help =
+             "who sees the spectrum: one in the moving `water`, one on the `ground` in the current, or one in `still` "
+             "water from where the waves run into the current; see [sea states](sea-states.md#current)"),
 };
 #undef STRUCT
 const bolan_param_table bolan_sea_state_params = TABLE("bolan_sea_state", sea_state_rows);

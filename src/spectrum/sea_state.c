@@ -20,6 +20,8 @@ const char *const bolan_wind_spectrum_names[BOLAN_WIND_SPECTRUM_KINDS + 1] = {WI
 const char *const bolan_spreading_kind_names[BOLAN_SPREADING_KINDS + 1] = {
     "cos2", "cos2s", "hasselmann", "mitsuyasu", "donelan-banner", "elfouhaily", NULL};
 
+const char *const bolan_spectrum_frame_names[BOLAN_SPECTRUM_FRAMES + 1] = {"water", "ground", "still", NULL};
+
 bolan_sea_state bolan_sea_state_default(void) {
     const bolan_sea_state calm = {.depth = BOLAN_DEEP};
     return calm;

@@ -8,6 +8,10 @@
 
 spectrum_eval bolan_spectrum_eval_prepare(const bolan_sea_state *sea_state) {
     spectrum_eval eval = {.measured = sea_state->measured, .measured_level = 1.0, .depth = sea_state->depth};
+    eval.current_x = sea_state->current_x;
+    eval.current_y = sea_state->current_y;
+    eval.frame = sea_state->frame;
+    eval.on_current = eval.frame != BOLAN_FRAME_WATER && (eval.current_x != 0.0 || eval.current_y != 0.0);
     for (uint32_t i = 0; i < sea_state->system_count && i < BOLAN_MAX_WAVE_SYSTEMS; i++) {
         if (!(sea_state->systems[i].hs > 0.0)) continue;
         const spectrum_system system = bolan_spectrum_system_prepare(&sea_state->systems[i]);
@@ -24,6 +28,10 @@ void bolan_spectrum_eval_scale(spectrum_eval *eval, double factor) {
 
 static double measured_density(const spectrum_eval *eval, double omega, double theta, bool with_tail) {
     return eval->measured_level * bolan_spectrum_measured_density(eval->measured, omega, theta, with_tail);
+}
+
+double bolan_spectrum_relative_depth(const spectrum_eval *eval, double omega) {
+    return eval->any_depth_limited ? eval->depth * bolan_k_from_omega(omega, eval->depth) : 0.0;
 }
 
 // The sum over systems for a wave that goes along the unit vector (ux, uy).
@@ -45,9 +53,17 @@ double bolan_spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky) 
     const double kh = k * eval->depth, t = portable_tanh(kh), tension = BOLAN_SURFACE_TENSION_SEA * k * k;
     const double omega = sqrt((BOLAN_GRAVITY + tension) * k * t);
     const double slope = (BOLAN_GRAVITY + 3.0 * tension) * t + (BOLAN_GRAVITY + tension) * kh * (1.0 - t * t);
-    double density = systems_density(eval, omega, kh, kx / k, ky / k);
-    if (eval->measured) density += measured_density(eval, omega, portable_angle(ky, kx), true);
-    return density * slope / (2.0 * omega * k);
+    double seen = omega, factor = 1.0, seen_kh = kh;
+    if (eval->on_current) {
+        const spectrum_seen s = bolan_spectrum_seen(eval, omega, k, slope / (2.0 * omega), kx / k, ky / k);
+        if (!(s.factor > 0.0)) return 0.0;
+        seen = s.omega;
+        factor = s.factor;
+        seen_kh = bolan_spectrum_relative_depth(eval, seen);
+    }
+    double density = systems_density(eval, seen, seen_kh, kx / k, ky / k);
+    if (eval->measured) density += measured_density(eval, seen, portable_angle(ky, kx), true);
+    return density * factor * slope / (2.0 * omega * k);
 }
 
 double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, double kx, double ky) {
@@ -55,11 +71,17 @@ double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, doub
     return bolan_spectrum_eval_psi(&eval, kx, ky);
 }
 
-double bolan_spectrum_eval_density(const spectrum_eval *eval, double omega, double ux, double uy) {
-    const double kh = eval->any_depth_limited ? eval->depth * bolan_k_from_omega(omega, eval->depth) : 0.0;
-    double density = systems_density(eval, omega, kh, ux, uy);
+static double density_as_given(const spectrum_eval *eval, double omega, double ux, double uy) {
+    double density = systems_density(eval, omega, bolan_spectrum_relative_depth(eval, omega), ux, uy);
     if (eval->measured) density += measured_density(eval, omega, portable_angle(uy, ux), false);
     return density;
+}
+
+double bolan_spectrum_eval_density(const spectrum_eval *eval, double omega, double ux, double uy) {
+    if (!eval->on_current) return density_as_given(eval, omega, ux, uy);
+    const double k = bolan_k_from_omega(omega, eval->depth);
+    const spectrum_seen seen = bolan_spectrum_seen(eval, omega, k, bolan_group_speed(k, eval->depth), ux, uy);
+    return seen.factor > 0.0 ? seen.factor * density_as_given(eval, seen.omega, ux, uy) : 0.0;
 }
 
 double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta) {

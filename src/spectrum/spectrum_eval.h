@@ -48,6 +48,9 @@ typedef struct spectrum_eval {
     const bolan_measured_spectrum *measured; ///< or NULL
     double measured_level;                   ///< factor on its densities
     double depth;
+    double current_x, current_y; ///< [m/s]
+    bolan_spectrum_frame frame;
+    bool on_current; ///< densities are brought from the frame to the water: current.c
 } spectrum_eval;
 
 /// Prepares a valid sea state (bolan_sea_state_validate()). Allocates nothing.
@@ -58,6 +61,19 @@ void bolan_spectrum_eval_scale(spectrum_eval *eval, double factor);
 
 /// Psi(kx, ky) [m4], tail included; 0 at k = 0. As bolan_sea_state_wavenumber_density(). Thread-safe.
 double bolan_spectrum_eval_psi(const spectrum_eval *eval, double kx, double ky);
+
+/// k h of a wave of @p omega in still water; 0 where no system needs it.
+double bolan_spectrum_relative_depth(const spectrum_eval *eval, double omega);
+
+/// A wave whose frequency in the water is sigma, as the frame of the sea state sees it.
+typedef struct spectrum_seen {
+    double omega;  ///< frequency there [rad/s]; 0: it is not seen
+    double factor; ///< S(sigma, th) over S(omega, th)
+} spectrum_seen;
+/// Of a wave of frequency @p sigma, wave number @p k and group speed @p group that goes along the unit vector (ux, uy),
+/// on the current of @p eval.
+spectrum_seen bolan_spectrum_seen(const spectrum_eval *eval, double sigma, double k, double group, double ux,
+                                  double uy);
 
 /// S(w, th) [m2 s/rad per rad] for waves that go along the unit vector (ux, uy), without the tail of a measured
 /// spectrum. As bolan_sea_state_density(). @p omega > 0. Thread-safe.

@@ -58,14 +58,10 @@ static double node_omega(const spectrum_system *system, int node) {
     return system->peak_omega * portable_exp((node - STEPS_BELOW) * STEP);
 }
 
-static double relative_depth(const spectrum_eval *eval, double omega) {
-    return eval->any_depth_limited ? eval->depth * bolan_k_from_omega(omega, eval->depth) : 0.0;
-}
-
 static void add_system(moments *sum, const spectrum_eval *eval, const spectrum_system *system) {
     for (int i = 0; i <= STEPS; i++) {
         const double omega = node_omega(system, i);
-        const double density = bolan_spectrum_system_density(system, omega, relative_depth(eval, omega));
+        const double density = bolan_spectrum_system_density(system, omega, bolan_spectrum_relative_depth(eval, omega));
         const double simpson = i == 0 || i == STEPS ? 1.0 : i % 2 ? 4.0 : 2.0;
         const double weight = simpson * STEP / 3.0 * omega; // dw = w du
         const double along = density * weight * bolan_spectrum_system_mean_cosine(system, omega);
@@ -73,6 +69,58 @@ static void add_system(moments *sum, const spectrum_eval *eval, const spectrum_s
         sum->cosine += along * system->to_x;
         sum->sine += along * system->to_y;
     }
+}
+
+// ---- on a current ---------------------------------------------------------------------------------------------------
+
+// The frames of a spectrum differ by direction, so nothing separates: a sum over log w and the circle.
+enum { CIRCLE = 72 }; // 5 degrees resolve cos-2s up to s = 200
+#define CURRENT_STEP 0.005
+
+// S(w) on the current; adds m0 times the mean unit vector per unit of frequency to `along`.
+static double circle_density(const spectrum_eval *eval, double omega, double along[2]) {
+    double sum = 0.0;
+    for (int j = 0; j < CIRCLE; j++) {
+        double sine, cosine;
+        bolan_sincos(2.0 * BOLAN_PI * j / CIRCLE, &sine, &cosine);
+        const double density = bolan_spectrum_eval_density(eval, omega, cosine, sine) * (2.0 * BOLAN_PI / CIRCLE);
+        sum += density;
+        along[0] += density * cosine;
+        along[1] += density * sine;
+    }
+    return sum;
+}
+
+// Frequencies in the water between which a sea lies: 5 m/s take waves of 50 rad/s down to 9 rad/s, and no wave that a
+// current does not block has more than twice its frequency in still water.
+static void current_range(const spectrum_eval *eval, double *low, double *high) {
+    *low = 1e30;
+    *high = 0.0;
+    for (uint32_t i = 0; i < eval->system_count; i++) {
+        *low = fmin(*low, 0.03 * eval->systems[i].peak_omega);
+        *high = fmax(*high, 1e3 * eval->systems[i].peak_omega);
+    }
+    if (!eval->measured) return;
+    *low = fmin(*low, 0.1 * eval->measured->omega[0]);
+    *high = fmax(*high, 2.0 * eval->measured->omega[eval->measured->frequency_count - 1]);
+}
+
+// Adds the moments, and returns the frequency of the peak; 0 without waves.
+static double add_on_current(moments *sum, const spectrum_eval *eval) {
+    double low, high, peak = 0.0, best = 0.0;
+    current_range(eval, &low, &high);
+    const double growth = portable_exp(CURRENT_STEP);
+    for (double omega = low; omega < high; omega *= growth) {
+        double along[2] = {0.0, 0.0};
+        const double density = circle_density(eval, omega, along), weight = CURRENT_STEP * omega;
+        add_sample(sum, density, omega, weight);
+        sum->cosine += along[0] * weight;
+        sum->sine += along[1] * weight;
+        if (!(density > best)) continue;
+        best = density;
+        peak = omega;
+    }
+    return peak;
 }
 
 // ---- the peak -------------------------------------------------------------------------------------------------------
@@ -85,9 +133,11 @@ static double measured_density_at(const bolan_measured_spectrum *measured, doubl
 }
 
 double bolan_spectrum_eval_omnidirectional(const spectrum_eval *eval, double omega) {
+    double along[2] = {0.0, 0.0};
+    if (eval->on_current) return circle_density(eval, omega, along);
     double sum = eval->measured_level * measured_density_at(eval->measured, omega);
     for (uint32_t i = 0; i < eval->system_count; i++)
-        sum += bolan_spectrum_system_density(&eval->systems[i], omega, relative_depth(eval, omega));
+        sum += bolan_spectrum_system_density(&eval->systems[i], omega, bolan_spectrum_relative_depth(eval, omega));
     return sum;
 }
 
@@ -109,6 +159,14 @@ static double find_peak(const spectrum_eval *eval) {
     return best_omega;
 }
 
+// Adds the moments of a sea, and returns the frequency of its peak; 0 without waves.
+static double add_sea(moments *sum, const spectrum_eval *eval) {
+    if (eval->on_current) return add_on_current(sum, eval);
+    if (eval->measured) add_measured(sum, eval->measured);
+    for (uint32_t i = 0; i < eval->system_count; i++) add_system(sum, eval, &eval->systems[i]);
+    return sum->m0 > 0.0 ? find_peak(eval) : 0.0;
+}
+
 // ---- limits ---------------------------------------------------------------------------------------------------------
 
 #define DEPTH_SHARE 0.6 // Hs over the depth
@@ -127,17 +185,16 @@ bolan_sea_limit bolan_sea_state_limit(const bolan_sea_state *sea_state) {
     const spectrum_eval eval = bolan_spectrum_eval_prepare(sea_state);
     double m0 = 0.0, steepness = 0.0;
     for (uint32_t i = 0; i <= eval.system_count; i++) { // the last is the measured spectrum
-        spectrum_eval one = {.measured_level = 1.0, .depth = eval.depth, .any_depth_limited = eval.any_depth_limited};
+        spectrum_eval one = eval;
         moments sum = {0};
-        if (i < eval.system_count) {
-            one.systems[one.system_count++] = eval.systems[i];
-            add_system(&sum, &one, &one.systems[0]);
-        } else if (eval.measured) {
-            one.measured = eval.measured;
-            add_measured(&sum, eval.measured);
+        one.system_count = i < eval.system_count;
+        if (one.system_count) {
+            one.systems[0] = eval.systems[i];
+            one.measured = NULL;
         }
+        const double peak_omega = add_sea(&sum, &one);
         m0 += sum.m0;
-        steepness += steepness_share(&sum, sum.m0 > 0.0 ? find_peak(&one) : 0.0, eval.depth);
+        steepness += steepness_share(&sum, peak_omega, eval.depth);
     }
     const double hs = 4.0 * sqrt(m0);
     return (bolan_sea_limit){.by_depth = hs > 0.0 ? fmin(DEPTH_SHARE * eval.depth / hs, 1.0) : 1.0,
@@ -148,13 +205,12 @@ bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state) {
     bolan_sea_summary summary = {.from_deg = sea_state->wind_from_deg};
     const spectrum_eval eval = bolan_spectrum_eval_prepare(sea_state);
     moments sum = {0};
-    if (eval.measured) add_measured(&sum, eval.measured);
-    for (uint32_t i = 0; i < eval.system_count; i++) add_system(&sum, &eval, &eval.systems[i]);
+    const double peak_omega = add_sea(&sum, &eval);
     if (!(sum.m0 > 0.0)) return summary;
     const double turn = 2.0 * BOLAN_PI, r1 = fmin(sqrt(sum.cosine * sum.cosine + sum.sine * sum.sine) / sum.m0, 1.0);
     summary.m0 = sum.m0;
     summary.hs = 4.0 * sqrt(sum.m0);
-    summary.tp = turn / find_peak(&eval);
+    summary.tp = turn / peak_omega;
     summary.tm01 = turn * sum.m0 / sum.m1;
     summary.tm02 = turn * sqrt(sum.m0 / sum.m2);
     summary.te = turn * sum.minus1 / sum.m0;

@@ -33,7 +33,8 @@ void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, cons
 bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double y, double time) {
     BOLAN_ASSERT(sea && isfinite(time));
     const sea_shared *shared = sea->shared;
+    const bolan_dvec2 drift = shared->cascades > 0 ? bolan_sea_drift(shared, time) : (bolan_dvec2){0.0, 0.0};
     sea_sums v = {.height = shared->lift};
-    shared->model->sample_direct(shared, x, y, shared->model->shown_time(shared, time, NULL), &v);
+    shared->model->sample_direct(shared, x - drift.x, y - drift.y, shared->model->shown_time(shared, time, NULL), &v);
     return bolan_sea_displaced(&v, shared->desc.choppiness);
 }

@@ -133,8 +133,16 @@ static bolan_sea *create_on(sea_shared *shared) {
 }
 
 static bolan_result validate(const bolan_sea_desc *desc) {
-    const bolan_result result = bolan_params_validate(&bolan_sea_params, desc, "bolan_sea_desc.");
-    return result ? result : bolan_sea_state_validate(&desc->sea_state);
+    bolan_result result = bolan_params_validate(&bolan_sea_params, desc, "bolan_sea_desc.");
+    if (!result) result = bolan_sea_state_validate(&desc->sea_state);
+    const bool drifts = desc->sea_state.current_x != 0.0 || desc->sea_state.current_y != 0.0;
+    if (result || !drifts || desc->waves != BOLAN_WAVES_FFT || desc->loop_period == 0.0) return result;
+    bolan_log(
+        BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT,
+        "bolan_sea_desc.loop_period is %g and the sea has a current; expected one of the two: tiles that drift do not "
+        "come back, the waves of cosines and exp-cosine do",
+        desc->loop_period);
+    return BOLAN_ERROR_ARGUMENT;
 }
 
 bolan_sea_bytes bolan_sea_size(const bolan_sea_desc *desc) {
@@ -192,6 +200,11 @@ void bolan_sea_destroy(bolan_sea **sea) {
 double bolan_sea_reduced_time(const sea_shared *shared, double time, uint32_t *frame) {
     if (frame) *frame = 0;
     return fmod(time, shared->period > 0.0 ? shared->period : LARGEST_TIME);
+}
+
+bolan_dvec2 bolan_sea_drift(const sea_shared *shared, double time) {
+    const double t = fmod(time, LARGEST_TIME);
+    return (bolan_dvec2){shared->desc.sea_state.current_x * t, shared->desc.sea_state.current_y * t};
 }
 
 void bolan_sea_step(bolan_sea *sea, double time) {

@@ -95,6 +95,11 @@ struct bolan_sea {
 // The bands of a sea, bolan_sea_lift() index by index.
 const sea_band *bolan_sea_bands(const bolan_sea *sea, uint32_t *count);
 
+// ---- current --------------------------------------------------------------------------------------------------------
+
+// How far the water has moved from time 0 to `time` [m].
+bolan_dvec2 bolan_sea_drift(const sea_shared *shared, double time);
+
 // ---- waves ----------------------------------------------------------------------------------------------------------
 
 // One mode of the kept half plane, as the tables hold it.

@@ -89,13 +89,16 @@ enum { PERIOD_BINS = 160 }; // of 5 % in frequency, from 0.01 rad/s: 0.05 wp is 
 #define LOWEST_OMEGA 0.01
 
 typedef struct spectrum_sums {
-    double m0, m1_inverse, m2;   // expected moments over w
+    double current_x, current_y; // that the tables of turns leave out [m/s]
+    double m0, m1_inverse, m2;   // expected moments over w, over the ground
     double energy, cosine, sine; // realised |h0|^2 by direction
-    double bin[PERIOD_BINS];     // expected variance by log w
+    double bin[PERIOD_BINS];     // expected variance by log w, in the water
 } spectrum_sums;
 
-static void add_wave(spectrum_sums *s, double omega, double expected, double realised, double kx, double ky) {
-    const double k = sqrt(kx * kx + ky * ky), bin = portable_log(omega / LOWEST_OMEGA) / portable_log(BIN_RATIO);
+static void add_wave(spectrum_sums *s, double in_water, double expected, double realised, double kx, double ky) {
+    const double k = sqrt(kx * kx + ky * ky), bin = portable_log(in_water / LOWEST_OMEGA) / portable_log(BIN_RATIO);
+    const double shift = kx * s->current_x + ky * s->current_y;
+    const double omega = shift != 0.0 ? fmax(fabs(in_water + shift), LOWEST_OMEGA) : in_water;
     s->m0 += expected;
     s->m1_inverse += expected / omega;
     s->m2 += expected * omega * omega;
@@ -136,6 +139,10 @@ static void measure_file(const bolan_sea_summary *summary, bolan_sea_statistics 
 
 static void measure_modes(const sea_shared *shared, bolan_sea_statistics *out) {
     spectrum_sums s = {0};
+    if (shared->cascades > 0) { // the turns of a sum are those over the ground
+        s.current_x = shared->desc.sea_state.current_x;
+        s.current_y = shared->desc.sea_state.current_y;
+    }
     shared->model->each_wave(shared, sum_mode, &s);
     if (!(s.m0 > 0.0) || !(s.energy > 0.0)) return;
     const double r1 = sqrt(s.cosine * s.cosine + s.sine * s.sine) / s.energy;

@@ -149,8 +149,8 @@ static bolan_sea_desc phillips(void) {
 }
 static bolan_sea_desc carried(void) {
     bolan_sea_desc desc = of_model(BOLAN_WAVES_COSINES);
-    desc.current_x = 1.5;
-    desc.current_y = -0.5;
+    desc.sea_state.current_x = 1.5;
+    desc.sea_state.current_y = -0.5;
     desc.cosines.split = BOLAN_SPLIT_EQUAL_WIDTH;
     return desc;
 }

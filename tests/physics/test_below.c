@@ -360,10 +360,12 @@ static void the_rise_of_the_surface_is_its_rate_in_time(void **state) {
     check_motion(d, "fft");
     d.choppiness = 0.4;
     check_motion(d, "fft, choppiness 0.4");
+    d.sea_state.current_x = 1.5, d.sea_state.current_y = -0.7;
+    check_motion(d, "fft on a current");
     d = wind_desc();
     d.waves = BOLAN_WAVES_COSINES;
     check_motion(d, "cosines");
-    d.current_x = 1.5, d.current_y = -0.7;
+    d.sea_state.current_x = 1.5, d.sea_state.current_y = -0.7;
     check_motion(d, "cosines on a current");
     d.waves = BOLAN_WAVES_EXP_COSINE;
     check_motion(d, "exp-cosine on a current");

@@ -186,7 +186,7 @@ static void a_current_shifts_the_period_by_the_table(void **state) {
         bolan_sea_desc d = one_wave(BOLAN_WAVES_COSINES);
         const double k = TURN / (length_ratio[i] * 9.81 * 100.0 / TURN), own = sqrt(9.81 * k);
         d.sea_state.systems[0].peak_omega = own * pow(log(2.0) / 1.25, 0.25); // the median of P-M is then `own`
-        d.current_x = current[i];
+        d.sea_state.current_x = current[i];
         bolan_sea *sea = test_sea(d);
         const bolan_sea_component c = bolan_sea_get_component(sea, 0);
         assert_near(wave_number(&c), k, 1e-4 * k);
@@ -199,8 +199,8 @@ static void a_current_carries_the_sea_along(void **state) {
     (void)state;
     bolan_sea_desc d = paper_desc();
     bolan_sea *still = test_sea(d);
-    d.current_x = 1.5;
-    d.current_y = -0.7;
+    d.sea_state.current_x = 1.5;
+    d.sea_state.current_y = -0.7;
     bolan_sea *moving = test_sea(d);
     bolan_sea_step(still, 500.0);
     bolan_sea_step(moving, 500.0);

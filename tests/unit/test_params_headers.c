@@ -18,7 +18,7 @@ static const struct {
     {&bolan_sea_params, "waves.h", true},
     {&bolan_sea_state_params, "spectrum.h", false},
     {&bolan_wave_system_params, "spectrum.h", false},
-    {&bolan_spectrum_options_params, "spectrum.h", true},
+    {&bolan_spectrum_options_params, "formats.h", true},
     {&bolan_technique_params, "technique.h", false},
     {&bolan_look_params, "technique.h", true},
     {&bolan_camera_params, "scene.h", true},

@@ -50,11 +50,11 @@ static void test_a_field_outside_its_range_is_named(void **state) {
     s = bolan_scene_default(), s.water.level = -21.0;
     refuse(&s, "water.level", BOLAN_LOG_OUT_OF_RANGE);
     s = bolan_scene_default();
-    s.sea.current_x = NAN;
-    refuse(&s, "sea.current_x", BOLAN_LOG_NOT_FINITE);
+    s.sea.sea_state.current_x = NAN;
+    refuse(&s, "current_x", BOLAN_LOG_NOT_FINITE);
     s = bolan_scene_default();
-    s.sea.current_y = -5.5;
-    refuse(&s, "sea.current_y", BOLAN_LOG_OUT_OF_RANGE);
+    s.sea.sea_state.current_y = -5.5;
+    refuse(&s, "current_y", BOLAN_LOG_OUT_OF_RANGE);
     s = bolan_scene_default();
     s = bolan_scene_default(), s.sea.resolution = 300;
     refuse(&s, "sea.resolution", BOLAN_LOG_OUT_OF_RANGE);
@@ -75,6 +75,9 @@ static void test_another_wind_keeps_the_swell(void **state) {
     bolan_scene s = bolan_scene_default();
     s.sea.sea_state = bolan_sea_state_from_wind(8.0, 240.0, s.fetch);
     s.sea.sea_state.depth = 50.0;
+    s.sea.sea_state.current_x = 1.5;
+    s.sea.sea_state.current_y = -0.5;
+    s.sea.sea_state.frame = BOLAN_FRAME_STILL;
     assert_int_equal(bolan_sea_state_add_swell(&s.sea.sea_state, 2.0, 14.0, 300.0, 40.0), BOLAN_OK);
     bolan_scene_set_wind(&s, 15.0, 200.0);
     const bolan_sea_state *sea = &s.sea.sea_state;
@@ -83,6 +86,7 @@ static void test_another_wind_keeps_the_swell(void **state) {
     assert_near(sea->systems[0].from_deg, 200.0, 0.0);
     assert_near(sea->systems[1].hs, 2.0, 0.0);
     assert_near(sea->depth, 50.0, 0.0);
+    assert_true(sea->current_x == 1.5 && sea->current_y == -0.5 && sea->frame == BOLAN_FRAME_STILL);
     const double young = sea->systems[0].hs;
     s.wind_spectrum = BOLAN_SPECTRUM_PIERSON_MOSKOWITZ;
     bolan_scene_set_wind(&s, 15.0, 200.0);

@@ -112,6 +112,9 @@ static void each_field_is_refused_by_name(void **state) {
     REFUSE(depth, NAN, NOT_FINITE, "depth is not a finite number");
     REFUSE(wind_speed, 71.0, OUT_OF_RANGE, "bolan_sea_state: wind_speed is 71; expected 0 to 70 m/s");
     REFUSE(wind_from_deg, INFINITY, NOT_FINITE, "wind_from_deg");
+    REFUSE(current_x, 6.0, OUT_OF_RANGE, "current_x is 6; expected -5 to 5 m/s");
+    REFUSE(current_y, -INFINITY, NOT_FINITE, "current_y is not a finite number");
+    REFUSE(frame, (bolan_spectrum_frame)3, BAD_ARGUMENT, "frame is 3; expected 0 to 2");
     REFUSE(systems[1].kind, (bolan_spectrum_kind)8, BAD_ARGUMENT, "systems[1].kind is 8");
     REFUSE(systems[1].hs, 41.0, OUT_OF_RANGE, "systems[1].hs is 41; expected 0 to 40 m");
     REFUSE(systems[0].peak_omega, 0.05, OUT_OF_RANGE, "systems[0].peak_omega is 0.05; expected 0.1 to 50 rad/s");

@@ -71,8 +71,6 @@ static void every_bad_field_is_named_in_one_sentence(void **state) {
     REFUSED(exp_cosine.sharpness, 0.0, BOLAN_LOG_OUT_OF_RANGE);
     REFUSED(exp_cosine.sharpness, NAN, BOLAN_LOG_NOT_FINITE);
     REFUSED(exp_cosine.sharpness, 2.5, BOLAN_LOG_OUT_OF_RANGE);
-    REFUSED(current_x, 6.0, BOLAN_LOG_OUT_OF_RANGE);
-    REFUSED(current_y, -INFINITY, BOLAN_LOG_NOT_FINITE);
     REFUSED(textures.period, 0.5, BOLAN_LOG_OUT_OF_RANGE);
     REFUSED(textures.period, NAN, BOLAN_LOG_NOT_FINITE);
     REFUSED(textures.frames, 1, BOLAN_LOG_OUT_OF_RANGE);

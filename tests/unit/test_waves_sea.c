@@ -196,7 +196,7 @@ static void defaults_are_those_of_the_headers(void **state) {
     assert_true(d.seed == 1 && d.resolution == 256 && d.fft.cascade_count == 4);
     assert_true(d.length == 0.0 && d.choppiness == 1.0 && d.loop_period == 0.0 && d.foam_decay == 3.5);
     assert_int_equal(d.cpu, BOLAN_CPU_AUTO);
-    assert_true(d.current_x == 0.0 && d.current_y == 0.0);
+    assert_true(d.sea_state.current_x == 0.0 && d.sea_state.current_y == 0.0);
     assert_true(d.cosines.frequencies == 16 && d.cosines.directions == 8 && d.exp_cosine.wave_count == 8);
     assert_true(d.textures.period == 0.0 && d.textures.frames == 32);
     assert_int_equal(d.cosines.split, BOLAN_SPLIT_EQUAL_ENERGY);

@@ -206,7 +206,7 @@ static void check_readers(const char *field, void (*change)(bolan_sea_desc *desc
 CHANGE(seed, seed = 77)
 CHANGE(choppiness, choppiness = 0.3)
 CHANGE(loop, loop_period = 20.0)
-CHANGE(current, current_x = 2.0)
+CHANGE(current, sea_state.current_x = 2.0)
 CHANGE(resolution, resolution = 64)
 CHANGE(length, length = 640.0)
 CHANGE(cascades, fft.cascade_count = 2)
@@ -223,7 +223,7 @@ static void a_field_of_one_model_is_read_by_that_model_alone(void **state) {
     check_readers("seed", change_seed, FFT | TEXTURES | COSINES | EXP);
     check_readers("choppiness", change_choppiness, 0); // the fields are of D itself
     check_readers("loop_period", change_loop, FFT | COSINES | EXP);
-    check_readers("current_x", change_current, COSINES | EXP);
+    check_readers("current_x", change_current, FFT | TEXTURES | COSINES | EXP);
     check_readers("resolution", change_resolution, FFT | TEXTURES);
     check_readers("length", change_length, FFT | TEXTURES);
     check_readers("fft.cascade_count", change_cascades, FFT);

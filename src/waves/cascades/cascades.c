@@ -131,13 +131,18 @@ uint64_t bolan_cascades_hash(const bolan_sea *sea, uint64_t hash) {
         const sea_planes *p = &cascade_fields_of(sea)->planes[i];
         for (int f = 0; f < SEA_FIELDS; f++) hash = bolan_sea_hash_plane(hash, p->field[f], n * n);
     }
-    return hash;
+    const bolan_dvec2 drift = bolan_sea_drift(sea->shared, sea->time);
+    const float moved[2] = {(float)drift.x, (float)drift.y};
+    return drift.x != 0.0 || drift.y != 0.0 ? bolan_sea_hash_plane(hash, moved, 2) : hash;
 }
 
 bolan_cascade_view bolan_cascades_view(const bolan_sea *sea, uint32_t index) {
     const sea_cascade *c = &cascade_tables_of(sea->shared)->cascade[index];
     const sea_planes *p = &cascade_fields_of(sea)->planes[index];
+    const bolan_dvec2 drift = bolan_sea_drift(sea->shared, sea->time);
     return (bolan_cascade_view){.n = c->n,
+                                .origin_x = drift.x,
+                                .origin_y = drift.y,
                                 .length = c->length,
                                 .angle = c->angle,
                                 .k_min = c->k_min,

@@ -45,10 +45,11 @@ void bolan_cascades_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points,
     const sea_shared *shared = sea->shared;
     const cascade_tables *t = cascade_tables_of(shared);
     const cascade_fields *f = cascade_fields_of(sea);
+    const bolan_dvec2 drift = bolan_sea_drift(shared, sea->time);
     for (uint32_t p = 0; p < count; p++) {
         sea_sums v = {.height = shared->lift};
         for (uint32_t i = 0; i < shared->cascades; i++)
-            add_cascade(&t->cascade[i], &f->planes[i], points[p].x, points[p].y, 1.0, 1.0, &v);
+            add_cascade(&t->cascade[i], &f->planes[i], points[p].x - drift.x, points[p].y - drift.y, 1.0, 1.0, &v);
         out[p] = bolan_sea_displaced(&v, shared->desc.choppiness);
     }
 }
@@ -92,11 +93,13 @@ static void sample_grid_points(void *context, uint32_t begin, uint32_t end, uint
     const grid *g = context;
     const cascade_tables *t = cascade_tables_of(g->sea->shared);
     const cascade_fields *f = cascade_fields_of(g->sea);
+    const bolan_dvec2 drift = bolan_sea_drift(g->sea->shared, g->sea->time);
     for (uint32_t p = begin; p < end; p++) {
+        const bolan_dvec2 at = {g->points[p].x - drift.x, g->points[p].y - drift.y};
         sea_sums v = {0};
         const double spacing = g->spacing ? (double)g->spacing[p] : 0.0;
         for (uint32_t i = 0; i < g->sea->shared->cascades; i++)
-            add_filtered(&t->cascade[i], &f->planes[i], g->points[p], spacing, &v);
+            add_filtered(&t->cascade[i], &f->planes[i], at, spacing, &v);
         g->out[p] = bolan_sea_displaced(&v, g->sea->shared->desc.choppiness);
     }
 }

@@ -24,7 +24,8 @@ typedef struct fan {
 
 // One wind sea whose spreading ends at +-90 degrees.
 static bool is_cos2(const spectrum_eval *eval) {
-    return eval->system_count == 1 && !eval->measured && eval->systems[0].spreading == BOLAN_SPREADING_COS2;
+    return eval->system_count == 1 && !eval->measured && !eval->on_current &&
+           eval->systems[0].spreading == BOLAN_SPREADING_COS2;
 }
 
 static void fan_cos2(const spectrum_eval *eval, double omega, uint32_t count, fan *out) {
@@ -93,7 +94,7 @@ static double phase_of(uint64_t seed, uint32_t i, uint32_t j) {
 
 // Frequency over the ground: the waves ride on the current (Doppler). With a loop, the nearest multiple of 1 / period.
 static double turns_of(const bolan_sea_desc *d, double omega, double kx, double ky) {
-    const double turns = (omega + kx * d->current_x + ky * d->current_y) / (2.0 * BOLAN_PI);
+    const double turns = (omega + kx * d->sea_state.current_x + ky * d->sea_state.current_y) / (2.0 * BOLAN_PI);
     if (d->loop_period == 0.0) return turns;
     const double whole = floor(fabs(turns) * d->loop_period + 0.5);
     return (turns < 0.0 ? -1.0 : 1.0) * fmax(whole, 1.0) / d->loop_period;
