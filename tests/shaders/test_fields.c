@@ -145,6 +145,7 @@ static bolan_sea *sea_of(bolan_wave_model model) {
     desc.fft.cascade_count = 3;
     desc.textures.frames = 4;
     desc.seed = 7;
+    desc.sea_state.current_x = -2.0, desc.sea_state.current_y = 1.25;
     assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_OK);
     bolan_sea_settle(sea, 12.5);
     return sea;
