@@ -35,6 +35,16 @@ static void use_file(const options *o, bolan_scene *scene) {
     scene->sea.sea_state.system_count = 0;
 }
 
+int options_spectrum(const options *o, bolan_spectrum_options *spectrum) {
+    if (option_given(o, "record") && !bolan_spectrum_options_set_record(spectrum, o->record))
+        return usage_error("--record is %.60s; expected a whole number from 0, or a date such as 2018-01-01T06:00",
+                           o->record);
+    if (option_given(o, "location") && !bolan_spectrum_options_set_location(spectrum, o->location))
+        return usage_error("--location is %.60s; expected a whole number from 1, or LON,LAT such as 174.67,-38.17",
+                           o->location);
+    return EXIT_OK;
+}
+
 // What is read of the spectrum file.
 static int apply_spectrum(const options *o, bolan_scene *scene) {
     static const char *const names[] = {"record", "location", "interpolate", "from", "spread"};
@@ -42,13 +52,7 @@ static int apply_spectrum(const options *o, bolan_scene *scene) {
         if (option_given(o, names[i]) && !scene->spectrum_path[0])
             return usage_error("--%s %s a spectrum file; give --spectrum FILE", names[i],
                                i < 3 ? "chooses from" : "completes");
-    if (option_given(o, "record") && !bolan_spectrum_options_set_record(&scene->spectrum, o->record))
-        return usage_error("--record is %.60s; expected a whole number from 0, or a date such as 2018-01-01T06:00",
-                           o->record);
-    if (option_given(o, "location") && !bolan_spectrum_options_set_location(&scene->spectrum, o->location))
-        return usage_error("--location is %.60s; expected a whole number from 1, or LON,LAT such as 174.67,-38.17",
-                           o->location);
-    return EXIT_OK;
+    return options_spectrum(o, &scene->spectrum);
 }
 
 static void apply_wind(const options *o, bolan_scene *scene) {

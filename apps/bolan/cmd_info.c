@@ -122,7 +122,10 @@ int command_info(int count, char **arguments) {
     if (o.help)
         return help_command(ON_INFO, "info [FILE] [OPTIONS]",
                             "Prints what this build and this machine can do, or what a file of spectra holds.");
-    if (o.scene) return info_spectra(o.scene, o.json);
+    if (o.scene) return info_spectra(&o);
+    if (option_given(&o, "record") || option_given(&o, "location") || option_given(&o, "interpolate") ||
+        option_given(&o, "from") || option_given(&o, "spread"))
+        return usage_error("bolan info has no file of spectra to choose from; expected bolan info FILE");
     if (o.parameters || o.schema) {
         if (o.parameters) describe_print_tables(stdout);
         if (o.schema) describe_print_schema(stdout);

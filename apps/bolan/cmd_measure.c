@@ -4,6 +4,7 @@
 #include "help.h"
 #include "output.h"
 #include "session.h"
+#include "systems.h"
 
 #include <math.h>
 
@@ -44,7 +45,7 @@ static void print_number(double value) {
     printf("%s", text);
 }
 
-static void print_json(const bolan_sea *sea, const quantity *list, const char *hash) {
+static bool print_json(const bolan_sea *sea, const bolan_sea_state *sea_state, const quantity *list, const char *hash) {
     printf("{\n");
     for (int i = 0; i < QUANTITIES; i++) {
         printf("  \"%s\": ", list[i].key);
@@ -61,8 +62,11 @@ static void print_json(const bolan_sea *sea, const quantity *list, const char *h
                      (unsigned)c.n, c.length, c.k_min, c.k_max, c.variance);
         printf("    %s%s\n", text, i + 1 < count ? "," : "");
     }
-    printf("  ],\n  \"components\": %u,\n  \"record_time\": \"%s\",\n  \"hash\": \"%s\"\n}\n",
+    printf("  ],\n  \"systems\": ");
+    const bool ok = systems_print_json(sea_state);
+    printf(",\n  \"components\": %u,\n  \"record_time\": \"%s\",\n  \"hash\": \"%s\"\n}\n",
            (unsigned)bolan_sea_component_count(sea), bolan_sea_record_time(sea), hash);
+    return ok;
 }
 
 // What the sea is made of: cascades, or the waves of a sum, of which the first and last tell the rest.
@@ -84,13 +88,16 @@ static void print_waves(const bolan_sea *sea) {
     }
 }
 
-static void print_table(const bolan_scene *scene, const bolan_sea *sea, const quantity *list, const char *hash) {
+static bool print_table(const bolan_scene *scene, const bolan_sea *sea, const bolan_sea_state *sea_state,
+                        const quantity *list, const char *hash) {
     output_print(scene->name);
     printf(", seed %llu, at %g s\n\n", (unsigned long long)scene->sea.seed, scene->time);
     for (int i = 0; i < QUANTITIES; i++) printf("  %-26s %12.5g %s\n", list[i].what, list[i].value, list[i].unit);
     if (bolan_sea_record_time(sea)[0]) printf("  %-26s %s\n", "spectrum taken at", bolan_sea_record_time(sea));
+    const bool ok = systems_print_table(sea_state);
     print_waves(sea);
     printf("\n  hash %s\n", hash);
+    return ok;
 }
 
 int command_measure(int count, char **arguments) {
@@ -108,11 +115,9 @@ int command_measure(int count, char **arguments) {
     bolan_sea_hash(sea, hash);
     quantity list[QUANTITIES];
     list_quantities(&statistics, list);
-    if (o.json) {
-        print_json(sea, list, hash);
-    } else {
-        print_table(bolan_world_scene(w), sea, list, hash);
-    }
+    const bolan_sea_desc desc = bolan_world_sea_desc(w);
+    const bool ok = o.json ? print_json(sea, &desc.sea_state, list, hash)
+                           : print_table(bolan_world_scene(w), sea, &desc.sea_state, list, hash);
     bolan_world_destroy(&w);
-    return EXIT_OK;
+    return ok ? EXIT_OK : EXIT_FAILED;
 }

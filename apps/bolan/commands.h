@@ -8,6 +8,7 @@ int command_render(int count, char **arguments);
 int command_measure(int count, char **arguments);
 int command_query(int count, char **arguments);
 int command_bake(int count, char **arguments);
+int command_export(int count, char **arguments);
 int command_info(int count, char **arguments);
 int command_bench(int count, char **arguments);
 

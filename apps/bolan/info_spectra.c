@@ -2,8 +2,8 @@
 // See info_spectra.h.
 #include "info_spectra.h"
 
-#include "options.h"
 #include "output.h"
+#include "systems.h"
 
 #include <math.h>
 #include <string.h>
@@ -87,17 +87,39 @@ static void print_json(const bolan_spectrum_contents *c) {
            (unsigned)c->frequency_count, c->lowest_hertz, c->highest_hertz);
     printf("  \"directions\": %u,\n  \"read\": %u,\n  \"unreadable\": %u,\n", (unsigned)c->direction_count,
            (unsigned)c->read_count, (unsigned)c->unreadable_count);
-    printf("  \"hs\": [%.9g, %.9g],\n  \"tp\": [%.9g, %.9g]\n}\n", c->hs_min, c->hs_max, c->tp_min, c->tp_max);
+    printf("  \"hs\": [%.9g, %.9g],\n  \"tp\": [%.9g, %.9g],\n", c->hs_min, c->hs_max, c->tp_min, c->tp_max);
 }
 
-int info_spectra(const char *path, bool json) {
-    bolan_spectrum_contents *contents = NULL;
-    if (bolan_spectrum_contents_load(path, &contents)) return EXIT_FAILED;
-    if (json) {
+static void print_all(const options *o, const bolan_spectrum_contents *contents, const bolan_sea_state *sea_state,
+                      const char *time, bool *ok) {
+    if (o->json) {
         print_json(contents);
+        printf("  \"record_time\": \"%s\",\n  \"systems\": ", time);
+        *ok = systems_print_json(sea_state);
+        printf("\n}\n");
     } else {
-        print_table(path, contents);
+        print_table(o->scene, contents);
+        *ok = systems_print_table(sea_state);
     }
+}
+
+int info_spectra(const options *o) {
+    bolan_spectrum_contents *contents = NULL;
+    bolan_measured_spectrum *spectrum = NULL;
+    bolan_spectrum_options read = bolan_spectrum_options_default();
+    read.interpolate = o->edits.spectrum.interpolate;
+    if (option_given(o, "from")) read.from_deg = o->edits.spectrum.from_deg;
+    if (option_given(o, "spread")) read.spread_s = o->edits.spectrum.spread_s;
+    if (options_spectrum(o, &read)) return EXIT_USAGE;
+    bool ok = !bolan_spectrum_contents_load(o->scene, &contents);
+    // Without a choice the first record at the first location, where it has data.
+    const bool chosen = option_given(o, "record") || option_given(o, "location");
+    if (ok && !option_given(o, "location") && contents->place_count > 0) read.location = 1;
+    if (ok && (chosen || contents->unreadable_count == 0)) ok = !bolan_spectrum_load(o->scene, &read, &spectrum);
+    bolan_sea_state sea_state = bolan_sea_state_default();
+    sea_state.measured = spectrum;
+    if (ok) print_all(o, contents, &sea_state, spectrum ? bolan_measured_spectrum_view(spectrum).time : "", &ok);
+    bolan_measured_spectrum_destroy(&spectrum);
     bolan_spectrum_contents_destroy(&contents);
-    return EXIT_OK;
+    return ok ? EXIT_OK : EXIT_FAILED;
 }

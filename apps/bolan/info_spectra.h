@@ -3,9 +3,10 @@
 #ifndef BOLAN_CLI_INFO_SPECTRA_H
 #define BOLAN_CLI_INFO_SPECTRA_H
 
-#include <stdbool.h>
+#include "options.h"
 
-// Prints it as a table or as JSON. Returns an exit code; failures were reported.
-int info_spectra(const char *path, bool json);
+// Prints it as a table or as JSON, with the systems of the record that the options choose. Returns an exit code;
+// failures were reported.
+int info_spectra(const options *o);
 
 #endif

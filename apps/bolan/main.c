@@ -23,6 +23,7 @@ static const command commands[] = {
     {"query", command_query, "[SCENE] --points FILE.csv     heights and normals at points, as CSV", NULL},
     {"bake", command_bake, "[SCENE] -o DIR                looping tiles: heights, normal maps, light on the bottom",
      NULL},
+    {"export", command_export, "spectrum [SCENE] -o FILE      the spectrum as .png, .csv or SWAN text (.spec)", NULL},
     {"bench", command_bench, "[waves|query|frame|techniques]  benchmarks", bench_is_there},
     {"info", command_info, "[FILE]                        build, processor, scenes; or what a file of spectra holds",
      NULL},

@@ -8,7 +8,8 @@
 #include <stdarg.h>
 #include <string.h>
 
-#define SCENE_COMMANDS (ON_VIEW | ON_RENDER | ON_MEASURE | ON_QUERY | ON_BAKE)
+#define SCENE_COMMANDS (ON_VIEW | ON_RENDER | ON_MEASURE | ON_QUERY | ON_BAKE | ON_EXPORT)
+#define SPECTRUM_COMMANDS (SCENE_COMMANDS | ON_INFO)
 #define PICTURE_COMMANDS (ON_VIEW | ON_RENDER)
 #define GROUND_COMMANDS (PICTURE_COMMANDS | ON_QUERY) // the others have no use for a sea bed
 
@@ -41,13 +42,13 @@ const option_info option_table[] = {
     OF_FILE("beaufort", beaufort, SCENE_COMMANDS, "B"),
     OF_FILE("sea-state", sea_state, SCENE_COMMANDS, "D"),
     OPTION("spectrum", TEXT, spectrum, SCENE_COMMANDS, "NAME|FILE",
-           .help = "jonswap, pm, tma, phillips, donelan, elfouhaily; or a measured spectrum (SWAN, WAVEWATCH III, NDBC) "
-                   "in the place of all waves"),
-    OF_FILE("record", record, SCENE_COMMANDS, "N|DATE"),
-    OF_FILE("location", location, SCENE_COMMANDS, "N|LON,LAT"),
-    OF_SCENE("interpolate", SCENE_COMMANDS, NULL),
-    OF_SCENE("from", SCENE_COMMANDS, "DEG"),
-    OF_SCENE("spread", SCENE_COMMANDS, "S"),
+           .help = "jonswap, pm, tma, phillips, donelan, elfouhaily; or a file of measured "
+                   "spectra in the place of all waves"),
+    OF_FILE("record", record, SPECTRUM_COMMANDS, "N|DATE"),
+    OF_FILE("location", location, SPECTRUM_COMMANDS, "N|LON,LAT"),
+    OF_SCENE("interpolate", SPECTRUM_COMMANDS, NULL),
+    OF_SCENE("from", SPECTRUM_COMMANDS, "DEG"),
+    OF_SCENE("spread", SPECTRUM_COMMANDS, "S"),
     OF_SCENE("depth", SCENE_COMMANDS, "M"),
     OF_SCENE("seed", SCENE_COMMANDS, "N"),
     OF_SCENE("time", SCENE_COMMANDS, "S"),
@@ -87,7 +88,7 @@ const option_info option_table[] = {
            .help = "waves shorter than this are left out of height, normal, rise, velocity, acceleration and pressure"),
     OPTION("stretching", NAME, stretching, ON_QUERY, "NAME",
            .names = stretching_names, .help = "how linear theory is continued to the surface; none by default"),
-    OPTION("output", TEXT, output, ON_RENDER | ON_QUERY | ON_BAKE, "FILE",
+    OPTION("output", TEXT, output, ON_RENDER | ON_QUERY | ON_BAKE | ON_EXPORT, "FILE",
            .letter = 'o', .help = "where to write"),
     OPTION("screenshot", TEXT, screenshot, ON_VIEW, "FILE",
            .help = "the last frame as PNG"),

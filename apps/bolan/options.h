@@ -11,7 +11,7 @@
 enum { EXIT_OK = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 
 // Commands, as bits of option_info.commands.
-enum { ON_VIEW = 1, ON_RENDER = 2, ON_MEASURE = 4, ON_QUERY = 8, ON_INFO = 16, ON_BAKE = 32 };
+enum { ON_VIEW = 1, ON_RENDER = 2, ON_MEASURE = 4, ON_QUERY = 8, ON_INFO = 16, ON_BAKE = 32, ON_EXPORT = 64 };
 
 // What was given. Of the options of the command line alone, a number that was not given is NAN, a name -1, a text NULL.
 typedef struct options {
@@ -84,6 +84,8 @@ void options_edit(const options *o, bolan_scene *scene);
 // The options of a command, for its help.
 void options_print(FILE *file, unsigned command);
 
+// What is read of a spectrum file, by --record and the options beside it. Returns an exit code; failures were reported.
+int options_spectrum(const options *o, bolan_spectrum_options *spectrum);
 // The scene that is meant: loaded, changed by the options, and checked. Returns an exit code; failures were reported.
 int options_scene(const options *o, bolan_scene *scene);
 

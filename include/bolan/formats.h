@@ -11,15 +11,17 @@
 extern "C" {
 #endif
 
-/// The bytes of one file. The formats are recognised by their content:
+/// The bytes of one file. The formats are recognised by their content; docs/formats.md has a table of them.
 ///
-/// **SWAN** ("SWAN 1"), 2-D or 1-D, of one or several times and locations. A 1-D file has a mean direction and a spread
-/// a band: cos-2s with that spread. ZERO is a calm. The exception value counts as no energy, with a warning.
+/// - **SWAN** ("SWAN 1"), 2-D or 1-D. ZERO is a calm.
+/// - **WAVEWATCH III**, point spectra as text ("'WAVEWATCH III SPECTRA'") or NetCDF (efth).
+/// - **ERA5** and other models of ECMWF, NetCDF (d2fd, a common logarithm).
+/// - **Datawell** .spt, **TRIAXYS** directional and non-directional, **Spotter** JSON, **OCTOPUS**.
+/// - **CDIP** and **NDBC** in NetCDF (waveEnergyDensity, spectral_wave_density).
+/// - **NDBC**, history and real time, a set of texts: pass the density; the direction texts are optional. Their rows are
+///   matched by time, their bands by frequency.
 ///
-/// **WAVEWATCH III**, point spectra as text ("'WAVEWATCH III SPECTRA'"), of one or several times and points.
-///
-/// **NDBC**, history and real time, is a set of texts: pass the density; the direction texts are optional. Their rows
-/// are matched by time, their bands by frequency.
+/// NetCDF is that of the classic layouts, CDF-1 and CDF-2.
 ///
 /// Where a file has moments of the directions in place of the directions themselves, each band is spread by what is
 /// known of it:
@@ -31,7 +33,7 @@ extern "C" {
 /// - nothing: as the nearest lower band that has a direction, or the lowest that has one; where no band has one,
 ///   @ref bolan_spectrum_options::from_deg.
 ///
-/// Missing densities (999) between two others are interpolated. A row of directions that is missing is replaced by the
+/// Missing densities (999) between two others are interpolated; in a matrix they count as no energy. A row of directions that is missing is replaced by the
 /// nearest within an hour. All that stands in for missing data is a warning.
 ///
 /// Directions may be in any order, also a sector of the circle, or with both 0 and 360. Where their step varies, the

@@ -130,6 +130,13 @@ BOLAN_API bolan_result bolan_spectrum_load(const char *path, const bolan_spectru
                                            bolan_measured_spectrum **out);
 /// Lists what such a file holds. Errors: IO, UNSUPPORTED, and those of bolan_spectrum_contents_parse().
 BOLAN_API bolan_result bolan_spectrum_contents_load(const char *path, bolan_spectrum_contents **out);
+/// Writes the spectrum of a sea in the form that the suffix of @p path names:
+/// - .png: a polar plot of 960 x 720 with axes, scale, heights, periods and the parts of bolan_sea_state_partition();
+/// - .csv: frequency [Hz], direction FROM [deg], density [m2/Hz/deg], a row a cell;
+/// - .spec: SWAN text, which bolan_spectrum_load() reads back equal within 5e-8 of the largest density.
+/// The grid is that of bolan_measured_spectrum_sample(). @p title stands above the plot.
+/// Errors: ARGUMENT (another suffix), IO, MEMORY, FORMAT (a sea of more than 40 m). Then nothing is written.
+BOLAN_API bolan_result bolan_spectrum_save(const char *path, const bolan_sea_state *sea_state, const char *title);
 
 /// Reads part of a raster (any GDAL format; projected or geographic) as elevations on a local grid in metres around
 /// (desc->latitude, longitude): azimuthal equidistant, x east, y north, +-radius. The grid's step follows the raster's

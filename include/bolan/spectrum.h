@@ -280,6 +280,31 @@ typedef struct bolan_sea_summary {
 /// Integrates the whole spectrum: milliseconds. Thread-safe.
 BOLAN_API bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state);
 
+/// A part of a sea: one wind sea or one swell.
+typedef struct bolan_partition {
+    /// The wind drives it; otherwise it is a swell.
+    bool wind_sea;
+    /// Significant height 4 sqrt(m0) of the part [m].
+    double hs;
+    /// Period of the peak of its S(w) [s].
+    double tp;
+    /// Mean direction FROM, compass [deg].
+    double from_deg;
+    /// Circular spread sqrt(2 (1 - r1)) [deg].
+    double spread_deg;
+} bolan_partition;
+/// Most parts of a sea; of more the smallest join their nearest.
+#define BOLAN_MAX_PARTITIONS 8
+/// Takes a sea apart into wind sea and swells, by a watershed of S(w, th) (Hanson & Phillips 2001; Portilla et al.
+/// 2009). The variances of the parts add up to that of the sea: of a measured spectrum exactly, of systems within 1 %.
+/// With a wind, parts whose waves run slower than 1.5 wind_speed along it are one wind sea; without one, a part is wind
+/// sea where its peak lies above that of Pierson-Moskowitz at its frequency.
+/// @param out the wind seas, then the swells, each by falling height.
+/// @param count receives how many; 0 of a calm.
+/// Takes milliseconds. Thread-safe. Errors: MEMORY, FORMAT (a sea of more than 40 m); then count is 0.
+BOLAN_API bolan_result bolan_sea_state_partition(const bolan_sea_state *sea_state,
+                                                 bolan_partition out[BOLAN_MAX_PARTITIONS], uint32_t *count);
+
 /// Slope variance of a clean surface, upwind and crosswind, by Cox & Munk (1954): 3.16e-3 U and 0.003 + 1.92e-3 U.
 /// The published errors are +- 0.004 and 0.002.
 /// Below 0.72 m/s the constant 0.003 fades, so that a calm is flat.
@@ -313,6 +338,12 @@ BOLAN_API int bolan_beaufort_from_wind(double wind_speed);          ///< 0..12
 
 /// NULL-safe; NULLs the pointer.
 BOLAN_API void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectrum);
+
+/// Any sea as a spectrum on a grid, for tables, plots and files. A measured spectrum alone keeps its grid; a sea with
+/// systems has 96 frequencies in a geometric row, from half of the lowest peak to eight times the highest and at least
+/// over those of the measured spectrum, and 72 directions. Thread-safe.
+/// Errors: MEMORY, FORMAT (a sea of more than 40 m). Then *out is NULL.
+BOLAN_API bolan_result bolan_measured_spectrum_sample(const bolan_sea_state *sea_state, bolan_measured_spectrum **out);
 
 /// Read-only view: frequencies [rad/s], directions (mathematical, TO) [rad] ascending with constant step 2 pi /
 /// direction_count, density[frequency * direction_count + direction] [m2 s/rad per rad].

@@ -112,7 +112,7 @@ static const bolan_param wind_sea_rows[] = {
     FLAG(wind_sea, .key = "wind.sea", .fallback = 1, .otherwise = "`true`, `false` with `systems` or two peaks",
          .help = "the wind raises a wind sea; `false`: it only roughens the waves that are given"),
     TEXT(spectrum_path, .key = "spectrum.file", .rules = BOLAN_PARAM_PATH,
-         .help = "a measured spectrum (SWAN, WAVEWATCH III, NDBC; see [sea states](sea-states.md)) in place of the "
+         .help = "a measured spectrum ([formats](formats.md)) in place of the "
                  "wind sea; relative to "
                  "the scene file. `builtin:synthetic-bimodal` is the shipped one"),
 };

@@ -124,7 +124,8 @@ refuse 2 '--record is 2016-13-01; expected a whole number' measure --spectrum "$
 refuse 1 '2 of the 3 have energy: 2, 3' measure --spectrum "$data/firstdry.spec"
 run measure --spectrum "$data/firstdry.spec" --location 2 --json
 near "$(height)" 1.9890 0.0001
-run measure --spectrum "$data/firstdry.spec" --location 3.1,3 --json
+"$BOLAN" measure --spectrum "$data/firstdry.spec" --location 3.1,3 --json > out 2> err || fail "$(cat err)"
+grep -q 'firstdry.spec: the location nearest to 3.1, 3 is number 3 at 3, 3, 11 km away' err || fail "said: $(cat err)"
 near "$(height)" 3.9955 0.0001
 refuse 1 'location 4 was asked for; expected 1 to 3' measure --spectrum "$data/firstdry.spec" --location 4
 refuse 2 '--location is 0; expected a whole number from 1' measure --spectrum "$data/firstdry.spec" --location 0
@@ -158,3 +159,9 @@ near "$(value direction_from)" 20 6
 near "$(value spread)" 40.5 5 # sqrt(2 / 4) rad
 # Another file than the scene's: nothing of the scene's options stays.
 warned 'the waves come from 270 degrees' measure buoy.yaml --spectrum "$data/ndbc_44004w2000.txt"
+
+# The wind sea and the swell of the scene.
+run measure open-sea --json
+grep -q '"systems": \[{"kind": "wind sea", "hs": 1\.[0-9]*, "tp": 7\.' out || fail 'no wind sea'
+run measure open-sea
+grep -Eq '^  swell +[0-9.]+ +1[23]\.[0-9]' out || fail 'no swell in the table'
