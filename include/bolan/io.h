@@ -121,11 +121,12 @@ BOLAN_API bolan_result bolan_tiles_load(const char *folder, bolan_tiles **out);
 
 // ---- spectra, rasters, points ---------------------------------------------------------------------------------------
 
-/// Reads a measured spectrum file of at most 64 MiB, also packed by gzip; @p options NULL: the defaults. The tables of directions that NDBC
-/// publishes beside a density are used where they lie beside it: for NAME.data_spec (real time) NAME.swdir, .swdir2,
-/// .swr1, .swr2; for NAMEwYEAR.txt (history) the same name with d, i, j, k. A path that begins with "builtin:" names a
-/// shipped spectrum ("builtin:synthetic-bimodal"). Errors: IO, UNSUPPORTED (a packing that this build does not have),
-/// and those of bolan_measured_spectrum_parse().
+/// Reads a measured spectrum file of at most 64 MiB, also packed by gzip; bolan/formats.h names the formats.
+/// The tables of directions that NDBC publishes beside a density are used where they lie beside it: for NAME.data_spec
+/// (real time) NAME.swdir, .swdir2, .swr1, .swr2; for NAMEwYEAR.txt (history) the same name with d, i, j, k.
+/// A path that begins with "builtin:" names a shipped spectrum ("builtin:synthetic-bimodal").
+/// @param options NULL: the defaults.
+/// Errors: IO, UNSUPPORTED (a packing that this build does not have), and those of bolan_measured_spectrum_parse().
 BOLAN_API bolan_result bolan_spectrum_load(const char *path, const bolan_spectrum_options *options,
                                            bolan_measured_spectrum **out);
 /// Lists what such a file holds. Errors: IO, UNSUPPORTED, and those of bolan_spectrum_contents_parse().

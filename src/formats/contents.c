@@ -71,41 +71,60 @@ static void widen(bolan_spectrum_contents *c, const bolan_measured_spectrum *spe
     c->tp_max = fmax(c->tp_max, s.tp);
 }
 
-// Spectrum number @p i of all records and locations.
-static bolan_result read_number(const format_file *file, uint64_t i, uint32_t places_of_first,
-                                const bolan_spectrum_options *options, bolan_spectrum_contents *c) {
-    location_list places = {.entries = NULL};
-    format_choice choice = {.record = &file->records.entries[i / places_of_first], .locations = &places};
-    bolan_measured_spectrum *spectrum = NULL;
-    spectrum_notes notes = {.count = 0};
-    bool own_directions = false;
-    bolan_result result = file->format->locations(file->texts, choice.record, &places);
-    choice.location = (uint32_t)(i % places_of_first);
-    if (!result && choice.location > 0 && choice.location >= places.count) result = BOLAN_ERROR_FORMAT;
-    if (!result) result = bolan_format_read(file, &choice, options, &notes, &own_directions, &spectrum);
-    if (!result) widen(c, spectrum, own_directions);
-    bolan_measured_spectrum_destroy(&spectrum);
-    bolan_location_list_release(&places);
+// The locations of the record that was read last: a record may have thousands.
+typedef struct known_places {
+    const record_entry *record;
+    location_list list;
+} known_places;
+
+static bolan_result list_places(const format_file *file, const record_entry *record, known_places *known) {
+    if (known->record == record) return BOLAN_OK;
+    bolan_location_list_release(&known->list);
+    known->record = NULL;
+    const bolan_result result = file->format->locations(file->texts, record, &known->list);
+    if (!result) known->record = record;
     return result;
 }
 
-// A trial that fails counts and is silent: land among the locations, a record that is cut off. Only where all fail is
-// the last one's sentence said.
+// Spectrum number @p i of all records and locations.
+static bolan_result read_number(const format_file *file, uint64_t i, uint32_t places_of_first,
+                                const bolan_spectrum_options *options, known_places *known,
+                                bolan_spectrum_contents *c) {
+    format_choice choice = {.record = &file->records.entries[i / places_of_first], .locations = &known->list};
+    bolan_measured_spectrum *spectrum = NULL;
+    spectrum_notes notes = {.count = 0};
+    bool own_directions = false;
+    bolan_result result = list_places(file, choice.record, known);
+    choice.location = (uint32_t)(i % places_of_first);
+    if (!result && choice.location > 0 && choice.location >= known->list.count) result = BOLAN_ERROR_FORMAT;
+    if (!result) result = bolan_format_read(file, &choice, options, &notes, &own_directions, &spectrum);
+    if (!result) widen(c, spectrum, own_directions);
+    bolan_measured_spectrum_destroy(&spectrum);
+    return result;
+}
+
+// A trial that fails counts and is silent: land among the locations, a record that is cut off. Only where all fail does
+// the first one say why.
 static bolan_result read_range(const format_file *file, bolan_spectrum_contents *c) {
     bolan_spectrum_options options = bolan_spectrum_options_default();
     const uint32_t places = c->place_count ? c->place_count : 1;
     const uint64_t all = (uint64_t)c->record_count * places, count = all < MOST_READ ? all : MOST_READ;
-    bolan_log_mute(true);
+    known_places known = {.record = NULL};
     bolan_result result = BOLAN_OK;
+    bolan_log_mute(true);
     for (uint64_t k = 0; k < count && result != BOLAN_ERROR_MEMORY; k++) {
-        result = read_number(file, k * all / count, places, &options, c);
+        result = read_number(file, k * all / count, places, &options, &known, c);
         c->read_count++;
         c->unreadable_count += result != BOLAN_OK;
     }
     bolan_log_mute(false);
-    if (result == BOLAN_ERROR_MEMORY || c->unreadable_count == c->read_count)
-        return read_number(file, 0, places, &options, c);
-    return BOLAN_OK;
+    if (result == BOLAN_ERROR_MEMORY) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory to read its spectra", file->name);
+    } else {
+        result = c->unreadable_count < c->read_count ? BOLAN_OK : read_number(file, 0, places, &options, &known, c);
+    }
+    bolan_location_list_release(&known.list);
+    return result;
 }
 
 bolan_result bolan_spectrum_contents_parse(const bolan_spectrum_texts *texts, bolan_spectrum_contents **out) {
