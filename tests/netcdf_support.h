@@ -11,7 +11,7 @@ typedef struct nc_dimension {
     uint32_t length; ///< 0: the record dimension
 } nc_dimension;
 
-/// A variable of doubles, with up to two texts and a number as attributes.
+/// A variable of doubles or of shorts, with up to two texts and a number as attributes.
 typedef struct nc_variable {
     const char *name;
     int rank, axes[4];
@@ -19,6 +19,7 @@ typedef struct nc_variable {
     const char *text_name, *text, *second_name, *second;
     const char *number_name;
     double number;
+    bool shorts;
 } nc_variable;
 
 typedef struct nc_bytes {
@@ -41,6 +42,14 @@ static inline void nc_double(nc_bytes *b, double value) {
     memcpy(&bits, &value, sizeof bits);
     nc_word(b, (uint32_t)(bits >> 32));
     nc_word(b, (uint32_t)bits);
+}
+
+// One record of a variable, or all of it.
+static inline void nc_values(nc_bytes *b, const nc_variable *v, const double *values, size_t count) {
+    for (size_t k = 0; k < count; k++) {
+        if (!v->shorts) nc_double(b, values[k]);
+        if (v->shorts) nc_word(b, (uint32_t)(int32_t)values[k] << 16), b->size -= 2;
+    }
 }
 
 static inline void nc_attributes(nc_bytes *b, const nc_variable *v) {
@@ -77,11 +86,13 @@ static inline void nc_write(nc_bytes *b, int version, uint32_t records, const nc
             if (dimensions[v->axes[a]].length) sizes[i] *= dimensions[v->axes[a]].length;
         }
         nc_attributes(b, v);
-        nc_word(b, 6);
-        nc_word(b, (uint32_t)(8 * sizes[i]));
+        nc_word(b, v->shorts ? 3 : 6);
+        nc_word(b, (uint32_t)((v->shorts ? 2 : 8) * sizes[i]));
         begin_at[i] = b->size;
         b->size += version == 2 ? 8 : 4;
     }
+    uint32_t alone = 0; // a lone variable with records is not padded
+    for (uint32_t i = 0; i < count; i++) alone += variables[i].rank > 0 && dimensions[variables[i].axes[0]].length == 0;
     for (uint32_t pass = 0; pass < 2; pass++) // variables without records, then the first record of the others
         for (uint32_t i = 0; i < count; i++) {
             const nc_variable *v = &variables[i];
@@ -90,13 +101,15 @@ static inline void nc_write(nc_bytes *b, int version, uint32_t records, const nc
             nc_bytes at = {.size = 0};
             nc_word(&at, (uint32_t)b->size);
             memcpy(b->data + begin_at[i] + (version == 2 ? 4 : 0), at.data, 4);
-            for (size_t k = 0; k < sizes[i]; k++) nc_double(b, v->values[k]);
+            nc_values(b, v, v->values, sizes[i]);
+            if (!record || alone != 1) b->size = (b->size + 3) / 4 * 4;
         }
     for (uint32_t r = 1; r < records; r++)
         for (uint32_t i = 0; i < count; i++) {
             const nc_variable *v = &variables[i];
             if (v->rank == 0 || dimensions[v->axes[0]].length) continue;
-            for (size_t k = 0; k < sizes[i]; k++) nc_double(b, v->values[r * sizes[i] + k]);
+            nc_values(b, v, v->values + r * sizes[i], sizes[i]);
+            if (alone != 1) b->size = (b->size + 3) / 4 * 4;
         }
 }
 

@@ -2,7 +2,7 @@
 // Real files of buoys and models: height, periods, direction and spread of each, computed independently from the same
 // bytes (trapezoid rule in frequency, rectangle rule in direction) or printed by the buoy itself, to 0.5 % and 0.5
 // degrees. Each direction fails when its format is turned: FROM for TO, or compass for mathematical.
-#include "spectrum_support.h"
+#include "netcdf_support.h"
 
 typedef struct expected_sea {
     const char *file;
@@ -165,11 +165,44 @@ static void the_moments_of_a_waverider_come_back(void **state) {
     free((char *)texts.density.data);
 }
 
+// The densities of a CDIP buoy, which MHKiT publishes with the sea's parameters, as the NetCDF that CDIP serves. MHKiT
+// sums over the buoy's band widths, which the trapezoid rule follows to 0.3 %.
+static void a_cdip_buoy_has_the_published_parameters(void **state) {
+    (void)state;
+    static nc_bytes b;
+    static const double time[1] = {0};
+    const bolan_spectrum_text json = load_text("mhkit_ValData2_CDiP.json");
+    double hertz[64], density[64];
+    const char *next = strstr(json.data, "\"S\": {") + 5;
+    for (int i = 0; i < 64; i++) {
+        int used = 0;
+        assert_int_equal(sscanf(next, "%*[^\"]\"%lf\": %lf%n", &hertz[i], &density[i], &used), 2);
+        next += used;
+    }
+    const nc_dimension axes[] = {{"waveTime", 1}, {"waveFrequency", 64}};
+    const nc_variable variables[] = {
+        {"waveTime", 1, {0}, time, "units", "seconds since 2020-01-01 00:00:00 UTC", NULL, NULL, NULL, 0, false},
+        {"waveFrequency", 1, {1}, hertz, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"waveEnergyDensity", 2, {0, 1}, density, NULL, NULL, NULL, NULL, NULL, 0, false}};
+    nc_write(&b, 1, 0, axes, 2, variables, 3);
+    const bolan_spectrum_texts texts = nc_texts(&b);
+    bolan_spectrum_options options = bolan_spectrum_options_default();
+    options.from_deg = 270.0;
+    options.spread_s = 10.0;
+    const bolan_sea_summary s = summary_with(&texts, &options);
+    assert_ratio(s.hs, 3.04809, 0.003);
+    assert_ratio(s.te, 8.90335, 0.003);
+    assert_ratio(s.tm02, 6.97749, 0.003);
+    assert_ratio(s.tp, 11.7647, 1e-5);
+    free((char *)json.data);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_table_of_real_files_holds),
         cmocka_unit_test(a_waverider_agrees_with_its_own_header),
         cmocka_unit_test(an_octopus_forecast_agrees_with_its_own_header),
+        cmocka_unit_test(a_cdip_buoy_has_the_published_parameters),
         cmocka_unit_test(the_moments_of_a_spotter_come_back),
         cmocka_unit_test(the_moments_of_a_waverider_come_back),
     };

@@ -22,12 +22,12 @@ static void write_ww3(nc_bytes *b, int version, bool records, const double *efth
     memcpy(axes, ww3_axes, sizeof axes);
     if (records) axes[0].length = 0;
     const nc_variable variables[] = {
-        {"time", 1, {0}, six_and_nine, "units", "hours since 2020-02-28T00:00:00Z", NULL, NULL, NULL, 0},
-        {"latitude", 2, {0, 1}, latitudes, NULL, NULL, NULL, NULL, NULL, 0},
-        {"longitude", 2, {0, 1}, longitudes, NULL, NULL, NULL, NULL, NULL, 0},
-        {"frequency", 1, {2}, two_hertz, NULL, NULL, NULL, NULL, NULL, 0},
-        {"direction", 1, {3}, four_degrees, "standard_name", direction_name, NULL, NULL, NULL, 0},
-        {"efth", 4, {0, 1, 2, 3}, efth, "units", units, NULL, NULL, "_FillValue", 9e36}};
+        {"time", 1, {0}, six_and_nine, "units", "hours since 2020-02-28T00:00:00Z", NULL, NULL, NULL, 0, false},
+        {"latitude", 2, {0, 1}, latitudes, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"longitude", 2, {0, 1}, longitudes, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"frequency", 1, {2}, two_hertz, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"direction", 1, {3}, four_degrees, "standard_name", direction_name, NULL, NULL, NULL, 0, false},
+        {"efth", 4, {0, 1, 2, 3}, efth, "units", units, NULL, NULL, "_FillValue", 9e36, false}};
     nc_write(b, version, records ? 2 : 0, axes, 4, variables, 6);
 }
 
@@ -72,6 +72,36 @@ static void times_places_and_directions_of_wavewatch(void **state) {
     }
 }
 
+// Records of 9 shorts, 18 bytes: padded beside another variable with records, but not alone.
+static void records_are_padded_unless_they_are_alone(void **state) {
+    (void)state;
+    static nc_bytes b;
+    static const double three_hertz[3] = {0.1, 0.2, 0.3}, thirds[3] = {0, 120, 240};
+    static const double efth[18] = {[9 + 3 + 1] = 700}; // the second time, frequency and direction
+    const nc_dimension axes[] = {{"time", 0}, {"frequency", 3}, {"direction", 3}, {"moments", 2}};
+    nc_variable variables[] = {
+        {.name = "time", .rank = 1, .values = six_and_nine, .text_name = "units", .text = "hours since 2020-02-28"},
+        {.name = "frequency", .rank = 1, .axes = {1}, .values = three_hertz},
+        {.name = "direction", .rank = 1, .axes = {2}, .values = thirds},
+        {.name = "efth",
+         .rank = 3,
+         .axes = {0, 1, 2},
+         .values = efth,
+         .shorts = true,
+         .number_name = "scale_factor",
+         .number = 0.01}};
+    for (int alone = 0; alone < 2; alone++) {
+        variables[0].axes[0] = alone ? 3 : 0;
+        nc_write(&b, 1, 2, axes, 4, variables, 4);
+        const bolan_spectrum_texts texts = nc_texts(&b);
+        const bolan_spectrum_options options = record_number(1);
+        const bolan_sea_summary s = summary_with(&texts, &options);
+        assert_near(s.m0, 7.0 * 2.0 * BOLAN_PI / 3.0 * 0.1, 1e-9);
+        assert_near(s.from_deg, 300.0, 1e-6);
+        assert_near(s.tp, 5.0, 1e-9);
+    }
+}
+
 static void the_file_says_from_and_degrees(void **state) {
     (void)state;
     static nc_bytes b;
@@ -112,12 +142,12 @@ static void era5_is_a_logarithm_over_numbered_axes(void **state) {
     d2fd[(1 * 4 + 2) * 4 + 3] = 1.0; // the second frequency, the third direction, the last latitude: 10^1
     const nc_dimension axes[] = {{"time", 1}, {"frequency", 2}, {"direction", 4}, {"latitude", 4}, {"longitude", 1}};
     nc_variable variables[] = {
-        {"time", 1, {0}, hour, "units", "hours since 1900-01-01 00:00:00.0", "calendar", "gregorian", NULL, 0},
-        {"frequency", 1, {1}, numbers, NULL, NULL, NULL, NULL, NULL, 0},
-        {"direction", 1, {2}, numbers, NULL, NULL, NULL, NULL, NULL, 0},
-        {"latitude", 1, {3}, latitudes, NULL, NULL, NULL, NULL, NULL, 0},
-        {"longitude", 1, {4}, longitude, NULL, NULL, NULL, NULL, NULL, 0},
-        {"d2fd", 4, {0, 1, 2, 3}, d2fd, "units", "m**2 s radian**-1", NULL, NULL, "_FillValue", -32767}};
+        {"time", 1, {0}, hour, "units", "hours since 1900-01-01 00:00:00.0", "calendar", "gregorian", NULL, 0, false},
+        {"frequency", 1, {1}, numbers, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"direction", 1, {2}, numbers, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"latitude", 1, {3}, latitudes, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"longitude", 1, {4}, longitude, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"d2fd", 4, {0, 1, 2, 3}, d2fd, "units", "m**2 s radian**-1", NULL, NULL, "_FillValue", -32767, false}};
     nc_write(&b, 2, 0, axes, 5, variables, 6);
     bolan_spectrum_texts texts = nc_texts(&b);
     bolan_spectrum_options options = at(0, 4);
@@ -147,15 +177,15 @@ static void buoys_give_moments(void **state) {
     static const double a1[2] = {-0.6, -0.6}, b1[2] = {0.6, 0.6}, here[1] = {33.5}, there[1] = {-118};
     const nc_dimension axes[] = {{"waveTime", 1}, {"waveFrequency", 2}};
     nc_variable variables[] = {
-        {"waveTime", 1, {0}, seconds, "units", "seconds since 1970-01-01 00:00:00 UTC", NULL, NULL, NULL, 0},
-        {"waveFrequency", 1, {1}, two_hertz, NULL, NULL, NULL, NULL, NULL, 0},
-        {"waveEnergyDensity", 2, {0, 1}, density, "units", "meter^2 second", NULL, NULL, NULL, 0},
-        {"waveA1Value", 2, {0, 1}, a1, NULL, NULL, NULL, NULL, NULL, 0},
-        {"waveB1Value", 2, {0, 1}, b1, NULL, NULL, NULL, NULL, NULL, 0},
-        {"waveA2Value", 2, {0, 1}, missing, NULL, NULL, NULL, NULL, "_FillValue", -999.99},
-        {"waveB2Value", 2, {0, 1}, missing, NULL, NULL, NULL, NULL, "_FillValue", -999.99},
-        {"metaStationLatitude", 0, {0}, here, NULL, NULL, NULL, NULL, NULL, 0},
-        {"metaStationLongitude", 0, {0}, there, NULL, NULL, NULL, NULL, NULL, 0}};
+        {"waveTime", 1, {0}, seconds, "units", "seconds since 1970-01-01 00:00:00 UTC", NULL, NULL, NULL, 0, false},
+        {"waveFrequency", 1, {1}, two_hertz, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"waveEnergyDensity", 2, {0, 1}, density, "units", "meter^2 second", NULL, NULL, NULL, 0, false},
+        {"waveA1Value", 2, {0, 1}, a1, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"waveB1Value", 2, {0, 1}, b1, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"waveA2Value", 2, {0, 1}, missing, NULL, NULL, NULL, NULL, "_FillValue", -999.99, false},
+        {"waveB2Value", 2, {0, 1}, missing, NULL, NULL, NULL, NULL, "_FillValue", -999.99, false},
+        {"metaStationLatitude", 0, {0}, here, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"metaStationLongitude", 0, {0}, there, NULL, NULL, NULL, NULL, NULL, 0, false}};
     nc_write(&b, 1, 0, axes, 2, variables, 9);
     bolan_spectrum_texts texts = nc_texts(&b);
     bolan_spectrum_options options = at(0, 1);
@@ -175,15 +205,15 @@ static void buoys_give_moments(void **state) {
     static const double alpha1[2] = {200, 200}, r1[2] = {0.8, 0.8}, r2[2] = {0.5, 0.5}, bad[2] = {1.5, 0.5};
     const nc_dimension ndbc_axes[] = {{"time", 1}, {"frequency", 2}, {"latitude", 1}, {"longitude", 1}};
     nc_variable ndbc[] = {
-        {"time", 1, {0}, seconds, "units", "seconds since 1970-01-01 00:00:00 UTC", NULL, NULL, NULL, 0},
-        {"frequency", 1, {1}, two_hertz, NULL, NULL, NULL, NULL, NULL, 0},
-        {"spectral_wave_density", 4, {0, 1, 2, 3}, density, NULL, NULL, NULL, NULL, NULL, 0},
-        {"mean_wave_dir", 4, {0, 1, 2, 3}, alpha1, NULL, NULL, NULL, NULL, NULL, 0},
-        {"principal_wave_dir", 4, {0, 1, 2, 3}, alpha1, NULL, NULL, NULL, NULL, NULL, 0},
-        {"wave_spectrum_r1", 4, {0, 1, 2, 3}, r1, NULL, NULL, NULL, NULL, NULL, 0},
-        {"wave_spectrum_r2", 4, {0, 1, 2, 3}, r2, NULL, NULL, NULL, NULL, NULL, 0},
-        {"latitude", 1, {2}, here, NULL, NULL, NULL, NULL, NULL, 0},
-        {"longitude", 1, {3}, there, NULL, NULL, NULL, NULL, NULL, 0}};
+        {"time", 1, {0}, seconds, "units", "seconds since 1970-01-01 00:00:00 UTC", NULL, NULL, NULL, 0, false},
+        {"frequency", 1, {1}, two_hertz, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"spectral_wave_density", 4, {0, 1, 2, 3}, density, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"mean_wave_dir", 4, {0, 1, 2, 3}, alpha1, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"principal_wave_dir", 4, {0, 1, 2, 3}, alpha1, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"wave_spectrum_r1", 4, {0, 1, 2, 3}, r1, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"wave_spectrum_r2", 4, {0, 1, 2, 3}, r2, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"latitude", 1, {2}, here, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"longitude", 1, {3}, there, NULL, NULL, NULL, NULL, NULL, 0, false}};
     nc_write(&b, 1, 0, ndbc_axes, 4, ndbc, 9);
     texts = nc_texts(&b);
     s = summary_with(&texts, &options);
@@ -210,10 +240,10 @@ static void what_is_wrong_is_named_with_its_variable(void **state) {
     static const double falling[2] = {0.2, 0.1};
     const nc_dimension axes[] = {{"time", 1}, {"frequency", 2}, {"direction", 4}};
     nc_variable variables[] = {
-        {"time", 1, {0}, six_and_nine, "units", "fortnights since 2020-02-28", NULL, NULL, NULL, 0},
-        {"frequency", 1, {1}, falling, NULL, NULL, NULL, NULL, NULL, 0},
-        {"direction", 1, {2}, four_degrees, NULL, NULL, NULL, NULL, NULL, 0},
-        {"efth", 3, {0, 1, 2}, efth, NULL, NULL, NULL, NULL, NULL, 0}};
+        {"time", 1, {0}, six_and_nine, "units", "fortnights since 2020-02-28", NULL, NULL, NULL, 0, false},
+        {"frequency", 1, {1}, falling, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"direction", 1, {2}, four_degrees, NULL, NULL, NULL, NULL, NULL, 0, false},
+        {"efth", 3, {0, 1, 2}, efth, NULL, NULL, NULL, NULL, NULL, 0, false}};
     nc_write(&b, 1, 0, axes, 3, variables, 4);
     texts = nc_texts(&b);
     assert_refused(&texts, 0, BOLAN_ERROR_FORMAT, BOLAN_LOG_SPECTRUM_SYNTAX, "variable time: expected units such as");
@@ -261,6 +291,7 @@ static void every_truncation_is_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(times_places_and_directions_of_wavewatch),
+        cmocka_unit_test(records_are_padded_unless_they_are_alone),
         cmocka_unit_test(the_file_says_from_and_degrees),
         cmocka_unit_test(missing_densities_count_as_none),
         cmocka_unit_test(era5_is_a_logarithm_over_numbered_axes),

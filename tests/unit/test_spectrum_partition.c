@@ -116,6 +116,40 @@ static void real_records_come_apart_without_loss(void **state) {
     }
 }
 
+// Two equal peaks, 120 degrees apart, with a level of @p valley of theirs between them, and nothing elsewhere.
+static uint32_t parts_of_twin(double valley) {
+    char text[4096];
+    int used = snprintf(text, sizeof text, "SWAN 1\nLOCATIONS\n1\n0 0\nAFREQ\n5\n.08\n.09\n.1\n.11\n.12\nNDIR\n36\n");
+    for (int j = 0; j < 36; j++) used += snprintf(text + used, sizeof text - (size_t)used, "%d\n", 10 * j);
+    used += snprintf(text + used, sizeof text - (size_t)used, "QUANT\n1\nVaDens\nm2/Hz/degr\n-99\nFACTOR\n.001\n");
+    for (int i = 0; i < 5; i++)
+        for (int j = 0; j < 36; j++) {
+            const int off = j > 18 ? 36 - j : j; // steps of 10 degrees from the north, where the valley is
+            const bool peak = off >= 5 && off <= 7, between = off < 5;
+            const double level = peak ? 100.0 : between ? 100.0 * valley : 0.0;
+            used += snprintf(text + used, sizeof text - (size_t)used, "%d ", (int)(i == 0 || i == 4 ? 0.0 : level));
+        }
+    bolan_spectrum_texts texts = bolan_spectrum_texts_default();
+    texts.density = literal("twin.spec", text);
+    bolan_measured_spectrum *spectrum = parse(&texts, 0);
+    const bolan_sea_state sea_state = sea_of(spectrum);
+    bolan_partition parts[BOLAN_MAX_PARTITIONS];
+    uint32_t count = 0;
+    assert_int_equal(bolan_sea_state_partition(&sea_state, parts, &count), BOLAN_OK);
+    bolan_measured_spectrum_destroy(&spectrum);
+    return count;
+}
+
+// The valley crosses north, where the directions wrap.
+static void peaks_that_meet_high_are_one(void **state) {
+    (void)state;
+    assert_int_equal(parts_of_twin(0.9), 1);
+    assert_int_equal(parts_of_twin(0.7), 1);
+    assert_int_equal(parts_of_twin(0.6), 2);
+    assert_int_equal(parts_of_twin(0.2), 2);
+    assert_int_equal(parts_of_twin(0.0), 2);
+}
+
 static void a_calm_has_no_parts(void **state) {
     (void)state;
     const bolan_sea_state calm = bolan_sea_state_default();
@@ -149,6 +183,7 @@ int main(void) {
         cmocka_unit_test(the_wind_says_what_is_wind_sea),
         cmocka_unit_test(all_that_the_wind_drives_is_one_wind_sea),
         cmocka_unit_test(real_records_come_apart_without_loss),
+        cmocka_unit_test(peaks_that_meet_high_are_one),
         cmocka_unit_test(a_calm_has_no_parts),
         cmocka_unit_test(a_sampled_sea_is_the_sea),
     };
