@@ -113,6 +113,7 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(405, GL_LOADER)               \
     X(502, POINTS_SYNTAX)           \
     X(503, SEA_LIMITED)             \
+    X(504, SEA_BLOCKED)             \
     X(910, LAYER_STEEP)             \
     X(930, WORLD_MODEL)             \
     X(931, WORLD_ASSETS)            \

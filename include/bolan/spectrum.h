@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file spectrum.h
 /// Tier 1. Sea states as directional wave spectra: model spectra, directional spreading, measured spectra (SWAN,
-/// WAVEWATCH III, NDBC), dispersion, and sea-state tables. Pure functions; every one is thread-safe. Densities use no libm function that differs between machines, so a sea state gives the same bits
-/// everywhere.
+/// WAVEWATCH III, NDBC), dispersion, and sea-state tables. Pure functions; every one is thread-safe. Densities use no
+/// libm function that differs between machines, so a sea state gives the same bits everywhere.
 ///
 /// Convention: S(w, th) is the one-sided directional variance density [m2 s/rad per rad]; w = angular frequency
 /// [rad/s]; th = mathematical angle where the waves GO [rad]. The integral over w and th is m0 [m2]; Hs = 4 sqrt(m0).
@@ -116,7 +116,8 @@ typedef struct bolan_measured_spectrum bolan_measured_spectrum;
 /// omega = sigma(k) + k.U over the ground (Doppler). Without a current the three are one.
 ///
 /// A wave is *blocked* where the current's component against it is at least its group speed, cg(k) + U.k/|k| <= 0: its
-/// energy does not get there. For waves of c0 = g/omega in deep still water that is a current of -c0/4.
+/// energy does not get there, nor does that of shorter waves. For waves of c0 = g/omega in deep still water that is a
+/// current of -c0/4.
 typedef enum bolan_spectrum_frame {
     /// One who drifts with the water: w is sigma. The waves are the same with any current and no wave is blocked, since
     /// water that moves as a whole is as good as water at rest. Wave models print spectra over sigma.
@@ -256,8 +257,8 @@ BOLAN_API double bolan_system_density(const bolan_wave_system *system, double om
 /// D(w, th) [1/rad]: @p theta is the angle from the system's mean direction [rad]. Integrates to 1, swell factor
 /// included.
 BOLAN_API double bolan_system_spreading(const bolan_wave_system *system, double omega, double theta);
-/// S(w, th) of the whole sea [m2 s/rad per rad], on its current: @p omega is the frequency in the water, sigma, whatever
-/// the frame of the sea state. A measured spectrum is interpolated bilinearly, which conserves its m0, and is 0 outside
+/// S(w, th) of the whole sea [m2 s/rad per rad], on its current: @p omega is the frequency in the water, sigma,
+/// whatever the frame of the sea state. A measured spectrum is interpolated bilinearly, which conserves its m0, and is 0 outside
 /// its frequencies.
 BOLAN_API double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta);
 /// Psi(kx, ky) = S(w, th) (dw/dk) / k [m4]: variance density over wave vectors that point where the waves go, on the

@@ -35,7 +35,8 @@
 ///
 /// **Current.** On a current U a wave runs over the ground at omega = w + k.U: the sea of FFT and TEXTURES is that of
 /// water at rest, drifting by U t, with its foam. Seas of FFT cannot both drift and loop; the frames of TEXTURES repeat
-/// while their tile drifts. bolan_sea_state.frame says how a spectrum depends on the current.
+/// while their tile drifts. bolan_sea_state.frame says how a spectrum depends on the current. Where that blocks 99 % of
+/// the energy and more, one warning says so (SEA_BLOCKED).
 ///
 /// **Threads.** Different seas may be used from different threads at the same time. One sea is stepped by one thread at
 /// a time; between steps any number of threads may read it. Forks of a sea count as different seas: bolan_sea_fork().

@@ -64,6 +64,20 @@ static void set_limit(sea_shared *s, bool aloud) {
     }
 }
 
+#define NEARLY_ALL 0.01 // of the energy is left
+
+static void say_blocked(const sea_shared *s) {
+    bolan_sea_state still = s->desc.sea_state;
+    if (still.frame == BOLAN_FRAME_WATER || (still.current_x == 0.0 && still.current_y == 0.0)) return;
+    const double current = sqrt(still.current_x * still.current_x + still.current_y * still.current_y);
+    still.current_x = still.current_y = 0.0;
+    const double given = bolan_sea_state_summary(&still).m0;
+    if (!(s->summary.m0 < NEARLY_ALL * given)) return;
+    bolan_log(BOLAN_LOG_WARNING, BOLAN_LOG_SEA_BLOCKED,
+              "the current of %.3g m/s blocks the waves: %.2g %% of their energy is left", current,
+              100.0 * s->summary.m0 / given);
+}
+
 // What is kept of the measured spectrum, which need not live on.
 static void forget_measured(sea_shared *s) {
     const bolan_measured_spectrum *measured = s->desc.sea_state.measured;
@@ -93,6 +107,7 @@ static void describe(sea_shared *shared, const bolan_sea_desc *desc, bool aloud)
     shared->period = desc->loop_period;
     shared->slope_ratio = 1.0;
     set_limit(shared, aloud);
+    if (aloud) say_blocked(shared);
 }
 
 static spectrum_eval eval_of(const sea_shared *shared) {

@@ -364,6 +364,32 @@ static void tiles_cannot_drift_and_loop(void **state) {
     bolan_sea_destroy(&sea);
 }
 
+static int blocked_warnings;
+
+static void count_blocked(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
+    (void)user;
+    blocked_warnings += level == BOLAN_LOG_WARNING && id == BOLAN_LOG_SEA_BLOCKED && strstr(sentence, "5 m/s") != NULL;
+}
+
+static void a_sea_that_is_blocked_is_said_to_be(void **state) {
+    (void)state;
+    bolan_hooks hooks = {.log = count_blocked};
+    bolan_set_hooks(&hooks);
+    for (int frame = 0; frame < BOLAN_SPECTRUM_FRAMES; frame++) {
+        for (int against = -1; against <= 1; against += 2) {
+            bolan_sea_desc desc = desc_on(BOLAN_WAVES_COSINES, 0.0, 0.0);
+            desc.sea_state = swell_on(5.0 * against, (bolan_spectrum_frame)frame);
+            blocked_warnings = 0;
+            bolan_sea *sea = test_sea(desc);
+            const bool calm = frame != BOLAN_FRAME_WATER && against < 0;
+            assert_int_equal(blocked_warnings, calm);
+            assert_true((bolan_sea_get_summary(sea)->hs < 0.1) == calm);
+            bolan_sea_destroy(&sea);
+        }
+    }
+    bolan_set_hooks(NULL);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_wave_that_runs_into_a_current_follows_the_table),
@@ -378,6 +404,7 @@ int main(void) {
         cmocka_unit_test(the_places_of_tiles_are_told),
         cmocka_unit_test(the_sea_has_the_spectrum_of_its_current),
         cmocka_unit_test(tiles_cannot_drift_and_loop),
+        cmocka_unit_test(a_sea_that_is_blocked_is_said_to_be),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
