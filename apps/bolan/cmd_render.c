@@ -5,6 +5,7 @@
 #include "output.h"
 #include "progress.h"
 #include "session.h"
+#include "tiles.h"
 
 #include "bolan/render.h"
 
@@ -15,6 +16,7 @@ typedef struct job {
     const char *path;
     output_name name;
     uint32_t width, height, frames, samples;
+    uint32_t tile; // largest side that is drawn at once; 0: as OpenGL has it
     double fps, start; // frames a second; time of the first [s]
     bolan_quality quality;
     bool quiet;
@@ -23,7 +25,7 @@ typedef struct job {
 typedef struct stage {
     bolan_context *context;
     bolan_renderer *renderer;
-    bolan_target *target;
+    tiles tiles;
     bolan_video *video;
     uint8_t *rgb;
     float *linear; // EXR: rgb of every pixel, distance of every pixel, then the planes R, G, B
@@ -51,9 +53,13 @@ static int make_job(const options *o, job *j) {
     j->frames = (uint32_t)otherwise(o->frames, moving ? ceil(10.0 * j->fps) : 1.0);
     j->width = (uint32_t)otherwise(o->size[0], moving ? 1280 : 1920);
     j->height = (uint32_t)otherwise(o->size[1], moving ? 720 : 1080);
+    if ((uint64_t)j->width * j->height > BOLAN_IMAGE_MOST_PIXELS)
+        return usage_error("--size %ux%u: expected at most %u pixels in all", (unsigned)j->width, (unsigned)j->height,
+                           BOLAN_IMAGE_MOST_PIXELS);
     if (video && (j->width % 2 || j->height % 2))
         return usage_error("--size %ux%u: a video's width and height are even", (unsigned)j->width,
                            (unsigned)j->height);
+    j->tile = (uint32_t)otherwise(o->tile, 0.0);
     j->quality = o->quality >= 0 ? (bolan_quality)o->quality : BOLAN_QUALITY_HIGH;
     static const uint32_t still_samples[] = {1, 1, 4, 16};
     j->samples = (uint32_t)otherwise(o->samples, moving ? 1 : still_samples[j->quality]);
@@ -74,7 +80,7 @@ static bool open_stage(const job *j, stage *s) {
     desc.quality = j->quality;
     *s = (stage){.rgb_bytes = pixels * 3, .linear_bytes = j->name.kind == OUTPUT_EXR ? pixels * 7 * sizeof(float) : 0};
     if (bolan_context_create(BOLAN_GL_CORE, &s->context) || bolan_renderer_create(&desc, &s->renderer) ||
-        bolan_target_create(j->width, j->height, &s->target))
+        !tiles_open(&s->tiles, s->renderer, j->width, j->height, j->tile, j->name.kind == OUTPUT_EXR))
         return false;
     s->rgb = bolan_allocate(s->rgb_bytes);
     s->linear = bolan_allocate(s->linear_bytes);
@@ -92,7 +98,7 @@ static bool close_stage(stage *s, bool keep) {
     const bool ok = bolan_video_close(&s->video, keep) == BOLAN_OK;
     bolan_release(s->rgb, s->rgb_bytes);
     bolan_release(s->linear, s->linear_bytes);
-    bolan_target_destroy(&s->target);
+    tiles_close(&s->tiles);
     bolan_renderer_destroy(&s->renderer);
     bolan_context_destroy(&s->context);
     return ok;
@@ -103,7 +109,6 @@ static bool close_stage(stage *s, bool keep) {
 static bool write_exr(const job *j, stage *s, const char *path) {
     const size_t pixels = (size_t)j->width * j->height;
     float *rgb = s->linear, *distance = rgb + 3 * pixels, *plane = distance + pixels;
-    bolan_renderer_read_linear(s->renderer, rgb, distance);
     for (size_t i = 0; i < pixels; i++)
         for (size_t c = 0; c < 3; c++) plane[c * pixels + i] = rgb[3 * i + c];
     const bolan_exr_channel channels[] = {
@@ -115,7 +120,6 @@ static bool write_frame(const job *j, stage *s, uint32_t number) {
     char path[BOLAN_PATH_MAX];
     if (!frame_path(j, number, path)) return false;
     if (j->name.kind == OUTPUT_EXR) return write_exr(j, s, path);
-    bolan_renderer_read_rgb8(s->renderer, bolan_target_framebuffer(s->target), j->width, j->height, s->rgb);
     if (s->video) return bolan_video_write(s->video, s->rgb) == BOLAN_OK;
     return bolan_png_write(path, j->width, j->height, s->rgb) == BOLAN_OK;
 }
@@ -131,9 +135,9 @@ static bool render_frame(const job *j, bolan_world *w, stage *s, uint32_t number
     bolan_world_set_camera(w, &camera);
     bolan_view view = bolan_view_from_camera(&camera, j->width, j->height);
     view.eye = bolan_world_clear_eye(w, view.eye);
-    view.framebuffer = bolan_target_framebuffer(s->target);
     view.samples = j->samples;
-    bolan_renderer_draw_world(s->renderer, w, &view);
+    float *distance = s->linear != NULL ? s->linear + 3 * (size_t)j->width * j->height : NULL;
+    tiles_draw(&s->tiles, w, &view, s->rgb, s->linear, distance);
     return write_frame(j, s, number);
 }
 

@@ -9,6 +9,8 @@
 
 #include <math.h>
 
+enum { MOST_PIXELS = 16384 }; // of a window, each way
+
 int command_view(int count, char **arguments) {
     options o;
     int result = options_parse(ON_VIEW, "view", count, arguments, &o);
@@ -19,6 +21,8 @@ int command_view(int count, char **arguments) {
     if (result) return result;
     bolan_set_threads(isnan(o.threads) ? 0 : (uint32_t)o.threads);
     viewer_options v = viewer_options_default();
+    if (o.size[0] > MOST_PIXELS || o.size[1] > MOST_PIXELS)
+        return usage_error("--size: a window has at most %d pixels each way", MOST_PIXELS);
     if (!isnan(o.size[0])) {
         v.width = (uint32_t)o.size[0];
         v.height = (uint32_t)o.size[1];

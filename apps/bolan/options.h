@@ -25,7 +25,7 @@ typedef struct options {
     char record[32], location[64];
     // The others.
     double at[2], camera[6], sun[2]; // latitude, longitude; x, y, z, heading, pitch[, fov]; azimuth, elevation
-    double fps, frames, samples, threads;
+    double fps, frames, samples, threads, tile;
     double size[2];
     double least_wavelength;
     int quality, backend, stretching;

@@ -190,7 +190,13 @@ BOLAN_API void bolan_points_close(bolan_points_reader **reader);
 
 // ---- images and video -----------------------------------------------------------------------------------------------
 
-/// 8-bit sRGB, 3 channels, row 0 at the top, to PNG. Width and height 1..16384.
+/// Longest side of an image that is written [px].
+#define BOLAN_IMAGE_MOST_SIDE 65536
+/// Most pixels of an image that is written.
+#define BOLAN_IMAGE_MOST_PIXELS (1u << 28)
+
+/// 8-bit sRGB, 3 channels, row 0 at the top, to PNG.
+/// Width and height 1..BOLAN_IMAGE_MOST_SIDE, their product at most BOLAN_IMAGE_MOST_PIXELS.
 BOLAN_API bolan_result bolan_png_write(const char *path, uint32_t width, uint32_t height, const uint8_t *rgb);
 /// Reads any image stb_image can, as 8-bit RGB; release with bolan_release(pixels, width * height * 3). Errors: IO;
 /// FORMAT, also for a header that asks for more pixels than the file can hold, or than 16384 each way; MEMORY.

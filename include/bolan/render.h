@@ -312,6 +312,15 @@ typedef struct bolan_host {
     /// No water where the framebuffer's stencil equals `stencil` in the bits of `stencil_mask`, sample by sample.
     /// The stencil is read and not written. A `stencil_mask` of 0 (default): the stencil has no effect.
     uint8_t stencil, stencil_mask;
+    /// GL name of a 2D depth texture of the host's objects as the sun sees them; 0 (default): none.
+    /// Where it holds less than a place's own depth, the light of the sun is missing on the water and in it.
+    /// BOLAN_OPTICS_PHYSICAL alone reads it; with another optics it is refused.
+    uint32_t shadow;
+    /// From the world relative to the eye [m] to the map: x and y in [0,1] across it, z its depth, from 0 nearest the sun.
+    /// What falls outside the map is lit.
+    bolan_mat4 shadow_matrix;
+    /// Subtracted from a place's depth, against shadows of the map's own steps; default 0.
+    float shadow_bias;
     /// Corners of the polygon in which the water lies, in the world [m], in either sense; borrowed for the call.
     /// The surface is cut where it crosses the sides.
     const bolan_dvec2 *bounds;

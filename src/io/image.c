@@ -25,9 +25,12 @@ enum { LARGEST_SIDE = STBI_MAX_DIMENSIONS, IMAGE_FILE_LIMIT = 512 << 20 };
 enum { MOST_PIXELS_PER_BYTE = 8 * 1032 };
 
 static bolan_result check_size(const char *path, uint32_t width, uint32_t height) {
-    if (width >= 1 && width <= LARGEST_SIDE && height >= 1 && height <= LARGEST_SIDE) return BOLAN_OK;
-    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "%s: a picture of %ux%u; expected 1 to %d each way", path,
-              (unsigned)width, (unsigned)height, LARGEST_SIDE);
+    if (width >= 1 && width <= BOLAN_IMAGE_MOST_SIDE && height >= 1 && height <= BOLAN_IMAGE_MOST_SIDE &&
+        (uint64_t)width * height <= BOLAN_IMAGE_MOST_PIXELS)
+        return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
+              "%s: a picture of %ux%u; expected 1 to %d each way, and at most %u pixels in all", path, (unsigned)width,
+              (unsigned)height, BOLAN_IMAGE_MOST_SIDE, BOLAN_IMAGE_MOST_PIXELS);
     return BOLAN_ERROR_ARGUMENT;
 }
 

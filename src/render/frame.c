@@ -292,10 +292,12 @@ static void draw_hosted(bolan_renderer *r, const bolan_view *to, const bolan_hos
 static void draw_for(bolan_renderer *r, const bolan_view *to, const bolan_host *host) {
     frame *f = &r->frame;
     const bool behind = f->behind;
+    f->host = host;
     f->hosted = host->color != 0;
     f->behind = f->behind || f->hosted;
     f->bounds_count = host->bounds_count;
     draw_hosted(r, to, host);
+    f->host = NULL;
     f->hosted = false;
     f->behind = behind;
     f->bounds_count = 0;

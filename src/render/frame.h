@@ -65,6 +65,7 @@ typedef struct frame {
     const bolan_tiles *tiles;
     bool behind; // something may be seen through the water or mirrored in it: ground, objects, a host's scene
     bool hosted; // it is a host's scene
+    const bolan_host *host; // whose frame is drawn; NULL: the world's
     uint32_t bounds_count; // corners of the polygon in which the water lies, while a host's frame is drawn; 0: no end
     // What follows from those.
     double time;

@@ -4,6 +4,8 @@
 #include "host_light.h"
 #include "renderer.h"
 
+#include <math.h>
+
 static bool check_kind(bolan_renderer *r, const char *field, int value, int count) {
     if (value >= 0 && value < count) return true;
     return bolan_renderer_refuse(r, CALL_PREPARE, BOLAN_LOG_OUT_OF_RANGE, "draw: technique.%s is %d; expected 0 to %d",
@@ -76,8 +78,18 @@ static const char *scene_problem(const bolan_host *h, const gl_caps *caps) {
     return bolan_gl_is_multisampled(h->depth) ? NULL : "depth is no multisampled 2D texture, and samples is above 1";
 }
 
-static const char *host_problem(const bolan_host *h, const gl_caps *caps, uint32_t framebuffer) {
-    const char *problem = scene_problem(h, caps);
+static const char *shadow_problem(const bolan_host *h, bolan_optics_kind optics) {
+    if (h->shadow == 0) return NULL;
+    if (!bolan_gl_is_2d(h->shadow)) return "shadow is no 2D texture of this context";
+    for (int i = 0; i < 16; ++i)
+        if (!isfinite(h->shadow_matrix.m[i])) return "shadow_matrix is not finite";
+    if (!isfinite(h->shadow_bias)) return "shadow_bias is not finite";
+    return optics == BOLAN_OPTICS_PHYSICAL ? NULL : "shadow is given, and the optics is not physical";
+}
+
+static const char *host_problem(const bolan_host *h, const bolan_renderer *r, uint32_t framebuffer) {
+    const char *problem = scene_problem(h, &r->caps);
+    if (problem == NULL) problem = shadow_problem(h, r->frame.lighting.technique.optics);
     if (problem != NULL) return problem;
     if (h->stencil_mask != 0 && !bolan_gl_has_stencil(framebuffer))
         return "stencil_mask is not 0, and the view's framebuffer has no stencil";
@@ -86,7 +98,7 @@ static const char *host_problem(const bolan_host *h, const gl_caps *caps, uint32
 }
 
 bool bolan_host_is_valid(bolan_renderer *r, const bolan_host *h, uint32_t framebuffer) {
-    const char *problem = host_problem(h, &r->caps, framebuffer);
+    const char *problem = host_problem(h, r, framebuffer);
     return problem == NULL ||
            bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GUEST_FRAME, "draw_water: the host's %s", problem);
 }

@@ -9,12 +9,13 @@
 
 #include <math.h>
 
-enum { SURFACE_COUNT = 4 };
+enum { SURFACE_COUNT = 4, SURFACE_SUN = 1 }; // SURFACE_SUN: the output that holds the share of the sun
 
 // What has the size of a view: 40 bytes a pixel.
 typedef struct shape {
     gl_texture map[SURFACE_COUNT]; // outputs of water_shape.glsl
     gl_target target;              // they, and the frame's depth
+    gl_target sun;                 // the share of the sun among them
     uint64_t depth_serial;         // of that depth
 } shape;
 
@@ -22,11 +23,13 @@ typedef struct physical {
     bolan_quality quality;
     kept_sizes kept;
     shape shapes[KEPT_SIZES];
-    shape *shape; // of the present size
+    shape *shape;       // of the present size
+    gl_sampler sampler; // of a host's shadow map
     gl_texture foam_detail;
 } physical;
 
 static const water_shader shape_shader = {.stem = "water_shape", .reads = WATER_FEATURE_ALL};
+static const water_shader shadow_shader = {.stem = "host_shadow"};
 // By quality: texture fetches along a footprint, reflected rays that look for land.
 static const water_shader light_shader = {.stem = "water_physical",
                                           .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
@@ -38,11 +41,13 @@ static const water_shader light_shader = {.stem = "water_physical",
 static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;
     p->quality = quality;
+    bolan_gl_sampler_create(&p->sampler, false);
     return bolan_foam_texture_create(&p->foam_detail);
 }
 
 static void free_shape(shape *s) {
     bolan_gl_target_free(&s->target);
+    bolan_gl_target_free(&s->sun);
     for (int i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_free(&s->map[i]);
     s->depth_serial = 0;
 }
@@ -60,6 +65,7 @@ static bolan_result create_shape(shape *s, const render_view *v) {
         colors[i] = &s->map[i];
     }
     if (result == BOLAN_OK) result = bolan_gl_target_create(colors, SURFACE_COUNT, v->hdr_depth, -1, 0, &s->target);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(&colors[SURFACE_SUN], 1, NULL, -1, 0, &s->sun);
     if (result == BOLAN_OK) s->depth_serial = v->depth_serial;
     return result;
 }
@@ -85,6 +91,7 @@ static void free_all(void *state) {
     physical *p = state;
     for (int i = 0; i < KEPT_SIZES; ++i) free_shape(&p->shapes[i]);
     bolan_gl_texture_free(&p->foam_detail);
+    bolan_gl_sampler_free(&p->sampler);
 }
 
 #define FOAM_EDGE 0.12 // how widely the edge of a breaking patch is drawn, in Jacobian
@@ -112,6 +119,21 @@ static void draw_shape(physical *p, const water_draw *d) {
     bolan_water_mesh_draw(d->mesh);
 }
 
+// Takes the share that a host's objects leave from the sun's.
+static void draw_shadow(const physical *p, const water_draw *d) {
+    const bolan_host *host = d->view->frame->host;
+    const gl_program *g = bolan_water_program(d, &shadow_shader, 0);
+    if (g == NULL) return;
+    bolan_gl_program_vec4_array(g, "shadow_matrix", host->shadow_matrix.m, 4);
+    bolan_gl_program_float(g, "shadow_bias", host->shadow_bias);
+    bolan_gl_target_bind(&p->shape->sun);
+    bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_MULTIPLY});
+    bolan_gl_texture_bind(&p->shape->map[0], UNIT_SURFACE);
+    bolan_gl_guest_texture_bind(host->shadow, UNIT_PASS, &p->sampler);
+    bolan_gl_draw_fullscreen();
+    bolan_gl_guest_texture_bind(0, UNIT_PASS, NULL);
+}
+
 static void draw_light(physical *p, const water_draw *d) {
     if (!bolan_water_program(d, &light_shader, 1u << p->quality)) return;
     const physical_block block = foam_of(d->view);
@@ -128,12 +150,15 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
     (void)state;
     bolan_water_programs_add(all, s, false, &shape_shader, 0);
     bolan_water_programs_add(all, s, false, &light_shader, 1u << s->quality);
+    bolan_water_programs_add(all, s, false, &shadow_shader, 0); // a host may bring shadows to any view
 }
 
 static void draw(void *state, const water_draw *d) {
     physical *p = state;
     if (fit_shape(p, d->view) != BOLAN_OK) return;
+    const bolan_host *host = d->view->frame->host;
     draw_shape(p, d);
+    if (host != NULL && host->shadow != 0) draw_shadow(p, d);
     draw_light(p, d);
 }
 

@@ -44,4 +44,16 @@ tiny='--size 96x54 --quality low --samples 1'
         done
     fi
 }
+# In tiles, with guard bands that are cut off, the image is the same to a level of 255.
+refuse 2 'expected at most 268435456 pixels in all' render open-sea -o a.png --size 65536x5000
+if "$BOLAN" view --help > out 2>&1; then
+    refuse 2 'a window has at most 16384 pixels each way' view open-sea --size 20000x500
+fi
+refuse 2 '--tile is 100; expected a whole number from 448 to 16384' render open-sea -o a.png --tile 100
+run render open-sea -o whole.png --size 700x500 --quality low --samples 1
+run render open-sea -o tiles.png --size 700x500 --quality low --samples 1 --tile 448
+if command -v python3 > /dev/null; then
+    python3 "$BOLAN_SOURCE_DIR/tests/cli/compare_png.py" whole.png tiles.png 1 || fail 'tiles are not the whole'
+    ! python3 "$BOLAN_SOURCE_DIR/tests/cli/compare_png.py" a.png c.png 1 > out 2>&1 || fail 'every image is the same'
+fi
 [ "$(find . -name '*.part*' | wc -l)" -eq 0 ] || fail 'a temporary file was left'

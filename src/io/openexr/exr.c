@@ -9,7 +9,7 @@
 #include <openexr.h>
 #include <string.h>
 
-enum { LARGEST_SIDE = 16384, MOST_CHANNELS = 64 };
+enum { LARGEST_SIDE = BOLAN_IMAGE_MOST_SIDE, MOST_CHANNELS = 64 };
 
 typedef struct picture {
     uint32_t width, height;
@@ -116,7 +116,8 @@ static exr_result_t write_picture(const char *path, const picture *p, memory *m)
 
 static bolan_result check(const char *path, const picture *p) {
     bool good = p->width >= 1 && p->width <= LARGEST_SIDE && p->height >= 1 && p->height <= LARGEST_SIDE &&
-                p->count >= 1 && p->count <= MOST_CHANNELS;
+                (uint64_t)p->width * p->height <= BOLAN_IMAGE_MOST_PIXELS && p->count >= 1 &&
+                p->count <= MOST_CHANNELS;
     for (uint32_t i = 0; i < p->count && good; i++)
         good = p->channels[i].name && p->channels[i].pixels && p->channels[i].name[0] != '\0' &&
                find_plane(p, p->channels[i].name) == p->channels[i].pixels;

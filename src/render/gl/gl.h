@@ -186,7 +186,7 @@ void bolan_gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers:
 // ---- state ----
 typedef struct gl_state {
     bool depth_test, depth_write, cull_back, color_write;
-    enum { GL_BLEND_NONE, GL_BLEND_ALPHA, GL_BLEND_ADD, GL_BLEND_PREMULTIPLIED } blend;
+    enum { GL_BLEND_NONE, GL_BLEND_ALPHA, GL_BLEND_ADD, GL_BLEND_PREMULTIPLIED, GL_BLEND_MULTIPLY } blend;
     bool depth_equal, depth_less;
 } gl_state; // depth test: greater-or-equal (reversed-Z), or equal, or less-or-equal
 void bolan_gl_set_state(const gl_state *s);
