@@ -29,7 +29,8 @@ static void assert_reads_back(const bolan_sea_state *sea_state, const char *path
         while (same < b.direction_count && fabs(remainder(a.theta[j] - b.theta[same], 2.0 * BOLAN_PI)) > 1e-9) same++;
         assert_true(same < b.direction_count);
         for (uint32_t i = 0; i < a.frequency_count; i++)
-            assert_near(a.density[i * a.direction_count + j], b.density[i * b.direction_count + same], 5.1e-8 * largest);
+            assert_near(a.density[i * a.direction_count + j], b.density[i * b.direction_count + same],
+                        5.1e-8 * largest);
     }
     bolan_measured_spectrum_destroy(&asked);
     bolan_measured_spectrum_destroy(&read);
@@ -114,6 +115,29 @@ static void the_plot_shows_the_peak_where_it_is(void **state) {
     remove("save_c.png");
 }
 
+// Frequency grows outwards: of two swells, the shorter lies farther from the centre.
+static void shorter_waves_lie_farther_out(void **state) {
+    (void)state;
+    bolan_sea_state sea_state = bolan_sea_state_default();
+    assert_int_equal(bolan_sea_state_add_swell(&sea_state, 2.0, 12.0, 90.0, 40.0), BOLAN_OK);
+    assert_int_equal(bolan_sea_state_add_swell(&sea_state, 2.8, 6.0, 270.0, 40.0), BOLAN_OK);
+    assert_int_equal(bolan_spectrum_save("save_e.png", &sea_state, "swells"), BOLAN_OK);
+    uint32_t width = 0, height = 0;
+    uint8_t *rgb = NULL;
+    assert_int_equal(bolan_image_read("save_e.png", &width, &height, &rgb), BOLAN_OK);
+    double sum[2] = {0.0}, count[2] = {0.0}; // of distances to the west and to the east
+    for (int i = 0; i < 640; i++) {
+        const uint8_t *p = rgb + 3 * (385 * 960 + i);
+        if (p[2] <= p[0] + 60) continue;
+        sum[i > 330] += abs(i - 330);
+        count[i > 330] += 1.0;
+    }
+    assert_true(count[0] > 3.0 && count[1] > 3.0);
+    assert_near(sum[0] / count[0] / (sum[1] / count[1]), 2.0, 0.25);
+    bolan_release(rgb, (size_t)width * height * 3);
+    remove("save_e.png");
+}
+
 static void another_suffix_or_folder_is_refused(void **state) {
     (void)state;
     const bolan_sea_state sea_state = mixed_sea();
@@ -128,9 +152,8 @@ static void another_suffix_or_folder_is_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(swan_text_reads_back_equal),
-        cmocka_unit_test(the_table_holds_the_variance),
-        cmocka_unit_test(the_plot_shows_the_peak_where_it_is),
+        cmocka_unit_test(swan_text_reads_back_equal),          cmocka_unit_test(the_table_holds_the_variance),
+        cmocka_unit_test(the_plot_shows_the_peak_where_it_is), cmocka_unit_test(shorter_waves_lie_farther_out),
         cmocka_unit_test(another_suffix_or_folder_is_refused),
     };
     return cmocka_run_group_tests(tests, listen_to_log, NULL);
