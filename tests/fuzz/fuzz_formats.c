@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a file of spectra of any format: a valid sea, or a refusal in one sentence, and never a step outside the
-// bytes; what the file holds, likewise. The last byte picks the record and the location.
+// Any bytes as a file of spectra of any format: a valid sea that comes apart without loss, or one sentence of refusal,
+// and never a step outside the bytes; what the file holds, likewise. The last byte picks the record and the location.
 #include "bolan/formats.h"
 
 #include <math.h>
@@ -29,6 +29,12 @@ static void read_one(const bolan_spectrum_texts *texts, unsigned choice) {
     const bolan_sea_summary summary = bolan_sea_state_summary(&sea_state);
     if (errors || !(summary.m0 >= 0.0 && summary.hs <= 40.01)) abort();
     if (!(bolan_sea_state_wavenumber_density(&sea_state, 0.1, -0.2) >= 0.0)) abort();
+    bolan_partition parts[BOLAN_MAX_PARTITIONS];
+    uint32_t count = 0;
+    if (bolan_sea_state_partition(&sea_state, parts, &count) || count > BOLAN_MAX_PARTITIONS) abort();
+    double m0 = 0.0;
+    for (uint32_t i = 0; i < count; i++) m0 += parts[i].hs * parts[i].hs / 16.0;
+    if (!(fabs(m0 - summary.m0) <= 1e-6 * summary.m0 + 1e-300)) abort();
     bolan_measured_spectrum_destroy(&spectrum);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a file packed by gzip: unpacked within the limit, or refused in one sentence; bytes that are not gzip stay.
+// Any bytes as a file packed by gzip: unpacked within the limit, or refused in one sentence. Other bytes stay.
 #include "io/unpack.h"
 
 #include "bolan/io.h"
