@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the subcommands of bolan-bench share. Each is `int bench_<name>(int argc, char **argv)`: argv[0] is its own
-// name; it prints a table, or with --json one object, and returns the exit status.
+// Shared by the subcommands of bolan-bench. Each subcommand is `int bench_<name>(int argc, char **argv)`: argv[0] is
+// its own name; it prints a table, or with --json one object, and returns the exit status.
 #ifndef BOLAN_BENCH_BENCH_H
 #define BOLAN_BENCH_BENCH_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bolan-bench frame: what a picture costs, pass by pass, and as a ratio to a full-screen pass of 6 bilinear texture
+// bolan-bench frame: the time of a frame, pass by pass, and its ratio to a full-screen pass of 6 bilinear texture
 // fetches of the same size in the same run.
 #include "stage.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bolan-bench: what the library costs, as a table or as JSON. It is a program of its own because its yardstick for the
-// synthesis, FFTW, is under the GPL and must not be linked to the library's own program.
+// bolan-bench: costs of the library, as a table or as JSON. It is a separate program because FFTW, the yardstick of the
+// synthesis, is under the GPL and must not be linked to the program bolan.
 #include "bench.h"
 
 #include <signal.h>
@@ -54,7 +54,7 @@ const char *bench_machine(void) {
     return text;
 }
 
-// As the program does: a benchmark writes no file, so there is nothing to clear away.
+// Ends like the program; a benchmark writes no file, so nothing must be removed.
 static void end_program(int signal_number) {
     (void)signal_number;
     _exit(130);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bolan-bench query: questions a second, and their time as a ratio to what memory needs to stream the samples they
-// read.
+// bolan-bench query: queries a second, and the ratio of their time to that of streaming the samples they read from
+// memory.
 #include "bench.h"
 
 #include "bolan/query.h"
@@ -11,7 +11,7 @@
 
 enum { MOST_POINTS = 1000000, REPEATS = 7, CORNERS = 4, COPY_BYTES = 64 << 20 };
 
-// What is asked, where. An answer reads four samples of so many planes of each cascade, from memory if they are
+// One row of the table. A query reads four samples of `planes` planes of each cascade, from memory if the points are
 // scattered.
 typedef struct query_case {
     const char *name;

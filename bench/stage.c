@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WARM_UP 4 // frames that pay for compilation, allocation and caches
+#define WARM_UP 4 // frames for compilation, allocation and caches
 #define FRAMES 15 // of which the median is taken, in a row without and one with the passes timed
 #define TICK (1.0 / 30.0)
 #define YARDSTICK_REPEATS 5
@@ -99,9 +99,9 @@ static void draw(stage *s) {
     view.eye = bolan_world_clear_eye(s->world, view.eye);
     view.without_water = s->without_water;
     view.framebuffer = bolan_target_framebuffer(s->target);
-    view.progressive = true; // as a window is drawn
+    view.progressive = true; // like a window
     bolan_renderer_draw_world(s->renderer, s->world, &view);
-    uint8_t pixel[3]; // to read one pixel is to wait for all of them
+    uint8_t pixel[3]; // reading one pixel waits for all of them
     bolan_renderer_read_rgb8(s->renderer, view.framebuffer, 1, 1, pixel);
 }
 

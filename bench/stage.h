@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene on a stage: opened, drawn and timed, for the benchmarks of pictures.
+// A scene that is opened, drawn and timed, for the benchmarks of frames.
 #ifndef BOLAN_BENCH_STAGE_H
 #define BOLAN_BENCH_STAGE_H
 
@@ -8,14 +8,14 @@
 #include "bolan/io.h"
 #include "bolan/render.h"
 
-// What the command line of these benchmarks says.
+// The command line of these benchmarks.
 typedef struct stage_options {
     bool json;
     uint32_t width, height, threads;
     bolan_quality quality;
     uint32_t max_vertices; // of the water; 0: by quality. No option of the command line: a row of a table sets it
 } stage_options;
-// The usual: 1024 x 768, medium.
+// The defaults: 1024 x 768, medium.
 stage_options stage_options_default(void);
 // Takes the option at *index; 1: taken, 0: it is none of these, -1: its value is wrong (said on stderr after
 // "bolan-bench NAME: ").
@@ -39,7 +39,7 @@ typedef struct stage_figures {
     const char *technique;
     uint32_t triangles, water_triangles;
     double ms;       // median of a frame, synthesis included
-    double cpu_ms;   // processor time of all threads, of the same frames: little moved by what else the machine does
+    double cpu_ms;   // processor time of all threads for the same frames; hardly depends on other load
     stage_yard yard; // timed right before and after these frames, since a machine's speed changes from minute to minute
     uint32_t pass_count;
     struct {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // bolan-bench techniques: every technique on the scene it was made for, and the tables of the four papers measured
-// again, with the printed figures beside ours. Their machines were of 2004 to 2018; what can be compared is how figures
-// of one table compare.
+// again, with the printed figures beside ours. Their machines were of 2004 to 2018, so only ratios within one table
+// can be compared.
 //   A  Ma, Zhu & Gong 2006, table 2: a scene once, twice, three times, without and with two triangles of water
 //   B  Liu & Xie 2010, table 1 (its figures are lost): four ways to the same water
 //   C  Liu, Xu & Chen 2009, section 6: 16 x 8 waves on 6 levels of 32 x 32 cells
@@ -39,7 +39,7 @@ typedef struct change {
     uint32_t resolution;              // 0: as it is
     uint32_t max_vertices;            // of the water; 0: by quality
     double height;                    // of the camera [m]; 0: as it is
-    bool paper;                       // to the letter
+    bool paper;                       // the mode of the paper
 } change;
 
 static void copy_objects(bolan_scene *s, uint32_t copies) {
@@ -91,7 +91,7 @@ static bolan_result measure_techniques(const stage_options *o, results *r) {
     return result;
 }
 
-// A: the mesh is the same picture by a grid of the view's own resolution.
+// A: the row "mesh" draws the same image by a grid of the resolution of the view.
 static bolan_result measure_a(const stage_options *o, results *r) {
     static const bolan_technique mesh = {"mesh", BOLAN_WAVES_TEXTURES, BOLAN_SURFACE_PROJECTED, BOLAN_OPTICS_MIRROR,
                                          -1};
@@ -107,7 +107,7 @@ static bolan_result measure_a(const stage_options *o, results *r) {
     return result;
 }
 
-// B: the four ways of the paper's section 2, each to the letter of its paper: 8 exp-cosines at the vertices of a mesh,
+// B: the four methods of section 2 of the paper, each as its paper states it: 8 exp-cosines at the vertices of a mesh,
 // which have the normals; a coarse mesh with its waves and normals from a texture (Kryachko 2005); two triangles with
 // textures (paper A); two triangles with 8 exp-cosines. The light is that of this paper, of the third that of its own.
 static bolan_result measure_b(const stage_options *o, results *r) {
@@ -174,14 +174,14 @@ static const struct {
 static double constancy(const results *r) {
     double least = HUGE_VAL, most = 0.0;
     for (int i = 0; i < D_ROWS; ++i) {
-        const double ratio = r->d[i].figures.ms / r->d[i].figures.yard.ms; // the machine's own changes aside
+        const double ratio = r->d[i].figures.ms / r->d[i].figures.yard.ms; // cancels the speed of the machine
         least = fmin(least, ratio);
         most = fmax(most, ratio);
     }
     return (most - least) / (most + least);
 }
 
-// Milliseconds of a pass; below 0: the row has none such, or its passes were not measured.
+// Milliseconds of a pass; below 0 where the row lacks the pass or its passes were not measured.
 static double pass_ms(const stage_figures *f, const char *name) {
     for (uint32_t p = 0; p < f->pass_count; ++p)
         if (strcmp(f->passes[p].name, name) == 0) return f->passes[p].ms;

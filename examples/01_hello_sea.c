@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sea without a picture: make it from a wind, let time run, ask how high the water stands at three places.
+// A sea without an image: make it from a wind, step it, query its height at three places.
 #include "bolan/query.h"
 
 #include <stdio.h>
@@ -13,7 +13,7 @@ int main(void) {
     const bolan_sea_summary summary = bolan_sea_state_summary(&desc.sea_state);
     printf("significant wave height %.2f m, peak period %.1f s\n", summary.hs, summary.tp);
 
-    bolan_water water = bolan_water_default(); // what is asked, and drawn: here the sea alone, without a sea bed
+    bolan_water water = bolan_water_default(); // the bundle that queries read: here the sea alone, without a sea bed
     water.sea = sea;
     const bolan_dvec2 places[3] = {{0.0, 0.0}, {25.0, 0.0}, {1e6, -1e6}}; // metres east and north
     printf("  time [s]    here [m]    25 m east [m]    far away [m]\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The water under a hull: a grid of points that moves with a ship, asked in one batch each step. Prints CSV:
+// The water under a hull: a grid of points that moves with a ship, queried in one batch each step. Prints CSV:
 //
 //     02_query > hull.csv
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A first picture: a headless context, a world, the renderer, a target, a PNG.
+// A first image: a headless context, a world, the renderer, a target, a PNG.
 //
 //     03_first_frame [FILE.png]
 #include "bolan/io.h"

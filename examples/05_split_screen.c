@@ -62,7 +62,7 @@ static void draw(game *g, int first, int last, uint8_t *rgb) {
     bolan_renderer_read_rgb8(g->renderer, bolan_target_framebuffer(g->target), WIDTH, HEIGHT, rgb);
 }
 
-// How many bytes of a player's half differ. Two renderers could not agree better: there is nothing that they share.
+// Number of bytes of a player's half that differ from a renderer that draws this player alone.
 static int differences(const game *g, int player) {
     int count = 0;
     for (int i = 0; i < BYTES; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A physics thread beside a loop of frames: a fork of the sea is stepped at 200 Hz and asked for the water at a hull,
+// A physics thread beside a loop of frames: a fork of the sea is stepped at 200 Hz and queried for the water at a hull,
 // while the first sea is stepped at 60 Hz for drawing. Prints CSV:
 //
 //     06_physics_thread > hull.csv
@@ -33,7 +33,7 @@ static void sleep_until(const struct timespec *start, double seconds) {
     nanosleep(&(struct timespec){.tv_nsec = (long)(1e9 * (seconds - passed))}, NULL);
 }
 
-// The time of a tick is a multiple of 1/200 s, not what a clock says: so the answers do not depend on the machine.
+// The time of a tick is a multiple of 1/200 s, not the time of a clock, so that results do not depend on the machine.
 static void *run_physics(void *context) {
     physics *p = context;
     bolan_water water = bolan_water_default();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file spectrum_support.h
-/// What the tests of the spectra share: closeness, a log that remembers its last message, and files of measured spectra.
+/// What the tests of the spectra share: closeness, a log that remembers its last message, and files of measured
+/// spectra.
 #ifndef BOLAN_TESTS_SPECTRUM_SUPPORT_H
 #define BOLAN_TESTS_SPECTRUM_SUPPORT_H
 

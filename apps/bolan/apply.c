@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options over a scene: each changes what a person would expect, and leaves the rest.
+// Applies the options to a scene: each option changes its own fields and those that follow from them.
 #include "options.h"
 
 #include <math.h>
@@ -28,7 +28,7 @@ static int check_sea(const options *o) {
     return EXIT_OK;
 }
 
-// A measured sea takes the place of every wave system; --wind still roughens it.
+// A measured sea replaces every wave system; --wind still roughens it.
 static void use_file(const options *o, bolan_scene *scene) {
     snprintf(scene->spectrum_path, sizeof scene->spectrum_path, "%s", o->spectrum);
     scene->spectrum = bolan_spectrum_options_default();
@@ -67,9 +67,9 @@ static void apply_wind(const options *o, bolan_scene *scene) {
     if (shape >= 0) scene->wind_spectrum = (bolan_spectrum_kind)shape;
     // A wind sea that was asked for joins the waves that the scene lists, or replaces the first, if that has a wind.
     if (option_given(o, "fetch") || has_table(o) || shape >= 0) scene->wind_sea = true;
-    // What was asked for, whatever the technique makes of a wind.
+    // The spectrum of the option, whatever spectrum the technique has.
     if (has_table(o) || shape >= 0) scene->technique.wind_spectrum = -1;
-    // A Beaufort or Douglas sea is that sea alone; a wind leaves the swells that are there.
+    // A Beaufort or Douglas sea has no swells; --wind keeps the swells of the scene.
     if (has_table(o)) scene->sea.sea_state.system_count = 0;
     bolan_scene_set_wind(scene, speed, from);
 }
@@ -125,7 +125,7 @@ static int apply_picture(const options *o, bolan_scene *scene) {
         c->pitch_deg = o->camera[4];
         c->roll_deg = 0.0;
         if (given(o->camera[5])) c->fov_deg = o->camera[5];
-        scene->camera_key_count = 0; // it was told where to stand
+        scene->camera_key_count = 0; // a given camera does not follow the path
     } else {
         scene->camera = bolan_scene_camera_at(scene, scene->time);
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bolan bake: the scene's water as looping tiles, into a folder that other programs, and the scene key `tiles`, can
-// use.
+// bolan bake: writes the water of a scene as looping tiles into a folder, for other programs and the scene key `tiles`.
 #include "commands.h"
 #include "help.h"
 #include "output.h"

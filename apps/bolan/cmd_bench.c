@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bolan bench: starts the program of the benchmarks, which lies beside this one and links what this one must not
-// (FFTW).
+// bolan bench: starts the program of the benchmarks, which lies beside this one. It is separate because it links FFTW,
+// which is under the GPL.
 #include "commands.h"
 #include "options.h"
 

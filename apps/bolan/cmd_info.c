@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bolan info: what this build and this machine can do.
+// bolan info: features of this build and this machine.
 #include "commands.h"
 #include "describe.h"
 #include "help.h"
@@ -23,7 +23,7 @@ static const char compiler[] = "an unknown compiler";
 
 static char gl_message[2048];
 
-// Without OpenGL its reason is part of the answer, not an error.
+// Where OpenGL is missing, the reason is part of the output and not an error.
 static void keep_message(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
     (void)user, (void)level, (void)id;
     snprintf(gl_message, sizeof gl_message, "%s", sentence);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bolan measure: what the synthesised sea is, as JSON or as a table.
+// bolan measure: statistics of the synthesised sea, as JSON or as a table.
 #include "commands.h"
 #include "help.h"
 #include "output.h"
@@ -69,7 +69,7 @@ static bool print_json(const bolan_sea *sea, const bolan_sea_state *sea_state, c
     return ok;
 }
 
-// What the sea is made of: cascades, or the waves of a sum, of which the first and last tell the rest.
+// The parts of the sea: its cascades, or the first and the last wave of a sum.
 static void print_waves(const bolan_sea *sea) {
     const uint32_t waves = bolan_sea_component_count(sea);
     if (bolan_sea_cascade_count(sea) > 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bolan render: pictures and films of a scene, without a window.
+// bolan render: images and films of a scene, without a window.
 #include "commands.h"
 #include "help.h"
 #include "output.h"
@@ -93,7 +93,7 @@ static bool open_stage(const job *j, stage *s) {
            (frame_path(j, 0, path) && !bolan_video_open(path, j->width, j->height, j->fps, &s->video));
 }
 
-// @p keep: the film is whole. False when its last act failed.
+// @p keep: the film is complete. Returns false when finishing it failed.
 static bool close_stage(stage *s, bool keep) {
     const bool ok = bolan_video_close(&s->video, keep) == BOLAN_OK;
     bolan_release(s->rgb, s->rgb_bytes);
@@ -127,7 +127,7 @@ static bool write_frame(const job *j, stage *s, uint32_t number) {
 static bool render_frame(const job *j, bolan_world *w, stage *s, uint32_t number) {
     const double time = j->start + number / j->fps;
     if (number == 0) {
-        bolan_world_settle(w, time); // with the foam that the seconds before would have left
+        bolan_world_settle(w, time); // with the foam of the seconds before
     } else {
         bolan_world_step(w, time);
     }
@@ -141,7 +141,7 @@ static bool render_frame(const job *j, bolan_world *w, stage *s, uint32_t number
     return write_frame(j, s, number);
 }
 
-// Of a sequence, the pattern.
+// Prints the name of the output; of a sequence, its pattern.
 static void print_name(const job *j) {
     char path[BOLAN_PATH_MAX];
     output_print(!j->name.numbered && frame_path(j, 0, path) ? path : j->path);
@@ -162,10 +162,10 @@ static int render_all(const job *j, bolan_world *w) {
     return ok ? EXIT_OK : EXIT_FAILED;
 }
 
-// A place that cannot be written to is found before the work, not after it.
+// Checks the output before the work, not after it.
 static bool can_write(const job *j) {
     char path[BOLAN_PATH_MAX];
-    // The last number is the longest; the first is what a folder is tried with.
+    // The last number makes the longest name; the first name is tried.
     if (!frame_path(j, j->frames - 1, path) || !frame_path(j, 0, path)) return false;
     if (j->name.kind == OUTPUT_VIDEO) return !bolan_video_check(path, j->width, j->height, j->fps);
     return !bolan_file_check_writable(path);

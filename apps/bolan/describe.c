@@ -11,7 +11,7 @@ static const char *unit_of(const bolan_param *p) { return p->factor > 0.0 ? p->f
 
 static double in_key_units(const bolan_param *p, double value) { return p->factor > 0.0 ? value / p->factor : value; }
 
-// Short for a reader: 1e6 for 1000000.
+// Shortens numbers: 1e6 for 1000000.
 static void write_number(double value, char out[32]) {
     bolan_format(out, 32, "%g", value);
     char *exponent = strchr(out, 'e'), *digits = exponent ? exponent + 1 + strspn(exponent + 1, "+0") : NULL;
@@ -71,7 +71,7 @@ void describe_option_values(const option_info *i, const char *quote, char *out, 
 
 // ---- Markdown -------------------------------------------------------------------------------------------------------
 
-// A cell: bars of the text would end it.
+// Prints a table cell; escapes bars, which would end it.
 static void print_cell(FILE *file, const char *text) {
     for (const char *p = text; *p; p++) {
         if (*p == '|') fputc('\\', file);
@@ -143,8 +143,8 @@ static void print_default_cell(FILE *file, const bolan_param_group *group, const
     print_cell(file, text);
 }
 
-// The rest of a dotted path in a section of the documentation; NULL where it belongs to another. "" is the section of
-// what stands in the document itself.
+// The rest of a dotted path in a section of the documentation; NULL where it belongs to another section. "" is the
+// section of the keys of the document itself.
 static const char *within(const char *section, const char *path) {
     const size_t length = strlen(section);
     if (length == 0) return strchr(path, '.') ? NULL : path;
@@ -154,8 +154,8 @@ static const char *within(const char *section, const char *path) {
 // Lists with a section of their own.
 static bool is_list_section(const char *key) { return strcmp(key, "objects") == 0 || strcmp(key, "trains") == 0; }
 
-// The keys of a group that belong to a section. The cameras of a path have the keys
-// of the camera, which its section has already.
+// The keys of a group that belong to a section. The keys of a path's cameras are left out, since the section of the
+// camera has them.
 static void print_rows(FILE *file, const char *section, const bolan_param_group *group, const void *base) {
     const bool list = is_list_section(section);
     if ((list || is_list_section(group->key)) && strcmp(section, group->key) != 0) return;
@@ -267,7 +267,7 @@ static void print_json_range(FILE *file, const bolan_param *p) {
     print_json_number(file, "maximum", high);
 }
 
-// What the value of a row may be, without braces.
+// The JSON type of a row, without braces.
 static void print_json_type(FILE *file, const bolan_param *p) {
     switch (p->kind) {
     case BOLAN_PARAM_NUMBER:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // See interrupt.h.
 //
-// The handler itself clears away and ends the program: bolan_files_abandon() may be called there. A flag that loops
-// look at would not do: a frame of many samples, a driver that compiles, a raster that is read or an ffmpeg that hangs
-// would each let the user wait.
+// The handler itself removes unfinished files and ends the program: bolan_files_abandon() is async-signal-safe. A flag
+// that loops poll would not be enough, because a frame of many samples, a compiling driver, a raster that is read or a
+// hanging ffmpeg would delay the end.
 #include "interrupt.h"
 
 #include "options.h"
@@ -29,7 +29,7 @@ void interrupt_install(void) {
     action.sa_handler = end_program;
     for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) sigaddset(&action.sa_mask, ends[i]);
     for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
-        // nohup(1) asks for the terminal's end to be overheard.
+        // nohup(1) has set SIGHUP to be ignored: it stays ignored.
         const bool nohup = ends[i] == SIGHUP && sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler == SIG_IGN;
         if (!nohup) sigaction(ends[i], &action, NULL);
     }

@@ -40,8 +40,7 @@ static int print_help(FILE *file) {
     return EXIT_OK;
 }
 
-// Every message of the library and of the program itself. bolan_log() has made one line without control characters of
-// it.
+// Prints every message of the library and of the program. bolan_log() has made it one line without control characters.
 static void print_message(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
     (void)user;
     // What was chosen among records and locations is worth a line; other information is not.
@@ -49,10 +48,10 @@ static void print_message(void *user, bolan_log_level level, bolan_log_id id, co
     fprintf(stderr, "bolan: %s%s\n", level == BOLAN_LOG_WARNING ? "warning: " : "", sentence);
 }
 
-// Standard output may be a full disk or a closed pipe: then the result is not there, and the exit code says so.
+// Standard output may be a full disk or a closed pipe: then the result is lost, and the exit code must be an error.
 static int flush_output(int code) {
     const bool failed = fflush(stdout) != 0 || ferror(stdout);
-    bolan_set_hooks(&(bolan_hooks){.log = print_message}); // a command may have had its own
+    bolan_set_hooks(&(bolan_hooks){.log = print_message}); // a command may have set another hook
     return failed && code == EXIT_OK ? failure("standard output cannot be written") : code;
 }
 

@@ -11,7 +11,7 @@
 #define SCENE_COMMANDS (ON_VIEW | ON_RENDER | ON_MEASURE | ON_QUERY | ON_BAKE | ON_EXPORT)
 #define SPECTRUM_COMMANDS (SCENE_COMMANDS | ON_INFO)
 #define PICTURE_COMMANDS (ON_VIEW | ON_RENDER)
-#define GROUND_COMMANDS (PICTURE_COMMANDS | ON_QUERY) // the others have no use for a sea bed
+#define GROUND_COMMANDS (PICTURE_COMMANDS | ON_QUERY) // the other commands do not read a sea bed
 
 static const char *const stretching_names[] = {"none", "wheeler", NULL}; // by bolan_stretching
 static const char *const backend_names[] = {"cpu", "compute", NULL};
@@ -22,7 +22,7 @@ static const char *const backend_names[] = {"cpu", "compute", NULL};
         .name = (long_name), .kind = OPTION_##type, .offset = offsetof(options, member), .commands = (goes_with), \
         .argument = (value), __VA_ARGS__                                                                          \
     }
-// A parameter of a scene, which has the option's name in its table: values, range and help come from there.
+// A parameter of a scene; its row in the tables has values, range and help.
 #define OF_SCENE(long_name, goes_with, value) OPTION(long_name, PARAM, edits, goes_with, value, .help = NULL)
 // A key of scene files that is no field of a scene.
 #define OF_FILE(long_name, member, goes_with, value) OPTION(long_name, PARAM, member, goes_with, value, .help = NULL)

@@ -13,7 +13,7 @@ enum { EXIT_OK = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 // Commands, as bits of option_info.commands.
 enum { ON_VIEW = 1, ON_RENDER = 2, ON_MEASURE = 4, ON_QUERY = 8, ON_INFO = 16, ON_BAKE = 32, ON_EXPORT = 64 };
 
-// What was given. Of the options of the command line alone, a number that was not given is NAN, a name -1, a text NULL.
+// The parsed options. Of options that are no parameter, a number that was not given is NAN, a name -1, a text NULL.
 typedef struct options {
     const char *scene;
     uint64_t given;    // bit i: option i of the table
@@ -23,7 +23,7 @@ typedef struct options {
     double beaufort;
     uint32_t sea_state;
     char record[32], location[64];
-    // The others.
+    // Options that are no parameter.
     double at[2], camera[6], sun[2]; // latitude, longitude; x, y, z, heading, pitch[, fov]; azimuth, elevation
     double fps, frames, samples, threads, tile;
     double size[2];
@@ -62,8 +62,8 @@ extern const option_info option_table[]; // a NULL name ends it
 
 // Reads the arguments after the command's name. Prints one sentence and returns EXIT_USAGE on an error.
 int options_parse(unsigned command, const char *command_name, int count, char **arguments, options *out);
-// Say one sentence through bolan_log(), which keeps control characters of the arguments from the terminal; they return
-// EXIT_USAGE and EXIT_FAILED.
+// Log one sentence through bolan_log(), which escapes control characters of the arguments, and return EXIT_USAGE or
+// EXIT_FAILED.
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
 #endif

@@ -23,7 +23,7 @@ static const char *last_part(const char *path) {
     return slash ? slash + 1 : path;
 }
 
-// Behind the percent sign: the end of a pattern for a number, "d" or "04d", or NULL. *good: one that we write.
+// The end of a pattern for a number after the percent sign, "d" or "04d", or NULL. *good: a pattern that is supported.
 static const char *end_of_pattern(const char *p, bool *good) {
     const size_t flags = strspn(p, "+-#0123456789");
     if (p[flags] != 'd') return NULL;

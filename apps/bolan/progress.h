@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A bar with the time that is left, on a terminal; nothing elsewhere.
+// A progress bar with the remaining time, on a terminal only.
 #ifndef BOLAN_CLI_PROGRESS_H
 #define BOLAN_CLI_PROGRESS_H
 
@@ -16,7 +16,7 @@ typedef struct progress {
 // Shows nothing when @p quiet, when stderr is no terminal, or when there is only one step.
 progress progress_start(uint32_t total, bool quiet);
 void progress_update(progress *p, uint32_t done);
-// Wipes the bar away.
+// Erases the bar.
 void progress_end(progress *p);
 
 #endif

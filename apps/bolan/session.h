@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The world that a command's options describe.
+// The world of the options of a command.
 #ifndef BOLAN_CLI_SESSION_H
 #define BOLAN_CLI_SESSION_H
 
@@ -9,7 +9,7 @@
 
 // Returns an exit code; failures were reported, and then *world is NULL.
 int session_open(const options *o, bolan_world **world);
-// The same without ground and objects, for commands that need the open sea only.
+// Like session_open(), without ground and objects, for commands that need the open sea only.
 int session_open_sea(const options *o, bolan_world **world);
 
 #endif

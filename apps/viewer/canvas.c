@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#define PICTURE_SAMPLES 4 // a picture that is kept may take longer than one that passes
+#define PICTURE_SAMPLES 4 // a saved image may take longer than a frame
 
 bolan_result canvas_open(canvas *c, bolan_quality quality, const char *shader_directory) {
     *c = (canvas){.desc = bolan_renderer_desc_default()};
@@ -47,10 +47,10 @@ static void draw(canvas *c, const bolan_world *w, uint32_t framebuffer, uint32_t
                  uint32_t samples) {
     bolan_view view = bolan_view_from_camera(&bolan_world_scene(w)->camera, width, height);
     view.eye = bolan_world_clear_eye(w, view.eye);
-    view.progressive = samples == 1; // a saved picture waits for all that is in it
+    view.progressive = samples == 1; // a saved image is complete
     view.framebuffer = framebuffer;
     view.samples = samples;
-    if (bolan_renderer_needs_baking(c->renderer)) bolan_renderer_bake(c->renderer); // the panel's sun may be waited for
+    if (bolan_renderer_needs_baking(c->renderer)) bolan_renderer_bake(c->renderer); // after a change of the sun in the panel
     bolan_renderer_draw_world(c->renderer, w, &view);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The free camera: pure functions of the camera and what the hands do.
+// The free camera: pure functions of the camera and the input.
 #ifndef VIEWER_FLY_H
 #define VIEWER_FLY_H
 
@@ -7,7 +7,7 @@
 
 typedef struct fly_input {
     double forward, right, up; // -1..1
-    double turn, tilt;         // to the right and up [deg], already what this frame shall do
+    double turn, tilt;         // to the right and up, of this frame [deg]
     double faster;             // factor of this frame, 1 at rest
 } fly_input;
 
@@ -15,7 +15,7 @@ typedef struct fly_input {
 double fly_speed(double height);
 // Moves the camera for @p seconds. Forward follows the view, up is the vertical. The camera stays above @p floor [m].
 void fly_step(bolan_camera *camera, const fly_input *input, double speed, double floor, double seconds);
-// The eye is never lower than @p floor: @p camera is lifted onto it, and no higher than the sky reaches.
+// Lifts @p camera to @p floor at least, and lowers it to the ceiling of the sky at most.
 void fly_keep_above(bolan_camera *camera, double floor);
 
 #endif

@@ -21,13 +21,13 @@ typedef enum command {
 
 typedef struct input {
     SDL_GameController *gamepad;
-    double speed;      // the wheel's factor
-    double turn, tilt; // what the mouse asked for since the last frame [deg]
+    double speed;      // factor of the mouse wheel
+    double turn, tilt; // by the mouse since the last frame [deg]
     bool captured;     // the mouse looks without a button held
     bool dragging;
 } input;
 
-// What the panel keeps for itself: the pointer is over it, a field is being typed in.
+// Input that the panel takes: the pointer is over it, or a field is being typed in.
 typedef struct input_taken {
     bool mouse, keyboard;
 } input_taken;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The log, kept for the panel. The library may log from any thread, so the lines are under a lock.
+// The log, kept for the panel. The library may log from any thread, so a lock guards the lines.
 #include "messages.h"
 
 #include "bolan/base.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the library says while the window is open: on stderr as ever, and the last lines for the panel.
+// Messages of the library while the window is open: printed on stderr, and the last lines kept for the panel.
 #ifndef VIEWER_MESSAGES_H
 #define VIEWER_MESSAGES_H
 

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#define SLOW_MS 75.0 // above this a step down: a sea still moves at 13 frames a second, but it must be recognisable
+#define SLOW_MS 75.0 // above this a step down; at 13 frames a second motion is still visible
 #define FAST_MS 55.0 // a step up if it is expected to stay below this
 #define PATIENCE 5   // frames after a change before the next: new targets and caches disturb the first ones
 
@@ -20,7 +20,7 @@ static size_t step_of(double scale) {
 }
 
 static void change(pace *p, double scale) {
-    p->frame_ms *= scale * scale / (p->scale * p->scale); // what it will be if only pixels cost
+    p->frame_ms *= scale * scale / (p->scale * p->scale); // the expected time if only pixels cost
     p->scale = scale;
     p->settled = 0;
 }

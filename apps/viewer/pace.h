@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How fine to draw: the internal resolution follows the time that frames take.
+// The internal resolution, by the time that frames take.
 #ifndef VIEWER_PACE_H
 #define VIEWER_PACE_H
 

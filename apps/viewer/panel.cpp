@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The panel, with Dear ImGui. Sliders that change the sea take effect when they are let go, since a sea takes a moment
-// to make; all others at once.
+// The panel, with Dear ImGui. Sliders that change the sea take effect when they are released, since creating a sea
+// takes time; all others take effect at once.
 #include "panel.h"
 
 #include "bolan/io.h"
@@ -44,7 +44,7 @@ void slide(panel_row_id id, double *field) {
         *field = value * row.factor;
 }
 
-// A slider over a knob, which is in units of the row. True when it has been let go at a new value.
+// A slider over a knob, in units of the row. Returns true when it is released at a new value.
 bool let_go(panel_row_id id, float *value) {
     const panel_row &row = rows[id];
     ImGui::SliderFloat(row.label, value, static_cast<float>(row.low), static_cast<float>(row.high), row.format,
@@ -325,7 +325,7 @@ bool panel_open(const window *w) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO &io = ImGui::GetIO();
-    io.IniFilename = nullptr; // leaves no file in the user's folder
+    io.IniFilename = nullptr; // writes no file into the folder of the user
     text_scale = window_text_scale(w);
     ImFontConfig font;
     const float density = window_density(w);
@@ -354,7 +354,7 @@ void panel_event(const SDL_Event *event) { ImGui_ImplSDL2_ProcessEvent(event); }
 void panel_taken(bool *mouse, bool *keyboard) {
     const ImGuiIO &io = ImGui::GetIO();
     *mouse = io.WantCaptureMouse;
-    *keyboard = io.WantTextInput; // a slider that was clicked on shall not keep W, A, S and D
+    *keyboard = io.WantTextInput; // a clicked slider must not take W, A, S and D
 }
 
 panel_wishes panel_draw(const panel_edits *edits, const panel_facts *facts) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The panel: shows how the frame went, edits the scene in place, and hands wishes back. C face of the one C++ file.
+// The panel shows the figures of the frame, edits the scene in place, and returns requests. C interface of the only C++
+// file.
 #ifndef VIEWER_PANEL_H
 #define VIEWER_PANEL_H
 
@@ -11,7 +12,7 @@
 extern "C" {
 #endif
 
-// What it edits in place.
+// The values that the panel edits in place.
 typedef struct panel_edits {
     bolan_scene *scene;
     sea_knobs *knobs;
@@ -23,7 +24,7 @@ typedef struct panel_edits {
     bool *visible;
 } panel_edits;
 
-// What it shows.
+// The values that the panel shows.
 typedef struct panel_facts {
     uint32_t window_width, window_height, picture_width, picture_height; // [px]
     double frame_ms, synthesis_ms;
@@ -35,7 +36,7 @@ typedef struct panel_facts {
     const char *notice; // one line over the picture, or NULL
 } panel_facts;
 
-// What the user asked for in this frame.
+// The requests of the user in this frame.
 typedef struct panel_wishes {
     unsigned sea;      // sea_knob_group bits: write the knobs to the scene and make the sea again
     const char *scene; // load this one; NULL: stay
@@ -43,7 +44,7 @@ typedef struct panel_wishes {
     bool measuring; // the times of the passes are on view
 } panel_wishes;
 
-// Needs the window's context. False: it could not be set up (a sentence is on stderr).
+// Needs the context of the window. False: the panel could not be set up (a sentence is on stderr).
 bool panel_open(const window *w);
 void panel_close(void);
 // Offers an event first to the panel; afterwards panel_taken tells whether pointer or keyboard belong to it.

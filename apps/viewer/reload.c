@@ -21,7 +21,7 @@ static uint64_t file_stamp(const char *path, const struct stat *s) {
     return h;
 }
 
-// Files add up, so that the order in which a folder lists them does not matter.
+// A sum over the files, so that the order of the listing does not matter.
 static uint64_t folder_stamp(const char *folder, int depth) {
     DIR *d = opendir(folder);
     if (d == NULL) return 0;

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-// The wind sea is the first system that knows its wind; the swell the first that does not. -1: none.
+// The wind sea is the first system with a wind speed, the swell the first without. -1: none.
 static int find_system(const bolan_sea_state *state, bool wind_sea) {
     for (uint32_t i = 0; i < state->system_count; ++i)
         if ((state->systems[i].wind_speed > 0.0) == wind_sea) return (int)i;
@@ -74,7 +74,7 @@ static void write_wind(const sea_knobs *k, bolan_sea_state *state) {
 
 static void write_swell(const sea_knobs *k, bolan_sea_state *state) {
     remove_system(state, find_system(state, false));
-    // The ranges of the sliders lie inside the ranges of the sea, and a place has just been made.
+    // Cannot fail: the ranges of the sliders lie inside those of the sea, and a system has just been removed.
     if (k->swell)
         (void)bolan_sea_state_add_swell(state, k->swell_height, k->swell_period, k->swell_from, k->swell_spread);
 }

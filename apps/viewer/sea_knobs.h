@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sea parameters as the panel edits them: wind and fetch, one swell, and how it is computed; read from a sea and
+// Sea parameters as the panel edits them: wind and fetch, one swell, and the layout of the sea; read from a sea and
 // written back.
 #ifndef VIEWER_SEA_KNOBS_H
 #define VIEWER_SEA_KNOBS_H

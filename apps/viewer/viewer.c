@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The viewer's loop: events, movement, sea, picture, panel, and what was asked for.
+// The loop of the viewer: events, movement, sea, image, panel, requests.
 #include "viewer.h"
 
 #include "bolan/io.h"
@@ -17,7 +17,7 @@
 #include <string.h>
 
 #define TEST_TICK (1.0 / 30.0) // [s] time of a frame when their number is given
-#define LONGEST_TICK 0.1       // [s] after a stall the sea goes on from where it was
+#define LONGEST_TICK 0.1       // [s] longest advance of the sea in a frame, so that a stall does not jump
 #define NOTICE_TIME 4.0        // [s]
 
 typedef struct viewer {
@@ -25,7 +25,7 @@ typedef struct viewer {
     window window;
     input input;
     bolan_world *world;
-    bolan_scene scene; // as panel, keys and mouse want it; the world takes it over before each frame
+    bolan_scene scene; // edited by panel, keys and mouse; copied to the world before each frame
     bolan_camera home; // the camera that the scene came with
     bolan_sea_statistics statistics; // of the sea when it was made
     double synthesis_ms;             // of the last step
@@ -85,7 +85,7 @@ static void reload_shaders(viewer *v) {
 
 static void read_knobs(viewer *v) { v->knobs = sea_knobs_read(&v->scene.sea, v->scene.spectrum_path[0] != '\0'); }
 
-// Gives the world the scene as it is wanted. Where that cannot be, the scene becomes that of the world again.
+// Copies the edited scene to the world. On failure the edited scene becomes that of the world again.
 static bool update_world(viewer *v) {
     const uint64_t old = bolan_sea_id(bolan_world_water(v->world)->sea);
     const bool ok = bolan_world_set_scene(v->world, &v->scene) == BOLAN_OK;
@@ -296,7 +296,7 @@ static bool start(viewer *v, const bolan_scene *scene) {
     return true;
 }
 
-// With a given number of frames: where they were drawn, for tests and for people who measure.
+// Prints the machine and the mean time of a given number of frames, for tests and measurements.
 static void report(const viewer *v) {
     if (v->options->frames == 0) return;
     double ms = (seconds_now() - v->first_frame) * 1e3 / fmax(v->frame - 1.0, 1.0); // the first compiles shaders

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Window and context: OpenGL 3.3 core, or ES 3.0 where that is all there is.
+// Window and context: OpenGL 3.3 core, or ES 3.0 where 3.3 is missing.
 #include "window.h"
 
 #include <stdio.h>
@@ -11,10 +11,10 @@ static bool complain(const char *what) {
     return false;
 }
 
-// Without a display SDL falls back to drivers that show nothing; a window that nobody sees is an error.
+// Without a display SDL falls back to drivers that show nothing, which is an error here.
 static bool start_video(void) {
 #if defined(__linux__)
-    // Wayland's library would print its own complaint about a folder that it cannot do without.
+    // Without this folder the library of Wayland prints an error; so Wayland is not tried.
     if (getenv("XDG_RUNTIME_DIR") == NULL) SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11,KMSDRM");
 #endif
     bool started = SDL_Init(SDL_INIT_VIDEO) == 0;
@@ -39,7 +39,7 @@ bool window_open(window *w, const char *title, uint32_t width, uint32_t height) 
     *w = (window){0};
     if (!start_video()) return false;
     SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
-    SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0); // the renderer brings its own
+    SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0); // the renderer has its own depth
     SDL_GL_SetAttribute(SDL_GL_RED_SIZE, 8);
     SDL_GL_SetAttribute(SDL_GL_GREEN_SIZE, 8);
     SDL_GL_SetAttribute(SDL_GL_BLUE_SIZE, 8);
@@ -54,7 +54,7 @@ bool window_open(window *w, const char *title, uint32_t width, uint32_t height) 
     }
     SDL_SetWindowMinimumSize(w->handle, 320, 240);
     if (SDL_GL_SetSwapInterval(-1) != 0)
-        SDL_GL_SetSwapInterval(1); // adaptive: a late frame does not wait for the next beam
+        SDL_GL_SetSwapInterval(1); // adaptive: a late frame does not wait for the next refresh
     return true;
 }
 
@@ -93,5 +93,5 @@ float window_text_scale(const window *w) {
     if (window_density(w) > 1.0f) return 1.0f;
     if (display < 0 || SDL_GetDisplayDPI(display, NULL, &dpi, NULL) != 0) dpi = 96.0f;
     float scale = dpi / 96.0f;
-    return scale < 1.25f ? 1.0f : scale > 4.0f ? 4.0f : scale; // screens are some per cent wrong about their size
+    return scale < 1.25f ? 1.0f : scale > 4.0f ? 4.0f : scale; // reported screen sizes are off by some per cent
 }

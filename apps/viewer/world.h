@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the viewer asks of the world that it shows.
+// Heights of the world for the camera of the viewer.
 #ifndef VIEWER_WORLD_H
 #define VIEWER_WORLD_H
 

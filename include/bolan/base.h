@@ -25,38 +25,56 @@
 extern "C" {
 #endif
 
-#define BOLAN_VERSION_MAJOR 0        ///< raised when a caller must change
-#define BOLAN_VERSION_MINOR 2        ///< raised when a caller may use more
-#define BOLAN_VERSION_PATCH 0        ///< raised when only defects went
-#define BOLAN_VERSION_STRING "0.2.0" ///< of the headers; bolan_version() is that of the library
+/// Major version: raised when a caller must change its code.
+#define BOLAN_VERSION_MAJOR 0
+/// Minor version: raised when functions or fields are added.
+#define BOLAN_VERSION_MINOR 2
+/// Patch version: raised when only defects are corrected.
+#define BOLAN_VERSION_PATCH 0
+/// Version of the headers; bolan_version() returns the version of the library.
+#define BOLAN_VERSION_STRING "0.2.0"
 
-#define BOLAN_NAME_MAX 64   ///< bytes of a name in a desc, NUL included
-#define BOLAN_PATH_MAX 1024 ///< bytes of a path in a desc, NUL included
+/// Size of a name in a desc [bytes], NUL included.
+#define BOLAN_NAME_MAX 64
+/// Size of a path in a desc [bytes], NUL included.
+#define BOLAN_PATH_MAX 1024
 
-/// The version of the linked library, "major.minor.patch". Static storage. Thread-safe.
+/// Returns the version of the linked library, "major.minor.patch".
+/// Static storage. Thread-safe.
 BOLAN_API const char *bolan_version(void);
 
-/// What a creation or I/O call returns. Zero is success; every failure has been logged as one sentence.
+/// What a creation or I/O call returns.
+/// Zero is success. Every failure is logged as one sentence before the call returns.
 typedef enum bolan_result {
     BOLAN_OK = 0,
-    BOLAN_ERROR_ARGUMENT,    ///< a field or argument is outside its documented range, or not finite
-    BOLAN_ERROR_MEMORY,      ///< the allocator returned NULL
-    BOLAN_ERROR_IO,          ///< a file could not be opened, read or written
-    BOLAN_ERROR_FORMAT,      ///< a file's content is not what its format demands
-    BOLAN_ERROR_UNSUPPORTED, ///< valid, but not in this build or on this machine
-    BOLAN_ERROR_GL,          ///< OpenGL: no context, a shader did not compile, a target is incomplete
+    /// A field or argument is outside its documented range, or not finite.
+    BOLAN_ERROR_ARGUMENT,
+    /// The allocator returned NULL.
+    BOLAN_ERROR_MEMORY,
+    /// A file could not be opened, read or written.
+    BOLAN_ERROR_IO,
+    /// The content of a file does not match its format.
+    BOLAN_ERROR_FORMAT,
+    /// Valid, but not supported by this build or this machine.
+    BOLAN_ERROR_UNSUPPORTED,
+    /// OpenGL: no context, a shader did not compile, a target is incomplete.
+    BOLAN_ERROR_GL,
 } bolan_result;
 
-/// A short English name for a result code ("format error"). Static storage. Thread-safe.
+/// Returns a short English name of a result code, such as "format error".
+/// Static storage. Thread-safe.
 BOLAN_API const char *bolan_result_string(bolan_result result);
 
 // ---- log ------------------------------------------------------------------------------------------------------------
 
-/// Severity of a message. ERROR: the call failed. WARNING: the call went on with less. INFO: all is well.
+/// Severity of a message.
+/// ERROR: the call failed.
+/// WARNING: the call went on, with something missing, replaced or lowered.
+/// INFO: nothing is wrong.
 typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INFO } bolan_log_level;
 
-/// Every message the library can emit has a stable id, so that a test can assert *which* check fired.
-/// X(id, name). Ids are never reused.
+/// X(id, name) for each message of the library.
+/// Ids are stable and never reused, so that a test can assert which check fired.
 #define BOLAN_LOG_TABLE(X)          \
     X(100, OUT_OF_MEMORY)           \
     X(101, BAD_ARGUMENT)            \
@@ -133,78 +151,101 @@ typedef enum bolan_log_id {
 
 // ---- hooks ----------------------------------------------------------------------------------------------------------
 
-/// A slice of a parallel loop: do items [begin, end). @p worker is in [0, workers) and unique among the slices that run
-/// at the same time, so it can index scratch memory.
+/// A slice of a parallel loop: processes the items [begin, end).
+/// @p worker is in [0, workers) and unique among the slices that run at the same time, so it can index scratch memory.
 typedef void bolan_task_fn(void *context, uint32_t begin, uint32_t end, uint32_t worker);
 
 /// Runs a whole parallel loop of @p count items in slices of at least @p grain, and returns when all are done.
 typedef void bolan_parallel_fn(void *user, uint32_t count, uint32_t grain, bolan_task_fn *task, void *context);
 
-/// Process-wide hooks. A NULL member keeps the built-in behaviour.
+/// Process-wide hooks.
+/// A NULL member keeps the built-in behaviour.
 typedef struct bolan_hooks {
-    /// Handed back to every hook.
+    /// First argument of every hook.
     void *user;
     /// Memory of @p size bytes, aligned to @p align, a power of two of at most 64; NULL on failure.
     void *(*allocate)(void *user, size_t size, size_t align);
-    /// Gives back memory of allocate(). @p size is the size that was asked for.
+    /// Releases memory of allocate().
+    /// @p size is the size that allocate() was called with.
     void (*release)(void *user, void *memory, size_t size);
-    /// Takes one sentence. Default: one line on stderr.
+    /// Receives one sentence.
+    /// Default: prints one line on stderr.
     void (*log)(void *user, bolan_log_level level, bolan_log_id id, const char *sentence);
-    /// Called on misuse. Default: print the expression and abort.
+    /// Called on misuse.
+    /// Default: prints the expression and aborts.
     void (*assert_failed)(void *user, const char *expression, const char *file, int line);
-    /// Your task system. Default: the built-in pool, see bolan_set_threads().
+    /// Runs parallel loops on the task system of the caller.
+    /// Default: the built-in pool, see bolan_set_threads().
     bolan_parallel_fn *parallel;
-    /// Workers that @ref parallel can use at once, at least 1; 0 is misuse and counts as 1.
+    /// Number of workers that @ref parallel can use at once, at least 1.
+    /// 0 is misuse and counts as 1.
     uint32_t parallel_workers;
-    /// Address of the OpenGL function @p name ("glClear"); NULL where there is none. It is asked once for each function
-    /// that bolan_render calls, on the thread of the first call there, with a context current. Default: libepoxy.
+    /// Returns the address of the OpenGL function @p name, such as "glClear"; NULL where there is none.
+    /// Called once for each function that bolan_render uses, on the thread of the first call into bolan_render, with a
+    /// context current.
+    /// Default: libepoxy.
     void *(*get_proc_address)(void *user, const char *name);
 } bolan_hooks;
 
-/// Replaces the hooks. NULL restores the built-in ones. Call it before anything is created and while no other thread is
-/// in the library: memory must be released by the hook that allocated it. Not thread-safe.
+/// Replaces the hooks; NULL restores the built-in behaviour.
+/// Call it before anything is created and while no other thread is in the library, because memory must be released by
+/// the hook that allocated it.
+/// Not thread-safe.
 BOLAN_API void bolan_set_hooks(const bolan_hooks *hooks);
-/// The hooks in force, with NULL for each built-in one. A plug-in adds its hooks to those that the host has set.
+/// Returns the hooks in force; a member is NULL where the built-in behaviour is in force.
+/// A plug-in calls it to add its own hooks to the hooks of the host.
 /// Thread-safe while no thread calls bolan_set_hooks().
 BOLAN_API bolan_hooks bolan_get_hooks(void);
 
-/// Threads of the built-in pool, the calling thread included: 1 (default: the library starts no thread) to 64.
-/// 0 means one per online processor. The threads sleep between loops; setting 1 ends them. Not thread-safe; results
-/// never depend on it.
+/// Sets the number of threads of the built-in pool, the calling thread included.
+/// 1..64; default 1, where the library starts no thread. 0: one for each online processor.
+/// The threads sleep between loops; 1 ends them.
+/// Results never depend on the number of threads.
+/// Not thread-safe.
 BOLAN_API void bolan_set_threads(uint32_t threads);
 
-/// Workers that a parallel loop may use now, >= 1. Thread-safe.
+/// Returns the number of workers that a parallel loop may use now, >= 1.
+/// Thread-safe.
 BOLAN_API uint32_t bolan_threads(void);
 
-/// Runs @p task over [0, count) on the hook or the built-in pool, and waits. Loops do not nest: a loop started inside a
-/// task runs on that task's own thread. Thread-safe.
+/// Runs @p task over [0, count) on the hook or the built-in pool, and waits for its end.
+/// Loops do not nest: a loop started inside a task runs on the thread of that task.
+/// Thread-safe.
 BOLAN_API void bolan_parallel(uint32_t count, uint32_t grain, bolan_task_fn *task, void *context);
 
-/// Memory through the hooks; @p size 0 gives NULL. Zero-filled, aligned to 64 bytes. Thread-safe if the hook is.
+/// Allocates memory through the hooks: zero-filled, aligned to 64 bytes.
+/// Returns NULL for @p size 0 and on failure.
+/// Thread-safe if the hook is.
 BOLAN_API void *bolan_allocate(size_t size);
-/// Gives memory of bolan_allocate() back; @p size is what was asked for. NULL is ignored.
+/// Releases memory of bolan_allocate().
+/// @p size is the size that bolan_allocate() was called with.
+/// NULL-safe.
 BOLAN_API void bolan_release(void *memory, size_t size);
-/// Bytes that the library holds now. Thread-safe.
+/// Returns the memory that the library holds now [bytes].
+/// Thread-safe.
 BOLAN_API size_t bolan_memory_in_use(void);
 
-/// Emits one log sentence (printf style, numbers in the C locale). Control characters and bytes that are not UTF-8 are
-/// escaped as by bolan_text_escape(), so a sentence is one line and no input can steer a terminal. A sentence ends
-/// after 2047 bytes. For the library's own modules and tools built on it. Thread-safe.
+/// Emits one log sentence, printf style, with numbers in the C locale.
+/// For the modules of the library and for tools built on it.
+/// Control characters and bytes that are not UTF-8 are escaped as by bolan_text_escape(), so that a sentence is one
+/// line and no input can steer a terminal. A sentence ends after 2047 bytes. Thread-safe.
 #if defined(__GNUC__)
 BOLAN_API __attribute__((format(printf, 3, 4)))
 #endif
 BOLAN_API void
 BOLAN_API bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...);
 
-/// Reports misuse to the assert hook. Use the BOLAN_ASSERT() macro.
+/// Reports misuse to the assert hook; called by BOLAN_ASSERT().
 BOLAN_API void bolan_assert_failed(const char *expression, const char *file, int line);
-/// Reports misuse where @p x does not hold; in every build, and execution goes on if the hook returns.
+/// Reports misuse where @p x is false, in every build.
+/// Execution goes on if the hook returns.
 #define BOLAN_ASSERT(x) ((x) ? (void)0 : bolan_assert_failed(#x, __FILE__, __LINE__))
 
 // ---- numbers and text -----------------------------------------------------------------------------------------------
 
-/// snprintf() in the C locale, whatever locale the program has set: a decimal point, no grouping. For everything that a
-/// machine reads. Thread-safe.
+/// Like snprintf(), with numbers in the C locale whatever locale the program has set: a decimal point, no grouping.
+/// For all text that a machine reads.
+/// Thread-safe.
 #if defined(__GNUC__)
 BOLAN_API __attribute__((format(printf, 3, 4)))
 #endif
@@ -213,36 +254,49 @@ BOLAN_API bolan_format(char *out, size_t capacity, const char *format, ...);
 /// Writes @p value as "%.*g" does in the C locale with @p digits 1..12, several times as fast; -0 keeps its sign.
 /// @p capacity is 32 at least. Returns the length. Thread-safe.
 BOLAN_API int bolan_format_number(char *out, size_t capacity, double value, int digits);
-/// Reads a decimal number, [+-]digits[.digits][e[+-]digits], that fills all @p size bytes of @p text, correctly rounded
-/// and in the C locale. False for anything else: blanks, "nan", "inf", hexadecimal, more than 400 bytes, and a number
-/// beyond the range of a double. Thread-safe.
+/// Reads a decimal number, [+-]digits[.digits][e[+-]digits], that fills all @p size bytes of @p text.
+/// The number is correctly rounded and read in the C locale.
+/// Returns false for anything else: blanks, "nan", "inf", hexadecimal, more than 400 bytes, or a number beyond the
+/// range of a double. Thread-safe.
 BOLAN_API bool bolan_parse_number(const char *text, size_t size, double *value);
 
-/// How many bytes of @p text fit into @p most without a cut inside a UTF-8 character; for "%.*s". Thread-safe.
+/// Returns how many bytes of @p text fit into @p most without a cut inside a UTF-8 character; for "%.*s".
+/// Thread-safe.
 BOLAN_API size_t bolan_text_fit(const char *text, size_t most);
-/// Copies @p text for a terminal: control characters (C0, DEL, C1, line breaks, changes of direction) and bytes that
-/// are not UTF-8 become \\n, \\t, \\x1b or \\u009b. A character that is cut off at the end is left out. What does not
-/// fit into @p capacity bytes, NUL included, is left out, never half of a character. Thread-safe.
+/// Copies @p text for a terminal.
+/// Control characters (C0, DEL, C1, line breaks, changes of direction) and bytes that are not UTF-8 become escapes, such
+/// as \\n, \\t, \\x1b or \\u009b.
+/// An incomplete character at the end is left out.
+/// The copy ends with the last whole character that fits into @p capacity bytes, NUL included.
+/// Thread-safe.
 BOLAN_API void bolan_text_escape(const char *text, char *out, size_t capacity);
 
 // ---- instruction sets -----------------------------------------------------------------------------------------------
 
-/// Which build of the wide kernels runs. Results are the same to the bit for all of them.
+/// Which build of the wide kernels runs.
+/// All builds give the same bits.
 typedef enum bolan_cpu {
-    BOLAN_CPU_AUTO,   ///< the widest this machine has
-    BOLAN_CPU_SCALAR, ///< plain C
+    /// The widest set of this machine.
+    BOLAN_CPU_AUTO,
+    /// Plain C.
+    BOLAN_CPU_SCALAR,
+    /// 128-bit vectors of x86-64.
     BOLAN_CPU_SSE2,
+    /// 256-bit vectors.
     BOLAN_CPU_AVX2,
+    /// 512-bit vectors.
     BOLAN_CPU_AVX512,
 } bolan_cpu;
-/// How many there are.
+/// Number of instruction sets.
 #define BOLAN_CPUS 5
-/// The names that the command line uses, "auto", "scalar" ...; by bolan_cpu, NULL at the end.
+/// The names that the command line uses, "auto", "scalar" ...; indexed by bolan_cpu, NULL at the end.
 BOLAN_API extern const char *const bolan_cpu_names[BOLAN_CPUS + 1];
 
-/// The widest set this machine runs. Thread-safe.
+/// Returns the widest instruction set of this machine.
+/// Thread-safe.
 BOLAN_API bolan_cpu bolan_cpu_best(void);
-/// "auto", "scalar", "sse2", "avx2", "avx512". Static storage. Thread-safe.
+/// Returns "auto", "scalar", "sse2", "avx2" or "avx512".
+/// Static storage. Thread-safe.
 BOLAN_API const char *bolan_cpu_name(bolan_cpu cpu);
 
 #ifdef __cplusplus

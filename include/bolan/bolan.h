@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file bolan.h
-/// The umbrella of tiers 0 to 3: everything but OpenGL, which is in bolan/render.h.
+/// Includes all headers of tiers 0 to 3; the OpenGL renderer is in bolan/render.h.
 #ifndef BOLAN_BOLAN_H
 #define BOLAN_BOLAN_H
 

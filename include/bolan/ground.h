@@ -152,7 +152,8 @@ typedef enum bolan_raster_zero {
     BOLAN_ZERO_SEA,
 } bolan_raster_zero;
 
-#define BOLAN_CRS_MAX 256 ///< bytes of bolan_raster_desc.crs, NUL included
+/// Size of bolan_raster_desc.crs [bytes], NUL included.
+#define BOLAN_CRS_MAX 256
 
 /// A raster of elevations, and what overrules the statements of the file: see bolan_raster_load() of io.h.
 typedef struct bolan_raster_desc {

@@ -23,8 +23,10 @@
 extern "C" {
 #endif
 
-#define BOLAN_PI 3.14159265358979323846 ///< half a turn [rad]
-#define BOLAN_GRAVITY 9.81              ///< [m/s2]
+/// Half a turn [rad].
+#define BOLAN_PI 3.14159265358979323846
+/// Acceleration of gravity [m/s2].
+#define BOLAN_GRAVITY 9.81
 
 /// Two floats.
 typedef struct bolan_vec2 {
@@ -53,17 +55,19 @@ typedef struct bolan_mat4 {
 
 static inline double bolan_radians(double degrees) { return degrees * (BOLAN_PI / 180.0); }
 static inline double bolan_degrees(double radians) { return radians * (180.0 / BOLAN_PI); }
-/// Reduces degrees to [0, 360).
+/// Returns @p degrees reduced to [0, 360).
 BOLAN_API double bolan_wrap_degrees(double degrees);
-/// Compass degrees a sea comes FROM -> mathematical angle [rad] where it GOES, in [0, 2 pi).
+/// Converts the compass direction that waves come FROM [deg] to the mathematical angle where they GO, [0, 2 pi) [rad].
 BOLAN_API double bolan_compass_from_to_math(double from_degrees);
-/// Mathematical angle [rad] where a sea goes -> compass degrees it comes FROM, in [0, 360).
+/// Converts the mathematical angle where waves GO [rad] to the compass direction they come FROM, [0, 360) [deg].
 BOLAN_API double bolan_math_to_compass_from(double to_radians);
 
-/// Sine and cosine of @p x [rad], |x| < 1e6, error < 2 ulp of 1. The same bits on every machine, compiler and
-/// instruction set (no libm, no fused multiply-add); used wherever a result must be reproducible.
+/// Sine and cosine of @p x [rad], |x| < 1e6, with an error below 2 ulp of 1.
+/// The bits are the same with every machine, compiler and instruction set, because neither libm nor fused multiply-add
+/// is used. Called wherever a result must be reproducible.
 BOLAN_API void bolan_sincos(double x, double *sine, double *cosine);
-/// The float twin used by the wide kernels: |x| <= 8192, error < 2e-7. Bit-stable likewise.
+/// The float twin of bolan_sincos(), as the wide kernels compute it: |x| <= 8192, error < 2e-7.
+/// The bits are the same everywhere too.
 BOLAN_API void bolan_sincosf(float x, float *sine, float *cosine);
 
 static inline bolan_vec3 bolan_v3(float x, float y, float z) {
@@ -90,14 +94,21 @@ static inline bolan_vec3 bolan_v3_cross(bolan_vec3 a, bolan_vec3 b) {
 static inline float bolan_v3_length(bolan_vec3 a) { return sqrtf(bolan_v3_dot(a, a)); }
 static inline bolan_vec3 bolan_v3_normalize(bolan_vec3 a) { return bolan_v3_scale(a, 1.0f / bolan_v3_length(a)); }
 
-BOLAN_API bolan_mat4 bolan_m4_identity(void);                     ///< ones on the diagonal
-BOLAN_API bolan_mat4 bolan_m4_mul(bolan_mat4 a, bolan_mat4 b);    ///< a * b: b is applied first
-BOLAN_API bolan_mat4 bolan_m4_transpose(bolan_mat4 a);            ///< rows become columns; the inverse of a rotation
-BOLAN_API bolan_mat4 bolan_m4_inverse(bolan_mat4 a);              ///< of a regular matrix, computed in double
-BOLAN_API bolan_vec4 bolan_m4_mul_v4(bolan_mat4 a, bolan_vec4 v); ///< a * v
-/// Rotation from world axes to camera axes. Heading by compass, pitch up, roll clockwise, all in [deg].
+/// Returns the identity matrix.
+BOLAN_API bolan_mat4 bolan_m4_identity(void);
+/// Returns a * b: b is applied first.
+BOLAN_API bolan_mat4 bolan_m4_mul(bolan_mat4 a, bolan_mat4 b);
+/// Returns the transposed matrix, which is the inverse of a rotation.
+BOLAN_API bolan_mat4 bolan_m4_transpose(bolan_mat4 a);
+/// Returns the inverse of a regular matrix, computed in double.
+BOLAN_API bolan_mat4 bolan_m4_inverse(bolan_mat4 a);
+/// Returns a * v.
+BOLAN_API bolan_vec4 bolan_m4_mul_v4(bolan_mat4 a, bolan_vec4 v);
+/// Returns the rotation from world axes to camera axes.
+/// Heading by compass, pitch up, roll clockwise, all in [deg].
 BOLAN_API bolan_mat4 bolan_m4_view(double heading_deg, double pitch_deg, double roll_deg);
-/// Reversed-Z projection with an infinite far plane. Depth is near / distance: 1 at the near plane, 0 at infinity.
+/// Returns a reversed-Z projection with an infinite far plane.
+/// Depth is near / distance: 1 at the near plane, 0 at infinity.
 /// @param fov_y vertical field of view [rad].
 /// @param aspect width / height.
 /// @param near_m distance of the near plane [m], > 0.

@@ -23,23 +23,36 @@ extern "C" {
 
 /// The type of a field.
 typedef enum bolan_param_kind {
-    BOLAN_PARAM_NUMBER, ///< double
-    BOLAN_PARAM_WHOLE,  ///< uint32_t or uint64_t, by the size of the field
-    BOLAN_PARAM_FLAG,   ///< bool
-    BOLAN_PARAM_NAME,   ///< an enum: names[0] stands for the value `low`, the last name for `high`
-    BOLAN_PARAM_SET,    ///< uint32_t: bit i stands for names[i]
-    BOLAN_PARAM_TEXT,   ///< char[size], with its NUL
+    /// A double.
+    BOLAN_PARAM_NUMBER,
+    /// A uint32_t or uint64_t, by the size of the field.
+    BOLAN_PARAM_WHOLE,
+    /// A bool.
+    BOLAN_PARAM_FLAG,
+    /// An enum: names[0] stands for the value `low`, the last name for `high`.
+    BOLAN_PARAM_NAME,
+    /// A uint32_t: bit i stands for names[i].
+    BOLAN_PARAM_SET,
+    /// A char[size], NUL included.
+    BOLAN_PARAM_TEXT,
 } bolan_param_kind;
 
-/// What is special about a row, as bits.
+/// Rules of a row, as bits.
 typedef enum bolan_param_rule {
-    BOLAN_PARAM_OR_ZERO = 1 << 0,      ///< 0 is valid beside the range: not given. `otherwise` says what stands in
-    BOLAN_PARAM_OR_NAN = 1 << 1,       ///< NAN is valid beside the range: not given. `otherwise` says what stands in
-    BOLAN_PARAM_EITHER_SIGN = 1 << 2,  ///< the range is that of the magnitude
-    BOLAN_PARAM_POWER_OF_TWO = 1 << 3, ///< a WHOLE that is a power of two
-    BOLAN_PARAM_LOGARITHMIC = 1 << 4,  ///< a slider over it is logarithmic
-    BOLAN_PARAM_PATH = 1 << 5,         ///< a TEXT that names a file; relative to the scene file
-    BOLAN_PARAM_REQUIRED = 1 << 6,     ///< a scene file has to give it
+    /// 0 is valid beside the range and means "not given"; `otherwise` says what is used then.
+    BOLAN_PARAM_OR_ZERO = 1 << 0,
+    /// NAN is valid beside the range and means "not given"; `otherwise` says what is used then.
+    BOLAN_PARAM_OR_NAN = 1 << 1,
+    /// The range holds for the magnitude; the field may have either sign.
+    BOLAN_PARAM_EITHER_SIGN = 1 << 2,
+    /// A WHOLE that is a power of two.
+    BOLAN_PARAM_POWER_OF_TWO = 1 << 3,
+    /// A slider for the field is logarithmic.
+    BOLAN_PARAM_LOGARITHMIC = 1 << 4,
+    /// A TEXT that names a file; relative to the scene file.
+    BOLAN_PARAM_PATH = 1 << 5,
+    /// A scene file must give the key.
+    BOLAN_PARAM_REQUIRED = 1 << 6,
 } bolan_param_rule;
 
 /// One parameter.
@@ -53,13 +66,14 @@ typedef struct bolan_param {
     const char *option;
     /// The unit of the field, such as "m/s". NULL: none.
     const char *unit;
-    /// What it is, in one sentence without a full stop.
+    /// What the parameter is, in one sentence without a full stop.
     const char *help;
-    /// What stands in where it is not given and the default does not say, such as "the whole raster". NULL: the
-    /// default.
+    /// What is used where the parameter is not given and the default does not say, such as "the whole raster".
+    /// NULL: the default.
     const char *otherwise;
-    /// Names of NAME and SET, NULL at the end; of a TEXT names that documentation lists, or NULL.
+    /// Names of NAME and SET, NULL at the end; for TEXT the names that documentation lists, or NULL.
     const char *const *names;
+    /// The type of the field.
     bolan_param_kind kind;
     /// Bits of bolan_param_rule.
     unsigned rules;
@@ -67,11 +81,12 @@ typedef struct bolan_param {
     size_t offset, size;
     /// The range of the field, ends included.
     double low, high;
-    /// The default; of a TEXT always "".
+    /// The default; a TEXT has always "".
     double fallback;
-    /// A key or option counts in units of `factor` of the field's unit: 1000 and "km" for kilometres. 0: in the field's
-    /// unit.
+    /// Units of the field in one unit of the key and the option: 1000 where a key in km sets a field in m.
+    /// 0: key and option have the unit of the field.
     double factor;
+    /// The unit of the key and the option where `factor` is set, such as "km".
     const char *factor_unit;
     /// The label in a panel. NULL: the last part of the field's name.
     const char *label;
@@ -85,7 +100,9 @@ typedef struct bolan_param {
 typedef struct bolan_param_table {
     /// The struct, "bolan_sea_desc".
     const char *type;
+    /// The rows.
     const bolan_param *params;
+    /// Number of rows.
     uint32_t count;
 } bolan_param_table;
 
@@ -93,44 +110,53 @@ typedef struct bolan_param_table {
 typedef struct bolan_param_group {
     /// The member of the larger struct, such as "terrain.island"; "" for the struct itself.
     const char *field;
-    /// Of a list or of a map without keys: what it is, for documentation. NULL: none.
+    /// For a list, or a map without keys: what it is, for documentation. NULL: none.
     const char *help;
     /// The map of a scene file, dotted; "" for the document itself.
     const char *key;
-    /// Where the member lies: of a list, the member of its first element.
+    /// Where the member lies in the larger struct [bytes]; for a list, where its first element lies.
     size_t offset;
+    /// The parameters of the member, or of one element of a list.
     const bolan_param_table *table;
-    /// Of a list: the most elements, the distance of two [bytes], and where the uint32_t with their number lies. Else
-    /// 0.
+    /// Most elements of a list; 0 where the member is no list.
     uint32_t capacity;
+    /// Distance of two elements of a list, and where the uint32_t with their number lies [bytes].
     size_t stride, count_offset;
 } bolan_param_group;
 
-/// The row of the field @p field; NULL when there is none.
+/// Returns the row of the field @p field; NULL when there is none.
 BOLAN_API const bolan_param *bolan_param_find(const bolan_param_table *table, const char *field);
-/// The value as a number: of a FLAG 0 or 1, of a NAME or SET the number behind the name, of a TEXT its length.
+/// Returns the value of the field as a number.
+/// A FLAG gives 0 or 1, a NAME or SET its stored number, a TEXT its length.
 BOLAN_API double bolan_param_get(const bolan_param *param, const void *desc);
-/// Writes a number to the field; of a TEXT nothing. The range is not checked.
+/// Writes a number to the field, without a check of its range.
+/// A TEXT stays as it is.
 BOLAN_API void bolan_param_set(const bolan_param *param, void *desc, double value);
-/// Whether @p value, in the field's unit, lies in the range and obeys the rules.
+/// Returns whether @p value, in the unit of the field, lies in the range and obeys the rules.
 BOLAN_API bool bolan_param_accepts(const bolan_param *param, double value);
-/// Reads @p size bytes of @p text, as a key or option has them, into the field: in units of the key; names in any case;
-/// a SET as names with commas or blanks between, or "all" or "none". False, and nothing changed or logged, if the text
-/// is no such value or outside the range.
+/// Reads @p size bytes of @p text, the value of a key or an option, into the field.
+/// Numbers are in units of the key.
+/// Names may have any case.
+/// A SET is a list of names, separated by commas or blanks, or "all" or "none".
+/// Returns false where the text is no such value or outside the range; then nothing is changed or logged.
 BOLAN_API bool bolan_param_parse(const bolan_param *param, const char *text, size_t size, void *desc);
-/// What bolan_param_parse() takes, for messages: "a number from 0 to 70 m/s". Cut to @p capacity bytes.
+/// Describes the values that bolan_param_parse() accepts, for messages: "a number from 0 to 70 m/s".
+/// The text is cut to @p capacity bytes.
 BOLAN_API void bolan_param_expected(const bolan_param *param, char *out, size_t capacity);
-/// The first row with the dotted key @p path ("sky.clouds.cover"; in a list "objects.scale"), NULL when there is none.
-/// @p count receives how many rows share the key; @p group, unless it is NULL, receives where they stand.
+/// Returns the first row with the dotted key @p path, such as "sky.clouds.cover" or, in a list, "objects.scale".
+/// Returns NULL when there is none.
+/// @param count receives the number of rows that share the key.
+/// @param group receives the group of the rows; may be NULL.
 BOLAN_API const bolan_param *bolan_param_find_key(const bolan_param_group *groups, const char *path,
                                                   const bolan_param_group **group, uint32_t *count);
-/// Adds the keys of the map @p map, "" for the document, to the text @p words, ", " between them and each once. Cut to
-/// @p capacity bytes.
+/// Appends the keys of the map @p map, "" for the document, to the text @p words, each once and separated by ", ".
+/// The text is cut to @p capacity bytes.
 BOLAN_API void bolan_param_list_keys(const bolan_param_group *groups, const char *map, char *words, size_t capacity);
-/// Fills the fields of the table with their defaults, and leaves the others.
+/// Sets the fields of the table to their defaults; other fields stay as they are.
 BOLAN_API void bolan_params_default(const bolan_param_table *table, void *desc);
-/// Checks every field of the table. At the first that is wrong it logs one sentence that begins with @p where, the
-/// field, the value and what was expected, and returns ARGUMENT.
+/// Checks every field of the table.
+/// At the first wrong field it logs one sentence and returns ARGUMENT.
+/// The sentence begins with @p where and names the field, the value and what was expected.
 BOLAN_API bolan_result bolan_params_validate(const bolan_param_table *table, const void *desc, const char *where);
 
 #ifdef __cplusplus

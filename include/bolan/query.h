@@ -13,9 +13,9 @@ extern "C" {
 #endif
 
 /// The surface at one world point.
-/// Where choppy water folds, several parcels stand at the point: the answer is the highest parcel that is found.
+/// Where choppy water folds, several parcels stand at the point; the highest parcel that is found is returned.
 typedef struct bolan_query_point {
-    /// Of the surface above the datum [m].
+    /// Height of the surface above the datum [m].
     float height;
     /// Unit normal, z >= 0.
     bolan_vec3 normal;
@@ -25,23 +25,28 @@ typedef struct bolan_query_point {
     float residual;
 } bolan_query_point;
 
-/// Heights and normals of @p count world points @p xy [m].
+/// Computes heights and normals at @p count world points @p xy [m].
 ///
-/// The fields of the sea are read as images read them, bilinear between samples, so this is the surface that is drawn.
+/// The fields of the sea are read bilinearly between samples, as images read them: this is the surface that is drawn.
 /// A sum of waves is summed at the point itself. The layers of the water are added at the rest point of the parcel.
-/// Over a ground each cascade is attenuated by the depth under the parcel's rest point, bolan_coast_attenuations() of
-/// 4 sqrt(variance) of the cascades; a sum of waves is attenuated as one cascade, each layer by itself. The lift of the
-/// mean falls with the square of the attenuation. The normal ignores how the attenuation varies in space.
-/// On dry land the answer is the level of the water: what is above it is ground. Points that are not finite give the
-/// level and a vertical normal.
 ///
-/// Positions are reduced in double: 1e6 m from the origin is as good as near it. Each answer depends on its point alone,
-/// never on batch, threads or instruction set.
-/// Uses the task hook for large batches. Allocates nothing. Cannot fail; a water that is not valid is misuse.
-/// Thread-safe between steps of the sea: to step it elsewhere meanwhile, query a fork of it (bolan_sea_fork()).
+/// Over a ground each cascade is attenuated by the depth under the rest point of the parcel.
+/// The attenuations are bolan_coast_attenuations() of 4 sqrt(variance) of the cascades.
+/// A sum of waves is attenuated as one cascade, and each layer by itself.
+/// The lift of the mean falls with the square of the attenuation.
+/// The normal ignores how the attenuation varies in space.
+/// On dry land the height is the level of the water.
+/// Points that are not finite give the level and a vertical normal.
+///
+/// Positions are reduced in double, so that the accuracy 1e6 m from the origin is that near the origin.
+/// Each result depends on its point alone, never on batch, threads or instruction set.
+/// Uses the task hook for large batches. Allocates nothing.
+/// Cannot fail; a water that is not valid is misuse.
+/// Thread-safe between steps of the sea. A thread that queries while another steps takes a fork: bolan_sea_fork().
 BOLAN_API void bolan_query_surface(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count,
                                    bolan_query_point *out);
-/// Heights alone [m above the datum], count floats. Otherwise like bolan_query_surface().
+/// Like bolan_query_surface(), for heights alone [m above the datum].
+/// @param height receives count floats.
 BOLAN_API void bolan_query_heights(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, float *height);
 
 // ---- the moving water -----------------------------------------------------------------------------------------------

@@ -41,7 +41,8 @@ typedef struct bolan_camera_key {
     /// The camera at that time.
     bolan_camera camera;
 } bolan_camera_key;
-#define BOLAN_MAX_CAMERA_KEYS 32 ///< of a scene's path
+/// Most camera keys of a scene.
+#define BOLAN_MAX_CAMERA_KEYS 32
 
 /// The sun, the air and the clouds.
 typedef struct bolan_sky {
@@ -95,7 +96,8 @@ typedef struct bolan_object {
     /// Subtracted from a file's coordinates, in the file's axes and units, +-1e8; default 0.
     bolan_dvec3 offset;
 } bolan_object;
-#define BOLAN_MAX_OBJECTS 64 ///< of a scene
+/// Most objects of a scene.
+#define BOLAN_MAX_OBJECTS 64
 
 /// Everything that is drawn, except what lies in files: see bolan_world.
 typedef struct bolan_scene {
@@ -118,7 +120,7 @@ typedef struct bolan_scene {
     bool wind_sea;
     /// A measured spectrum file; "" for none.
     char spectrum_path[BOLAN_PATH_MAX];
-    /// What is read of that file, and what stands in for what it lacks.
+    /// What is read from the spectrum file, and what replaces missing directions and spreads.
     bolan_spectrum_options spectrum;
     /// The camera where there is no path.
     bolan_camera camera;
@@ -152,10 +154,10 @@ typedef struct bolan_scene {
 BOLAN_API extern const bolan_param_table bolan_camera_params, bolan_camera_key_params, bolan_sky_params,
     bolan_seawater_params;
 BOLAN_API extern const bolan_param_table bolan_object_params, bolan_scene_params, bolan_wind_sea_params;
-/// Where they stand in a scene and in the maps of a scene file; a NULL table ends the list.
+/// Where these parameters stand in a scene and in the maps of a scene file; a NULL table ends the list.
 BOLAN_API extern const bolan_param_group bolan_scene_groups[];
 
-/// A scene with every default: open sea, wind 8 m/s, camera 3 m up, sun 35 degrees high.
+/// Returns a scene with every default: open sea, wind 8 m/s, camera 3 m up, sun 35 degrees high.
 BOLAN_API bolan_scene bolan_scene_default(void);
 
 /// Gives the scene another wind of @p wind_speed [m/s] FROM @p from_deg [deg].
@@ -167,16 +169,17 @@ BOLAN_API bolan_scene bolan_scene_default(void);
 BOLAN_API void bolan_scene_set_wind(bolan_scene *scene, double wind_speed, double from_deg);
 
 /// Gives the scene another technique.
-/// The wave model of the sea follows; the wind sea is built anew where the technique changes its spectrum.
+/// The sea takes the wave model of the technique.
+/// The wind sea is built anew where the technique changes its spectrum.
 BOLAN_API void bolan_scene_set_technique(bolan_scene *scene, const bolan_technique *technique);
 
-/// The camera at @p time [s]: on the path through the keys, or scene->camera where there are no keys.
+/// Returns the camera at @p time [s]: on the path through the keys, or scene->camera where there are no keys.
 /// Before the first key and after the last the camera stands still.
 /// The path is smooth and overshoots no key (monotone cubic pieces, Fritsch & Carlson 1980).
 /// Headings turn the short way.
 BOLAN_API bolan_camera bolan_scene_camera_at(const bolan_scene *scene, double time);
 
-/// The desc of the scene's sea with the options of scene->look applied.
+/// Returns the desc of the scene's sea with the options of scene->look applied.
 /// In paper mode the sea takes the choices of the papers: sharpness 1, equal width of frequencies.
 BOLAN_API bolan_sea_desc bolan_scene_sea_desc(const bolan_scene *scene);
 

@@ -18,8 +18,10 @@ extern "C" {
 
 // ---- dispersion -----------------------------------------------------------------------------------------------------
 
-#define BOLAN_SURFACE_TENSION_SEA 7.17e-5 ///< sigma / rho of sea water [m3/s2]
-#define BOLAN_DEEP 1.0e4                  ///< a depth [m] that is deep for every wave of the sea
+/// Surface tension over density of sea water, sigma / rho [m3/s2].
+#define BOLAN_SURFACE_TENSION_SEA 7.17e-5
+/// A depth [m] that is deep for every wave of the sea.
+#define BOLAN_DEEP 1.0e4
 
 /// w(k): w^2 = (g k + (sigma/rho) k^3) tanh(k h). @p k wave number [rad/m] >= 0, @p depth [m] > 0. [rad/s]
 /// Linear theory of gravity-capillary waves over a flat bottom.
@@ -33,9 +35,12 @@ BOLAN_API double bolan_group_speed(double k, double depth);
 
 /// The shape of a spectrum in frequency.
 typedef enum bolan_spectrum_kind {
-    BOLAN_SPECTRUM_PIERSON_MOSKOWITZ, ///< fully developed sea (Pierson & Moskowitz 1964)
-    BOLAN_SPECTRUM_JONSWAP,           ///< fetch-limited sea (Hasselmann et al. 1973)
-    BOLAN_SPECTRUM_TMA,               ///< JONSWAP in water of finite depth (Bouws et al. 1985)
+    /// Fully developed sea (Pierson & Moskowitz 1964).
+    BOLAN_SPECTRUM_PIERSON_MOSKOWITZ,
+    /// Fetch-limited sea (Hasselmann et al. 1973).
+    BOLAN_SPECTRUM_JONSWAP,
+    /// JONSWAP in water of finite depth (Bouws et al. 1985).
+    BOLAN_SPECTRUM_TMA,
     /// A exp(-1/(kL)^2) k^-4 cos^2 e^{-k^2 l^2} of computer graphics (Tessendorf 2001).
     /// It is Pierson-Moskowitz with k = w^2/g and L = (4/5)^(1/2) g / wp^2, cut off below l = L/1000.
     BOLAN_SPECTRUM_PHILLIPS,
@@ -61,9 +66,12 @@ BOLAN_API extern const char *const bolan_wind_spectrum_names[BOLAN_WIND_SPECTRUM
 
 /// The shape of a spectrum in direction.
 typedef enum bolan_spreading_kind {
-    BOLAN_SPREADING_COS2,       ///< (2/pi) cos^2 th on +-90 deg (ITTC)
-    BOLAN_SPREADING_COS2S,      ///< N(s) cos^{2s}(th/2), the same s at all frequencies
-    BOLAN_SPREADING_HASSELMANN, ///< cos-2s with s(w/wp, U/cp) (Hasselmann, Dunckel & Ewing 1980)
+    /// (2/pi) cos^2 th on +-90 deg (ITTC).
+    BOLAN_SPREADING_COS2,
+    /// N(s) cos^{2s}(th/2), the same s at all frequencies.
+    BOLAN_SPREADING_COS2S,
+    /// cos-2s with s(w/wp, U/cp) (Hasselmann, Dunckel & Ewing 1980).
+    BOLAN_SPREADING_HASSELMANN,
     /// cos-2s with s = sp (w/wp)^5 below the peak and sp (w/wp)^-2.5 above, sp = 11.5 (U/cp)^-2.5 (Mitsuyasu et al.
     /// 1975). s is at most 200.
     BOLAN_SPREADING_MITSUYASU,
@@ -267,16 +275,23 @@ BOLAN_API double bolan_sea_state_density(const bolan_sea_state *sea_state, doubl
 /// has short waves: level of its last band with energy, directions of its last three such bands. 0 at k = 0.
 BOLAN_API double bolan_sea_state_wavenumber_density(const bolan_sea_state *sea_state, double kx, double ky);
 
-/// Integral parameters of a sea state on its current, over the frequency in the water. A calm has zeros, and the wind's
-/// direction.
+/// Integral parameters of a sea state on its current, over the frequency in the water.
+/// A calm has zeros, and the direction of the wind.
 typedef struct bolan_sea_summary {
-    double m0;         ///< variance [m2] (of the requested spectrum: for a measured one, over its own frequencies)
-    double hs;         ///< 4 sqrt(m0) [m]
-    double tp;         ///< period of the spectral peak [s]
-    double tm01, tm02; ///< m0/m1 and sqrt(m0/m2) [s]
-    double te;         ///< m-1/m0 [s]
-    double from_deg;   ///< mean direction FROM [deg]
-    double spread_deg; ///< circular spread sqrt(2 (1 - r1)) [deg]
+    /// Variance of the sea state [m2]; of a measured spectrum over its own frequencies.
+    double m0;
+    /// Significant wave height, 4 sqrt(m0) [m].
+    double hs;
+    /// Period of the spectral peak [s].
+    double tp;
+    /// Mean periods m0/m1 and sqrt(m0/m2) [s].
+    double tm01, tm02;
+    /// Energy period m-1/m0 [s].
+    double te;
+    /// Mean direction that the waves come FROM, compass [deg].
+    double from_deg;
+    /// Circular spread sqrt(2 (1 - r1)) [deg].
+    double spread_deg;
 } bolan_sea_summary;
 /// Integrates the whole spectrum: milliseconds. Thread-safe.
 BOLAN_API bolan_sea_summary bolan_sea_state_summary(const bolan_sea_state *sea_state);
@@ -320,20 +335,27 @@ BOLAN_API double bolan_monahan_cover(double wind_speed);
 /// A class of the Douglas sea scale.
 typedef struct bolan_douglas_row {
     int degree;
-    double hs_min, hs_max; ///< [m]; the last has no upper bound: HUGE_VAL
+    /// Bounds of the significant wave height [m]; the last class has no upper bound: HUGE_VAL.
+    double hs_min, hs_max;
     const char *name;
 } bolan_douglas_row;
 /// A class of the Beaufort wind scale.
 typedef struct bolan_beaufort_row {
     int force;
-    double wind_min, wind_max; ///< at 10 m [m/s]; the last has no upper bound: HUGE_VAL
-    double wave_height;        ///< probable, open sea [m]
+    /// Bounds of the wind speed at 10 m [m/s]; the last class has no upper bound: HUGE_VAL.
+    double wind_min, wind_max;
+    /// Probable wave height on the open sea [m].
+    double wave_height;
     const char *name;
 } bolan_beaufort_row;
-BOLAN_API extern const bolan_douglas_row bolan_douglas_table[10]; ///< WMO code 3700; a bound belongs to the lower class
-BOLAN_API extern const bolan_beaufort_row bolan_beaufort_table[13]; ///< WMO; probable wave height
-BOLAN_API int bolan_douglas_from_hs(double hs);                     ///< 0..9
-BOLAN_API int bolan_beaufort_from_wind(double wind_speed);          ///< 0..12
+/// The Douglas scale by degree, WMO code 3700; a bound belongs to the lower class.
+BOLAN_API extern const bolan_douglas_row bolan_douglas_table[10];
+/// The Beaufort scale by force, WMO, with the probable wave height.
+BOLAN_API extern const bolan_beaufort_row bolan_beaufort_table[13];
+/// Returns the Douglas degree of a significant wave height [m], 0..9.
+BOLAN_API int bolan_douglas_from_hs(double hs);
+/// Returns the Beaufort force of a wind speed at 10 m [m/s], 0..12.
+BOLAN_API int bolan_beaufort_from_wind(double wind_speed);
 
 // ---- measured spectra -----------------------------------------------------------------------------------------------
 

@@ -13,9 +13,12 @@ extern "C" {
 
 /// How the undisplaced water is cut into triangles.
 typedef enum bolan_surface_kind {
-    BOLAN_SURFACE_PROJECTED, ///< a grid of constant angular steps seen from the eye: cost independent of distance
-    BOLAN_SURFACE_NESTED,    ///< square grids round the point looked at, each twice as fine (Liu, Xu & Chen 2009)
-    BOLAN_SURFACE_QUAD,      ///< two triangles (Ma, Zhu & Gong 2006)
+    /// A grid of constant angular steps seen from the eye: cost independent of distance.
+    BOLAN_SURFACE_PROJECTED,
+    /// Square grids round the point looked at, each twice as fine (Liu, Xu & Chen 2009).
+    BOLAN_SURFACE_NESTED,
+    /// Two triangles (Ma, Zhu & Gong 2006).
+    BOLAN_SURFACE_QUAD,
 } bolan_surface_kind;
 /// Number of surface kinds.
 #define BOLAN_SURFACE_KINDS 3

@@ -27,7 +27,8 @@ typedef enum bolan_optics_kind {
     /// Light through the crests, foam ramps at the shore (Ni, Zhang & Tan).
     BOLAN_OPTICS_CREST,
 } bolan_optics_kind;
-#define BOLAN_OPTICS_KINDS 5 ///< how many there are
+/// Number of optics.
+#define BOLAN_OPTICS_KINDS 5
 /// The names that the command line and scene files use, "physical" ...; by bolan_optics_kind, NULL at the end.
 BOLAN_API extern const char *const bolan_optics_kind_names[BOLAN_OPTICS_KINDS + 1];
 
@@ -74,34 +75,52 @@ BOLAN_API const bolan_technique *bolan_technique_find(const char *name);
 
 // ---- shading options ------------------------------------------------------------------------------------------------
 
-/// Parts of the shading, each of which can be switched off to see what it does.
-/// A part that an optics does not have is ignored.
+/// Parts of the shading, as bits; each can be switched off.
+/// Bits of parts that an optics does not have are ignored.
 typedef enum bolan_effect {
-    BOLAN_EFFECT_REFLECTION = 1 << 0, ///< reflection of sky and objects
-    BOLAN_EFFECT_REFRACTION = 1 << 1, ///< light from under the surface
-    BOLAN_EFFECT_BUMP = 1 << 2,       ///< shading by the slope of the waves
-    BOLAN_EFFECT_DISTORTION = 1 << 3, ///< waves bend reflections and refractions
-    BOLAN_EFFECT_GLITTER = 1 << 4,    ///< reflection of the sun
-    BOLAN_EFFECT_CAUSTICS = 1 << 5,   ///< sunlight focused on the sea bed by the waves
-    BOLAN_EFFECT_AMBIENT = 1 << 6,    ///< the water's own colour
-    BOLAN_EFFECT_DIFFUSE = 1 << 7,    ///< diffuse light of PHONG and LIT
-    BOLAN_EFFECT_SPECULAR = 1 << 8,   ///< highlights of PHONG and LIT
-    BOLAN_EFFECT_SCATTERING = 1 << 9, ///< light through crests
-    BOLAN_EFFECT_FOAM = 1 << 10,      ///< whitecaps, surf
-    BOLAN_EFFECT_FOG = 1 << 11,       ///< extinction under water
+    /// Reflection of sky and objects.
+    BOLAN_EFFECT_REFLECTION = 1 << 0,
+    /// Light from under the surface.
+    BOLAN_EFFECT_REFRACTION = 1 << 1,
+    /// Shading by the slope of the waves.
+    BOLAN_EFFECT_BUMP = 1 << 2,
+    /// Waves bend reflections and refractions.
+    BOLAN_EFFECT_DISTORTION = 1 << 3,
+    /// Reflection of the sun.
+    BOLAN_EFFECT_GLITTER = 1 << 4,
+    /// Sunlight focused on the sea bed by the waves.
+    BOLAN_EFFECT_CAUSTICS = 1 << 5,
+    /// The water's own colour.
+    BOLAN_EFFECT_AMBIENT = 1 << 6,
+    /// Diffuse light of PHONG and LIT.
+    BOLAN_EFFECT_DIFFUSE = 1 << 7,
+    /// Highlights of PHONG and LIT.
+    BOLAN_EFFECT_SPECULAR = 1 << 8,
+    /// Light through crests.
+    BOLAN_EFFECT_SCATTERING = 1 << 9,
+    /// Whitecaps, surf.
+    BOLAN_EFFECT_FOAM = 1 << 10,
+    /// Extinction under water.
+    BOLAN_EFFECT_FOG = 1 << 11,
 } bolan_effect;
-#define BOLAN_EFFECTS_ALL 0xfffu ///< the default
-#define BOLAN_EFFECTS 12         ///< how many there are
+/// All effects, the default.
+#define BOLAN_EFFECTS_ALL 0xfffu
+/// Number of effects.
+#define BOLAN_EFFECTS 12
 /// Names of the effects by bit, "reflection" ...; NULL at the end.
 BOLAN_API extern const char *const bolan_effect_names[BOLAN_EFFECTS + 1];
 
 /// What is drawn of the water.
 typedef enum bolan_show {
-    BOLAN_SHOW_PICTURE, ///< the shaded water
-    BOLAN_SHOW_MASK,    ///< false colours: open sea, crests, shore, land
-    BOLAN_SHOW_MESH,    ///< the edges of its triangles
+    /// The shaded water.
+    BOLAN_SHOW_PICTURE,
+    /// False colours: open sea, crests, shore, land.
+    BOLAN_SHOW_MASK,
+    /// The edges of the triangles of the water.
+    BOLAN_SHOW_MESH,
 } bolan_show;
-#define BOLAN_SHOWS 3 ///< how many there are
+/// Number of views of the water.
+#define BOLAN_SHOWS 3
 /// Names by bolan_show, "picture" ...; NULL at the end.
 BOLAN_API extern const char *const bolan_show_names[BOLAN_SHOWS + 1];
 
@@ -137,7 +156,8 @@ typedef enum bolan_quality {
     BOLAN_QUALITY_HIGH,
     BOLAN_QUALITY_ULTRA,
 } bolan_quality;
-#define BOLAN_QUALITIES 4 ///< how many there are
+/// Number of qualities.
+#define BOLAN_QUALITIES 4
 /// The names that the command line uses, "low" ...; by bolan_quality, NULL at the end.
 BOLAN_API extern const char *const bolan_quality_names[BOLAN_QUALITIES + 1];
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file water.h
-/// Tier 2. The water: what is asked and what is drawn, in one plain struct of borrowed pointers; and wave layers, which
-/// add waves to those of its sea.
+/// Tier 2. The water that queries read and the renderer draws, one plain struct of borrowed pointers.
+/// Wave layers add waves to those of its sea.
 #ifndef BOLAN_WATER_H
 #define BOLAN_WATER_H
 
@@ -23,8 +23,10 @@ extern "C" {
 typedef struct bolan_wave_layer bolan_wave_layer;
 
 /// A wave train: parallel waves of one length inside an area, after the Wave Control packet of CIGI 3.3 and 4.0.
-/// Its height at (x, y) is height / 2 * edges * cos(k . (x - centre) - omega time + phase), where the edges fall from 1
-/// to 0 as smooth steps. The area stands still, the crests run through it. Parcels move up and down only.
+/// The height at (x, y) is height / 2 * edges * cos(k . (x - centre) - omega time + phase).
+/// The edges fall from 1 to 0 as smooth steps.
+/// The area stands still while the crests run through it.
+/// Parcels move up and down only.
 typedef struct bolan_wave_train_desc {
     /// Compass direction that the waves come FROM [deg], -360..360; default 0.
     double from_deg;
@@ -32,7 +34,8 @@ typedef struct bolan_wave_train_desc {
     double length;
     /// Time from crest to crest [s], 0.1..1000, or 0 (default): the period of free waves of this length, by dispersion.
     double period;
-    /// From trough to crest [m], 0..40, and at most Miche's limit, 0.142 length tanh(2 pi depth / length); default 1.
+    /// Wave height from trough to crest [m], 0..40, and at most Miche's limit, 0.142 length tanh(2 pi depth / length);
+    /// default 1.
     double height;
     /// Phase at the centre at time 0 [deg], -360..360; default 0: a crest.
     double phase_deg;
@@ -55,33 +58,35 @@ BOLAN_API extern const bolan_param_table bolan_wave_train_params;
 /// Errors: ARGUMENT (the sentence names the field, or the limit that the height exceeds), MEMORY.
 /// @p out receives the layer, NULL after an error.
 BOLAN_API bolan_result bolan_wave_layer_create_train(const bolan_wave_train_desc *desc, bolan_wave_layer **out);
-/// NULL-safe; NULLs. No water may hold it any more.
+/// Releases the layer.
+/// NULL-safe; NULLs the pointer. No water may hold the layer any more.
 BOLAN_API void bolan_wave_layer_destroy(bolan_wave_layer **layer);
 
 /// A layer's waves at one place.
 typedef struct bolan_wave_layer_sample {
     /// Added to the height of the surface [m].
     float height;
-    /// Added to its slope, east and north.
+    /// Added to the slope of the surface, east and north.
     float slope_x, slope_y;
 } bolan_wave_layer_sample;
-/// The waves of a layer over deep water at @p count places in world metres at @p time [s].
+/// Samples the waves of a layer over deep water at @p count places in world metres at @p time [s].
 /// Thread-safe.
 BOLAN_API void bolan_wave_layer_sample_at(const bolan_wave_layer *layer, double time, const bolan_dvec2 *places,
                                           uint32_t count, bolan_wave_layer_sample *out);
-/// What no height of the layer exceeds, up or down [m].
+/// Returns a bound of the magnitude of the height [m].
 /// Thread-safe.
 BOLAN_API double bolan_wave_layer_bound(const bolan_wave_layer *layer);
 
-#define BOLAN_MAX_WAVE_LAYERS 8 ///< of one water
+/// Most wave layers of a water.
+#define BOLAN_MAX_WAVE_LAYERS 8
 
 // ---- the water ------------------------------------------------------------------------------------------------------
 
 /// A water: its waves, its bed, its level and its colour.
-/// It owns nothing: what it points to must outlive its use.
+/// It owns nothing; the objects that it points to must outlive its use.
 /// Thread-safety: may be read by many threads between steps of its sea.
 typedef struct bolan_water {
-    /// The waves. Must not be NULL where the water is asked or drawn. Default NULL.
+    /// The waves. Must not be NULL where the water is queried or drawn. Default NULL.
     const bolan_sea *sea;
     /// The flow of that sea, for questions about moving water. Default NULL: such questions are misuse.
     const bolan_flow *flow;
@@ -91,9 +96,9 @@ typedef struct bolan_water {
     double level;
     /// Waves that are added to those of the sea: layer_count pointers, none NULL. Default NULL and 0.
     const bolan_wave_layer *const *layers;
-    /// 0..BOLAN_MAX_WAVE_LAYERS.
+    /// Number of layers, 0..BOLAN_MAX_WAVE_LAYERS.
     uint32_t layer_count;
-    /// Colour, clarity and index of refraction; default that of Jerlov type IB.
+    /// Colour, clarity and index of refraction; default Jerlov type IB.
     bolan_water_optics optics;
     /// Strength of the foam, 0..2; default 1.
     double foam;
@@ -102,10 +107,10 @@ typedef struct bolan_water {
 /// The defaults named above the fields.
 /// Thread-safe.
 BOLAN_API bolan_water bolan_water_default(void);
-/// Whether the water can be asked and drawn: a sea, and at most BOLAN_MAX_WAVE_LAYERS layers, none of them NULL.
-/// Thread-safe.
+/// Returns whether the water can be queried and drawn: it has a sea, and at most BOLAN_MAX_WAVE_LAYERS layers, none of
+/// them NULL. Thread-safe.
 BOLAN_API bool bolan_water_is_valid(const bolan_water *water);
-/// Bounds that the surface does not leave [m], as bolan_sea_bounds(), with the layers.
+/// Returns bounds that the surface does not leave [m]: those of bolan_sea_bounds() plus those of the layers.
 /// Thread-safe.
 BOLAN_API void bolan_water_bounds(const bolan_water *water, double *vertical, double *horizontal);
 

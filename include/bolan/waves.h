@@ -55,20 +55,28 @@ extern "C" {
 
 /// How waves are made of a sea state.
 typedef enum bolan_wave_model {
-    BOLAN_WAVES_FFT,        ///< cascades of inverse FFTs of a random sea
-    BOLAN_WAVES_COSINES,    ///< a sum of frequencies x directions cosine waves (Liu, Xu & Chen 2009)
-    BOLAN_WAVES_EXP_COSINE, ///< a sum of few waves exp(s cos): sharp crests, wide troughs (Liu & Xie 2010)
-    BOLAN_WAVES_TEXTURES,   ///< one tile of FFT whose time runs in a loop of few still frames (Ma, Zhu & Gong 2006)
+    /// Cascades of inverse FFTs of a random sea.
+    BOLAN_WAVES_FFT,
+    /// A sum of frequencies x directions cosine waves (Liu, Xu & Chen 2009).
+    BOLAN_WAVES_COSINES,
+    /// A sum of few waves exp(s cos): sharp crests, wide troughs (Liu & Xie 2010).
+    BOLAN_WAVES_EXP_COSINE,
+    /// One tile of FFT whose time runs in a loop of few still frames (Ma, Zhu & Gong 2006).
+    BOLAN_WAVES_TEXTURES,
 } bolan_wave_model;
-#define BOLAN_WAVE_MODELS 4 ///< number of wave models
+/// Number of wave models.
+#define BOLAN_WAVE_MODELS 4
 /// The names that the command line and scene files use, "fft" ...; by bolan_wave_model, NULL at the end.
 BOLAN_API extern const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1];
 
 /// What the fields of a sea are read from. Several wave models have one form.
 typedef enum bolan_wave_form {
-    BOLAN_FORM_CASCADES,    ///< periodic tiles: bolan_sea_cascade()
-    BOLAN_FORM_COSINES,     ///< cosine waves: bolan_sea_get_component()
-    BOLAN_FORM_EXP_COSINES, ///< waves exp(s cos): bolan_sea_get_component(), and exp_cosine.sharpness of the desc
+    /// Periodic tiles: bolan_sea_cascade().
+    BOLAN_FORM_CASCADES,
+    /// Cosine waves: bolan_sea_get_component().
+    BOLAN_FORM_COSINES,
+    /// Waves exp(s cos): bolan_sea_get_component(), and exp_cosine.sharpness of the desc.
+    BOLAN_FORM_EXP_COSINES,
 } bolan_wave_form;
 
 /// How BOLAN_WAVES_COSINES cuts a spectrum into frequencies.
@@ -79,15 +87,21 @@ typedef enum bolan_frequency_split {
     /// The groups of waves repeat after 2 pi / step (32 s at Hs 3 m).
     BOLAN_SPLIT_EQUAL_WIDTH,
 } bolan_frequency_split;
-#define BOLAN_FREQUENCY_SPLITS 2 ///< number of ways to cut a spectrum
+/// Number of ways to cut a spectrum.
+#define BOLAN_FREQUENCY_SPLITS 2
 /// The names that scene files use, "equal-energy" ...; by bolan_frequency_split, NULL at the end.
 BOLAN_API extern const char *const bolan_frequency_split_names[BOLAN_FREQUENCY_SPLITS + 1];
 
-#define BOLAN_MAX_CASCADES 4     ///< most cascades of a sea
-#define BOLAN_MAX_FREQUENCIES 64 ///< most frequencies of BOLAN_WAVES_COSINES
-#define BOLAN_MAX_DIRECTIONS 32  ///< most directions of BOLAN_WAVES_COSINES
-#define BOLAN_MAX_EXP_WAVES 16   ///< most waves of BOLAN_WAVES_EXP_COSINE
-#define BOLAN_MAX_LOOP_FRAMES 64 ///< most frames of BOLAN_WAVES_TEXTURES
+/// Most cascades of a sea.
+#define BOLAN_MAX_CASCADES 4
+/// Most frequencies of BOLAN_WAVES_COSINES.
+#define BOLAN_MAX_FREQUENCIES 64
+/// Most directions of BOLAN_WAVES_COSINES.
+#define BOLAN_MAX_DIRECTIONS 32
+/// Most waves of BOLAN_WAVES_EXP_COSINE.
+#define BOLAN_MAX_EXP_WAVES 16
+/// Most frames of BOLAN_WAVES_TEXTURES.
+#define BOLAN_MAX_LOOP_FRAMES 64
 
 /// How a sea is made.
 ///

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which instruction sets this machine runs. The sets and their members are those of cmake/BolanKernels.cmake.
+// The instruction sets that this machine runs. cmake/BolanKernels.cmake defines the sets.
 #include "bolan/base.h"
 
 #ifdef BOLAN_KERNELS_X86

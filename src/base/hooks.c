@@ -8,16 +8,17 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { SENTENCE_CAPACITY = 2048 }; // a path of BOLAN_PATH_MAX bytes, and what is said of it
+enum { SENTENCE_CAPACITY = 2048 }; // a path of BOLAN_PATH_MAX bytes, and a sentence about it
 
-static bolan_hooks hooks; // with the pool (pool.c) and the byte count (memory.c), all the state that is process-wide
+// All process-wide state is: these hooks, the pool (pool.c) and the byte count (memory.c).
+static bolan_hooks hooks;
 
 const bolan_hooks *bolan_active_hooks(void) { return &hooks; }
 
 void bolan_set_hooks(const bolan_hooks *new_hooks) {
     static const bolan_hooks built_in;
     hooks = new_hooks ? *new_hooks : built_in;
-    BOLAN_ASSERT(!hooks.allocate == !hooks.release); // memory goes back to where it came from
+    BOLAN_ASSERT(!hooks.allocate == !hooks.release); // memory is released by the hook that allocated it
     BOLAN_ASSERT(!hooks.parallel || hooks.parallel_workers >= 1);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bolan_format() for those who have a va_list. Private to src/base.
+// bolan_format() for a va_list. Private to src/base.
 #ifndef BOLAN_BASE_NUMBER_H
 #define BOLAN_BASE_NUMBER_H
 

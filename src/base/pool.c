@@ -3,12 +3,12 @@
 //
 // The pool is a set of sleeping threads and one loop at a time:
 //
-//     caller:  post the loop, wake helpers, take slices until none is left, close the loop, wait for those who joined
+//     caller:  post the loop, wake helpers, take slices until none is left, close the loop, wait for its helpers
 //     helper:  sleep -> woken -> loop still open? join with the next free worker number : sleep -> take slices -> leave
 //
-// Slices are taken from an atomic counter, so a slow helper costs nothing but its own slice, and a helper that wakes
-// after the loop was closed does not hold the caller up. Nobody spins. Which thread does which slice is left to chance:
-// a task must write only what its items own, and then the result does not depend on it.
+// Slices are taken from an atomic counter, so that a slow helper delays only its own slice. A helper that wakes after
+// the loop was closed does not delay the caller. No thread spins. Which thread runs which slice varies from run to run:
+// results do not depend on it, provided that a task writes only the data of its own items.
 #include "base/hooks.h"
 
 #include <pthread.h>
@@ -27,7 +27,7 @@ typedef struct loop {
 
 static struct {
     pthread_mutex_t in_loop; // held by the caller whose loop runs
-    pthread_mutex_t lock;    // guards what follows
+    pthread_mutex_t lock;    // guards the members below
     pthread_cond_t posted;   // a loop was posted, or the threads must stop
     pthread_cond_t left;     // the last helper left the loop
     loop current;
@@ -45,7 +45,7 @@ static struct {
           .threads = 1};
 
 static _Thread_local bool inside;            // this thread runs a task
-static _Thread_local uint32_t worker_number; // and this is its number
+static _Thread_local uint32_t worker_number; // of that task
 
 static void run_task(bolan_task_fn *task, void *context, uint32_t begin, uint32_t end, uint32_t worker) {
     const bool was_inside = inside;
@@ -148,7 +148,7 @@ static void run_on_pool(uint32_t count, uint32_t slice, uint32_t workers, bolan_
     pthread_mutex_unlock(&pool.lock);
 }
 
-// What a foreign task system runs: our task, with this thread marked as inside it.
+// The task that the task system of the host runs: a task of the library, with its thread marked as inside one.
 typedef struct foreign {
     bolan_task_fn *task;
     void *context;

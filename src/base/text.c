@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Foreign text in messages: cut between characters, and without control characters. A terminal obeys escape sequences,
-// so the name of a file or a word of an input must never reach it as it is.
+// Text of users in messages: cut between characters, and without control characters. A terminal executes escape
+// sequences, so file names and words of an input must be escaped first.
 #include "bolan/base.h"
 
 #include <stdio.h>
@@ -27,7 +27,7 @@ static bool is_control(uint32_t code) {
            (code >= 0x2066 && code <= 0x2069);
 }
 
-// What is left of the text is the beginning of one character: somebody has cut it there.
+// The rest of the text is the beginning of one character that was cut.
 static bool is_cut(const unsigned char *p) {
     const size_t wanted = p[0] >= 0xF0 && p[0] < 0xF8 ? 4 : p[0] >= 0xE0 ? 3 : p[0] >= 0xC0 ? 2 : 0;
     size_t left = 0;
@@ -42,7 +42,7 @@ size_t bolan_text_fit(const char *text, size_t most) {
     if (!text[length]) return length;
     const size_t full = length;
     while (length > 0 && full - length < 3 && ((unsigned char)text[length] & 0xC0) == 0x80) length--;
-    return ((unsigned char)text[length] & 0xC0) == 0x80 ? full : length; // no UTF-8: any place is as good
+    return ((unsigned char)text[length] & 0xC0) == 0x80 ? full : length; // no UTF-8: any byte may be the last
 }
 
 void bolan_text_escape(const char *text, char *out, size_t capacity) {

@@ -23,7 +23,7 @@ static void shape_rows(void *context, uint32_t begin, uint32_t end, uint32_t wor
     }
 }
 
-// What running water cuts into a slope (dx, dy) at (x, y).
+// The depth that running water cuts into a slope (dx, dy) at (x, y).
 static float gullies(const island_job *job, double x, double y, float dx, float dy, float drained) {
     float cut = 0.0f, slope = sqrtf(dx * dx + dy * dy);
     double wavelength = 0.17 * job->plan->radius, c = 1.0, s = 0.0;
@@ -33,9 +33,9 @@ static float gullies(const island_job *job, double x, double y, float dx, float 
         noise_value n = directed_noise((c * x - s * y) / wavelength, (s * x + c * y) / wavelength, lc * ax - ls * ay,
                                        ls * ax + lc * ay, job->plan->seed + 40 + o);
         float fold = sqrtf(n.v * n.v + 0.02f);
-        // Deep on steep ground; flat ground is left alone, and very steep faces are too.
+        // Deep on steep ground; none on flat ground and on very steep faces.
         float k = w * 0.22f * drained * slope / (0.30f + slope) * smoothstepf(0.08f, 0.40f, slope);
-        // Where the ground levels off, downhill turns round within no distance: the gullies must have ended by then.
+        // Where the ground levels off, the downhill direction turns abruptly: gullies fade out before.
         k *= 0.8f * smoothstepf(0.0f, 0.5f * slope + 0.03f, total);
         cut += k * (0.35f * n.v + 1.0f * (0.40f - fold));
         float steer = k * (0.35f - n.v / fold) / w;
@@ -65,7 +65,7 @@ static void erode_rows(void *context, uint32_t begin, uint32_t end, uint32_t wor
     }
 }
 
-// Stretches the land so that its summit has the height that was asked for; the shore keeps its own.
+// Scales the land so that the summit has the requested height; the shore keeps its height.
 static void set_summit(float *z, size_t count, float peak) {
     const float shore = fminf(6.0f, 0.2f * peak);
     float highest = 2.0f * shore;

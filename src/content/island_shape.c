@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The island's plan and shape. Signed distances make the picture: to the coast (positive on land) and to the outer edge
+// The island's plan and shape. Two signed distances define them: to the coast (positive on land) and to the outer edge
 // of the reef (positive inside).
 //
 //      windward: cliffs,   .-~~~-.      u -> lagoon side
@@ -66,7 +66,7 @@ island_plan bolan_island_plan_make(const bolan_ground_generator *generator) {
 // ---- distances
 // -------------------------------------------------------------------------------------------------------
 
-// Where a point stands: distances [radii] and how the place is.
+// A point of the island: distances [radii] and the kind of place.
 typedef struct place {
     float u, v;     // [radii]
     float x, y;     // [m]
@@ -91,7 +91,7 @@ static place locate(const island_plan *p, double x, double y) {
     float u = (a.x * p->axis_x + a.y * p->axis_y) / p->radius, v = (a.y * p->axis_x - a.x * p->axis_y) / p->radius;
     float rho = hypot2(u, v);
     a.lee = smoothstepf(-0.25f, 0.45f, u / fmaxf(rho, 0.05f));
-    // Domain warp: nature has no compasses. Rocky coasts are ragged, sandy ones smooth.
+    // Domain warp, so that outlines are not circles. Rocky coasts are ragged, sandy ones smooth.
     float wu = fractal_noise(2.1 * u + 3.7, 2.1 * v, 3, p->seed + 1),
           wv = fractal_noise(2.1 * u, 2.1 * v + 8.1, 3, p->seed + 2);
     float ragged = fractal_noise(9.0 * u, 9.0 * v, 4, p->seed + 3);
@@ -163,7 +163,7 @@ static float land(const island_plan *p, const place *a, float *drained) {
 // ---- sea bed
 // ---------------------------------------------------------------------------------------------------------
 
-// Something round on every @cell metres: returns the nearest one's distance over its radius (> 1: outside) and its own
+// Round features, one on every @cell metres: returns the distance of the nearest over its radius (> 1: outside) and its
 // random number.
 static float scatter(float x, float y, float cell, float smallest, float largest, float share, uint32_t seed,
                      float *random) {
@@ -236,7 +236,7 @@ static float lagoon(const island_plan *p, const place *a, float out) {
     return lerpf(z, fmaxf(z, top), dome * garden * smoothstepf(60.0f, 110.0f, out));
 }
 
-// Rock stacks that the cliffs left standing.
+// Rock stacks before the cliffs.
 static float stacks(const island_plan *p, const place *a, float out, float z) {
     float band = smoothstepf(14.0f, 30.0f, out) * (1.0f - smoothstepf(90.0f, 150.0f, out)) * (1.0f - a->sandy);
     if (band <= 0.0f) {

@@ -23,7 +23,7 @@ static bolan_vec3 hull_point(float t, float u, float thickness) {
                     keel + (sheer - keel) * lift + (u < 0.5f ? thickness : 0.0f));
 }
 
-// Inside, the planks of the floor lie over the waterline: the water's surface knows nothing of the boat.
+// The floor inside lies above the waterline, because the surface of the water passes through the boat.
 #define FLOOR 0.07f
 static bolan_vec3 shell_point(float t, float u, bool inside) {
     bolan_vec3 p = hull_point(t, u, inside ? PLANK : 0.0f);
@@ -49,7 +49,7 @@ static void shell(model_builder *b, float side, bool inside, uint32_t *chance) {
             bolan_vec3 c[4] = {mirrored(shell_point(t0, u0, inside), side), mirrored(shell_point(t1, u0, inside), side),
                                mirrored(shell_point(t1, u1, inside), side),
                                mirrored(shell_point(t0, u1, inside), side)};
-            if ((side > 0.0f) == inside) { // the other way round
+            if ((side > 0.0f) == inside) { // reversed winding
                 const bolan_vec3 swap = c[1];
                 c[1] = c[0], c[0] = swap;
                 const bolan_vec3 other = c[3];

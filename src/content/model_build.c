@@ -18,7 +18,7 @@ static bool grow(void **array, size_t element, uint32_t used, uint32_t old, uint
 static bool room_for_vertex(model_builder *b) {
     if (b->failed || b->vertex_count < b->vertex_capacity) return !b->failed;
     const uint32_t n = b->vertex_count, old = b->vertex_capacity, fresh = old ? 2 * old : 1024;
-    // All three or none: each array is released by the capacity that it was made with.
+    // All three arrays grow or none: each is released by its capacity.
     bolan_vec3 *positions = b->positions, *normals = b->normals;
     bolan_vec4 *colors = b->colors;
     b->positions = bolan_allocate(fresh * sizeof *positions);
@@ -166,7 +166,7 @@ static uint32_t middle_of(model_builder *b, const build_lump *l, uint16_t made[1
 }
 
 void bolan_build_blob(model_builder *b, const build_lump *l) {
-    model_builder loose = {.failed = false}; // of a faceted lump: its facets have vertices of their own
+    model_builder loose = {.failed = false}; // a faceted lump has separate vertices for each facet
     model_builder *to = l->faceted ? &loose : b;
     const uint32_t first = to->vertex_count;
     uint16_t made[12][12] = {{0}};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file model_build.h
-/// Shapes that the built-in models are put together from. Only + - * / and square roots, so that a model is the same on
-/// every machine. Private to src/content.
+/// The shapes of which the built-in models consist. Only + - * / and square roots are used, so that a model is the same
+/// on every machine. Private to src/content.
 ///
-/// Colours are linear albedo; the openness of the sky that stands in a vertex colour's w is given by hand: dark under
-/// eaves and inside crowns. Nothing here fails: after memory ran out, `failed` is set and every call is ignored.
+/// Colours are linear albedo. The w of a vertex colour, the open share of the sky, is set by hand: low under eaves and
+/// inside crowns. No call fails: when memory is short, `failed` is set and every further call is ignored.
 #ifndef BOLAN_CONTENT_MODEL_BUILD_H
 #define BOLAN_CONTENT_MODEL_BUILD_H
 
@@ -42,7 +42,7 @@ void bolan_build_tube(model_builder *b, const build_bar *bar);
 /// A lumpy ball: 20 triangles, or 80 with `fine`.
 typedef struct build_lump {
     bolan_vec3 center, radius;
-    bolan_vec3 core; ///< normals point away from halfway between here and the lump's own centre
+    bolan_vec3 core; ///< normals point away from the middle between `core` and the centre of the lump
     bolan_vec3 low_color, high_color;
     float low_open, high_open;
     float rough; ///< share of the radius by which it varies

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What people put beside a pond: a house, a jetty, a pole; and a rock.
+// Objects at a pond: a house, a jetty, a pole, a rock.
 #include "content/model_build.h"
 
 // ---- house ----------------------------------------------------------------------------------------------------------
@@ -150,7 +150,7 @@ void bolan_model_jetty(model_builder *b) {
     }
 }
 
-// 3.5 m long, leaning a little: a straight thing shows best how water bends what is seen through it.
+// 3.5 m long, leaning a little: a straight object shows refraction best.
 void bolan_model_stick(model_builder *b) {
     const bolan_vec3 white = {0.70f, 0.69f, 0.65f}, red = {0.42f, 0.060f, 0.035f}, stained = {0.46f, 0.45f, 0.36f};
     const bolan_vec3 along = bolan_v3_normalize(bolan_v3(0.30f, 0.06f, 1.0f));

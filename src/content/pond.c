@@ -26,7 +26,7 @@ static float height_outside(double x, double y, float d, float south, float nort
     const float rolling = fractal_noise(x / 75.0, y / 75.0, 3, 11);
     float z = bank + smoothstepf(3.0f, 80.0f, d) * (1.3f + 2.0f * rolling);
     z += 10.0f * smoothstepf(14.0f, 120.0f, d) * north; // the wooded rise
-    z += 4.5f * smoothstepf(60.0f, 220.0f, d);          // hides the water's plane from somebody standing here
+    z += 4.5f * smoothstepf(60.0f, 220.0f, d);          // hides the plane of the water beyond the pond
     z += smoothstepf(250.0f, 2500.0f, r) * (28.0f + 60.0f * fractal_noise(x / 1100.0, y / 1100.0, 3, 23));
     return z;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The round earth for C: shaders/shared/earth.glsl with the earth's radius. Hot loops of the library include that file
-// themselves.
+// The public functions of the round earth: shaders/shared/earth.glsl with the radius of the earth. Hot loops of the
+// library include that file directly.
 #include "bolan/earth.h"
 
 #include "shared/earth.glsl"

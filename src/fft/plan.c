@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-// Radix 4 until what is left is a power of 8; so the last stage, which needs no twiddles, is the widest.
+// Radix 4 until the rest is a power of 8, so that the last stage, which needs no twiddles, is the widest.
 static void choose_radices(fft_plan *plan) {
     uint32_t bits = 0;
     while ((1u << bits) < plan->n) bits++;

@@ -4,8 +4,8 @@
 //     X[y] = sum_k x[k] e^{+2 pi i k y / n},   not normalised
 //
 // A stage of radix r cuts each block of m rows into r blocks of m / r. Outputs come in digit-reversed order: X[y]
-// stands in row order[y]. Whoever reads the result anyway (to transpose it or to unpack it) reads it through `order`,
-// so that no pass is spent on sorting. Source: Gentleman & Sande 1966.
+// stands in row order[y]. The step that transposes or unpacks the result reads it through `order`, so that no pass is
+// spent on sorting. Source: Gentleman & Sande 1966.
 #ifndef BOLAN_FFT_PLAN_H
 #define BOLAN_FFT_PLAN_H
 

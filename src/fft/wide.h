@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The wide type that the kernels are written in: BOLAN_KERNEL_WIDTH floats, by GCC's vector extension. Included by
-// kernels only. An operation on it is that operation on each lane, rounded once, so all widths give the same bits.
+// kernels only. An operation on the type is the operation on each lane, rounded once, so all widths give the same bits.
 #ifndef BOLAN_FFT_WIDE_H
 #define BOLAN_FFT_WIDE_H
 
@@ -92,7 +92,7 @@ static inline void wide_stream_end(void) {
 #define WIDE_LEVELS 2
 #endif
 
-// Lanes of a and b by number; each compiler has its own word for it.
+// Lanes of a and b by number; the built-in function differs between compilers.
 #ifdef __clang__
 #define WIDE_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else

@@ -83,7 +83,8 @@ static bolan_result fill_densities(spectrum_bands *bands, const char *name, cons
 
 // ---- directions -----------------------------------------------------------------------------------------------------
 
-// Missing values become that of the nearest lower band, or of the lowest that has one; marks them in @p filled.
+// Replaces missing values by that of the nearest lower band, or of the lowest band with a value; marks them in @p
+// filled.
 static void fill_from_neighbours(double *values, uint32_t count, bool *filled) {
     uint32_t first = 0;
     while (first < count && isnan(values[first])) first++;
@@ -104,7 +105,7 @@ static void say_unused(const char *name, const bolan_spectrum_options *options, 
                         spread ? (from ? "spread are" : "spread is") : " is");
 }
 
-// What stands in for directions or spreads that no band has, as one warning.
+// One warning about the defaults that replace directions or spreads which no band has.
 static void say_default(const char *name, const char *of_time, const char *why, bool from, bool spread,
                         spectrum_notes *notes) {
     char text[160] = "";
@@ -143,7 +144,7 @@ static void fill_directions(spectrum_bands *bands, const char *name, const char 
             name, of_time, share);
 }
 
-// D on the bins for band i: by four moments, by one, or by cos-2s with the caller's exponent, as far as they are known.
+// D on the bins for band i, by the known data: four moments, one moment, or cos-2s with the exponent of the caller.
 static void spread_band(const spectrum_bands *bands, uint32_t i, double spread_s, double spread[DIRECTIONAL_BINS]) {
     const double to = bolan_compass_from_to_math(bands->alpha1[i]);
     const double r1 = bands->r1[i], r2 = bands->r2[i], a2 = bands->alpha2[i];

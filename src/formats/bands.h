@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file bands.h
-/// A spectrum by frequency bands, as a buoy or a 1-D file gives it, and what stands in for what it lacks. Private to
+/// A spectrum by frequency bands, as a buoy or a 1-D file gives it, and the replacement of missing values. Private to
 /// src/spectrum.
 #ifndef BOLAN_FORMATS_BANDS_H
 #define BOLAN_FORMATS_BANDS_H
@@ -24,9 +24,10 @@ bolan_result bolan_spectrum_bands_create(spectrum_bands **out);
 void bolan_spectrum_bands_destroy(spectrum_bands **bands);
 /// Every value missing; @ref count and hertz stay.
 void bolan_spectrum_bands_clear(spectrum_bands *bands);
-/// Fills the gaps and spreads each band over direction, into the grid's arrays, which it allocates. Each kind of
-/// stand-in is one warning; @p why says how the directions come to be missing ("has no table of directions beside it").
-/// FORMAT where no band has a density; MEMORY.
+/// Fills the gaps and spreads each band over direction, into the arrays of the grid, which it allocates.
+/// Each kind of replacement is one warning. @p why says why directions are missing ("has no table of directions beside
+/// it").
+/// Errors: FORMAT where no band has a density; MEMORY.
 bolan_result bolan_spectrum_bands_to_grid(spectrum_bands *bands, const char *name, const char *why,
                                           const bolan_spectrum_options *options, spectrum_grid *grid);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // NDBC's spectra: a table of densities, and up to four of directions. Directions are compass degrees FROM. Rows of the
-// tables are matched by their time, columns by their frequency. The layouts are in ndbc_table.h, what stands in for
-// missing values in bands.h.
+// tables are matched by their time, columns by their frequency. ndbc_table.h has the
+// layouts, bands.h the replacement of missing values.
 #include "formats/bands.h"
 #include "formats/format.h"
 #include "formats/ndbc_table.h"
@@ -17,8 +17,8 @@
 
 // ---- the table of densities -----------------------------------------------------------------------------------------
 
-// The letter in the name of a file of NDBC's history, which says what it holds: w density, d alpha1, i alpha2, j r1, k
-// r2 ("41004w2018.txt"). NULL if it is no such name.
+// The letter in the name of a history file of NDBC, which states its quantity: w density, d alpha1, i alpha2, j r1,
+// k r2 ("41004w2018.txt"). NULL for other names.
 static const char *letter_of(const char *path) {
     const char *slash = path ? strrchr(path, '/') : NULL, *name = slash ? slash + 1 : path, *found = NULL;
     for (const char *p = name; p && *p; p++) {
@@ -73,8 +73,8 @@ static double height_of(const ndbc_row *row, bool *whole) {
     return 4.0 * sqrt(fmax(m0, 0.0));
 }
 
-// The history layout does not say what it holds: the name does, and directions and ratios in hundredths are whole
-// numbers.
+// The history layout does not state its quantity. It follows from the name of the file, or from the values: directions
+// and ratios in hundredths are whole numbers.
 static bolan_result check_is_density(const ndbc_table *table, const text_cursor *line, const ndbc_row *row) {
     if (table->quantity > NDBC_SPEC) return refuse_quantity(line->name, table->header.line, table->quantity);
     if (table->quantity == NDBC_SPEC) return BOLAN_OK;
@@ -182,7 +182,7 @@ static bolan_result take_companion(const companion *c, text_cursor line, ndbc_ro
     return BOLAN_OK;
 }
 
-// Why a record has no directions, for the warning that names what stands in.
+// Why a record has no directions, for the warning about their replacement.
 typedef struct reason {
     char text[320];
 } reason;
@@ -207,7 +207,7 @@ static bolan_result read_companions(const bolan_spectrum_texts *texts, const rec
         if (first)
             snprintf(why->text, sizeof why->text, off ? "has no row within an hour in %s" : "has only 999 in %s",
                      c->table.rows.name);
-        // The directions' time is that of alpha1, and all four are of one time.
+        // The time of alpha1 is the time of the directions; the other three tables must have it too.
         if (off > (first ? RECORD_NEAR_SECONDS : 0)) continue;
         if (off) {
             bolan_record_date_print(&found, RECORD_UTC_MINUTES, taken);

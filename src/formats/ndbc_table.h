@@ -14,7 +14,7 @@
 #include "formats/records.h"
 #include "spectrum/measured.h"
 
-/// What the header says that a table holds.
+/// The quantity of a table, as its header states it.
 typedef enum ndbc_quantity { NDBC_UNNAMED, NDBC_SPEC, NDBC_ALPHA1, NDBC_ALPHA2, NDBC_R1, NDBC_R2 } ndbc_quantity;
 extern const char *const bolan_ndbc_quantity_names[]; ///< in words, by ndbc_quantity
 
@@ -38,11 +38,11 @@ typedef struct ndbc_row {
 
 /// Does a text begin as NDBC's tables do: "YY", "YYYY", "#YY" or "#YYYY"?
 bool bolan_ndbc_is_header(text_word first);
-/// Reads the header; a table of another kind is refused by its name.
+/// Reads the header; a table of another quantity is refused with its name.
 bolan_result bolan_ndbc_open(const bolan_spectrum_text *text, ndbc_table *table);
 /// The next row; false at the end.
 bool bolan_ndbc_next_row(ndbc_table *table, text_cursor *line);
-/// The date at the start of a row, whose rest is left in @p line. Impossible dates are refused.
+/// Reads the date at the start of a row; the rest of the row stays in @p line. Impossible dates are refused.
 bolan_result bolan_ndbc_read_date(const ndbc_table *table, text_cursor *line, record_date *date);
 /// A whole row.
 bolan_result bolan_ndbc_read_row(const ndbc_table *table, text_cursor line, ndbc_row *row);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of a measured spectrum: which record and location, and what stands in for directions.
+// The options of a measured spectrum: record, location, and defaults for missing directions.
 #include "bolan/formats.h"
 #include "formats/records.h"
 #include "params/rows.h"

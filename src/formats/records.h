@@ -14,9 +14,9 @@ typedef struct record_date {
 
 /// Days of a month, 28 to 31; 31 for a month that is none.
 int bolan_record_days_in_month(int year, int month);
-/// Is there such a moment? Years 1900 to 2999, hours 0 to 23.
+/// Whether the date exists. Years 1900 to 2999, hours 0 to 23.
 bool bolan_record_date_is_valid(const record_date *date);
-/// Seconds since 1970. Of a valid date.
+/// Seconds since 1970 of a valid date.
 int64_t bolan_record_date_seconds(const record_date *date);
 /// The date of that many seconds since 1970, to the nearest second; false outside the valid years.
 bool bolan_record_date_from_seconds(double seconds, record_date *date);
@@ -62,7 +62,7 @@ void bolan_record_list_sort(record_list *list);
 bolan_result bolan_record_list_choose(const record_list *list, const char *name, const bolan_spectrum_options *options,
                                       spectrum_notes *notes, record_choice *chosen);
 
-/// How far apart [s] two times may be for one to stand in for the other.
+/// Largest difference between a requested time and the record that is used for it [s].
 #define RECORD_NEAR_SECONDS 3600
 
 #endif

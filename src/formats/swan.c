@@ -5,8 +5,8 @@
 //         2-D:  FACTOR f, then frequencies x directions whole numbers      or ZERO, or NODATA
 //         1-D:  LOCATION n, then for each frequency a value a quantity     or ZERO, or NODATA
 //
-// The text is walked twice. First all blocks are stepped over, without a look at their numbers, for the list of
-// records; then the one block that is asked for is read strictly.
+// The text is read twice. The first pass skips all blocks, without parsing their numbers, to list the records. The
+// second pass reads the requested block strictly.
 #include "formats/bands.h"
 #include "formats/format.h"
 #include "formats/swan_header.h"
@@ -52,8 +52,8 @@ static record_date date_of(text_word word) {
 
 // ---- the list of records --------------------------------------------------------------------------------------------
 
-// Steps over one block. A block that is cut short by the next one, by a date or by the end of the text is not this
-// function's business: it need not be read.
+// Skips one block. A block that is cut short by the next one, by a date or by the end of the text is accepted, since
+// only the requested block must be readable.
 static bolan_result skip_block(const swan_header *h, text_cursor *text, block_kind *kind) {
     text_word word;
     text_cursor before = *text;
@@ -148,7 +148,7 @@ static bolan_result list_locations(const bolan_spectrum_texts *texts, const reco
     return BOLAN_OK;
 }
 
-// The chosen location is dry: the sentence counts the locations and says which have energy at this time.
+// The chosen location is dry: the sentence states the number of locations and which have energy at this time.
 static bolan_result refuse_dry(const swan_header *h, const format_choice *choice, const char *time) {
     const bolan_spectrum_place *place = &choice->locations->entries[choice->location];
     text_cursor text = choice->record->at;
@@ -281,7 +281,7 @@ static bolan_result read_1d(const swan_header *h, text_cursor *text, block_kind 
     spectrum_bands *bands;
     bolan_result result = bolan_spectrum_bands_create(&bands);
     bolan_spectrum_options calm = *options;
-    if (kind == BLOCK_ZERO) calm.from_deg = 270.0, calm.spread_s = 0.0; // a calm needs no direction, nor a word on it
+    if (kind == BLOCK_ZERO) calm.from_deg = 270.0, calm.spread_s = 0.0; // a calm needs no direction and no warning
     if (!result) result = read_table(h, text, kind, bands);
     if (!result) result = bolan_spectrum_bands_to_grid(bands, h->text.name, "has no directions", &calm, grid);
     bolan_spectrum_bands_destroy(&bands);

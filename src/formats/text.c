@@ -8,7 +8,7 @@
 
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
 
-// Without the white space at the end, so that a text that ends too early is reported at its last word.
+// Removes the white space at the end, so that a text that ends too early is reported at its last word.
 static void trim(text_cursor *cursor) {
     while (cursor->end > cursor->next && is_space(cursor->end[-1])) cursor->end--;
 }

@@ -45,7 +45,8 @@ static inline bool bolan_text_equals(text_word word, const char *expected) {
 }
 /// A decimal number that fills the word: no "nan", "inf" or hexadecimal, and no overflow.
 bool bolan_text_number(text_word word, double *value);
-/// The same, and Fortran's form of an exponent of three digits, which has no letter: "0.67027118-104".
+/// Like bolan_text_number(); accepts also Fortran's form of an exponent of three digits, which has no letter:
+/// "0.67027118-104".
 bool bolan_text_fortran_number(text_word word, double *value);
 
 /// Logs "NAME:LINE: expected WHAT, found WORD" (SPECTRUM_SYNTAX), or, when @p word is NULL, that the text or line ends

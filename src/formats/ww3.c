@@ -25,7 +25,7 @@ typedef struct ww3_header {
 
 // ---- the header -----------------------------------------------------------------------------------------------------
 
-// The directions are even, but printed with three digits: the even ones that are nearest to all of them.
+// The directions are even but printed with three digits: replaces them by the nearest even directions.
 static void even_out(double *to, uint32_t count) {
     const double step = 2.0 * BOLAN_PI / count;
     double mean = 0.0;
@@ -103,7 +103,7 @@ static bolan_result read_point(text_cursor *text, double place[2], text_word *na
     return BOLAN_OK;
 }
 
-// Steps over the densities of a point, also where they are cut short by the next name or the end.
+// Skips the densities of a point, also where they are cut short by the next name or the end of the text.
 static void skip_densities(const ww3_header *h, text_cursor *text) {
     text_word word;
     for (size_t i = 0, count = (size_t)h->frequencies * h->directions; i < count; i++) {

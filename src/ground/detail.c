@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The ground between the nodes of the data: octaves from twice the spacing down to a metre.
 //
-// Water has shaped a hillside, so its detail is not isotropic: ridges and gullies run downhill and branch. Each octave
-// adds directed noise across the slope that the coarser octaves have built, which makes smaller gullies run into larger
-// ones; where the ground is flat there is only a little isotropic noise. Amplitudes go with the slope of the data: a
-// coastline is moved sideways by amplitude / slope, so a gentle and a steep coast become equally ragged.
+// A hillside is shaped by water, so its detail is not isotropic: ridges and gullies run downhill and branch. Each
+// octave adds directed noise across the slope that the coarser octaves have built, which makes smaller gullies run into
+// larger ones; where the ground is flat there is only a little isotropic noise. Amplitudes go with the slope of the
+// data: a coastline is moved sideways by amplitude / slope, so a gentle and a steep coast become equally ragged.
 #include "ground/ground.h"
 #include "ground/noise.h"
 
 #define SHORTEST_WAVELENGTH 1.0 // [m]
 #define MOST_OCTAVES 25         // from twice the coarsest step, 2e7 m, to a metre
-#define FAINT 0.003f            // amplitude per wavelength that is not worth its time at short wavelengths
+#define FAINT 0.003f            // amplitude per wavelength below which short octaves are skipped
 #define GULLY_SHORTEST 12.0     // below this there is rubble, not drainage [m]
 
 // Amplitude per wavelength of a gully on a slope: its flanks are about as steep as the hillside, up to a limit.
@@ -19,7 +19,7 @@ static float gully_depth(float slope) { return 0.22f * slope / (0.35f + slope); 
 // Long waves make relief, short ones only roughness.
 static float roll_off(double wavelength) { return (float)(0.24 + 0.76 * wavelength / (wavelength + 400.0)); }
 
-// How rough the ground is by its height and slope: the sea bed is smoother, and a beach is smooth.
+// Roughness of the ground by height and slope: the sea bed is smoother, and a beach is smooth.
 static float roughness(float z, float slope) {
     float bed = 1.0f - 0.6f * smoothstepf(0.0f, 1.0f, clamp01((-2.0f - z) / 40.0f));
     float shoreline = smoothstepf(-3.0f, 0.0f, z) * (1.0f - smoothstepf(2.5f, 6.0f, z));
@@ -40,7 +40,7 @@ float bolan_detail_octave(const detail_lattice *o, float slope, float gully, flo
         noise_value n = directed_noise(o->x, o->y, o->c * ax - o->s * ay, o->s * ax + o->c * ay, o->seed);
         // Sharp crests between rounded beds, half and half with the wave itself.
         float fold = sqrtf(n.v * n.v + 0.03f);
-        // Where the ground levels off, downhill turns round within no distance: the gullies must have ended by then.
+        // Where the ground levels off, the downhill direction turns abruptly: gullies fade out before.
         float k = gully * o->wavelength * smoothstepf(0.0f, 0.9f * slope + 0.05f, total);
         height += k * (0.45f * n.v + 0.9f * (0.6f - fold));
         float slope_of_fold = 0.45f - 0.9f * n.v / fold;
@@ -60,7 +60,7 @@ float bolan_detail_octave(const detail_lattice *o, float slope, float gully, flo
 
 // A coast is not a plane through the waterline: mostly a beach flattens it, in places the land breaks off.
 static float coast_profile(const bolan_ground *t, float z, float slope, double x, double y, float strength) {
-    if (z < -12.0f || z > 12.0f || t->step < 50.0) { // a fine grid knows its own coast
+    if (z < -12.0f || z > 12.0f || t->step < 50.0) { // a fine grid resolves the coast
         return z;
     }
     float sandy = smoothstepf(-0.25f, 0.15f, gradient_noise(x / 900.0, y / 900.0, t->seed + 91u).v) *
@@ -89,7 +89,7 @@ float bolan_detail_apply(const bolan_ground *t, surface_point base, double x, do
         o.x = (c * x - s * y) / wavelength, o.y = (s * x + c * y) / wavelength;
         o.c = (float)c, o.s = (float)s;
         float k = band * rough * roll_off(wavelength);
-        float faint = FAINT * 50.0f / (o.wavelength + 50.0f); // beaches and lagoons cost nothing
+        float faint = FAINT * 50.0f / (o.wavelength + 50.0f); // beaches and lagoons skip the octave
         float gully = wavelength >= GULLY_SHORTEST ? fmaxf(k * gully_depth(slope) - faint, 0.0f) : 0.0f;
         float rubble = fmaxf(k * (0.004f + 0.16f * slope / (0.5f + slope)) - faint, 0.0f);
         z += bolan_detail_octave(&o, slope, gully, rubble, &dx, &dy);

@@ -45,7 +45,7 @@ typedef struct surface_point {
     float z, dx, dy;
 } surface_point;
 
-// The cubic patch of the cell that was looked at last, one per level of the blend; makes regular grids cheap.
+// The cubic patch of the last cell, one per level of the blend; regular grids reuse it.
 typedef struct height_cursor {
     const bolan_ground *terrain;
     int64_t i[2], j[2];
@@ -69,7 +69,8 @@ typedef struct detail_lattice {
     float wavelength;
     uint32_t seed;
 } detail_lattice;
-// Its height at a point whose total gradient so far is (*dx, *dy), in the world; the octave's own gradient is added.
+// The height of the octave at a point whose gradient so far is (*dx, *dy), in world axes; adds the gradient of the
+// octave.
 float bolan_detail_octave(const detail_lattice *o, float slope, float gully, float rubble, float *dx, float *dy);
 // No detail raises or lowers the ground by more than this [m].
 float bolan_detail_bound(const bolan_ground *t);

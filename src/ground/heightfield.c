@@ -3,7 +3,7 @@
 //
 // The interpolant is the bicubic Hermite patch with Catmull-Rom derivatives, limited where a cubic would overshoot its
 // data (Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17, 238: a derivative of at most three times the smaller
-// neighbouring difference, and none at an extremum): a steep sea bed beside a flat coast must not raise a ghost island.
+// neighbouring difference, and none at an extremum): a steep sea bed beside a flat coast must not produce an island.
 // It is C1.
 #include "ground/ground.h"
 
@@ -231,7 +231,7 @@ float bolan_ground_inside(const bolan_ground *t, double x, double y) {
 surface_point bolan_height_cursor_at(height_cursor *c, double x, double y, double resolution) {
     const bolan_ground *t = c->terrain;
     double px = fmin(fmax(x, t->west), t->east), py = fmin(fmax(y, t->south), t->north);
-    // Level n resolves what a grid of spacing step * 2^n can carry.
+    // Level n resolves the wavelengths that a grid of spacing step * 2^n can represent.
     uint32_t level = 0;
     double spacing = t->step;
     while (level + 2 < t->level_count && spacing * 2.0 <= resolution) {

@@ -66,7 +66,7 @@ static inline corners to_floats(corners_bits bits) { return __builtin_convertvec
 static inline corners magnitude(corners v) { return (corners)((corners_bits)v & 0x7fffffffu); }
 static inline float sum_corners(corners v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
-// Cosine of a full turn per unit; error < 2e-4, which is far below what a landscape shows.
+// Cosine of a full turn per unit; error < 2e-4, which is not visible in a landscape.
 static inline corners cosines_of_turns(corners turns) {
     corners x = magnitude(
         turns - __builtin_convertvector(__builtin_convertvector(turns, corners_int), corners)); // even: [0, 1)
@@ -107,7 +107,7 @@ static inline noise_value directed_noise(double x, double y, float across_x, flo
     corners phase = to_floats(hash_corners(ix, iy, seed) >> 8) * 0x1p-24f;
     corners turns = across_x * (fx - corner_x) + across_y * (fy - corner_y) + phase;
     float cosine = sum_corners(w * cosines_of_turns(turns)), sine = sum_corners(w * cosines_of_turns(turns - 0.25f));
-    float scale = 1.0f / sqrtf(sum_corners(w * w) + 0.12f); // kept below full compensation: quiet places are welcome
+    float scale = 1.0f / sqrtf(sum_corners(w * w) + 0.12f); // below full compensation, so that some places stay smooth
     noise_value n = {cosine * scale, -6.2831853f * across_x * sine * scale, -6.2831853f * across_y * sine * scale};
     return n;
 }

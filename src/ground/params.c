@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of what a ground comes from.
+// The parameters of the sources of ground.
 #include "bolan/ground.h"
 #include "params/rows.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Defaults of the descriptions that a ground comes from.
+// Defaults of the sources of ground.
 #include "bolan/ground.h"
 
 #include <string.h>

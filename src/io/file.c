@@ -28,7 +28,7 @@ static bolan_result read_stream(FILE *stream, const char *path, size_t limit, fi
     char *data = NULL;
     size_t size = 0;
     for (;;) {
-        if (size == capacity) { // the size is not known before the end: the file may be a pipe
+        if (size == capacity) { // the size is unknown before the end, since the file may be a pipe
             const size_t larger = capacity ? 2 * capacity : 65536;
             char *next = bolan_allocate(larger + 1);
             if (next && data) memcpy(next, data, size);
@@ -49,7 +49,7 @@ static bolan_result read_stream(FILE *stream, const char *path, size_t limit, fi
                   limit >> 10);
         result = BOLAN_ERROR_IO;
     }
-    // Give the exact size back, so that the owner need not remember the capacity.
+    // Shrink to the exact size, so that the owner need not remember the capacity.
     char *exact = result ? NULL : bolan_allocate(size + 1);
     if (exact) memcpy(exact, data, size);
     if (!result && !exact) result = no_memory(path);
@@ -154,7 +154,7 @@ static bool follow_links(const char *path, char out[BOLAN_PATH_MAX]) {
     snprintf(out, BOLAN_PATH_MAX, "%s", path);
     for (int i = 0; i < MOST_LINKS; i++) {
         const ssize_t length = readlink(out, link, sizeof link - 1);
-        if (length < 0) return errno == EINVAL || errno == ENOENT; // no link; or nothing there, as it should be
+        if (length < 0) return errno == EINVAL || errno == ENOENT; // no link, or no file, which are both valid
         link[length] = '\0';
         errno = ENAMETOOLONG;
         if (length == sizeof link - 1 || !bolan_file_resolve(out, link, next)) return false;
@@ -164,7 +164,7 @@ static bool follow_links(const char *path, char out[BOLAN_PATH_MAX]) {
     return false;
 }
 
-// Fills path and target. *old: what stands there now, all zero for nothing; *straight: a device or pipe.
+// Fills path and target. *old: the present file, all zero where there is none; *straight: a device or pipe.
 static bolan_result find_target(const char *path, file_output *out, struct stat *old, bool *straight) {
     memset(old, 0, sizeof *old);
     *out = (file_output){.file = -1, .entry = {.slot = -1}};
@@ -177,7 +177,7 @@ static bolan_result find_target(const char *path, file_output *out, struct stat 
     if (!exists && errno != ENOENT) return bolan_file_cannot_write(path);
     errno = EISDIR;
     if (exists && S_ISDIR(old->st_mode)) return bolan_file_cannot_write(path);
-    // A file that nobody may write is kept, also from root, to whom the system would allow it.
+    // A file without write permission is kept, also from root, to whom the system would allow the write.
     errno = EACCES;
     if (exists && (old->st_mode & 0222) == 0) return bolan_file_cannot_write(path);
     if (exists && faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) != 0) return bolan_file_cannot_write(path);
@@ -188,7 +188,7 @@ static bolan_result find_target(const char *path, file_output *out, struct stat 
 
 static void remove_file(const char *path) { unlink(path); }
 
-// A name of its own: what stands there under such a name belongs to somebody else.
+// Makes the temporary file under a new name; existing files of such names are never touched.
 static bool make_temporary(file_output *out, const struct stat *old) {
     const bool replaces = old->st_nlink > 0;
     for (int attempt = 0; attempt < MOST_ATTEMPTS; attempt++) {
@@ -198,7 +198,7 @@ static bool make_temporary(file_output *out, const struct stat *old) {
         const int reason = errno;
         if (out->file >= 0) {
             bolan_unfinished_own(&out->entry, 0);
-            // Another's file can be given back to him by root alone; without that its mode is enough.
+            // Only root can restore a different owner; without root the mode alone is restored.
             const bool given = replaces && fchown(out->file, old->st_uid, old->st_gid) == 0;
             return !replaces || fchmod(out->file, old->st_mode & (given ? 07777 : 0777)) == 0;
         }
@@ -219,14 +219,14 @@ bolan_result bolan_file_output_open(const char *path, file_output *out) {
     }
     if (make_temporary(out, &old)) return BOLAN_OK;
     const bolan_result result = bolan_file_cannot_write(path);
-    if (out->file < 0) out->temporary[0] = '\0'; // not made: what stands there is another's
+    if (out->file < 0) out->temporary[0] = '\0'; // not made: a file of that name is not ours
     bolan_file_output_finish(out, false);
     return result;
 }
 
 bolan_result bolan_file_output_finish(file_output *out, bool keep) {
     bolan_result result = BOLAN_OK;
-    // A network folder or a quota may speak up no sooner than here.
+    // A network folder or a quota may report an error only here.
     if (out->file >= 0 && close(out->file) != 0 && keep) result = bolan_file_cannot_write(out->path);
     out->file = -1;
     if (!out->temporary[0]) return result;
@@ -244,7 +244,7 @@ bool bolan_file_write_all(int file, const void *data, size_t size) {
     sigset_t ours, before, pending;
     sigemptyset(&ours);
     sigpending(&pending);
-    if (!sigismember(&pending, SIGPIPE)) sigaddset(&ours, SIGPIPE); // one that came earlier is not ours to take off
+    if (!sigismember(&pending, SIGPIPE)) sigaddset(&ours, SIGPIPE); // an earlier signal stays pending
     if (!sigismember(&pending, SIGXFSZ)) sigaddset(&ours, SIGXFSZ);
     pthread_sigmask(SIG_BLOCK, &ours, &before);
     const uint8_t *at = data;
@@ -270,7 +270,7 @@ bolan_result bolan_file_check_writable(const char *path) {
     struct stat old;
     bool straight;
     if (find_target(path, &output, &old, &straight)) return BOLAN_ERROR_IO;
-    if (straight) return BOLAN_OK; // a pipe is opened once: its reader takes the close for the end
+    if (straight) return BOLAN_OK; // a pipe is opened once, because its reader takes the close for the end
     const bolan_result result = bolan_file_output_open(path, &output);
     return result ? result : bolan_file_output_finish(&output, false);
 }

@@ -24,24 +24,25 @@ bolan_result bolan_file_cannot_read(const char *path);
 
 enum { FILE_NAME_CAPACITY = BOLAN_PATH_MAX + 32 };
 
-/// A file on its way to its place. A regular file grows under a temporary name beside its target and is renamed at the
+/// A file that is being written. A regular file is written under a temporary name beside its target and renamed at the
 /// end; a device or pipe cannot be replaced and is written straight.
 typedef struct file_output {
     char path[BOLAN_PATH_MAX];          ///< as the caller wrote it, for messages
     char target[BOLAN_PATH_MAX];        ///< the same with symbolic links followed to the end
-    char temporary[FILE_NAME_CAPACITY]; ///< what is written now; "" for a device or pipe
+    char temporary[FILE_NAME_CAPACITY]; ///< the file that is written now; "" for a device or pipe
     int file;                           ///< open for writing, or -1
     unfinished entry;
 } file_output;
 
-/// Finds the target, makes the temporary file and opens it. The new file takes over mode and owner of the one that it
-/// will replace. IO with a sentence: a folder, a file that nobody may write, a folder that cannot be written to.
+/// Finds the target, makes the temporary file and opens it. The new file gets the mode and the owner of the file that
+/// it replaces. IO with a sentence: a folder, a file without write permission, a folder that cannot be written to.
 bolan_result bolan_file_output_open(const char *path, file_output *out);
-/// Closes the file and gives it its name (@p keep), or removes it. IO with a sentence when that fails; nothing is left.
+/// Closes the file and renames it to its target (@p keep), or removes it. IO with a sentence on failure; then no file
+/// is left.
 bolan_result bolan_file_output_finish(file_output *out, bool keep);
 
 /// Writes everything; false with errno. A signal for a closed pipe (SIGPIPE) or a file that grows too large (SIGXFSZ)
-/// would end the caller's program: it is held back in this thread, and errno says the same.
+/// would end the program: the signal is blocked in this thread, and errno states the cause.
 bool bolan_file_write_all(int file, const void *data, size_t size);
 /// The temporary name number @p attempt beside @p target, in the same folder: NAME.partPID. A long name is shortened to
 /// what a folder can hold.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// See film_check.h. Both containers are boxes with their sizes in front, and both muxers write what makes a film
-// playable last: so a film that was cut off has a box that reaches beyond the end of the file, or none of that kind.
+// See film_check.h. Both containers are boxes with their sizes in front, and both muxers write the index last. A film
+// that was cut off therefore has a box that reaches beyond the end of the file, or no index.
 //     MP4: ISO/IEC 14496-12, 4.2: size and type of a box; "moov" holds the index.
-//     WebM: RFC 8794 (EBML): id and size of an element; RFC 9559 (Matroska): the Segment, whose size is unknown, all bits
-//     one, until the muxer comes back at the end to fill it in.
+//     WebM: RFC 8794 (EBML): id and size of an element; RFC 9559 (Matroska): the Segment, whose size is unknown (all
+//     bits one) until the muxer fills it in at the end.
 #include "io/film_check.h"
 
 #include <fcntl.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file film_check.h
-/// Is a film whole, by what its container says of itself? Private to src/io.
+/// Checks by its container that a film is complete. Private to src/io.
 #ifndef BOLAN_IO_FILM_CHECK_H
 #define BOLAN_IO_FILM_CHECK_H
 

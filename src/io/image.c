@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// 8-bit pictures: PNG out, what stb_image knows in.
+// 8-bit images: writes PNG, reads the formats of stb_image.
 #include "io/file.h"
 
 #include <string.h>
 
-// stb's code as static functions of this file: an application may have its own stb.
-#pragma GCC diagnostic ignored "-Wunused-function" // of which some are left over
+// The code of stb as static functions of this file, since an application may link its own stb.
+#pragma GCC diagnostic ignored "-Wunused-function" // stb functions that are not called
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_STDIO
@@ -53,7 +53,7 @@ static bolan_result not_a_picture(const char *path, const char *reason) {
     return BOLAN_ERROR_FORMAT;
 }
 
-// The decoder reserves as much as a chunk of a PNG says that it is long, before it looks whether it is there.
+// The decoder reserves the stated length of a PNG chunk before it reads the chunk.
 static bool png_chunks_fit(const file_text *file) {
     static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     const uint8_t *data = (const uint8_t *)file->data;
@@ -68,7 +68,7 @@ static bool png_chunks_fit(const file_text *file) {
     return false;
 }
 
-// The decoder reserves what the header asks for: a few bytes would cost a gigabyte.
+// The decoder reserves the size in the header: a file of a few bytes could cost a gigabyte.
 static bolan_result check_header(const char *path, const file_text *file) {
     int w = 0, h = 0, channels = 0;
     if (!png_chunks_fit(file)) return not_a_picture(path, "a part of the PNG is longer than the file; is it cut off?");

@@ -38,7 +38,7 @@ static bolan_result add(reader *r, char kind, size_t start, size_t length) {
     return BOLAN_OK;
 }
 
-// An escape of a plain letter would hide a key from whoever compares bytes.
+// An escape of a plain letter would hide a key from a comparison of bytes.
 static bool hides_a_letter(const char *text, size_t length) {
     for (size_t i = 0; i + 4 < length; i++)
         if (memcmp(text + i, "\\u00", 4) == 0 && text[i + 4] < '8') return true;

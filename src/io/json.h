@@ -2,8 +2,8 @@
 /// @file json.h
 /// A JSON text as a flat list of values, for checks before another library reads it. Private to src/io.
 ///
-/// Values stand in the order of the text, each followed by what is in it; the members of an object are a key and a
-/// value in turns. The syntax is checked as far as the structure needs it: brackets that match, strings that end.
+/// Values stand in the order of the text, each followed by its contents; the members of an object are alternately a key
+/// and a value. The syntax is checked as far as the structure needs: brackets match and strings end.
 #ifndef BOLAN_IO_JSON_H
 #define BOLAN_IO_JSON_H
 
@@ -30,8 +30,8 @@ typedef struct json_text {
     size_t capacity;
 } json_text;
 
-/// Lists the values of @p text. FORMAT, with a sentence that names the line, where it is no JSON or beyond the limits
-/// above; MEMORY. bolan_json_release() is due in any case.
+/// Lists the values of @p text. FORMAT, with a sentence that names the line, where the text is no JSON or beyond the
+/// limits above; MEMORY. Call bolan_json_release() in any case.
 bolan_result bolan_json_read(const char *name, const char *text, size_t size, json_text *out);
 void bolan_json_release(json_text *json);
 
@@ -40,7 +40,7 @@ int bolan_json_member(const json_text *json, int object, const char *key);
 /// The first element of an array, or the one after @p element of it; JSON_NONE at the end, or where it is no array.
 int bolan_json_first(const json_text *json, int array);
 int bolan_json_after(const json_text *json, int array, int element);
-/// A number of the file, or @p otherwise where it is none or @p value is JSON_NONE. Whole numbers only.
+/// A whole number of the file, or @p otherwise where @p value is no whole number or JSON_NONE.
 uint64_t bolan_json_whole(const json_text *json, int value, uint64_t otherwise);
 
 #endif

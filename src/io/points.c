@@ -58,7 +58,7 @@ static bool is_header(const field_list *list) {
     return first->length > quote && memchr("xX", first->begin[quote], 2);
 }
 
-// Programs that quote everything quote numbers too.
+// A number may be quoted, since some programs quote every field.
 static bool read_number(text_word field, double *value) {
     const bool quoted = field.length > 2 && field.begin[0] == '"' && field.begin[field.length - 1] == '"';
     if (quoted) field = (text_word){field.begin + 1, field.length - 2, field.line};

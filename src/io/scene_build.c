@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the keys of a scene file to a scene: what follows from several keys, and keys that exclude or need each other.
+// From the keys of a scene file to a scene: fields that follow from several keys, and keys that exclude or need each
+// other.
 #include "bolan/content.h"
 
 #include "io/file.h"
@@ -9,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-// What all functions here work on.
+// The data of all functions here.
 typedef struct builder {
     const scene_file *file;
     const schema_given *given;
@@ -19,7 +20,7 @@ typedef struct builder {
 
 static bool has(const builder *b, const char *path) { return bolan_schema_line(b->given, path) != 0; }
 
-// One sentence with the line of what stands at @p path.
+// One sentence with the line of the key @p path.
 static bolan_result refuse(const builder *b, const char *path, const char *what) {
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SCENE_BAD_VALUE, "%s:%u: %s", b->name,
               (unsigned)bolan_schema_line(b->given, path), what);
@@ -160,7 +161,7 @@ static bolan_result build_terrain(const builder *b) {
     return BOLAN_OK;
 }
 
-// A key of the path has what it says, and the rest from the key before it; the first, from the camera.
+// Fields that a key of the path leaves out come from the key before it, and for the first key from the camera.
 static bolan_result build_path(const builder *b) {
     bolan_scene *scene = b->scene;
     const bolan_camera *before = &scene->camera;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file scene_file.h
-/// What a scene file says that is no field of a scene, and how a scene is made of it. Private to src/io.
+/// The contents of a scene file that are no field of a scene, and their effect on the scene. Private to src/io.
 #ifndef BOLAN_IO_SCENE_FILE_H
 #define BOLAN_IO_SCENE_FILE_H
 
@@ -11,14 +11,14 @@
 /// The most swells of a scene: one wave system is the wind sea.
 #define SCENE_MAX_SWELLS (BOLAN_MAX_WAVE_SYSTEMS - 1)
 
-/// The keys of bolan_scene_file_groups. What the file gives stands in the schema_given beside it.
+/// The keys of bolan_scene_file_groups. schema_given states which keys the file has.
 typedef struct scene_file {
     int technique;                 ///< index in bolan_techniques()
-    double beaufort;               ///< a wind force in the place of a wind speed
-    uint32_t douglas;              ///< a sea state in the place of a wind speed
+    double beaufort;               ///< a wind force instead of a wind speed
+    uint32_t douglas;              ///< a Douglas degree instead of a wind speed
     char record[32], location[64]; ///< which record and location of the spectrum file
-    char date[32];                 ///< when and
-    double latitude, longitude;    ///< where the sun is seen [deg]
+    char date[32];                 ///< of the sun
+    double latitude, longitude;    ///< of the observer of the sun [deg]
     struct scene_file_peaks {
         double hs, tp, from; ///< [m], [s], [deg] NAN: as the wind
         uint32_t member;
@@ -38,7 +38,7 @@ typedef struct scene_file {
 /// @p name is used in messages about keys that exclude or need each other. FORMAT, with the line.
 bolan_result bolan_scene_file_finish(const scene_file *file, const schema_given *given, const char *name,
                                      bolan_scene *scene);
-/// Takes the paths of the models from the folder of the scene file @p name, and looks whether the files are there.
+/// Resolves the paths of the models from the folder of the scene file @p name, and checks that the files exist.
 /// FORMAT, with the line of the object.
 bolan_result bolan_scene_file_find_models(const schema_given *given, const char *name, bolan_scene *scene);
 /// "2026-06-21T18:00:00Z" (or +HH:MM in the place of Z; seconds may be left out) as seconds since 1970 UTC; false if it

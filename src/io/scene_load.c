@@ -42,7 +42,7 @@ const char *bolan_scene_builtin_name(uint32_t index) {
     return NULL;
 }
 
-// `on_disk`: the name is a path, and models are looked for beside it.
+// `on_disk`: the name is a path, and paths of models are relative to it.
 static bolan_result parse(const char *name, const char *text, size_t size, bool on_disk, bolan_scene *out) {
     scene_file file;
     schema_given given;
@@ -72,7 +72,7 @@ static bolan_result too_long(const char *path) {
     return BOLAN_ERROR_FORMAT;
 }
 
-// Paths in the file count from its folder; the names of built-in spectra stay.
+// Paths in the file are relative to its folder; names of built-in spectra stay.
 static bolan_result resolve(const char *beside, char path[BOLAN_PATH_MAX]) {
     char resolved[BOLAN_PATH_MAX];
     if (path[0] == '\0' || strncmp(path, "builtin:", 8) == 0) return BOLAN_OK;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See schema.h. libyaml gives the tree with the line of every node; the tables give it meaning. What libyaml itself may
-// cost is bounded before it sees the text (yaml_limits.h); depth here is bounded by the tables.
+// See schema.h. libyaml parses the tree with the line of every node; the tables define its meaning. yaml_limits.h
+// bounds the cost of libyaml before it parses the text; the tables bound the depth here.
 #include "io/schema.h"
 
 #include "io/yaml_limits.h"
@@ -271,7 +271,7 @@ static bolan_result no_memory(const char *name) {
     return BOLAN_ERROR_MEMORY;
 }
 
-// Of an error of the reader (bytes that are no UTF-8) the place is known, not the line.
+// For an error of the reader (bytes that are no UTF-8) libyaml states the offset, not the line.
 static unsigned line_at(const char *text, size_t size, size_t offset) {
     unsigned line = 1;
     for (size_t i = 0; i < size && i < offset; i++) line += text[i] == '\n';
@@ -295,7 +295,7 @@ static bolan_result read_root(reader *r) {
     return root ? map(r, root, &document) : BOLAN_OK;
 }
 
-// A second document in the file would be ignored, and somebody would wonder why.
+// A second document in the file is refused, because it would be ignored.
 static bolan_result expect_end(const reader *r, yaml_parser_t *parser) {
     yaml_document_t next;
     if (!yaml_parser_load(parser, &next)) return syntax_error(r, parser);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Folders of tiles: index.json, and for each frame height_NNN.pgm (16-bit grey), normal_NNN.png, detail_NNN.png,
-// caustics_NNN.png. Row 0 of a picture is row 0 of the tile.
+// caustics_NNN.png. Row 0 of an image is row 0 of the tile.
 #include "io/file.h"
 #include "io/tiles_index.h"
 
@@ -77,7 +77,7 @@ static bolan_result write_index(const char *folder, const bolan_tiles_view *v, d
     return bolan_file_write(path, text, bolan_tiles_index_print(v, step, text));
 }
 
-// As name_of(), without the folder and with nothing that a signal handler may not call.
+// Like name_of(), without the folder and async-signal-safe.
 static void bare_name_of(int kind, uint32_t frame, char out[32]) {
     const char digits[5] = {'_', (char)('0' + frame / 100 % 10), (char)('0' + frame / 10 % 10),
                             (char)('0' + frame % 10), '\0'};
@@ -87,7 +87,7 @@ static void bare_name_of(int kind, uint32_t frame, char out[32]) {
     *out = '\0';
 }
 
-// A folder of tiles that is not whole. Async-signal-safe. Another thread may just be writing a file: then once more.
+// Removes an incomplete folder of tiles. Async-signal-safe. Tries again where another thread was writing a file.
 static void remove_folder(const char *path) {
     const int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     char name[32];
@@ -101,7 +101,7 @@ static void remove_folder(const char *path) {
     if (folder >= 0) close(folder);
 }
 
-// The folder without a slash at its end. IO with a sentence where something stands there already.
+// The folder without a slash at its end. IO with a sentence where the path exists.
 static bolan_result find_folder(const char *folder, char out[BOLAN_PATH_MAX]) {
     struct stat status;
     size_t length = strlen(folder);
@@ -110,11 +110,11 @@ static bolan_result find_folder(const char *folder, char out[BOLAN_PATH_MAX]) {
     if (length == 0 || length >= BOLAN_PATH_MAX) return bolan_file_cannot_write(folder);
     memcpy(out, folder, length);
     out[length] = '\0';
-    errno = EEXIST; // also for a link that leads nowhere
+    errno = EEXIST; // also for a dangling link
     return lstat(out, &status) == 0 ? bolan_file_cannot_write(folder) : BOLAN_OK;
 }
 
-// Makes an empty folder under a temporary name that is nobody else's.
+// Makes an empty folder under a new temporary name.
 static bolan_result make_folder(const char *folder, char temporary[FILE_NAME_CAPACITY], unfinished *entry) {
     char target[BOLAN_PATH_MAX];
     if (find_folder(folder, target)) return BOLAN_ERROR_IO;
@@ -190,7 +190,7 @@ static bolan_result read_height(const char *path, uint32_t n, double step, float
     return fits ? BOLAN_OK : bad(path, "not a 16-bit PGM of the size that the index says");
 }
 
-// Of each pixel the first `channels` values.
+// Reads the first `channels` values of each pixel.
 static bolan_result read_bytes(const char *path, uint32_t n, size_t channels, uint8_t *out) {
     uint32_t width, rows;
     uint8_t *rgb;
@@ -217,7 +217,7 @@ static bolan_result read_frames(const char *folder, const bolan_tiles_view *v, d
     return result;
 }
 
-// An index of a few bytes may ask for a gigabyte: the heights that it speaks of must be there first.
+// An index of a few bytes could cause a gigabyte of allocations, so the files of heights must exist first.
 static bolan_result check_sizes(const char *folder, const bolan_tiles_view *v) {
     for (uint32_t f = 0; f < v->frames; f++) {
         char path[TILE_NAME];

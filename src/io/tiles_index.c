@@ -61,7 +61,7 @@ static void skip_space(reader *r) {
     while (r->next < r->end && memchr(" \t\r\n", *r->next, 4)) r->line += *r->next++ == '\n';
 }
 
-// The next character that is no space is `c`: it is passed.
+// Skips blanks and the character `c`; false where another character stands there.
 static bool take(reader *r, char c) {
     skip_space(r);
     if (r->next == r->end || *r->next != c) return false;
@@ -69,7 +69,7 @@ static bool take(reader *r, char c) {
     return true;
 }
 
-// "name": the key's number; -1 for no key of ours, KEYS for no text at all.
+// "name": the number of the key; -1 for an unknown key, KEYS where there is no string.
 static int take_key(reader *r) {
     if (!take(r, '"')) return KEYS;
     const char *begin = r->next;

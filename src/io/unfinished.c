@@ -42,8 +42,8 @@ static void release_signals(unfinished *u) {
     u->held = false;
 }
 
-// A claim is made first and `abandoned` looked at after it; the handler does it the other way round. So one of the two
-// always sees the other.
+// This thread claims a slot, then reads `abandoned`; the handler sets `abandoned`, then reads the slots. So at least
+// one of the two sees the other.
 static void stay_away_if_abandoned(unfinished *u) {
     if (!atomic_load(&abandoned)) return;
     if (u->slot >= 0) atomic_store(&slots[u->slot].state, FREE);
@@ -70,7 +70,7 @@ unfinished bolan_unfinished_claim(const char *path, unfinished_discard *discard)
 void bolan_unfinished_reclaim(unfinished *u) {
     hold_signals(u);
     int expected = OWNED;
-    // Where the handler was faster, the file is gone already.
+    // Where the handler came first, it has removed the file.
     if (u->slot >= 0) atomic_compare_exchange_strong(&slots[u->slot].state, &expected, CLAIMED);
     stay_away_if_abandoned(u);
 }
@@ -89,7 +89,7 @@ void bolan_unfinished_forget(unfinished *u) {
     release_signals(u);
 }
 
-// The whole group, so that what the process has started ends with it.
+// Ends the process group, so that the children of the process end too.
 static void end_process(int process) {
     if (process <= 0) return;
     kill(-process, SIGKILL);
@@ -103,7 +103,7 @@ void bolan_files_abandon(void) {
         for (int ms = 0; ms < PATIENCE_MS && atomic_load(&slots[i].state) == CLAIMED; ms++) poll(NULL, 0, 1);
         if (atomic_load(&slots[i].state) == OWNED) end_process(atomic_load(&slots[i].process));
     }
-    // Last come, first gone: a folder is claimed before the files in it.
+    // In reverse order, because a folder is claimed before the files in it.
     for (int i = SLOTS - 1; i >= 0; i--)
         if (atomic_load(&slots[i].state) == OWNED) slots[i].discard(slots[i].path);
     errno = reason;

@@ -2,13 +2,12 @@
 // Video: raw frames through a pipe into the program ffmpeg.
 //
 //     this process ---- rgb24 frames --------> ffmpeg's stdin  (a pipe)
-//     this process <--- its complaints ------- ffmpeg's stderr (a temporary file: neither waits for the other)
+//     this process <--- messages ------------- ffmpeg's stderr (a temporary file, so neither side blocks)
 //
-// Without the program, no video; it is started directly, without a shell, and the film appears under its name at the
-// end.
+// ffmpeg is started directly, without a shell. The film is renamed to its name at the end.
 //
-// ffmpeg's exit code alone is not believed: a full disk ends with code 0 and half a film. A film is whole when the code
-// is 0, and nothing was complained of, and the container says so itself (film_check.c).
+// The exit code of ffmpeg is not sufficient: with a full disk it is 0, and the film is half written. A film is complete
+// when the code is 0, ffmpeg printed no message, and the container is complete (film_check.c).
 #include "io/file.h"
 #include "io/film_check.h"
 
@@ -28,7 +27,7 @@ struct bolan_video {
     size_t frame_bytes;
     pid_t process;
     int input;      // the pipe's writing end
-    FILE *messages; // what ffmpeg prints
+    FILE *messages; // of ffmpeg
     bool failed;    // a sentence was logged
 };
 
@@ -36,7 +35,7 @@ struct bolan_video {
 
 enum { NOT_FOUND = 127 };
 
-// Everything the child needs, made before the fork: after it only exec is safe, for other threads may hold locks.
+// All data of the child are made before the fork. After it only exec is safe, because other threads may hold locks.
 typedef struct command {
     char size[32], rate[32], output[FILE_NAME_CAPACITY + 8];
     const char *arguments[48]; // NULL at the end
@@ -52,7 +51,7 @@ static void make_command(command *c, const bolan_video *video, uint32_t width, u
     memset(c, 0, sizeof *c);
     snprintf(c->size, sizeof c->size, "%ux%u", (unsigned)width, (unsigned)height);
     bolan_format(c->rate, sizeof c->rate, "%.6f", fps);
-    // A name with '-' in front or a ':' stays a name.
+    // "file:" keeps a name that begins with '-' or holds a ':' a name.
     snprintf(c->output, sizeof c->output, "file:%s", video->output.temporary);
     static const char *const mp4[] = {"-c:v",      "libx264",    "-preset", "medium", "-crf", "18",
                                       "-movflags", "+faststart", "-f",      "mp4",    NULL};
@@ -61,7 +60,7 @@ static void make_command(command *c, const bolan_video *video, uint32_t width, u
     const char *const input[] = {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-xerror", "-y",
                                  "-f",     "rawvideo", "-pix_fmt",     "rgb24",     "-s",    c->size,   "-r",
                                  c->rate,  "-i",       "pipe:0",       "-an",       NULL};
-    // The picture is sRGB; say so, and convert by the matrix that players assume for it.
+    // The image is sRGB: tag it so, and convert by the matrix that players assume for sRGB.
     static const char *const colour[] = {"-vf",
                                          "scale=out_color_matrix=bt709:out_range=tv",
                                          "-colorspace",
@@ -83,12 +82,11 @@ static void make_command(command *c, const bolan_video *video, uint32_t width, u
 static void become_ffmpeg(const command *c, int input, int sink, int messages, const sigset_t *mask) {
     if (dup2(input, STDIN_FILENO) < 0 || dup2(sink, STDOUT_FILENO) < 0 || dup2(messages, STDERR_FILENO) < 0)
         _exit(NOT_FOUND - 1);
-    // A group of its own: an interrupt on the terminal is for the parent to decide, and what ffmpeg starts ends with
-    // it.
+    // A separate process group: the parent handles an interrupt of the terminal, and children of ffmpeg end with it.
     setpgid(0, 0);
     static const int reset[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
     for (size_t i = 0; i < sizeof reset / sizeof *reset; i++) signal(reset[i], SIG_DFL);
-    signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error that ffmpeg can report
+    signal(SIGXFSZ, SIG_IGN); // ffmpeg then reports a file size limit as an error
     sigprocmask(SIG_SETMASK, mask, NULL);
     execvp("ffmpeg", (char *const *)(uintptr_t)c->arguments);
     _exit(NOT_FOUND);
@@ -96,8 +94,8 @@ static void become_ffmpeg(const command *c, int input, int sink, int messages, c
 
 // ---- errors ---------------------------------------------------------------------------------------------------------
 
-// The first line that ffmpeg printed: the cause, of which the others are consequences. The address of the part that
-// speaks, "[mp4 @ 0x55d0c8] ", is left out.
+// The first line that ffmpeg printed, which states the cause; later lines are consequences. The prefix of the module,
+// "[mp4 @ 0x55d0c8] ", is left out.
 static void first_message(FILE *messages, char *out, size_t capacity) {
     char line[512];
     out[0] = '\0';
@@ -121,7 +119,7 @@ static bolan_result report_failure(bolan_video *video, const char *reason) {
     return BOLAN_ERROR_IO;
 }
 
-// What became of ffmpeg, which has ended. @p finished: it was to finish the film.
+// The result of ffmpeg after its end. @p finished: ffmpeg was asked to finish the film.
 static bolan_result judge(bolan_video *video, int status, bool finished) {
     char message[512];
     if (WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND) {
@@ -138,7 +136,7 @@ static bolan_result judge(bolan_video *video, int status, bool finished) {
 static int wait_for(bolan_video *video) {
     int status = 0;
     while (waitpid(video->process, &status, 0) < 0 && errno == EINTR) continue;
-    bolan_unfinished_reclaim(&video->output.entry); // the number may soon be another process's
+    bolan_unfinished_reclaim(&video->output.entry); // the process number may be reused
     video->process = -1;
     bolan_unfinished_own(&video->output.entry, 0);
     return status;
@@ -197,7 +195,7 @@ static bolan_result check(const char *path, uint32_t width, uint32_t height, dou
     return BOLAN_ERROR_ARGUMENT;
 }
 
-// The program is searched for before any work is done for it.
+// Whether the program is in PATH, checked before any work.
 static bool program_exists(const char *name) {
     const char *folders = getenv("PATH");
     char path[BOLAN_PATH_MAX];
@@ -225,13 +223,13 @@ static bool start(bolan_video *video, uint32_t width, uint32_t height, double fp
     video->messages = tmpfile();
     const bool ready = sink >= 0 && video->messages && pipe(ends) == 0;
     if (ready) {
-        fcntl(ends[1], F_SETFD, FD_CLOEXEC); // or ffmpeg would never see the end of its input
+        fcntl(ends[1], F_SETFD, FD_CLOEXEC); // ffmpeg must see the end of its input
         unfinished *entry = &video->output.entry;
         bolan_unfinished_reclaim(entry);
         video->process = fork();
         if (video->process == 0) become_ffmpeg(&c, ends[0], sink, fileno(video->messages), &entry->before);
         const int reason = errno;
-        if (video->process > 0) setpgid(video->process, video->process); // whichever of the two comes first
+        if (video->process > 0) setpgid(video->process, video->process); // parent and child both set it, in either order
         bolan_unfinished_own(entry, video->process > 0 ? video->process : 0);
         close(ends[0]);
         video->input = ends[1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Worlds: what a scene refers to (its spectrum, its ground, its tiles and its models) is loaded.
+// Worlds: loads the objects that a scene refers to: spectrum, ground, tiles and models.
 #include "bolan/io.h"
 
 #include "bolan/content.h"
@@ -41,7 +41,7 @@ static bool same_model(const bolan_object *a, const bolan_object *b) {
            a->offset.y == b->offset.y && a->offset.z == b->offset.z;
 }
 
-// Each different model once.
+// Loads each different model once.
 static bolan_result load_models(const bolan_scene *scene, bolan_world_assets *out) {
     for (uint32_t i = 0; i < scene->object_count; i++) {
         uint32_t same = 0;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // See yaml_limits.h.
 //
-// libyaml looks at every open bracket again at every token, and at every anchor again at every alias: 100 kB of "["
-// take a quarter of a minute, and four times that for twice as many. Everything else is linear. Within these limits the
-// worst text takes a few hundredths of a second.
+// libyaml visits every open bracket at every token, and every anchor at every alias: 100 kB of "[" take a quarter of a
+// minute, and twice as many take four times that. All other costs are linear. Within these limits the worst text takes
+// a few hundredths of a second.
 //
-// Brackets count wherever they stand, in quotes and comments too. To leave those out one must know where a quote or a
-// comment begins and ends as exactly as libyaml does, or a text can hide its brackets from the count. No scene comes
-// near the limits: 64 objects and 32 camera keys need some hundred.
+// Brackets in quotes and comments count too. An exception for them would have to find the ends of quotes and comments
+// exactly as libyaml does, or a text could hide brackets from the count. Scenes stay far below the limits: 64 objects
+// and 32 camera keys need some hundred brackets.
 #include "io/yaml_limits.h"
 
 static bool begins_name(char c) {

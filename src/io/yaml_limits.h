@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file yaml_limits.h
-/// What a YAML text may ask of libyaml. Private to src/io.
+/// Limits of a YAML text that bound the cost of libyaml. Private to src/io.
 #ifndef BOLAN_IO_YAML_LIMITS_H
 #define BOLAN_IO_YAML_LIMITS_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// IEEE half floats by integers: float -> half rounds to nearest, ties to even. waves/cascades/wide_half.h has the
-// lanes.
+// IEEE half floats by integer operations; float -> half rounds to nearest, ties to even. The vector twin is
+// waves/cascades/wide_half.h.
 #ifndef BOLAN_MATH_HALF_H
 #define BOLAN_MATH_HALF_H
 

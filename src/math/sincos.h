@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sine and cosine with the same bits everywhere: only +, -, * and integer operations on IEEE numbers, each rounded
 // once. No libm, whose results differ between systems; no fused multiply-add (-ffp-contract=off). The functions are
-// branch-free and inline, so that a loop over lanes is vectorised and a kernel for any instruction set gives these very
+// branch-free and inline, so that a loop over lanes is vectorised and kernels of all instruction sets give the same
 // bits.
 //
 // x is reduced to r = x - n pi/2 with |r| <= pi/4, pi/2 being split in three parts (Cody & Waite 1980, Software Manual
@@ -17,7 +17,7 @@
 #define BOLAN_ROUND_MAGIC_F 12582912.0f
 #define BOLAN_ROUND_MAGIC 6755399441055744.0
 
-/// Of the reduced |r| <= pi/4 with z = r r, as expressions, so that a vector type takes them too.
+/// Sine and cosine of the reduced |r| <= pi/4 with z = r r. They are expressions, so that vector types can use them.
 #define BOLAN_SINF_REDUCED(r, z) /* |error| 1.8e-9 */ \
     ((r) + (r) * (z) * ((-0x1.98d6b8p-13f * (z) + 0x1.1105a8p-7f) * (z) + -0x1.555554p-3f))
 #define BOLAN_COSF_REDUCED(z) /* |error| 9.6e-11 */ \

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What sea water does to light, for Jerlov's water types.
+// Optical coefficients of sea water for Jerlov's water types.
 //
-// Known for each type is Kd, the diffuse attenuation of downward irradiance. Its parts are found in this order:
+// Kd, the diffuse attenuation of downward irradiance, is known for each type. Its parts are computed in this order:
 //   pure sea water   a_w (Pope & Fry, Appl. Opt. 36, 1997), b_w = 0.00288 (l / 500 nm)^-4.32 (Morel 1974), bb_w = b_w/2
 //   particles        b_p = 0.30 C^0.62 (550 nm / l) (Gordon & Morel 1983), C = chlorophyll [mg/m3] of the type; of this
-//                    the share 0.002 + 0.02 (0.5 - 0.25 log10 C) (550 nm / l) goes back in the open ocean (Morel, J.
-//                    Geophys. Res. 93, 1988, eq. 10), and 0.0183 (Petzold 1972) in coastal water, which holds minerals
+//                    the share 0.002 + 0.02 (0.5 - 0.25 log10 C) (550 nm / l) is scattered back in the open ocean (Morel,
+//                    J. Geophys. Res. 93, 1988, eq. 10), and 0.0183 (Petzold 1972) in coastal water, which holds
+//                    minerals
 //   absorption       a = mu_d Kd - bb, the mean cosine of downwelling light mu_d = 0.9 (Kirk 2011, section 6.7), but
 //                    not below that of pure water
 //   deep colour      Gordon et al., J. Geophys. Res. 93, 1988, eq. 8: u = bb / (a + bb), r = 0.0949 u + 0.0794 u^2 just
@@ -23,8 +24,8 @@ typedef struct type_data {
 } type_data;
 
 // Kd: Austin & Petzold, Opt. Eng. 25 (1986) for I to 1C; Jerlov, Marine Optics (1976), table XXVII for 3C to 9C.
-// Chlorophyll: Morel 1988, table 2, for I to III. Coastal types have no such relation: theirs go on in rough doubles,
-// so that the water gets more milky as it gets darker.
+// Chlorophyll: Morel 1988, table 2, for I to III. For coastal types no relation is published: each has about twice the
+// chlorophyll of the type before, so that scattering grows with attenuation.
 static const type_data types[TYPES] = {
     {{0.3559, 0.0640, 0.0176}, 0.01}, {{0.3601, 0.0674, 0.0257}, 0.05}, {{0.3652, 0.0715, 0.0355}, 0.1},
     {{0.3837, 0.0863, 0.0714}, 0.5},  {{0.4181, 0.1139, 0.1381}, 1.75}, {{0.4525, 0.1415, 0.2048}, 3.0},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mirrors and raised bottoms: Ma, Zhu & Gong 2006, section 2.2. Fermat's path: shaders/shared/refraction.glsl.
+// Reflection and apparent depth: Ma, Zhu & Gong 2006, section 2.2. Path of least time: shaders/shared/refraction.glsl.
 #include "bolan/optics.h"
 
 #define REFRACTION_STEPS 12 // to a double's rounding

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The keys of scene files as the tables have them: dotted, in groups.
+// Lookup of the dotted keys of scene files in groups of tables.
 #include "bolan/params.h"
 
 #include <stdio.h>

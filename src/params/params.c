@@ -183,7 +183,7 @@ static bool equals(word a, const char *name) {
     return name[a.size] == '\0';
 }
 
-// -1: there is no such name.
+// -1 where there is no such name.
 static int index_of(const char *const *names, word w) {
     for (int i = 0; names[i]; i++)
         if (equals(w, names[i])) return i;
@@ -199,7 +199,7 @@ static bool parse_number(const bolan_param *p, word w, void *desc) {
     return true;
 }
 
-// Digits alone, and every one counts: a double would change numbers beyond 2^53.
+// Digits alone, read as an integer: a double would round numbers beyond 2^53.
 static bool parse_whole(const bolan_param *p, word w, void *desc) {
     uint64_t value = 0;
     for (size_t i = 0; i < w.size; i++) {
@@ -232,7 +232,7 @@ static size_t skip_blanks(word w, size_t at) {
     return at;
 }
 
-// Words with one comma between, or blanks alone; an empty list is no word.
+// Words separated by one comma or by blanks; an empty list is refused.
 static bool parse_set(const bolan_param *p, word w, void *desc) {
     double bits = 0.0;
     const bool all = equals(w, "all"), none = equals(w, "none");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file rows.h
-/// How tables of parameters are written:
+/// Macros for the rows of parameter tables:
 ///
 ///     #define STRUCT bolan_sky
 ///     static const bolan_param rows[] = {

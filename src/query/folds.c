@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Several parcels at one place. Where choppy water folds over itself, equation (1) of block.h has more than one root:
-// the layers of the fold. The one that is seen from above is the highest, so that is the answer. All roots lie near a
+// the layers of the fold. The highest layer is seen from above and is returned. All roots lie near a
 // line along which the map is compressed most; the search starts Newton's method from a ladder of points on it, 16
 // starts at once in a block of their own, since a fold may be as wide as a long crest or as narrow as a ripple.
 #include "query/block.h"
@@ -35,8 +35,8 @@ static void spread_place(const query *q, const query_block *from, uint32_t lane,
     }
 }
 
-// Starts around what `lane` of `from` has found (which may be in `to` itself): lane 0 goes on from there, lane 1 starts
-// at the point itself, the others at +-reach / 2^i along the direction of compression.
+// Sets starts around the result of `lane` of `from` (which may be `to` itself): lane 0 continues from the result, lane
+// 1 starts at the point itself, the other lanes at +-reach / 2^i along the direction of compression.
 static void spread_starts(const query *q, const query_block *from, uint32_t lane, query_block *to) {
     const bolan_vec2 along = bolan_query_compressed_direction(from->jxx[lane], from->jyy[lane], from->jxy[lane]);
     const float ox = from->ox[lane], oy = from->oy[lane];
@@ -55,7 +55,7 @@ static void spread_starts(const query *q, const query_block *from, uint32_t lane
     }
 }
 
-// The highest lane that is a root; if none is, the one that is nearest to being one.
+// The highest lane that is a root; if none is, the lane with the smallest residual.
 static uint32_t choose(const query_block *b) {
     uint32_t best = 0, nearest = 0;
     float top = -INFINITY, least = INFINITY;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A query block over a sea that is a sum of waves (waves/sum/sum.h): the same equation, its fields from the waves
-// themselves, so the answer is the surface without interpolation.
+// A query block over a sea that is a sum of waves (waves/sum/sum.h): the same equation, with fields summed from
+// the waves, so the result is the surface without interpolation.
 #include "query/block.h"
 
 static void locate(const query_sea *sea, query_block *block) { // no cells; they are copied with the block

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of a scene, and which maps of a scene file they stand in.
+// The parameters of a scene, and the maps of a scene file in which they stand.
 #include "bolan/scene.h"
 #include "params/rows.h"
 

@@ -6,7 +6,7 @@
 
 bolan_scene bolan_scene_default(void) {
     bolan_scene scene;
-    memset(&scene, 0, sizeof scene); // the strings and the padding too: equal scenes are equal bytes
+    memset(&scene, 0, sizeof scene); // also strings and padding, so that equal scenes have equal bytes
     for (const bolan_param_group *g = bolan_scene_groups; g->table; g++)
         if (g->capacity == 0) bolan_params_default(g->table, (char *)&scene + g->offset);
     memcpy(scene.name, "default", sizeof "default");

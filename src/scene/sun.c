@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the sun stands. Astronomical Almanac, "Low precision formulas for the Sun's coordinates", as in Michalsky, "The
-// Astronomical Almanac's algorithm for approximate solar position (1950-2050)", Solar Energy 40 (1988) 227-235.
+// The position of the sun. Astronomical Almanac, "Low precision formulas for the Sun's coordinates", as in Michalsky,
+// "The Astronomical Almanac's algorithm for approximate solar position (1950-2050)", Solar Energy 40 (1988) 227-235.
 #include "bolan/scene.h"
 
 void bolan_sun_position(double unix_time, double latitude, double longitude, double *azimuth, double *elevation) {

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// One sentence for what no table knows.
+// One sentence for a rule that no table states.
 static bolan_result refuse(const char *field, double value, const char *expected) {
     bolan_log(BOLAN_LOG_ERROR, isfinite(value) ? BOLAN_LOG_OUT_OF_RANGE : BOLAN_LOG_NOT_FINITE,
               "scene: %s is %g; expected %s", field, value, expected);

@@ -107,7 +107,7 @@ static uint32_t sort_directions(const spectrum_grid *grid, direction *directions
     return count;
 }
 
-// The gaps between neighbours, for what they say of the list as a whole.
+// The gaps between neighbouring directions.
 typedef struct direction_gaps {
     double smallest, median, largest, second; // [rad]; second: the largest but one
     uint32_t before_largest;                  // the direction that the largest gap follows

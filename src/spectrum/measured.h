@@ -20,7 +20,7 @@ enum {
 #define SPECTRUM_MIN_HERTZ 1e-3     ///< of a file's frequencies: beyond the longest swell and infragravity waves
 #define SPECTRUM_MAX_HERTZ 10.0     ///< well into the ripples
 #define SPECTRUM_MAX_DENSITY 1e9    ///< [m2/Hz/rad]: far above any sea, far below overflow
-#define SPECTRUM_MAX_HS 40.0        ///< no sea is higher: twice the highest that was ever measured [m]
+#define SPECTRUM_MAX_HS 40.0        ///< twice the highest Hs that was ever measured [m]
 #define SPECTRUM_PEAK_OMEGA_MIN 0.1 // of a wave system [rad/s]
 #define SPECTRUM_PEAK_OMEGA_MAX 50.0
 
@@ -43,19 +43,20 @@ typedef struct spectrum_grid {
     double *to;     ///< [direction] mathematical angle the waves go [rad]
     double *energy; ///< [frequency][direction] [m2/Hz/rad]
     char time[32];
-    bool own_directions;  ///< the text has directions: nothing stands in
+    bool own_directions;  ///< the text has directions, so no default replaces them
     spectrum_notes notes; ///< warnings
 } spectrum_grid;
 
 /// Reserves the arrays of a grid whose counts are set; false (logged) when memory is short.
 bool bolan_spectrum_grid_allocate(spectrum_grid *grid);
-/// The same for a text with directions: the counts, the frequencies and the angles (TO) are copied.
+/// Like bolan_spectrum_grid_allocate(), for a text with directions: the counts, the frequencies and the angles (TO) are
+/// copied.
 bolan_result bolan_spectrum_grid_begin(spectrum_grid *grid, const double *hertz, uint32_t frequencies, const double *to,
                                        uint32_t directions);
 void bolan_spectrum_grid_release(spectrum_grid *grid);
 
-/// Sorts the directions, brings them to a constant step, changes the units and adds the tail. A sea that cannot be is
-/// refused; no energy at all is a calm. @p name is for messages.
+/// Sorts the directions, resamples them to a constant step, converts the units and adds the tail.
+/// An impossible sea is refused; a spectrum without energy is a calm. @p name is for messages.
 bolan_result bolan_spectrum_measured_build(const char *name, spectrum_grid *grid, bolan_measured_spectrum **out);
 
 /// (1 - share) a + share b, in place of @p a. FORMAT (one sentence) where their frequencies or directions differ.

@@ -28,7 +28,7 @@ void bolan_spectrum_note(spectrum_notes *notes, bolan_log_id id, const char *for
 __attribute__((format(printf, 4, 5)))
 #endif
 void bolan_spectrum_note_level(spectrum_notes *notes, bolan_log_level level, bolan_log_id id, const char *format, ...);
-/// Logs them.
+/// Logs the warnings that are kept.
 void bolan_spectrum_notes_log(const spectrum_notes *notes);
 
 #endif

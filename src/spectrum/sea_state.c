@@ -29,7 +29,7 @@ bolan_sea_state bolan_sea_state_default(void) {
 
 bolan_wave_system bolan_wave_system_default(void) {
     bolan_wave_system system;
-    memset(&system, 0, sizeof system); // the padding too: equal systems are equal bytes
+    memset(&system, 0, sizeof system); // also the padding, so that equal systems have equal bytes
     bolan_params_default(&bolan_wave_system_params, &system);
     return system;
 }
@@ -71,7 +71,7 @@ bolan_sea_state bolan_sea_state_from_wind(double wind_speed, double from_deg, do
            gamma = 1.0;
     if (peak > peak_pm) {
         // JONSWAP's height reaches that of the fully developed sea before its peak does: from there on only the peak
-        // moves. Over the last tenth of the peak its enhancement gives way, so that the shape has no jump.
+        // moves. Over the last tenth of the peak frequency the enhancement fades, so that the shape has no jump.
         hs = fmin(jonswap_height(wind_speed, fetch, peak), hs);
         gamma += fmin((peak / peak_pm - 1.0) / 0.1, 1.0) * 2.3;
     } else {

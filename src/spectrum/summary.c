@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT Integral parameters. The moments of wave systems are integrated over ln w (Simpson),
-// those of a measured spectrum on its own frequencies (trapezoid rule), so that they compare with what the file's
-// maker prints.
+// those of a measured spectrum on its own frequencies (trapezoid rule), so that they can be compared with the
+// values that the maker of the file prints.
 #include "bolan/math.h"
 #include "spectrum/measured.h"
 #include "spectrum/portable.h"

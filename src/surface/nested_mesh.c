@@ -2,11 +2,11 @@
 // Nested grids, their triangles and normals (Liu, Xu & Chen 2009, sections 1 to 3, figures 2 and 3).
 //
 //      +--------------N--------------+      ring S, N: n cells long; W, E: n - 2
-//      | +------+----------+-------+ |      blocks SW S SE W E NW N NE between the ring and the hole; one of no cells where
-//      | |  NW  |    N     |  NE   | |      the hole touches the ring
+//      | +------+----------+-------+ |      blocks SW S SE W E NW N NE between the ring and the hole;
+//      | |  NW  |    N     |  NE   | |      a block is empty where the hole touches the ring
 //      | +------+----------+-------+ |
-//      W |  W   |   hole   |   E   | E      cell (i, j):   c--d      triangles a b c and c b d, so that a vertex has six
-//      | +------+----------+-------+ |                     |\ |      triangles round it
+//      W |  W   |   hole   |   E   | E      cell (i, j):   c--d      triangles a b c and c b d, so that
+//      | +------+----------+-------+ |                     |\ |      a vertex has six triangles round it
 //      | |  SW  |    S     |  SE   | |                     | \|
 //      | +------+----------+-------+ |                     a--b
 //      +--------------S--------------+
@@ -59,7 +59,7 @@ static bolan_vec3 unit_or_up(bolan_vec3 v) {
 static void add_triangle(const bolan_vec3 *at, bolan_vec3 *sums, uint32_t a, uint32_t b, uint32_t c) {
     bolan_vec3 normal = bolan_v3_cross(bolan_v3_sub(at[b], at[a]), bolan_v3_sub(at[c], at[a]));
     float length = bolan_v3_length(normal);
-    if (!(length > 0.0f)) return; // folded to nothing: it has no say
+    if (!(length > 0.0f)) return; // degenerate: it has no normal
     normal = bolan_v3_scale(normal, 1.0f / length);
     sums[a] = bolan_v3_add(sums[a], normal);
     sums[b] = bolan_v3_add(sums[b], normal);
@@ -87,7 +87,7 @@ static void border_vertex(uint32_t n, uint32_t k, uint32_t *i, uint32_t *j) {
     *j = side == 0 ? 0 : side == 1 ? along : side == 2 ? n : n - along;
 }
 
-// Where two levels meet, both get the triangles of both.
+// Where two levels meet, the triangles of both count at the vertices of both.
 static void join_levels(const bolan_nested *nested, uint32_t child, bolan_vec3 *sums) {
     uint32_t n = nested->cells, stride = n + 1, i, j;
     const bolan_nested_level *parent = &nested->level[child - 1];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Nested grids, where they stand (Liu, Xu & Chen 2009, section 1). Level 0 is the coarsest; every next one is as many
-// cells, half as long, in a hole of its parent:
+// The placement of nested grids (Liu, Xu & Chen 2009, section 1). Level 0 is the coarsest. Each further level has as
+// many cells, half as long, and lies in a hole of its parent:
 //
 //      +---+---+---+---+---+---+---+---+      n = 8 cells along a side of every level
 //      |   |   |   |   |   |   |   |   |      ring: the outermost cells, next to the parent's coarser ones
 //      +---+---+---+---+---+---+---+---+      hole: n/2 cells of this level = n cells of the next
 //      |   |   +-+-+-+-+-+-+-+-+   |   |
-//      +---+---+-+-+-+-+-+-+-+-+---+---+      c: what is looked at; each level's middle is the vertex of its parent that is
-//      |   |   +-+-+-+-+-+-+-+-+   |   |         nearest to c, so c is within a cell of every middle
+//      +---+---+-+-+-+-+-+-+-+-+---+---+      c: the point looked at; the middle of each level is the vertex of its
+//      |   |   +-+-+-+-+-+-+-+-+   |   |         parent nearest to c, so c is within a cell of every middle
 //      +---+---+-+-+-+c+-+-+-+-+---+---+
 //
 // A vertex's world position is a whole multiple of its level's spacing. The spacing has at most 24 bits and the
@@ -16,7 +16,7 @@
 
 #include "shared/earth.glsl"
 
-// The centre lies at most so many times as far as the nearest water in the picture: with 2, no water in the direction
+// The centre lies at most NEAR_SHARE times as far as the nearest water in view. With 2, no water in the direction
 // of view is farther from the centre than from the eye, so that cells (which grow with the distance from the centre)
 // look as large near as far.
 #define NEAR_SHARE 2.0
@@ -24,7 +24,7 @@
 
 bolan_nested_desc bolan_nested_desc_default(void) { return (bolan_nested_desc){.cells = 32, .levels = 6}; }
 
-// What decides where the levels stand; distances over mean water from the point under the eye [m].
+// The inputs of the placement; distances over mean water are from the point under the eye [m].
 typedef struct outlook {
     double height;  // of the eye, on whichever side of the water
     double nearest; // water in the picture

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nested grids, their vertices: positions, spacing, stitches (Liu, Xu & Chen 2009, section 2) and visibility (section
+// The vertices of nested grids: positions, spacing, stitches (Liu, Xu & Chen 2009, section 2) and visibility (section
 // 4).
 //
 // The spacing of a vertex at p in a level of spacing d, by its distance |p - c| = max(|x - cx|, |y - cy|) in cells:
@@ -7,9 +7,10 @@
 //      2 d |                   ______      from m0 = max(n/4 + 1/2, 0.3 n), where the hole has ended for certain, to
 //          |               _--'            m1 = n/2 - 1, where no border can be nearer
 //        d |____________--'
-//          +-----------m0----m1----|-->    so it is continuous in p from level to level, and in time, however levels step
+//          +-----------m0----m1----|-->    so it is continuous in p from level to level, and in time when levels step
 //
-// Level l's border is at 2 d_l and its parent's hole at d_(l-1): the same. No wave need come or go when a level moves.
+// Level l's border is at 2 d_l and its parent's hole at d_(l-1): the same. No wave appears or disappears when a level
+// moves.
 #include "surface/view_cone.h"
 
 #include "shared/earth.glsl"
@@ -49,7 +50,7 @@ static bool stitched(const place *p, uint32_t i, uint32_t j) {
 }
 
 // The spacing before the least: d in the middle to 2 d on the border. The borders are decided by index: with n = 4 the
-// centre may be anywhere, and rounding must not part what two levels share.
+// centre may be anywhere, and rounding must not separate the vertices that two levels share.
 static double spacing_at(const place *p, uint32_t i, uint32_t j, bolan_dvec2 at) {
     double d = p->level->spacing;
     if (in_hole(p, i, j)) return d;

@@ -17,7 +17,7 @@
 
 #define PROBES 9 // directions tried along each axis of the picture
 
-// What the picture can see of the water, in polar terms.
+// The visible part of the water in polar coordinates.
 typedef struct polar_bounds {
     bool any;
     double half;          // azimuths are heading +- half [rad]
@@ -86,8 +86,8 @@ static double snapped(double heading, double half, uint32_t columns) {
     return floor(heading / step + 0.5) * step;
 }
 
-// Columns that are snapped reach up to half a step less far to one side: where that and a pixel are more than the guard,
-// so much more [rad].
+// Columns that are snapped reach up to half a step less far to one side: where that and a pixel are more than the
+// guard, so much more [rad].
 static double beyond_guard(double step, double pixel) { return fmax(0.5 * step + pixel - SURFACE_GUARD_ANGLE, 0.0); }
 
 // Azimuths at even steps, each turned from the one before: an error of 1e-16 each, and no sine for each vertex.

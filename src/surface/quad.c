@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two triangles for all the water: whatever the picture shows of waves, its pixels make (Ma, Zhu & Gong 2006, section
-// 2.1).
+// Two triangles for all the water; the waves are shaded in the pixels (Ma, Zhu & Gong 2006, section 2.1).
 #include "surface/view_cone.h"
 
 const uint32_t bolan_surface_quad_indices[6] = {0, 1, 2, 2, 1, 3};

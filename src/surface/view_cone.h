@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the picture of a view covers, in axes x right of the heading, y along the heading, z up.
+// The directions that a view covers, in axes x right of the heading, y along the heading, z up.
 #ifndef BOLAN_SURFACE_PICTURE_H
 #define BOLAN_SURFACE_PICTURE_H
 

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-// X(id, name, waves, surface, optics, what it makes of a wind: a bolan_spectrum_kind, or -1), the default first.
+// X(id, name, waves, surface, optics, spectrum of a wind sea: a bolan_spectrum_kind, or -1), the default first.
 #define TECHNIQUES(X)                                                                     \
     X(ocean, "ocean", FFT, PROJECTED, PHYSICAL, -1)                                       \
     X(two_triangle, "two-triangle", TEXTURES, QUAD, MIRROR, -1)                           \

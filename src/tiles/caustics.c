@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#define FEWEST_TEXELS 12 // that are enough to tell a triangle's area
+#define FEWEST_TEXELS 12 // from which the area of a triangle is known well enough
 
 typedef struct bottom {
     float *light;
@@ -31,8 +31,7 @@ static void splat(const bottom *b, float x, float y, float flux) {
     add(b, i + 1, j + 1, flux * u * v);
 }
 
-// The middles of the four triangles that its edges' middles cut it into: a lattice of one point each beats with the
-// texels.
+// Splats at the centres of four sub-triangles, because a lattice of one point a triangle beats with the texels.
 static void splat_quarters(const bottom *b, const landing t[3], float flux) {
     const float x = (t[0].x + t[1].x + t[2].x) / 3.0f, y = (t[0].y + t[1].y + t[2].y) / 3.0f;
     splat(b, x, y, 0.25f * flux);
@@ -60,7 +59,7 @@ static int cover(const bottom *b, const landing t[3], float sign, float flux) {
     return count;
 }
 
-// Its light shared by the texels it covers: the area ratio, but for the raster.
+// Shares the light of a triangle among the texels it covers: the area ratio, except for the raster.
 static void carry(const bottom *b, landing p, landing q, landing r, float flux) {
     const landing t[3] = {p, q, r};
     const float sign = edge(p, q, r.x, r.y) < 0.0f ? -1.0f : 1.0f; // a fold turns it over

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sequences of tiles: Ma, Zhu & Gong 2006, sections 2.3 (3) and 3 (2). The paper takes its pictures from an animation
+// Sequences of tiles: Ma, Zhu & Gong 2006, sections 2.3 (3) and 3 (2). The paper takes its textures from an animation
 // program; here they are frames of a sea of BOLAN_WAVES_TEXTURES.
 #include "bolan/tiles.h"
 
@@ -26,7 +26,7 @@ void bolan_tiles_destroy(bolan_tiles **tiles) {
     *tiles = NULL;
 }
 
-// With arrays that are not filled yet.
+// Tiles with arrays that are not filled yet.
 static bolan_tiles *reserve(const bolan_tiles_view *shape) {
     bolan_tiles *t = bolan_allocate(sizeof *t);
     if (t != NULL) {
@@ -186,8 +186,8 @@ static bolan_result check(const bolan_sea *sea, const bolan_tiles_desc *d) {
     return BOLAN_OK;
 }
 
-// Light varies by d (n - 1)/n times the Laplacian of the height while the rays have not crossed: where its rms is about
-// NET the first of them do, and the light stands in a net of bright lines.
+// While rays have not crossed, the light varies by d (n - 1)/n times the Laplacian of the height. Where the rms of the
+// variation is about NET, the first rays cross and the light forms a net of bright lines.
 #define NET 0.7
 #define DEEPEST_NET 2.0 // [m]
 

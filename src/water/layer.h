@@ -2,8 +2,8 @@
 /// @file layer.h
 /// A wave layer behind a table of functions. Private to the library.
 ///
-/// A layer adds height and slope at *rest* points, as the cascades of a sea do, so that the query's solver has nothing
-/// to invert for it and shaders add it where they add a cascade. Each layer is attenuated by the bed as a sea of its own
+/// A layer adds height and slope at *rest* points, like the cascades of a sea. The solver of the query has nothing to
+/// invert for a layer, and shaders add it where they add a cascade. The bed attenuates each layer like a sea of its own
 /// height: bolan_coast_attenuation().
 #ifndef BOLAN_WATER_LAYER_H
 #define BOLAN_WATER_LAYER_H

@@ -19,7 +19,7 @@ static void sample(const bolan_wave_layer *w, double time, uint32_t count, const
         const double e = train_edge(along, d->edge), f = train_edge(across, d->edge);
         double sine, cosine;
         bolan_sincos(remainder(w->kx * px + w->ky * py - w->omega * time + w->phase, 2.0 * BOLAN_PI), &sine, &cosine);
-        // The gradient of the envelope, in the train's own axes.
+        // The gradient of the envelope, in the axes of the train.
         const double ea = train_edge_slope(along, d->edge) * f / d->half_length;
         const double ec = train_edge_slope(across, d->edge) * e / d->half_width;
         out[i].height = (float)(amplitude * e * f * cosine);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bundle of a water, and what all kinds of layers share.
+// The bundle of a water, and the functions that all kinds of layers share.
 #include "water/layer.h"
 
 bolan_water bolan_water_default(void) {

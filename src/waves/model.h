@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A wave model: what makes the waves of a sea, as a table of functions. Private to src/waves.
+// A wave model computes the waves of a sea; it is a table of functions. Private to src/waves.
 //
 //     folder       models                    a sea is                               fields of one time
 //     cascades/    FFT                       up to four tiles of random modes       planes of each tile, foam memory
@@ -54,7 +54,7 @@ typedef struct sea_model {
     double (*peak_period)(const sea_shared *shared);
     // Side of the square over which the sea is measured [m], > 0.
     double (*side)(const sea_shared *shared);
-    // Goes on with a digest over every field.
+    // Continues a digest over every field.
     uint64_t (*hash)(const bolan_sea *sea, uint64_t hash);
 
     // One of these two is NULL, and the count of the other in sea_shared is 0.

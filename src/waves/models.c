@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of the wave models: the one place that knows which there are.
+// The table of the wave models, the only list of them.
 #include "waves/model.h"
 
 const char *const bolan_wave_model_names[BOLAN_WAVE_MODELS + 1] = {"fft", "cosines", "exp-cosine", "textures", NULL};

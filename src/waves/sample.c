@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples at rest points: what the model sums, displaced by the choppiness.
+// Samples at rest points: the sums of the model, displaced by the choppiness.
 #include "waves/model.h"
 
 #define STEEPEST 0.1 // smallest |Jacobian| that a slope is divided by: where the surface folds it is vertical

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-// 4 bins an octave from 1e-4 rad/m; directions over half a turn, as k and -k count alike.
+// 4 bins an octave from 1e-4 rad/m; directions over half a turn, because k and -k have the same slopes.
 enum { BINS = 112, DIRECTIONS = 16 };
 #define BINS_PER_OCTAVE 4.0
 
@@ -110,7 +110,7 @@ static void fill_table(void *context, uint32_t begin, uint32_t end, uint32_t wor
     }
 }
 
-// Cox & Munk's up- and crosswind variance less what the waves hold; where one is exceeded, the other gives way, so
+// Cox & Munk's up- and crosswind variance less what the waves hold; where one is exceeded, the other is lowered, so
 // that the total is Cox & Munk's as long as the cascades hold less.
 static void set_rest(sea_shared *shared) {
     double held[3] = {0.0}, up, cross, s, c;

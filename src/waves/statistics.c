@@ -3,8 +3,8 @@
 #include "spectrum/portable.h"
 #include "waves/model.h"
 
-// Additive recurrence by the plastic number (Roberts 2018): even in the plane, and no lattice that waves could be in
-// step with.
+// Additive recurrence by the plastic number (Roberts 2018): even in the plane, without a lattice that waves could be
+// in phase with.
 bolan_dvec2 bolan_sea_place(const sea_shared *shared, uint32_t index) {
     const double side = shared->model->side(shared);
     const double x = index * 0.75487766624669276, y = index * 0.56984029099805327;
@@ -127,8 +127,8 @@ static double peak_of_bins(const double *bin) {
     return 2.0 * BOLAN_PI / (LOWEST_OMEGA * portable_pow(BIN_RATIO, top + 0.5 + shift));
 }
 
-// A measured spectrum has no energy above its last frequency; the tail that continues it is the sea's own. So the
-// integrals are those of the file, over its own frequencies, as m0_spectrum is.
+// A measured spectrum has no energy above its last frequency; the sea adds the tail. The integrals are
+// therefore those of the file over its own frequencies, like m0_spectrum.
 static void measure_file(const bolan_sea_summary *summary, bolan_sea_statistics *out) {
     out->tp = summary->tp;
     out->tm02 = summary->tm02;

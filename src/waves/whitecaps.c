@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where foam is: the Jacobian below which the covered fraction is Monahan's for the wind, as a quantile of the sea
-// itself.
+// The foam threshold: the Jacobian below which the covered fraction is Monahan's for the wind, as a quantile of the
+// Jacobian of the sea.
 #include "waves/sea.h"
 
 enum { TIMES = 2, COUNT = TIMES * SEA_MEASURED }; // the rarest cover that can be seen, 1e-4, is still 13 of them
@@ -58,7 +58,7 @@ static void gather(bolan_sea *sea, float *out) {
     }
 }
 
-// A calm, and waves that do not move water sideways, have the same Jacobian everywhere and no crest to put foam on.
+// False in a calm, and for waves without horizontal displacement: their Jacobian is the same everywhere.
 static bool has_crests(const float *jacobian, size_t count) {
     float lowest = jacobian[0], highest = jacobian[0];
     for (size_t i = 1; i < count; i++) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where an object stands, or how it floats.
+// The pose of an object that stands on the ground or floats.
 #include "bolan/world.h"
 
 #include "bolan/query.h"
 
-#define SOFTENING 0.7 // of the tilt: a hull averages over more than the points that are asked for
+#define SOFTENING 0.7 // factor on the tilt: a hull averages over more water than the queried points
 
 static bolan_pose standing(const bolan_object *o) {
     double s, c;

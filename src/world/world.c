@@ -11,7 +11,7 @@ struct bolan_world {
     bolan_world_assets assets;
     bolan_sea *sea;
     bolan_wave_layer *layers[BOLAN_MAX_WAVE_LAYERS]; // of scene.trains
-    bolan_water water;                               // of all above
+    bolan_water water;                               // of the members above
 };
 
 // ---- layers ---------------------------------------------------------------------------------------------------------
@@ -156,7 +156,7 @@ static const char *terrain_difference(const bolan_ground_source *a, const bolan_
     return NULL;
 }
 
-// The name of something in which two scenes differ that the assets stand for; NULL where there is none.
+// The name of a field that the assets depend on and in which two scenes differ; NULL where there is none.
 static const char *asset_difference(const bolan_scene *a, const bolan_scene *b) {
     const char *terrain = terrain_difference(&a->terrain, &b->terrain);
     if (terrain) return terrain;
@@ -191,7 +191,7 @@ bolan_result bolan_world_set_scene(bolan_world *world, const bolan_scene *scene)
     bolan_result result = check_change(world, scene);
     if (!result) result = create_layers(scene, layers);
     if (result) return result;
-    // Bytes of padding may differ as well: then an equal sea is made, which is only slow.
+    // Bytes of padding may differ too; then an equal sea is made, which costs time but is correct.
     const bolan_sea_desc old = sea_desc_of(&world->scene, &world->assets), fresh = sea_desc_of(scene, &world->assets);
     if (memcmp(&old, &fresh, sizeof old) != 0) {
         bolan_sea *sea = NULL;
@@ -245,7 +245,7 @@ bolan_camera bolan_world_camera_at(const bolan_world *world, double time) {
     if (!world->assets.ground) return camera;
     bolan_dvec3 *p = &camera.position;
     const double ground = (double)bolan_ground_elevation(world->assets.ground, p->x, p->y, 0.0);
-    p->z = fmax(p->z, ground + (ground > world->scene.water.level ? 1.8 : 0.3)); // a diver's mask, over the sea bed
+    p->z = fmax(p->z, ground + (ground > world->scene.water.level ? 1.8 : 0.3)); // standing on land; over the sea bed
     return camera;
 }
 

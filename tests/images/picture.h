@@ -96,8 +96,8 @@ static inline picture stage_draw(stage *s, uint32_t width, uint32_t height, uint
     return p;
 }
 
-// Peak signal-to-noise ratio of two pictures after a 2 x 2 average [dB]: one pixel of antialiasing does not count, colour,
-// shape and place do.
+// Peak signal-to-noise ratio of two pictures after a 2 x 2 average [dB]: one pixel of antialiasing does not count,
+// colour, shape and place do.
 static inline double picture_psnr(const picture *a, const picture *b) {
     double sum = 0;
     size_t n = 0;

@@ -184,7 +184,8 @@ static double beside(int face, bolan_vec3 across, bolan_vec3 along, double s, do
            0.5 * at(face, sum3(ahead[face], across, s + 1.5 * pixel, along, t));
 }
 
-// Each pixel's neighbour at the edge of its face is in another one. The mean step at the edge of two faces, and that at a line of pixels within each.
+// Each pixel's neighbour at the edge of its face is in another one. The mean step at the edge of two faces, and that at
+// a line of pixels within each.
 static void measure_edge(int a, int b, double *edge, double *within) {
     const bolan_vec3 along = bolan_v3_cross(ahead[a], ahead[b]);
     *edge = *within = 0.0;

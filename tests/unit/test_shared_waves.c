@@ -101,8 +101,8 @@ static double between_samples(const bolan_cascade_view *v, bolan_dvec2 at) {
     return south * (1.0 - fw) + north * fw;
 }
 
-// Query and samples find the sample (i, j) of a cascade where along_tile() and across_tile() are i, j of n: the turn, the
-// side and the order of the axes that shaders use. The first of two cascades is not turned; the second is.
+// Query and samples find the sample (i, j) of a cascade where along_tile() and across_tile() are i, j of n: the turn,
+// the side and the order of the axes that shaders use. The first of two cascades is not turned; the second is.
 static void cascades_lie_over_the_world_as_tiles_do(void **state) {
     (void)state;
     bolan_sea_desc desc = bolan_sea_desc_default();

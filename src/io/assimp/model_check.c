@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Model files before assimp sees them. Its importers recurse into brackets and nodes, take quadratic time for long
-// numbers and large polygons, and believe counts: each is bounded here.
+// numbers and large polygons, and trust counts: each is bounded here.
 #include "io/assimp/model_file.h"
 #include "io/file.h"
 
@@ -70,7 +70,7 @@ static bolan_result check_materials(const char *path, const file_text *t) {
         snprintf(name, sizeof name, "%.*s", (int)(strcspn(start, "\r\n") & 0xffff), start);
         file_text text;
         struct stat s;
-        if (!bolan_file_resolve(path, name, file) || stat(file, &s) != 0) continue; // it is read without its colours
+        if (!bolan_file_resolve(path, name, file) || stat(file, &s) != 0) continue; // read without colours
         if (!S_ISREG(s.st_mode)) return bolan_model_refuse(file, "is not a file; expected materials (MTL)");
         bolan_result result = bolan_file_read(file, MATERIAL_FILE_LIMIT, &text);
         if (result) return result;
@@ -99,7 +99,7 @@ static bolan_result check_depth(const char *path, const file_text *t) {
     return BOLAN_OK;
 }
 
-// The counts of a PLY header: the importer makes room for them.
+// The counts of a PLY header, for which the importer allocates.
 static bolan_result check_ply(const char *path, const file_text *t) {
     const char *end = strstr(t->data, "end_header");
     for (const char *at = t->data; (at = strstr(at, "\nelement ")) && at < end;) {

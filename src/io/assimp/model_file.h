@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
 /// @file model_file.h
-/// Model files: what is looked at before assimp reads them, and the mesh that is gathered from them. Private to src/io.
+/// Model files: the checks before assimp reads them, and the mesh that is built from them. Private to src/io.
 #ifndef BOLAN_IO_MODEL_FILE_H
 #define BOLAN_IO_MODEL_FILE_H
 
 #include "bolan/io.h"
 
 #define MODEL_FILE_LIMIT ((size_t)64 << 20) // [bytes]
-#define MODEL_VERTEX_LIMIT (1u << 23)       // and three times as many indices: more than anybody draws
+#define MODEL_VERTEX_LIMIT (1u << 23)       // and three times as many indices
 #define MODEL_DEPTH_LIMIT 64                // of nodes in nodes
 #define MODEL_REACH 1e7f                    // of a vertex from the origin [m]
 
 typedef enum model_format { MODEL_GLTF, MODEL_OBJ, MODEL_OTHER } model_format;
 
-/// Refuses what would take the importing library too long, too much memory or too much stack: numbers of hundreds of
+/// Refuses files that would cost the importing library too much time, memory or stack: numbers of hundreds of
 /// digits, deep brackets and nodes, counts that the file does not hold; a glTF that requires an extension or is not of
 /// version 2. FORMAT, IO, MEMORY.
 bolan_result bolan_model_file_check(const char *path, model_format *format);
-/// The glTF part of it: the JSON of the file @p path.
+/// The checks of glTF, on the JSON of the file @p path.
 bolan_result bolan_model_gltf_check(const char *path, const char *text, size_t size);
 /// Logs a sentence with MODEL_LIMIT and returns FORMAT.
 bolan_result bolan_model_refuse(const char *path, const char *what);
 
-/// A mesh that grows up to the room that was made for it.
+/// A mesh that grows up to its capacity.
 typedef struct model_mesh {
     uint32_t vertex_count, index_count, vertex_room, index_room;
     bolan_vec3 *positions, *normals;

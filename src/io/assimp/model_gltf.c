@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a glTF 2.0 file must not ask of the library that imports it (Khronos, glTF 2.0 specification, section numbers
-// below).
+// Limits of a glTF 2.0 file that bound the cost of the importing library (Khronos, glTF 2.0 specification; section
+// numbers below).
 #include "io/assimp/model_file.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -39,7 +39,7 @@ static bolan_result check_version(const gltf *g) {
     return BOLAN_ERROR_FORMAT;
 }
 
-// Extensions that change nothing of what is read: how a surface is lit and textured, and lamps.
+// Extensions that do not affect the data that are read: materials, textures, and lights.
 static bool is_harmless(const char *name, size_t length) {
     static const char *const harmless[] = {"KHR_materials_unlit", "KHR_texture_transform", "KHR_lights_punctual"};
     for (size_t i = 0; i < sizeof harmless / sizeof *harmless; i++)
@@ -104,7 +104,7 @@ static bolan_result check_nodes(const gltf *g) {
 
 // ---- buffers and accessors (3.6) ------------------------------------------------------------------------------------
 
-// Files beside it. What is not there is left to the library, which says so.
+// Checks the files that the glTF refers to. The library reports missing files.
 static bolan_result check_buffers(const gltf *g) {
     uint64_t total = 0;
     const int buffers = member_of_root(g, "buffers");
@@ -152,7 +152,7 @@ static uint64_t count_of(const gltf *g, int object, const char *key) {
     return n < g->accessor_count ? g->counts[n] : 0;
 }
 
-// What is copied out of the accessors; one may be used by many primitives.
+// Elements that are copied out of accessors; an accessor may be used by many primitives.
 static uint64_t copied_by_meshes(const gltf *g) {
     uint64_t total = 0;
     const int meshes = member_of_root(g, "meshes");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Models from files, by assimp's C interface: the meshes of all nodes with their transforms, turned from y-up to z-up,
-// in one colour a vertex. The file is checked before the library sees it (model_check.c), and nothing that the library
-// hands over is trusted: counts, indices and numbers are checked.
+// in one colour a vertex. The file is checked before the library reads it (model_check.c), and the counts, indices and
+// numbers that the library returns are checked too.
 #include "io/assimp/model_file.h"
 
 #include <assimp/cimport.h>
@@ -17,11 +17,11 @@
 #define CREASE 0.70710678f // cosine of 45 degrees
 #define FLAT 2.0f          // no cosine: triangles are not averaged
 
-// What is gathered: first counted, then filled.
+// The mesh that is built: first counted, then filled.
 typedef struct gathered {
     const struct aiScene *scene;
     const bolan_model_desc *desc;
-    float crease; // of normals that are made
+    float crease; // for computed normals
     model_mesh mesh;
     uint32_t nodes;
     bolan_result result;
@@ -30,9 +30,9 @@ typedef struct gathered {
 // ---- one mesh -------------------------------------------------------------------------------------------------------
 
 static bool finite3(struct aiVector3D v) { return isfinite(v.x) && isfinite(v.y) && isfinite(v.z); }
-static float share(float x) { return x >= 0.0f ? fminf(x, 1.0f) : 0.0f; } // also of what is no number
+static float share(float x) { return x >= 0.0f ? fminf(x, 1.0f) : 0.0f; } // 0 for NAN
 
-// y-up: x stays, what was up becomes z, and what looked to the viewer (+z) looks to -y.
+// y-up: (x, y, z) of the file becomes (x, -z, y).
 static bolan_vec3 turned(bolan_up up, float x, float y, float z) {
     return up == BOLAN_UP_Y ? bolan_v3(x, -z, y) : bolan_v3(x, y, z);
 }
@@ -47,7 +47,7 @@ static bolan_vec4 base_color(const struct aiScene *scene, const struct aiMesh *m
     return (bolan_vec4){share(c.r), share(c.g), share(c.b), 1.0f};
 }
 
-// The offset is taken off in double: the large parts of both cancel before the rounding to float.
+// Subtracts the offset in double, so that the large parts cancel before the rounding to float.
 static bolan_vec3 moved(const gathered *g, const struct aiMatrix4x4 *m, struct aiVector3D v) {
     const double x = (double)v.x, y = (double)v.y, z = (double)v.z;
     const bolan_dvec3 o = g->desc->offset;
@@ -61,8 +61,8 @@ static float determinant(const struct aiMatrix4x4 *m) {
            m->a3 * (m->b1 * m->c2 - m->b2 * m->c1);
 }
 
-// By the cofactors: the inverse transpose but for a factor, also where the matrix has none. A mirroring node turns the
-// cofactors over; the sign turns the normal back.
+// By the cofactors: the inverse transpose up to a factor, which exist for singular matrices too. A mirroring node
+// negates the cofactors; the sign of the determinant corrects the normal.
 static bolan_vec3 moved_normal(bolan_up up, const struct aiMatrix4x4 *m, struct aiVector3D n, float sign) {
     const bolan_vec3 a = {m->a1, m->a2, m->a3}, b = {m->b1, m->b2, m->b3}, c = {m->c1, m->c2, m->c3};
     const bolan_vec3 v = {n.x, n.y, n.z};
@@ -108,7 +108,7 @@ static void add_triangles(gathered *g, const struct aiMesh *mesh, uint32_t first
 
 static bool is_drawn(const struct aiMesh *mesh) { return mesh->mVertices && mesh->mFaces && mesh->mNumVertices >= 3; }
 
-// What a mesh needs: a vertex for each corner where its normals are to be made.
+// Counts the vertices of a mesh: one for each corner where normals are computed.
 static void count_mesh(model_mesh *to, const struct aiMesh *mesh) {
     const uint32_t faces = mesh->mNumFaces < MODEL_VERTEX_LIMIT ? mesh->mNumFaces : MODEL_VERTEX_LIMIT;
     const uint32_t split = mesh->mNormals ? 0 : 3 * faces;

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-#define MOST_AROUND 128 // triangles at a point that are averaged: the work goes with the square; beyond, flat
+#define MOST_AROUND 128 // triangles at a point that are averaged; the cost is quadratic, and beyond normals are flat
 
 typedef struct scratch {
     uint32_t vertices, corners; // of the part of the mesh, before it is split
@@ -79,7 +79,7 @@ static float angle_at(const scratch *s, uint32_t corner) {
 static bolan_vec3 corner_normal(const scratch *s, uint32_t corner, float crease) {
     const bolan_vec3 own = s->facing[corner / 3];
     const uint32_t p = s->point[s->corner[corner]], from = s->start[p], to = s->start[p + 1];
-    if (same3(own, bolan_v3(0.0f, 0.0f, 0.0f))) return bolan_v3(0.0f, 0.0f, 1.0f); // no area: never seen
+    if (same3(own, bolan_v3(0.0f, 0.0f, 0.0f))) return bolan_v3(0.0f, 0.0f, 1.0f); // no area: not visible
     bolan_vec3 sum = {0.0f, 0.0f, 0.0f};
     for (uint32_t k = from; k < to && crease <= 1.0f && to - from <= MOST_AROUND; k++) {
         const bolan_vec3 other = s->facing[s->around[k] / 3];
@@ -90,7 +90,7 @@ static bolan_vec3 corner_normal(const scratch *s, uint32_t corner, float crease)
     return length > 1e-6f ? bolan_v3_scale(sum, 1.0f / length) : own;
 }
 
-// The vertex with these values, made where there is none yet.
+// The vertex with these values; adds it where it does not exist yet.
 static uint32_t vertex_of(scratch *s, model_mesh *m, uint32_t old, bolan_vec3 normal) {
     const bolan_vec3 position = s->positions[old];
     const bolan_vec4 color = s->colors[old];
@@ -118,7 +118,7 @@ static void *carve(scratch *s, size_t count, size_t size) {
     return part;
 }
 
-// Lays the arrays out in the block; with none yet, only counts its bytes.
+// Places the arrays in the block; without a block it only counts the bytes.
 static void lay_out(scratch *s) {
     s->bytes = 0;
     s->positions = carve(s, s->vertices, sizeof *s->positions);

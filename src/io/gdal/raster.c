@@ -19,7 +19,7 @@ static void include(rectangle *r, double x, double y) {
     r->south = fmin(r->south, y), r->north = fmax(r->north, y);
 }
 
-// Where the raster's edge lies in local metres; all the world for one that covers much of the globe.
+// The rectangle of the raster in local metres; unlimited for a raster that covers much of the globe.
 static rectangle footprint(const raster_source *s) {
     const rectangle world = {-HUGE_VAL, -HUGE_VAL, HUGE_VAL, HUGE_VAL};
     if (s->geographic && fabs(s->to_map[1]) * s->width > 90.0) return world;
@@ -70,7 +70,7 @@ static bolan_result make_plan(const raster_source *s, double radius, raster_plan
     }
     const double east = r.east - r.west, north = r.north - r.south, longer = fmax(east, north);
     const double step = fmin(fmax(native_step(s, &r), longer / (MOST_SAMPLES_A_SIDE - 1)), longer / 2.0);
-    // Rounded up, and the step shortened: the grid ends where the area ends, whatever the step.
+    // The count is rounded up and the step shortened, so that the grid ends exactly at the rim of the area.
     plan->west = r.west;
     plan->south = r.south;
     plan->width = (uint32_t)fmax(ceil(east / step - 1e-6), 1.0) + 1;
@@ -82,7 +82,7 @@ static bolan_result make_plan(const raster_source *s, double radius, raster_plan
 
 // ---- the terrain ----------------------------------------------------------------------------------------------------
 
-// What lies beyond: the mean depth of the grid's rim where it is sea, or a shelf of 50 m where it is all land.
+// The elevation beyond the grid: the mean depth of its rim where the rim is sea, or a shelf of 50 m where all is land.
 static double elevation_beyond(const raster_plan *plan, const float *grid) {
     double sum = 0.0;
     size_t count = 0;
@@ -97,7 +97,7 @@ static double elevation_beyond(const raster_plan *plan, const float *grid) {
 }
 
 static bolan_result make_terrain(const raster_source *s, const raster_plan *plan, float *grid, bolan_ground **out) {
-    // Places that no projection reaches have no value yet.
+    // Points outside the domain of the projection have no value yet.
     const bolan_result result = bolan_raster_fill(s->path, grid, (int)plan->width, (int)plan->height);
     if (result == BOLAN_ERROR_FORMAT)
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_RASTER_EMPTY, "%s: nothing of it lies around the place that was asked for",
@@ -153,7 +153,7 @@ static bolan_result check(const bolan_raster_desc *d) {
     return BOLAN_ERROR_ARGUMENT;
 }
 
-// Keeps GDAL's warnings of the raster that is being read; its errors become part of our own sentences.
+// Keeps the warnings of GDAL about the raster; its errors become part of the sentence that is logged.
 static void CPL_STDCALL keep_message(CPLErr level, CPLErrorNum number, const char *text) {
     (void)number;
     raster_messages *m = CPLGetErrorHandlerUserData();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file raster.h
-/// The parts of reading a raster. Private to src/io.
+/// The stages of reading a raster. Private to src/io.
 ///
 ///     desc -open-> raster_source -place-> (georeference) -plan-> raster_plan (local grid)
 ///          -window-> raster_window -holes-> (no sample without a value) -resample-> elevations
@@ -32,9 +32,9 @@ typedef struct raster_source {
     int number;           ///< of the band, from 1
     char variable[64];    ///< name of the variable or band, "" for none
     double metres;        ///< upwards, per unit of the band (after its scale and offset); below 0 for depths
-    bool perhaps_down;    ///< called a depth, but no direction is stated: the values decide
+    bool perhaps_down;    ///< named a depth without a stated direction: decided by the values
     char unit[48];        ///< as the file states it, for messages; "" for none
-    char crs[80];         ///< what the coordinates are, for messages
+    char crs[80];         ///< description of the coordinates, for messages
     raster_messages messages;
     int width, height;             ///< [pixels]
     double to_map[6], to_pixel[6]; ///< affine, GDAL's order: pixel <-> the raster's own map coordinates
@@ -63,14 +63,14 @@ typedef struct raster_window {
 
 // ---- raster_names.c: what a raster says of a band -------------------------------------------------------------------
 
-/// What is written about a band, "" where nothing is.
+/// The texts that describe a band; "" where there is none.
 typedef struct raster_words {
     char name[64], standard[64], description[128], unit[48], positive[16];
 } raster_words;
 
 /// Metres per @p unit; false for a text that is no unit of length.
 bool bolan_raster_unit(const char *unit, double *metres);
-/// How likely the words name elevations: 0 not at all. The highest of several bands is taken.
+/// How likely the words name elevations; 0: not at all. The band with the highest score is chosen.
 int bolan_raster_elevation_score(const raster_words *words);
 typedef enum raster_direction { RASTER_UP, RASTER_DOWN, RASTER_PERHAPS_DOWN } raster_direction;
 /// Whether the words name heights or depths.
@@ -91,8 +91,8 @@ void bolan_raster_map_point(const double affine[6], double x, double y, double *
 
 bolan_result bolan_raster_window_read(raster_source *source, const raster_plan *plan, raster_window *out);
 void bolan_raster_window_release(raster_window *window);
-/// Gives every sample a value, as the desc says what holes and zeros are. A sample is @p width x @p height metres.
-/// FORMAT where there is no data at all, MEMORY.
+/// Gives every sample a value, by the settings of the desc for holes and zeros. A sample is @p width x @p height
+/// metres. FORMAT where there is no data at all, MEMORY.
 bolan_result bolan_raster_holes(const raster_source *source, raster_window *window, double width, double height);
 /// Replaces NAN by values around it. FORMAT, without a sentence, when there is nothing but NAN; MEMORY, with one.
 bolan_result bolan_raster_fill(const char *path, float *values, int width, int height);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What samples without a value are: ground like that around them, or a sea bed.
+// Fills samples without a value: with the ground around them, or with a sea bed.
 //
-// A sea bed begins at the coast and falls off as a sandy beach does, depth = 0.1 m^(1/3) distance^(2/3) (Dean, J.
+// A sea bed begins at the coast and falls off like a sandy beach, depth = 0.1 m^(1/3) distance^(2/3) (Dean, J.
 // Coastal Research 7, 1991, eq. 1, for sand of 0.2 mm), down to a shelf. It lies nowhere above the data around it, so
 // that a hole in a survey of deep water stays deep. Distances are exact: Felzenszwalb & Huttenlocher, Theory of
 // Computing 8, 2012.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Units, and words by which an elevation is known among other variables. Standard names are those of the CF conventions
+// Units, and the words that identify an elevation among other variables. Standard names are those of the CF conventions
 // (cfconventions.org, version 1.11); the short names are the usual ones of GEBCO, ETOPO, ROMS and CMEMS files.
 #include "io/gdal/raster.h"
 
@@ -15,7 +15,7 @@ bool bolan_raster_same_text(const char *a, const char *b) {
     return lower(*a) == lower(*b);
 }
 
-// In small letters, with blanks for _ and -, and none at the ends.
+// In lower case, with blanks for _ and -, and without blanks at the ends.
 static void normalise(const char *text, char *out, size_t size) {
     size_t n = 0;
     while (*text == ' ') text++;

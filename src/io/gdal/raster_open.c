@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Opening a raster: which of its variables and bands are elevations, their unit and their direction. What the desc says
-// goes before what the file says; where neither decides, the file is refused with a list of what is in it.
+// Opens a raster and chooses variable and band, unit and direction. The desc overrides the file; where neither decides,
+// the file is refused with a list of its variables.
 #include "io/file.h"
 #include "io/gdal/raster.h"
 
@@ -66,7 +66,7 @@ static bolan_result refuse_choice(const raster_source *s, const candidate *list,
     return BOLAN_ERROR_FORMAT;
 }
 
-// Index of the one with the wanted name, or of the only best; -1 when there is none or several.
+// Index of the candidate with the wanted name, or of the single best one; -1 where there is none or several.
 static int choose(const candidate *list, int count, const char *wanted) {
     int best = -1, equals = 0;
     for (int i = 0; i < count; i++) {
@@ -82,7 +82,7 @@ static int choose(const candidate *list, int count, const char *wanted) {
 // ---- the file -------------------------------------------------------------------------------------------------------
 
 static GDALDatasetH open_quietly(raster_source *s, const char *name) {
-    s->messages.count = 0; // those of other variables are none of this one's
+    s->messages.count = 0; // drops the warnings of other variables
     return GDALOpenEx(name, GDAL_OF_RASTER | GDAL_OF_READONLY, NULL, NULL, NULL);
 }
 
@@ -118,7 +118,7 @@ static bolan_result cannot_open(const raster_source *s) {
     return BOLAN_ERROR_FORMAT;
 }
 
-// The name of a sub-dataset's variable: what stands behind the last colon or slash.
+// The name of the variable of a sub-dataset: the text after the last colon or slash.
 static const char *variable_of(const char *name) {
     const char *colon = strrchr(name, ':'), *start = colon ? colon + 1 : name, *slash = strrchr(start, '/');
     return slash ? slash + 1 : start;
@@ -130,7 +130,7 @@ static const char *subdataset_name(GDALDatasetH file, int number) {
     return CSLFetchNameValue(GDALGetMetadata(file, "SUBDATASETS"), key);
 }
 
-// Of a file that holds several rasters (netCDF, HDF): the one that is the elevation.
+// Opens the elevation of a file that holds several rasters (netCDF, HDF).
 static bolan_result open_variable(raster_source *s, GDALDatasetH outer) {
     candidate list[MOST_CANDIDATES];
     int count = 0;

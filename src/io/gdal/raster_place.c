@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Georeference of a raster: what its map coordinates are, and the way from local metres to its pixels.
+// Georeference of a raster: its map coordinates, and the map from local metres to pixels.
 #include "io/gdal/raster.h"
 
 #include <cpl_conv.h>
@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define COARSEST_DEGREES 0.5 // no step of a raster in degrees without a CRS is longer, but for a whole globe
+#define COARSEST_DEGREES 0.5 // longest step of a raster in degrees without a CRS, except for a whole globe
 
 static bolan_result bad_projection(const raster_source *s, const char *what) {
     bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_RASTER_PROJECTION, "%s: %s", s->path, what);

@@ -2,9 +2,9 @@
 // From a window of pixels to the local grid.
 //
 // Where a grid point lies in the raster is computed for every 16th point and interpolated between: the maps involved
-// bend by s^2 / 200 km over 16 steps of s metres, a few per cent of a step at the worst. Values are interpolated by the
+// bend by s^2 / 200 km over 16 steps of s metres, a few per cent of a step at most. Values are interpolated by the
 // cubic of Keys (IEEE Trans. ASSP 29, 1981; a = -1/2), which keeps slopes smooth, and held within the four nearest
-// samples, so that no cliff throws up an island beside it.
+// samples, so that a cliff produces no island beside it.
 #include "io/gdal/raster.h"
 
 enum { NET = 16 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which pixels a plan needs, and reading them: thinned when there are too many, in two pieces where a global raster's
-// seam lies between them; then from the file's numbers to metres, with NAN where there is no data.
+// Reads the pixels that a plan needs: thinned when there are too many, in two pieces where the seam of a global raster
+// lies between them. Then converts the numbers of the file to metres, with NAN where there is no data.
 #include "io/gdal/raster.h"
 
 #include <cpl_error.h>
@@ -23,7 +23,7 @@ static bounds pixel_bounds(const raster_source *source, const raster_plan *plan)
         }
         bolan_raster_local_to_pixel(source, PROBES, x, y);
         for (int i = 0; i < PROBES; i++) {
-            b.x0 = fmin(b.x0, x[i]), b.x1 = fmax(b.x1, x[i]); // fmin and fmax pass NAN by
+            b.x0 = fmin(b.x0, x[i]), b.x1 = fmax(b.x1, x[i]); // fmin and fmax ignore NAN
             b.y0 = fmin(b.y0, y[i]), b.y1 = fmax(b.y1, y[i]);
         }
     }
@@ -91,11 +91,11 @@ static bool read_pixels(const raster_source *source, const raster_window *w, con
 
 // ---- from numbers to metres -----------------------------------------------------------------------------------------
 
-#define LOWEST (-12000.0) // no place on Earth is lower [m]: the Challenger Deep is 10 935 m deep
-#define HIGHEST 9000.0    // or higher: Mount Everest, 8849 m
+#define LOWEST (-12000.0) // below every place on Earth [m]: the Challenger Deep is 10 935 m deep
+#define HIGHEST 9000.0    // above every place on Earth [m]: Mount Everest is 8849 m high
 #define LARGEST 1e5       // with every exaggeration [m]
 #define USUAL_VOID (-9999.0f)
-#define NEAR_VOID (-9000.0f) // a file with other values down here means its -9999
+#define NEAR_VOID (-9000.0f) // a file with other values below this one has real data there
 
 // NAN where the file says that there is no data. Values stay as in the file.
 static void mark_holes(const raster_source *source, raster_window *w, const uint8_t *mask) {
@@ -116,7 +116,7 @@ static size_t mark_usual_voids(const raster_source *source, raster_window *w) {
     const size_t count = (size_t)w->width * (size_t)w->height;
     for (size_t i = 0; i < count; i++) {
         voids += w->values[i] == USUAL_VOID;
-        if (w->values[i] != USUAL_VOID) lowest = fminf(lowest, w->values[i]); // passes NAN by
+        if (w->values[i] != USUAL_VOID) lowest = fminf(lowest, w->values[i]); // ignores NAN
     }
     if (voids == 0 || lowest < NEAR_VOID || !isnan(source->desc->nodata_value)) return 0;
     for (size_t i = 0; i < count; i++)
@@ -155,7 +155,7 @@ static void to_metres(raster_source *source, raster_window *w, const uint8_t *ma
     mark_holes(source, w, mask);
     size_t strange = mark_usual_voids(source, w);
     if (source->perhaps_down) decide_direction(source, w, scale, offset);
-    // A scale of the caller's may exaggerate; what it makes higher than on Earth is meant.
+    // A scale of the caller may exaggerate; heights above those of the Earth are then intended.
     const double exaggeration = isnan(source->desc->vertical_scale) ? 1.0 : fmax(fabs(source->metres), 1.0);
     for (size_t i = 0; i < (size_t)w->width * (size_t)w->height; i++) {
         if (isnan(w->values[i])) continue;

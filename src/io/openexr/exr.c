@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Float pictures: OpenEXR, through its C library.
+// Float images: OpenEXR, through its C library.
 //
 // The file is a single part of scan lines in blocks of 16 lines, each compressed by itself (ZIP). The encoder takes,
-// for each channel of the header, a pointer to the block's first line. The file grows in memory, for the encoder writes
-// its table of blocks last and a pipe cannot go back; then it is written like every other file.
+// for each channel of the header, a pointer to the block's first line. The file is built in memory, because the encoder
+// writes its table of blocks last and a pipe cannot seek; then it is written like every other file.
 #include "io/file.h"
 
 #include <openexr.h>
@@ -140,7 +140,7 @@ bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height, 
     if (result == EXR_ERR_SUCCESS) {
         written = bolan_file_write(path, m.data, m.size);
     } else {
-        // Into memory everything goes but for its end; the library may call that by another name.
+        // Writing to memory fails only when memory is short, whatever error the library names.
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory to compress the picture: %s", path,
                   exr_get_default_error_message(result));
         written = BOLAN_ERROR_MEMORY;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cascades from creation to destruction, and what is read of them. The model FFT.
+// Creation, reading and destruction of cascades. The model FFT.
 #include "waves/cascades/synth.h"
 
 // ---- creation -------------------------------------------------------------------------------------------------------

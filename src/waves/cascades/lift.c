@@ -32,7 +32,7 @@ static void set_pass(const sea_cascade *cascade, uint32_t index, pass *out) {
     }
 }
 
-// The energy is that of the realised amplitudes: one sea's mean is wanted, not that of all seas.
+// The energy is that of the realised amplitudes, because the lift corrects the mean of this sea, not of all seas.
 static void add_mode(void *context, const sea_mode *m) {
     const gathering *g = context;
     const sea_cascade *c = g->cascade;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A sea state over |k| alone: where its energy and its slopes lie, and how its short waves are rolled off.
+// Variance and slope variance of a sea state over |k|, and the roll-off of its short waves.
 //
 // The w^-5 tail of the wind-sea spectra holds for the waves near the peak. Continued to centimetres it has a slope
-// variance that grows with log k without end, more than Cox & Munk (1954) ever saw in a light wind. So beyond 10
+// variance that grows with log k without end, more than Cox & Munk (1954) measured in a light wind. So beyond 10
 // k_peak the power is multiplied by
 //
 //     keep(k) = exp(-(M(k) - M1) / (B - M1)),
 //
 // M(k) being the slope variance of the waves longer than k, M1 that at 10 k_peak, and B Cox & Munk's total for the
-// wind. What is kept then adds up to M1 + (B - M1)(1 - keep) < B however short the waves get, without a visible edge.
-// Where the long waves alone reach B (a swell in a calm) the short ones get a tenth of B, and so are few.
-// A sea with a system of Elfouhaily keeps all: its short waves are those of that system and end by themselves.
+// wind. The kept slope variance adds up to M1 + (B - M1)(1 - keep) < B however short the waves get, without a visible
+// edge. Where the long waves alone reach B (a swell in a calm) the short ones get a tenth of B, and so are few. A sea
+// with a system of Elfouhaily keeps all: its short waves are those of that system and end by themselves.
 #include "spectrum/portable.h"
 #include "waves/cascades/cascades.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A step of a sea of cascades: who does which strip when. cascades.h has the plan of a strip.
+// A step of a sea of cascades: the schedule of its strips. cascades.h has the plan of a strip.
 #include "waves/cascades/synth.h"
 
 #include <sched.h>
@@ -9,9 +9,9 @@
 #define LARGE_OUTPUT 1e7  // [bytes] all planes: more than second-level caches hold
 #define HUGE_OUTPUT 4e7   // [bytes] more than third-level caches hold for one process
 
-// A step is one queue of strips: the rows of a cascade, then its columns while what lies between them is still in the
-// cache. Columns wait until the rows of their cascade are done. All rows were taken from the queue before, and
-// whoever took them waits for nothing later, so the queue cannot lock up, however few workers there are.
+// A step is one queue of strips: the rows of a cascade, then its columns while the intermediate data are still in the
+// cache. Columns wait until the rows of their cascade are done. All rows were taken from the queue before, and a worker
+// on rows never waits, so the queue cannot deadlock with any number of workers.
 typedef struct step {
     const cascade_tables *tables;
     const cascade_fields *fields;

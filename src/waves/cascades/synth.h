@@ -5,14 +5,14 @@
 
 #include "waves/cascades/cascades.h"
 
-// What goes to memory without being read into the cache first, as it would not stay there anyway.
+// The outputs that bypass the cache, because they are larger than the cache.
 typedef enum sea_stream {
     SEA_STREAM_NONE,
-    SEA_STREAM_PLANES, // the float planes, which are read here and there; halfs are uploaded at once
+    SEA_STREAM_PLANES, // the float planes, which are read sparsely; halfs are uploaded soon after
     SEA_STREAM_ALL,
 } sea_stream;
 
-// What all strips of a step share.
+// The parameters that all strips of a step share.
 typedef struct sea_moment {
     double time; // [s], as sea_model.shown_time() gives it
     float decay; // factor on the foam memory; 0 restarts it

@@ -27,7 +27,7 @@ static inline void sincos_turns(wide x, wide *sine, wide *cosine) {
     *cosine = wide_from_bits(((odd & s) | (~odd & c)) ^ sign_c);
 }
 
-// Phases in turns, reduced to |x| <= 1/2 in double so that they stay good after days.
+// Phases in turns, reduced to |x| <= 1/2 in double, so that they stay accurate after days.
 static inline void reduce_turns(const double *turns, double time, float *out) {
     const double magic = 6755399441055744.0;
     for (int l = 0; l < FFT_LANES; l++) {

@@ -5,9 +5,9 @@
 //
 // (Liu, Xu & Chen 2009; without the root the variance would be 20 times too small). The one spreading cos^2 gets N
 // mid-points of +-90 degrees, by which sum cos^2 dth is exact; any other spectrum N parts of equal energy at that
-// frequency, each stood for by a direction inside it that moves on from frequency to frequency by the golden section,
-// so that no two frequencies run in the same directions. EXP_COSINE takes its few waves the same way, one direction
-// each, and so as many frequencies as waves.
+// frequency, each represented by a direction inside it that advances from frequency to frequency by the golden section,
+// so that no two frequencies have the same directions. EXP_COSINE takes its few waves in the same way with one
+// direction for each frequency.
 #include "spectrum/portable.h"
 #include "waves/sum/exp_cosine.h"
 #include "waves/sum/sum.h"
@@ -65,7 +65,7 @@ static void fan_equal_energy(const spectrum_eval *eval, double omega, uint32_t c
         }
         below += here;
     }
-    for (; j < count; j++) { // rounding kept the last from its turn
+    for (; j < count; j++) { // rounding may leave the last ones open
         out->angle[j] = mean * 2.0 * BOLAN_PI / ANGLES;
         out->share[j] = 1.0 / count;
     }
@@ -122,8 +122,8 @@ static void set_wave(const sea_shared *shared, sea_sum *sum, double omega, doubl
     sum->variance[at] = energy;
 }
 
-// The mean direction of few waves is off by some degrees: turns them all, so that it is the sea state's. Where the sea
-// state has hardly any (waves from all sides) the waves stay as they are.
+// The mean direction of few waves is off by some degrees. Turns all waves to the mean direction of the sea state. Where
+// the sea state has hardly a mean direction (waves from all sides), the waves stay as they are.
 static void align(const sea_shared *shared, fan *fans) {
     const sea_sum *sum = sea_sum_of(shared);
     double x = 0.0, y = 0.0, s, c;
@@ -208,7 +208,7 @@ static void set_tables(sea_shared *shared) {
 
 // ---- lift -----------------------------------------------------------------------------------------------------------
 
-// What a grid leaves of a wave's amplitude: as fields.kernel.c.
+// The share of a wave's amplitude that a grid keeps; twin of faded() in fields.kernel.c.
 static double faded(double length, double spacing) {
     const double t = spacing > 0.0 ? 0.5 * length / spacing - 1.0 : 1.0, u = fmin(fmax(t, 0.0), 1.0);
     return u * u * (3.0 - 2.0 * u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wave exp(s cos th) in numbers (Liu & Xie 2010, with a sharpness s put in; s = 1 is the paper's):
+// Moments of the wave exp(s cos th) (Liu & Xie 2010, with an additional sharpness s; the paper has s = 1):
 //
 //     eta = a (e^{s (cos th - 1)} - e^{-s} I0(s)) 2 / (1 - e^{-2s})                                                 (1)
 //

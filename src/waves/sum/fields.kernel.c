@@ -127,7 +127,7 @@ static inline void add_waves(const sum_tables *t, uint32_t begin, uint32_t end, 
     }
 }
 
-// Waves are sorted by length: first those that no lane fades, then those that some do; the rest is 0.
+// Waves are sorted by length: first the waves that no lane fades, then those that some lanes fade; the rest is 0.
 static void wave_limits(const sum_tables *t, const float *fade, uint32_t *full, uint32_t *last) {
     *full = *last = t->count;
     if (!fade) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The frequencies of a sum. The spectrum is whatever the sea state is, cut where its running energy says, so that for
-// Pierson-Moskowitz, exp(-B / w^4) of whose energy lies below w (Liu, Xu & Chen 2009),
+// The frequencies of a sum: any spectrum is cut by its cumulative energy. For Pierson-Moskowitz, where the share
+// exp(-B / w^4) of the energy lies below w (Liu, Xu & Chen 2009), the cuts are
 //
 //     equal energy   w_i = (B / ln(2M / (2i - 1)))^(1/4), the middle of M equal parts: one amplitude for all,
 //     equal width    w_i in the middle of M equal steps from (-B / ln mu)^(1/4) to (-B / ln(1 - mu))^(1/4), mu = .002,

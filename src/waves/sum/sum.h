@@ -2,11 +2,11 @@
 // A sea that is a sum of waves: COSINES (Liu, Xu & Chen 2009) and EXP_COSINE (Liu & Xie 2010). Private to src/waves and
 // src/query.
 //
-// How fields are evaluated. A step only turns the phase of every wave (`base`); fields are summed when a point is asked
-// for, 16 points at once, all waves for each. The phase in turns, x . k / 2 pi + base, is a double; adding 1.5 * 2^26
-// leaves its fraction in the low 26 bits of the mantissa, whatever the whole turns, so that the reduction costs one
-// addition and is as good at 1e7 m as at the origin. What a point gets depends on it alone, never on the points beside
-// it.
+// How fields are evaluated. A step only turns the phase of every wave (`base`); fields are summed when a point is
+// queried, 16 points at once, all waves for each. The phase in turns, x . k / 2 pi + base, is a double; adding 1.5 *
+// 2^26 leaves its fraction in the low 26 bits of the mantissa, whatever the whole turns, so that the reduction costs
+// one addition and is as accurate at 1e7 m as at the origin. The result of a point depends on the point alone, never on
+// its neighbours.
 //
 // Cost. A wave-point of COSINES is 11 operations for the phase, 7 to reduce it, 30 for sine and cosine, 16 for the
 // eight sums, with 11 loads of the wave's constants: on AVX2 about 75 instructions for 8 points, 25 to 38 cycles at 2
@@ -15,7 +15,7 @@
 // Measured on an EPYC: 1.30 and 19.1 ms, 2.8 times faster than the scalar kernel with 4 lanes and 5.5 with 8 (`bolan
 // bench waves`).
 //
-// Who owns what. A sea_sum is a table, read by every fork. The kernels read a wave's phase beside its constants, so the
+// Ownership. A sea_sum is a table, read by every fork. The kernels read a wave's phase beside its constants, so the
 // fields of a sea are a copy of all waves with its own phases (`sum_tables`): 64 bytes a wave.
 #ifndef BOLAN_WAVES_SUM_H
 #define BOLAN_WAVES_SUM_H
@@ -37,7 +37,7 @@ typedef struct sum_wave {
 } sum_wave;
 #define SUM_MAGIC 100663296.0 // 1.5 * 2^26
 
-// What the spectrum was cut into: a frequency, its energy, and the width it stands for.
+// A part of the spectrum: its frequency, its energy, and its width.
 typedef struct sum_line {
     double omega, energy, width; // [rad/s], [m2], [rad/s]
 } sum_line;
@@ -59,7 +59,7 @@ typedef struct sea_sum {
     double *variance;    // [m2]
     double slope[3];     // covariance xx, xy, yy
     double displacement; // variance of dx plus that of dy [m2]
-    double highest;      // no crest or trough is farther from the mean [m]
+    double highest;      // bound of crests and troughs [m]
     double farthest;     // sum of the amplitudes of D [m]
     uint32_t line_count;
     sum_line line[SUM_MAX_LINES];
@@ -68,7 +68,7 @@ typedef struct sea_sum {
 static inline const sea_sum *sea_sum_of(const sea_shared *shared) { return shared->tables; }
 static inline const sum_tables *sum_tables_of(const bolan_sea *sea) { return sea->fields; }
 
-// What a spectrum is cut into.
+// How a spectrum is cut.
 typedef struct sum_cut {
     bool exponential;
     uint32_t lines, directions;
