@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The clouds all round the eye, marched: premultiplied radiance and cover, air before them included. Low clouds by ray
-// marching with a rational law for light scattered many times; cirrus as a thin sheet.
+// The clouds around the eye by ray marching: premultiplied radiance and cover, with the air before them. Low clouds are
+// marched with a rational law for multiple scattering; cirrus is a thin sheet.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }
@@ -20,7 +20,8 @@ const float FARTHEST = 120000.0;
 vec3 panorama_direction() { // inverse of cloud_uv()
     float h = max(eye_height, 0.0), dip = horizon_dip(h), horizon = eye_above_clouds > 0.5 ? CLOUD_HORIZON : 0.0;
     float up = max(uv.y - horizon, 0.0) / (1.0 - horizon), down = max(horizon - uv.y, 0.0) / CLOUD_HORIZON;
-    float elevation = up * up * (0.5 * PI + dip) - pow(down, 1.5) * (0.5 * PI - dip) - dip, azimuth = 2.0 * PI * (strip.x + strip.y * uv.x);
+    float elevation = up * up * (0.5 * PI + dip) - pow(down, 1.5) * (0.5 * PI - dip) - dip;
+    float azimuth = 2.0 * PI * (strip.x + strip.y * uv.x);
     return vec3(cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation));
 }
 
@@ -71,7 +72,7 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
     float c = dot(dir, sun_direction), h0 = max(eye_height, 0.0);
     vec3 sun_above = solar_irradiance() * sun_transmittance(cloud_base + 0.7 * cloud_origin.z);
     vec3 ambient = ambient_radiance();
-    // What leaves a thick deck has come from sun and blue sky alike: nearly white.
+    // Light from a thick deck comes from the sun and from the blue sky: nearly white.
     vec3 entering = sun_above + PI * ambient;
     entering = mix(entering, vec3(dot(entering, vec3(0.2126, 0.7152, 0.0722))), 0.85 * cloud_cover * cloud_cover);
     float forward = 0.6 * henyey_greenstein(c, 0.85) + 0.4 * henyey_greenstein(c, 0.1);
@@ -120,7 +121,8 @@ vec4 cirrus(vec3 dir, out float d) {
     float amount = clamp((streak + 0.5 * (patches - 0.5) - 0.52) * 3.2, 0.0, 1.0) * (0.35 + 0.65 * fibre);
     amount *= smoothstep(0.0, 0.15, cloud_cover) * 0.42;
     float slant = min(1.0 / max(dir.z, 0.08), 5.0), cover = 1.0 - exp(-amount * slant);
-    float phase = 0.7 * henyey_greenstein(dot(dir, sun_direction), 0.7) + 0.5 * henyey_greenstein(dot(dir, sun_direction), 0.0);
+    float cosine = dot(dir, sun_direction);
+    float phase = 0.7 * henyey_greenstein(cosine, 0.7) + 0.5 * henyey_greenstein(cosine, 0.0);
     vec3 light = solar_irradiance() * sun_transmittance(9000.0) * phase + ambient_radiance() * 0.5;
     return vec4(light * cover, cover);
 }

@@ -20,6 +20,6 @@ void main() {
         float h = cloud_base + (float(i) + 0.5) * step_height;
         depth += cloud_extinction(position + run * h, h, 0.0) * step_height / up;
     }
-    color = vec4(exp(-0.6 * depth)); // part of what is scattered forward still arrives
+    color = vec4(exp(-0.6 * depth)); // part of the light that is scattered forward arrives
 }
 #endif

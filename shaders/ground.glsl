@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Land and sea bed. The mesh gives the shape; the chunk's map gives normals four times finer, cast shadows and open
-// sky; a tiled noise, looked up at the pixel's own footprint, gives the grain of rock, crowns and sand below that. NEAR
-// is defined for chunks fine enough to show the nearest grain, PICTURE for what the water mirrors and refracts, and for
-// an eye under it. Points under the water are left as if dry and without haze: the water pass puts the water over them.
+// sky; a tiled noise, fetched at the footprint of the pixel, gives the finer grain of rock, crowns and sand. NEAR is
+// defined for chunks fine enough to show the finest grain, PICTURE for planar views and for an eye under water. Points
+// under the water are shaded as if dry and without haze; the water pass adds the water.
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
 #include "common/under.glsl"
@@ -42,7 +42,7 @@ uniform sampler2D ground_noise; // billows, their gradient, patches; periodic
 uniform float shadow_softness;  // [m] of clearance
 
 
-// Everything the materials look at.
+// The inputs of the materials.
 struct ground {
     vec3 normal;
     float steep;      // tangent of the slope
@@ -59,7 +59,7 @@ struct material {
     float rough;      // Oren-Nayar sigma
 };
 
-// Between the footprint's short and long side: sharp at a grazing look, and still quiet.
+// A width between the short and the long side of the footprint: sharp at grazing angles, without noise.
 float footprint_level(vec2 uv) {
     vec2 a = dFdx(uv) * 129.0, b = dFdy(uv) * 129.0;
     float area = abs(a.x * b.y - a.y * b.x), major = max(dot(a, a), dot(b, b));
@@ -88,7 +88,8 @@ material sand(ground g) {
 
 // Basalt: dark, rusty in places, layered where it stands steep.
 material rock(ground g) {
-    vec3 tone = mix(vec3(0.052, 0.048, 0.045), vec3(0.165, 0.142, 0.115), clamp(g.mid.r * 1.1 - 0.1 + 0.5 * (g.wide.a - 0.5), 0.0, 1.0));
+    float light = clamp(g.mid.r * 1.1 - 0.1 + 0.5 * (g.wide.a - 0.5), 0.0, 1.0);
+    vec3 tone = mix(vec3(0.052, 0.048, 0.045), vec3(0.165, 0.142, 0.115), light);
     tone = mix(tone, vec3(0.155, 0.090, 0.055), smoothstep(0.50, 0.85, g.wide.a) * 0.4);
     float layer = g.elevation + 9.0 * (g.wide.r - 0.5) + 1.5 * (g.mid.a - 0.5);
     float bands = sin(layer * 0.9) * 0.6 + sin(layer * 2.3 + 1.7) * 0.4;
@@ -102,21 +103,24 @@ material grass(ground g, float high) {
     vec3 lush = mix(vec3(0.052, 0.074, 0.021), vec3(0.100, 0.118, 0.040), g.mid.a);
     vec3 dry = mix(vec3(0.13, 0.115, 0.055), vec3(0.20, 0.170, 0.090), g.mid.a);
     float parched = clamp(smoothstep(0.45, 0.75, g.wide.a + 0.35 * (g.open - 0.8)) * 0.75 + high, 0.0, 1.0);
-    return material(mix(lush, dry, parched) * mix(0.6, 1.4, g.near.r) * mix(0.45, 1.55, smoothstep(0.2, 0.8, g.fine.r)), 0.4, 0.6);
+    float blades = mix(0.6, 1.4, g.near.r) * mix(0.45, 1.55, smoothstep(0.2, 0.8, g.fine.r));
+    return material(mix(lush, dry, parched) * blades, 0.4, 0.6);
 }
 
 material forest(ground g) {
     // Crowns: bright tops, dark gaps; seen from far they melt into one dark green.
     float crown = smoothstep(0.05, 0.80, g.mid.r);
     vec3 tone = mix(vec3(0.011, 0.022, 0.008), vec3(0.052, 0.078, 0.024), crown);
-    tone *= mix(vec3(0.80, 0.92, 0.95), vec3(1.30, 1.12, 0.85), g.wide.a) * mix(0.35, 1.55, smoothstep(0.2, 0.8, g.near.r)) * mix(0.45, 1.45, smoothstep(0.2, 0.8, g.fine.r));
-    tone *= mix(vec3(0.85, 0.97, 0.95), vec3(1.22, 1.06, 0.85), smoothstep(0.3, 0.7, g.mid.a)); // one tree is not the next
+    tone *= mix(vec3(0.80, 0.92, 0.95), vec3(1.30, 1.12, 0.85), g.wide.a);
+    tone *= mix(0.35, 1.55, smoothstep(0.2, 0.8, g.near.r)) * mix(0.45, 1.45, smoothstep(0.2, 0.8, g.fine.r));
+    tone *= mix(vec3(0.85, 0.97, 0.95), vec3(1.22, 1.06, 0.85), smoothstep(0.3, 0.7, g.mid.a)); // trees differ
     return material(tone, 0.9, 0.7);
 }
 
 material sea_bed(ground g) {
     float depth = -g.elevation;
-    material m = material(mix(vec3(0.62, 0.56, 0.42), vec3(0.72, 0.67, 0.54), g.mid.a) * (0.94 + 0.12 * g.near.a), 0.12, 0.3);
+    vec3 sand = mix(vec3(0.62, 0.56, 0.42), vec3(0.72, 0.67, 0.54), g.mid.a);
+    material m = material(sand * (0.94 + 0.12 * g.near.a), 0.12, 0.3);
     material reef = material(mix(vec3(0.075, 0.070, 0.040), vec3(0.25, 0.20, 0.12), g.mid.r), -0.5, 0.5);
     material weed = material(mix(vec3(0.045, 0.065, 0.026), vec3(0.10, 0.115, 0.05), g.near.r), 0.4, 0.6);
     float patches = g.wide.a * 0.65 + g.mid.a * 0.35;
@@ -133,18 +137,21 @@ material land(ground g) {
     float alpine = smoothstep(1900.0, 2700.0, height);
     material m = grass(g, 0.9 * smoothstep(900.0, 2000.0, height));
     // Trees fill the valleys and the wet slopes, and leave the ridges and dry flats.
-    float trees = 0.40 + 1.5 * (1.0 - g.open) + 1.4 * (g.wide.a - 0.42) + 0.2 * (g.mid.a - 0.5) + 0.25 * smoothstep(0.15, 0.5, g.steep);
+    float trees = 0.40 + 1.5 * (1.0 - g.open) + 1.4 * (g.wide.a - 0.42) + 0.2 * (g.mid.a - 0.5) +
+                  0.25 * smoothstep(0.15, 0.5, g.steep);
     trees *= smoothstep(2.8, 6.0, g.elevation + 2.0 * (g.mid.a - 0.5)) * (1.0 - smoothstep(1300.0, 2000.0, height));
     m = blend(m, forest(g), smoothstep(0.25, 0.45, trees));
     float surf = 1.0 - smoothstep(4.0, 26.0, g.elevation + 14.0 * (g.mid.a - 0.5)); // where spray keeps the rock bare
     float bare = g.steep + 0.55 * (g.mid.r - 0.5) + 0.5 * (g.wide.a - 0.5);
     float threshold = mix(mix(1.25, 0.38, surf), 0.35, alpine);
     m = blend(m, rock(g), max(smoothstep(threshold, threshold + 0.35, bare), 0.85 * alpine));
-    float beach = 1.0 - smoothstep(2.75, 3.2, g.elevation + 1.6 * (g.mid.a - 0.5) + 1.5 * (g.wide.a - 0.5) + 1.1 * (g.near.r - 0.5) + 0.5 * (g.fine.r - 0.5));
+    float ragged = 1.6 * (g.mid.a - 0.5) + 1.5 * (g.wide.a - 0.5) + 1.1 * (g.near.r - 0.5) + 0.5 * (g.fine.r - 0.5);
+    float beach = 1.0 - smoothstep(2.75, 3.2, g.elevation + ragged);
     m = blend(m, sand(g), beach * (1.0 - smoothstep(0.22, 0.34, g.steep + 0.15 * (g.mid.r - 0.5))));
     float dark = (1.0 - smoothstep(0.4, 1.6, g.elevation + 1.2 * (g.mid.a - 0.5))) * smoothstep(0.22, 0.36, g.steep);
     m.albedo *= 1.0 - 0.45 * dark;
-    float snow = smoothstep(3900.0, 4100.0, g.elevation + 160.0 * (g.wide.a - 0.5)) * (1.0 - smoothstep(0.7, 1.1, g.steep));
+    float high = smoothstep(3900.0, 4100.0, g.elevation + 160.0 * (g.wide.a - 0.5));
+    float snow = high * (1.0 - smoothstep(0.7, 1.1, g.steep));
     return blend(m, material(vec3(0.82, 0.84, 0.87), 0.1, 0.3), snow);
 }
 
@@ -182,7 +189,8 @@ ground look(vec2 p, float level) {
 // Ripples of the sand, only where the pixel resolves them.
 vec2 ripples(ground g, vec2 p) {
 #ifdef NEAR
-    float seen = (1.0 - smoothstep(0.02, 0.06, g.footprint)) * smoothstep(0.4, 0.9, g.elevation) * smoothstep(0.35, 0.6, g.mid.r);
+    float seen = (1.0 - smoothstep(0.02, 0.06, g.footprint)) * smoothstep(0.4, 0.9, g.elevation) *
+                 smoothstep(0.35, 0.6, g.mid.r);
     float phase = 2.0 * PI * (dot(p, vec2(0.8, 0.6)) * 7.0 + 2.2 * g.near.a + 3.0 * g.mid.a);
     return vec2(0.8, 0.6) * cos(phase) * 0.10 * seen * (1.0 - smoothstep(0.1, 0.2, g.steep));
 #else
@@ -202,7 +210,7 @@ void main() {
     else if (g.elevation > 0.3) m = land(g);
     else m = blend(sea_bed(g), land(g), smoothstep(-0.5, 0.3, g.elevation));
 
-    // The billows' gradients as bumps; the noise's mip-maps take them away in time.
+    // The gradients of the billows as bumps; the mip levels of the noise fade them with distance.
     vec2 grain = (g.mid.gb - 0.5).yx * 2.2 + (g.near.gb - 0.5) * 1.8 + (g.fine.gb - 0.5).yx * 1.4;
     vec3 n = normalize(vec3(g.normal.xy - m.bump * grain - ripples(g, p), g.normal.z));
     vec3 view = -normalize(position);

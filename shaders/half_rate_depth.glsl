@@ -18,7 +18,8 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy) * ivec2(columns, 1);
     int last = textureSize(picture_depth, 0).x - 1;
     float depth = 1.0;
-    for (int i = 0; i < columns; ++i) depth = min(depth, texelFetch(picture_depth, ivec2(min(at.x + i, last), at.y), 0).x);
+    for (int i = 0; i < columns; ++i)
+        depth = min(depth, texelFetch(picture_depth, ivec2(min(at.x + i, last), at.y), 0).x);
     gl_FragDepth = max(depth * 0.99999 - DEPTH_ROUNDING, 0.0); // the first: a sample lies between its pixels
 }
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Water that was lit at fewer places (src/render/half_rate.c), over the picture. KEPT: where there is water
-// stands in the shape that its optics keeps; else the mesh says it. OPAQUE: there is something else in the picture. To
-// discard is dear, for software OpenGL tests depth late then.
+// Half-rate shading, the resolve: upsamples the shaded samples into the image (src/render/half_rate.c). KEPT: the shape
+// that the optics keeps states where there is water, else the mesh does. OPAQUE: the image has other objects. These are
+// defines, because `discard` is expensive: software OpenGL then tests depth late.
 #include "common/frame.glsl"
 #ifdef KEPT
 #include "common/fullscreen.glsl"
@@ -37,7 +37,8 @@ void main() {
     // columns of the samples on both sides; none of them lies between rows
     float at = gl_FragCoord.x * places.x + places.y, left = floor(at);
     ivec2 from = ivec2(int(left), int(gl_FragCoord.y));
-    vec4 light = mix(texelFetch(sparse_light, max(from, 0), 0), texelFetch(sparse_light, ivec2(min(from.x + 1, int(places.z)), from.y), 0), at - left);
+    ivec2 next = ivec2(min(from.x + 1, int(places.z)), from.y);
+    vec4 light = mix(texelFetch(sparse_light, max(from, 0), 0), texelFetch(sparse_light, next, 0), at - left);
     // no sample covers this pixel: a wave's tip between two samples, water between objects, or the rim of the quad
 #if defined(KEPT) || defined(QUAD) // the pixel's depth keeps the sky pass out: fall back to skylight
     if (light.a < 0.05) light = vec4(sky_light * 0.31830989, 1.0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Objects. All light is computed at the vertices, so that the pixels cost little: this is drawn up to three times a
-// frame. GROUND is defined for models that lie flat, PICTURE for what the water mirrors and refracts, and for an eye
-// under it; CUT where the picture's plane cuts the triangles, WET where they may lie under the water. As in
-// ground.glsl, points under the water are left as if dry and without haze: the water pass puts the water over them.
+// Objects. All light is computed at the vertices, so that the pixels cost little, because objects are drawn up to three
+// times a frame. GROUND is defined for models that lie flat, PICTURE for planar views and for an eye under water; CUT
+// where the clip plane cuts the triangles, WET where they may lie under the water. As in ground.glsl, points under the
+// water are shaded as if dry and without haze; the water pass adds the water.
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
 #include "common/under.glsl"
@@ -12,7 +12,7 @@ uniform float grain_scale; // 1 / period of the grain [1/m]
 uniform float pixel;       // of this picture [rad]
 uniform vec4 caster[64];   // pairs: centre (eye-relative), 1 / horizontal radius; x: 1 / vertical radius [1/m]
 uniform int caster_count;
-uniform int own_caster;    // an object does not stand in its own shadow
+uniform int own_caster;    // an object does not shadow itself
 
 #ifdef VERTEX
 layout(location = 0) in vec3 vertex;
@@ -84,7 +84,7 @@ void main() {
     float period = 4.0;
     grain = vec4((eye_wrapped + position.xy) / period, mix(0.7, 1.1, leafy), 0.0);
 #else
-    // Along no axis, so that no wall is smeared.
+    // Along no axis, so that walls show the grain.
     float period = 1.0 / grain_scale;
     grain = vec4((vertex.xz + vertex.y * vec2(0.61, 0.37)) * grain_scale, mix(0.3, 1.3, leafy), 0.0);
 #endif
@@ -126,7 +126,8 @@ void main() {
 #ifdef CUT
     if (over < 0.0) discard;
 #endif
-    vec4 noise = textureLod(ground_noise, grain.xy, floor(grain.w + 0.5)); // one level: software blends two at twice the price
+    // One level: software OpenGL blends two at twice the cost.
+    vec4 noise = textureLod(ground_noise, grain.xy, floor(grain.w + 0.5));
     float tone = noise.r + noise.a - 1.0;
     vec3 radiance = light * max(1.0 + grain.z * tone, 0.2);
 #ifdef WET

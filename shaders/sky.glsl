@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The sky behind everything: one texture fetch a pixel, in clear air and clouds drawn together (sky_panorama.glsl). The
 // sun's disc is drawn over it by sky_sun.glsl. The picture is drawn in two parts, which meet under the lowest point of
-// the horizon. In the part below (BELOW), should no water have been drawn there, shines the horizon's own light. All
-// that differs between views is in the uniform block.
+// the horizon. The part below (BELOW) shows the radiance of the horizon where no water was drawn. Everything that
+// differs between views is in the uniform block.
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
 
@@ -60,7 +60,7 @@ uniform sampler2D panorama;
 in vec3 ray;
 flat in vec2 horizon;
 
-// Arc tangents of quotients in [0,1], to 1e-5 (Abramowitz & Stegun 4.4.49): a sixth of a pixel's thousandth part.
+// Arc tangents of quotients in [0,1], to 1e-5 (Abramowitz & Stegun 4.4.49), which is far below a pixel.
 vec2 arc_tangent(vec2 t) {
     vec2 q = t * t;
     return t * (0.9998660 + q * (-0.3302995 + q * (0.1801410 + q * (-0.0851330 + q * 0.0208351))));

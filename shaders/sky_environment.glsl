@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The environment map: sky and clouds as the sea mirrors them. Under the clouds their panorama is as good from the
-// eye as from the water; a high eye knows only their tops, and mirrors a clear sky.
+// The environment map: sky and clouds as the sea reflects them. For an eye under the clouds their panorama is used. An
+// eye above them has a panorama of their tops only, so the map holds a clear sky.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }

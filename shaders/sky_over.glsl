@@ -20,8 +20,8 @@ out vec4 color;
 
 const float MIDDLE = 400.0; // of the layer, above its base [m]
 
-// Towards the same place of the layer's middle from where the map was made: clouds stay where they are while the eye
-// flies on.
+// The direction from the eye of the map to the same point of the middle of the layer, so that clouds stay in place
+// while the eye moves.
 vec3 from_map(vec3 dir, float h) {
     float b = (earth_radius + h) * dir.z, c = earth_shell(h, cloud_base + MIDDLE, earth_radius);
     float root = sqrt(max(b * b - c, 0.0)), d = c / max(root - b, 1.0); // nearest to it, where the ray passes over it

@@ -2,7 +2,7 @@
 // One level of the environment map, blurred: round each direction a Gaussian of environment_blur() in angle, whatever
 // the size of the texels there, over the sphere on which the sky goes on below the horizon as its mirror image. Wider
 // than the texels, so that a texture fetch between those of even the coarsest level shows no grid (a plain mip chain
-// would). Reads a plain mip chain of the same picture.
+// would). Reads a plain mip chain of the same map.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }

@@ -25,8 +25,9 @@ void main() {
     vec3 dir = normalize(ray);
     float angle = length(cross(dir, sun_direction)), r = min(angle / SUN_RADIUS, 1.0);
     float edge = clamp((SUN_RADIUS - angle) / radians_per_pixel + 0.5, 0.0, 1.0);
-    float visible = edge * smoothstep(-radians_per_pixel, radians_per_pixel, angle_above_horizon(dir, max(eye_height, 0.0)));
-    // The march of the clouds ends at 1 % of light left, which of the sun's disc would still blind.
+    float above = angle_above_horizon(dir, max(eye_height, 0.0));
+    float visible = edge * smoothstep(-radians_per_pixel, radians_per_pixel, above);
+    // The march of the clouds ends at a transmittance of 1 %, through which the sun's disc would still be too bright.
     float through = clamp(1.0 - 1.04 * cloud_radiance(dir).a, 0.0, 1.0);
     vec3 power = vec3(0.42, 0.52, 0.65), limb = pow(vec3(max(sqrt(1.0 - r * r), 0.05)), power);
     vec3 mean = 2.0 / (2.0 + power); // of the disc: 2 int mu^p r dr

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A quarter-size copy of the picture for the glow: the mean of 4 x 4 pixels, the brightest cut so that no glint
-// outshines all.
+// A quarter-size copy of the image for the glow: the mean of 4 x 4 pixels, with a limit so that a single glint does not
+// dominate.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The light of the water, pixel by pixel over the surface that water_shape.glsl left. What the pixel cannot resolve of
-// the waves is in the covariance of its slopes (Bruneton, Neyret & Holzschuch 2010), which widens the sun's glitter,
-// blurs the mirrored sky and lowers the mean Fresnel reflectance; waves hide sky and sun from one another
-// (common/reflection.glsl); the light from below comes from the sea bed behind and from the water's own backscatter
-// (Gordon et al. 1988; Lee et al. 1998 for finite depth).
+// Shades the water, each pixel once, from the outputs of water_shape.glsl. The unresolved waves of a pixel are a
+// covariance of slopes (Bruneton, Neyret & Holzschuch 2010), which widens the sun's glitter, blurs the reflected sky
+// and lowers the mean Fresnel reflectance. Waves shadow and mask each other (common/reflection.glsl). The light from
+// below comes from the sea bed and from the backscatter of the water (Gordon et al. 1988; Lee et al. 1998 for finite
+// depth).
 //
-// LAND: there is terrain: depth attenuates the waves, the bed shines through, land is mirrored, the shore foams.
-// TAPS: most look-ups along the long side of the pixel's footprint. RAYS: mirrored rays that look for land.
+// LAND: there is terrain: depth attenuates the waves, the bed is visible through the water, land is reflected, the
+// shore foams. TAPS: most texture fetches along the long side of the pixel's footprint. RAYS: reflected rays that
+// search for land.
 #include "common/frame.glsl"
 #include "common/fullscreen.glsl"
 
@@ -52,7 +53,7 @@ layout(std140) uniform Optics {
 vec3 reflected_ray(vec3 view, vec2 slope) { return reflect(-view, normalize(vec3(-slope, 1.0))); }
 
 #ifdef LAND
-// The land that a mirrored ray meets, found in the picture itself: rgb, w = how much of it counts.
+// The land that a reflected ray meets, found in screen space: rgb, w = its weight.
 vec4 mirrored_land(vec3 position, vec3 direction) {
     vec4 origin = view_projection * vec4(position, 1.0), step = view_projection * vec4(direction, 0.0);
     float near = 0.0, far = 3.0;
@@ -66,7 +67,7 @@ vec4 mirrored_land(vec3 position, vec3 direction) {
         if (!hit) { near = far; far *= 2.0; }
     }
     vec2 uv = vec2(0.0);
-    float gap = 0.0; // from what is seen there to the ray behind it [m]
+    float gap = 0.0; // distance of the ray behind the visible surface [m]
     for (int i = 0; i < 5 && hit; ++i) {
         float middle = 0.5 * (near + far);
         vec4 c = origin + step * middle;
@@ -79,7 +80,7 @@ vec4 mirrored_land(vec3 position, vec3 direction) {
             near = middle;
         }
     }
-    // Land reaches down to its foot, so that a ray behind it has met it. On the open sea things may hang in the air.
+    // Land reaches down to the ground, so a ray behind it has met it. On the open sea objects may float in the air.
     if (shore_present == 0 && gap > 0.5 + 2.0 * (far - near)) hit = false;
     vec3 land;
     vec4 seen = behind(uv, land);
@@ -88,11 +89,11 @@ vec4 mirrored_land(vec3 position, vec3 direction) {
     return vec4(seen.rgb, dry ? smoothstep(0.0, 0.05, min(edge.x, edge.y)) : 0.0);
 }
 
-// A single ray stands for a lobe wider than itself: it counts for so much.
+// Weight of a single ray, which represents a wider lobe.
 const float LONE_RAY = 0.75;
 
-// The reflected sky with the land before it. Several tilts stand for the distribution of the facets: with one alone a
-// hill is reflected in scraps. Of the light of either, the share `mirror.clear` is not hidden by waves.
+// The reflected sky with the land before it. Several tilts sample the distribution of the facets; with a single tilt
+// the reflection of a hill breaks up. The share `mirror.clear` of sky and land is not hidden by waves.
 vec3 with_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, rough_reflection mirror) {
     vec4 land = vec4(0.0);
     for (int i = 0; i < RAYS; ++i) {
@@ -106,7 +107,7 @@ vec3 with_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, roug
 }
 
 // The mesh of the bed may depart from the ground by some pixels (quality_table of src/render/pass_ground.c): far away
-// by more than the water is deep. Within that error the depth is the shore map's, beyond it something else stands in
+// by more than the water is deep. Within that error the depth is that of the shore map; beyond it an object stands in
 // the water.
 const float BED_ERROR = 4.0; // [px]
 
@@ -127,7 +128,7 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, flo
     return radiance_of_bed(seen.rgb, deep, exp(-water_attenuation * bed_path(water_path, down)));
 }
 
-// How this optics shows the shore, chosen by eye.
+// The look of the shore in this optics, chosen by eye.
 const surf_look SURF_LOOK = surf_look(0.35, 1.6, 0.1, 0.02, 0.35, 0.75, 0.0);
 const float ROCKS_DRY = 1.5, ROCKS_DEEP = 0.8;    // heights that the surge covers: this much dry [m], this much drowned
 const float ROCKS_MEAN = 0.55, ROCKS_PULSE = 0.45; // cover by surge
@@ -143,8 +144,8 @@ float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 no
 }
 #endif
 
-// Covered shares by breaking crests and by what they leave, by the law of shared/foam.glsl: what the pixel hides of the
-// slopes it hides of the Jacobian and of the foam memory.
+// Cover by breaking crests and by old foam, by the law of shared/foam.glsl. The pixel hides the same share of the slope
+// variance, of the variance of the Jacobian and of the foam memory.
 void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float old) {
     float hidden = jacobian_variance_of(covariance.x + covariance.z - slopes_beyond_cascades, choppiness);
     float share = clamp(hidden / max(jacobian_variance, 1e-6), 0.0, 1.0);
@@ -154,7 +155,7 @@ void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float o
     old = old_foam_memory >= FOAM_NEVER ? 0.0 : old;
 }
 
-// What is known of a pixel of water before it is lit.
+// A pixel of water before it is shaded.
 struct water_here {
     vec3 position, view;    // eye-relative; towards the eye
     vec2 rest;              // undisplaced xy
@@ -163,9 +164,9 @@ struct water_here {
     float height;           // over the mean water [m]
     footprint place;
     wave_fields waves;
-    vec2 slope;             // of what the look-ups resolve, as the eye sees it
-    vec3 normal;            // of that
-    vec3 hidden, roughness; // slope covariance that the look-ups lack: of an even wind, and here
+    vec2 slope;             // mean slope of the resolved waves, as the eye sees it
+    vec3 normal;            // of that slope
+    vec3 hidden, roughness; // unresolved slope covariance: of an even wind, and here
     surroundings near;
     visible_facets whole, seen; // over the slope of the mesh, and over `slope`
 };
@@ -174,13 +175,13 @@ struct water_here {
 // spacings wide.
 const float MESH_WIDTH = 1.4;
 vec3 slopes_beyond_mesh(vec2 rest, footprint f, float depth, float coded) {
-#ifndef WAVES_MESH // where the vertices carry all waves, the look-ups resolve what the mesh does
+#ifndef WAVES_MESH // where the vertices carry all waves, the texture fetches resolve no more than the mesh
     f.major = f.minor = MESH_WIDTH * exp2(coded - 16.0);
 #endif
     return hidden_slopes(rest, f, depth);
 }
 
-// Waves that shallow water has left: share of the amplitude.
+// Share of the amplitude that shallow water leaves.
 float waves_left(float depth) {
 #ifdef LAND
     return max(coast_attenuation(depth, significant_height), 0.05);
@@ -203,11 +204,11 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
     p.place = pixel_footprint(p.view, dist, slope_light.xy);
     vec3 beyond = slopes_beyond_mesh(p.rest, p.place, p.depth, coded) * gust * gust;
     p.whole = facets_seen(p.view, slope_light.xy, beyond);
-    // the eye sees no more of the water under the pixel than what stands clear of other waves
+    // The visible length of the water under the pixel is that which other waves do not hide.
     p.place.major = max(p.place.minor, min(p.place.major, dist * radians_per_pixel / max(p.whole.area, 0.01)));
     p.waves = waves_at(p.rest, p.place, gust, p.depth, vec4(slope_light.xy, coded - 4.0, 0.0));
 #ifdef WAVES_CASCADES
-    p.place.minor = max(p.place.minor, p.place.major / float(TAPS)); // what the look-ups really averaged over
+    p.place.minor = max(p.place.minor, p.place.major / float(TAPS)); // the width that the fetches really average over
 #endif
     p.hidden = hidden_slopes(p.rest, p.place, p.depth);
     p.roughness = p.hidden * gust * gust;
@@ -219,9 +220,9 @@ water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
     return p;
 }
 
-// The reflected sky and land: radiance times reflectance. Two look-ups along the lobe, which is long along the view and
-// narrows across it by the sine of the grazing angle. Rays that another wave stops are reflected again there, and come
-// from the low sky.
+// The reflected sky and land: radiance times reflectance. Two texture fetches along the lobe, which is long along the
+// view and narrows across it by the sine of the grazing angle. Rays that another wave stops are reflected again there,
+// and come from the low sky.
 vec3 reflected_light(water_here p, rough_reflection mirror) {
     float spread = mirror.spread, across = p.seen.across * clamp(dot(p.view, p.normal), 0.0, 1.0);
     float blur = clamp(across, 0.5 * spread, spread);
@@ -238,14 +239,14 @@ vec3 reflected_light(water_here p, rough_reflection mirror) {
     return light + (mirror.reflectance - mirror.clear) * again * low_sky;
 }
 
-// Radiance of the water itself: sunlight and skylight that entered it and were scattered back.
+// Radiance of the water itself: sunlight and skylight that were scattered back.
 vec3 water_light(vec3 sunlight) {
     rough_facets to_sun = rough_seen(sun_direction, vec2(0.0), slope_total);
     float enters = 1.0 - rough_fresnel(sun_direction, vec2(0.0), to_sun, water_index);
     return water_reflectance * (sunlight * (max(sun_direction.z, 0.0) * enters) + sky_light * SKY_ENTERS);
 }
 
-// What comes up through the surface: the water's own light, and the bed. water_path: depth under the pixel [m].
+// The radiance from below the surface: of the water itself and of the bed. water_path: depth under the pixel [m].
 vec3 transmitted_light(water_here p, vec2 uv, vec3 sunlight, out float water_path) {
     vec3 below = effect_is_on(EFFECT_AMBIENT) ? water_light(sunlight) : vec3(0.0);
     water_path = 1e4;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shape of the water, written as a few numbers per pixel that water_physical.glsl shades afterwards, each pixel
-// once: the triangles are so small that shading them one by one would pay for most pixels several times.
+// The shape of the water, a few numbers per pixel. water_physical.glsl shades each pixel once from them, because the
+// triangles are so small that shading them one by one would shade most pixels several times.
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 
@@ -10,7 +10,7 @@ void main() { water_vertex(); }
 
 #ifdef FRAGMENT
 layout(location = 0) out vec4 out_rest;          // undisplaced xy, mean depth of the water [m]; w: window depth
-layout(location = 1) out vec4 out_slope;         // slope of the mesh, gust factor, share of the sun that passes the clouds
+layout(location = 1) out vec4 out_slope;         // slope of the mesh, gust factor, sun through the clouds 0..1
 layout(location = 2) out vec4 out_transmittance; // of the air to the eye; w: 16 + log2 of the mesh's spacing [m], or
                                                  // where it carries the waves 4 + its jacobian; 0: no water here
 layout(location = 3) out vec4 out_inscatter;     // of the air to the eye; w: least depth within a few metres [m]

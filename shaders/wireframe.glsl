@@ -24,6 +24,7 @@ void main() {
 #else
     vec3 paint = vec3(0.55, 0.62, 0.65);
 #endif
-    color = vec4(paint * max(sky_light.r + sun_light.r * max(sun_direction.z, 0.0), 1e-3) * 0.5 * p.transmittance + p.inscatter, 1.0);
+    float light = max(sky_light.r + sun_light.r * max(sun_direction.z, 0.0), 1e-3) * 0.5;
+    color = vec4(paint * light * p.transmittance + p.inscatter, 1.0);
 }
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clear air over a round earth: geometry, what it holds, how it scatters. Heights and distances in metres,
+// Clear air over a round earth: geometry, constituents, scattering. Heights and distances in metres,
 // coefficients in 1/m at 650, 550 and 450 nm. After Hillaire 2020, "A scalable and production ready sky and
 // atmosphere rendering technique"; needs common/frame.glsl. tests/shaders/test_atmosphere.c holds the CPU twin.
 #include "common/frame.glsl"
@@ -41,7 +41,8 @@ float distance_to_sea(float h, float mu) { return earth_meets_exact(h, mu, earth
 
 // ---- content
 
-float haze_scale() { return 1000.0 * clamp(visibility / 5000.0, 0.25, 1.0); } // its scale height [m]: fog lies lower than haze
+// Scale height of the haze [m]: fog lies lower than haze.
+float haze_scale() { return 1000.0 * clamp(visibility / 5000.0, 0.25, 1.0); }
 
 vec3 air_density(float h) { // of air, haze and ozone, relative to their reference
     h = max(h, 0.0);

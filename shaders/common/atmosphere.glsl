@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sky for the passes that draw something under it: radiance towards a direction, mirrored sky, haze between the
-// eye and a point, sunlight and cloud shadow. Reads tables that the sky pass keeps; all of it is in the unit of
-// common/air.glsl.
+// The sky for the other passes: radiance towards a direction, the sky for reflections, haze between the eye and a
+// point, sunlight and cloud shadow. Reads the tables of the sky pass, in the unit of common/air.glsl.
 #include "common/environment.glsl"
 #include "common/sky_table.glsl"
 
@@ -19,8 +18,8 @@ vec3 sky_radiance(vec3 dir) { return textureLod(sky_view_table, sky_view_uv(dir,
 
 // ---- the environment map
 
-// Sky and clouds towards a mirrored direction, blurred as facets of that rms slope blur it: the ray turns by twice the
-// slope. Below the horizon, the horizon's.
+// Sky and clouds towards a reflected direction, blurred as by facets of that rms slope: the ray turns by twice the
+// slope. Below the horizon, the radiance of the horizon.
 vec3 environment_radiance(vec3 dir, float roughness) {
     return textureLod(environment_map, environment_uv(dir), environment_level(2.0 * roughness)).rgb;
 }
@@ -49,7 +48,8 @@ vec2 cloud_uv(vec3 dir, float h) {
     float above = angle_above_horizon(dir, h), dip = horizon_dip(h);
     float up = sqrt(max(above, 0.0) / (0.5 * PI + dip));
     float down = pow(max(-above, 0.0) / (0.5 * PI - dip), 2.0 / 3.0);
-    return vec2(atan(dir.y, dir.x) / (2.0 * PI), eye_above_clouds > 0.5 ? CLOUD_HORIZON + (1.0 - CLOUD_HORIZON) * up - CLOUD_HORIZON * down : up);
+    float row = eye_above_clouds > 0.5 ? CLOUD_HORIZON + (1.0 - CLOUD_HORIZON) * up - CLOUD_HORIZON * down : up;
+    return vec2(atan(dir.y, dir.x) / (2.0 * PI), row);
 }
 
 vec4 cloud_radiance(vec3 dir) { return textureLod(cloud_map, vec3(cloud_uv(dir, max(eye_height, 0.0)), 0.0), 0.0); }
@@ -72,7 +72,7 @@ void given_haze(float d, out vec3 transmittance, out vec3 inscatter) {
     inscatter = given_haze_radiance * (1.0 - transmittance);
 }
 
-// What the air does to light from an eye-relative position: color * transmittance + inscatter. Clouds below a high
+// Haze between the eye and an eye-relative position: color * transmittance + inscatter. Clouds below a high
 // eye are laid over the picture at its end (sky_over.glsl).
 void aerial_perspective(vec3 position, out vec3 transmittance, out vec3 inscatter) {
     float d = max(length(position), 1e-3), h = max(eye_height, 0.0);

@@ -27,7 +27,7 @@ foam_texels foam_look_up(vec2 rest, float width) {
 // The part of a value's range above 1 - share, with a soft edge; the mean over all values is the share.
 float foam_pattern(float value, float share, float soft) {
     soft = min(soft, 2.0 * min(share, 1.0 - share)) + 1e-4;
-    if (share <= 0.0) return 0.0; // the edge's least width would leave specks
+    if (share <= 0.0) return 0.0; // the soft edge would leave specks
     return smoothstep(1.0 - share - soft * 0.5, 1.0 - share + soft * 0.5, value);
 }
 
@@ -36,8 +36,8 @@ float foam_flatten(vec3 values, vec3 weights) {
     return normal_cdf(dot(values - 0.5, weights) * 3.4641016 * inversesqrt(dot(weights, weights)));
 }
 
-// How foam looks, chosen by eye. Weights of the nets of bubbles (broad, middle, and fine where the pixel is narrow) of
-// fresh and of old foam:
+// The look of foam, chosen by eye. Weights of the nets of bubbles (broad, middle, and fine where the pixel is narrow)
+// of fresh and of old foam:
 const vec3 DENSE_WEIGHTS = vec3(0.5, 0.45, 0.35), LACE_WEIGHTS = vec3(0.7, 0.25, 0.3);
 const float DENSE_EDGE = 0.8, LACE_EDGE = 0.6;      // width of the soft edge, in shares
 const float DENSE_FULL = 0.6;                       // cover from which on fresh foam is opaque

@@ -9,7 +9,7 @@ layout(std140) uniform View {
 };
 
 #ifdef FRAGMENT
-// The pixel of the picture whose kept shape is lit here.
+// The pixel of the image whose kept shape is shaded here.
 ivec2 sampled_pixel() { return ivec2(min(gl_FragCoord.xy * vec2(shade_columns, 1.0), viewport_size - 0.5)); }
 #endif
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One triangle over the whole picture, without buffers. A pass's vertex shader is: void main() { fullscreen(0.5); }
+// One triangle over the whole target, without buffers. A pass's vertex shader is: void main() { fullscreen(0.5); }
 #ifdef VERTEX
 out vec2 uv; // 0..1, (0,0) at the lower left
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wind is never even: patches of rougher and smoother water, a few hundred metres to kilometres wide.
+// Gusts: patches of rougher and smoother water, a few hundred metres to kilometres wide.
 
 float gust_lattice(ivec2 p, int period) {
     p = ivec2(p.x & (period - 1), p.y & (period - 1));
@@ -17,8 +17,8 @@ float gust_noise(vec2 p, int period) {
                mix(gust_lattice(i + ivec2(0, 1), period), gust_lattice(i + ivec2(1, 1), period), f.x), f.y);
 }
 
-// Factor on the rms slope of short waves, about 1 in the mean, at p [m] modulo 131072; `width`: what must be left out
-// [m].
+// Factor on the rms slope of short waves, about 1 in the mean, at p [m] modulo 131072; `width`: size of the patches
+// that are left out [m].
 float gustiness(vec2 p, float width) {
     p += 700.0 * (vec2(gust_noise(p / 2048.0, 64), gust_noise(p.yx / 2048.0 + 17.0, 64)) - 0.5);
     float large = gust_noise(p / 4096.0, 32) - 0.5;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Haze for two triangles: their vertices lie far away, so their pixels must make it, and cheaply. The air between the
-// eye and the flat sea thins out with height alone, so that one extinction serves the whole picture, and the light it
-// scatters towards the eye comes to a parabola of the cosine of the azimuth from the sun, through three texture fetches
+// Haze for the quad, whose vertices lie far away, so that its pixels must compute the haze cheaply. The density of the
+// air between the eye and the flat sea depends on height alone, so one extinction serves the whole image. The
+// in-scattered radiance is a parabola of the cosine of the azimuth from the sun, through three texture fetches
 // of the table. Needs common/atmosphere.glsl. Henyey and Greenstein's shape for g = 0.88.
 float forward_lobe(float c) {
     float q = 1.0 / (1.7744 - 1.76 * c);
@@ -36,7 +36,8 @@ void haze_vertex() {
     float c = length(sun_direction.xy); // ahead; half of it aside
     vec3 lobe = vec3(forward_lobe(c), forward_lobe(0.5 * c), forward_lobe(-c));
     float bent = lobe.y - lobe.z - 0.75 * (lobe.x - lobe.z);
-    haze_lobe = (aside - behind - 0.75 * (ahead - behind)) * (bent / (bent * bent + 1e-6)); // none where the sun is overhead
+    // No lobe where the sun is overhead.
+    haze_lobe = (aside - behind - 0.75 * (ahead - behind)) * (bent / (bent * bent + 1e-6));
     haze_slope = (ahead - behind - haze_lobe * (lobe.x - lobe.z)) * (c / (2.0 * c * c + 1e-6));
     haze_level = behind + c * haze_slope - lobe.z * haze_lobe;
 }
@@ -54,7 +55,7 @@ vec3 haze_transmittance(float dist) {
     return 1.0 / (q * q); // exp(-x), to 0.003
 }
 
-// What the haze adds along `to`, where `left` of the light passes.
+// Radiance that the haze adds along `to`, where it transmits `left`.
 vec3 haze_inscatter(vec3 to, vec3 left) {
     float c = dot(to.xy, sun_direction.xy) * inversesqrt(max(dot(to.xy, to.xy), 1e-9));
     return max(haze_level + c * haze_slope + forward_lobe(c) * haze_lobe, vec3(0.0)) * (1.0 - left);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wave layers in shaders: what a layer adds to the waves of the sea. Twin of src/water/train.c and of add_layers() in
+// Wave layers in shaders: waves that are added to those of the sea. Twin of src/water/train.c and of add_layers() in
 // src/query/query.c; the formula stands in shaders/shared/wave_train.glsl. src/render/wave_layers.c fills the block.
 // common/waves.glsl includes it, which has footprints and the block.
 #include "shared/wave_train.glsl"
@@ -8,7 +8,7 @@
 struct layer_waves {
     float height;  // [m]
     vec2 slope;
-    float share;   // what envelope and coast leave of the amplitude
+    float share;   // of the amplitude, by envelope and coast
 };
 
 layer_waves layer_at(int i, vec2 rest, float depth) {
@@ -21,9 +21,11 @@ layer_waves layer_at(int i, vec2 rest, float depth) {
     keep = coast_attenuation(depth, extent.w);
 #endif
     float phase = dot(wave.xy, rest) + wave.w, amplitude = keep * wave.z;
-    vec2 gradient = vec2(train_edge_slope(along, extent.z) * f * extent.x, train_edge_slope(across, extent.z) * e * extent.y);
+    vec2 gradient = vec2(train_edge_slope(along, extent.z) * f * extent.x,
+                         train_edge_slope(across, extent.z) * e * extent.y);
     vec2 envelope = vec2(gradient.x * area.z - gradient.y * area.w, gradient.x * area.w + gradient.y * area.z);
-    return layer_waves(amplitude * e * f * cos(phase), amplitude * (envelope * cos(phase) - e * f * sin(phase) * wave.xy),
+    return layer_waves(amplitude * e * f * cos(phase),
+                       amplitude * (envelope * cos(phase) - e * f * sin(phase) * wave.xy),
                        keep * e * f);
 }
 
@@ -56,7 +58,7 @@ vec2 layers_slope(vec2 rest, footprint f, float depth) {
     return slope;
 }
 
-// Slope covariance (xx, xy, yy) of the layers that the footprint leaves out: roughness.
+// Slope covariance (xx, xy, yy) of the layers that the footprint removes: roughness.
 vec3 layers_hidden(vec2 rest, footprint f, float depth) {
     vec3 hidden = vec3(0.0);
     for (int i = 0; i < layer_count; ++i) {

@@ -26,7 +26,8 @@ float gradient_noise(vec3 p, int period) {
         ivec3 o = ivec3(i & 1, (i >> 1) & 1, i >> 2);
         corner[i] = dot(noise_vector(cell + o, period) * 2.0 - 1.0, f - vec3(o));
     }
-    vec4 low = vec4(corner[0], corner[2], corner[4], corner[6]), high = vec4(corner[1], corner[3], corner[5], corner[7]);
+    vec4 low = vec4(corner[0], corner[2], corner[4], corner[6]);
+    vec4 high = vec4(corner[1], corner[3], corner[5], corner[7]);
     vec4 x = mix(low, high, u.x);
     vec2 y = mix(x.xz, x.yw, u.y);
     return mix(y.x, y.y, u.z);

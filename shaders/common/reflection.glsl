@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What rough water reflects towards an observer: the mean over the visible facets of Fresnel's reflectance, of whether
-// the ray is clear of other waves, and of the direction it comes from. Needs common/slopes.glsl.
+// The reflection of rough water towards an observer: means over the visible facets of the Fresnel reflectance, of the
+// visibility of the reflected ray past other waves, and of its direction. Needs common/slopes.glsl.
 //
 // Waves hide one another on two scales. The waves of the mesh stand in a ray's way by their height: Smith's function
 // for a point of known height, P(lower)^L (Bourlier, Berginc & Saillard 2002). The waves that the mesh lacks hide by
 // Smith's function over the plane of the mesh, and part of their slope belongs to waves so long that a facet shares it
-// with all that stands near: what leans towards the observer, and is therefore seen, leans away from a low sun and a
-// low sky beyond.
+// with its neighbourhood: a facet that leans towards the observer, and is therefore visible, leans away from a low sun
+// and a low sky on the far side.
 #include "shared/fresnel.glsl"
 #include "shared/microfacets.glsl"
 
@@ -53,9 +53,9 @@ vec2 seen_slope(vec3 v, vec2 slope, surroundings s, visible_facets whole, vec3 u
 }
 
 struct rough_reflection {
-    float reflectance; // mean over the visible facets, whether their rays are clear or not
+    float reflectance; // mean over the visible facets, also those whose rays are not clear
     float clear;       // of that, the part whose rays are clear
-    float tilt;        // mean slope towards the observer of the facets that reflect that part, over the mean slope
+    float tilt;        // mean slope towards the observer of the facets with clear rays, over the mean slope
     float spread;      // its rms about that
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Waves shorter than those of a sum, from a tile (src/render/ripple_texture.c). What a texture fetch averages away
-// stays as variance (Olano & Baker 2010: the tile holds the square of the slope too). RIPPLES: how often the tile is
-// laid, 1 or 2; set by quality.
+// Waves shorter than those of a sum, from a tile (src/render/ripple_texture.c). The slope variance that a texture
+// fetch removes is kept (Olano & Baker 2010: the tile holds the square of the slope too). RIPPLES: how often the tile
+// is laid, 1 or 2; set by quality.
 #ifndef WAVES_CASCADES
 #pragma unit ripple_map 18
 uniform sampler2D ripple_map;
@@ -10,7 +10,7 @@ uniform sampler2D ripple_map;
 #endif
 #endif
 
-// Adds the ripples to a slope, and takes from the covariance what is seen of them.
+// Adds the resolved ripples to a slope, and subtracts their variance from the covariance.
 void add_ripples(vec2 rest, footprint f, float gust, float depth, inout vec2 slope, inout vec3 covariance) {
 #ifndef WAVES_CASCADES
     float width = 0.5 * log2(f.minor * f.major) + 10.0, seen = 0.0; // in texels of a tile of 1 m

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rough water for the optics that have little time: what common/slopes.glsl and common/reflection.glsl do with
-// distribution functions, here by square roots (facing_fast() of shared/microfacets.glsl).
+// Fast rough water for the papers' optics: the quantities of common/slopes.glsl and common/reflection.glsl by square
+// roots in place of distribution functions (facing_fast() of shared/microfacets.glsl).
 // tests/shaders/test_water_rough.c has the errors.
 #include "shared/fresnel.glsl"
 #include "shared/microfacets.glsl"
@@ -8,7 +8,7 @@
 struct rough_facets {
     float area;  // plan-projected area that a unit of plan area shows
     float shift; // mean extra slope towards the observer
-    float sigma; // rms slope of the facets in sight along the view
+    float sigma; // rms slope of the visible facets along the view
 };
 
 // Variance of the slope along a horizontal direction of length 1; c: slope covariance (xx, xy, yy).
@@ -32,7 +32,7 @@ float rough_fresnel(vec3 v, vec2 m, rough_facets seen, float index) {
     return fresnel(clamp(dot(v, n) * inversesqrt(dot(n, n)), 0.01, 1.0), index);
 }
 
-// Radiance of the mirrored sun for an irradiance of 1 across its rays. middle: unit bisector of the directions to the
+// Radiance of the reflected sun for an irradiance of 1 across its rays. middle: unit bisector of the directions to the
 // observer and to the sun; reflectance of a facet across it; lit: see glint_radiance().
 float rough_glint_at(vec3 middle, float reflectance, vec2 m, vec3 c, float area, float lit) {
     float up = max(middle.z, 0.02);
@@ -40,7 +40,7 @@ float rough_glint_at(vec3 middle, float reflectance, vec2 m, vec3 c, float area,
     return glint_radiance(slope_density(off.x, off.y, c.x, c.y, c.z), reflectance, up, area, lit);
 }
 
-// The same with the exact dielectric. A low sun lights less of the plan than it shows of facets.
+// Like above, with the exact dielectric. A low sun lights less of the plan than it shows of facets.
 float rough_glint(vec3 v, vec3 to_sun, vec2 m, vec3 c, rough_facets seen, float index) {
     vec3 middle = v + to_sun;
     middle *= inversesqrt(max(dot(middle, middle), 1e-6));

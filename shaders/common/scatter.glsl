@@ -7,7 +7,7 @@ uniform sampler2D multiple_table;
 #pragma unit multiple_table 15
 const vec2 MULTIPLE_SIZE = vec2(SKY_MULTIPLE_WIDTH, SKY_MULTIPLE_HEIGHT);
 
-// Finer near the horizon, where twilight happens.
+// Finer near the horizon, where the sky changes fast in twilight.
 vec2 multiple_uv(float h, float mu_sun) {
     vec2 x = vec2(0.5 + 0.5 * sign(mu_sun) * sqrt(abs(mu_sun)), sqrt(clamp(h / AIR_TOP, 0.0, 1.0)));
     return (clamp(x, 0.0, 1.0) * (MULTIPLE_SIZE - 1.0) + 0.5) / MULTIPLE_SIZE;
@@ -15,7 +15,7 @@ vec2 multiple_uv(float h, float mu_sun) {
 
 vec3 multiple_scattering(float h, float mu_sun) { return textureLod(multiple_table, multiple_uv(h, mu_sun), 0.0).rgb; }
 
-// Clouds take part of the sun from the air under them and give part of that back as diffuse light. x: direct share,
+// Clouds shade the air under them, and scatter part of the sunlight into it as diffuse light. x: direct share,
 // y: diffuse.
 vec2 light_under_clouds(float h) {
     float cover = smoothstep(0.1, 1.0, cloud_cover) * smoothstep(cloud_base + 600.0, cloud_base, h);

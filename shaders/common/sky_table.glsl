@@ -4,7 +4,8 @@
 #include "common/air.glsl"
 
 const vec2 SKY_VIEW_SIZE = vec2(SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT);
-const vec3 AERIAL_SIZE = vec3(SKY_AERIAL_AZIMUTHS, SKY_AERIAL_ELEVATIONS, SKY_AERIAL_SLICES); // elevation: row 32 is the horizon
+// Row 32 of the elevations is the horizon.
+const vec3 AERIAL_SIZE = vec3(SKY_AERIAL_AZIMUTHS, SKY_AERIAL_ELEVATIONS, SKY_AERIAL_SLICES);
 const float AERIAL_REACH = 600000.0, AERIAL_NEAR = 400.0;
 
 float sun_azimuth_coordinate(vec2 direction) {

@@ -30,7 +30,8 @@ void through_water(vec3 position, float height, out vec3 through, out vec3 veil)
     float depth = max(-height, 0.0), away = max(length(position), 1e-3);
     if (eye_under_water > 0.5) {
         if (refraction_mode > 0.5) return; // above the water: what lies between is the water pass's to add
-        float reach = mirrored_under_water > 0.5 ? length(vec3(position.xy, eye_height + height)) : away; // by way of the surface
+        // In the reflection the light comes by way of the surface.
+        float reach = mirrored_under_water > 0.5 ? length(vec3(position.xy, eye_height + height)) : away;
         float upward = (mirrored_under_water > 0.5 ? -(eye_height + height) : position.z) / max(reach, 1e-3);
         vec3 left = exp(-under_fog * water_attenuation * reach);
         through = exp(-under_fog * water_attenuation * depth) * left;

@@ -9,8 +9,8 @@
 // Light through crests: `GLOW_ALL` for every azimuth, GLOW_AHEAD more towards the sun, chosen by eye.
 const float GLOW_ALL = 0.6, GLOW_AHEAD = 5.0;
 
-// The radiance over the water of a bed of radiance `bed`, and of the water `deep` over it. both_ways: share of the light
-// that is left after bed_path(), by Beer's law with the diffuse attenuation.
+// The radiance over the water of a bed of radiance `bed`, and of the water `deep` over it. both_ways: share of the
+// light that is left after bed_path(), by Beer's law with the diffuse attenuation.
 vec3 radiance_of_bed(vec3 bed, vec3 deep, vec3 both_ways) {
     return bed * BED_LEAVES * both_ways + deep * (1.0 - both_ways);
 }

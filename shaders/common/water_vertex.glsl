@@ -6,7 +6,7 @@
 //
 // STATIC_GRID: the vertices are places of the unit square, which the projector puts onto the water.
 // LAND: there is terrain, and shallow water attenuates the waves. QUAD: the surface is the quad; TRIM: of which the
-// corners beyond the horizon can be seen, and are left out. ROUGH_VERTICES: the vertices look up the roughness too.
+// corners beyond the horizon can be seen, and are left out. ROUGH_VERTICES: the vertices compute the roughness too.
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
 #include "common/gusts.glsl"
@@ -14,8 +14,8 @@
 #include "common/grid.glsl"
 #endif
 
-// What a pixel cannot resolve. Where the vertices carry the waves, it is they who cannot: a wave of three spacings
-// fades to half (bolan_sea_sample_grid), as it does under a pixel 1.4 spacings wide.
+// The footprint of the unresolved waves. Where the vertices carry the waves, their spacing limits the resolution: a
+// wave of three spacings fades to half (bolan_sea_sample_grid), as under a pixel 1.4 spacings wide.
 footprint mesh_footprint(footprint f, float spacing) {
 #ifdef WAVES_MESH
     f.minor = max(f.minor, 1.4 * spacing);
@@ -35,7 +35,7 @@ out vec4 water_place;                // eye-relative position, depth of the mean
 out vec2 water_rest;                 // undisplaced xy
 #ifndef QUAD
 out vec4 water_mesh;                 // slope, jacobian, foam of the mesh
-out vec4 water_light;                // gust factor, share of the sun that passes the clouds, least depth near here, spacing [m]
+out vec4 water_light;                // gust factor, sun through the clouds 0..1, least depth near here [m], spacing [m]
 out vec3 water_transmittance;        // of the air to the eye
 out vec3 water_inscatter;
 #ifdef ROUGH_VERTICES
@@ -85,11 +85,13 @@ void water_vertex() {
     vec3 position = vertex.xyz + offset;
     water_place = vec4(position, depth);
     water_rest = rest;
-    water_light = vec4(gustiness(eye_wrapped_wide + rest, vertex.w), cloud_shadow(position.xy), least_depth(rest, depth), vertex.w);
+    water_light = vec4(gustiness(eye_wrapped_wide + rest, vertex.w), cloud_shadow(position.xy),
+                       least_depth(rest, depth), vertex.w);
     aerial_perspective(position, water_transmittance, water_inscatter);
 #ifdef ROUGH_VERTICES
     float dist = max(length(position), 1e-3);
-    water_hidden = hidden_slopes(rest, mesh_footprint(pixel_footprint(-position / dist, dist, water_mesh.xy), vertex.w), depth);
+    footprint pixel = pixel_footprint(-position / dist, dist, water_mesh.xy);
+    water_hidden = hidden_slopes(rest, mesh_footprint(pixel, vertex.w), depth);
 #endif
     gl_Position = view_projection * vec4(position, 1.0);
 }
@@ -144,7 +146,7 @@ flat in vec3 quad_extinction1;
 flat in vec3 quad_extinction2;
 #endif
 
-// What a pixel of water knows before it looks anything up.
+// A pixel of water, from the varyings alone.
 struct water_pixel {
     vec3 position; // eye-relative
     vec2 rest;
@@ -156,8 +158,8 @@ struct water_pixel {
 };
 
 #ifdef QUAD
-// From above, how much farther away than this plane the round earth's water is on the same ray. At twice as far it
-// ends, in the horizon: there the plane does not, and a square would end in corners.
+// For an eye above the water, distance to the water of the round earth over the distance to this plane on the same ray.
+// At the horizon the factor is 2 and the water ends; the plane does not, and its square would show corners.
 float round_earth(vec2 position) {
     float left = 1.0 - 4.0 * earth_drop(dot(position, position), earth_radius) / max(eye_height, 0.5);
 #ifdef TRIM
@@ -166,15 +168,16 @@ float round_earth(vec2 position) {
     return eye_under_water < 0.5 ? 2.0 / (1.0 + sqrt(max(left, 0.0))) : 1.0;
 }
 
-// acos to 7e-5 (Abramowitz & Stegun 4.4.45), and asin, near 0 by its series: the function itself costs as much as
-// texture fetches.
+// acos to 7e-5 (Abramowitz & Stegun 4.4.45), and asin, near 0 by its series; the built-in functions cost as much
+// as texture fetches.
 float quick_acos(float x) {
     float a = abs(x), y = sqrt(max(1.0 - a, 0.0)) * (1.5707288 + a * (-0.2121144 + a * (0.0742610 - 0.0187293 * a)));
     return x < 0.0 ? 3.14159265 - y : y;
 }
 float quick_asin(float x) {
     float x2 = x * x;
-    return x2 < 0.16 ? x * (1.0 + x2 * (0.16666667 + x2 * (0.075 + x2 * (0.04464286 + x2 * 0.03)))) : 1.57079633 - quick_acos(x);
+    float series = x * (1.0 + x2 * (0.16666667 + x2 * (0.075 + x2 * (0.04464286 + x2 * 0.03))));
+    return x2 < 0.16 ? series : 1.57079633 - quick_acos(x);
 }
 
 // aerial_perspective() for a point of the mean sea.
@@ -186,9 +189,11 @@ void quad_aerial(vec3 position, out vec3 transmittance, out vec3 inscatter) {
     }
     vec3 dir = position / d;
     transmittance = exp(-d * (quad_extinction.rgb + x * (quad_extinction1 + x * quad_extinction2)));
-    float c = dot(dir.xy, sun_direction.xy) * inversesqrt(max(dot(dir.xy, dir.xy) * dot(sun_direction.xy, sun_direction.xy), 1e-12));
+    float squares = dot(dir.xy, dir.xy) * dot(sun_direction.xy, sun_direction.xy);
+    float c = dot(dir.xy, sun_direction.xy) * inversesqrt(max(squares, 1e-12));
     float above = min(quick_asin(clamp(dir.z, -1.0, 1.0)) + quad_extinction.w, 0.0);
-    vec3 at = vec3(sqrt(quick_acos(clamp(c, -1.0, 1.0)) / PI), 0.5 - 0.5 * sqrt(-above / (0.5 * PI - quad_extinction.w)),
+    vec3 at = vec3(sqrt(quick_acos(clamp(c, -1.0, 1.0)) / PI),
+                   0.5 - 0.5 * sqrt(-above / (0.5 * PI - quad_extinction.w)),
                    aerial_slice(d));
     inscatter = textureLod(aerial_table, to_texel_centres3(at, AERIAL_SIZE), 0.0).rgb;
 }
@@ -233,7 +238,7 @@ footprint water_footprint(water_pixel p, vec3 view, float dist) {
     return mesh_footprint(pixel_footprint(view, dist, p.mesh.xy), p.spacing);
 }
 
-// What the footprint leaves to the roughness.
+// Unresolved slope covariance of the footprint.
 vec3 water_hidden_slopes(vec2 rest, footprint f, float depth) {
 #if defined(ROUGH_VERTICES) && !defined(QUAD)
     return water_hidden;

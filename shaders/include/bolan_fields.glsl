@@ -13,7 +13,7 @@
 // - bolan_fields_at_rest(): the parcel that is at rest at a point. Twin of bolan_sea_sample_rest(). It displaces a mesh
 //   of rest points.
 // - bolan_fields_at(): the surface above a fixed point. Twin of bolan_query_surface(); decals, foam on a hull, spray.
-// - bolan_fields_on_grid(): like the first, low-passed for a mesh of that spacing; waves that it cannot carry fade out.
+// - bolan_fields_on_grid(): like bolan_fields_at_rest(), low-passed for a mesh of that spacing.
 //
 // `depth` is the depth of the still water under the rest point [m], by which shallow water attenuates the waves as
 // bolan_coast_attenuations() does; BOLAN_DEEP where there is no ground.
@@ -26,7 +26,7 @@ precision highp int;
 
 const float BOLAN_DEEP = 1e6; // [m]
 
-// What the sea is at a point.
+// The sea at a point.
 struct bolan_fields {
     vec3 displacement; // of the parcel from its rest point: east, north, up from the mean water [m]
     vec2 slope;        // dz/dx, dz/dy of the displaced surface

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What varies slowly over the picture of the water, in few pixels: air between, gusts, shadows of clouds, depth. Each
-// pixel is a ray, here met with the mean water; above the horizon it stands for the horizon.
+// Quantities of the water that vary slowly over the image, at low resolution: air, gusts, cloud shadows, depth. Each
+// pixel is a ray that meets the mean water; a ray above the horizon is taken as the horizon.
 #include "common/frame.glsl"
 #include "common/fullscreen.glsl"
 
@@ -17,7 +17,7 @@ void main() { fullscreen(0.0); }
 #endif
 layout(location = 0) out vec4 out_transmittance; // of the air to the eye; w: gust factor
 layout(location = 1) out vec4 out_inscatter;     // of the air to the eye; w: share of the sun that passes the clouds
-layout(location = 2) out vec4 out_bed;           // depth of the mean water [m], distance to the shore as the bed's slope has it [m]
+layout(location = 2) out vec4 out_bed;           // depth of the mean water, distance to the shore by the bed's slope [m]
 uniform vec4 air_size;                           // of this picture: 1 / width, 1 / height
 
 // Where a ray meets the mean water of the round earth, or passes nearest to it.

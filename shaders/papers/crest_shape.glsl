@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The water's shape for crest.glsl: where the surface that a pixel shows lies at rest. Small triangles cost software GL
+// The shape of the water for crest.glsl: the rest point of the surface in each pixel. Small triangles cost software GL
 // several times their pixels: keep this stage minimal.
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Normals of the mesh and one light (Liu, Xu & Chen 2009, section 3): ambient, diffuse and specular, as OpenGL lit
-// things then.
+// Normals of the mesh and one light (Liu, Xu & Chen 2009, section 3): ambient, diffuse and specular, the fixed-function
+// lighting of OpenGL.
 //
-// Beyond the paper, from its list of future work: the mirrored sky and what shines through by Fresnel's law, foam where
-// crests fold; and what neither the mesh nor the pixel resolves of the waves widens the highlight and blurs the mirror.
+// Beyond the paper, from its list of future work: reflected sky and transmitted light by Fresnel's law, and foam where
+// crests fold. The unresolved slopes widen the highlight and blur the reflection.
 //
-// LAND: there is terrain: the bed shines through, and the sea foams where it ends. PAPER: nothing but what the paper
-// has. (Defines, since software OpenGL takes both ways of a branch.)
+// LAND: there is terrain: the bed is visible through the water, and the shore foams. PAPER: the shading of the paper
+// alone. (These are defines, because software OpenGL executes both sides of a branch.)
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 
@@ -45,7 +45,7 @@ wave_fields waves_here(water_pixel p, footprint f) {
     return w;
 }
 
-// Opacity of the foam, for a pixel of that width [m]. Its bubbles are looked up only where there is any.
+// Opacity of the foam, for a pixel of that width [m]. The bubbles are fetched only where there is foam.
 float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
     float hidden = jacobian_variance_of(covariance.x + covariance.z - slopes_beyond_waves, choppiness);
     float cover = foam_cover_fast(foam_jacobian - w.jacobian, hidden + foam_edge * foam_edge);
@@ -68,7 +68,7 @@ float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
 }
 
 #ifdef LAND
-// The radiance from below with the bed in it, and how much of the picture is water, 0 in the last centimetres.
+// The radiance from below with the bed, and the opacity of the water, 0 in the last centimetres of depth.
 vec3 with_bed(vec3 deep, water_pixel p, vec3 view, vec2 slope, out float film) {
     vec2 here = gl_FragCoord.xy * pixel_size, uv = here - 0.06 * slope * clamp(p.depth * 0.3, 0.0, 1.0);
     vec3 bed;
@@ -82,19 +82,20 @@ vec3 with_bed(vec3 deep, water_pixel p, vec3 view, vec2 slope, out float film) {
 #endif
 
 #ifdef PAPER
-// Section 3, to the letter: no mirror, nothing shines through.
+// Section 3 exactly: no reflection, no transmitted light.
 vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
     vec3 normal = normalize(vec3(-w.slope, 1.0)), sunlight = sun_light * p.shade, light = vec3(0.0);
     float facing = max(dot(sun_direction, normal), 0.0), high = max(dot(normal, normalize(view + sun_direction)), 1e-6);
     if (effect_is_on(EFFECT_AMBIENT)) light += look_ambient * water_reflectance * (sunlight * facing + sky_light);
     if (effect_is_on(EFFECT_DIFFUSE)) light += look_diffuse * sunlight * facing * 0.31830989;
-    if (effect_is_on(EFFECT_SPECULAR)) light += look_specular * sunlight * exp2(look_shininess * log2(high)) * step(0.0, sun_direction.z);
+    if (effect_is_on(EFFECT_SPECULAR))
+        light += look_specular * sunlight * exp2(look_shininess * log2(high)) * step(0.0, sun_direction.z);
     return light;
 }
 #else
 vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
 #ifdef WAVES_CASCADES
-    f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
+    f.minor = max(f.minor, f.major / float(TAPS)); // the width that the fetches really average over
 #endif
     vec3 hidden = water_hidden_slopes(p.rest, f, p.depth) * (p.gust * p.gust), covariance = hidden;
     footprint pixel = pixel_footprint(view, length(p.position), p.mesh.xy);

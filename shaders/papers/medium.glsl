@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The water itself round an eye in it, where nothing stands before it.
+// The water around an eye under water, where no object is drawn.
 #define PICTURE
 #include "common/fullscreen.glsl"
 #include "common/frame.glsl"
@@ -20,7 +20,7 @@ out vec4 color;
 
 void main() {
     vec3 dir = normalize(ray);
-    float upward = mirrored_under_water > 0.5 ? -abs(dir.z) : dir.z; // the mirrored picture has it mirrored back
+    float upward = mirrored_under_water > 0.5 ? -abs(dir.z) : dir.z; // undoes the mirror
     color = vec4(water_glow(upward, -eye_height), 1.0);
 }
 #endif

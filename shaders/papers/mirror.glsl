@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Two pictures, of the world mirrored in the water and of the world seen through it, looked up where the waves bend
-// them to; the water's own texture, lit as a bumpy surface; the sun's glitter by a texture that the sun projects (Ma,
-// Zhu & Gong 2006).
+// Images of the reflected and of the refracted scene, fetched where the waves bend the ray; the water's own texture,
+// shaded as a bumpy surface; the sun's glitter by a projected texture (Ma, Zhu & Gong 2006).
 //
 // TILES: the waves are tiles baked from the sea, else waves_at() has them. RIPPLES: with a second, finer tile. HIGH:
-// cloud shadows lie on the water apart, and the air thins with height. PAPER: the paper to the letter: its normal maps,
-// its disturbance, its sums. BELOW: the eye is under water.
+// cloud shadows vary over the water, and the air thins with height. PAPER: the paper exactly: its normal maps, its
+// disturbance, its sums. BELOW: the eye is under water.
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 #ifdef QUAD
@@ -49,7 +48,8 @@ uniform sampler2D reflection_picture;
 uniform sampler2D refraction_picture;
 uniform highp sampler2D reflection_depth;
 uniform highp sampler2D refraction_depth;
-uniform sampler2D tile_slopes;    // slopes along the world's axes, their squares' sum, brightness of the water's own texture; PAPER: unit normal
+// Slopes along the world's axes, the sum of their squares, brightness of the water's own texture; PAPER: unit normal.
+uniform sampler2D tile_slopes;
 uniform sampler2D ripple_slopes;  // of shorter waves
 uniform sampler2D glint_texture;  // r: the sun as the slide has it
 layout(std140) uniform Optics {
@@ -57,17 +57,19 @@ layout(std140) uniform Optics {
 };
 
 
-vec2 in_tile(vec4 place, vec2 p) { return place.xy + vec2(along_tile(p.x, p.y, place.z, place.w), across_tile(p.x, p.y, place.z, place.w)); }
+vec2 in_tile(vec4 place, vec2 p) {
+    return place.xy + vec2(along_tile(p.x, p.y, place.z, place.w), across_tile(p.x, p.y, place.z, place.w));
+}
 // Along the tile's sides to along the world's axes.
 vec2 out_of_tile(vec4 place, vec2 s) {
     vec2 turn = place.zw * inversesqrt(dot(place.zw, place.zw));
     return vec2(dot(s, vec2(turn.x, -turn.y)), dot(s, turn.yx));
 }
 
-// Where many of its repetitions are in sight, a tile's slopes go over into roughness.
+// Where many repetitions of a tile are visible, its slopes fade into roughness.
 float far_share(vec4 place, float dist) { return 40.0 / (40.0 + dist * dist * dot(place.zw, place.zw)); }
 
-// What the waves are at a pixel.
+// The waves at a pixel.
 struct waves_here {
     vec2 slope;
     float variance; // of the slopes that the pixel cannot show, along one axis
@@ -118,7 +120,7 @@ vec2 place_in_picture(vec3 direction) {
     return clamp(c.xy / max(c.w, 1e-4) * 0.5 + 0.5, 0.5 * pixel_size, 1.0 - 0.5 * pixel_size);
 }
 
-// Share of a bent ray's turn that shows: what touches the water is not displaced, the sky wholly.
+// Share of the turn of a bent ray that shifts the fetch: 0 for objects that touch the water, 1 for the sky.
 float bent_share(highp sampler2D depth, vec2 uv) {
     float behind = textureLod(depth, uv, 0.0).x / (near_distance * gl_FragCoord.w);
     return clamp(1.0 - behind, 0.0, 1.0) * look_distortion;
@@ -142,11 +144,14 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     vec3 view = -to;
     float level = inversesqrt(max(dot(to.xy, to.xy), 1e-6)), tangent = view.z * level;
     vec2 toward = view.xy * level;
-    vec2 tilt = w.slope - toward * (w.variance * inversesqrt(tangent * tangent + 1.6 * w.variance)); // facets turned away hide
+    // Facets that are turned away are hidden.
+    vec2 tilt = w.slope - toward * (w.variance * inversesqrt(tangent * tangent + 1.6 * w.variance));
     // normals need no unit length where their square is divided by
     float n2 = 1.0 / (1.0 + dot(tilt, tilt)), flat2 = 1.0 / (1.0 + dot(w.slope, w.slope));
-    float facing = view.z + dot(to.xy, tilt), flat_facing = view.z + dot(to.xy, w.slope); // times the length of the normal
-    bool mirrors = effect_is_on(EFFECT_REFLECTION), clear = effect_is_on(EFFECT_REFRACTION), bends = effect_is_on(EFFECT_DISTORTION);
+    // Cosines times the length of the normal.
+    float facing = view.z + dot(to.xy, tilt), flat_facing = view.z + dot(to.xy, w.slope);
+    bool mirrors = effect_is_on(EFFECT_REFLECTION), clear = effect_is_on(EFFECT_REFRACTION);
+    bool bends = effect_is_on(EFFECT_DISTORTION);
     float reflectance = fresnel(clamp(facing * sqrt(n2), 0.02, 1.0), water_index);
 
     vec3 ray = to + 2.0 * facing * n2 * vec3(-tilt, 1.0);
@@ -164,7 +169,8 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     bent = mix(to, apparent, bends ? bent_share(refraction_depth, screen) : 0.0);
     vec3 seen = textureLod(refraction_picture, place_in_picture(bent), 0.0).rgb;
 
-    vec3 own = effect_is_on(EFFECT_BUMP) ? w.own * (light * max((sun_direction.z - dot(w.slope, sun_direction.xy)) * sqrt(flat2), 0.0) + sky_light)
+    float sun_cosine = max((sun_direction.z - dot(w.slope, sun_direction.xy)) * sqrt(flat2), 0.0);
+    vec3 own = effect_is_on(EFFECT_BUMP) ? w.own * (light * sun_cosine + sky_light)
                                          : own_radiance * (light * max(sun_direction.z, 0.0) + sky_light);
     vec3 below = mix(own, seen, clear ? look_blend : 0.0);
     vec3 result = mix(below, mirrored, mirrors ? reflectance : 0.0);
@@ -175,7 +181,7 @@ vec3 light_of_water(water_pixel p, waves_here w, vec3 to, vec2 screen) {
         float peak = min(narrow * narrow * (0.5 / PI), 90.0);
         float glint = slide(vec3(ray.xy, abs(ray.z)), vec2(0.0), slide_radius * narrow);
         float half_way = sqrt(0.5 + 0.5 * clamp(dot(view, sun_direction), -1.0, 1.0));
-        result += light * (fresnel_fast(half_way, water_index) * peak * glint); // at the facet that mirrors
+        result += light * (fresnel_fast(half_way, water_index) * peak * glint); // at the facet that reflects the sun
     }
     return result;
 }
@@ -194,7 +200,7 @@ vec3 printed_light(water_pixel p, waves_here w, vec3 to, vec2 screen) {
     return result;
 }
 #else
-// From under the water: the world above in Snell's window, round it the world below mirrored.
+// From under water: the scene above in Snell's window, and around it the reflected scene below.
 vec3 light_from_below(waves_here w, vec3 to, float dist, vec2 screen) {
     vec3 up = normalize(vec3(-w.slope, 1.0));
     float cosine = clamp(dot(to, up), 0.0, 1.0), reflectance = fresnel(max(cosine, 1e-3), 1.0 / water_index);
@@ -202,15 +208,19 @@ vec3 light_from_below(waves_here w, vec3 to, float dist, vec2 screen) {
     ray.z = -abs(ray.z);
     bool bends = effect_is_on(EFFECT_DISTORTION);
     vec3 bent = mix(to, vec3(ray.xy, -ray.z), bends ? bent_share(reflection_depth, screen) : 0.0);
-    vec3 mirrored = effect_is_on(EFFECT_REFLECTION) ? textureLod(reflection_picture, place_in_picture(bent), 0.0).rgb : vec3(0.0);
+    vec3 mirrored = vec3(0.0);
+    if (effect_is_on(EFFECT_REFLECTION)) mirrored = textureLod(reflection_picture, place_in_picture(bent), 0.0).rgb;
     vec3 out_ray = refract(to, -up, water_index); // zero beyond the window
     vec2 flat_ray = out_ray.xy / water_index;     // as it would come in through flat water
-    bent = mix(to, vec3(flat_ray, sqrt(max(1.0 - dot(flat_ray, flat_ray), 0.0))), bends ? bent_share(refraction_depth, screen) : 0.0);
+    float turn = bends ? bent_share(refraction_depth, screen) : 0.0;
+    bent = mix(to, vec3(flat_ray, sqrt(max(1.0 - dot(flat_ray, flat_ray), 0.0))), turn);
     vec4 land = textureLod(refraction_picture, place_in_picture(bent), 0.0);
     vec3 sky = environment_radiance(vec3(out_ray.xy, max(out_ray.z, 0.0)), 0.02);
     if (effect_is_on(EFFECT_GLITTER)) {
-        float sigma = sqrt(0.2 * w.variance + slide_radius * slide_radius); // through the surface facets turn rays by a third
-        sky += sun_light * min(1.0 / (2.0 * PI * sigma * sigma), 90.0) * slide(out_ray, vec2(0.0), slide_radius / sigma);
+        // A facet turns a ray through the surface by a third of its tilt.
+        float sigma = sqrt(0.2 * w.variance + slide_radius * slide_radius);
+        float peak = min(1.0 / (2.0 * PI * sigma * sigma), 90.0);
+        sky += sun_light * peak * slide(out_ray, vec2(0.0), slide_radius / sigma);
     }
     vec3 window = mix(sky, land.rgb, land.a) * (effect_is_on(EFFECT_REFRACTION) ? water_index * water_index : 0.0);
     vec3 left = exp(-under_fog * water_attenuation * dist);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Pictures of what is mirrored and refracted, mixed by Fresnel's law, and three parts of light over them (Liu & Xie
-// 2010, sections 1.2 and 1.3; the pictures are those of planar_views.c):
+// Images of the reflected and refracted scene, mixed by Fresnel's law, with three parts of light (Liu & Xie 2010,
+// sections 1.2 and 1.3; the images are those of planar_views.c):
 //
-//     C = F reflection + (1 - F) refraction,   each looked up where the waves bend it
+//     C = F reflection + (1 - F) refraction,   each fetched where the waves bend the ray
 //     ambient = Ka water (N . V)   diffuse = Kd light max(N . L, 0)   specular = Ks light max(N . H, 0)^shininess
 //
-// Beyond the paper: what a pixel cannot resolve of the waves blurs the mirror and widens the highlight; a look-up is
-// bent by the mirrored ray itself; the water's own colour fills what the water takes from the bed, so that Ka stands
-// for (1 - F) and not N . V.
+// Beyond the paper: the unresolved slopes blur the reflection and widen the highlight; the fetch is displaced by the
+// reflected ray itself; the water's own colour replaces the light that the water absorbs from the bed, so that the
+// factor of Ka is (1 - F) and not N . V.
 //
-// PICTURES: there is something to mirror or to see through the water. TAPS: look-ups of it across the blur. PAPER:
-// nothing but what the paper has. (Defines, since software OpenGL takes both ways of a branch.)
+// PICTURES: the planar views are not empty. TAPS: texture fetches across the blur. PAPER: the shading of the paper
+// alone. (These are defines, because software OpenGL executes both sides of a branch.)
 #include "common/frame.glsl"
 #include "common/water_vertex.glsl"
 
@@ -62,8 +62,7 @@ struct phong_surface {
 #endif
 
 #if !defined(WAVES_CASCADES) && !defined(PAPER)
-// Some way off [m], the same for kilometres' worth of sea: what bends the crests of waves that would run straight for
-// ever.
+// An offset [m] that varies over kilometres and bends the crests, which would otherwise be straight.
 vec2 wander_of(vec2 rest) {
     vec2 at = wander_eye.xy + rest * wander_fine, broad = wander_eye.zw + rest.yx * wander_broad;
     return 0.25 * peak_length * (textureLod(ripple_map, at, 5.0).xy + textureLod(ripple_map, broad, 5.0).yx);
@@ -87,8 +86,8 @@ phong_surface surface_here() {
     footprint wide = f;
     vec2 at = s.here.rest;
 #ifndef PAPER
-    // few waves make a pattern that repeats: it goes over into roughness where a wave is a few pixels long, and from
-    // high up, where much of it is in sight, earlier, and the tile's longest waves bend it
+    // A sum of few waves repeats. It fades into roughness where a wave is a few pixels long, and earlier from high up,
+    // where many repetitions are visible; the longest waves of the tile bend it.
     float high = smoothstep(30.0, 200.0, eye_height);
     wide.minor *= 3.0 + 7.0 * high;
     wide.major = max(f.major, wide.minor);
@@ -99,7 +98,7 @@ phong_surface surface_here() {
 #else
     s.slope = waves_at(s.here.rest, f, s.here.gust, s.here.depth, s.here.mesh).slope;
 #ifdef WAVES_CASCADES
-    f.minor = max(f.minor, f.major / float(TAPS)); // what the look-ups really averaged over
+    f.minor = max(f.minor, f.major / float(TAPS)); // the width that the fetches really average over
 #endif
     s.covariance = hidden_slopes(s.here.rest, f, s.here.depth);
 #endif
@@ -115,14 +114,14 @@ phong_surface surface_here() {
 
 float bending() { return effect_is_on(EFFECT_DISTORTION) ? look_distortion : 0.0; }
 
-// The place in a picture of a point, eye-relative: the water plane stays where it is in the pictures.
+// The coordinates of an eye-relative point in the planar views, in which the water plane stays in place.
 vec2 picture_of(vec3 point) {
     vec4 c = view_projection * vec4(point, 1.0);
     return clamp(c.xy / max(c.w, 1e-3) * 0.5 + 0.5, 0.002, 0.998);
 }
 
 #ifdef PICTURES
-// A picture has the air between the eye and what it shows; of that, the part before the water is laid over the water
+// A planar view includes the haze up to the object; the part of the haze before the water is applied to the water
 // itself.
 vec4 behind_water(sampler2D picture, vec3 point, float level, water_pixel p) {
     vec4 c = textureLod(picture, picture_of(point), level);
@@ -144,13 +143,13 @@ vec3 reflection(phong_surface s) {
 }
 
 #else
-// The ray that a facet of slope m mirrors, upwards.
+// The ray that a facet of slope m reflects, upwards.
 vec3 mirrored_ray(vec3 view, vec2 m) {
     vec3 r = reflect(-view, normalize(vec3(-m, 1.0)));
     return vec3(r.xy, abs(r.z));
 }
 
-// What is mirrored lies about as far behind the water as the water from the eye.
+// The reflected object is assumed as far behind the water as the water is from the eye.
 vec3 reflection(phong_surface s) {
     vec2 toward = s.view.xy / max(length(s.view.xy), 1e-4);
     vec2 leaning = bending() * (s.slope - toward * s.seen.shift);
@@ -159,7 +158,8 @@ vec3 reflection(phong_surface s) {
     vec4 land = vec4(0.0);
     // a facet's slope turns the ray by twice that, of which the other side of the picture's place shows half, and
     // across the view little
-    float texels = 0.25 * s.seen.sigma / float(TAPS) * float(textureSize(reflection_picture, 0).y) * pixel_size.y / radians_per_pixel;
+    float rows = float(textureSize(reflection_picture, 0).y) * pixel_size.y;
+    float texels = 0.25 * s.seen.sigma / float(TAPS) * rows / radians_per_pixel;
     float level = log2(clamp(texels, 1.0, 4.0)); // further up, the steps from one to the next would show
     for (int i = 0; i < TAPS; ++i) {
         float tilt = (float(2 * i + 1) / float(TAPS) - 1.0) * 1.3;
@@ -174,7 +174,7 @@ vec3 reflection(phong_surface s) {
 
 #endif
 
-// The bed through the water: what of its light arrives, and in `passed` the share that does.
+// The radiance of the bed through the water; `passed` receives the transmitted share.
 vec3 refraction(phong_surface s, out vec3 passed, out vec4 bed) {
     passed = vec3(0.0);
     bed = vec4(0.0);

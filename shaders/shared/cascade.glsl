@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How the square tile of a cascade, or of any other periodic image of the water, lies over the world: its axes are
-// turned by an angle whose cosine and sine are given, from east and north. Over the tile's side these are coordinates
-// of the image; the first sample stands at the origin.
+// The placement of the square tile of a cascade, or of another periodic image of the water: its axes are turned by an
+// angle, whose cosine and sine are given, from east and north. Divided by the side of the tile, along_tile() and
+// across_tile() are coordinates of the image; the first sample stands at the origin.
 #ifndef BOLAN_SHARED_CASCADE
 #define BOLAN_SHARED_CASCADE
 #include "shared/language.glsl"

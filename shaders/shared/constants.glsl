@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers that C and the shaders must agree on.
+// Constants that C and the shaders share.
 #ifndef BOLAN_SHARED_CONSTANTS
 #define BOLAN_SHARED_CONSTANTS
 
@@ -24,7 +24,7 @@
 #define FOOTPRINT_DEVIATION 0.4
 
 // Slope variance along an axis that the sun's disc adds: a facet that leans by half of the sun's angular radius,
-// 0.00465 rad, still mirrors its rim, (0.00465 / 2)^2 = 5.4e-6. It keeps a glint finite on flat water.
+// 0.00465 rad, still reflects its rim, (0.00465 / 2)^2 = 5.4e-6. It keeps a glint finite on flat water.
 #define SUN_DISC_SLOPES 6e-6
 
 // ---- the tables of clear air [texels]

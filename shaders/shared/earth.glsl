@@ -11,7 +11,7 @@
 // How far mean water lies below the tangent plane at a level distance whose square is given: the parabola.
 SHARED real earth_drop(real distance2, real radius) { return distance2 / (2.0 * radius); }
 
-// The same of the circle, R - sqrt(R^2 - r^2), written without cancellation; distance2 <= radius^2.
+// Like above, by the circle, R - sqrt(R^2 - r^2), written without cancellation; distance2 <= radius^2.
 SHARED real earth_drop_exact(real distance2, real radius) {
     return distance2 / (radius + sqrt(max(radius * radius - distance2, 0.0)));
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How much of the sea foams. The Jacobian of the horizontal displacement is nearly Gaussian; a crest breaks where it is
+// The law of the foam cover. The Jacobian of the horizontal displacement is nearly Gaussian; a crest breaks where it is
 // below a threshold, whose distance from the mean is the quantile of the share that breaking crests cover (Dupuy &
-// Bruneton 2012). Where a pixel averages over the Jacobian, what it hides is a variance about the mean that it sees,
-// and the covered share of the pixel is the normal distribution function again. The same holds for old foam, with the
+// Bruneton 2012). Where a pixel averages over the Jacobian, the hidden part is a variance about the visible mean,
+// and the cover of the pixel is the normal distribution function again. The same holds for old foam, with the
 // foam memory in the place of the Jacobian.
 #ifndef BOLAN_SHARED_FOAM
 #define BOLAN_SHARED_FOAM

@@ -5,7 +5,7 @@
 // plan. With the normal distribution P and its density p:
 //
 //   area   mean of max(0, u + t)            u P + p
-//   tilt   mean of t over what is shown     P / (u P + p)
+//   tilt   mean of t over the visible area  P / (u P + p)
 //   kept   standard deviation of that       sqrt(1 + p / (u P + p) - tilt^2)
 #ifndef BOLAN_SHARED_MICROFACETS
 #define BOLAN_SHARED_MICROFACETS
@@ -43,14 +43,14 @@ SHARED facing_facets facing_fast(real u) {
     return f;
 }
 
-// Share of the facets turned to a distant light that no other facet hides from it: what they show of the plan that the
-// light falls on. up: height of the light's unit direction; deviation: of the slope along its level part, times the
+// Share of the facets turned to a distant light that no other facet shadows: their area over the plan that the light
+// falls on. up: height of the light's unit direction; deviation: of the slope along its level part, times the
 // length of that part.
 SHARED real lit_fast(real up, real deviation) {
     return clamp(up / max(deviation * facing_fast(max(up, 0.0) / deviation).area, 1e-3), 0.0, 1.0);
 }
 
-// Smith's ratio of what other facets hide to what they leave, along a ray whose elevation is u standard deviations of
+// Smith's ratio of the hidden to the visible share, along a ray whose elevation is u standard deviations of
 // the slope: L(u) = phi(u) / u - Phi(-u), in the rational form of Walter et al. 2007 (within 0.005). Rays under the
 // mean plane are hidden.
 SHARED real smith_ratio(real u) {
@@ -68,9 +68,9 @@ SHARED real slope_density(real x, real y, real xx, real xy, real yy) {
 // The brightest glint [1/sr]: half floats, and the glow about the sun's image, end there.
 #define MOST_GLINT 400.0
 
-// Radiance of the mirrored sun for an irradiance of 1 across its rays: density of the slope that mirrors it (Cox & Munk
-// 1954; Ross, Dion & Potvin 2005). reflectance: of that facet; up: height of its unit normal; area: plan area that a
-// unit of plan area shows the observer; lit: share of such facets that see the sun.
+// Radiance of the reflected sun for an irradiance of 1 across its rays: density of the slope that reflects it (Cox &
+// Munk 1954; Ross, Dion & Potvin 2005). reflectance: of that facet; up: height of its unit normal; area: plan area that
+// a unit of plan area shows the observer; lit: share of such facets that see the sun.
 SHARED real glint_radiance(real density, real reflectance, real up, real area, real lit) {
     real up2 = up * up;
     return min(density * reflectance * lit / (4.0 * up2 * up2 * max(area, 0.01)), MOST_GLINT);

@@ -3,7 +3,7 @@
 vec4 tile_place;      // xy: the eye in the tile [0,1), zw: cos, sin of its angle over its side [1/m]
 vec4 ripple_place;    // likewise of the ripples' tile
 vec4 sun_slide[3];    // rows x, y, w of bias P_sun V_sun: reflected directions to the slide's coordinates
-vec3 own_radiance;    // mean radiance of the water's own texture by the light on flat water; PAPER: what its 1 stands for
+vec3 own_radiance;    // of the water's own texture, mean in the light on flat water; PAPER: of a texel of 1
 float tile_texels;    // log2 of the texels a metre of the tile
 float ripple_texels;  // likewise of the ripples
 float ripple_share;   // factor on the slopes of the ripples

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where things seem to lie through a flat water surface: Ma, Zhu & Gong 2006, section 2.2.3, and Fermat's path in place
-// of the paper's one angle for all.
+// Apparent positions through a flat water surface: Ma, Zhu & Gong 2006, section 2.2.3, with Fermat's path for each
+// point in place of a single angle.
 #ifndef BOLAN_SHARED_REFRACTION
 #define BOLAN_SHARED_REFRACTION
 #include "shared/language.glsl"

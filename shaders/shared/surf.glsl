@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Broken water near the shore: bores that run in over the shallows, each a steep front with foam that thins out behind
-// it, and swash at the edge. Shares are 0 to 1. How dense and how wide is the look of an optics.
+// it, and swash at the edge. Shares are 0 to 1. The optics choose density and width.
 #ifndef BOLAN_SHARED_SURF
 #define BOLAN_SHARED_SURF
 #include "shared/constants.glsl"
@@ -11,7 +11,7 @@
 #define BORE_DECAY 3.0  // by e^-3 foam thins out from a front to the next
 #define BORE_MEAN 0.3   // mean of bore_foam(), where a pixel is wider than the fronts are apart
 
-// What an optics makes of it.
+// The choices of an optics.
 STRUCT(surf_look)
 struct surf_look {
     real zone_full; // depth in significant heights from which on all is broken
@@ -20,7 +20,7 @@ struct surf_look {
     real edge_full; // depth of water at the edge [m] below which the swash is whole
     real edge_none; // and beyond which there is none
     real edge_mean; // cover by swash
-    real edge_pulse; // by how much it comes and goes
+    real edge_pulse; // amplitude of its variation
 };
 
 // 1 in water shallower than `full`, 0 in water deeper than `none`.
@@ -37,7 +37,7 @@ SHARED real surf_cover(real depth, real foam, surf_look look) {
     return shallows(depth, look.zone_full, look.zone_none) * mix(look.between, 1.0, foam);
 }
 
-// Comes and goes once a cycle.
+// Varies once a cycle.
 SHARED real surge(real mean, real pulse, real cycles) { return mean + pulse * sin(2.0 * PI * cycles); }
 
 // Cover by swash where the water is `depth` deep [m].

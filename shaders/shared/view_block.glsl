@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Members of the uniform block View: one picture of a step. See frame_block.glsl for who reads this and how.
+// Members of the uniform block View: one image of a step. See frame_block.glsl for the readers and the layout.
 mat4 view_projection;         // eye-relative world -> clip; reversed Z, infinite far
 mat4 inverse_view_projection; // clip -> eye-relative world
 vec2 eye_wrapped;             // place of the eye modulo 4096 m, for noise and small tiles
@@ -12,12 +12,12 @@ float near_distance;          // of the near plane [m]; window depth is near_dis
 float clip_zero_to_one;       // 1: clip depth is [0,1], 0: [-1,1]
 float eye_under_water;        // 1: the eye is below the mean water, and the water is drawn from below
 float under_fog;              // strength of the fog under water, 0: none
-float mirrored_under_water;   // 1: the mirrored picture of an eye under water
-float shade_columns;          // columns of the picture that a shaded sample of the water stands for (half-rate shading)
+float mirrored_under_water;   // 1: the reflection view of an eye under water
+float shade_columns;          // columns of the image that share a sample of the water (half-rate shading)
 float clip_side;              // 1: only what is above the clip plane, -1: only what is below it, 0: everything
 float clip_elevation;         // of the clip plane over mean water [m]
-float refraction_raise;       // factor about the water of what is refracted, where refraction_mode is 1
-float refraction_mode;        // raises what is refracted: 0 not, 1 by refraction_raise, 2 each vertex by its own angle
+float refraction_raise;       // factor on heights of refracted points about the water level, where refraction_mode is 1
+float refraction_mode;        // raises refracted points: 0 not, 1 by refraction_raise, 2 each vertex by its own angle
 vec3 sun_light;               // irradiance of the sun at the eye, at normal incidence, through the air
 float exposure;               // factor before the tone map
 vec3 sky_light;               // irradiance of the sky on a horizontal surface

@@ -18,8 +18,8 @@ SHARED real train_edge_slope(real u, real edge) {
     return (u < 0.0 ? 6.0 : -6.0) * t * (1.0 - t) / edge;
 }
 
-// Share of the amplitude that a grid of that spacing carries: all from 4 spacings a wave on, none from 2 down, as of
-// the waves of a sum.
+// Share of the amplitude that a grid of that spacing keeps: all from 4 spacings a wave on, none from 2 down, like the
+// waves of a sum.
 SHARED real train_on_grid(real wave_length, real spacing) { return clamp(0.5 * wave_length / spacing - 1.0, 0.0, 1.0); }
 
 // Share of the amplitude that a Gaussian footprint of standard deviation `sigma` along the wave leaves; k in rad/m.

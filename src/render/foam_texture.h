@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The tiled structure of foam, 4 channels whose values are uniformly distributed over [0, 255], so that the share of texels
-// above 255 (1 - c) is c: a coarse and a fine net of bubbles, and two smooth noises. Read by shaders/common/foam.glsl.
+// The tiled structure of foam, 4 channels whose values are uniformly distributed over [0, 255], so that the share of
+// texels above 255 (1 - c) is c: a coarse and a fine net of bubbles, and two smooth noises. Read by
+// shaders/common/foam.glsl.
 #ifndef BOLAN_FOAM_TEXTURE_H
 #define BOLAN_FOAM_TEXTURE_H
 

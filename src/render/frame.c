@@ -321,7 +321,8 @@ void bolan_renderer_draw_water(bolan_renderer *r, const bolan_view *view, const 
     bolan_renderer_leave(r);
 }
 
-// ---- a world ---------------------------------------------------------------------------------------------------------
+// ---- a world
+// ---------------------------------------------------------------------------------------------------------
 
 void bolan_renderer_draw_world(bolan_renderer *r, const bolan_world *world, const bolan_view *view) {
     const bool given = r != NULL && world != NULL && view != NULL;

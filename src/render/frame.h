@@ -46,7 +46,7 @@ enum {
     UNIT_REFLECTION_DEPTH = 7, // depths of those pictures, for optics without foam structure
     UNIT_REFRACTION_DEPTH = 15,
     UNIT_CASCADES = 20, // 20-22: 2D RGBA16F  packed cascades after the first, which is on UNIT_SLOPES
-    UNIT_SPARSE = 23,   // 2D  water lit at fewer places; while that begins, the picture's depth
+    UNIT_SPARSE = 23,   // 2D  half-rate shaded water; while it begins, the depth of the view
     UNIT_GLINT = 3,     // 2D R8  the sun on a slide, for optics that see nothing behind the water
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A square piece of ground at one level of detail: heights, and what shading needs of them. No GL here, so that chunks can
-// be built on any thread.
+// A square piece of ground at one level of detail: heights, and what shading needs of them. No GL here, so that chunks
+// can be built on any thread.
 //
 //   |<-- border -->|<-------- 128 texels = 32 cells -------->|<-- border -->|
 //    8 nodes        129 nodes: heights, normals, shadow, ambient light        8 nodes

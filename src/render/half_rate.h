@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The water lit at fewer places than the picture has pixels, and laid over the picture by their means.
+// Half-rate shading of the water: one sample for several pixels of a row, upsampled to the resolution of the view.
 //
-// Seen flat, a pixel covers far more of the water along the view than across it, and look-ups in textures average over spots that are
-// round: with one look-up in a footprint v times as long as wide, v pixels side by side show the same water. So, below the high
-// qualities, one sample serves `columns` pixels of a row. The shape of the water, its edges and its depth keep every pixel: an
-// optics that keeps its shape (water_optics.keeps_shape) is lit from that, and for one that does not the mesh is drawn twice, the
-// second time with next to nothing to do for a pixel.
+// At grazing angles the footprint of a pixel is far longer along the view than wide, and texture fetches average over
+// round footprints: with one fetch in a footprint v times as long as wide, v neighbouring pixels read the same texels.
+// Below the high qualities one sample therefore serves `columns` pixels of a row. The shape of the water, its edges and
+// its depth keep the full rate. An optics that keeps its shape (water_optics.keeps_shape) is shaded from the shape; for
+// other optics the mesh is drawn twice, the second time with hardly any work for a pixel.
 #ifndef BOLAN_RENDER_WATER_SPARSE_H
 #define BOLAN_RENDER_WATER_SPARSE_H
 
@@ -33,7 +33,8 @@ uint32_t bolan_half_rate_columns(const render_view *f, uint32_t most);
 // something is `opaque`. Its sampling.x is 1 and
 // it is `f` itself where it cannot be had (logged).
 render_view bolan_half_rate_begin(half_rate *s, const render_view *f, uint32_t columns, bool keeps_shape, bool opaque);
-// Into the frame's picture; d->view is the frame that bolan_half_rate_begin() had. With its own shape bound (UNIT_SURFACE) or by the mesh.
+// Into the frame's picture; d->view is the frame that bolan_half_rate_begin() had. With its own shape bound
+// (UNIT_SURFACE) or by the mesh.
 void bolan_half_rate_lay(const half_rate *s, const water_draw *d, bool keeps_shape, bool opaque);
 bolan_result bolan_half_rate_reload(half_rate *s);
 void bolan_half_rate_free(half_rate *s);

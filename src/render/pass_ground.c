@@ -150,7 +150,8 @@ bolan_result bolan_pass_ground_reload(pass_ground *p) {
 
 const shore_map *bolan_pass_ground_shore(const pass_ground *p) { return &p->shore.map; }
 
-// ---- chunks ----------------------------------------------------------------------------------------------------------
+// ---- chunks
+// ----------------------------------------------------------------------------------------------------------
 
 static bool create_gpu_chunk(pass_ground *p, gpu_chunk *g) {
     static const uint8_t components[] = {3};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The water: the sea's waves on the GPU (sea_gpu.c), the surface of this view (water_mesh.c), and the optics that the scene's
-// technique names (water_optics.h).
+// The water: the sea's waves on the GPU (sea_gpu.c), the surface of this view (water_mesh.c), and the optics that the
+// scene's technique names (water_optics.h).
 #include "memory.h"
 #include "half_rate.h"
 

@@ -8,7 +8,8 @@
 
 // Which of the four ways of waves.glsl.
 typedef enum water_waves { WATER_CASCADES, WATER_EXP, WATER_SUM, WATER_MESH } water_waves;
-// The sums of cosines are made on the CPU for each vertex; the quad has no vertices to speak of, so there in each pixel.
+// The sums of cosines are made on the CPU for each vertex; the quad has no vertices to speak of, so there in each
+// pixel.
 water_waves bolan_water_waves_of(bolan_wave_form form, bolan_surface_kind surface);
 // "WAVES_EXP 1\n" and so on; "" for cascades.
 const char *bolan_water_waves_define(water_waves waves);

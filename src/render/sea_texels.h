@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Texels of the cascades made on the CPU: what pixels need of a cascade in one texel, and mip levels. glGenerateMipmap on software
-// GL takes 0.4 ms for 256^2 texels, most of it in conversions; from the float planes on SIMD lanes it is a tenth of that.
+// Texels of the cascades made on the CPU: what pixels need of a cascade in one texel, and mip levels. glGenerateMipmap
+// on software GL takes 0.4 ms for 256^2 texels, most of it in conversions; from the float planes on SIMD lanes it is a
+// tenth of that.
 #ifndef BOLAN_RENDER_WATER_TEXELS_H
 #define BOLAN_RENDER_WATER_TEXELS_H
 
@@ -11,7 +12,8 @@ enum { TEXEL_PLANES = 4 };
 
 // The kernels of one instruction set; all give the same bits. n is a power of two.
 typedef struct texel_kernels {
-    // out[i] = (a[i], b[i], c0[i] + c1[i], d[i]) as halfs, and sum[i] = c0[i] + c1[i]; `count` of them, a multiple of 16
+    // out[i] = (a[i], b[i], c0[i] + c1[i], d[i]) as halfs, and sum[i] = c0[i] + c1[i]; `count` of them, a multiple of
+    // 16
     void (*pack)(size_t count, const float *a, const float *b, const float *c0, const float *c1, const float *d,
                  float *sum, uint16_t *out);
     // Means of 2 x 2 texels: planes of n x n in `from` to planes of n/2 x n/2 in `to`, and as texels of halfs in `out`.

@@ -125,7 +125,8 @@ bolan_surface_view bolan_water_mesh_view(const render_view *v) {
     return view;
 }
 
-// ---- the three surfaces: each fills vertices, and indices where they changed; returns the number of vertices -----------
+// ---- the three surfaces: each fills vertices, and indices where they changed; returns the number of vertices
+// -----------
 
 static void upload_indices(water_mesh *m, uint32_t count) {
     bolan_gl_buffer_update(&m->indices, 0, sizeof(uint32_t) * (count + m->seam_count), m->cpu_indices);

@@ -8,8 +8,8 @@
 
 #include <math.h>
 
-// Whether the corners of the quad, whose sides end at the horizon, stand above it by more than half a pixel: they are 1.41 times as far
-// away. Where the water is lit at fewer places they are left out when it is laid over the picture.
+// Whether the corners of the quad, which are 1.41 times as far away as its sides, stand above the horizon by more than
+// half a pixel. With half-rate shading the resolve leaves them out.
 static bool is_trimmed(const render_view *v) {
     if (v->block.eye_height < 0.0f) return false;
     const double dip = earth_dip(fmax(v->block.eye_height, 0.5), BOLAN_EARTH_RADIUS);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Water lit at fewer places than there are pixels (src/render/half_rate.c) is where it is in a picture that
-// lights each pixel, as bright, and leaves no pixel out, whatever the picture's width.
+// Half-rate shading (src/render/half_rate.c): the water covers the same pixels as at full rate, is as bright, and leaves
+// no pixel out, at any width of the image.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The whole of OpenGL that the passes see: textures, targets, buffers, programs, state, timers. Names of GL itself stay in
-// this folder. Every object is a plain struct owned by the pass that made it; free functions accept zeroed structs.
+// The whole of OpenGL that the passes see: textures, targets, buffers, programs, state, timers. Names of GL itself stay
+// in this folder. Every object is a plain struct owned by the pass that made it; free functions accept zeroed structs.
 #ifndef BOLAN_GL_H
 #define BOLAN_GL_H
 
@@ -72,7 +72,8 @@ typedef struct gl_texture_desc {
     float anisotropy; // 0 or 1: none
 } gl_texture_desc;
 bolan_result bolan_gl_texture_create(const gl_texture_desc *desc, gl_texture *out);
-// Uploads a whole level: floats for *16F/*32F, bytes for *8. `half`: the data are halfs already. layer: -1 all (2D, 3D), else one layer/slice.
+// Uploads a whole level: floats for *16F/*32F, bytes for *8. `half`: the data are halfs already. layer: -1 all (2D,
+// 3D), else one layer/slice.
 void bolan_gl_texture_upload(gl_texture *t, uint32_t level, int layer, const void *data, bool half);
 void bolan_gl_texture_generate_mipmaps(gl_texture *t);
 // Calls of bolan_gl_texture_upload() by this thread so far, and the bytes that they sent.
@@ -225,8 +226,8 @@ typedef struct gl_saved {
         void *callback, *user;
     } debug;
 } gl_saved;
-// `debug`: until bolan_gl_restore() the driver's messages are logged, and handed on to the caller's callback. Both need a
-// context; *s must stay where it is in between.
+// `debug`: until bolan_gl_restore() the driver's messages are logged, and handed on to the caller's callback. Both need
+// a context; *s must stay where it is in between.
 void bolan_gl_save(gl_saved *s, const gl_caps *caps, bool debug);
 void bolan_gl_restore(const gl_saved *s);
 

@@ -33,7 +33,8 @@ bolan_result bolan_paper_tiles_create(paper_tiles *t);
 void bolan_paper_tiles_prepare(paper_tiles *t, const render_view *v);
 // The tiles of the sea's own waves; NULL: it has none.
 const bolan_tiles *bolan_paper_tiles_base(const paper_tiles *t);
-// Those of shorter waves, and of the light on the bottom: the same, where the sea's are short enough. NULL: there are none.
+// Those of shorter waves, and of the light on the bottom: the same, where the sea's are short enough. NULL: there are
+// none.
 const bolan_tiles *bolan_paper_tiles_fine(const paper_tiles *t);
 // At which the ripples lie: across the other tile, so that their repetitions never line up [rad].
 double bolan_paper_tiles_ripple_angle(const paper_tiles *t);
