@@ -15,7 +15,7 @@ vec4 foam_texel(vec2 p, float log2_tile, float detail) {
 
 // rest: eye-relative [m]; width of the pixel on the water [m].
 foam_texels foam_look_up(vec2 rest, float width) {
-    vec2 p = mod(eye_wrapped + rest, WORLD_WRAP);
+    vec2 p = mod(water_wrapped + rest, WORLD_WRAP);
     // Old foam is drawn out along the wind. This tile lies turned, so the CPU finds the eye's place in it.
     vec2 drawn_out = streak_place + streak_scale *
                      vec2(dot(rest, vec2(-wind_direction.y, wind_direction.x)), dot(rest, wind_direction));

@@ -173,7 +173,7 @@ float open_foam(wave_fields w, vec3 slopes) {
 
 // Opacity; a: brightness of the bubbles.
 vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
-    vec2 at = mod(eye_wrapped + rest, WORLD_WRAP);
+    vec2 at = mod(water_wrapped + rest, WORLD_WRAP);
     float level = width_log2 + 9.0; // a tile has 512 texels
     vec4 tile = textureLod(foam_densities, at * (1.0 / 16.0), max(level - 4.0, 0.0));
     for (int finer = 0; finer < 1 && width_log2 < -4.0; ++finer) { // a loop: software OpenGL takes both ways of an if

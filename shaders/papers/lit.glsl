@@ -54,7 +54,7 @@ float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
 #endif
     float alpha = 0.0;
     for (int i = 0; i < 1 && cover > 0.02; ++i) { // a loop: some drivers sample textures in both branches of an if
-        vec2 at = mod(eye_wrapped + p.rest, WORLD_WRAP);
+        vec2 at = mod(water_wrapped + p.rest, WORLD_WRAP);
         float detail = log2(width * 64.0); // texels of a tile of 8 m
         float blurred = clamp(detail * 0.2, 0.0, 1.0), far = clamp(detail * 0.2 - 0.6, 0.0, 1.0);
         vec4 broad = textureLod(foam_detail, at * 0.015625, max(detail - 3.0, 0.0));

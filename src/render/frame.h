@@ -84,6 +84,8 @@ typedef struct frame {
 void bolan_frame_fill(frame *f);
 // frame_block::radiance_unit for a sun whose direction has that z.
 float bolan_radiance_unit(float sun_height);
+// How far the water has moved with its current since time 0 [m]; 0 without a sea.
+bolan_dvec2 bolan_frame_drift(const frame *f);
 // Place of an eye in the tile of wind streaks, for a wind that blows there.
 bolan_vec2 bolan_frame_streaks(bolan_dvec3 eye, double wind_to);
 // x modulo period, in [0, period): in double, so that a shader never sees a large coordinate.

@@ -104,9 +104,9 @@ static double fraction(double x) { return x - floor(x); }
 // Where the eye stands in a tile that runs with the phase speed of the wave in its middle, by `angle` off the wind, over
 // water that drifts.
 static void place(const render_view *v, double longest, double angle, vec4 *tile, vec4 *size) {
-    const bolan_sea_state *state = &bolan_sea_get_desc(v->frame->sea)->sea_state;
-    const double to = bolan_compass_from_to_math(state->wind_from_deg) + angle, time = v->frame->time;
-    const double x = v->eye.x - state->current_x * time, y = v->eye.y - state->current_y * time;
+    const double to = bolan_compass_from_to_math(bolan_sea_get_desc(v->frame->sea)->sea_state.wind_from_deg) + angle;
+    const bolan_dvec2 drift = bolan_frame_drift(v->frame);
+    const double x = v->eye.x - drift.x, y = v->eye.y - drift.y, time = v->frame->time;
     const double length = RIPPLE_LONGEST * longest, c = cos(to), s = sin(to);
     const double middle = longest * pow(0.5, 0.5 * RIPPLE_OCTAVES);
     const double speed = sqrt(BOLAN_GRAVITY * middle / (2.0 * BOLAN_PI));

@@ -59,7 +59,9 @@ static const member view_members[] = {VIEW(view_projection),
                                       VIEW(surf_phase),
                                       VIEW(view_padding),
                                       VIEW(tile_corner),
-                                      VIEW(tile_share)};
+                                      VIEW(tile_share),
+                                      VIEW(water_wrapped),
+                                      VIEW(view_padding_end)};
 static const member water_members[] = {
     WATER_ARRAY(cascade_tile), WATER_ARRAY(cascade_band), WATER_ARRAY(cascade_lift), WATER_ARRAY(wave_component),
     WATER_ARRAY(exp_slope),    WATER_ARRAY(shore_level),  WATER_ARRAY(ripple_tile),  WATER_ARRAY(ripple_size),

@@ -57,19 +57,12 @@ static bool table_only(const void *state, const frame *f) {
 
 static bool stale(const void *state) { return ((const mirror *)state)->tiles.stale; }
 
-// The eye over water that drifts with the sea's current.
-static bolan_dvec2 eye_over_water(const render_view *view) {
-    const bolan_sea *sea = view->frame->sea;
-    if (bolan_sea_cascade_count(sea) == 0) return (bolan_dvec2){view->eye.x, view->eye.y};
-    const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
-    return (bolan_dvec2){view->eye.x - v.origin_x, view->eye.y - v.origin_y};
-}
-
 // Where the eye stands in a tile, reduced in double: texel (0, 0) of the tile lies half a texel inside the texture.
 static bolan_vec2 place_in(const bolan_tiles_view *v, const render_view *view) {
     const double c = cos(v->angle), s = sin(v->angle);
-    const bolan_dvec2 eye = eye_over_water(view);
-    const double x = along_tile(eye.x, eye.y, c, s) / v->length, y = across_tile(eye.x, eye.y, c, s) / v->length;
+    const bolan_dvec2 drift = bolan_frame_drift(view->frame);
+    const double east = view->eye.x - drift.x, north = view->eye.y - drift.y;
+    const double x = along_tile(east, north, c, s) / v->length, y = across_tile(east, north, c, s) / v->length;
     return (bolan_vec2){(float)(x - floor(x) + 0.5 / v->n), (float)(y - floor(y) + 0.5 / v->n)};
 }
 
