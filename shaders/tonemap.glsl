@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Exposure, film curve, display encoding, dither. With GLOW: what a lens and an eye scatter of bright light. With
 // ACCUMULATE: adds the display value to a sum and the radiance to another, and writes both. With RESOLVE: writes out
-// the mean of the first sum.
+// the mean of the first sum. With LINEAR: writes out the source times a factor, neither tone mapped nor dithered.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }
@@ -15,7 +15,7 @@ uniform sampler2D glow;
 #pragma unit glow 3
 uniform sampler2D sum;
 #pragma unit sum 4
-// x: share of the glow, y: 1 encode sRGB, z: dither [1/255], w: weight of the sum (RESOLVE), of the old sum
+// x: share of the glow, y: 1 encode sRGB, z: dither [1/255], w: weight of the source (RESOLVE, LINEAR), of the old sum
 // (ACCUMULATE)
 uniform vec4 settings;
 uniform vec2 origin; // lower left corner of the picture in its framebuffer [px]
@@ -37,6 +37,10 @@ void main() {
 #ifdef ACCUMULATE
     bool first = settings.w <= 0.0;
     radiance = vec4(c + (first ? vec3(0.0) : texelFetch(radiance_sum, at, 0).rgb), 1.0);
+#endif
+#ifdef LINEAR
+    color = vec4(c * settings.w, 1.0);
+    return;
 #endif
 #ifdef RESOLVE
     vec3 display = c * settings.w;

@@ -284,6 +284,7 @@ static void draw_hosted(bolan_renderer *r, const bolan_view *to, const bolan_hos
     bolan_pass_water_draw(r->water, &v);
     bolan_gl_texture_bind(&r->targets.behind_depth, UNIT_SCENE_DEPTH);
     bolan_host_resolve(&r->host, &v, to, host, &r->targets.hdr_color);
+    bolan_pass_tonemap_forget(r->tonemap);
     end_part(r, PART_WATER);
     keep_statistics(r, &v);
 }

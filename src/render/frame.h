@@ -164,6 +164,8 @@ void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_
 // Of a picture of several samples: the sum of their radiance, width * height * 4 floats, row 0 at the bottom. Returns
 // how many were added up; 0: the picture had one sample, and @p rgba is untouched.
 uint32_t bolan_pass_tonemap_read_sum(const pass_tonemap *p, float *rgba);
+// The last picture had no sums: a host's.
+void bolan_pass_tonemap_forget(pass_tonemap *p);
 bolan_result bolan_pass_tonemap_reload(pass_tonemap *p);
 void bolan_pass_tonemap_destroy(pass_tonemap **p);
 

@@ -10,7 +10,7 @@ static const float glow_share = 0.06f;
 
 struct pass_tonemap {
     gl_program single[2], accumulate[2]; // without and with glow
-    gl_program resolve, shrink;
+    gl_program resolve, linear, shrink;
     // Sums over samples of what is displayed and of radiance. One pair is read while the other is written: floats of 32
     // bits cannot be blended everywhere.
     gl_texture sum[2], radiance_sum[2];
@@ -31,6 +31,7 @@ bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) 
     if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap", "ACCUMULATE 1\n", &p->accumulate[0]);
     if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap", "ACCUMULATE 1\nGLOW 1\n", &p->accumulate[1]);
     if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap", "RESOLVE 1\n", &p->resolve);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap", "LINEAR 1\n", &p->linear);
     if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap_glow", NULL, &p->shrink);
     if (result != BOLAN_OK) {
         bolan_pass_tonemap_destroy(&p);
@@ -41,8 +42,8 @@ bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) 
 }
 
 bolan_result bolan_pass_tonemap_reload(pass_tonemap *p) {
-    gl_program *const programs[] = {&p->single[0],     &p->single[1], &p->accumulate[0],
-                                    &p->accumulate[1], &p->resolve,   &p->shrink};
+    gl_program *const programs[] = {&p->single[0], &p->single[1], &p->accumulate[0], &p->accumulate[1],
+                                    &p->resolve,   &p->linear,    &p->shrink};
     for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
         const bolan_result result = bolan_gl_program_reload(programs[i]);
         if (result != BOLAN_OK) return result;
@@ -108,21 +109,13 @@ static void draw(const gl_program *program, const gl_texture *source, const bola
 static void draw_out(const gl_program *program, const gl_texture *source, const bolan_view *to, float weight) {
     const bool encode = to->output == BOLAN_OUTPUT_SRGB;
     bolan_gl_target_bind_external(to->framebuffer, to->x, to->y, to->width, to->height);
-    bolan_gl_set_framebuffer_srgb(!encode);
+    bolan_gl_set_framebuffer_srgb(to->output == BOLAN_OUTPUT_SRGB_FRAMEBUFFER);
     draw(program, source, to, encode, encode ? 0.5f : 0.1f, weight);
     bolan_gl_set_framebuffer_srgb(false);
 }
 
-void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_view *to, const gl_texture *hdr_color,
-                             uint32_t sample) {
-    const uint32_t samples = to->samples;
-    bolan_gl_set_state(&(gl_state){.color_write = true});
-    const bool glow = draw_glow(p, v, hdr_color);
-    p->summed = 0;
-    if (samples <= 1 || !resize(p, v->width, v->height)) {
-        draw_out(&p->single[glow], hdr_color, to, 1.0f);
-        return;
-    }
+// Adds a sample to the sums. Returns the index of the pair that holds them now.
+static uint32_t accumulate(pass_tonemap *p, const gl_texture *hdr_color, bool glow, uint32_t sample) {
     const uint32_t pair = sample & 1u;
     p->summed = sample + 1;
     p->latest = pair;
@@ -130,8 +123,27 @@ void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_
     bolan_gl_texture_bind(&p->sum[pair ^ 1u], UNIT_SCENE_DEPTH);
     bolan_gl_texture_bind(&p->radiance_sum[pair ^ 1u], UNIT_SURFACE);
     draw(&p->accumulate[glow], hdr_color, NULL, false, 0.0f, sample > 0 ? 1.0f : 0.0f);
-    if (sample + 1 == samples) draw_out(&p->resolve, &p->sum[pair], to, 1.0f / (float)samples);
+    return pair;
 }
+
+void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_view *to, const gl_texture *hdr_color,
+                             uint32_t sample) {
+    const bool linear = to->output == BOLAN_OUTPUT_LINEAR;
+    const float unit = linear ? v->frame->block.radiance_unit : 1.0f;
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    const bool glow = !linear && draw_glow(p, v, hdr_color);
+    p->summed = 0;
+    if (to->samples <= 1 || !resize(p, v->width, v->height)) {
+        draw_out(linear ? &p->linear : &p->single[glow], hdr_color, to, 1.0f / unit);
+        return;
+    }
+    const uint32_t pair = accumulate(p, hdr_color, glow, sample);
+    if (sample + 1 < to->samples) return;
+    draw_out(linear ? &p->linear : &p->resolve, linear ? &p->radiance_sum[pair] : &p->sum[pair], to,
+             1.0f / (unit * (float)to->samples));
+}
+
+void bolan_pass_tonemap_forget(pass_tonemap *p) { p->summed = 0; }
 
 uint32_t bolan_pass_tonemap_read_sum(const pass_tonemap *p, float *rgba) {
     if (p->summed > 0) bolan_gl_target_read_float(&p->sum_target[p->latest], 1, rgba);
@@ -149,6 +161,7 @@ void bolan_pass_tonemap_destroy(pass_tonemap **pp) {
         bolan_gl_program_free(&p->accumulate[i]);
     }
     bolan_gl_program_free(&p->resolve);
+    bolan_gl_program_free(&p->linear);
     bolan_gl_program_free(&p->shrink);
     bolan_release(p, sizeof *p);
     *pp = NULL;

@@ -51,6 +51,12 @@ static inline bool stage_load(stage *s, const bolan_scene *scene) {
     return bolan_world_load_scene(scene, &s->world) == BOLAN_OK;
 }
 
+// The same with the waves and the foam of that time; the renderer stays, and with it what takes long to make.
+static inline void stage_settle_scene(stage *s, const bolan_scene *scene) {
+    assert_true(stage_load(s, scene));
+    stage_settle(s, scene->time);
+}
+
 static inline bool stage_open(stage *s, const bolan_scene *scene, bolan_quality quality, bool no_clip_control) {
     watch_begin();
     *s = (stage){.world = NULL};

@@ -66,12 +66,10 @@ static void snells_window_has_the_right_radius(void **state) {
     assert_near(east, west, 0.3);
 }
 
-static picture draw_pond(const bolan_scene *scene) {
-    stage s;
-    assert_true(stage_open(&s, scene, BOLAN_QUALITY_MEDIUM, false));
-    picture p = stage_draw(&s, WIDTH, HEIGHT, 1);
-    assert_int_equal(bolan_renderer_statistics(s.renderer).water_triangles, 2);
-    stage_close(&s);
+static picture draw_pond(stage *s, const bolan_scene *scene) {
+    s->scene = *scene;
+    picture p = stage_draw(s, WIDTH, HEIGHT, 1);
+    assert_int_equal(bolan_renderer_statistics(s->renderer).water_triangles, 2);
     return p;
 }
 
@@ -79,8 +77,10 @@ static void every_effect_of_the_paper_shows_and_the_water_is_two_triangles(void 
     (void)state;
     static const unsigned effects[] = {BOLAN_EFFECT_REFLECTION, BOLAN_EFFECT_REFRACTION, BOLAN_EFFECT_BUMP,
                                        BOLAN_EFFECT_DISTORTION, BOLAN_EFFECT_GLITTER,    BOLAN_EFFECT_CAUSTICS};
+    stage s;
+    bolan_scene scene = pond();
+    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_MEDIUM, false));
     for (int paper = 0; paper < 2; ++paper) {
-        bolan_scene scene = pond();
         scene.look.paper = paper == 1;
         scene.sky.sun_azimuth_deg = 10.0; // ahead, so that it glitters
         for (size_t i = 0; i < (test_is_short() ? 2 : sizeof effects / sizeof *effects); ++i) {
@@ -89,9 +89,9 @@ static void every_effect_of_the_paper_shows_and_the_water_is_two_triangles(void 
                                       ? BOLAN_EFFECTS_ALL & ~(unsigned)BOLAN_EFFECT_REFRACTION
                                       : BOLAN_EFFECTS_ALL;
             scene.look.effects = rest;
-            picture with = draw_pond(&scene);
+            picture with = draw_pond(&s, &scene);
             scene.look.effects = rest & ~effects[i];
-            picture without = draw_pond(&scene);
+            picture without = draw_pond(&s, &scene);
             const double psnr = picture_psnr(&with, &without);
             if (psnr > 60.0) print_message("effect %zu, paper %d: %.1f dB\n", i, paper, psnr);
             assert_true(psnr < 60.0); // equal pictures have more than 100 dB, one grey step everywhere 48
@@ -99,6 +99,7 @@ static void every_effect_of_the_paper_shows_and_the_water_is_two_triangles(void 
             picture_free(&without);
         }
     }
+    stage_close(&s);
 }
 
 static void a_view_from_below_is_dim_and_keeps_the_colour_of_the_water(void **state) {
@@ -106,15 +107,18 @@ static void a_view_from_below_is_dim_and_keeps_the_colour_of_the_water(void **st
     bolan_scene scene = pond();
     scene.camera.position = bolan_dv3(0.0, -8.0, -0.8);
     scene.camera.pitch_deg = 0.0;
-    picture fog = draw_pond(&scene);
+    stage s;
+    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_MEDIUM, false));
+    picture fog = draw_pond(&s, &scene);
     scene.look.effects &= ~(unsigned)BOLAN_EFFECT_FOG;
-    picture clear = draw_pond(&scene);
+    picture clear = draw_pond(&s, &scene);
     assert_true(picture_psnr(&fog, &clear) < 30.0);
     long red = 0, green = 0;
     for (uint32_t i = 0; i < WIDTH * HEIGHT; ++i) red += fog.rgb[3 * i], green += fog.rgb[3 * i + 1];
     assert_true(green > 2 * red); // coastal water of type 1C lets green through
     picture_free(&fog);
     picture_free(&clear);
+    stage_close(&s);
 }
 
 static int allocations;

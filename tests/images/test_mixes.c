@@ -29,6 +29,12 @@ static bolan_scene load(const char *name) {
     return scene;
 }
 
+// A stage for scenes that follow.
+static void open_empty(stage *s) {
+    const bolan_scene scene = load("pond");
+    assert_true(stage_open(s, &scene, BOLAN_QUALITY_LOW, false));
+}
+
 // Mean radiance of the lower third of the picture. Everything in the picture is a finite, non-negative radiance, and
 // below the horizon nothing is missing.
 static double look_at(stage *s, const char *what) {
@@ -53,9 +59,11 @@ static void every_mix_draws_water(void **state) {
     (void)state;
     static const char *const scenes[] = {"pond", "open-sea"};
     bolan_set_hooks(&(bolan_hooks){.log = count_errors});
+    bolan_context *context = NULL;
+    stage s;
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
+    open_empty(&s);
     for (int c = 0; c < (test_is_short() ? 1 : 2); c++) {
-        bolan_context *context = NULL;
-        if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
         double expected = 0.0;
         for (int w = 0; w < BOLAN_WAVE_MODELS; w++) {
             bolan_scene scene = load(scenes[c]);
@@ -63,8 +71,7 @@ static void every_mix_draws_water(void **state) {
             mix.waves = (bolan_wave_model)w;
             scene.sea.resolution = 128;
             bolan_scene_set_technique(&scene, &mix);
-            stage s;
-            assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+            stage_settle_scene(&s, &scene);
             const int step = test_is_short() ? 2 : 1; // which still meets each surface and each optics
             for (int m = 0; m < BOLAN_SURFACE_KINDS * BOLAN_OPTICS_KINDS; m += step) {
                 char what[128];
@@ -80,18 +87,20 @@ static void every_mix_draws_water(void **state) {
                 if (!(mean > 0.25 * expected && mean < 4.0 * expected))
                     fail_msg("%s: mean radiance %g, expected about %g", what, mean, expected);
             }
-            stage_close(&s);
         }
-        bolan_context_destroy(&context);
     }
+    stage_close(&s);
+    bolan_context_destroy(&context);
     bolan_set_hooks(NULL);
 }
 
 static void paper_modes_draw_water(void **state) {
     (void)state;
     bolan_context *context = NULL;
+    stage s;
     if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     bolan_set_hooks(&(bolan_hooks){.log = count_errors});
+    open_empty(&s);
     uint32_t count = 0;
     const bolan_technique *all = bolan_techniques(&count);
     for (uint32_t i = 0; i < count; i++) {
@@ -100,9 +109,8 @@ static void paper_modes_draw_water(void **state) {
         scene.look.paper = true;
         scene.sea = bolan_scene_sea_desc(&scene);
         scene.sea.resolution = 128;
-        stage s;
         errors = 0;
-        assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+        stage_settle_scene(&s, &scene);
         look_at(&s, all[i].name);
         s.scene.look.effects = 0;
         look_at(&s, all[i].name);
@@ -111,39 +119,47 @@ static void paper_modes_draw_water(void **state) {
             look_at(&s, all[i].name);
         }
         assert_int_equal(errors, 0);
-        stage_close(&s);
     }
+    stage_close(&s);
     bolan_set_hooks(NULL);
     bolan_context_destroy(&context);
 }
 
-static picture draw(const bolan_technique *technique, bolan_gl_api api) {
+enum { MOST_TECHNIQUES = 8 };
+
+// A picture by each technique.
+static void draw_all(bolan_gl_api api, const bolan_technique *all, uint32_t count, picture *out) {
     bolan_context *context = NULL;
-    if (bolan_context_create(api, &context) != BOLAN_OK) skip_without_gl();
-    bolan_scene scene = load("pond");
-    scene.sea.resolution = 128;
-    bolan_scene_set_technique(&scene, technique);
     stage s;
-    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
-    picture p = stage_draw(&s, WIDTH, HEIGHT, 1);
+    if (bolan_context_create(api, &context) != BOLAN_OK) skip_without_gl();
+    open_empty(&s);
+    for (uint32_t i = 0; i < count; i++) {
+        bolan_scene scene = load("pond");
+        scene.sea.resolution = 128;
+        bolan_scene_set_technique(&scene, &all[i]);
+        stage_settle_scene(&s, &scene);
+        out[i] = stage_draw(&s, WIDTH, HEIGHT, 1);
+    }
     stage_close(&s);
     bolan_context_destroy(&context);
-    return p;
 }
 
 static void core_and_es_draw_the_same(void **state) {
     (void)state;
     uint32_t count = 0;
     const bolan_technique *all = bolan_techniques(&count);
+    picture core[MOST_TECHNIQUES], es[MOST_TECHNIQUES];
+    assert_in_range(count, 1, MOST_TECHNIQUES);
     bolan_set_hooks(&(bolan_hooks){.log = count_errors});
     errors = 0;
+    draw_all(BOLAN_GL_CORE, all, count, core);
+    draw_all(BOLAN_GL_ES, all, count, es);
     for (uint32_t i = 0; i < count; i++) {
-        picture core = draw(&all[i], BOLAN_GL_CORE), es = draw(&all[i], BOLAN_GL_ES);
-        double psnr = picture_psnr(&core, &es);
-        if (psnr < 40.0) picture_report(all[i].name, &core, &es, psnr, 40.0);
+        const double psnr = picture_psnr(&core[i], &es[i]);
+        if (psnr < 40.0) picture_report(all[i].name, &core[i], &es[i], psnr, 40.0);
         assert_true(psnr >= 40.0); // the same driver and code: only the precision of constants may differ
-        picture_free(&core);
-        picture_free(&es);
+        picture_free(&core[i]);
+        picture_free(&es[i]);
     }
     assert_int_equal(errors, 0);
     bolan_set_hooks(NULL);
@@ -169,9 +185,8 @@ static void the_pond_with_its_water_has_two_triangles_more(void **state) {
 static uint32_t triangles_within(const bolan_technique *technique, uint32_t max_vertices) {
     bolan_scene scene = load("pond");
     bolan_scene_set_technique(&scene, technique);
-    stage s;
-    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
-    bolan_renderer_destroy(&s.renderer);
+    stage s = {.world = NULL};
+    stage_settle_scene(&s, &scene);
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = BOLAN_QUALITY_ULTRA; // only ULTRA exceeds the bound at this size
     desc.max_vertices = max_vertices;
@@ -233,14 +248,15 @@ static void two_triangles_end_at_the_horizon(void **state) {
     static const bolan_technique *const flat[] = {&bolan_technique_two_triangle, &bolan_technique_exp_cosine};
     bolan_context *context = NULL;
     if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
+    stage s;
+    open_empty(&s);
     for (int i = 0; i < 2; i++) {
         bolan_scene scene = load("open-sea");
         scene.sea.resolution = 128;
         scene.camera =
             (bolan_camera){.position = {0.0, 0.0, 10000.0}, .heading_deg = 40.0, .pitch_deg = -6.0, .fov_deg = 12.0};
         bolan_scene_set_technique(&scene, flat[i]);
-        stage s;
-        assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+        stage_settle_scene(&s, &scene);
         picture p = stage_draw(&s, 240, 180, 1);
         int sky = 0; // rows above the water in the middle of the picture
         while (sky < 180 && !isfinite(p.distance[sky * 240 + 120])) sky++;
@@ -248,8 +264,8 @@ static void two_triangles_end_at_the_horizon(void **state) {
         const double row = 90.0 * (1.0 - tan((6.0 - 3.209) * degree) / tan(6.0 * degree));
         if (fabs(sky - row) > 1.0) fail_msg("%s: the horizon is in row %d instead of %.1f", flat[i]->name, sky, row);
         picture_free(&p);
-        stage_close(&s);
     }
+    stage_close(&s);
     bolan_context_destroy(&context);
 }
 
@@ -275,12 +291,13 @@ static void later_frames_allocate_nothing(void **state) {
     if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
     uint32_t count = 0;
     const bolan_technique *all = bolan_techniques(&count);
+    stage s;
+    open_empty(&s);
     for (uint32_t i = 0; i < count; i++) {
         bolan_scene scene = load("pond");
         scene.sea.resolution = 128;
         bolan_scene_set_technique(&scene, &all[i]);
-        stage s;
-        assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+        stage_settle_scene(&s, &scene);
         bolan_target *target = NULL;
         assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
         for (int k = 0; k < 5; ++k) {
@@ -294,8 +311,8 @@ static void later_frames_allocate_nothing(void **state) {
         assert_int_equal(errors, 0);
         if (allocations) fail_msg("%s: %d allocations", all[i].name, allocations);
         bolan_target_destroy(&target);
-        stage_close(&s);
     }
+    stage_close(&s);
     bolan_context_destroy(&context);
     bolan_set_hooks(NULL);
 }

@@ -31,6 +31,15 @@ static void place(stage *s, const bolan_scene *home, const moved *m) {
     s->scene.sky.cloud_cover = fmax(0.0, home->sky.cloud_cover + m->cover);
 }
 
+static stage used; // by every scene of every test, one after the other: each finds what the others left
+
+static void use(const bolan_scene *scene) {
+    if (used.renderer == NULL)
+        assert_true(stage_open(&used, scene, BOLAN_QUALITY_LOW, false));
+    else
+        stage_settle_scene(&used, scene);
+}
+
 static void check_history(const char *name, const bolan_technique *technique, double height) {
     static const moved before[] = {
         {0.0, 0.0, 0.4, 90.0, 0.0, 0.0, 0.0},
@@ -44,8 +53,8 @@ static void check_history(const char *name, const bolan_technique *technique, do
     bolan_scene_set_technique(&home, technique);
     if (height > 0.0) home.camera.position.z = height;
     home.sky.cloud_cover = 0.35;
-    stage used, fresh;
-    assert_true(stage_open(&used, &home, BOLAN_QUALITY_LOW, false));
+    stage fresh;
+    use(&home);
     for (size_t i = 0; i < (test_is_short() ? 2 : sizeof before / sizeof *before); i++) {
         place(&used, &home, &before[i]);
         picture p = stage_draw(&used, WIDTH, HEIGHT, 1);
@@ -72,7 +81,6 @@ static void check_history(const char *name, const bolan_technique *technique, do
         picture_free(&expected);
     }
     stage_close(&fresh);
-    stage_close(&used);
 }
 
 static void the_sea_forgets_what_was_drawn_before(void **state) {
@@ -100,12 +108,11 @@ static void a_step_across_the_lattice_is_invisible(void **state) {
     home.sea.resolution = 64;
     home.sky.cloud_cover = 0.0;
     home.camera.pitch_deg = 2.0; // mostly sky
-    stage s;
-    assert_true(stage_open(&s, &home, BOLAN_QUALITY_LOW, false));
+    use(&home);
     picture last = {0};
     for (int i = 0; i < (test_is_short() ? 2 : 12); i++) { // 0.12 degrees of the sun, a lattice step, in twelfths
-        s.scene.sky.sun_elevation_deg = home.sky.sun_elevation_deg + 0.01 * i;
-        picture p = stage_draw(&s, WIDTH, HEIGHT, 1);
+        used.scene.sky.sun_elevation_deg = home.sky.sun_elevation_deg + 0.01 * i;
+        picture p = stage_draw(&used, WIDTH, HEIGHT, 1);
         // One step is a fifth of the sun's diameter: the sky's light changes by less than a level of 255 everywhere but
         // at the sun, which is not in view; 46 dB is an rms of 1.3 levels.
         if (last.rgb) assert_true(picture_psnr(&last, &p) > 46.0);
@@ -113,7 +120,6 @@ static void a_step_across_the_lattice_is_invisible(void **state) {
         last = p;
     }
     picture_free(&last);
-    stage_close(&s);
 }
 
 // The linear picture of several samples is their mean, and its distance is that of the pixels' middles.
@@ -123,13 +129,12 @@ static void radiance_of_several_samples_is_their_mean(void **state) {
     bolan_scene home;
     assert_int_equal(bolan_scene_load("open-sea", &home), BOLAN_OK);
     home.sea.resolution = 64;
-    stage s;
-    assert_true(stage_open(&s, &home, BOLAN_QUALITY_LOW, false));
+    use(&home);
     static float mean[W * H * 3], single[W * H * 3], expected[W * H * 3], middle[W * H], distance[W * H];
     double before = 0.0;
     for (uint32_t n = 1; n <= SAMPLES; n++) {
-        picture p = stage_draw(&s, W, H, n);
-        bolan_renderer_read_linear(s.renderer, n == 1 ? single : mean, n == 1 ? middle : distance);
+        picture p = stage_draw(&used, W, H, n);
+        bolan_renderer_read_linear(used.renderer, n == 1 ? single : mean, n == 1 ? middle : distance);
         picture_free(&p);
         if (n == 1) memcpy(expected, single, sizeof expected);
         if (n == 2) { // the second sample alone is twice the mean less the first; it must not be black, nor the first
@@ -149,7 +154,6 @@ static void radiance_of_several_samples_is_their_mean(void **state) {
         // Half a pixel off, distances differ by per cents near the horizon; here they are the same bits.
         if (n > 1) assert_memory_equal(middle, distance, sizeof middle);
     }
-    stage_close(&s);
 }
 
 static int open_context(void **state) {
@@ -167,6 +171,7 @@ int main(void) {
     };
     if (open_context(NULL) != 0) return 77;
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    if (used.renderer != NULL) stage_close(&used);
     bolan_context_destroy(&context);
     return failed;
 }

@@ -102,6 +102,10 @@ static void one_wave_is_lifted_by_the_closed_form(void **state) {
     assert_near(bolan_sea_lift(sea, 0, length / 5.0) / lift, 1.0, 1e-9);
     assert_near(bolan_sea_lift(sea, 0, length / 3.0) / lift, 0.25, 0.05); // between two levels of the table
     assert_near(bolan_sea_lift(sea, 0, length / 1.9), 0.0, 1e-12);
+    double vertical, horizontal;
+    bolan_sea_bounds(sea, &vertical, &horizontal); // of one wave: its crest, and as far as it moves water
+    assert_near(vertical / (a + lift), 1.0, 1e-9);
+    assert_near(horizontal / (1.25 * a / tanh(4.0 * k)), 1.0, 1e-9);
     bolan_dvec2 here = {3.0, 4.0};
     bolan_sea_sample s;
     bolan_sea_sample_rest(sea, &here, 1, &s);

@@ -53,7 +53,8 @@ static bolan_scene scene_for(const bolan_param_group *group) {
 }
 
 static void validation_is_by_the_table(const bolan_param_group *group, const bolan_param *p) {
-    const double good[] = {p->low, p->high, p->fallback};
+    const double sign = p->rules & BOLAN_PARAM_EITHER_SIGN ? -1.0 : 1.0;
+    const double good[] = {p->low, p->high, p->fallback, sign * p->low, sign * p->high};
     double bad[2];
     const bool has_bad[2] = {step_below(p, &bad[0]), step_above(p, &bad[1])};
     char place[128];
@@ -61,7 +62,7 @@ static void validation_is_by_the_table(const bolan_param_group *group, const bol
              p->field);
     if (p->kind == BOLAN_PARAM_TEXT || p->kind == BOLAN_PARAM_FLAG) return;
     if (group->table == &bolan_ground_source_params) return; // another kind needs another ground
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
         bolan_scene s = scene_for(group);
         if (isnan(good[i]) || isinf(good[i]) || (strcmp(p->field, "time") == 0 && group->capacity)) continue;
         bolan_param_set(p, (char *)&s + group->offset, good[i]);
@@ -184,8 +185,26 @@ static void names_are_keys(const bolan_param_group *group, const bolan_param *p)
     }
 }
 
+// Below its map, after a dot: not beside another that begins alike.
+static void a_key_is_found_at_its_place_alone(const bolan_param_group *group, const bolan_param *p) {
+    const bolan_param_group *found = NULL;
+    char path[128];
+    uint32_t count = 0;
+    if (!p->key) return;
+    snprintf(path, sizeof path, "%s%s%s", group->key, *group->key ? "." : "", p->key);
+    const bolan_param *first = bolan_param_find_key(bolan_scene_groups, path, &found, &count);
+    assert_true(first && found == group && first <= p && p < first + count);
+    if (!*group->key) return;
+    path[strlen(group->key)] = '_';
+    assert_null(bolan_param_find_key(bolan_scene_groups, path, &found, &count));
+    tried++;
+}
+
 static void test_keys_of_scene_files(void **state) {
     (void)state;
+    tried = 0;
+    visit(a_key_is_found_at_its_place_alone);
+    assert_true(tried > 60);
     tried = 0;
     visit(keys_are_by_the_table);
     assert_true(tried > 60);

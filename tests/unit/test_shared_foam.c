@@ -71,6 +71,7 @@ static void a_bore_is_steep_in_front_and_thins_out_behind(void **state) {
     assert_near(mean, (1.0 - exp(-3.0)) / 3.0 - 0.5 * BORE_FRONT, 0.003);
     assert_near(BORE_MEAN, mean, 0.015);
     assert_near(bore_foam(0.0), 0.0, 1e-15);
+    assert_near(bore_foam(0.03), 0.5 * exp(-0.09), 1e-12); // half way up the front
     assert_near(bore_foam(0.06), exp(-0.18), 1e-12);
     assert_near(bore_foam(1.0), exp(-3.0), 1e-12);
     assert_near(between_fronts(1.8, 2.0, 0.0), 0.0, 1e-12); // a front at each 0.9 heights of depth

@@ -87,6 +87,7 @@ static void paths_through_the_surface_obey_snell(void **state) {
     }
     assert_near(refraction_k(0.0, 1.333), 0.75019, 5e-6); // straight down: 1 / n
     assert_near(apparent_height(2.0, -1.0, 1e-9, 1.34), -1.0 / 1.34, 1e-6);
+    assert_near(apparent_height(-2.0, -1.0, 1e-9, 1.34), -1.0, 2e-3); // on the eye's own side nothing is raised
 }
 
 static void light_bends_at_a_level_surface_by_snells_law(void **state) {

@@ -171,6 +171,23 @@ static void a_query_adds_layers_to_the_sea(void **state) {
     bolan_wave_layer_destroy(&b);
 }
 
+// Any number of places at once, the answers in their order.
+static void many_places_are_answered_like_each(void **state) {
+    (void)state;
+    enum { PLACES = 2 * 16 + 5 };
+    bolan_wave_train_desc desc = bolan_wave_train_desc_default();
+    bolan_wave_layer *layer = train(&desc);
+    bolan_dvec2 places[PLACES];
+    bolan_wave_layer_sample all[PLACES];
+    for (int i = 0; i < PLACES; i++) places[i] = (bolan_dvec2){3.1 * i, 50.0 - 2.7 * i};
+    bolan_wave_layer_sample_at(layer, 5.0, places, PLACES, all);
+    for (int i = 0; i < PLACES; i++) {
+        const bolan_wave_layer_sample one = at(layer, 5.0, places[i].x, places[i].y);
+        assert_memory_equal(&all[i], &one, sizeof one);
+    }
+    bolan_wave_layer_destroy(&layer);
+}
+
 static void shallow_water_lowers_a_layer_by_its_own_height(void **state) {
     (void)state;
     const float plane[4] = {-1.5f, -1.5f, -1.5f, -1.5f};
@@ -245,6 +262,8 @@ static void a_water_says_whether_it_can_be_used(void **state) {
     bolan_wave_layer *layer = train(&desc);
     for (int i = 0; i <= BOLAN_MAX_WAVE_LAYERS; i++) none[i] = layer;
     assert_true(bolan_water_is_valid(&water));
+    water.layer_count = BOLAN_MAX_WAVE_LAYERS;
+    assert_true(bolan_water_is_valid(&water));
     water.layer_count = BOLAN_MAX_WAVE_LAYERS + 1;
     assert_false(bolan_water_is_valid(&water));
     bolan_wave_layer_destroy(&layer);
@@ -257,6 +276,7 @@ int main(void) {
         cmocka_unit_test(its_period_is_that_of_free_waves),
         cmocka_unit_test(its_edges_are_smooth_steps_and_slopes_the_derivatives),
         cmocka_unit_test(a_query_adds_layers_to_the_sea),
+        cmocka_unit_test(many_places_are_answered_like_each),
         cmocka_unit_test(shallow_water_lowers_a_layer_by_its_own_height),
         cmocka_unit_test(what_no_wave_is_like_is_refused),
         cmocka_unit_test(a_water_says_whether_it_can_be_used),

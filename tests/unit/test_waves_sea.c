@@ -3,6 +3,7 @@
 #include "sea_support.h"
 
 #include "bolan/formats.h"
+#include "waves/cascades/cascades.h"
 
 #include <string.h>
 
@@ -227,6 +228,29 @@ static void defaults_are_those_of_the_headers(void **state) {
     assert_true(isnan(options.from_deg) && isnan(options.spread_s) && options.record == 0);
 }
 
+// Beyond 10 peak wave numbers the slopes add up to (B - M1)(1 - keep), B being what was measured at that wind: so the sum
+// never exceeds B, and what is kept at the end says how near it comes.
+static void short_waves_add_up_to_the_measured_slopes(void **state) {
+    (void)state;
+    static sea_radial r;
+    const bolan_sea_state sea_state = bolan_sea_state_from_wind(8.0, 250.0, 300e3);
+    const spectrum_eval eval = bolan_spectrum_eval_prepare(&sea_state);
+    const double peak = bolan_k_from_omega(sea_state.systems[0].peak_omega, BOLAN_DEEP);
+    double up, cross, long_waves = 0.0, kept = 0.0;
+    bolan_cox_munk(8.0, &up, &cross);
+    bolan_sea_radial_prepare(&eval, peak, up + cross, &r);
+    for (int i = 1; i < RADIAL_COUNT; i++) {
+        const double slopes = r.mss[i] - r.mss[i - 1];
+        if (r.k[i] <= 10.0 * peak)
+            long_waves += slopes;
+        else
+            kept += 0.5 * (r.keep[i] + r.keep[i - 1]) * slopes;
+    }
+    assert_true(long_waves > 0.0 && long_waves < up + cross);
+    assert_near(kept, (up + cross - long_waves) * (1.0 - r.keep[RADIAL_COUNT - 1]), 0.02 * (up + cross));
+    assert_true(r.keep[RADIAL_COUNT - 1] < 0.6);
+}
+
 RUN_TESTS(cmocka_unit_test(defaults_are_those_of_the_headers),
           cmocka_unit_test(every_bad_field_is_named_in_one_sentence),
           cmocka_unit_test(stepping_allocates_nothing_and_all_memory_comes_back),
@@ -234,4 +258,5 @@ RUN_TESTS(cmocka_unit_test(defaults_are_those_of_the_headers),
           cmocka_unit_test(rings_are_disjoint_and_leave_no_gap),
           cmocka_unit_test(the_first_tile_holds_eight_peak_waves_and_ten_of_a_swell),
           cmocka_unit_test(the_last_tile_reaches_a_few_centimetres),
+          cmocka_unit_test(short_waves_add_up_to_the_measured_slopes),
           cmocka_unit_test(more_threads_after_creation_do_no_harm))

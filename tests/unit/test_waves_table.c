@@ -104,6 +104,34 @@ static void samples_lie_within_the_bounds_and_a_grid_takes_short_waves_away(void
     }
 }
 
+static double foam_on_grid(const bolan_sea *sea, const bolan_dvec2 *at, double spacing) {
+    static float all[POINTS];
+    static bolan_sea_sample grid[POINTS];
+    double sum = 0.0;
+    for (int i = 0; i < POINTS; i++) all[i] = (float)spacing;
+    bolan_sea_sample_grid(sea, at, all, POINTS, grid);
+    for (int i = 0; i < POINTS; i++) sum += (double)grid[i].foam;
+    return sum;
+}
+
+// Of a cascade that has half faded away, and of one that has faded altogether.
+static void the_foam_of_waves_that_a_grid_averages_away_stays(void **state) {
+    (void)state;
+    bolan_dvec2 at[POINTS];
+    places(at);
+    bolan_sea *sea = test_sea(desc_of(BOLAN_WAVES_FFT));
+    bolan_sea_settle(sea, 33.0);
+    const double all = foam_on_grid(sea, at, 0.0);
+    assert_true(all > 0.0);
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); c++) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        const double longest = v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length;
+        assert_near(foam_on_grid(sea, at, longest / 3.0) / all, 1.0, 0.03);
+        assert_near(foam_on_grid(sea, at, longest) / all, 1.0, 0.03);
+    }
+    bolan_sea_destroy(&sea);
+}
+
 static void every_model_carries_the_energy_of_its_sea_state(void **state) {
     (void)state;
     for (int model = 0; model < MODELS; model++) {
@@ -249,10 +277,10 @@ static void every_model_repeats_after_its_period(void **state) {
         bolan_sea_loop loop = bolan_sea_get_loop(sea);
         assert_near(loop.period, period, 0.0);
         assert_int_equal(loop.frames, textures ? 5 : 0);
-        char hash[3][17];
-        const double times[] = {3.5, 3.5 + period, 3.5 + 0.4 * period};
-        const uint32_t frames[] = {2, 2, 4}; // 3.5 s of 8 s lie in the third fifth
-        for (int i = 0; i < 3; i++) {
+        char hash[5][17];
+        const double times[] = {3.5, 3.5 + period, 3.5 + 0.4 * period, 4.7, -0.1};
+        const uint32_t frames[] = {2, 2, 4, 2, 4}; // 3.5 s and 4.7 s of 8 s lie in the third fifth
+        for (int i = 0; i < 5; i++) {
             bolan_sea_step(sea, times[i]);
             loop = bolan_sea_get_loop(sea);
             assert_int_equal(loop.frame, textures ? frames[i] : 0);
@@ -260,6 +288,7 @@ static void every_model_repeats_after_its_period(void **state) {
         }
         assert_string_equal(hash[0], hash[1]);
         assert_string_not_equal(hash[0], hash[2]);
+        assert_true((strcmp(hash[0], hash[3]) == 0) == textures); // time stands still for a frame
         bolan_sea_destroy(&sea);
     }
     bolan_sea *sea = test_sea(small(BOLAN_WAVES_FFT));
@@ -325,6 +354,7 @@ static void every_model_refuses_every_bad_field(void **state) {
 
 RUN_TESTS(cmocka_unit_test(every_model_has_its_name_and_form), cmocka_unit_test(samples_are_those_of_the_direct_sum),
           cmocka_unit_test(samples_lie_within_the_bounds_and_a_grid_takes_short_waves_away),
+          cmocka_unit_test(the_foam_of_waves_that_a_grid_averages_away_stays),
           cmocka_unit_test(every_model_carries_the_energy_of_its_sea_state),
           cmocka_unit_test(slopes_are_removed_by_their_footprint),
           cmocka_unit_test(only_waves_that_move_sideways_are_lifted_and_foam),

@@ -32,6 +32,7 @@ static bolan_scene pond_scene(void) {
     scene.objects[0].floats = true;
     scene.objects[0].position = bolan_dv3(3.0, -2.0, 0.1);
     scene.objects[0].heading_deg = 30.0;
+    scene.objects[0].scale = 1.5;
     name_model(&scene.objects[1], "house");
     scene.objects[1].position = bolan_dv3(60.0, 5.0, 3.0);
     scene.objects[1].heading_deg = 90.0;
@@ -214,12 +215,31 @@ static void what_the_assets_stand_for_does_not_change(void **state) {
     s = scene, s.object_count = 1, assert_stays(world, &s, BOLAN_LOG_WORLD_ASSETS, "object_count");
     s = scene, s.objects[1].model[8] = 'm', assert_stays(world, &s, BOLAN_LOG_WORLD_ASSETS, "objects.model");
     s = scene, s.objects[1].up = BOLAN_UP_Z, assert_stays(world, &s, BOLAN_LOG_WORLD_ASSETS, "objects.up");
-    s = scene, s.objects[0].offset.z = 1.0, assert_stays(world, &s, BOLAN_LOG_WORLD_ASSETS, "objects.offset");
+    for (int axis = 0; axis < 3; axis++) {
+        s = scene;
+        (&s.objects[0].offset.x)[axis] = 1.0;
+        assert_stays(world, &s, BOLAN_LOG_WORLD_ASSETS, "objects.offset");
+    }
     s = scene, s.sky.visibility = 1.0, assert_stays(world, &s, BOLAN_LOG_OUT_OF_RANGE, "visibility");
     // Objects may move.
     s = scene, s.objects[1].position.x = 9.0, s.terrain.shown_by_object = true;
     assert_int_equal(bolan_world_set_scene(world, &s), BOLAN_OK);
     assert_true(bolan_world_scene(world)->objects[1].position.x == 9.0);
+    bolan_world_destroy(&world);
+}
+
+static void another_raster_is_another_ground(void **state) {
+    (void)state;
+    bolan_scene scene = pond_scene();
+    scene.terrain.kind = BOLAN_GROUND_RASTER;
+    snprintf(scene.terrain.raster.path, sizeof scene.terrain.raster.path, "a.tif");
+    bolan_world_assets assets = pond_assets();
+    bolan_world *world = NULL;
+    assert_int_equal(bolan_world_create(&(bolan_world_desc){&scene, &assets}, &world), BOLAN_OK);
+    scene.terrain.generator.seed++; // it is not in use
+    assert_int_equal(bolan_world_set_scene(world, &scene), BOLAN_OK);
+    scene.terrain.raster.radius = 2e5;
+    assert_stays(world, &scene, BOLAN_LOG_WORLD_ASSETS, "terrain.raster");
     bolan_world_destroy(&world);
 }
 
@@ -247,8 +267,8 @@ static void floating_objects_ride_the_water(void **state) {
     bolan_vec3 low, high;
     bolan_model_bounds(bolan_world_object_models(world)[0], &low, &high);
     const double c = cos(bolan_radians(30.0)), s = sin(bolan_radians(30.0)); // ahead is (s, c), right is (c, -s)
-    const double mx = 0.5 * (double)(low.x + high.x), my = 0.5 * (double)(low.y + high.y);
-    const double hx = 0.4 * (double)(high.x - low.x), hy = 0.4 * (double)(high.y - low.y);
+    const double mx = 1.5 * 0.5 * (double)(low.x + high.x), my = 1.5 * 0.5 * (double)(low.y + high.y);
+    const double hx = 1.5 * 0.4 * (double)(high.x - low.x), hy = 1.5 * 0.4 * (double)(high.y - low.y);
     const double at[5][2] = {{mx, my}, {mx, my + hy}, {mx, my - hy}, {mx + hx, my}, {mx - hx, my}};
     double h[5], mean = 0.0;
     for (int i = 0; i < 5; i++) {
@@ -428,6 +448,7 @@ int main(void) {
         cmocka_unit_test(an_object_needs_a_model),
         cmocka_unit_test(another_scene_state_makes_another_sea),
         cmocka_unit_test(what_the_assets_stand_for_does_not_change),
+        cmocka_unit_test(another_raster_is_another_ground),
         cmocka_unit_test(floating_objects_ride_the_water),
         cmocka_unit_test(the_camera_is_lifted_out_of_the_ground),
         cmocka_unit_test(an_eye_keeps_clear_of_the_water),
