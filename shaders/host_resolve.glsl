@@ -17,7 +17,7 @@ uniform sampler2D scene_depth;
 uniform vec4 host_depth;  // offset, scale; z: factor of radiance, w: 1 encode sRGB
 uniform vec2 host_origin; // lower left corner of the rectangle in the framebuffer [px]
 #ifdef MASK
-#pragma unit mask 3
+#pragma unit mask 17
 uniform sampler2D mask;   // no water where its red is above a half
 uniform vec2 mask_origin; // lower left corner of the rectangle in it [px]
 #endif

@@ -12,9 +12,9 @@ void main() { fullscreen(0.5); }
 uniform sampler2D source;
 #pragma unit source 15
 uniform sampler2D glow;
-#pragma unit glow 3
+#pragma unit glow 17
 uniform sampler2D sum;
-#pragma unit sum 4
+#pragma unit sum 18
 // x: share of the glow, y: 1 encode sRGB, z: dither [1/255], w: weight of the source (RESOLVE, LINEAR), of the old sum
 // (ACCUMULATE)
 uniform vec4 settings;

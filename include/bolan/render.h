@@ -6,7 +6,7 @@
 /// **State.** Each function here that touches your context leaves this state as it found it, whatever it was:
 /// - framebuffer bindings, program, vertex array;
 /// - buffers bound for vertices, uniforms, pixels and queries, uniform slots 0 to 4;
-/// - the active texture unit, and textures (2D, 3D, 2D array) and samplers of units 0 to 24;
+/// - the active texture unit, and textures (2D, 3D, 2D array) and samplers of units 0 to 28;
 /// - viewports, scissors and depth ranges of all viewports (arrays of them on desktop OpenGL);
 /// - blend switch, function and equation, and colour mask, of each draw buffer; logic op, dither, sRGB switch;
 /// - depth test, function, mask, clear value and clamp, clip control, clip distances, depth bounds test, stencil test,

@@ -3,7 +3,7 @@
 #include "common/air.glsl"
 
 uniform sampler3D cloud_noise;
-#pragma unit cloud_noise 3
+#pragma unit cloud_noise 16
 uniform vec4 cloud_origin; // xy: eye in the clouds' pattern, z: thickness of the layer [m], w: threshold of billows
 
 const float CLOUD_EXTINCTION = 0.035;   // in their middle [1/m]

@@ -29,7 +29,7 @@ struct wave_fields {
 #ifdef WAVES_EXP
 vec4 wave_of(int i) { return wave_component[i]; }
 #else
-#pragma unit wave_table 8
+#pragma unit wave_table 27
 uniform highp sampler2D wave_table; // likewise, a texel a wave, 64 in a row; longest first
 vec4 wave_of(int i) { return texelFetch(wave_table, ivec2(i & 63, i >> 6), 0); }
 #endif

@@ -118,7 +118,7 @@ wave_fields waves_here(crest_pixel p) {
 #endif
 }
 
-#pragma unit foam_densities 7
+#pragma unit foam_densities 19
 uniform sampler2D foam_densities; // opacity of thin, middling and dense foam; a: its bubbles
 
 const vec3 FOAM_DENSITIES = vec3(FOAM_THIN, FOAM_MIDDLING, FOAM_DENSE); // mean opacity of the three

@@ -39,11 +39,11 @@ flat in float water_shade;
 #endif
 #pragma unit reflection_picture 16
 #pragma unit refraction_picture 17
-#pragma unit reflection_depth 7
+#pragma unit reflection_depth 24
 #pragma unit refraction_depth 15
 #pragma unit tile_slopes 18
-#pragma unit ripple_slopes 10
-#pragma unit glint_texture 3
+#pragma unit ripple_slopes 26
+#pragma unit glint_texture 25
 uniform sampler2D reflection_picture;
 uniform sampler2D refraction_picture;
 uniform highp sampler2D reflection_depth;

@@ -82,7 +82,7 @@ static void draw_air(atmosphere *a) {
 
 static void draw_views(atmosphere *a, float eye_height) {
     bolan_gl_texture_bind(&a->transmittance, UNIT_TRANSMITTANCE);
-    bolan_gl_texture_bind(&a->multiple, UNIT_PASS);
+    bolan_gl_texture_bind(&a->multiple, UNIT_OWN);
     bolan_gl_program_float(&a->view_program, "view_height", eye_height);
     draw_table(&a->eye_view_target, &a->view_program);
     bolan_gl_program_float(&a->view_program, "view_height", 2.0f);

@@ -233,7 +233,7 @@ static void draw_strip(const gl_target *target, const gl_program *program, uint3
 }
 
 static void draw_maps(const clouds *c, const cloud_maps *m, uint32_t index, uint32_t count) {
-    bolan_gl_texture_bind(&c->noise, UNIT_SCENE_COLOR);
+    bolan_gl_texture_bind(&c->noise, UNIT_OWN + 1);
     set_origin(m, &c->panorama_program);
     bolan_gl_program_float(&c->panorama_program, "texel_angle", (float)(2.0 * BOLAN_PI / (double)m->map.width));
     draw_strip(&m->panorama, &c->panorama_program, index, count);

@@ -40,7 +40,7 @@ bolan_result bolan_clouds_reload(clouds *c);
 // What this frame must do: nothing, make the maps at once, or one strip of new ones. Strips are for progressive frames,
 // where a moving eye never waits, unless it is the first frame, another sky or a jump. Sets c->uniforms.
 cloud_work bolan_clouds_plan(clouds *c, const render_view *v);
-// Does it. c->uniforms and the air's tables must be bound, the sea's view at UNIT_PASS. True when other maps are shown
+// Does it. c->uniforms and the air's tables must be bound, the sea's view at UNIT_OWN. True when other maps are shown
 // now.
 bool bolan_clouds_march(clouds *c, const render_view *v, cloud_work work);
 // Sets what of the view's light says where the maps shown were made.

@@ -19,35 +19,39 @@
 #include "view.h"
 #include "water_block.h"
 
-// Texture units are fixed; shaders name them by `#pragma unit`. Units 3, 4, 6 to 10 and 15 to 19 have several meanings:
-// a pass or an optics that has no use for one binds its own there, for the time of its draw calls.
+// Texture units are fixed; shaders name them by `#pragma unit`. A unit of the first table means one thing in every
+// program. The units of the second table belong to the pass or the optics that draws: it binds its inputs there before
+// its own draw call, and expects nothing on them.
 enum {
-    UNIT_TRANSMITTANCE = 0, // 2D  RGBA16F  atmosphere transmittance, see common/atmosphere.glsl
-    UNIT_SKY_VIEW = 1,      // 2D  RGBA16F  sky radiance round the eye
-    UNIT_ENVIRONMENT = 2,   // 2D  RGBA16F  upper hemisphere with clouds, mip-mapped by roughness
+    UNIT_TRANSMITTANCE = 0, // 2D RGBA16F  transmittance of the atmosphere, see common/atmosphere.glsl
+    UNIT_SKY_VIEW = 1,      // 2D RGBA16F  sky radiance round the eye
+    UNIT_ENVIRONMENT = 2,   // 2D RGBA16F  upper hemisphere with clouds, mip-mapped by roughness
     UNIT_SCENE_COLOR = 3,   // 2D  what lies behind the water
     UNIT_SCENE_DEPTH = 4,   // 2D  its reversed-Z depth
     UNIT_SHORE = 5,         // 2D array R16F  elevation around the eye, nested levels
     UNIT_SLOPE_TABLE = 6,   // 3D  unresolved slope covariance
     UNIT_FOAM_DETAIL = 7,   // 2D  tiled foam structure
     UNIT_DISPLACEMENT = 8,  // 2D array RGBA16F, a layer per cascade
-    UNIT_SLOPES = 9,        // 2D array RGBA16F
-    UNIT_FOLD = 10,         // 2D array RG16F: dxy, foam memory
-    UNIT_TERRAIN = 11,      // terrain pass's own
-    UNIT_TERRAIN2 = 12,     // terrain pass's own
-    UNIT_CLOUDS = 13,       // sky pass's own: cloud panorama
-    UNIT_AERIAL = 14,       // 3D aerial perspective, if used
-    UNIT_PASS = 15,         // free for a pass's input (tone map source, ...)
-    UNIT_SURFACE = 16,      // 16-19: outputs of water_shape.glsl
-    UNIT_REFLECTION = 16,   // 2D  pictures of planar_views.c, for the optics that have no use for those
+    UNIT_SLOPES = 9,        // 2D array RGBA16F, or the first packed cascade
+    UNIT_FOLD = 10,         // 2D array RG16F  dxy, foam memory
+    UNIT_TERRAIN = 11,      // 2D RGBA16F  map of a chunk of the ground
+    UNIT_TERRAIN2 = 12,     // 2D  noise of the ground
+    UNIT_CLOUDS = 13,       // 2D  panorama of the clouds
+    UNIT_AERIAL = 14,       // 3D  aerial perspective
+    UNIT_CASCADES = 20,     // 20-22: 2D RGBA16F  packed cascades after the first
+    UNIT_HALF_RATE = 23,    // 2D  water shaded at half rate
+    UNIT_WAVE_TABLE = 27,   // 2D RGBA32F  the waves of a sum
+};
+enum {
+    UNIT_OWN = 15,              // 15-19: inputs of a pass; of `physical` 16-19: outputs of water_shape.glsl
+    UNIT_REFRACTION_DEPTH = 15, // 2D  images of planar_views.c and their depths
+    UNIT_REFLECTION = 16,
     UNIT_REFRACTION = 17,
-    UNIT_OPTICS = 18,          // 18-19: an optics' own
-    UNIT_TILE = 19,            // 2D RGBA8  the water's own texture, light on the bottom
-    UNIT_REFLECTION_DEPTH = 7, // depths of those pictures, for optics without foam structure
-    UNIT_REFRACTION_DEPTH = 15,
-    UNIT_CASCADES = 20, // 20-22: 2D RGBA16F  packed cascades after the first, which is on UNIT_SLOPES
-    UNIT_SPARSE = 23,   // 2D  half-rate shaded water; while it begins, the depth of the view
-    UNIT_GLINT = 3,     // 2D R8  the sun on a slide, for optics that see nothing behind the water
+    UNIT_REFLECTION_DEPTH = 24,
+    UNIT_RIPPLES = 18,       // 2D  slopes of ripples, or of a tile
+    UNIT_TILE = 19,          // 2D RGBA8  the water's own texture, light on the bottom
+    UNIT_GLINT = 25,         // 2D R8  the sun on a slide
+    UNIT_RIPPLE_SLOPES = 26, // 2D  slopes of the finer tile
 };
 
 // A step: what the caller gave to prepare, and what every view of it shares.

@@ -34,7 +34,7 @@ uint32_t bolan_half_rate_columns(const render_view *f, uint32_t most);
 // it is `f` itself where it cannot be had (logged).
 render_view bolan_half_rate_begin(half_rate *s, const render_view *f, uint32_t columns, bool keeps_shape, bool opaque);
 // Into the frame's picture; d->view is the frame that bolan_half_rate_begin() had. With its own shape bound
-// (UNIT_SURFACE) or by the mesh.
+// or by the mesh.
 void bolan_half_rate_lay(const half_rate *s, const water_draw *d, bool keeps_shape, bool opaque);
 bolan_result bolan_half_rate_reload(half_rate *s);
 void bolan_half_rate_free(half_rate *s);

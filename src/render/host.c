@@ -47,19 +47,19 @@ static bolan_vec4 depth_law(const render_view *v, const bolan_view *to, float ra
 static float radiance_of(const bolan_host *host) { return host->radiance > 0.0 ? (float)host->radiance : 1.0f; }
 
 static void draw_pixels(const host_frame *h, const bolan_host *host) {
-    bolan_gl_guest_texture_bind(host->color, UNIT_PASS, &h->sampler);
-    bolan_gl_guest_texture_bind(host->depth, UNIT_SURFACE, &h->sampler);
+    bolan_gl_guest_texture_bind(host->color, UNIT_OWN, &h->sampler);
+    bolan_gl_guest_texture_bind(host->depth, UNIT_OWN + 1, &h->sampler);
     bolan_gl_draw_fullscreen();
-    bolan_gl_guest_texture_bind(0, UNIT_PASS, NULL);
-    bolan_gl_guest_texture_bind(0, UNIT_SURFACE, NULL);
+    bolan_gl_guest_texture_bind(0, UNIT_OWN, NULL);
+    bolan_gl_guest_texture_bind(0, UNIT_OWN + 1, NULL);
 }
 
 static void draw_samples(const bolan_host *host) {
-    const uint32_t color = bolan_gl_multisampled_bind(host->color, UNIT_PASS);
-    const uint32_t depth = bolan_gl_multisampled_bind(host->depth, UNIT_SURFACE);
+    const uint32_t color = bolan_gl_multisampled_bind(host->color, UNIT_OWN);
+    const uint32_t depth = bolan_gl_multisampled_bind(host->depth, UNIT_OWN + 1);
     bolan_gl_draw_fullscreen();
-    bolan_gl_multisampled_unbind(color, UNIT_PASS);
-    bolan_gl_multisampled_unbind(depth, UNIT_SURFACE);
+    bolan_gl_multisampled_unbind(color, UNIT_OWN);
+    bolan_gl_multisampled_unbind(depth, UNIT_OWN + 1);
 }
 
 void bolan_host_import(host_frame *h, const render_view *v, const bolan_view *to, const bolan_host *host) {
@@ -89,15 +89,15 @@ void bolan_host_resolve(host_frame *h, const render_view *v, const bolan_view *t
     bolan_gl_program_use(p);
     bolan_gl_program_vec4(p, "host_depth", depth_law(v, to, radiance_of(host) / v->frame->block.radiance_unit, encode ? 1.0f : 0.0f));
     bolan_gl_program_vec2(p, "host_origin", (float)to->x, (float)to->y);
-    bolan_gl_texture_bind(color, UNIT_PASS);
-    bolan_gl_texture_bind(v->hdr_depth, UNIT_SURFACE);
+    bolan_gl_texture_bind(color, UNIT_OWN);
+    bolan_gl_texture_bind(v->hdr_depth, UNIT_OWN + 1);
     bolan_gl_program_vec2(p, "mask_origin", (float)host->x, (float)host->y);
-    if (masked) bolan_gl_guest_texture_bind(host->mask, UNIT_SCENE_COLOR, &h->sampler);
+    if (masked) bolan_gl_guest_texture_bind(host->mask, UNIT_OWN + 2, &h->sampler);
     gl_stencil stencil;
     if (host->stencil_mask != 0) bolan_gl_stencil_begin(&stencil, host->stencil, host->stencil_mask);
     bolan_gl_draw_fullscreen();
     if (host->stencil_mask != 0) bolan_gl_stencil_end(&stencil);
-    if (masked) bolan_gl_guest_texture_bind(0, UNIT_SCENE_COLOR, NULL);
+    if (masked) bolan_gl_guest_texture_bind(0, UNIT_OWN + 2, NULL);
     bolan_gl_set_framebuffer_srgb(false);
 }
 

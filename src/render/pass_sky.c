@@ -146,15 +146,15 @@ bolan_result bolan_pass_sky_reload(pass_sky *p) {
 static void draw_environment(pass_sky *p, const bolan_environment *e) {
     bolan_gl_target_bind(&p->plain_target);
     if (e->cube != 0) {
-        bolan_host_light_draw(&p->host, e, UNIT_PASS);
+        bolan_host_light_draw(&p->host, e, UNIT_OWN);
     } else {
-        bolan_gl_texture_bind(&p->air.sea_view, UNIT_PASS);
+        bolan_gl_texture_bind(&p->air.sea_view, UNIT_OWN);
         bolan_gl_program_use(&p->programs[SKY_ENVIRONMENT]);
         bolan_gl_draw_fullscreen();
     }
     p->host.drawn = *e;
     bolan_gl_texture_generate_mipmaps(&p->plain);
-    bolan_gl_texture_bind(&p->plain, UNIT_PASS);
+    bolan_gl_texture_bind(&p->plain, UNIT_OWN);
     for (int l = 0; l < ENVIRONMENT_LEVELS; l++) {
         bolan_gl_target_bind(&p->environment_target[l]);
         bolan_gl_program_float(&p->programs[SKY_PREFILTER], "level", (float)l);
@@ -244,7 +244,7 @@ static bool update_clouds(pass_sky *p, render_view *v, cloud_work work) {
     if (work == CLOUDS_ALL) (void)bolan_atmosphere_update(&p->air, &p->clouds.uniforms);
     bolan_atmosphere_bind(&p->air);
     bolan_gl_set_state(&(gl_state){.color_write = true});
-    bolan_gl_texture_bind(&p->air.sea_view, UNIT_PASS);
+    bolan_gl_texture_bind(&p->air.sea_view, UNIT_OWN);
     return bolan_clouds_march(&p->clouds, v, work);
 }
 
@@ -279,7 +279,7 @@ void bolan_pass_sky_prepare(pass_sky *p, render_view *v) {
 
 void bolan_pass_sky_draw(pass_sky *p, const render_view *v) {
     bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
-    bolan_gl_texture_bind(&p->panorama, UNIT_PASS);
+    bolan_gl_texture_bind(&p->panorama, UNIT_OWN);
     bolan_gl_program_use(&p->programs[SKY]);
     bolan_gl_mesh_draw(&p->mesh, 0, RECTANGLE_INDICES);
     bolan_gl_program_use(&p->programs[SKY_BELOW]);

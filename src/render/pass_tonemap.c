@@ -89,17 +89,17 @@ static bool draw_glow(pass_tonemap *p, const render_view *v, const gl_texture *h
     if (v->frame->quality < BOLAN_QUALITY_HIGH || v->width < smallest || v->height < smallest) return false;
     if (!resize_glow(p, v->width, v->height)) return false;
     bolan_gl_target_bind(&p->glow_target);
-    bolan_gl_texture_bind(hdr_color, UNIT_PASS);
+    bolan_gl_texture_bind(hdr_color, UNIT_OWN);
     bolan_gl_program_use(&p->shrink);
     bolan_gl_draw_fullscreen();
     bolan_gl_texture_generate_mipmaps(&p->glow);
-    bolan_gl_texture_bind(&p->glow, UNIT_SCENE_COLOR);
+    bolan_gl_texture_bind(&p->glow, UNIT_OWN + 2);
     return true;
 }
 
 static void draw(const gl_program *program, const gl_texture *source, const bolan_view *to, bool encode, float dither,
                  float weight) {
-    bolan_gl_texture_bind(source, UNIT_PASS);
+    bolan_gl_texture_bind(source, UNIT_OWN);
     bolan_gl_program_vec2(program, "origin", to ? (float)to->x : 0.0f, to ? (float)to->y : 0.0f);
     bolan_gl_program_vec4(program, "settings", (bolan_vec4){glow_share, encode ? 1.0f : 0.0f, dither, weight});
     bolan_gl_draw_fullscreen();
@@ -120,8 +120,8 @@ static uint32_t accumulate(pass_tonemap *p, const gl_texture *hdr_color, bool gl
     p->summed = sample + 1;
     p->latest = pair;
     bolan_gl_target_bind(&p->sum_target[pair]);
-    bolan_gl_texture_bind(&p->sum[pair ^ 1u], UNIT_SCENE_DEPTH);
-    bolan_gl_texture_bind(&p->radiance_sum[pair ^ 1u], UNIT_SURFACE);
+    bolan_gl_texture_bind(&p->sum[pair ^ 1u], UNIT_OWN + 3);
+    bolan_gl_texture_bind(&p->radiance_sum[pair ^ 1u], UNIT_OWN + 1);
     draw(&p->accumulate[glow], hdr_color, NULL, false, 0.0f, sample > 0 ? 1.0f : 0.0f);
     return pair;
 }

@@ -260,9 +260,9 @@ static double now_ms(void) {
 static double run_yardstick(bolan_renderer *r, const gl_texture *image, uint32_t repeats) {
     bolan_gl_target_bind(&r->targets.hdr);
     bolan_gl_set_state(&(gl_state){.color_write = true});
-    bolan_gl_texture_bind(image, UNIT_PASS);
+    bolan_gl_texture_bind(image, UNIT_OWN);
     bolan_gl_program_use(&r->yardstick);
-    bolan_gl_program_int(&r->yardstick, "image", UNIT_PASS);
+    bolan_gl_program_int(&r->yardstick, "image", UNIT_OWN);
     bolan_gl_draw_fullscreen(); // the first pays for compilation
     bolan_gl_finish();
     const double start = now_ms();

@@ -13,7 +13,7 @@
 // Slope along u, along v (together of variance 1), their squared sum, 0: size * size * 4 floats.
 void bolan_ripple_texture_fill(float *out);
 bolan_result bolan_ripple_texture_create(gl_texture *out);
-// Fills what ripples.glsl reads of the block Water. Optics bind the texture to UNIT_OPTICS; cascades have no use for
+// Fills what ripples.glsl reads of the block Water. Optics bind the texture to UNIT_RIPPLES; cascades have no use for
 // it.
 void bolan_ripple_fill(water_block *b, const render_view *view);
 

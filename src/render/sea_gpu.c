@@ -412,7 +412,7 @@ static void bind_cascades(const sea_fields *f) {
 }
 
 void bolan_sea_gpu_bind(const sea_gpu *p, water_waves waves) {
-    if (waves == WATER_SUM) bolan_gl_texture_bind(&p->table, UNIT_DISPLACEMENT);
+    if (waves == WATER_SUM) bolan_gl_texture_bind(&p->table, UNIT_WAVE_TABLE);
     if (waves == WATER_CASCADES) bind_cascades(p->now);
     bolan_gl_texture_bind(&p->now->slope_table, UNIT_SLOPE_TABLE);
 }

@@ -41,7 +41,7 @@ typedef struct water_optics {
     bool planar_mirrors;    // fetches planar views of the world instead: see behind()
     bool own_sky;           // reflects a sky of its own, so needs no planar views where the scene is empty
     bool static_grid;       // shades each pixel from textures: the static grid is fine enough
-    bool keeps_shape;       // shades each pixel from a shape that it keeps, on UNIT_SURFACE: see half_rate.h
+    bool keeps_shape;       // shades each pixel from a shape that it keeps, on its own units: see half_rate.h
     bool packed;            // of the cascades it reads slopes, pinch and foam, nothing else: see sea_gpu.h
     // Columns of pixels that share a sample; NULL: each pixel has its own.
     uint32_t (*shade_columns)(const bolan_look *look, bolan_quality quality);

@@ -139,7 +139,7 @@ static void draw_light(physical *p, const water_draw *d) {
     const physical_block block = foam_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     bolan_gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
-    for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape->map[i], UNIT_SURFACE + i);
+    for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape->map[i], UNIT_OWN + 1 + i);
     bolan_gl_target_bind_part(&d->view->hdr, 0, 0, d->view->hdr.width, bolan_water_rows(d->view, d->vertical));
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();

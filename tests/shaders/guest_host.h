@@ -65,8 +65,10 @@ static inline void take_shot(rig *r, shot *s) {
 
 // ---- a host that has set everything ---------------------------------------------------------------------------------
 
+enum { HOST_UNITS = 29 }; // all that the library binds, and its scratch unit
+
 typedef struct host {
-    GLuint textures[3 * 25], samplers[25], buffers[6], vertex_array, framebuffer, color, program;
+    GLuint textures[3 * HOST_UNITS], samplers[HOST_UNITS], buffers[6], vertex_array, framebuffer, color, program;
 } host;
 
 static inline GLuint build_program(void) {
@@ -96,8 +98,8 @@ static inline GLuint build_program(void) {
 
 static inline void open_host(host *h) {
     memset(h, 0, sizeof *h);
-    glGenTextures(3 * 25, h->textures);
-    glGenSamplers(25, h->samplers);
+    glGenTextures(3 * HOST_UNITS, h->textures);
+    glGenSamplers(HOST_UNITS, h->samplers);
     glGenBuffers(6, h->buffers);
     glGenVertexArrays(1, &h->vertex_array);
     h->program = build_program();
@@ -111,7 +113,7 @@ static inline void open_host(host *h) {
 
 static inline void bind_everything(const host *h) {
     static const GLenum kinds[] = {GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_2D_ARRAY};
-    for (GLuint unit = 0; unit < 25; unit++) {
+    for (GLuint unit = 0; unit < HOST_UNITS; unit++) {
         glActiveTexture(GL_TEXTURE0 + unit);
         for (GLuint k = 0; k < 3; k++) glBindTexture(kinds[k], h->textures[3 * unit + k]);
         glBindSampler(unit, h->samplers[unit]);
@@ -210,9 +212,9 @@ static inline void set_apart(const host *h) {
 
 // Not this host's: back to what a context starts with.
 static inline void close_host(host *h) {
-    glDeleteTextures(3 * 25, h->textures);
+    glDeleteTextures(3 * HOST_UNITS, h->textures);
     glDeleteTextures(1, &h->color);
-    glDeleteSamplers(25, h->samplers);
+    glDeleteSamplers(HOST_UNITS, h->samplers);
     glDeleteBuffers(6, h->buffers);
     glDeleteVertexArrays(1, &h->vertex_array);
     glDeleteFramebuffers(1, &h->framebuffer);

@@ -197,7 +197,7 @@ void bolan_gl_set_framebuffer_srgb(
 
 // The caller's state: see saved.c.
 enum { GL_UNIFORM_SLOTS = 5 }; // of the blocks Frame, View, Water, Optics and Bounds
-enum { GL_SAVED_UNITS = 25, GL_SAVED_BUFFERS = 8, GL_SAVED_VIEWPORTS = 16, GL_SAVED_CLIPS = 8, GL_SAVED_SLOTS = 32 };
+enum { GL_SAVED_UNITS = 29, GL_SAVED_BUFFERS = 8, GL_SAVED_VIEWPORTS = 16, GL_SAVED_CLIPS = 8, GL_SAVED_SLOTS = 32 };
 typedef struct gl_saved {
     const gl_caps *caps;
     int32_t draw_framebuffer, read_framebuffer, program, vertex_array, array_buffer;

@@ -8,7 +8,7 @@
 
 // Passes bind units 0..23; the layer itself binds on this one, so that creating or filling a texture disturbs no pass.
 // Every GL 3.3 has 48 combined units, every ES 3.0 has 32.
-enum { SCRATCH_UNIT = 24 };
+enum { SCRATCH_UNIT = 28 };
 
 typedef struct format_info {
     GLenum internal_format, format, type; // type of what an upload hands over (floats or bytes)

@@ -250,11 +250,11 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
 static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
     const bool sparse = d->view->block.shade_columns > 1.0f;
     if (!bolan_water_program(d, &light_shader, own_defines(p->quality, rows.cascades, sparse))) return;
-    bolan_gl_texture_bind(&p->densities, UNIT_FOAM_DETAIL);
-    bolan_gl_texture_bind(&p->tables, UNIT_PASS);
-    bolan_gl_texture_bind(&p->now->rest, UNIT_SURFACE);
-    bolan_gl_texture_bind(&p->now->mesh, UNIT_SURFACE + 1);
-    bolan_gl_texture_bind(&p->now->air, UNIT_OPTICS);
+    bolan_gl_texture_bind(&p->densities, UNIT_OWN + 4);
+    bolan_gl_texture_bind(&p->tables, UNIT_OWN);
+    bolan_gl_texture_bind(&p->now->rest, UNIT_OWN + 1);
+    bolan_gl_texture_bind(&p->now->mesh, UNIT_OWN + 2);
+    bolan_gl_texture_bind(&p->now->air, UNIT_OWN + 3);
     bolan_gl_target_bind_part(&d->view->hdr, 0, rows.from, d->view->hdr.width, rows.to - rows.from);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();

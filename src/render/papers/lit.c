@@ -59,7 +59,7 @@ static void draw(void *state, const water_draw *d) {
     if (!bolan_water_program(d, &shader, own_defines(d->view->frame->lighting.look.paper, p->quality))) return;
     const lit_block block = foam_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
-    if (d->waves != WATER_CASCADES) bolan_gl_texture_bind(&p->ripples, UNIT_OPTICS);
+    if (d->waves != WATER_CASCADES) bolan_gl_texture_bind(&p->ripples, UNIT_RIPPLES);
     bolan_gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
     bolan_water_draw_forward(d);
 }

@@ -188,7 +188,6 @@ static void draw(void *state, const water_draw *d) {
     const render_view *v = d->view;
     if (t->failed) return;
     const bolan_look *look = &v->frame->lighting.look;
-    const bool tiles = bolan_paper_tiles_base(t) != NULL;
     const bool below = v->block.eye_under_water > 0.5f;
     const bool high = v->block.eye_height > HIGH_EYE;
     const uint32_t own = own_defines(t, look->paper) | (below ? BELOW : high ? HIGH : 0u);
@@ -196,7 +195,6 @@ static void draw(void *state, const water_draw *d) {
     const mirror_block block = block_of(v, t);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     bolan_paper_tiles_bind(t);
-    if (d->waves == WATER_CASCADES && !tiles) bolan_gl_texture_bind(&d->fields->now->fold, UNIT_FOLD);
     bolan_water_draw_forward(d);
 }
 

@@ -73,7 +73,7 @@ static void draw(void *state, const water_draw *d) {
     if (!bolan_water_program(d, &shader, own_defines(p->quality, pictures, paper, fine))) return;
     const phong_block block = block_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
-    if (d->waves != WATER_CASCADES) bolan_gl_texture_bind(&p->ripples, UNIT_OPTICS);
+    if (d->waves != WATER_CASCADES) bolan_gl_texture_bind(&p->ripples, UNIT_RIPPLES);
     bolan_water_draw_forward(d);
 }
 

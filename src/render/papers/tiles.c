@@ -68,10 +68,10 @@ double bolan_paper_tiles_ripple_angle(const paper_tiles *t) {
 }
 
 void bolan_paper_tiles_bind(const paper_tiles *t) {
-    bolan_gl_texture_bind(&t->slopes, UNIT_OPTICS);
+    bolan_gl_texture_bind(&t->slopes, UNIT_RIPPLES);
     bolan_gl_texture_bind(&t->own, UNIT_TILE);
     bolan_gl_texture_bind(&t->glint, UNIT_GLINT);
-    bolan_gl_texture_bind(&t->ripples, UNIT_FOLD);
+    bolan_gl_texture_bind(&t->ripples, UNIT_RIPPLE_SLOPES);
 }
 
 // ---- baking ---------------------------------------------------------------------------------------------------------
