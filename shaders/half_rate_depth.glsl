@@ -10,7 +10,7 @@ void main() { fullscreen(0.0); }
 #endif
 
 #ifdef FRAGMENT
-#pragma unit picture_depth 15
+#pragma unit picture_depth 23
 uniform highp sampler2D picture_depth;
 uniform int columns;
 

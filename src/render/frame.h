@@ -39,7 +39,7 @@ enum {
     UNIT_CLOUDS = 13,       // 2D  panorama of the clouds
     UNIT_AERIAL = 14,       // 3D  aerial perspective
     UNIT_CASCADES = 20,     // 20-22: 2D RGBA16F  packed cascades after the first
-    UNIT_HALF_RATE = 23,    // 2D  water shaded at half rate
+    UNIT_HALF_RATE = 23,    // 2D  input of the passes of half_rate.c, which run while an optics has its own bound
     UNIT_WAVE_TABLE = 27,   // 2D RGBA32F  the waves of a sum
 };
 enum {

@@ -67,7 +67,7 @@ static bool fit(half_rate *s, uint32_t width, uint32_t height) {
 // Of the pixels that a sample serves, the farthest: whatever shows water is lit.
 static bool fill_depth(half_rate *s, const render_view *v, uint32_t columns) {
     if (s->farthest.id == 0) return false;
-    bolan_gl_texture_bind(v->hdr_depth, UNIT_OWN);
+    bolan_gl_texture_bind(v->hdr_depth, UNIT_HALF_RATE);
     bolan_gl_program_use(&s->farthest);
     bolan_gl_program_int(&s->farthest, "columns", (int)columns);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true});
