@@ -128,10 +128,10 @@ static void draw_shadow(const physical *p, const water_draw *d) {
     bolan_gl_program_float(g, "shadow_bias", host->shadow_bias);
     bolan_gl_target_bind(&p->shape->sun);
     bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_MULTIPLY});
-    bolan_gl_texture_bind(&p->shape->map[0], UNIT_SURFACE);
-    bolan_gl_guest_texture_bind(host->shadow, UNIT_PASS, &p->sampler);
+    bolan_gl_texture_bind(&p->shape->map[0], UNIT_OWN + 1);
+    bolan_gl_guest_texture_bind(host->shadow, UNIT_OWN, &p->sampler);
     bolan_gl_draw_fullscreen();
-    bolan_gl_guest_texture_bind(0, UNIT_PASS, NULL);
+    bolan_gl_guest_texture_bind(0, UNIT_OWN, NULL);
 }
 
 static void draw_light(physical *p, const water_draw *d) {
