@@ -68,7 +68,8 @@ void bolan_host_import(host_frame *h, const render_view *v, const bolan_view *to
     bolan_gl_target_bind(&v->hdr);
     bolan_gl_set_state(&(gl_state){.depth_write = true, .color_write = true});
     bolan_gl_program_use(p);
-    bolan_gl_program_vec4(p, "host_depth", depth_law(v, to, v->frame->block.radiance_unit / radiance_of(host), (float)host->samples));
+    bolan_gl_program_vec4(
+        p, "host_depth", depth_law(v, to, v->frame->block.radiance_unit / radiance_of(host), (float)host->samples));
     bolan_gl_program_vec2(p, "host_origin", (float)host->x, (float)host->y);
     if (several)
         draw_samples(host);
@@ -87,7 +88,9 @@ void bolan_host_resolve(host_frame *h, const render_view *v, const bolan_view *t
         &(gl_state){.depth_test = true, .depth_write = true, .color_write = true, .depth_less = !reversed});
     bolan_gl_set_framebuffer_srgb(to->output == BOLAN_OUTPUT_SRGB_FRAMEBUFFER);
     bolan_gl_program_use(p);
-    bolan_gl_program_vec4(p, "host_depth", depth_law(v, to, radiance_of(host) / v->frame->block.radiance_unit, encode ? 1.0f : 0.0f));
+    bolan_gl_program_vec4(
+        p, "host_depth",
+        depth_law(v, to, radiance_of(host) / v->frame->block.radiance_unit, encode ? 1.0f : 0.0f));
     bolan_gl_program_vec2(p, "host_origin", (float)to->x, (float)to->y);
     bolan_gl_texture_bind(color, UNIT_OWN);
     bolan_gl_texture_bind(v->hdr_depth, UNIT_OWN + 1);
