@@ -19,6 +19,7 @@
 #include "bolan/flow.h"
 #include "bolan/ground.h"
 #include "bolan/query.h"
+#include "bolan/record.h"
 #include "bolan/surface.h"
 #include "bolan/tiles.h"
 #include "bolan/water.h"

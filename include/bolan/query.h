@@ -121,6 +121,51 @@ typedef struct bolan_surface_motion {
 BOLAN_API void bolan_query_motion(const bolan_water *water, const bolan_question *question, const bolan_dvec2 *xy,
                                   uint32_t count, bolan_surface_motion *out);
 
+// ---- lines ----------------------------------------------------------------------------------------------------------
+
+/// A part of a straight line in the world.
+typedef struct bolan_ray {
+    /// Where it begins [m].
+    bolan_dvec3 origin;
+    /// Where it goes; of any length but 0.
+    bolan_dvec3 direction;
+    /// How far [m], 0..1e7.
+    double length;
+} bolan_ray;
+/// Where a ray meets the surface.
+typedef struct bolan_ray_hit {
+    /// It does, from above or from below. If not, all else is 0.
+    bool hit;
+    /// From the origin [m].
+    double distance;
+    /// The place [m].
+    bolan_dvec3 point;
+} bolan_ray_hit;
+/// The first places at which @p count rays meet the surface, of flat earth.
+/// The surface is that of bolan_query_heights(), or of bolan_query_motion() where the question has a least wavelength.
+/// The place is within 1 mm of the surface along the vertical. A crest that the ray cuts by less than 5 mm may be passed
+/// over, and so may one that is steeper than 8 standard deviations of slope, or 2.5.
+/// A ray that is not finite, or has no direction, hits nothing.
+/// A least wavelength needs a flow, as for bolan_query_below(). @p question NULL: the default.
+/// Uses the task hook. Allocates nothing. Cannot fail. Thread-safe as bolan_query_surface().
+BOLAN_API void bolan_query_rays(const bolan_water *water, const bolan_question *question, const bolan_ray *rays,
+                                uint32_t count, bolan_ray_hit *out);
+
+/// A crest on a line.
+typedef struct bolan_crest {
+    /// From the beginning of the line [m].
+    double distance;
+    /// Of the surface above the datum [m].
+    float height;
+} bolan_crest;
+/// The crests, local maxima of the height, along the line from @p from to @p to, in order; its ends do not count.
+/// @p step [m], 0.001..1e4: heights are compared this far apart and maxima refined to a thousandth of it. Crests nearer
+/// to one another than two steps may count as one.
+/// Writes at most @p capacity crests to @p out and returns how many there are. A line of more than 1e7 steps is misuse.
+/// Otherwise like bolan_query_rays().
+BOLAN_API uint32_t bolan_query_crests(const bolan_water *water, const bolan_question *question, bolan_dvec2 from,
+                                      bolan_dvec2 to, double step, uint32_t capacity, bolan_crest *out);
+
 #ifdef __cplusplus
 }
 #endif
