@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // bolan measure: statistics of the synthesised sea, as JSON or as a table.
+#include "buoy.h"
 #include "commands.h"
 #include "help.h"
 #include "output.h"
@@ -100,6 +101,19 @@ static bool print_table(const bolan_scene *scene, const bolan_sea *sea, const bo
     return ok;
 }
 
+static int measure_sea(const bolan_world *world, bool json) {
+    const bolan_sea *sea = bolan_world_water(world)->sea;
+    const bolan_sea_statistics statistics = bolan_sea_measure(sea);
+    char hash[17];
+    bolan_sea_hash(sea, hash);
+    quantity list[QUANTITIES];
+    list_quantities(&statistics, list);
+    const bolan_sea_desc desc = bolan_world_sea_desc(world);
+    const bool ok = json ? print_json(sea, &desc.sea_state, list, hash)
+                         : print_table(bolan_world_scene(world), sea, &desc.sea_state, list, hash);
+    return ok ? EXIT_OK : EXIT_FAILED;
+}
+
 int command_measure(int count, char **arguments) {
     options o;
     bolan_world *w = NULL;
@@ -107,17 +121,17 @@ int command_measure(int count, char **arguments) {
     if (result) return result;
     if (o.help)
         return help_command(ON_MEASURE, "measure [SCENE] [OPTIONS]", "Makes the scene's sea and prints what it is.");
+    if (!buoy_options_check(&o)) return EXIT_USAGE;
     result = session_open_sea(&o, &w);
     if (result) return result;
     const bolan_sea *sea = bolan_world_water(w)->sea;
-    const bolan_sea_statistics statistics = bolan_sea_measure(sea);
-    char hash[17];
-    bolan_sea_hash(sea, hash);
-    quantity list[QUANTITIES];
-    list_quantities(&statistics, list);
-    const bolan_sea_desc desc = bolan_world_sea_desc(w);
-    const bool ok = o.json ? print_json(sea, &desc.sea_state, list, hash)
-                           : print_table(bolan_world_scene(w), sea, &desc.sea_state, list, hash);
+    if (o.record_time) {
+        printf("%s\n", bolan_sea_record_time(sea));
+    } else if (option_given(&o, "buoy")) {
+        result = buoy_measure(&o, sea);
+    } else {
+        result = measure_sea(w, o.json);
+    }
     bolan_world_destroy(&w);
-    return ok ? EXIT_OK : EXIT_FAILED;
+    return result;
 }

@@ -27,10 +27,10 @@ typedef struct options {
     double at[2], camera[6], sun[2]; // latitude, longitude; x, y, z, heading, pitch[, fov]; azimuth, elevation
     double fps, frames, samples, threads, tile;
     double size[2];
-    double least_wavelength;
+    double least_wavelength, buoy[2], duration, rate;
     int quality, backend, stretching;
     const char *spectrum, *terrain, *points, *columns, *output, *screenshot;
-    bool json, parameters, schema, quiet, help;
+    bool record_time, json, parameters, schema, quiet, help;
 } options;
 
 typedef enum option_kind {

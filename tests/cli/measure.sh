@@ -27,6 +27,26 @@ done
 run measure open-sea --time 21 --json
 [ "$(value hash)" != "$hash" ] || fail 'the sea stands still'
 
+# A buoy: its record, whose 4 standard deviations are the Hm0 that is printed, and its spectrum.
+run measure open-sea --buoy 40,-30 --duration 300 --rate 2 -o buoy.csv --json
+[ "$(head -1 buoy.csv)" = 'time,heave,east,north,slope_x,slope_y' ] || fail 'another header of a buoy'
+[ "$(wc -l < buoy.csv)" -eq 601 ] || fail 'not two samples a second'
+[ "$(sed -n 3p buoy.csv | cut -d, -f1)" = 20.5 ] || fail "the record does not begin at the scene's time"
+near "$(value hm0)" "$(awk -F, 'NR > 1 { s += $2; q += $2 * $2; n++ } END { print 4 * sqrt(q / n - (s / n) ^ 2) }' buoy.csv)" 1e-4
+for key in waves h_third h_tenth h_max tz skewness kurtosis exceedance spectrum; do
+    grep -q "\"$key\":" out || fail "no $key of a buoy"
+done
+if command -v python3 > /dev/null; then python3 -m json.tool out > /dev/null || fail 'the record of a buoy is not JSON'; fi
+mv buoy.csv first.csv
+run measure open-sea --buoy 40,-30 --duration 300 --rate 2 -o buoy.csv --threads 3
+cmp first.csv buoy.csv || fail 'threads change the record of a buoy'
+grep -q 'H1/10' out || fail 'no table of a buoy without --json'
+refuse 2 '--rate needs --buoy X,Y' measure --rate 3
+refuse 2 '--output needs --buoy X,Y' measure -o x.csv
+refuse 2 '--buoy is 1; expected X,Y' measure --buoy 1
+refuse 2 'a record of 2 s at 2 a second has too few samples; expected 64' measure --buoy 1,2 --duration 2
+refuse 1 'no/x.csv: cannot be written' measure --buoy 1,2 --duration 60 -o no/x.csv
+
 # Options that a sea has no use for are refused, not ignored; every bit of a seed counts.
 refuse 2 '--terrain does not go with bolan measure' measure --terrain missing.tif
 refuse 2 '--at does not go with bolan measure' measure --at 1,2
@@ -115,6 +135,8 @@ near "$(value te)" 10.1755 0.0001
 near "$(value spread)" 23.27 0.01
 grep -q '"record_time": "2016-10-15T00:00:00"' out || fail 'no time of the record'
 hash=$(value hash)
+run measure --spectrum "$swan" --record 4 --record-time
+[ "$(cat out)" = 2016-10-15T00:00:00 ] || fail "--record-time prints $(cat out)"
 
 # Records by date, locations, and what stands in.
 run measure --spectrum "$swan" --record 2016-10-15T00:00 --json
