@@ -9,19 +9,30 @@
 
 #define MICHE 0.142 // greatest steepness of a wave in deep water: Miche 1944
 
+// A place from the centre [m], and in the train's own axes over the half extents.
+typedef struct train_place {
+    double x, y, along, across;
+} train_place;
+
+static train_place place_in(const bolan_wave_layer *w, double x, double y) {
+    const bolan_wave_train_desc *d = &w->train;
+    const double px = x - d->centre.x, py = y - d->centre.y;
+    const double along = (px * w->c + py * w->s) / d->half_length, across = (py * w->c - px * w->s) / d->half_width;
+    return (train_place){px, py, along, across};
+}
+
 static void sample(const bolan_wave_layer *w, double time, uint32_t count, const double *x, const double *y,
                    bolan_wave_layer_sample *out) {
     const bolan_wave_train_desc *d = &w->train;
     const double amplitude = 0.5 * d->height;
     for (uint32_t i = 0; i < count; ++i) {
-        const double px = x[i] - d->centre.x, py = y[i] - d->centre.y;
-        const double along = (px * w->c + py * w->s) / d->half_length, across = (py * w->c - px * w->s) / d->half_width;
-        const double e = train_edge(along, d->edge), f = train_edge(across, d->edge);
+        const train_place p = place_in(w, x[i], y[i]);
+        const double e = train_edge(p.along, d->edge), f = train_edge(p.across, d->edge);
         double sine, cosine;
-        bolan_sincos(remainder(w->kx * px + w->ky * py - w->omega * time + w->phase, 2.0 * BOLAN_PI), &sine, &cosine);
+        bolan_sincos(remainder(w->kx * p.x + w->ky * p.y - w->omega * time + w->phase, 2.0 * BOLAN_PI), &sine, &cosine);
         // The gradient of the envelope, in the axes of the train.
-        const double ea = train_edge_slope(along, d->edge) * f / d->half_length;
-        const double ec = train_edge_slope(across, d->edge) * e / d->half_width;
+        const double ea = train_edge_slope(p.along, d->edge) * f / d->half_length;
+        const double ec = train_edge_slope(p.across, d->edge) * e / d->half_width;
         out[i].height = (float)(amplitude * e * f * cosine);
         out[i].slope_x = (float)(amplitude * ((ea * w->c - ec * w->s) * cosine - e * f * w->kx * sine));
         out[i].slope_y = (float)(amplitude * ((ea * w->s + ec * w->c) * cosine - e * f * w->ky * sine));
@@ -36,14 +47,14 @@ static double decayed(double k, double depth, double a) {
 // Linear theory with the period that the train was given, its edges as constants.
 static void flow(const bolan_wave_layer *w, double time, double x, double y, double below, wave_layer_flow *out) {
     const bolan_wave_train_desc *d = &w->train;
-    const double px = x - d->centre.x, py = y - d->centre.y, k = 2.0 * BOLAN_PI / d->length, o = w->omega;
-    const double along = (px * w->c + py * w->s) / d->half_length, across = (py * w->c - px * w->s) / d->half_width;
-    const double a = 0.5 * d->height * train_edge(along, d->edge) * train_edge(across, d->edge);
+    const double k = 2.0 * BOLAN_PI / d->length, o = w->omega;
+    const train_place p = place_in(w, x, y);
+    const double a = 0.5 * d->height * train_edge(p.along, d->edge) * train_edge(p.across, d->edge);
     const double deep = fmin(below, d->depth);
     const double direct = decayed(k, d->depth, deep), image = decayed(k, d->depth, 2.0 * d->depth - deep);
     const double level = a * (direct + image), upright = a * (direct - image);
     double s, c;
-    bolan_sincos(remainder(w->kx * px + w->ky * py - o * time + w->phase, 2.0 * BOLAN_PI), &s, &c);
+    bolan_sincos(remainder(w->kx * p.x + w->ky * p.y - o * time + w->phase, 2.0 * BOLAN_PI), &s, &c);
     *out = (wave_layer_flow){
         .vx = o * level * w->c * c,
         .vy = o * level * w->s * c,

@@ -426,6 +426,53 @@ static void a_layer_adds_its_own_flow(void **state) {
     bolan_sea_destroy(&sea);
 }
 
+static bolan_ground *plane(float elevation) {
+    const float grid[4] = {elevation, elevation, elevation, elevation};
+    bolan_ground_desc d = bolan_ground_desc_default();
+    d.field = (bolan_heightfield){2, 2, -5000.0, -5000.0, 10000.0, 10000.0, grid};
+    d.detail = 0.0;
+    d.edge_elevation = (double)elevation;
+    bolan_ground *ground = NULL;
+    assert_int_equal(bolan_ground_create(&d, &ground), BOLAN_OK);
+    return ground;
+}
+
+// A plane bed: what the surface keeps over it, the water below keeps; the ground is dry, and so is land.
+static void a_bed_attenuates_and_is_dry(void **state) {
+    (void)state;
+    bolan_sea_desc d = test_calm_desc(256);
+    assert_int_equal(bolan_sea_state_add_swell(&d.sea_state, 3.0, 12.0, 290.0, 20.0), BOLAN_OK);
+    bolan_sea *sea = test_sea(d);
+    bolan_flow *flow = test_flow(sea);
+    bolan_ground *bed = plane(-3.0f);
+    const bolan_water open = {.sea = sea, .flow = flow}, shallow = {.sea = sea, .flow = flow, .ground = bed};
+    double whole = 0.0, kept = 0.0, error = 0.0;
+    for (int i = 0; i < 60; i++) {
+        const bolan_dvec3 at[2] = {{30.0 * i - 900.0, 17.0 * i, -1.5}, {30.0 * i - 900.0, 17.0 * i, -3.5}};
+        bolan_kinematics a[2], b[2];
+        bolan_query_below(&open, NULL, at, 2, a);
+        bolan_query_below(&shallow, NULL, at, 2, b);
+        float height;
+        bolan_query_heights(&shallow, &(bolan_dvec2){at[0].x, at[0].y}, 1, &height);
+        error += square((double)(motion_at(&shallow, at[0].x, at[0].y).height - height)) / 60;
+        assert_true(b[0].wet && !b[1].wet && b[1].pressure == 0.0f && b[1].velocity.x == 0.0f);
+        if (a[0].wet) whole += square((double)a[0].pressure), kept += square((double)b[0].pressure);
+    }
+    assert_true(kept < 0.5 * whole && kept > 0.1 * whole); // tanh(0.6 3 / 3) = 0.54
+    assert_true(sqrt(error) < 0.02);
+    bolan_ground_destroy(&bed);
+    bed = plane(2.0f);
+    const bolan_water land = {.sea = sea, .flow = flow, .ground = bed};
+    bolan_kinematics k;
+    bolan_query_below(&land, NULL, &(bolan_dvec3){0.0, 0.0, -1.0}, 1, &k);
+    assert_true(!k.wet);
+    const bolan_surface_motion m = motion_at(&land, 0.0, 0.0);
+    assert_true(m.height == 0.0f && m.rise == 0.0f && m.velocity.z == 0.0f);
+    bolan_ground_destroy(&bed);
+    bolan_flow_destroy(&flow);
+    bolan_sea_destroy(&sea);
+}
+
 // ---- promises -------------------------------------------------------------------------------------------------------
 
 static void answers_do_not_depend_on_threads_and_instruction_set(void **state) {
@@ -521,6 +568,7 @@ RUN_TESTS(cmocka_unit_test(one_wave_is_that_of_the_textbook), cmocka_unit_test(s
           cmocka_unit_test(a_least_wavelength_is_its_filter_on_every_mode),
           cmocka_unit_test(the_rise_of_the_surface_is_its_rate_in_time),
           cmocka_unit_test(the_surface_is_that_of_the_query), cmocka_unit_test(a_layer_adds_its_own_flow),
+          cmocka_unit_test(a_bed_attenuates_and_is_dry),
           cmocka_unit_test(answers_do_not_depend_on_threads_and_instruction_set),
           cmocka_unit_test(a_step_and_a_question_allocate_nothing),
           cmocka_unit_test(a_water_without_the_flow_of_its_time_is_misuse))
