@@ -18,8 +18,9 @@
 /// is below 1 % of their root mean square at the surface, at every depth (tests/physics/test_below.c).
 /// A sum of waves is summed wave by wave.
 ///
-/// **Memory and time.** 64 bytes a sample, and the last cascade has twice the samples a side, since its waves have too
-/// few: 30 MB for four cascades of 256. bolan_flow_size() tells. A step costs about ten steps of the sea.
+/// **Memory and time.** A sample has 64 bytes, and the last cascade twice the samples a side, since its waves have too
+/// few: 35 MB for four cascades of 256; bolan_flow_size() tells. A step costs about nine steps of the sea. A question costs
+/// about 1 us at depths where only long waves are left, and 5 us at the surface, where every cascade is read.
 #ifndef BOLAN_FLOW_H
 #define BOLAN_FLOW_H
 

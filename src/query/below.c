@@ -10,7 +10,7 @@
 #include <math.h>
 
 enum { GRAIN_POINTS = 64, STEPS = 10 };
-#define CONVERGED 1e-4        // [m] of the rest point
+#define CONVERGED 5e-4        // [m] of the rest point
 #define REGULAR 0.1           // determinant below which Newton's matrix says nothing
 #define WET_MARGIN 1e-3       // [m] above the surface
 #define GROUND_RESOLUTION 2.0 // [m] as in query.c
@@ -58,14 +58,14 @@ static void advance(rest *r, double choppiness, double rx, double ry) {
     r->y -= regular ? (xx * ry - xy * rx) / determinant : ry;
 }
 
-// The parcel that stands over (x, y), at the depth of rest `at`.
-static rest find_rest(const asked *a, const flow_depth *at, double x, double y) {
-    rest r = {.x = x, .y = y, .depth = INFINITY};
+// The parcel that stands over (x, y), at the depth of rest `at`; the search begins at `start`.
+static rest find_rest(const asked *a, const flow_depth *at, double x, double y, bolan_dvec2 start) {
+    rest r = {.x = start.x, .y = start.y, .depth = INFINITY};
     const double choppiness = (double)a->flow->choppiness;
     for (uint32_t i = 0; i < BOLAN_MAX_CASCADES; i++) r.keep[i] = 1.0f;
     for (int i = 0; i < STEPS; i++) {
         attenuate(a, &r);
-        if (choppiness == 0.0) break;
+        if (choppiness == 0.0) break; // parcels stand where they rest
         bolan_flow_bend(a->flow, at, r.x, r.y, r.keep, &r.bend);
         const double rx = r.x - x + choppiness * r.bend.dx, ry = r.y - y + choppiness * r.bend.dy;
         if (rx * rx + ry * ry < CONVERGED * CONVERGED) break;
@@ -112,8 +112,10 @@ static void add_layer_heights(const asked *a, const rest *r, flow_motion *m) {
 
 // ---- below ----------------------------------------------------------------------------------------------------------
 
-static double height_over_level(const asked *a, double x, double y) {
-    const rest r = find_rest(a, &a->surface, x, y);
+// *over: the rest point of the parcel that is there.
+static double height_over_level(const asked *a, double x, double y, bolan_dvec2 *over) {
+    const rest r = find_rest(a, &a->surface, x, y, *over);
+    *over = (bolan_dvec2){r.x, r.y};
     flow_motion m;
     bolan_flow_motion(a->flow, &a->surface, r.x, r.y, r.keep, &m);
     add_layer_heights(a, &r, &m);
@@ -124,13 +126,13 @@ static bool is_buried(const asked *a, bolan_dvec3 p) {
     return a->water->ground && p.z < (double)bolan_ground_elevation(a->water->ground, p.x, p.y, GROUND_RESOLUTION);
 }
 
-// Depth at rest of a point that is in the water; < 0 of one that is not.
-static double depth_at_rest(const asked *a, bolan_dvec3 p) {
+// Depth at rest of a point that is in the water; < 0 of one that is not. *near becomes a place near its rest point.
+static double depth_at_rest(const asked *a, bolan_dvec3 p, bolan_dvec2 *near) {
     const double z = p.z - a->water->level;
     const bool stretched = a->question.stretching == BOLAN_STRETCH_WHEELER;
     if (is_buried(a, p) || z > a->highest + WET_MARGIN) return -1.0;
     if (!stretched && z < -a->highest) return -z; // whatever the surface does
-    const double eta = height_over_level(a, p.x, p.y), total = a->flow->depth + eta;
+    const double eta = height_over_level(a, p.x, p.y, near), total = a->flow->depth + eta;
     if (z > eta + WET_MARGIN || !(total > 0.0)) return -1.0;
     return fmax(stretched ? a->flow->depth * (eta - z) / total : -z, 0.0);
 }
@@ -138,12 +140,13 @@ static double depth_at_rest(const asked *a, bolan_dvec3 p) {
 static void answer_below(const asked *a, bolan_dvec3 p, bolan_kinematics *out) {
     *out = (bolan_kinematics){0};
     if (!isfinite(p.x) || !isfinite(p.y) || !isfinite(p.z)) return;
-    const double below = depth_at_rest(a, p);
+    bolan_dvec2 near = {p.x, p.y};
+    const double below = depth_at_rest(a, p, &near);
     if (below < 0.0) return;
     flow_depth at;
     flow_motion m;
     bolan_flow_depth(a->flow, below, a->smoothing, &at);
-    const rest r = find_rest(a, &at, p.x, p.y);
+    const rest r = find_rest(a, &at, p.x, p.y, near);
     bolan_flow_motion(a->flow, &at, r.x, r.y, r.keep, &m);
     add_layer_flows(a, &r, below, &m);
     out->velocity = bolan_v3((float)m.vx + a->flow->current_x, (float)m.vy + a->flow->current_y, (float)m.vz);
@@ -175,7 +178,7 @@ static double rise_of(const asked *a, const flow_motion *sea, double vz, bolan_v
 static void answer_motion(const asked *a, bolan_dvec2 p, bolan_surface_motion *out) {
     *out = (bolan_surface_motion){.height = (float)a->water->level, .normal = {0.0f, 0.0f, 1.0f}};
     if (!isfinite(p.x) || !isfinite(p.y)) return;
-    const rest r = find_rest(a, &a->surface, p.x, p.y);
+    const rest r = find_rest(a, &a->surface, p.x, p.y, p);
     flow_motion sea;
     bolan_flow_motion(a->flow, &a->surface, r.x, r.y, r.keep, &sea);
     flow_motion m = sea;

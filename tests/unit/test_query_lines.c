@@ -23,12 +23,22 @@ static double over(const bolan_water *water, const bolan_ray *r, double t) {
     return r->origin.z + t * r->direction.z / n - (double)h;
 }
 
-// Every centimetre; only crossings by more than 5 mm must be found.
-static double brute(const bolan_water *water, const bolan_ray *r, double until) {
-    const bool above = over(water, r, 0.0) > 0.0;
-    for (double t = 0.0; t <= until; t += 0.01) {
-        const double f = over(water, r, t);
-        if (above ? f < -0.005 : f > 0.005) return t;
+// Every centimetre up to 60 m; only crossings by more than 5 mm must be found.
+static double brute(const bolan_water *water, const bolan_ray *r) {
+    enum { PLACES = 6001 };
+    static bolan_dvec2 xy[PLACES];
+    static float height[PLACES];
+    const double n =
+        sqrt(r->direction.x * r->direction.x + r->direction.y * r->direction.y + r->direction.z * r->direction.z);
+    for (int i = 0; i < PLACES; i++) {
+        const double t = 0.01 * i / n;
+        xy[i] = (bolan_dvec2){r->origin.x + t * r->direction.x, r->origin.y + t * r->direction.y};
+    }
+    bolan_query_heights(water, xy, PLACES, height);
+    const bool above = r->origin.z > (double)height[0];
+    for (int i = 0; i < PLACES; i++) {
+        const double f = r->origin.z + 0.01 * i / n * r->direction.z - (double)height[i];
+        if (above ? f < -0.005 : f > 0.005) return 0.01 * i;
     }
     return -1.0;
 }
@@ -46,7 +56,7 @@ static void a_ray_meets_the_surface_where_brute_force_does(void **state) {
                                .length = 60.0};
         bolan_ray_hit hit;
         bolan_query_rays(&water, NULL, &ray, 1, &hit);
-        const double want = brute(&water, &ray, 60.0);
+        const double want = brute(&water, &ray);
         if (want < 0.0) {
             if (hit.hit) assert_true(hit.distance > 59.9 || fabs(over(&water, &ray, hit.distance)) < 1e-3); // grazes
             continue;
@@ -60,6 +70,25 @@ static void a_ray_meets_the_surface_where_brute_force_does(void **state) {
                     3.0 / hypot(3.0, ray.direction.z) * hit.distance, 1e-9);
     }
     assert_true(hits > 15);
+    bolan_sea_destroy(&sea);
+}
+
+// Level rays at the height of crests cut some of them by centimetres.
+static void a_ray_that_grazes_a_crest_meets_it(void **state) {
+    (void)state;
+    bolan_sea *sea = windy(4);
+    const bolan_water water = {.sea = sea};
+    int hits = 0;
+    for (int i = 0; i < 150; i++) {
+        const bolan_ray ray = {{77.0 * i, -31.0 * i, 0.6 + 0.01 * (i % 60)}, {cos(1.3 * i), sin(1.3 * i), 0.0}, 60.0};
+        bolan_ray_hit hit;
+        bolan_query_rays(&water, NULL, &ray, 1, &hit);
+        const double want = brute(&water, &ray);
+        if (want < 0.0) continue;
+        hits++;
+        assert_true(hit.hit && hit.distance <= want);
+    }
+    assert_true(hits > 75);
     bolan_sea_destroy(&sea);
 }
 
@@ -96,24 +125,22 @@ static void a_ray_from_high_up_is_as_exact(void **state) {
     bolan_sea_destroy(&sea);
 }
 
-static void crests_are_the_maxima_of_the_heights(void **state) {
-    (void)state;
-    enum { MOST = 1000 };
-    bolan_sea *sea = windy(2);
-    const bolan_water water = {.sea = sea, .level = -3.0};
+// Along a line of 1000 m to the heading (0.6, 0.8).
+static void check_crests(const bolan_water *water, bolan_dvec2 from) {
+    enum { MOST = 1000, PLACES = 4001 };
     static bolan_crest crest[MOST];
-    const bolan_dvec2 from = {-100.0, 40.0}, to = {500.0, 840.0}; // 1000 m
-    const uint32_t count = bolan_query_crests(&water, NULL, from, to, 0.25, MOST, crest);
+    static bolan_dvec2 xy[PLACES];
+    static float h[PLACES];
+    const bolan_dvec2 to = {from.x + 600.0, from.y + 800.0};
+    const uint32_t count = bolan_query_crests(water, NULL, from, to, 0.25, MOST, crest);
     uint32_t want = 0;
-    float h[3];
-    for (int i = 1; i < 4000; i++) {
-        bolan_dvec2 xy[3];
-        for (int k = 0; k < 3; k++) xy[k] = (bolan_dvec2){-100.0 + 0.15 * (i + k - 1), 40.0 + 0.2 * (i + k - 1)};
-        bolan_query_heights(&water, xy, 3, h);
-        if (!(h[1] > h[0] && h[1] >= h[2])) continue;
-        assert_true(want < MOST);
+    for (int i = 0; i < PLACES; i++) xy[i] = (bolan_dvec2){from.x + 0.15 * i, from.y + 0.2 * i};
+    bolan_query_heights(water, xy, PLACES, h);
+    for (int i = 1; i + 1 < PLACES; i++) {
+        if (!(h[i] > h[i - 1] && h[i] >= h[i + 1])) continue;
+        assert_true(want < count);
         assert_near(crest[want].distance, 0.25 * i, 0.26);
-        assert_true(crest[want].height >= h[1]);
+        assert_true(crest[want].height >= h[i]);
         want++;
     }
     assert_int_equal(count, want);
@@ -121,13 +148,20 @@ static void crests_are_the_maxima_of_the_heights(void **state) {
     for (uint32_t i = 0; i < count; i++) { // nothing higher within a step
         for (int k = -50; k <= 50; k++) {
             const double t = crest[i].distance + 0.005 * k;
-            bolan_query_heights(&water, &(bolan_dvec2){-100.0 + 0.6 * t, 40.0 + 0.8 * t}, 1, h);
+            bolan_query_heights(water, &(bolan_dvec2){from.x + 0.6 * t, from.y + 0.8 * t}, 1, h);
             assert_true(h[0] <= crest[i].height + 1e-3f);
         }
     }
     bolan_crest two[2];
-    assert_int_equal(bolan_query_crests(&water, NULL, from, to, 0.25, 2, two), count);
+    assert_int_equal(bolan_query_crests(water, NULL, from, to, 0.25, 2, two), count);
     assert_true(two[1].distance == crest[1].distance);
+}
+
+static void crests_are_the_maxima_of_the_heights(void **state) {
+    (void)state;
+    bolan_sea *sea = windy(2);
+    const bolan_water water = {.sea = sea, .level = -3.0};
+    for (int i = 0; i < 8; i++) check_crests(&water, (bolan_dvec2){-100.0 + 211.0 * i, 40.0 - 97.0 * i});
     bolan_sea_destroy(&sea);
 }
 
@@ -158,6 +192,7 @@ static void a_least_wavelength_leaves_the_long_waves(void **state) {
 }
 
 RUN_TESTS(cmocka_unit_test(a_ray_meets_the_surface_where_brute_force_does),
+          cmocka_unit_test(a_ray_that_grazes_a_crest_meets_it),
           cmocka_unit_test(a_ray_that_goes_away_or_ends_meets_nothing),
           cmocka_unit_test(a_ray_from_high_up_is_as_exact), cmocka_unit_test(crests_are_the_maxima_of_the_heights),
           cmocka_unit_test(a_least_wavelength_leaves_the_long_waves))
