@@ -19,8 +19,8 @@
 /// A sum of waves is summed wave by wave.
 ///
 /// **Memory and time.** A sample has 64 bytes, and the last cascade twice the samples a side, since its waves have too
-/// few: 35 MB for four cascades of 256; bolan_flow_size() tells. A step costs about nine steps of the sea. A question costs
-/// about 1 us at depths where only long waves are left, and 5 us at the surface, where every cascade is read.
+/// few: 35 MB for four cascades of 256; bolan_flow_size() tells. A step costs about nine steps of the sea. A question
+/// costs about 1 us at depths where only long waves are left, and 5 us at the surface, where every cascade is read.
 #ifndef BOLAN_FLOW_H
 #define BOLAN_FLOW_H
 

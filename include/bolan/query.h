@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file query.h
-/// Tier 2. Questions at fixed world points: height and normal of the surface that is drawn, choppy displacement inverted;
-/// velocity, acceleration and pressure of the water at the surface and below it.
+/// Tier 2. Questions at fixed world points: height and normal of the surface that is drawn, choppy displacement
+/// inverted; velocity, acceleration and pressure of the water at the surface and below it.
 #ifndef BOLAN_QUERY_H
 #define BOLAN_QUERY_H
 
@@ -64,8 +64,8 @@ typedef enum bolan_stretching {
 typedef struct bolan_question {
     /// Waves shorter than this are left out [m], 0..1e5; 0 (default): none.
     /// The filter is 1 - (1 - e^{-kl})^4 on the amplitude, with l = 0.29258 of this wavelength: it keeps half of a wave
-    /// of this length, 87 % of one twice and 98 % of one four times as long, 10 % of one half and 0.3 % of one a quarter
-    /// as long.
+    /// of this length, 87 % of one twice and 98 % of one four times as long, 10 % of one half and 0.3 % of one a
+    /// quarter as long.
     double least_wavelength;
     /// Default BOLAN_STRETCH_NONE.
     bolan_stretching stretching;
@@ -89,11 +89,10 @@ typedef struct bolan_kinematics {
 /// The water at @p count world points @p xyz [m].
 ///
 /// A parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is by the question's
-/// stretching. The rest point is found as for bolan_query_surface(), but folds are not searched: where the surface folds
-/// the answer belongs to one of the parcels.
-/// A point is wet up to a millimetre above the surface, and above the ground of the water. Waves are attenuated over the
-/// ground as for bolan_query_surface(). Wave layers are added, by linear theory with their own period and depth; the
-/// gradient of their edges is ignored.
+/// stretching. The rest point is found as for bolan_query_surface(), but folds are not searched: where the surface
+/// folds the answer belongs to one of the parcels. A point is wet up to a millimetre above the surface, and above the
+/// ground of the water. Waves are attenuated over the ground as for bolan_query_surface(). Wave layers are added, by
+/// linear theory with their own period and depth; the gradient of their edges is ignored.
 ///
 /// @p water needs a flow at the time of its sea: water->flow, bolan_flow_step(). A water without is misuse.
 /// @p question NULL: the default.
@@ -143,11 +142,10 @@ typedef struct bolan_ray_hit {
 } bolan_ray_hit;
 /// The first places at which @p count rays meet the surface, of flat earth.
 /// The surface is that of bolan_query_heights(), or of bolan_query_motion() where the question has a least wavelength.
-/// The place is within 1 mm of the surface along the vertical. A crest that the ray cuts by less than 5 mm may be passed
-/// over, and so may one that is steeper than 8 standard deviations of slope, or 2.5.
-/// A ray that is not finite, or has no direction, hits nothing.
-/// A least wavelength needs a flow, as for bolan_query_below(). @p question NULL: the default.
-/// Uses the task hook. Allocates nothing. Cannot fail. Thread-safe as bolan_query_surface().
+/// The place is within 1 mm of the surface along the vertical. A crest that the ray cuts by less than 5 mm may be
+/// passed over, and so may one that is steeper than 8 standard deviations of slope, or 2.5. A ray that is not finite,
+/// or has no direction, hits nothing. A least wavelength needs a flow, as for bolan_query_below(). @p question NULL:
+/// the default. Uses the task hook. Allocates nothing. Cannot fail. Thread-safe as bolan_query_surface().
 BOLAN_API void bolan_query_rays(const bolan_water *water, const bolan_question *question, const bolan_ray *rays,
                                 uint32_t count, bolan_ray_hit *out);
 

@@ -21,8 +21,8 @@ typedef struct bolan_record_wave {
     /// Of the highest sample over the mean [m].
     double crest;
 } bolan_record_wave;
-/// The waves of @p count heights @p heave [m], @p rate a second. Writes at most @p capacity waves to @p out and returns how
-/// many there are. Thread-safe.
+/// The waves of @p count heights @p heave [m], @p rate a second. Writes at most @p capacity waves to @p out and returns
+/// how many there are. Thread-safe.
 BOLAN_API uint32_t bolan_record_waves(const float *heave, uint32_t count, double rate, uint32_t capacity,
                                       bolan_record_wave *out);
 /// Share of the waves that are higher than @p height [m]; 0 of no waves. Thread-safe.
@@ -56,14 +56,16 @@ typedef struct bolan_record_band {
     double frequency;
     /// Of the variance of the heave [m2/Hz].
     double density;
-    /// First Fourier coefficients of the directions that the waves go to, mathematical angles: mean of cos, sin, cos 2, sin 2.
+    /// First Fourier coefficients of the directions that the waves go to, mathematical angles: mean of cos, sin, cos 2,
+    /// sin 2.
     double a1, b1, a2, b2;
     /// Mean direction that the waves come from [compass deg], and circular spread sqrt(2 (1 - r1)) [deg].
     double direction_from, spread;
 } bolan_record_band;
 /// Estimates the directional spectrum of a buoy that follows the surface, by Welch's method: segments of @p segment
-/// samples that overlap by half, each less its mean, under a Hann window. Its coefficients are those of Longuet-Higgins,
-/// Cartwright & Smith 1963 for the displacements of a buoy (Kuik, van Vledder & Holthuijsen 1988, eq. 3).
+/// samples that overlap by half, each less its mean, under a Hann window. Its coefficients are those of
+/// Longuet-Higgins, Cartwright & Smith 1963 for the displacements of a buoy (Kuik, van Vledder & Holthuijsen 1988, eq.
+/// 3).
 /// @param east,north displacements [m]; NULL for both: no directions, and what belongs to them is 0.
 /// @param segment a multiple of 4, 16..4096, and at most @p count.
 /// @param out receives segment / 2 - 1 bands, of frequency i rate / segment for i = 1, 2 ...

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The flow of a sum of waves, wave by wave. With th = k.x - omega t + phase and C, S the two sides of (3) in tables.h
 //
-//     Phi = a C / k cos th,  displacement (-k/|k| a C sin th, a S cos th),  velocity omega a (k/|k| C cos th, S sin th).
+//     Phi = a C / k cos th
+//     displacement = a (-k/|k| C sin th, S cos th),  velocity = omega a (k/|k| C cos th, S sin th)
 //
 // The waves of EXP_COSINE, e^{s cos th} = I0(s) + 2 sum In(s) cos n th (Abramowitz & Stegun 1964, 9.6.34), are sums of
 // harmonics that travel with the first: each decays with its own n k.

@@ -2,9 +2,9 @@
 // The surface along lines: the first hit of a ray, and crests.
 //
 // A ray is clipped to the slab that the surface does not leave, and scanned in intervals of 16. Let f be the height of
-// the ray over the surface and L a bound of |df/dt|: between two points at distance D f is at least (f0 + f1 - L D) / 2,
-// so the surface is not met where that is positive. Other intervals are cut into 16 again, until L D is so small that the
-// ray can cut no more than a grazing crest.
+// the ray over the surface and L a bound of |df/dt|: between two points at distance D f is at least (f0 + f1 - L D) /
+// 2, so the surface is not met where that is positive. Other intervals are cut into 16 again, until L D is so small
+// that the ray can cut no more than a grazing crest.
 #include "bolan/query.h"
 
 #include "water/layer.h"
