@@ -16,8 +16,8 @@ typedef struct query_columns {
     unsigned asks; // ASK_...
 } query_columns;
 
-// Reads a list such as "x,y,z,velocity"; NULL: the columns of the surface. "velocity" is velocity_x, _y and _z. Says one
-// sentence and returns false for a name that is none.
+// Reads a list such as "x,y,z,velocity"; NULL: the columns of the surface. "velocity" is velocity_x, _y and _z. Says
+// one sentence and returns false for a name that is none.
 bool query_columns_parse(const char *list, query_columns *out);
 // "x,y,height\n"; returns the length.
 size_t query_columns_header(const query_columns *columns, char out[QUERY_MAX_COLUMNS * QUERY_CELL]);

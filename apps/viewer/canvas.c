@@ -50,7 +50,8 @@ static void draw(canvas *c, const bolan_world *w, uint32_t framebuffer, uint32_t
     view.progressive = samples == 1; // a saved image is complete
     view.framebuffer = framebuffer;
     view.samples = samples;
-    if (bolan_renderer_needs_baking(c->renderer)) bolan_renderer_bake(c->renderer); // after a change of the sun in the panel
+    if (bolan_renderer_needs_baking(c->renderer))
+        bolan_renderer_bake(c->renderer); // after a change of the sun in the panel
     bolan_renderer_draw_world(c->renderer, w, &view);
 }
 

@@ -264,11 +264,9 @@ BOLAN_API bool bolan_parse_number(const char *text, size_t size, double *value);
 /// Thread-safe.
 BOLAN_API size_t bolan_text_fit(const char *text, size_t most);
 /// Copies @p text for a terminal.
-/// Control characters (C0, DEL, C1, line breaks, changes of direction) and bytes that are not UTF-8 become escapes, such
-/// as \\n, \\t, \\x1b or \\u009b.
-/// An incomplete character at the end is left out.
-/// The copy ends with the last whole character that fits into @p capacity bytes, NUL included.
-/// Thread-safe.
+/// Control characters (C0, DEL, C1, line breaks, changes of direction) and bytes that are not UTF-8 become escapes,
+/// such as \\n, \\t, \\x1b or \\u009b. An incomplete character at the end is left out. The copy ends with the last
+/// whole character that fits into @p capacity bytes, NUL included. Thread-safe.
 BOLAN_API void bolan_text_escape(const char *text, char *out, size_t capacity);
 
 // ---- instruction sets -----------------------------------------------------------------------------------------------

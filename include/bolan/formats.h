@@ -18,8 +18,8 @@ extern "C" {
 /// - **ERA5** and other models of ECMWF, NetCDF (d2fd, a common logarithm).
 /// - **Datawell** .spt, **TRIAXYS** directional and non-directional, **Spotter** JSON, **OCTOPUS**.
 /// - **CDIP** and **NDBC** in NetCDF (waveEnergyDensity, spectral_wave_density).
-/// - **NDBC**, history and real time, a set of texts: pass the density; the direction texts are optional. Their rows are
-///   matched by time, their bands by frequency.
+/// - **NDBC**, history and real time, a set of texts: pass the density; the direction texts are optional. Their rows
+///   are matched by time, their bands by frequency.
 ///
 /// NetCDF is that of the classic layouts, CDF-1 and CDF-2.
 ///
@@ -33,8 +33,9 @@ extern "C" {
 /// - nothing: as the nearest lower band that has a direction, or the lowest that has one; where no band has one,
 ///   @ref bolan_spectrum_options::from_deg.
 ///
-/// Missing densities (999) between two others are interpolated; in a matrix they count as no energy. A row of directions
-/// that is missing is replaced by the nearest within an hour. All that stands in for missing data is a warning.
+/// Missing densities (999) between two others are interpolated; in a matrix they count as no energy. A row of
+/// directions that is missing is replaced by the nearest within an hour. All that stands in for missing data is a
+/// warning.
 ///
 /// Directions may be in any order, also a sector of the circle, or with both 0 and 360. Where their step varies, the
 /// density is linear between neighbours. Limits: 2..1000 frequencies of 1e-3..10 Hz, 3..720 directions,

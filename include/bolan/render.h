@@ -316,8 +316,8 @@ typedef struct bolan_host {
     /// Where it holds less than a place's own depth, the light of the sun is missing on the water and in it.
     /// BOLAN_OPTICS_PHYSICAL alone reads it; with another optics it is refused.
     uint32_t shadow;
-    /// From the world relative to the eye [m] to the map: x and y in [0,1] across it, z its depth, from 0 nearest the sun.
-    /// What falls outside the map is lit.
+    /// From the world relative to the eye [m] to the map: x and y in [0,1] across it, z its depth, from 0 nearest the
+    /// sun. What falls outside the map is lit.
     bolan_mat4 shadow_matrix;
     /// Subtracted from a place's depth, against shadows of the map's own steps; default 0.
     float shadow_bias;

@@ -266,8 +266,8 @@ BOLAN_API double bolan_system_density(const bolan_wave_system *system, double om
 /// included.
 BOLAN_API double bolan_system_spreading(const bolan_wave_system *system, double omega, double theta);
 /// S(w, th) of the whole sea [m2 s/rad per rad], on its current: @p omega is the frequency in the water, sigma,
-/// whatever the frame of the sea state. A measured spectrum is interpolated bilinearly, which conserves its m0, and is 0 outside
-/// its frequencies.
+/// whatever the frame of the sea state. A measured spectrum is interpolated bilinearly, which conserves its m0, and is
+/// 0 outside its frequencies.
 BOLAN_API double bolan_sea_state_density(const bolan_sea_state *sea_state, double omega, double theta);
 /// Psi(kx, ky) = S(w, th) (dw/dk) / k [m4]: variance density over wave vectors that point where the waves go, on the
 /// current of the sea.

@@ -98,7 +98,8 @@ float slope_table_coordinate(float deviation) {
 
 // Slope covariance (xx, xy, yy) that this footprint removes, and that of the waves shorter than the model has.
 vec3 unresolved_slopes(footprint f) {
-    float major = log2(max(FOOTPRINT_DEVIATION * f.major, 1e-4)), aspect = log2(f.major / max(f.minor, f.major / 127.0));
+    float major = log2(max(FOOTPRINT_DEVIATION * f.major, 1e-4));
+    float aspect = log2(f.major / max(f.minor, f.major / 127.0));
     float angle = half_turns(f.axis);
     vec3 t = vec3(slope_table_coordinate(major), (aspect + 0.5) / float(SLOPE_TABLE_ASPECT),
                   (angle * float(SLOPE_TABLE_ANGLE) + 0.5) / float(SLOPE_TABLE_LAYERS));
@@ -290,7 +291,8 @@ wave_fields waves_of_footprint(vec2 rest, footprint f, float gust, float depth, 
     float shallow = coast_attenuation(depth, significant_height);
     slope *= shallow;
 #endif
-    hidden = max(wave_slopes - wave_slope_share * seen, vec3(0.0, -1.0, 0.0)) + vec3(SUN_DISC_SLOPES, 0.0, SUN_DISC_SLOPES);
+    hidden = max(wave_slopes - wave_slope_share * seen, vec3(0.0, -1.0, 0.0));
+    hidden += vec3(SUN_DISC_SLOPES, 0.0, SUN_DISC_SLOPES);
     hidden += layers_hidden(rest, f, depth);
     return wave_fields(slope * gust + layers_slope(rest, f, depth), 1.0, 0.0);
 }

@@ -17,7 +17,7 @@ void main() { fullscreen(0.0); }
 #endif
 layout(location = 0) out vec4 out_transmittance; // of the air to the eye; w: gust factor
 layout(location = 1) out vec4 out_inscatter;     // of the air to the eye; w: share of the sun that passes the clouds
-layout(location = 2) out vec4 out_bed;           // depth of the mean water, distance to the shore by the bed's slope [m]
+layout(location = 2) out vec4 out_bed;           // depth of the mean water, distance to shore by the bed's slope [m]
 uniform vec4 air_size;                           // of this picture: 1 / width, 1 / height
 
 // Where a ray meets the mean water of the round earth, or passes nearest to it.

@@ -126,8 +126,8 @@ static bool is_number(const char *text, size_t size) {
     return at == size;
 }
 
-// The common case, exact: at most 15 digits are an integer that a double holds, and so is 10^e up to e = 22, so that one
-// product or quotient rounds once (Clinger 1990). `text` is a number.
+// The common case, exact: at most 15 digits are an integer that a double holds, and so is 10^e up to e = 22, so that
+// one product or quotient rounds once (Clinger 1990). `text` is a number.
 static bool parse_short(const char *text, size_t size, double *value) {
     const bool negative = text[0] == '-';
     double integer = 0.0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Buoys in NetCDF, bands with moments of their directions:
 //
-//     CDIP  waveEnergyDensity(waveTime, waveFrequency) [m2/Hz]; waveA1Value ... waveB2Value, the Fourier coefficients of
-//           the compass direction waves come FROM, so that the mean direction is atan2(b1, a1)
+//     CDIP  waveEnergyDensity(waveTime, waveFrequency) [m2/Hz]; waveA1Value ... waveB2Value, the Fourier coefficients
+//           of the compass direction waves come FROM, so that the mean direction is atan2(b1, a1)
 //     NDBC  spectral_wave_density(time, frequency, latitude, longitude); mean_wave_dir, principal_wave_dir, compass
 //           degrees FROM; wave_spectrum_r1, wave_spectrum_r2
 #include "formats/bands.h"

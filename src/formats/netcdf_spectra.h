@@ -30,7 +30,8 @@ typedef struct netcdf_spectra {
 
 /// Are the bytes NetCDF with the layout's variable of densities? Silent.
 bool bolan_netcdf_has(const bolan_spectrum_text *text, const char *density);
-/// Opens the file and finds everything that the layout names. FORMAT. @p out is large: allocate it by the next function.
+/// Opens the file and finds everything that the layout names. FORMAT. @p out is large: allocate it by the next
+/// function.
 bolan_result bolan_netcdf_spectra_open(const bolan_spectrum_text *text, const netcdf_layout *layout,
                                        netcdf_spectra **out);
 void bolan_netcdf_spectra_close(netcdf_spectra **spectra);

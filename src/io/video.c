@@ -229,7 +229,8 @@ static bool start(bolan_video *video, uint32_t width, uint32_t height, double fp
         video->process = fork();
         if (video->process == 0) become_ffmpeg(&c, ends[0], sink, fileno(video->messages), &entry->before);
         const int reason = errno;
-        if (video->process > 0) setpgid(video->process, video->process); // parent and child both set it, in either order
+        if (video->process > 0)
+            setpgid(video->process, video->process); // parent and child both set it, in either order
         bolan_unfinished_own(entry, video->process > 0 ? video->process : 0);
         close(ends[0]);
         video->input = ends[1];

@@ -4,9 +4,9 @@
 // Kd, the diffuse attenuation of downward irradiance, is known for each type. Its parts are computed in this order:
 //   pure sea water   a_w (Pope & Fry, Appl. Opt. 36, 1997), b_w = 0.00288 (l / 500 nm)^-4.32 (Morel 1974), bb_w = b_w/2
 //   particles        b_p = 0.30 C^0.62 (550 nm / l) (Gordon & Morel 1983), C = chlorophyll [mg/m3] of the type; of this
-//                    the share 0.002 + 0.02 (0.5 - 0.25 log10 C) (550 nm / l) is scattered back in the open ocean (Morel,
-//                    J. Geophys. Res. 93, 1988, eq. 10), and 0.0183 (Petzold 1972) in coastal water, which holds
-//                    minerals
+//                    the share 0.002 + 0.02 (0.5 - 0.25 log10 C) (550 nm / l) is scattered back in the open ocean
+//                    (Morel, J. Geophys. Res. 93, 1988, eq. 10), and 0.0183 (Petzold 1972) in coastal water, which
+//                    holds minerals
 //   absorption       a = mu_d Kd - bb, the mean cosine of downwelling light mu_d = 0.9 (Kirk 2011, section 6.7), but
 //                    not below that of pure water
 //   deep colour      Gordon et al., J. Geophys. Res. 93, 1988, eq. 8: u = bb / (a + bb), r = 0.0949 u + 0.0794 u^2 just

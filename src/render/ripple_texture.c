@@ -101,8 +101,8 @@ bolan_result bolan_ripple_texture_create(gl_texture *out) {
 
 static double fraction(double x) { return x - floor(x); }
 
-// Where the eye stands in a tile that runs with the phase speed of the wave in its middle, by `angle` off the wind, over
-// water that drifts.
+// Where the eye stands in a tile that runs with the phase speed of the wave in its middle, by `angle` off the wind,
+// over water that drifts.
 static void place(const render_view *v, double longest, double angle, vec4 *tile, vec4 *size) {
     const double to = bolan_compass_from_to_math(bolan_sea_get_desc(v->frame->sea)->sea_state.wind_from_deg) + angle;
     const bolan_dvec2 drift = bolan_frame_drift(v->frame);

@@ -11,8 +11,8 @@
 // still water (Bretherton & Garrett, Proc. R. Soc. A 302 (1968)); in deep water it is eq. 2.17 of Huang, Chen, Tung &
 // Smith, J. Phys. Oceanogr. 2 (1972).
 //
-// Group speeds fall with k as far as the gravity-capillary waves of 43 mm and rise from there. A current above the least
-// group speed blocks all waves beyond the first that it blocks: ripples that outrun it have not come through it.
+// Group speeds fall with k as far as the gravity-capillary waves of 43 mm and rise from there. A current above the
+// least group speed blocks all waves beyond the first that it blocks: ripples that outrun it have not come through it.
 #include "spectrum/spectrum_eval.h"
 
 #define LEAST_GROUP_K 145.49     // [rad/m]: (sqrt(4/3) - 1)^(1/2) (g rho / sigma)^(1/2)

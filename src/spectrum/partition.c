@@ -242,7 +242,8 @@ static void merge_near(sampled *s, sums *basins, uint32_t *count) {
 
 // ---- wind sea or swell ----------------------------------------------------------------------------------------------
 
-// With a wind: by wave age. Without: a peak above that of Pierson-Moskowitz at its frequency is young (Portilla et al.).
+// With a wind: by wave age. Without: a peak above that of Pierson-Moskowitz at its frequency is young (Portilla et
+// al.).
 static bool is_wind_sea(const sampled *s, const bolan_sea_state *sea_state, uint32_t number, const sums *b) {
     const double w = s->omega[b->row];
     if (sea_state->wind_speed > 0.0) {

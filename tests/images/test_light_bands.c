@@ -166,7 +166,8 @@ static void draw_parts(const view *v, const char *shaders, int samples, double *
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
     // The reference's surface had its mean below the level by what now lifts it: so its eye stood higher over the
     // waves.
-    for (uint32_t c = 0; c < bolan_sea_cascade_count(stage_sea(&s)); ++c) s.scene.water.level -= bolan_sea_lift(stage_sea(&s), c, 0.0);
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(stage_sea(&s)); ++c)
+        s.scene.water.level -= bolan_sea_lift(stage_sea(&s), c, 0.0);
     float *rgb = malloc(sizeof(float) * 3 * PIXELS), *distance = malloc(sizeof(float) * PIXELS);
     const double pixel = 2.0 * bolan_degrees(tan(bolan_radians(20.0))) / HEIGHT;
     for (int i = 0; i < samples; ++i) { // the R2 sequence

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Half-rate shading (src/render/half_rate.c): the water covers the same pixels as at full rate, is as bright, and leaves
-// no pixel out, at any width of the image.
+// Half-rate shading (src/render/half_rate.c): the water covers the same pixels as at full rate, is as bright, and
+// leaves no pixel out, at any width of the image.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -17,7 +17,8 @@ enum { OPTICS = sizeof optics / sizeof *optics };
 // Names like water_physical.LAND_1.TAPS_2.core.frag: glslangValidator takes the stage from the last ending.
 static void name_file(const char *folder, const char *stem, const char *defines, bool es, bool vertex, char out[512]) {
     const int start = snprintf(out, 512, "%s/", folder);
-    snprintf(out + start, 512 - (size_t)start, "%s.%s%s.%s", stem, defines, es ? "es" : "core", vertex ? "vert" : "frag");
+    snprintf(out + start, 512 - (size_t)start, "%s.%s%s.%s", stem, defines, es ? "es" : "core",
+             vertex ? "vert" : "frag");
     for (char *c = out + start; *c != '\0'; ++c) *c = (char)(*c == '/' ? '-' : *c == ' ' ? '_' : *c == '\n' ? '.' : *c);
 }
 

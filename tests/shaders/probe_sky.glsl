@@ -19,7 +19,9 @@ void main() {
     if (question == 2) color.rgb = inscatter;
     if (question == 3) color.rgb = environment_radiance(normalize(ask.xyz), ask.w);
     if (question == 4) color.rgb = sun_transmittance(ask.w);
-    if (question == 5) color.rgb = vec3(cloud_shadow(ask.xy), horizon_dip(ask.w), air_height(ask.w, normalize(ask.xyz).z, length(ask.xyz)));
+    if (question == 5)
+        color.rgb = vec3(cloud_shadow(ask.xy), horizon_dip(ask.w),
+                         air_height(ask.w, normalize(ask.xyz).z, length(ask.xyz)));
     if (question == 6) color.rgb = environment_direction(environment_uv(normalize(ask.xyz)));
 }
 #endif

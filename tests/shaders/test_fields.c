@@ -378,8 +378,9 @@ static double slopes_on_grid(const host *h, const bolan_sea *sea, double grid) {
     return sum;
 }
 
-// The twin averages over a square of two spacings. A level of the textures half an octave below the spacing is an average
-// over 1 / sqrt 2 of one, as the twin's over a grid 2 sqrt 2 times as fine, and linear interpolation takes a little more.
+// The twin averages over a square of two spacings. A level of the textures half an octave below the spacing is an
+// average over 1 / sqrt 2 of one, as the twin's over a grid 2 sqrt 2 times as fine, and linear interpolation takes a
+// little more.
 static void a_grid_of_cascades_loses_what_the_twin_loses(void **state) {
     const host *h = *state;
     bolan_sea *sea = sea_of(BOLAN_WAVES_FFT);

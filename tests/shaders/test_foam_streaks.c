@@ -40,8 +40,9 @@ static void old_foam_is_drawn_out_along_the_wind(void **state) {
     (void)state;
     const double winds[] = {0.3, 1.9, -2.6};
     for (int k = 0; k < 3; ++k) {
-        rig r = {.blocks = {.frame = {.wind_direction = {(float)cos(winds[k]), (float)sin(winds[k])}},
-                            .view = {.eye_wrapped = {700.0f, 100.0f}, .water_wrapped = {700.0f, 100.0f}, .eye_height = 3.0f}}};
+        rig r = {.blocks = {
+                     .frame = {.wind_direction = {(float)cos(winds[k]), (float)sin(winds[k])}},
+                     .view = {.eye_wrapped = {700.0f, 100.0f}, .water_wrapped = {700.0f, 100.0f}, .eye_height = 3.0f}}};
         r.blocks.view.streak_place = bolan_frame_streaks(bolan_dv3(700.0, 100.0, 3.0), winds[k]);
         r.blocks.frame.streak_scale = (bolan_vec2){1.0f / 16.0f, 0.4f / 16.0f};
         float in[2][4] = {{0.1f}, {0.25f}}, out[2][4];

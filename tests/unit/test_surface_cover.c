@@ -17,7 +17,8 @@ static void reach_of(const bolan_surface_view *view, double pixels_per_vertex, d
     const bolan_surface_vertex *row = vertices + (size_t)(size.rows - 1) * size.columns;
     const double heading = bolan_radians(view->heading_deg);
     *left = remainder(atan2((double)row[0].x, (double)row[0].y) - heading, 2.0 * BOLAN_PI);
-    *right = remainder(atan2((double)row[size.columns - 1].x, (double)row[size.columns - 1].y) - heading, 2.0 * BOLAN_PI);
+    *right =
+        remainder(atan2((double)row[size.columns - 1].x, (double)row[size.columns - 1].y) - heading, 2.0 * BOLAN_PI);
 }
 
 static void the_far_rows_reach_both_sides(void **state) {

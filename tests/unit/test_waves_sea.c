@@ -228,8 +228,8 @@ static void defaults_are_those_of_the_headers(void **state) {
     assert_true(isnan(options.from_deg) && isnan(options.spread_s) && options.record == 0);
 }
 
-// Beyond 10 peak wave numbers the slopes add up to (B - M1)(1 - keep), B being what was measured at that wind: so the sum
-// never exceeds B, and what is kept at the end says how near it comes.
+// Beyond 10 peak wave numbers the slopes add up to (B - M1)(1 - keep), B being what was measured at that wind: so the
+// sum never exceeds B, and what is kept at the end says how near it comes.
 static void short_waves_add_up_to_the_measured_slopes(void **state) {
     (void)state;
     static sea_radial r;

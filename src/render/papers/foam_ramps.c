@@ -31,7 +31,8 @@ static void cut(const uint8_t *tiles, int density, uint8_t *out) {
     const double share = densities[density], soft = fmin(SOFT, 2.0 * fmin(share, 1.0 - share));
     for (size_t i = 0; i < PIXELS; ++i) {
         const double at = rank[value_of(tiles + 4 * i, density)] / (double)PIXELS;
-        out[4 * i + density] = (uint8_t)(255.0 * smoothstep(1.0 - share - 0.5 * soft, 1.0 - share + 0.5 * soft, at) + 0.5);
+        out[4 * i + density] =
+            (uint8_t)(255.0 * smoothstep(1.0 - share - 0.5 * soft, 1.0 - share + 0.5 * soft, at) + 0.5);
     }
 }
 

@@ -8,8 +8,8 @@
 #include "bolan/tiles.h"
 
 typedef struct paper_tiles {
-    gl_texture slopes,
-        ripples; // RGBA16F: slopes along the world's axes, the sum of their squares, brightness; in paper mode unit normals
+    // RGBA16F: slopes along the world's axes, the sum of their squares, brightness; in paper mode unit normals.
+    gl_texture slopes, ripples;
     gl_texture own; // RGBA8: the water's own texture; a: light on the bottom
     gl_texture glint;
     bolan_tiles *base, *fine; // baked here; base NULL: the sea has other waves than textures
