@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-# INT, TERM, HUP and QUIT end every long command within a second (two on a loaded machine), also when they come twice,
-# and leave nothing behind. INT is sent as well although a shell starts background jobs with it ignored: the program
-# listens.
+# INT, TERM, HUP and QUIT end every long command at once, also when they come twice, and leave nothing behind. At once is
+# a tenth of a second on an idle machine; the bound of 5 s leaves room for the tests that run beside this one. The exit
+# code tells an interrupted command from one that came to its end. INT is sent as well although a shell starts background
+# jobs with it ignored: the program listens.
 set -eu
 . "$BOLAN_SOURCE_DIR/tests/cli/common"
 
@@ -40,7 +41,7 @@ interrupt() {
     wait "$process" || status=$?
     took=$(($(now) - before))
     [ "$status" -eq 130 ] || fail "bolan $* after $signals: exit code $status, expected 130"
-    [ "$took" -lt 2000 ] || fail "bolan $* after $signals: took $took ms"
+    [ "$took" -lt 5000 ] || fail "bolan $* after $signals: took $took ms"
     [ -z "$(ls -A)" ] || fail "bolan $* after $signals: left $(ls -A)"
     [ ! -s ../err ] || fail "bolan $* after $signals: said $(cat ../err)"
 }
