@@ -5,12 +5,25 @@
 
 #include "support.h"
 
+#include "bolan/ground.h"
 #include "bolan/waves.h"
 
 static inline bolan_sea *test_sea(bolan_sea_desc desc) {
     bolan_sea *sea = NULL;
     assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_OK);
     return sea;
+}
+
+/// A plane ground of 10 km, whose elevation [m] goes from @p west to @p east.
+static inline bolan_ground *test_plane_ground(float west, float east) {
+    const float grid[4] = {west, east, west, east};
+    bolan_ground_desc desc = bolan_ground_desc_default();
+    desc.field = (bolan_heightfield){2, 2, -5000.0, -5000.0, 10000.0, 10000.0, grid};
+    desc.detail = 0.0;
+    desc.edge_elevation = (double)west;
+    bolan_ground *ground = NULL;
+    assert_int_equal(bolan_ground_create(&desc, &ground), BOLAN_OK);
+    return ground;
 }
 
 /// No wind and no waves, to which a test adds its own.

@@ -8,7 +8,7 @@ set -eu
 tools='build-essential cmake ninja-build pkg-config glslang-tools doxygen'
 graphics='libegl-dev libgl-dev libgl1-mesa-dri libepoxy-dev libsdl2-dev libimgui-dev'
 files='libstb-dev libyaml-dev libopenexr-dev libgdal-dev libassimp-dev zlib1g-dev libnetcdf-dev ffmpeg'
-tests='libcmocka-dev libfftw3-dev xvfb xauth locales'
+tests='libcmocka-dev libfftw3-dev xvfb xauth locales python3-yaml'
 packages="$tools $graphics $files $tests"
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

@@ -217,6 +217,11 @@ BOLAN_API void bolan_parallel(uint32_t count, uint32_t grain, bolan_task_fn *tas
 /// Returns NULL for @p size 0 and on failure.
 /// Thread-safe if the hook is.
 BOLAN_API void *bolan_allocate(size_t size);
+/// Moves memory of bolan_allocate() into an allocation of @p larger bytes, whose rest is zero, and releases the old.
+/// @p size is the size of the old allocation, @p memory NULL: nothing is moved.
+/// Returns NULL on failure, and leaves the old allocation as it is.
+/// Thread-safe if the hook is.
+BOLAN_API void *bolan_enlarge(void *memory, size_t size, size_t larger);
 /// Releases memory of bolan_allocate().
 /// @p size is the size that bolan_allocate() was called with.
 /// NULL-safe.

@@ -24,6 +24,14 @@ void *bolan_allocate(size_t size) {
     return memset(memory, 0, size);
 }
 
+void *bolan_enlarge(void *memory, size_t size, size_t larger) {
+    void *moved = bolan_allocate(larger);
+    if (!moved) return NULL;
+    if (memory) memcpy(moved, memory, size);
+    bolan_release(memory, size);
+    return moved;
+}
+
 void bolan_release(void *memory, size_t size) {
     if (!memory) return;
     const bolan_hooks *hooks = bolan_active_hooks();

@@ -6,11 +6,9 @@
 
 // ---- arrays that grow -----------------------------------------------------------------------------------------------
 
-static bool grow(void **array, size_t element, uint32_t used, uint32_t old, uint32_t fresh) {
-    void *larger = bolan_allocate(element * fresh);
+static bool grow(void **array, size_t element, uint32_t old, uint32_t fresh) {
+    void *larger = bolan_enlarge(*array, element * old, element * fresh);
     if (!larger) return false;
-    if (used) memcpy(larger, *array, element * used);
-    bolan_release(*array, element * old);
     *array = larger;
     return true;
 }
@@ -58,7 +56,7 @@ void bolan_build_triangle(model_builder *b, uint32_t i, uint32_t j, uint32_t k) 
     if (!b->failed && b->index_count + 3 > b->index_capacity) {
         const uint32_t fresh = b->index_capacity ? 2 * b->index_capacity : 3072;
         void *indices = b->indices;
-        b->failed = !grow(&indices, sizeof *b->indices, b->index_count, b->index_capacity, fresh);
+        b->failed = !grow(&indices, sizeof *b->indices, b->index_capacity, fresh);
         if (!b->failed) b->index_capacity = fresh;
         b->indices = indices;
     }

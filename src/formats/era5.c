@@ -69,9 +69,10 @@ static bolan_result read_densities(const netcdf_spectra *s, const format_choice 
                 bolan_netcdf_value(&s->file, s->density, base + i * s->frequency_step + j * s->direction_step);
             if (isnan(logarithm)) continue;
             any = true;
-            if (!(logarithm <= 9.0)) // SPECTRUM_MAX_DENSITY
+            const double density = portable_exp(logarithm * LN_10);
+            if (!(density <= SPECTRUM_MAX_DENSITY))
                 return bolan_netcdf_unexpected(&s->file, s->density, "logarithms of densities that a sea can have");
-            grid->energy[(size_t)i * s->directions + j] = portable_exp(logarithm * LN_10);
+            grid->energy[(size_t)i * s->directions + j] = density;
         }
     return any ? BOLAN_OK : bolan_netcdf_spectra_refuse_dry(s, choice, grid->time);
 }
@@ -79,15 +80,8 @@ static bolan_result read_densities(const netcdf_spectra *s, const format_choice 
 static bolan_result read_spectrum(const bolan_spectrum_texts *texts, const format_choice *choice,
                                   const bolan_spectrum_options *options, spectrum_grid *grid) {
     (void)options;
-    netcdf_spectra *s;
-    double hertz[SPECTRUM_MAX_FREQUENCIES], to[SPECTRUM_MAX_DIRECTIONS];
-    bolan_result result = bolan_netcdf_spectra_open(&texts->density, &layout, &s);
-    if (!result) result = read_frequencies(s, hertz);
-    if (!result) result = read_directions(s, to);
-    if (!result) result = bolan_spectrum_grid_begin(grid, hertz, s->frequencies, to, s->directions);
-    if (!result) result = read_densities(s, choice, grid);
-    bolan_netcdf_spectra_close(&s);
-    return result;
+    static const netcdf_parts parts = {read_frequencies, read_directions, read_densities};
+    return bolan_netcdf_spectra_read(texts, &layout, &parts, choice, grid);
 }
 
 const spectrum_format bolan_format_era5 = {

@@ -15,15 +15,14 @@
 
 static bolan_result grow(location_list *list) {
     const uint32_t capacity = list->capacity ? 2 * list->capacity : 16;
-    bolan_spectrum_place *entries = bolan_allocate(capacity * sizeof *entries);
+    bolan_spectrum_place *entries =
+        bolan_enlarge(list->entries, list->capacity * sizeof *entries, capacity * sizeof *entries);
     if (!entries) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY,
                   "the list of %u locations of a spectrum needs %zu bytes, which could not be allocated",
                   (unsigned)list->count + 1, capacity * sizeof *entries);
         return BOLAN_ERROR_MEMORY;
     }
-    if (list->entries) memcpy(entries, list->entries, list->count * sizeof *entries);
-    bolan_release(list->entries, list->capacity * sizeof *entries);
     list->entries = entries;
     list->capacity = capacity;
     return BOLAN_OK;

@@ -192,3 +192,16 @@ bolan_result bolan_netcdf_spectra_refuse_dry(const netcdf_spectra *s, const form
               (unsigned)(choice->locations->count ? choice->locations->count : 1), time[0] ? " at " : "", time);
     return BOLAN_ERROR_FORMAT;
 }
+
+bolan_result bolan_netcdf_spectra_read(const bolan_spectrum_texts *texts, const netcdf_layout *layout,
+                                       const netcdf_parts *parts, const format_choice *choice, spectrum_grid *grid) {
+    netcdf_spectra *s;
+    double hertz[SPECTRUM_MAX_FREQUENCIES], to[SPECTRUM_MAX_DIRECTIONS];
+    bolan_result result = bolan_netcdf_spectra_open(&texts->density, layout, &s);
+    if (!result) result = parts->frequencies(s, hertz);
+    if (!result) result = parts->directions(s, to);
+    if (!result) result = bolan_spectrum_grid_begin(grid, hertz, s->frequencies, to, s->directions);
+    if (!result) result = parts->densities(s, choice, grid);
+    bolan_netcdf_spectra_close(&s);
+    return result;
+}

@@ -48,6 +48,15 @@ uint64_t bolan_netcdf_spectra_index(const netcdf_spectra *s, const netcdf_variab
                                     uint32_t location);
 /// The frequencies [Hz] into @p hertz. FORMAT where they do not ascend within the limits.
 bolan_result bolan_netcdf_spectra_frequencies(const netcdf_spectra *s, double *hertz);
+/// How a format of densities over frequency and direction reads each part.
+typedef struct netcdf_parts {
+    bolan_result (*frequencies)(const netcdf_spectra *s, double *hertz);
+    bolan_result (*directions)(const netcdf_spectra *s, double *to); ///< mathematical, where waves go TO [rad]
+    bolan_result (*densities)(const netcdf_spectra *s, const format_choice *choice, spectrum_grid *grid);
+} netcdf_parts;
+/// The third function of a format (format.h), for a layout and its parts.
+bolan_result bolan_netcdf_spectra_read(const bolan_spectrum_texts *texts, const netcdf_layout *layout,
+                                       const netcdf_parts *parts, const format_choice *choice, spectrum_grid *grid);
 /// "NAME: no data" of a record at a location; FORMAT.
 bolan_result bolan_netcdf_spectra_refuse_dry(const netcdf_spectra *s, const format_choice *choice, const char *time);
 

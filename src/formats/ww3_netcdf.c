@@ -67,15 +67,8 @@ static bolan_result read_densities(const netcdf_spectra *s, const format_choice 
 static bolan_result read_spectrum(const bolan_spectrum_texts *texts, const format_choice *choice,
                                   const bolan_spectrum_options *options, spectrum_grid *grid) {
     (void)options;
-    netcdf_spectra *s;
-    double hertz[SPECTRUM_MAX_FREQUENCIES], to[SPECTRUM_MAX_DIRECTIONS];
-    bolan_result result = bolan_netcdf_spectra_open(&texts->density, &layout, &s);
-    if (!result) result = bolan_netcdf_spectra_frequencies(s, hertz);
-    if (!result) result = read_directions(s, to);
-    if (!result) result = bolan_spectrum_grid_begin(grid, hertz, s->frequencies, to, s->directions);
-    if (!result) result = read_densities(s, choice, grid);
-    bolan_netcdf_spectra_close(&s);
-    return result;
+    static const netcdf_parts parts = {bolan_netcdf_spectra_frequencies, read_directions, read_densities};
+    return bolan_netcdf_spectra_read(texts, &layout, &parts, choice, grid);
 }
 
 const spectrum_format bolan_format_ww3_netcdf = {

@@ -30,10 +30,11 @@ static bolan_result read_stream(FILE *stream, const char *path, size_t limit, fi
     for (;;) {
         if (size == capacity) { // the size is unknown before the end, since the file may be a pipe
             const size_t larger = capacity ? 2 * capacity : 65536;
-            char *next = bolan_allocate(larger + 1);
-            if (next && data) memcpy(next, data, size);
-            bolan_release(data, capacity + 1);
-            if (!next) return no_memory(path);
+            char *next = bolan_enlarge(data, data ? capacity + 1 : 0, larger + 1);
+            if (!next) {
+                bolan_release(data, capacity + 1);
+                return no_memory(path);
+            }
             data = next;
             capacity = larger;
         }

@@ -24,13 +24,11 @@ static bolan_result add(reader *r, char kind, size_t start, size_t length) {
         return refuse(r, BOLAN_LOG_MODEL_LIMIT, "more JSON values than expected; at most 1048576 are read");
     if ((size_t)j->count == j->capacity) {
         const size_t capacity = j->capacity ? 2 * j->capacity : 1024;
-        json_value *larger = bolan_allocate(capacity * sizeof *larger);
+        json_value *larger = bolan_enlarge(j->values, j->capacity * sizeof *larger, capacity * sizeof *larger);
         if (!larger) {
             bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory for %zu JSON values", r->name, capacity);
             return BOLAN_ERROR_MEMORY;
         }
-        if (j->count) memcpy(larger, j->values, (size_t)j->count * sizeof *larger);
-        bolan_release(j->values, j->capacity * sizeof *larger);
         j->values = larger, j->capacity = capacity;
     }
     j->values[j->count] = (json_value){kind, (uint32_t)start, (uint32_t)length, j->count + 1};

@@ -82,13 +82,13 @@ static bolan_result read_point(const char *name, uint32_t line, const field_list
 static bolan_result append(bolan_points *points, bolan_dvec3 point) {
     if (points->count == points->capacity) {
         const size_t larger = points->capacity ? 2 * points->capacity : 256;
-        bolan_dvec3 *memory = larger > UINT32_MAX ? NULL : bolan_allocate(larger * sizeof *memory);
+        bolan_dvec3 *memory = NULL;
+        if (larger <= UINT32_MAX)
+            memory = bolan_enlarge(points->points, points->capacity * sizeof *memory, larger * sizeof *memory);
         if (!memory) {
             bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "no memory for %zu points", larger);
             return BOLAN_ERROR_MEMORY;
         }
-        if (points->count) memcpy(memory, points->points, points->count * sizeof *memory);
-        bolan_release(points->points, points->capacity * sizeof *memory);
         points->points = memory;
         points->capacity = larger;
     }

@@ -29,13 +29,11 @@ put(writer *w, const char *format, ...) {
     const size_t used = (size_t)length < sizeof piece ? (size_t)length : sizeof piece - 1;
     if (w->size + used > w->capacity) {
         const size_t larger = w->capacity ? 2 * w->capacity : 1 << 16;
-        char *text = bolan_allocate(larger);
-        if (text && w->text) memcpy(text, w->text, w->size);
-        bolan_release(w->text, w->capacity);
-        w->text = text;
-        w->capacity = text ? larger : 0;
+        char *text = bolan_enlarge(w->text, w->capacity, larger);
         w->failed = !text;
         if (!text) return;
+        w->text = text;
+        w->capacity = larger;
     }
     memcpy(w->text + w->size, piece, used);
     w->size += used;

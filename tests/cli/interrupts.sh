@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# INT, TERM, HUP and QUIT end every long command at once, also when they come twice, and leave nothing behind. At once is
-# a tenth of a second on an idle machine; the bound of 5 s leaves room for the tests that run beside this one. The exit
-# code tells an interrupted command from one that came to its end. INT is sent as well although a shell starts background
-# jobs with it ignored: the program listens.
+# INT, TERM, HUP and QUIT end every long command at once, also when they come twice, and leave nothing behind. At once
+# is a tenth of a second on an idle machine; the bound of 5 s leaves room for the tests that run beside this one. The
+# exit code tells an interrupted command from one that came to its end. INT is sent as well although a shell starts
+# background jobs with it ignored: the program listens.
 set -eu
 . "$BOLAN_SOURCE_DIR/tests/cli/common"
 

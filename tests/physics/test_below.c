@@ -426,17 +426,6 @@ static void a_layer_adds_its_own_flow(void **state) {
     bolan_sea_destroy(&sea);
 }
 
-static bolan_ground *plane(float elevation) {
-    const float grid[4] = {elevation, elevation, elevation, elevation};
-    bolan_ground_desc d = bolan_ground_desc_default();
-    d.field = (bolan_heightfield){2, 2, -5000.0, -5000.0, 10000.0, 10000.0, grid};
-    d.detail = 0.0;
-    d.edge_elevation = (double)elevation;
-    bolan_ground *ground = NULL;
-    assert_int_equal(bolan_ground_create(&d, &ground), BOLAN_OK);
-    return ground;
-}
-
 // A plane bed: what the surface keeps over it, the water below keeps; the ground is dry, and so is land.
 static void a_bed_attenuates_and_is_dry(void **state) {
     (void)state;
@@ -444,7 +433,7 @@ static void a_bed_attenuates_and_is_dry(void **state) {
     assert_int_equal(bolan_sea_state_add_swell(&d.sea_state, 3.0, 12.0, 290.0, 20.0), BOLAN_OK);
     bolan_sea *sea = test_sea(d);
     bolan_flow *flow = test_flow(sea);
-    bolan_ground *bed = plane(-3.0f);
+    bolan_ground *bed = test_plane_ground(-3.0f, -3.0f);
     const bolan_water open = {.sea = sea, .flow = flow}, shallow = {.sea = sea, .flow = flow, .ground = bed};
     double whole = 0.0, kept = 0.0, error = 0.0;
     for (int i = 0; i < 60; i++) {
@@ -461,7 +450,7 @@ static void a_bed_attenuates_and_is_dry(void **state) {
     assert_true(kept < 0.5 * whole && kept > 0.1 * whole); // tanh(0.6 3 / 3) = 0.54
     assert_true(sqrt(error) < 0.02);
     bolan_ground_destroy(&bed);
-    bed = plane(2.0f);
+    bed = test_plane_ground(2.0f, 2.0f);
     const bolan_water land = {.sea = sea, .flow = flow, .ground = bed};
     bolan_kinematics k;
     bolan_query_below(&land, NULL, &(bolan_dvec3){0.0, 0.0, -1.0}, 1, &k);

@@ -63,4 +63,16 @@ static inline void read_depths(const gl_texture *depth, float *out) {
 #define IN_BOTH_APIS(f) \
     {#f " (core)", f, gl_setup_core, gl_teardown, NULL}, { #f " (es)", f, gl_setup_es, gl_teardown, NULL }
 
+/// Two small cascades, at 3 s.
+static inline bolan_sea *small_sea(bolan_sea_state state) {
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.sea_state = state;
+    desc.resolution = 64;
+    desc.fft.cascade_count = 2;
+    bolan_sea *sea = NULL;
+    assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_OK);
+    bolan_sea_step(sea, 3.0);
+    return sea;
+}
+
 #endif

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A view, a host's frame, a polygon or a light that is none: one sentence, and nothing is drawn.
 #include "gl_support.h"
+#include "heard.h"
 
 #include <epoxy/gl.h>
 #include <stdio.h>
 #include <string.h>
 
 enum { WIDTH = 32, HEIGHT = 24 };
-
-static struct {
-    int errors;
-    bolan_log_id id;
-    char sentence[512];
-} heard;
-
-static void hear(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
-    (void)user;
-    if (level != BOLAN_LOG_ERROR || heard.errors++ > 0) return; // the first: what follows follows from it
-    heard.id = id;
-    snprintf(heard.sentence, sizeof heard.sentence, "%s", sentence);
-}
 
 typedef struct rig {
     bolan_context *context;

@@ -138,12 +138,7 @@ typedef struct rig {
 
 static void open_rig(rig *r) {
     memset(r, 0, sizeof *r);
-    bolan_sea_desc sea = bolan_sea_desc_default();
-    sea.sea_state = bolan_sea_state_from_wind(8.0, 270.0, 100e3);
-    sea.resolution = 64;
-    sea.fft.cascade_count = 2;
-    assert_int_equal(bolan_sea_create(&sea, &r->sea), BOLAN_OK);
-    bolan_sea_step(r->sea, 3.0);
+    r->sea = small_sea(bolan_sea_state_from_wind(8.0, 270.0, 100e3));
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     assert_int_equal(bolan_renderer_create(&desc, &r->renderer), BOLAN_OK);
     r->water = bolan_water_default();

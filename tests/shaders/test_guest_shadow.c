@@ -72,12 +72,7 @@ static GLuint black_cube(void) {
 // Water that shines by the sunlight in it alone.
 static void open_rig(rig *r) {
     memset(r, 0, sizeof *r);
-    bolan_sea_desc sea = bolan_sea_desc_default();
-    sea.sea_state = bolan_sea_state_from_wind(4.0, 270.0, 20e3);
-    sea.resolution = 64;
-    sea.fft.cascade_count = 2;
-    assert_int_equal(bolan_sea_create(&sea, &r->sea), BOLAN_OK);
-    bolan_sea_step(r->sea, 3.0);
+    r->sea = small_sea(bolan_sea_state_from_wind(4.0, 270.0, 20e3));
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     assert_int_equal(bolan_renderer_create(&desc, &r->renderer), BOLAN_OK);
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &r->target), BOLAN_OK);

@@ -73,12 +73,7 @@ static int end(void **state) {
 
 static void open_rig(rig *r, double wind, const float colors[6][3]) {
     memset(r, 0, sizeof *r);
-    bolan_sea_desc sea = bolan_sea_desc_default();
-    sea.sea_state = wind > 0.0 ? bolan_sea_state_from_wind(wind, 270.0, 100e3) : bolan_sea_state_default();
-    sea.resolution = 64;
-    sea.fft.cascade_count = 2;
-    assert_int_equal(bolan_sea_create(&sea, &r->sea), BOLAN_OK);
-    bolan_sea_step(r->sea, 3.0);
+    r->sea = small_sea(wind > 0.0 ? bolan_sea_state_from_wind(wind, 270.0, 100e3) : bolan_sea_state_default());
     r->renderer = shared.renderer;
     r->cube = cube_of(colors);
     r->water = bolan_water_default();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the renderer refuses: in one sentence, once, and without an error in GL.
 #include "gl_support.h"
+#include "heard.h"
 
 #include "bolan/io.h"
 
@@ -8,20 +9,6 @@
 #include <string.h>
 
 enum { WIDTH = 32, HEIGHT = 24 };
-
-static struct {
-    int errors;
-    bolan_log_id id;
-    char sentence[512];
-} heard;
-
-static void hear(void *user, bolan_log_level level, bolan_log_id id, const char *sentence) {
-    (void)user;
-    if (level != BOLAN_LOG_ERROR) return;
-    heard.errors++;
-    heard.id = id;
-    snprintf(heard.sentence, sizeof heard.sentence, "%s", sentence);
-}
 
 static long allocations;
 static void *count_allocation(void *user, size_t size, size_t align) {

@@ -5,7 +5,8 @@
 set -eu
 cd "$1"
 files=$({ find include src apps bench examples shaders tests docs -type f \
-    \( -name '*.[ch]' -o -name '*.cpp' -o -name '*.glsl' -o -name '*.md' \) ! -path 'tests/data/*' ! -path 'tests/fuzz/corpus/*'
+    \( -name '*.[ch]' -o -name '*.cpp' -o -name '*.glsl' -o -name '*.md' \) \
+    ! -path 'tests/data/*' ! -path 'tests/fuzz/corpus/*'
     ls ./*.md; } 2>/dev/null | sort)
 [ -n "$files" ] || { echo 'no source file found' && exit 1; }
 # Bytes 128 to 191 continue a character of UTF-8.

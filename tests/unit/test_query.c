@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What query.h promises, whatever the sea: parcels are found again where they went, residuals, independence of batch,
 // threads and instruction set, bad input, no allocation, shallow water.
+#include "sea_support.h"
+
 #include "bolan/coast.h"
 #include "bolan/query.h"
 
 #include "query/block.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 enum { POINTS = 3000 };
 
@@ -331,18 +329,6 @@ static void test_a_query_allocates_nothing(void **state) {
     bolan_set_hooks(NULL);
 }
 
-// A plane ground, from west to east over 10 km.
-static bolan_ground *make_ground(float west, float east) {
-    const float grid[4] = {west, east, west, east};
-    bolan_ground_desc d = bolan_ground_desc_default();
-    d.field = (bolan_heightfield){2, 2, -5000.0, -5000.0, 10000.0, 10000.0, grid};
-    d.detail = 0.0;
-    d.edge_elevation = (double)west;
-    bolan_ground *terrain = NULL;
-    assert_int_equal(bolan_ground_create(&d, &terrain), BOLAN_OK);
-    return terrain;
-}
-
 static double mean_square(const bolan_query_point *p, double level) {
     double sum = 0.0;
     for (uint32_t i = 0; i < POINTS; i++) sum += ((double)p[i].height - level) * ((double)p[i].height - level) / POINTS;
@@ -356,13 +342,13 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
     scatter(points, POINTS);
     bolan_query_surface(&(bolan_water){.sea = sea, .level = 1.0}, points, POINTS, deep);
 
-    bolan_ground *terrain = make_ground(-999.0f, -999.0f);
+    bolan_ground *terrain = test_plane_ground(-999.0f, -999.0f);
     bolan_query_surface(&(bolan_water){.sea = sea, .ground = terrain, .level = 1.0}, points, POINTS, answers);
     assert_memory_equal(answers, deep, sizeof deep); // a kilometre is deep for a sea of 2 m
     bolan_ground_destroy(&terrain);
 
     for (float land = 1.5f; land < 100.0f; land *= 8.0f) {
-        terrain = make_ground(land, land);
+        terrain = test_plane_ground(land, land);
         bolan_query_surface(&(bolan_water){.sea = sea, .ground = terrain, .level = 1.0}, points, POINTS, answers);
         for (uint32_t i = 0; i < POINTS; i++) {
             assert_true(answers[i].height == 1.0f && answers[i].normal.z == 1.0f && answers[i].jacobian == 1.0f);
@@ -384,7 +370,7 @@ static void test_shallow_water_lowers_the_waves_and_land_has_none(void **state) 
         unattenuated += v.variance;
     }
     assert_true(expected < 0.5 * unattenuated);
-    terrain = make_ground(0.0f, 0.0f);
+    terrain = test_plane_ground(0.0f, 0.0f);
     bolan_query_surface(&(bolan_water){.sea = sea, .ground = terrain, .level = 1.0}, points, POINTS, answers);
     const double ratio = mean_square(answers, 1.0) / mean_square(deep, 1.0) / (expected / unattenuated);
     assert_float_equal(ratio, 1.0, 0.15);
@@ -399,7 +385,7 @@ static void test_a_parcel_over_a_sloping_bed_is_found_where_it_went(void **state
     bolan_sea *sea =
         make_sea(10.0, 1.0, 1, BOLAN_CPU_AUTO); // one cascade: one attenuation for all of a parcel's motion
     const float band_hs = (float)(4.0 * sqrt(bolan_sea_cascade(sea, 0).variance));
-    bolan_ground *bed = make_ground(-2000.0f, 2000.0f); // rises by 0.4, a shore in the middle
+    bolan_ground *bed = test_plane_ground(-2000.0f, 2000.0f); // rises by 0.4, a shore in the middle
     scatter(points, POINTS);
     bolan_sea_sample_rest(sea, points, POINTS, parcel);
     for (int i = 0; i < POINTS; i++) {

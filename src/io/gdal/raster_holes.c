@@ -31,10 +31,8 @@ typedef struct seeds {
 static bool push(seeds *s, size_t index) {
     if (s->count == s->capacity) {
         const size_t capacity = s->capacity ? 2 * s->capacity : 4096;
-        uint32_t *larger = bolan_allocate(capacity * sizeof *larger);
+        uint32_t *larger = bolan_enlarge(s->at, s->capacity * sizeof *larger, capacity * sizeof *larger);
         if (!larger) return false;
-        if (s->count) memcpy(larger, s->at, s->count * sizeof *larger);
-        bolan_release(s->at, s->capacity * sizeof *larger);
         s->at = larger, s->capacity = capacity;
     }
     s->at[s->count++] = (uint32_t)index;

@@ -78,10 +78,8 @@ typedef struct memory {
 static bool grow(memory *m, size_t size) {
     if (size <= m->capacity) return true;
     const size_t capacity = size + size / 2 + 65536;
-    uint8_t *data = bolan_allocate(capacity);
+    uint8_t *data = bolan_enlarge(m->data, m->capacity, capacity);
     if (!data) return false;
-    if (m->size) memcpy(data, m->data, m->size);
-    bolan_release(m->data, m->capacity);
     m->data = data;
     m->capacity = capacity;
     return true;

@@ -17,10 +17,8 @@ static bolan_result no_memory(const char *path) {
 
 // Doubles the room.
 static bool grow(char **data, size_t *capacity) {
-    char *larger = bolan_allocate(2 * *capacity);
+    char *larger = bolan_enlarge(*data, *capacity, 2 * *capacity);
     if (!larger) return false;
-    memcpy(larger, *data, *capacity);
-    bolan_release(*data, *capacity);
     *data = larger;
     *capacity *= 2;
     return true;

@@ -63,10 +63,8 @@ static bolan_result load(const char *path, const char **text, size_t *owned) {
 static bool append(shader_text *s, const char *text, size_t length) {
     if (s->size + length + 1 > s->capacity) {
         const size_t needed = (s->size + length + 1) * 2, capacity = needed > USUAL_BYTES ? needed : USUAL_BYTES;
-        char *grown = bolan_allocate(capacity);
+        char *grown = bolan_enlarge(s->text, s->capacity, capacity);
         if (!grown) return false;
-        if (s->size) memcpy(grown, s->text, s->size);
-        bolan_release(s->text, s->capacity);
         s->text = grown;
         s->capacity = capacity;
     }
