@@ -176,6 +176,27 @@ static void a_refusing_allocator_is_told_on(void **state) {
     bolan_set_hooks(NULL);
 }
 
+static void memory_that_grows_keeps_its_bytes(void **state) {
+    (void)state;
+    record r = {0};
+    const bolan_hooks hooks = {.user = &r, .allocate = counting_allocate, .release = counting_release};
+    bolan_set_hooks(&hooks);
+    uint8_t *small = bolan_enlarge(NULL, 0, 100);
+    assert_fresh(small, 100);
+    memset(small, 7, 100);
+    uint8_t *large = bolan_enlarge(small, 100, 300);
+    for (size_t i = 0; i < 300; i++) assert_int_equal(large[i], i < 100 ? 7 : 0);
+    assert_int_equal(r.bytes, 300);
+    assert_int_equal(bolan_memory_in_use(), 300);
+    r.refuse = true;
+    assert_null(bolan_enlarge(large, 300, 900));
+    assert_int_equal(large[99], 7); // still there
+    assert_int_equal(r.bytes, 300);
+    bolan_release(large, 300);
+    bolan_set_hooks(NULL);
+    assert_int_equal(bolan_memory_in_use(), 0);
+}
+
 static void half_a_pair_of_memory_hooks_is_misuse(void **state) {
     (void)state;
     record r = {0};
@@ -191,4 +212,5 @@ RUN_TESTS(cmocka_unit_test(every_result_and_set_has_a_name), cmocka_unit_test(lo
           cmocka_unit_test(misuse_reaches_the_assert_hook), cmocka_unit_test(memory_is_aligned_zero_and_counted),
           cmocka_unit_test(nothing_comes_of_nothing), cmocka_unit_test(an_impossible_size_gives_null),
           cmocka_unit_test(a_counting_allocator_sees_balanced_bytes), cmocka_unit_test(a_refusing_allocator_is_told_on),
+          cmocka_unit_test(memory_that_grows_keeps_its_bytes),
           cmocka_unit_test(half_a_pair_of_memory_hooks_is_misuse))
