@@ -11,16 +11,17 @@
 /// dynamic pressure -density d2Phi/dt2 (Lamb 1932, section 229; Dean & Dalrymple 1991, section 3.4). At d = 0 the
 /// displacement is that of the sea's own fields.
 ///
-/// **How it is stored.** Of each cascade, e^{-kd} for every depth is a combination of four exponentials: the potential
-/// is synthesised at four depths (0 and three others, chosen for the band), and their weights at any depth are a least
-/// squares fit over the band, weighted by the energy of its modes. Between samples the potential is a cubic B-spline,
-/// whose transfer is divided out of the modes. Against the direct sum the error of velocity, acceleration and pressure
-/// is below 1 % of their root mean square at the surface, at every depth (tests/physics/test_below.c).
-/// A sum of waves is summed wave by wave.
+/// **How it is stored.** The potential of each cascade is synthesised at four depths: 0, and three others chosen for
+/// the band of the cascade. The potential at any other depth is a combination of the four, whose weights are a least
+/// squares fit of e^{-kd} over the band, weighted by the energy of its modes. Between samples the potential is a cubic
+/// B-spline, whose transfer is divided out of the modes. Against the direct sum the error of velocity, acceleration and
+/// pressure is below 1 % of their root mean square at the surface, at every depth (tests/physics/test_below.c). A sum
+/// of waves is summed wave by wave.
 ///
-/// **Memory and time.** A sample has 64 bytes, and the last cascade twice the samples a side, since its waves have too
-/// few: 35 MB for four cascades of 256; bolan_flow_size() tells. A step costs about nine steps of the sea. A question
-/// costs about 1 us at depths where only long waves are left, and 5 us at the surface, where every cascade is read.
+/// **Memory and time.** A sample takes 64 bytes. The last cascade has twice as many samples a side, because its
+/// shortest waves span few samples: four cascades of 256 take 35 MB, and bolan_flow_size() returns the exact figure. A
+/// step costs several steps of the sea. A question costs most at the surface, where every cascade is read, and least at
+/// depths where only long waves are left.
 #ifndef BOLAN_FLOW_H
 #define BOLAN_FLOW_H
 

@@ -136,9 +136,9 @@ typedef struct bolan_spectrum_place {
 typedef struct bolan_spectrum_contents {
     /// Short and long name of the format: "swan", "SWAN spectra".
     const char *format, *title;
-    /// How many records, 1 or more; and they, in the order of time, which is that of @ref
-    /// bolan_spectrum_options::record.
+    /// How many records, 1 or more.
     uint32_t record_count;
+    /// The records in the order of time, by which @ref bolan_spectrum_options::record counts.
     const bolan_spectrum_record *records;
     /// How many locations the first record has; 0: the file is of one place that it does not give.
     uint32_t place_count;

@@ -60,7 +60,7 @@ typedef enum bolan_stretching {
     BOLAN_STRETCH_WHEELER,
 } bolan_stretching;
 
-/// How a question about moving water is meant.
+/// Options of a question about moving water.
 typedef struct bolan_question {
     /// Waves shorter than this are left out [m], 0..1e5; 0 (default): none.
     /// The filter is 1 - (1 - e^{-kl})^4 on the amplitude, with l = 0.29258 of this wavelength: it keeps half of a wave
@@ -94,7 +94,7 @@ typedef struct bolan_kinematics {
 /// ground of the water. Waves are attenuated over the ground as for bolan_query_surface(). Wave layers are added, by
 /// linear theory with their own period and depth; the gradient of their edges is ignored.
 ///
-/// @p water needs a flow at the time of its sea: water->flow, bolan_flow_step(). A water without is misuse.
+/// @p water needs a flow at the time of its sea: water->flow, bolan_flow_step(). A water without a flow is misuse.
 /// @p question NULL: the default.
 /// Uses the task hook for large batches. Allocates nothing. Cannot fail. Points that are not finite are dry.
 /// Thread-safe between steps of sea and flow.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file spectrum.h
-/// Tier 1. Sea states as directional wave spectra: model spectra, directional spreading, measured spectra (SWAN,
-/// WAVEWATCH III, NDBC), dispersion, and sea-state tables. Pure functions; every one is thread-safe. Densities use no
+/// Tier 1. Sea states as directional wave spectra: model spectra, directional spreading, measured spectra
+/// (read by formats.h), dispersion, and sea-state tables. Pure functions; every one is thread-safe. Densities use no
 /// libm function that differs between machines, so a sea state gives the same bits everywhere.
 ///
 /// Convention: S(w, th) is the one-sided directional variance density [m2 s/rad per rad]; w = angular frequency
@@ -118,7 +118,7 @@ typedef struct bolan_wave_system {
 /// Immutable; safe to share between threads.
 typedef struct bolan_measured_spectrum bolan_measured_spectrum;
 
-/// Who sees the spectrum of a sea on a current, that is, what its frequency w is.
+/// The frame of reference of a spectrum on a current: which frequency w is.
 ///
 /// A wave k on a current U has the frequency sigma(k) of bolan_omega_from_k() in the water, and
 /// omega = sigma(k) + k.U over the ground (Doppler). Without a current the three are one.
@@ -127,15 +127,15 @@ typedef struct bolan_measured_spectrum bolan_measured_spectrum;
 /// energy does not get there, nor does that of shorter waves. For waves of c0 = g/omega in deep still water that is a
 /// current of -c0/4.
 typedef enum bolan_spectrum_frame {
-    /// One who drifts with the water: w is sigma. The waves are the same with any current and no wave is blocked, since
-    /// water that moves as a whole is as good as water at rest. Wave models print spectra over sigma.
+    /// The observer drifts with the water: w is sigma. The waves are the same with any current and no wave is blocked,
+    /// since water that moves as a whole is as good as water at rest. Wave models print spectra over sigma.
     BOLAN_FRAME_WATER,
-    /// One who stands on the ground in the current: w is omega, as at a moored buoy.
+    /// The observer stands on the ground, in the current: w is omega, as at a moored buoy.
     /// The variance stays, S(sigma, th) d sigma = S(omega, th) d omega. Blocked waves have none.
     BOLAN_FRAME_GROUND,
-    /// One in still water, from where the waves run into the current without turning: w is omega, which they keep.
-    /// In every direction the flux of wave action stays, E (cg + U.k/|k|) / sigma (Bretherton & Garrett 1968): waves
-    /// grow and shorten against the current, and fall and lengthen with it. Blocked waves are not there.
+    /// The observer is in still water, from which the waves run into the current without turning: w is omega, which the
+    /// waves keep. In every direction the flux of wave action stays, E (cg + U.k/|k|) / sigma (Bretherton & Garrett
+    /// 1968): waves grow and shorten against the current, and fall and lengthen with it. Blocked waves are not there.
     BOLAN_FRAME_STILL,
 } bolan_spectrum_frame;
 /// Number of frames.
@@ -160,7 +160,7 @@ typedef struct bolan_sea_state {
     double wind_from_deg;
     /// Uniform current, east and north [m/s], -5..5; default 0. The waves ride on it.
     double current_x, current_y;
-    /// Who sees the spectrum of systems and measured; default WATER. Without a current it makes no difference.
+    /// The frame of the spectra of systems and of measured; default WATER. Without a current it makes no difference.
     bolan_spectrum_frame frame;
 } bolan_sea_state;
 
@@ -311,7 +311,7 @@ typedef struct bolan_partition {
 } bolan_partition;
 /// Most parts of a sea; of more the smallest join their nearest.
 #define BOLAN_MAX_PARTITIONS 8
-/// Takes a sea apart into wind sea and swells, by a watershed of S(w, th) (Hanson & Phillips 2001; Portilla et al.
+/// Splits a sea into wind sea and swells, by a watershed of S(w, th) (Hanson & Phillips 2001; Portilla et al.
 /// 2009). The variances of the parts add up to that of the sea: of a measured spectrum exactly, of systems within 1 %.
 /// With a wind, parts whose waves run slower than 1.5 wind_speed along it are one wind sea; without one, a part is wind
 /// sea where its peak lies above that of Pierson-Moskowitz at its frequency.

@@ -116,7 +116,7 @@ BOLAN_API const bolan_model *const *bolan_world_object_models(const bolan_world 
 /// A camera inside the ground is lifted: to 1.8 m above land, to 0.3 m above the sea bed.
 BOLAN_API bolan_camera bolan_world_camera_at(const bolan_world *world, double time);
 
-/// Returns @p eye, lifted to 0.3 m above the water at its place where it is lower: so no wave covers it.
+/// Returns @p eye, raised to 0.3 m above the surface where @p eye is lower, so that no wave covers the eye.
 /// An eye below the level stays where the scene's optics draws such views: bolan_optics_seen_from_below().
 /// Thread-safe between steps.
 BOLAN_API bolan_dvec3 bolan_world_clear_eye(const bolan_world *world, bolan_dvec3 eye);

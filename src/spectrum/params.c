@@ -18,8 +18,8 @@ static const bolan_param sea_state_rows[] = {
            .help = "uniform current to the north"),
     NAME(frame, .key = "current.spectrum", .names = bolan_spectrum_frame_names, .high = BOLAN_SPECTRUM_FRAMES - 1,
          .help =
-             "who sees the spectrum: one in the moving `water`, one on the `ground` in the current, or one in `still` "
-             "water from where the waves run into the current; see [sea states](sea-states.md#current)"),
+             "observer of the spectrum: in the moving `water`, on the `ground` in the current, or in `still` "
+             "water from which the waves run into the current; see [sea states](sea-states.md#current)"),
 };
 #undef STRUCT
 const bolan_param_table bolan_sea_state_params = TABLE("bolan_sea_state", sea_state_rows);
