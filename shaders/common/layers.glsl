@@ -4,6 +4,13 @@
 // common/waves.glsl includes it, which has footprints and the block.
 #include "shared/wave_train.glsl"
 
+#ifdef LAYERS
+#define LAYER_COUNT layer_count
+#else
+// Software OpenGL pays for the body of a loop that no pixel enters: half of the flight-sim's water.
+#define LAYER_COUNT 0
+#endif
+
 // A layer at a rest point.
 struct layer_waves {
     float height;  // [m]
@@ -35,7 +42,7 @@ float layer_length(int i) { return 2.0 * PI * inversesqrt(max(dot(layer_wave[i].
 #ifdef VERTEX
 // Adds the layers to a vertex of a mesh of that spacing.
 void add_layers(vec2 rest, float spacing, float depth, inout vec3 offset, inout vec2 slope) {
-    for (int i = 0; i < layer_count; ++i) {
+    for (int i = 0; i < LAYER_COUNT; ++i) {
         layer_waves w = layer_at(i, rest, depth);
         float keep = train_on_grid(layer_length(i), spacing);
         offset.z += keep * w.height;
@@ -54,14 +61,14 @@ float layer_kept(int i, footprint f) {
 // Slope of the layers under a footprint.
 vec2 layers_slope(vec2 rest, footprint f, float depth) {
     vec2 slope = vec2(0.0);
-    for (int i = 0; i < layer_count; ++i) slope += layer_kept(i, f) * layer_at(i, rest, depth).slope;
+    for (int i = 0; i < LAYER_COUNT; ++i) slope += layer_kept(i, f) * layer_at(i, rest, depth).slope;
     return slope;
 }
 
 // Slope covariance (xx, xy, yy) of the layers that the footprint removes: roughness.
 vec3 layers_hidden(vec2 rest, footprint f, float depth) {
     vec3 hidden = vec3(0.0);
-    for (int i = 0; i < layer_count; ++i) {
+    for (int i = 0; i < LAYER_COUNT; ++i) {
         float kept = layer_kept(i, f), amplitude = layer_wave[i].z * layer_at(i, rest, depth).share;
         vec2 k = layer_wave[i].xy;
         hidden += 0.5 * amplitude * amplitude * (1.0 - kept * kept) * vec3(k.x * k.x, k.x * k.y, k.y * k.y);

@@ -5,8 +5,8 @@
 //   WAVES_MESH  the same, made on the CPU for each vertex; the pixels interpolate
 //   none        cascades: tiles of an FFT
 // PACKED: slope_map0 to slope_map3, one for each cascade, hold slope, dxx + dyy, foam memory, and there is no slope_map
-// or fold_map (sea_gpu.h). CASCADES: how many of them pixels look up, longest waves first. Twins of
-// bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
+// or fold_map (sea_gpu.h). CASCADES: how many of them pixels look up, longest waves first. LAYERS: the water has wave
+// layers (common/layers.glsl). Twins of bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
 #include "shared/constants.glsl"
 #include "shared/exp_cosine.glsl"
 #include "common/water_block.glsl"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The water: the sea's waves on the GPU (sea_gpu.c), the surface of this view (water_mesh.c), and the optics that the
 // scene's technique names (water_optics.h).
-#include "memory.h"
 #include "half_rate.h"
+#include "memory.h"
 
 #include <string.h>
 
@@ -140,6 +140,7 @@ static water_setup setup_of(const frame *f) {
                              o->static_grid && !edges && t->surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH,
                          .packed = o->packed,
                          .bounds = f->bounds_count > 0,
+                         .layers = f->water.layer_count > 0,
                          .look = &f->lighting.look,
                          .shares_samples = columns_of(f) > 1,
                          .edges = edges,
@@ -178,9 +179,10 @@ bolan_result bolan_pass_water_compile(pass_water *p, const frame *f, bolan_progr
     make_state(p, f->lighting.technique.optics);
     p->programs.refused = false;
     for (int land = f->ground != NULL; land <= 1; ++land)
-        for (int bounds = 0; bounds <= 1; ++bounds) {
+        for (int rest = 0; rest < 4; ++rest) {
             s.land = land;
-            s.bounds = bounds;
+            s.bounds = rest & 1;
+            s.layers = rest >> 1;
             list_programs(p, f, &s);
         }
     bolan_water_programs_compile(&p->programs, progress, user);

@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const feature_defines[WATER_FEATURE_COUNT] = {"WAVES_EXP 1\n",   "WAVES_SUM 1\n", "WAVES_MESH 1\n",
-                                                                 "QUAD 1\n",        "TRIM 1\n",      "LAND 1\n",
-                                                                 "STATIC_GRID 1\n", "PACKED 1\n",    "BOUNDS 1\n"};
+static const char *const feature_defines[WATER_FEATURE_COUNT] = {
+    "WAVES_EXP 1\n", "WAVES_SUM 1\n",   "WAVES_MESH 1\n", "QUAD 1\n",   "TRIM 1\n",
+    "LAND 1\n",      "STATIC_GRID 1\n", "PACKED 1\n",     "BOUNDS 1\n", "LAYERS 1\n"};
 
 enum { FIRST_PROGRAMS = 32 };
 
@@ -61,7 +61,8 @@ bool bolan_water_programs_add(water_programs *all, const water_setup *s, bool be
     const bool quad = below || s->surface == BOLAN_SURFACE_QUAD;
     const uint32_t features = (quad ? WATER_FEATURE_QUAD : 0) | (s->land ? WATER_FEATURE_LAND : 0) |
                               (s->static_grid && !quad ? WATER_FEATURE_GRID : 0) |
-                              (s->packed ? WATER_FEATURE_PACKED : 0) | (s->bounds ? WATER_FEATURE_BOUNDS : 0);
+                              (s->packed ? WATER_FEATURE_PACKED : 0) | (s->bounds ? WATER_FEATURE_BOUNDS : 0) |
+                              (s->layers ? WATER_FEATURE_LAYERS : 0);
     const water_waves waves = below ? s->waves_below : s->waves;
     const water_variant plain = bolan_water_variant_of(shader, own, waves, s->wave_count, features);
     const water_variant trimmed =

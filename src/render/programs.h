@@ -22,8 +22,10 @@ enum {
     WATER_FEATURE_GRID = 1 << 6,   // STATIC_GRID
     WATER_FEATURE_PACKED = 1 << 7, // PACKED
     WATER_FEATURE_BOUNDS = 1 << 8, // BOUNDS: the water lies in a polygon
-    WATER_FEATURE_COUNT = 9,
-    WATER_FEATURE_WAVES = WATER_FEATURE_EXP | WATER_FEATURE_SUM | WATER_FEATURE_MESH | WATER_FEATURE_PACKED,
+    WATER_FEATURE_LAYERS = 1 << 9, // LAYERS: the water has wave layers
+    WATER_FEATURE_COUNT = 10,
+    WATER_FEATURE_WAVES =
+        WATER_FEATURE_EXP | WATER_FEATURE_SUM | WATER_FEATURE_MESH | WATER_FEATURE_PACKED | WATER_FEATURE_LAYERS,
     WATER_FEATURE_ALL = (1 << WATER_FEATURE_COUNT) - 1
 };
 
@@ -59,15 +61,15 @@ typedef struct water_programs {
 // What decides which programs a frame of the water can need. It does not change while the eye moves.
 typedef struct water_setup {
     bolan_quality quality;
-    water_waves waves, waves_below; // seen from above and from under the water
-    bolan_surface_kind surface;     // from above; from below it is the quad
-    bool below;                     // the optics has a picture for an eye under water
-    bool land, static_grid, packed, bounds; // as the features of these names
+    water_waves waves, waves_below;                 // seen from above and from under the water
+    bolan_surface_kind surface;                     // from above; from below it is the quad
+    bool below;                                     // the optics has a picture for an eye under water
+    bool land, static_grid, packed, bounds, layers; // as the features of these names
     const bolan_look *look;
-    bool shares_samples;            // half-rate shading: see half_rate.h
-    bool edges;                     // BOLAN_SHOW_MESH
-    uint32_t wave_count;            // exp-cosine waves
-    uint32_t cascades;              // 1 to BOLAN_MAX_CASCADES
+    bool shares_samples; // half-rate shading: see half_rate.h
+    bool edges;          // BOLAN_SHOW_MESH
+    uint32_t wave_count; // exp-cosine waves
+    uint32_t cascades;   // 1 to BOLAN_MAX_CASCADES
 } water_setup;
 
 // Notes that frames of this setup use this variant of the shader, seen from above or from `below` the surface. Of the

@@ -62,11 +62,11 @@ static void list(const water_optics *o, const water_setup *s, water_programs *al
     if (s->shares_samples) bolan_half_rate_prepare(&sparse, s, o->keeps_shape, all);
 }
 
-// Bits of `choice`: land, paper, bounds; what else stands in the picture goes with the land.
+// Bits of `choice`: land, paper, bounds, layers; what else stands in the picture goes with the land.
 static void list_setups(const water_optics *o, bolan_quality quality, bolan_surface_kind surface, int choice,
                         water_programs *all) {
     static const bolan_wave_form forms[] = {BOLAN_FORM_CASCADES, BOLAN_FORM_COSINES, BOLAN_FORM_EXP_COSINES};
-    const bool land = choice & 1, bounds = choice & 4;
+    const bool land = choice & 1, bounds = choice & 4, layers = choice & 8;
     const bolan_look look = {.paper = choice & 2};
     for (int i = 0; i < 3; ++i) {
         const water_waves waves = bolan_water_waves_of(forms[i], surface);
@@ -80,6 +80,7 @@ static void list_setups(const water_optics *o, bolan_quality quality, bolan_surf
                                .static_grid = grid,
                                .packed = o->packed,
                                .bounds = bounds,
+                               .layers = layers,
                                .look = &look,
                                .shares_samples = o->shade_columns(&look, quality) > 1,
                                .wave_count = 5,
@@ -93,13 +94,14 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: print_variants SHADER-FOLDER OUT-FOLDER\n");
         return 2;
     }
+    static const int choices[] = {0, 1, 2, 3, 4, 5, 8, 9};
     water_programs all = {0};
     for (int o = 0; o < OPTICS; ++o)
         for (int quality = BOLAN_QUALITY_LOW; quality <= BOLAN_QUALITY_ULTRA; ++quality)
             for (int surface = BOLAN_SURFACE_PROJECTED; surface <= BOLAN_SURFACE_QUAD; ++surface)
-                // paper and bounds meet no line that depends on the quality
-                for (int choice = 0; choice < (quality == BOLAN_QUALITY_HIGH ? 6 : 2); ++choice)
-                    list_setups(optics[o], (bolan_quality)quality, (bolan_surface_kind)surface, choice, &all);
+                // paper, bounds and layers meet no line that depends on the quality
+                for (int i = 0; i < (quality == BOLAN_QUALITY_HIGH ? 8 : 2); ++i)
+                    list_setups(optics[o], (bolan_quality)quality, (bolan_surface_kind)surface, choices[i], &all);
     bolan_gl_program_set_directory(argv[1]);
     bool written = all.count > 0 && !all.refused;
     for (uint32_t i = 0; i < all.count && written; ++i) {

@@ -60,7 +60,7 @@ static void set_layers(const gl_program *program, const void *context) {
 
 static void run(const rig *r, const char *body, float (*in)[4], float (*out)[4]) {
     probe_run_with("#include \"common/frame.glsl\"\n#define VERTEX\n#include \"common/waves.glsl\"\n#undef VERTEX",
-                   body, "LAND 1\nTAPS 1\n", set_layers, r, in, COUNT, out);
+                   body, "LAND 1\nLAYERS 1\nTAPS 1\n", set_layers, r, in, COUNT, out);
 }
 
 static void scatter(float (*in)[4], float z, float w) {
