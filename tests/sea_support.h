@@ -34,6 +34,20 @@ static inline bolan_sea_desc test_calm_desc(uint32_t n) {
     return desc;
 }
 
+/// What a spline through a plane of height or displacement is at its samples: @p out has n * n.
+static inline void test_nodes(const bolan_cascade_view *v, const float *plane, float *out) {
+    const uint32_t n = v->n, mask = n - 1;
+    for (uint32_t j = 0; j < n; j++)
+        for (uint32_t i = 0; i < n; i++) {
+            double sum = 0.0;
+            for (uint32_t b = 0; b < 3; b++)
+                for (uint32_t a = 0; a < 3; a++)
+                    sum += (a == 1 ? 4.0 : 1.0) * (b == 1 ? 4.0 : 1.0) / 36.0 *
+                           (double)plane[(size_t)((j + b - 1) & mask) * n + ((i + a - 1) & mask)];
+            out[(size_t)j * n + i] = (float)sum;
+        }
+}
+
 static inline double test_mean_product(const bolan_cascade_view *v, const float *a, const float *b) {
     double sum = 0.0;
     for (size_t p = 0; p < (size_t)v->n * v->n; p++) sum += (double)a[p] * b[p];

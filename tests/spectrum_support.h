@@ -5,31 +5,15 @@
 #ifndef BOLAN_TESTS_SPECTRUM_SUPPORT_H
 #define BOLAN_TESTS_SPECTRUM_SUPPORT_H
 
-#include "bolan/math.h"
 #include "bolan/formats.h"
+#include "bolan/math.h"
 #include "bolan/spectrum.h"
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include "support.h"
+
 #include <string.h>
 
-#include <cmocka.h>
-
-/// |actual - expected| <= tolerance, shown when not.
-#define assert_near(actual, expected, tolerance) \
-    assert_near_at((actual), (expected), (tolerance), #actual, __FILE__, __LINE__)
-static inline void assert_near_at(double actual, double expected, double tolerance, const char *what, const char *file,
-                                  int line) {
-    if (fabs(actual - expected) <= tolerance) return;
-    print_error("%s is %.10g, expected %.10g +- %g\n", what, actual, expected, tolerance);
-    _assert_true(0, what, file, line);
-}
-/// The same, relative to the expected value.
+/// assert_near() with a tolerance relative to the expected value.
 #define assert_ratio(actual, expected, tolerance) assert_near(actual, expected, (tolerance)*fabs(expected))
 
 static bolan_log_id last_log_id;

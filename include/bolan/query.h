@@ -27,14 +27,14 @@ typedef struct bolan_query_point {
 
 /// Computes heights and normals at @p count world points @p xy [m].
 ///
-/// The fields of the sea are read bilinearly between samples, as images read them: this is the surface that is drawn.
+/// The fields of the sea are read by cubic splines, as images read them: this is the surface that is drawn.
 /// A sum of waves is summed at the point itself. The layers of the water are added at the rest point of the parcel.
 ///
 /// Over a ground each cascade is attenuated by the depth under the rest point of the parcel.
 /// The attenuations are bolan_coast_attenuations() of 4 sqrt(variance) of the cascades.
 /// A sum of waves is attenuated as one cascade, and each layer by itself.
 /// The lift of the mean falls with the square of the attenuation.
-/// The normal ignores how the attenuation varies in space.
+/// The normal includes how the attenuation varies in space.
 /// On dry land the height is the level of the water.
 /// Points that are not finite give the level and a vertical normal.
 ///

@@ -4,34 +4,40 @@
 ///
 /// The sea is a pure function of sea state, seed, layout and time. Stepping from 0 to 10 s or straight to 10 s gives
 /// the same bits, on any number of threads and with any instruction set. The one exception is the foam memory, which
-/// remembers the last seconds. After a jump in time (backwards, or more than 0.5 s forward) it starts again from the
-/// present.
+/// remembers the last seconds. After a jump in time (backwards, or more than 1 s forward) it starts again from the
+/// present; bolan_sea_settle() fills it. From there on steps of at most 1 s keep it a function of time, too: it is
+/// made of the pinch at ticks 0.25 s apart, the same whatever the steps, and ends after 6 foam_decay.
 ///
 /// **Layout.** The wave-number plane is cut into disjoint rings without gaps, one per *cascade*: a periodic square tile
-/// of side `length` with `n` x `n` samples. Each tile is rotated by `angle` about the world origin, and the ratios of
-/// the lengths are incommensurate, so the repetitions of different cascades never line up. The fields of the sea at a
-/// world point are the sums of the cascades' fields there. Which waves a tile holds depends on the seed and its length
-/// only: a finer resolution adds shorter waves to the same longer ones.
+/// of side `length` with `n` x `n` samples. Each tile is rotated by `angle` about the world origin, away from the mean
+/// direction of the waves, and the ratios of the lengths are incommensurate. The tiles of FFT lie over a warped plane,
+/// bolan_sea_place_read(), so that one tile away the waves are others: heights at any distance are correlated as the
+/// spectrum wants, to 0.15. The fields of the sea at a world point are the sums of the cascades' fields there. Which
+/// waves a tile holds depends on the seed and its number and length only. From a resolution of 128 on lengths and rings
+/// do not depend on the resolution: a finer one adds shorter waves to the same longer ones.
+///
+/// **Between samples.** Height and displacement are read by cubic B-splines, and each mode is divided by what the
+/// spline does to it, so every wave has its amplitude everywhere. Slopes and Jacobians of samples and queries are the
+/// gradient of that surface. The planes of a cascade therefore hold coefficients, not samples of the surface.
 ///
 /// **Fields.** With eta the height and D the horizontal displacement that gathers water at crests (choppiness not
 /// applied), a water parcel at rest at x0 is found at x = x0 + choppiness * D(x0), z = eta(x0) + lift. Fields are
 /// functions of x0. Vectors are in world axes (east, north), whatever the angle of the tile.
 ///
 /// **Level.** Parcels stand closer at crests and cover less area there, so the mean of eta at fixed points is
-/// -choppiness * integral of k coth(k depth) S dw. The lift, a constant of the sea, is the opposite of that mean for
-/// the interpolated fields: the mean of the surface at fixed points is the water level. Every height of a sample, a
-/// query and an image includes the lift; the cascades' fields do not. Where shallow water attenuates waves by f, the
-/// lift is attenuated by f^2.
+/// -choppiness * integral of k coth(k depth) S dw. The lift, a constant of the sea, is the opposite of that: the mean
+/// of the surface at fixed points is the water level. Every height of a sample, a query and an image includes the lift;
+/// the cascades' fields do not. Where shallow water attenuates waves by f, the lift is attenuated by f^2.
 ///
 /// **Limits.** A sea state that is too high for its depth or too steep is lowered as a whole, with one warning
 /// (SEA_LIMITED): bolan_sea_state_limit() has the rules. Queries never return waves that no water can carry.
 ///
 /// **Synthesis.** eta(x, t) = sum over k of h(k, t) e^{i k.x}, h(k, t) = h0(k) e^{-i w t} + conj(h0(-k)) e^{+i w t},
-/// h0(k) = (xr + i xi)/2 sqrt(integral of Psi over the cell of k), xr and xi normal. Waves run toward k, and the
-/// variance of eta is that of the spectrum (Tessendorf 2001, section 3, with the sign and the factor of a one-sided
-/// spectrum). D = i k/|k| coth(kh) h. w follows bolan_omega_from_k(). Beyond ten times the wave number of the spectral
-/// peak the power is rolled off, so that the slope variance of all cascades stays below Cox & Munk's total for the
-/// wind.
+/// h0(k) = sqrt(integral of Psi over the cell of k / 2) e^{i phase}, phases random. Waves run toward k, and the
+/// variance of eta is that of the spectrum in each realisation (Tessendorf 2001, section 3, with the sign and the
+/// factor of a one-sided spectrum, and amplitudes that are not random). D = i k/|k| coth(kh) h. w follows
+/// bolan_omega_from_k(). Beyond ten times the wave number of the spectral peak the power is rolled off, so that the
+/// slope variance of all cascades stays below Cox & Munk's total for the wind.
 ///
 /// **Current.** On a current U a wave runs over the ground at omega = w + k.U: the sea of FFT and TEXTURES is that of
 /// water at rest, drifting by U t, with its foam. Seas of FFT cannot both drift and loop; the frames of TEXTURES repeat
@@ -132,7 +138,7 @@ typedef struct bolan_sea_desc {
     /// Raised: sharper crests, which fold sooner. EXP_COSINE has no horizontal displacement.
     double choppiness;
 
-    /// Time after which every field repeats [s].
+    /// Time after which every field repeats [s], bit for bit.
     /// 10..1e6, or 0 (default): no repetition.
     /// Frequencies are rounded to multiples of 1 / period; from 200 s on the rounding is not visible.
     /// With FFT and a current there is no loop: refused.
@@ -141,12 +147,13 @@ typedef struct bolan_sea_desc {
 
     /// Samples along the side of a tile, of FFT and TEXTURES.
     /// A power of two, 32..1024; default 256.
-    /// Raised: shorter waves with the same number of tiles; time and memory grow with its square.
+    /// Raised: shorter waves with the same number of tiles, and pixels nearer to the exact slopes; time and memory grow
+    /// with its square. From 128 on all resolutions show the same waves.
     uint32_t resolution;
 
     /// Side of the largest tile [m], of FFT and TEXTURES.
-    /// 10..1e5, or 0 (default): 12 peak wavelengths and at least 10 of the longest swell that matters (TEXTURES: 7, 5).
-    /// Raised: the sea repeats after a longer distance, and its shortest wave is longer.
+    /// 10..1e5, or 0 (default): 16 peak wavelengths and at least 12 of the longest swell that matters (TEXTURES: 7, 5).
+    /// Raised: more waves at the peak, which return to a point later; the shortest wave is longer.
     double length;
 
     /// e-folding time of the foam memory [s], of FFT and TEXTURES.
@@ -252,8 +259,8 @@ BOLAN_API void bolan_sea_destroy(bolan_sea **sea);
 BOLAN_API void bolan_sea_step(bolan_sea *sea, double time);
 
 /// Like bolan_sea_step(), and fills the foam memory first, so that a single image has the foam of a sea that has run.
-/// It steps through about 4 foam_decay before @p time, in ticks at multiples of 0.25 s whatever the time.
-/// Costs about 16 steps for each second of foam_decay.
+/// It runs through the ticks of 6 foam_decay before @p time. A tick costs about a quarter of a step: 6 steps for each
+/// second of foam_decay.
 BOLAN_API void bolan_sea_settle(bolan_sea *sea, double time);
 
 /// Returns the time of the last step [s].
@@ -307,8 +314,11 @@ BOLAN_API double bolan_sea_lift(const bolan_sea *sea, uint32_t index, double spa
 
 /// One cascade, read-only.
 /// The pointers are valid while the sea lives; what they point to changes with each step.
-/// Sample (i, j) of a field is at [j * n + i], at tile coordinates (i, j) * length / n. World to tile: rotate by
-/// -angle, u = x cos(angle) + y sin(angle), v = -x sin(angle) + y cos(angle).
+/// Sample (i, j) of a field is at [j * n + i], at tile coordinates (i, j) * length / n. A rest point is read at
+/// (x, y) = bolan_sea_place_read(); from there to the tile: rotate by -angle, u = x cos(angle) + y sin(angle),
+/// v = -x sin(angle) + y cos(angle).
+/// eta, dx, dy are coefficients of cubic B-splines: the field at a sample is the mean of 3 x 3 with weights (1, 4, 1)/6
+/// each way. The other planes are read by linear interpolation, which leaves them the slope variance of the waves.
 typedef struct bolan_cascade_view {
     /// Samples along a side.
     uint32_t n;
@@ -323,17 +333,17 @@ typedef struct bolan_cascade_view {
     /// Expected slope variance of the ring.
     double mss;
     /// Where sample (0, 0) lies in the world [m]: the tile drifts from the world origin with the current.
-    /// The fields of a rest point (x, y) are those of (x - origin_x, y - origin_y), turned by -angle.
+    /// bolan_sea_place_read() has taken it off.
     double origin_x, origin_y;
-    /// eta [m].
+    /// Spline of eta [m].
     const float *height;
-    /// D, world east and north [m].
+    /// Splines of D, world east and north [m].
     const float *dx, *dy;
-    /// grad eta.
+    /// grad eta, by the place read.
     const float *slope_x, *slope_y;
-    /// dDx/dx, dDy/dy, dDx/dy (= dDy/dx).
+    /// dDx/dx, dDy/dy, dDx/dy (= dDy/dx), by the place read.
     const float *dxx, *dyy, *dxy;
-    /// Foam memory, >= 0: recent peak of -(dxx + dyy) * choppiness, decaying.
+    /// Foam memory, 0..3: recent peak of -(dxx + dyy) * choppiness, decaying.
     const float *foam;
     /// n * n * 4 halfs to upload as RGBA16F: dx, dy, eta, dxy.
     const uint16_t *displacement_half;
@@ -346,6 +356,27 @@ typedef struct bolan_cascade_view {
 BOLAN_API uint32_t bolan_sea_cascade_count(const bolan_sea *sea);
 /// Returns cascade @p index; 0 is the one of the longest waves.
 BOLAN_API bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index);
+#define BOLAN_WARP_WAVES 6 ///< most waves of a bolan_sea_warp
+/// The warped plane over which the tiles of a sea are read. A sea that is seen from afar would show its tiles, because
+/// what is one tile away is the same. So a rest point x is read at x + sum of a w(k.x + phase), w a wave of period and
+/// amplitude 1 made of two parabolas: with u = 2 fract(k.x + phase) - 1 it is 4 u (1 - |u|). That moves waves by a few
+/// times their length, slowly. Distances and directions change by some per cent; frequencies, and everything at a
+/// point, do not change.
+typedef struct bolan_sea_warp {
+    /// Waves of the warp; 0: the plane is even.
+    uint32_t count;
+    struct {
+        /// Wave vector [turns/m] and phase at the world origin [turns].
+        double kx, ky, phase;
+        /// Amplitude, a vector across the wave [m].
+        double ax, ay;
+    } wave[BOLAN_WARP_WAVES];
+} bolan_sea_warp;
+/// Returns the warp of a sea. Thread-safe, also during a step.
+BOLAN_API bolan_sea_warp bolan_sea_get_warp(const bolan_sea *sea);
+/// Returns the place at which the cascades are read for the rest point (@p x, @p y).
+/// @p gradient receives dplace/drest: xx, xy, yx, yy. Thread-safe, also during a step.
+BOLAN_API bolan_dvec2 bolan_sea_place_read(const bolan_sea *sea, double x, double y, double gradient[4]);
 
 // ---- components -----------------------------------------------------------------------------------------------------
 
@@ -373,7 +404,7 @@ BOLAN_API bolan_sea_component bolan_sea_get_component(const bolan_sea *sea, uint
 
 // ---- samples --------------------------------------------------------------------------------------------------------
 
-/// The sea at one rest point: all bands summed (cascades bilinear between samples), choppiness and lift applied.
+/// The sea at one rest point: all bands summed (cascades by cubic splines), choppiness and lift applied.
 typedef struct bolan_sea_sample {
     /// Displacement of the parcel: (x, y, z) = (x0 + dx, y0 + dy, height) [m].
     float height, dx, dy;

@@ -76,7 +76,7 @@ BOLAN_API void bolan_world_destroy(bolan_world **world);
 // ---- time and change ------------------------------------------------------------------------------------------------
 
 /// Steps the sea to @p time [s] and sets the scene's time.
-/// The foam remembers the last seconds where steps follow each other within 0.5 s: see bolan_sea_step().
+/// The foam remembers the last seconds where steps follow each other within 1 s: see bolan_sea_step().
 /// The camera stays: see bolan_world_camera_at().
 BOLAN_API void bolan_world_step(bolan_world *world, double time);
 

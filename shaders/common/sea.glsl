@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The cascades of the sea as textures; twin of bolan_sea_sample_rest() in src/waves. Positions are eye-relative; each
-// cascade's tile coordinates of the eye were reduced in double on the CPU.
+// cascade's tile coordinates of the eye were reduced in double on the CPU. src/waves/cascades/spline.h says what is in
+// the texels: displacements are read by cubic splines, their derivatives linearly.
 #include "shared/cascade.glsl"
+#include "shared/warp.glsl"
 #pragma unit displacement_map 8
 uniform sampler2DArray displacement_map; // dx, dy, height
 #ifndef PACKED
@@ -33,7 +35,54 @@ float lift_of(int c, float spacing) {
     return mix(cascade_lift[i][c], cascade_lift[i + 1][c], at - float(i));
 }
 
-vec2 cascade_uv(int c, vec2 rest) {
-    vec4 t = cascade_tile[c];
-    return t.xy + vec2(along_tile(rest.x, rest.y, t.z, t.w), across_tile(rest.x, rest.y, t.z, t.w));
+// The warped plane that the tiles are read over (bolan/waves.h): the place that is read for a rest point, and what its
+// gradient makes of the gradient of something that was read there.
+struct sea_place {
+    vec2 at;       // eye-relative
+    vec4 gradient; // of it: xx, xy, yx, yy
+};
+
+sea_place place_of(vec2 rest) {
+    sea_place p = sea_place(rest - warp_at_eye, vec4(1.0, 0.0, 0.0, 1.0));
+    for (int i = 0; i < warp_count; ++i) {
+        vec4 wave = warp_wave_of[i];
+        float turn = fract(dot(wave.xy, rest) + wave.z);
+        vec2 across = vec2(-wave.y, wave.x) * wave.w; // metres a unit of the wave
+        p.at += across * warp_wave(turn);
+        p.gradient += warp_slope(turn) * across.xxyy * wave.xyxy;
+    }
+    return p;
 }
+
+vec2 unwarped(sea_place p, vec2 gradient) {
+    return vec2(dot(gradient, p.gradient.xz), dot(gradient, p.gradient.yw));
+}
+
+vec2 cascade_uv(int c, vec2 at) {
+    vec4 t = cascade_tile[c];
+    return t.xy + vec2(along_tile(at.x, at.y, t.z, t.w), across_tile(at.x, at.y, t.z, t.w));
+}
+
+// dx, dy, height at full resolution by a cubic spline: of each two samples a linear fetch gives the weighted mean (Sigg
+// & Hadwiger 2005).
+vec3 cascade_spline(int c, vec2 uv) {
+    float n = float(textureSize(displacement_map, 0).x);
+    vec2 at = uv * n - 0.5, t = fract(at), r = 1.0 - t;
+    vec2 w0 = r * r * r / 6.0, w3 = t * t * t / 6.0, w1 = t * t * (0.5 * t - 1.0) + 2.0 / 3.0, high = 1.0 - w0 - w1;
+    vec2 low = w0 + w1, first = (at - t - 0.5 + w1 / low) / n, last = (at - t + 1.5 + w3 / high) / n;
+    float layer = float(c);
+    vec3 south = mix(textureLod(displacement_map, vec3(last.x, first.y, layer), 0.0).xyz,
+                     textureLod(displacement_map, vec3(first, layer), 0.0).xyz, low.x);
+    vec3 north = mix(textureLod(displacement_map, vec3(last, layer), 0.0).xyz,
+                     textureLod(displacement_map, vec3(first.x, last.y, layer), 0.0).xyz, low.x);
+    return mix(north, south, low.y);
+}
+
+vec3 cascade_displacement(int c, vec2 uv, float lod) {
+    vec3 coarse = lod > 0.0 ? textureLod(displacement_map, vec3(uv, float(c)), max(lod, 1.0)).xyz : vec3(0.0);
+    return lod < 1.0 ? mix(cascade_spline(c, uv), coarse, lod) : coarse;
+}
+
+// The level of derivatives for a pixel whose width in texels has that log2. Linear fetches of the finest level lose
+// nothing; a pixel of one texel should lose a little.
+float derivative_level(float width) { return max(width, 0.25 * width + 0.25); }

@@ -149,18 +149,22 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #endif
 #ifdef WAVES_CASCADES
     vec4 kept = cascades_kept(depth);
+    sea_place place = place_of(rest);
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
         if (spacing > band.z) break; // every wave of it is shorter than the mesh
         float lod = max(log2(spacing) - band.w - 0.5, 0.0); // the triangles blur too: half a level is theirs
-        vec3 uv = vec3(cascade_uv(c, rest), float(c));
-        vec4 s = textureLod(displacement_map, uv, lod);
+        vec2 uv = cascade_uv(c, place.at);
+        vec3 s = cascade_displacement(c, uv, lod);
         float keep = kept[c];
         offset += keep * vec3(choppiness * s.xy, s.z + keep * lift_of(c, spacing));
 #ifndef PACKED
-        fields.xy += keep * textureLod(slope_map, uv, lod).xy;
+        fields.xy += keep * textureLod(slope_map, vec3(uv, float(c)), lod).xy;
 #endif
     }
+#ifndef PACKED
+    fields.xy = unwarped(place, fields.xy);
+#endif
 #endif
 #ifndef PACKED
     add_layers(rest, spacing, depth, offset, fields.xy);
@@ -190,22 +194,28 @@ vec4 cascade_share(int c, vec4 fields, float gust, float kept) {
     return (cascade_band[c].z < 20.0 ? gust : 1.0) * kept * fields;
 }
 
+vec4 derivatives(sampler2D map, int c, vec2 at, float fine) {
+    return textureLod(map, cascade_uv(c, at), derivative_level(fine - cascade_band[c].w));
+}
+
 // One texture fetch a cascade, at the level of a width whose log2 is `fine`. Slopes over the displaced surface as if
 // waves came from all sides. Textures of their own and no loop: an array, and a loop that pixels leave at different
 // times, cost twice as much.
 wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
     vec4 kept = cascades_kept(depth);
-    vec4 sum = cascade_share(0, textureLod(slope_map0, cascade_uv(0, rest), fine - cascade_band[0].w), gust, kept.x);
+    sea_place place = place_of(rest);
+    vec4 sum = cascade_share(0, derivatives(slope_map0, 0, place.at, fine), gust, kept.x);
 #if CASCADES > 1
-    sum += cascade_share(1, textureLod(slope_map1, cascade_uv(1, rest), fine - cascade_band[1].w), gust, kept.y);
+    sum += cascade_share(1, derivatives(slope_map1, 1, place.at, fine), gust, kept.y);
 #endif
 #if CASCADES > 2
-    sum += cascade_share(2, textureLod(slope_map2, cascade_uv(2, rest), fine - cascade_band[2].w), gust, kept.z);
+    sum += cascade_share(2, derivatives(slope_map2, 2, place.at, fine), gust, kept.z);
 #endif
 #if CASCADES > 3
-    sum += cascade_share(3, textureLod(slope_map3, cascade_uv(3, rest), fine - cascade_band[3].w), gust, kept.w);
+    sum += cascade_share(3, derivatives(slope_map3, 3, place.at, fine), gust, kept.w);
 #endif
     float width = exp2(fine), pinch = choppiness * sum.z;
+    sum.xy = unwarped(place, sum.xy);
     sum.xy += layers_slope(rest, footprint(vec2(1.0, 0.0), width, width), depth);
     vec2 slope = sum.xy / max(1.0 + 0.75 * pinch, 0.3);
     return wave_fields(slope * min(1.0, 1.2 * inversesqrt(max(dot(slope, slope), 1e-6))), 1.0 + pinch, sum.w);
@@ -226,13 +236,14 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
     vec3 gradient = vec3(0.0); // dxx, dyy, dxy of the displacement, choppiness applied
     float foam = 0.0;
     vec4 kept = cascades_kept(depth);
+    sea_place place = place_of(rest);
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
         if (f.minor > 0.6 * band.z) break;
         float taps = clamp(ceil(f.major / band.y), 1.0, float(TAPS));
-        float lod = log2(max(f.minor, f.major / taps)) - band.w;
-        vec2 centre = cascade_uv(c, rest);
-        vec2 along = (cascade_uv(c, rest + f.axis * f.major) - centre) / taps;
+        float lod = derivative_level(log2(max(f.minor, f.major / taps)) - band.w);
+        vec2 centre = cascade_uv(c, place.at);
+        vec2 along = (cascade_uv(c, place.at + f.axis * f.major) - centre) / taps;
         vec2 uv = centre - along * (0.5 * taps - 0.5);
         vec4 slopes = vec4(0.0);
         for (float i = 0.0; i < taps; i += 1.0) slopes += textureLod(slope_map, vec3(uv + along * i, float(c)), lod);
@@ -242,7 +253,7 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
         gradient += keep * choppiness * vec3(slopes.zw / taps, fold.x);
         foam += keep * fold.y;
     }
-    slope += layers_slope(rest, f, depth);
+    slope = unwarped(place, slope) + layers_slope(rest, f, depth);
     float jxx = 1.0 + gradient.x, jyy = 1.0 + gradient.y, jxy = gradient.z;
     float jacobian = jxx * jyy - jxy * jxy;
     slope = vec2(slope.x * jyy - slope.y * jxy, slope.y * jxx - slope.x * jxy) / max(jacobian, 0.25);

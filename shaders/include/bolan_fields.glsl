@@ -15,6 +15,9 @@
 // - bolan_fields_at(): the surface above a fixed point. Twin of bolan_query_surface(); decals, foam on a hull, spray.
 // - bolan_fields_on_grid(): like bolan_fields_at_rest(), low-passed for a mesh of that spacing.
 //
+// Heights and displacements are cubic splines over 16 texels, so their slopes and Jacobians are exact; on a coarse mesh
+// levels of the textures take their place.
+//
 // `depth` is the depth of the still water under the rest point [m], by which shallow water attenuates the waves as
 // bolan_coast_attenuations() does; BOLAN_DEEP where there is no ground.
 #ifndef BOLAN_FIELDS_GLSL
@@ -42,6 +45,7 @@ layout(std140) uniform bolan_sea_block {
     vec4 bolan_layer_wave[8];   // of a wave train: k east, north [rad/m], half height [m], phase at the origin [rad]
     vec4 bolan_layer_area[8];   // xy: its middle [m], zw: unit direction of travel
     vec4 bolan_layer_extent[8]; // xy: 1 / half extent along, across [1/m], z: share of the edge, w: coast height [m]
+    vec4 bolan_warp_wave[6];    // of the warped plane: k east, north [turns/m], phase at the origin, amplitude / |k| [m2]
     int bolan_cascade_count;
     int bolan_wave_count;       // of a sum
     float bolan_wave_sharpness; // of exp(s cos); 0: cosines
@@ -51,6 +55,8 @@ layout(std140) uniform bolan_sea_block {
     float bolan_foam_threshold; // the surface foams where the Jacobian is below it
     float bolan_water_level;    // of the mean water, above the origin [m]
     int bolan_layer_count;
+    int bolan_warp_count;
+    vec2 bolan_warp_at_origin;  // what the warp adds to the origin [m]
 };
 uniform highp sampler2DArray bolan_displacement_map; // dx, dy, height, dxy
 uniform highp sampler2DArray bolan_slope_map;        // slope x, slope y, dxx, dyy
@@ -61,7 +67,7 @@ uniform highp sampler2D bolan_wave_map;              // of a sum, two texels a w
 struct bolan_raw {
     vec3 offset;  // dx, dy, height
     vec2 slope;   // by the rest point
-    vec3 stretch; // dDx/dx, dDy/dy, dDx/dy
+    vec4 stretch; // dDx/dx, dDx/dy, dDy/dx, dDy/dy
     float foam;
 };
 
@@ -92,25 +98,79 @@ float bolan_lift(int cascade, float spacing) {
     return mix(bolan_cascade_lift[i][cascade], bolan_cascade_lift[i + 1][cascade], at - float(i));
 }
 
+// The place of the warped plane that is read for a rest point, and its gradient: xx, xy, yx, yy.
+vec2 bolan_place_of(vec2 rest, out vec4 gradient) {
+    vec2 place = rest - bolan_warp_at_origin;
+    gradient = vec4(1.0, 0.0, 0.0, 1.0);
+    for (int i = 0; i < bolan_warp_count; ++i) {
+        vec4 wave = bolan_warp_wave[i];
+        float x = 2.0 * fract(dot(wave.xy, rest) + wave.z) - 1.0; // two parabolas
+        vec2 across = vec2(-wave.y, wave.x) * wave.w;
+        place += across * (4.0 * x * (1.0 - abs(x)));
+        gradient += 8.0 * (1.0 - 2.0 * abs(x)) * across.xxyy * wave.xyxy;
+    }
+    return place;
+}
+
+// dx, dy, height at full resolution by a cubic spline, and their derivatives by the tile's coordinates.
+void bolan_spline(int c, vec2 uv, out vec3 value, out vec3 along, out vec3 across) {
+    int n = textureSize(bolan_displacement_map, 0).x;
+    vec2 at = uv * float(n) - 0.5, t = fract(at), r = 1.0 - t;
+    ivec2 first = ivec2(at - t) - 1;
+    vec4 u = vec4(r.x * r.x * r.x / 6.0, t.x * t.x * (0.5 * t.x - 1.0) + 2.0 / 3.0, 0.0, t.x * t.x * t.x / 6.0);
+    vec4 v = vec4(r.y * r.y * r.y / 6.0, t.y * t.y * (0.5 * t.y - 1.0) + 2.0 / 3.0, 0.0, t.y * t.y * t.y / 6.0);
+    vec4 du = vec4(-0.5 * r.x * r.x, t.x * (1.5 * t.x - 2.0), 0.0, 0.5 * t.x * t.x) * float(n);
+    vec4 dv = vec4(-0.5 * r.y * r.y, t.y * (1.5 * t.y - 2.0), 0.0, 0.5 * t.y * t.y) * float(n);
+    u.z = 1.0 - u.x - u.y - u.w, v.z = 1.0 - v.x - v.y - v.w;
+    du.z = -du.x - du.y - du.w, dv.z = -dv.x - dv.y - dv.w;
+    value = along = across = vec3(0.0);
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) {
+            vec3 texel = texelFetch(bolan_displacement_map, ivec3((first + ivec2(i, j)) & (n - 1), c), 0).xyz;
+            value += u[i] * v[j] * texel;
+            along += du[i] * v[j] * texel;
+            across += u[i] * dv[j] * texel;
+        }
+}
+
 void bolan_add_cascades(vec2 rest, float depth, float spacing, inout bolan_raw sum) {
-    vec4 kept = bolan_attenuations(depth);
+    vec4 kept = bolan_attenuations(depth), gradient;
+    vec2 place = bolan_place_of(rest, gradient);
+    vec3 by_x = vec3(0.0), by_y = vec3(0.0); // derivatives of dx, dy, height by the place
     for (int c = 0; c < bolan_cascade_count; ++c) {
         vec4 tile = bolan_cascade_tile[c], band = bolan_cascade_band[c];
         if (spacing > band.z) break; // the longest waves come first
-        vec2 uv = tile.xy + vec2(rest.x * tile.z + rest.y * tile.w, rest.y * tile.z - rest.x * tile.w);
-        float lod = max(log2(max(spacing, 1e-6) / band.y) - 0.5, 0.0), keep = kept[c]; // triangles blur by half a level
-        vec4 d = textureLod(bolan_displacement_map, vec3(uv, float(c)), lod);
-        vec4 s = textureLod(bolan_slope_map, vec3(uv, float(c)), lod);
+        vec2 uv = tile.xy + vec2(place.x * tile.z + place.y * tile.w, place.y * tile.z - place.x * tile.w);
+        // triangles blur by half a level
+        float lod = max(log2(max(spacing, 1e-6) / band.y) - 0.5, 0.0), keep = kept[c], coarse = min(lod, 1.0);
+        vec3 d = vec3(0.0), dx = vec3(0.0), dy = vec3(0.0);
+        if (lod < 1.0) {
+            vec3 along, across;
+            bolan_spline(c, uv, d, along, across);
+            d *= 1.0 - coarse;
+            dx = (1.0 - coarse) * (along * tile.z - across * tile.w);
+            dy = (1.0 - coarse) * (along * tile.w + across * tile.z);
+        }
+        if (lod > 0.0) {
+            vec4 e = textureLod(bolan_displacement_map, vec3(uv, float(c)), max(lod, 1.0));
+            vec4 s = textureLod(bolan_slope_map, vec3(uv, float(c)), max(lod, 1.0));
+            d += coarse * e.xyz;
+            dx += coarse * vec3(s.z, e.w, s.x);
+            dy += coarse * vec3(e.w, s.w, s.y);
+        }
         sum.offset += keep * vec3(bolan_choppiness * d.xy, d.z + keep * bolan_lift(c, spacing));
-        sum.slope += keep * s.xy;
-        sum.stretch += keep * bolan_choppiness * vec3(s.zw, d.w);
+        by_x += keep * dx;
+        by_y += keep * dy;
         sum.foam += textureLod(bolan_foam_map, vec3(uv, float(c)), lod).x;
     }
+    vec3 x = by_x * gradient.x + by_y * gradient.z, y = by_x * gradient.y + by_y * gradient.w;
+    sum.slope += vec2(x.z, y.z);
+    sum.stretch += bolan_choppiness * vec4(x.x, y.x, x.y, y.y);
 }
 
 void bolan_add_waves(vec2 rest, float depth, float spacing, inout bolan_raw sum) {
     float keep = bolan_attenuation(depth, bolan_wave_height);
-    vec3 stretch = vec3(0.0);
+    vec4 stretch = vec4(0.0);
     for (int i = 0; i < bolan_wave_count; ++i) {
         vec4 wave = texelFetch(bolan_wave_map, ivec2(2 * (i & 31), i >> 5), 0);
         float drift = texelFetch(bolan_wave_map, ivec2(2 * (i & 31) + 1, i >> 5), 0).x;
@@ -126,12 +186,12 @@ void bolan_add_waves(vec2 rest, float depth, float spacing, inout bolan_raw sum)
             sum.offset.z += fade * wave.w * c;
             sum.slope -= fade * wave.w * s * k;
             sum.offset.xy -= fade * bolan_choppiness * drift * s * to;
-            stretch -= fade * bolan_choppiness * drift * c * vec3(k * to, k.x * to.y);
+            stretch -= fade * bolan_choppiness * drift * c * k.xyxy * to.xxyy;
         }
     }
     if (bolan_wave_count > 0) sum.offset.z += keep * keep * bolan_lift(0, spacing);
     sum.stretch += stretch;
-    sum.foam += max(-(stretch.x + stretch.y), 0.0);
+    sum.foam += max(-(stretch.x + stretch.w), 0.0);
 }
 
 // 1 in the middle, 0 from u = +-1 on; y: its derivative.
@@ -157,7 +217,7 @@ void bolan_add_layers(vec2 rest, float depth, float spacing, inout bolan_raw sum
 }
 
 bolan_raw bolan_raw_at(vec2 rest, float depth, float spacing) {
-    bolan_raw sum = bolan_raw(vec3(0.0), vec2(0.0), vec3(0.0), 0.0);
+    bolan_raw sum = bolan_raw(vec3(0.0), vec2(0.0), vec4(0.0), 0.0);
     bolan_add_cascades(rest, depth, spacing, sum);
     bolan_add_waves(rest, depth, spacing, sum);
     bolan_add_layers(rest, depth, spacing, sum);
@@ -166,10 +226,10 @@ bolan_raw bolan_raw_at(vec2 rest, float depth, float spacing) {
 
 // Where the surface folds it is vertical: the slope is that of a Jacobian of 0.1.
 bolan_fields bolan_displaced(bolan_raw raw) {
-    vec3 m = raw.stretch + vec3(1.0, 1.0, 0.0);
-    float jacobian = m.x * m.y - m.z * m.z;
+    vec4 m = raw.stretch + vec4(1.0, 0.0, 0.0, 1.0);
+    float jacobian = m.x * m.w - m.y * m.z;
     float divisor = (jacobian < 0.0 ? -1.0 : 1.0) * max(abs(jacobian), 0.1);
-    vec2 slope = vec2(raw.slope.x * m.y - raw.slope.y * m.z, raw.slope.y * m.x - raw.slope.x * m.z) / divisor;
+    vec2 slope = vec2(raw.slope.x * m.w - raw.slope.y * m.z, raw.slope.y * m.x - raw.slope.x * m.y) / divisor;
     return bolan_fields(raw.offset, slope, normalize(vec3(-slope, 1.0)), jacobian, raw.foam);
 }
 
@@ -185,10 +245,10 @@ bolan_fields bolan_fields_at(vec2 place, float depth) {
     vec2 rest = place;
     bolan_raw raw = bolan_raw_at(rest, depth, 0.0);
     for (int i = 0; i < 5; ++i) {
-        vec3 m = raw.stretch + vec3(1.0, 1.0, 0.0);
+        vec4 m = raw.stretch + vec4(1.0, 0.0, 0.0, 1.0);
         vec2 residual = rest + raw.offset.xy - place;
-        float det = m.x * m.y - m.z * m.z;
-        vec2 step = vec2(m.y * residual.x - m.z * residual.y, m.x * residual.y - m.z * residual.x) / det;
+        float det = m.x * m.w - m.y * m.z;
+        vec2 step = vec2(m.w * residual.x - m.y * residual.y, m.x * residual.y - m.z * residual.x) / det;
         rest -= abs(det) > 0.1 ? step : residual;
         raw = bolan_raw_at(rest, depth, 0.0);
     }

@@ -5,6 +5,7 @@
 vec4 cascade_tile[4];     // xy: the eye in the tile [0,1), zw: cos, sin of its angle over its side [1/m]
 vec4 cascade_band[4];     // x: significant height of the band [m], y: texel [m], z: longest wave [m], w: log2 of y
 vec4 cascade_lift[13];    // of each cascade [m], by log2 of the mesh's spacing in texels, plus 2: bolan_sea_lift()
+vec4 warp_wave_of[6];     // of the warped plane: kx, ky [turns/m], phase at the eye [turns], amplitude / |k| [m2]
 vec4 wave_component[16];  // exp-cosine waves: kx, ky [turns/m], amplitude [m], phase at the eye [turns]
 vec4 exp_slope[2];        // c0 to c7: the derivative of exp(s cos) by the phase, see wave_derivative()
 vec4 shore_level[4];      // of the shore map: west, south (eye-relative), side, texel [m]
@@ -20,6 +21,7 @@ float wave_slope_share;   // of one wave's: mean square of its slope over (ampli
 vec3 slope_total;         // covariance xx, xy, yy of the slopes of all waves
 float height_deviation;   // standard deviation of the height of all waves [m]
 vec2 grid_cells;          // of the static grid
+vec2 warp_at_eye;         // what the warp adds to the eye's place [m]
 float significant_height; // [m]
 float peak_length;        // of the waves at the peak of the spectrum [m]
 float shore_height;       // significant height that the shore sees [m]
@@ -39,5 +41,4 @@ int cascade_count;
 int wave_count;
 int shore_present;        // 1: there is ground
 int layer_count;
-float water_padding_first; // the block's size is a multiple of 16 bytes
-vec2 water_padding;
+int warp_count;

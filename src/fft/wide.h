@@ -58,6 +58,16 @@ static inline wide wide_max(wide a, wide b) {
 #endif
 }
 
+// The smaller of each lane; b where they are equal.
+static inline wide wide_min(wide a, wide b) {
+#if WIDE == 1
+    return a < b ? a : b;
+#else
+    const wide_int m = a < b;
+    return wide_from_bits((m & wide_bits(a)) | (~m & wide_bits(b)));
+#endif
+}
+
 // For planes larger than the cache: the line goes to memory without being read first. `p` is aligned to the vector.
 static inline void wide_stream(float *p, wide v) {
 #if WIDE == 16

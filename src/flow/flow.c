@@ -33,6 +33,7 @@ bolan_result bolan_flow_create(const bolan_sea *sea, bolan_flow **out) {
     flow->depth = desc->sea_state.depth;
     flow->current_x = (float)desc->sea_state.current_x;
     flow->current_y = (float)desc->sea_state.current_y;
+    flow->warp = *bolan_sea_warp_of(sea);
     flow->kernels = bolan_flow_kernels_for(desc->cpu);
     flow->choppiness = flow->model->form == BOLAN_FORM_EXP_COSINES ? 0.0f : (float)desc->choppiness;
     set_bands(flow, sea);

@@ -130,10 +130,18 @@ static double blend(const float *weight, double per, const float *spline, float 
 }
 
 // Where a point is in a tile, in samples.
-static bolan_dvec2 place(const bolan_flow *flow, const flow_tile *t, double x, double y) {
-    const double u = x - flow->origin.x, v = y - flow->origin.y;
-    return (bolan_dvec2){fraction(along_tile(u, v, t->cosine, t->sine) / t->length) * t->n,
-                         fraction(across_tile(u, v, t->cosine, t->sine) / t->length) * t->n};
+static bolan_dvec2 place(const flow_tile *t, double x, double y) {
+    return (bolan_dvec2){fraction(along_tile(x, y, t->cosine, t->sine) / t->length) * t->n,
+                         fraction(across_tile(x, y, t->cosine, t->sine) / t->length) * t->n};
+}
+
+// From derivatives by the place read to derivatives by the rest point. The solver takes the mean of the two that differ
+// by the warp.
+static void unwarp(const double g[4], flow_bend *b) {
+    const double xx = b->dxx, xy = b->dxy, yy = b->dyy;
+    b->dxx = xx * g[0] + xy * g[2];
+    b->dxy = 0.5 * (xx * g[1] + xy * g[3] + xy * g[0] + yy * g[2]);
+    b->dyy = xy * g[1] + yy * g[3];
 }
 
 void bolan_flow_bend(const bolan_flow *flow, const flow_depth *at, double x, double y, const float *weight,
@@ -144,11 +152,13 @@ void bolan_flow_bend(const bolan_flow *flow, const flow_depth *at, double x, dou
         out->dx *= (double)weight[0], out->dy *= (double)weight[0];
         out->dxx *= (double)weight[0], out->dxy *= (double)weight[0], out->dyy *= (double)weight[0];
     }
+    double g[4];
+    const bolan_dvec2 read = bolan_sea_warped(&flow->warp, x - flow->origin.x, y - flow->origin.y, g);
     for (uint32_t i = 0; i < flow->tiles; i++) {
         const flow_tile *t = &flow->tile[i];
         const double keep = (double)weight[t->band];
         if (!at->weights[i].used || keep == 0.0) continue;
-        const bolan_dvec2 p = place(flow, t, x, y);
+        const bolan_dvec2 p = place(t, read.x, read.y);
         float f[6][FLOW_BENT];
         flow->kernels->bends(t->texels, t->n, p.x, p.y, f);
         const double per = t->n / t->length, c = t->cosine, s = t->sine;
@@ -164,6 +174,7 @@ void bolan_flow_bend(const bolan_flow *flow, const flow_depth *at, double x, dou
         out->dyy += uu * s * s + 2.0 * uv * c * s + vv * c * c;
         out->dxy += (uu - vv) * c * s + uv * (c * c - s * s);
     }
+    if (flow->tiles > 0) unwarp(g, out);
 }
 
 typedef struct texel {
@@ -177,7 +188,7 @@ static void add_turned(const flow_tile *t, double u, double v, double *x, double
 
 static void add_tile(const bolan_flow *flow, const flow_tile *t, const flow_weights *w, double x, double y, double keep,
                      flow_motion *out) {
-    const bolan_dvec2 p = place(flow, t, x, y);
+    const bolan_dvec2 p = place(t, x, y);
     const double per = t->n / t->length;
     texel f;
     flow->kernels->values(t->texels, t->n, p.x, p.y, f.value, f.u, f.v);
@@ -207,9 +218,15 @@ void bolan_flow_motion(const bolan_flow *flow, const flow_depth *at, double x, d
         bolan_flow_motion_waves(flow, at, x, y, out);
         scale(out, (double)weight[0]);
     }
+    double g[4];
+    const bolan_dvec2 read = bolan_sea_warped(&flow->warp, x - flow->origin.x, y - flow->origin.y, g);
     for (uint32_t i = 0; i < flow->tiles; i++) {
         const flow_tile *t = &flow->tile[i];
         if (at->weights[i].used && weight[t->band] != 0.0f)
-            add_tile(flow, t, &at->weights[i], x, y, (double)weight[t->band], out);
+            add_tile(flow, t, &at->weights[i], read.x, read.y, (double)weight[t->band], out);
     }
+    if (flow->tiles == 0) return;
+    const double sx = out->slope_x, sy = out->slope_y;
+    out->slope_x = sx * g[0] + sy * g[2];
+    out->slope_y = sx * g[1] + sy * g[3];
 }

@@ -105,6 +105,7 @@ struct bolan_flow {
     double time;
     const sea_model *model; // of the sea: constant
     double depth;           // of the sea [m]
+    bolan_sea_warp warp;    // of the plane that the tiles are read over
     float choppiness;       // 0 where parcels do not move sideways
     float current_x, current_y;
     bolan_dvec2 origin; // where the tiles lie: they drift with the current [m]

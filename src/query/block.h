@@ -7,13 +7,21 @@
 //     r(o) = o + choppiness * sum_c att_c D_c(x + o) = 0                                                         (1)
 //
 // x is kept only as a cell and a fraction in each cascade, reduced in double precision; all that follows is float on
-// small numbers, so that a point at 1e6 m is answered as well as one at the origin. Lanes never look at one another:
-// what a point gets does not depend on which points share its block, and so not on how a batch is cut over threads.
+// small numbers, so that a point at 1e6 m is answered as well as one at the origin. Cascades are read over a warped
+// plane (bolan/waves.h); within an offset it is its tangent at x. Lanes never look at one another: what a point gets
+// does not depend on which points share its block, and so not on how a batch is cut over threads.
+//
+// An evaluation reads cubic splines (waves/cascades/spline.h): 4 rows of 4 samples of height, dx and dy a cascade. It
+// gives values and gradients, so slopes and Jacobians are those of the very surface whose heights are answered, and
+// cost nothing more. A plane of a cascade takes 4 loads and 14 multiply-adds of four floats; the three share 30
+// operations for the weights and 45 for the sums. A point at sea takes 4 cascades x 2 planes for the first guess, and 4
+// x 3 for each of two evaluations, rarely three.
 #ifndef BOLAN_QUERY_BLOCK_H
 #define BOLAN_QUERY_BLOCK_H
 
 #include "bolan/water.h"
 
+#include "waves/sea.h"
 #include "waves/sum/sum.h"
 
 enum {
@@ -23,7 +31,7 @@ enum {
 
 // One cascade as the kernels read it.
 typedef struct query_cascade {
-    const float *height, *dx, *dy, *slope_x, *slope_y, *dxx, *dyy, *dxy;
+    const float *height, *dx, *dy;
     uint32_t n;
     float cells_per_metre;
     float c, s;            // cosine and sine of the tile's angle
@@ -35,6 +43,7 @@ typedef struct query_sea {
     float choppiness;
     double origin_x, origin_y; // where the tiles lie: they drift with the current [m]
     query_cascade cascade[BOLAN_MAX_CASCADES];
+    bolan_sea_warp warp;
     float lift[BOLAN_MAX_CASCADES]; // [m] of each cascade; bolan_sea_lift()
     const sum_tables *sum;          // waves instead of cascades, as if they were one; or NULL
     sum_fields_function *sum_fields;
@@ -44,35 +53,44 @@ typedef struct query_block {
     double x[QUERY_LANES], y[QUERY_LANES];                                                    // asked points [m]
     int32_t cell_u[BOLAN_MAX_CASCADES][QUERY_LANES], cell_v[BOLAN_MAX_CASCADES][QUERY_LANES]; // their cells
     float part_u[BOLAN_MAX_CASCADES][QUERY_LANES], part_v[BOLAN_MAX_CASCADES][QUERY_LANES];   // and fractions, 0..1
-    float attenuation[BOLAN_MAX_CASCADES][QUERY_LANES];                                       // by shallow water, 0..1
+    float warp[4][QUERY_LANES];                                                             // gradient: xx, xy, yx, yy
+    float attenuation[BOLAN_MAX_CASCADES][QUERY_LANES];                                     // by shallow water, 0..1
+    float lean_x[BOLAN_MAX_CASCADES][QUERY_LANES], lean_y[BOLAN_MAX_CASCADES][QUERY_LANES]; // its gradient [1/m]
+    bool leans;                                                            // a lane has a gradient of the attenuation
     bool settled[QUERY_LANES];                                             // it is the same all around
     float ox[QUERY_LANES], oy[QUERY_LANES];                                // rest point - asked point [m]
     float rx[QUERY_LANES], ry[QUERY_LANES];                                // residual of (1) [m]
-    float determinant[QUERY_LANES];                                        // of the last step's matrix
     float height[QUERY_LANES], slope_x[QUERY_LANES], slope_y[QUERY_LANES]; // at the rest point
-    float jxx[QUERY_LANES], jyy[QUERY_LANES], jxy[QUERY_LANES];            // Jacobian matrix of x0 -> x
+    float jxx[QUERY_LANES], jxy[QUERY_LANES], jyx[QUERY_LANES], jyy[QUERY_LANES]; // Jacobian matrix of x0 -> x
 } query_block;
+
+// The lanes that a kernel works on, a bit each.
+#define QUERY_ALL_LANES 0xffffu
 
 // The kernels of one instruction set. All sets give the same bits.
 typedef struct query_kernels {
     // Sets cell and part from x and y. Lanes whose point is not finite get cell 0.
     void (*locate)(const query_sea *sea, query_block *block);
-    // One Newton step on (1) with the first `cascades` cascades; leaves the residual before the step in rx, ry.
-    void (*step)(const query_sea *sea, uint32_t cascades, query_block *block);
-    // Residual and height at the present offsets; with `full` also slopes and Jacobian matrix.
-    void (*evaluate)(const query_sea *sea, bool full, query_block *block);
+    // A first guess of the offsets from 0. The long waves put the rest point where the short ones can be linearised: a
+    // Newton step for each cascade, those before it by their tangent.
+    void (*approach)(const query_sea *sea, query_block *block);
+    // Residual, height, slopes and Jacobian matrix at the present offsets.
+    void (*evaluate)(const query_sea *sea, uint32_t lanes, query_block *block);
 } query_kernels;
 
-// Newton's step for the residual (rx, ry) and the Jacobian matrix (a, b; c, d), kept inside QUERY_MAX_OFFSET.
-static inline void query_newton(query_block *block, int l, float a, float b, float c, float d) {
+static inline float query_determinant(const query_block *b, uint32_t l) {
+    return b->jxx[l] * b->jyy[l] - b->jxy[l] * b->jyx[l];
+}
+
+// Newton's step from what was evaluated, kept inside QUERY_MAX_OFFSET.
+static inline void query_newton(query_block *block, uint32_t l) {
     const float rx = block->rx[l], ry = block->ry[l];
-    const float det = a * d - b * c;
+    const float det = query_determinant(block, l);
     // Near a fold the linear model does not say where the root is; there the plain fixed point x0 = x - D goes on.
     const bool regular = det > 0.1f || det < -0.1f;
     const float inverse = 1.0f / (regular ? det : 1.0f);
-    block->determinant[l] = det;
-    const float sx = regular ? (d * rx - b * ry) * inverse : rx;
-    const float sy = regular ? (a * ry - c * rx) * inverse : ry;
+    const float sx = regular ? (block->jyy[l] * rx - block->jxy[l] * ry) * inverse : rx;
+    const float sy = regular ? (block->jxx[l] * ry - block->jyx[l] * rx) * inverse : ry;
     const float x = block->ox[l] - sx, y = block->oy[l] - sy;
     block->ox[l] = x > QUERY_MAX_OFFSET ? QUERY_MAX_OFFSET : x < -QUERY_MAX_OFFSET ? -QUERY_MAX_OFFSET : x;
     block->oy[l] = y > QUERY_MAX_OFFSET ? QUERY_MAX_OFFSET : y < -QUERY_MAX_OFFSET ? -QUERY_MAX_OFFSET : y;
@@ -94,18 +112,16 @@ typedef struct query {
     float reach;                       // how far apart the roots of a fold may lie [m]
 } query;
 
-enum { QUERY_STEPS = 5, QUERY_SEARCH_STEPS = 10 };
+enum { QUERY_STEPS = 6, QUERY_SEARCH_STEPS = 10 };
 
-// Newton steps, each with the attenuation of the depth at the rest points it starts from. With `graded` step i uses the
-// first i + 1 cascades: the long waves put the rest point where the short ones can be linearised.
-void bolan_query_solve(const query *q, uint32_t steps, bool graded, query_block *block);
-// Attenuation at the present offsets, then the evaluate kernel, then the layers of the water.
-void bolan_query_evaluate(const query *q, bool full, query_block *block);
+// Newton steps from the present offsets until the lanes have converged, `steps` at most, each with the attenuation of
+// the depth at its rest points; leaves the block evaluated.
+void bolan_query_solve(const query *q, uint32_t steps, query_block *block);
 // Unit vector along which the Jacobian matrix (xx, xy; xy, yy) compresses most: the eigenvector of the smaller
 // eigenvalue.
 bolan_vec2 bolan_query_compressed_direction(float xx, float yy, float xy);
 // Where steps did not converge or the surface is about to fold: looks for every root near lane `lane` and puts the
-// highest into the lane (all members). The block must have been evaluated in full.
+// highest into the lane (all members). The block must have been evaluated.
 void bolan_query_search_folds(const query *q, query_block *block, uint32_t lane);
 
 #endif

@@ -21,6 +21,7 @@ bolan_vec2 bolan_query_compressed_direction(float xx, float yy, float xy) {
 
 // Copies the place of `lane` into every lane of `to`.
 static void spread_place(const query *q, const query_block *from, uint32_t lane, query_block *to) {
+    to->leans = from->leans;
     for (uint32_t l = 0; l < QUERY_LANES; l++) {
         to->x[l] = from->x[lane];
         to->y[l] = from->y[lane];
@@ -30,15 +31,21 @@ static void spread_place(const query *q, const query_block *from, uint32_t lane,
             to->part_u[c][l] = from->part_u[c][lane];
             to->part_v[c][l] = from->part_v[c][lane];
         }
+        for (int e = 0; e < 4; e++) to->warp[e][l] = from->warp[e][lane];
         to->settled[l] = from->settled[lane];
-        for (uint32_t c = 0; c < BOLAN_MAX_CASCADES; c++) to->attenuation[c][l] = from->attenuation[c][lane];
+        for (uint32_t c = 0; c < BOLAN_MAX_CASCADES; c++) {
+            to->attenuation[c][l] = from->attenuation[c][lane];
+            to->lean_x[c][l] = from->lean_x[c][lane];
+            to->lean_y[c][l] = from->lean_y[c][lane];
+        }
     }
 }
 
 // Sets starts around the result of `lane` of `from` (which may be `to` itself): lane 0 continues from the result, lane
 // 1 starts at the point itself, the other lanes at +-reach / 2^i along the direction of compression.
 static void spread_starts(const query *q, const query_block *from, uint32_t lane, query_block *to) {
-    const bolan_vec2 along = bolan_query_compressed_direction(from->jxx[lane], from->jyy[lane], from->jxy[lane]);
+    const float jxy = 0.5f * (from->jxy[lane] + from->jyx[lane]);
+    const bolan_vec2 along = bolan_query_compressed_direction(from->jxx[lane], from->jyy[lane], jxy);
     const float ox = from->ox[lane], oy = from->oy[lane];
     float distance = q->reach;
     to->ox[0] = ox;
@@ -80,8 +87,7 @@ void bolan_query_search_folds(const query *q, query_block *block, uint32_t lane)
     spread_place(q, block, lane, &starts);
     for (int round = 0; round < 2; round++) { // the second from the best of the first, along its own direction
         spread_starts(q, from, best, &starts);
-        bolan_query_solve(q, QUERY_SEARCH_STEPS, false, &starts);
-        bolan_query_evaluate(q, true, &starts);
+        bolan_query_solve(q, QUERY_SEARCH_STEPS, &starts);
         best = choose(&starts);
         from = &starts;
     }
@@ -95,4 +101,5 @@ void bolan_query_search_folds(const query *q, query_block *block, uint32_t lane)
     block->jxx[lane] = starts.jxx[best];
     block->jyy[lane] = starts.jyy[best];
     block->jxy[lane] = starts.jxy[best];
+    block->jyx[lane] = starts.jyx[best];
 }

@@ -14,6 +14,7 @@ static const float CONVERGED = 5e-4f;        // [m] half of the residual that qu
 static const float FOLD_DETERMINANT = 0.25f; // below this a second root may be near
 // What the shore map of the renderer resolves close to the eye [m]: finer ground does not shape the waves.
 static const double GROUND_RESOLUTION = 2.0;
+static const double LEAN_STEP = 0.25; // [m] to either side, of the difference that the gradient of the coast is
 
 typedef struct batch {
     query q;
@@ -23,9 +24,9 @@ typedef struct batch {
     bolan_query_point *out;
 } batch;
 
-// Depth [m] under the rest point of a lane.
-static float depth_at(const query *q, const query_block *b, uint32_t l) {
-    const double x = b->x[l] + (double)b->ox[l], y = b->y[l] + (double)b->oy[l];
+// Depth [m] under a place near the rest point of a lane.
+static float depth_at(const query *q, const query_block *b, uint32_t l, double dx, double dy) {
+    const double x = b->x[l] + (double)b->ox[l] + dx, y = b->y[l] + (double)b->oy[l] + dy;
     return (float)(q->water->level - (double)bolan_ground_elevation(q->water->ground, x, y, GROUND_RESOLUTION));
 }
 
@@ -35,80 +36,132 @@ static void attenuate_lane(const query *q, float depth, query_block *b, uint32_t
     for (uint32_t c = 0; c < q->sea.count; c++) b->attenuation[c][l] = keep[c];
 }
 
+// The gradient of the attenuation: over a slope of the bed it leans the water, too.
+static void lean_lane(const query *q, query_block *b, uint32_t l) {
+    float east[BOLAN_MAX_CASCADES], west[BOLAN_MAX_CASCADES], north[BOLAN_MAX_CASCADES], south[BOLAN_MAX_CASCADES];
+    bolan_coast_attenuations(depth_at(q, b, l, LEAN_STEP, 0.0), q->band_hs, q->sea.count, east);
+    bolan_coast_attenuations(depth_at(q, b, l, -LEAN_STEP, 0.0), q->band_hs, q->sea.count, west);
+    bolan_coast_attenuations(depth_at(q, b, l, 0.0, LEAN_STEP), q->band_hs, q->sea.count, north);
+    bolan_coast_attenuations(depth_at(q, b, l, 0.0, -LEAN_STEP), q->band_hs, q->sea.count, south);
+    for (uint32_t c = 0; c < q->sea.count; c++) {
+        b->lean_x[c][l] = (east[c] - west[c]) * (float)(0.5 / LEAN_STEP);
+        b->lean_y[c][l] = (north[c] - south[c]) * (float)(0.5 / LEAN_STEP);
+    }
+    b->leans = true;
+}
+
 // Ground is dear to evaluate. Beyond 8 Hs of depth the attenuation is 1, on land it is 0, and a rest point is about Hs
 // away at most: twice that depth, or half of it on land, settles the lane for all its steps.
 static void settle(const query *q, query_block *b) {
+    b->leans = false;
     for (uint32_t l = 0; l < QUERY_LANES; l++) {
         b->settled[l] = true;
         if (!q->water->ground) continue;
-        const float depth = depth_at(q, b, l);
+        const float depth = depth_at(q, b, l, 0.0, 0.0);
         attenuate_lane(q, depth, b, l);
         b->settled[l] = depth > 16.0f * q->hs || depth < -4.0f * q->hs;
     }
 }
 
-static void attenuate(const query *q, query_block *b) {
+static void attenuate(const query *q, uint32_t lanes, bool lean, query_block *b) {
     for (uint32_t l = 0; l < QUERY_LANES; l++) {
-        if (!b->settled[l]) attenuate_lane(q, depth_at(q, b, l), b, l);
+        if (b->settled[l] || !(lanes >> l & 1)) continue;
+        attenuate_lane(q, depth_at(q, b, l, 0.0, 0.0), b, l);
+        if (lean) lean_lane(q, b, l);
     }
 }
 
-void bolan_query_solve(const query *q, uint32_t steps, bool graded, query_block *block) {
-    for (uint32_t i = 0; i < steps; i++) {
-        attenuate(q, block);
-        q->kernels->step(&q->sea, graded && i + 1 < q->sea.count ? i + 1 : q->sea.count, block);
-    }
+// What the coast leaves of a layer at the rest point of a lane, and its gradient.
+typedef struct layer_share {
+    float keep, by_x, by_y;
+} layer_share;
+
+static layer_share share_of(const query *q, const query_block *b, uint32_t l, float hs) {
+    if (!q->water->ground) return (layer_share){1.0f, 0.0f, 0.0f};
+    layer_share s = {.keep = bolan_coast_attenuation(depth_at(q, b, l, 0.0, 0.0), hs)};
+    if (b->settled[l]) return s;
+    const float half = (float)(0.5 / LEAN_STEP);
+    s.by_x = half * (bolan_coast_attenuation(depth_at(q, b, l, LEAN_STEP, 0.0), hs) -
+                     bolan_coast_attenuation(depth_at(q, b, l, -LEAN_STEP, 0.0), hs));
+    s.by_y = half * (bolan_coast_attenuation(depth_at(q, b, l, 0.0, LEAN_STEP), hs) -
+                     bolan_coast_attenuation(depth_at(q, b, l, 0.0, -LEAN_STEP), hs));
+    return s;
 }
 
 // Adds the layers at the rest points. They move no parcel sideways, so the solver need not know them.
 static void add_layers(const query *q, query_block *b) {
     double x[QUERY_LANES], y[QUERY_LANES];
-    float depth[QUERY_LANES];
     for (uint32_t l = 0; l < QUERY_LANES; l++) {
         x[l] = b->x[l] + (double)b->ox[l];
         y[l] = b->y[l] + (double)b->oy[l];
-        depth[l] = q->water->ground ? depth_at(q, b, l) : INFINITY;
     }
     for (uint32_t i = 0; i < q->water->layer_count; i++) {
         const bolan_wave_layer *layer = q->water->layers[i];
         bolan_wave_layer_sample waves[QUERY_LANES];
         layer->kind->sample(layer, q->time, QUERY_LANES, x, y, waves);
         for (uint32_t l = 0; l < QUERY_LANES; l++) {
-            const float keep = q->water->ground ? bolan_coast_attenuation(depth[l], layer->hs) : 1.0f;
-            b->height[l] += keep * waves[l].height;
-            b->slope_x[l] += keep * waves[l].slope_x;
-            b->slope_y[l] += keep * waves[l].slope_y;
+            const layer_share share = share_of(q, b, l, layer->hs);
+            b->height[l] += share.keep * waves[l].height;
+            b->slope_x[l] += share.keep * waves[l].slope_x + share.by_x * waves[l].height;
+            b->slope_y[l] += share.keep * waves[l].slope_y + share.by_y * waves[l].height;
         }
     }
 }
 
-static void evaluate(const query *q, bool full, query_block *block) {
-    q->kernels->evaluate(&q->sea, full, block);
-    if (q->water->layer_count > 0) add_layers(q, block);
+static void newton(uint32_t lanes, query_block *b) {
+    for (uint32_t l = 0; l < QUERY_LANES; l++)
+        if (lanes >> l & 1) query_newton(b, l);
 }
 
-void bolan_query_evaluate(const query *q, bool full, query_block *block) {
-    attenuate(q, block);
-    evaluate(q, full, block);
+static bool has_converged(const query_block *b, uint32_t l) {
+    return b->rx[l] * b->rx[l] + b->ry[l] * b->ry[l] <= CONVERGED * CONVERGED;
+}
+
+// Those of `lanes` that have not converged.
+static uint32_t left_of(uint32_t lanes, const query_block *b) {
+    uint32_t left = 0;
+    for (uint32_t l = 0; l < QUERY_LANES; l++)
+        if ((lanes >> l & 1) && !has_converged(b, l)) left |= 1u << l;
+    return left;
+}
+
+// Half a millimetre from the rest point the height is off by that much of the slope: what is left of it, by the
+// tangent.
+static void refine(query_block *b) {
+    for (uint32_t l = 0; l < QUERY_LANES; l++) {
+        const float determinant = query_determinant(b, l);
+        if (determinant < FOLD_DETERMINANT || !has_converged(b, l)) continue;
+        const float sx = (b->jyy[l] * b->rx[l] - b->jxy[l] * b->ry[l]) / determinant;
+        const float sy = (b->jxx[l] * b->ry[l] - b->jyx[l] * b->rx[l]) / determinant;
+        b->height[l] -= b->slope_x[l] * sx + b->slope_y[l] * sy;
+    }
+}
+
+void bolan_query_solve(const query *q, uint32_t steps, query_block *block) {
+    uint32_t lanes = QUERY_ALL_LANES;
+    for (uint32_t i = 0;; i++) {
+        attenuate(q, lanes, i < 2, block); // later steps are of millimetres
+        q->kernels->evaluate(&q->sea, lanes, block);
+        lanes = left_of(lanes, block);
+        if (lanes == 0 || i >= steps) break;
+        newton(lanes, block);
+    }
+    refine(block);
+    if (q->water->layer_count > 0) add_layers(q, block);
 }
 
 // True if the last step was not small enough, or the map is nearly singular there.
 static bool is_hard(const query_block *b, uint32_t l) {
-    return b->rx[l] * b->rx[l] + b->ry[l] * b->ry[l] > CONVERGED * CONVERGED || b->determinant[l] < FOLD_DETERMINANT;
+    return !has_converged(b, l) || query_determinant(b, l) < FOLD_DETERMINANT;
 }
 
-static void solve_block(const query *q, bool full, uint32_t lanes, query_block *b) {
+static void solve_block(const query *q, uint32_t lanes, query_block *b) {
     q->kernels->locate(&q->sea, b);
     settle(q, b);
-    bolan_query_solve(q, QUERY_STEPS, true, b);
-    bolan_query_evaluate(q, full, b);
-    bool evaluated_in_full = full;
-    for (uint32_t l = 0; l < lanes; l++) {
-        if (!is_hard(b, l)) continue;
-        if (!evaluated_in_full) evaluate(q, true, b);
-        evaluated_in_full = true;
-        bolan_query_search_folds(q, b, l);
-    }
+    if (q->sea.choppiness > 0.0f) q->kernels->approach(&q->sea, b);
+    bolan_query_solve(q, QUERY_STEPS, b);
+    for (uint32_t l = 0; l < lanes; l++)
+        if (is_hard(b, l)) bolan_query_search_folds(q, b, l);
 }
 
 // Loads the points [first, first + lanes); the lanes that are left over and points that are not finite stand at the
@@ -119,16 +172,18 @@ static void load_block(const bolan_dvec2 *xy, uint32_t lanes, query_block *b) {
         b->x[l] = valid ? xy[l].x : 0.0;
         b->y[l] = valid ? xy[l].y : 0.0;
         b->ox[l] = b->oy[l] = 0.0f;
-        for (uint32_t c = 0; c < BOLAN_MAX_CASCADES; c++) b->attenuation[c][l] = 1.0f;
+        for (uint32_t c = 0; c < BOLAN_MAX_CASCADES; c++) {
+            b->attenuation[c][l] = 1.0f;
+            b->lean_x[c][l] = b->lean_y[c][l] = 0.0f;
+        }
     }
 }
 
 // Normal of the displaced surface: the cross product of its tangents along the rest axes, with the sign that points up.
 static bolan_vec3 normal_of(const query_block *b, uint32_t l) {
-    const float sign = b->jxx[l] * b->jyy[l] < b->jxy[l] * b->jxy[l] ? -1.0f : 1.0f;
-    const bolan_vec3 n = {-(b->slope_x[l] * b->jyy[l] - b->slope_y[l] * b->jxy[l]) * sign,
-                          -(b->slope_y[l] * b->jxx[l] - b->slope_x[l] * b->jxy[l]) * sign,
-                          (b->jxx[l] * b->jyy[l] - b->jxy[l] * b->jxy[l]) * sign};
+    const float determinant = query_determinant(b, l), sign = determinant < 0.0f ? -1.0f : 1.0f;
+    const bolan_vec3 n = {-(b->slope_x[l] * b->jyy[l] - b->slope_y[l] * b->jyx[l]) * sign,
+                          -(b->slope_y[l] * b->jxx[l] - b->slope_x[l] * b->jxy[l]) * sign, determinant * sign};
     return bolan_v3_length(n) > 0.0f ? bolan_v3_normalize(n) : bolan_v3(0.0f, 0.0f, 1.0f);
 }
 
@@ -136,7 +191,7 @@ static bolan_query_point point_of(const query *q, const query_block *b, uint32_t
     bolan_query_point p;
     p.height = (float)(q->water->level + (double)b->height[l]);
     p.normal = normal_of(b, l);
-    p.jacobian = b->jxx[l] * b->jyy[l] - b->jxy[l] * b->jxy[l];
+    p.jacobian = query_determinant(b, l);
     p.residual = sqrtf(b->rx[l] * b->rx[l] + b->ry[l] * b->ry[l]);
     return p;
 }
@@ -160,7 +215,7 @@ static void do_blocks(void *context, uint32_t begin, uint32_t end, uint32_t work
         const uint32_t first = i * QUERY_LANES;
         const uint32_t lanes = t->count - first < QUERY_LANES ? t->count - first : QUERY_LANES;
         load_block(t->xy + first, lanes, &b);
-        solve_block(&t->q, t->out != NULL, lanes, &b);
+        solve_block(&t->q, lanes, &b);
         write_block(t, first, lanes, &b);
     }
 }
@@ -171,11 +226,6 @@ static query_cascade cascade_of(const bolan_cascade_view *v) {
     return (query_cascade){.height = v->height,
                            .dx = v->dx,
                            .dy = v->dy,
-                           .slope_x = v->slope_x,
-                           .slope_y = v->slope_y,
-                           .dxx = v->dxx,
-                           .dyy = v->dyy,
-                           .dxy = v->dxy,
                            .n = v->n,
                            .cells_per_metre = (float)(v->n / v->length),
                            .c = (float)c,
@@ -189,6 +239,7 @@ static query query_of(const bolan_water *water) {
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     query q = {.kernels = bolan_query_kernels_for(desc->cpu), .water = water, .time = bolan_sea_time(sea)};
     q.sea.choppiness = (float)desc->choppiness;
+    q.sea.warp = *bolan_sea_warp_of(sea);
     q.sea.sum = bolan_sea_sum(sea);
     if (q.sea.sum) {
         q.sea.sum_fields = bolan_sum_fields_for(desc->cpu);

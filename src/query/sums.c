@@ -17,7 +17,7 @@ typedef struct fields {
 
 _Static_assert((int)QUERY_LANES == (int)SUM_LANES, "a block of points is one call of the sum's kernel");
 
-// The fields at the rest points, as shallow water leaves them.
+// The fields at the rest points, in deep water.
 static void fields_of(const query_sea *sea, const query_block *block, fields *out) {
     double x[QUERY_LANES], y[QUERY_LANES];
     for (int l = 0; l < QUERY_LANES; l++) {
@@ -25,45 +25,31 @@ static void fields_of(const query_sea *sea, const query_block *block, fields *ou
         y[l] = block->y[l] + (double)block->oy[l];
     }
     sea->sum_fields(sea->sum, x, y, NULL, out->at);
-    for (int f = 0; f < SEA_FIELDS; f++) {
-        for (int l = 0; l < QUERY_LANES; l++) out->at[f][l] *= block->attenuation[0][l];
-    }
 }
 
-static void set_residual(const query_sea *sea, const fields *f, query_block *block) {
-    for (int l = 0; l < QUERY_LANES; l++) {
-        block->rx[l] = block->ox[l] + sea->choppiness * f->at[FIELD_DX][l];
-        block->ry[l] = block->oy[l] + sea->choppiness * f->at[FIELD_DY][l];
-    }
+static void approach(const query_sea *sea, query_block *block) { // Newton's steps begin at the point itself
+    (void)sea, (void)block;
 }
 
-static void step(const query_sea *sea, uint32_t cascades, query_block *block) {
-    (void)cascades;
+static void evaluate(const query_sea *sea, uint32_t lanes, query_block *block) {
     const float c = sea->choppiness;
     fields f;
     fields_of(sea, block, &f);
-    set_residual(sea, &f, block);
     for (int l = 0; l < QUERY_LANES; l++) {
-        const float xy = c * f.at[FIELD_DXY][l];
-        query_newton(block, l, 1.0f + c * f.at[FIELD_DXX][l], xy, xy, 1.0f + c * f.at[FIELD_DYY][l]);
+        if (!(lanes >> l & 1)) continue;
+        const float keep = block->attenuation[0][l], lift = keep * sea->lift[0]; // a product of two that are attenuated
+        const float dx = f.at[FIELD_DX][l], dy = f.at[FIELD_DY][l], height = f.at[FIELD_HEIGHT][l];
+        const float lean_x = block->lean_x[0][l], lean_y = block->lean_y[0][l], twice = height + 2.0f * lift;
+        block->rx[l] = block->ox[l] + c * (keep * dx);
+        block->ry[l] = block->oy[l] + c * (keep * dy);
+        block->height[l] = keep * (height + lift);
+        block->slope_x[l] = keep * f.at[FIELD_SLOPE_X][l] + twice * lean_x;
+        block->slope_y[l] = keep * f.at[FIELD_SLOPE_Y][l] + twice * lean_y;
+        block->jxx[l] = 1.0f + c * (keep * f.at[FIELD_DXX][l] + dx * lean_x);
+        block->jyy[l] = 1.0f + c * (keep * f.at[FIELD_DYY][l] + dy * lean_y);
+        block->jxy[l] = c * (keep * f.at[FIELD_DXY][l] + dx * lean_y);
+        block->jyx[l] = c * (keep * f.at[FIELD_DXY][l] + dy * lean_x);
     }
 }
 
-static void evaluate(const query_sea *sea, bool full, query_block *block) {
-    (void)full; // all fields come at once
-    const float c = sea->choppiness;
-    fields f;
-    fields_of(sea, block, &f);
-    set_residual(sea, &f, block);
-    for (int l = 0; l < QUERY_LANES; l++) {
-        const float keep = block->attenuation[0][l];
-        block->height[l] = f.at[FIELD_HEIGHT][l] + keep * keep * sea->lift[0]; // a product of two that are attenuated
-        block->slope_x[l] = f.at[FIELD_SLOPE_X][l];
-        block->slope_y[l] = f.at[FIELD_SLOPE_Y][l];
-        block->jxx[l] = 1.0f + c * f.at[FIELD_DXX][l];
-        block->jyy[l] = 1.0f + c * f.at[FIELD_DYY][l];
-        block->jxy[l] = c * f.at[FIELD_DXY][l];
-    }
-}
-
-const query_kernels bolan_query_sum_kernels = {locate, step, evaluate};
+const query_kernels bolan_query_sum_kernels = {locate, approach, evaluate};

@@ -4,6 +4,7 @@
 #include "waves/sum/exp_cosine.h"
 
 #include "renderer.h"
+#include "sea_gpu.h"
 #include "shader_source.h"
 #include "wave_layers.h"
 
@@ -98,13 +99,21 @@ static void fill_lift(fields_block *b, const bolan_sea *sea, uint32_t cascade, d
 }
 
 static void fill_cascades(fields_block *b, const bolan_sea *sea, bolan_dvec3 origin) {
+    const bolan_sea_warp warp = bolan_sea_get_warp(sea);
+    double unused[4];
+    const bolan_dvec2 place = bolan_sea_place_read(sea, origin.x, origin.y, unused);
+    if (b->cascade_count > 0) {
+        const bolan_cascade_view first = bolan_sea_cascade(sea, 0);
+        const bolan_dvec3 still = {origin.x - first.origin_x, origin.y - first.origin_y, 0.0}; // the water drifts
+        b->warp_count = (int32_t)bolan_warp_waves_at(&warp, still, b->warp_wave);
+        b->warp_at_origin = (bolan_vec2){(float)(place.x - still.x), (float)(place.y - still.y)};
+    }
     for (uint32_t c = 0; c < (uint32_t)b->cascade_count; ++c) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
         const double ca = cos(v.angle) / v.length, sa = sin(v.angle) / v.length, texel = v.length / v.n;
         // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
-        const double x = origin.x - v.origin_x, y = origin.y - v.origin_y;
-        b->tile[c] = (bolan_vec4){(float)(fraction(x * ca + y * sa) + 0.5 / v.n),
-                                  (float)(fraction(y * ca - x * sa) + 0.5 / v.n), (float)ca, (float)sa};
+        b->tile[c] = (bolan_vec4){(float)(fraction(place.x * ca + place.y * sa) + 0.5 / v.n),
+                                  (float)(fraction(place.y * ca - place.x * sa) + 0.5 / v.n), (float)ca, (float)sa};
         b->band[c] = (bolan_vec4){(float)(4.0 * sqrt(v.variance)), (float)texel,
                                   (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length), 0.0f};
         fill_lift(b, sea, c, texel);

@@ -11,9 +11,11 @@ typedef struct fields_block {
     bolan_vec4 tile[BOLAN_MAX_CASCADES], band[BOLAN_MAX_CASCADES], lift[13];
     bolan_vec4 layer_wave[BOLAN_MAX_WAVE_LAYERS], layer_area[BOLAN_MAX_WAVE_LAYERS],
         layer_extent[BOLAN_MAX_WAVE_LAYERS];
+    bolan_vec4 warp_wave[BOLAN_WARP_WAVES];
     int32_t cascade_count, wave_count;
     float sharpness, mean, wave_height, choppiness, foam_threshold, level;
-    int32_t layer_count, padding[3];
+    int32_t layer_count, warp_count;
+    bolan_vec2 warp_at_origin;
 } fields_block;
 
 typedef struct host_fields {

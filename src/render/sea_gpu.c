@@ -242,14 +242,31 @@ static void set_lift(water_block *b, const bolan_sea *sea) {
     }
 }
 
+// The waves of the warp with their phases at an origin; returns how many.
+uint32_t bolan_warp_waves_at(const bolan_sea_warp *warp, bolan_dvec3 origin, vec4 out[BOLAN_WARP_WAVES]) {
+    for (uint32_t i = 0; i < warp->count; ++i) {
+        const double kx = warp->wave[i].kx, ky = warp->wave[i].ky,
+                     turns = kx * origin.x + ky * origin.y + warp->wave[i].phase;
+        const double amplitude = (warp->wave[i].ay * kx - warp->wave[i].ax * ky) / (kx * kx + ky * ky);
+        out[i] = (vec4){(float)kx, (float)ky, (float)(turns - floor(turns)), (float)amplitude};
+    }
+    return warp->count;
+}
+
 // Where the eye stands in each tile, reduced in double so that the GPU never sees a large coordinate.
 static void set_cascades(water_block *b, const render_view *view) {
+    const bolan_sea_warp warp = bolan_sea_get_warp(view->frame->sea);
+    double unused[4];
+    const bolan_dvec2 eye = bolan_sea_place_read(view->frame->sea, view->eye.x, view->eye.y, unused);
+    const bolan_cascade_view first = bolan_sea_cascade(view->frame->sea, 0);
+    const bolan_dvec3 still = {view->eye.x - first.origin_x, view->eye.y - first.origin_y, 0.0}; // the water drifts
+    b->warp_count = (int)bolan_warp_waves_at(&warp, still, b->warp_wave_of);
+    b->warp_at_eye = (bolan_vec2){(float)(eye.x - still.x), (float)(eye.y - still.y)};
     b->cascade_count = (int)bolan_sea_cascade_count(view->frame->sea);
     for (int c = 0; c < b->cascade_count; ++c) {
         bolan_cascade_view v = bolan_sea_cascade(view->frame->sea, (uint32_t)c);
         double ca = cos(v.angle), sa = sin(v.angle);
-        double x = view->eye.x - v.origin_x, y = view->eye.y - v.origin_y;
-        double u = along_tile(x, y, ca, sa) / v.length, w = across_tile(x, y, ca, sa) / v.length;
+        double u = along_tile(eye.x, eye.y, ca, sa) / v.length, w = across_tile(eye.x, eye.y, ca, sa) / v.length;
         double texel = v.length / v.n;
         // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
         b->cascade_tile[c] = (vec4){(float)(u - floor(u) + 0.5 / v.n), (float)(w - floor(w) + 0.5 / v.n),

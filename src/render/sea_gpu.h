@@ -54,5 +54,8 @@ void bolan_sea_gpu_bind(const sea_gpu *p, water_waves waves);
 // Fills what waves.glsl reads of the block Water: the sea's own members, and where the eye stands in its fields.
 void bolan_sea_gpu_fill(water_block *b, const render_view *v, water_waves waves);
 void bolan_sea_gpu_free(sea_gpu *p);
+// The waves of the warped plane with their phases at an origin, as warp_wave_of of shaders/shared/water_block.glsl;
+// returns how many.
+uint32_t bolan_warp_waves_at(const bolan_sea_warp *warp, bolan_dvec3 origin, vec4 out[BOLAN_WARP_WAVES]);
 
 #endif

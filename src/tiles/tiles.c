@@ -148,13 +148,25 @@ static void gather_light(void *context, uint32_t begin, uint32_t end, uint32_t w
     }
 }
 
-// Share of foam by the fold of the surface at the moment.
-static void find_foam(const bolan_sea *sea, const bolan_cascade_view *c, float *foam) {
-    const double chop = bolan_sea_get_desc(sea)->choppiness, threshold = bolan_sea_foam_threshold(sea);
-    for (size_t i = 0; i < (size_t)c->n * c->n; i++) {
-        const double xx = 1.0 + chop * (double)c->dxx[i], yy = 1.0 + chop * (double)c->dyy[i],
-                     xy = chop * (double)c->dxy[i];
-        foam[i] = (float)fmin(fmax((threshold - (xx * yy - xy * xy)) / 0.15 + 0.5, 0.0), 1.0);
+// Heights of the texels, and the share of foam by the fold of the surface at the moment.
+static void sample_texels(const bolan_sea *sea, const bolan_cascade_view *c, float *height, float *foam) {
+    enum { RUN = 32 }; // the least resolution
+    const double threshold = bolan_sea_foam_threshold(sea), lift = bolan_sea_lift(sea, 0, 0.0);
+    const double texel = c->length / c->n;
+    double ca, sa;
+    bolan_sincos(c->angle, &sa, &ca);
+    bolan_dvec2 at[RUN];
+    bolan_sea_sample sample[RUN];
+    for (size_t first = 0; first < (size_t)c->n * c->n; first += RUN) {
+        for (size_t i = 0; i < RUN; i++) {
+            const double u = texel * (double)((first + i) % c->n), v = texel * (double)((first + i) / c->n);
+            at[i] = (bolan_dvec2){u * ca - v * sa, u * sa + v * ca};
+        }
+        bolan_sea_sample_rest(sea, at, RUN, sample);
+        for (size_t i = 0; i < RUN; i++) {
+            height[first + i] = (float)((double)sample[i].height - lift);
+            foam[first + i] = (float)fmin(fmax((threshold - (double)sample[i].jacobian) / 0.15 + 0.5, 0.0), 1.0);
+        }
     }
 }
 
@@ -164,10 +176,9 @@ static void bake_frame(bake *b, const bolan_sea *sea, uint32_t frame) {
     const size_t size = (size_t)c.n * c.n;
     const double texel = c.length / c.n, sigma = sqrt(fmax(c.variance, 1e-12)), steep = sqrt(fmax(c.mss, 1e-8));
     float *height = b->tiles->height + frame * size;
-    memcpy(height, c.height, size * sizeof(float));
+    sample_texels(sea, &c, height, b->scratch);
     const double s = b->desc->bump / texel * (b->desc->paper ? 1.0 : 0.5);
     bolan_tile_normals(height, c.n, s, b->tiles->bytes + 3 * frame * size);
-    find_foam(sea, &c, b->scratch);
     paint(b->desc, height, b->scratch, c.n, texel, sigma, steep, b->tiles->bytes + 3 * texels(v) + 3 * frame * size);
 }
 
@@ -191,16 +202,27 @@ static bolan_result check(const bolan_sea *sea, const bolan_tiles_desc *d) {
 #define NET 0.7
 #define DEEPEST_NET 2.0 // [m]
 
-static double best_depth(const bolan_cascade_view *c, double index) {
+// The spline through the heights at a sample.
+static double height_at(const bolan_cascade_view *c, uint32_t i, uint32_t j) {
+    static const double weight[3] = {1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0};
     const uint32_t n = c->n, m = n - 1;
+    double sum = 0.0;
+    for (uint32_t b = 0; b < 3; b++)
+        for (uint32_t a = 0; a < 3; a++)
+            sum += weight[a] * weight[b] * (double)c->height[((j + b - 1) & m) * n + ((i + a - 1) & m)];
+    return sum;
+}
+
+static double best_depth(const bolan_cascade_view *c, double index) {
+    const uint32_t n = c->n;
     const double texel = c->length / n;
     double sum = 0.0;
     for (uint32_t j = 0; j < n; j++)
         for (uint32_t i = 0; i < n; i++) {
-            const float *h = c->height; // over two texels, as the rays take their slopes
-            const double around = (double)h[j * n + ((i + 2) & m)] + (double)h[j * n + ((i - 2) & m)] +
-                                  (double)h[((j + 2) & m) * n + i] + (double)h[((j - 2) & m) * n + i];
-            const double l = (around - 4.0 * (double)h[j * n + i]) / (4.0 * texel * texel);
+            // over two texels, as the rays take their slopes
+            const double around =
+                height_at(c, i + 2, j) + height_at(c, i - 2, j) + height_at(c, i, j + 2) + height_at(c, i, j - 2);
+            const double l = (around - 4.0 * height_at(c, i, j)) / (4.0 * texel * texel);
             sum += l * l;
         }
     const double rms = sqrt(sum / ((double)n * n));

@@ -10,14 +10,10 @@
 // of three Gaussians with eta, whose mean is 0. That is the set-down of a "choppy" sea (Nouguier, Guerin & Chapron
 // 2009). Every parcel is raised by its opposite.
 //
-// The surface that is asked and drawn interpolates samples h metres apart, and a coarse grid low-passes it. Of the
-// linear interpolation of eta and D the mean (1) keeps, of its part along x,
-//
-//     sin(kx h) / (kx h) * (2 + cos(ky h)) / 3,                                                                     (2)
-//
-// and a square of two spacings s, averaged, leaves (sin(kx s)/(kx s) * sin(ky s)/(ky s))^2 of that. So the lift is a
-// table over the logarithm of the spacing, one for each band of waves. Waves of different lengths do not mix in (1):
-// the lifts add. cascades/lift.c and sum/build.c fill the tables.
+// The surface that is asked and drawn has every wave at its amplitude (cascades/spline.h), and so this mean. A coarse
+// grid low-passes it: a square of two spacings s, averaged, leaves (sin(kx s)/(kx s) * sin(ky s)/(ky s))^2 of it. So
+// the lift is a table over the logarithm of the spacing, one for each band of waves. Waves of different lengths do not
+// mix in (1): the lifts add. cascades/lift.c and sum/build.c fill the tables.
 #include "spectrum/portable.h"
 #include "waves/sea.h"
 

@@ -34,15 +34,15 @@ typedef struct sea_model {
 
     // The time [s] whose fields a step to `time` makes, and the frame of a loop; frame may be NULL.
     double (*shown_time)(const sea_shared *shared, double time, uint32_t *frame);
-    // Makes the fields of `shown`. `decay` is the factor on the foam memory; 0 restarts it.
-    void (*step)(bolan_sea *sea, double shown, float decay);
+    // Makes the fields of an instant. Ticks are asked of models that remember alone.
+    void (*step)(bolan_sea *sea, const sea_instant *instant);
 
     // See bolan_sea_sample_rest() and bolan_sea_sample_grid(), whose arguments were checked.
     void (*sample_rest)(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
     void (*sample_grid)(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
                         bolan_sea_sample *out);
     // Adds the exact fields at a rest point to `out`, without the lift.
-    void (*sample_direct)(const sea_shared *shared, double x, double y, double shown, sea_sums *out);
+    void (*sample_direct)(const sea_shared *shared, bolan_dvec2 at, bolan_dvec2 drift, double shown, sea_sums *out);
 
     // Calls `visit` for every mode or wave, in a fixed order.
     void (*each_wave)(const sea_shared *shared, sea_visit *visit, void *context);

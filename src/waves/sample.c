@@ -5,14 +5,14 @@
 #define STEEPEST 0.1 // smallest |Jacobian| that a slope is divided by: where the surface folds it is vertical
 
 bolan_sea_sample bolan_sea_displaced(const sea_sums *v, double choppiness) {
-    const double xx = 1.0 + choppiness * v->dxx, yy = 1.0 + choppiness * v->dyy, xy = choppiness * v->dxy;
-    const double jacobian = xx * yy - xy * xy;
+    const double xx = 1.0 + choppiness * v->dxx, yy = 1.0 + choppiness * v->dyy;
+    const double xy = choppiness * v->dxy, yx = choppiness * v->dyx, jacobian = xx * yy - xy * yx;
     const double divisor = fabs(jacobian) > STEEPEST ? jacobian : jacobian < 0.0 ? -STEEPEST : STEEPEST;
     return (bolan_sea_sample){
         .height = (float)v->height,
         .dx = (float)(choppiness * v->dx),
         .dy = (float)(choppiness * v->dy),
-        .slope_x = (float)((v->sx * yy - v->sy * xy) / divisor),
+        .slope_x = (float)((v->sx * yy - v->sy * yx) / divisor),
         .slope_y = (float)((v->sy * xx - v->sx * xy) / divisor),
         .jacobian = (float)jacobian,
         .foam = (float)v->foam,
@@ -35,6 +35,6 @@ bolan_sea_sample bolan_sea_sample_direct(const bolan_sea *sea, double x, double 
     const sea_shared *shared = sea->shared;
     const bolan_dvec2 drift = shared->cascades > 0 ? bolan_sea_drift(shared, time) : (bolan_dvec2){0.0, 0.0};
     sea_sums v = {.height = shared->lift};
-    shared->model->sample_direct(shared, x - drift.x, y - drift.y, shared->model->shown_time(shared, time, NULL), &v);
+    shared->model->sample_direct(shared, (bolan_dvec2){x, y}, drift, shared->model->shown_time(shared, time, NULL), &v);
     return bolan_sea_displaced(&v, shared->desc.choppiness);
 }

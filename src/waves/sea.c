@@ -6,10 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#define LONGEST_TICK 0.5    // [s] a step forward that the foam memory survives
-#define SETTLE_TICK 0.25    // [s]
-#define LARGEST_TIME 0x1p36 // [s]: 2000 years; beyond, phases would lose their meaning in double
-
 bolan_sea_desc bolan_sea_desc_default(void) {
     bolan_sea_desc desc;
     memset(&desc, 0, sizeof desc); // the padding too: equal descs are equal bytes
@@ -86,8 +82,7 @@ static void forget_measured(sea_shared *s) {
     s->desc.sea_state.measured = NULL;
 }
 
-// Numbers of seas and of their fields, one row for both: never 0, never twice.
-static uint64_t next_number(void) {
+uint64_t bolan_sea_next_number(void) {
     static atomic_uint_fast64_t last;
     return atomic_fetch_add_explicit(&last, 1, memory_order_relaxed) + 1;
 }
@@ -119,6 +114,7 @@ static spectrum_eval eval_of(const sea_shared *shared) {
 static bool create_tables(sea_shared *shared) {
     const spectrum_eval eval = eval_of(shared);
     if (!shared->model->create(shared, &eval)) return false;
+    bolan_sea_foam_prepare(shared);
     for (uint32_t i = 0; i < shared->bands; i++) shared->lift += shared->band[i].lift.level[0];
     return bolan_sea_slopes_create(shared);
 }
@@ -128,7 +124,7 @@ static sea_shared *create_shared(const bolan_sea_desc *desc) {
     sea_shared *shared = bolan_sea_borrow(sizeof *shared);
     if (!shared) return NULL;
     atomic_init(&shared->owners, 1);
-    shared->id = next_number();
+    shared->id = bolan_sea_next_number();
     describe(shared, desc, true);
     if (create_tables(shared)) return shared;
     leave(shared);
@@ -210,42 +206,6 @@ void bolan_sea_destroy(bolan_sea **sea) {
     *sea = NULL;
 }
 
-// ---- stepping -------------------------------------------------------------------------------------------------------
-
-double bolan_sea_reduced_time(const sea_shared *shared, double time, uint32_t *frame) {
-    if (frame) *frame = 0;
-    return fmod(time, shared->period > 0.0 ? shared->period : LARGEST_TIME);
-}
-
-bolan_dvec2 bolan_sea_drift(const sea_shared *shared, double time) {
-    const double t = fmod(time, LARGEST_TIME);
-    return (bolan_dvec2){shared->desc.sea_state.current_x * t, shared->desc.sea_state.current_y * t};
-}
-
-void bolan_sea_step(bolan_sea *sea, double time) {
-    BOLAN_ASSERT(sea && isfinite(time));
-    const sea_model *model = sea->shared->model;
-    const double dt = time - sea->time;
-    const bool continues = sea->foam_holds && dt >= 0.0 && dt <= LONGEST_TICK;
-    if (continues && dt == 0.0) return; // the same fields, and a foam memory that has not aged
-    const double shown = model->shown_time(sea->shared, time, &sea->frame);
-    model->step(sea, shown, continues ? (float)portable_exp(-dt / sea->shared->desc.foam_decay) : 0.0f);
-    sea->time = time;
-    sea->foam_holds = true;
-    sea->serial = next_number();
-}
-
-void bolan_sea_settle(bolan_sea *sea, double time) {
-    BOLAN_ASSERT(sea && isfinite(time));
-    const double first = floor((time - 4.0 * sea->shared->desc.foam_decay) / SETTLE_TICK);
-    sea->foam_holds = false;
-    for (double tick = first; tick * SETTLE_TICK < time && sea->shared->model->remembers; tick += 1.0) {
-        bolan_sea_step(sea, tick * SETTLE_TICK);
-        if (tick + 1.0 == tick) break; // a time so large that ticks cannot be told apart
-    }
-    bolan_sea_step(sea, time);
-}
-
 // ---- reading --------------------------------------------------------------------------------------------------------
 
 double bolan_sea_time(const bolan_sea *sea) {
@@ -287,6 +247,20 @@ bolan_sea_loop bolan_sea_get_loop(const bolan_sea *sea) {
     BOLAN_ASSERT(sea);
     return (bolan_sea_loop){.period = sea->shared->period, .frames = sea->shared->frames, .frame = sea->frame};
 }
+
+bolan_dvec2 bolan_sea_place_read(const bolan_sea *sea, double x, double y, double gradient[4]) {
+    BOLAN_ASSERT(sea && gradient);
+    const bolan_dvec2 drift =
+        sea->shared->cascades > 0 ? bolan_sea_drift(sea->shared, sea->time) : (bolan_dvec2){0.0, 0.0};
+    return bolan_sea_warped(&sea->shared->warp, x - drift.x, y - drift.y, gradient);
+}
+
+bolan_sea_warp bolan_sea_get_warp(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return sea->shared->warp;
+}
+
+const bolan_sea_warp *bolan_sea_warp_of(const bolan_sea *sea) { return &sea->shared->warp; }
 
 const sea_band *bolan_sea_bands(const bolan_sea *sea, uint32_t *count) {
     *count = sea->shared->bands;

@@ -53,6 +53,9 @@ typedef struct sea_band {
     sea_lift lift;
 } sea_band;
 
+// bolan_sea_place_read() with this warp.
+bolan_dvec2 bolan_sea_warped(const bolan_sea_warp *warp, double x, double y, double gradient[4]);
+
 struct sea_model;
 struct slope_map;
 
@@ -62,8 +65,10 @@ typedef struct sea_shared {
     uint64_t id;
     bolan_sea_desc desc; // defaults resolved; without the measured spectrum
     const struct sea_model *model;
-    void *tables;      // of the model
-    double period;     // of the loop [s]; 0: the sea does not repeat
+    void *tables;                                     // of the model
+    double period;                                    // of the loop [s]; 0: the sea does not repeat
+    double tick, loop_ticks, memory_ticks, tick_loss; // of the foam memory [s], of a loop, remembered, lost: see foam.c
+    bolan_sea_warp warp;
     uint32_t frames;   // of a loop of still frames; 0: the sea moves on all the time
     uint32_t cascades; // 0 with a sum
     uint32_t components;
@@ -87,11 +92,15 @@ struct bolan_sea {
     uint64_t serial;
     double time;
     uint32_t frame;    // of the loop
-    bool foam_holds;   // the foam memory belongs to `time`
+    double tick;       // number of the tick in the foam memory
+    bool foam_holds;   // `tick` belongs to `time`
+    bool foam_empty;   // nothing is remembered of that tick
     void *fields;      // of the model
     sea_memory memory; // all of the fields
 };
 
+// The plane that the tiles of a sea are read over.
+const bolan_sea_warp *bolan_sea_warp_of(const bolan_sea *sea);
 // The bands of a sea, bolan_sea_lift() index by index.
 const sea_band *bolan_sea_bands(const bolan_sea *sea, uint32_t *count);
 
@@ -99,6 +108,20 @@ const sea_band *bolan_sea_bands(const bolan_sea *sea, uint32_t *count);
 
 // How far the water has moved from time 0 to `time` [m].
 bolan_dvec2 bolan_sea_drift(const sea_shared *shared, double time);
+// ---- time -----------------------------------------------------------------------------------------------------------
+
+// The most that a pinch leaves in the foam memory: water that has folded.
+#define SEA_MOST_FOAM 3.0f
+// What a step makes.
+typedef struct sea_instant {
+    double shown;     // whose fields [s], as sea_model.shown_time() has it
+    bool tick;        // nothing but the foam memory of a tick
+    float keep, lose; // factor on the foam memory of the last tick, and what it loses besides
+} sea_instant;
+// Sets the ticks; `period` is known.
+void bolan_sea_foam_prepare(sea_shared *shared);
+// Numbers of seas and of their fields, one row for both: never 0, never twice.
+uint64_t bolan_sea_next_number(void);
 
 // ---- waves ----------------------------------------------------------------------------------------------------------
 
@@ -128,8 +151,10 @@ double bolan_sea_lift_spacing(const sea_lift *lift, int level);
 
 // Sums over the cascades or waves of the fields at one rest point, choppiness not applied, and what becomes of them
 // with it.
+//
+// dyx is dDy/dx, equal to dxy where nothing is interpolated.
 typedef struct sea_sums {
-    double height, dx, dy, sx, sy, dxx, dyy, dxy, foam;
+    double height, dx, dy, sx, sy, dxx, dyy, dxy, dyx, foam;
 } sea_sums;
 bolan_sea_sample bolan_sea_displaced(const sea_sums *sums, double choppiness);
 

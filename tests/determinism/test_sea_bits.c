@@ -103,6 +103,30 @@ static void settling_depends_on_the_time_alone(void **state) {
     bolan_sea_destroy(&b);
 }
 
+// A film in chunks joins, and a frame alone is the frame of the film: foam is a function of time.
+static void a_frame_alone_is_the_frame_of_a_run(void **state) {
+    (void)state;
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.resolution = 64;
+    for (int i = 0; i < 3; i++) {
+        desc.foam_decay = (double[]){3.5, 0.4, 1.0}[i];
+        desc.loop_period = i == 2 ? 17.3 : 0.0;
+        desc.waves = i == 1 ? BOLAN_WAVES_TEXTURES : BOLAN_WAVES_FFT;
+        bolan_sea *run = create(desc), *alone = create(desc);
+        const double start = 1234.56, frame = i == 1 ? 1.0 : 1.0 / 30.0;
+        bolan_sea_settle(run, start);
+        for (int f = 1; f <= 100; f++) bolan_sea_step(run, start + f * frame);
+        bolan_sea_settle(alone, start + 100 * frame);
+        assert_true(all_bits(run) == all_bits(alone));
+        // without the seconds before there is less foam
+        bolan_sea_step(alone, 5000.0);
+        bolan_sea_step(alone, start + 100 * frame);
+        assert_true(all_bits(run) != all_bits(alone));
+        bolan_sea_destroy(&run);
+        bolan_sea_destroy(&alone);
+    }
+}
+
 typedef struct table {
     uint32_t count;
     sea_mode modes[40000];
@@ -114,7 +138,8 @@ static void keep_mode(void *context, const sea_mode *m) {
     t->modes[t->count++] = *m;
 }
 
-// A finer grid of the same length holds the same waves, and more.
+// A finer grid of the same length holds the same waves, and more. The coarse ring ends within cells, of which it has a
+// part of the energy.
 static void resolution_does_not_change_which_waves_there_are(void **state) {
     (void)state;
     bolan_sea_desc desc = bolan_sea_desc_default();
@@ -127,14 +152,19 @@ static void resolution_does_not_change_which_waves_there_are(void **state) {
     table *a = calloc(1, sizeof *a), *b = calloc(1, sizeof *b);
     bolan_sea_each_mode(&cascade_tables_of(coarse->shared)->cascade[0], keep_mode, a);
     bolan_sea_each_mode(&cascade_tables_of(fine->shared)->cascade[0], keep_mode, b);
-    assert_true(a->count > 1000 && b->count > 10 * a->count);
+    assert_true(a->count > 600 && b->count > 10 * a->count);
+    const double end = bolan_sea_cascade(coarse, 0).k_max - 2.0 * BOLAN_PI / 700.0;
+    uint32_t inside = 0;
     for (uint32_t i = 0; i < a->count; i++) {
         const sea_mode *m = &a->modes[i];
         uint32_t j = 0;
         while (j < b->count && (b->modes[j].kx != m->kx || b->modes[j].ky != m->ky)) j++;
         assert_true(j < b->count);
+        if (hypot(m->kx, m->ky) > end) continue;
         assert_memory_equal(&b->modes[j], m, offsetof(sea_mode, paired));
+        inside++;
     }
+    assert_true(inside > 0.8 * a->count);
     free(a);
     free(b);
     bolan_sea_destroy(&coarse);
@@ -158,5 +188,6 @@ static void another_seed_is_another_sea(void **state) {
 
 RUN_TESTS(cmocka_unit_test(instruction_sets_and_threads_do_not_matter), cmocka_unit_test(large_planes_are_no_other_sea),
           cmocka_unit_test(the_path_through_time_does_not_matter), cmocka_unit_test(settling_depends_on_the_time_alone),
+          cmocka_unit_test(a_frame_alone_is_the_frame_of_a_run),
           cmocka_unit_test(resolution_does_not_change_which_waves_there_are),
           cmocka_unit_test(another_seed_is_another_sea))

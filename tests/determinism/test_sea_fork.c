@@ -159,13 +159,13 @@ static void watch(watcher *w) {
     bolan_set_hooks(&hooks);
 }
 
-// Bytes of the fields: 9 planes of floats and 9 of halfs, less than 56 bytes a sample, with the lines between; what
-// lies between the two passes of a step; three buffers of a worker. Of a sum, 64 bytes a wave.
+// Bytes of the fields: 10 planes of floats and 9 of halfs, less than 60 bytes a sample, with the lines between; the 8
+// parts that lie between the two passes of a step; three buffers of a worker. Of a sum, 64 bytes a wave.
 static size_t most_bytes_of_fields(const bolan_sea *sea) {
     size_t bytes = 4096 + bolan_sea_component_count(sea) * 64;
     for (uint32_t i = 0; i < bolan_sea_cascade_count(sea); i++) {
         const size_t n = bolan_sea_cascade(sea, i).n;
-        bytes += 56 * n * n + 14 * 7 * 64 + n * (n / 2) * 10 * sizeof(float);
+        bytes += 60 * n * n + 15 * 7 * 64 + n * (n / 2) * 16 * sizeof(float);
         if (i == 0) bytes += bolan_threads() * 3 * (n * 32 + 144) * sizeof(float);
     }
     return bytes;

@@ -24,13 +24,30 @@ typedef struct member {
     { #name, offsetof(water_block, name) }
 #define WATER_ARRAY(name) \
     { #name "[0]", offsetof(water_block, name) }
-static const member frame_members[] = {
-    FRAME(sun_direction),     FRAME(radiance_unit), FRAME(water_reflectance), FRAME(water_index),
-    FRAME(water_attenuation), FRAME(foam_strength), FRAME(wind_direction),    FRAME(cloud_cover),
-    FRAME(cloud_base),        FRAME(surf_wave),     FRAME(surf_time),         FRAME(visibility),
-    FRAME(streak_scale),      FRAME(caustic_turn),  FRAME(caustic_travel),    FRAME(caustic_strength),
-    FRAME(water_level),       FRAME(earth_radius),  FRAME(wind_speed),        FRAME(frame_padding),
-    FRAME(given_haze_radiance), FRAME(haze_given), FRAME(given_haze_extinction), FRAME(frame_padding_end)};
+static const member frame_members[] = {FRAME(sun_direction),
+                                       FRAME(radiance_unit),
+                                       FRAME(water_reflectance),
+                                       FRAME(water_index),
+                                       FRAME(water_attenuation),
+                                       FRAME(foam_strength),
+                                       FRAME(wind_direction),
+                                       FRAME(cloud_cover),
+                                       FRAME(cloud_base),
+                                       FRAME(surf_wave),
+                                       FRAME(surf_time),
+                                       FRAME(visibility),
+                                       FRAME(streak_scale),
+                                       FRAME(caustic_turn),
+                                       FRAME(caustic_travel),
+                                       FRAME(caustic_strength),
+                                       FRAME(water_level),
+                                       FRAME(earth_radius),
+                                       FRAME(wind_speed),
+                                       FRAME(frame_padding),
+                                       FRAME(given_haze_radiance),
+                                       FRAME(haze_given),
+                                       FRAME(given_haze_extinction),
+                                       FRAME(frame_padding_end)};
 static const member view_members[] = {VIEW(view_projection),
                                       VIEW(inverse_view_projection),
                                       VIEW(eye_wrapped),
@@ -63,16 +80,16 @@ static const member view_members[] = {VIEW(view_projection),
                                       VIEW(water_wrapped),
                                       VIEW(view_padding_end)};
 static const member water_members[] = {
-    WATER_ARRAY(cascade_tile), WATER_ARRAY(cascade_band), WATER_ARRAY(cascade_lift), WATER_ARRAY(wave_component),
-    WATER_ARRAY(exp_slope),    WATER_ARRAY(shore_level),  WATER_ARRAY(ripple_tile),  WATER_ARRAY(ripple_size),
-    WATER_ARRAY(layer_wave),   WATER_ARRAY(layer_area),   WATER_ARRAY(layer_extent), WATER(grid_reach),
-    WATER(grid_azimuth),       WATER(wave_slopes),        WATER(wave_slope_share),   WATER(slope_total),
-    WATER(height_deviation),   WATER(grid_cells),         WATER(significant_height), WATER(peak_length),
-    WATER(shore_height),       WATER(choppiness),         WATER(exp_sharpness),      WATER(exp_mean),
-    WATER(mesh_lift),          WATER(look_distortion),    WATER(look_blend),         WATER(look_shininess),
-    WATER(look_ambient),       WATER(look_diffuse),       WATER(look_specular),      WATER(look_show),
-    WATER(look_effects),       WATER(cascade_count),      WATER(wave_count),         WATER(shore_present),
-    WATER(layer_count),        WATER(water_padding_first), WATER(water_padding)};
+    WATER_ARRAY(cascade_tile),   WATER_ARRAY(cascade_band), WATER_ARRAY(cascade_lift), WATER_ARRAY(warp_wave_of),
+    WATER_ARRAY(wave_component), WATER_ARRAY(exp_slope),    WATER_ARRAY(shore_level),  WATER_ARRAY(ripple_tile),
+    WATER_ARRAY(ripple_size),    WATER_ARRAY(layer_wave),   WATER_ARRAY(layer_area),   WATER_ARRAY(layer_extent),
+    WATER(grid_reach),           WATER(grid_azimuth),       WATER(wave_slopes),        WATER(wave_slope_share),
+    WATER(slope_total),          WATER(height_deviation),   WATER(grid_cells),         WATER(warp_at_eye),
+    WATER(significant_height),   WATER(peak_length),        WATER(shore_height),       WATER(choppiness),
+    WATER(exp_sharpness),        WATER(exp_mean),           WATER(mesh_lift),          WATER(look_distortion),
+    WATER(look_blend),           WATER(look_shininess),     WATER(look_ambient),       WATER(look_diffuse),
+    WATER(look_specular),        WATER(look_show),          WATER(look_effects),       WATER(cascade_count),
+    WATER(wave_count),           WATER(shore_present),      WATER(layer_count),        WATER(warp_count)};
 #define COUNT(a) (GLint)(sizeof(a) / sizeof((a)[0]))
 
 static void compare(GLuint program, const char *block, GLuint slot, const member *members, GLint count, size_t size) {

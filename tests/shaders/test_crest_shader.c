@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The parts of the crest optics: the static grid's twin, the rational forms of the facets, the foam's densities, ramps
 // and threshold, and the texels made on the CPU.
+#include "cascade_twin.h"
 #include "probe.h"
 
 #include <math.h>
@@ -9,12 +10,12 @@
 #include "bolan/surface.h"
 #include "bolan/waves.h"
 #include "render/foam_statistics.h"
-#include "shared/foam.glsl"
 #include "render/frame.h"
 #include "render/papers/foam_ramps.h"
 #include "render/sea_texels.h"
 #include "render/water_block.h"
 #include "shared/constants.glsl"
+#include "shared/foam.glsl"
 
 // ---- the static grid ------------------------------------------------------------------------------------------------
 
@@ -207,9 +208,13 @@ static void breaking_crests_cover_monahans_share(void **state) {
             double pinch = 0;
             for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
                 const bolan_cascade_view v = bolan_sea_cascade(sea, c);
-                random = random * 1664525u + 1013904223u;
-                const uint32_t at = (random >> 8) % (v.n * v.n);
-                pinch += desc.choppiness * (v.dxx[at] + v.dyy[at]);
+                double at[2];
+                for (int axis = 0; axis < 2; ++axis) {
+                    random = random * 1664525u + 1013904223u;
+                    at[axis] = v.length * (double)(random >> 8) / 16777216.0;
+                }
+                const twin_place p = twin_place_in(&v, (bolan_dvec2){at[0], at[1]});
+                pinch += desc.choppiness * (twin_linear(v.dxx, &p) + twin_linear(v.dyy, &p));
             }
             below += pinch < breaks;
         }

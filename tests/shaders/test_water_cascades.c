@@ -2,6 +2,7 @@
 // The sea of cascades as the shaders have it (shaders/common/waves.glsl) against its twins on the CPU: vertices,
 // pixels, gusts, shallow water, and what a pixel's footprint leaves to the roughness.
 #include "bolan/coast.h"
+#include "cascade_twin.h"
 #include "probe.h"
 
 #include "render/sea_gpu.h"
@@ -71,48 +72,30 @@ typedef struct sums {
     double dx, dy, z, sx, sy, xx, yy, xy, foam;
 } sums;
 
-typedef struct place {
-    size_t at[4];
-    double weight[4];
-} place;
-
-static place place_in(const bolan_cascade_view *v, double x, double y) {
-    const double c = cos(v->angle), s = sin(v->angle);
-    x -= v->origin_x, y -= v->origin_y;
-    double u = (x * c + y * s) / v->length, w = (y * c - x * s) / v->length;
-    u = (u - floor(u)) * v->n, w = (w - floor(w)) * v->n;
-    const uint32_t i = (uint32_t)u % v->n, j = (uint32_t)w % v->n, i1 = (i + 1) % v->n, j1 = (j + 1) % v->n;
-    const double a = u - floor(u), b = w - floor(w);
-    return (place){
-        {(size_t)j * v->n + i, (size_t)j * v->n + i1, (size_t)j1 * v->n + i, (size_t)j1 * v->n + i1},
-        {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b},
-    };
-}
-
-static double blend(const float *field, const place *p) {
-    double sum = 0.0;
-    for (int k = 0; k < 4; ++k) sum += p->weight[k] * (double)field[p->at[k]];
-    return sum;
-}
-
 // gust: a factor on the cascades of waves below 20 m; depth: of the water, which takes its share of each band.
 static sums twin(const bolan_sea *sea, double x, double y, double gust, double depth) {
     sums t = {0};
+    double g[4];
+    const bolan_dvec2 at = bolan_sea_place_read(sea, x, y, g);
     const uint32_t count = bolan_sea_cascade_count(sea);
     float heights[BOLAN_MAX_CASCADES], shares[BOLAN_MAX_CASCADES];
     for (uint32_t c = 0; c < count; ++c) heights[c] = (float)(4.0 * sqrt(bolan_sea_cascade(sea, c).variance));
     bolan_coast_attenuations((float)depth, heights, count, shares);
     for (uint32_t c = 0; c < count; ++c) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
-        const place p = place_in(&v, x, y);
+        const twin_place p = twin_place_in(&v, at);
         const double shallow = (double)shares[c];
         const double keep = v.k_min > 0.0 && 2.0 * BOLAN_PI / v.k_min < 20.0 ? gust * shallow : shallow;
-        t.dx += shallow * blend(v.dx, &p), t.dy += shallow * blend(v.dy, &p), t.z += shallow * blend(v.height, &p);
+        t.dx += shallow * twin_cubic(v.dx, &p), t.dy += shallow * twin_cubic(v.dy, &p),
+            t.z += shallow * twin_cubic(v.height, &p);
         t.z += shallow * shallow * bolan_sea_lift(sea, c, 0.0);
-        t.sx += keep * blend(v.slope_x, &p), t.sy += keep * blend(v.slope_y, &p);
-        t.xx += keep * blend(v.dxx, &p), t.yy += keep * blend(v.dyy, &p), t.xy += keep * blend(v.dxy, &p);
-        t.foam += keep * blend(v.foam, &p);
+        t.sx += keep * twin_linear(v.slope_x, &p), t.sy += keep * twin_linear(v.slope_y, &p);
+        t.xx += keep * twin_linear(v.dxx, &p), t.yy += keep * twin_linear(v.dyy, &p),
+            t.xy += keep * twin_linear(v.dxy, &p);
+        t.foam += keep * twin_linear(v.foam, &p);
     }
+    const double sx = t.sx, sy = t.sy;
+    t.sx = sx * g[0] + sy * g[2], t.sy = sx * g[1] + sy * g[3];
     return t;
 }
 
@@ -175,11 +158,11 @@ static void vertices_stand_where_the_cpu_has_them(void **state) {
 }
 
 // On a coarse mesh the shader fetches a level of its textures, the CPU averages samples: the same waves but for the
-// last octave, which holds the energy that `errors` allows, relative to the rms height of all waves (12, 33 and 30 %
+// last octave, which holds the energy that `errors` allows, relative to the rms height of all waves (13, 43 and 31 %
 // were measured).
 static void vertices_of_a_coarse_mesh_have_the_long_waves(void **state) {
     (void)state;
-    const double spacings[] = {4.0, 16.0, 64.0}, errors[] = {0.135, 0.35, 0.32}, ratios[] = {1.035, 1.36, 2.06};
+    const double spacings[] = {4.0, 16.0, 64.0}, errors[] = {0.135, 0.45, 0.33}, ratios[] = {1.035, 1.52, 1.59};
     rig r;
     rig_open(&r, 20.0, 1.0, (bolan_dvec2){5000.0, -777.0}, 33.0, false);
     for (int k = 0; k < 3; ++k) {
@@ -197,10 +180,10 @@ static void vertices_of_a_coarse_mesh_have_the_long_waves(void **state) {
             shader += pow((double)out[i][2], 2.0), cpu += pow((double)s.height, 2.0);
             error += pow((double)(out[i][2] - s.height), 2.0), energy += pow((double)all.height, 2.0);
         }
-        if (!(sqrt(error / energy) < errors[k]))
-            fail_msg("on a mesh of %.0f m off by %.3f of the rms height", spacings[k], sqrt(error / energy));
         // the shader's level is half a level finer, because its triangles blur too: more is left at the vertices
         assert_near(sqrt(shader / cpu), ratios[k], 0.05 * ratios[k]);
+        if (!(sqrt(error / energy) < errors[k]))
+            fail_msg("on a mesh of %.0f m off by %.3f of the rms height", spacings[k], sqrt(error / energy));
     }
     rig_close(&r);
 }
@@ -213,6 +196,7 @@ static void compare_pixels(const rig *r, double choppiness, double gust, double 
         "vec4(0.0)); return vec4(w.slope, w.jacobian, w.foam); }",
         4, in, COUNT, out);
     int plain = 0;
+    double error = 0.0, energy = 0.0;
     for (int i = 0; i < COUNT; ++i) {
         const bolan_dvec2 at = {r->f.eye.x + (double)in[i][0], r->f.eye.y + (double)in[i][1]};
         const sums t = twin(r->sea, at.x, at.y, gust, depth);
@@ -225,14 +209,14 @@ static void compare_pixels(const rig *r, double choppiness, double gust, double 
         if (jacobian < 0.4 || hypot(sx, sy) > 1.15) continue; // there the shader bounds them
         assert_near(out[i][0], sx, SLOPE_ERROR / jacobian / jacobian);
         assert_near(out[i][1], sy, SLOPE_ERROR / jacobian / jacobian);
-        if (!r->packed && gust == 1.0 && depth > 100.0) { // what queries answer
-            bolan_sea_sample s;
-            bolan_sea_sample_rest(r->sea, &at, 1, &s);
-            assert_near(out[i][0], s.slope_x, SLOPE_ERROR / jacobian / jacobian);
-            assert_near(out[i][1], s.slope_y, SLOPE_ERROR / jacobian / jacobian);
-        }
+        bolan_sea_sample s; // what queries answer
+        bolan_sea_sample_rest(r->sea, &at, 1, &s);
+        error += pow((double)(out[i][0] - s.slope_x), 2.0) + pow((double)(out[i][1] - s.slope_y), 2.0);
+        energy += (double)(s.slope_x * s.slope_x + s.slope_y * s.slope_y);
         ++plain;
     }
+    // The images of the shortest waves, which a linear fetch has and a spline has not: 10 % were measured.
+    if (!r->packed && gust == 1.0 && depth > 100.0) assert_true(error < 0.12 * 0.12 * energy);
     assert_true(plain > COUNT * 9 / 10);
 }
 
@@ -266,10 +250,8 @@ static const char *const rest_probe =
     "f.minor = max(f.minor, f.major / x.w); return vec4(unresolved_slopes(f), 0.0); }";
 
 // What a pixel shows of the slopes and what it leaves to the roughness make the same sum from 1 cm to 1 km, in each
-// component of the covariance. Bilinear interpolation loses up to 7 % of the sum where the pixel is narrower than the
-// texels of the shortest waves, (2 + cos kh) / 3 of a wave's power along each axis; a wide pixel shows nothing. Nothing
-// may be gained: 1 % is the scatter of 4096 places.
-static double least_sum(double width) { return width < 0.15 ? -0.075 : width < 3.0 ? -0.055 : -0.03; }
+// component of the covariance, to 3 %: the variance of 4096 places is known to sqrt(1 / 4096) = 1.6 %.
+#define SUM_ERROR 0.03
 
 static void check_energy(double from, bool packed, uint32_t taps, double aspect) {
     enum { WIDTHS = 17 };
@@ -287,14 +269,14 @@ static void check_energy(double from, bool packed, uint32_t taps, double aspect)
     run(&r, rest_probe, taps, in, WIDTHS * 2, left);
     const double total = (double)(all[0] + all[2]);
     for (int i = 0; i < WIDTHS * 2; ++i) {
-        const double width = (double)in[i][1], least = least_sum(width);
+        const double width = (double)in[i][1];
         double gain[3];
         for (int k = 0; k < 3; ++k) gain[k] = (double)(seen[i][k] + left[i][k] - all[k]) / total;
-        if (!(gain[0] + gain[2] > least && gain[0] + gain[2] < 0.01))
+        if (!(fabs(gain[0] + gain[2]) < SUM_ERROR))
             fail_msg("a pixel of %.2f m, aspect %.0f: %.3f of the slope variance gained", width, aspect,
                      gain[0] + gain[2]);
-        for (int k = 0; k < 3; ++k) // the loss is not the same along and across the wind
-            if (!(fabs(gain[k]) < 0.01 - 0.6 * least))
+        for (int k = 0; k < 3; ++k)
+            if (!(fabs(gain[k]) < SUM_ERROR))
                 fail_msg("a pixel of %.2f m, aspect %.0f: %.3f gained in component %d", width, aspect, gain[k], k);
     }
     rig_close(&r);

@@ -209,15 +209,14 @@ static void test_no_parcel_lies_above_the_answer_in_a_fold(void **state) {
         const int found = find_folds(sea, place, PLACES);
         assert_true(found >= PLACES / 2);
         const int above = count_covered(sea, place, found);
-        // The search tries sixteen starts, not all. How many layers it misses depends on the sea: one in twenty of the
-        // first.
-        if (i == 0) assert_true(above <= found / 20);
         covered += above;
         count += found;
         bolan_sea_destroy(&sea);
     }
     print_message("%d of %d folds have a layer above the answer\n", covered, count);
-    assert_true(covered <= count / 6); // one in eight of all, at twice the displacement of linear waves
+    // The search tries sixteen starts, not all: it misses one in twelve of these, at twice the displacement of linear
+    // waves.
+    assert_true(covered <= count / 8);
 }
 
 // M v = least v for the symmetric M = (xx, xy; xy, yy), whichever axis is compressed.
@@ -269,7 +268,11 @@ static void test_instruction_sets_agree_to_the_bit(void **state) {
 static void test_a_tile_away_is_the_same_even_a_thousand_kilometres_off(void **state) {
     (void)state;
     static float far_away[POINTS];
-    bolan_sea *sea = make_sea(12.0, 1.0, 1, BOLAN_CPU_AUTO);
+    bolan_sea_desc d = bolan_sea_desc_default();
+    d.waves = BOLAN_WAVES_TEXTURES; // of the open sea no tile is like another
+    bolan_sea *sea = NULL;
+    assert_int_equal(bolan_sea_create(&d, &sea), BOLAN_OK);
+    bolan_sea_step(sea, 7.0);
     const bolan_cascade_view tile = bolan_sea_cascade(sea, 0);
     const double shift = floor(1e6 / tile.length) * tile.length;
     scatter(points, POINTS);

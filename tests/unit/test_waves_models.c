@@ -216,7 +216,7 @@ static void textures_is_one_tile_of_seven_peak_waves_in_a_loop_near_ten_seconds(
     assert_true(resolved->length >= 6.0 * peak && resolved->length <= 8.0 * peak);
     assert_near(remainder(resolved->textures.period, tp), 0.0, 1e-9);
     assert_true(resolved->textures.period > 6.6 && resolved->textures.period < 13.4); // within half a period of 10 s
-    // The oracle shows the same frame as the fields: at their nodes nothing is interpolated.
+    // The oracle shows the same frame as the fields, but for the images of the shortest waves.
     bolan_sea_step(sea, 3.33);
     for (int i = 0; i < 10; i++) {
         const double node = resolved->length / 256.0;
@@ -224,7 +224,7 @@ static void textures_is_one_tile_of_seven_peak_waves_in_a_loop_near_ten_seconds(
         bolan_sea_sample s;
         bolan_sea_sample_rest(sea, &at, 1, &s);
         const bolan_sea_sample direct = bolan_sea_sample_direct(sea, at.x, at.y, 3.33);
-        assert_near(s.height, direct.height, 1e-4); // float transforms
+        assert_near(s.height, direct.height, 3e-3); // of waves of Hs 1.2 m
     }
     bolan_sea *again = test_sea(*resolved); // a resolved desc makes the same sea
     assert_near(bolan_sea_get_desc(again)->textures.period, resolved->textures.period, 0.0);

@@ -23,6 +23,7 @@ bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32
     t->kernels = bolan_sea_kernels_for(shared->desc.cpu);
     sea_radial radial;
     plan_cascades(shared, eval, count, extent, &radial);
+    if (extent.open) bolan_sea_warp_prepare(shared->desc.length, t->cascade[0].angle, &shared->warp);
     if (!bolan_fft_plan_create(shared->desc.resolution, &t->plan)) return false;
     if (!bolan_cascades_modes(shared, eval, &radial)) return false;
     for (uint32_t i = 0; i < count; i++)
@@ -30,7 +31,7 @@ bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32
     return true;
 }
 
-static const cascade_extent fft_extent = {12.0, 10.0};
+static const cascade_extent fft_extent = {16.0, 12.0, true};
 
 static bool create_fft(sea_shared *shared, const spectrum_eval *eval) {
     return bolan_cascades_create(shared, eval, shared->desc.fft.cascade_count, fft_extent);
@@ -52,7 +53,7 @@ enum { PLANE_SHIFT = 7 * 16 }; // floats
 static size_t plane_floats(const sea_cascade *c) { return (size_t)c->n * c->n + PLANE_SHIFT; }
 static size_t middle_floats(const sea_cascade *c) { return (size_t)c->n * c->strips * FFT_LANES * SEA_PARTS * 2; }
 static size_t planes_bytes(const sea_cascade *c) {
-    return (middle_floats(c) + plane_floats(c) * (SEA_FIELDS + 6)) * sizeof(float);
+    return (middle_floats(c) + plane_floats(c) * (SEA_FIELDS + 7)) * sizeof(float);
 }
 static size_t scratch_floats(uint32_t n) { return SEA_SCRATCH_BUFFERS * sea_scratch_pitch(n); }
 
@@ -64,9 +65,10 @@ static bool reserve_planes(sea_memory *memory, const sea_cascade *c, sea_planes 
     next += middle_floats(c);
     for (int f = 0; f < SEA_FIELDS; f++, next += plane) p->field[f] = next;
     p->foam = next;
-    p->displacement_half = (uint16_t *)(void *)(next + plane);
-    p->slope_half = (uint16_t *)(void *)(next + 3 * plane);
-    p->foam_half = (uint16_t *)(void *)(next + 5 * plane);
+    p->foam_tick = next + plane;
+    p->displacement_half = (uint16_t *)(void *)(next + 2 * plane);
+    p->slope_half = (uint16_t *)(void *)(next + 4 * plane);
+    p->foam_half = (uint16_t *)(void *)(next + 6 * plane);
     return true;
 }
 

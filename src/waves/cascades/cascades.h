@@ -4,12 +4,17 @@
 // How a step goes. Each cascade has n x n modes (i, j), wave vector k = (i, j) 2 pi / length in tile axes; its height
 // is real, so only j >= 0 is kept. Two parallel passes, each over strips of 16 (fft/strip.h):
 //
-//     rows     16 values of j at once: modes at time t -> 5 FFTs along i -> `middle`, transposed
-//     columns  16 values of x at once: 8 fields from the 5 by factors of j -> 4 complex FFTs along j -> fields, halfs,
+//     rows     16 values of j at once: modes at time t -> 8 FFTs along i -> `middle`, transposed
+//     columns  16 values of x at once: 8 fields from the 8 by factors of j -> 4 complex FFTs along j -> fields, halfs,
 //              foam
 //
-// Five are enough for eight fields because a factor that depends on j alone commutes with the FFT along i:
-// with u = h coth(kh)/k the rows transform h, i h, u, i u, i^2 u, and the columns multiply by j and j^2.
+// Readers interpolate between the samples, and each mode is divided by what its reader does to it (spline.h), so that
+// every wave has its amplitude everywhere. Height and displacement are read by cubic B-splines, their derivatives,
+// which pixels fetch, linearly: two divisors, each the product of one of i and one of j. A factor that depends on j
+// alone commutes with the FFT along i: with u = h coth(kh)/k the rows transform h, u, i u over the cubic divisor and h,
+// i h, u, i u, i^2 u over the linear one, and the columns multiply by j, j^2 and the divisors of j.
+//
+// A tick of the foam (sea.h) needs div D alone: three of the rows' eight FFTs, one of the columns' four.
 //
 // Who owns what. A sea_cascade is a table: written at creation, then read by every fork. What a step writes are the
 // planes and the scratch memory of one sea.
@@ -20,10 +25,14 @@
 #include "waves/model.h"
 
 enum {
-    SEA_PARTS = 5,                  // transforms along i
+    SEA_PARTS = 8,                  // transforms along i
+    SEA_TICK_PARTS = 3,             // of them the last, for a tick of the foam
     SEA_CELL = SEA_PARTS * FFT_ROW, // floats of `middle` for one (strip of x, j)
     SEA_MAX_STRIPS = FFT_MAX / 2 / FFT_LANES,
 };
+
+// The transforms along i. u = h coth(kh) / k.
+enum { PART_H, PART_U, PART_KU, PART_LINEAR_H, PART_LINEAR_KH, PART_LINEAR_U, PART_LINEAR_KU, PART_LINEAR_KKU };
 
 typedef struct sea_cascade {
     uint32_t n;
@@ -38,7 +47,9 @@ typedef struct sea_cascade {
     double *turns;                  // [strip][i][16]: w / 2 pi [1/s]
     float *inverse_k;               // [strip][i][16]: coth(kh) / |k| [m]
     float *expected;                // [strip][i][2][16]: variance of the waves k and -k [m2]
-    float *k, *k2;                  // [n]: tile wave number of index i (wrapped), and its square
+    float *k;                       // [n]: tile wave number of index i (wrapped)
+    float *cubic, *linear;          // [n]: one over the divisors along an axis (spline.h)
+    float *part[SEA_PARTS];         // [n]: what the rows multiply modes with, by PART_H ...
 } sea_cascade;
 
 // What a step writes of a cascade.
@@ -46,6 +57,7 @@ typedef struct sea_planes {
     float *middle;            // [strip of x][j][SEA_PARTS][row]
     float *field[SEA_FIELDS]; // by FIELD_HEIGHT ...
     float *foam;
+    float *foam_tick; // foam memory at the last tick
     uint16_t *displacement_half, *slope_half, *foam_half;
 } sea_planes;
 
@@ -90,9 +102,11 @@ double bolan_sea_radial_quantile(const sea_radial *radial, double share);
 double bolan_sea_wind_peak(const bolan_sea_state *state, const bolan_sea_summary *summary);
 
 // How long the first tile is where the desc leaves it open: so many peak wavelengths, and at least so many of the
-// longest waves that matter.
+// longest waves that matter. `open`: the sea has no tiles to be seen, so they are turned away from the waves' direction
+// and laid over a warped plane.
 typedef struct cascade_extent {
     double peaks, longest;
+    bool open;
 } cascade_extent;
 // Reserves the tables, resolves desc.length, and makes `count` cascades with all that is in them. Sets bands and
 // counts. False when memory is short.
@@ -106,6 +120,8 @@ void bolan_cascades_layout(sea_shared *shared, const sea_radial *radial, cascade
 void bolan_cascade_set_reach(sea_cascade *cascade);
 // Memory of the mode tables of a cascade [bytes].
 size_t bolan_cascade_table_bytes(const sea_cascade *cascade);
+// The warped plane over which a sea is read whose first tile has that length and angle.
+void bolan_sea_warp_prepare(double length, double angle, bolan_sea_warp *out);
 // Mode tables of every cascade. False when memory is short.
 bool bolan_cascades_modes(sea_shared *shared, const spectrum_eval *eval, const sea_radial *radial);
 // The lift of a cascade. False when memory is short.
@@ -117,11 +133,12 @@ void bolan_sea_each_mode(const sea_cascade *cascade, sea_visit *visit, void *con
 
 void bolan_cascades_destroy(sea_shared *shared);
 bool bolan_cascades_create_fields(bolan_sea *sea);
-void bolan_cascades_step(bolan_sea *sea, double shown, float decay);
+void bolan_cascades_step(bolan_sea *sea, const sea_instant *instant);
 void bolan_cascades_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
 void bolan_cascades_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
                                 bolan_sea_sample *out);
-void bolan_cascades_sample_direct(const sea_shared *shared, double x, double y, double shown, sea_sums *out);
+void bolan_cascades_sample_direct(const sea_shared *shared, bolan_dvec2 at, bolan_dvec2 drift, double shown,
+                                  sea_sums *out);
 
 // The part of a table that FFT and TEXTURES have in common.
 #define CASCADES_MODEL                                                                             \

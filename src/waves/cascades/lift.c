@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The lift of a cascade, by equations (1) and (2) of waves/lift.c.
+// The lift of a cascade, by equation (1) of waves/lift.c.
 #include "waves/cascades/cascades.h"
 
 typedef struct pass {
-    double interpolated[2]; // of (2): along the axis, and across it
     double averaged[LIFT_LEVELS];
 } pass;
 
@@ -21,11 +20,7 @@ static double sinc(double x) {
 
 static void set_pass(const sea_cascade *cascade, uint32_t index, pass *out) {
     const sea_lift *lift = &cascade->band->lift;
-    const double k = 2.0 * BOLAN_PI * index / cascade->length, h = cascade->length / cascade->n;
-    double s, c;
-    bolan_sincos(k * h, &s, &c);
-    out->interpolated[0] = sinc(k * h);
-    out->interpolated[1] = (2.0 + c) / 3.0;
+    const double k = 2.0 * BOLAN_PI * index / cascade->length;
     for (int l = 0; l < LIFT_LEVELS; l++) {
         const double left = sinc(k * bolan_sea_lift_spacing(lift, l));
         out->averaged[l] = left * left;
@@ -41,9 +36,7 @@ static void add_mode(void *context, const sea_mode *m) {
     const pass *x = &g->of[(uint32_t)(fabs(u) * scale + 0.5)], *y = &g->of[(uint32_t)(fabs(v) * scale + 0.5)];
     const double realised = m->re * m->re + m->im * m->im + m->back_re * m->back_re + m->back_im * m->back_im;
     const double variance = (m->paired ? 2.0 : 1.0) * realised;
-    const double kept =
-        u * u * x->interpolated[0] * y->interpolated[1] + v * v * y->interpolated[0] * x->interpolated[1];
-    const double lift = g->choppiness * m->inverse_k * variance * kept;
+    const double lift = g->choppiness * m->inverse_k * variance * (u * u + v * v);
     for (int l = 0; l < LIFT_LEVELS; l++) c->band->lift.level[l] += lift * x->averaged[l] * y->averaged[l];
 }
 

@@ -1,36 +1,28 @@
 // SPDX-License-Identifier: MIT
 // The random modes of each cascade, from the spectrum.
 //
-//     h0(k) = 1/2 (xr + i xi) sqrt(E(k)),   E(k) = integral of Psi over the cell of k,   xr, xi ~ N(0, 1)
+//     h0(k) = sqrt(E(k) / 2) e^{i phase(k)},   E(k) = integral of Psi over the part of the cell of k in the ring
 //     h(k, t) = h0(k) e^{-i w t} + conj(h0(-k)) e^{+i w t},   eta(x, t) = sum_k h(k, t) e^{i k.x}
 //
 // so that waves run toward +k and the variance of eta is the sum of E (Tessendorf 2001, section 3, with the signs and
-// the factor put right for one-sided spectra). xr and xi depend on nothing but the seed, the tile's length and the
-// lattice index: a finer grid holds the same waves and some more.
+// the factor put right for one-sided spectra). Amplitudes are those of the spectrum, phases are random: each
+// realisation has the whole energy of every band, and with a hundred waves and more in the peak the heights at a point
+// are Gaussian (Tucker, Challenor & Carter 1984 have what fixed amplitudes take from the statistics of groups where
+// waves are few). The phase depends on nothing but the seed, the tile's number and the lattice index: a finer grid
+// holds the same waves and some more.
 #include "spectrum/portable.h"
 #include "waves/cascades/cascades.h"
 
-#include <string.h>
-
-typedef struct gaussians {
+// The unit number of a mode: a random direction in the complex plane.
+typedef struct unit {
     double re, im;
-} gaussians;
+} unit;
 
-static uint64_t tile_key(uint64_t seed, double length) {
-    uint64_t bits;
-    memcpy(&bits, &length, sizeof bits);
-    return bolan_sea_mix(bolan_sea_mix(seed) ^ bits);
-}
-
-// Two normal numbers for lattice index (i, j) (Box & Muller 1958).
-static gaussians random_pair(uint64_t key, int32_t i, int32_t j) {
+static unit random_unit(uint64_t key, int32_t i, int32_t j) {
     const uint64_t index = (uint64_t)(uint32_t)i << 32 | (uint32_t)j;
-    const uint64_t a = bolan_sea_mix(key ^ bolan_sea_mix(index)), b = bolan_sea_mix(a ^ 0xd1b54a32d192ed03u);
-    const double u = ((double)(a >> 11) + 0.5) * 0x1p-53, angle = (double)(b >> 11) * (2.0 * BOLAN_PI * 0x1p-53);
-    const double radius = sqrt(-2.0 * portable_log(u));
-    double s, c;
-    bolan_sincos(angle, &s, &c);
-    return (gaussians){radius * c, radius * s};
+    unit u;
+    bolan_sincos((double)(bolan_sea_mix(key ^ bolan_sea_mix(index)) >> 11) * (2.0 * BOLAN_PI * 0x1p-53), &u.im, &u.re);
+    return u;
 }
 
 typedef struct fill {
@@ -41,21 +33,26 @@ typedef struct fill {
     uint64_t key;
 } fill;
 
-// Samples along a side of a cell: many where the spectrum changes within a cell, near the origin of the lattice.
-static int cell_samples(int32_t i, int32_t j) {
-    const int32_t a = i < 0 ? -i : i, m = a > j ? a : j;
-    return m <= 6 ? 8 : m <= 20 ? 4 : m <= 40 ? 2 : 1;
+// Samples along a side of a cell: many where the spectrum changes within a cell, near the origin of the lattice, and
+// where the ring ends within it.
+static int cell_samples(const fill *f, int32_t i, int32_t j) {
+    const sea_cascade *c = f->cascade;
+    const double k = sqrt((double)i * i + (double)j * j), scale = c->length / (2.0 * BOLAN_PI);
+    const bool edge = fabs(k - c->k_min * scale) < 0.75 || fabs(k - c->k_max * scale) < 0.75;
+    return k <= 6.0 || edge ? 8 : k <= 20.0 ? 4 : k <= 40.0 ? 2 : 1;
 }
 
 // E(k) and E(-k) [m2] of lattice index (i, j).
 static void cell_energy(const fill *f, int32_t i, int32_t j, double out[2]) {
     const sea_cascade *c = f->cascade;
     const double dk = 2.0 * BOLAN_PI / c->length;
-    const int samples = cell_samples(i, j);
+    const int samples = cell_samples(f, i, j);
     double forth = 0.0, back = 0.0;
     for (int b = 0; b < samples; b++) {
         for (int a = 0; a < samples; a++) {
             const double u = (i + (a + 0.5) / samples - 0.5) * dk, v = (j + (b + 0.5) / samples - 0.5) * dk;
+            const double k = sqrt(u * u + v * v);
+            if (k < c->k_min || k >= c->k_max) continue;
             const double kx = u * c->cosine - v * c->sine, ky = u * c->sine + v * c->cosine;
             forth += bolan_spectrum_eval_psi(f->eval, kx, ky);
             back += bolan_spectrum_eval_psi(f->eval, -kx, -ky);
@@ -74,15 +71,17 @@ static double turns_of(const sea_shared *shared, double k) {
     return period > 0.0 ? fmax(floor(turns * period + 0.5), 1.0) / period : turns;
 }
 
+#define HALF_CELL 0.70711 // from the middle of a cell to its corner
+
 static void fill_mode(const fill *f, int32_t i, int32_t j, size_t row, uint32_t lane) {
     sea_cascade *c = f->cascade;
-    const double k = 2.0 * BOLAN_PI / c->length * sqrt((double)i * i + (double)j * j);
-    if (k < c->k_min || k >= c->k_max || k == 0.0) return;
+    const double dk = 2.0 * BOLAN_PI / c->length, k = dk * sqrt((double)i * i + (double)j * j);
+    if (k < c->k_min - HALF_CELL * dk || k > c->k_max + HALF_CELL * dk || k == 0.0) return;
     double energy[2];
     cell_energy(f, i, j, energy);
     if (energy[0] + energy[1] < 1e-24) return; // less than a picometre, and out of the denormal numbers
-    const gaussians forth = random_pair(f->key, i, j), back = random_pair(f->key, -i, -j);
-    const double ef = 0.5 * sqrt(energy[0]), eb = 0.5 * sqrt(energy[1]);
+    const unit forth = random_unit(f->key, i, j), back = random_unit(f->key, -i, -j);
+    const double ef = sqrt(0.5 * energy[0]), eb = sqrt(0.5 * energy[1]);
     const double a = forth.re * ef, b = forth.im * ef, p = back.re * eb, q = -back.im * eb;
     float *amplitude = c->amplitude + row * 4 * FFT_LANES + lane;
     amplitude[0] = (float)(a + p);
@@ -112,7 +111,7 @@ static void fill_strips(void *context, uint32_t begin, uint32_t end, uint32_t wo
 }
 
 void bolan_cascade_set_reach(sea_cascade *c) {
-    const double dk = 2.0 * BOLAN_PI / c->length, outer = c->k_max / dk;
+    const double dk = 2.0 * BOLAN_PI / c->length, outer = c->k_max / dk + HALF_CELL;
     const double rows = fmin(ceil(outer), 0.5 * c->n); // j < outer
     c->strips = ((uint32_t)rows + FFT_LANES - 1) / FFT_LANES;
     for (uint32_t strip = 0; strip < c->strips; strip++) {
@@ -123,7 +122,7 @@ void bolan_cascade_set_reach(sea_cascade *c) {
 
 size_t bolan_cascade_table_bytes(const sea_cascade *c) {
     const size_t n = c->n, modes = n * c->strips * FFT_LANES;
-    return (modes * 9 + 2 * n) * sizeof(float);
+    return (modes * 9 + (3 + SEA_PARTS) * n) * sizeof(float);
 }
 
 static bool reserve_tables(sea_memory *memory, sea_cascade *c) {
@@ -135,16 +134,39 @@ static bool reserve_tables(sea_memory *memory, sea_cascade *c) {
     c->inverse_k = c->amplitude + 4 * modes;
     c->expected = c->inverse_k + modes;
     c->k = c->expected + 2 * modes;
-    c->k2 = c->k + n;
+    c->cubic = c->k + n;
+    c->linear = c->cubic + n;
+    for (int p = 0; p < SEA_PARTS; p++) c->part[p] = c->linear + (size_t)(1 + p) * n;
     return true;
 }
 
-static void fill_wave_numbers(sea_cascade *c) {
+static double sinc(double x) {
+    double s, c;
+    bolan_sincos(x, &s, &c);
+    return fabs(x) > 1e-9 ? s / x : 1.0;
+}
+
+// Wave numbers, divisors (spline.h) and factors of the transforms along i.
+static void fill_factors(sea_cascade *c) {
     const double dk = 2.0 * BOLAN_PI / c->length;
     for (uint32_t i = 0; i < c->n; i++) {
-        const double k = dk * (i < c->n / 2 ? (double)i : (double)i - c->n);
+        const double index = i < c->n / 2 ? (double)i : (double)i - c->n, k = dk * index;
+        const double left = sinc(BOLAN_PI * index / c->n), cubic = 1.0 / (left * left * left * left);
+        double sine, cosine;
+        bolan_sincos(2.0 * BOLAN_PI * index / c->n, &sine, &cosine);
+        const double linear = 1.0 / sqrt((2.0 + cosine) / 3.0);
+        const double part[SEA_PARTS] = {[PART_H] = cubic,
+                                        [PART_U] = cubic,
+                                        [PART_KU] = k * cubic,
+                                        [PART_LINEAR_H] = linear,
+                                        [PART_LINEAR_U] = linear,
+                                        [PART_LINEAR_KH] = k * linear,
+                                        [PART_LINEAR_KU] = k * linear,
+                                        [PART_LINEAR_KKU] = k * k * linear};
         c->k[i] = (float)k;
-        c->k2[i] = (float)(k * k);
+        c->cubic[i] = (float)cubic;
+        c->linear[i] = (float)linear;
+        for (int p = 0; p < SEA_PARTS; p++) c->part[p][i] = (float)part[p];
     }
 }
 
@@ -193,8 +215,8 @@ bool bolan_cascades_modes(sea_shared *shared, const spectrum_eval *eval, const s
         sea_cascade *c = &t->cascade[i];
         bolan_cascade_set_reach(c);
         if (!reserve_tables(&shared->memory, c)) return false;
-        fill_wave_numbers(c);
-        fill f = {shared, c, eval, radial, tile_key(shared->desc.seed, c->length)};
+        fill_factors(c);
+        fill f = {shared, c, eval, radial, bolan_sea_mix(bolan_sea_mix(shared->desc.seed) ^ (i + 1))};
         bolan_parallel(c->strips, 1, fill_strips, &f);
         bolan_sea_each_mode(c, add_expected, c);
     }

@@ -1,43 +1,103 @@
 // SPDX-License-Identifier: MIT
-// The fields of cascades at rest points: bilinear from the planes, filtered for a grid, and from the modes themselves
-// as the oracle.
+// The fields of cascades at rest points: by cubic splines from the planes, filtered for a grid, and from the modes
+// themselves as the oracle.
 #include "shared/cascade.glsl"
 #include "waves/cascades/cascades.h"
-
-// The four samples around a point, and their weights.
-typedef struct corners {
-    size_t at[4];
-    double weight[4];
-} corners;
+#include "waves/cascades/spline.h"
 
 static double fraction(double x) {
     const double f = x - floor(x);
     return f < 1.0 ? f : 0.0; // also 0 for what is not finite
 }
 
-static corners corners_of(const sea_cascade *c, double x, double y) {
+// A place among the samples of a cascade.
+typedef struct cell {
+    uint32_t i, j;
+    double u, v; // fractions
+} cell;
+
+static cell cell_of(const sea_cascade *c, double x, double y) {
     const double u = fraction(along_tile(x, y, c->cosine, c->sine) / c->length) * c->n;
     const double v = fraction(across_tile(x, y, c->cosine, c->sine) / c->length) * c->n;
-    const uint32_t mask = c->n - 1, i = (uint32_t)u & mask, j = (uint32_t)v & mask;
-    const double fu = u - floor(u), fv = v - floor(v);
-    const size_t row0 = (size_t)j * c->n, row1 = (size_t)((j + 1) & mask) * c->n;
-    const uint32_t next = (i + 1) & mask;
-    return (corners){{row0 + i, row0 + next, row1 + i, row1 + next},
-                     {(1.0 - fu) * (1.0 - fv), fu * (1.0 - fv), (1.0 - fu) * fv, fu * fv}};
+    return (cell){(uint32_t)u & (c->n - 1), (uint32_t)v & (c->n - 1), u - floor(u), v - floor(v)};
 }
 
-static double blend(const float *plane, const corners *k) {
-    return (k->weight[0] * plane[k->at[0]] + k->weight[1] * plane[k->at[1]]) +
-           (k->weight[2] * plane[k->at[2]] + k->weight[3] * plane[k->at[3]]);
+// The samples around a place, and their weights for the value and for its derivatives along the tile's axes, by metres.
+typedef struct spline_taps {
+    size_t at[16];
+    double weight[16], along[16], across[16];
+} spline_taps;
+
+static spline_taps taps_of(const sea_cascade *c, const cell *at) {
+    spline_taps t;
+    double wu[4], du[4], wv[4], dv[4];
+    SPLINE_WEIGHTS(double, at->u, wu, du);
+    SPLINE_WEIGHTS(double, at->v, wv, dv);
+    const double scale = c->n / c->length;
+    const uint32_t mask = c->n - 1;
+    for (uint32_t j = 0; j < 4; j++) {
+        for (uint32_t i = 0; i < 4; i++) {
+            t.at[4 * j + i] = (size_t)((at->j + j - 1) & mask) * c->n + ((at->i + i - 1) & mask);
+            t.weight[4 * j + i] = wu[i] * wv[j];
+            t.along[4 * j + i] = du[i] * wv[j] * scale;
+            t.across[4 * j + i] = wu[i] * dv[j] * scale;
+        }
+    }
+    return t;
 }
 
-// `weight` scales the displacement and slopes; the foam of what is averaged away stays.
-static void add_cascade(const sea_cascade *c, const sea_planes *p, double x, double y, double weight,
-                        double foam_weight, sea_sums *v) {
-    const corners k = corners_of(c, x, y);
-    double *const out[SEA_FIELDS] = {&v->height, &v->dx, &v->dy, &v->sx, &v->sy, &v->dxx, &v->dyy, &v->dxy};
-    for (int f = 0; f < SEA_FIELDS; f++) *out[f] += weight * blend(p->field[f], &k);
-    v->foam += foam_weight * blend(p->foam, &k);
+// Adds weight times the value to `sum`, and its gradient in world axes to `gradient`.
+static void add_spline(const sea_cascade *c, const float *plane, const spline_taps *t, double weight, double *sum,
+                       double gradient[2]) {
+    double value = 0.0, along = 0.0, across = 0.0;
+    for (int k = 0; k < 16; k++) {
+        const double sample = plane[t->at[k]];
+        value += t->weight[k] * sample;
+        along += t->along[k] * sample;
+        across += t->across[k] * sample;
+    }
+    *sum += weight * value;
+    gradient[0] += weight * (along * c->cosine - across * c->sine);
+    gradient[1] += weight * (along * c->sine + across * c->cosine);
+}
+
+static double linear(const float *plane, uint32_t n, const cell *at) {
+    const size_t row0 = (size_t)at->j * n, row1 = (size_t)((at->j + 1) & (n - 1)) * n;
+    const uint32_t next = (at->i + 1) & (n - 1);
+    return mix(mix(plane[row0 + at->i], plane[row0 + next], at->u), mix(plane[row1 + at->i], plane[row1 + next], at->u),
+               at->v);
+}
+
+// What is summed over the cascades at a place of the warped plane; gradients by that place.
+typedef struct spline_sums {
+    double height, dx, dy, foam;
+    double slope[2], east[2], north[2]; // gradients of height, dx, dy
+} spline_sums;
+
+// `weight` scales the displacement; the foam of what is averaged away stays.
+static void add_cascade(const sea_cascade *c, const sea_planes *p, bolan_dvec2 place, double weight, double foam_weight,
+                        spline_sums *v) {
+    const cell at = cell_of(c, place.x, place.y);
+    v->foam += foam_weight * linear(p->foam, c->n, &at);
+    if (weight == 0.0) return;
+    const spline_taps t = taps_of(c, &at);
+    add_spline(c, p->field[FIELD_HEIGHT], &t, weight, &v->height, v->slope);
+    add_spline(c, p->field[FIELD_DX], &t, weight, &v->dx, v->east);
+    add_spline(c, p->field[FIELD_DY], &t, weight, &v->dy, v->north);
+}
+
+// The chain rule: from gradients by the place read to gradients by the rest point.
+static sea_sums unwarped(const spline_sums *v, const double g[4]) {
+    return (sea_sums){.height = v->height,
+                      .dx = v->dx,
+                      .dy = v->dy,
+                      .foam = v->foam,
+                      .sx = v->slope[0] * g[0] + v->slope[1] * g[2],
+                      .sy = v->slope[0] * g[1] + v->slope[1] * g[3],
+                      .dxx = v->east[0] * g[0] + v->east[1] * g[2],
+                      .dxy = v->east[0] * g[1] + v->east[1] * g[3],
+                      .dyx = v->north[0] * g[0] + v->north[1] * g[2],
+                      .dyy = v->north[0] * g[1] + v->north[1] * g[3]};
 }
 
 void bolan_cascades_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count,
@@ -47,10 +107,13 @@ void bolan_cascades_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points,
     const cascade_fields *f = cascade_fields_of(sea);
     const bolan_dvec2 drift = bolan_sea_drift(shared, sea->time);
     for (uint32_t p = 0; p < count; p++) {
-        sea_sums v = {.height = shared->lift};
-        for (uint32_t i = 0; i < shared->cascades; i++)
-            add_cascade(&t->cascade[i], &f->planes[i], points[p].x - drift.x, points[p].y - drift.y, 1.0, 1.0, &v);
-        out[p] = bolan_sea_displaced(&v, shared->desc.choppiness);
+        double gradient[4];
+        const bolan_dvec2 place =
+            bolan_sea_warped(&shared->warp, points[p].x - drift.x, points[p].y - drift.y, gradient);
+        spline_sums v = {.height = shared->lift};
+        for (uint32_t i = 0; i < shared->cascades; i++) add_cascade(&t->cascade[i], &f->planes[i], place, 1.0, 1.0, &v);
+        const sea_sums sums = unwarped(&v, gradient);
+        out[p] = bolan_sea_displaced(&sums, shared->desc.choppiness);
     }
 }
 
@@ -60,7 +123,7 @@ enum { MOST_TAPS = 4, FOAM_TAPS = 2, GRAIN_POINTS = 256 }; // taps along a side 
 
 // A square of two spacings, averaged, takes a wave of two spacings out and leaves one of four at 0.64. Of a cascade
 // that has faded away its foam is left.
-static void add_filtered(const sea_cascade *c, const sea_planes *p, bolan_dvec2 at, double spacing, sea_sums *v) {
+static void add_filtered(const sea_cascade *c, const sea_planes *p, bolan_dvec2 at, double spacing, spline_sums *v) {
     const double longest = c->k_min > 0.0 ? 2.0 * BOLAN_PI / c->k_min : c->length;
     const double t = fmin(fmax(spacing > 0.0 ? 0.5 * longest / spacing - 1.0 : 1.0, 0.0), 1.0);
     const double fade = t * t * (3.0 - 2.0 * t), width = 2.0 * spacing;
@@ -69,13 +132,8 @@ static void add_filtered(const sea_cascade *c, const sea_planes *p, bolan_dvec2 
     v->height += fade * fade * bolan_sea_lift_at(&c->band->lift, spacing); // a product of two that fade
     for (int j = 0; j < taps; j++) {
         for (int i = 0; i < taps; i++) {
-            const double x = at.x + ((i + 0.5) / taps - 0.5) * width, y = at.y + ((j + 0.5) / taps - 0.5) * width;
-            if (fade > 0.0) {
-                add_cascade(c, p, x, y, fade * share, share, v);
-            } else {
-                const corners k = corners_of(c, x, y);
-                v->foam += share * blend(p->foam, &k);
-            }
+            const bolan_dvec2 tap = {at.x + ((i + 0.5) / taps - 0.5) * width, at.y + ((j + 0.5) / taps - 0.5) * width};
+            add_cascade(c, p, tap, fade * share, share, v);
         }
     }
 }
@@ -95,12 +153,15 @@ static void sample_grid_points(void *context, uint32_t begin, uint32_t end, uint
     const cascade_fields *f = cascade_fields_of(g->sea);
     const bolan_dvec2 drift = bolan_sea_drift(g->sea->shared, g->sea->time);
     for (uint32_t p = begin; p < end; p++) {
-        const bolan_dvec2 at = {g->points[p].x - drift.x, g->points[p].y - drift.y};
-        sea_sums v = {0};
+        double gradient[4];
+        const bolan_dvec2 place =
+            bolan_sea_warped(&g->sea->shared->warp, g->points[p].x - drift.x, g->points[p].y - drift.y, gradient);
+        spline_sums v = {0};
         const double spacing = g->spacing ? (double)g->spacing[p] : 0.0;
         for (uint32_t i = 0; i < g->sea->shared->cascades; i++)
-            add_filtered(&t->cascade[i], &f->planes[i], at, spacing, &v);
-        g->out[p] = bolan_sea_displaced(&v, g->sea->shared->desc.choppiness);
+            add_filtered(&t->cascade[i], &f->planes[i], place, spacing, &v);
+        const sea_sums sums = unwarped(&v, gradient);
+        g->out[p] = bolan_sea_displaced(&sums, g->sea->shared->desc.choppiness);
     }
 }
 
@@ -118,7 +179,7 @@ void bolan_cascades_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points,
 
 typedef struct direct {
     double x, y, time;
-    sea_sums *v;
+    spline_sums *v;
 } direct;
 
 static double reduced(double turns) { return 2.0 * BOLAN_PI * (turns - floor(turns + 0.5)); }
@@ -138,14 +199,20 @@ static void add_mode(void *context, const sea_mode *m) {
     d->v->height += re;
     d->v->dx -= im * m->kx * g;
     d->v->dy -= im * m->ky * g;
-    d->v->sx -= im * m->kx;
-    d->v->sy -= im * m->ky;
-    d->v->dxx -= re * m->kx * m->kx * g;
-    d->v->dyy -= re * m->ky * m->ky * g;
-    d->v->dxy -= re * m->kx * m->ky * g;
+    d->v->slope[0] -= im * m->kx;
+    d->v->slope[1] -= im * m->ky;
+    d->v->east[0] -= re * m->kx * m->kx * g;
+    d->v->east[1] -= re * m->kx * m->ky * g;
+    d->v->north[0] -= re * m->ky * m->kx * g;
+    d->v->north[1] -= re * m->ky * m->ky * g;
 }
 
-void bolan_cascades_sample_direct(const sea_shared *shared, double x, double y, double shown, sea_sums *out) {
-    direct d = {.x = x, .y = y, .time = shown, .v = out};
+void bolan_cascades_sample_direct(const sea_shared *shared, bolan_dvec2 at, bolan_dvec2 drift, double shown,
+                                  sea_sums *out) {
+    double gradient[4];
+    const bolan_dvec2 place = bolan_sea_warped(&shared->warp, at.x - drift.x, at.y - drift.y, gradient);
+    spline_sums v = {.height = out->height};
+    direct d = {.x = place.x, .y = place.y, .time = shown, .v = &v};
     bolan_cascades_each_wave(shared, add_mode, &d);
+    *out = unwarped(&v, gradient);
 }

@@ -60,9 +60,8 @@ static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t work
     while (do_next_item(s, s->fields->scratch + begin * s->fields->scratch_floats)) {}
 }
 
-void bolan_cascades_step(bolan_sea *sea, double shown, float decay) {
-    step s = {cascade_tables_of(sea->shared), cascade_fields_of(sea), sea->shared->cascades, .moment.time = shown};
-    s.moment.decay = decay;
+void bolan_cascades_step(bolan_sea *sea, const sea_instant *instant) {
+    step s = {cascade_tables_of(sea->shared), cascade_fields_of(sea), sea->shared->cascades, .moment.at = *instant};
     s.moment.choppiness = (float)sea->shared->desc.choppiness;
     const double bytes = SAMPLE_BYTES * s.cascades * s.tables->plan.n * s.tables->plan.n;
     s.moment.stream = bytes > HUGE_OUTPUT ? SEA_STREAM_ALL : bytes > LARGE_OUTPUT ? SEA_STREAM_PLANES : SEA_STREAM_NONE;

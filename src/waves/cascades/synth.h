@@ -14,8 +14,7 @@ typedef enum sea_stream {
 
 // The parameters that all strips of a step share.
 typedef struct sea_moment {
-    double time; // [s], as sea_model.shown_time() gives it
-    float decay; // factor on the foam memory; 0 restarts it
+    sea_instant at;
     float choppiness;
     sea_stream stream;
 } sea_moment;

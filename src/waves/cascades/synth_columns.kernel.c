@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Second pass of a step: eight fields from the five parts, transforms along j, and what readers want: float planes,
+// Second pass of a step: eight fields from the eight parts, transforms along j, and what readers want: float planes,
 // half texels, foam memory. cascades.h has the plan.
 //
 // Two real fields A and B share a complex transform: P = A + iB, and since A and B are Hermitian,
@@ -15,13 +15,8 @@ void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade,
 
 #define ALWAYS_INLINE inline __attribute__((always_inline))
 
-typedef struct parts {
-    pair h, kh, u, ku, kku;
-} parts;
-
-static inline parts load_parts(const float *cell) {
-    return (parts){pair_load(cell), pair_load(cell + FFT_ROW), pair_load(cell + 2 * FFT_ROW),
-                   pair_load(cell + 3 * FFT_ROW), pair_load(cell + 4 * FFT_ROW)};
+static inline pair load_part(const float *cell, int part, uint32_t lane) {
+    return pair_load(cell + part * FFT_ROW + lane);
 }
 static inline pair mix2(pair a, float fa, pair b, float fb) {
     return (pair){a.re * fa + b.re * fb, a.im * fa + b.im * fb};
@@ -47,42 +42,59 @@ static inline turn turn_of(const sea_cascade *cascade) {
     return (turn){c, s, c * c, c * s, s * s};
 }
 
+// The factors of row j: its wave number, and one over the divisors.
+typedef struct row_factors {
+    float k, cubic, linear;
+} row_factors;
+
 // Packs (dx, dy) and (height, dxy) for rows j and n - j.
-static inline void pack_displacement(const float *cell, turn t, float k, uint32_t lane, float *dxy_plus,
+static inline void pack_displacement(const float *cell, turn t, row_factors j, uint32_t lane, float *dxy_plus,
                                      float *dxy_minus, float *eta_plus, float *eta_minus) {
-    const parts p = load_parts(cell + lane);
-    const pair dx = pair_i(mix2(p.ku, t.c, p.u, -(t.s * k))), dy = pair_i(mix2(p.ku, t.s, p.u, t.c * k));
-    const pair cross = mix3(p.kku, -t.cs, p.ku, -((t.cc - t.ss) * k), p.u, t.cs * (k * k));
+    const pair u = load_part(cell, PART_U, lane), ku = load_part(cell, PART_KU, lane);
+    const float q = j.cubic, kq = j.k * j.cubic, l = j.linear;
+    const pair dx = pair_i(mix2(ku, t.c * q, u, -(t.s * kq))), dy = pair_i(mix2(ku, t.s * q, u, t.c * kq));
+    const pair cross = mix3(load_part(cell, PART_LINEAR_KKU, lane), -t.cs * l, load_part(cell, PART_LINEAR_KU, lane),
+                            -((t.cc - t.ss) * (j.k * l)), load_part(cell, PART_LINEAR_U, lane), t.cs * (j.k * j.k * l));
     pack(dxy_plus + lane, dxy_minus + lane, dx, dy);
-    pack(eta_plus + lane, eta_minus + lane, p.h, cross);
+    pack(eta_plus + lane, eta_minus + lane, pair_scale(load_part(cell, PART_H, lane), q), cross);
 }
 
-// Packs (slope_x, slope_y) and (dxx, dyy).
-static inline void pack_slopes(const float *cell, turn t, float k, uint32_t lane, float *slope_plus, float *slope_minus,
-                               float *gradient_plus, float *gradient_minus) {
-    const parts p = load_parts(cell + lane);
-    const pair sx = pair_i(mix2(p.kh, t.c, p.h, -(t.s * k))), sy = pair_i(mix2(p.kh, t.s, p.h, t.c * k));
-    const float two = 2.0f * t.cs * k;
-    const pair dxx = mix3(p.kku, -t.cc, p.ku, two, p.u, -(t.ss * (k * k)));
-    const pair dyy = mix3(p.kku, -t.ss, p.ku, -two, p.u, -(t.cc * (k * k)));
-    pack(slope_plus + lane, slope_minus + lane, sx, sy);
+// Packs (dxx, dyy).
+static inline void pack_gradient(const float *cell, turn t, row_factors j, uint32_t lane, float *gradient_plus,
+                                 float *gradient_minus) {
+    const pair u = load_part(cell, PART_LINEAR_U, lane), ku = load_part(cell, PART_LINEAR_KU, lane),
+               kku = load_part(cell, PART_LINEAR_KKU, lane);
+    const float l = j.linear, two = 2.0f * t.cs * (j.k * l), kk = j.k * j.k * l;
+    const pair dxx = mix3(kku, -t.cc * l, ku, two, u, -(t.ss * kk));
+    const pair dyy = mix3(kku, -t.ss * l, ku, -two, u, -(t.cc * kk));
     pack(gradient_plus + lane, gradient_minus + lane, dxx, dyy);
 }
 
-#define PACK_ROWS(name)                                                                                         \
-    static void name##_rows(const sea_cascade *cascade, const float *middle, uint32_t strip, float *first,      \
-                            float *second) {                                                                    \
-        const uint32_t n = cascade->n, half = cascade->strips * FFT_LANES;                                      \
-        const turn t = turn_of(cascade);                                                                        \
-        const float *cell = middle + (size_t)strip * half * SEA_CELL;                                           \
-        for (uint32_t j = 0; j < half; j++, cell += SEA_CELL) {                                                 \
-            const size_t plus = (size_t)j * FFT_ROW, minus = (size_t)((n - j) & (n - 1)) * FFT_ROW;             \
-            for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE)                                             \
-                name(cell, t, cascade->k[j], lane, first + plus, first + minus, second + plus, second + minus); \
-        }                                                                                                       \
-        const size_t empty = (size_t)(n + 1 - 2 * half) * FFT_ROW * sizeof(float);                              \
-        memset(first + (size_t)half * FFT_ROW, 0, empty);                                                       \
-        memset(second + (size_t)half * FFT_ROW, 0, empty);                                                      \
+// Packs (slope_x, slope_y) and (dxx, dyy).
+static inline void pack_slopes(const float *cell, turn t, row_factors j, uint32_t lane, float *slope_plus,
+                               float *slope_minus, float *gradient_plus, float *gradient_minus) {
+    const pair h = load_part(cell, PART_LINEAR_H, lane), kh = load_part(cell, PART_LINEAR_KH, lane);
+    const float l = j.linear, kl = j.k * j.linear;
+    const pair sx = pair_i(mix2(kh, t.c * l, h, -(t.s * kl))), sy = pair_i(mix2(kh, t.s * l, h, t.c * kl));
+    pack(slope_plus + lane, slope_minus + lane, sx, sy);
+    pack_gradient(cell, t, j, lane, gradient_plus, gradient_minus);
+}
+
+#define PACK_ROWS(name)                                                                                                \
+    static void name##_rows(const sea_cascade *cascade, const float *middle, uint32_t strip, float *first,             \
+                            float *second) {                                                                           \
+        const uint32_t n = cascade->n, half = cascade->strips * FFT_LANES;                                             \
+        const turn t = turn_of(cascade);                                                                               \
+        const float *cell = middle + (size_t)strip * half * SEA_CELL;                                                  \
+        for (uint32_t j = 0; j < half; j++, cell += SEA_CELL) {                                                        \
+            const size_t plus = (size_t)j * FFT_ROW, minus = (size_t)((n - j) & (n - 1)) * FFT_ROW;                    \
+            for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE)                                                    \
+                name(cell, t, (row_factors){cascade->k[j], cascade->cubic[j], cascade->linear[j]}, lane, first + plus, \
+                     first + minus, second + plus, second + minus);                                                    \
+        }                                                                                                              \
+        const size_t empty = (size_t)(n + 1 - 2 * half) * FFT_ROW * sizeof(float);                                     \
+        memset(first + (size_t)half * FFT_ROW, 0, empty);                                                              \
+        memset(second + (size_t)half * FFT_ROW, 0, empty);                                                             \
     }
 PACK_ROWS(pack_displacement)
 PACK_ROWS(pack_slopes)
@@ -120,11 +132,16 @@ static inline void store_slopes(const sea_planes *planes, sea_stream stream, siz
     store_texels(stream, planes->slope_half + 4 * at, s, g);
 }
 
+// What is left of the foam of the last tick, or the present pinch where it is more. Both are bounded, so that a memory
+// ends (sea.h).
+static inline wide foam_of(const float *tick, const sea_moment *moment, pair gradient) {
+    const wide present = (gradient.re + gradient.im) * -moment->choppiness, none = present - present;
+    const wide past = wide_load(tick) * moment->at.keep - moment->at.lose;
+    return wide_max(wide_max(past, wide_min(present, none + SEA_MOST_FOAM)), none);
+}
+
 static inline void store_foam(const sea_planes *planes, const sea_moment *moment, size_t at, pair gradient) {
-    const wide present = (gradient.re + gradient.im) * -moment->choppiness;
-    // The little that is taken away keeps a decaying memory out of the denormal numbers.
-    const wide past = wide_load(planes->foam + at) * moment->decay - 1e-9f;
-    const wide foam = wide_max(wide_max(past, present), present - present);
+    const wide foam = foam_of(planes->foam_tick + at, moment, gradient);
     wide_store(planes->foam + at, foam);
     wide_half_store(planes->foam_half + at, foam);
 }
@@ -171,8 +188,40 @@ static ALWAYS_INLINE void columns(const fft_plan *plan, const sea_cascade *casca
     }
 }
 
+// A tick: div D alone, and the foam memory.
+static void tick_columns(const fft_plan *plan, const sea_cascade *cascade, const sea_planes *planes,
+                         const sea_moment *moment, uint32_t strip, float *work) {
+    const uint32_t n = plan->n, half = cascade->strips * FFT_LANES;
+    const turn t = turn_of(cascade);
+    const float *cell = planes->middle + (size_t)strip * half * SEA_CELL;
+    for (uint32_t j = 0; j < half; j++, cell += SEA_CELL) {
+        float *plus = work + (size_t)j * FFT_ROW, *minus = work + (size_t)((n - j) & (n - 1)) * FFT_ROW;
+        const row_factors factors = {cascade->k[j], cascade->cubic[j], cascade->linear[j]};
+        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) pack_gradient(cell, t, factors, lane, plus, minus);
+    }
+    memset(work + (size_t)half * FFT_ROW, 0, (size_t)(n + 1 - 2 * half) * FFT_ROW * sizeof(float));
+    stage_first(plan, work, NULL, work);
+    fft_strip_rest(plan, work, false);
+    for (uint32_t y = 0; y < n / 8; y++) {
+        const size_t row = (size_t)plan->order[y] * FFT_ROW;
+        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
+            pair a[8], d[8];
+            for (uint32_t i = 0; i < 8; i++) a[i] = pair_load(work + row + lane + (size_t)i * FFT_ROW);
+            butterfly8(a, d);
+            for (uint32_t i = 0; i < 8; i++) {
+                float *tick = planes->foam_tick + (size_t)(y + i * (n / 8)) * n + strip * FFT_LANES + lane;
+                wide_store(tick, foam_of(tick, moment, d[i]));
+            }
+        }
+    }
+}
+
 void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_planes *planes,
                                const sea_moment *moment, uint32_t strip, float *scratch) {
+    if (moment->at.tick) {
+        tick_columns(plan, cascade, planes, moment, strip, scratch);
+        return;
+    }
     switch (moment->stream) { // a constant in each case, so that the loops have no branches
     case SEA_STREAM_NONE: columns(plan, cascade, planes, moment, SEA_STREAM_NONE, strip, scratch); break;
     case SEA_STREAM_PLANES: columns(plan, cascade, planes, moment, SEA_STREAM_PLANES, strip, scratch); break;

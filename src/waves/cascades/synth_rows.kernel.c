@@ -87,11 +87,10 @@ void KERNEL(bolan_sea_rows)(const fft_plan *plan, const sea_cascade *cascade, fl
                             uint32_t strip, float *scratch) {
     const size_t pitch = sea_scratch_pitch(plan->n);
     float *h = scratch, *u = scratch + pitch, *work = scratch + 2 * pitch;
-    evolve(cascade, moment->time, strip, h, u);
-    const float *source[SEA_PARTS] = {h, h, u, u, u};
-    const float *factor[SEA_PARTS] = {NULL, cascade->k, NULL, cascade->k, cascade->k2};
-    for (uint32_t part = 0; part < SEA_PARTS; part++) {
-        fft_strip_of(plan, source[part], factor[part], work);
+    evolve(cascade, moment->at.shown, strip, h, u);
+    for (uint32_t part = moment->at.tick ? SEA_PARTS - SEA_TICK_PARTS : 0; part < SEA_PARTS; part++) {
+        const bool displaces = part == PART_U || part == PART_KU || part >= PART_LINEAR_U;
+        fft_strip_of(plan, displaces ? u : h, cascade->part[part], work);
         transpose_out(plan, cascade, middle, strip, part, work);
     }
 }

@@ -10,13 +10,13 @@ static double automatic_period(double tp) {
     return tp * fmax(floor(10.0 / tp + 0.5), 1.0);
 }
 
-static const cascade_extent loop_extent = {7.0, 5.0};
+static const cascade_extent loop_extent = {7.0, 5.0, false};
 
 static void size(sea_shared *shared, const spectrum_eval *eval, bolan_sea_bytes *bytes) {
     bolan_cascades_size(shared, eval, 1, loop_extent, bytes);
 }
 
-// The one tile holds 7 peak wavelengths, not 12: its resolution has to do for the short waves, too.
+// The one tile holds 7 peak wavelengths, not 16: its resolution has to do for the short waves, too.
 static bool create(sea_shared *shared, const spectrum_eval *eval) {
     bolan_sea_desc *d = &shared->desc;
     if (d->textures.period == 0.0) d->textures.period = automatic_period(shared->summary.tp);

@@ -65,13 +65,12 @@ const sum_tables *bolan_sea_sum(const bolan_sea *sea) {
 }
 
 // Only the phases turn; nothing is remembered.
-static void step(bolan_sea *sea, double shown, float decay) {
-    (void)decay;
+static void step(bolan_sea *sea, const sea_instant *instant) {
     const sea_sum *sum = sea_sum_of(sea->shared);
     sum_tables *t = sea->fields;
     for (uint32_t i = 0; i < t->count; i++) {
         const double start = sum->component[i].phase / (2.0 * BOLAN_PI);
-        t->wave[i].base = fraction(start - fraction(sum->turns[i] * shown)) + SUM_MAGIC;
+        t->wave[i].base = fraction(start - fraction(sum->turns[i] * instant->shown)) + SUM_MAGIC;
     }
 }
 
@@ -115,6 +114,7 @@ static sea_sums lane_of(const block *b, uint32_t l, double choppiness, double li
                       .dxx = dxx,
                       .dyy = dyy,
                       .dxy = b->field[FIELD_DXY][l],
+                      .dyx = b->field[FIELD_DXY][l],
                       .foam = pinch > 0.0 ? pinch : 0.0};
 }
 
@@ -159,12 +159,13 @@ static void sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_
     sample_grid(sea, points, NULL, count, out);
 }
 
-static void sample_direct(const sea_shared *shared, double x, double y, double shown, sea_sums *v) {
+static void sample_direct(const sea_shared *shared, bolan_dvec2 at, bolan_dvec2 drift, double shown, sea_sums *v) {
+    (void)drift; // the frequencies of a sum are over the ground
     const sea_sum *sum = sea_sum_of(shared);
     const double s = shared->desc.exp_cosine.sharpness, mean = exp_cosine_mean(s);
     for (uint32_t i = 0; i < sum->tables.count; i++) {
         const bolan_sea_component *c = &sum->component[i];
-        const double along = (c->kx * x + c->ky * y + c->phase) / (2.0 * BOLAN_PI);
+        const double along = (c->kx * at.x + c->ky * at.y + c->phase) / (2.0 * BOLAN_PI);
         const double turns = fraction(fraction(along) - fraction(sum->turns[i] * shown));
         double sine, cosine;
         bolan_sincos(2.0 * BOLAN_PI * turns, &sine, &cosine);
@@ -184,6 +185,7 @@ static void sample_direct(const sea_shared *shared, double x, double y, double s
         v->dxx -= c->drift * ux * c->kx * cosine;
         v->dyy -= c->drift * uy * c->ky * cosine;
         v->dxy -= c->drift * ux * c->ky * cosine;
+        v->dyx = v->dxy;
     }
 }
 

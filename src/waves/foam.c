@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Steps through time, and the memory of foam.
+//
+//     ticks     k-W ......... k-2    k-1     k        a tick every 0.25 s, at the same times whatever the steps
+//     foam_tick  present pinch of each tick, fading   F(k) = max(keep F(k-1) - lose, pinch(k)), pinch <= SEA_MOST_FOAM
+//     foam                                    | t     F(k) faded by t - k, or the pinch at t where it is more
+//
+// `lose` is so large that nothing is left of SEA_MOST_FOAM after W ticks, about 6 foam_decay. All of this is monotone,
+// so F(k) is the largest of what the last W + 1 ticks have left, bit for bit, and it does not matter where a run began:
+// foam is a function of time, as the waves are. With a loop the ticks divide its period.
+#include "spectrum/portable.h"
+#include "waves/model.h"
+
+#define TICK 0.25           // [s] about; with a loop the nearest part of it
+#define MEMORY 6.0          // [foam_decay]
+#define TIME_GRID 0x1p-20   // [s] of the time in a loop, so that a time and the same one a loop later have equal bits
+#define LARGEST_TIME 0x1p36 // [s]: 2000 years; beyond, phases would lose their meaning in double
+enum { MOST_TICKS = 5 };    // in a step, that the foam memory survives: 1 s
+
+void bolan_sea_foam_prepare(sea_shared *shared) {
+    const double period = shared->period;
+    shared->loop_ticks = period > 0.0 ? fmax(floor(period / TICK + 0.5), 1.0) : 0.0;
+    shared->tick = period > 0.0 ? period / shared->loop_ticks : TICK;
+    shared->memory_ticks = ceil(MEMORY * shared->desc.foam_decay / shared->tick);
+    const double keep = portable_exp(-shared->tick / shared->desc.foam_decay);
+    const double left = portable_exp(-shared->memory_ticks * shared->tick / shared->desc.foam_decay);
+    shared->tick_loss = 1.001 * (double)SEA_MOST_FOAM * left * (1.0 - keep) / (1.0 - left);
+}
+
+double bolan_sea_reduced_time(const sea_shared *shared, double time, uint32_t *frame) {
+    if (frame) *frame = 0;
+    if (!(shared->period > 0.0)) return fmod(time, LARGEST_TIME);
+    const double left = fmod(time, shared->period), in = left < 0.0 ? left + shared->period : left;
+    const double reduced = floor(in / TIME_GRID + 0.5) * TIME_GRID;
+    return reduced < shared->period ? reduced : 0.0;
+}
+
+bolan_dvec2 bolan_sea_drift(const sea_shared *shared, double time) {
+    const double t = fmod(time, LARGEST_TIME);
+    return (bolan_dvec2){shared->desc.sea_state.current_x * t, shared->desc.sea_state.current_y * t};
+}
+
+// Where a time stands among the ticks.
+typedef struct place_in_time {
+    double tick;  // the number of the last one
+    double since; // and how long ago it was [s]
+} place_in_time;
+
+static place_in_time place_of(const sea_shared *shared, double time) {
+    const double reduced = bolan_sea_reduced_time(shared, time, NULL), tick = floor(reduced / shared->tick);
+    const double loops = shared->period > 0.0 ? floor((time - reduced) / shared->period + 0.5) : 0.0;
+    return (place_in_time){loops * shared->loop_ticks + tick, fmax(reduced - tick * shared->tick, 0.0)};
+}
+
+static double time_of(const sea_shared *shared, double tick) {
+    const double in = shared->loop_ticks > 0.0 ? fmod(tick, shared->loop_ticks) : tick;
+    return (in < 0.0 ? in + shared->loop_ticks : in) * shared->tick;
+}
+
+// `since`: of the foam memory that it goes on with [s].
+static sea_instant instant_of(const bolan_sea *sea, double time, double since, bool tick, uint32_t *frame) {
+    const sea_shared *shared = sea->shared;
+    const double keep = portable_exp(-since / shared->desc.foam_decay);
+    return (sea_instant){.shown = shared->model->shown_time(shared, time, frame),
+                         .tick = tick,
+                         .keep = sea->foam_empty ? 0.0f : (float)keep,
+                         .lose = (float)(shared->tick_loss * (since / shared->tick))};
+}
+
+static void do_tick(bolan_sea *sea) {
+    sea->tick += 1.0;
+    const double tick = sea->shared->tick;
+    const sea_instant instant = instant_of(sea, time_of(sea->shared, sea->tick), tick, true, NULL);
+    sea->shared->model->step(sea, &instant);
+    sea->foam_empty = false;
+}
+
+static void show(bolan_sea *sea, double time, double since) {
+    const sea_instant instant = instant_of(sea, time, since, false, &sea->frame);
+    sea->shared->model->step(sea, &instant);
+    sea->time = time;
+    sea->foam_holds = true;
+    sea->serial = bolan_sea_next_number();
+}
+
+void bolan_sea_step(bolan_sea *sea, double time) {
+    BOLAN_ASSERT(sea && isfinite(time));
+    if (sea->foam_holds && time == sea->time) return;
+    const place_in_time at = place_of(sea->shared, time);
+    const double ticks = at.tick - sea->tick;
+    if (!(sea->foam_holds && ticks >= 0.0 && ticks <= MOST_TICKS)) {
+        sea->foam_empty = true;
+        sea->tick = at.tick;
+    }
+    while (sea->tick < at.tick && sea->shared->model->remembers) do_tick(sea);
+    sea->tick = at.tick;
+    show(sea, time, at.since);
+}
+
+void bolan_sea_settle(bolan_sea *sea, double time) {
+    BOLAN_ASSERT(sea && isfinite(time));
+    const place_in_time at = place_of(sea->shared, time);
+    sea->tick = at.tick - sea->shared->memory_ticks - 1.0;
+    sea->foam_empty = true;
+    while (sea->tick < at.tick && sea->shared->model->remembers) do_tick(sea);
+    sea->tick = at.tick;
+    show(sea, time, at.since);
+}
