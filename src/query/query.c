@@ -10,7 +10,7 @@
 #include <math.h>
 
 enum { GRAIN_BLOCKS = 16 };
-static const float CONVERGED = 5e-4f;        // [m] half of the residual that query.h promises
+static const float CONVERGED = 1.5e-5f;       // [m] far below the residual that query.h promises
 static const float FOLD_DETERMINANT = 0.25f; // below this a second root may be near
 // What the shore map of the renderer resolves close to the eye [m]: finer ground does not shape the waves.
 static const double GROUND_RESOLUTION = 2.0;
