@@ -152,7 +152,8 @@ typedef struct bolan_sea_desc {
     uint32_t resolution;
 
     /// Side of the largest tile [m], of FFT and TEXTURES.
-    /// 10..1e5, or 0 (default): 16 peak wavelengths and at least 12 of the longest swell that matters (TEXTURES: 7, 5).
+    /// 10..1e5, or 0 (default): 16 peak wavelengths and at least 12 of the longest swell that matters, rounded up in
+    /// quarters of an octave; of TEXTURES 7 and 5.
     /// Raised: more waves at the peak, which return to a point later; the shortest wave is longer.
     double length;
 

@@ -157,31 +157,42 @@ static void add_part(stage *s, const bolan_target *target, uint32_t effects, dou
     }
 }
 
-// Radiance of each part at the sea, PIXELS x 3; `samples` pictures, each turned by parts of a pixel.
-static void draw_parts(const view *v, const char *shaders, int samples, double *light[PARTS]) {
-    bolan_scene scene = scene_of(v);
+typedef struct studio {
     stage s;
-    bolan_target *target = NULL;
-    assert_true(open_stage(&s, &scene, shaders));
-    assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
+    bolan_target *target;
+    float *rgb, *distance;
+} studio;
+
+static void open_studio(studio *t, const view *v, const char *shaders) {
+    const bolan_scene scene = scene_of(v);
+    assert_true(open_stage(&t->s, &scene, shaders));
+    assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &t->target), BOLAN_OK);
     // The reference's surface had its mean below the level by what now lifts it: so its eye stood higher over the
     // waves.
-    for (uint32_t c = 0; c < bolan_sea_cascade_count(stage_sea(&s)); ++c)
-        s.scene.water.level -= bolan_sea_lift(stage_sea(&s), c, 0.0);
-    float *rgb = malloc(sizeof(float) * 3 * PIXELS), *distance = malloc(sizeof(float) * PIXELS);
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(stage_sea(&t->s)); ++c)
+        t->s.scene.water.level -= bolan_sea_lift(stage_sea(&t->s), c, 0.0);
+    t->rgb = malloc(sizeof(float) * 3 * PIXELS), t->distance = malloc(sizeof(float) * PIXELS);
+}
+
+static void close_studio(studio *t) {
+    free(t->rgb);
+    free(t->distance);
+    bolan_target_destroy(&t->target);
+    stage_close(&t->s);
+}
+
+// Radiance of each part at the sea from one place, PIXELS x 3, the picture turned by parts of a pixel.
+static void draw_parts(studio *t, const view *v, int place, double *light[PARTS]) {
     const double pixel = 2.0 * bolan_degrees(tan(bolan_radians(20.0))) / HEIGHT;
-    for (int i = 0; i < samples; ++i) { // the R2 sequence
-        s.scene.camera.heading_deg = v->heading + pixel * (fmod(0.5 + 0.7548776662466927 * i, 1.0) - 0.5);
-        s.scene.camera.pitch_deg = v->pitch + pixel * (fmod(0.5 + 0.5698402909980532 * i, 1.0) - 0.5);
-        for (int part = 0; part < PARTS; ++part) {
-            add_part(&s, target, effects_of[part], 1.0, 1.0 / samples, rgb, distance, light[part]);
-            add_part(&s, target, 0, -1.0, 1.0 / samples, rgb, distance, light[part]);
-        }
+    bolan_camera *camera = &t->s.scene.camera;
+    camera->position.x = 1711.0 * place, camera->position.y = -933.0 * place;
+    camera->heading_deg = v->heading + pixel * (fmod(0.5 + 0.7548776662466927 * place, 1.0) - 0.5); // R2
+    camera->pitch_deg = v->pitch + pixel * (fmod(0.5 + 0.5698402909980532 * place, 1.0) - 0.5);
+    for (int part = 0; part < PARTS; ++part) {
+        memset(light[part], 0, sizeof(double) * 3 * PIXELS);
+        add_part(&t->s, t->target, effects_of[part], 1.0, 1.0, t->rgb, t->distance, light[part]);
+        add_part(&t->s, t->target, 0, -1.0, 1.0, t->rgb, t->distance, light[part]);
     }
-    free(rgb);
-    free(distance);
-    bolan_target_destroy(&target);
-    stage_close(&s);
 }
 
 static double band_mean(const double *light, const band *b, int channel) {
@@ -202,50 +213,92 @@ static double neighbours(const double *light, uint32_t first,
     return sqrt(squares / n) / (sum / n);
 }
 
-// Bolan's radiance over the reference's.
-static void check(char name, int index, const char *part, const double got[3], const double want[3], double tolerance) {
-    for (int c = 0; c < 3; ++c) {
-        const double ratio = got[c] / want[c];
-        if (!(fabs(ratio - 1.0) <= tolerance))
-            fail_msg("view %c, band %d, %s, channel %d: %.3f of the reference, not 1 +- %.2f", name, index + 1, part, c,
-                     ratio, tolerance);
-    }
+// Over the places: sums of the bands' radiance and of its square, and of neighbours().
+typedef struct sums {
+    double sum[BANDS][PARTS][3], squares[BANDS][PARTS][3];
+    double far_outlines, near_outlines;
+} sums;
+
+// The goal is 10 % for the mirrored sky, and the reference's smallest facets do not hide one another. Glitter at 5
+// degrees of sun: within a sixth, where a mean factor for the shadows leaves 0.46 to 2.24. Light from below: within 2 %
+// at noon; at 5 degrees of sun what enters is approximated, and the reference's sky was an earlier one, whose
+// irradiance was higher: 0.88 to 0.97.
+//
+// The rest is the sea's: a band close to a low eye shows one or two waves, and the reference is one picture of one sea.
+// So such bands are taken together, the mean over places is compared, and the reference may lie as far away as one such
+// picture does.
+static const double tolerance[PARTS] = {0.13, 0.17, 0.13};
+static const char *const part_names[PARTS] = {"mirrored sky", "glitter", "from below"};
+#define ONE_PICTURE 2.5 // standard deviations of the pictures of single places
+#define LEAST_GLITTER 1e-3
+enum { PLACES = 8 };
+
+enum { FAR_BANDS = 2 };
+static int pool_near_bands(const view *v, band *bands) {
+    if (v->height > 50.0) return BANDS;
+    band *near = &bands[FAR_BANDS];
+    const uint32_t last = bands[BANDS - 1].last, rows = last + 1 - near->first;
+    for (int part = 0; part < PARTS; ++part)
+        for (int c = 0; c < 3; ++c) {
+            double sum = 0.0;
+            for (int i = FAR_BANDS; i < BANDS; ++i)
+                sum += bands[i].light[part][c] * (bands[i].last + 1 - bands[i].first);
+            near->light[part][c] = sum / rows;
+        }
+    near->last = last;
+    return FAR_BANDS + 1;
 }
 
-// The goal is 10 % for the mirrored sky. The rest is the sea's: a band of the low view shows one or two waves, and the
-// reference's smallest facets do not hide one another. Glitter at 5 degrees of sun, in bands of few waves: within a
-// sixth, where a mean factor for the shadows leaves 0.46 to 2.24. Light from below: within 2 % at noon; at 5 degrees of
-// sun what enters is approximated, and the reference's sky was an earlier one, whose irradiance was higher: 0.88 to
-// 0.97.
-#define SKY_TOLERANCE 0.13
-#define GLITTER_TOLERANCE 0.17
-#define BELOW_TOLERANCE 0.13
-#define SAMPLES 4
-
-static void check_view(const view *v, double *const light[PARTS]) {
-    band reference[BANDS];
-    read_reference(v->name, reference);
-    for (int i = 0; i < BANDS; ++i) {
-        double got[PARTS][3];
+static void add_bands(const view *v, const band *reference, int count, double *const light[PARTS], sums *out) {
+    for (int i = 0; i < count; ++i)
         for (int part = 0; part < PARTS; ++part)
-            for (int c = 0; c < 3; ++c) got[part][c] = band_mean(light[part], &reference[i], c);
-        if (getenv("BOLAN_SHOW_BANDS") != NULL)
-            print_message("%c %2d sky %.3f %.3f %.3f glitter %.3f below %.3f %.3f %.3f\n", v->name, i + 1,
-                          got[SKY][0] / reference[i].light[SKY][0], got[SKY][1] / reference[i].light[SKY][1],
-                          got[SKY][2] / reference[i].light[SKY][2], got[GLITTER][1] / reference[i].light[GLITTER][1],
-                          got[BELOW][0] / reference[i].light[BELOW][0], got[BELOW][1] / reference[i].light[BELOW][1],
-                          got[BELOW][2] / reference[i].light[BELOW][2]);
-        check(v->name, i, "mirrored sky", got[SKY], reference[i].light[SKY], SKY_TOLERANCE);
-        check(v->name, i, "from below", got[BELOW], reference[i].light[BELOW], BELOW_TOLERANCE);
-        if (reference[i].light[GLITTER][1] > 1e-3)
-            check(v->name, i, "glitter", got[GLITTER], reference[i].light[GLITTER], GLITTER_TOLERANCE);
+            for (int c = 0; c < 3; ++c) {
+                const double mean = band_mean(light[part], &reference[i], c);
+                out->sum[i][part][c] += mean / PLACES, out->squares[i][part][c] += mean * mean / PLACES;
+            }
+    if (v->name != 'a') return;
+    const uint32_t top = reference[0].first, step = (HEIGHT - top) * 15 / 100;
+    out->far_outlines += neighbours(light[SKY], top, top + step - 1) / PLACES;
+    out->near_outlines += neighbours(light[SKY], top + step, top + 2 * step - 1) / PLACES;
+}
+
+static void check_view(const view *v, const band *reference, int count, const sums *s) {
+    for (int i = 0; i < count; ++i)
+        for (int part = 0; part < PARTS; ++part) {
+            if (part == GLITTER && reference[i].light[part][1] <= LEAST_GLITTER) continue;
+            for (int c = 0; c < 3; ++c) {
+                const double want = reference[i].light[part][c], mean = s->sum[i][part][c];
+                const double sd = sqrt(fmax(s->squares[i][part][c] - mean * mean, 0.0) * PLACES / (PLACES - 1.0));
+                if (getenv("BOLAN_SHOW_BANDS") != NULL)
+                    print_message("%c %2d %s %d: %.3f of the reference, a single place +- %.3f\n", v->name, i + 1,
+                                  part_names[part], c, mean / want, sd / want);
+                if (!(fabs(mean - want) <= tolerance[part] * want + ONE_PICTURE * sd))
+                    fail_msg("view %c, band %d, %s, channel %d: %.3f of the reference, not 1 +- %.2f; a place has "
+                             "+- %.3f",
+                             v->name, i + 1, part_names[part], c, mean / want, tolerance[part], sd / want);
+            }
+        }
+    if (v->name != 'a') return;
+    // Far waves keep outlines: the reference has 0.081 and 0.080; a mesh with a quarter of the texture fetches 0.02.
+    print_message("outlines %.3f and %.3f\n", s->far_outlines, s->near_outlines);
+    assert_true(s->far_outlines > 0.03);
+    assert_true(s->near_outlines > 0.033);
+}
+
+static void test_view(const view *v, const char *shaders, double *light[PARTS]) {
+    band reference[BANDS];
+    sums s;
+    studio t;
+    memset(&s, 0, sizeof s);
+    read_reference(v->name, reference);
+    const int count = pool_near_bands(v, reference);
+    open_studio(&t, v, shaders);
+    for (int place = 0; place < PLACES; ++place) {
+        draw_parts(&t, v, place, light);
+        add_bands(v, reference, count, light, &s);
     }
-    if (v->name ==
-        'a') { // far waves keep outlines: the reference has 0.081 and 0.080; a mesh with a quarter of the look-ups 0.02
-        const uint32_t top = reference[0].first, step = (HEIGHT - top) * 15 / 100;
-        assert_true(neighbours(light[SKY], top, top + step - 1) > 0.03);
-        assert_true(neighbours(light[SKY], top + step, top + 2 * step - 1) > 0.033);
-    }
+    close_studio(&t);
+    check_view(v, reference, count, &s);
 }
 
 static void the_light_is_the_path_tracers(void **state) {
@@ -256,11 +309,8 @@ static void the_light_is_the_path_tracers(void **state) {
     make_shaders(shaders);
     double *light[PARTS];
     for (int part = 0; part < PARTS; ++part) light[part] = malloc(sizeof(double) * 3 * PIXELS);
-    for (size_t i = 0; i < (test_is_short() ? 1 : sizeof views / sizeof views[0]); ++i) {
-        for (int part = 0; part < PARTS; ++part) memset(light[part], 0, sizeof(double) * 3 * PIXELS);
-        draw_parts(&views[i], shaders, SAMPLES, light);
-        check_view(&views[i], light);
-    }
+    for (size_t i = 0; i < (test_is_short() ? 1 : sizeof views / sizeof views[0]); ++i)
+        test_view(&views[i], shaders, light);
     for (int part = 0; part < PARTS; ++part) free(light[part]);
     remove_shaders(shaders);
     bolan_context_destroy(&context);

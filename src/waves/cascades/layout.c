@@ -10,19 +10,24 @@
 // resolutions from 128 on show one sea. Lower ones have fewer modes a ring, and tiles of their own.
 //
 // Along the axes of a tile, and along its diagonals, modes have evenly spaced frequencies: a narrow swell that runs
-// there returns to a point after 2 pi / (group speed x spacing), 6 minutes for 14 s. So tiles are turned by 18 to 33
+// there returns to a point after 2 pi / (group speed x spacing), 6 minutes for 14 s. So the first tile is turned by 22
 // degrees from there, relative to the mean direction of the waves. Ratios and angles are incommensurate, so that
 // repetitions never line up.
+//
+// Length and angle go in steps: seas that differ a little, one sea an hour later, have the same lattice and so the same
+// waves, each a little higher or lower.
 #include "spectrum/portable.h"
 #include "waves/cascades/cascades.h"
 
 static const double ratio_of_ratio[BOLAN_MAX_CASCADES - 1] = {0.99713, 0.96189, 0.93407};
-static const double angles_deg[BOLAN_MAX_CASCADES] = {20.05, 61.92, 112.71, 147.28};
+static const double angles_deg[BOLAN_MAX_CASCADES] = {22.36, 61.92, 112.71, 147.28};
 
 enum { LAYOUT_N = 128 };   // the resolution whose rings all higher ones share
 #define RING_END 0.7       // of the Nyquist wave number
 #define SHORTEST_WAVE 0.02 // [m]: below it, water is viscous roughness
 #define CALM_LENGTH 100.0  // [m] of a sea without waves
+#define ANGLE_STEP 22.5    // [degrees] half of what lies between an axis and a diagonal
+#define LENGTH_STEPS 4.0   // in an octave
 
 static double modes_to_inner_edge(uint32_t n) { return n >= 128 ? 6.0 : n >= 64 ? 5.0 : 4.0; }
 
@@ -32,8 +37,9 @@ static double automatic_length(const sea_radial *radial, const bolan_sea_summary
     const double k_long = bolan_sea_radial_quantile(radial, 0.05);
     if (!(k_long > 0.0) || !(summary->tp > 0.0)) return CALM_LENGTH;
     const double k_peak = bolan_k_from_omega(2.0 * BOLAN_PI / summary->tp, depth);
-    const double length = fmax(extent.peaks / k_peak, extent.longest / k_long) * 2.0 * BOLAN_PI;
-    return fmin(fmax(length, 10.0), 1e5);
+    const double least = fmax(extent.peaks / k_peak, extent.longest / k_long) * 2.0 * BOLAN_PI;
+    const double steps = ceil(LENGTH_STEPS * portable_log(least) / portable_log(2.0));
+    return fmin(fmax(extent.open ? portable_pow(2.0, steps / LENGTH_STEPS) : least, 10.0), 1e5);
 }
 
 // Ratio of successive lengths: as large as the rings allow, less when the last ring would reach beyond SHORTEST_WAVE.
@@ -51,7 +57,8 @@ void bolan_cascades_layout(sea_shared *shared, const sea_radial *radial, cascade
     const uint32_t count = shared->cascades, n = d->resolution < LAYOUT_N ? d->resolution : LAYOUT_N;
     if (d->length == 0.0) d->length = automatic_length(radial, &shared->summary, d->sea_state.depth, extent);
     const double ratio = length_ratio(d->length, n, count);
-    const double along = extent.open ? bolan_compass_from_to_math(shared->summary.from_deg) : 0.0;
+    const double from = floor(shared->summary.from_deg / ANGLE_STEP + 0.5) * ANGLE_STEP;
+    const double along = extent.open ? bolan_compass_from_to_math(from) : 0.0;
     for (uint32_t i = 0; i < count; i++) {
         sea_cascade *c = &t->cascade[i];
         c->n = d->resolution;
