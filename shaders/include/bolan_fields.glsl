@@ -45,7 +45,7 @@ layout(std140) uniform bolan_sea_block {
     vec4 bolan_layer_wave[8];   // of a wave train: k east, north [rad/m], half height [m], phase at the origin [rad]
     vec4 bolan_layer_area[8];   // xy: its middle [m], zw: unit direction of travel
     vec4 bolan_layer_extent[8]; // xy: 1 / half extent along, across [1/m], z: share of the edge, w: coast height [m]
-    vec4 bolan_warp_wave[6];    // of the warped plane: k east, north [turns/m], phase at the origin, amplitude / |k| [m2]
+    vec4 bolan_warp_wave[6];    // of the warped plane: k east, north [turns/m], phase here, amplitude / |k| [m2]
     int bolan_cascade_count;
     int bolan_wave_count;       // of a sum
     float bolan_wave_sharpness; // of exp(s cos); 0: cosines

@@ -115,7 +115,7 @@ static void add_mode(void *context, const sea_mode *m) {
     out->lane = (uint16_t)(j % FFT_LANES);
 }
 
-// Five samples a wave, as far as the FFT goes: with four, the shortest wave of a tile has images of 4 % in accelerations.
+// Five samples a wave, as far as the FFT goes: with four, images of the shortest waves are 4 % of accelerations.
 static uint32_t side_of(uint32_t reach) {
     uint32_t n = FFT_MIN;
     while (n < FFT_MAX && 5 * (reach - 1) > n) n *= 2;
