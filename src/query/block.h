@@ -11,11 +11,19 @@
 // plane (bolan/waves.h); within an offset it is its tangent at x. Lanes never look at one another: what a point gets
 // does not depend on which points share its block, and so not on how a batch is cut over threads.
 //
-// An evaluation reads cubic splines (waves/cascades/spline.h): 4 rows of 4 samples of height, dx and dy a cascade. It
-// gives values and gradients, so slopes and Jacobians are those of the very surface whose heights are answered, and
-// cost nothing more. A plane of a cascade takes 4 loads and 14 multiply-adds of four floats; the three share 30
-// operations for the weights and 45 for the sums. A point at sea takes 4 cascades x 2 planes for the first guess, and 4
-// x 3 for each of two evaluations, rarely three.
+// A lane is solved by two passes over the cascades, long waves first, and a Newton step after each cascade:
+//
+//     guess    dx and dy of each, read linearly             8 gathered samples, some 60 operations a cascade
+//     refine   height, dx and dy by cubic splines           12 loads of 4 samples, 231 operations (splines.h)
+//
+// Each pass takes the cascades before the present one, and after it those of the last pass, by their tangents, so a
+// spline is read once, close to the root. The error is then of second order: half the curvature of each cascade times
+// the square of how far the root still moved. Its estimate is the doubt of the lane. Lanes whose doubt is too large,
+// that lie over a coast, or near a fold, are gathered into blocks of their own, and go on by plain Newton steps:
+//
+//     evaluate  height, dx and dy of all cascades, and gradients, at one place
+//
+// Slopes and Jacobians are gradients of the very splines whose heights are answered.
 #ifndef BOLAN_QUERY_BLOCK_H
 #define BOLAN_QUERY_BLOCK_H
 
@@ -29,6 +37,13 @@ enum {
     QUERY_MAX_OFFSET = 1000, // [m], far beyond any displacement: keeps the cell arithmetic inside int
 };
 
+// [m] far below the residual that query.h promises.
+#define QUERY_CONVERGED 1.5e-5f
+// Determinant below which a second root may be near.
+#define QUERY_FOLD 0.25f
+// Determinant below which the matrix of a Newton step says nothing.
+#define QUERY_REGULAR 0.1f
+
 // One cascade as the kernels read it.
 typedef struct query_cascade {
     const float *height, *dx, *dy;
@@ -36,6 +51,8 @@ typedef struct query_cascade {
     float cells_per_metre;
     float c, s;            // cosine and sine of the tile's angle
     double tile_c, tile_s; // the same over the tile's length: world [m] -> tiles
+    float linear;          // what a linear fetch of dx and dy is multiplied with, to be right in the mean
+    float curvature;       // typical second derivative of the displacement, with choppiness [1/m]
 } query_cascade;
 
 typedef struct query_sea {
@@ -49,11 +66,16 @@ typedef struct query_sea {
     sum_fields_function *sum_fields;
 } query_sea;
 
+// Cells of a tile per metre of offset, the warp included: along the tile by x and y, across it by x and y.
+typedef struct query_axes {
+    float ux[QUERY_LANES], uy[QUERY_LANES], vx[QUERY_LANES], vy[QUERY_LANES];
+} query_axes;
+
 typedef struct query_block {
     double x[QUERY_LANES], y[QUERY_LANES];                                                    // asked points [m]
     int32_t cell_u[BOLAN_MAX_CASCADES][QUERY_LANES], cell_v[BOLAN_MAX_CASCADES][QUERY_LANES]; // their cells
     float part_u[BOLAN_MAX_CASCADES][QUERY_LANES], part_v[BOLAN_MAX_CASCADES][QUERY_LANES];   // and fractions, 0..1
-    float warp[4][QUERY_LANES];                                                             // gradient: xx, xy, yx, yy
+    query_axes axes[BOLAN_MAX_CASCADES];
     float attenuation[BOLAN_MAX_CASCADES][QUERY_LANES];                                     // by shallow water, 0..1
     float lean_x[BOLAN_MAX_CASCADES][QUERY_LANES], lean_y[BOLAN_MAX_CASCADES][QUERY_LANES]; // its gradient [1/m]
     bool leans;                                                            // a lane has a gradient of the attenuation
@@ -71,9 +93,9 @@ typedef struct query_block {
 typedef struct query_kernels {
     // Sets cell and part from x and y. Lanes whose point is not finite get cell 0.
     void (*locate)(const query_sea *sea, query_block *block);
-    // A first guess of the offsets from 0. The long waves put the rest point where the short ones can be linearised: a
-    // Newton step for each cascade, those before it by their tangent.
-    void (*approach)(const query_sea *sea, query_block *block);
+    // Offsets from 0 and heights by `guess` and `refine`. Returns the lanes whose answer is certain: little doubt, and
+    // no fold near. NULL where a sum has no cascades to read.
+    uint32_t (*approach)(const query_sea *sea, query_block *block);
     // Residual, height, slopes and Jacobian matrix at the present offsets.
     void (*evaluate)(const query_sea *sea, uint32_t lanes, query_block *block);
 } query_kernels;
@@ -87,7 +109,7 @@ static inline void query_newton(query_block *block, uint32_t l) {
     const float rx = block->rx[l], ry = block->ry[l];
     const float det = query_determinant(block, l);
     // Near a fold the linear model does not say where the root is; there the plain fixed point x0 = x - D goes on.
-    const bool regular = det > 0.1f || det < -0.1f;
+    const bool regular = det > QUERY_REGULAR || det < -QUERY_REGULAR;
     const float inverse = 1.0f / (regular ? det : 1.0f);
     const float sx = regular ? (block->jyy[l] * rx - block->jxy[l] * ry) * inverse : rx;
     const float sy = regular ? (block->jxx[l] * ry - block->jyx[l] * rx) * inverse : ry;
@@ -114,9 +136,11 @@ typedef struct query {
 
 enum { QUERY_STEPS = 6, QUERY_SEARCH_STEPS = 10 };
 
-// Newton steps from the present offsets until the lanes have converged, `steps` at most, each with the attenuation of
-// the depth at its rest points; leaves the block evaluated.
-void bolan_query_solve(const query *q, uint32_t steps, query_block *block);
+// Newton steps from the present offsets until the lanes of `lanes` have converged, `steps` at most, each with the
+// attenuation of the depth at its rest points; leaves them evaluated.
+void bolan_query_solve(const query *q, uint32_t lanes, uint32_t steps, query_block *block);
+// Copies what belongs to the place of lane `lane`, and its offset, into lane `l` of `to`.
+void bolan_query_copy_place(const query *q, const query_block *from, uint32_t lane, query_block *to, uint32_t l);
 // Unit vector along which the Jacobian matrix (xx, xy; xy, yy) compresses most: the eigenvector of the smaller
 // eigenvalue.
 bolan_vec2 bolan_query_compressed_direction(float xx, float yy, float xy);

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The lanes of a query block, compiled once per instruction set: cubic splines in the planes of all cascades for the
-// equation of block.h. The shader twin is cascade_displacement() of shaders/common/sea.glsl.
-#include "query/block.h"
+// The lanes of a query block, compiled once per instruction set. The shader twin is cascade_displacement() of
+// shaders/common/sea.glsl.
+#include "query/splines.h"
 #include "shared/cascade.glsl"
 #include "shared/warp.glsl"
 
 #include <math.h>
 #include <string.h>
 
-#define QUERY_JOIN2(a, b) a##_##b
-#define QUERY_JOIN(a, b) QUERY_JOIN2(a, b)
-#define KERNEL(name) QUERY_JOIN(name, BOLAN_KERNEL_SUFFIX)
 #define LANES(l) for (int l = 0; l < QUERY_LANES; l++)
 
 void KERNEL(bolan_query_locate)(const query_sea *sea, query_block *block);
-void KERNEL(bolan_query_approach)(const query_sea *sea, query_block *block);
+uint32_t KERNEL(bolan_query_approach)(const query_sea *sea, query_block *block);
 void KERNEL(bolan_query_evaluate)(const query_sea *sea, uint32_t lanes, query_block *block);
 
 // ---- places ---------------------------------------------------------------------------------------------------------
@@ -24,41 +21,39 @@ static inline int32_t floor_to_int(float x) {
     return i - (x < (float)i);
 }
 
-static inline double fraction(double x) {
-    const double f = x - floor(x);
-    return f >= 0.0 && f < 1.0 ? f : 0.0; // 1 by rounding of a tiny negative, or not a number
-}
+static inline double fraction(double x) { return x - floor(x); } // 1 of a tiny negative
 
-// The places of the warped plane that the points are read at.
-static void warp(const query_sea *sea, query_block *block, double *x, double *y) {
+// The places of the warped plane that the points are read at, and the gradient of the warp: xx, xy, yx, yy.
+static void warp(const query_sea *sea, const query_block *block, double *x, double *y, float gradient[4][QUERY_LANES]) {
     const bolan_sea_warp *w = &sea->warp;
+    double own_x[QUERY_LANES], own_y[QUERY_LANES];
     LANES(l) {
-        x[l] = block->x[l] - sea->origin_x; // the water drifts
-        y[l] = block->y[l] - sea->origin_y;
-        block->warp[0][l] = block->warp[3][l] = 1.0f;
-        block->warp[1][l] = block->warp[2][l] = 0.0f;
+        own_x[l] = x[l] = block->x[l] - sea->origin_x; // the water drifts
+        own_y[l] = y[l] = block->y[l] - sea->origin_y;
+        gradient[0][l] = gradient[3][l] = 1.0f;
+        gradient[1][l] = gradient[2][l] = 0.0f;
     }
     for (uint32_t i = 0; i < w->count; i++) {
         const double kx = w->wave[i].kx, ky = w->wave[i].ky, ax = w->wave[i].ax, ay = w->wave[i].ay;
         const float xx = (float)(ax * kx), xy = (float)(ax * ky), yx = (float)(ay * kx), yy = (float)(ay * ky);
         LANES(l) {
-            const double turn =
-                fraction(kx * (block->x[l] - sea->origin_x) + ky * (block->y[l] - sea->origin_y) + w->wave[i].phase);
+            const double turn = fraction(kx * own_x[l] + ky * own_y[l] + w->wave[i].phase);
             const double value = warp_wave(turn);
             const float slope = (float)warp_slope(turn);
             x[l] += ax * value;
             y[l] += ay * value;
-            block->warp[0][l] += xx * slope;
-            block->warp[1][l] += xy * slope;
-            block->warp[2][l] += yx * slope;
-            block->warp[3][l] += yy * slope;
+            gradient[0][l] += xx * slope;
+            gradient[1][l] += xy * slope;
+            gradient[2][l] += yx * slope;
+            gradient[3][l] += yy * slope;
         }
     }
 }
 
 void KERNEL(bolan_query_locate)(const query_sea *sea, query_block *block) {
     double x[QUERY_LANES], y[QUERY_LANES];
-    warp(sea, block, x, y);
+    float g[4][QUERY_LANES];
+    warp(sea, block, x, y, g);
     for (uint32_t c = 0; c < sea->count; c++) {
         const query_cascade *t = &sea->cascade[c];
         const double n = t->n;
@@ -70,212 +65,237 @@ void KERNEL(bolan_query_locate)(const query_sea *sea, query_block *block) {
             block->part_u[c][l] = (float)(u - (double)block->cell_u[c][l]);
             block->part_v[c][l] = (float)(v - (double)block->cell_v[c][l]);
         }
+        const float cu = t->c * t->cells_per_metre, su = t->s * t->cells_per_metre;
+        query_axes *axes = &block->axes[c];
+        LANES(l) {
+            axes->ux[l] = cu * g[0][l] + su * g[2][l];
+            axes->uy[l] = cu * g[1][l] + su * g[3][l];
+            axes->vx[l] = cu * g[2][l] - su * g[0][l];
+            axes->vy[l] = cu * g[3][l] - su * g[1][l];
+        }
     }
+}
+
+// Places of the present offsets in a tile, in cells from that of the point.
+static inline float place_u(const query_block *b, uint32_t c, int l) {
+    return b->part_u[c][l] + (b->axes[c].ux[l] * b->ox[l] + b->axes[c].uy[l] * b->oy[l]);
+}
+static inline float place_v(const query_block *b, uint32_t c, int l) {
+    return b->part_v[c][l] + (b->axes[c].vx[l] * b->ox[l] + b->axes[c].vy[l] * b->oy[l]);
+}
+
+// Offsets lead to places of the warped plane by its tangent.
+static inline void find_spots(const query_cascade *t, const query_block *block, uint32_t c, spots *out) {
+    const int32_t n = (int32_t)t->n, mask = n - 1;
+    LANES(l) {
+        const float u = place_u(block, c, l), v = place_v(block, c, l);
+        const int32_t iu = floor_to_int(u), iv = floor_to_int(v);
+        out->u[l] = u - (float)iu;
+        out->v[l] = v - (float)iv;
+        const int32_t column = (block->cell_u[c][l] + iu - 1) & mask, row = block->cell_v[c][l] + iv;
+        out->column[l] = column;
+        out->first[0][l] = ((row - 1) & mask) * n + column;
+        out->first[1][l] = (row & mask) * n + column;
+        out->first[2][l] = ((row + 1) & mask) * n + column;
+        out->first[3][l] = ((row + 2) & mask) * n + column;
+    }
+}
+
+// ---- tangents -------------------------------------------------------------------------------------------------------
+
+// The displacement, times choppiness and attenuation, as a function of the offset: value + gradient . offset.
+typedef struct tangent {
+    float x[QUERY_LANES], y[QUERY_LANES];
+    float xx[QUERY_LANES], xy[QUERY_LANES], yx[QUERY_LANES], yy[QUERY_LANES];
+} tangent;
+
+static const tangent no_tangent;
+
+static inline void add_tangents(const tangent *a, const tangent *b, tangent *out) {
+    LANES(l) {
+        out->x[l] = a->x[l] + b->x[l];
+        out->y[l] = a->y[l] + b->y[l];
+        out->xx[l] = a->xx[l] + b->xx[l];
+        out->xy[l] = a->xy[l] + b->xy[l];
+        out->yx[l] = a->yx[l] + b->yx[l];
+        out->yy[l] = a->yy[l] + b->yy[l];
+    }
+}
+
+// Newton's step: the offset where (1) holds for the tangents of all cascades. Near a fold it stays where it is.
+static inline void go_to_root(const tangent *sum, query_block *b) {
+    LANES(l) {
+        const float xx = 1.0f + sum->xx[l], yy = 1.0f + sum->yy[l], xy = sum->xy[l], yx = sum->yx[l];
+        const float det = xx * yy - xy * yx;
+        const bool regular = det > QUERY_REGULAR;
+        const float inverse = 1.0f / (regular ? det : 1.0f);
+        const float x = (xy * sum->y[l] - yy * sum->x[l]) * inverse, y = (yx * sum->x[l] - xx * sum->y[l]) * inverse;
+        const bool near =
+            x < QUERY_MAX_OFFSET && x > -QUERY_MAX_OFFSET && y < QUERY_MAX_OFFSET && y > -QUERY_MAX_OFFSET;
+        b->ox[l] = regular && near ? x : b->ox[l];
+        b->oy[l] = regular && near ? y : b->oy[l];
+    }
+}
+
+// The tangent of a cascade at the present offsets, from what was read of dx and dy there; `scale` is a factor on it.
+static inline void set_tangent(const query_block *b, uint32_t c, float scale, const spline_values *f, tangent *out) {
+    LANES(l) {
+        const float weight = scale * b->attenuation[c][l], ox = b->ox[l], oy = b->oy[l];
+        const float ux = b->axes[c].ux[l], uy = b->axes[c].uy[l], vx = b->axes[c].vx[l], vy = b->axes[c].vy[l];
+        const float xx = weight * (f->along[0][l] * ux + f->across[0][l] * vx);
+        const float xy = weight * (f->along[0][l] * uy + f->across[0][l] * vy);
+        const float yx = weight * (f->along[1][l] * ux + f->across[1][l] * vx);
+        const float yy = weight * (f->along[1][l] * uy + f->across[1][l] * vy);
+        out->x[l] = weight * f->value[0][l] - (xx * ox + xy * oy);
+        out->y[l] = weight * f->value[1][l] - (yx * ox + yy * oy);
+        out->xx[l] = xx;
+        out->xy[l] = xy;
+        out->yx[l] = yx;
+        out->yy[l] = yy;
+    }
+}
+
+// ---- a guess --------------------------------------------------------------------------------------------------------
+
+// Leaves in rest[c] the sum of the tangents of the cascades behind c.
+static void guess(const query_sea *sea, query_block *block, tangent rest[BOLAN_MAX_CASCADES]) {
+    tangent own[BOLAN_MAX_CASCADES], sum = no_tangent;
+    for (uint32_t c = 0; c < sea->count; c++) {
+        const query_cascade *t = &sea->cascade[c];
+        spots at;
+        spline_values f;
+        find_spots(t, block, c, &at);
+        read_linearly(t, &at, &f);
+        set_tangent(block, c, sea->choppiness * t->linear, &f, &own[c]);
+        add_tangents(&sum, &own[c], &sum);
+        go_to_root(&sum, block);
+    }
+    rest[sea->count - 1] = no_tangent;
+    for (uint32_t c = sea->count - 1; c > 0; c--) add_tangents(&rest[c], &own[c], &rest[c - 1]);
 }
 
 // ---- splines --------------------------------------------------------------------------------------------------------
 
-// Four floats: samples side by side, or (dx, dy, height, 0).
-typedef float four __attribute__((vector_size(16)));
-typedef int32_t four_int __attribute__((vector_size(16)));
+// The tangent of the height.
+typedef struct height_tangent {
+    float value[QUERY_LANES], x[QUERY_LANES], y[QUERY_LANES];
+} height_tangent;
 
-static inline four load_four(const float *p) {
-    four v;
-    memcpy(&v, p, sizeof v);
-    return v;
-}
-
-#ifdef __clang__
-#define SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
-#else
-#define SHUFFLE(a, b, ...) __builtin_shuffle(a, b, (four_int){__VA_ARGS__})
-#endif
-
-// The sums of the elements of each.
-static inline four sums_of(four a, four b, four c) {
-    const four ab = SHUFFLE(a, b, 0, 4, 1, 5) + SHUFFLE(a, b, 2, 6, 3, 7); // a0 + a2, b0 + b2, a1 + a3, b1 + b3
-    const four cc = c + SHUFFLE(c, c, 2, 3, 0, 1);
-    return SHUFFLE(ab, cc, 0, 1, 4, 4) + SHUFFLE(ab, cc, 2, 3, 5, 5);
-}
-
-static inline four spread(float x) { return (four){x, x, x, x}; }
-
-// Where each lane's place lies among the samples of one cascade: the first of four columns and of four rows, fractions.
-typedef struct spots {
-    int32_t column[QUERY_LANES], row[QUERY_LANES];
-    float u[QUERY_LANES], v[QUERY_LANES];
-} spots;
-
-// Offsets lead to places of the warped plane by its tangent.
-static inline void find_spots(const query_cascade *t, const query_block *block, uint32_t c, spots *out) {
-    const float cu = t->c * t->cells_per_metre, su = t->s * t->cells_per_metre;
-    const int32_t mask = (int32_t)t->n - 1;
+static inline void add_height(const query_sea *sea, uint32_t c, const query_block *b, const spline_values *f,
+                              height_tangent *height) {
     LANES(l) {
-        const float ox = block->ox[l], oy = block->oy[l];
-        const float x = block->warp[0][l] * ox + block->warp[1][l] * oy;
-        const float y = block->warp[2][l] * ox + block->warp[3][l] * oy;
-        const float u = block->part_u[c][l] + (x * cu + y * su), v = block->part_v[c][l] + (y * cu - x * su);
-        const int32_t iu = floor_to_int(u), iv = floor_to_int(v);
-        out->u[l] = u - (float)iu;
-        out->v[l] = v - (float)iv;
-        out->column[l] = (block->cell_u[c][l] + iu - 1) & mask;
-        out->row[l] = (block->cell_v[c][l] + iv - 1) & mask;
+        const float weight = b->attenuation[c][l];
+        const float x = weight * (f->along[2][l] * b->axes[c].ux[l] + f->across[2][l] * b->axes[c].vx[l]);
+        const float y = weight * (f->along[2][l] * b->axes[c].uy[l] + f->across[2][l] * b->axes[c].vy[l]);
+        const float value = weight * f->value[2][l] + weight * weight * sea->lift[c];
+        height->value[l] += value - (x * b->ox[l] + y * b->oy[l]);
+        height->x[l] += x;
+        height->y[l] += y;
     }
 }
 
-// The four weights of spline.h at a fraction, and their derivatives.
-static inline four weights(four t) {
-    const four c0 = {1.0f / 6.0f, 2.0f / 3.0f, 1.0f / 6.0f, 0.0f}, c1 = {-0.5f, 0.0f, 0.5f, 0.0f},
-               c2 = {0.5f, -1.0f, 0.5f, 0.0f}, c3 = {-1.0f / 6.0f, 0.5f, -0.5f, 1.0f / 6.0f};
-    return c0 + t * (c1 + t * (c2 + t * c3));
-}
-static inline four slopes(four t) {
-    const four c1 = {-0.5f, 0.0f, 0.5f, 0.0f}, c2 = {1.0f, -2.0f, 1.0f, 0.0f}, c3 = {-0.5f, 1.5f, -1.5f, 0.5f};
-    return c1 + t * (c2 + t * c3);
-}
-
-// The samples around a spot: 4 rows of 4 in each plane.
-typedef struct patch {
-    const float *plane[3];
-    size_t row[4];
-} patch;
-
-// Where the samples go round the end of the tile: copied side by side.
-static __attribute__((noinline)) void copy_patch(const query_cascade *t, uint32_t column, uint32_t row,
-                                                 float out[3][16]) {
-    const float *const planes[3] = {t->dx, t->dy, t->height};
-    const uint32_t mask = t->n - 1;
-    for (int p = 0; p < 3; p++)
-        for (uint32_t j = 0; j < 4; j++)
-            for (uint32_t i = 0; i < 4; i++)
-                out[p][4 * j + i] = planes[p][((row + j) & mask) * t->n + ((column + i) & mask)];
-}
-
-static inline patch patch_of(const query_cascade *t, const spots *at, int l, float room[3][16]) {
-    const uint32_t n = t->n, mask = n - 1, column = (uint32_t)at->column[l], row = (uint32_t)at->row[l];
-    if (column + 3 > mask) {
-        copy_patch(t, column, row, room);
-        return (patch){{room[0], room[1], room[2]}, {0, 4, 8, 12}};
+// `rest` as guess() leaves it.
+static uint32_t refine(const query_sea *sea, const tangent rest[BOLAN_MAX_CASCADES], query_block *b) {
+    float at_x[BOLAN_MAX_CASCADES][QUERY_LANES], at_y[BOLAN_MAX_CASCADES][QUERY_LANES], doubt[QUERY_LANES];
+    tangent sum = no_tangent, own, all;
+    height_tangent height;
+    memset(&height, 0, sizeof height);
+    for (uint32_t c = 0; c < sea->count; c++) {
+        memcpy(at_x[c], b->ox, sizeof at_x[c]);
+        memcpy(at_y[c], b->oy, sizeof at_y[c]);
+        spots at;
+        spline_values f;
+        find_spots(&sea->cascade[c], b, c, &at);
+        read_splines(&sea->cascade[c], &at, QUERY_ALL_LANES, &f);
+        set_tangent(b, c, sea->choppiness, &f, &own);
+        add_height(sea, c, b, &f, &height);
+        add_tangents(&sum, &own, &sum);
+        add_tangents(&sum, &rest[c], &all);
+        go_to_root(&all, b);
     }
-    return (patch){{t->dx + column, t->dy + column, t->height + column},
-                   {(size_t)row * n, (size_t)((row + 1) & mask) * n, (size_t)((row + 2) & mask) * n,
-                    (size_t)((row + 3) & mask) * n}};
+    LANES(l) {
+        b->height[l] = height.value[l] + (height.x[l] * b->ox[l] + height.y[l] * b->oy[l]);
+        b->jxx[l] = 1.0f + sum.xx[l];
+        b->jxy[l] = sum.xy[l];
+        b->jyx[l] = sum.yx[l];
+        b->jyy[l] = 1.0f + sum.yy[l];
+        doubt[l] = 0.0f;
+    }
+    for (uint32_t c = 0; c < sea->count; c++) {
+        const float half = 0.5f * sea->cascade[c].curvature;
+        LANES(l) {
+            const float x = b->ox[l] - at_x[c][l], y = b->oy[l] - at_y[c][l];
+            doubt[l] += half * (x * x + y * y);
+        }
+    }
+    uint32_t certain = 0;
+    LANES(l) {
+        const float determinant = b->jxx[l] * b->jyy[l] - b->jxy[l] * b->jyx[l];
+        certain |= doubt[l] <= QUERY_CONVERGED && determinant >= QUERY_FOLD ? 1u << l : 0u;
+    }
+    return certain;
 }
 
-// (dx, dy, height, 0) and its derivatives along and across the tile, by its cells.
-typedef struct cell_fields {
-    four value, along, across;
-} cell_fields;
-
-// The weighted rows of a plane, with the weights and with their derivatives across.
-typedef struct row_sums {
-    four value, across;
-} row_sums;
-
-static inline row_sums rows_of(const float *plane, const size_t row[4], const four w[4], const four d[4]) {
-    const four r0 = load_four(plane + row[0]), r1 = load_four(plane + row[1]), r2 = load_four(plane + row[2]),
-               r3 = load_four(plane + row[3]);
-    return (row_sums){(r0 * w[0] + r1 * w[1]) + (r2 * w[2] + r3 * w[3]),
-                      (r0 * d[0] + r1 * d[1]) + (r2 * d[2] + r3 * d[3])};
+uint32_t KERNEL(bolan_query_approach)(const query_sea *sea, query_block *block) {
+    tangent rest[BOLAN_MAX_CASCADES];
+    if (sea->choppiness > 0.0f) {
+        guess(sea, block, rest);
+    } else {
+        memset(rest, 0, sizeof rest);
+    }
+    return refine(sea, rest, block);
 }
 
-static inline cell_fields fields_at(const query_cascade *t, const spots *at, int l, bool with_height) {
-    float room[3][16];
-    const patch p = patch_of(t, at, l, room);
-    const four u = weights(spread(at->u[l])), du = slopes(spread(at->u[l]));
-    const four v = weights(spread(at->v[l])), dv = slopes(spread(at->v[l]));
-    const four w[4] = {SHUFFLE(v, v, 0, 0, 0, 0), SHUFFLE(v, v, 1, 1, 1, 1), SHUFFLE(v, v, 2, 2, 2, 2),
-                       SHUFFLE(v, v, 3, 3, 3, 3)};
-    const four d[4] = {SHUFFLE(dv, dv, 0, 0, 0, 0), SHUFFLE(dv, dv, 1, 1, 1, 1), SHUFFLE(dv, dv, 2, 2, 2, 2),
-                       SHUFFLE(dv, dv, 3, 3, 3, 3)};
-    const row_sums x = rows_of(p.plane[0], p.row, w, d), y = rows_of(p.plane[1], p.row, w, d);
-    const row_sums z = with_height ? rows_of(p.plane[2], p.row, w, d) : (row_sums){{0}, {0}};
-    return (cell_fields){sums_of(x.value * u, y.value * u, z.value * u),
-                         sums_of(x.value * du, y.value * du, z.value * du),
-                         sums_of(x.across * u, y.across * u, z.across * u)};
-}
+// ---- one place ------------------------------------------------------------------------------------------------------
 
-// The same in metres along the world's axes, by the place read or by the rest point, as they are summed over the
-// cascades.
-typedef struct fields {
-    four value, by_x, by_y;
-} fields;
+// Sums over the cascades: (dx, dy, height), and their gradients by the rest point.
+typedef struct sums {
+    float value[SPLINE_PLANES][QUERY_LANES], by_x[SPLINE_PLANES][QUERY_LANES], by_y[SPLINE_PLANES][QUERY_LANES];
+} sums;
 
-static inline void add_fields(const query_cascade *t, float weight, const cell_fields *f, fields *sum) {
-    const float cu = weight * t->c * t->cells_per_metre, su = weight * t->s * t->cells_per_metre;
-    sum->value += f->value * weight;
-    sum->by_x += f->along * cu - f->across * su;
-    sum->by_y += f->along * su + f->across * cu;
+static inline void add_cascade(const query_sea *sea, uint32_t c, const query_block *b, const spline_values *f,
+                               sums *out) {
+    const query_axes *axes = &b->axes[c];
+    const float *weight = b->attenuation[c];
+    for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+            out->value[p][l] += weight[l] * f->value[p][l];
+            out->by_x[p][l] += weight[l] * (f->along[p][l] * axes->ux[l] + f->across[p][l] * axes->vx[l]);
+            out->by_y[p][l] += weight[l] * (f->along[p][l] * axes->uy[l] + f->across[p][l] * axes->vy[l]);
+        }
+    LANES(l) out->value[SPLINE_HEIGHT][l] += weight[l] * weight[l] * sea->lift[c];
 }
 
 // Where the attenuation changes, it leans the water as well. The lift goes with its square.
-static inline void add_lean(const query_sea *sea, uint32_t c, const query_block *block, int l, four value,
-                            fields *lean) {
-    const four with_lift = value + (four){0.0f, 0.0f, 2.0f * block->attenuation[c][l] * sea->lift[c], 0.0f};
-    lean->by_x += with_lift * block->lean_x[c][l];
-    lean->by_y += with_lift * block->lean_y[c][l];
-}
-
-// Residual, slopes and Jacobian matrix from sums over the cascades.
-static inline void put_fields(const query_sea *sea, const fields *sum, const fields *lean, int l, query_block *block) {
-    const float lambda = sea->choppiness;
-    const four by_x = sum->by_x * block->warp[0][l] + sum->by_y * block->warp[2][l] + lean->by_x;
-    const four by_y = sum->by_x * block->warp[1][l] + sum->by_y * block->warp[3][l] + lean->by_y;
-    block->rx[l] = block->ox[l] + lambda * sum->value[0];
-    block->ry[l] = block->oy[l] + lambda * sum->value[1];
-    block->height[l] = sum->value[2];
-    block->slope_x[l] = by_x[2];
-    block->slope_y[l] = by_y[2];
-    block->jxx[l] = 1.0f + lambda * by_x[0];
-    block->jxy[l] = lambda * by_y[0];
-    block->jyx[l] = lambda * by_x[1];
-    block->jyy[l] = 1.0f + lambda * by_y[1];
-}
-
-// ---- the kernels ----------------------------------------------------------------------------------------------------
-
-void KERNEL(bolan_query_approach)(const query_sea *sea, query_block *block) {
-    const fields none = {{0}, {0}, {0}};
-    fields sum[QUERY_LANES];
-    memset(sum, 0, sizeof sum);
-    for (uint32_t c = 0; c < sea->count; c++) {
-        const query_cascade *t = &sea->cascade[c];
-        spots at;
-        find_spots(t, block, c, &at);
-        LANES(l) {
-            const cell_fields f = fields_at(t, &at, l, false);
-            add_fields(t, block->attenuation[c][l], &f, &sum[l]);
-            put_fields(sea, &sum[l], &none, l, block);
+static inline void add_lean(const query_sea *sea, uint32_t c, const query_block *b, const spline_values *f, sums *out) {
+    for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+            const float lift = p == SPLINE_HEIGHT ? 2.0f * b->attenuation[c][l] * sea->lift[c] : 0.0f;
+            out->by_x[p][l] += (f->value[p][l] + lift) * b->lean_x[c][l];
+            out->by_y[p][l] += (f->value[p][l] + lift) * b->lean_y[c][l];
         }
-        float x[QUERY_LANES], y[QUERY_LANES];
-        LANES(l) {
-            x[l] = block->ox[l];
-            y[l] = block->oy[l];
-            query_newton(block, (uint32_t)l);
-        }
-        LANES(l) sum[l].value += sum[l].by_x * (block->ox[l] - x[l]) + sum[l].by_y * (block->oy[l] - y[l]);
-    }
 }
 
 void KERNEL(bolan_query_evaluate)(const query_sea *sea, uint32_t lanes, query_block *block) {
-    fields sum[QUERY_LANES], lean[QUERY_LANES];
-    memset(sum, 0, sizeof sum);
-    memset(lean, 0, sizeof lean);
+    const float lambda = sea->choppiness;
+    sums sum;
+    memset(&sum, 0, sizeof sum);
     for (uint32_t c = 0; c < sea->count; c++) {
-        const query_cascade *t = &sea->cascade[c];
         spots at;
-        find_spots(t, block, c, &at);
-        LANES(l) {
-            if (!(lanes >> l & 1)) continue;
-            const cell_fields f = fields_at(t, &at, l, true);
-            add_fields(t, block->attenuation[c][l], &f, &sum[l]);
-            if (block->leans) add_lean(sea, c, block, l, f.value, &lean[l]);
-        }
+        spline_values f;
+        find_spots(&sea->cascade[c], block, c, &at);
+        read_splines(&sea->cascade[c], &at, lanes, &f);
+        add_cascade(sea, c, block, &f, &sum);
+        if (block->leans) add_lean(sea, c, block, &f, &sum);
     }
     LANES(l) {
-        if (!(lanes >> l & 1)) continue;
-        put_fields(sea, &sum[l], &lean[l], l, block);
-        for (uint32_t c = 0; c < sea->count; c++)
-            block->height[l] += block->attenuation[c][l] * block->attenuation[c][l] * sea->lift[c];
+        const bool on = lanes >> l & 1;
+        block->rx[l] = on ? block->ox[l] + lambda * sum.value[SPLINE_DX][l] : block->rx[l];
+        block->ry[l] = on ? block->oy[l] + lambda * sum.value[SPLINE_DY][l] : block->ry[l];
+        block->height[l] = on ? sum.value[SPLINE_HEIGHT][l] : block->height[l];
+        block->slope_x[l] = on ? sum.by_x[SPLINE_HEIGHT][l] : block->slope_x[l];
+        block->slope_y[l] = on ? sum.by_y[SPLINE_HEIGHT][l] : block->slope_y[l];
+        block->jxx[l] = on ? 1.0f + lambda * sum.by_x[SPLINE_DX][l] : block->jxx[l];
+        block->jxy[l] = on ? lambda * sum.by_y[SPLINE_DX][l] : block->jxy[l];
+        block->jyx[l] = on ? lambda * sum.by_x[SPLINE_DY][l] : block->jyx[l];
+        block->jyy[l] = on ? 1.0f + lambda * sum.by_y[SPLINE_DY][l] : block->jyy[l];
     }
 }

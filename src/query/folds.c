@@ -19,26 +19,25 @@ bolan_vec2 bolan_query_compressed_direction(float xx, float yy, float xy) {
     return length > 0.0f ? (bolan_vec2){x / length, y / length} : (bolan_vec2){1.0f, 0.0f};
 }
 
-// Copies the place of `lane` into every lane of `to`.
-static void spread_place(const query *q, const query_block *from, uint32_t lane, query_block *to) {
-    to->leans = from->leans;
-    for (uint32_t l = 0; l < QUERY_LANES; l++) {
-        to->x[l] = from->x[lane];
-        to->y[l] = from->y[lane];
-        for (uint32_t c = 0; c < q->sea.count; c++) {
-            to->cell_u[c][l] = from->cell_u[c][lane];
-            to->cell_v[c][l] = from->cell_v[c][lane];
-            to->part_u[c][l] = from->part_u[c][lane];
-            to->part_v[c][l] = from->part_v[c][lane];
-        }
-        for (int e = 0; e < 4; e++) to->warp[e][l] = from->warp[e][lane];
-        to->settled[l] = from->settled[lane];
-        for (uint32_t c = 0; c < BOLAN_MAX_CASCADES; c++) {
-            to->attenuation[c][l] = from->attenuation[c][lane];
-            to->lean_x[c][l] = from->lean_x[c][lane];
-            to->lean_y[c][l] = from->lean_y[c][lane];
-        }
+void bolan_query_copy_place(const query *q, const query_block *from, uint32_t lane, query_block *to, uint32_t l) {
+    to->x[l] = from->x[lane];
+    to->y[l] = from->y[lane];
+    for (uint32_t c = 0; c < q->sea.count; c++) {
+        to->cell_u[c][l] = from->cell_u[c][lane];
+        to->cell_v[c][l] = from->cell_v[c][lane];
+        to->part_u[c][l] = from->part_u[c][lane];
+        to->part_v[c][l] = from->part_v[c][lane];
+        to->axes[c].ux[l] = from->axes[c].ux[lane];
+        to->axes[c].uy[l] = from->axes[c].uy[lane];
+        to->axes[c].vx[l] = from->axes[c].vx[lane];
+        to->axes[c].vy[l] = from->axes[c].vy[lane];
+        to->attenuation[c][l] = from->attenuation[c][lane];
+        to->lean_x[c][l] = from->lean_x[c][lane];
+        to->lean_y[c][l] = from->lean_y[c][lane];
     }
+    to->settled[l] = from->settled[lane];
+    to->ox[l] = from->ox[lane];
+    to->oy[l] = from->oy[lane];
 }
 
 // Sets starts around the result of `lane` of `from` (which may be `to` itself): lane 0 continues from the result, lane
@@ -84,10 +83,11 @@ void bolan_query_search_folds(const query *q, query_block *block, uint32_t lane)
     query_block starts;
     const query_block *from = block;
     uint32_t best = lane;
-    spread_place(q, block, lane, &starts);
+    starts.leans = block->leans;
+    for (uint32_t l = 0; l < QUERY_LANES; l++) bolan_query_copy_place(q, block, lane, &starts, l);
     for (int round = 0; round < 2; round++) { // the second from the best of the first, along its own direction
         spread_starts(q, from, best, &starts);
-        bolan_query_solve(q, QUERY_SEARCH_STEPS, &starts);
+        bolan_query_solve(q, QUERY_ALL_LANES, QUERY_SEARCH_STEPS, &starts);
         best = choose(&starts);
         from = &starts;
     }

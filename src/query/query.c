@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Questions to the sea. A batch is cut into blocks of 16 points (block.h); a block is solved by a few Newton steps on
-// the choppy map, evaluated, and the few lanes near a fold are searched for more roots (folds.c).
+// Questions to the sea. A batch is cut into blocks of 16 points (block.h), which are solved by the kernels. Lanes that
+// need more are collected from all blocks into full ones, solved by Newton steps, and those near a fold are searched
+// for more roots (folds.c).
 #include "bolan/query.h"
 #include "bolan/coast.h"
 
@@ -8,10 +9,9 @@
 #include "water/layer.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { GRAIN_BLOCKS = 16 };
-static const float CONVERGED = 1.5e-5f;       // [m] far below the residual that query.h promises
-static const float FOLD_DETERMINANT = 0.25f; // below this a second root may be near
 // What the shore map of the renderer resolves close to the eye [m]: finer ground does not shape the waves.
 static const double GROUND_RESOLUTION = 2.0;
 static const double LEAN_STEP = 0.25; // [m] to either side, of the difference that the gradient of the coast is
@@ -52,15 +52,17 @@ static void lean_lane(const query *q, query_block *b, uint32_t l) {
 
 // Ground is dear to evaluate. Beyond 8 Hs of depth the attenuation is 1, on land it is 0, and a rest point is about Hs
 // away at most: twice that depth, or half of it on land, settles the lane for all its steps.
-static void settle(const query *q, query_block *b) {
-    b->leans = false;
+// Returns the lanes that are settled.
+static uint32_t settle(const query *q, query_block *b) {
+    if (!q->water->ground) return QUERY_ALL_LANES;
+    uint32_t lanes = 0;
     for (uint32_t l = 0; l < QUERY_LANES; l++) {
-        b->settled[l] = true;
-        if (!q->water->ground) continue;
         const float depth = depth_at(q, b, l, 0.0, 0.0);
         attenuate_lane(q, depth, b, l);
         b->settled[l] = depth > 16.0f * q->hs || depth < -4.0f * q->hs;
+        lanes |= (uint32_t)b->settled[l] << l;
     }
+    return lanes;
 }
 
 static void attenuate(const query *q, uint32_t lanes, bool lean, query_block *b) {
@@ -114,7 +116,7 @@ static void newton(uint32_t lanes, query_block *b) {
 }
 
 static bool has_converged(const query_block *b, uint32_t l) {
-    return b->rx[l] * b->rx[l] + b->ry[l] * b->ry[l] <= CONVERGED * CONVERGED;
+    return b->rx[l] * b->rx[l] + b->ry[l] * b->ry[l] <= QUERY_CONVERGED * QUERY_CONVERGED;
 }
 
 // Those of `lanes` that have not converged.
@@ -127,18 +129,17 @@ static uint32_t left_of(uint32_t lanes, const query_block *b) {
 
 // Half a millimetre from the rest point the height is off by that much of the slope: what is left of it, by the
 // tangent.
-static void refine(query_block *b) {
+static void correct_heights(query_block *b) {
     for (uint32_t l = 0; l < QUERY_LANES; l++) {
         const float determinant = query_determinant(b, l);
-        if (determinant < FOLD_DETERMINANT || !has_converged(b, l)) continue;
+        if (determinant < QUERY_FOLD || !has_converged(b, l)) continue;
         const float sx = (b->jyy[l] * b->rx[l] - b->jxy[l] * b->ry[l]) / determinant;
         const float sy = (b->jxx[l] * b->ry[l] - b->jyx[l] * b->rx[l]) / determinant;
         b->height[l] -= b->slope_x[l] * sx + b->slope_y[l] * sy;
     }
 }
 
-void bolan_query_solve(const query *q, uint32_t steps, query_block *block) {
-    uint32_t lanes = QUERY_ALL_LANES;
+void bolan_query_solve(const query *q, uint32_t lanes, uint32_t steps, query_block *block) {
     for (uint32_t i = 0;; i++) {
         attenuate(q, lanes, i < 2, block); // later steps are of millimetres
         q->kernels->evaluate(&q->sea, lanes, block);
@@ -146,22 +147,13 @@ void bolan_query_solve(const query *q, uint32_t steps, query_block *block) {
         if (lanes == 0 || i >= steps) break;
         newton(lanes, block);
     }
-    refine(block);
+    correct_heights(block);
     if (q->water->layer_count > 0) add_layers(q, block);
 }
 
 // True if the last step was not small enough, or the map is nearly singular there.
 static bool is_hard(const query_block *b, uint32_t l) {
-    return !has_converged(b, l) || query_determinant(b, l) < FOLD_DETERMINANT;
-}
-
-static void solve_block(const query *q, uint32_t lanes, query_block *b) {
-    q->kernels->locate(&q->sea, b);
-    settle(q, b);
-    if (q->sea.choppiness > 0.0f) q->kernels->approach(&q->sea, b);
-    bolan_query_solve(q, QUERY_STEPS, b);
-    for (uint32_t l = 0; l < lanes; l++)
-        if (is_hard(b, l)) bolan_query_search_folds(q, b, l);
+    return !has_converged(b, l) || query_determinant(b, l) < QUERY_FOLD;
 }
 
 // Loads the points [first, first + lanes); the lanes that are left over and points that are not finite stand at the
@@ -172,10 +164,15 @@ static void load_block(const bolan_dvec2 *xy, uint32_t lanes, query_block *b) {
         b->x[l] = valid ? xy[l].x : 0.0;
         b->y[l] = valid ? xy[l].y : 0.0;
         b->ox[l] = b->oy[l] = 0.0f;
-        for (uint32_t c = 0; c < BOLAN_MAX_CASCADES; c++) {
-            b->attenuation[c][l] = 1.0f;
-            b->lean_x[c][l] = b->lean_y[c][l] = 0.0f;
-        }
+    }
+}
+
+// A block of deep water.
+static void clear_block(query_block *b) {
+    memset(b, 0, sizeof *b);
+    for (uint32_t l = 0; l < QUERY_LANES; l++) {
+        for (uint32_t c = 0; c < BOLAN_MAX_CASCADES; c++) b->attenuation[c][l] = 1.0f;
+        b->settled[l] = true;
     }
 }
 
@@ -196,14 +193,62 @@ static bolan_query_point point_of(const query *q, const query_block *b, uint32_t
     return p;
 }
 
-static void write_block(const batch *t, uint32_t first, uint32_t lanes, const query_block *b) {
+static void write_lane(const batch *t, uint32_t index, const query_block *b, uint32_t l) {
+    const bool valid = isfinite(t->xy[index].x) && isfinite(t->xy[index].y);
+    if (t->height) t->height[index] = (float)(t->q.water->level + (valid ? (double)b->height[l] : 0.0));
+    if (!t->out) return;
+    const bolan_query_point mean = {(float)t->q.water->level, {0.0f, 0.0f, 1.0f}, 1.0f, 0.0f};
+    t->out[index] = valid ? point_of(&t->q, b, l) : mean;
+}
+
+// Lanes of several blocks that the kernels alone cannot answer.
+typedef struct leftover {
+    uint32_t count, index[QUERY_LANES]; // in the batch
+    query_block block;
+} leftover;
+
+// Answers the first `count` lanes of a block; lane l is point index[l] of the batch.
+static void answer_leftover(const batch *t, leftover *left) {
+    query_block *b = &left->block;
+    b->leans = false;
+    bolan_query_solve(&t->q, (1u << left->count) - 1, QUERY_STEPS, b);
+    for (uint32_t l = 0; l < left->count; l++) {
+        if (is_hard(b, l)) bolan_query_search_folds(&t->q, b, l);
+        write_lane(t, left->index[l], b, l);
+    }
+    left->count = 0;
+}
+
+static void leave_lane(const batch *t, const query_block *b, uint32_t l, uint32_t index, leftover *left) {
+    bolan_query_copy_place(&t->q, b, l, &left->block, left->count);
+    left->index[left->count++] = index;
+    if (left->count == QUERY_LANES) answer_leftover(t, left);
+}
+
+// Slopes, Jacobian and residual at the offsets; the heights stay, so that they are those of a batch of heights.
+static void evaluate_surface(const query *q, query_block *b) {
+    float height[QUERY_LANES];
+    memcpy(height, b->height, sizeof height);
+    q->kernels->evaluate(&q->sea, QUERY_ALL_LANES, b);
+    memcpy(b->height, height, sizeof height);
+}
+
+static void answer_block(const batch *t, uint32_t first, uint32_t lanes, query_block *b, leftover *left) {
+    const query *q = &t->q;
+    uint32_t certain = 0;
+    q->kernels->locate(&q->sea, b);
+    const uint32_t settled = settle(q, b);
+    if (q->kernels->approach) {
+        certain = q->kernels->approach(&q->sea, b) & settled;
+        if (t->out) evaluate_surface(q, b);
+        if (certain && q->water->layer_count > 0) add_layers(q, b);
+    }
     for (uint32_t l = 0; l < lanes; l++) {
-        const uint32_t i = first + l;
-        const bool valid = isfinite(t->xy[i].x) && isfinite(t->xy[i].y);
-        if (t->height) t->height[i] = (float)(t->q.water->level + (valid ? (double)b->height[l] : 0.0));
-        if (!t->out) continue;
-        const bolan_query_point mean = {(float)t->q.water->level, {0.0f, 0.0f, 1.0f}, 1.0f, 0.0f};
-        t->out[i] = valid ? point_of(&t->q, b, l) : mean;
+        if (certain >> l & 1) {
+            write_lane(t, first + l, b, l);
+        } else {
+            leave_lane(t, b, l, first + l, left);
+        }
     }
 }
 
@@ -211,18 +256,28 @@ static void do_blocks(void *context, uint32_t begin, uint32_t end, uint32_t work
     (void)worker;
     const batch *t = context;
     query_block b;
+    leftover left;
+    clear_block(&b);
+    clear_block(&left.block);
+    left.count = 0;
     for (uint32_t i = begin; i < end; i++) {
         const uint32_t first = i * QUERY_LANES;
         const uint32_t lanes = t->count - first < QUERY_LANES ? t->count - first : QUERY_LANES;
         load_block(t->xy + first, lanes, &b);
-        solve_block(&t->q, lanes, &b);
-        write_block(t, first, lanes, &b);
+        answer_block(t, first, lanes, &b, &left);
     }
+    if (left.count > 0) answer_leftover(t, &left);
 }
 
-static query_cascade cascade_of(const bolan_cascade_view *v) {
+// Half of the error of a linear fetch of spline coefficients, of a wave k, is the factor 1 + (k cell)^2 / 12; the
+// waves of a cascade are spread out, and 10 is best.
+#define LINEAR_EXCESS 10.0
+
+static query_cascade cascade_of(const bolan_cascade_view *v, const bolan_sea_desc *desc) {
     double s, c;
     bolan_sincos(v->angle, &s, &c);
+    const double cell = v->length / v->n, k2 = v->variance > 0.0 ? v->mss / v->variance : 0.0; // [m], mean of k^2
+    const double travel = k2 > 0.0 ? 1.0 + 1.0 / (sqrt(k2) * desc->sea_state.depth) : 1.0;     // above coth(kh)
     return (query_cascade){.height = v->height,
                            .dx = v->dx,
                            .dy = v->dy,
@@ -231,7 +286,9 @@ static query_cascade cascade_of(const bolan_cascade_view *v) {
                            .c = (float)c,
                            .s = (float)s,
                            .tile_c = c / v->length,
-                           .tile_s = s / v->length};
+                           .tile_s = s / v->length,
+                           .linear = (float)(1.0 / (1.0 + cell * cell * k2 / LINEAR_EXCESS)),
+                           .curvature = (float)(desc->choppiness * travel * v->k_max * sqrt(v->mss))};
 }
 
 static query query_of(const bolan_water *water) {
@@ -247,7 +304,7 @@ static query query_of(const bolan_water *water) {
     }
     for (uint32_t i = 0; i < bolan_sea_cascade_count(sea); i++) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, i);
-        q.sea.cascade[i] = cascade_of(&v);
+        q.sea.cascade[i] = cascade_of(&v, desc);
         q.sea.origin_x = v.origin_x;
         q.sea.origin_y = v.origin_y;
     }

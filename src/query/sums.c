@@ -27,10 +27,6 @@ static void fields_of(const query_sea *sea, const query_block *block, fields *ou
     sea->sum_fields(sea->sum, x, y, NULL, out->at);
 }
 
-static void approach(const query_sea *sea, query_block *block) { // Newton's steps begin at the point itself
-    (void)sea, (void)block;
-}
-
 static void evaluate(const query_sea *sea, uint32_t lanes, query_block *block) {
     const float c = sea->choppiness;
     fields f;
@@ -52,4 +48,4 @@ static void evaluate(const query_sea *sea, uint32_t lanes, query_block *block) {
     }
 }
 
-const query_kernels bolan_query_sum_kernels = {locate, approach, evaluate};
+const query_kernels bolan_query_sum_kernels = {locate, NULL, evaluate};
