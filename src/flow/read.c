@@ -8,10 +8,11 @@
 
 #define NEGLIGIBLE 1e-7f // of a weight: a level holds no more than some metres
 
-#define FLOW_DECLARE(set)                                                                                       \
-    void bolan_flow_values_##set(const float *, uint32_t, double, double, float[FLOW_TEXEL], float[FLOW_TEXEL], \
-                                 float[FLOW_TEXEL]);                                                            \
-    void bolan_flow_bends_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT]);
+#define FLOW_DECLARE(set)                                                                      \
+    void bolan_flow_bends_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT]); \
+    void bolan_flow_whole_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT], float[3][FLOW_BENT]);
+#define FLOW_ROW(set) \
+    { bolan_flow_bends_##set, bolan_flow_whole_##set }
 
 FLOW_DECLARE(scalar)
 #ifdef BOLAN_KERNELS_X86
@@ -21,11 +22,11 @@ FLOW_DECLARE(avx512)
 #endif
 
 static const flow_kernels table[] = {
-    [BOLAN_CPU_SCALAR] = {bolan_flow_values_scalar, bolan_flow_bends_scalar},
+    [BOLAN_CPU_SCALAR] = FLOW_ROW(scalar),
 #ifdef BOLAN_KERNELS_X86
-    [BOLAN_CPU_SSE2] = {bolan_flow_values_sse2, bolan_flow_bends_sse2},
-    [BOLAN_CPU_AVX2] = {bolan_flow_values_avx2, bolan_flow_bends_avx2},
-    [BOLAN_CPU_AVX512] = {bolan_flow_values_avx512, bolan_flow_bends_avx512},
+    [BOLAN_CPU_SSE2] = FLOW_ROW(sse2),
+    [BOLAN_CPU_AVX2] = FLOW_ROW(avx2),
+    [BOLAN_CPU_AVX512] = FLOW_ROW(avx512),
 #endif
 };
 
@@ -117,16 +118,13 @@ static double fraction(double x) {
 }
 
 static double weigh(const float *weight, const float *field) {
-    double sum = 0.0;
-    for (int l = 0; l < FLOW_LEVELS; l++) sum += (double)(weight[l] * field[l]);
-    return sum;
+    return (double)((weight[0] * field[0] + weight[1] * field[1]) + (weight[2] * field[2] + weight[3] * field[3]));
 }
 
 // A derivative of a field: the stored one at level 0, that of the spline, `per` samples a metre, at the others.
 static double blend(const float *weight, double per, const float *spline, float stored) {
-    double sum = 0.0;
-    for (int l = 1; l < FLOW_LEVELS; l++) sum += (double)(weight[l] * spline[l]);
-    return per * sum + (double)(weight[0] * stored);
+    const float deep = weight[1] * spline[1] + (weight[2] * spline[2] + weight[3] * spline[3]);
+    return per * (double)deep + (double)(weight[0] * stored);
 }
 
 // Where a point is in a tile, in samples.
@@ -144,89 +142,112 @@ static void unwarp(const double g[4], flow_bend *b) {
     b->dyy = xy * g[1] + yy * g[3];
 }
 
-void bolan_flow_bend(const bolan_flow *flow, const flow_depth *at, double x, double y, const float *weight,
-                     flow_bend *out) {
-    *out = (flow_bend){0};
-    if (flow->wave_count > 0) {
-        bolan_flow_bend_waves(flow, at, x, y, out);
-        out->dx *= (double)weight[0], out->dy *= (double)weight[0];
-        out->dxx *= (double)weight[0], out->dxy *= (double)weight[0], out->dyy *= (double)weight[0];
-    }
-    double g[4];
-    const bolan_dvec2 read = bolan_sea_warped(&flow->warp, x - flow->origin.x, y - flow->origin.y, g);
-    for (uint32_t i = 0; i < flow->tiles; i++) {
-        const flow_tile *t = &flow->tile[i];
-        const double keep = (double)weight[t->band];
-        if (!at->weights[i].used || keep == 0.0) continue;
-        const bolan_dvec2 p = place(t, read.x, read.y);
-        float f[6][FLOW_BENT];
-        flow->kernels->bends(t->texels, t->n, p.x, p.y, f);
-        const double per = t->n / t->length, c = t->cosine, s = t->sine;
-        const float *w = at->weights[i].across;
-        const double u = keep * blend(w, per, f[1], f[0][FLOW_DRIFT]);
-        const double v = keep * blend(w, per, f[2], f[0][FLOW_DRIFT + 1]);
-        const double uu = keep * per * blend(w, per, f[3], f[1][FLOW_DRIFT]);
-        const double uv = keep * per * blend(w, per, f[4], f[2][FLOW_DRIFT]);
-        const double vv = keep * per * blend(w, per, f[5], f[2][FLOW_DRIFT + 1]);
-        out->dx += u * c - v * s;
-        out->dy += u * s + v * c;
-        out->dxx += uu * c * c - 2.0 * uv * c * s + vv * s * s;
-        out->dyy += uu * s * s + 2.0 * uv * c * s + vv * c * c;
-        out->dxy += (uu - vv) * c * s + uv * (c * c - s * s);
-    }
-    if (flow->tiles > 0) unwarp(g, out);
-}
-
-typedef struct texel {
-    float value[FLOW_TEXEL], u[FLOW_TEXEL], v[FLOW_TEXEL];
-} texel;
-
 static void add_turned(const flow_tile *t, double u, double v, double *x, double *y) {
     *x += u * t->cosine - v * t->sine;
     *y += u * t->sine + v * t->cosine;
 }
 
-static void add_tile(const bolan_flow *flow, const flow_tile *t, const flow_weights *w, double x, double y, double keep,
-                     flow_motion *out) {
-    const bolan_dvec2 p = place(t, x, y);
-    const double per = t->n / t->length;
-    texel f;
-    flow->kernels->values(t->texels, t->n, p.x, p.y, f.value, f.u, f.v);
-    out->height += keep * weigh(w->up, f.value);
-    add_turned(t, keep * blend(w->up, per, f.u, f.value[FLOW_DRIFT]),
-               keep * blend(w->up, per, f.v, f.value[FLOW_DRIFT + 1]), &out->slope_x, &out->slope_y);
-    add_turned(t, keep * per * weigh(w->across, f.u + FLOW_SPEED), keep * per * weigh(w->across, f.v + FLOW_SPEED),
-               &out->vx, &out->vy);
-    out->vz += keep * weigh(w->up, f.value + FLOW_SPEED);
-    add_turned(t, keep * blend(w->across, per, f.u + FLOW_RATE, f.value[FLOW_PUSH]),
-               keep * blend(w->across, per, f.v + FLOW_RATE, f.value[FLOW_PUSH + 1]), &out->ax, &out->ay);
-    out->az += keep * weigh(w->up, f.value + FLOW_RATE);
-    out->potential += keep * weigh(w->across, f.value + FLOW_RATE);
+// `f` as flow_kernels.bends() has it.
+static void add_bend(const flow_tile *t, const flow_weights *w, double keep, float f[6][FLOW_BENT], flow_bend *out) {
+    const double per = t->n / t->length, c = t->cosine, s = t->sine;
+    const double u = keep * blend(w->across, per, f[1], f[0][FLOW_DRIFT]);
+    const double v = keep * blend(w->across, per, f[2], f[0][FLOW_DRIFT + 1]);
+    const double uu = keep * per * blend(w->across, per, f[3], f[1][FLOW_DRIFT]);
+    const double uv = keep * per * blend(w->across, per, f[4], f[2][FLOW_DRIFT]);
+    const double vv = keep * per * blend(w->across, per, f[5], f[2][FLOW_DRIFT + 1]);
+    add_turned(t, u, v, &out->dx, &out->dy);
+    out->dxx += uu * c * c - 2.0 * uv * c * s + vv * s * s;
+    out->dyy += uu * s * s + 2.0 * uv * c * s + vv * c * c;
+    out->dxy += (uu - vv) * c * s + uv * (c * c - s * s);
 }
 
-static void scale(flow_motion *m, double f) {
+// `f` and `g` as flow_kernels.whole() has them: the fields from FLOW_SPEED on are in g.
+static void add_motion(const flow_tile *t, const flow_weights *w, double keep, float f[6][FLOW_BENT],
+                       float g[3][FLOW_BENT], flow_motion *out) {
+    enum { RATE = FLOW_RATE - FLOW_SPEED };
+    const double per = t->n / t->length;
+    out->height += keep * weigh(w->up, f[0]);
+    add_turned(t, keep * blend(w->up, per, f[1], f[0][FLOW_DRIFT]),
+               keep * blend(w->up, per, f[2], f[0][FLOW_DRIFT + 1]), &out->slope_x, &out->slope_y);
+    add_turned(t, keep * per * weigh(w->across, g[1]), keep * per * weigh(w->across, g[2]), &out->vx, &out->vy);
+    out->vz += keep * weigh(w->up, g[0]);
+    add_turned(t, keep * blend(w->across, per, g[1] + RATE, f[0][FLOW_PUSH]),
+               keep * blend(w->across, per, g[2] + RATE, f[0][FLOW_PUSH + 1]), &out->ax, &out->ay);
+    out->az += keep * weigh(w->up, g[0] + RATE);
+    out->potential += keep * weigh(w->across, g[0] + RATE);
+}
+
+static void scale_bend(flow_bend *b, double f) {
+    b->dx *= f, b->dy *= f;
+    b->dxx *= f, b->dxy *= f, b->dyy *= f;
+}
+
+static void scale_motion(flow_motion *m, double f) {
     m->height *= f, m->slope_x *= f, m->slope_y *= f;
     m->vx *= f, m->vy *= f, m->vz *= f;
     m->ax *= f, m->ay *= f, m->az *= f;
     m->potential *= f;
 }
 
-void bolan_flow_motion(const bolan_flow *flow, const flow_depth *at, double x, double y, const float *weight,
-                       flow_motion *out) {
-    *out = (flow_motion){0};
-    if (flow->wave_count > 0) {
-        bolan_flow_motion_waves(flow, at, x, y, out);
-        scale(out, (double)weight[0]);
-    }
-    double g[4];
-    const bolan_dvec2 read = bolan_sea_warped(&flow->warp, x - flow->origin.x, y - flow->origin.y, g);
+static void read_waves(const bolan_flow *flow, const flow_depth *at, double x, double y, double weight, flow_bend *bend,
+                       flow_motion *motion) {
+    bolan_flow_bend_waves(flow, at, x, y, bend);
+    scale_bend(bend, weight);
+    if (!motion) return;
+    bolan_flow_motion_waves(flow, at, x, y, motion);
+    scale_motion(motion, weight);
+}
+
+void bolan_flow_spot(const bolan_flow *flow, double x, double y, flow_spot *out) {
+    out->at = (bolan_dvec2){x, y};
+    out->read = bolan_sea_warped(&flow->warp, x - flow->origin.x, y - flow->origin.y, out->gradient);
+}
+
+// Asks for the texels around a place: there are more than a cache holds, and the next tile's are read meanwhile.
+static void prefetch_texels(const flow_tile *t, bolan_dvec2 p) {
+    const uint32_t mask = t->n - 1, column = (uint32_t)p.x + mask, row = (uint32_t)p.y + mask;
+    for (uint32_t j = 0; j < 4; j++)
+        for (uint32_t i = 0; i < 4; i++)
+            __builtin_prefetch(t->texels + ((size_t)((row + j) & mask) * t->n + ((column + i) & mask)) * FLOW_TEXEL);
+}
+
+static void read_tiles(const bolan_flow *flow, const flow_depth *at, bolan_dvec2 read, const float *weight,
+                       flow_bend *bend, flow_motion *motion) {
+    bolan_dvec2 p[FLOW_MAX_TILES];
+    uint32_t used[FLOW_MAX_TILES], count = 0;
     for (uint32_t i = 0; i < flow->tiles; i++) {
-        const flow_tile *t = &flow->tile[i];
-        if (at->weights[i].used && weight[t->band] != 0.0f)
-            add_tile(flow, t, &at->weights[i], read.x, read.y, (double)weight[t->band], out);
+        if (!at->weights[i].used || weight[flow->tile[i].band] == 0.0f) continue;
+        p[count] = place(&flow->tile[i], read.x, read.y);
+        prefetch_texels(&flow->tile[i], p[count]);
+        used[count++] = i;
     }
+    for (uint32_t i = 0; i < count; i++) {
+        const flow_tile *t = &flow->tile[used[i]];
+        const flow_weights *w = &at->weights[used[i]];
+        const double keep = (double)weight[t->band];
+        float f[6][FLOW_BENT], g[3][FLOW_BENT];
+        if (motion) {
+            flow->kernels->whole(t->texels, t->n, p[i].x, p[i].y, f, g);
+            add_motion(t, w, keep, f, g, motion);
+        } else {
+            flow->kernels->bends(t->texels, t->n, p[i].x, p[i].y, f);
+        }
+        add_bend(t, w, keep, f, bend);
+    }
+}
+
+void bolan_flow_read(const bolan_flow *flow, const flow_depth *at, const flow_spot *spot, double x, double y,
+                     const float *weight, flow_bend *bend, flow_motion *motion) {
+    *bend = (flow_bend){0};
+    if (motion) *motion = (flow_motion){0};
+    if (flow->wave_count > 0) read_waves(flow, at, x, y, (double)weight[0], bend, motion);
     if (flow->tiles == 0) return;
-    const double sx = out->slope_x, sy = out->slope_y;
-    out->slope_x = sx * g[0] + sy * g[2];
-    out->slope_y = sx * g[1] + sy * g[3];
+    const double *g = spot->gradient, ox = x - spot->at.x, oy = y - spot->at.y;
+    const bolan_dvec2 read = {spot->read.x + (g[0] * ox + g[1] * oy), spot->read.y + (g[2] * ox + g[3] * oy)};
+    read_tiles(flow, at, read, weight, bend, motion);
+    unwarp(g, bend);
+    if (!motion) return;
+    const double sx = motion->slope_x, sy = motion->slope_y;
+    motion->slope_x = sx * g[0] + sy * g[2];
+    motion->slope_y = sx * g[1] + sy * g[3];
 }

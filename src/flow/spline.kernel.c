@@ -7,12 +7,12 @@
 #define SPLINE_JOIN(a, b) SPLINE_JOIN2(a, b)
 #define KERNEL(name) SPLINE_JOIN(name, BOLAN_KERNEL_SUFFIX)
 
-enum { TAPS = 4, HALVES = FLOW_TEXEL / 8 };
-_Static_assert(FLOW_BENT == 8, "what finding a rest point reads is one vector");
+enum { TAPS = 4 };
+_Static_assert(FLOW_BENT == 8 && FLOW_TEXEL == 16, "a texel is two vectors");
 typedef float eight __attribute__((vector_size(32), aligned(4), may_alias));
 
-void KERNEL(bolan_flow_values)(const float *texels, uint32_t n, double u, double v, float value[FLOW_TEXEL],
-                               float along_u[FLOW_TEXEL], float along_v[FLOW_TEXEL]);
+void KERNEL(bolan_flow_whole)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT],
+                              float rest[3][FLOW_BENT]);
 void KERNEL(bolan_flow_bends)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]);
 
 // The taps along one axis: indices, and the weights of value, first and second derivative by cells.
@@ -33,31 +33,33 @@ static inline taps taps_of(double x, uint32_t n) {
     return t;
 }
 
-void KERNEL(bolan_flow_values)(const float *texels, uint32_t n, double u, double v, float value[FLOW_TEXEL],
-                               float along_u[FLOW_TEXEL], float along_v[FLOW_TEXEL]) {
+void KERNEL(bolan_flow_whole)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT],
+                              float rest[3][FLOW_BENT]) {
     const taps x = taps_of(u, n), y = taps_of(v, n);
-    eight sum[HALVES] = {{0}}, sum_u[HALVES] = {{0}}, sum_v[HALVES] = {{0}};
+    eight sum[6] = {{0}}, other[3] = {{0}};
     for (int j = 0; j < TAPS; j++) {
         const float *row = texels + (size_t)y.at[j] * n * FLOW_TEXEL;
-        eight here[HALVES] = {{0}}, here_u[HALVES] = {{0}};
+        eight here = {0}, here_u = {0}, here_uu = {0}, there = {0}, there_u = {0};
         for (int i = 0; i < TAPS; i++) {
             const eight *texel = (const eight *)(const void *)(row + (size_t)x.at[i] * FLOW_TEXEL);
-            for (int h = 0; h < HALVES; h++) {
-                here[h] += x.value[i] * texel[h];
-                here_u[h] += x.slope[i] * texel[h];
-            }
+            here += x.value[i] * texel[0];
+            here_u += x.slope[i] * texel[0];
+            here_uu += x.bend[i] * texel[0];
+            there += x.value[i] * texel[1];
+            there_u += x.slope[i] * texel[1];
         }
-        for (int h = 0; h < HALVES; h++) {
-            sum[h] += y.value[j] * here[h];
-            sum_u[h] += y.value[j] * here_u[h];
-            sum_v[h] += y.slope[j] * here[h];
-        }
+        sum[0] += y.value[j] * here;
+        sum[1] += y.value[j] * here_u;
+        sum[2] += y.slope[j] * here;
+        sum[3] += y.value[j] * here_uu;
+        sum[4] += y.slope[j] * here_u;
+        sum[5] += y.bend[j] * here;
+        other[0] += y.value[j] * there;
+        other[1] += y.value[j] * there_u;
+        other[2] += y.slope[j] * there;
     }
-    for (int h = 0; h < HALVES; h++) {
-        ((eight *)(void *)value)[h] = sum[h];
-        ((eight *)(void *)along_u)[h] = sum_u[h];
-        ((eight *)(void *)along_v)[h] = sum_v[h];
-    }
+    for (int i = 0; i < 6; i++) *(eight *)(void *)bend[i] = sum[i];
+    for (int i = 0; i < 3; i++) *(eight *)(void *)rest[i] = other[i];
 }
 
 void KERNEL(bolan_flow_bends)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]) {

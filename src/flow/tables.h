@@ -93,11 +93,11 @@ typedef struct flow_wave {
 } flow_wave;
 
 typedef struct flow_kernels {
-    // Value and gradient by u and v, per cell, of all fields of a texel.
-    void (*values)(const float *texels, uint32_t n, double u, double v, float value[FLOW_TEXEL],
-                   float along_u[FLOW_TEXEL], float along_v[FLOW_TEXEL]);
-    // Value, gradient u, v and second derivatives uu, uv, vv of the first FLOW_BENT fields, per cell.
-    void (*bends)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]);
+    // Value, gradient u, v and second derivatives uu, uv, vv of the first FLOW_BENT fields of a texel, per cell.
+    void (*bends)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT]);
+    // The same, and value and gradient of the other fields.
+    void (*whole)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT],
+                  float rest[3][FLOW_BENT]);
 } flow_kernels;
 
 struct bolan_flow {
@@ -158,16 +158,23 @@ void bolan_flow_depth(const bolan_flow *flow, double below, double smoothing, fl
 typedef struct flow_bend {
     double dx, dy, dxx, dxy, dyy;
 } flow_bend;
-void bolan_flow_bend(const bolan_flow *flow, const flow_depth *at, double x, double y, const float *weight,
-                     flow_bend *out);
 // Everything else there.
 typedef struct flow_motion {
     double height, slope_x, slope_y; // vertical displacement and its gradient
     double vx, vy, vz, ax, ay, az;
     double potential; // d2Phi/dt2 [m2/s2]: the pressure is -density times it
 } flow_motion;
-void bolan_flow_motion(const bolan_flow *flow, const flow_depth *at, double x, double y, const float *weight,
-                       flow_motion *out);
+// A place of the warped plane, and the tangent of the warp there, by which all rest points near it are read.
+typedef struct flow_spot {
+    bolan_dvec2 at, read;
+    double gradient[4];
+} flow_spot;
+void bolan_flow_spot(const bolan_flow *flow, double x, double y, flow_spot *out);
+// Asks the memory for what is read at (x, y) near a spot: there are more texels than a cache holds.
+void bolan_flow_prefetch(const bolan_flow *flow, const flow_depth *at, const flow_spot *spot, double x, double y);
+// Both at the rest point (x, y) near a spot. `motion` NULL: the displacement alone, for half the work.
+void bolan_flow_read(const bolan_flow *flow, const flow_depth *at, const flow_spot *spot, double x, double y,
+                     const float *weight, flow_bend *bend, flow_motion *motion);
 // The lift of each band that is left by a least wavelength [m].
 void bolan_flow_lifts(const bolan_flow *flow, double smoothing, float out[BOLAN_MAX_CASCADES]);
 // For sums.

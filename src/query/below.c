@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Questions to the moving water. Each point is answered by itself: its depth at rest, its rest point by Newton's method
 // on the displacement at that depth, and the gradients of the flow's potentials there (flow/tables.h).
+//
+// A texel of the flow is a cache line, and a point reads 16 of each tile: it is these reads that cost. Surface and rest
+// point of a point near the surface are those of bolan_query_heights(), whose fields are far smaller, so that the flow
+// is read once there. Below, it is read once for a Newton step and once for the answer.
 #include "bolan/coast.h"
 #include "bolan/query.h"
 
 #include "flow/tables.h"
+#include "query/block.h"
 #include "water/layer.h"
 
 #include <math.h>
 
-enum { GRAIN_POINTS = 64, STEPS = 10 };
+enum { GRAIN_POINTS = 64, STEPS = 10, BATCH = 64 };
 #define CONVERGED 5e-4        // [m] of the rest point
 #define REGULAR 0.1           // determinant below which Newton's matrix says nothing
 #define WET_MARGIN 1e-3       // [m] above the surface
@@ -24,6 +29,8 @@ typedef struct asked {
     double highest; // no surface is farther from the level [m]
     float lift[BOLAN_MAX_CASCADES];
     flow_depth surface; // depth 0
+    bool filtered;      // waves are left out: the surface is not that of `heights`
+    query heights;      // of all waves
     // One of two questions.
     const bolan_dvec3 *xyz;
     bolan_kinematics *below;
@@ -31,12 +38,22 @@ typedef struct asked {
     bolan_surface_motion *motion;
 } asked;
 
-// A parcel at rest, and what shallow water leaves of each band there.
+// A parcel at rest, what shallow water leaves of each band there, and the flow there without layers.
 typedef struct rest {
     double x, y, depth; // of the water under it [m]
     float keep[BOLAN_MAX_CASCADES];
     flow_bend bend;
+    flow_motion motion;
 } rest;
+
+// A point as it is looked for.
+typedef struct sought {
+    double x, y;
+    flow_spot spot;
+    bolan_dvec2 near; // its rest point at the surface, where it is known, or the point itself
+    bool is_known;    // it is, and so is
+    float eta;        // the surface over the level [m]
+} sought;
 
 bolan_question bolan_question_default(void) {
     return (bolan_question){.least_wavelength = 0.0, .stretching = BOLAN_STRETCH_NONE};
@@ -58,20 +75,23 @@ static void advance(rest *r, double choppiness, double rx, double ry) {
     r->y -= regular ? (xx * ry - xy * rx) / determinant : ry;
 }
 
-// The parcel that stands over (x, y), at the depth of rest `at`; the search begins at `start`.
-static rest find_rest(const asked *a, const flow_depth *at, double x, double y, bolan_dvec2 start) {
-    rest r = {.x = start.x, .y = start.y, .depth = INFINITY};
+// The parcel that stands over a point, at the depth of rest `at`. The search begins at `start`; `close`: next to it.
+static void find_rest(const asked *a, const flow_depth *at, const sought *p, bolan_dvec2 start, bool close, rest *r) {
     const double choppiness = (double)a->flow->choppiness;
-    for (uint32_t i = 0; i < BOLAN_MAX_CASCADES; i++) r.keep[i] = 1.0f;
+    r->x = start.x;
+    r->y = start.y;
+    r->depth = INFINITY;
+    for (uint32_t i = 0; i < BOLAN_MAX_CASCADES; i++) r->keep[i] = 1.0f;
     for (int i = 0; i < STEPS; i++) {
-        attenuate(a, &r);
-        if (choppiness == 0.0) break; // parcels stand where they rest
-        bolan_flow_bend(a->flow, at, r.x, r.y, r.keep, &r.bend);
-        const double rx = r.x - x + choppiness * r.bend.dx, ry = r.y - y + choppiness * r.bend.dy;
-        if (rx * rx + ry * ry < CONVERGED * CONVERGED) break;
-        advance(&r, choppiness, rx, ry);
+        attenuate(a, r);
+        const bool last = i > 0 || close || choppiness == 0.0; // or so it seems
+        bolan_flow_read(a->flow, at, &p->spot, r->x, r->y, r->keep, &r->bend, last ? &r->motion : NULL);
+        const double rx = r->x - p->x + choppiness * r->bend.dx, ry = r->y - p->y + choppiness * r->bend.dy;
+        if (choppiness == 0.0 || (last && rx * rx + ry * ry < CONVERGED * CONVERGED)) return;
+        advance(r, choppiness, rx, ry);
     }
-    return r;
+    attenuate(a, r);
+    bolan_flow_read(a->flow, at, &p->spot, r->x, r->y, r->keep, &r->bend, &r->motion);
 }
 
 // ---- layers ---------------------------------------------------------------------------------------------------------
@@ -112,13 +132,11 @@ static void add_layer_heights(const asked *a, const rest *r, flow_motion *m) {
 
 // ---- below ----------------------------------------------------------------------------------------------------------
 
-// *over: the rest point of the parcel that is there.
-static double height_over_level(const asked *a, double x, double y, bolan_dvec2 *over) {
-    const rest r = find_rest(a, &a->surface, x, y, *over);
-    *over = (bolan_dvec2){r.x, r.y};
-    flow_motion m;
-    bolan_flow_motion(a->flow, &a->surface, r.x, r.y, r.keep, &m);
-    add_layer_heights(a, &r, &m);
+// Of the surface over the level.
+static double height_over_level(const asked *a, const sought *p, rest *r) {
+    find_rest(a, &a->surface, p, p->near, p->is_known, r);
+    flow_motion m = r->motion;
+    add_layer_heights(a, r, &m);
     return m.height;
 }
 
@@ -126,28 +144,36 @@ static bool is_buried(const asked *a, bolan_dvec3 p) {
     return a->water->ground && p.z < (double)bolan_ground_elevation(a->water->ground, p.x, p.y, GROUND_RESOLUTION);
 }
 
-// Depth at rest of a point that is in the water; < 0 of one that is not. *near becomes a place near its rest point.
-static double depth_at_rest(const asked *a, bolan_dvec3 p, bolan_dvec2 *near) {
+// Depth at rest of a point that is in the water; < 0 of one that is not. *found: r is its rest point at the surface.
+static double depth_at_rest(const asked *a, bolan_dvec3 p, const sought *s, rest *r, bool *found) {
     const double z = p.z - a->water->level;
     const bool stretched = a->question.stretching == BOLAN_STRETCH_WHEELER;
+    *found = false;
     if (is_buried(a, p) || z > a->highest + WET_MARGIN) return -1.0;
     if (!stretched && z < -a->highest) return -z; // whatever the surface does
-    const double eta = height_over_level(a, p.x, p.y, near), total = a->flow->depth + eta;
+    double eta = (double)s->eta;
+    if (!s->is_known) eta = height_over_level(a, s, r), *found = true;
+    const double total = a->flow->depth + eta;
     if (z > eta + WET_MARGIN || !(total > 0.0)) return -1.0;
     return fmax(stretched ? a->flow->depth * (eta - z) / total : -z, 0.0);
 }
 
-static void answer_below(const asked *a, bolan_dvec3 p, bolan_kinematics *out) {
+// `at` holds the weights of the last depth.
+static void answer_below(const asked *a, bolan_dvec3 p, sought *s, flow_depth *at, bolan_kinematics *out) {
+    rest r;
+    bool found;
     *out = (bolan_kinematics){0};
     if (!isfinite(p.x) || !isfinite(p.y) || !isfinite(p.z)) return;
-    bolan_dvec2 near = {p.x, p.y};
-    const double below = depth_at_rest(a, p, &near);
+    bolan_flow_spot(a->flow, p.x, p.y, &s->spot);
+    const double below = depth_at_rest(a, p, s, &r, &found);
     if (below < 0.0) return;
-    flow_depth at;
-    flow_motion m;
-    bolan_flow_depth(a->flow, below, a->smoothing, &at);
-    const rest r = find_rest(a, &at, p.x, p.y, near);
-    bolan_flow_motion(a->flow, &at, r.x, r.y, r.keep, &m);
+    if (at->below != below) bolan_flow_depth(a->flow, below, a->smoothing, at);
+    if (!found || below > 0.0) {
+        if (found) s->near = (bolan_dvec2){r.x, r.y};
+        const bolan_dvec2 start = below <= a->highest ? s->near : (bolan_dvec2){p.x, p.y};
+        find_rest(a, at, s, start, s->is_known && below == 0.0, &r);
+    }
+    flow_motion m = r.motion;
     add_layer_flows(a, &r, below, &m);
     out->velocity = bolan_v3((float)m.vx + a->flow->current_x, (float)m.vy + a->flow->current_y, (float)m.vz);
     out->acceleration = bolan_v3((float)m.ax, (float)m.ay, (float)m.az);
@@ -175,13 +201,13 @@ static double rise_of(const asked *a, const flow_motion *sea, double vz, bolan_v
     return vz + (ux * (double)normal.x + uy * (double)normal.y) / (double)normal.z;
 }
 
-static void answer_motion(const asked *a, bolan_dvec2 p, bolan_surface_motion *out) {
+static void answer_motion(const asked *a, bolan_dvec2 p, sought *s, bolan_surface_motion *out) {
+    rest r;
     *out = (bolan_surface_motion){.height = (float)a->water->level, .normal = {0.0f, 0.0f, 1.0f}};
     if (!isfinite(p.x) || !isfinite(p.y)) return;
-    const rest r = find_rest(a, &a->surface, p.x, p.y, p);
-    flow_motion sea;
-    bolan_flow_motion(a->flow, &a->surface, r.x, r.y, r.keep, &sea);
-    flow_motion m = sea;
+    bolan_flow_spot(a->flow, p.x, p.y, &s->spot);
+    find_rest(a, &a->surface, s, s->near, s->is_known, &r);
+    flow_motion m = r.motion;
     add_layer_heights(a, &r, &m);
     add_layer_flows(a, &r, 0.0, &m);
     out->height = (float)(a->water->level + m.height);
@@ -189,20 +215,62 @@ static void answer_motion(const asked *a, bolan_dvec2 p, bolan_surface_motion *o
     if (r.depth <= 0.0) return; // land
     out->velocity = bolan_v3((float)m.vx + a->flow->current_x, (float)m.vy + a->flow->current_y, (float)m.vz);
     out->acceleration = bolan_v3((float)m.ax, (float)m.ay, (float)m.az);
-    out->rise = (float)rise_of(a, &sea, m.vz, out->normal);
+    out->rise = (float)rise_of(a, &r.motion, m.vz, out->normal);
 }
 
 // ---- batches --------------------------------------------------------------------------------------------------------
+
+// The surface over points, by all waves; `known` says for which it is asked. What one point gets does not depend on the
+// others.
+static void seek(const asked *a, const bolan_dvec2 *xy, const bool *known, uint32_t count, sought *out) {
+    float height[BATCH];
+    bolan_vec2 offset[BATCH];
+    bool any = false;
+    for (uint32_t i = 0; i < count; i++) {
+        out[i] = (sought){.x = xy[i].x, .y = xy[i].y, .near = xy[i], .is_known = known[i] && !a->filtered};
+        any |= out[i].is_known;
+    }
+    if (any) bolan_query_rest_points(&a->heights, xy, count, height, offset);
+    for (uint32_t i = 0; i < count; i++) {
+        if (!out[i].is_known) continue;
+        out[i].near = (bolan_dvec2){xy[i].x + (double)offset[i].x, xy[i].y + (double)offset[i].y};
+        out[i].eta = (float)((double)height[i] - a->water->level);
+    }
+}
+
+static void answer_batch_below(const asked *a, uint32_t first, uint32_t count, flow_depth *at) {
+    const bool stretched = a->question.stretching == BOLAN_STRETCH_WHEELER;
+    bolan_dvec2 xy[BATCH];
+    bool known[BATCH];
+    sought s[BATCH];
+    for (uint32_t i = 0; i < count; i++) {
+        const bolan_dvec3 p = a->xyz[first + i];
+        xy[i] = (bolan_dvec2){p.x, p.y};
+        known[i] = stretched || fabs(p.z - a->water->level) <= a->highest + WET_MARGIN;
+    }
+    seek(a, xy, known, count, s);
+    for (uint32_t i = 0; i < count; i++) answer_below(a, a->xyz[first + i], &s[i], at, &a->below[first + i]);
+}
+
+static void answer_batch_motion(const asked *a, uint32_t first, uint32_t count) {
+    sought s[BATCH];
+    bool known[BATCH];
+    for (uint32_t i = 0; i < count; i++) known[i] = true;
+    seek(a, a->xy + first, known, count, s);
+    for (uint32_t i = 0; i < count; i++) answer_motion(a, a->xy[first + i], &s[i], &a->motion[first + i]);
+}
 
 // Task: points [begin, end).
 static void answer_points(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
     (void)worker;
     const asked *a = context;
-    for (uint32_t i = begin; i < end; i++) {
+    flow_depth at = a->surface;
+    for (uint32_t first = begin; first < end; first += BATCH) {
+        const uint32_t count = end - first < BATCH ? end - first : BATCH;
         if (a->below) {
-            answer_below(a, a->xyz[i], &a->below[i]);
+            answer_batch_below(a, first, count, &at);
         } else {
-            answer_motion(a, a->xy[i], &a->motion[i]);
+            answer_batch_motion(a, first, count);
         }
     }
 }
@@ -223,6 +291,8 @@ static void ask(asked *a, const bolan_water *water, const bolan_question *questi
     bolan_water_bounds(water, &a->highest, &horizontal);
     bolan_flow_lifts(a->flow, a->smoothing, a->lift);
     bolan_flow_depth(a->flow, 0.0, a->smoothing, &a->surface);
+    bolan_query_prepare(water, &a->heights);
+    a->filtered = a->smoothing > 0.0 || !a->heights.kernels->approach;
     if (count <= GRAIN_POINTS) {
         answer_points(a, 0, count, 0); // not worth waking anybody
     } else {

@@ -13,7 +13,7 @@
 //
 // A lane is solved by two passes over the cascades, long waves first, and a Newton step after each cascade:
 //
-//     guess    dx and dy of each, read linearly             8 gathered samples, some 60 operations a cascade
+//     guess    dx and dy of each, read linearly             8 loads of 4 samples, some 70 operations
 //     refine   height, dx and dy by cubic splines           12 loads of 4 samples, 231 operations (splines.h)
 //
 // Each pass takes the cascades before the present one, and after it those of the last pass, by their tangents, so a
@@ -135,6 +135,10 @@ typedef struct query {
 } query;
 
 enum { QUERY_STEPS = 6, QUERY_SEARCH_STEPS = 10 };
+
+void bolan_query_prepare(const bolan_water *water, query *out);
+// Heights over the datum of `count` points, and their offsets, on the calling thread.
+void bolan_query_rest_points(const query *q, const bolan_dvec2 *xy, uint32_t count, float *height, bolan_vec2 *offset);
 
 // Newton steps from the present offsets until the lanes of `lanes` have converged, `steps` at most, each with the
 // attenuation of the depth at its rest points; leaves them evaluated.

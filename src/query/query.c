@@ -20,8 +20,9 @@ typedef struct batch {
     query q;
     const bolan_dvec2 *xy;
     uint32_t count;
-    float *height; // one of these two is NULL
-    bolan_query_point *out;
+    float *height;          // or NULL
+    bolan_query_point *out; // or NULL
+    bolan_vec2 *offset;     // or NULL
 } batch;
 
 // Depth [m] under a place near the rest point of a lane.
@@ -196,6 +197,7 @@ static bolan_query_point point_of(const query *q, const query_block *b, uint32_t
 static void write_lane(const batch *t, uint32_t index, const query_block *b, uint32_t l) {
     const bool valid = isfinite(t->xy[index].x) && isfinite(t->xy[index].y);
     if (t->height) t->height[index] = (float)(t->q.water->level + (valid ? (double)b->height[l] : 0.0));
+    if (t->offset) t->offset[index] = (bolan_vec2){b->ox[l], b->oy[l]};
     if (!t->out) return;
     const bolan_query_point mean = {(float)t->q.water->level, {0.0f, 0.0f, 1.0f}, 1.0f, 0.0f};
     t->out[index] = valid ? point_of(&t->q, b, l) : mean;
@@ -291,7 +293,7 @@ static query_cascade cascade_of(const bolan_cascade_view *v, const bolan_sea_des
                            .curvature = (float)(desc->choppiness * travel * v->k_max * sqrt(v->mss))};
 }
 
-static query query_of(const bolan_water *water) {
+void bolan_query_prepare(const bolan_water *water, query *out) {
     const bolan_sea *sea = water->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     query q = {.kernels = bolan_query_kernels_for(desc->cpu), .water = water, .time = bolan_sea_time(sea)};
@@ -318,7 +320,12 @@ static query query_of(const bolan_water *water) {
     q.hs = (float)(4.0 * sqrt(variance));
     // Each of two parcels at one place has moved by about a standard deviation, towards the other.
     q.reach = (float)(4.0 * desc->choppiness * sqrt(variance));
-    return q;
+    *out = q;
+}
+
+void bolan_query_rest_points(const query *q, const bolan_dvec2 *xy, uint32_t count, float *height, bolan_vec2 *offset) {
+    batch t = {.q = *q, .xy = xy, .count = count, .height = height, .offset = offset};
+    do_blocks(&t, 0, (count + QUERY_LANES - 1) / QUERY_LANES, 0);
 }
 
 static void run(batch *t) {
@@ -334,7 +341,8 @@ void bolan_query_heights(const bolan_water *water, const bolan_dvec2 *xy, uint32
     const bool valid = bolan_water_is_valid(water) && (count == 0 || (xy && height));
     BOLAN_ASSERT(valid);
     if (!valid) return;
-    batch t = {.q = query_of(water), .xy = xy, .count = count, .height = height};
+    batch t = {.xy = xy, .count = count, .height = height};
+    bolan_query_prepare(water, &t.q);
     run(&t);
 }
 
@@ -342,6 +350,7 @@ void bolan_query_surface(const bolan_water *water, const bolan_dvec2 *xy, uint32
     const bool valid = bolan_water_is_valid(water) && (count == 0 || (xy && out));
     BOLAN_ASSERT(valid);
     if (!valid) return;
-    batch t = {.q = query_of(water), .xy = xy, .count = count, .out = out};
+    batch t = {.xy = xy, .count = count, .out = out};
+    bolan_query_prepare(water, &t.q);
     run(&t);
 }
