@@ -21,6 +21,8 @@ typedef struct stream {
     unsigned asks;
     query_batch batch;
     bolan_points_reader *reader;
+    bolan_dvec3 *first; // the first batch, which is read before the columns are known
+    uint32_t first_count;
     bolan_file_stream *file; // NULL: standard output
     progress bar;
     size_t row;          // capacity of a row [bytes]
@@ -63,11 +65,26 @@ static void show_progress(stream *s) {
     progress_update(&s->bar, (uint32_t)(position >> 10));
 }
 
+// The first batch. True where one of its points has a z, in *has_z.
+static bool read_first(stream *s, bool *has_z) {
+    *has_z = false;
+    s->first = malloc(BATCH * sizeof *s->first);
+    if (!s->first) {
+        failure("no memory for %d points", (int)BATCH);
+        return false;
+    }
+    if (bolan_points_next(s->reader, s->first, BATCH, &s->first_count)) return false;
+    for (uint32_t i = 0; i < s->first_count; i++) *has_z |= !isnan(s->first[i].z);
+    return true;
+}
+
 static bool answer_all(stream *s) {
-    for (bool first = true;; first = false) {
-        if (bolan_points_next(s->reader, s->batch.xyz, BATCH, &s->batch.count)) return false;
+    memcpy(s->batch.xyz, s->first, s->first_count * sizeof *s->first);
+    s->batch.count = s->first_count;
+    if (!write_header(s)) return false;
+    for (;; s->batch.count = 0) {
+        if (s->batch.count == 0 && bolan_points_next(s->reader, s->batch.xyz, BATCH, &s->batch.count)) return false;
         if (s->batch.count == 0) return true;
-        if (first && !write_header(s)) return false;
         query_batch_answer(&s->batch, s->water, &s->question, s->asks);
         if (!write_batch(s)) return false;
         show_progress(s);
@@ -115,10 +132,18 @@ static bolan_question question_of(const options *o) {
     return q;
 }
 
+// What the columns and the question need.
+static void ask(stream *s, const options *o) {
+    s->question = question_of(o);
+    s->asks = s->columns.asks;
+    if (s->question.least_wavelength > 0.0 && (s->asks & ASK_SURFACE)) s->asks |= ASK_MOTION;
+}
+
 int command_query(int count, char **arguments) {
     options o;
     bolan_world *w = NULL;
     stream s = {.file = NULL};
+    bool has_z;
     int result = options_parse(ON_QUERY, "query", count, arguments, &o);
     if (result) return result;
     if (o.help)
@@ -126,17 +151,18 @@ int command_query(int count, char **arguments) {
             ON_QUERY, "query [SCENE] --points FILE.csv [-o FILE.csv] [OPTIONS]",
             "Prints the water at points: height and normal of the surface that is drawn, and its motion.");
     if (!o.points) return usage_error("query needs --points FILE, a CSV file of x,y or x,y,z in metres");
-    if (!query_columns_parse(o.columns, &s.columns)) return EXIT_USAGE;
-    s.question = question_of(&o);
-    s.asks = s.columns.asks;
-    if (s.question.least_wavelength > 0.0 && (s.asks & ASK_SURFACE)) s.asks |= ASK_MOTION;
+    if (o.columns && !query_columns_parse(o.columns, &s.columns)) return EXIT_USAGE;
     if (o.output && strcmp(o.output, "-") == 0) o.output = NULL;
     if (bolan_points_open(strcmp(o.points, "-") == 0 ? "/dev/stdin" : o.points, &s.reader)) return EXIT_FAILED;
     result = o.output && bolan_file_check_writable(o.output) ? EXIT_FAILED : session_open(&o, &w);
     if (!result) {
-        result = run_in(&s, &o, w);
+        result = read_first(&s, &has_z) ? EXIT_OK : EXIT_FAILED;
+        if (!o.columns) query_columns_parse(has_z ? QUERY_COLUMNS_BELOW : QUERY_COLUMNS_SURFACE, &s.columns);
+        ask(&s, &o);
+        if (!result) result = run_in(&s, &o, w);
         bolan_world_destroy(&w);
     }
+    free(s.first);
     bolan_points_close(&s.reader);
     return result;
 }

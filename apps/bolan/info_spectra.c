@@ -45,7 +45,7 @@ static void print_places(const bolan_spectrum_contents *c) {
     for (uint32_t i = 0; i < c->place_count && i < PLACES_SHOWN; i++) {
         const bolan_spectrum_place *p = &c->places[i];
         printf("%s%u at %.6g, %.6g%s", i ? "               " : "", (unsigned)i + 1, p->x, p->y,
-               c->spherical ? "" : " m");
+               i ? "" : c->spherical ? " (longitude, latitude)" : " (x, y in metres)");
         if (p->name[0]) printf("  "), output_print(p->name);
         printf("\n");
     }
@@ -61,7 +61,7 @@ static void print_table(const char *path, const bolan_spectrum_contents *c) {
     if (c->direction_count)
         printf("  directions   %u, every %.4g degrees\n", (unsigned)c->direction_count, 360.0 / c->direction_count);
     else
-        printf("  directions   none, or their moments\n");
+        printf("  directions   %s\n", c->has_moments ? "their moments, by band" : "none");
     printf("  height       Hs %.4g to %.4g m\n", c->hs_min, c->hs_max);
     printf("  period       Tp %.4g to %.4g s\n", c->tp_min, c->tp_max);
     const double all = (double)c->record_count * (c->place_count ? c->place_count : 1);
@@ -69,6 +69,15 @@ static void print_table(const char *path, const bolan_spectrum_contents *c) {
     if (c->unreadable_count)
         printf("  unreadable   %u of the %u spectra that were read\n", (unsigned)c->unreadable_count,
                (unsigned)c->read_count);
+}
+
+// The record whose systems follow.
+static void print_record(const bolan_sea_state *sea_state) {
+    const bolan_measured_view v = bolan_measured_spectrum_view(sea_state->measured);
+    const bolan_sea_summary s = bolan_sea_state_summary(sea_state);
+    printf("\n  %s", v.time[0] ? v.time : "the record");
+    if (v.place.known) printf(" at %.6g, %.6g", v.place.x, v.place.y);
+    printf(": Hs %.4g m, Tp %.4g s, from %.1f degrees, spread %.1f degrees\n", s.hs, s.tp, s.from_deg, s.spread_deg);
 }
 
 // ---- JSON -----------------------------------------------------------------------------------------------------------
@@ -85,8 +94,9 @@ static void print_json(const bolan_spectrum_contents *c) {
     }
     printf("],\n  \"frequencies\": {\"count\": %u, \"lowest\": %.9g, \"highest\": %.9g},\n",
            (unsigned)c->frequency_count, c->lowest_hertz, c->highest_hertz);
-    printf("  \"directions\": %u,\n  \"read\": %u,\n  \"unreadable\": %u,\n", (unsigned)c->direction_count,
-           (unsigned)c->read_count, (unsigned)c->unreadable_count);
+    printf("  \"directions\": %u,\n  \"moments\": %s,\n  \"read\": %u,\n  \"unreadable\": %u,\n",
+           (unsigned)c->direction_count, c->has_moments ? "true" : "false", (unsigned)c->read_count,
+           (unsigned)c->unreadable_count);
     printf("  \"hs\": [%.9g, %.9g],\n  \"tp\": [%.9g, %.9g],\n", c->hs_min, c->hs_max, c->tp_min, c->tp_max);
 }
 
@@ -99,6 +109,7 @@ static void print_all(const options *o, const bolan_spectrum_contents *contents,
         printf("\n}\n");
     } else {
         print_table(o->scene, contents);
+        if (sea_state->measured) print_record(sea_state);
         *ok = systems_print_table(sea_state);
     }
 }

@@ -220,7 +220,12 @@ static int bad_value(const option_info *info, const char *value) {
         if (row.kind == BOLAN_PARAM_TEXT) snprintf(expected, sizeof expected, "%s", info->argument);
         break;
     }
-    case OPTION_NUMBERS: snprintf(expected, sizeof expected, "%s", info->argument); break;
+    case OPTION_NUMBERS:
+        used = (size_t)snprintf(expected, sizeof expected, "%s", info->argument);
+        if (info->unit) // otherwise each number has its own
+            bolan_format(expected + used, sizeof expected - used, ", numbers from %.10g to %.10g %s", info->low,
+                         info->high, unit);
+        break;
     case OPTION_SIZE:
         bolan_format(expected, sizeof expected, "WIDTHxHEIGHT, each %.0f to %.0f", info->low, info->high);
         break;

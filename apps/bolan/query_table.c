@@ -88,7 +88,7 @@ static bool add_word(const char *word, size_t length, query_columns *out) {
 }
 
 bool query_columns_parse(const char *list, query_columns *out) {
-    const char *next = list ? list : "x,y,height,normal,jacobian,residual";
+    const char *next = list;
     *out = (query_columns){.count = 0};
     for (;;) {
         const size_t length = strcspn(next, ",");

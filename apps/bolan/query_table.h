@@ -16,7 +16,10 @@ typedef struct query_columns {
     unsigned asks; // ASK_...
 } query_columns;
 
-// Reads a list such as "x,y,z,velocity"; NULL: the columns of the surface. "velocity" is velocity_x, _y and _z. Says
+// The columns where none are asked for: of points without and with a z.
+#define QUERY_COLUMNS_SURFACE "x,y,height,normal,jacobian,residual"
+#define QUERY_COLUMNS_BELOW "x,y,z,height,velocity,acceleration,pressure,wet"
+// Reads a list such as "x,y,z,velocity". "velocity" is velocity_x, _y and _z. Says
 // one sentence and returns false for a name that is none.
 bool query_columns_parse(const char *list, query_columns *out);
 // "x,y,height\n"; returns the length.

@@ -150,6 +150,8 @@ typedef struct bolan_spectrum_contents {
     double lowest_hertz, highest_hertz;
     /// Directions; 0: the file has none, or moments alone.
     uint32_t direction_count;
+    /// The bands have moments of the directions.
+    bool has_moments;
     /// How many spectra, of all records and locations, were read for the ranges below: at most 512, evenly chosen.
     uint32_t read_count;
     /// How many of those have no readable data.

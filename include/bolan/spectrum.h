@@ -368,6 +368,16 @@ BOLAN_API void bolan_measured_spectrum_destroy(bolan_measured_spectrum **spectru
 /// Errors: MEMORY, FORMAT (a sea of more than 40 m). Then *out is NULL.
 BOLAN_API bolan_result bolan_measured_spectrum_sample(const bolan_sea_state *sea_state, bolan_measured_spectrum **out);
 
+/// Where a spectrum was taken.
+typedef struct bolan_measured_place {
+    /// The text gives a place. If not, all else is 0.
+    bool known;
+    /// x and y are longitude and latitude [deg], else east and north of some origin [m].
+    bool spherical;
+    /// The place.
+    double x, y;
+} bolan_measured_place;
+
 /// Read-only view: frequencies [rad/s], directions (mathematical, TO) [rad] ascending with constant step 2 pi /
 /// direction_count, density[frequency * direction_count + direction] [m2 s/rad per rad].
 typedef struct bolan_measured_view {
@@ -375,6 +385,8 @@ typedef struct bolan_measured_view {
     const double *omega, *theta, *density;
     /// Time of the record in ISO 8601 ("2020-06-08T03:50Z"); "" when the text gives none.
     const char *time;
+    /// Place of the record; of an interpolated one, of the earlier record.
+    bolan_measured_place place;
 } bolan_measured_view;
 /// Valid while the spectrum lives. Thread-safe.
 BOLAN_API bolan_measured_view bolan_measured_spectrum_view(const bolan_measured_spectrum *spectrum);

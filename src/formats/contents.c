@@ -52,7 +52,8 @@ static void copy_lists(const format_file *file, const location_list *places, con
 }
 
 // The ranges take in one spectrum.
-static void widen(bolan_spectrum_contents *c, const bolan_measured_spectrum *spectrum, bool own_directions) {
+static void widen(bolan_spectrum_contents *c, const bolan_measured_spectrum *spectrum, bool own_directions,
+                  bool none) {
     const bolan_measured_view view = bolan_measured_spectrum_view(spectrum);
     bolan_sea_state sea_state = bolan_sea_state_default();
     sea_state.measured = spectrum;
@@ -60,6 +61,7 @@ static void widen(bolan_spectrum_contents *c, const bolan_measured_spectrum *spe
     if (c->frequency_count == 0) {
         c->frequency_count = view.frequency_count;
         c->direction_count = own_directions ? view.direction_count : 0;
+        c->has_moments = !own_directions && !none;
         c->lowest_hertz = view.omega[0] / (2.0 * BOLAN_PI);
         c->highest_hertz = view.omega[view.frequency_count - 1] / (2.0 * BOLAN_PI);
         c->hs_min = s.hs;
@@ -98,7 +100,9 @@ static bolan_result read_number(const format_file *file, uint64_t i, uint32_t pl
     choice.location = (uint32_t)(i % places_of_first);
     if (!result && choice.location > 0 && choice.location >= known->list.count) result = BOLAN_ERROR_FORMAT;
     if (!result) result = bolan_format_read(file, &choice, options, &notes, &own_directions, &spectrum);
-    if (!result) widen(c, spectrum, own_directions);
+    bool none = false; // no directions, so that a default stood in
+    for (uint32_t n = 0; n < notes.count; n++) none |= notes.note[n].id == BOLAN_LOG_SPECTRUM_NO_DIRECTIONS;
+    if (!result) widen(c, spectrum, own_directions, none);
     bolan_measured_spectrum_destroy(&spectrum);
     return result;
 }

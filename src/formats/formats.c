@@ -74,6 +74,10 @@ bolan_result bolan_format_read(const format_file *file, const format_choice *cho
                                bolan_measured_spectrum **out) {
     spectrum_grid grid = {.record_count = file->records.count, .notes = *notes};
     if (file->records.timed) bolan_record_date_print(&choice->record->date, file->records.style, grid.time);
+    const location_list *places = choice->locations;
+    if (places && choice->location < places->count)
+        grid.place = (bolan_measured_place){true, places->spherical, places->entries[choice->location].x,
+                                            places->entries[choice->location].y};
     bolan_result result = file->format->read(file->texts, choice, options, &grid);
     if (!result && grid.own_directions && (!isnan(options->from_deg) || !isnan(options->spread_s)))
         bolan_spectrum_note(&grid.notes, BOLAN_LOG_SPECTRUM_UNUSED,

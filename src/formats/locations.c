@@ -85,6 +85,12 @@ bolan_result bolan_location_list_choose(const location_list *list, const char *n
                   (unsigned)o->location, (unsigned)list->count);
         return BOLAN_ERROR_ARGUMENT;
     }
+    if (by_place && list->spherical && !(fabs(o->place[1]) <= 90.0)) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_LOCATION,
+                  "%s: the location %g, %g was asked for; expected longitude, latitude in degrees", name, o->place[0],
+                  o->place[1]);
+        return BOLAN_ERROR_ARGUMENT;
+    }
     if (by_place) choose_nearest(list, name, o->place, notes, chosen);
     if (!by_place && o->location == 0 && list->count > 1)
         bolan_spectrum_note(notes, BOLAN_LOG_SPECTRUM_LOCATION,

@@ -173,7 +173,8 @@ static bolan_result choose_time(const record_list *list, const char *name, const
         bolan_record_date_print(&list->entries[0].date, list->style, first);
         bolan_record_date_print(&list->entries[list->count - 1].date, list->style, last);
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_SPECTRUM_TIME_INDEX,
-                  "%s: the record of %s was asked for; the nearest of its %u records, from %s to %s, is that of %s",
+                  "%s: the record of %s was asked for; expected a time within an hour of one of its %u records, from "
+                  "%s to %s (the nearest is of %s), or interpolation between two",
                   name, options->time, (unsigned)list->count, first, last, nearest);
         return BOLAN_ERROR_ARGUMENT;
     }

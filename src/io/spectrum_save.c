@@ -94,7 +94,10 @@ static void write_matrix(const bolan_measured_view *v, writer *w) {
 static void write_swan(const bolan_measured_view *v, writer *w) {
     put(w, "SWAN 1\n$ written by Bolan %s\n", bolan_version());
     if (v->time[0]) put(w, "TIME\n1\n");
-    put(w, "LOCATIONS\n1\n0 0\nAFREQ\n%u\n", (unsigned)v->frequency_count);
+    put(w, "%s\n1\n", v->place.spherical ? "LONLAT" : "LOCATIONS");
+    put_number(w, v->place.x, ' ');
+    put_number(w, v->place.y, '\n');
+    put(w, "AFREQ\n%u\n", (unsigned)v->frequency_count);
     for (uint32_t i = 0; i < v->frequency_count; i++) put_number(w, v->omega[i] / (2.0 * BOLAN_PI), '\n');
     put(w, "NDIR\n%u\n", (unsigned)v->direction_count);
     for (uint32_t j = 0; j < v->direction_count; j++) put_number(w, from_degrees(v->theta[j]), '\n');

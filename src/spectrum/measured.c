@@ -249,6 +249,7 @@ static bolan_measured_spectrum *allocate_measured(const spectrum_grid *grid, uin
     m->tail = m->theta + directions;
     m->density = m->tail + directions;
     memcpy(m->time, grid->time, sizeof m->time);
+    m->place = grid->place;
     return m;
 }
 
@@ -368,6 +369,7 @@ bolan_measured_view bolan_measured_spectrum_view(const bolan_measured_spectrum *
         .theta = spectrum->theta,
         .density = spectrum->density,
         .time = spectrum->time,
+        .place = spectrum->place,
     };
     return view;
 }

@@ -34,6 +34,7 @@ struct bolan_measured_spectrum {
     double *density;       ///< [frequency][direction] [m2 s/rad per rad]
     double *tail;          ///< [direction]: S(w, th) w^5 above the last frequency
     char time[32];
+    bolan_measured_place place;
 };
 
 /// What a reader found: any direction order and step, hertz, and density per hertz and radian.
@@ -43,6 +44,7 @@ typedef struct spectrum_grid {
     double *to;     ///< [direction] mathematical angle the waves go [rad]
     double *energy; ///< [frequency][direction] [m2/Hz/rad]
     char time[32];
+    bolan_measured_place place;
     bool own_directions;  ///< the text has directions, so no default replaces them
     spectrum_notes notes; ///< warnings
 } spectrum_grid;

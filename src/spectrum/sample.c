@@ -31,11 +31,14 @@ bolan_result bolan_measured_spectrum_sample(const bolan_sea_state *sea_state, bo
     *out = NULL;
     const bool own = sea_state->measured && sea_state->system_count == 0;
     bolan_measured_view view = {.frequency_count = FREQUENCIES, .direction_count = DIRECTIONS, .time = ""};
-    if (sea_state->measured) view.time = bolan_measured_spectrum_view(sea_state->measured).time;
-    if (own) view = bolan_measured_spectrum_view(sea_state->measured);
+    const bolan_measured_view measured =
+        sea_state->measured ? bolan_measured_spectrum_view(sea_state->measured) : view;
+    view.time = measured.time, view.place = measured.place;
+    if (own) view = measured;
     spectrum_grid grid = {.frequency_count = view.frequency_count, .direction_count = view.direction_count};
     if (!bolan_spectrum_grid_allocate(&grid)) return BOLAN_ERROR_MEMORY;
     snprintf(grid.time, sizeof grid.time, "%s", view.time);
+    grid.place = view.place;
     double low, high;
     range_of(sea_state, &low, &high);
     const double ratio = portable_pow(high / low, 1.0 / (grid.frequency_count - 1));

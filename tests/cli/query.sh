@@ -49,6 +49,9 @@ near "$(tail -1 out | cut -d, -f3)" 0 1e-6
 # Columns in the order asked for. Points with a z are in the water there, without one at the surface, where dynamic and
 # hydrostatic pressure add up to 0; in the air all is 0.
 printf 'x,y,z\n0,0,-5\n0,0,40\n0,0\n' > deep.csv
+run query open-sea --points deep.csv
+[ "$(head -1 out)" = 'x,y,z,height,velocity_x,velocity_y,velocity_z,acceleration_x,acceleration_y,acceleration_z,pressure,wet' ] ||
+    fail 'z is not answered'
 run query open-sea --points deep.csv --columns z,height,velocity_x,pressure,wet,rise,foam
 [ "$(head -1 out)" = 'z,height,velocity_x,pressure,wet,rise,foam' ] || fail 'another header than the columns'
 [ "$(sed -n 3p out | cut -d, -f3-5)" = '0,0,0' ] || fail 'there is water in the air'
