@@ -494,7 +494,7 @@ static void a_record_can_be_asked_for_by_its_date(void **state) {
     strcpy(options.time, "2000-01-01T22:59:59");
     assert_refused_with(
         &texts, &options, BOLAN_ERROR_ARGUMENT, BOLAN_LOG_SPECTRUM_TIME_INDEX,
-        "nearest of its 2 records, from 2000-01-01T00:00Z to 2000-01-02T00:00Z, is that of 2000-01-02T00:00Z");
+        "2 records, from 2000-01-01T00:00Z to 2000-01-02T00:00Z (the nearest is of 2000-01-02T00:00Z)");
     strcpy(options.time, "2000-02-30");
     assert_refused_with(&texts, &options, BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT, "time is 2000-02-30");
 }
