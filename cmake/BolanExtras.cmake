@@ -87,3 +87,12 @@ elseif(BOLAN_BENCH)
         bolan_add_bench(bolan_bench ${bench_sources})
     endif()
 endif()
+
+# The plots of docs/accuracy.md: tools/accuracy.sh builds and runs this.
+if(TARGET bolan_io)
+    add_executable(bolan_accuracy EXCLUDE_FROM_ALL tools/accuracy/accuracy.c src/io/canvas.c)
+    bolan_compile_options(bolan_accuracy)
+    target_include_directories(bolan_accuracy PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(bolan_accuracy PRIVATE bolan_io bolan m)
+    set_target_properties(bolan_accuracy PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+endif()

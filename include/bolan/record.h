@@ -46,7 +46,8 @@ typedef struct bolan_record_statistics {
     double tz, t_third;
 } bolan_record_statistics;
 /// Measures a record; heights and periods are 0 where there is no wave.
-/// Errors: ARGUMENT (fewer than 2 samples, a rate that is not positive), MEMORY. Thread-safe.
+/// Errors: ARGUMENT (fewer than 2 samples, a rate that is not positive and finite, a sample that is not finite; a gap of
+/// a real record must be filled or cut out before), MEMORY. Thread-safe.
 BOLAN_API bolan_result bolan_record_measure(const float *heave, uint32_t count, double rate,
                                             bolan_record_statistics *out);
 
@@ -70,7 +71,7 @@ typedef struct bolan_record_band {
 /// @param segment a multiple of 4, 16..4096, and at most @p count.
 /// @param out receives segment / 2 - 1 bands, of frequency i rate / segment for i = 1, 2 ...
 /// Relative standard deviation of a density: about 1 / sqrt(number of segments).
-/// Errors: ARGUMENT, MEMORY. Thread-safe.
+/// Errors: ARGUMENT (as above, also where a sample is not finite), MEMORY. Thread-safe.
 BOLAN_API bolan_result bolan_record_spectrum(const float *heave, const float *east, const float *north, uint32_t count,
                                              double rate, uint32_t segment, bolan_record_band *out);
 

@@ -1,59 +1,20 @@
 // SPDX-License-Identifier: MIT
 // See spectrum_plot.h. A picture of 960 x 720: the disc on the left, the scale of colours and the systems on the right.
-// Letters are those of stb_easy_font, as filled rectangles.
 #include "io/spectrum_plot.h"
 
 #include "bolan/math.h"
+#include "io/canvas.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#pragma GCC diagnostic ignored "-Wunused-function" // of which some are left over
-#include <stb/stb_easy_font.h>
-
-enum { WIDTH = 960, HEIGHT = 720, LETTERS_MAX = 96, QUAD_BYTES = 64 };
+enum { WIDTH = 960, HEIGHT = 720, LETTERS_MAX = 96 };
 
 #define CENTRE_X 330.0
 #define CENTRE_Y 385.0
 #define RADIUS 270.0
 #define SIDE 672 // where the right column begins
-
-typedef struct picture {
-    uint8_t rgb[HEIGHT][WIDTH][3];
-} picture;
-
-// ---- drawing --------------------------------------------------------------------------------------------------------
-
-static void fill(picture *p, int x0, int y0, int x1, int y1, const uint8_t colour[3]) {
-    for (int y = y0 < 0 ? 0 : y0; y < y1 && y < HEIGHT; y++)
-        for (int x = x0 < 0 ? 0 : x0; x < x1 && x < WIDTH; x++) memcpy(p->rgb[y][x], colour, 3);
-}
-
-typedef struct letter_vertex {
-    float x, y, z;
-    uint8_t colour[4];
-} letter_vertex;
-
-// A line of text with its upper left corner at (x, y), in letters of 7 x scale pixels.
-static void print(picture *p, int x, int y, int scale, const char *text) {
-    static const uint8_t ink[3] = {25, 30, 40};
-    static letter_vertex quads[LETTERS_MAX * 20][4];
-    char line[LETTERS_MAX];
-    snprintf(line, sizeof line, "%s", text);
-    for (char *c = line; *c; c++)
-        if (*c < ' ' || *c > '~') *c = '?';
-    const int count = stb_easy_font_print(0.0f, 0.0f, line, NULL, quads, (int)sizeof quads);
-    for (int i = 0; i < count; i++)
-        fill(p, x + scale * (int)quads[i][0].x, y + scale * (int)quads[i][0].y, x + scale * (int)quads[i][2].x,
-             y + scale * (int)quads[i][2].y, ink);
-}
-
-static void print_centred(picture *p, int x, int y, int scale, const char *text) {
-    char line[LETTERS_MAX];
-    snprintf(line, sizeof line, "%s", text);
-    print(p, x - scale * stb_easy_font_width(line) / 2, y - 4 * scale, scale, line);
-}
 
 // Nine colours of equal steps, from white over green to dark blue.
 static void colour_of(double share, uint8_t out[3]) {
@@ -107,7 +68,7 @@ static plot prepare(const bolan_sea_state *sampled, const bolan_measured_view *v
     return p;
 }
 
-static void draw_disc(const plot *p, picture *out) {
+static void draw_disc(const plot *p, canvas *out) {
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < SIDE - 20; x++) {
             const double dx = x + 0.5 - CENTRE_X, dy = CENTRE_Y - y - 0.5, r = hypot(dx, dy);
@@ -117,7 +78,7 @@ static void draw_disc(const plot *p, picture *out) {
             to -= 2.0 * BOLAN_PI * floor(to / (2.0 * BOLAN_PI));
             const double density =
                 per_hertz_and_degree(bolan_sea_state_density(p->sea_state, 2.0 * BOLAN_PI * hertz, to));
-            uint8_t *rgb = out->rgb[y][x];
+            uint8_t *rgb = bolan_canvas_pixel(out, x, y);
             if (r <= RADIUS) colour_of(p->largest > 0.0 ? sqrt(density / p->largest) : 0.0, rgb);
             const double rings = hertz / p->ring, spokes = from / (BOLAN_PI / 6.0);
             const double to_ring = fabs(rings - round(rings)) * p->ring / p->outer * RADIUS;
@@ -127,50 +88,50 @@ static void draw_disc(const plot *p, picture *out) {
         }
 }
 
-static void draw_axes(const plot *p, picture *out) {
+static void draw_axes(const plot *p, canvas *out) {
     char text[LETTERS_MAX];
     for (int i = 0; i < 12; i++) {
         static const char *const names[12] = {"N", "30", "60", "E", "120", "150", "S", "210", "240", "W", "300", "330"};
         const double angle = i * BOLAN_PI / 6.0, r = RADIUS + 22.0;
-        print_centred(out, (int)(CENTRE_X + r * sin(angle)), (int)(CENTRE_Y - r * cos(angle)), 2, names[i]);
+        bolan_canvas_print_centred(out, (int)(CENTRE_X + r * sin(angle)), (int)(CENTRE_Y - r * cos(angle)), 2, names[i]);
     }
     for (double hertz = p->ring; hertz < p->outer + 0.5 * p->ring; hertz += p->ring) {
         const double r = hertz / p->outer * RADIUS, angle = BOLAN_PI / 12.0; // between two spokes
         bolan_format(text, sizeof text, "%g Hz, %.3g s", hertz, 1.0 / hertz);
         if (hertz <= p->outer * 1.001)
-            print_centred(out, (int)(CENTRE_X + r * sin(angle)), (int)(CENTRE_Y - r * cos(angle)), 1, text);
+            bolan_canvas_print_centred(out, (int)(CENTRE_X + r * sin(angle)), (int)(CENTRE_Y - r * cos(angle)), 1, text);
     }
 }
 
-static void draw_scale(const plot *p, picture *out) {
+static void draw_scale(const plot *p, canvas *out) {
     enum { TOP = 130, LENGTH = 200, BREADTH = 24 };
     char text[LETTERS_MAX];
-    print(out, SIDE, TOP - 40, 1, "density, m2/(Hz deg)");
+    bolan_canvas_print(out, SIDE, TOP - 40, 1, "density, m2/(Hz deg)");
     for (int y = 0; y < LENGTH; y++) {
         uint8_t colour[3];
         colour_of(1.0 - (double)y / LENGTH, colour);
-        fill(out, SIDE, TOP + y, SIDE + BREADTH, TOP + y + 1, colour);
+        bolan_canvas_fill(out, SIDE, TOP + y, SIDE + BREADTH, TOP + y + 1, colour);
     }
     for (int i = 0; i <= 4; i++) {
         const double share = i / 4.0;
         bolan_format(text, sizeof text, "%.3g", p->largest * share * share); // the colour is the square root
-        print(out, SIDE + BREADTH + 10, TOP + LENGTH - i * LENGTH / 4 - 4, 1, text);
+        bolan_canvas_print(out, SIDE + BREADTH + 10, TOP + LENGTH - i * LENGTH / 4 - 4, 1, text);
     }
 }
 
 // The number of a system, beside its peak.
-static void draw_mark(const plot *p, picture *out, const bolan_partition *system, int number) {
+static void draw_mark(const plot *p, canvas *out, const bolan_partition *system, int number) {
     static const uint8_t white[3] = {255, 255, 255};
     const double r = 1.0 / system->tp / p->outer * RADIUS + 16.0, angle = bolan_radians(system->from_deg);
     const int x = (int)(CENTRE_X + r * sin(angle)), y = (int)(CENTRE_Y - r * cos(angle));
     char text[4];
     if (r > RADIUS + 16.0) return;
     snprintf(text, sizeof text, "%d", number % 10);
-    fill(out, x - 8, y - 10, x + 8, y + 9, white);
-    print_centred(out, x + 1, y + 1, 2, text);
+    bolan_canvas_fill(out, x - 8, y - 10, x + 8, y + 9, white);
+    bolan_canvas_print_centred(out, x + 1, y + 1, 2, text);
 }
 
-static bolan_result draw_systems(const plot *p, const bolan_sea_state *sea_state, picture *out) {
+static bolan_result draw_systems(const plot *p, const bolan_sea_state *sea_state, canvas *out) {
     bolan_partition systems[BOLAN_MAX_PARTITIONS];
     uint32_t count = 0;
     char text[LETTERS_MAX];
@@ -180,35 +141,36 @@ static bolan_result draw_systems(const plot *p, const bolan_sea_state *sea_state
         const bolan_partition *s = &systems[i];
         const int y = 375 + 40 * (int)i;
         bolan_format(text, sizeof text, "%u %s", (unsigned)i + 1, s->wind_sea ? "wind sea" : "swell");
-        print(out, SIDE, y, 2, text);
+        bolan_canvas_print(out, SIDE, y, 2, text);
         bolan_format(text, sizeof text, "Hs %.2f m  Tp %.1f s  from %.0f  spread %.0f deg", s->hs, s->tp, s->from_deg,
                      s->spread_deg);
-        print(out, SIDE, y + 20, 1, text);
+        bolan_canvas_print(out, SIDE, y + 20, 1, text);
         draw_mark(p, out, s, (int)i + 1);
     }
     return BOLAN_OK;
 }
 
 static void draw_title(const bolan_sea_state *sea_state, const bolan_measured_view *v, const char *title,
-                       picture *out) {
+                       canvas *out) {
     char text[2 * LETTERS_MAX];
     const bolan_sea_summary s = bolan_sea_state_summary(sea_state);
     snprintf(text, sizeof text, "%s%s%s", title, v->time[0] ? "  " : "", v->time);
-    print(out, 24, 18, 2, text);
+    bolan_canvas_print(out, 24, 18, 2, text);
     bolan_format(text, sizeof text, "Hs %.2f m   Tp %.1f s   Tm02 %.1f s   from %.0f deg   spread %.0f deg", s.hs, s.tp,
                  s.tm02, s.from_deg, s.spread_deg);
-    print(out, 24, 44, 2, text);
-    print(out, 24, HEIGHT - 20, 1, "directions: where waves come from; frequency outwards");
+    bolan_canvas_print(out, 24, 44, 2, text);
+    bolan_canvas_print(out, 24, HEIGHT - 20, 1, "directions: where waves come from; frequency outwards");
 }
 
 bolan_result bolan_spectrum_plot(const char *path, const bolan_sea_state *sea_state,
                                  const bolan_measured_spectrum *spectrum, const char *title) {
-    picture *out = bolan_allocate(sizeof *out);
-    if (!out) {
+    const size_t bytes = (size_t)WIDTH * HEIGHT * 3;
+    canvas image = {WIDTH, HEIGHT, bolan_allocate(bytes)}, *out = &image;
+    if (!out->rgb) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "%s: no memory to draw it", path);
         return BOLAN_ERROR_MEMORY;
     }
-    memset(out, 255, sizeof *out);
+    memset(out->rgb, 255, bytes);
     const bolan_measured_view view = bolan_measured_spectrum_view(spectrum);
     bolan_sea_state sampled = bolan_sea_state_default();
     sampled.measured = spectrum;
@@ -218,7 +180,7 @@ bolan_result bolan_spectrum_plot(const char *path, const bolan_sea_state *sea_st
     draw_scale(&p, out);
     draw_title(sea_state, &view, title, out);
     bolan_result result = draw_systems(&p, sea_state, out);
-    if (!result) result = bolan_png_write(path, WIDTH, HEIGHT, &out->rgb[0][0][0]);
-    bolan_release(out, sizeof *out);
+    if (!result) result = bolan_png_write(path, WIDTH, HEIGHT, out->rgb);
+    bolan_release(out->rgb, bytes);
     return result;
 }

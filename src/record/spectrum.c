@@ -5,6 +5,7 @@
 // with cross-spectra C + iQ of z and the displacement, Q is positive where waves go.
 #include "bolan/record.h"
 
+#include "record/finite.h"
 #include "spectrum/portable.h"
 
 enum { LEAST_SEGMENT = 16, MOST_SEGMENT = 4096, CHANNELS = 3 };
@@ -75,7 +76,7 @@ static void set_tables(estimate *e) {
 
 static bolan_result check(uint32_t count, double rate, uint32_t segment) {
     const bool good = segment >= LEAST_SEGMENT && segment <= MOST_SEGMENT && segment % 4 == 0 && segment <= count;
-    if (good && rate > 0.0) return BOLAN_OK;
+    if (good && rate > 0.0 && !isinf(rate)) return BOLAN_OK;
     bolan_log(
         BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT,
         "segments of %u samples of a record of %u at %g a second; expected a multiple of 4 from %d to %d, at most the "
@@ -89,6 +90,9 @@ bolan_result bolan_record_spectrum(const float *heave, const float *east, const 
     BOLAN_ASSERT(heave && out && (east != NULL) == (north != NULL));
     const bolan_result valid = check(count, rate, segment);
     if (valid) return valid;
+    if (!record_is_finite("heave", heave, count) ||
+        (east && (!record_is_finite("east", east, count) || !record_is_finite("north", north, count))))
+        return BOLAN_ERROR_ARGUMENT;
     const size_t floats = (size_t)segment * (2 + CHANNELS), bytes = (floats + (size_t)segment * 3) * sizeof(double);
     double *memory = bolan_allocate(bytes);
     if (!memory) {

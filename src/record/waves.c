@@ -2,6 +2,8 @@
 // Waves of a record between zero-up-crossings, and their statistics (IAHR 1989, List of sea-state parameters).
 #include "bolan/record.h"
 
+#include "record/finite.h"
+
 #include <string.h>
 
 static double mean_of(const float *x, uint32_t count) {
@@ -101,12 +103,13 @@ static void measure_waves(bolan_record_wave *w, uint32_t count, bolan_record_sta
 bolan_result bolan_record_measure(const float *heave, uint32_t count, double rate, bolan_record_statistics *out) {
     BOLAN_ASSERT(heave && out);
     *out = (bolan_record_statistics){.kurtosis = 3.0};
-    if (count < 2 || !(rate > 0.0)) {
+    if (count < 2 || !(rate > 0.0) || isinf(rate)) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_BAD_ARGUMENT,
                   "a record has %u samples at %g a second; expected at least 2 at a positive rate", (unsigned)count,
                   rate);
         return BOLAN_ERROR_ARGUMENT;
     }
+    if (!record_is_finite("heave", heave, count)) return BOLAN_ERROR_ARGUMENT;
     measure_samples(heave, count, out);
     const uint32_t waves = bolan_record_waves(heave, count, rate, 0, NULL);
     if (waves == 0) return BOLAN_OK;

@@ -37,6 +37,8 @@ for key in waves h_third h_tenth h_max tz skewness kurtosis exceedance spectrum;
     grep -q "\"$key\":" out || fail "no $key of a buoy"
 done
 if command -v python3 > /dev/null; then python3 -m json.tool out > /dev/null || fail 'the record of a buoy is not JSON'; fi
+"$BOLAN" measure island --buoy 0,0 --duration 60 > out 2> err || fail "$(cat err)"
+grep -q 'the buoy rides on the open sea' err || fail 'a buoy on an island says nothing'
 mv buoy.csv first.csv
 run measure open-sea --buoy 40,-30 --duration 300 --rate 2 -o buoy.csv --threads 3
 cmp first.csv buoy.csv || fail 'threads change the record of a buoy'

@@ -122,8 +122,20 @@ static void what_is_no_record_is_refused(void **state) {
     assert_int_equal(bolan_record_measure(heave, 10, 0.0, &s), BOLAN_ERROR_ARGUMENT);
     assert_int_equal(bolan_record_spectrum(heave, NULL, NULL, 15, 2.0, 16, b), BOLAN_ERROR_ARGUMENT);
     assert_int_equal(bolan_record_spectrum(heave, NULL, NULL, 40, 2.0, 18, b), BOLAN_ERROR_ARGUMENT);
+    assert_int_equal(bolan_record_measure(heave, 10, (double)INFINITY, &s), BOLAN_ERROR_ARGUMENT);
+    assert_int_equal(bolan_record_spectrum(heave, NULL, NULL, 40, (double)INFINITY, 16, b), BOLAN_ERROR_ARGUMENT);
     assert_int_equal(said, BOLAN_LOG_BAD_ARGUMENT);
+    // A gap, in any channel and place.
     clear();
+    static float *const channels[3] = {heave, east, north};
+    for (int c = 0; c < 3; c++) {
+        channels[c][39] = c ? INFINITY : NAN, said = 0;
+        if (c == 0) assert_int_equal(bolan_record_measure(heave, 40, 2.0, &s), BOLAN_ERROR_ARGUMENT);
+        assert_int_equal(bolan_record_spectrum(heave, east, north, 40, 2.0, 16, b), BOLAN_ERROR_ARGUMENT);
+        assert_int_equal(said, BOLAN_LOG_NOT_FINITE);
+        clear();
+        assert_int_equal(bolan_record_spectrum(heave, east, north, 40, 2.0, 16, b), BOLAN_OK);
+    }
     assert_int_equal(bolan_record_measure(heave, 100, 2.0, &s), BOLAN_OK); // a calm
     assert_true(s.waves == 0 && s.hm0 == 0.0 && s.h_max == 0.0 && s.kurtosis == 3.0);
     assert_int_equal(bolan_memory_in_use(), 0);
