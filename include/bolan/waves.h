@@ -36,8 +36,9 @@
 /// h0(k) = sqrt(integral of Psi over the cell of k / 2) e^{i phase}, phases random. Waves run toward k, and the
 /// variance of eta is that of the spectrum in each realisation (Tessendorf 2001, section 3, with the sign and the
 /// factor of a one-sided spectrum, and amplitudes that are not random). D = i k/|k| coth(kh) h. w follows
-/// bolan_omega_from_k(). Beyond ten times the wave number of the spectral peak the power is rolled off, so that the
-/// slope variance of all cascades stays below Cox & Munk's total for the wind.
+/// bolan_omega_from_k(). Beyond ten times the wave number of the shortest spectral peak, and beyond the last frequency
+/// of a measured spectrum, the power is rolled off, so that the slope variance of all cascades stays below Cox & Munk's
+/// total for the wind; where the waves before that pass it, they are kept.
 ///
 /// **Current.** On a current U a wave runs over the ground at omega = w + k.U: the sea of FFT and TEXTURES is that of
 /// water at rest, drifting by U t, with its foam. Seas of FFT cannot both drift and loop; the frames of TEXTURES repeat

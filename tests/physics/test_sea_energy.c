@@ -142,9 +142,16 @@ static void slopes_resolved_and_not_add_up_to_cox_and_munk(void **state) {
         bolan_sea *sea = test_sea(desc);
         float rest[3];
         bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
-        const double total = bolan_sea_measure(sea).mss + rest[0] + rest[2];
+        const bolan_sea_statistics m = bolan_sea_measure(sea);
+        const double total = m.mss + rest[0] + rest[2];
         assert_near(total, 0.003 + 5.12e-3 * wind, 0.004 + 0.1 * (0.003 + 5.12e-3 * wind)); // Cox & Munk 1954, their
                                                                                             // scatter
+        // Along the wind, which blows to 60 degrees from the east, and across it.
+        const double c = cos(BOLAN_PI / 3.0), s = sin(BOLAN_PI / 3.0), along = c * c * rest[0] + s * s * rest[2];
+        const double up = m.mss_up + along + 2.0 * c * s * rest[1];
+        const double cross = m.mss_cross + s * s * rest[0] + c * c * rest[2] - 2.0 * c * s * rest[1];
+        assert_true(cross / up > 0.54 && cross / up <= 1.0);
+        assert_near(cross / up, (0.003 + 1.92e-3 * wind) / (3.16e-3 * wind), 0.06);
         bolan_sea_destroy(&sea);
     }
 }

@@ -68,8 +68,46 @@ static void a_swan_spectrum_becomes_a_sum_of_cosines(void **state) {
     free((char *)texts.density.data);
 }
 
+// Every format: the height of the water that queries return, against that of the file. No wind is given, and in some of
+// the files a wind sea of a sixteenth of the length of the swell has a tenth of the energy.
+static void a_sea_of_each_format_has_the_height_of_its_file(void **state) {
+    (void)state;
+    static const struct {
+        const char *name;
+        uint32_t record, location;
+        double hs;
+    } files[] = {{"swan_maari_lonlat_24f36d.spec", 2, 0, 0.0}, {"ww3_44097_50f36d.spec", 0, 0, 1.1573},
+                 {"ww3_netcdf.nc", 0, 1, 0.7413},              {"era5_spectra.nc", 0, 26, 2.0952},
+                 {"triaxys_20180131.DIRSPEC", 0, 0, 3.4128},   {"datawell_20240909T0115Z.spt", 0, 0, 0.8488},
+                 {"spotter_20180214.json", 0, 0, 1.6214},      {"octopus_maari_20180311.oct", 2, 0, 2.2096},
+                 {"ndbc_44004w2000.txt", 0, 0, 1.2881},        {"ndbc_41010.data_spec", 148, 0, 1.1188}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        bolan_spectrum_texts texts = bolan_spectrum_texts_default();
+        texts.density = load_text(files[i].name);
+        bolan_spectrum_options options = record_number(files[i].record);
+        options.location = files[i].location;
+        bolan_measured_spectrum *spectrum = parse_with(&texts, &options);
+        bolan_sea_desc desc = bolan_sea_desc_default();
+        desc.sea_state = sea_of(spectrum);
+        desc.resolution = 128;
+        double m0 = 0.0;
+        for (desc.seed = 1; desc.seed <= 3; desc.seed++) {
+            bolan_sea *sea = NULL;
+            assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_OK);
+            m0 += bolan_sea_measure(sea).m0_field / 3.0;
+            bolan_sea_destroy(&sea);
+        }
+        const double hs = files[i].hs > 0.0 ? files[i].hs : bolan_sea_state_summary(&desc.sea_state).hs;
+        print_message("%s: Hs %.4f m, of the file %.4f m\n", files[i].name, 4.0 * sqrt(m0), hs);
+        assert_ratio(4.0 * sqrt(m0), hs, 0.02);
+        bolan_measured_spectrum_destroy(&spectrum);
+        free((char *)texts.density.data);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(a_swan_spectrum_becomes_its_sea),
+                                       cmocka_unit_test(a_sea_of_each_format_has_the_height_of_its_file),
                                        cmocka_unit_test(a_swan_spectrum_becomes_a_sum_of_cosines)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

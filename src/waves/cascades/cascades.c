@@ -13,7 +13,7 @@ static void plan_cascades(sea_shared *shared, const spectrum_eval *eval, uint32_
     const bolan_sea_state *state = &shared->desc.sea_state;
     double up, cross;
     bolan_cox_munk(state->wind_speed, &up, &cross);
-    bolan_sea_radial_prepare(eval, bolan_sea_wind_peak(state, &shared->summary), up + cross, radial);
+    bolan_sea_radial_prepare(eval, bolan_sea_asked_end(state, &shared->summary), up + cross, radial);
     bolan_cascades_layout(shared, radial, extent);
 }
 

@@ -93,13 +93,14 @@ typedef struct sea_radial {
     double mss[RADIAL_COUNT];      // their slope variance
     double keep[RADIAL_COUNT];     // factor on the power at k, 1 for the long waves
 } sea_radial;
-// `budget` is the slope variance of all waves, by Cox & Munk.
-void bolan_sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget, sea_radial *out);
+// `budget` is the slope variance of all waves, by Cox & Munk; waves longer than that of `k1` are kept.
+void bolan_sea_radial_prepare(const spectrum_eval *eval, double k1, double budget, sea_radial *out);
 double bolan_sea_radial_keep(const sea_radial *radial, double k);
 // Wave number above which a fraction 1 - share of the variance lies; 0 in a flat calm.
 double bolan_sea_radial_quantile(const sea_radial *radial, double share);
-// Wave number of the highest spectral peak among the systems [rad/m]; 0 where there is none.
-double bolan_sea_wind_peak(const bolan_sea_state *state, const bolan_sea_summary *summary);
+// Wave number up to which a sea is as it was asked for [rad/m]: ten times that of the shortest peak, and the last one of a
+// measured spectrum.
+double bolan_sea_asked_end(const bolan_sea_state *state, const bolan_sea_summary *summary);
 
 // How long the first tile is where the desc leaves it open: so many peak wavelengths, and at least so many of the
 // longest waves that matter. `open`: the sea has no tiles to be seen, so they are turned away from the waves' direction

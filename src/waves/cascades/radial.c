@@ -2,12 +2,12 @@
 // Variance and slope variance of a sea state over |k|, and the roll-off of its short waves.
 //
 // The w^-5 tail of the wind-sea spectra holds for the waves near the peak. Continued to centimetres it has a slope
-// variance that grows with log k without end, more than Cox & Munk (1954) measured in a light wind. So beyond 10
-// k_peak the power is multiplied by
+// variance that grows with log k without end, more than Cox & Munk (1954) measured in a light wind. So beyond k1, which
+// is 10 k_peak and at least the last wave number of a measured spectrum, the power is multiplied by
 //
 //     keep(k) = exp(-(M(k) - M1) / (B - M1)),
 //
-// M(k) being the slope variance of the waves longer than k, M1 that at 10 k_peak, and B Cox & Munk's total for the
+// M(k) being the slope variance of the waves longer than k, M1 that at k1, and B Cox & Munk's total for the
 // wind. The kept slope variance adds up to M1 + (B - M1)(1 - keep) < B however short the waves get, without a visible
 // edge. Where the long waves alone reach B (a swell in a calm) the short ones get a tenth of B, and so are few. A sea
 // with a system of Elfouhaily keeps all: its short waves are those of that system and end by themselves.
@@ -57,10 +57,10 @@ static bool ends_by_itself(const spectrum_eval *eval) {
     return false;
 }
 
-void bolan_sea_radial_prepare(const spectrum_eval *eval, double peak_k, double budget, sea_radial *out) {
+void bolan_sea_radial_prepare(const spectrum_eval *eval, double k1, double budget, sea_radial *out) {
     out->variance[0] = out->mss[0] = 0.0;
     integrate(eval, out);
-    const double m1 = at_k(out->mss, 10.0 * peak_k);
+    const double m1 = at_k(out->mss, k1);
     const double room = fmax(fmax(budget - m1, 0.1 * budget), 1e-6);
     const bool all = ends_by_itself(eval);
     for (int i = 0; i < RADIAL_COUNT; i++) {
@@ -79,10 +79,15 @@ double bolan_sea_radial_quantile(const sea_radial *radial, double share) {
     return radial->k[RADIAL_COUNT - 1];
 }
 
-double bolan_sea_wind_peak(const bolan_sea_state *state, const bolan_sea_summary *summary) {
-    double omega = 0.0;
+double bolan_sea_asked_end(const bolan_sea_state *state, const bolan_sea_summary *summary) {
+    double omega = 0.0, last = 0.0;
     for (uint32_t i = 0; i < state->system_count; i++)
         if (state->systems[i].hs > 0.0) omega = fmax(omega, state->systems[i].peak_omega);
     if (omega == 0.0 && summary->tp > 0.0) omega = 2.0 * BOLAN_PI / summary->tp;
-    return omega > 0.0 ? bolan_k_from_omega(omega, state->depth) : 0.0;
+    const double peak_k = omega > 0.0 ? bolan_k_from_omega(omega, state->depth) : 0.0;
+    if (state->measured) {
+        const bolan_measured_view v = bolan_measured_spectrum_view(state->measured);
+        last = bolan_k_from_omega(v.omega[v.frequency_count - 1], state->depth);
+    }
+    return fmax(10.0 * peak_k, last);
 }
