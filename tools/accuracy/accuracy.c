@@ -17,11 +17,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SEEDS = 8, BUOYS = 256, SAMPLES = 2048, SEGMENT = 512, BINS = SEGMENT / 2 - 1 };
-#define RATE 4.0 // [Hz]
+enum { SEEDS = 3, BUOYS = 256, SAMPLES = 1024, SEGMENT = 512, BINS = SEGMENT / 2 - 1, BANDS = 38 };
+#define RATE 4.0    // [Hz]
+#define BAND 1.0718 // a tenth of an octave
+#define LOWEST 0.05 // [Hz]
 
 static const uint8_t GREY[3] = {205, 208, 212}, BLUE[3] = {30, 100, 200},
-                     ORANGE[3] = {225, 110, 20}, WHITE[3] = {255, 255, 255}, BAND[3] = {228, 238, 226};
+                     ORANGE[3] = {225, 110, 20}, WHITE[3] = {255, 255, 255}, SHADE[3] = {228, 238, 226};
 
 static void check(bool good, const char *what) {
     if (good) return;
@@ -100,7 +102,7 @@ static void legend(canvas *image, int x, int y, const uint8_t colour[3], double 
 // ---- spectra --------------------------------------------------------------------------------------------------------
 
 typedef struct spectra {
-    double hertz[BINS], asked[BINS], drawn[BINS], buoy[BINS]; // [m2/Hz]
+    double asked[BINS], drawn[BINS], buoy[BINS]; // [m2/Hz], of frequency (i + 1) RATE / SEGMENT
     double asked_m0, drawn_m0, buoy_m0;
 } spectra;
 
@@ -138,10 +140,10 @@ static float drawn_height(const bolan_sea *sea, bolan_dvec2 at) {
     return (float)sum;
 }
 
-static void add_record(const float *heave, double out[BINS], double hertz[BINS]) {
+static void add_record(const float *heave, double out[BINS]) {
     bolan_record_band band[BINS];
     check(!bolan_record_spectrum(heave, NULL, NULL, SAMPLES, RATE, SEGMENT, band), "bolan_record_spectrum");
-    for (int i = 0; i < BINS; i++) out[i] += band[i].density / (SEEDS * BUOYS), hertz[i] = band[i].frequency;
+    for (int i = 0; i < BINS; i++) out[i] += band[i].density / (SEEDS * BUOYS);
 }
 
 static double variance_of(const float *heave) {
@@ -196,41 +198,54 @@ static void measure(bolan_sea_desc desc, spectra *s) {
         }
         bolan_sea_destroy(&sea);
         for (int b = 0; b < BUOYS; b++) {
-            add_record(heard[b], s->buoy, s->hertz);
-            add_record(drawn[b], s->drawn, s->hertz);
+            add_record(heard[b], s->buoy);
+            add_record(drawn[b], s->drawn);
             s->buoy_m0 += variance_of(heard[b]) / (SEEDS * BUOYS);
             s->drawn_m0 += variance_of(drawn[b]) / (SEEDS * BUOYS);
         }
     }
 }
 
+// Means over tenths of an octave.
+static void band_means(const double bins[BINS], double hertz[BANDS], double out[BANDS]) {
+    for (int b = 0; b < BANDS; b++) {
+        const double bin = RATE / SEGMENT, from = LOWEST * pow(BAND, b) / bin, to = from * BAND;
+        double sum = 0.0;
+        for (int i = 1; i <= BINS; i++) // a bin reaches half a bin to either side
+            sum += bins[i - 1] * fmax(fmin(to, i + 0.5) - fmax(from, i - 0.5), 0.0);
+        hertz[b] = sqrt(from * to) * bin;
+        out[b] = sum / (to - from);
+    }
+}
+
 // Over and under each other: the densities, and the ratios of the measured ones to the request.
 static void plot_spectra(const spectra *s, const char *folder, const char *name, const char *title) {
-    static const double hertz[] = {0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7}, ratios[] = {0.9, 0.95, 1, 1.05, 1.1};
-    double densities[8], drawn[BINS], buoy[BINS], top = 0.0;
+    static const double hertz[] = {0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7}, ratios[] = {0.94, 0.97, 1, 1.03, 1.06};
+    double densities[5], at[BANDS], asked[BANDS], drawn[BANDS], buoy[BANDS], top = 0.0;
     char text[96];
     canvas image = new_image(720, 480);
-    for (int i = 0; i < BINS; i++) top = fmax(top, s->asked[i]);
+    band_means(s->asked, at, asked), band_means(s->drawn, at, drawn), band_means(s->buoy, at, buoy);
+    for (int b = 0; b < BANDS; b++) top = fmax(top, asked[b]);
     const double ceiling = pow(10.0, ceil(log10(top) + 0.05));
     for (int i = 0; i < 5; i++) densities[i] = ceiling * pow(10.0, -i);
-    frame up = {&image, 70, 56, 700, 320, 0.04, 0.7, ceiling * 1e-4, ceiling, true, true}, down = up;
-    down.top = 340, down.bottom = 440, down.y0 = 0.88, down.y1 = 1.12, down.log_y = false;
-    bolan_canvas_fill(&image, down.left, (int)y_of(&down, 1.03), down.right, (int)y_of(&down, 0.97), BAND);
+    frame up = {&image, 70, 56, 700, 320, 0.045, 0.7, ceiling * 1e-4, ceiling, true, true}, down = up;
+    down.top = 340, down.bottom = 440, down.y0 = 0.93, down.y1 = 1.07, down.log_y = false;
+    bolan_canvas_fill(&image, down.left, (int)y_of(&down, 1.03), down.right, (int)y_of(&down, 0.97), SHADE);
     draw_grid(&up, hertz, 9, densities, 5, false);
     draw_grid(&down, hertz, 9, ratios, 5, true);
-    int first = BINS, end = 0; // where the request is above a thousandth of its peak
-    for (int i = 0; i < BINS; i++) {
-        if (s->asked[i] < 1e-3 * top) continue;
-        drawn[i] = s->drawn[i] / s->asked[i], buoy[i] = s->buoy[i] / s->asked[i];
-        if (first == BINS) first = i;
-        end = i + 1;
-        printf("%s,%.5f,%.6g,%.4f,%.4f\n", name, s->hertz[i], s->asked[i], drawn[i], buoy[i]);
+    draw_curve(&up, at, asked, BANDS, 5.0, GREY);
+    draw_curve(&up, at, drawn, BANDS, 2.5, ORANGE);
+    draw_curve(&up, at, buoy, BANDS, 1.0, BLUE);
+    int first = BANDS, end = 0; // where the request is above a hundredth of its peak
+    for (int b = 0; b < BANDS; b++) {
+        if (asked[b] < 1e-2 * top) continue;
+        drawn[b] /= asked[b], buoy[b] /= asked[b];
+        if (first == BANDS) first = b;
+        end = b + 1;
+        printf("%s,%.5f,%.6g,%.4f,%.4f\n", name, at[b], asked[b], drawn[b], buoy[b]);
     }
-    draw_curve(&up, s->hertz, s->asked, BINS, 5.0, GREY);
-    draw_curve(&up, s->hertz, s->drawn, BINS, 2.5, ORANGE);
-    draw_curve(&up, s->hertz, s->buoy, BINS, 1.0, BLUE);
-    draw_curve(&down, s->hertz + first, drawn + first, end - first, 2.5, ORANGE);
-    draw_curve(&down, s->hertz + first, buoy + first, end - first, 1.0, BLUE);
+    draw_curve(&down, at + first, drawn + first, end - first, 2.5, ORANGE);
+    draw_curve(&down, at + first, buoy + first, end - first, 1.0, BLUE);
     bolan_canvas_print(&image, 70, 14, 2, title);
     bolan_format(text, sizeof text, "drawn %+.1f %%, buoys %+.1f %% of the variance; %d seeds x %d buoys x %.0f s",
                  100.0 * (s->drawn_m0 / s->asked_m0 - 1.0), 100.0 * (s->buoy_m0 / s->asked_m0 - 1.0), (int)SEEDS,
@@ -240,15 +255,14 @@ static void plot_spectra(const spectra *s, const char *folder, const char *name,
     legend(&image, 568, 66, GREY, 5.0, "asked, m2/Hz");
     legend(&image, 568, 82, ORANGE, 2.5, "drawn");
     legend(&image, 568, 98, BLUE, 1.0, "buoys, queried");
-    bolan_canvas_print(&image, 8, 342, 1, "over the");
-    bolan_canvas_print(&image, 8, 354, 1, "request");
-    bolan_canvas_print_centred(&image, 385, 468, 1, "frequency, Hz; shaded: 3 %");
+    bolan_canvas_print_centred(&image, 385, 468, 1,
+                               "frequency, Hz, tenths of an octave; below: over the request, shaded 3 %");
     save(&image, folder, name);
 }
 
 // ---- correlation ----------------------------------------------------------------------------------------------------
 
-enum { DISTANCES = 400, TURNS = 16, PAIRS = 4096, CORRELATED = 8 };
+enum { DISTANCES = 200, TURNS = 16, PAIRS = 4096, CORRELATED = 6 };
 #define FARTHEST 20000.0 // [m]
 
 // The largest correlation over the directions at each distance, of the average over the seeds.
@@ -303,7 +317,7 @@ static void plot_correlation(const bolan_sea_desc *wind, const bolan_sea_desc *s
     bolan_canvas_fill(&image, 420, 50, 694, 84, WHITE);
     legend(&image, 428, 54, BLUE, 1.5, "wind sea, 10 m/s over 300 km");
     legend(&image, 428, 70, ORANGE, 1.5, "swell of 14 s");
-    bolan_canvas_print_centred(&image, 385, 344, 1, "distance, km; the largest of 16 directions, mean of 8 seeds");
+    bolan_canvas_print_centred(&image, 385, 344, 1, "distance, km; the largest of 16 directions, mean of 6 seeds");
     save(&image, folder, "accuracy-correlation");
 }
 
