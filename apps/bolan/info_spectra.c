@@ -45,7 +45,9 @@ static void print_places(const bolan_spectrum_contents *c) {
     for (uint32_t i = 0; i < c->place_count && i < PLACES_SHOWN; i++) {
         const bolan_spectrum_place *p = &c->places[i];
         printf("%s%u at %.6g, %.6g%s", i ? "               " : "", (unsigned)i + 1, p->x, p->y,
-               i ? "" : c->spherical ? " (longitude, latitude)" : " (x, y in metres)");
+               i              ? ""
+               : c->spherical ? " (longitude, latitude)"
+                              : " (x, y in metres)");
         if (p->name[0]) printf("  "), output_print(p->name);
         printf("\n");
     }

@@ -13,8 +13,8 @@ static int open_world(const options *o, bool open_sea, bolan_world **world) {
     bolan_set_threads(isnan(o->threads) ? 0 : (uint32_t)o->threads);
     if (open_sea && option_given(o, "buoy") && !o->quiet &&
         (scene.terrain.kind != BOLAN_GROUND_NONE || scene.train_count > 0))
-        fprintf(stderr, "bolan: warning: the buoy rides on the open sea; the ground and the wave trains of the scene are "
-                        "left out\n");
+        fprintf(stderr, "bolan: warning: the buoy rides on the open sea; the ground and the wave trains of the scene "
+                        "are left out\n");
     if (open_sea) scene.terrain.kind = BOLAN_GROUND_NONE, scene.object_count = 0;
     return bolan_world_load_scene(&scene, world) ? EXIT_FAILED : EXIT_OK;
 }

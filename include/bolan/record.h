@@ -46,8 +46,9 @@ typedef struct bolan_record_statistics {
     double tz, t_third;
 } bolan_record_statistics;
 /// Measures a record; heights and periods are 0 where there is no wave.
-/// Errors: ARGUMENT (fewer than 2 samples, a rate that is not positive and finite, a sample that is not finite; a gap of
-/// a real record must be filled or cut out before), MEMORY. Thread-safe.
+/// A gap of a real record must be filled or cut out before.
+/// Errors: ARGUMENT (fewer than 2 samples, a rate that is not positive and finite, a sample that is not finite) and
+/// MEMORY. Thread-safe.
 BOLAN_API bolan_result bolan_record_measure(const float *heave, uint32_t count, double rate,
                                             bolan_record_statistics *out);
 

@@ -52,8 +52,7 @@ static void copy_lists(const format_file *file, const location_list *places, con
 }
 
 // The ranges take in one spectrum.
-static void widen(bolan_spectrum_contents *c, const bolan_measured_spectrum *spectrum, bool own_directions,
-                  bool none) {
+static void widen(bolan_spectrum_contents *c, const bolan_measured_spectrum *spectrum, bool own_directions, bool none) {
     const bolan_measured_view view = bolan_measured_spectrum_view(spectrum);
     bolan_sea_state sea_state = bolan_sea_state_default();
     sea_state.measured = spectrum;

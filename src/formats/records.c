@@ -82,8 +82,7 @@ void bolan_record_date_print(const record_date *date, record_style style, char o
 
 static bolan_result grow(record_list *list) {
     const uint32_t capacity = list->capacity ? 2 * list->capacity : 64;
-    record_entry *entries =
-        bolan_enlarge(list->entries, list->capacity * sizeof *entries, capacity * sizeof *entries);
+    record_entry *entries = bolan_enlarge(list->entries, list->capacity * sizeof *entries, capacity * sizeof *entries);
     if (!entries) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY,
                   "the list of %u records of a spectrum needs %zu bytes, which could not be allocated",

@@ -93,13 +93,15 @@ static void draw_axes(const plot *p, canvas *out) {
     for (int i = 0; i < 12; i++) {
         static const char *const names[12] = {"N", "30", "60", "E", "120", "150", "S", "210", "240", "W", "300", "330"};
         const double angle = i * BOLAN_PI / 6.0, r = RADIUS + 22.0;
-        bolan_canvas_print_centred(out, (int)(CENTRE_X + r * sin(angle)), (int)(CENTRE_Y - r * cos(angle)), 2, names[i]);
+        bolan_canvas_print_centred(out, (int)(CENTRE_X + r * sin(angle)), (int)(CENTRE_Y - r * cos(angle)), 2,
+                                   names[i]);
     }
     for (double hertz = p->ring; hertz < p->outer + 0.5 * p->ring; hertz += p->ring) {
         const double r = hertz / p->outer * RADIUS, angle = BOLAN_PI / 12.0; // between two spokes
         bolan_format(text, sizeof text, "%g Hz, %.3g s", hertz, 1.0 / hertz);
         if (hertz <= p->outer * 1.001)
-            bolan_canvas_print_centred(out, (int)(CENTRE_X + r * sin(angle)), (int)(CENTRE_Y - r * cos(angle)), 1, text);
+            bolan_canvas_print_centred(out, (int)(CENTRE_X + r * sin(angle)), (int)(CENTRE_Y - r * cos(angle)), 1,
+                                       text);
     }
 }
 
@@ -150,8 +152,7 @@ static bolan_result draw_systems(const plot *p, const bolan_sea_state *sea_state
     return BOLAN_OK;
 }
 
-static void draw_title(const bolan_sea_state *sea_state, const bolan_measured_view *v, const char *title,
-                       canvas *out) {
+static void draw_title(const bolan_sea_state *sea_state, const bolan_measured_view *v, const char *title, canvas *out) {
     char text[2 * LETTERS_MAX];
     const bolan_sea_summary s = bolan_sea_state_summary(sea_state);
     snprintf(text, sizeof text, "%s%s%s", title, v->time[0] ? "  " : "", v->time);

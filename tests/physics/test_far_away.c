@@ -188,7 +188,8 @@ static double variance_at(bolan_sea *sea, double far, double time) {
 static void the_variance_stays(void **state) {
     (void)state;
     bolan_sea *sea = sea_of_wind(BOLAN_WAVES_FFT, BOLAN_DEEP, 0.0);
-    const double here = variance_at(sea, 0.0, 0.0), far = variance_at(sea, 1e8, 1e9), past = variance_at(sea, 1e8, -1e9);
+    const double here = variance_at(sea, 0.0, 0.0), far = variance_at(sea, 1e8, 1e9);
+    const double past = variance_at(sea, 1e8, -1e9);
     print_message("variance over the request: %.4f here, %.4f far away, %.4f long ago\n", here, far, past);
     assert_near(here, 1.0, 0.03); // sampling
     assert_near(far, 1.0, 0.03);

@@ -56,15 +56,10 @@ typedef struct lag {
 // waves and against them, at the phase speed of the peak.
 static void make_lags(double cp, lag out[LAGS]) {
     const double c = cos(BOLAN_PI / 6.0), s = sin(BOLAN_PI / 6.0), t = 2.5;
-    const lag lags[LAGS] = {{5.0 * c, 5.0 * s, 0.0},
-                            {20.0 * c, 20.0 * s, 0.0},
-                            {60.0 * c, 60.0 * s, 0.0},
-                            {-15.0 * s, 15.0 * c, 0.0},
-                            {-60.0 * s, 60.0 * c, 0.0},
-                            {0.0, 0.0, 1.0},
-                            {0.0, 0.0, 4.0},
-                            {cp * t * c, cp * t * s, t},
-                            {-cp * t * c, -cp * t * s, t}};
+    const lag lags[LAGS] = {
+        {5.0 * c, 5.0 * s, 0.0},      {20.0 * c, 20.0 * s, 0.0}, {60.0 * c, 60.0 * s, 0.0}, {-15.0 * s, 15.0 * c, 0.0},
+        {-60.0 * s, 60.0 * c, 0.0},   {0.0, 0.0, 1.0},           {0.0, 0.0, 4.0},           {cp * t * c, cp * t * s, t},
+        {-cp * t * c, -cp * t * s, t}};
     memcpy(out, lags, sizeof lags);
 }
 

@@ -22,8 +22,8 @@ enum { SEEDS = 3, BUOYS = 256, SAMPLES = 1024, SEGMENT = 512, BINS = SEGMENT / 2
 #define BAND 1.0718 // a tenth of an octave
 #define LOWEST 0.05 // [Hz]
 
-static const uint8_t GREY[3] = {205, 208, 212}, BLUE[3] = {30, 100, 200},
-                     ORANGE[3] = {225, 110, 20}, WHITE[3] = {255, 255, 255}, SHADE[3] = {228, 238, 226};
+static const uint8_t GREY[3] = {205, 208, 212}, BLUE[3] = {30, 100, 200}, ORANGE[3] = {225, 110, 20},
+                     WHITE[3] = {255, 255, 255}, SHADE[3] = {228, 238, 226};
 
 static void check(bool good, const char *what) {
     if (good) return;
@@ -220,7 +220,8 @@ static void band_means(const double bins[BINS], double hertz[BANDS], double out[
 
 // Over and under each other: the densities, and the ratios of the measured ones to the request.
 static void plot_spectra(const spectra *s, const char *folder, const char *name, const char *title) {
-    static const double hertz[] = {0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7}, ratios[] = {0.94, 0.97, 1, 1.03, 1.06};
+    static const double hertz[] = {0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7},
+                        ratios[] = {0.94, 0.97, 1, 1.03, 1.06};
     double densities[5], at[BANDS], asked[BANDS], drawn[BANDS], buoy[BANDS], top = 0.0;
     char text[96];
     canvas image = new_image(720, 480);

@@ -98,8 +98,8 @@ void bolan_sea_radial_prepare(const spectrum_eval *eval, double k1, double budge
 double bolan_sea_radial_keep(const sea_radial *radial, double k);
 // Wave number above which a fraction 1 - share of the variance lies; 0 in a flat calm.
 double bolan_sea_radial_quantile(const sea_radial *radial, double share);
-// Wave number up to which a sea is as it was asked for [rad/m]: ten times that of the shortest peak, and the last one of a
-// measured spectrum.
+// Wave number up to which a sea is as it was asked for [rad/m]: ten times that of the shortest peak, and the last one
+// of a measured spectrum.
 double bolan_sea_asked_end(const bolan_sea_state *state, const bolan_sea_summary *summary);
 
 // How long the first tile is where the desc leaves it open: so many peak wavelengths, and at least so many of the
