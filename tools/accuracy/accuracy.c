@@ -18,7 +18,7 @@
 #include <string.h>
 
 enum { SEEDS = 3, BUOYS = 256, SAMPLES = 1024, SEGMENT = 512, BINS = SEGMENT / 2 - 1, BANDS = 38 };
-#define RATE 4.0    // [Hz]
+#define RATE 2.0    // [Hz]
 #define BAND 1.0718 // a tenth of an octave
 #define LOWEST 0.05 // [Hz]
 
@@ -221,7 +221,7 @@ static void band_means(const double bins[BINS], double hertz[BANDS], double out[
 // Over and under each other: the densities, and the ratios of the measured ones to the request.
 static void plot_spectra(const spectra *s, const char *folder, const char *name, const char *title) {
     static const double hertz[] = {0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7},
-                        ratios[] = {0.94, 0.97, 1, 1.03, 1.06};
+                        ratios[] = {0.9, 0.97, 1, 1.03, 1.1};
     double densities[5], at[BANDS], asked[BANDS], drawn[BANDS], buoy[BANDS], top = 0.0;
     char text[96];
     canvas image = new_image(720, 480);
@@ -230,7 +230,7 @@ static void plot_spectra(const spectra *s, const char *folder, const char *name,
     const double ceiling = pow(10.0, ceil(log10(top) + 0.05));
     for (int i = 0; i < 5; i++) densities[i] = ceiling * pow(10.0, -i);
     frame up = {&image, 70, 56, 700, 320, 0.045, 0.7, ceiling * 1e-4, ceiling, true, true}, down = up;
-    down.top = 340, down.bottom = 440, down.y0 = 0.93, down.y1 = 1.07, down.log_y = false;
+    down.top = 340, down.bottom = 440, down.y0 = 0.86, down.y1 = 1.14, down.log_y = false;
     bolan_canvas_fill(&image, down.left, (int)y_of(&down, 1.03), down.right, (int)y_of(&down, 0.97), SHADE);
     draw_grid(&up, hertz, 9, densities, 5, false);
     draw_grid(&down, hertz, 9, ratios, 5, true);
