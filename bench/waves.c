@@ -197,9 +197,10 @@ static int parse(int argc, char **argv, bool *json) {
         } else if (strcmp(argv[i], "--cpu") == 0 && (found = cpu_of(argv[++i])) >= 0) {
             cpu = (bolan_cpu)found;
         } else {
-            fprintf(stderr,
-                    "bolan-bench waves: unexpected %s; usage: waves [--json] [--cpu auto|scalar|sse2|avx2|avx512]\n",
-                    argv[i] ? argv[i] : "end after --cpu");
+            fprintf(
+                stderr,
+                "bolan-bench waves: unexpected %s; usage: waves [--json] [--cpu auto|scalar|generic4|avx2|avx512]\n",
+                argv[i] ? argv[i] : "end after --cpu");
             return 2;
         }
     }
@@ -216,7 +217,7 @@ int bench_waves(int argc, char **argv) {
     if (!json) {
         printf("%s; kernels: %s\n"
                "ratio: a step of the sea over FFTW's bare transforms, 4 a cascade\n\n",
-               bench_machine(), bolan_cpu_name(cpu));
+               bench_machine(), bolan_cpu_name(cpu == BOLAN_CPU_AUTO ? bolan_cpu_best() : cpu));
         printf("%6s %9s %8s %10s %10s %7s\n", "n", "cascades", "threads", "ms", "FFTW ms", "ratio");
     }
     for (uint32_t threads = 1; threads <= 2; threads++) {

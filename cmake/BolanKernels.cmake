@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: MIT
 # bolan_add_kernels(target file.kernel.c): compiles one wide kernel file once per instruction set into the target.
-# The file sees BOLAN_KERNEL_SUFFIX (scalar, sse2, avx2, avx512: append it to every name it exports), BOLAN_KERNEL_WIDTH
-# (floats in a register: 1, 4, 8, 16) and BOLAN_KERNEL_<SUFFIX IN CAPITALS>. Other sources of the target see
-# BOLAN_KERNELS_X86 where all four exist; elsewhere only the scalar one does.
+# The file sees BOLAN_KERNEL_SUFFIX (scalar, generic4, avx2, avx512: append it to every name it exports),
+# BOLAN_KERNEL_WIDTH (floats in a register: 1, 4, 8, 16) and BOLAN_KERNEL_<SUFFIX IN CAPITALS>. generic4 has no
+# intrinsics: the compiler makes SSE2, NEON or WebAssembly SIMD of it. Other sources of the target see BOLAN_KERNELS_X86
+# where all four sets exist; elsewhere the first two do.
 # All sets give the same bits, since contraction stays off: AVX-512 holds fused multiply-add, and it must not be used.
 
 set(bolan_kernel_flags_scalar "")
-set(bolan_kernel_flags_sse2 -msse2)
+set(bolan_kernel_flags_generic4 "")
 set(bolan_kernel_flags_avx2 -mavx2 -mf16c)
 set(bolan_kernel_flags_avx512 -mavx512f -mavx512dq -mavx512bw -mavx512vl -mf16c -mprefer-vector-width=512)
 set(bolan_kernel_width_scalar 1)
-set(bolan_kernel_width_sse2 4)
+set(bolan_kernel_width_generic4 4)
 set(bolan_kernel_width_avx2 8)
 set(bolan_kernel_width_avx512 16)
 
@@ -18,10 +19,13 @@ set(BOLAN_KERNEL_OPTIMISATION -O3 CACHE STRING "Optimisation level of the wide k
 mark_as_advanced(BOLAN_KERNEL_OPTIMISATION)
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    set(bolan_kernel_sets scalar sse2 avx2 avx512)
+    set(bolan_kernel_sets scalar generic4 avx2 avx512)
     add_compile_definitions($<$<COMPILE_LANGUAGE:C>:BOLAN_KERNELS_X86=1>)
 else()
-    set(bolan_kernel_sets scalar)
+    set(bolan_kernel_sets scalar generic4)
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "^wasm")
+        set(bolan_kernel_flags_generic4 -msimd128)
+    endif()
 endif()
 
 function(bolan_add_kernels target file)

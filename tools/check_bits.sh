@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # check_bits.sh ['COMPILER FLAGS']...: builds the core with each compiler and its flags and runs
-# tests/determinism/test_golden.c: every build has to give the literal hashes. Without arguments: GCC and Clang at several
-# levels of optimisation, 32-bit x86, and aarch64 under qemu. What this machine lacks is skipped with a sentence.
+# tests/determinism/test_golden.c: every build has to give the literal hashes. Without arguments: GCC and Clang at
+# several levels of optimisation, 32-bit x86, aarch64 (NEON) under qemu, and WebAssembly (SIMD) under node. What this
+# machine lacks is skipped with a sentence.
 # Nothing is written but a scratch folder, which goes. BOLAN_CHECK_JOBS: compilers at a time, 2 without it.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -13,7 +14,8 @@ failures=0 passed=0
 
 if [ $# = 0 ]; then
     set -- 'gcc -O0' 'gcc -O1' 'gcc -O2' 'gcc -O3' 'gcc -O3 -march=native' 'gcc -O2 -ffast-math' \
-        'clang -O0' 'clang -O2' 'clang -O3' 'clang -O3 -march=native' 'gcc -O2 -m32' 'aarch64-linux-gnu-gcc -O2'
+        'clang -O0' 'clang -O2' 'clang -O3' 'clang -O3 -march=native' 'gcc -O2 -m32' \
+        'aarch64-linux-gnu-gcc -O2' 'emcc -O1'
 fi
 
 # links COMPILER FLAGS...: whether it makes programs here.
@@ -26,6 +28,7 @@ links() {
 emulator_of() {
     case $1 in
     aarch64-*) command -v qemu-aarch64 >/dev/null && echo 'qemu-aarch64 -L /usr/aarch64-linux-gnu' ;;
+    emcc*) command -v node ;;
     *-m32*) "$scratch/links" 2>/dev/null || { command -v qemu-i386 >/dev/null && echo 'qemu-i386 -cpu max'; } ;;
     esac
 }
@@ -43,8 +46,13 @@ check() {
         echo "skipped  $1: neither this machine nor qemu runs its programs"
         return 0
     fi
-    system='' machine=''
+    system='' machine='' threads=-pthread golden=golden
     case $1 in
+    emcc*) # at -O1: above it runs an optimiser of JavaScript, which not every node runs
+        system='-DCMAKE_SYSTEM_NAME=Generic -DCMAKE_SYSTEM_PROCESSOR=wasm32 -DCMAKE_AR='$(command -v emar)
+        system="$system -DCMAKE_RANLIB=$(command -v emranlib)"
+        threads='' machine='-sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=4MB -sWASM_ASYNC_COMPILATION=0' golden=golden.js
+        ;;
     aarch64-*) system='-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64' ;;
     *-m32*) machine='-msse2 -mfpmath=sse' ;;
     esac
@@ -59,12 +67,12 @@ check() {
         $compiler $flags $machine -fno-fast-math -ffp-contract=off -std=c17 -D_XOPEN_SOURCE=700 -I"$root/tests/cross" \
             -I"$root/tests" -I"$root/include" -I"$root/src" "-DBOLAN_SOURCE_DIR=\"$root\"" \
             "$root/tests/determinism/test_golden.c" "$build/libbolan_content.a" "$build/libbolan.a" \
-            -lm -pthread -o "$build/golden"; } \
+            -lm $threads -o "$build/$golden"; } \
         >"$scratch/log" 2>&1; then
         tail -n 20 "$scratch/log"
         echo "FAILED   $1: it does not build"
         failures=$((failures + 1))
-    elif $emulator "$build/golden" >"$scratch/log" 2>&1; then
+    elif $emulator "$build/$golden" >"$scratch/log" 2>&1; then
         echo "passed   $1${emulator:+ (${emulator%% *})}"
         passed=$((passed + 1))
     else

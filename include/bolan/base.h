@@ -237,8 +237,8 @@ BOLAN_API size_t bolan_memory_in_use(void);
 #if defined(__GNUC__)
 BOLAN_API __attribute__((format(printf, 3, 4)))
 #endif
-BOLAN_API void
-BOLAN_API bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...);
+BOLAN_API void BOLAN_API
+bolan_log(bolan_log_level level, bolan_log_id id, const char *format, ...);
 
 /// Reports misuse to the assert hook; called by BOLAN_ASSERT().
 BOLAN_API void bolan_assert_failed(const char *expression, const char *file, int line);
@@ -254,8 +254,8 @@ BOLAN_API void bolan_assert_failed(const char *expression, const char *file, int
 #if defined(__GNUC__)
 BOLAN_API __attribute__((format(printf, 3, 4)))
 #endif
-BOLAN_API int
-BOLAN_API bolan_format(char *out, size_t capacity, const char *format, ...);
+BOLAN_API int BOLAN_API
+bolan_format(char *out, size_t capacity, const char *format, ...);
 /// Writes @p value as "%.*g" does in the C locale with @p digits 1..12, several times as fast; -0 keeps its sign.
 /// @p capacity is 32 at least. Returns the length. Thread-safe.
 BOLAN_API int bolan_format_number(char *out, size_t capacity, double value, int digits);
@@ -283,11 +283,11 @@ typedef enum bolan_cpu {
     BOLAN_CPU_AUTO,
     /// Plain C.
     BOLAN_CPU_SCALAR,
-    /// 128-bit vectors of x86-64.
-    BOLAN_CPU_SSE2,
-    /// 256-bit vectors.
+    /// 128-bit vectors that every compiler makes of the one source: SSE2, NEON, WebAssembly SIMD.
+    BOLAN_CPU_GENERIC4,
+    /// 256-bit vectors of x86-64.
     BOLAN_CPU_AVX2,
-    /// 512-bit vectors.
+    /// 512-bit vectors of x86-64.
     BOLAN_CPU_AVX512,
 } bolan_cpu;
 /// Number of instruction sets.
@@ -298,7 +298,7 @@ BOLAN_API extern const char *const bolan_cpu_names[BOLAN_CPUS + 1];
 /// Returns the widest instruction set of this machine.
 /// Thread-safe.
 BOLAN_API bolan_cpu bolan_cpu_best(void);
-/// Returns "auto", "scalar", "sse2", "avx2" or "avx512".
+/// Returns "auto", "scalar", "generic4", "avx2" or "avx512".
 /// Static storage. Thread-safe.
 BOLAN_API const char *bolan_cpu_name(bolan_cpu cpu);
 

@@ -13,11 +13,11 @@ static bool has_f16c(void) {
 
 bolan_cpu bolan_cpu_best(void) {
     __builtin_cpu_init();
-    if (!__builtin_cpu_supports("avx2") || !has_f16c()) return BOLAN_CPU_SSE2; // part of every x86-64
+    if (!__builtin_cpu_supports("avx2") || !has_f16c()) return BOLAN_CPU_GENERIC4;
     const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
                         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
     return avx512 ? BOLAN_CPU_AVX512 : BOLAN_CPU_AVX2;
 }
 #else
-bolan_cpu bolan_cpu_best(void) { return BOLAN_CPU_SCALAR; }
+bolan_cpu bolan_cpu_best(void) { return BOLAN_CPU_GENERIC4; }
 #endif

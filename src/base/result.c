@@ -17,7 +17,7 @@ const char *bolan_result_string(bolan_result result) {
     return "unknown result";
 }
 
-const char *const bolan_cpu_names[BOLAN_CPUS + 1] = {"auto", "scalar", "sse2", "avx2", "avx512", NULL};
+const char *const bolan_cpu_names[BOLAN_CPUS + 1] = {"auto", "scalar", "generic4", "avx2", "avx512", NULL};
 
 const char *bolan_cpu_name(bolan_cpu cpu) {
     return (int)cpu >= 0 && (int)cpu < BOLAN_CPUS ? bolan_cpu_names[cpu] : "unknown";

@@ -5,12 +5,13 @@
 
 #include <string.h>
 
-// Radix 4 until the rest is a power of 8, so that the last stage, which needs no twiddles, is the widest.
+// Radix 8 first, which leaves out the zeros in the middle of a band-limited spectrum (strip.h); then 4 until the rest
+// is a power of 8.
 static void choose_radices(fft_plan *plan) {
     uint32_t bits = 0;
     while ((1u << bits) < plan->n) bits++;
     while (bits > 0) {
-        const uint32_t step = bits % 3 == 0 ? 3 : 2;
+        const uint32_t step = bits % 3 == 0 || (plan->stages == 0 && bits > 3) ? 3 : bits == 1 ? 1 : 2;
         plan->radix[plan->stages++] = 1u << step;
         bits -= step;
     }
@@ -39,7 +40,7 @@ static uint32_t reversed(const fft_plan *plan, uint32_t y) {
     return row;
 }
 
-// 2 (r - 1) m / r < 2 m floats for each stage, and the blocks shrink at least fourfold.
+// 2 (r - 1) m / r < 2 m floats for each stage, and the blocks shrink at least fourfold before the last one.
 size_t bolan_fft_plan_bytes(uint32_t n) { return 4 * (size_t)n * sizeof(float); }
 
 bool bolan_fft_plan_create(uint32_t n, fft_plan *plan) {

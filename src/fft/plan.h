@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plan of an in-place inverse FFT of n = 32 .. 1024 points, by decimation in frequency with radices 4 and 8.
+// The plan of an in-place inverse FFT of n = 2 .. 1024 points, by decimation in frequency with radices 8, 4 and 2.
 //
 //     X[y] = sum_k x[k] e^{+2 pi i k y / n},   not normalised
 //
@@ -22,7 +22,7 @@ enum {
 typedef struct fft_plan {
     uint32_t n;
     uint32_t stages;
-    uint32_t radix[FFT_STAGES];       // the last is 8
+    uint32_t radix[FFT_STAGES];       // the first is 8 from n = 8 on
     const float *twiddle[FFT_STAGES]; // [m / r][r - 1][2]: e^{2 pi i j q / m} for q = 1 .. r - 1; none for the last
     uint16_t order[FFT_MAX];          // output y is in row order[y]
     float *memory;                    // of the twiddles
@@ -31,7 +31,7 @@ typedef struct fft_plan {
 
 // Memory of a plan [bytes], beside the struct itself.
 size_t bolan_fft_plan_bytes(uint32_t n);
-// `n` is a power of two in 32 .. 1024. False when memory is short (logged).
+// `n` is a power of two in 2 .. 1024. False when memory is short (logged).
 bool bolan_fft_plan_create(uint32_t n, fft_plan *plan);
 void bolan_fft_plan_destroy(fft_plan *plan);
 

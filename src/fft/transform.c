@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "fft/transform.h"
 
-fft_strip_fn bolan_fft_strip_scalar;
+fft_strip_fn bolan_fft_strip_scalar, bolan_fft_strip_generic4;
 #ifdef BOLAN_KERNELS_X86
-fft_strip_fn bolan_fft_strip_sse2, bolan_fft_strip_avx2, bolan_fft_strip_avx512;
+fft_strip_fn bolan_fft_strip_avx2, bolan_fft_strip_avx512;
 #endif
 
 static fft_strip_fn *const table[] = {
     [BOLAN_CPU_SCALAR] = bolan_fft_strip_scalar,
+    [BOLAN_CPU_GENERIC4] = bolan_fft_strip_generic4,
 #ifdef BOLAN_KERNELS_X86
-    [BOLAN_CPU_SSE2] = bolan_fft_strip_sse2,
     [BOLAN_CPU_AVX2] = bolan_fft_strip_avx2,
     [BOLAN_CPU_AVX512] = bolan_fft_strip_avx512,
 #endif

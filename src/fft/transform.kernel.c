@@ -4,4 +4,4 @@
 
 fft_strip_fn KERNEL(bolan_fft_strip);
 
-void KERNEL(bolan_fft_strip)(const fft_plan *plan, float *rows) { fft_strip_of(plan, rows, NULL, rows); }
+void KERNEL(bolan_fft_strip)(const fft_plan *plan, float *rows) { fft_stages(plan, 0, plan->stages, rows); }

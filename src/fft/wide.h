@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 #include <string.h>
-#ifdef __SSE2__
+#if BOLAN_KERNEL_WIDTH > 4
 #include <immintrin.h>
 #endif
 
@@ -68,22 +68,22 @@ static inline wide wide_min(wide a, wide b) {
 #endif
 }
 
-// For planes larger than the cache: the line goes to memory without being read first. `p` is aligned to the vector.
+// For planes larger than the cache: the line goes to memory without being read first. `p` is aligned to the vector, and
+// the stores of a line have to follow each other: a line in two parts is written at a fifth of the speed. Where a line
+// is four vectors, it goes through the cache.
 static inline void wide_stream(float *p, wide v) {
 #if WIDE == 16
     _mm512_stream_ps(p, (__m512)v);
 #elif WIDE == 8
     _mm256_stream_ps(p, (__m256)v);
-#elif WIDE == 4
-    _mm_stream_ps(p, (__m128)v);
 #else
-    *p = v;
+    wide_store(p, v);
 #endif
 }
 
 // Makes streamed lines visible to other threads.
 static inline void wide_stream_end(void) {
-#if WIDE > 1
+#if WIDE > 4
     _mm_sfence();
 #endif
 }
@@ -91,15 +91,12 @@ static inline void wide_stream_end(void) {
 #if WIDE == 16
 #define WIDE_LOW 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23
 #define WIDE_HIGH 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31
-#define WIDE_LEVELS 4
 #elif WIDE == 8
 #define WIDE_LOW 0, 8, 1, 9, 2, 10, 3, 11
 #define WIDE_HIGH 4, 12, 5, 13, 6, 14, 7, 15
-#define WIDE_LEVELS 3
 #elif WIDE == 4
 #define WIDE_LOW 0, 4, 1, 5
 #define WIDE_HIGH 2, 6, 3, 7
-#define WIDE_LEVELS 2
 #endif
 
 // Lanes of a and b by number; the built-in function differs between compilers.
@@ -120,22 +117,77 @@ static inline void wide_interleave(wide a, wide b, wide out[2]) {
 #endif
 }
 
-// Transposes the WIDE x WIDE block v: log2(WIDE) rounds of interleaving vector i with vector i + WIDE / 2.
-static inline void wide_transpose(wide v[WIDE]) {
+// Transposes the 4 x 4 blocks within the groups of four lanes of v[0 .. 3].
+#if WIDE == 16
+#define WIDE_GROUPS(a, b, c, d) \
+    a, b, c, d, a + 4, b + 4, c + 4, d + 4, a + 8, b + 8, c + 8, d + 8, a + 12, b + 12, c + 12, d + 12
+#elif WIDE == 8
+#define WIDE_GROUPS(a, b, c, d) a, b, c, d, a + 4, b + 4, c + 4, d + 4
+#elif WIDE == 4
+#define WIDE_GROUPS(a, b, c, d) a, b, c, d
+#endif
 #if WIDE > 1
-    wide u[WIDE];
+static inline void wide_transpose4(wide v[4]) {
+    const wide a = WIDE_SHUFFLE(v[0], v[1], WIDE_GROUPS(0, WIDE, 1, WIDE + 1));
+    const wide b = WIDE_SHUFFLE(v[0], v[1], WIDE_GROUPS(2, WIDE + 2, 3, WIDE + 3));
+    const wide c = WIDE_SHUFFLE(v[2], v[3], WIDE_GROUPS(0, WIDE, 1, WIDE + 1));
+    const wide d = WIDE_SHUFFLE(v[2], v[3], WIDE_GROUPS(2, WIDE + 2, 3, WIDE + 3));
+    v[0] = WIDE_SHUFFLE(a, c, WIDE_GROUPS(0, 1, WIDE, WIDE + 1));
+    v[1] = WIDE_SHUFFLE(a, c, WIDE_GROUPS(2, 3, WIDE + 2, WIDE + 3));
+    v[2] = WIDE_SHUFFLE(b, d, WIDE_GROUPS(0, 1, WIDE, WIDE + 1));
+    v[3] = WIDE_SHUFFLE(b, d, WIDE_GROUPS(2, 3, WIDE + 2, WIDE + 3));
+}
+#endif
+
+// Transposes the WIDE x WIDE block v: within groups of four lanes, which no processor is slow at, then the groups.
+static inline void wide_transpose(wide v[WIDE]) {
+#if WIDE == 16
 #pragma GCC unroll 4
-    for (int level = 0; level < WIDE_LEVELS; level++) {
-#pragma GCC unroll 16
-        for (int i = 0; i < WIDE / 2; i++) {
-            u[2 * i] = WIDE_SHUFFLE(v[i], v[i + WIDE / 2], WIDE_LOW);
-            u[2 * i + 1] = WIDE_SHUFFLE(v[i], v[i + WIDE / 2], WIDE_HIGH);
-        }
-#pragma GCC unroll 16
-        for (int i = 0; i < WIDE; i++) v[i] = u[i];
+    for (int g = 0; g < 4; g++) wide_transpose4(v + 4 * g);
+    wide u[16];
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; k++) {
+        const wide a = WIDE_SHUFFLE(v[k], v[k + 4], 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
+        const wide b = WIDE_SHUFFLE(v[k], v[k + 4], 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
+        const wide c = WIDE_SHUFFLE(v[k + 8], v[k + 12], 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
+        const wide d = WIDE_SHUFFLE(v[k + 8], v[k + 12], 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
+        u[k] = WIDE_SHUFFLE(a, c, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27);
+        u[k + 4] = WIDE_SHUFFLE(a, c, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31);
+        u[k + 8] = WIDE_SHUFFLE(b, d, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27);
+        u[k + 12] = WIDE_SHUFFLE(b, d, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31);
     }
+#pragma GCC unroll 16
+    for (int i = 0; i < 16; i++) v[i] = u[i];
+#elif WIDE == 8
+    wide_transpose4(v);
+    wide_transpose4(v + 4);
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; k++) {
+        const wide a = v[k], b = v[k + 4];
+        v[k] = WIDE_SHUFFLE(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+        v[k + 4] = WIDE_SHUFFLE(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+#elif WIDE == 4
+    wide_transpose4(v);
 #else
     (void)v;
+#endif
+}
+
+// Lane 0 of `next`, then the last lane of v, the one before, ... lane 1: what a spectrum has at -i where v has it at i.
+#if WIDE == 16
+#define WIDE_MIRROR 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1
+#elif WIDE == 8
+#define WIDE_MIRROR 8, 7, 6, 5, 4, 3, 2, 1
+#elif WIDE == 4
+#define WIDE_MIRROR 4, 3, 2, 1
+#endif
+static inline wide wide_mirror(wide v, wide next) {
+#if WIDE > 1
+    return WIDE_SHUFFLE(v, next, WIDE_MIRROR);
+#else
+    (void)v;
+    return next;
 #endif
 }
 

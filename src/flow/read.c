@@ -15,16 +15,16 @@
     { bolan_flow_bends_##set, bolan_flow_whole_##set }
 
 FLOW_DECLARE(scalar)
+FLOW_DECLARE(generic4)
 #ifdef BOLAN_KERNELS_X86
-FLOW_DECLARE(sse2)
 FLOW_DECLARE(avx2)
 FLOW_DECLARE(avx512)
 #endif
 
 static const flow_kernels table[] = {
     [BOLAN_CPU_SCALAR] = FLOW_ROW(scalar),
+    [BOLAN_CPU_GENERIC4] = FLOW_ROW(generic4),
 #ifdef BOLAN_KERNELS_X86
-    [BOLAN_CPU_SSE2] = FLOW_ROW(sse2),
     [BOLAN_CPU_AVX2] = FLOW_ROW(avx2),
     [BOLAN_CPU_AVX512] = FLOW_ROW(avx512),
 #endif

@@ -10,16 +10,16 @@
     { bolan_query_locate_##set, bolan_query_approach_##set, bolan_query_evaluate_##set }
 
 QUERY_DECLARE(scalar)
+QUERY_DECLARE(generic4)
 #ifdef BOLAN_KERNELS_X86
-QUERY_DECLARE(sse2)
 QUERY_DECLARE(avx2)
 QUERY_DECLARE(avx512)
 #endif
 
 static const query_kernels table[] = {
     [BOLAN_CPU_SCALAR] = QUERY_ROW(scalar),
+    [BOLAN_CPU_GENERIC4] = QUERY_ROW(generic4),
 #ifdef BOLAN_KERNELS_X86
-    [BOLAN_CPU_SSE2] = QUERY_ROW(sse2),
     [BOLAN_CPU_AVX2] = QUERY_ROW(avx2),
     [BOLAN_CPU_AVX512] = QUERY_ROW(avx512),
 #endif

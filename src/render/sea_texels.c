@@ -8,25 +8,25 @@
     void bolan_texel_pack_##set(size_t, const float *, const float *, const float *, const float *, const float *, \
                                 float *, uint16_t *);                                                              \
     void bolan_texel_halve_##set(uint32_t, const float *const[TEXEL_PLANES], float *const[TEXEL_PLANES], uint16_t *);
+#define ROW(set) \
+    { bolan_texel_pack_##set, bolan_texel_halve_##set }
 DECLARE(scalar)
+DECLARE(generic4)
 #ifdef BOLAN_KERNELS_X86
-DECLARE(sse2)
 DECLARE(avx2)
 DECLARE(avx512)
 #endif
 
 const texel_kernels *bolan_texel_kernels_best(void) {
-    static const texel_kernels scalar = {bolan_texel_pack_scalar, bolan_texel_halve_scalar};
+    static const texel_kernels table[] = {
+        [BOLAN_CPU_SCALAR] = ROW(scalar),
+        [BOLAN_CPU_GENERIC4] = ROW(generic4),
 #ifdef BOLAN_KERNELS_X86
-    static const texel_kernels sse2 = {bolan_texel_pack_sse2, bolan_texel_halve_sse2},
-                               avx2 = {bolan_texel_pack_avx2, bolan_texel_halve_avx2},
-                               avx512 = {bolan_texel_pack_avx512, bolan_texel_halve_avx512};
-    const bolan_cpu best = bolan_cpu_best();
-    if (best == BOLAN_CPU_AVX512) return &avx512;
-    if (best == BOLAN_CPU_AVX2) return &avx2;
-    if (best == BOLAN_CPU_SSE2) return &sse2;
+        [BOLAN_CPU_AVX2] = ROW(avx2),
+        [BOLAN_CPU_AVX512] = ROW(avx512),
 #endif
-    return &scalar;
+    };
+    return &table[bolan_cpu_best()];
 }
 
 // The levels below the first have a third of its texels all together.

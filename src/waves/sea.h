@@ -133,7 +133,7 @@ typedef struct sea_mode {
     double re, im;                  // h0(k)
     double back_re, back_im;        // conj(h0(-k))
     double expected, expected_back; // variance of the waves that go along k and along -k [m2]
-    bool paired;                    // it stands for -k as well; false on j = 0, where -k is an entry of its own
+    bool paired;                    // it stands for -k as well; false where -k is an entry of its own
 } sea_mode;
 
 // A uniform hash (the finaliser of SplitMix64).

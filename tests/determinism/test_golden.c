@@ -329,7 +329,7 @@ static bolan_ground *create_pond(void) {
 
 static void seas_and_answers_have_their_bits(void **state) {
     (void)state;
-    static const char *const names[] = {"", " (scalar)", " (SSE2)", " (AVX2)", " (AVX-512)"};
+    static const char *const names[] = {"", " (scalar)", " (generic4)", " (AVX2)", " (AVX-512)"};
     bolan_ground *pond = create_pond();
     differences = 0;
     const int last = printing ? BOLAN_CPU_SCALAR : (int)bolan_cpu_best();

@@ -476,7 +476,7 @@ static void answers_do_not_depend_on_threads_and_instruction_set(void **state) {
     for (int cpu = BOLAN_CPU_SCALAR; cpu <= (int)bolan_cpu_best(); cpu++) {
         bolan_sea_desc d = mixed_desc();
         d.cpu = (bolan_cpu)cpu;
-        bolan_set_threads(cpu == BOLAN_CPU_SSE2 ? 3 : 1);
+        bolan_set_threads(cpu == BOLAN_CPU_GENERIC4 ? 3 : 1);
         bolan_sea *sea = test_sea(d);
         bolan_sea_step(sea, 77.7);
         bolan_flow *flow = test_flow(sea);

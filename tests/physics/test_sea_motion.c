@@ -11,7 +11,7 @@
 // A sea whose cascade 0 holds one wave alone: amplitude [m] along lattice vector (i, j), every other mode silenced.
 static double complex single(bolan_sea *sea, uint32_t i, uint32_t j, double amplitude, double *k_out) {
     const sea_cascade *c = &cascade_tables_of(sea->shared)->cascade[0];
-    const size_t row = (size_t)(j / FFT_LANES) * c->n + i, lane = j % FFT_LANES;
+    const size_t row = (size_t)(i / FFT_LANES) * c->n + j, lane = i % FFT_LANES;
     const double dk = 2.0 * BOLAN_PI / c->length;
     memset(c->amplitude, 0, (size_t)c->strips * c->n * 4 * FFT_LANES * sizeof(float));
     // h0 = a/2, conj(h0(-k)) = 0: (A0, A1, A2, A3) = (h0, 0, 0, -h0).

@@ -4,6 +4,8 @@
 
 // ---- creation -------------------------------------------------------------------------------------------------------
 
+static size_t turns_bytes(uint32_t n) { return 2 * (size_t)n * sizeof(float); }
+
 // Counts, lengths and rings in shared->tables.
 static void plan_cascades(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent,
                           sea_radial *radial) {
@@ -17,6 +19,22 @@ static void plan_cascades(sea_shared *shared, const spectrum_eval *eval, uint32_
     bolan_cascades_layout(shared, radial, extent);
 }
 
+// The plans of both passes, and the turns between the halves of an FFT along a row (synth_rows.kernel.c).
+static bool create_plans(sea_shared *shared, cascade_tables *t) {
+    const uint32_t n = shared->desc.resolution;
+    if (!bolan_fft_plan_create(n, &t->columns) || !bolan_fft_plan_create(n / FFT_LANES, &t->rows)) return false;
+    t->turns = bolan_sea_reserve(&shared->memory, turns_bytes(n));
+    if (!t->turns) return false;
+    for (uint32_t b = 0; b < n / FFT_LANES; b++)
+        for (uint32_t l = 0; l < FFT_LANES; l++) {
+            double sine, cosine;
+            bolan_sincos(2.0 * BOLAN_PI * (double)(b * l) / n, &sine, &cosine);
+            t->turns[b * FFT_ROW + l] = (float)cosine;
+            t->turns[b * FFT_ROW + FFT_LANES + l] = (float)sine;
+        }
+    return true;
+}
+
 bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent) {
     cascade_tables *t = shared->tables = bolan_sea_reserve(&shared->memory, sizeof *t);
     if (!t) return false;
@@ -24,7 +42,7 @@ bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32
     sea_radial radial;
     plan_cascades(shared, eval, count, extent, &radial);
     if (extent.open) bolan_sea_warp_prepare(shared->desc.length, t->cascade[0].angle, &shared->warp);
-    if (!bolan_fft_plan_create(shared->desc.resolution, &t->plan)) return false;
+    if (!create_plans(shared, t)) return false;
     if (!bolan_cascades_modes(shared, eval, &radial)) return false;
     for (uint32_t i = 0; i < count; i++)
         if (!bolan_cascade_lift(&t->cascade[i], shared->desc.choppiness)) return false;
@@ -43,7 +61,9 @@ static void size_fft(sea_shared *shared, const spectrum_eval *eval, bolan_sea_by
 
 void bolan_cascades_destroy(sea_shared *shared) {
     cascade_tables *t = shared->tables;
-    if (t) bolan_fft_plan_destroy(&t->plan);
+    if (!t) return;
+    bolan_fft_plan_destroy(&t->columns);
+    bolan_fft_plan_destroy(&t->rows);
 }
 
 // Planes begin some lines after a multiple of their size: written row by row at once, they would otherwise all
@@ -51,16 +71,18 @@ void bolan_cascades_destroy(sea_shared *shared) {
 enum { PLANE_SHIFT = 7 * 16 }; // floats
 
 static size_t plane_floats(const sea_cascade *c) { return (size_t)c->n * c->n + PLANE_SHIFT; }
-static size_t middle_floats(const sea_cascade *c) { return (size_t)c->n * c->strips * FFT_LANES * SEA_PARTS * 2; }
+static size_t middle_floats(const sea_cascade *c) { return (size_t)(c->n / SEA_ROWS) * c->strips * SEA_CELL; }
+static size_t modes_floats(const sea_cascade *c) { return (size_t)c->n * c->strips * FFT_ROW; }
 static size_t planes_bytes(const sea_cascade *c) {
-    return (middle_floats(c) + plane_floats(c) * (SEA_FIELDS + 7)) * sizeof(float);
+    return (modes_floats(c) + middle_floats(c) + plane_floats(c) * (SEA_FIELDS + 7)) * sizeof(float);
 }
-static size_t scratch_floats(uint32_t n) { return SEA_SCRATCH_BUFFERS * sea_scratch_pitch(n); }
 
 static bool reserve_planes(sea_memory *memory, const sea_cascade *c, sea_planes *p) {
     const size_t plane = plane_floats(c);
     float *next = bolan_sea_reserve(memory, planes_bytes(c));
     if (!next) return false;
+    p->modes = next;
+    next += modes_floats(c);
     p->middle = next;
     next += middle_floats(c);
     for (int f = 0; f < SEA_FIELDS; f++, next += plane) p->field[f] = next;
@@ -78,7 +100,7 @@ bool bolan_cascades_create_fields(bolan_sea *sea) {
     cascade_fields *f = sea->fields = bolan_sea_reserve(&sea->memory, sizeof *f);
     if (!f) return false;
     f->slots = bolan_threads();
-    f->scratch_floats = scratch_floats(t->plan.n);
+    f->scratch_floats = sea_scratch_floats(t->columns.n);
     f->scratch = bolan_sea_reserve(&sea->memory, f->slots * f->scratch_floats * sizeof(float));
     if (!f->scratch) return false;
     for (uint32_t i = 0; i < sea->shared->cascades; i++)
@@ -92,9 +114,10 @@ void bolan_cascades_size(sea_shared *shared, const spectrum_eval *eval, uint32_t
     sea_radial radial;
     shared->tables = &t;
     plan_cascades(shared, eval, count, extent, &radial);
-    bytes->tables += sizeof t + bolan_fft_plan_bytes(shared->desc.resolution);
+    const uint32_t n = shared->desc.resolution;
+    bytes->tables += sizeof t + bolan_fft_plan_bytes(n) + bolan_fft_plan_bytes(n / FFT_LANES) + turns_bytes(n);
     bytes->fields += sizeof(cascade_fields);
-    bytes->fields += bolan_threads() * scratch_floats(shared->desc.resolution) * sizeof(float);
+    bytes->fields += bolan_threads() * sea_scratch_floats(n) * sizeof(float);
     for (uint32_t i = 0; i < count; i++) {
         bolan_cascade_set_reach(&t.cascade[i]);
         bytes->tables += bolan_cascade_table_bytes(&t.cascade[i]);

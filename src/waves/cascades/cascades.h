@@ -2,19 +2,21 @@
 // A sea of cascades: tiles of random modes, synthesised by FFT. Private to src/waves; loop/ builds on it.
 //
 // How a step goes. Each cascade has n x n modes (i, j), wave vector k = (i, j) 2 pi / length in tile axes; its height
-// is real, so only j >= 0 is kept. Two parallel passes, each over strips of 16 (fft/strip.h):
+// is real, so only i >= 0 is kept. Two parallel passes make the four fields of displacement_half, two more those of
+// slope_half, by the same intermediate memory, which so remains in the cache:
 //
-//     rows     16 values of j at once: modes at time t -> 8 FFTs along i -> `middle`, transposed
-//     columns  16 values of x at once: 8 fields from the 8 by factors of j -> 4 complex FFTs along j -> fields, halfs,
-//              foam
+//     columns  16 values of i at once, one a lane: modes at time t -> spectra of 4 real fields -> FFTs along j
+//              -> `middle`
+//     rows     8 values of y: two fields share a complex FFT along i -> planes, halfs, foam
+//
+// Both passes read and write whole cache lines that follow each other. The first transforms without a shuffle, since
+// its lanes are independent; what the second has to move between lanes is one transposition, in the midst of its FFT.
 //
 // Readers interpolate between the samples, and each mode is divided by what its reader does to it (spline.h), so that
 // every wave has its amplitude everywhere. Height and displacement are read by cubic B-splines, their derivatives,
-// which pixels fetch, linearly: two divisors, each the product of one of i and one of j. A factor that depends on j
-// alone commutes with the FFT along i: with u = h coth(kh)/k the rows transform h, u, i u over the cubic divisor and h,
-// i h, u, i u, i^2 u over the linear one, and the columns multiply by j, j^2 and the divisors of j.
+// which pixels fetch, linearly: two divisors, each the product of one of i and one of j.
 //
-// A tick of the foam (sea.h) needs div D alone: three of the rows' eight FFTs, one of the columns' four.
+// A tick of the foam (sea.h) needs div D alone: two of the fields of slope_half.
 //
 // Who owns what. A sea_cascade is a table: written at creation, then read by every fork. What a step writes are the
 // planes and the scratch memory of one sea.
@@ -25,14 +27,12 @@
 #include "waves/model.h"
 
 enum {
-    SEA_PARTS = 8,                  // transforms along i
-    SEA_TICK_PARTS = 3,             // of them the last, for a tick of the foam
-    SEA_CELL = SEA_PARTS * FFT_ROW, // floats of `middle` for one (strip of x, j)
+    SEA_ROWS = 8,                    // values of y in a block of `middle`
+    SEA_PIECE = SEA_ROWS * FFT_ROW,  // floats of `middle` for one (block, strip, field)
+    SEA_HALF = 4,                    // fields that are made at a time
+    SEA_CELL = SEA_HALF * SEA_PIECE, // for one (block, strip)
     SEA_MAX_STRIPS = FFT_MAX / 2 / FFT_LANES,
 };
-
-// The transforms along i. u = h coth(kh) / k.
-enum { PART_H, PART_U, PART_KU, PART_LINEAR_H, PART_LINEAR_KH, PART_LINEAR_U, PART_LINEAR_KU, PART_LINEAR_KKU };
 
 typedef struct sea_cascade {
     uint32_t n;
@@ -41,20 +41,26 @@ typedef struct sea_cascade {
     double displacement; // expected variance of dx plus that of dy [m2]
     sea_band *band;      // in sea_shared: variance, the discrete sum over the ring, and lift
 
-    uint32_t strips;                // strips of 16 j that hold modes
-    uint32_t reach[SEA_MAX_STRIPS]; // in a strip modes have |i| < reach
-    float *amplitude;               // [strip][i][4][16]: h = (A0 c + A1 s) + i (A2 c + A3 s), c + i s = e^{i w t}
-    double *turns;                  // [strip][i][16]: w / 2 pi [1/s]
-    float *inverse_k;               // [strip][i][16]: coth(kh) / |k| [m]
-    float *expected;                // [strip][i][2][16]: variance of the waves k and -k [m2]
-    float *k;                       // [n]: tile wave number of index i (wrapped)
+    uint32_t strips;                // strips of 16 i that hold modes; none has |i| or |j| >= 3/8 n
+    uint32_t reach[SEA_MAX_STRIPS]; // in a strip modes have |j| < reach
+    float *amplitude;               // [strip][j][4][16]: h = (A0 c + A1 s) + i (A2 c + A3 s), c + i s = e^{i w t}
+    double *turns;                  // [strip][j][16]: w / 2 pi [1/s]
+    float *inverse_k;               // [strip][j][16]: coth(kh) / |k| [m]
+    float *expected;                // [strip][j][2][16]: variance of the waves k and -k [m2]
+    float *k_cos, *k_sin;           // [n]: tile wave number of an index (wrapped) times cosine and sine of the angle
     float *cubic, *linear;          // [n]: one over the divisors along an axis (spline.h)
-    float *part[SEA_PARTS];         // [n]: what the rows multiply modes with, by PART_H ...
 } sea_cascade;
+
+// The halves of a step: the fields of displacement_half, then those of slope_half.
+typedef enum sea_half { SEA_DISPLACEMENT, SEA_SLOPES, SEA_HALVES } sea_half;
+static const uint8_t sea_half_field[SEA_HALVES][SEA_HALF] = {{FIELD_DX, FIELD_DY, FIELD_HEIGHT, FIELD_DXY},
+                                                             {FIELD_SLOPE_X, FIELD_SLOPE_Y, FIELD_DXX, FIELD_DYY}};
+enum { SEA_DIVERGENCE = 2 }; // of SEA_SLOPES, the fields that a tick needs: from there on
 
 // What a step writes of a cascade.
 typedef struct sea_planes {
-    float *middle;            // [strip of x][j][SEA_PARTS][row]
+    float *modes;             // [strip][j][FFT_ROW]: h at the time, for both halves
+    float *middle;            // [block of y][strip][SEA_HALF][SEA_ROWS][FFT_ROW]: fields at (i, y)
     float *field[SEA_FIELDS]; // by FIELD_HEIGHT ...
     float *foam;
     float *foam_tick; // foam memory at the last tick
@@ -66,7 +72,9 @@ struct sea_kernels;
 // sea_shared.tables
 typedef struct cascade_tables {
     sea_cascade cascade[BOLAN_MAX_CASCADES];
-    fft_plan plan;
+    fft_plan columns; // n points
+    fft_plan rows;    // n / 16 points, the first half of an FFT along a row: synth_rows.kernel.c
+    float *turns;     // [n / 16][FFT_ROW]: e^{2 pi i bl / n} between its halves
     const struct sea_kernels *kernels;
 } cascade_tables;
 

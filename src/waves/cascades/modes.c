@@ -101,28 +101,28 @@ static void fill_strips(void *context, uint32_t begin, uint32_t end, uint32_t wo
     const int32_t n = (int32_t)f->cascade->n;
     for (uint32_t strip = begin; strip < end; strip++) {
         for (int32_t row = 0; row < n; row++) {
-            const int32_t i = row < n / 2 ? row : row - n;
-            if (i == -n / 2) continue; // the Nyquist column is its own mirror image
+            const int32_t j = row < n / 2 ? row : row - n;
+            if (j == -n / 2) continue; // the Nyquist row is its own mirror image
             for (int32_t lane = 0; lane < FFT_LANES; lane++)
-                fill_mode(f, i, (int32_t)strip * FFT_LANES + lane, (size_t)strip * (uint32_t)n + (uint32_t)row,
+                fill_mode(f, (int32_t)strip * FFT_LANES + lane, j, (size_t)strip * (uint32_t)n + (uint32_t)row,
                           (uint32_t)lane);
         }
     }
 }
 
 void bolan_cascade_set_reach(sea_cascade *c) {
-    const double dk = 2.0 * BOLAN_PI / c->length, outer = c->k_max / dk + HALF_CELL;
-    const double rows = fmin(ceil(outer), 0.5 * c->n); // j < outer
-    c->strips = ((uint32_t)rows + FFT_LANES - 1) / FFT_LANES;
+    const double dk = 2.0 * BOLAN_PI / c->length, outer = c->k_max / dk + HALF_CELL, most = 0.375 * c->n;
+    BOLAN_ASSERT(outer <= most); // layout.c ends the rings at 0.35 n, and the kernels leave out what lies beyond
+    c->strips = ((uint32_t)fmin(ceil(outer), most) + FFT_LANES - 1) / FFT_LANES; // i < outer
     for (uint32_t strip = 0; strip < c->strips; strip++) {
-        const double j = strip * FFT_LANES, left = outer * outer - j * j;
-        c->reach[strip] = (uint32_t)fmin(ceil(sqrt(fmax(left, 0.0))), 0.5 * c->n);
+        const double i = strip * FFT_LANES, left = outer * outer - i * i;
+        c->reach[strip] = (uint32_t)fmin(ceil(sqrt(fmax(left, 0.0))), most);
     }
 }
 
 size_t bolan_cascade_table_bytes(const sea_cascade *c) {
     const size_t n = c->n, modes = n * c->strips * FFT_LANES;
-    return (modes * 9 + (3 + SEA_PARTS) * n) * sizeof(float);
+    return (modes * 9 + 4 * n) * sizeof(float);
 }
 
 static bool reserve_tables(sea_memory *memory, sea_cascade *c) {
@@ -133,10 +133,10 @@ static bool reserve_tables(sea_memory *memory, sea_cascade *c) {
     c->amplitude = next + 2 * modes;
     c->inverse_k = c->amplitude + 4 * modes;
     c->expected = c->inverse_k + modes;
-    c->k = c->expected + 2 * modes;
-    c->cubic = c->k + n;
+    c->k_cos = c->expected + 2 * modes;
+    c->k_sin = c->k_cos + n;
+    c->cubic = c->k_sin + n;
     c->linear = c->cubic + n;
-    for (int p = 0; p < SEA_PARTS; p++) c->part[p] = c->linear + (size_t)(1 + p) * n;
     return true;
 }
 
@@ -146,7 +146,7 @@ static double sinc(double x) {
     return fabs(x) > 1e-9 ? s / x : 1.0;
 }
 
-// Wave numbers, divisors (spline.h) and factors of the transforms along i.
+// Wave numbers and divisors (spline.h).
 static void fill_factors(sea_cascade *c) {
     const double dk = 2.0 * BOLAN_PI / c->length;
     for (uint32_t i = 0; i < c->n; i++) {
@@ -155,30 +155,22 @@ static void fill_factors(sea_cascade *c) {
         double sine, cosine;
         bolan_sincos(2.0 * BOLAN_PI * index / c->n, &sine, &cosine);
         const double linear = 1.0 / sqrt((2.0 + cosine) / 3.0);
-        const double part[SEA_PARTS] = {[PART_H] = cubic,
-                                        [PART_U] = cubic,
-                                        [PART_KU] = k * cubic,
-                                        [PART_LINEAR_H] = linear,
-                                        [PART_LINEAR_U] = linear,
-                                        [PART_LINEAR_KH] = k * linear,
-                                        [PART_LINEAR_KU] = k * linear,
-                                        [PART_LINEAR_KKU] = k * k * linear};
-        c->k[i] = (float)k;
+        c->k_cos[i] = (float)(k * c->cosine);
+        c->k_sin[i] = (float)(k * c->sine);
         c->cubic[i] = (float)cubic;
         c->linear[i] = (float)linear;
-        for (int p = 0; p < SEA_PARTS; p++) c->part[p][i] = (float)part[p];
     }
 }
 
 void bolan_sea_each_mode(const sea_cascade *c, sea_visit *visit, void *context) {
     const double dk = 2.0 * BOLAN_PI / c->length;
     for (size_t row = 0; row < (size_t)c->strips * c->n; row++) {
-        const double index = (double)(row % c->n), u = dk * (index < 0.5 * c->n ? index : index - c->n);
+        const double index = (double)(row % c->n), v = dk * (index < 0.5 * c->n ? index : index - c->n);
         for (uint32_t lane = 0; lane < FFT_LANES; lane++) {
             const size_t at = row * FFT_LANES + lane;
             if (c->turns[at] == 0.0) continue;
-            const uint32_t j = (uint32_t)(row / c->n) * FFT_LANES + lane;
-            const double v = dk * j;
+            const uint32_t i = (uint32_t)(row / c->n) * FFT_LANES + lane;
+            const double u = dk * i;
             const float *a = c->amplitude + row * 4 * FFT_LANES + lane, *e = c->expected + row * 2 * FFT_LANES + lane;
             const double a0 = a[0], a1 = a[FFT_LANES], a2 = a[2 * FFT_LANES], a3 = a[3 * FFT_LANES];
             const sea_mode mode = {.kx = u * c->cosine - v * c->sine,
@@ -191,13 +183,13 @@ void bolan_sea_each_mode(const sea_cascade *c, sea_visit *visit, void *context) 
                                    .back_im = 0.5 * (a2 - a1),
                                    .expected = e[0],
                                    .expected_back = e[FFT_LANES],
-                                   .paired = j > 0};
+                                   .paired = i > 0};
             visit(context, &mode);
         }
     }
 }
 
-// On j = 0 both k and -k are entries, each with both directions: count the forward one of each.
+// On i = 0 both k and -k are entries, each with both directions: count the forward one of each.
 static void add_expected(void *context, const sea_mode *m) {
     sea_cascade *c = context;
     const double e = m->expected + (m->paired ? m->expected_back : 0.0);

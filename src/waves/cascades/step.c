@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A step of a sea of cascades: the schedule of its strips. cascades.h has the plan of a strip.
+// A step of a sea of cascades: the schedule of its strips and blocks. cascades.h has the plan of both.
 #include "waves/cascades/synth.h"
 
 #include <sched.h>
@@ -9,47 +9,51 @@
 #define LARGE_OUTPUT 1e7  // [bytes] all planes: more than second-level caches hold
 #define HUGE_OUTPUT 4e7   // [bytes] more than third-level caches hold for one process
 
-// A step is one queue of strips: the rows of a cascade, then its columns while the intermediate data are still in the
-// cache. Columns wait until the rows of their cascade are done. All rows were taken from the queue before, and a worker
-// on rows never waits, so the queue cannot deadlock with any number of workers.
+// Each cascade goes through phases: the columns of a half, strip by strip, and its rows, block by block. A worker stays
+// with a cascade while there is work on it, so that the intermediate data remain in its own cache, and then helps with
+// the next. A phase waits until all items of the one before are done. All of them were taken by then, and a worker that
+// has an item never waits, so there is no deadlock with any number of workers.
+typedef struct phase {
+    atomic_uint next, done; // items
+} phase;
+
 typedef struct step {
     const cascade_tables *tables;
     const cascade_fields *fields;
     uint32_t cascades;
     sea_moment moment;
-    atomic_uint next; // item of the queue
-    atomic_uint rows_done[BOLAN_MAX_CASCADES];
+    phase columns[BOLAN_MAX_CASCADES][SEA_HALVES], rows[BOLAN_MAX_CASCADES][SEA_HALVES];
 } step;
 
-static void do_rows(step *s, uint32_t index, uint32_t strip, float *scratch) {
-    s->tables->kernels->rows(&s->tables->plan, &s->tables->cascade[index], s->fields->planes[index].middle, &s->moment,
-                             strip, scratch);
-    atomic_fetch_add_explicit(&s->rows_done[index], 1, memory_order_release);
+// False when no item of the `count` is left.
+static bool take(phase *p, uint32_t count, uint32_t *item) {
+    *item = atomic_fetch_add_explicit(&p->next, 1, memory_order_relaxed);
+    return *item < count;
+}
+static void finish(phase *p) { atomic_fetch_add_explicit(&p->done, 1, memory_order_release); }
+static void wait_for(phase *p, uint32_t count) {
+    while (atomic_load_explicit(&p->done, memory_order_acquire) < count) sched_yield();
 }
 
-static void do_columns(step *s, uint32_t index, uint32_t strip, float *scratch) {
-    const sea_cascade *c = &s->tables->cascade[index];
-    while (atomic_load_explicit(&s->rows_done[index], memory_order_acquire) < c->strips) sched_yield();
-    s->tables->kernels->columns(&s->tables->plan, c, &s->fields->planes[index], &s->moment, strip, scratch);
-}
-
-// False when the queue is empty.
-static bool do_next_item(step *s, float *scratch) {
-    uint32_t item = atomic_fetch_add_explicit(&s->next, 1, memory_order_relaxed);
-    for (uint32_t i = 0; i < s->cascades; i++) {
-        const sea_cascade *c = &s->tables->cascade[i];
-        const uint32_t rows = c->strips, columns = c->n / FFT_LANES;
-        if (item < rows) {
-            do_rows(s, i, item, scratch);
-            return true;
+static void work_on(step *s, uint32_t index, float *scratch) {
+    const cascade_tables *t = s->tables;
+    const sea_cascade *c = &t->cascade[index];
+    const sea_planes *planes = &s->fields->planes[index];
+    const uint32_t blocks = c->n / SEA_ROWS;
+    uint32_t item;
+    for (sea_half half = s->moment.at.tick ? SEA_SLOPES : SEA_DISPLACEMENT; half < SEA_HALVES; half++) {
+        phase *columns = &s->columns[index][half], *rows = &s->rows[index][half];
+        while (take(columns, c->strips, &item)) {
+            t->kernels->columns(&t->columns, c, planes, &s->moment, half, item, scratch);
+            finish(columns);
         }
-        if (item < rows + columns) {
-            do_columns(s, i, item - rows, scratch);
-            return true;
+        wait_for(columns, c->strips);
+        while (take(rows, blocks, &item)) {
+            t->kernels->rows(t, c, planes, &s->moment, half, item, scratch);
+            finish(rows);
         }
-        item -= rows + columns;
+        if (half == SEA_DISPLACEMENT) wait_for(rows, blocks);
     }
-    return false;
 }
 
 // Task: slots [begin, end). Each slot owns scratch memory; a slice of several uses that of its first.
@@ -57,13 +61,15 @@ static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t work
     (void)end;
     (void)worker;
     step *s = context;
-    while (do_next_item(s, s->fields->scratch + begin * s->fields->scratch_floats)) {}
+    const uint32_t first = begin * s->cascades / s->fields->slots;
+    for (uint32_t i = 0; i < s->cascades; i++)
+        work_on(s, (first + i) % s->cascades, s->fields->scratch + begin * s->fields->scratch_floats);
 }
 
 void bolan_cascades_step(bolan_sea *sea, const sea_instant *instant) {
     step s = {cascade_tables_of(sea->shared), cascade_fields_of(sea), sea->shared->cascades, .moment.at = *instant};
     s.moment.choppiness = (float)sea->shared->desc.choppiness;
-    const double bytes = SAMPLE_BYTES * s.cascades * s.tables->plan.n * s.tables->plan.n;
+    const double bytes = SAMPLE_BYTES * s.cascades * s.tables->columns.n * s.tables->columns.n;
     s.moment.stream = bytes > HUGE_OUTPUT ? SEA_STREAM_ALL : bytes > LARGE_OUTPUT ? SEA_STREAM_PLANES : SEA_STREAM_NONE;
     bolan_parallel(s.fields->slots, 1, run_slots, &s);
 }

@@ -2,24 +2,25 @@
 // The table of the kernels of a step, one row per instruction set.
 #include "waves/cascades/synth.h"
 
-#define SEA_DECLARE(set)                                                                                              \
-    void bolan_sea_rows_##set(const fft_plan *, const sea_cascade *, float *, const sea_moment *, uint32_t, float *); \
-    void bolan_sea_columns_##set(const fft_plan *, const sea_cascade *, const sea_planes *, const sea_moment *,       \
-                                 uint32_t, float *);
+#define SEA_DECLARE(set)                                                                                           \
+    void bolan_sea_columns_##set(const fft_plan *, const sea_cascade *, const sea_planes *, const sea_moment *,    \
+                                 sea_half, uint32_t, float *);                                                     \
+    void bolan_sea_rows_##set(const cascade_tables *, const sea_cascade *, const sea_planes *, const sea_moment *, \
+                              sea_half, uint32_t, float *);
 
 SEA_DECLARE(scalar)
+SEA_DECLARE(generic4)
 #ifdef BOLAN_KERNELS_X86
-SEA_DECLARE(sse2)
 SEA_DECLARE(avx2)
 SEA_DECLARE(avx512)
 #endif
 
 static const sea_kernels table[] = {
-    [BOLAN_CPU_SCALAR] = {bolan_sea_rows_scalar, bolan_sea_columns_scalar},
+    [BOLAN_CPU_SCALAR] = {bolan_sea_columns_scalar, bolan_sea_rows_scalar},
+    [BOLAN_CPU_GENERIC4] = {bolan_sea_columns_generic4, bolan_sea_rows_generic4},
 #ifdef BOLAN_KERNELS_X86
-    [BOLAN_CPU_SSE2] = {bolan_sea_rows_sse2, bolan_sea_columns_sse2},
-    [BOLAN_CPU_AVX2] = {bolan_sea_rows_avx2, bolan_sea_columns_avx2},
-    [BOLAN_CPU_AVX512] = {bolan_sea_rows_avx512, bolan_sea_columns_avx512},
+    [BOLAN_CPU_AVX2] = {bolan_sea_columns_avx2, bolan_sea_rows_avx2},
+    [BOLAN_CPU_AVX512] = {bolan_sea_columns_avx512, bolan_sea_rows_avx512},
 #endif
 };
 

@@ -20,20 +20,16 @@ typedef struct sea_moment {
 } sea_moment;
 
 typedef struct sea_kernels {
-    // Modes of strip `strip` at the time -> `middle`.
-    void (*rows)(const fft_plan *plan, const sea_cascade *cascade, float *middle, const sea_moment *moment,
-                 uint32_t strip, float *scratch);
-    // `middle` -> fields for x in strip `strip`.
+    // Modes of strip `strip` of i at the time -> `middle`, the fields of `half`.
     void (*columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_planes *planes,
-                    const sea_moment *moment, uint32_t strip, float *scratch);
+                    const sea_moment *moment, sea_half half, uint32_t strip, float *scratch);
+    // `middle` -> SEA_ROWS rows of the fields of `half`, from y = SEA_ROWS `block` on.
+    void (*rows)(const cascade_tables *tables, const sea_cascade *cascade, const sea_planes *planes,
+                 const sea_moment *moment, sea_half half, uint32_t block, float *scratch);
 } sea_kernels;
 
-// Scratch memory of a worker: three buffers of n rows, a few lines apart, so that the same row of two of them does
-// not fall on one set of the cache.
-enum { SEA_SCRATCH_BUFFERS = 3, SEA_SCRATCH_SHIFT = 9 * 16 };
-static inline size_t sea_scratch_pitch(uint32_t n) {
-    return (size_t)n * FFT_ROW + SEA_SCRATCH_SHIFT; // floats
-}
+// Scratch memory of a worker [floats]: n rows for the first pass; the second uses 10 n, and 1008 more.
+static inline size_t sea_scratch_floats(uint32_t n) { return (size_t)n * FFT_ROW + 2 * FFT_LANES * FFT_ROW; }
 
 const sea_kernels *bolan_sea_kernels_for(bolan_cpu cpu);
 

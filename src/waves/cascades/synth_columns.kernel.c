@@ -1,231 +1,180 @@
 // SPDX-License-Identifier: MIT
-// Second pass of a step: eight fields from the eight parts, transforms along j, and what readers want: float planes,
-// half texels, foam memory. cascades.h has the plan.
+// First pass of a step: the modes of 16 values of i at time t, the spectra of the eight fields, and their transforms
+// along j. cascades.h has the plan.
 //
-// Two real fields A and B share a complex transform: P = A + iB, and since A and B are Hermitian,
-// P(-j) = conj(A(j)) + i conj(B(j)).
+// With the height h, the divisors q of cubic and l of linear readers, and g = coth(kh) / k, the spectra are h q,
+// D = i k g h q, grad eta = i k h l and dD/dx = -k k g h l, k being the wave vector in world axes.
 #include "fft/strip.h"
 #include "waves/cascades/synth.h"
-#include "waves/cascades/wide_half.h"
 
 #include <string.h>
 
 void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_planes *planes,
-                               const sea_moment *moment, uint32_t strip, float *scratch);
+                               const sea_moment *moment, sea_half half, uint32_t strip, float *scratch);
 
 #define ALWAYS_INLINE inline __attribute__((always_inline))
 
-static inline pair load_part(const float *cell, int part, uint32_t lane) {
-    return pair_load(cell + part * FFT_ROW + lane);
-}
-static inline pair mix2(pair a, float fa, pair b, float fb) {
-    return (pair){a.re * fa + b.re * fb, a.im * fa + b.im * fb};
-}
-static inline pair mix3(pair a, float fa, pair b, float fb, pair c, float fc) {
-    return (pair){(a.re * fa + b.re * fb) + c.re * fc, (a.im * fa + b.im * fb) + c.im * fc};
-}
+// ---- modes at time t ------------------------------------------------------------------------------------------------
 
-// P at j and at -j, row 0 standing for both.
-static inline void pack(float *plus, float *minus, pair a, pair b) {
-    pair_store(minus, (pair){a.re + b.im, b.re - a.im});
-    pair_store(plus, (pair){a.re - b.im, a.im + b.re});
-}
-
-// The factors that turn tile axes into world axes. With D = i k/|k| coth h and G = dD/dx, in tile axes at row j:
-// D = (i ku, i kj u), G = -(kku, kj ku, kj^2 u); a rotation R gives R D and R G R^T.
-typedef struct turn {
-    float c, s, cc, cs, ss;
-} turn;
-
-static inline turn turn_of(const sea_cascade *cascade) {
-    const float c = (float)cascade->cosine, s = (float)cascade->sine;
-    return (turn){c, s, c * c, c * s, s * s};
+// Sine and cosine of 2 pi x for |x| <= 1/2 turn. The quarter turn is taken off exactly; the polynomials are those of
+// math/sincos.h, on |angle| <= pi/4.
+static inline void sincos_turns(wide x, wide *sine, wide *cosine) {
+    const float magic = 12582912.0f;
+    const wide n = (x * 4.0f + magic) - magic;
+    const wide r = (x - n * 0.25f) * 6.28318530717958648f;
+    const wide z = r * r;
+    const wide p = (-0x1.98d6b8p-13f * z + 0x1.1105a8p-7f) * z + -0x1.555554p-3f;
+    const wide q = (0x1.99ff42p-16f * z + -0x1.6c0c82p-10f) * z + 0x1.55554ap-5f;
+    const wide_int s = wide_bits(r + r * z * p);
+    const wide_int c = wide_bits((1.0f - 0.5f * z) + z * z * q);
+    const wide_int quadrant = wide_to_int(n);
+    const wide_int odd = -(quadrant & 1); // all ones where sine and cosine change places
+    // The second bit of the quadrant, spread and cut to the sign bit (a left shift into it is undefined).
+    const wide_int sign_s = -((quadrant >> 1) & 1) & INT32_MIN, sign_c = -(((quadrant + 1) >> 1) & 1) & INT32_MIN;
+    *sine = wide_from_bits(((odd & c) | (~odd & s)) ^ sign_s);
+    *cosine = wide_from_bits(((odd & s) | (~odd & c)) ^ sign_c);
 }
 
-// The factors of row j: its wave number, and one over the divisors.
-typedef struct row_factors {
-    float k, cubic, linear;
-} row_factors;
-
-// Packs (dx, dy) and (height, dxy) for rows j and n - j.
-static inline void pack_displacement(const float *cell, turn t, row_factors j, uint32_t lane, float *dxy_plus,
-                                     float *dxy_minus, float *eta_plus, float *eta_minus) {
-    const pair u = load_part(cell, PART_U, lane), ku = load_part(cell, PART_KU, lane);
-    const float q = j.cubic, kq = j.k * j.cubic, l = j.linear;
-    const pair dx = pair_i(mix2(ku, t.c * q, u, -(t.s * kq))), dy = pair_i(mix2(ku, t.s * q, u, t.c * kq));
-    const pair cross = mix3(load_part(cell, PART_LINEAR_KKU, lane), -t.cs * l, load_part(cell, PART_LINEAR_KU, lane),
-                            -((t.cc - t.ss) * (j.k * l)), load_part(cell, PART_LINEAR_U, lane), t.cs * (j.k * j.k * l));
-    pack(dxy_plus + lane, dxy_minus + lane, dx, dy);
-    pack(eta_plus + lane, eta_minus + lane, pair_scale(load_part(cell, PART_H, lane), q), cross);
-}
-
-// Packs (dxx, dyy).
-static inline void pack_gradient(const float *cell, turn t, row_factors j, uint32_t lane, float *gradient_plus,
-                                 float *gradient_minus) {
-    const pair u = load_part(cell, PART_LINEAR_U, lane), ku = load_part(cell, PART_LINEAR_KU, lane),
-               kku = load_part(cell, PART_LINEAR_KKU, lane);
-    const float l = j.linear, two = 2.0f * t.cs * (j.k * l), kk = j.k * j.k * l;
-    const pair dxx = mix3(kku, -t.cc * l, ku, two, u, -(t.ss * kk));
-    const pair dyy = mix3(kku, -t.ss * l, ku, -two, u, -(t.cc * kk));
-    pack(gradient_plus + lane, gradient_minus + lane, dxx, dyy);
-}
-
-// Packs (slope_x, slope_y) and (dxx, dyy).
-static inline void pack_slopes(const float *cell, turn t, row_factors j, uint32_t lane, float *slope_plus,
-                               float *slope_minus, float *gradient_plus, float *gradient_minus) {
-    const pair h = load_part(cell, PART_LINEAR_H, lane), kh = load_part(cell, PART_LINEAR_KH, lane);
-    const float l = j.linear, kl = j.k * j.linear;
-    const pair sx = pair_i(mix2(kh, t.c * l, h, -(t.s * kl))), sy = pair_i(mix2(kh, t.s * l, h, t.c * kl));
-    pack(slope_plus + lane, slope_minus + lane, sx, sy);
-    pack_gradient(cell, t, j, lane, gradient_plus, gradient_minus);
-}
-
-#define PACK_ROWS(name)                                                                                                \
-    static void name##_rows(const sea_cascade *cascade, const float *middle, uint32_t strip, float *first,             \
-                            float *second) {                                                                           \
-        const uint32_t n = cascade->n, half = cascade->strips * FFT_LANES;                                             \
-        const turn t = turn_of(cascade);                                                                               \
-        const float *cell = middle + (size_t)strip * half * SEA_CELL;                                                  \
-        for (uint32_t j = 0; j < half; j++, cell += SEA_CELL) {                                                        \
-            const size_t plus = (size_t)j * FFT_ROW, minus = (size_t)((n - j) & (n - 1)) * FFT_ROW;                    \
-            for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE)                                                    \
-                name(cell, t, (row_factors){cascade->k[j], cascade->cubic[j], cascade->linear[j]}, lane, first + plus, \
-                     first + minus, second + plus, second + minus);                                                    \
-        }                                                                                                              \
-        const size_t empty = (size_t)(n + 1 - 2 * half) * FFT_ROW * sizeof(float);                                     \
-        memset(first + (size_t)half * FFT_ROW, 0, empty);                                                              \
-        memset(second + (size_t)half * FFT_ROW, 0, empty);                                                             \
-    }
-PACK_ROWS(pack_displacement)
-PACK_ROWS(pack_slopes)
-#undef PACK_ROWS
-
-static inline void put(bool stream, float *p, wide v) {
-    if (stream) {
-        wide_stream(p, v);
-    } else {
-        wide_store(p, v);
+// Phases in turns, reduced to |x| <= 1/2 in double, so that they stay accurate after days.
+static inline void reduce_turns(const double *turns, double time, float *out) {
+    const double magic = 6755399441055744.0;
+    for (int l = 0; l < FFT_LANES; l++) {
+        const double y = turns[l] * time;
+        out[l] = (float)(y - ((y + magic) - magic));
     }
 }
 
-// Texels of four halfs.
-static inline void store_texels(sea_stream stream, uint16_t *out, pair ab, pair cd) {
-    wide words[2];
-    wide_interleave(wide_half_pair(ab.re, ab.im), wide_half_pair(cd.re, cd.im), words);
-    put(stream == SEA_STREAM_ALL, (float *)(void *)out, words[0]);
-    put(stream == SEA_STREAM_ALL, (float *)(void *)out + WIDE, words[1]);
+// h(k, t) of one row of modes.
+static inline void evolve_row(const sea_cascade *cascade, size_t row, double time, float *h) {
+    float phase[FFT_LANES] __attribute__((aligned(64)));
+    reduce_turns(cascade->turns + row * FFT_LANES, time, phase);
+    const float *a = cascade->amplitude + row * 4 * FFT_LANES;
+    for (int l = 0; l < FFT_LANES; l += WIDE) {
+        wide s, c;
+        sincos_turns(wide_load(phase + l), &s, &c);
+        const wide re = wide_load(a + l) * c + wide_load(a + FFT_LANES + l) * s;
+        const wide im = wide_load(a + 2 * FFT_LANES + l) * c + wide_load(a + 3 * FFT_LANES + l) * s;
+        pair_store(h + l, (pair){re, im});
+    }
 }
 
-static inline void store_displacement(const sea_planes *planes, sea_stream stream, size_t at, pair d, pair e) {
-    put(stream != SEA_STREAM_NONE, planes->field[FIELD_DX] + at, d.re);
-    put(stream != SEA_STREAM_NONE, planes->field[FIELD_DY] + at, d.im);
-    put(stream != SEA_STREAM_NONE, planes->field[FIELD_HEIGHT] + at, e.re);
-    put(stream != SEA_STREAM_NONE, planes->field[FIELD_DXY] + at, e.im);
-    store_texels(stream, planes->displacement_half + 4 * at, d, e);
+// A strip at work, in a register or on the stack: what is written to `work` cannot be one of these.
+typedef struct column_strip {
+    const float *h, *g;                          // [n][FFT_ROW], rows with |j| < reach alone; [n][16]
+    const float *k_cos, *k_sin, *cubic, *linear; // of rows: [n]
+    wide i_cos, i_sin, i_cubic, i_linear;        // of the lanes at hand
+    uint32_t n, reach;
+} column_strip;
+
+static inline column_strip strip_of(const sea_cascade *c, uint32_t strip, const float *h, uint32_t lane) {
+    const uint32_t i = strip * FFT_LANES + lane;
+    return (column_strip){.h = h + lane,
+                          .g = c->inverse_k + (size_t)strip * c->n * FFT_LANES + lane,
+                          .k_cos = c->k_cos,
+                          .k_sin = c->k_sin,
+                          .cubic = c->cubic,
+                          .linear = c->linear,
+                          .i_cos = wide_load(c->k_cos + i),
+                          .i_sin = wide_load(c->k_sin + i),
+                          .i_cubic = wide_load(c->cubic + i),
+                          .i_linear = wide_load(c->linear + i),
+                          .n = c->n,
+                          .reach = c->reach[strip]};
 }
 
-static inline void store_slopes(const sea_planes *planes, sea_stream stream, size_t at, pair s, pair g) {
-    put(stream != SEA_STREAM_NONE, planes->field[FIELD_SLOPE_X] + at, s.re);
-    put(stream != SEA_STREAM_NONE, planes->field[FIELD_SLOPE_Y] + at, s.im);
-    put(stream != SEA_STREAM_NONE, planes->field[FIELD_DXX] + at, g.re);
-    put(stream != SEA_STREAM_NONE, planes->field[FIELD_DYY] + at, g.im);
-    store_texels(stream, planes->slope_half + 4 * at, s, g);
+static inline bool has_modes(uint32_t n, uint32_t reach, uint32_t j) { return j < reach || n - j < reach; }
+
+static void evolve(const sea_cascade *cascade, uint32_t strip, double time, float *h) {
+    for (uint32_t j = 0; j < cascade->n; j++)
+        if (has_modes(cascade->n, cascade->reach[strip], j))
+            evolve_row(cascade, (size_t)strip * cascade->n + j, time, h + (size_t)j * FFT_ROW);
 }
 
-// What is left of the foam of the last tick, or the present pinch where it is more. Both are bounded, so that a memory
-// ends (sea.h).
-static inline wide foam_of(const float *tick, const sea_moment *moment, pair gradient) {
-    const wide present = (gradient.re + gradient.im) * -moment->choppiness, none = present - present;
-    const wide past = wide_load(tick) * moment->at.keep - moment->at.lose;
-    return wide_max(wide_max(past, wide_min(present, none + SEA_MOST_FOAM)), none);
+// ---- fields ---------------------------------------------------------------------------------------------------------
+
+static inline pair pair_times(pair a, wide f) { return (pair){a.re * f, a.im * f}; }
+static inline pair pair_times_i(pair a, wide f) { return (pair){-(a.im * f), a.re * f}; }
+
+// The spectrum of a field at row j.
+static ALWAYS_INLINE pair spectrum(const column_strip s, int field, uint32_t j) {
+    const pair h = pair_load(s.h + (size_t)j * FFT_ROW);
+    const wide g = wide_load(s.g + (size_t)j * FFT_LANES);
+    const wide cubic = s.i_cubic * s.cubic[j], linear = s.i_linear * s.linear[j];
+    const wide kx = s.i_cos - s.k_sin[j], ky = s.i_sin + s.k_cos[j];
+    switch (field) { // a constant
+    case FIELD_HEIGHT: return pair_times(h, cubic);
+    case FIELD_DX: return pair_times_i(h, g * cubic * kx);
+    case FIELD_DY: return pair_times_i(h, g * cubic * ky);
+    case FIELD_SLOPE_X: return pair_times_i(h, linear * kx);
+    case FIELD_SLOPE_Y: return pair_times_i(h, linear * ky);
+    case FIELD_DXX: return pair_times(h, -(g * linear * kx * kx));
+    case FIELD_DYY: return pair_times(h, -(g * linear * ky * ky));
+    default: return pair_times(h, -(g * linear * kx * ky)); // FIELD_DXY
+    }
 }
 
-static inline void store_foam(const sea_planes *planes, const sea_moment *moment, size_t at, pair gradient) {
-    const wide foam = foam_of(planes->foam_tick + at, moment, gradient);
-    wide_store(planes->foam + at, foam);
-    wide_half_store(planes->foam_half + at, foam);
-}
-
-// The last stage of two transforms, whose outputs go where they belong at once. Its eight outputs lie n / 8 rows apart.
-static ALWAYS_INLINE void finish(const fft_plan *plan, const sea_planes *planes, const sea_moment *moment, bool stream,
-                                 bool slopes, uint32_t strip, const float *first, const float *second) {
-    const uint32_t n = plan->n;
-    for (uint32_t y = 0; y < n / 8; y++) {
-        const size_t row = (size_t)plan->order[y] * FFT_ROW;
-        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
-            pair a[8], d[8], e[8];
+// The first stage of a field's transform, from the modes to `work`.
+static ALWAYS_INLINE void begin_field(const column_strip s, int field, const float *twiddle, float *work) {
+    const uint32_t q = s.n / 8;
+    const wide none = {0};
+    const pair zero = {none, none};
+    for (uint32_t j = 0; j < q; j++, twiddle += 14, work += FFT_ROW) {
+        pair a[8], b[8];
 #pragma GCC unroll 8
-            for (uint32_t i = 0; i < 8; i++) a[i] = pair_load(first + row + lane + (size_t)i * FFT_ROW);
-            butterfly8(a, d);
+        for (uint32_t i = 0; i < 8; i++)
+            if (i != 3 && i != 4) a[i] = has_modes(s.n, s.reach, j + i * q) ? spectrum(s, field, j + i * q) : zero;
+        butterfly8_open(a, b);
+        pair_store(work, b[0]);
 #pragma GCC unroll 8
-            for (uint32_t i = 0; i < 8; i++) a[i] = pair_load(second + row + lane + (size_t)i * FFT_ROW);
-            butterfly8(a, e);
-#pragma GCC unroll 8
-            for (uint32_t i = 0; i < 8; i++) {
-                const size_t at = (size_t)(y + i * (n / 8)) * n + strip * FFT_LANES + lane;
-                if (slopes) {
-                    store_slopes(planes, stream, at, d[i], e[i]);
-                    store_foam(planes, moment, at, e[i]);
-                } else {
-                    store_displacement(planes, stream, at, d[i], e[i]);
-                }
-            }
-        }
+        for (uint32_t i = 1; i < 8; i++)
+            pair_store(work + (size_t)i * q * FFT_ROW, pair_turn(b[i], twiddle + 2 * (i - 1)));
     }
 }
 
-static ALWAYS_INLINE void columns(const fft_plan *plan, const sea_cascade *cascade, const sea_planes *planes,
-                                  const sea_moment *moment, bool stream, uint32_t strip, float *scratch) {
-    float *first = scratch, *second = scratch + sea_scratch_pitch(plan->n);
-#pragma GCC unroll 2
-    for (int slopes = 0; slopes < 2; slopes++) {
-        (slopes ? pack_slopes_rows : pack_displacement_rows)(cascade, planes->middle, strip, first, second);
-        stage_first(plan, first, NULL, first);
-        fft_strip_rest(plan, first, false);
-        stage_first(plan, second, NULL, second);
-        fft_strip_rest(plan, second, false);
-        finish(plan, planes, moment, stream, slopes, strip, first, second);
+static void begin(const column_strip *s, int field, const float *twiddle, float *work) {
+    switch (field) { // a constant in each case, so that nothing is computed that is not used
+    case FIELD_HEIGHT: begin_field(*s, FIELD_HEIGHT, twiddle, work); break;
+    case FIELD_DX: begin_field(*s, FIELD_DX, twiddle, work); break;
+    case FIELD_DY: begin_field(*s, FIELD_DY, twiddle, work); break;
+    case FIELD_SLOPE_X: begin_field(*s, FIELD_SLOPE_X, twiddle, work); break;
+    case FIELD_SLOPE_Y: begin_field(*s, FIELD_SLOPE_Y, twiddle, work); break;
+    case FIELD_DXX: begin_field(*s, FIELD_DXX, twiddle, work); break;
+    case FIELD_DYY: begin_field(*s, FIELD_DYY, twiddle, work); break;
+    default: begin_field(*s, FIELD_DXY, twiddle, work); break;
     }
 }
 
-// A tick: div D alone, and the foam memory.
-static void tick_columns(const fft_plan *plan, const sea_cascade *cascade, const sea_planes *planes,
-                         const sea_moment *moment, uint32_t strip, float *work) {
-    const uint32_t n = plan->n, half = cascade->strips * FFT_LANES;
-    const turn t = turn_of(cascade);
-    const float *cell = planes->middle + (size_t)strip * half * SEA_CELL;
-    for (uint32_t j = 0; j < half; j++, cell += SEA_CELL) {
-        float *plus = work + (size_t)j * FFT_ROW, *minus = work + (size_t)((n - j) & (n - 1)) * FFT_ROW;
-        const row_factors factors = {cascade->k[j], cascade->cubic[j], cascade->linear[j]};
-        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) pack_gradient(cell, t, factors, lane, plus, minus);
+// The last stage of radix r; its outputs, n / r rows apart, go where the second pass reads them.
+#define END(name, r, butterfly)                                                                              \
+    static void name(const fft_plan *plan, const float *work, float *out, size_t block) {                    \
+        const uint32_t apart = plan->n / r;                                                                  \
+        for (uint32_t y = 0; y < apart; y++) {                                                               \
+            const float *in = work + (size_t)plan->order[y] * FFT_ROW;                                       \
+            float *at = out + y / SEA_ROWS * block + (size_t)(y % SEA_ROWS) * FFT_ROW;                       \
+            for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {                                        \
+                pair a[r], b[r];                                                                             \
+                for (uint32_t i = 0; i < r; i++) a[i] = pair_load(in + lane + (size_t)i * FFT_ROW);          \
+                butterfly(a, b);                                                                             \
+                for (uint32_t i = 0; i < r; i++) pair_store(at + lane + apart / SEA_ROWS * i * block, b[i]); \
+            }                                                                                                \
+        }                                                                                                    \
     }
-    memset(work + (size_t)half * FFT_ROW, 0, (size_t)(n + 1 - 2 * half) * FFT_ROW * sizeof(float));
-    stage_first(plan, work, NULL, work);
-    fft_strip_rest(plan, work, false);
-    for (uint32_t y = 0; y < n / 8; y++) {
-        const size_t row = (size_t)plan->order[y] * FFT_ROW;
-        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
-            pair a[8], d[8];
-            for (uint32_t i = 0; i < 8; i++) a[i] = pair_load(work + row + lane + (size_t)i * FFT_ROW);
-            butterfly8(a, d);
-            for (uint32_t i = 0; i < 8; i++) {
-                float *tick = planes->foam_tick + (size_t)(y + i * (n / 8)) * n + strip * FFT_LANES + lane;
-                wide_store(tick, foam_of(tick, moment, d[i]));
-            }
-        }
-    }
-}
+END(end4, 4, butterfly4)
+END(end8, 8, butterfly8)
+#undef END
 
 void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade, const sea_planes *planes,
-                               const sea_moment *moment, uint32_t strip, float *scratch) {
-    if (moment->at.tick) {
-        tick_columns(plan, cascade, planes, moment, strip, scratch);
-        return;
+                               const sea_moment *moment, sea_half half, uint32_t strip, float *scratch) {
+    float *h = planes->modes + (size_t)strip * plan->n * FFT_ROW, *work = scratch;
+    const size_t block = (size_t)cascade->strips * SEA_CELL;
+    if (moment->at.tick || half == SEA_DISPLACEMENT) evolve(cascade, strip, moment->at.shown, h);
+    for (uint32_t f = moment->at.tick ? SEA_DIVERGENCE : 0; f < SEA_HALF; f++) {
+        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
+            const column_strip s = strip_of(cascade, strip, h, lane);
+            begin(&s, sea_half_field[half][f], plan->twiddle[0], work + lane);
+        }
+        fft_stages(plan, 1, plan->stages - 1, work);
+        float *out = planes->middle + (size_t)strip * SEA_CELL + (size_t)f * SEA_PIECE;
+        (plan->radix[plan->stages - 1] == 4 ? end4 : end8)(plan, work, out, block);
     }
-    switch (moment->stream) { // a constant in each case, so that the loops have no branches
-    case SEA_STREAM_NONE: columns(plan, cascade, planes, moment, SEA_STREAM_NONE, strip, scratch); break;
-    case SEA_STREAM_PLANES: columns(plan, cascade, planes, moment, SEA_STREAM_PLANES, strip, scratch); break;
-    case SEA_STREAM_ALL: columns(plan, cascade, planes, moment, SEA_STREAM_ALL, strip, scratch); break;
-    }
-    wide_stream_end();
 }

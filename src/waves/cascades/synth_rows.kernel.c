@@ -1,96 +1,258 @@
 // SPDX-License-Identifier: MIT
-// First pass of a step: modes at time t, and their transforms along i. cascades.h has the plan.
+// Second pass of a step: rows of the eight fields by four complex transforms along i, and what readers want: float
+// planes, half texels, foam memory. cascades.h has the plan.
+//
+// Two real fields A and B share a complex transform: P = A + iB, and since A and B are Hermitian,
+// P(-i) = conj(A(i)) + i conj(B(i)).
+//
+// A row of n points is m = n / 16 rows of 16 lanes: i = 16 a + l. Its transform is one of m points over a in each lane,
+// a turn by e^{2 pi i bl / n}, and one of 16 points over l, for which blocks of rows are transposed:
+//
+//     X[b + m c] = sum_l e^{2 pi i lc / 16} (e^{2 pi i bl / n} sum_a P[16 a + l] e^{2 pi i ab / m})
 #include "fft/strip.h"
 #include "waves/cascades/synth.h"
+#include "waves/cascades/wide_half.h"
 
 #include <string.h>
 
-void KERNEL(bolan_sea_rows)(const fft_plan *plan, const sea_cascade *cascade, float *middle, const sea_moment *moment,
-                            uint32_t strip, float *scratch);
+void KERNEL(bolan_sea_rows)(const cascade_tables *tables, const sea_cascade *cascade, const sea_planes *planes,
+                            const sea_moment *moment, sea_half half, uint32_t block, float *scratch);
 
-// Sine and cosine of 2 pi x for |x| <= 1/2 turn. The quarter turn is taken off exactly; the polynomials are those of
-// math/sincos.h, on |angle| <= pi/4.
-static inline void sincos_turns(wide x, wide *sine, wide *cosine) {
-    const float magic = 12582912.0f;
-    const wide n = (x * 4.0f + magic) - magic;
-    const wide r = (x - n * 0.25f) * 6.28318530717958648f;
-    const wide z = r * r;
-    const wide p = (-0x1.98d6b8p-13f * z + 0x1.1105a8p-7f) * z + -0x1.555554p-3f;
-    const wide q = (0x1.99ff42p-16f * z + -0x1.6c0c82p-10f) * z + 0x1.55554ap-5f;
-    const wide_int s = wide_bits(r + r * z * p);
-    const wide_int c = wide_bits((1.0f - 0.5f * z) + z * z * q);
-    const wide_int quadrant = wide_to_int(n);
-    const wide_int odd = -(quadrant & 1); // all ones where sine and cosine change places
-    // The second bit of the quadrant, spread and cut to the sign bit (a left shift into it is undefined).
-    const wide_int sign_s = -((quadrant >> 1) & 1) & INT32_MIN, sign_c = -(((quadrant + 1) >> 1) & 1) & INT32_MIN;
-    *sine = wide_from_bits(((odd & c) | (~odd & s)) ^ sign_s);
-    *cosine = wide_from_bits(((odd & s) | (~odd & c)) ^ sign_c);
+#define ALWAYS_INLINE inline __attribute__((always_inline))
+
+// ---- a row ----------------------------------------------------------------------------------------------------------
+
+// Scratch memory of a row, a few lines apart: the packed spectrum, two half transformed ones, and four fields.
+typedef struct row_scratch {
+    float *spectrum, *turned, *field;
+    size_t pitch; // from field to field
+} row_scratch;
+
+enum { SHIFT = 9 * 16 };
+
+static row_scratch row_scratch_of(uint32_t n, float *scratch) {
+    const size_t row = 2 * (size_t)n + SHIFT, rows = 2 * row + (size_t)FFT_LANES * FFT_ROW;
+    return (row_scratch){scratch, scratch + row, scratch + row + rows, (size_t)n + FFT_LANES};
 }
 
-// Phases in turns, reduced to |x| <= 1/2 in double, so that they stay accurate after days.
-static inline void reduce_turns(const double *turns, double time, float *out) {
-    const double magic = 6755399441055744.0;
-    for (int l = 0; l < FFT_LANES; l++) {
-        const double y = turns[l] * time;
-        out[l] = (float)(y - ((y + magic) - magic));
+// Packs two fields that follow each other, from the row's `piece` of the first strip, into `out`, [m][FFT_ROW].
+static void pack(const sea_cascade *cascade, const float *piece, float *out) {
+    const uint32_t n = cascade->n, m = n / FFT_LANES, half = cascade->strips, open = m >= 8 ? m / 8 * 3 : m / 2;
+    for (uint32_t row = half; row < open; row++) {
+        memset(out + (size_t)row * FFT_ROW, 0, FFT_ROW * sizeof(float));
+        memset(out + (size_t)(m - 1 - row) * FFT_ROW, 0, FFT_ROW * sizeof(float));
+    }
+    wide next_re = {0}, next_im = {0};
+    for (uint32_t at = half * FFT_LANES; at > 0;) { // from the highest wave number, whose neighbour is zero
+        at -= WIDE;
+        const float *cell = piece + (size_t)(at / FFT_LANES) * SEA_CELL + at % FFT_LANES;
+        const pair p = pair_load(cell), q = pair_load(cell + SEA_PIECE);
+        pair_store(out + (size_t)(at / FFT_LANES) * FFT_ROW + at % FFT_LANES, (pair){p.re - q.im, p.im + q.re});
+        const uint32_t to = n - WIDE - at;
+        const wide re = p.re + q.im, im = q.re - p.im;
+        pair_store(out + (size_t)(to / FFT_LANES) * FFT_ROW + to % FFT_LANES,
+                   (pair){wide_mirror(re, next_re), wide_mirror(im, next_im)});
+        next_re = re;
+        next_im = im;
     }
 }
 
-// h(k, t) of one row of modes into `h`, and u = h coth(kh)/k into `u`.
-static inline void evolve_row(const sea_cascade *cascade, size_t row, double time, float *h, float *u) {
-    float phase[FFT_LANES] __attribute__((aligned(64)));
-    reduce_turns(cascade->turns + row * FFT_LANES, time, phase);
-    const float *a = cascade->amplitude + row * 4 * FFT_LANES;
-    const float *inverse_k = cascade->inverse_k + row * FFT_LANES;
-    for (int l = 0; l < FFT_LANES; l += WIDE) {
-        wide s, c;
-        sincos_turns(wide_load(phase + l), &s, &c);
-        const wide re = wide_load(a + l) * c + wide_load(a + FFT_LANES + l) * s;
-        const wide im = wide_load(a + 2 * FFT_LANES + l) * c + wide_load(a + 3 * FFT_LANES + l) * s;
-        const wide g = wide_load(inverse_k + l);
-        pair_store(h + l, (pair){re, im});
-        pair_store(u + l, (pair){re * g, im * g});
+static inline pair pair_turn_lanes(pair a, const float *w) {
+    const pair t = pair_load(w);
+    return (pair){a.re * t.re - a.im * t.im, a.re * t.im + a.im * t.re};
+}
+
+// The last stage of radix r over a, and the turns.
+#define TURN(name, r, butterfly)                                                                            \
+    static ALWAYS_INLINE void name(const fft_plan *plan, const float *turns, const float *in, float *out) { \
+        const uint32_t apart = plan->n / r;                                                                 \
+        for (uint32_t b0 = 0; b0 < apart; b0++) {                                                           \
+            const float *rows = in + (size_t)plan->order[b0] * FFT_ROW;                                     \
+            for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {                                       \
+                pair a[r], b[r];                                                                            \
+                for (uint32_t i = 0; i < r; i++) a[i] = pair_load(rows + lane + (size_t)i * FFT_ROW);       \
+                butterfly(a, b);                                                                            \
+                for (uint32_t i = 0; i < r; i++) {                                                          \
+                    const size_t at = (size_t)(b0 + i * apart) * FFT_ROW + lane;                            \
+                    pair_store(out + at, pair_turn_lanes(b[i], turns + at));                                \
+                }                                                                                           \
+            }                                                                                               \
+        }                                                                                                   \
+    }
+TURN(turn2, 2, butterfly2)
+TURN(turn4, 4, butterfly4)
+TURN(turn8, 8, butterfly8)
+TURN(turn8_open, 8, butterfly8_open)
+#undef TURN
+
+// The transform over a, turned: `in` to `out`.
+static void transform_rows(const fft_plan *plan, const float *turns, float *in, float *out) {
+    if (plan->n == 8) {
+        turn8_open(plan, turns, in, out);
+        return;
+    }
+    if (plan->n > 8) stage8_open(in, plan->n, plan->n, plan->twiddle[0]);
+    switch (plan->radix[plan->stages - 1]) {
+    case 2: turn2(plan, turns, in, out); break;
+    case 4: turn4(plan, turns, in, out); break;
+    default: turn8(plan, turns, in, out); break;
     }
 }
 
-static void evolve(const sea_cascade *cascade, double time, uint32_t strip, float *h, float *u) {
-    const uint32_t n = cascade->n, reach = cascade->reach[strip];
-    for (uint32_t i = 0; i < n; i++) {
-        const bool empty = i >= reach && i <= n - reach;
-        if (empty) {
-            memset(h + (size_t)i * FFT_ROW, 0, FFT_ROW * sizeof(float));
-            memset(u + (size_t)i * FFT_ROW, 0, FFT_ROW * sizeof(float));
-        } else {
-            evolve_row(cascade, (size_t)strip * n + i, time, h + (size_t)i * FFT_ROW, u + (size_t)i * FFT_ROW);
+// WIDE rows of 16 lanes as 16 vectors of WIDE lanes.
+static ALWAYS_INLINE void load_transposed(const float *rows, wide v[FFT_LANES]) {
+#pragma GCC unroll 16
+    for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
+#pragma GCC unroll 16
+        for (uint32_t i = 0; i < WIDE; i++) v[lane + i] = wide_load(rows + (size_t)i * FFT_ROW + lane);
+        wide_transpose(v + lane);
+    }
+}
+
+// Point c of the transforms whose turned rows begin at `row`: to a field at `out`. Where the m rows of a transform are
+// less than a vector, it holds the rows of `count` transforms, and nothing behind.
+static ALWAYS_INLINE void store_point(float *out, size_t apart, uint32_t m, uint32_t count, wide v) {
+    if (m >= WIDE) {
+        wide_store(out, v);
+    } else {
+        const float *lanes = (const float *)&v;
+        for (uint32_t t = 0; t < WIDE / m && t < count; t++) memcpy(out + t * apart, lanes + t * m, m * sizeof(float));
+    }
+}
+
+// The transforms over l of `count` turned transforms, to two fields each.
+static ALWAYS_INLINE void transform_lanes(const row_scratch *r, uint32_t m, uint32_t count) {
+    for (uint32_t row = 0; row < count * m; row += WIDE) {
+        wide re[FFT_LANES], im[FFT_LANES];
+        load_transposed(r->turned + (size_t)row * FFT_ROW, re);
+        load_transposed(r->turned + (size_t)row * FFT_ROW + FFT_LANES, im);
+        pair t[4][4];
+        begin16(re, im, t);
+        float *out = r->field + (size_t)(row / m * 2) * r->pitch + row % m;
+#pragma GCC unroll 4
+        for (uint32_t q = 0; q < 4; q++) {
+            const pair in[4] = {t[0][q], t[1][q], t[2][q], t[3][q]};
+            pair point[4];
+            butterfly4(in, point);
+#pragma GCC unroll 4
+            for (uint32_t i = 0; i < 4; i++) {
+                store_point(out + (size_t)(q + 4 * i) * m, 2 * r->pitch, m, count, point[i].re);
+                store_point(out + (size_t)(q + 4 * i) * m + r->pitch, 2 * r->pitch, m, count, point[i].im);
+            }
         }
     }
 }
 
-// The transform in `rows` (lanes j) to `middle` (lanes x), part `part`.
-static void transpose_out(const fft_plan *plan, const sea_cascade *cascade, float *middle, uint32_t strip,
-                          uint32_t part, const float *rows) {
-    const uint32_t n = plan->n, half = cascade->strips * FFT_LANES;
+// A row of 2 `count` fields of `middle`, from `piece` on -> r->field.
+static void transform(const cascade_tables *tables, const sea_cascade *cascade, const float *piece, uint32_t count,
+                      const row_scratch *r) {
+    const uint32_t m = tables->rows.n;
+    for (uint32_t t = 0; t < count; t++) {
+        pack(cascade, piece + (size_t)t * 2 * SEA_PIECE, r->spectrum);
+        transform_rows(&tables->rows, tables->turns, r->spectrum, r->turned + (size_t)t * m * FFT_ROW);
+    }
+    if (m == FFT_LANES / 2) { // a constant where it matters
+        transform_lanes(r, FFT_LANES / 2, count);
+    } else {
+        transform_lanes(r, m, count);
+    }
+}
+
+// ---- what readers want ----------------------------------------------------------------------------------------------
+
+static inline void put(bool stream, float *p, wide v) {
+    if (stream) {
+        wide_stream(p, v);
+    } else {
+        wide_store(p, v);
+    }
+}
+
+// Texels of four halfs.
+static inline void store_texels(sea_stream stream, uint16_t *out, const wide v[4]) {
+    wide words[2];
+    wide_interleave(wide_half_pair(v[0], v[1]), wide_half_pair(v[2], v[3]), words);
+    put(stream == SEA_STREAM_ALL, (float *)(void *)out, words[0]);
+    put(stream == SEA_STREAM_ALL, (float *)(void *)out + WIDE, words[1]);
+}
+
+// What is left of the foam of the last tick, or the present pinch where it is more. Both are bounded, so that a memory
+// ends (sea.h).
+static inline wide foam_of(const float *tick, const sea_moment *moment, wide dxx, wide dyy) {
+    const wide present = (dxx + dyy) * -moment->choppiness, none = present - present;
+    const wide past = wide_load(tick) * moment->at.keep - moment->at.lose;
+    return wide_max(wide_max(past, wide_min(present, none + SEA_MOST_FOAM)), none);
+}
+
+static inline void store_foam(const sea_planes *planes, const sea_moment *moment, size_t at, wide dxx, wide dyy) {
+    const wide foam = foam_of(planes->foam_tick + at, moment, dxx, dyy);
+    wide_store(planes->foam + at, foam);
+    wide_half_store(planes->foam_half + at, foam);
+}
+
+// Row y of the four fields of a half.
+static ALWAYS_INLINE void store_row(const row_scratch *r, const sea_planes *planes, const sea_moment *moment,
+                                    sea_stream stream, sea_half half, uint32_t n, uint32_t y) {
+    uint16_t *texels = half == SEA_SLOPES ? planes->slope_half : planes->displacement_half;
+    for (int f = 0; f < SEA_HALF; f++) { // one after the other, so that streamed lines are written at once
+        float *plane = planes->field[sea_half_field[half][f]] + (size_t)y * n;
+        for (uint32_t x = 0; x < n; x += WIDE)
+            put(stream != SEA_STREAM_NONE, plane + x, wide_load(r->field + (size_t)f * r->pitch + x));
+    }
     for (uint32_t x = 0; x < n; x += WIDE) {
-        for (uint32_t lane = 0; lane < FFT_ROW; lane += WIDE) {
-            wide v[WIDE];
-            for (uint32_t i = 0; i < WIDE; i++) v[i] = wide_load(rows + (size_t)plan->order[x + i] * FFT_ROW + lane);
-            wide_transpose(v);
-            const uint32_t imaginary = lane / FFT_LANES, j = strip * FFT_LANES + lane % FFT_LANES;
-            float *out = middle + ((size_t)(x / FFT_LANES) * half + j) * SEA_CELL + (size_t)part * FFT_ROW +
-                         (size_t)imaginary * FFT_LANES + x % FFT_LANES;
-            for (uint32_t i = 0; i < WIDE; i++) wide_store(out + (size_t)i * SEA_CELL, v[i]);
+        const size_t at = (size_t)y * n + x;
+        wide v[SEA_HALF];
+#pragma GCC unroll 4
+        for (int f = 0; f < SEA_HALF; f++) v[f] = wide_load(r->field + (size_t)f * r->pitch + x);
+        store_texels(stream, texels + 4 * at, v);
+        if (half == SEA_SLOPES) store_foam(planes, moment, at, v[SEA_DIVERGENCE], v[SEA_DIVERGENCE + 1]);
+    }
+}
+
+static ALWAYS_INLINE void rows(const cascade_tables *tables, const sea_cascade *cascade, const sea_planes *planes,
+                               const sea_moment *moment, sea_stream stream, sea_half half, uint32_t block,
+                               const row_scratch *r) {
+    const float *piece = planes->middle + (size_t)block * cascade->strips * SEA_CELL;
+    for (uint32_t y = block * SEA_ROWS; y < (block + 1) * SEA_ROWS; y++, piece += FFT_ROW) {
+        transform(tables, cascade, piece, 2, r);
+        store_row(r, planes, moment, stream, half, cascade->n, y);
+    }
+}
+
+static ALWAYS_INLINE void rows_of_half(const cascade_tables *tables, const sea_cascade *cascade,
+                                       const sea_planes *planes, const sea_moment *moment, sea_stream stream,
+                                       sea_half half, uint32_t block, const row_scratch *r) {
+    if (half == SEA_SLOPES) {
+        rows(tables, cascade, planes, moment, stream, SEA_SLOPES, block, r);
+    } else {
+        rows(tables, cascade, planes, moment, stream, SEA_DISPLACEMENT, block, r);
+    }
+}
+
+// A tick: div D alone, and the foam memory.
+static void tick_rows(const cascade_tables *tables, const sea_cascade *cascade, const sea_planes *planes,
+                      const sea_moment *moment, uint32_t block, const row_scratch *r) {
+    const float *piece = planes->middle + (size_t)block * cascade->strips * SEA_CELL + SEA_DIVERGENCE * SEA_PIECE;
+    for (uint32_t y = block * SEA_ROWS; y < (block + 1) * SEA_ROWS; y++, piece += FFT_ROW) {
+        transform(tables, cascade, piece, 1, r);
+        for (uint32_t x = 0; x < cascade->n; x += WIDE) {
+            float *tick = planes->foam_tick + (size_t)y * cascade->n + x;
+            wide_store(tick, foam_of(tick, moment, wide_load(r->field + x), wide_load(r->field + r->pitch + x)));
         }
     }
 }
 
-void KERNEL(bolan_sea_rows)(const fft_plan *plan, const sea_cascade *cascade, float *middle, const sea_moment *moment,
-                            uint32_t strip, float *scratch) {
-    const size_t pitch = sea_scratch_pitch(plan->n);
-    float *h = scratch, *u = scratch + pitch, *work = scratch + 2 * pitch;
-    evolve(cascade, moment->at.shown, strip, h, u);
-    for (uint32_t part = moment->at.tick ? SEA_PARTS - SEA_TICK_PARTS : 0; part < SEA_PARTS; part++) {
-        const bool displaces = part == PART_U || part == PART_KU || part >= PART_LINEAR_U;
-        fft_strip_of(plan, displaces ? u : h, cascade->part[part], work);
-        transpose_out(plan, cascade, middle, strip, part, work);
+void KERNEL(bolan_sea_rows)(const cascade_tables *tables, const sea_cascade *cascade, const sea_planes *planes,
+                            const sea_moment *moment, sea_half half, uint32_t block, float *scratch) {
+    const row_scratch r = row_scratch_of(cascade->n, scratch);
+    if (moment->at.tick) {
+        tick_rows(tables, cascade, planes, moment, block, &r);
+        return;
     }
+    switch (moment->stream) { // a constant in each case, so that the loops have no branches
+    case SEA_STREAM_NONE: rows_of_half(tables, cascade, planes, moment, SEA_STREAM_NONE, half, block, &r); break;
+    case SEA_STREAM_PLANES: rows_of_half(tables, cascade, planes, moment, SEA_STREAM_PLANES, half, block, &r); break;
+    case SEA_STREAM_ALL: rows_of_half(tables, cascade, planes, moment, SEA_STREAM_ALL, half, block, &r); break;
+    }
+    wide_stream_end();
 }

@@ -7,8 +7,8 @@
 
 #define SUM_DECLARE(set) sum_fields_function bolan_sum_fields_##set;
 SUM_DECLARE(scalar)
+SUM_DECLARE(generic4)
 #ifdef BOLAN_KERNELS_X86
-SUM_DECLARE(sse2)
 SUM_DECLARE(avx2)
 SUM_DECLARE(avx512)
 #endif
@@ -18,8 +18,8 @@ enum { GRAIN_BLOCKS = 8 };
 sum_fields_function *bolan_sum_fields_for(bolan_cpu cpu) {
     static sum_fields_function *const table[] = {
         [BOLAN_CPU_SCALAR] = bolan_sum_fields_scalar,
+        [BOLAN_CPU_GENERIC4] = bolan_sum_fields_generic4,
 #ifdef BOLAN_KERNELS_X86
-        [BOLAN_CPU_SSE2] = bolan_sum_fields_sse2,
         [BOLAN_CPU_AVX2] = bolan_sum_fields_avx2,
         [BOLAN_CPU_AVX512] = bolan_sum_fields_avx512,
 #endif
