@@ -7,6 +7,7 @@
 
 #include "render/sea_gpu.h"
 #include "render/shore_map.h"
+#include "waves/model.h"
 
 typedef struct rig {
     bolan_sea *sea;
@@ -120,10 +121,11 @@ static const struct {
 } cases[] = {{250.0, 0.0, 0.0, 0.0}, {20.0, 123456.7, -98765.4, 4321.5}, {140.0, -3.3e6, 2.1e6, 17.25}};
 enum { CASES = 3 };
 
-// Half floats carry 11 bits: a field is rounded by 2^-12 of itself in each of four cascades, and a place in the
-// smallest tile, some hundred tiles away, by 0.002 texels. Heights of 3 m, slopes of 0.5.
+// Half floats carry 11 bits: a field is rounded by 2^-12 of itself in each of four cascades. The warp moves places by
+// some hundred metres, of which floats round 0.1 mm: 0.005 texels of the smallest tile, whose slope changes by 0.1 in
+// one. Heights of 3 m, slopes of 0.5.
 #define HEIGHT_ERROR 2e-3
-#define SLOPE_ERROR 1e-3
+#define SLOPE_ERROR 1.2e-3
 #define JACOBIAN_ERROR 2e-3
 
 static const char *const vertex_probe = "vec4 probe(vec4 x) { vec4 fields; return vec4(wave_offset(x.xy, 1e-3, x.w, "
@@ -158,11 +160,13 @@ static void vertices_stand_where_the_cpu_has_them(void **state) {
 }
 
 // On a coarse mesh the shader fetches a level of its textures, the CPU averages samples: the same waves but for the
-// last octave, which holds the energy that `errors` allows, relative to the rms height of all waves (13, 43 and 31 %
-// were measured).
+// last octave, which holds the energy that `errors` allows, relative to the rms height of all waves (13, 43 and 27 %
+// were measured). With 16 m that octave is the peak of this sea, of 70 m waves. A level is a mean of the spline's
+// coefficients, which hold 1.2 of a wave of six texels, and 0.7 of it are left by a fetch of the first level: more than
+// the CPU leaves, and nearer to the wave.
 static void vertices_of_a_coarse_mesh_have_the_long_waves(void **state) {
     (void)state;
-    const double spacings[] = {4.0, 16.0, 64.0}, errors[] = {0.135, 0.45, 0.33}, ratios[] = {1.035, 1.52, 1.59};
+    const double spacings[] = {4.0, 16.0, 64.0}, errors[] = {0.135, 0.45, 0.29}, ratios[] = {1.035, 1.68, 1.84};
     rig r;
     rig_open(&r, 20.0, 1.0, (bolan_dvec2){5000.0, -777.0}, 33.0, false);
     for (int k = 0; k < 3; ++k) {
@@ -188,6 +192,49 @@ static void vertices_of_a_coarse_mesh_have_the_long_waves(void **state) {
     rig_close(&r);
 }
 
+// How far the slopes of pixels, by linear fetches, and of queries, by the gradient of cubic splines, are apart, as a
+// share of their root mean square. A wave k along an axis has images k' = k + 2 pi m / h. With r = k / k' a fetch makes
+// r^2 of the wave that it leaves, the spline r^4 of the height and so r^3 of its slope (waves/cascades/spline.h).
+typedef struct imaging {
+    const bolan_cascade_view *view;
+    double error, energy;
+} imaging;
+
+enum { IMAGES = 2 };
+static double ratio_of_image(double kh, int m) { return m == 0 ? 1.0 : kh / (kh + 2.0 * BOLAN_PI * m); }
+
+static double left_by_linear(double kh) {
+    const double x = 0.5 * kh, sinc = fabs(x) < 1e-9 ? 1.0 : sin(x) / x;
+    return sinc * sinc / sqrt((2.0 + cos(kh)) / 3.0);
+}
+
+static void add_images(void *context, const sea_mode *m) {
+    imaging *i = context;
+    const double h = i->view->length / i->view->n, k = sqrt(m->kx * m->kx + m->ky * m->ky);
+    if (k < i->view->k_min || k >= i->view->k_max) return;
+    const double c = cos(i->view->angle), s = sin(i->view->angle);
+    const double u = h * (m->kx * c + m->ky * s), v = h * (m->ky * c - m->kx * s);
+    const double left = left_by_linear(u) * left_by_linear(v);
+    const double power = (m->expected + (m->paired ? m->expected_back : 0.0)) / (h * h);
+    i->energy += power * (u * u + v * v);
+    for (int a = -IMAGES; a <= IMAGES; ++a)
+        for (int b = -IMAGES; b <= IMAGES; ++b) {
+            const double r = ratio_of_image(u, a), q = ratio_of_image(v, b), fetched = left * r * r * q * q;
+            i->error += power * pow(u * (fetched - r * r * r * pow(q, 4.0)), 2.0);
+            i->error += power * pow(v * (fetched - q * q * q * pow(r, 4.0)), 2.0);
+        }
+}
+
+static double images_of_readers(const bolan_sea *sea) {
+    imaging all = {0};
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        all.view = &v;
+        sea->shared->model->each_wave(sea->shared, add_images, &all);
+    }
+    return sqrt(all.error / all.energy);
+}
+
 static void compare_pixels(const rig *r, double choppiness, double gust, double depth) {
     float in[COUNT][4], out[COUNT][4];
     scatter(in, (float)gust, (float)depth);
@@ -207,16 +254,23 @@ static void compare_pixels(const rig *r, double choppiness, double gust, double 
         double sx = (t.sx * yy - t.sy * xy) / jacobian, sy = (t.sy * xx - t.sx * xy) / jacobian;
         if (r->packed) sx = t.sx / (0.25 + 0.75 * jacobian), sy = t.sy / (0.25 + 0.75 * jacobian);
         if (jacobian < 0.4 || hypot(sx, sy) > 1.15) continue; // there the shader bounds them
-        assert_near(out[i][0], sx, SLOPE_ERROR / jacobian / jacobian);
-        assert_near(out[i][1], sy, SLOPE_ERROR / jacobian / jacobian);
+        // An error of the fields is divided by the Jacobian once, and that of the Jacobian by its square.
+        const double tolerance = SLOPE_ERROR / jacobian / fmin(jacobian, 1.0);
+        assert_near(out[i][0], sx, tolerance);
+        assert_near(out[i][1], sy, tolerance);
         bolan_sea_sample s; // what queries answer
         bolan_sea_sample_rest(r->sea, &at, 1, &s);
         error += pow((double)(out[i][0] - s.slope_x), 2.0) + pow((double)(out[i][1] - s.slope_y), 2.0);
         energy += (double)(s.slope_x * s.slope_x + s.slope_y * s.slope_y);
         ++plain;
     }
-    // The images of the shortest waves, which a linear fetch has and a spline has not: 10 % were measured.
-    if (!r->packed && gust == 1.0 && depth > 100.0) assert_true(error < 0.12 * 0.12 * energy);
+    // Pixels and queries have the same slopes but for the images that a linear fetch has and a spline has not.
+    if (!r->packed && gust == 1.0 && depth > 100.0) {
+        const double images = images_of_readers(r->sea);
+        print_message("slopes of pixels and queries are %.4f apart; images leave %.4f\n",
+                      sqrt(error / energy), images);
+        assert_near(sqrt(error / energy), images, 0.15 * images);
+    }
     assert_true(plain > COUNT * 9 / 10);
 }
 

@@ -224,7 +224,8 @@ static void textures_is_one_tile_of_seven_peak_waves_in_a_loop_near_ten_seconds(
         bolan_sea_sample s;
         bolan_sea_sample_rest(sea, &at, 1, &s);
         const bolan_sea_sample direct = bolan_sea_sample_direct(sea, at.x, at.y, 3.33);
-        assert_near(s.height, direct.height, 3e-3); // of waves of Hs 1.2 m
+        // Hs is 1.2 m. physics/test_sea_motion.c has these images wave by wave.
+        assert_near(s.height, direct.height, 3e-3);
     }
     bolan_sea *again = test_sea(*resolved); // a resolved desc makes the same sea
     assert_near(bolan_sea_get_desc(again)->textures.period, resolved->textures.period, 0.0);

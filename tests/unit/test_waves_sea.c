@@ -159,6 +159,25 @@ static void the_first_tile_holds_sixteen_peak_waves_and_twelve_of_a_swell(void *
     bolan_sea_destroy(&sea);
 }
 
+// Length and angle of the first tile go in steps, so that a sea that has grown a little, or veered, has the same waves.
+static void seas_of_nearly_one_state_have_the_same_tiles(void **state) {
+    (void)state;
+    bolan_cascade_view v[3];
+    for (int i = 0; i < 3; i++) {
+        bolan_sea_desc desc = bolan_sea_desc_default();
+        const double from = i == 1 ? 243.0 : i == 2 ? 262.5 : 240.0;
+        desc.sea_state = bolan_sea_state_from_wind(i == 1 ? 10.05 : 10.0, from, 300e3);
+        desc.resolution = 32;
+        bolan_sea *sea = test_sea(desc);
+        v[i] = bolan_sea_cascade(sea, 0);
+        bolan_sea_destroy(&sea);
+    }
+    const double steps = 4.0 * log2(v[0].length);
+    assert_near(steps, floor(steps + 0.5), 1e-9);
+    assert_true(v[1].length == v[0].length && v[1].angle == v[0].angle);
+    assert_near(v[2].angle, v[0].angle - bolan_radians(22.5), 1e-12); // clockwise
+}
+
 static void the_last_tile_reaches_a_few_centimetres(void **state) {
     (void)state;
     const double winds[] = {5.0, 10.0, 15.0};
@@ -257,6 +276,7 @@ RUN_TESTS(cmocka_unit_test(defaults_are_those_of_the_headers),
           cmocka_unit_test(refused_memory_is_an_error_and_leaks_nothing),
           cmocka_unit_test(rings_are_disjoint_and_leave_no_gap),
           cmocka_unit_test(the_first_tile_holds_sixteen_peak_waves_and_twelve_of_a_swell),
-          cmocka_unit_test(the_last_tile_reaches_a_few_centimetres),
+          cmocka_unit_test(seas_of_nearly_one_state_have_the_same_tiles),
+        cmocka_unit_test(the_last_tile_reaches_a_few_centimetres),
           cmocka_unit_test(short_waves_add_up_to_the_measured_slopes),
           cmocka_unit_test(more_threads_after_creation_do_no_harm))
