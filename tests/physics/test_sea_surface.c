@@ -160,7 +160,13 @@ static void listen(bolan_sea *sea, uint32_t buoys, uint32_t segments, spectrum s
     static float now[MOST_BUOYS];
     static bolan_dvec2 at[MOST_BUOYS];
     memset(s, 0, GROUPS * sizeof *s);
-    for (uint32_t b = 0; b < buoys; b++) at[b] = scattered(b, 1e5);
+    // At random: evenly scattered buoys would hear beats of waves that fit their spacing.
+    uint32_t random = 1;
+    for (uint32_t b = 0; b < buoys; b++)
+        for (int axis = 0; axis < 2; axis++) {
+            random = random * 1664525u + 1013904223u;
+            *(axis ? &at[b].y : &at[b].x) = 1e5 * (random >> 8) / 16777216.0;
+        }
     for (uint32_t part = 0; part < segments; part++) {
         for (int i = 0; i < SAMPLES; i++) {
             bolan_sea_step(sea, (part * SAMPLES + i) / RATE);
@@ -205,7 +211,7 @@ static void check_buoys(which which_sea, uint32_t n, uint32_t seeds, uint32_t bu
     static bands all;
     memset(&all, 0, sizeof all);
     for (uint32_t seed = 1; seed <= seeds; seed++) hear_seed(which_sea, n, seed, seeds, buoys, segments, &all);
-    double worst = 0.0, worst_held = 0.0, at = 0.0, top = 0.0, doubt = 0.0;
+    double worst = 0.0, worst_held = 0.0, at = 0.0, top = 0.0, doubt = 0.0, beyond = 0.0;
     for (int b = 0; b < BANDS; b++) top = fmax(top, all.asked[b]);
     for (int b = 0; b < BANDS; b++) {
         if (all.asked[b] < 1e-2 * top || LOWEST * pow(BAND, b + 1) > 0.7) continue; // above, 2 Hz aliases
@@ -215,12 +221,13 @@ static void check_buoys(which which_sea, uint32_t n, uint32_t seeds, uint32_t bu
             print_message("      %.4f Hz  buoys/request %.3f +- %.3f  buoys/modes %.3f  modes/request %.3f\n", f,
                           1.0 + error, sd, all.heard[b] / all.held[b], all.held[b] / all.asked[b]);
         if (fabs(error) > fabs(worst)) worst = error, at = f, doubt = sd;
+        beyond = fmax(beyond, fabs(error) - 2.0 * sd);
         worst_held = fmax(worst_held, fabs(all.heard[b] / all.held[b] - 1.0));
     }
-    print_message("%s, N %u: spectrum off by %+.3f +- %.3f at %.3f Hz (of the modes %.3f), variance of the records "
-                  "%.3f\n",
-                  names[which_sea], n, worst, doubt, at, worst_held, all.variance);
-    assert_true(fabs(worst) < tolerance);
+    print_message("%s, N %u: spectrum off by %+.3f +- %.3f at %.3f Hz (of the modes %.3f; beyond twice the error "
+                  "%.3f), variance of the records %.3f\n",
+                  names[which_sea], n, worst, doubt, at, worst_held, beyond, all.variance);
+    assert_true(beyond < tolerance); // beyond the statistical error
 }
 
 // ---- variance and slopes of one realisation -------------------------------------------------------------------------
@@ -457,12 +464,13 @@ static void check_quality(which which_sea, double least) {
 static void buoys_see_the_spectrum(void **state) {
     (void)state;
     if (!is_long()) {
-        check_buoys(WIND10, 128, 1, 1024, 2, 0.06); // of which 1.5 % are the statistics of a band
+        check_buoys(WIND10, 128, 1, 1024, 2, 0.03);
         return;
     }
     static const which measured[] = {WIND10, NARROW14, OPEN_SEA, SWAN4};
-    for (uint32_t n = 64; n <= 1024; n *= 2)
-        for (int s = 0; s < 4; s++) check_buoys(measured[s], n, n <= 256 ? 2 : 1, 2048, 2, 0.03);
+    static const uint32_t sides[] = {256, 64, 128, 512, 1024};
+    for (int i = 0; i < 5; i++)
+        for (int s = 0; s < 4; s++) check_buoys(measured[s], sides[i], sides[i] <= 256 ? 2 : 1, 2048, 2, 0.03);
 }
 
 static void one_realisation_has_the_height_that_was_asked_for(void **state) {
