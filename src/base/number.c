@@ -40,7 +40,8 @@ static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  
 
 // ---- short numbers, fast --------------------------------------------------------------------------------------------
 
-enum { MOST_DIGITS = 12, LONGEST_FIXED = 32 };
+enum { MOST_DIGITS = 12, DECIMAL = 12, LONGEST_FIXED = 32 };
+#define LEAST_SHORT 1e-32 // 44 powers of ten from 12 digits before the point
 
 // value * 10^power, rounded twice at most: within 4e-16 of itself. |power| <= 44.
 static double scaled(double value, int power) {
@@ -49,54 +50,83 @@ static double scaled(double value, int power) {
     return power < 0 ? value / powers[-power] : value * powers[power];
 }
 
+// floor(log2(value)) of a normal number > 0.
+static int binary_exponent(double value) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return (int)(bits >> 52) - 1023;
+}
+
 // The decimal digits of `value` > 0, rounded to `digits` of them, and the exponent of the first. False where the double
 // arithmetic cannot tell which way to round.
 static bool short_decimal(double value, int digits, uint64_t *integer, int *exponent) {
-    int binary;
-    frexp(value, &binary);
-    *exponent = (int)floor((binary - 1) * 0.30102999566398120); // or one more
+    const double guess = binary_exponent(value) * 0.30102999566398120;
+    *exponent = (int)guess - (guess < 0.0); // or one more
     double shifted = scaled(value, digits - 1 - *exponent);
-    if (shifted >= scaled(1.0, digits)) shifted = scaled(value, digits - 1 - ++*exponent);
-    const double whole = floor(shifted), rest = shifted - whole;
+    if (shifted >= powers[digits]) shifted = scaled(value, digits - 1 - ++*exponent);
+    const uint64_t whole = (uint64_t)shifted;
+    const double rest = shifted - (double)whole;
     if (fabs(rest - 0.5) < 1e-15 * shifted + 1e-9) return false;
-    *integer = (uint64_t)whole + (rest > 0.5);
-    if ((double)*integer < scaled(1.0, digits)) return true;
+    *integer = whole + (rest > 0.5);
+    if ((double)*integer < powers[digits]) return true;
     *integer /= 10;
     ++*exponent;
     return true;
 }
 
-// Digits without zeros at the end; the first is that of 10^exponent, exponent -4 .. digits - 1.
+static void put_digits(char *out, int digits, uint64_t integer) {
+    static const char pairs[] =
+        "00010203040506070809101112131415161718192021222324252627282930313233343536373839404142434445"
+        "46474849505152535455565758596061626364656667686970717273747576777879808182838485868788899091"
+        "9293949596979899";
+    for (; digits >= 2; digits -= 2, integer /= 100) memcpy(out + digits - 2, pairs + 2 * (integer % 100), 2);
+    if (digits) out[0] = (char)('0' + integer);
+}
+
+// `decimal` has `digits` digits, zeros behind them that do not count, and room for copies of DECIMAL bytes, which are
+// longer than what counts: `out` has room for them, too. The first digit is that of 10^exponent, -4 .. MOST_DIGITS - 1.
 static int put_fixed(char *out, const char *decimal, int digits, int exponent) {
-    int used = 0;
-    while (digits > 1 && decimal[digits - 1] == '0') digits--;
     if (exponent < 0) { // 0.00ddd
-        out[used++] = '0';
-        out[used++] = '.';
-        for (int i = exponent + 1; i < 0; i++) out[used++] = '0';
-        for (int i = 0; i < digits; i++) out[used++] = decimal[i];
-    } else {
-        for (int i = 0; i <= exponent; i++) out[used++] = i < digits ? decimal[i] : '0';
-        if (digits > exponent + 1) out[used++] = '.';
-        for (int i = exponent + 1; i < digits; i++) out[used++] = decimal[i];
+        memcpy(out, "0.000", 5);
+        memcpy(out + 1 - exponent, decimal, DECIMAL);
+        return 1 - exponent + digits;
     }
-    out[used] = '\0';
-    return used;
+    memcpy(out, decimal, DECIMAL);
+    if (digits <= exponent + 1) return exponent + 1;
+    out[exponent + 1] = '.';
+    memcpy(out + exponent + 2, decimal + exponent + 1, DECIMAL);
+    return digits + 1;
+}
+
+// d.ddde-XX, the exponent -99 .. -5.
+static int put_scientific(char *out, const char *decimal, int digits, int exponent) {
+    int used = 0;
+    out[used++] = decimal[0];
+    if (digits > 1) out[used++] = '.';
+    for (int i = 1; i < digits; i++) out[used++] = decimal[i];
+    out[used++] = 'e';
+    out[used++] = '-';
+    put_digits(out + used, 2, (uint64_t)-exponent);
+    return used + 2;
 }
 
 int bolan_format_number(char *out, size_t capacity, double value, int digits) {
     BOLAN_ASSERT(out && capacity >= LONGEST_FIXED && digits >= 1 && digits <= MOST_DIGITS);
     const double magnitude = fabs(value);
-    uint64_t integer;
-    int exponent;
+    uint64_t integer = 0;
+    int exponent = 0;
     // Beyond these the form is another, and rare.
-    const bool is_short = FLT_EVAL_METHOD == 0 && magnitude >= 1e-4 && magnitude < 1e12;
-    if (!is_short || !short_decimal(magnitude, digits, &integer, &exponent) || exponent >= digits)
+    const bool is_short = FLT_EVAL_METHOD == 0 && magnitude >= LEAST_SHORT && magnitude < 1e12;
+    if (value != 0.0 && (!is_short || !short_decimal(magnitude, digits, &integer, &exponent) || exponent >= digits))
         return bolan_format(out, capacity, "%.*g", digits, value);
-    char decimal[MOST_DIGITS];
-    for (int i = digits; i-- > 0; integer /= 10) decimal[i] = (char)('0' + integer % 10);
+    char decimal[2 * DECIMAL] = {0};
+    put_digits(decimal, digits, integer);
+    while (digits > 1 && decimal[digits - 1] == '0') digits--;
+    int used = signbit(value) != 0;
     out[0] = '-';
-    return put_fixed(out + (value < 0.0), decimal, digits, exponent) + (value < 0.0);
+    used += (exponent < -4 ? put_scientific : put_fixed)(out + used, decimal, digits, exponent);
+    out[used] = '\0';
+    return used;
 }
 
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }

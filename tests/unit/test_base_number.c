@@ -17,7 +17,8 @@ static double uniform(void) {
 // Sizes of all kinds: many digits, few digits, floats, ties in binary.
 static double some_number(int kind) {
     const double sign = uniform() < 0.5 ? -1.0 : 1.0;
-    switch (kind % 4) {
+    switch (kind % 5) {
+    case 4: return sign * uniform() * pow(10.0, -floor(uniform() * 40.0));
     case 0: return sign * uniform() * pow(10.0, floor(uniform() * 20.0) - 8.0);
     case 1: return sign * floor(uniform() * 1e6) * pow(10.0, -floor(uniform() * 9.0));
     case 2: return (double)(float)(sign * 10.0 * uniform());
