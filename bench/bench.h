@@ -13,6 +13,8 @@ int bench_techniques(int argc, char **argv);
 
 // Processor, instruction set and processor count in words, without characters that JSON would have to escape.
 const char *bench_machine(void);
+// Path of the program bolan, where it lies beside this one.
+bool bench_program(char *path, size_t size);
 // Monotonic time, and processor time of all threads of this process [ms].
 double bench_now_ms(void);
 double bench_cpu_ms(void);

@@ -17,7 +17,7 @@ typedef struct command {
 
 static const command commands[] = {
     {"waves", bench_waves, "a step of the sea, as a ratio to FFTW's bare transforms"},
-    {"query", bench_query, "heights and normals a second, as a ratio to memory"},
+    {"query", bench_query, "heights, normals and motion a second, as a ratio to memory"},
     {"frame", bench_frame, "a picture, pass by pass, as a ratio to a full-screen pass"},
     {"techniques", bench_techniques, "every technique, and the tables of the papers beside ours"},
 };
@@ -31,6 +31,16 @@ static double clock_ms(clockid_t clock) {
 double bench_now_ms(void) { return clock_ms(CLOCK_MONOTONIC); }
 
 double bench_cpu_ms(void) { return clock_ms(CLOCK_PROCESS_CPUTIME_ID); }
+
+bool bench_program(char *path, size_t size) {
+    const ssize_t length = readlink("/proc/self/exe", path, size - 1);
+    if (length <= 0) return false;
+    path[length] = '\0';
+    char *slash = strrchr(path, '/');
+    if (!slash || (size_t)(slash - path) + sizeof "/bolan" > size) return false;
+    memcpy(slash, "/bolan", sizeof "/bolan");
+    return access(path, X_OK) == 0;
+}
 
 static void read_processor(char *name, size_t size) {
     char line[256];

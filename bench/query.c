@@ -1,30 +1,46 @@
 // SPDX-License-Identifier: MIT
 // bolan-bench query: queries a second, and the ratio of their time to that of streaming the samples they read from
-// memory.
+// memory; and points a second of the program `bolan query`, from CSV to CSV. Times are the least of several; of one
+// thread they are the processor's, which other programs disturb less.
 #include "bench.h"
 
+#include "bolan/flow.h"
 #include "bolan/query.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
-enum { MOST_POINTS = 1000000, REPEATS = 7, TAPS = 16, PLANES = 3, COPY_BYTES = 64 << 20 };
+enum { MOST_POINTS = 1000000, REPEATS = 11, TAPS = 16, COPY_BYTES = 64 << 20 };
 
-// One row of the table. A query reads 4 x 4 samples of three planes of each cascade, from memory if the points are
-// scattered.
+// Bytes that a query reads around a place in each cascade, from memory if the points are scattered: of three planes of
+// floats, or of the flow, whose texels are 16 floats.
+enum { PLANES = 3 * sizeof(float), TEXEL = 16 * sizeof(float) };
+
+typedef enum query_kind { HEIGHTS, SURFACE, BELOW, MOTION } query_kind;
+
+// One row of the table.
 typedef struct query_case {
     const char *name;
+    query_kind kind;
     double extent; // side of the square the points lie in [m]
-    bool surface;
+    double depth;  // below the level [m]
 } query_case;
 
 static const query_case cases[] = {
-    {"heights, scattered over 10 km", 10000.0, false},
-    {"heights, under a hull of 100 m", 100.0, false},
-    {"heights and normals, scattered", 10000.0, true},
+    {"heights, scattered over 10 km", HEIGHTS, 10000.0, 0.0},
+    {"heights, under a hull of 100 m", HEIGHTS, 100.0, 0.0},
+    {"heights, along 10 m", HEIGHTS, 10.0, 0.0},
+    {"heights and normals, scattered", SURFACE, 10000.0, 0.0},
+    {"heights and normals, 100 m", SURFACE, 100.0, 0.0},
+    {"the surface's motion, 100 m", MOTION, 100.0, 0.0},
+    {"the flow at 0 m, 100 m", BELOW, 100.0, 0.0},
+    {"the flow 5 m below, 100 m", BELOW, 100.0, 5.0},
+    {"the flow 20 m below, 100 m", BELOW, 100.0, 20.0},
 };
 static const uint32_t sizes[] = {1000, 10000, 100000, MOST_POINTS};
+enum { SIZES_OF_FLOW = 2 }; // of sizes: more take no longer each
 static const uint32_t thread_counts[] = {1, 2};
 
 enum { CASES = sizeof cases / sizeof cases[0], SIZES = sizeof sizes / sizeof sizes[0], THREADS = 2 };
@@ -39,19 +55,14 @@ typedef struct buffers {
     bolan_dvec2 *xy;
     float *height;
     bolan_query_point *surface;
+    bolan_dvec3 *xyz;
+    bolan_kinematics *below;
+    bolan_surface_motion *motion;
 } buffers;
 
 static double seconds(void) { return 1e-3 * bench_now_ms(); }
 
-static int by_value(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *values) {
-    qsort(values, REPEATS, sizeof values[0], by_value);
-    return values[REPEATS / 2];
-}
+static double seconds_of(uint32_t threads) { return threads == 1 ? 1e-3 * bench_cpu_ms() : seconds(); }
 
 typedef struct copy_task {
     char *to;
@@ -64,14 +75,14 @@ static void copy_slice(void *context, uint32_t begin, uint32_t end, uint32_t wor
     memcpy(c->to + ((size_t)begin << 20), c->from + ((size_t)begin << 20), (size_t)(end - begin) << 20);
 }
 
-// Bytes read a second while memory is copied, on the threads that are set.
-static double bandwidth(void) {
+// Bytes read a second while memory is copied.
+static double bandwidth(uint32_t threads) {
     copy_task c = {malloc(COPY_BYTES), calloc(COPY_BYTES, 1)};
     double best = 1e30;
     for (int i = 0; i < REPEATS && c.to && c.from; i++) {
-        const double start = seconds();
+        const double start = seconds_of(threads);
         bolan_parallel(COPY_BYTES >> 20, 1, copy_slice, &c);
-        best = fmin(best, seconds() - start);
+        best = fmin(best, seconds_of(threads) - start);
     }
     free((void *)c.from);
     free(c.to);
@@ -86,25 +97,30 @@ static void scatter(double extent, bolan_dvec2 *xy) {
     }
 }
 
-static void ask(const bolan_sea *sea, const query_case *what, const buffers *b, uint32_t points) {
-    if (what->surface) {
-        bolan_query_surface(&(bolan_water){.sea = sea}, b->xy, points, b->surface);
-    } else {
-        bolan_query_heights(&(bolan_water){.sea = sea}, b->xy, points, b->height);
+static void sink(double depth, const buffers *b) {
+    for (uint32_t i = 0; i < MOST_POINTS; i++) b->xyz[i] = (bolan_dvec3){b->xy[i].x, b->xy[i].y, -depth};
+}
+
+static void ask(const bolan_water *water, query_kind kind, const buffers *b, uint32_t points) {
+    switch (kind) {
+    case HEIGHTS: bolan_query_heights(water, b->xy, points, b->height); break;
+    case SURFACE: bolan_query_surface(water, b->xy, points, b->surface); break;
+    case BELOW: bolan_query_below(water, NULL, b->xyz, points, b->below); break;
+    case MOTION: bolan_query_motion(water, NULL, b->xy, points, b->motion); break;
     }
 }
 
-static query_row measure(const bolan_sea *sea, const query_case *what, const buffers *b, uint32_t points,
+static query_row measure(const bolan_water *water, const query_case *what, const buffers *b, uint32_t points,
                          uint32_t threads, double bytes_per_second) {
-    double times[REPEATS];
-    ask(sea, what, b, points);
+    double time = 1e30;
+    ask(water, what->kind, b, points);
     for (int i = 0; i < REPEATS; i++) {
-        const double start = seconds();
-        ask(sea, what, b, points);
-        times[i] = seconds() - start;
+        const double start = seconds_of(threads);
+        ask(water, what->kind, b, points);
+        time = fmin(time, seconds_of(threads) - start);
     }
-    const double time = median(times);
-    const double bytes = (double)points * bolan_sea_cascade_count(sea) * PLANES * TAPS * sizeof(float);
+    const double at_a_sample = what->kind == BELOW || what->kind == MOTION ? TEXEL : PLANES;
+    const double bytes = (double)points * bolan_sea_cascade_count(water->sea) * TAPS * at_a_sample;
     return (query_row){what, points, threads, 1e3 * time, time / (bytes / bytes_per_second)};
 }
 
@@ -131,25 +147,85 @@ static void print_json(const query_row *rows, uint32_t count, const double *byte
     printf("\n]}\n");
 }
 
-static void run(const bolan_sea *sea, const buffers *b, bool json) {
+static void run(const bolan_water *water, const buffers *b, bool json) {
     query_row rows[CASES * SIZES * THREADS];
     double bytes_per_second[THREADS];
     uint32_t count = 0;
     for (int t = 0; t < THREADS; t++) {
         bolan_set_threads(thread_counts[t]);
-        bytes_per_second[t] = bandwidth();
+        bytes_per_second[t] = bandwidth(thread_counts[t]);
     }
     for (int c = 0; c < CASES; c++) {
+        const bool flow = cases[c].kind == BELOW || cases[c].kind == MOTION;
         scatter(cases[c].extent, b->xy);
-        for (int s = 0; s < SIZES; s++) {
+        sink(cases[c].depth, b);
+        for (int s = 0; s < (flow ? SIZES_OF_FLOW : SIZES); s++) {
             for (int t = 0; t < THREADS; t++) {
                 bolan_set_threads(thread_counts[t]);
-                rows[count++] = measure(sea, &cases[c], b, sizes[s], thread_counts[t], bytes_per_second[t]);
+                bytes_per_second[t] = fmax(bytes_per_second[t], bandwidth(thread_counts[t]));
+                rows[count++] = measure(water, &cases[c], b, sizes[s], thread_counts[t], bytes_per_second[t]);
             }
         }
     }
     bolan_set_threads(1);
     (json ? print_json : print_table)(rows, count, bytes_per_second);
+}
+
+// ---- the program ----------------------------------------------------------------------------------------------------
+
+enum { LONGEST_LINE = 32 };
+
+// Of the programs that this one has started, and that have ended.
+static double seconds_of_programs(void) {
+    struct rusage used;
+    getrusage(RUSAGE_CHILDREN, &used);
+    return (double)(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+           1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+}
+
+// Seconds of `bolan query` for the points of a text, by pipes.
+static double program_seconds(const char *program, const char *text, size_t size) {
+    char command[BOLAN_PATH_MAX + 128];
+    double best = 1e30;
+    snprintf(command, sizeof command, "'%s' query open-sea --points - --quiet --threads 1 > /dev/null", program);
+    for (int i = 0; i < REPEATS; i++) {
+        const double start = seconds_of_programs();
+        FILE *pipe = popen(command, "w");
+        if (!pipe) return 0.0;
+        const bool written = fwrite(text, 1, size, pipe) == size;
+        if (pclose(pipe) != 0 || !written) return 0.0;
+        best = fmin(best, seconds_of_programs() - start);
+    }
+    return best;
+}
+
+// From CSV to CSV, all columns that are printed by default; without what it takes to start.
+static void run_program(const buffers *b) {
+    char program[BOLAN_PATH_MAX];
+    char *text = malloc((size_t)MOST_POINTS * LONGEST_LINE);
+    size_t size = 0, first = 0;
+    scatter(10000.0, b->xy);
+    for (uint32_t i = 0; text && i < MOST_POINTS; i++) {
+        size += (size_t)snprintf(text + size, LONGEST_LINE, "%.3f,%.3f\n", b->xy[i].x, b->xy[i].y);
+        first = i ? first : size;
+    }
+    if (text && bench_program(program, sizeof program)) {
+        const double start = program_seconds(program, text, first), all = program_seconds(program, text, size);
+        if (all > start) printf("bolan query, CSV to CSV, 1 thread: %.3g points/s\n", MOST_POINTS / (all - start));
+    }
+    free(text);
+}
+
+static bool reserve(buffers *b) {
+    *b = (buffers){malloc(sizeof *b->xy * MOST_POINTS),      malloc(sizeof *b->height * MOST_POINTS),
+                   malloc(sizeof *b->surface * MOST_POINTS), malloc(sizeof *b->xyz * MOST_POINTS),
+                   malloc(sizeof *b->below * MOST_POINTS),   malloc(sizeof *b->motion * MOST_POINTS)};
+    return b->xy && b->height && b->surface && b->xyz && b->below && b->motion;
+}
+
+static void release(buffers *b) {
+    free(b->xy), free(b->height), free(b->surface);
+    free(b->xyz), free(b->below), free(b->motion);
 }
 
 int bench_query(int argc, char **argv) {
@@ -163,15 +239,15 @@ int bench_query(int argc, char **argv) {
     }
     const bolan_sea_desc desc = bolan_sea_desc_default();
     bolan_sea *sea = NULL;
+    bolan_flow *flow = NULL;
     if (bolan_sea_create(&desc, &sea) != BOLAN_OK) return 1;
     bolan_sea_step(sea, 10.0);
-    const buffers b = {malloc(sizeof(bolan_dvec2) * MOST_POINTS), malloc(sizeof(float) * MOST_POINTS),
-                       malloc(sizeof(bolan_query_point) * MOST_POINTS)};
-    const bool have_memory = b.xy && b.height && b.surface;
-    if (have_memory) run(sea, &b, json);
-    free(b.xy);
-    free(b.height);
-    free(b.surface);
+    buffers b = {NULL};
+    const bool ready = bolan_flow_create(sea, &flow) == BOLAN_OK && reserve(&b);
+    if (ready) run(&(bolan_water){.sea = sea, .flow = flow}, &b, json);
+    if (ready && !json) run_program(&b);
+    release(&b);
+    bolan_flow_destroy(&flow);
     bolan_sea_destroy(&sea);
-    return have_memory ? 0 : 1;
+    return ready ? 0 : 1;
 }
