@@ -89,9 +89,9 @@ typedef struct bolan_kinematics {
 /// The water at @p count world points @p xyz [m].
 ///
 /// A parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is by the question's
-/// stretching. The rest point is found as for bolan_query_surface(), but folds are not searched: where the surface
-/// folds the answer belongs to one of the parcels. A point is wet up to a millimetre above the surface, and above the
-/// ground of the water. Waves are attenuated over the ground as for bolan_query_surface(). Wave layers are added, by
+/// stretching. Below the surface folds are not searched: where the water folds the answer belongs to one of the parcels.
+/// A point is wet up to a millimetre above the surface, and above the ground of the water. The surface is that of
+/// bolan_query_heights(), or with a least wavelength that of bolan_query_motion(). Waves are attenuated over the ground as for bolan_query_surface(). Wave layers are added, by
 /// linear theory with their own period and depth; the gradient of their edges is ignored.
 ///
 /// @p water needs a flow at the time of its sea: water->flow, bolan_flow_step(). A water without a flow is misuse.
@@ -113,9 +113,9 @@ typedef struct bolan_surface_motion {
     bolan_vec3 velocity, acceleration;
 } bolan_surface_motion;
 /// Height, normal and motion of the surface at @p count world points @p xy [m], without the waves that the question
-/// leaves out: a long hull does not feel ripples. Folds are not searched.
-/// The potentials of the flow are smoother between samples than the fields that bolan_query_surface() reads: the two
-/// heights differ by what bolan_query_surface() loses between samples.
+/// leaves out: a long hull does not feel ripples. The rest point is that of bolan_query_surface(); with a least
+/// wavelength, and over a sum of waves, folds are not searched.
+/// The flow has tables of its own: its heights agree with those of bolan_query_surface() within their interpolation.
 /// Otherwise like bolan_query_below(). On dry land the height is the level and nothing moves.
 BOLAN_API void bolan_query_motion(const bolan_water *water, const bolan_question *question, const bolan_dvec2 *xy,
                                   uint32_t count, bolan_surface_motion *out);
