@@ -171,15 +171,17 @@ typedef struct copied_rows {
     int32_t first[4][WIDE];
 } copied_rows;
 
-static __attribute__((noinline)) void copy_rows(const query_cascade *t, const spots *at, int first, copied_rows *out) {
+// The middle rows of dx and dy alone where they are read linearly.
+static __attribute__((noinline)) void copy_rows(const query_cascade *t, const spots *at, int first, bool linear,
+                                                copied_rows *out) {
     const float *const planes[SPLINE_PLANES] = {t->dx, t->dy, t->height};
     const int32_t mask = (int32_t)t->n - 1;
     for (int l = 0; l < WIDE; l++) {
         const int32_t column = at->column[first + l];
-        for (int j = 0; j < 4; j++) {
+        for (int j = linear; j < 4 - linear; j++) {
             const int32_t start = at->first[j][first + l], row = start - column;
             out->first[j][l] = 4 * (j * WIDE + l);
-            for (int p = 0; p < SPLINE_PLANES; p++) {
+            for (int p = 0; p < SPLINE_PLANES - linear; p++) {
                 float *to = out->sample[p][j][l];
                 if (column + 3 <= mask) {
                     memcpy(to, planes[p] + start, sizeof out->sample[p][j][l]);
@@ -199,11 +201,11 @@ static inline bool goes_round(const query_cascade *t, const spots *at, int first
 }
 
 // The rows of the places first .. first + WIDE - 1.
-static inline rows rows_of(const query_cascade *t, const spots *at, int first, copied_rows *copied) {
+static inline rows rows_of(const query_cascade *t, const spots *at, int first, bool linear, copied_rows *copied) {
     rows r = {{t->dx, t->dy, t->height},
               {at->first[0] + first, at->first[1] + first, at->first[2] + first, at->first[3] + first}};
     if (!goes_round(t, at, first)) return r;
-    copy_rows(t, at, first, copied);
+    copy_rows(t, at, first, linear, copied);
     for (int p = 0; p < SPLINE_PLANES; p++) r.plane[p] = copied->sample[p][0][0];
     for (int j = 0; j < 4; j++) r.first[j] = copied->first[j];
     return r;
@@ -217,7 +219,7 @@ static inline void read_splines(const query_cascade *t, const spots *at, uint32_
             continue;
         }
         copied_rows copied;
-        const rows r = rows_of(t, at, first, &copied);
+        const rows r = rows_of(t, at, first, false, &copied);
         read_places(at, first, &r, out);
     }
 }
@@ -226,7 +228,7 @@ static inline void read_splines(const query_cascade *t, const spots *at, uint32_
 static inline void read_linearly(const query_cascade *t, const spots *at, spline_values *out) {
     for (int first = 0; first < QUERY_LANES; first += WIDE) {
         copied_rows copied;
-        const rows r = rows_of(t, at, first, &copied);
+        const rows r = rows_of(t, at, first, true, &copied);
         read_places_linearly(at, first, &r, out);
     }
 }
