@@ -553,6 +553,42 @@ static void a_water_without_the_flow_of_its_time_is_misuse(void **state) {
     bolan_set_hooks(NULL);
 }
 
+// Points near the surface are looked for together, and a batch at one depth shares weights: no point must feel that.
+static void a_batch_is_its_points(void **state) {
+    (void)state;
+    enum { POINTS = 200 };
+    static const double heights[] = {0.0, -0.4, 0.2, -5.0, -5.0, -30.0, 9.0};
+    static const bolan_question wheeler = {.stretching = BOLAN_STRETCH_WHEELER};
+    bolan_dvec3 at[POINTS];
+    bolan_dvec2 xy[POINTS];
+    bolan_kinematics one, all[POINTS];
+    bolan_surface_motion moved, motion[POINTS];
+    bolan_sea *sea = test_sea(wind_desc());
+    bolan_sea_step(sea, 11.0);
+    bolan_flow *flow = test_flow(sea);
+    const bolan_water water = {.sea = sea, .flow = flow, .level = 3.0};
+    for (int i = 0; i < POINTS; i++) {
+        at[i] = (bolan_dvec3){17.3 * i, 3.1 * (i % 13), 3.0 + heights[i % 7]};
+        xy[i] = (bolan_dvec2){at[i].x, at[i].y};
+    }
+    for (int q = 0; q < 2; q++) {
+        const bolan_question *question = q ? &wheeler : NULL;
+        bolan_query_below(&water, question, at, POINTS, all);
+        for (int i = 0; i < POINTS; i++) {
+            bolan_query_below(&water, question, &at[i], 1, &one);
+            assert_memory_equal(&one.velocity, &all[i].velocity, sizeof one.velocity);
+            assert_true(one.wet == all[i].wet && one.pressure == all[i].pressure);
+        }
+    }
+    bolan_query_motion(&water, NULL, xy, POINTS, motion);
+    for (int i = 0; i < POINTS; i++) {
+        bolan_query_motion(&water, NULL, &xy[i], 1, &moved);
+        assert_memory_equal(&moved, &motion[i], sizeof moved);
+    }
+    bolan_flow_destroy(&flow);
+    bolan_sea_destroy(&sea);
+}
+
 RUN_TESTS(cmocka_unit_test(one_wave_is_that_of_the_textbook), cmocka_unit_test(stretching_is_what_it_says),
           cmocka_unit_test(below_is_the_sum_over_every_mode),
           cmocka_unit_test(below_is_the_sum_over_every_mode_in_finite_depth),
@@ -561,5 +597,5 @@ RUN_TESTS(cmocka_unit_test(one_wave_is_that_of_the_textbook), cmocka_unit_test(s
           cmocka_unit_test(the_surface_is_that_of_the_query), cmocka_unit_test(a_layer_adds_its_own_flow),
           cmocka_unit_test(a_bed_attenuates_and_is_dry),
           cmocka_unit_test(answers_do_not_depend_on_threads_and_instruction_set),
-          cmocka_unit_test(a_step_and_a_question_allocate_nothing),
+          cmocka_unit_test(a_batch_is_its_points), cmocka_unit_test(a_step_and_a_question_allocate_nothing),
           cmocka_unit_test(a_water_without_the_flow_of_its_time_is_misuse))
