@@ -132,6 +132,8 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(502, POINTS_SYNTAX)           \
     X(503, SEA_LIMITED)             \
     X(504, SEA_BLOCKED)             \
+    X(505, SEA_BOUND_LIMITED)       \
+    X(506, SEA_ORDER)               \
     X(910, LAYER_STEEP)             \
     X(930, WORLD_MODEL)             \
     X(931, WORLD_ASSETS)            \

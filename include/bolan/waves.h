@@ -26,8 +26,13 @@
 ///
 /// **Level.** Parcels stand closer at crests and cover less area there, so the mean of eta at fixed points is
 /// -choppiness * integral of k coth(k depth) S dw. The lift, a constant of the sea, is the opposite of that: the mean
-/// of the surface at fixed points is the water level. Every height of a sample, a query and an image includes the lift;
-/// the cascades' fields do not. Where shallow water attenuates waves by f, the lift is attenuated by f^2.
+/// of the surface at fixed points is the water level; the mean of bound waves is taken away as well. Every height of a
+/// sample, a query and an image includes the lift; the cascades' fields do not. Where shallow water attenuates waves by f, the lift is attenuated by f^2.
+///
+/// **Order.** With desc.order 2 parcels stand higher by the bound waves, sums of products of the cascades' heights and
+/// displacements with weights that the depth and the spectrum fix: bolan_bound_weights. The third moment of the surface
+/// is then that of second-order theory for the sea's spectrum. Heights and slopes of samples, queries and images
+/// include them; the cascades' fields, Jacobians, foam and the flow below the surface are of first order.
 ///
 /// **Limits.** A sea state that is too high for its depth or too steep is lowered as a whole, with one warning
 /// (SEA_LIMITED): bolan_sea_state_limit() has the rules. Queries never return waves that no water can carry.
@@ -138,6 +143,14 @@ typedef struct bolan_sea_desc {
     /// 0..2; default 1, linear theory.
     /// Raised: sharper crests, which fold sooner. EXP_COSINE has no horizontal displacement.
     double choppiness;
+
+    /// Order of the surface in the steepness of the waves, of FFT and TEXTURES.
+    /// 1..2; default 1, a linear sea, symmetric about its level.
+    /// 2: with the bound waves of second order, which make crests higher and sharper than troughs are deep
+    /// (Longuet-Higgins 1963; Sharma & Dean 1981): see bolan_bound_weights.
+    /// Sums of waves have order 1 alone: one warning says so (SEA_ORDER). Waves too high for the theory in their depth
+    /// have lower bound waves, with one warning (SEA_BOUND_LIMITED).
+    uint32_t order;
 
     /// Time after which every field repeats [s], bit for bit.
     /// 10..1e6, or 0 (default): no repetition.
@@ -306,13 +319,28 @@ typedef struct bolan_sea_loop {
 /// Returns how the sea repeats in time, and the present frame.
 BOLAN_API bolan_sea_loop bolan_sea_get_loop(const bolan_sea *sea);
 
-/// Returns what band @p index adds to every height to keep the mean of the surface at the water level [m], >= 0.
+/// Returns what band @p index adds to every height to keep the mean of the surface at the water level [m].
+/// It is >= 0 with order 1. Bound waves have a mean of their own, which it takes away.
 /// A band is a cascade, or all components of a sum (index 0).
 /// @p spacing [m] is that of the grid that carries the waves; 0: a single point.
 /// 0 without choppiness and for EXP_COSINE, whose parcels do not move sideways. Thread-safe, also during a step.
 BOLAN_API double bolan_sea_lift(const bolan_sea *sea, uint32_t index, double spacing);
 
 // ---- cascades -------------------------------------------------------------------------------------------------------
+
+/// Weights [1/m] of the bound waves of a cascade, all 0 with order 1. With eta_c and D_c the height and displacement of
+/// cascade c at a rest point (choppiness not applied), parcels stand higher by
+///
+///     sum over c of  eta_c (height eta_c + H_c) + D_c . (drift D_c + G_c),
+///     H_c = sum over longer cascades l of  height_long_l eta_l,   G_c = sum of  drift_long_l D_l.
+///
+/// Where shallow water attenuates cascades, eta_c and D_c are the attenuated ones.
+typedef struct bolan_bound_weights {
+    /// Of a cascade with itself.
+    double height, drift;
+    /// Of a cascade with every shorter one.
+    double height_long, drift_long;
+} bolan_bound_weights;
 
 /// One cascade, read-only.
 /// The pointers are valid while the sea lives; what they point to changes with each step.
@@ -334,6 +362,8 @@ typedef struct bolan_cascade_view {
     double variance;
     /// Expected slope variance of the ring.
     double mss;
+    /// Of its bound waves.
+    bolan_bound_weights bound;
     /// Where sample (0, 0) lies in the world [m]: the tile drifts from the world origin with the current.
     /// bolan_sea_place_read() has taken it off.
     double origin_x, origin_y;

@@ -110,6 +110,19 @@ void bolan_flow_lifts(const bolan_flow *flow, double smoothing, float out[BOLAN_
     }
 }
 
+void bolan_flow_shares(const bolan_flow *flow, double smoothing, float out[BOLAN_MAX_CASCADES]) {
+    double whole[BOLAN_MAX_CASCADES] = {0.0}, left[BOLAN_MAX_CASCADES] = {0.0};
+    for (uint32_t i = 0; i < flow->tiles; i++) {
+        const flow_tile *t = &flow->tile[i];
+        for (int b = 0; b < FLOW_BINS; b++) {
+            const double kept = bolan_flow_kept(t->bin[b].k, smoothing);
+            whole[t->band] += t->bin[b].energy;
+            left[t->band] += t->bin[b].energy * kept * kept;
+        }
+    }
+    for (uint32_t i = 0; i < flow->bands; i++) out[i] = whole[i] > 0.0 ? (float)sqrt(left[i] / whole[i]) : 1.0f;
+}
+
 // ---- points ---------------------------------------------------------------------------------------------------------
 
 static double fraction(double x) {

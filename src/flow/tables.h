@@ -64,6 +64,7 @@ typedef struct flow_bin {
     double k;      // mean [rad/m]
     double motion; // variance of velocity and acceleration, each as a share of that of the band
     double lift;   // [m]
+    double energy; // variance of the height [m2]
 } flow_bin;
 
 typedef struct flow_tile {
@@ -175,8 +176,9 @@ void bolan_flow_prefetch(const bolan_flow *flow, const flow_depth *at, const flo
 // Both at the rest point (x, y) near a spot. `motion` NULL: the displacement alone, for half the work.
 void bolan_flow_read(const bolan_flow *flow, const flow_depth *at, const flow_spot *spot, double x, double y,
                      const float *weight, flow_bend *bend, flow_motion *motion);
-// The lift of each band that is left by a least wavelength [m].
+// The lift of each band that is left by a least wavelength [m], and the share of its rms height.
 void bolan_flow_lifts(const bolan_flow *flow, double smoothing, float out[BOLAN_MAX_CASCADES]);
+void bolan_flow_shares(const bolan_flow *flow, double smoothing, float out[BOLAN_MAX_CASCADES]);
 // For sums.
 void bolan_flow_bend_waves(const bolan_flow *flow, const flow_depth *at, double x, double y, flow_bend *out);
 void bolan_flow_motion_waves(const bolan_flow *flow, const flow_depth *at, double x, double y, flow_motion *out);

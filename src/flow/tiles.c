@@ -21,6 +21,7 @@ typedef struct gathering {
     flow_tile *tile;
     const sea_cascade *cascade;
     double sea_depth, choppiness;
+    const bolan_bound_weights *bound;
     double from, to;                 // the range of wave numbers that the tile takes
     double low, high;                // wave numbers of the modes
     uint32_t reach;                  // largest index along an axis, and 1
@@ -69,7 +70,9 @@ static void bin_mode(void *context, const sea_mode *m) {
     g->rate[b] += omega * omega * omega * omega * energy;
     g->energy[b] += energy;
     g->moment[b] += energy * k;
-    g->tile->bin[b].lift += g->choppiness * energy * k * k * m->inverse_k; // (1) of waves/lift.c
+    g->tile->bin[b].energy += energy;
+    g->tile->bin[b].lift += g->choppiness * energy * k * k * m->inverse_k -
+                            energy * bolan_sea_bound_mean(g->bound, k * m->inverse_k); // as waves/cascades/lift.c
 }
 
 // Bins of motion, and the wave number below which there is next to none.
@@ -134,12 +137,14 @@ static void set_strips(gathering *g) {
     t->first[t->strips] = t->mode_count;
 }
 
-static gathering gather(bolan_flow *flow, const sea_cascade *cascade, double choppiness, double from, double to) {
+static gathering gather(bolan_flow *flow, const sea_shared *sea, uint32_t band, double from, double to) {
+    const sea_cascade *cascade = &cascade_tables_of(sea)->cascade[band];
     flow_tile *t = &flow->tile[flow->tiles];
     gathering g = {.tile = t,
                    .cascade = cascade,
                    .sea_depth = flow->depth,
-                   .choppiness = choppiness,
+                   .choppiness = sea->desc.choppiness,
+                   .bound = &sea->bound[band],
                    .from = from,
                    .to = to,
                    .low = 1e30};
@@ -175,22 +180,21 @@ static bool add_tile(bolan_flow *flow, uint32_t band, gathering *g) {
 }
 
 // One tile, or two where the band is too wide for the levels of one.
-static bool add_cascade(bolan_flow *flow, const sea_cascade *cascade, uint32_t band, double choppiness) {
-    gathering g = gather(flow, cascade, choppiness, 0.0, INFINITY);
+static bool add_cascade(bolan_flow *flow, const sea_shared *sea, uint32_t band) {
+    gathering g = gather(flow, sea, band, 0.0, INFINITY);
     const double low = g.tile->k_low, high = g.tile->k_high;
     if (g.reach == 0 || high < WIDE * low) return add_tile(flow, band, &g);
     const double between = sqrt(low * high);
-    g = gather(flow, cascade, choppiness, 0.0, between);
+    g = gather(flow, sea, band, 0.0, between);
     if (!add_tile(flow, band, &g)) return false;
-    g = gather(flow, cascade, choppiness, between, INFINITY);
+    g = gather(flow, sea, band, between, INFINITY);
     return add_tile(flow, band, &g);
 }
 
 bool bolan_flow_create_tiles(bolan_flow *flow, const bolan_sea *sea) {
-    const cascade_tables *tables = cascade_tables_of(sea->shared);
     uint32_t largest = FFT_MIN;
     for (uint32_t i = 0; i < sea->shared->cascades; i++)
-        if (!add_cascade(flow, &tables->cascade[i], i, sea->shared->desc.choppiness)) return false;
+        if (!add_cascade(flow, sea->shared, i)) return false;
     for (uint32_t i = 0; i < flow->tiles; i++) largest = flow->tile[i].n > largest ? flow->tile[i].n : largest;
     flow->transform = bolan_fft_strip_for(sea->shared->desc.cpu);
     flow->slots = bolan_threads();

@@ -28,6 +28,8 @@ typedef struct asked {
     double smoothing;
     double highest; // no surface is farther from the level [m]
     float lift[BOLAN_MAX_CASCADES];
+    bool bound; // the sea has bound waves
+    float share[BOLAN_MAX_CASCADES]; // of the rms height of each band, left by the least wavelength
     flow_depth surface; // depth 0
     bool filtered;      // waves are left out: the surface is not that of `heights`
     query heights;      // of all waves
@@ -115,10 +117,21 @@ static void add_layer_flows(const asked *a, const rest *r, double below, flow_mo
     }
 }
 
+static void add_bound_waves(const asked *a, const rest *r, flow_motion *m) {
+    float keep[BOLAN_MAX_CASCADES];
+    double height, slope[2];
+    for (uint32_t i = 0; i < a->flow->bands; i++) keep[i] = r->keep[i] * a->share[i];
+    bolan_sea_bound_at(a->water->sea, (bolan_dvec2){r->x, r->y}, keep, &height, slope);
+    m->height += height;
+    m->slope_x += slope[0];
+    m->slope_y += slope[1];
+}
+
 // Height over the level at a rest point of the surface; `m` holds that of the sea.
 static void add_layer_heights(const asked *a, const rest *r, flow_motion *m) {
     for (uint32_t i = 0; i < a->flow->bands; i++)
         m->height += (double)(r->keep[i] * r->keep[i] * a->lift[i]); // a product of two that are attenuated
+    if (a->bound) add_bound_waves(a, r, m);
     for (uint32_t i = 0; i < a->water->layer_count; i++) {
         const bolan_wave_layer *layer = a->water->layers[i];
         const double keep = layer_keep(a, layer, r);
@@ -290,6 +303,8 @@ static void ask(asked *a, const bolan_water *water, const bolan_question *questi
     a->smoothing = flow_smoothing(a->question.least_wavelength);
     bolan_water_bounds(water, &a->highest, &horizontal);
     bolan_flow_lifts(a->flow, a->smoothing, a->lift);
+    a->bound = bolan_sea_get_desc(water->sea)->order > 1;
+    if (a->bound) bolan_flow_shares(a->flow, a->smoothing, a->share);
     bolan_flow_depth(a->flow, 0.0, a->smoothing, &a->surface);
     bolan_query_prepare(water, &a->heights);
     a->filtered = a->smoothing > 0.0 || !a->heights.kernels->approach;

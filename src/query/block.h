@@ -52,11 +52,13 @@ typedef struct query_cascade {
     float c, s;            // cosine and sine of the tile's angle
     double tile_c, tile_s; // the same over the tile's length: world [m] -> tiles
     float linear;          // what a linear fetch of dx and dy is multiplied with, to be right in the mean
+    float own[3], longer[3]; // bolan_bound_weights of dx, dy, height: with itself, with shorter cascades
     float curvature;       // typical second derivative of the displacement, with choppiness [1/m]
 } query_cascade;
 
 typedef struct query_sea {
     uint32_t count;
+    bool bound; // there are bound waves
     float choppiness;
     double origin_x, origin_y; // where the tiles lie: they drift with the current [m]
     query_cascade cascade[BOLAN_MAX_CASCADES];

@@ -174,6 +174,49 @@ static void guess(const query_sea *sea, query_block *block, tangent rest[BOLAN_M
     for (uint32_t c = sea->count - 1; c > 0; c--) add_tangents(&rest[c], &own[c], &rest[c - 1]);
 }
 
+// ---- bound waves ----------------------------------------------------------------------------------------------------
+
+// dx, dy and height of a cascade, or of all of them, and their gradients by the rest point.
+typedef struct fields {
+    float value[SPLINE_PLANES][QUERY_LANES], by_x[SPLINE_PLANES][QUERY_LANES], by_y[SPLINE_PLANES][QUERY_LANES];
+} fields;
+
+static inline void set_fields(const query_block *b, uint32_t c, const spline_values *f, fields *out) {
+    const query_axes *axes = &b->axes[c];
+    const float *weight = b->attenuation[c];
+    for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+            out->value[p][l] = weight[l] * f->value[p][l];
+            out->by_x[p][l] = weight[l] * (f->along[p][l] * axes->ux[l] + f->across[p][l] * axes->vx[l]);
+            out->by_y[p][l] = weight[l] * (f->along[p][l] * axes->uy[l] + f->across[p][l] * axes->vy[l]);
+        }
+}
+
+// Height and slope of the bound waves (bolan_bound_weights; twin of add_bound() in waves/cascades/sample.c), and the
+// weighted sums over the longer cascades.
+typedef struct bound {
+    float height[QUERY_LANES], x[QUERY_LANES], y[QUERY_LANES];
+    fields longer;
+} bound;
+
+static inline void add_bound_height(const query_cascade *t, const fields *f, bound *b) {
+    for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+            const float value = f->value[p][l];
+            b->height[l] += value * (value * t->own[p] + b->longer.value[p][l]);
+            b->longer.value[p][l] += value * t->longer[p];
+        }
+}
+
+// Before the height of the same cascade.
+static inline void add_bound_slope(const query_cascade *t, const fields *f, bound *b) {
+    for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+            const float value = f->value[p][l], twice = 2.0f * (value * t->own[p]) + b->longer.value[p][l];
+            b->x[l] += f->by_x[p][l] * twice + value * b->longer.by_x[p][l];
+            b->y[l] += f->by_y[p][l] * twice + value * b->longer.by_y[p][l];
+            b->longer.by_x[p][l] += f->by_x[p][l] * t->longer[p];
+            b->longer.by_y[p][l] += f->by_y[p][l] * t->longer[p];
+        }
+}
+
 // ---- splines --------------------------------------------------------------------------------------------------------
 
 // The tangent of the height.
@@ -194,9 +237,26 @@ static inline void add_height(const query_sea *sea, uint32_t c, const query_bloc
     }
 }
 
+// Adds the bound waves to the heights, from what was read at offsets (at_x, at_y), by its tangents.
+static void add_bound_heights(const query_sea *sea, float at_x[BOLAN_MAX_CASCADES][QUERY_LANES],
+                              float at_y[BOLAN_MAX_CASCADES][QUERY_LANES], fields read[BOLAN_MAX_CASCADES],
+                              query_block *b) {
+    bound all;
+    memset(&all, 0, sizeof all);
+    for (uint32_t c = 0; c < sea->count; c++) {
+        for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+                const float x = b->ox[l] - at_x[c][l], y = b->oy[l] - at_y[c][l];
+                read[c].value[p][l] += read[c].by_x[p][l] * x + read[c].by_y[p][l] * y;
+            }
+        add_bound_height(&sea->cascade[c], &read[c], &all);
+    }
+    LANES(l) b->height[l] += all.height[l];
+}
+
 // `rest` as guess() leaves it.
 static uint32_t refine(const query_sea *sea, const tangent rest[BOLAN_MAX_CASCADES], query_block *b) {
     float at_x[BOLAN_MAX_CASCADES][QUERY_LANES], at_y[BOLAN_MAX_CASCADES][QUERY_LANES], doubt[QUERY_LANES];
+    fields read[BOLAN_MAX_CASCADES];
     tangent sum = no_tangent, own, all;
     height_tangent height;
     memset(&height, 0, sizeof height);
@@ -209,6 +269,7 @@ static uint32_t refine(const query_sea *sea, const tangent rest[BOLAN_MAX_CASCAD
         read_splines(&sea->cascade[c], &at, QUERY_ALL_LANES, &f);
         set_tangent(b, c, sea->choppiness, &f, &own);
         add_height(sea, c, b, &f, &height);
+        if (sea->bound) set_fields(b, c, &f, &read[c]);
         add_tangents(&sum, &own, &sum);
         add_tangents(&sum, &rest[c], &all);
         go_to_root(&all, b);
@@ -221,6 +282,7 @@ static uint32_t refine(const query_sea *sea, const tangent rest[BOLAN_MAX_CASCAD
         b->jyy[l] = 1.0f + sum.yy[l];
         doubt[l] = 0.0f;
     }
+    if (sea->bound) add_bound_heights(sea, at_x, at_y, read, b);
     for (uint32_t c = 0; c < sea->count; c++) {
         const float half = 0.5f * sea->cascade[c].curvature;
         LANES(l) {
@@ -248,13 +310,8 @@ uint32_t KERNEL(bolan_query_approach)(const query_sea *sea, query_block *block) 
 
 // ---- one place ------------------------------------------------------------------------------------------------------
 
-// Sums over the cascades: (dx, dy, height), and their gradients by the rest point.
-typedef struct sums {
-    float value[SPLINE_PLANES][QUERY_LANES], by_x[SPLINE_PLANES][QUERY_LANES], by_y[SPLINE_PLANES][QUERY_LANES];
-} sums;
-
 static inline void add_cascade(const query_sea *sea, uint32_t c, const query_block *b, const spline_values *f,
-                               sums *out) {
+                               fields *out) {
     const query_axes *axes = &b->axes[c];
     const float *weight = b->attenuation[c];
     for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
@@ -266,7 +323,8 @@ static inline void add_cascade(const query_sea *sea, uint32_t c, const query_blo
 }
 
 // Where the attenuation changes, it leans the water as well. The lift goes with its square.
-static inline void add_lean(const query_sea *sea, uint32_t c, const query_block *b, const spline_values *f, sums *out) {
+static inline void add_lean(const query_sea *sea, uint32_t c, const query_block *b, const spline_values *f,
+                            fields *out) {
     for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
             const float lift = p == SPLINE_HEIGHT ? 2.0f * b->attenuation[c][l] * sea->lift[c] : 0.0f;
             out->by_x[p][l] += (f->value[p][l] + lift) * b->lean_x[c][l];
@@ -274,10 +332,25 @@ static inline void add_lean(const query_sea *sea, uint32_t c, const query_block 
         }
 }
 
+static inline void add_bound(const query_sea *sea, uint32_t c, const query_block *b, const spline_values *f,
+                             bound *all) {
+    fields own;
+    set_fields(b, c, f, &own);
+    if (b->leans)
+        for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+                own.by_x[p][l] += f->value[p][l] * b->lean_x[c][l];
+                own.by_y[p][l] += f->value[p][l] * b->lean_y[c][l];
+            }
+    add_bound_slope(&sea->cascade[c], &own, all);
+    add_bound_height(&sea->cascade[c], &own, all);
+}
+
 void KERNEL(bolan_query_evaluate)(const query_sea *sea, uint32_t lanes, query_block *block) {
     const float lambda = sea->choppiness;
-    sums sum;
+    fields sum;
+    bound all;
     memset(&sum, 0, sizeof sum);
+    if (sea->bound) memset(&all, 0, sizeof all);
     for (uint32_t c = 0; c < sea->count; c++) {
         spots at;
         spline_values f;
@@ -285,7 +358,13 @@ void KERNEL(bolan_query_evaluate)(const query_sea *sea, uint32_t lanes, query_bl
         read_splines(&sea->cascade[c], &at, lanes, &f);
         add_cascade(sea, c, block, &f, &sum);
         if (block->leans) add_lean(sea, c, block, &f, &sum);
+        if (sea->bound) add_bound(sea, c, block, &f, &all);
     }
+    if (sea->bound) LANES(l) {
+            sum.value[SPLINE_HEIGHT][l] += all.height[l];
+            sum.by_x[SPLINE_HEIGHT][l] += all.x[l];
+            sum.by_y[SPLINE_HEIGHT][l] += all.y[l];
+        }
     LANES(l) {
         const bool on = lanes >> l & 1;
         block->rx[l] = on ? block->ox[l] + lambda * sum.value[SPLINE_DX][l] : block->rx[l];

@@ -276,6 +276,7 @@ static void do_blocks(void *context, uint32_t begin, uint32_t end, uint32_t work
 #define LINEAR_EXCESS 10.0
 
 static query_cascade cascade_of(const bolan_cascade_view *v, const bolan_sea_desc *desc) {
+    const float drift = (float)v->bound.drift, drift_long = (float)v->bound.drift_long;
     double s, c;
     bolan_sincos(v->angle, &s, &c);
     const double cell = v->length / v->n, k2 = v->variance > 0.0 ? v->mss / v->variance : 0.0; // [m], mean of k^2
@@ -290,6 +291,8 @@ static query_cascade cascade_of(const bolan_cascade_view *v, const bolan_sea_des
                            .tile_c = c / v->length,
                            .tile_s = s / v->length,
                            .linear = (float)(1.0 / (1.0 + cell * cell * k2 / LINEAR_EXCESS)),
+                           .own = {drift, drift, (float)v->bound.height},
+                           .longer = {drift_long, drift_long, (float)v->bound.height_long},
                            .curvature = (float)(desc->choppiness * travel * v->k_max * sqrt(v->mss))};
 }
 
@@ -297,6 +300,7 @@ void bolan_query_prepare(const bolan_water *water, query *out) {
     const bolan_sea *sea = water->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
     query q = {.kernels = bolan_query_kernels_for(desc->cpu), .water = water, .time = bolan_sea_time(sea)};
+    q.sea.bound = desc->order > 1;
     q.sea.choppiness = (float)desc->choppiness;
     q.sea.warp = *bolan_sea_warp_of(sea);
     q.sea.sum = bolan_sea_sum(sea);

@@ -20,6 +20,8 @@ static const bolan_param sea_rows[] = {
            .otherwise = "by the sea", .help = "side of the largest tile (`fft`, `textures`)"),
     NUMBER(choppiness, .key = "choppiness", .low = 0, .high = 2, .fallback = 1, .digits = 2,
            .help = "factor on the horizontal displacement; larger: sharper crests, 1 is linear theory"),
+    WHOLE(order, .key = "order", .option = "order", .low = 1, .high = 2, .fallback = 1, .label = "order",
+          .help = "of the surface in the waves' steepness (`fft`, `textures`); 2: crests higher than troughs are deep"),
     NUMBER(loop_period, .key = "loop", .low = 10, .high = 1e6, .unit = "s", .rules = BOLAN_PARAM_OR_ZERO,
            .otherwise = "none", .help = "everything repeats after this time, with any model but `textures`"),
     NAME(cpu, .option = "cpu", .names = bolan_cpu_names, .high = BOLAN_CPU_AVX512,

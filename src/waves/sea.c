@@ -95,12 +95,22 @@ static void leave(sea_shared *shared) {
     bolan_release(shared, sizeof *shared);
 }
 
+static void set_order(sea_shared *shared, bool aloud) {
+    if (shared->desc.order < 2 || shared->model->form == BOLAN_FORM_CASCADES) return;
+    shared->desc.order = 1;
+    if (aloud)
+        bolan_log(BOLAN_LOG_WARNING, BOLAN_LOG_SEA_ORDER,
+                  "a sea of %s has no bound waves: its order is 1, not 2; expected the waves fft or textures",
+                  bolan_wave_model_names[shared->desc.waves]);
+}
+
 // What a sea is before it has any memory.
 static void describe(sea_shared *shared, const bolan_sea_desc *desc, bool aloud) {
     shared->desc = *desc;
     shared->model = bolan_sea_model_of(desc->waves);
     shared->period = desc->loop_period;
     shared->slope_ratio = 1.0;
+    set_order(shared, aloud);
     set_limit(shared, aloud);
     if (aloud) say_blocked(shared);
 }

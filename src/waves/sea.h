@@ -74,6 +74,7 @@ typedef struct sea_shared {
     uint32_t components;
     uint32_t bands;
     sea_band band[BOLAN_MAX_CASCADES];
+    bolan_bound_weights bound[BOLAN_MAX_CASCADES]; // of cascades; read with desc.order 2 alone
     double lift;                 // of all bands for a point, added to every height [m]
     double slope_ratio;          // of the slope variance to k^2 times the variance: 1 for cosines
     double rest_slope[3];        // slope covariance of the waves shorter than all those of the model
@@ -143,6 +144,10 @@ uint64_t bolan_sea_mix(uint64_t x);
 
 // Of a cascade's sample distance, or of a sum's shortest wave: a grid finer than that fades nothing.
 #define LIFT_FIRST_LEVEL 0.25
+// The mean of the bound waves of a wave of unit variance, whose displacement is `drift` times its height [1/m].
+static inline double bolan_sea_bound_mean(const bolan_bound_weights *bound, double drift) {
+    return bound->height + bound->drift * drift * drift;
+}
 double bolan_sea_lift_at(const sea_lift *lift, double spacing);
 // Spacing [m] of a level; 0 of level 0.
 double bolan_sea_lift_spacing(const sea_lift *lift, int level);
@@ -157,6 +162,10 @@ typedef struct sea_sums {
     double height, dx, dy, sx, sy, dxx, dyy, dxy, dyx, foam;
 } sea_sums;
 bolan_sea_sample bolan_sea_displaced(const sea_sums *sums, double choppiness);
+
+// Height and slope of the bound waves at a rest point of a sea of order 2, whose bands have `keep` times their
+// amplitudes.
+void bolan_sea_bound_at(const bolan_sea *sea, bolan_dvec2 rest, const float *keep, double *height, double slope[2]);
 
 // Where the sea is measured: SEA_MEASURED places, SEA_PLACES at a time.
 enum { SEA_PLACES = 64, SEA_MEASURED = 1 << 16 };

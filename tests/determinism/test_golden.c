@@ -140,6 +140,12 @@ static bolan_sea_desc shallow(void) {
     desc.fft.cascade_count = 2;
     return desc;
 }
+static bolan_sea_desc second_order(void) {
+    bolan_sea_desc desc = small();
+    desc.sea_state.depth = 15.0;
+    desc.order = 2;
+    return desc;
+}
 static bolan_sea_desc phillips(void) {
     bolan_sea_desc desc = small();
     desc.sea_state = bolan_sea_state_from_phillips(12.0, 45.0);
@@ -292,6 +298,7 @@ static const struct sea_case {
             {"sea: storm and swell", stormy},
             {"sea: shallow, looping", shallow},
             {"sea: Phillips", phillips},
+            {"sea: order 2", second_order},
             {"sea: cosines in a current", carried}};
 static const struct model_case {
     const char *name;

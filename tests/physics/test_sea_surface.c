@@ -292,21 +292,22 @@ static double normal_error(const bolan_water *water, uint32_t count) {
     return sqrt(error / slope);
 }
 
-static void check_normals(which which_sea, uint32_t n, double choppiness, double tolerance) {
+static void check_normals(which which_sea, uint32_t n, double choppiness, uint32_t order, double tolerance) {
     bolan_sea_desc d = desc_of(which_sea, n, 3);
     d.choppiness = choppiness;
+    d.order = order;
     bolan_sea *sea = test_sea(d);
     bolan_sea_step(sea, 33.0);
     for (uint32_t i = 0; i < 2000; i++) place[i] = scattered(i, 2e3);
     const double error = normal_error(&(bolan_water){.sea = sea}, 2000);
-    print_message("%s, N %u, choppiness %g: normals off by %.4f of the rms slope\n", names[which_sea], n, choppiness,
-                  error);
+    print_message("%s, N %u, choppiness %g, order %u: normals off by %.4f of the rms slope\n", names[which_sea], n,
+                  choppiness, order, error);
     assert_true(error < tolerance);
     bolan_sea_destroy(&sea);
 }
 
 // On a beach that rises by `slope` towards east the attenuation leans the water as well.
-static void check_beach(double slope, double tolerance) {
+static void check_beach(double slope, uint32_t order, double tolerance) {
     enum { WIDE = 64 };
     static float grid[WIDE * 2];
     bolan_ground_desc ground = bolan_ground_desc_default();
@@ -319,6 +320,7 @@ static void check_beach(double slope, double tolerance) {
     assert_int_equal(bolan_ground_create(&ground, &terrain), BOLAN_OK);
     bolan_sea_desc d = desc_of(WIND10, 256, 3);
     d.choppiness = 1.0;
+    d.order = order;
     bolan_sea *sea = test_sea(d);
     bolan_sea_step(sea, 33.0);
     for (uint32_t i = 0; i < 2000; i++) { // from 6 to 1 m of depth
@@ -326,7 +328,7 @@ static void check_beach(double slope, double tolerance) {
         place[i] = (bolan_dvec2){length * (14.0 + 5.0 * p.x) / 40.0, 1e3 * (p.y - 0.5)};
     }
     const double error = normal_error(&(bolan_water){.sea = sea, .ground = terrain}, 2000);
-    print_message("beach 1:%g: normals off by %.4f of the rms slope\n", 1.0 / slope, error);
+    print_message("beach 1:%g, order %u: normals off by %.4f of the rms slope\n", 1.0 / slope, order, error);
     bolan_ground_destroy(&terrain);
     bolan_sea_destroy(&sea);
     assert_true(error < tolerance);
@@ -482,9 +484,12 @@ static void one_realisation_has_the_height_that_was_asked_for(void **state) {
 
 static void normals_are_those_of_the_heights(void **state) {
     (void)state;
-    for (int s = 0; s < SEAS; s++) check_normals((which)s, s % 2 ? 128 : 256, s % 3 == 2 ? 0.0 : 1.0, 0.02);
-    check_beach(1.0 / 30.0, 0.02);
-    check_beach(1.0 / 5.0, 0.02);
+    for (int s = 0; s < SEAS; s++) check_normals((which)s, s % 2 ? 128 : 256, s % 3 == 2 ? 0.0 : 1.0, 1, 0.02);
+    for (int s = WIND5; s <= SWELL14; s++) check_normals((which)s, 128, 1.0, 2, 0.02);
+    for (uint32_t order = 1; order <= 2; order++) {
+        check_beach(1.0 / 30.0, order, 0.02);
+        check_beach(1.0 / 5.0, order, 0.005);
+    }
 }
 
 static void nothing_repeats_within_sight(void **state) {

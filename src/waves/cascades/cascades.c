@@ -44,8 +44,9 @@ bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32
     if (extent.open) bolan_sea_warp_prepare(shared->desc.length, t->cascade[0].angle, &shared->warp);
     if (!create_plans(shared, t)) return false;
     if (!bolan_cascades_modes(shared, eval, &radial)) return false;
+    bolan_cascades_bound(shared);
     for (uint32_t i = 0; i < count; i++)
-        if (!bolan_cascade_lift(&t->cascade[i], shared->desc.choppiness)) return false;
+        if (!bolan_cascade_lift(&t->cascade[i], shared->desc.choppiness, &shared->bound[i])) return false;
     return true;
 }
 
@@ -138,13 +139,25 @@ void bolan_cascades_slopes(const sea_shared *shared, double out[3]) {
         for (int e = 0; e < 3; e++) out[e] += cascade_tables_of(shared)->cascade[i].slope[e];
 }
 
+// The bound waves of a crest, or of a trough, of `sigmas` standard deviations, to which each cascade gives its share.
+static double bound_height(const sea_shared *shared, double sigmas, double variance) {
+    double sum = 0.0, longer = 0.0;
+    for (uint32_t i = 0; i < shared->cascades; i++) {
+        const bolan_bound_weights *w = &shared->bound[i];
+        const double m = shared->band[i].variance, drift = cascade_tables_of(shared)->cascade[i].displacement;
+        sum += m * longer + m * fmax(fabs(w->height) * m, fabs(w->drift) * drift);
+        longer += fmax(fabs(w->height_long) * m, fabs(w->drift_long) * drift);
+    }
+    return variance > 0.0 ? sigmas * sigmas * sum / variance : 0.0;
+}
+
 void bolan_cascades_bounds(const sea_shared *shared, double *vertical, double *horizontal) {
     double variance = 0.0, displacement = 0.0;
     for (uint32_t i = 0; i < shared->cascades; i++) {
         variance += shared->band[i].variance;
         displacement += cascade_tables_of(shared)->cascade[i].displacement;
     }
-    *vertical = 6.0 * sqrt(variance) + shared->lift;
+    *vertical = 6.0 * sqrt(variance) + fmax(shared->lift, 0.0) + bound_height(shared, 6.0, variance);
     *horizontal = 6.0 * sqrt(displacement) * shared->desc.choppiness;
 }
 
@@ -174,6 +187,7 @@ bolan_cascade_view bolan_cascades_view(const bolan_sea *sea, uint32_t index) {
                                 .k_max = c->k_max,
                                 .variance = c->band->variance,
                                 .mss = c->slope[0] + c->slope[2],
+                                .bound = sea->shared->bound[index],
                                 .height = p->field[FIELD_HEIGHT],
                                 .dx = p->field[FIELD_DX],
                                 .dy = p->field[FIELD_DY],

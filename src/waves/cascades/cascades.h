@@ -133,8 +133,10 @@ size_t bolan_cascade_table_bytes(const sea_cascade *cascade);
 void bolan_sea_warp_prepare(double length, double angle, bolan_sea_warp *out);
 // Mode tables of every cascade. False when memory is short.
 bool bolan_cascades_modes(sea_shared *shared, const spectrum_eval *eval, const sea_radial *radial);
+// The weights of the bound waves, of a sea with its modes.
+void bolan_cascades_bound(sea_shared *shared);
 // The lift of a cascade. False when memory is short.
-bool bolan_cascade_lift(const sea_cascade *cascade, double choppiness);
+bool bolan_cascade_lift(const sea_cascade *cascade, double choppiness, const bolan_bound_weights *bound);
 // Calls `visit` for every mode with energy, in a fixed order.
 void bolan_sea_each_mode(const sea_cascade *cascade, sea_visit *visit, void *context);
 

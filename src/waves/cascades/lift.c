@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lift of a cascade, by equation (1) of waves/lift.c.
+// The lift of a cascade, by equation (1) of waves/lift.c, less the mean of its bound waves.
 #include "waves/cascades/cascades.h"
 
 typedef struct pass {
@@ -10,6 +10,7 @@ typedef struct gathering {
     const sea_cascade *cascade;
     const pass *of; // by the wave number along an axis, 0 .. n/2
     double choppiness;
+    const bolan_bound_weights *bound;
 } gathering;
 
 static double sinc(double x) {
@@ -36,17 +37,19 @@ static void add_mode(void *context, const sea_mode *m) {
     const pass *x = &g->of[(uint32_t)(fabs(u) * scale + 0.5)], *y = &g->of[(uint32_t)(fabs(v) * scale + 0.5)];
     const double realised = m->re * m->re + m->im * m->im + m->back_re * m->back_re + m->back_im * m->back_im;
     const double variance = (m->paired ? 2.0 : 1.0) * realised;
-    const double lift = g->choppiness * m->inverse_k * variance * (u * u + v * v);
+    const double square = u * u + v * v, drift = m->inverse_k * sqrt(square);
+    const double lift =
+        g->choppiness * m->inverse_k * variance * square - variance * bolan_sea_bound_mean(g->bound, drift);
     for (int l = 0; l < LIFT_LEVELS; l++) c->band->lift.level[l] += lift * x->averaged[l] * y->averaged[l];
 }
 
-bool bolan_cascade_lift(const sea_cascade *cascade, double choppiness) {
+bool bolan_cascade_lift(const sea_cascade *cascade, double choppiness, const bolan_bound_weights *bound) {
     const size_t bytes = (cascade->n / 2 + 1) * sizeof(pass);
     pass *of = bolan_sea_borrow(bytes);
     if (!of) return false;
     cascade->band->lift.finest = LIFT_FIRST_LEVEL * cascade->length / cascade->n;
     for (uint32_t i = 0; i <= cascade->n / 2; i++) set_pass(cascade, i, &of[i]);
-    gathering g = {cascade, of, choppiness};
+    gathering g = {cascade, of, choppiness, bound};
     bolan_sea_each_mode(cascade, add_mode, &g);
     bolan_release(of, bytes);
     return true;

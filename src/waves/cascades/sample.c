@@ -74,6 +74,56 @@ typedef struct spline_sums {
     double slope[2], east[2], north[2]; // gradients of height, dx, dy
 } spline_sums;
 
+// ---- bound waves ----------------------------------------------------------------------------------------------------
+
+// bolan_bound_weights: height and gradient so far, and the weighted sums over the longer cascades.
+typedef struct bound_sums {
+    double height, slope[2];
+    spline_sums longer;
+} bound_sums;
+
+// Adds those of a cascade whose fields are `f`; cascades come longest first.
+static void add_bound(const bolan_bound_weights *w, const spline_sums *f, bound_sums *b) {
+    spline_sums *l = &b->longer;
+    const double height = w->height * f->height + l->height, dx = w->drift * f->dx + l->dx,
+                 dy = w->drift * f->dy + l->dy;
+    b->height += f->height * height + (f->dx * dx + f->dy * dy);
+    for (int e = 0; e < 2; e++) {
+        b->slope[e] += f->slope[e] * (height + w->height * f->height) + f->height * l->slope[e];
+        b->slope[e] += f->east[e] * (dx + w->drift * f->dx) + f->dx * l->east[e];
+        b->slope[e] += f->north[e] * (dy + w->drift * f->dy) + f->dy * l->north[e];
+    }
+    l->height += w->height_long * f->height;
+    l->dx += w->drift_long * f->dx;
+    l->dy += w->drift_long * f->dy;
+    for (int e = 0; e < 2; e++) {
+        l->slope[e] += w->height_long * f->slope[e];
+        l->east[e] += w->drift_long * f->east[e];
+        l->north[e] += w->drift_long * f->north[e];
+    }
+}
+
+// Adds the fields of a cascade to `sum`, with their bound waves to `b`.
+static void add_fields(const sea_shared *shared, uint32_t cascade, const spline_sums *f, bound_sums *b,
+                       spline_sums *sum) {
+    add_bound(&shared->bound[cascade], f, b);
+    sum->height += f->height;
+    sum->dx += f->dx;
+    sum->dy += f->dy;
+    sum->foam += f->foam;
+    for (int e = 0; e < 2; e++) {
+        sum->slope[e] += f->slope[e];
+        sum->east[e] += f->east[e];
+        sum->north[e] += f->north[e];
+    }
+}
+
+static void add_bound_waves(const bound_sums *b, spline_sums *sum) {
+    sum->height += b->height;
+    sum->slope[0] += b->slope[0];
+    sum->slope[1] += b->slope[1];
+}
+
 // `weight` scales the displacement; the foam of what is averaged away stays.
 static void add_cascade(const sea_cascade *c, const sea_planes *p, bolan_dvec2 place, double weight, double foam_weight,
                         spline_sums *v) {
@@ -111,10 +161,35 @@ void bolan_cascades_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points,
         const bolan_dvec2 place =
             bolan_sea_warped(&shared->warp, points[p].x - drift.x, points[p].y - drift.y, gradient);
         spline_sums v = {.height = shared->lift};
-        for (uint32_t i = 0; i < shared->cascades; i++) add_cascade(&t->cascade[i], &f->planes[i], place, 1.0, 1.0, &v);
+        bound_sums b = {0};
+        for (uint32_t i = 0; i < shared->cascades; i++) {
+            spline_sums one = {0};
+            add_cascade(&t->cascade[i], &f->planes[i], place, 1.0, 1.0, &one);
+            add_fields(shared, i, &one, &b, &v);
+        }
+        add_bound_waves(&b, &v);
         const sea_sums sums = unwarped(&v, gradient);
         out[p] = bolan_sea_displaced(&sums, shared->desc.choppiness);
     }
+}
+
+void bolan_sea_bound_at(const bolan_sea *sea, bolan_dvec2 rest, const float *keep, double *height, double slope[2]) {
+    const cascade_fields *f = cascade_fields_of(sea);
+    const bolan_dvec2 drift = bolan_sea_drift(sea->shared, sea->time);
+    double gradient[4];
+    const bolan_dvec2 place = bolan_sea_warped(&sea->shared->warp, rest.x - drift.x, rest.y - drift.y, gradient);
+    bound_sums b = {0};
+    spline_sums all = {0};
+    for (uint32_t i = 0; i < sea->shared->cascades; i++) {
+        spline_sums one = {0};
+        add_cascade(&cascade_tables_of(sea->shared)->cascade[i], &f->planes[i], place, (double)keep[i], 0.0, &one);
+        add_bound(&sea->shared->bound[i], &one, &b);
+    }
+    add_bound_waves(&b, &all);
+    const sea_sums sums = unwarped(&all, gradient);
+    *height = sums.height;
+    slope[0] = sums.sx;
+    slope[1] = sums.sy;
 }
 
 // ---- as a grid can carry it -----------------------------------------------------------------------------------------
@@ -123,13 +198,14 @@ enum { MOST_TAPS = 4, FOAM_TAPS = 2, GRAIN_POINTS = 256 }; // taps along a side 
 
 // A square of two spacings, averaged, takes a wave of two spacings out and leaves one of four at 0.64. Of a cascade
 // that has faded away its foam is left.
-static void add_filtered(const sea_cascade *c, const sea_planes *p, bolan_dvec2 at, double spacing, spline_sums *v) {
+static void add_filtered(const sea_cascade *c, const sea_planes *p, bolan_dvec2 at, double spacing, double *lift,
+                         spline_sums *v) {
     const double longest = c->k_min > 0.0 ? 2.0 * BOLAN_PI / c->k_min : c->length;
     const double t = fmin(fmax(spacing > 0.0 ? 0.5 * longest / spacing - 1.0 : 1.0, 0.0), 1.0);
     const double fade = t * t * (3.0 - 2.0 * t), width = 2.0 * spacing;
     const int taps = (int)fmin(fmax(ceil(width * c->n / c->length), 1.0), fade > 0.0 ? MOST_TAPS : FOAM_TAPS);
     const double share = 1.0 / (taps * taps);
-    v->height += fade * fade * bolan_sea_lift_at(&c->band->lift, spacing); // a product of two that fade
+    *lift += fade * fade * bolan_sea_lift_at(&c->band->lift, spacing); // a product of two that fade
     for (int j = 0; j < taps; j++) {
         for (int i = 0; i < taps; i++) {
             const bolan_dvec2 tap = {at.x + ((i + 0.5) / taps - 0.5) * width, at.y + ((j + 0.5) / taps - 0.5) * width};
@@ -149,19 +225,25 @@ typedef struct grid {
 static void sample_grid_points(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
     (void)worker;
     const grid *g = context;
-    const cascade_tables *t = cascade_tables_of(g->sea->shared);
+    const sea_shared *shared = g->sea->shared;
+    const cascade_tables *t = cascade_tables_of(shared);
     const cascade_fields *f = cascade_fields_of(g->sea);
-    const bolan_dvec2 drift = bolan_sea_drift(g->sea->shared, g->sea->time);
+    const bolan_dvec2 drift = bolan_sea_drift(shared, g->sea->time);
     for (uint32_t p = begin; p < end; p++) {
         double gradient[4];
         const bolan_dvec2 place =
-            bolan_sea_warped(&g->sea->shared->warp, g->points[p].x - drift.x, g->points[p].y - drift.y, gradient);
+            bolan_sea_warped(&shared->warp, g->points[p].x - drift.x, g->points[p].y - drift.y, gradient);
         spline_sums v = {0};
         const double spacing = g->spacing ? (double)g->spacing[p] : 0.0;
-        for (uint32_t i = 0; i < g->sea->shared->cascades; i++)
-            add_filtered(&t->cascade[i], &f->planes[i], place, spacing, &v);
+        bound_sums b = {0};
+        for (uint32_t i = 0; i < shared->cascades; i++) {
+            spline_sums one = {0};
+            add_filtered(&t->cascade[i], &f->planes[i], place, spacing, &v.height, &one);
+            add_fields(shared, i, &one, &b, &v);
+        }
+        add_bound_waves(&b, &v);
         const sea_sums sums = unwarped(&v, gradient);
-        g->out[p] = bolan_sea_displaced(&sums, g->sea->shared->desc.choppiness);
+        g->out[p] = bolan_sea_displaced(&sums, shared->desc.choppiness);
     }
 }
 
@@ -212,7 +294,13 @@ void bolan_cascades_sample_direct(const sea_shared *shared, bolan_dvec2 at, bola
     double gradient[4];
     const bolan_dvec2 place = bolan_sea_warped(&shared->warp, at.x - drift.x, at.y - drift.y, gradient);
     spline_sums v = {.height = out->height};
-    direct d = {.x = place.x, .y = place.y, .time = shown, .v = &v};
-    bolan_cascades_each_wave(shared, add_mode, &d);
+    bound_sums b = {0};
+    for (uint32_t i = 0; i < shared->cascades; i++) {
+        spline_sums one = {0};
+        direct d = {.x = place.x, .y = place.y, .time = shown, .v = &one};
+        bolan_sea_each_mode(&cascade_tables_of(shared)->cascade[i], add_mode, &d);
+        add_fields(shared, i, &one, &b, &v);
+    }
+    add_bound_waves(&b, &v);
     *out = unwarped(&v, gradient);
 }
