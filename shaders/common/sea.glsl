@@ -83,6 +83,37 @@ vec3 cascade_displacement(int c, vec2 uv, float lod) {
     return lod < 1.0 ? mix(cascade_spline(c, uv), coarse, lod) : coarse;
 }
 
+#ifdef BOUND_WAVES
+// Bound waves of second order, twins of add_bound() in src/waves/cascades/sample.c. `longer`: the weighted sums of dx,
+// dy, height over the longer cascades, which come first; d: those of cascade c.
+float bound_height(int c, vec3 d, inout vec3 longer) {
+    vec4 w = cascade_bound[c];
+    float height = dot(d, w.yyx * d + longer);
+    longer += w.wwz * d;
+    return height;
+}
+
+// The slope, from the cascade's slope and the derivatives xx, yy, xy of its displacement; likewise summed over the
+// longer cascades.
+struct bound_slopes {
+    vec2 slope;
+    vec3 longer;
+    vec2 longer_slope;
+    vec3 longer_bend;
+};
+
+vec2 bent(vec3 bend, vec2 d) { return vec2(bend.x * d.x + bend.z * d.y, bend.z * d.x + bend.y * d.y); }
+
+void add_bound_slope(int c, vec3 d, vec2 slope, vec3 bend, inout bound_slopes b) {
+    vec4 w = cascade_bound[c];
+    vec3 all = 2.0 * w.yyx * d + b.longer;
+    b.slope += slope * all.z + bent(bend, all.xy) + b.longer_slope * d.z + bent(b.longer_bend, d.xy);
+    b.longer += w.wwz * d;
+    b.longer_slope += w.z * slope;
+    b.longer_bend += w.w * bend;
+}
+#endif
+
 // The level of derivatives for a pixel whose width in texels has that log2. Linear fetches of the finest level lose
 // nothing; a pixel of one texel should lose a little.
 float derivative_level(float width) { return max(width, 0.25 * width + 0.25); }

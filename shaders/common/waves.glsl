@@ -150,6 +150,7 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #ifdef WAVES_CASCADES
     vec4 kept = cascades_kept(depth);
     sea_place place = place_of(rest);
+    vec3 longer = vec3(0.0);
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
         if (spacing > band.z) break; // every wave of it is shorter than the mesh
@@ -158,6 +159,9 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
         vec3 s = cascade_displacement(c, uv, lod);
         float keep = kept[c];
         offset += keep * vec3(choppiness * s.xy, s.z + keep * lift_of(c, spacing));
+#ifdef BOUND_WAVES
+        offset.z += bound_height(c, keep * s, longer);
+#endif
 #ifndef PACKED
         fields.xy += keep * textureLod(slope_map, vec3(uv, float(c)), lod).xy;
 #endif
@@ -237,6 +241,9 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
     float foam = 0.0;
     vec4 kept = cascades_kept(depth);
     sea_place place = place_of(rest);
+#ifdef BOUND_WAVES
+    bound_slopes bound = bound_slopes(vec2(0.0), vec3(0.0), vec2(0.0), vec3(0.0));
+#endif
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
         if (f.minor > 0.6 * band.z) break;
@@ -252,7 +259,14 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
         slope += keep / taps * slopes.xy;
         gradient += keep * choppiness * vec3(slopes.zw / taps, fold.x);
         foam += keep * fold.y;
+#ifdef BOUND_WAVES
+        vec3 d = kept[c] * textureLod(displacement_map, vec3(centre, float(c)), lod).xyz;
+        add_bound_slope(c, d, keep / taps * slopes.xy, keep * vec3(slopes.zw / taps, fold.x), bound);
+#endif
     }
+#ifdef BOUND_WAVES
+    slope += bound.slope;
+#endif
     slope = unwarped(place, slope) + layers_slope(rest, f, depth);
     float jxx = 1.0 + gradient.x, jyy = 1.0 + gradient.y, jxy = gradient.z;
     float jacobian = jxx * jyy - jxy * jxy;

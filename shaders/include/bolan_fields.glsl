@@ -41,6 +41,7 @@ struct bolan_fields {
 layout(std140) uniform bolan_sea_block {
     vec4 bolan_cascade_tile[4];  // xy: the origin in the tile [tiles], zw: cos, sin of its angle over its side [1/m]
     vec4 bolan_cascade_band[4];  // x: significant height, y: texel (of a sum: unit of the spacing), z: longest wave [m]
+    vec4 bolan_cascade_bound[4]; // bolan_bound_weights: height, drift, height_long, drift_long [1/m]
     vec4 bolan_cascade_lift[13]; // by log2 of the mesh's spacing in texels plus 2 [m]; a sum has the first
     vec4 bolan_layer_wave[8];   // of a wave train: k east, north [rad/m], half height [m], phase at the origin [rad]
     vec4 bolan_layer_area[8];   // xy: its middle [m], zw: unit direction of travel
@@ -133,10 +134,27 @@ void bolan_spline(int c, vec2 uv, out vec3 value, out vec3 along, out vec3 acros
         }
 }
 
+// Bound waves of second order, 0 in a sea of order 1: twin of add_bound() in src/waves/cascades/sample.c.
+struct bolan_bound {
+    vec3 sum; // height and slope of the place
+    vec3 longer, longer_by_x, longer_by_y; // weighted sums over the longer cascades: dx, dy, height
+};
+
+void bolan_add_bound(int c, vec3 d, vec3 by_x, vec3 by_y, inout bolan_bound b) {
+    vec4 w = bolan_cascade_bound[c];
+    vec3 own = w.yyx * d, all = own + b.longer;
+    b.sum += vec3(dot(d, all), dot(by_x, all + own) + dot(d, b.longer_by_x), dot(by_y, all + own) +
+                  dot(d, b.longer_by_y));
+    b.longer += w.wwz * d;
+    b.longer_by_x += w.wwz * by_x;
+    b.longer_by_y += w.wwz * by_y;
+}
+
 void bolan_add_cascades(vec2 rest, float depth, float spacing, inout bolan_raw sum) {
     vec4 kept = bolan_attenuations(depth), gradient;
     vec2 place = bolan_place_of(rest, gradient);
     vec3 by_x = vec3(0.0), by_y = vec3(0.0); // derivatives of dx, dy, height by the place
+    bolan_bound bound = bolan_bound(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     for (int c = 0; c < bolan_cascade_count; ++c) {
         vec4 tile = bolan_cascade_tile[c], band = bolan_cascade_band[c];
         if (spacing > band.z) break; // the longest waves come first
@@ -161,8 +179,12 @@ void bolan_add_cascades(vec2 rest, float depth, float spacing, inout bolan_raw s
         sum.offset += keep * vec3(bolan_choppiness * d.xy, d.z + keep * bolan_lift(c, spacing));
         by_x += keep * dx;
         by_y += keep * dy;
+        bolan_add_bound(c, keep * d, keep * dx, keep * dy, bound);
         sum.foam += textureLod(bolan_foam_map, vec3(uv, float(c)), lod).x;
     }
+    sum.offset.z += bound.sum.x;
+    by_x.z += bound.sum.y;
+    by_y.z += bound.sum.z;
     vec3 x = by_x * gradient.x + by_y * gradient.z, y = by_x * gradient.y + by_y * gradient.w;
     sum.slope += vec2(x.z, y.z);
     sum.stretch += bolan_choppiness * vec4(x.x, y.x, x.y, y.y);

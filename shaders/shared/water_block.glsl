@@ -4,6 +4,7 @@
 // for who reads this and how. All of it is written by src/render/water_block.c.
 vec4 cascade_tile[4];     // xy: the eye in the tile [0,1), zw: cos, sin of its angle over its side [1/m]
 vec4 cascade_band[4];     // x: significant height of the band [m], y: texel [m], z: longest wave [m], w: log2 of y
+vec4 cascade_bound[4];    // bolan_bound_weights: height, drift, height_long, drift_long [1/m]
 vec4 cascade_lift[13];    // of each cascade [m], by log2 of the mesh's spacing in texels, plus 2: bolan_sea_lift()
 vec4 warp_wave_of[6];     // of the warped plane: kx, ky [turns/m], phase at the eye [turns], amplitude / |k| [m2]
 vec4 wave_component[16];  // exp-cosine waves: kx, ky [turns/m], amplitude [m], phase at the eye [turns]

@@ -116,6 +116,8 @@ static void fill_cascades(fields_block *b, const bolan_sea *sea, bolan_dvec3 ori
                                   (float)(fraction(place.y * ca - place.x * sa) + 0.5 / v.n), (float)ca, (float)sa};
         b->band[c] = (bolan_vec4){(float)(4.0 * sqrt(v.variance)), (float)texel,
                                   (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length), 0.0f};
+        b->bound[c] = (bolan_vec4){(float)v.bound.height, (float)v.bound.drift, (float)v.bound.height_long,
+                                   (float)v.bound.drift_long};
         fill_lift(b, sea, c, texel);
     }
 }

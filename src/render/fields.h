@@ -8,7 +8,7 @@
 
 // bolan_sea_block of bolan_fields.glsl: std140, keep in step.
 typedef struct fields_block {
-    bolan_vec4 tile[BOLAN_MAX_CASCADES], band[BOLAN_MAX_CASCADES], lift[13];
+    bolan_vec4 tile[BOLAN_MAX_CASCADES], band[BOLAN_MAX_CASCADES], bound[BOLAN_MAX_CASCADES], lift[13];
     bolan_vec4 layer_wave[BOLAN_MAX_WAVE_LAYERS], layer_area[BOLAN_MAX_WAVE_LAYERS],
         layer_extent[BOLAN_MAX_WAVE_LAYERS];
     bolan_vec4 warp_wave[BOLAN_WARP_WAVES];

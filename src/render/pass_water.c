@@ -141,6 +141,7 @@ static water_setup setup_of(const frame *f) {
                          .packed = o->packed,
                          .bounds = f->bounds_count > 0,
                          .layers = f->water.layer_count > 0,
+                         .bound_waves = bolan_sea_get_desc(f->sea)->order > 1,
                          .look = &f->lighting.look,
                          .shares_samples = columns_of(f) > 1,
                          .edges = edges,

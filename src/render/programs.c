@@ -8,7 +8,8 @@
 
 static const char *const feature_defines[WATER_FEATURE_COUNT] = {
     "WAVES_EXP 1\n", "WAVES_SUM 1\n",   "WAVES_MESH 1\n", "QUAD 1\n",   "TRIM 1\n",
-    "LAND 1\n",      "STATIC_GRID 1\n", "PACKED 1\n",     "BOUNDS 1\n", "LAYERS 1\n"};
+    "LAND 1\n",      "STATIC_GRID 1\n", "PACKED 1\n",     "BOUNDS 1\n", "LAYERS 1\n",
+    "BOUND_WAVES 1\n"};
 
 enum { FIRST_PROGRAMS = 32 };
 
@@ -28,7 +29,7 @@ static uint32_t features_of_waves(water_waves waves) {
 water_variant bolan_water_variant_of(const water_shader *shader, uint32_t own, water_waves waves, uint32_t wave_count,
                                      uint32_t features) {
     features |= features_of_waves(waves);
-    if (waves != WATER_CASCADES) features &= ~(uint32_t)WATER_FEATURE_PACKED;
+    if (waves != WATER_CASCADES) features &= ~(uint32_t)WATER_FEATURE_CASCADES;
     features &= shader->reads;
     return (water_variant){
         .shader = shader, .features = features, .own = own, .waves = features & WATER_FEATURE_EXP ? wave_count : 0};
@@ -62,7 +63,7 @@ bool bolan_water_programs_add(water_programs *all, const water_setup *s, bool be
     const uint32_t features = (quad ? WATER_FEATURE_QUAD : 0) | (s->land ? WATER_FEATURE_LAND : 0) |
                               (s->static_grid && !quad ? WATER_FEATURE_GRID : 0) |
                               (s->packed ? WATER_FEATURE_PACKED : 0) | (s->bounds ? WATER_FEATURE_BOUNDS : 0) |
-                              (s->layers ? WATER_FEATURE_LAYERS : 0);
+                              (s->layers ? WATER_FEATURE_LAYERS : 0) | (s->bound_waves ? WATER_FEATURE_BOUND : 0);
     const water_waves waves = below ? s->waves_below : s->waves;
     const water_variant plain = bolan_water_variant_of(shader, own, waves, s->wave_count, features);
     const water_variant trimmed =

@@ -23,9 +23,11 @@ enum {
     WATER_FEATURE_PACKED = 1 << 7, // PACKED
     WATER_FEATURE_BOUNDS = 1 << 8, // BOUNDS: the water lies in a polygon
     WATER_FEATURE_LAYERS = 1 << 9, // LAYERS: the water has wave layers
-    WATER_FEATURE_COUNT = 10,
+    WATER_FEATURE_BOUND = 1 << 10, // BOUND_WAVES: of cascades of order 2
+    WATER_FEATURE_COUNT = 11,
+    WATER_FEATURE_CASCADES = WATER_FEATURE_PACKED | WATER_FEATURE_BOUND,
     WATER_FEATURE_WAVES =
-        WATER_FEATURE_EXP | WATER_FEATURE_SUM | WATER_FEATURE_MESH | WATER_FEATURE_PACKED | WATER_FEATURE_LAYERS,
+        WATER_FEATURE_EXP | WATER_FEATURE_SUM | WATER_FEATURE_MESH | WATER_FEATURE_CASCADES | WATER_FEATURE_LAYERS,
     WATER_FEATURE_ALL = (1 << WATER_FEATURE_COUNT) - 1
 };
 
@@ -64,7 +66,7 @@ typedef struct water_setup {
     water_waves waves, waves_below;                 // seen from above and from under the water
     bolan_surface_kind surface;                     // from above; from below it is the quad
     bool below;                                     // the optics has a picture for an eye under water
-    bool land, static_grid, packed, bounds, layers; // as the features of these names
+    bool land, static_grid, packed, bounds, layers, bound_waves; // as the features of these names
     const bolan_look *look;
     bool shares_samples; // half-rate shading: see half_rate.h
     bool edges;          // BOLAN_SHOW_MESH

@@ -80,6 +80,7 @@ static const member view_members[] = {VIEW(view_projection),
                                       VIEW(water_wrapped),
                                       VIEW(view_padding_end)};
 static const member water_members[] = {
+    WATER_ARRAY(cascade_bound),
     WATER_ARRAY(cascade_tile),   WATER_ARRAY(cascade_band), WATER_ARRAY(cascade_lift), WATER_ARRAY(warp_wave_of),
     WATER_ARRAY(wave_component), WATER_ARRAY(exp_slope),    WATER_ARRAY(shore_level),  WATER_ARRAY(ripple_tile),
     WATER_ARRAY(ripple_size),    WATER_ARRAY(layer_wave),   WATER_ARRAY(layer_area),   WATER_ARRAY(layer_extent),

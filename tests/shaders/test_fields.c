@@ -154,12 +154,13 @@ static void ask(const host *h, int question, float (*points)[4], answer *out) {
 
 // ---- seas -----------------------------------------------------------------------------------------------------------
 
-static bolan_sea *sea_with(bolan_wave_model model, uint32_t resolution, double choppiness) {
+static bolan_sea *sea_with(bolan_wave_model model, uint32_t resolution, double choppiness, uint32_t order) {
     bolan_sea_desc desc = bolan_sea_desc_default();
     bolan_sea *sea = NULL;
     desc.waves = model;
     desc.resolution = resolution;
     desc.choppiness = choppiness;
+    desc.order = order;
     desc.fft.cascade_count = 3;
     desc.textures.frames = 4;
     desc.seed = 7;
@@ -169,7 +170,15 @@ static bolan_sea *sea_with(bolan_wave_model model, uint32_t resolution, double c
     return sea;
 }
 
-static bolan_sea *sea_of(bolan_wave_model model) { return sea_with(model, 64, 1.0); }
+static bolan_sea *sea_of(bolan_wave_model model) { return sea_with(model, 64, 1.0, 1); }
+
+// Every model, at every order that it has.
+static const struct {
+    bolan_wave_model model;
+    uint32_t order;
+} seas[] = {{BOLAN_WAVES_FFT, 1},        {BOLAN_WAVES_FFT, 2},      {BOLAN_WAVES_COSINES, 1},
+            {BOLAN_WAVES_EXP_COSINE, 1}, {BOLAN_WAVES_TEXTURES, 1}, {BOLAN_WAVES_TEXTURES, 2}};
+enum { SEAS = sizeof seas / sizeof *seas };
 
 // Steeper than any wind makes it.
 static bolan_sea *folded_sea(double choppiness) {
@@ -226,8 +235,8 @@ static void every_model_equals_the_sample(void **state) {
     static bolan_dvec2 world[POINTS];
     static bolan_sea_sample want[POINTS];
     static answer got[POINTS];
-    for (int m = 0; m < BOLAN_WAVE_MODELS; m++) {
-        bolan_sea *sea = sea_of((bolan_wave_model)m);
+    for (int i = 0; i < SEAS; i++) {
+        bolan_sea *sea = sea_with(seas[i].model, 64, 1.0, seas[i].order);
         place_points(points, world, 1e6f);
         bolan_sea_sample_rest(sea, world, POINTS, want);
         bolan_renderer_bind_fields(h->renderer, &(bolan_water){.sea = sea, .level = level}, origin, UNIT, SLOT);
@@ -333,8 +342,8 @@ static void wave_trains_are_added(void **state) {
 
 static void every_model_equals_the_query_in_deep_and_shallow_water(void **state) {
     const host *h = *state;
-    for (int m = 0; m < BOLAN_WAVE_MODELS; m++) {
-        bolan_sea *sea = sea_of((bolan_wave_model)m);
+    for (int i = 0; i < SEAS; i++) {
+        bolan_sea *sea = sea_with(seas[i].model, 64, 1.0, seas[i].order);
         surface_equals(h, sea, 1e6f);
         surface_equals(h, sea, 2.0f);
         bolan_sea_destroy(&sea);
@@ -443,7 +452,7 @@ static void a_step_and_another_sea_are_seen(void **state) {
     bolan_sea *steep = folded_sea(1.0);
     surface_equals(h, steep, 1e6f);
     bolan_sea_destroy(&steep);
-    bolan_sea *finer = sea_with(BOLAN_WAVES_FFT, 128, 1.0); // as many cascades of another size
+    bolan_sea *finer = sea_with(BOLAN_WAVES_FFT, 128, 1.0, 1); // as many cascades of another size
     surface_equals(h, finer, 1e6f);
     bolan_sea_destroy(&finer);
     bolan_sea_destroy(&a);

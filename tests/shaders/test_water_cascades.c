@@ -22,6 +22,7 @@ typedef struct rig {
 } rig;
 
 static bolan_dvec2 current; // of the seas below [m/s]
+static uint32_t order = 1;
 
 static void rig_open(rig *r, double from_deg, double choppiness, bolan_dvec2 eye, double time, bool packed) {
     memset(r, 0, sizeof *r);
@@ -30,6 +31,7 @@ static void rig_open(rig *r, double from_deg, double choppiness, bolan_dvec2 eye
     desc.sea_state.current_x = current.x, desc.sea_state.current_y = current.y;
     desc.resolution = 128;
     desc.choppiness = choppiness;
+    desc.order = order;
     desc.foam_decay = 1.0;
     assert_int_equal(bolan_sea_create(&desc, &r->sea), BOLAN_OK);
     bolan_sea_settle(r->sea, time);
@@ -62,7 +64,8 @@ static void set_waves(const gl_program *program, const void *context) {
 // Both stages' functions in one. LAND: depth attenuates each band.
 static void run(const rig *r, const char *body, uint32_t taps, float (*in)[4], uint32_t count, float (*out)[4]) {
     char defines[64];
-    snprintf(defines, sizeof defines, "LAND 1\nTAPS %u\n%s", taps, r->packed ? "PACKED 1\n" : "");
+    snprintf(defines, sizeof defines, "LAND 1\nTAPS %u\n%s%s", taps, r->packed ? "PACKED 1\n" : "",
+             bolan_sea_get_desc(r->sea)->order > 1 ? "BOUND_WAVES 1\n" : "");
     probe_run_with("#include \"common/frame.glsl\"\n#define VERTEX\n#include \"common/waves.glsl\"\n#undef VERTEX",
                    body, defines, set_waves, r, in, count, out);
 }
@@ -286,6 +289,49 @@ static void pixels_have_the_slopes_of_the_cpu(void **state) {
     }
 }
 
+// ---- bound waves ----------------------------------------------------------------------------------------------------
+
+static const char *const pixel_probe = "vec4 probe(vec4 x) { wave_fields w = waves_at(x.xy, footprint(vec2(1.0, 0.0), "
+                                       "1e-4, 1e-4), 1.0, x.w, vec4(0.0)); return vec4(w.slope, 0.0, 0.0); }";
+
+// What order 2 adds to vertices and pixels is what it adds to samples. A pixel fetches the splines of height and
+// displacement linearly, which overstates the short waves in its products.
+static void bound_waves_reach_vertices_and_pixels(void **state) {
+    (void)state;
+    float in[COUNT][4], vertex[2][COUNT][4], pixel[2][COUNT][4];
+    bolan_sea_sample sample[2][COUNT];
+    for (int o = 0; o < 2; ++o) {
+        rig r;
+        order = 1u + (uint32_t)o;
+        rig_open(&r, 250.0, 1.0, (bolan_dvec2){123456.7, -98765.4}, 4321.5, false);
+        scatter(in, 1.0f, 1e3f);
+        run(&r, vertex_probe, 4, in, COUNT, vertex[o]);
+        run(&r, pixel_probe, 4, in, COUNT, pixel[o]);
+        for (int i = 0; i < COUNT; ++i) {
+            const bolan_dvec2 at = {r.f.eye.x + (double)in[i][0], r.f.eye.y + (double)in[i][1]};
+            bolan_sea_sample_rest(r.sea, &at, 1, &sample[o][i]);
+        }
+        rig_close(&r);
+    }
+    order = 1;
+    double heights = 0.0, slopes = 0.0, slope_error = 0.0;
+    for (int i = 0; i < COUNT; ++i) {
+        const double raised = (double)(sample[1][i].height - sample[0][i].height);
+        assert_near(vertex[1][i][2] - vertex[0][i][2], raised, 5e-4);
+        heights += raised * raised / COUNT;
+        if (sample[0][i].jacobian < 0.5f) continue; // there the shader bounds slopes
+        const double x = (double)(sample[1][i].slope_x - sample[0][i].slope_x),
+                     y = (double)(sample[1][i].slope_y - sample[0][i].slope_y);
+        slopes += x * x + y * y;
+        slope_error += pow((double)(pixel[1][i][0] - pixel[0][i][0]) - x, 2.0) +
+                       pow((double)(pixel[1][i][1] - pixel[0][i][1]) - y, 2.0);
+    }
+    print_message("bound waves: %.4f m rms; slopes of pixels off by %.3f of theirs\n", sqrt(heights),
+                  sqrt(slope_error / slopes));
+    assert_true(sqrt(heights) > 0.01);
+    assert_true(sqrt(slope_error / slopes) < 0.25);
+}
+
 // ---- footprints -----------------------------------------------------------------------------------------------------
 
 // Mean squares of the slopes of pixels at 4096 places of a square of 5 km, by R2 sequence; w: the unresolved xx + yy.
@@ -376,6 +422,7 @@ int main(void) {
         IN_BOTH_APIS(vertices_stand_where_the_cpu_has_them),
         IN_BOTH_APIS(vertices_of_a_coarse_mesh_have_the_long_waves),
         IN_BOTH_APIS(pixels_have_the_slopes_of_the_cpu),
+        IN_BOTH_APIS(bound_waves_reach_vertices_and_pixels),
         IN_BOTH_APIS(the_table_of_unresolved_slopes_is_looked_up_where_it_should_be),
         IN_BOTH_APIS(no_footprint_loses_or_gains_slope_variance),
     };
