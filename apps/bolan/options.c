@@ -50,6 +50,7 @@ const option_info option_table[] = {
     OF_SCENE("from", SPECTRUM_COMMANDS, "DEG"),
     OF_SCENE("spread", SPECTRUM_COMMANDS, "S"),
     OF_SCENE("depth", SCENE_COMMANDS, "M"),
+    OF_SCENE("order", SCENE_COMMANDS, "N"),
     OF_SCENE("seed", SCENE_COMMANDS, "N"),
     OF_SCENE("time", SCENE_COMMANDS, "S"),
     OPTION("terrain", TEXT, terrain, GROUND_COMMANDS, "FILE",

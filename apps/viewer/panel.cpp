@@ -133,6 +133,7 @@ unsigned sea_section(const panel_edits *e, const panel_facts *f) {
     if (!k->measured) wind |= let_go(ROW_FETCH, &k->fetch_km);
     changed |= group(wind, SEA_KNOBS_WIND) | swell_section(k);
     bool layout = let_go(ROW_CHOPPINESS, &k->choppiness);
+    layout |= ImGui::Checkbox("second order", &k->second_order);
     ImGui::InputInt("seed", &k->seed);
     layout |= ImGui::IsItemDeactivatedAfterEdit();
     if (k->seed < 0) k->seed = 0;

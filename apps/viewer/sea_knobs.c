@@ -47,6 +47,7 @@ sea_knobs sea_knobs_read(const bolan_sea_desc *desc, bool measured) {
                    .swell_spread = 40.0f,
                    .choppiness = (float)desc->choppiness,
                    .foam_decay = (float)desc->foam_decay,
+                   .second_order = desc->order > 1,
                    .seed = (int)(desc->seed & 0x7fffffff),
                    .resolution = (int)desc->resolution,
                    .cascades = (int)desc->fft.cascade_count};
@@ -85,6 +86,7 @@ void sea_knobs_write(const sea_knobs *k, unsigned changed, bolan_sea_desc *desc)
     if ((changed & SEA_KNOBS_LAYOUT) == 0) return;
     desc->choppiness = k->choppiness;
     desc->foam_decay = k->foam_decay;
+    desc->order = k->second_order ? 2 : 1;
     desc->seed = (uint64_t)k->seed;
     desc->resolution = (uint32_t)k->resolution;
     desc->fft.cascade_count = (uint32_t)k->cascades;

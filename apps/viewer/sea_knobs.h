@@ -26,6 +26,7 @@ typedef struct sea_knobs {
     bool swell;
     float swell_height, swell_period, swell_from, swell_spread; // [m], [s], [deg], cos-2s exponent
     float choppiness, foam_decay;
+    bool second_order;
     int seed, resolution, cascades;
 } sea_knobs;
 
