@@ -28,11 +28,11 @@ typedef struct asked {
     double smoothing;
     double highest; // no surface is farther from the level [m]
     float lift[BOLAN_MAX_CASCADES];
-    bool bound; // the sea has bound waves
+    bool bound;                      // the sea has bound waves
     float share[BOLAN_MAX_CASCADES]; // of the rms height of each band, left by the least wavelength
-    flow_depth surface; // depth 0
-    bool filtered;      // waves are left out: the surface is not that of `heights`
-    query heights;      // of all waves
+    flow_depth surface;              // depth 0
+    bool filtered;                   // waves are left out: the surface is not that of `heights`
+    query heights;                   // of all waves
     // One of two questions.
     const bolan_dvec3 *xyz;
     bolan_kinematics *below;

@@ -49,11 +49,11 @@ typedef struct query_cascade {
     const float *height, *dx, *dy;
     uint32_t n;
     float cells_per_metre;
-    float c, s;            // cosine and sine of the tile's angle
-    double tile_c, tile_s; // the same over the tile's length: world [m] -> tiles
-    float linear;          // what a linear fetch of dx and dy is multiplied with, to be right in the mean
+    float c, s;              // cosine and sine of the tile's angle
+    double tile_c, tile_s;   // the same over the tile's length: world [m] -> tiles
+    float linear;            // what a linear fetch of dx and dy is multiplied with, to be right in the mean
     float own[3], longer[3]; // bolan_bound_weights of dx, dy, height: with itself, with shorter cascades
-    float curvature;       // typical second derivative of the displacement, with choppiness [1/m]
+    float curvature;         // typical second derivative of the displacement, with choppiness [1/m]
 } query_cascade;
 
 typedef struct query_sea {

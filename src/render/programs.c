@@ -7,9 +7,8 @@
 #include <string.h>
 
 static const char *const feature_defines[WATER_FEATURE_COUNT] = {
-    "WAVES_EXP 1\n", "WAVES_SUM 1\n",   "WAVES_MESH 1\n", "QUAD 1\n",   "TRIM 1\n",
-    "LAND 1\n",      "STATIC_GRID 1\n", "PACKED 1\n",     "BOUNDS 1\n", "LAYERS 1\n",
-    "BOUND_WAVES 1\n"};
+    "WAVES_EXP 1\n",   "WAVES_SUM 1\n", "WAVES_MESH 1\n", "QUAD 1\n",   "TRIM 1\n",       "LAND 1\n",
+    "STATIC_GRID 1\n", "PACKED 1\n",    "BOUNDS 1\n",     "LAYERS 1\n", "BOUND_WAVES 1\n"};
 
 enum { FIRST_PROGRAMS = 32 };
 
