@@ -56,7 +56,7 @@ static bool print_json(const bolan_sea *sea, const bolan_sea_state *sea_state, c
     printf("  \"cascades\": [\n");
     const uint32_t count = bolan_sea_cascade_count(sea);
     for (uint32_t i = 0; i < count; i++) {
-        const bolan_cascade_view c = bolan_sea_cascade(sea, i);
+        const bolan_cascade_view c = bolan_sea_cascade_layout(sea, i);
         char text[192];
         bolan_format(text, sizeof text,
                      "{\"n\": %u, \"length\": %.9g, \"k_min\": %.9g, \"k_max\": %.9g, \"variance\": %.9g}",
@@ -76,7 +76,7 @@ static void print_waves(const bolan_sea *sea) {
     if (bolan_sea_cascade_count(sea) > 0) {
         printf("\n  cascade     n     length m   k_min rad/m   k_max rad/m   variance m2\n");
         for (uint32_t i = 0; i < bolan_sea_cascade_count(sea); i++) {
-            const bolan_cascade_view c = bolan_sea_cascade(sea, i);
+            const bolan_cascade_view c = bolan_sea_cascade_layout(sea, i);
             printf("  %7u %5u %12.4g %13.4g %13.4g %13.4g\n", (unsigned)i, (unsigned)c.n, c.length, c.k_min, c.k_max,
                    c.variance);
         }

@@ -50,8 +50,13 @@
 /// while their tile drifts. bolan_sea_state.frame says how a spectrum depends on the current. Where that blocks 99 % of
 /// the energy and more, one warning says so (SEA_BLOCKED).
 ///
+/// **Fields on demand.** A step notes the time. The first call afterwards that reads a field makes all of them, by
+/// bolan_sea_fields(): samples, queries, cascades, measures, hashes. A sea that is drawn by the compute backend of a
+/// renderer and asked nothing is never synthesised on the CPU.
+///
 /// **Threads.** Different seas may be used from different threads at the same time. One sea is stepped by one thread at
-/// a time; between steps any number of threads may read it. Forks of a sea count as different seas: bolan_sea_fork().
+/// a time; between steps any number of threads may read it: the first makes the fields while the others wait. Forks of
+/// a sea count as different seas: bolan_sea_fork().
 #ifndef BOLAN_WAVES_H
 #define BOLAN_WAVES_H
 
@@ -268,15 +273,24 @@ BOLAN_API bolan_result bolan_sea_fork(const bolan_sea *sea, bolan_sea **out);
 /// The tables that forks share are released with the last of them.
 BOLAN_API void bolan_sea_destroy(bolan_sea **sea);
 
-/// Makes all fields of @p time [s]: any finite value, backwards too.
+/// Moves the sea to @p time [s]: any finite value, backwards too.
+/// Its fields are made when one of them is read: bolan_sea_fields().
 /// Beyond 2^36 s, 2000 years, the time wraps round.
-/// A step to the time of the last step does nothing. Uses the task hook. Never fails.
+/// A step to the time of the last step does nothing. Never fails.
 BOLAN_API void bolan_sea_step(bolan_sea *sea, double time);
 
-/// Like bolan_sea_step(), and fills the foam memory first, so that a single image has the foam of a sea that has run.
-/// It runs through the ticks of 6 foam_decay before @p time. A tick costs about a quarter of a step: 6 steps for each
-/// second of foam_decay.
+/// Like bolan_sea_step(), with a full foam memory, so that a single image has the foam of a sea that has run.
+/// Its fields are made by the ticks of 6 foam_decay before @p time. A tick costs about a quarter of a synthesis: 6 of
+/// them for each second of foam_decay.
 BOLAN_API void bolan_sea_settle(bolan_sea *sea, double time);
+
+/// Makes the fields of the present time, unless they are made already. Every function that reads a field calls it.
+/// It catches up with the ticks of the foam memory since the fields were made the last time, at most those of 6
+/// foam_decay.
+/// Call it after a step to choose the moment of the work, and before jobs of your own task system read the sea: a job
+/// that waits for the fields must not run on a thread that is making them.
+/// Uses the task hook. Thread-safe between steps.
+BOLAN_API void bolan_sea_fields(const bolan_sea *sea);
 
 /// Returns the time of the last step [s].
 /// A sea of TEXTURES shows the frame of its loop at that time.
@@ -343,7 +357,8 @@ typedef struct bolan_bound_weights {
 } bolan_bound_weights;
 
 /// One cascade, read-only.
-/// The pointers are valid while the sea lives; what they point to changes with each step.
+/// The pointers are valid while the sea lives. What they point to is of the present time until the next step; call
+/// bolan_sea_cascade() again after it.
 /// Sample (i, j) of a field is at [j * n + i], at tile coordinates (i, j) * length / n. A rest point is read at
 /// (x, y) = bolan_sea_place_read(); from there to the tile: rotate by -angle, u = x cos(angle) + y sin(angle),
 /// v = -x sin(angle) + y cos(angle).
@@ -388,6 +403,54 @@ typedef struct bolan_cascade_view {
 BOLAN_API uint32_t bolan_sea_cascade_count(const bolan_sea *sea);
 /// Returns cascade @p index; 0 is the one of the longest waves.
 BOLAN_API bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index);
+/// Like bolan_sea_cascade(), without the planes: the pointers are NULL, and no fields are made.
+BOLAN_API bolan_cascade_view bolan_sea_cascade_layout(const bolan_sea *sea, uint32_t index);
+
+/// One mode (i, j) of a cascade, wave vector 2 pi (i, j) / length in the axes of the tile.
+/// At time t, with c + i s = e^{2 pi i turns t}, the amplitude of the height is
+/// h = (a[0] c + a[1] s) + i (a[2] c + a[3] s).
+/// It stands for -(i, j) as well, whose amplitude is the conjugate.
+typedef struct bolan_sea_mode {
+    /// a of the formula above [m].
+    float a[4];
+    /// coth(|k| depth) / |k| [m]; D = i k inverse_k h.
+    float inverse_k;
+    /// Divisor of a field that a cubic B-spline reads, and of one that is read linearly: planes are h, D or their
+    /// derivatives over these.
+    float cubic, linear;
+    /// Frequency [1/s]; 0: the mode is empty.
+    double turns;
+} bolan_sea_mode;
+/// Returns how many rows of modes a cascade has: j = 0 .. rows - 1; the others are empty. Thread-safe, also during a
+/// step.
+BOLAN_API uint32_t bolan_sea_mode_rows(const bolan_sea *sea, uint32_t cascade);
+/// Copies row @p j of the modes of a cascade: out[0 .. n - 1], where entry i holds -n/2 <= i < n/2 modulo n.
+/// For a synthesis of your own, on a GPU. Row 0 holds both (i, 0) and (-i, 0). Thread-safe, also during a step.
+BOLAN_API void bolan_sea_modes(const bolan_sea *sea, uint32_t cascade, uint32_t j, bolan_sea_mode *out);
+
+/// What a synthesis of your own needs of the present time, besides the modes.
+/// The foam memory has a tick every 0.25 s about. With pinch = min(max(-(dxx + dyy) choppiness, 0), 3), it is
+/// F(k) = max(tick_keep F(k - 1) - tick_lose, pinch at tick k), and the foam is
+/// max(keep F(tick) - lose, pinch at the present time).
+typedef struct bolan_sea_clock {
+    /// Time of the waves [s]: that of the last step, reduced by the loop.
+    double shown;
+    /// Number of the last tick.
+    double tick;
+    /// F(first_tick) is 0.
+    double first_tick;
+    /// Number that changes when the memory is lost, by a jump in time or by bolan_sea_settle().
+    double foam_from;
+    /// Of the last tick, what is left now.
+    float keep, lose;
+    /// Of a tick, what is left at the next one.
+    float tick_keep, tick_lose;
+} bolan_sea_clock;
+/// Returns the present clock; makes no fields.
+BOLAN_API bolan_sea_clock bolan_sea_get_clock(const bolan_sea *sea);
+/// Returns the time of the waves at a tick of the foam memory [s]. Thread-safe, also during a step.
+BOLAN_API double bolan_sea_tick_time(const bolan_sea *sea, double tick);
+
 #define BOLAN_WARP_WAVES 6 ///< most waves of a bolan_sea_warp
 /// The warped plane over which the tiles of a sea are read. A sea that is seen from afar would show its tiles, because
 /// what is one tile away is the same. So a rest point x is read at x + sum of a w(k.x + phase), w a wave of period and

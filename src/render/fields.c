@@ -32,7 +32,7 @@ static void free_cascades(host_fields *p) {
 
 static bool cascades_fit(const host_fields *p, const bolan_sea *sea) {
     const uint32_t count = bolan_sea_cascade_count(sea);
-    return count == 0 || (p->displacement.width == bolan_sea_cascade(sea, 0).n && p->displacement.depth == count);
+    return count == 0 || (p->displacement.width == bolan_sea_cascade_layout(sea, 0).n && p->displacement.depth == count);
 }
 
 static bool create_cascades(host_fields *p, uint32_t n, uint32_t count) {
@@ -52,7 +52,7 @@ static bool create_cascades(host_fields *p, uint32_t n, uint32_t count) {
 }
 
 static bool upload_cascades(host_fields *p, const bolan_sea *sea, uint32_t count) {
-    if (!cascades_fit(p, sea) && !create_cascades(p, bolan_sea_cascade(sea, 0).n, count)) return false;
+    if (!cascades_fit(p, sea) && !create_cascades(p, bolan_sea_cascade_layout(sea, 0).n, count)) return false;
     for (uint32_t c = 0; c < count; ++c) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
         bolan_gl_texture_upload(&p->displacement, 0, (int)c, v.displacement_half, true);
@@ -103,13 +103,13 @@ static void fill_cascades(fields_block *b, const bolan_sea *sea, bolan_dvec3 ori
     double unused[4];
     const bolan_dvec2 place = bolan_sea_place_read(sea, origin.x, origin.y, unused);
     if (b->cascade_count > 0) {
-        const bolan_cascade_view first = bolan_sea_cascade(sea, 0);
+        const bolan_cascade_view first = bolan_sea_cascade_layout(sea, 0);
         const bolan_dvec3 still = {origin.x - first.origin_x, origin.y - first.origin_y, 0.0}; // the water drifts
         b->warp_count = (int32_t)bolan_warp_waves_at(&warp, still, b->warp_wave);
         b->warp_at_origin = (bolan_vec2){(float)(place.x - still.x), (float)(place.y - still.y)};
     }
     for (uint32_t c = 0; c < (uint32_t)b->cascade_count; ++c) {
-        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        const bolan_cascade_view v = bolan_sea_cascade_layout(sea, c);
         const double ca = cos(v.angle) / v.length, sa = sin(v.angle) / v.length, texel = v.length / v.n;
         // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
         b->tile[c] = (bolan_vec4){(float)(fraction(place.x * ca + place.y * sa) + 0.5 / v.n),

@@ -35,7 +35,7 @@ static void memory_moments(const bolan_sea *sea, double *mean, double *variance)
 
 double bolan_foam_slope_variance(const bolan_sea *sea) {
     double mss = 0.0;
-    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) mss += bolan_sea_cascade(sea, c).mss;
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) mss += bolan_sea_cascade_layout(sea, c).mss;
     for (uint32_t i = 0; i < bolan_sea_component_count(sea); ++i) {
         const bolan_sea_component w = bolan_sea_get_component(sea, i);
         mss += 0.5 * w.amplitude * w.amplitude * (w.kx * w.kx + w.ky * w.ky);

@@ -208,7 +208,7 @@ static void upload_fold(const sea_gpu *p, sea_fields *f, const bolan_sea *sea, u
 
 // On software GL the levels are made here; a GPU makes them in no time.
 static bool upload_cascades(sea_gpu *p, sea_fields *f, const bolan_sea *sea, bool packed, bool software) {
-    const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade(sea, 0).n;
+    const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade_layout(sea, 0).n;
     if (!fit_textures(f, n, count, packed) || !fit_work(p, n, count) || (!packed && !fit_fold(p, n))) return false;
     texel_job job = {.gpu = p, .sea = sea, .packed = packed, .levels = software};
     if (packed || software) bolan_parallel(2 * count, 1, make_texels, &job);
@@ -235,7 +235,7 @@ static void set_lift(water_block *b, const bolan_sea *sea) {
     for (int i = 0; i < LIFT_OCTAVES; ++i) {
         float lift[BOLAN_MAX_CASCADES] = {0};
         for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
-            const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+            const bolan_cascade_view v = bolan_sea_cascade_layout(sea, c);
             lift[c] = (float)bolan_sea_lift(sea, c, v.length / v.n * exp2(i - 2.0));
         }
         b->cascade_lift[i] = (vec4){lift[0], lift[1], lift[2], lift[3]};
@@ -258,13 +258,13 @@ static void set_cascades(water_block *b, const render_view *view) {
     const bolan_sea_warp warp = bolan_sea_get_warp(view->frame->sea);
     double unused[4];
     const bolan_dvec2 eye = bolan_sea_place_read(view->frame->sea, view->eye.x, view->eye.y, unused);
-    const bolan_cascade_view first = bolan_sea_cascade(view->frame->sea, 0);
+    const bolan_cascade_view first = bolan_sea_cascade_layout(view->frame->sea, 0);
     const bolan_dvec3 still = {view->eye.x - first.origin_x, view->eye.y - first.origin_y, 0.0}; // the water drifts
     b->warp_count = (int)bolan_warp_waves_at(&warp, still, b->warp_wave_of);
     b->warp_at_eye = (bolan_vec2){(float)(eye.x - still.x), (float)(eye.y - still.y)};
     b->cascade_count = (int)bolan_sea_cascade_count(view->frame->sea);
     for (int c = 0; c < b->cascade_count; ++c) {
-        bolan_cascade_view v = bolan_sea_cascade(view->frame->sea, (uint32_t)c);
+        bolan_cascade_view v = bolan_sea_cascade_layout(view->frame->sea, (uint32_t)c);
         double ca = cos(v.angle), sa = sin(v.angle);
         double u = along_tile(eye.x, eye.y, ca, sa) / v.length, w = across_tile(eye.x, eye.y, ca, sa) / v.length;
         double texel = v.length / v.n;

@@ -8,8 +8,13 @@
 // `lose` is so large that nothing is left of SEA_MOST_FOAM after W ticks, about 6 foam_decay. All of this is monotone,
 // so F(k) is the largest of what the last W + 1 ticks have left, bit for bit, and it does not matter where a run began:
 // foam is a function of time, as the waves are. With a loop the ticks divide its period.
+//
+// A jump in time forgets, so the foam is a function of the tick of the last jump too: `foam_from`. A settled sea has
+// one so long ago that it no longer matters. The fields are made from these two ticks when they are read (sea.h).
 #include "spectrum/portable.h"
 #include "waves/model.h"
+
+#include <sched.h>
 
 #define TICK 0.25           // [s] about; with a loop the nearest part of it
 #define MEMORY 6.0          // [foam_decay]
@@ -58,51 +63,97 @@ static double time_of(const sea_shared *shared, double tick) {
 }
 
 // `since`: of the foam memory that it goes on with [s].
-static sea_instant instant_of(const bolan_sea *sea, double time, double since, bool tick, uint32_t *frame) {
+static sea_instant instant_of(const bolan_sea *sea, double shown, double since, bool tick) {
     const sea_shared *shared = sea->shared;
     const double keep = portable_exp(-since / shared->desc.foam_decay);
-    return (sea_instant){.shown = shared->model->shown_time(shared, time, frame),
+    return (sea_instant){.shown = shown,
                          .tick = tick,
-                         .keep = sea->foam_empty ? 0.0f : (float)keep,
+                         .keep = sea->made->empty ? 0.0f : (float)keep,
                          .lose = (float)(shared->tick_loss * (since / shared->tick))};
 }
 
-static void do_tick(bolan_sea *sea) {
-    sea->tick += 1.0;
-    const double tick = sea->shared->tick;
-    const sea_instant instant = instant_of(sea, time_of(sea->shared, sea->tick), tick, true, NULL);
-    sea->shared->model->step(sea, &instant);
-    sea->foam_empty = false;
+double bolan_sea_tick_time(const bolan_sea *sea, double tick) {
+    BOLAN_ASSERT(sea && isfinite(tick));
+    return sea->shared->model->shown_time(sea->shared, time_of(sea->shared, tick), NULL);
 }
 
-static void show(bolan_sea *sea, double time, double since) {
-    const sea_instant instant = instant_of(sea, time, since, false, &sea->frame);
+static void do_tick(const bolan_sea *sea) {
+    sea->made->tick += 1.0;
+    const sea_instant instant =
+        instant_of(sea, bolan_sea_tick_time(sea, sea->made->tick), sea->shared->tick, true);
     sea->shared->model->step(sea, &instant);
+    sea->made->empty = false;
+}
+
+// The earliest tick after which something of the foam at `time` may come from.
+static double first_tick(const bolan_sea *sea) {
+    return fmax(sea->foam_from, sea->tick - sea->shared->memory_ticks - 1.0);
+}
+
+// The foam memory of the last tick: what the fields hold goes on where it is of the same beginning.
+static void remember(const bolan_sea *sea) {
+    sea_made *m = sea->made;
+    const double first = first_tick(sea);
+    if (!(m->any && m->from == sea->foam_from && m->tick >= first && m->tick <= sea->tick)) {
+        m->tick = first;
+        m->empty = true;
+    }
+    m->any = true;
+    m->from = sea->foam_from;
+    while (m->tick < sea->tick) do_tick(sea);
+}
+
+void bolan_sea_fields(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    sea_made *m = sea->made;
+    if (atomic_load_explicit(&m->state, memory_order_acquire) == SEA_FRESH) return;
+    unsigned expected = SEA_STALE;
+    if (!atomic_compare_exchange_strong_explicit(&m->state, &expected, SEA_MAKING, memory_order_acquire,
+                                                 memory_order_acquire)) {
+        while (atomic_load_explicit(&m->state, memory_order_acquire) != SEA_FRESH) sched_yield();
+        return;
+    }
+    if (sea->shared->model->remembers) remember(sea);
+    const sea_instant instant = instant_of(sea, sea->shown, sea->since, false);
+    sea->shared->model->step(sea, &instant);
+    atomic_store_explicit(&m->state, SEA_FRESH, memory_order_release);
+}
+
+static void move_to(bolan_sea *sea, double time, place_in_time at) {
+    sea->tick = at.tick;
+    sea->since = at.since;
+    sea->shown = sea->shared->model->shown_time(sea->shared, time, &sea->frame);
     sea->time = time;
-    sea->foam_holds = true;
+    sea->stepped = true;
     sea->serial = bolan_sea_next_number();
+    atomic_store_explicit(&sea->made->state, SEA_STALE, memory_order_relaxed);
 }
 
 void bolan_sea_step(bolan_sea *sea, double time) {
     BOLAN_ASSERT(sea && isfinite(time));
-    if (sea->foam_holds && time == sea->time) return;
+    if (sea->stepped && time == sea->time) return;
     const place_in_time at = place_of(sea->shared, time);
     const double ticks = at.tick - sea->tick;
-    if (!(sea->foam_holds && ticks >= 0.0 && ticks <= MOST_TICKS)) {
-        sea->foam_empty = true;
-        sea->tick = at.tick;
-    }
-    while (sea->tick < at.tick && sea->shared->model->remembers) do_tick(sea);
-    sea->tick = at.tick;
-    show(sea, time, at.since);
+    if (!(sea->stepped && ticks >= 0.0 && ticks <= MOST_TICKS)) sea->foam_from = at.tick;
+    move_to(sea, time, at);
 }
 
 void bolan_sea_settle(bolan_sea *sea, double time) {
     BOLAN_ASSERT(sea && isfinite(time));
     const place_in_time at = place_of(sea->shared, time);
-    sea->tick = at.tick - sea->shared->memory_ticks - 1.0;
-    sea->foam_empty = true;
-    while (sea->tick < at.tick && sea->shared->model->remembers) do_tick(sea);
-    sea->tick = at.tick;
-    show(sea, time, at.since);
+    sea->foam_from = at.tick - sea->shared->memory_ticks - 1.0;
+    move_to(sea, time, at);
+}
+
+bolan_sea_clock bolan_sea_get_clock(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    const sea_shared *shared = sea->shared;
+    return (bolan_sea_clock){.shown = sea->shown,
+                             .tick = sea->tick,
+                             .first_tick = first_tick(sea),
+                             .foam_from = sea->foam_from,
+                             .keep = (float)portable_exp(-sea->since / shared->desc.foam_decay),
+                             .lose = (float)(shared->tick_loss * (sea->since / shared->tick)),
+                             .tick_keep = (float)portable_exp(-shared->tick / shared->desc.foam_decay),
+                             .tick_lose = (float)shared->tick_loss};
 }

@@ -26,6 +26,7 @@ uint64_t bolan_sea_mix(uint64_t x) {
 
 void bolan_sea_hash(const bolan_sea *sea, char out[17]) {
     BOLAN_ASSERT(sea && out);
+    bolan_sea_fields(sea);
     const uint64_t hash = sea->shared->model->hash(sea, 0xcbf29ce484222325u);
     for (int digit = 0; digit < 16; digit++) out[digit] = "0123456789abcdef"[hash >> (60 - 4 * digit) & 15u];
     out[16] = 0;

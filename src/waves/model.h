@@ -32,10 +32,10 @@ typedef struct sea_model {
     // Reserves sea->fields. False when memory is short (logged).
     bool (*create_fields)(bolan_sea *sea);
 
-    // The time [s] whose fields a step to `time` makes, and the frame of a loop; frame may be NULL.
+    // The time [s] of the fields that are shown at `time`, and the frame of a loop; frame may be NULL.
     double (*shown_time)(const sea_shared *shared, double time, uint32_t *frame);
     // Makes the fields of an instant. Ticks are asked of models that remember alone.
-    void (*step)(bolan_sea *sea, const sea_instant *instant);
+    void (*step)(const bolan_sea *sea, const sea_instant *instant);
 
     // See bolan_sea_sample_rest() and bolan_sea_sample_grid(), whose arguments were checked.
     void (*sample_rest)(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
@@ -57,7 +57,7 @@ typedef struct sea_model {
     // Continues a digest over every field.
     uint64_t (*hash)(const bolan_sea *sea, uint64_t hash);
 
-    // One of these two is NULL, and the count of the other in sea_shared is 0.
+    // One of these two is NULL, and the count of the other in sea_shared is 0. cascade() has the planes too.
     bolan_cascade_view (*cascade)(const bolan_sea *sea, uint32_t index);
     bolan_sea_component (*component)(const sea_shared *shared, uint32_t index);
 } sea_model;

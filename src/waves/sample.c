@@ -21,12 +21,14 @@ bolan_sea_sample bolan_sea_displaced(const sea_sums *v, double choppiness) {
 
 void bolan_sea_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out) {
     BOLAN_ASSERT(sea && (count == 0 || (points && out)));
+    bolan_sea_fields(sea);
     sea->shared->model->sample_rest(sea, points, count, out);
 }
 
 void bolan_sea_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
                            bolan_sea_sample *out) {
     BOLAN_ASSERT(sea && (count == 0 || (points && out)));
+    bolan_sea_fields(sea);
     sea->shared->model->sample_grid(sea, points, spacing, count, out);
 }
 

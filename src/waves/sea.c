@@ -149,6 +149,7 @@ static bolan_sea *create_on(sea_shared *shared) {
         return NULL;
     }
     sea->shared = shared;
+    sea->made = &sea->own_made;
     if (!shared->model->create_fields(sea)) bolan_sea_destroy(&sea);
     return sea;
 }
@@ -284,7 +285,16 @@ uint32_t bolan_sea_cascade_count(const bolan_sea *sea) {
 
 bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index) {
     BOLAN_ASSERT(sea && index < sea->shared->cascades);
+    bolan_sea_fields(sea);
     return sea->shared->model->cascade(sea, index);
+}
+
+bolan_cascade_view bolan_sea_cascade_layout(const bolan_sea *sea, uint32_t index) {
+    BOLAN_ASSERT(sea && index < sea->shared->cascades);
+    bolan_cascade_view v = sea->shared->model->cascade(sea, index);
+    v.height = v.dx = v.dy = v.slope_x = v.slope_y = v.dxx = v.dyy = v.dxy = v.foam = NULL;
+    v.displacement_half = v.slope_half = v.foam_half = NULL;
+    return v;
 }
 
 uint32_t bolan_sea_component_count(const bolan_sea *sea) {

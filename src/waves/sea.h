@@ -8,8 +8,17 @@
 //     bolan_sea "c"  time, serial, fields ──┘                 counted: `owners` is 3 here
 //
 // sea_shared is written during bolan_sea_create() alone. Afterwards every thread may read it without a lock, and only
-// `owners` changes, atomically; the last sea that is destroyed frees it. A step writes nothing but the fields of its
-// own sea. What tables and fields hold is the wave model's business (model.h).
+// `owners` changes, atomically; the last sea that is destroyed frees it. What tables and fields hold is the wave
+// model's business (model.h).
+//
+// A step only notes the time. The first reader afterwards makes the fields (bolan_sea_fields()), so a sea that nobody
+// reads, because a GPU synthesises it, costs nothing:
+//
+//     step            time, tick, since, foam_from; made.state = SEA_STALE
+//     first reader    SEA_STALE -> SEA_MAKING (compare and swap) ... makes the fields ... -> SEA_FRESH (release)
+//     other readers   wait for SEA_FRESH (acquire)
+//
+// The foam memory is a function of two ticks, `foam_from` and `tick`, so it does not matter how many steps nobody read.
 #ifndef BOLAN_WAVES_SEA_H
 #define BOLAN_WAVES_SEA_H
 
@@ -88,14 +97,28 @@ typedef struct sea_shared {
     sea_memory memory;         // all of the tables
 } sea_shared;
 
+// What the fields hold at present.
+enum { SEA_STALE, SEA_MAKING, SEA_FRESH };
+typedef struct sea_made {
+    atomic_uint state; // SEA_STALE ...
+    bool any;          // the foam memory was ever made
+    bool empty;        // it holds nothing yet
+    double from;       // the sea's foam_from when it was begun
+    double tick;       // the last tick in it
+} sea_made;
+
 struct bolan_sea {
     sea_shared *shared;
     uint64_t serial;
     double time;
-    uint32_t frame;    // of the loop
-    double tick;       // number of the tick in the foam memory
-    bool foam_holds;   // `tick` belongs to `time`
-    bool foam_empty;   // nothing is remembered of that tick
+    bool stepped;     // `time` and the members below were set
+    uint32_t frame;   // of the loop
+    double shown;     // time of the waves [s], as sea_model.shown_time() has it
+    double tick;      // number of the last tick of the foam memory
+    double since;     // how long before `time` that was [s]
+    double foam_from; // the tick at which nothing was remembered
+    sea_made *made;   // own_made, which readers write, though the sea is constant to them
+    sea_made own_made;
     void *fields;      // of the model
     sea_memory memory; // all of the fields
 };
@@ -113,7 +136,7 @@ bolan_dvec2 bolan_sea_drift(const sea_shared *shared, double time);
 
 // The most that a pinch leaves in the foam memory: water that has folded.
 #define SEA_MOST_FOAM 3.0f
-// What a step makes.
+// What the model makes at once.
 typedef struct sea_instant {
     double shown;     // whose fields [s], as sea_model.shown_time() has it
     bool tick;        // nothing but the foam memory of a tick

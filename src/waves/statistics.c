@@ -161,6 +161,7 @@ bolan_sea_statistics bolan_sea_measure(const bolan_sea *sea) {
     } else {
         measure_modes(sea->shared, &out);
     }
+    bolan_sea_fields(sea);
     measure_places(sea, &out);
     return out;
 }

@@ -53,6 +53,7 @@ static void gather_blocks(void *context, uint32_t begin, uint32_t end, uint32_t 
 static void gather(bolan_sea *sea, float *out) {
     for (int t = 0; t < TIMES; t++) {
         bolan_sea_step(sea, TIMES_APART * t);
+        bolan_sea_fields(sea);
         gathering g = {sea, out + (size_t)t * SEA_MEASURED};
         bolan_parallel(SEA_MEASURED / SEA_PLACES, 4, gather_blocks, &g);
     }
@@ -80,7 +81,7 @@ bool bolan_sea_whitecaps_create(bolan_sea *sea) {
         if (has_crests(jacobian, COUNT)) sea->shared->foam_threshold = select_rank(jacobian, COUNT, rank);
         bolan_release(jacobian, COUNT * sizeof(float));
     }
-    sea->foam_holds = false;
+    sea->stepped = false;
     bolan_sea_step(sea, 0.0);
     return true;
 }

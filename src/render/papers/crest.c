@@ -263,7 +263,7 @@ static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
 // Rows where the widths of pixels still show waves of that cascade: 2.5 of them are its longest wave, and a tenth of
 // its slopes left.
 static uint32_t rows_of_cascade(const water_draw *d, uint32_t cascade, double taps, uint32_t rows) {
-    const bolan_cascade_view v = bolan_sea_cascade(d->view->frame->sea, cascade);
+    const bolan_cascade_view v = bolan_sea_cascade_layout(d->view->frame->sea, cascade);
     return v.k_min > 0.0 ? rows_of_width(d->view, 0.4 * 2.0 * BOLAN_PI / v.k_min, taps, rows) : rows;
 }
 

@@ -144,7 +144,7 @@ void bolan_sea_each_mode(const sea_cascade *cascade, sea_visit *visit, void *con
 
 void bolan_cascades_destroy(sea_shared *shared);
 bool bolan_cascades_create_fields(bolan_sea *sea);
-void bolan_cascades_step(bolan_sea *sea, const sea_instant *instant);
+void bolan_cascades_step(const bolan_sea *sea, const sea_instant *instant);
 void bolan_cascades_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points, uint32_t count, bolan_sea_sample *out);
 void bolan_cascades_sample_grid(const bolan_sea *sea, const bolan_dvec2 *points, const float *spacing, uint32_t count,
                                 bolan_sea_sample *out);

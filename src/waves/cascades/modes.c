@@ -110,10 +110,13 @@ static void fill_strips(void *context, uint32_t begin, uint32_t end, uint32_t wo
     }
 }
 
+static double outer_of(const sea_cascade *c) { return c->k_max / (2.0 * BOLAN_PI / c->length) + HALF_CELL; }
+static double rows_of(const sea_cascade *c) { return fmin(ceil(outer_of(c)), 0.375 * c->n); } // i < outer
+
 void bolan_cascade_set_reach(sea_cascade *c) {
-    const double dk = 2.0 * BOLAN_PI / c->length, outer = c->k_max / dk + HALF_CELL, most = 0.375 * c->n;
+    const double outer = outer_of(c), most = 0.375 * c->n;
     BOLAN_ASSERT(outer <= most); // layout.c ends the rings at 0.35 n, and the kernels leave out what lies beyond
-    c->strips = ((uint32_t)fmin(ceil(outer), most) + FFT_LANES - 1) / FFT_LANES; // i < outer
+    c->strips = ((uint32_t)rows_of(c) + FFT_LANES - 1) / FFT_LANES;
     for (uint32_t strip = 0; strip < c->strips; strip++) {
         const double i = strip * FFT_LANES, left = outer * outer - i * i;
         c->reach[strip] = (uint32_t)fmin(ceil(sqrt(fmax(left, 0.0))), most);
@@ -159,6 +162,37 @@ static void fill_factors(sea_cascade *c) {
         c->k_sin[i] = (float)(k * c->sine);
         c->cubic[i] = (float)cubic;
         c->linear[i] = (float)linear;
+    }
+}
+
+uint32_t bolan_sea_mode_rows(const bolan_sea *sea, uint32_t cascade) {
+    BOLAN_ASSERT(sea && cascade < sea->shared->cascades);
+    const sea_cascade *c = &cascade_tables_of(sea->shared)->cascade[cascade];
+    return (uint32_t)rows_of(c);
+}
+
+// The table has i >= 0 alone: h(-k) is the conjugate of h(k).
+static bolan_sea_mode mode_at(const sea_cascade *c, uint32_t i, uint32_t j) {
+    const bool mirrored = i >= c->n / 2;
+    const uint32_t column = mirrored ? c->n - i : i, row = mirrored ? (c->n - j) % c->n : j;
+    const size_t at = (size_t)(column / FFT_LANES) * c->n + row, lane = column % FFT_LANES;
+    const float sign = mirrored ? -1.0f : 1.0f;
+    if (column / FFT_LANES >= c->strips) return (bolan_sea_mode){.turns = 0.0};
+    const float *a = c->amplitude + at * 4 * FFT_LANES + lane;
+    return (bolan_sea_mode){
+        .a = {a[0], a[FFT_LANES], sign * a[2 * FFT_LANES], sign * a[3 * FFT_LANES]},
+        .inverse_k = c->inverse_k[at * FFT_LANES + lane],
+        .turns = c->turns[at * FFT_LANES + lane],
+    };
+}
+
+void bolan_sea_modes(const bolan_sea *sea, uint32_t cascade, uint32_t j, bolan_sea_mode *out) {
+    BOLAN_ASSERT(sea && out && j < bolan_sea_mode_rows(sea, cascade));
+    const sea_cascade *c = &cascade_tables_of(sea->shared)->cascade[cascade];
+    for (uint32_t i = 0; i < c->n; i++) {
+        out[i] = mode_at(c, i, j);
+        out[i].cubic = c->cubic[i] * c->cubic[j];
+        out[i].linear = c->linear[i] * c->linear[j];
     }
 }
 

@@ -66,7 +66,7 @@ static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t work
         work_on(s, (first + i) % s->cascades, s->fields->scratch + begin * s->fields->scratch_floats);
 }
 
-void bolan_cascades_step(bolan_sea *sea, const sea_instant *instant) {
+void bolan_cascades_step(const bolan_sea *sea, const sea_instant *instant) {
     step s = {cascade_tables_of(sea->shared), cascade_fields_of(sea), sea->shared->cascades, .moment.at = *instant};
     s.moment.choppiness = (float)sea->shared->desc.choppiness;
     const double bytes = SAMPLE_BYTES * s.cascades * s.tables->columns.n * s.tables->columns.n;

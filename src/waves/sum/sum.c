@@ -61,11 +61,12 @@ static bool create_fields(bolan_sea *sea) {
 }
 
 const sum_tables *bolan_sea_sum(const bolan_sea *sea) {
+    bolan_sea_fields(sea);
     return sea->shared->model->form == BOLAN_FORM_CASCADES ? NULL : sea->fields;
 }
 
 // Only the phases turn; nothing is remembered.
-static void step(bolan_sea *sea, const sea_instant *instant) {
+static void step(const bolan_sea *sea, const sea_instant *instant) {
     const sea_sum *sum = sea_sum_of(sea->shared);
     sum_tables *t = sea->fields;
     for (uint32_t i = 0; i < t->count; i++) {
