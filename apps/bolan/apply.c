@@ -87,8 +87,7 @@ static int apply_sea(const options *o, bolan_scene *scene) {
     return EXIT_OK;
 }
 
-static int check_machine(const options *o, const bolan_scene *scene) {
-    if (o->backend == 1) return failure("--backend compute is not in this build; expected cpu");
+static int check_machine(const bolan_scene *scene) {
     if (scene->sea.cpu > bolan_cpu_best())
         return failure("--cpu %s: this machine does not have it; its widest set is %s", bolan_cpu_name(scene->sea.cpu),
                        bolan_cpu_name(bolan_cpu_best()));
@@ -155,7 +154,7 @@ int options_scene(const options *o, bolan_scene *scene) {
     options_edit(o, scene);
     apply_technique(o, scene);
     int result = apply_sea(o, scene);
-    if (!result) result = check_machine(o, scene);
+    if (!result) result = check_machine(scene);
     if (!result) result = apply_terrain(o, scene);
     if (!result) result = apply_picture(o, scene);
     if (!result && bolan_scene_validate(scene)) result = EXIT_USAGE;

@@ -19,6 +19,7 @@ typedef struct job {
     uint32_t tile; // largest side that is drawn at once; 0: as OpenGL has it
     double fps, start; // frames a second; time of the first [s]
     bolan_quality quality;
+    bolan_backend backend;
     bool quiet;
 } job;
 
@@ -61,6 +62,7 @@ static int make_job(const options *o, job *j) {
                            (unsigned)j->height);
     j->tile = (uint32_t)otherwise(o->tile, 0.0);
     j->quality = o->quality >= 0 ? (bolan_quality)o->quality : BOLAN_QUALITY_HIGH;
+    j->backend = o->backend >= 0 ? (bolan_backend)o->backend : BOLAN_BACKEND_AUTO;
     static const uint32_t still_samples[] = {1, 1, 4, 16};
     j->samples = (uint32_t)otherwise(o->samples, moving ? 1 : still_samples[j->quality]);
     return EXIT_OK;
@@ -78,6 +80,7 @@ static bool open_stage(const job *j, stage *s) {
     const size_t pixels = (size_t)j->width * j->height;
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = j->quality;
+    desc.backend = j->backend;
     *s = (stage){.rgb_bytes = pixels * 3, .linear_bytes = j->name.kind == OUTPUT_EXR ? pixels * 7 * sizeof(float) : 0};
     if (bolan_context_create(BOLAN_GL_CORE, &s->context) || bolan_renderer_create(&desc, &s->renderer) ||
         !tiles_open(&s->tiles, s->renderer, j->width, j->height, j->tile, j->name.kind == OUTPUT_EXR))

@@ -28,6 +28,7 @@ int command_view(int count, char **arguments) {
         v.height = (uint32_t)o.size[1];
     }
     if (o.quality >= 0) v.quality = (bolan_quality)o.quality;
+    if (o.backend >= 0) v.backend = (bolan_backend)o.backend;
     if (!isnan(o.frames)) v.frames = (uint32_t)o.frames;
     v.screenshot = o.screenshot;
 #ifdef BOLAN_SHADER_DIR

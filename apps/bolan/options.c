@@ -2,6 +2,7 @@
 // See options.h.
 #include "options.h"
 
+#include "bolan/render.h"
 #include "describe.h"
 
 #include <math.h>
@@ -14,7 +15,6 @@
 #define GROUND_COMMANDS (PICTURE_COMMANDS | ON_QUERY) // the other commands do not read a sea bed
 
 static const char *const stretching_names[] = {"none", "wheeler", NULL}; // by bolan_stretching
-static const char *const backend_names[] = {"cpu", "compute", NULL};
 
 // An option of the command line alone.
 #define OPTION(long_name, type, member, goes_with, value, ...)                                                    \
@@ -80,8 +80,9 @@ const option_info option_table[] = {
            .help = "how many; by default 10 seconds of them (render), 32 (bake), or until you quit (view)"),
     OPTION("fps", NUMBER, fps, ON_RENDER, "F",
            .low = 1, .high = 240, .help = "frames a second; 30 by default"),
-    OPTION("backend", NAME, backend, SCENE_COMMANDS, "NAME",
-           .names = backend_names, .help = "what computes the waves; compute is not in this build"),
+    OPTION("backend", NAME, backend, PICTURE_COMMANDS, "NAME",
+           .names = bolan_backend_names,
+           .help = "what makes the waves that are drawn; auto: compute shaders on a GPU that has them, else cpu"),
     OPTION("threads", WHOLE, threads, SCENE_COMMANDS, "N",
            .low = 0, .high = 64, .help = "0 (default): one per processor; no bit of a result depends on it"),
     OF_SCENE("cpu", SCENE_COMMANDS, "SET"),

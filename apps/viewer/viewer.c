@@ -280,7 +280,7 @@ static void one_frame(viewer *v) {
 static bool start(viewer *v, const bolan_scene *scene) {
     const viewer_options *o = v->options;
     if (!window_open(&v->window, "Bolan", o->width, o->height)) return false;
-    if (canvas_open(&v->canvas, o->quality, o->shader_directory) != BOLAN_OK) return false;
+    if (canvas_open(&v->canvas, o->quality, o->backend, o->shader_directory) != BOLAN_OK) return false;
     if (!open_world(v, scene) || !panel_open(&v->window)) return false;
     input_open(&v->input);
     bolan_gl_info info = bolan_gl_get_info();

@@ -6,6 +6,7 @@
 /// **State.** Each function here that touches your context leaves this state as it found it, whatever it was:
 /// - framebuffer bindings, program, vertex array;
 /// - buffers bound for vertices, uniforms, pixels and queries, uniform slots 0 to 4;
+/// - with BOLAN_BACKEND_COMPUTE the storage buffer binding, storage buffer slots 0 to 3 and image units 0 to 3;
 /// - the active texture unit, and textures (2D, 3D, 2D array) and samplers of units 0 to 28;
 /// - viewports, scissors and depth ranges of all viewports (arrays of them on desktop OpenGL);
 /// - blend switch, function and equation, and colour mask, of each draw buffer; logic op, dither, sRGB switch;
@@ -48,10 +49,28 @@ extern "C" {
 /// The programs, tables and targets that draw in one context.
 typedef struct bolan_renderer bolan_renderer;
 
+/// What makes the fields of a sea of cascades.
+typedef enum bolan_backend {
+    /// COMPUTE on a GPU that has compute shaders, else CPU.
+    BOLAN_BACKEND_AUTO,
+    /// The CPU, by bolan_sea_fields(); the renderer uploads them. On software OpenGL the faster of the two.
+    BOLAN_BACKEND_CPU,
+    /// Compute shaders, from tables that are uploaded once for each sea. The CPU makes no fields, unless it is asked.
+    /// Heights differ from those of queries by less than 5e-3 of Hs, which is what half floats leave.
+    BOLAN_BACKEND_COMPUTE,
+} bolan_backend;
+/// Number of backends.
+#define BOLAN_BACKENDS 3
+/// The names that the command line uses, "auto" ...; by bolan_backend, NULL at the end.
+BOLAN_API extern const char *const bolan_backend_names[BOLAN_BACKENDS + 1];
+
 /// How a renderer is made.
 typedef struct bolan_renderer_desc {
     /// Default MEDIUM.
     bolan_quality quality;
+    /// Default AUTO.
+    /// COMPUTE takes OpenGL 4.3, or OpenGL ES 3.1 with EXT_texture_view or OES_texture_view.
+    bolan_backend backend;
     /// Most vertices of the water on BOLAN_SURFACE_PROJECTED, 1024..1000000, whatever the quality and the size of the
     /// image. 0 (default): as the quality has it. Raised: smaller triangles, down to what the quality asks for.
     uint32_t max_vertices;
@@ -74,8 +93,13 @@ BOLAN_API bolan_renderer_desc bolan_renderer_desc_default(void);
 /// Makes a renderer in the current context.
 /// @param out receives the renderer; NULL after an error.
 /// Errors: GL (no context, one older than OpenGL 3.3 or OpenGL ES 3.0, a shader that does not compile), ARGUMENT (a
-/// field out of range), UNSUPPORTED (OpenGL ES without float targets), MEMORY.
+/// field out of range), UNSUPPORTED (OpenGL ES without float targets; BOLAN_BACKEND_COMPUTE in a context without compute
+/// shaders), MEMORY.
 BOLAN_API bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out);
+
+/// Returns the backend that the renderer uses: CPU or COMPUTE.
+/// Thread-safe.
+BOLAN_API bolan_backend bolan_renderer_backend(const bolan_renderer *renderer);
 
 /// Releases the renderer.
 /// The context must be current. Without one the log says so, and only the memory of the CPU is released: that of the
@@ -430,6 +454,9 @@ typedef struct bolan_frame_statistics {
     uint32_t uploads;
     /// Bytes of those uploads.
     uint64_t upload_bytes;
+    /// Bytes that the last synthesis by compute shaders moved at least, each table and image once; 0 with the CPU's.
+    /// Over bolan_renderer_memory_rate() it is the time below which no synthesis can be.
+    uint64_t sea_bytes;
 } bolan_frame_statistics;
 
 /// Switches measuring the time of each pass on or off; default off.
@@ -439,6 +466,10 @@ BOLAN_API void bolan_renderer_measure_passes(bolan_renderer *renderer, bool on);
 
 /// The statistics of the last finished frame.
 BOLAN_API bolan_frame_statistics bolan_renderer_statistics(const bolan_renderer *renderer);
+
+/// Returns the rate at which the GPU copies memory, read and written bytes together [bytes/s]: the mean of @p repeats
+/// copies of 64 MB. 0 where there is no memory for them.
+BOLAN_API double bolan_renderer_memory_rate(bolan_renderer *renderer, uint32_t repeats);
 
 /// The yardstick of the benchmarks: a full-screen pass of 6 bilinear RGBA16F fetches at this size.
 /// Returns the mean time of @p repeats passes [ms].

@@ -48,6 +48,8 @@ typedef struct bolan_gl_info {
     bool software;
     /// The context has clip control: see bolan_renderer_desc::no_clip_control.
     bool clip_control;
+    /// The context has what the compute backend needs: see bolan_renderer_desc::backend.
+    bool compute;
     /// Largest image that the context can draw at once [px], each way; a view has at most 16384. 0 without a context.
     uint32_t max_picture;
 } bolan_gl_info;

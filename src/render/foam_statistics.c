@@ -43,19 +43,31 @@ double bolan_foam_slope_variance(const bolan_sea *sea) {
     return mss;
 }
 
+static double cover_of(const bolan_sea *sea) {
+    return bolan_monahan_cover(bolan_sea_get_desc(sea)->sea_state.wind_speed);
+}
+
+static double jacobian_variance(const bolan_sea *sea) {
+    return fmax(jacobian_variance_of(bolan_foam_slope_variance(sea), bolan_sea_get_desc(sea)->choppiness), 1e-9);
+}
+
 // Threshold of old foam; FOAM_NEVER in a calm, and where there is no memory.
 static double memory_threshold(double share, double mean, double variance) {
     if (!(share > 0.0) || !(variance > 0.0)) return FOAM_NEVER;
     return mean + softened_offset(-bolan_foam_quantile(share) * sqrt(variance), variance, OLD_FOAM_EDGE * variance);
 }
 
-foam_law bolan_foam_law(const bolan_sea *sea, double edge) {
-    const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
-    const double cover = bolan_monahan_cover(desc->sea_state.wind_speed);
-    const double spread = fmax(jacobian_variance_of(bolan_foam_slope_variance(sea), desc->choppiness), 1e-9);
-    double mean, variance;
+void bolan_foam_law_constants(const bolan_sea *sea, float *offset, float *variance) {
+    const double share = old_foam_share(cover_of(sea));
+    *offset = (float)(share > 0.0 ? -bolan_foam_quantile(share) : FOAM_NEVER);
+    *variance = (float)jacobian_variance(sea);
+}
+
+foam_law bolan_foam_law(const bolan_sea *sea, double edge, bool memory) {
+    const double cover = cover_of(sea), spread = jacobian_variance(sea);
+    double mean = 0.0, variance = 0.0;
     float rest[3];
-    memory_moments(sea, &mean, &variance);
+    if (memory) memory_moments(sea, &mean, &variance);
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
     const double measured = softened_offset(bolan_sea_foam_threshold(sea) - 1.0, spread, edge * edge);
     const double gaussian = softened_offset(bolan_foam_quantile(cover) * sqrt(spread), spread, edge * edge);

@@ -21,7 +21,11 @@ typedef struct foam_law {
     double memory_variance;   // of the foam memory
 } foam_law;
 
-// edge: standard deviation that softens the edge of breaking crests, in Jacobian.
-foam_law bolan_foam_law(const bolan_sea *sea, double edge);
+// edge: standard deviation that softens the edge of breaking crests, in Jacobian. `memory`: its members are wanted,
+// which takes the fields of the sea; else they are 0, and a GPU that has the fields makes them (sea_foam_law.glsl).
+foam_law bolan_foam_law(const bolan_sea *sea, double edge, bool memory);
+// What a GPU cannot know: how many standard deviations above the mean of the foam memory old foam begins, FOAM_NEVER
+// where there is none, and the variance of the Jacobian.
+void bolan_foam_law_constants(const bolan_sea *sea, float *offset, float *variance);
 
 #endif

@@ -5,6 +5,9 @@
 #include <math.h>
 
 #include "renderer.h"
+#include "sea_compute.h"
+
+_Static_assert((int)PART_COUNT + (int)SEA_STAGES <= BOLAN_MAX_PASSES, "statistics have a place for each");
 
 const char *const bolan_frame_part_names[PART_COUNT] = {"sky tables", "sea",   "terrain", "models",  "copy",
                                                         "mirror",     "water", "sky",     "tone map"};
@@ -43,6 +46,8 @@ static frame step_of(const bolan_renderer *r, const bolan_water *water, const bo
                      const bolan_world *world) {
     const bolan_scene *scene = world != NULL ? bolan_world_scene(world) : NULL;
     frame f = {.caps = &r->caps,
+               .computes = r->desc.backend == BOLAN_BACKEND_COMPUTE,
+               .timing = timing_of(r),
                .quality = r->desc.quality,
                .water = *water,
                .sea = water->sea,
@@ -200,6 +205,12 @@ static void keep_statistics(bolan_renderer *r, const render_view *v) {
     for (int i = 0; i < PART_COUNT; ++i) {
         s->passes[i].name = bolan_frame_part_names[i];
         s->passes[i].ms = r->timers[i].ms;
+    }
+    const sea_compute *sea = r->frame.computes ? bolan_pass_water_sea(r->water) : NULL;
+    s->sea_bytes = sea != NULL ? sea->bytes : 0;
+    for (int i = 0; sea != NULL && i < SEA_STAGES; ++i) {
+        s->passes[s->pass_count].name = bolan_sea_stage_names[i];
+        s->passes[s->pass_count++].ms = sea->timers[i].ms;
     }
 }
 

@@ -57,6 +57,8 @@ enum {
 // A step: what the caller gave to prepare, and what every view of it shares.
 typedef struct frame {
     const gl_caps *caps;
+    bool computes; // the fields of cascades are made by compute shaders
+    gl_timing timing;
     bolan_quality quality;
     bolan_water water;
     const bolan_sea *sea;       // the water's
@@ -81,6 +83,7 @@ typedef struct frame {
         bolan_vec2 turn, travel;
         float strength;
     } caustics; // set by the mirror optics
+    const gl_buffer *foam_law; // of sea_compute.h, which has the memory of this step's foam; NULL: the CPU has it
     frame_block block;
 } frame;
 
@@ -158,6 +161,8 @@ void bolan_pass_water_draw(pass_water *p, render_view *v);
 // The water round an eye in it, where the depth is 0.
 void bolan_pass_water_draw_body(pass_water *p, const frame *f);
 bool bolan_pass_water_needs_baking(const pass_water *p, const frame *f); // and was not asked to
+// The compute backend of its sea.
+const struct sea_compute *bolan_pass_water_sea(const pass_water *p);
 bolan_result bolan_pass_water_reload(pass_water *p);
 void bolan_pass_water_destroy(pass_water **p);
 

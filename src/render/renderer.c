@@ -12,6 +12,8 @@
 
 enum { LEAST_VERTICES = 1024, MOST_VERTICES = 1000000 }; // of bolan_renderer_desc::max_vertices
 
+const char *const bolan_backend_names[BOLAN_BACKENDS + 1] = {"auto", "cpu", "compute", NULL};
+
 static bool is_size(uint32_t pixels) { return pixels >= 1 && pixels <= MOST_PIXELS; }
 
 bolan_renderer_desc bolan_renderer_desc_default(void) { return (bolan_renderer_desc){.quality = BOLAN_QUALITY_MEDIUM}; }
@@ -63,6 +65,21 @@ static bool has_context(bolan_renderer *r, renderer_call call, const char *name)
 
 // ---- life -----------------------------------------------------------------------------------------------------------
 
+static bolan_result check_backend(bolan_backend backend) {
+    if ((int)backend < BOLAN_BACKEND_AUTO || backend > BOLAN_BACKEND_COMPUTE) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "renderer: backend %d is not one of auto, cpu, compute",
+                  (int)backend);
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    const bolan_gl_info info = bolan_gl_get_info();
+    if (backend != BOLAN_BACKEND_COMPUTE || info.compute) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_UNSUPPORTED,
+              "renderer: backend is compute, and this context (OpenGL %s) has no compute shaders; expected OpenGL 4.3, "
+              "OpenGL ES 3.1 with texture views, or another backend",
+              info.version);
+    return BOLAN_ERROR_UNSUPPORTED;
+}
+
 static bolan_result check_desc(const bolan_renderer_desc *desc) {
     if ((int)desc->quality < BOLAN_QUALITY_LOW || desc->quality > BOLAN_QUALITY_ULTRA) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
@@ -81,7 +98,13 @@ static bolan_result check_desc(const bolan_renderer_desc *desc) {
                   DIRECTORY_BYTES - 1);
         return BOLAN_ERROR_ARGUMENT;
     }
-    return BOLAN_OK;
+    return check_backend(desc->backend);
+}
+
+// On software OpenGL the CPU is several times as fast at this as its compute shaders.
+static bolan_backend backend_of(const bolan_renderer_desc *desc, const gl_caps *caps) {
+    if (desc->backend != BOLAN_BACKEND_AUTO) return desc->backend;
+    return caps->compute && !caps->software ? BOLAN_BACKEND_COMPUTE : BOLAN_BACKEND_CPU;
 }
 
 static bolan_renderer *allocate(const bolan_renderer_desc *desc) {
@@ -92,6 +115,7 @@ static bolan_renderer *allocate(const bolan_renderer_desc *desc) {
     if (desc->shader_directory != NULL)
         snprintf(r->shader_directory, sizeof r->shader_directory, "%s", desc->shader_directory);
     r->caps = bolan_gl_get_caps();
+    r->desc.backend = backend_of(desc, &r->caps);
     if (desc->force_timers) r->caps.timers = r->caps.timestamps;
     return r;
 }
@@ -162,6 +186,11 @@ bolan_result bolan_renderer_reload(bolan_renderer *r) {
     for (bolan_view_cache *c = r->caches; c != NULL; c = c->next) bolan_view_cache_share(c, &r->own_cache);
     bolan_renderer_leave(r);
     return result;
+}
+
+bolan_backend bolan_renderer_backend(const bolan_renderer *r) {
+    BOLAN_ASSERT(r != NULL);
+    return r != NULL ? r->desc.backend : BOLAN_BACKEND_CPU;
 }
 
 bool bolan_renderer_needs_baking(const bolan_renderer *r) {
@@ -255,6 +284,34 @@ static double now_ms(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+enum { COPIED_BYTES = 64 << 20 };
+
+static double time_copies(gl_buffer *from, gl_buffer *to, uint32_t repeats) {
+    bolan_gl_buffer_copy(from, 0, to, 0, COPIED_BYTES); // the first may pay for the memory
+    bolan_gl_finish();
+    const double start = now_ms();
+    for (uint32_t i = 0; i < repeats; ++i) bolan_gl_buffer_copy(from, 0, to, 0, COPIED_BYTES);
+    bolan_gl_finish();
+    return (now_ms() - start) / (repeats > 0 ? repeats : 1);
+}
+
+double bolan_renderer_memory_rate(bolan_renderer *r, uint32_t repeats) {
+    BOLAN_ASSERT(r != NULL);
+    if (r == NULL || !has_context(r, CALL_MEMORY_RATE, "memory_rate")) return 0.0;
+    bolan_renderer_accept(r, CALL_MEMORY_RATE);
+    bolan_renderer_enter(r);
+    gl_buffer from = {0}, to = {0};
+    double ms = 0.0;
+    bolan_result result = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, COPIED_BYTES, NULL, &from);
+    if (result == BOLAN_OK)
+        result = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, COPIED_BYTES, NULL, &to);
+    if (result == BOLAN_OK) ms = time_copies(&from, &to, repeats);
+    bolan_gl_buffer_free(&from);
+    bolan_gl_buffer_free(&to);
+    bolan_renderer_leave(r);
+    return ms > 0.0 ? 2.0 * COPIED_BYTES / (ms * 1e-3) : 0.0;
 }
 
 static double run_yardstick(bolan_renderer *r, const gl_texture *image, uint32_t repeats) {

@@ -12,7 +12,7 @@
 // The timed parts of a frame, in order.
 typedef enum frame_part {
     PART_SKY_TABLES,
-    PART_SEA,
+    PART_SEA, // the stages of sea_compute.h are parts of it
     PART_TERRAIN,
     PART_MODELS,
     PART_COPY,
@@ -31,6 +31,7 @@ typedef enum renderer_call {
     CALL_READ_LINEAR,
     CALL_READ_RGB8,
     CALL_YARDSTICK,
+    CALL_MEMORY_RATE,
     CALL_BIND_FIELDS,
     CALL_COUNT
 } renderer_call;

@@ -95,8 +95,10 @@ static void free_fold(sea_gpu *p) {
 void bolan_sea_gpu_free(sea_gpu *p) {
     free_work(p);
     free_fold(p);
+    bolan_sea_compute_free(&p->compute);
     for (int i = 0; i < BOLAN_KEPT_SEAS; ++i) {
         free_textures(&p->kept[i]);
+        bolan_sea_tables_free(&p->kept[i].tables);
         bolan_gl_texture_free(&p->kept[i].slope_table);
     }
     bolan_gl_texture_free(&p->table);
@@ -115,13 +117,21 @@ static bolan_result create_packed(sea_fields *p, gl_texture_desc desc, uint32_t 
 
 static bolan_result create_whole(sea_fields *p, gl_texture_desc desc) {
     bolan_result result = bolan_gl_texture_create(&desc, &p->slopes);
-    desc.format = GL_FMT_RG16F;
+    if (!desc.storage) desc.format = GL_FMT_RG16F; // ES has no images of two channels
     return result == BOLAN_OK ? bolan_gl_texture_create(&desc, &p->fold) : result;
+}
+
+// One array, which compute shaders write, and its layers, which all others read.
+static bolan_result create_packed_storage(sea_fields *p, const gl_texture_desc *desc, uint32_t count) {
+    const bolan_result result = bolan_gl_texture_create(desc, &p->slopes);
+    for (uint32_t c = 0; c < count && result == BOLAN_OK; ++c)
+        bolan_gl_texture_layer(&p->slopes, c, desc, &p->packed_slopes[c]);
+    return result;
 }
 
 // Textures that fit this sea; kept while n, the number of cascades and what they hold stay. False: they cannot be had
 // (logged).
-static bool fit_textures(sea_fields *p, uint32_t n, uint32_t count, bool packed) {
+static bool fit_textures(sea_fields *p, uint32_t n, uint32_t count, bool packed, bool storage) {
     if (p->displacement.width == n && p->displacement.depth == count && p->packed == packed) return true;
     free_textures(p);
     gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
@@ -129,11 +139,15 @@ static bool fit_textures(sea_fields *p, uint32_t n, uint32_t count, bool packed)
                             .height = n,
                             .depth = count,
                             .array = true,
+                            .storage = storage,
                             .filter = GL_FILTER_MIPMAP,
                             .wrap = GL_WRAP_REPEAT};
     p->packed = packed;
     bolan_result result = bolan_gl_texture_create(&desc, &p->displacement);
-    if (result == BOLAN_OK) result = packed ? create_packed(p, desc, count) : create_whole(p, desc);
+    if (result == BOLAN_OK)
+        result = !packed   ? create_whole(p, desc)
+                 : storage ? create_packed_storage(p, &desc, count)
+                           : create_packed(p, desc, count);
     if (result != BOLAN_OK) free_textures(p);
     return result == BOLAN_OK;
 }
@@ -209,7 +223,7 @@ static void upload_fold(const sea_gpu *p, sea_fields *f, const bolan_sea *sea, u
 // On software GL the levels are made here; a GPU makes them in no time.
 static bool upload_cascades(sea_gpu *p, sea_fields *f, const bolan_sea *sea, bool packed, bool software) {
     const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade_layout(sea, 0).n;
-    if (!fit_textures(f, n, count, packed) || !fit_work(p, n, count) || (!packed && !fit_fold(p, n))) return false;
+    if (!fit_textures(f, n, count, packed, false) || !fit_work(p, n, count) || (!packed && !fit_fold(p, n))) return false;
     texel_job job = {.gpu = p, .sea = sea, .packed = packed, .levels = software};
     if (packed || software) bolan_parallel(2 * count, 1, make_texels, &job);
     for (uint32_t c = 0; c < count; ++c) {
@@ -227,6 +241,17 @@ static bool upload_cascades(sea_gpu *p, sea_fields *f, const bolan_sea *sea, boo
     bolan_gl_texture_generate_mipmaps(&f->displacement);
     if (!packed) bolan_gl_texture_generate_mipmaps(&f->slopes);
     return true;
+}
+
+bool bolan_sea_gpu_compile(sea_gpu *p, const bolan_sea *sea, bool packed) {
+    return bolan_sea_compute_compile(&p->compute, bolan_sea_cascade_layout(sea, 0).n, packed);
+}
+
+static bool compute_cascades(sea_gpu *p, sea_fields *f, const bolan_sea *sea, bool packed, gl_timing timing) {
+    const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade_layout(sea, 0).n;
+    const sea_images images = {&f->displacement, &f->slopes, packed ? NULL : &f->fold};
+    return fit_textures(f, n, count, packed, true) &&
+           bolan_sea_compute_run(&p->compute, &f->tables, sea, &images, timing);
 }
 
 enum { LIFT_OCTAVES = sizeof((water_block *)0)->cascade_lift / sizeof(vec4) }; // from a quarter of a texel up
@@ -393,12 +418,19 @@ static sea_fields *choose(sea_gpu *p, uint64_t sea, water_textures textures) {
     return oldest;
 }
 
-bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_textures textures) {
+static bool make_cascades(sea_gpu *p, sea_fields *now, const frame *f, bool packed) {
+    return f->computes ? compute_cascades(p, now, f->sea, packed, f->timing)
+                       : upload_cascades(p, now, f->sea, packed, f->caps->software);
+}
+
+bool bolan_sea_gpu_prepare(sea_gpu *p, frame *f, water_textures textures) {
     const water_waves waves = bolan_water_waves_of(bolan_sea_form(f->sea), f->lighting.technique.surface);
     const uint64_t serial = bolan_sea_serial(f->sea), sea = bolan_sea_id(f->sea);
     sea_fields *now = p->now = choose(p, sea, textures);
     const bool known = now->sea == sea && now->textures == textures;
+    const bool fields = waves == WATER_CASCADES && textures != WATER_TEXTURES_NONE;
     now->used = ++p->preparations;
+    f->foam_law = fields && f->computes ? &now->tables.law : NULL;
     if (known && now->serial == serial) return true;
     now->serial = 0;
     if (now->sea != sea) {
@@ -407,9 +439,7 @@ bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_textures textures) 
     }
     now->sea = sea;
     now->textures = textures;
-    if (waves == WATER_CASCADES && textures != WATER_TEXTURES_NONE &&
-        !upload_cascades(p, now, f->sea, textures == WATER_TEXTURES_PACKED, f->caps->software))
-        return false;
+    if (fields && !make_cascades(p, now, f, textures == WATER_TEXTURES_PACKED)) return false;
     now->serial = serial;
     return true;
 }

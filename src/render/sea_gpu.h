@@ -4,6 +4,7 @@
 #define BOLAN_RENDER_WATER_FIELDS_H
 
 #include "frame.h"
+#include "sea_compute.h"
 #include "water_block.h"
 
 // Which of the four ways of waves.glsl.
@@ -24,8 +25,9 @@ typedef enum water_textures {
 // What the GPU holds of one sea.
 typedef struct sea_fields {
     gl_texture displacement, slopes, fold;        // cascades: arrays, a layer each
-    gl_texture packed_slopes[BOLAN_MAX_CASCADES]; // instead of slopes and fold
+    gl_texture packed_slopes[BOLAN_MAX_CASCADES]; // instead of slopes and fold; where computed, the layers of slopes
     bool packed;                                  // which of them hold this step's waves
+    sea_tables tables;                            // of the compute backend
     gl_texture slope_table;
     uint64_t sea, serial;    // of the slope table, and of the fields; 0: none
     water_textures textures; // what was uploaded of that serial
@@ -36,6 +38,7 @@ typedef struct sea_gpu {
     sea_fields kept[BOLAN_KEPT_SEAS];
     sea_fields *now;                                   // of the step that is drawn
     uint64_t preparations;                             // since creation
+    sea_compute compute;
     struct water_texel_work *work[BOLAN_MAX_CASCADES]; // levels made on the CPU
     uint32_t work_n;
     gl_texture table; // WATER_SUM: a texel a wave
@@ -44,9 +47,11 @@ typedef struct sea_gpu {
 } sea_gpu;
 
 bolan_result bolan_sea_gpu_create(sea_gpu *p);
-// Takes the fields of this step: those of its serial where they are kept; else uploads them, into those of the same sea
-// or those that were prepared the longest time ago. False: they cannot be had (logged).
-bool bolan_sea_gpu_prepare(sea_gpu *p, const frame *f, water_textures textures);
+// Takes the fields of this step: those of its serial where they are kept; else uploads or computes them, into those of
+// the same sea or those that were prepared the longest time ago. Sets f->foam_law. False: they cannot be had (logged).
+bool bolan_sea_gpu_prepare(sea_gpu *p, frame *f, water_textures textures);
+// Compiles the compute shaders of a sea of cascades. False: one does not compile (logged).
+bool bolan_sea_gpu_compile(sea_gpu *p, const bolan_sea *sea, bool packed);
 // Uploads what belongs to a view's eye, and binds all.
 void bolan_sea_gpu_view(sea_gpu *p, const render_view *v, water_waves waves);
 // Binds the textures again, for a pass that follows one which used their units.

@@ -21,6 +21,11 @@ void bolan_water_blocks_upload_optics(water_block_buffers *b, const void *block,
     bolan_gl_buffer_bind_uniform(&b->optics, BLOCK_OPTICS);
 }
 
+void bolan_water_blocks_patch_optics(water_block_buffers *b, size_t offset, const gl_buffer *from, size_t first,
+                                     size_t count) {
+    bolan_gl_buffer_copy(from, first * sizeof(float), &b->optics, offset, count * sizeof(float));
+}
+
 void bolan_water_blocks_free(water_block_buffers *b) {
     bolan_gl_buffer_free(&b->water);
     bolan_gl_buffer_free(&b->optics);

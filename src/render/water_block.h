@@ -23,6 +23,9 @@ bolan_result bolan_water_blocks_create(water_block_buffers *b);
 // Uploads the block and binds it. @p bytes of an optics' block: at most OPTICS_BLOCK_BYTES.
 void bolan_water_blocks_upload(water_block_buffers *b, const water_block *block);
 void bolan_water_blocks_upload_optics(water_block_buffers *b, const void *block, size_t bytes);
+// Copies floats of a buffer that the GPU wrote into the uploaded block of an optics.
+void bolan_water_blocks_patch_optics(water_block_buffers *b, size_t offset, const gl_buffer *from, size_t first,
+                                     size_t count);
 void bolan_water_blocks_free(water_block_buffers *b);
 
 #endif

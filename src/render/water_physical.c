@@ -8,6 +8,7 @@
 #include "water_optics.h"
 
 #include <math.h>
+#include <stddef.h>
 
 enum { SURFACE_COUNT = 4, SURFACE_SUN = 1 }; // SURFACE_SUN: the output that holds the share of the sun
 
@@ -101,7 +102,7 @@ typedef struct physical_block {
 } physical_block;
 
 static physical_block foam_of(const render_view *v) {
-    const foam_law law = bolan_foam_law(v->frame->sea, FOAM_EDGE);
+    const foam_law law = bolan_foam_law(v->frame->sea, FOAM_EDGE, v->frame->foam_law == NULL);
     return (physical_block){.breaking_jacobian = (float)(1.0 + law.breaking),
                             .slopes_beyond_cascades = (float)law.slopes_beyond,
                             .fresh_edge = (float)law.edge,
@@ -138,6 +139,10 @@ static void draw_light(physical *p, const water_draw *d) {
     if (!bolan_water_program(d, &light_shader, 1u << p->quality)) return;
     const physical_block block = foam_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
+    const gl_buffer *law = d->view->frame->foam_law;
+    if (law != NULL)
+        bolan_water_blocks_patch_optics(d->blocks, offsetof(physical_block, old_foam_memory), law, FOAM_LAW_THRESHOLD,
+                                        2); // and memory_variance
     bolan_gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
     for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape->map[i], UNIT_OWN + 1 + i);
     bolan_gl_target_bind_part(&d->view->hdr, 0, 0, d->view->hdr.width, bolan_water_rows(d->view, d->vertical));

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # check.sh SOURCE-FOLDER PRINT-SHADER PRINT-VARIANTS SCRATCH: compiles every shader with glslangValidator, as the engine
 # would: each pass as "330 core" and "300 es", both stages, and every variant that the optics of the water list; what a
-# host includes; the compute shaders as "430". Does not need a GL driver.
+# host includes; the compute shaders as "430 core" and "310 es". Does not need a GL driver.
 set -eu
 source=$1 print_shader=$2 print_variants=$3 scratch=$4
 if ! command -v glslangValidator >/dev/null; then
@@ -81,18 +81,25 @@ if "$print_variants" "$source/shaders" "$scratch/variants"; then
 else
     failures=$((failures + 1))
 fi
-for file in compute/*.glsl; do
-    [ -e "$file" ] || continue
-    awk -v folder=. '
-        function put(path, line, parts) {
-            if (path in seen) return
-            seen[path] = 1
-            while ((getline line < path) > 0)
-                if (line ~ /^ *#include "/) { split(line, parts, "\""); put(folder "/" parts[2]) } else print line
-            close(path)
-        }
-        BEGIN { print "#version 430 core"; put(ARGV[1]) }' "$file" >"$scratch/compute.${file##*/}"
-    validate comp "$scratch/compute.${file##*/}" "$file (430 core)"
+# the passes of the compute backend, as "430 core" and "310 es"
+# try_compute STEM NAMES...
+try_compute() {
+    stem=compute/$1
+    shift
+    for profile in core es; do
+        file=$scratch/compute.$profile.comp
+        if "$print_shader" $stem COMPUTE $profile "$@" >"$file"; then
+            validate comp "$file" "$stem.glsl ($profile: $*)"
+        else
+            failures=$((failures + 1))
+        fi
+    done
+}
+for size in 32 64 128 256 512 1024; do
+    for name in "" TICKS; do try_compute sea_rows SIZE=$size $name; done
+    for name in "" TICKS PACKED; do try_compute sea_columns SIZE=$size $name; done
 done
+try_compute sea_levels
+for name in "" PACKED; do try_compute sea_foam_law $name; done
 echo "$compiled shaders compiled, $failures failures"
 [ $failures = 0 ] && [ $compiled -gt 0 ]

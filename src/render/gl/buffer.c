@@ -38,6 +38,14 @@ void bolan_gl_buffer_bind_uniform(const gl_buffer *b, uint32_t slot) {
     glBindBufferBase(GL_UNIFORM_BUFFER, slot, b->id);
 }
 
+void bolan_gl_buffer_copy(const gl_buffer *from, size_t from_offset, gl_buffer *to, size_t to_offset, size_t size) {
+    BOLAN_ASSERT(from->id && to->id && from_offset + size <= from->size && to_offset + size <= to->size);
+    glBindBuffer(GL_ARRAY_BUFFER, from->id);
+    glBindBuffer(GL_UNIFORM_BUFFER, to->id);
+    glCopyBufferSubData(GL_ARRAY_BUFFER, GL_UNIFORM_BUFFER, (GLintptr)from_offset, (GLintptr)to_offset,
+                        (GLsizeiptr)size);
+}
+
 void bolan_gl_buffer_free(gl_buffer *b) {
     if (b->id && bolan_gl_has_context()) glDeleteBuffers(1, &b->id);
     *b = (gl_buffer){0};

@@ -45,6 +45,19 @@ bolan_result bolan_gl_check_context(const char *whom) {
     return BOLAN_ERROR_GL;
 }
 
+// Of ES, which has views of textures by an extension alone.
+static bool has_texture_view(void) {
+    return (bolan_gl_has_extension("GL_EXT_texture_view") && bolan_gl_functions.TextureViewEXT) ||
+           (bolan_gl_has_extension("GL_OES_texture_view") && bolan_gl_functions.TextureViewOES);
+}
+
+static bool has_compute(void) {
+    const gl_functions *f = &bolan_gl_functions;
+    if (!f->DispatchCompute || !f->BindImageTexture || !f->MemoryBarrier || !f->TexStorage3D) return false;
+    return bolan_gl_is_es() ? bolan_gl_version() >= 31 && has_texture_view()
+                            : bolan_gl_version() >= 43 && f->TextureView;
+}
+
 static bool has(const char *extension) { return bolan_gl_has_extension(extension); }
 
 static int integer(GLenum name, int most) {
@@ -89,6 +102,7 @@ gl_caps bolan_gl_get_caps(void) {
                     .compatibility = is_compatibility(es),
                     .software = software,
                     .clip_control = has_clip_control(),
+                    .compute = has_compute(),
                     .timestamps = timestamps,
                     // llvmpipe's count from when a worker picks the work up, and give nonsense for a pass that draws
                     // nothing.
@@ -114,7 +128,7 @@ static uint32_t max_picture(void) {
 }
 
 bolan_gl_info bolan_gl_get_info(void) {
-    bolan_gl_info info = {"", "", "", "", false, false, 0};
+    bolan_gl_info info = {"", "", "", "", false, false, false, 0};
     if (!bolan_gl_has_context()) return info;
     info.renderer = gl_string(GL_RENDERER);
     info.vendor = gl_string(GL_VENDOR);
@@ -122,6 +136,7 @@ bolan_gl_info bolan_gl_get_info(void) {
     if (bolan_gl_version() >= 20) info.shading_language = gl_string(GL_SHADING_LANGUAGE_VERSION);
     info.software = is_software(info.renderer);
     info.clip_control = has_clip_control();
+    info.compute = has_compute();
     info.max_picture = max_picture();
     return info;
 }

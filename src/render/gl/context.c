@@ -22,18 +22,24 @@ static EGLDisplay open_display(void) {
     return display != EGL_NO_DISPLAY && eglInitialize(display, NULL, NULL) ? display : EGL_NO_DISPLAY;
 }
 
+static EGLContext ask(EGLDisplay display, EGLConfig config, bolan_gl_api api, int version) {
+    const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION, version / 10, EGL_CONTEXT_MINOR_VERSION, version % 10,
+                           EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLint es[] = {EGL_CONTEXT_MAJOR_VERSION, version / 10, EGL_CONTEXT_MINOR_VERSION, version % 10, EGL_NONE};
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, api == BOLAN_GL_ES ? es : core);
+}
+
+// The version with compute shaders, else the least that will do: some drivers make what they are asked for and no more.
 static EGLContext create_egl_context(EGLDisplay display, bolan_gl_api api) {
-    static const EGLint core[] = {
-        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    static const EGLint es[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
     const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                              api == BOLAN_GL_ES ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
     if (!eglBindAPI(api == BOLAN_GL_ES ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return EGL_NO_CONTEXT;
     EGLConfig config = NULL;
     EGLint count = 0;
     if (!eglChooseConfig(display, wanted, &config, 1, &count) || count == 0) config = EGL_NO_CONFIG_KHR;
-    return eglCreateContext(display, config, EGL_NO_CONTEXT, api == BOLAN_GL_ES ? es : core);
+    const bool es = api == BOLAN_GL_ES;
+    const EGLContext context = ask(display, config, api, es ? 31 : 43);
+    return context != EGL_NO_CONTEXT ? context : ask(display, config, api, es ? 30 : 33);
 }
 
 bolan_result bolan_context_create(bolan_gl_api api, bolan_context **out) {

@@ -13,6 +13,7 @@ typedef struct gl_caps {
     bool compatibility;  // desktop: the compatibility profile, with the fixed functions' state
     bool software;       // llvmpipe, softpipe, swrast
     bool clip_control;   // reversed-Z with [0, 1] clip depth
+    bool compute;        // compute shaders, storage buffers, images, and views of textures
     bool timestamps;     // the GPU's clock can be asked
     bool timers;         // and its answers are worth having: not on software GL
     bool float_linear;   // linear filtering of 32F
@@ -67,6 +68,7 @@ typedef struct gl_texture_desc {
     uint32_t depth; // 0: 2D; else 3D, or an array when `array`
     bool array;
     uint32_t levels; // 0: full chain when the filter is a mipmap one, else 1
+    bool storage;    // an array that compute shaders write: only where caps.compute
     gl_filter filter;
     gl_wrap wrap;
     float anisotropy; // 0 or 1: none
@@ -76,6 +78,8 @@ bolan_result bolan_gl_texture_create(const gl_texture_desc *desc, gl_texture *ou
 // 3D), else one layer/slice.
 void bolan_gl_texture_upload(gl_texture *t, uint32_t level, int layer, const void *data, bool half);
 void bolan_gl_texture_generate_mipmaps(gl_texture *t);
+// A layer of an array with storage as a 2D texture that shares its texels, sampled as `desc` says; free it like others.
+void bolan_gl_texture_layer(const gl_texture *array, uint32_t layer, const gl_texture_desc *desc, gl_texture *out);
 // Calls of bolan_gl_texture_upload() by this thread so far, and the bytes that they sent.
 typedef struct gl_uploads {
     uint32_t count;
@@ -94,6 +98,7 @@ void bolan_gl_texture_free(gl_texture *t);
 enum { GL_PROGRAM_UNIFORMS = 24, GL_UNIFORM_NAME = 28 };
 typedef struct gl_program {
     uint32_t id;
+    bool compute;
     char stem[32];
     char defines[160];
     // Uniforms outside the blocks, found when the program is linked.
@@ -105,6 +110,8 @@ typedef struct gl_program {
 } gl_program;
 void bolan_gl_program_set_directory(const char *directory); // NULL: the embedded sources
 bolan_result bolan_gl_program_create(const char *stem, const char *defines, gl_program *out);
+// A compute shader, compiled with COMPUTE defined, as "430 core" or "310 es": only where caps.compute.
+bolan_result bolan_gl_program_create_compute(const char *stem, const char *defines, gl_program *out);
 bolan_result bolan_gl_program_reload(gl_program *p); // keeps the old one on failure
 uint32_t bolan_gl_programs_compiled(void);           // by this thread so far, for statistics
 void bolan_gl_program_use(const gl_program *p);
@@ -164,11 +171,17 @@ typedef struct gl_buffer {
     uint32_t kind;
     gl_usage usage;
 } gl_buffer;
-typedef enum gl_buffer_kind { GL_BUFFER_VERTEX, GL_BUFFER_INDEX, GL_BUFFER_UNIFORM } gl_buffer_kind;
+typedef enum gl_buffer_kind {
+    GL_BUFFER_VERTEX,
+    GL_BUFFER_INDEX,
+    GL_BUFFER_UNIFORM,
+    GL_BUFFER_STORAGE // of compute shaders
+} gl_buffer_kind;
 bolan_result bolan_gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, const void *data, gl_buffer *out);
 void bolan_gl_buffer_update(gl_buffer *b, size_t offset, size_t size,
                             const void *data); // offset 0 orphans a STREAM buffer
 void bolan_gl_buffer_bind_uniform(const gl_buffer *b, uint32_t slot);
+void bolan_gl_buffer_copy(const gl_buffer *from, size_t from_offset, gl_buffer *to, size_t to_offset, size_t size);
 void bolan_gl_buffer_free(gl_buffer *b);
 // Float attributes, interleaved: components[i] floats at location i. Indices are uint32.
 typedef struct gl_mesh {
@@ -183,6 +196,26 @@ void bolan_gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_c
 void bolan_gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count); // two indices a line, one pixel wide
 void bolan_gl_mesh_free(gl_mesh *m);
 void bolan_gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers: see common/fullscreen.glsl
+
+// ---- compute: only where caps.compute ----
+enum { GL_STORAGE_SLOTS = 4, GL_IMAGES = 4 }; // that every context with compute shaders has
+// The caller's bindings of storage buffers and images, which bolan_gl_save() leaves alone.
+typedef struct gl_compute_saved {
+    int32_t buffer, slot[GL_STORAGE_SLOTS];
+    int64_t offset[GL_STORAGE_SLOTS], size[GL_STORAGE_SLOTS];
+    struct {
+        int32_t name, level, layered, layer, access, format;
+    } image[GL_IMAGES];
+} gl_compute_saved;
+void bolan_gl_compute_begin(gl_compute_saved *s);
+void bolan_gl_compute_end(const gl_compute_saved *s);
+void bolan_gl_storage_bind(const gl_buffer *b, uint32_t slot);
+// Binds all layers of a level, to be written.
+void bolan_gl_image_bind(const gl_texture *t, uint32_t level, uint32_t slot);
+void bolan_gl_dispatch(uint32_t x, uint32_t y, uint32_t z);
+// What is written before can be read after: storage buffers by shaders; textures by shaders; all by everything.
+typedef enum gl_barrier { GL_BARRIER_STORAGE, GL_BARRIER_TEXTURES, GL_BARRIER_ALL } gl_barrier;
+void bolan_gl_wait_for(gl_barrier what);
 
 // ---- state ----
 typedef struct gl_state {

@@ -11,7 +11,7 @@
 
 // In every OpenGL 3.3 and OpenGL ES 3.0.
 #define GL_NEEDED(X)                                                                                                   \
-    X(ActiveTexture)                                                                                                   \
+    X(ActiveTexture) X(CopyBufferSubData)                                                                              \
     X(DeleteSamplers) X(GenSamplers) X(IsTexture) X(SamplerParameteri) X(StencilFuncSeparate)                          \
     X(StencilOpSeparate)                                                                                               \
     X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) X(BindFramebuffer) X(BindSampler)               \
@@ -39,6 +39,8 @@
 
 // In some versions only; gl_caps tells which may be called.
 #define GL_OPTIONAL(X)                                                                                                \
+    X(BindImageTexture) X(DispatchCompute) X(MemoryBarrier) X(TexStorage3D) X(TextureView) X(TextureViewEXT)          \
+    X(TextureViewOES)                                                                                                 \
     X(BlendEquationSeparatei)                                                                                         \
     X(GetTextureParameteriv)                                                                                          \
     X(BlendEquationi) X(BlendFuncSeparatei) X(ClampColor) X(ClearDepth) X(ClearDepthf) X(ClipControl)                 \
@@ -78,6 +80,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glBindBufferRange bolan_gl_functions.BindBufferRange
 #undef glBindFramebuffer
 #define glBindFramebuffer bolan_gl_functions.BindFramebuffer
+#undef glBindImageTexture
+#define glBindImageTexture bolan_gl_functions.BindImageTexture
 #undef glBindSampler
 #define glBindSampler bolan_gl_functions.BindSampler
 #undef glBindTexture
@@ -126,6 +130,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glColorMaski bolan_gl_functions.ColorMaski
 #undef glCompileShader
 #define glCompileShader bolan_gl_functions.CompileShader
+#undef glCopyBufferSubData
+#define glCopyBufferSubData bolan_gl_functions.CopyBufferSubData
 #undef glCreateProgram
 #define glCreateProgram bolan_gl_functions.CreateProgram
 #undef glCreateShader
@@ -166,6 +172,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glDisable bolan_gl_functions.Disable
 #undef glDisablei
 #define glDisablei bolan_gl_functions.Disablei
+#undef glDispatchCompute
+#define glDispatchCompute bolan_gl_functions.DispatchCompute
 #undef glDrawArrays
 #define glDrawArrays bolan_gl_functions.DrawArrays
 #undef glDrawBuffers
@@ -258,6 +266,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glLineWidth bolan_gl_functions.LineWidth
 #undef glLinkProgram
 #define glLinkProgram bolan_gl_functions.LinkProgram
+#undef glMemoryBarrier
+#define glMemoryBarrier bolan_gl_functions.MemoryBarrier
 #undef glPauseTransformFeedback
 #define glPauseTransformFeedback bolan_gl_functions.PauseTransformFeedback
 #undef glPixelStorei
@@ -296,10 +306,18 @@ bool bolan_gl_has_extension(const char *name);
 #define glTexParameterf bolan_gl_functions.TexParameterf
 #undef glTexParameteri
 #define glTexParameteri bolan_gl_functions.TexParameteri
+#undef glTexStorage3D
+#define glTexStorage3D bolan_gl_functions.TexStorage3D
 #undef glTexSubImage2D
 #define glTexSubImage2D bolan_gl_functions.TexSubImage2D
 #undef glTexSubImage3D
 #define glTexSubImage3D bolan_gl_functions.TexSubImage3D
+#undef glTextureView
+#define glTextureView bolan_gl_functions.TextureView
+#undef glTextureViewEXT
+#define glTextureViewEXT bolan_gl_functions.TextureViewEXT
+#undef glTextureViewOES
+#define glTextureViewOES bolan_gl_functions.TextureViewOES
 #undef glUniform1f
 #define glUniform1f bolan_gl_functions.Uniform1f
 #undef glUniform1i

@@ -22,10 +22,9 @@ static GLuint compile(const shader_text *source, GLenum type, const char *stage)
     return 0;
 }
 
-static GLuint link(GLuint vertex, GLuint fragment, const char *stem) {
+static GLuint link(const GLuint shader[2], const char *stem) {
     const GLuint id = glCreateProgram();
-    glAttachShader(id, vertex);
-    glAttachShader(id, fragment);
+    for (int i = 0; i < 2 && shader[i]; i++) glAttachShader(id, shader[i]);
     glLinkProgram(id);
     GLint ok = GL_FALSE;
     glGetProgramiv(id, GL_LINK_STATUS, &ok);
@@ -44,15 +43,15 @@ static void set_units(GLuint program, const shader_text *source) {
     }
 }
 
-static void set_defaults(GLuint id, const shader_text *vertex, const shader_text *fragment) {
+static void set_defaults(GLuint id, const shader_text source[2]) {
     static const char *const blocks[GL_UNIFORM_SLOTS] = {"Frame", "View", "Water", "Optics", "Bounds"};
     for (GLuint slot = 0; slot < GL_UNIFORM_SLOTS; slot++) {
         const GLuint block = glGetUniformBlockIndex(id, blocks[slot]);
         if (block != GL_INVALID_INDEX) glUniformBlockBinding(id, block, slot);
     }
     glUseProgram(id);
-    set_units(id, vertex);
-    set_units(id, fragment);
+    set_units(id, &source[0]);
+    set_units(id, &source[1]);
     glUseProgram(0);
 }
 
@@ -79,42 +78,62 @@ static void find_uniforms(gl_program *p) {
 static _Thread_local uint32_t compiled; // by this thread
 uint32_t bolan_gl_programs_compiled(void) { return compiled; }
 
-static bolan_result build(const char *stem, const char *defines, GLuint *out) {
+typedef struct stage {
+    const char *define, *name;
+    GLenum type;
+} stage;
+
+// Of a program for drawing, and of one for computing, which has one stage.
+static const stage drawing[] = {{"VERTEX", "vertex", GL_VERTEX_SHADER}, {"FRAGMENT", "fragment", GL_FRAGMENT_SHADER}},
+                   computing[] = {{"COMPUTE", "compute", GL_COMPUTE_SHADER}};
+
+static bolan_result build(const gl_program *p, GLuint *out) {
     shader_text source[2] = {{0}};
-    GLuint vertex = 0, fragment = 0, id = 0;
-    const bool es = bolan_gl_is_es();
-    bolan_result result = bolan_shader_text_build(stem, "VERTEX", defines, es, &source[0]);
-    if (result == BOLAN_OK) result = bolan_shader_text_build(stem, "FRAGMENT", defines, es, &source[1]);
-    if (result == BOLAN_OK) {
-        vertex = compile(&source[0], GL_VERTEX_SHADER, "vertex");
-        fragment = compile(&source[1], GL_FRAGMENT_SHADER, "fragment");
+    GLuint shader[2] = {0}, id = 0;
+    const stage *stages = p->compute ? computing : drawing;
+    const int count = p->compute ? 1 : 2;
+    bolan_result result = BOLAN_OK;
+    for (int i = 0; i < count && result == BOLAN_OK; i++)
+        result = bolan_shader_text_build(p->stem, stages[i].define, p->defines, bolan_gl_is_es(), &source[i]);
+    bool all = result == BOLAN_OK;
+    for (int i = 0; i < count && result == BOLAN_OK; i++) {
+        shader[i] = compile(&source[i], stages[i].type, stages[i].name);
+        all = all && shader[i];
     }
-    if (vertex && fragment) id = link(vertex, fragment, stem);
+    if (all) id = link(shader, p->stem);
     compiled += id != 0;
-    if (id) set_defaults(id, &source[0], &source[1]);
-    if (vertex) glDeleteShader(vertex);
-    if (fragment) glDeleteShader(fragment);
-    bolan_shader_text_free(&source[0]);
-    bolan_shader_text_free(&source[1]);
+    if (id) set_defaults(id, source);
+    for (int i = 0; i < count; i++) {
+        if (shader[i]) glDeleteShader(shader[i]);
+        bolan_shader_text_free(&source[i]);
+    }
     *out = id;
     return result == BOLAN_OK && !id ? BOLAN_ERROR_GL : result;
 }
 
-bolan_result bolan_gl_program_create(const char *stem, const char *defines, gl_program *out) {
+static bolan_result create(const char *stem, const char *defines, bool compute, gl_program *out) {
     BOLAN_ASSERT(stem && out && strlen(stem) < sizeof out->stem);
     BOLAN_ASSERT(!defines || strlen(defines) < sizeof out->defines);
-    gl_program p = {0};
+    gl_program p = {.compute = compute};
     snprintf(p.stem, sizeof p.stem, "%s", stem);
     snprintf(p.defines, sizeof p.defines, "%s", defines ? defines : "");
-    const bolan_result result = build(p.stem, p.defines, &p.id);
+    const bolan_result result = build(&p, &p.id);
     if (p.id) find_uniforms(&p);
     *out = p;
     return result;
 }
 
+bolan_result bolan_gl_program_create(const char *stem, const char *defines, gl_program *out) {
+    return create(stem, defines, false, out);
+}
+
+bolan_result bolan_gl_program_create_compute(const char *stem, const char *defines, gl_program *out) {
+    return create(stem, defines, true, out);
+}
+
 bolan_result bolan_gl_program_reload(gl_program *p) {
     GLuint id = 0;
-    const bolan_result result = build(p->stem, p->defines, &id);
+    const bolan_result result = build(p, &id);
     if (result != BOLAN_OK) return result;
     glDeleteProgram(p->id);
     p->id = id;

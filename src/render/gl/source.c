@@ -88,11 +88,13 @@ append_format(shader_text *s, const char *format, ...) {
 }
 
 static bool append_prologue(shader_text *s, const char *stage, const char *defines, bool es) {
-    static const char es_head[] = "#version 300 es\n"
-                                  "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+    static const char es_head[] = "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
                                   "precision highp sampler3D;\nprecision highp sampler2DArray;\n#define BOLAN_ES 1\n";
-    static const char core_head[] = "#version 330 core\n";
-    bool ok = es ? append(s, es_head, sizeof es_head - 1) : append(s, core_head, sizeof core_head - 1);
+    const bool compute = strcmp(stage, "COMPUTE") == 0;
+    const char *version = es ? compute ? "310 es" : "300 es" : compute ? "430 core" : "330 core";
+    bool ok = append_format(s, "#version %s\n", version);
+    if (es) ok = ok && append(s, es_head, sizeof es_head - 1);
+    if (es && compute) ok = ok && append_format(s, "precision highp image2DArray;\n");
     ok = ok && append_format(s, "#define %s 1\n", stage);
     for (const char *d = defines; ok && d && *d;) {
         const size_t length = strcspn(d, "\n");

@@ -19,7 +19,7 @@ typedef struct shader_text {
     } units[SOURCE_MAX_UNITS];
 } shader_text;
 
-// stage: "VERTEX" or "FRAGMENT"; defines: "A 1\nB 2\n" or NULL. On failure the log says which file and line.
+// stage: "VERTEX", "FRAGMENT" or "COMPUTE"; defines: "A 1\nB 2\n" or NULL. On failure the log says which file and line.
 bolan_result bolan_shader_text_build(const char *stem, const char *stage, const char *defines, bool es,
                                      shader_text *out);
 void bolan_shader_text_free(shader_text *s);

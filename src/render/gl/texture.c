@@ -63,9 +63,15 @@ static void set_wrap(const gl_texture *t, gl_wrap wrap) {
     if (t->target == GL_TEXTURE_3D) glTexParameteri(t->target, GL_TEXTURE_WRAP_R, other);
 }
 
-static void allocate_levels(const gl_texture *t) {
+static void allocate_levels(const gl_texture *t, bool storage) {
     const format_info *f = bolan_gl_format_info(t->format);
     const GLint internal_format = (GLint)f->internal_format;
+    if (storage) {
+        BOLAN_ASSERT(t->target == GL_TEXTURE_2D_ARRAY);
+        glTexStorage3D(t->target, (GLsizei)t->levels, f->internal_format, (GLsizei)t->width, (GLsizei)t->height,
+                       (GLsizei)t->depth);
+        return;
+    }
     for (uint32_t l = 0; l < t->levels; l++) {
         const GLsizei w = (GLsizei)mip(t->width, l), h = (GLsizei)mip(t->height, l);
         if (t->target == GL_TEXTURE_2D) {
@@ -128,7 +134,7 @@ bolan_result bolan_gl_texture_create(const gl_texture_desc *d, gl_texture *out) 
     bind_scratch(&t);
     set_filter(&t, d);
     set_wrap(&t, d->wrap);
-    allocate_levels(&t);
+    allocate_levels(&t, d->storage);
     if (!is_allocated(&t)) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY,
                   "GL has no memory for a texture of %u x %u x %u texels, format %d", t.width, t.height, t.depth,
@@ -171,6 +177,26 @@ void bolan_gl_texture_upload(gl_texture *t, uint32_t level, int layer, const voi
 void bolan_gl_texture_generate_mipmaps(gl_texture *t) {
     bind_scratch(t);
     glGenerateMipmap(t->target);
+}
+
+void bolan_gl_texture_layer(const gl_texture *array, uint32_t layer, const gl_texture_desc *d, gl_texture *out) {
+    gl_texture t = *array;
+    t.target = GL_TEXTURE_2D;
+    t.depth = 1;
+    const GLenum format = bolan_gl_format_info(t.format)->internal_format;
+    glGenTextures(1, &t.id);
+    if (!bolan_gl_is_es()) {
+        glTextureView(t.id, t.target, array->id, format, 0, t.levels, layer, 1);
+    } else if (bolan_gl_has_extension("GL_EXT_texture_view")) {
+        glTextureViewEXT(t.id, t.target, array->id, format, 0, t.levels, layer, 1);
+    } else {
+        glTextureViewOES(t.id, t.target, array->id, format, 0, t.levels, layer, 1);
+    }
+    bind_scratch(&t);
+    set_filter(&t, d);
+    set_wrap(&t, d->wrap);
+    *out = t;
+    made++;
 }
 
 void bolan_gl_texture_bind(const gl_texture *t, uint32_t unit) {

@@ -13,6 +13,7 @@
 #include "shared/microfacets.glsl"
 
 #include <math.h>
+#include <stddef.h>
 
 enum {
     AIR_COUNT = 3,
@@ -165,7 +166,7 @@ typedef struct crest_block {
 } crest_block;
 
 static crest_block foam_of(const render_view *v) {
-    const foam_law law = bolan_foam_law(v->frame->sea, FRESH_EDGE);
+    const foam_law law = bolan_foam_law(v->frame->sea, FRESH_EDGE, v->frame->foam_law == NULL);
     return (crest_block){.breaking_pinch = (float)law.breaking_gaussian,
                          .old_foam_memory = (float)law.memory,
                          .fresh_edge = (float)law.edge,
@@ -247,6 +248,18 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
             bolan_water_programs_add(all, s, false, &light_shader, own_defines(s->quality, cascades, sparse));
 }
 
+// By the foam that the GPU has made.
+static void patch_foam(const water_draw *d) {
+    static const struct {
+        size_t offset, first;
+    } members[] = {{offsetof(crest_block, old_foam_memory), FOAM_LAW_THRESHOLD},
+                   {offsetof(crest_block, old_edge), FOAM_LAW_EDGE},
+                   {offsetof(crest_block, memory_share), FOAM_LAW_SHARE}};
+    const gl_buffer *law = d->view->frame->foam_law;
+    for (size_t i = 0; law != NULL && i < sizeof members / sizeof *members; ++i)
+        bolan_water_blocks_patch_optics(d->blocks, members[i].offset, law, members[i].first, 1);
+}
+
 static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
     const bool sparse = d->view->block.shade_columns > 1.0f;
     if (!bolan_water_program(d, &light_shader, own_defines(p->quality, rows.cascades, sparse))) return;
@@ -272,6 +285,7 @@ static void draw_light(crest *p, const water_draw *d) {
     const uint32_t rows = bolan_water_rows(d->view, d->vertical);
     const crest_block block = foam_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
+    patch_foam(d);
     light_rows part = {.cascades = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->view->frame->sea) : 1};
     while (part.from < rows) {
         part.to = part.cascades > 1 ? rows_of_cascade(d, part.cascades - 1, p->taps, rows) : rows;

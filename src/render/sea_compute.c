@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+// See sea_compute.h.
+#include "sea_compute.h"
+
+#include "foam_statistics.h"
+#include "frame.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const char *const bolan_sea_stage_names[SEA_STAGES] = {"sea ticks", "sea rows", "sea columns", "sea levels"};
+
+enum { SLOT_MODES, SLOT_DIVISORS, SLOT_ROWS, SLOT_MEMORY, SLOT_LAW = 0 }; // storage buffers
+enum { GROUP_VALUES = 1024, TICKS = 4, LEVELS = 4, TILE = 16 };           // of a dispatch of the shaders
+
+// A mode as sea_rows.glsl has it.
+typedef struct gpu_mode {
+    float amplitude[4];
+    uint32_t step[2];
+    float turns, inverse_k;
+} gpu_mode;
+
+// ---- programs -------------------------------------------------------------------------------------------------------
+
+static sea_programs *programs_of(sea_compute *p, uint32_t n) {
+    uint32_t size = 0;
+    while (32u << size < n) ++size;
+    BOLAN_ASSERT(size < SEA_SIZES && 32u << size == n);
+    return &p->programs[size];
+}
+
+static bool make(gl_program *program, const char *stem, uint32_t n, const char *more) {
+    char defines[48];
+    if (program->id != 0) return true;
+    snprintf(defines, sizeof defines, "SIZE %u\n%s", n, more);
+    return bolan_gl_program_create_compute(stem, defines, program) == BOLAN_OK;
+}
+
+bool bolan_sea_compute_compile(sea_compute *p, uint32_t n, bool packed) {
+    sea_programs *s = programs_of(p, n);
+    const char *packs = packed ? "PACKED 1\n" : "";
+    if (s->compiled[packed]) return s->whole[packed];
+    s->compiled[packed] = true;
+    s->whole[packed] = make(&s->rows, "compute/sea_rows", n, "") &&
+                       make(&s->tick_rows, "compute/sea_rows", n, "TICKS 1\n") &&
+                       make(&s->tick_columns, "compute/sea_columns", n, "TICKS 1\n") &&
+                       make(&s->columns[packed], "compute/sea_columns", n, packs) &&
+                       make(&p->levels, "compute/sea_levels", 0, "") &&
+                       make(&p->law[packed], "compute/sea_foam_law", 0, packs);
+    return s->whole[packed];
+}
+
+static bolan_result reload(gl_program *program) {
+    return program->id != 0 ? bolan_gl_program_reload(program) : BOLAN_OK;
+}
+
+bolan_result bolan_sea_compute_reload(sea_compute *p) {
+    bolan_result result = reload(&p->levels);
+    for (int i = 0; i < 2 && result == BOLAN_OK; ++i) result = reload(&p->law[i]);
+    for (int i = 0; i < SEA_SIZES && result == BOLAN_OK; ++i) {
+        sea_programs *s = &p->programs[i];
+        gl_program *all[] = {&s->rows, &s->tick_rows, &s->tick_columns, &s->columns[0], &s->columns[1]};
+        for (size_t k = 0; k < sizeof all / sizeof *all && result == BOLAN_OK; ++k) result = reload(all[k]);
+    }
+    return result;
+}
+
+void bolan_sea_compute_free(sea_compute *p) {
+    for (int i = 0; i < SEA_SIZES; ++i) {
+        sea_programs *s = &p->programs[i];
+        gl_program *all[] = {&s->rows, &s->tick_rows, &s->tick_columns, &s->columns[0], &s->columns[1]};
+        for (size_t k = 0; k < sizeof all / sizeof *all; ++k) bolan_gl_program_free(all[k]);
+    }
+    bolan_gl_program_free(&p->levels);
+    for (int i = 0; i < 2; ++i) bolan_gl_program_free(&p->law[i]);
+    for (int i = 0; i < SEA_STAGES; ++i) bolan_gl_timer_free(&p->timers[i]);
+    bolan_gl_buffer_free(&p->rows);
+}
+
+// ---- tables of a sea ------------------------------------------------------------------------------------------------
+
+void bolan_sea_tables_free(sea_tables *t) {
+    bolan_gl_buffer_free(&t->modes);
+    bolan_gl_buffer_free(&t->divisors);
+    bolan_gl_buffer_free(&t->memory);
+    bolan_gl_buffer_free(&t->law);
+    *t = (sea_tables){.sea = 0};
+}
+
+#define QUARTER 0.25 // [s], of which the GPU counts time
+
+// Turns in a quarter of a second, without the whole ones, in units of 2^-64: a double has no more bits.
+static void split_step(double turns, uint32_t step[2]) {
+    const double in = turns * QUARTER - floor(turns * QUARTER), high = floor(in * 0x1p32);
+    step[1] = (uint32_t)high;
+    step[0] = (uint32_t)((in * 0x1p32 - high) * 0x1p32);
+}
+
+// A time as phase_of() of sea_rows.glsl takes it.
+static void split_time(double time, float out[4]) {
+    const double quarters = floor(time / QUARTER), high = floor(quarters * 0x1p-32), low = quarters - high * 0x1p32;
+    const double second = floor(low * 0x1p-16);
+    out[0] = (float)(low - second * 0x1p16);
+    out[1] = (float)second;
+    out[2] = (float)high;
+    out[3] = (float)(time - quarters * QUARTER);
+}
+
+static void place_cascades(sea_tables *t, const bolan_sea *sea) {
+    double modes = 0.0, rows = 0.0;
+    t->count = bolan_sea_cascade_count(sea);
+    t->most_rows = 0;
+    for (uint32_t c = 0; c < t->count; ++c) {
+        const bolan_cascade_view v = bolan_sea_cascade_layout(sea, c);
+        const uint32_t half = bolan_sea_mode_rows(sea, c), count = 2 * half - 1;
+        const float axes[4] = {(float)cos(v.angle), (float)sin(v.angle), (float)(2.0 * BOLAN_PI / v.length),
+                               (float)half};
+        const float parts[4] = {(float)modes, (float)rows, 0.0f, 0.0f};
+        memcpy(t->axes[c], axes, sizeof axes);
+        memcpy(t->parts[c], parts, sizeof parts);
+        modes += (double)half * v.n;
+        rows += 2.0 * count * v.n;
+        if (count > t->most_rows) t->most_rows = count;
+    }
+    t->bytes = (uint64_t)(modes * sizeof(gpu_mode) + 2.0 * rows * sizeof(bolan_vec4));
+}
+
+static void upload_modes(sea_tables *t, const bolan_sea *sea, uint32_t cascade, bolan_sea_mode *row, gpu_mode *out) {
+    const uint32_t n = bolan_sea_cascade_layout(sea, cascade).n, rows = bolan_sea_mode_rows(sea, cascade);
+    const size_t bytes = n * sizeof *out;
+    for (uint32_t j = 0; j < rows; ++j) {
+        bolan_sea_modes(sea, cascade, j, row);
+        for (uint32_t i = 0; i < n; ++i) {
+            memcpy(out[i].amplitude, row[i].a, sizeof row[i].a);
+            split_step(row[i].turns, out[i].step);
+            out[i].turns = (float)row[i].turns;
+            out[i].inverse_k = row[i].inverse_k;
+        }
+        bolan_gl_buffer_update(&t->modes, ((size_t)t->parts[cascade][0] + (size_t)j * n) * sizeof *out, bytes, out);
+    }
+}
+
+// Row 0 has the divisors of one axis alone.
+static void upload_divisors(sea_tables *t, const bolan_sea *sea, uint32_t n, bolan_sea_mode *row, bolan_vec2 *out) {
+    bolan_sea_modes(sea, 0, 0, row);
+    for (uint32_t i = 0; i < n / 2; ++i) out[i] = (bolan_vec2){row[i].cubic, row[i].linear};
+    bolan_gl_buffer_update(&t->divisors, 0, n / 2 * sizeof *out, out);
+}
+
+static bool upload_tables(sea_tables *t, const bolan_sea *sea, uint32_t n) {
+    const size_t row_bytes = n * sizeof(bolan_sea_mode), out_bytes = n * sizeof(gpu_mode);
+    char *scratch = allocate_for("the modes of a sea", row_bytes + out_bytes);
+    if (scratch == NULL) return false;
+    bolan_sea_mode *row = (void *)scratch;
+    void *out = scratch + row_bytes;
+    for (uint32_t c = 0; c < t->count; ++c) upload_modes(t, sea, c, row, out);
+    upload_divisors(t, sea, n, row, out);
+    bolan_release(scratch, row_bytes + out_bytes);
+    return true;
+}
+
+static bool create_storage(size_t bytes, gl_buffer *out) {
+    return bolan_gl_buffer_create(GL_BUFFER_STORAGE, GL_USAGE_STATIC, bytes, NULL, out) == BOLAN_OK;
+}
+
+static bool fit_tables(sea_tables *t, const bolan_sea *sea) {
+    if (t->sea == bolan_sea_id(sea)) return true;
+    bolan_sea_tables_free(t);
+    place_cascades(t, sea);
+    const uint32_t n = bolan_sea_cascade_layout(sea, 0).n, last = t->count - 1;
+    const size_t modes = (size_t)t->parts[last][0] + (size_t)t->axes[last][3] * n;
+    const bool all = create_storage(modes * sizeof(gpu_mode), &t->modes) &&
+                     create_storage(n / 2 * sizeof(bolan_vec2), &t->divisors) &&
+                     create_storage((size_t)t->count * n * n * sizeof(float), &t->memory) &&
+                     create_storage(FOAM_LAW_COUNT * sizeof(float), &t->law) && upload_tables(t, sea, n);
+    if (!all) {
+        bolan_sea_tables_free(t);
+        return false;
+    }
+    bolan_foam_law_constants(sea, &t->offset, &t->variance);
+    t->sea = bolan_sea_id(sea);
+    return true;
+}
+
+static bool fit_rows(sea_compute *p, const sea_tables *t, uint32_t n) {
+    const uint32_t last = t->count - 1;
+    const size_t values = (size_t)t->parts[last][1] + 2 * (size_t)(2.0f * t->axes[last][3] - 1.0f) * n;
+    if (p->rows.size >= values * sizeof(bolan_vec4)) return true;
+    bolan_gl_buffer_free(&p->rows);
+    return create_storage(values * sizeof(bolan_vec4), &p->rows);
+}
+
+// ---- dispatches -----------------------------------------------------------------------------------------------------
+
+static void use(const gl_program *g, const sea_tables *t, const bolan_sea *sea) {
+    bolan_gl_program_use(g);
+    bolan_gl_program_vec4_array(g, "cascade_axes", t->axes[0], 4);
+    bolan_gl_program_vec4_array(g, "cascade_parts", t->parts[0], 4);
+    bolan_gl_program_float(g, "choppiness", (float)bolan_sea_get_desc(sea)->choppiness);
+}
+
+static void run_rows(const gl_program *g, const sea_tables *t, const bolan_sea *sea, const float *moments,
+                     uint32_t count, uint32_t sets) {
+    const uint32_t transforms = GROUP_VALUES / bolan_sea_cascade_layout(sea, 0).n;
+    use(g, t, sea);
+    bolan_gl_program_vec4_array(g, "moments", moments, count);
+    bolan_gl_dispatch((t->most_rows + transforms - 1) / transforms, sets, t->count);
+    bolan_gl_wait_for(GL_BARRIER_STORAGE);
+}
+
+static void run_columns(const gl_program *g, const sea_tables *t, const bolan_sea *sea, bolan_vec4 foam,
+                        uint32_t sets) {
+    const uint32_t n = bolan_sea_cascade_layout(sea, 0).n;
+    use(g, t, sea);
+    bolan_gl_program_vec4(g, "foam", foam);
+    bolan_gl_dispatch(n * n / GROUP_VALUES, sets, t->count);
+    bolan_gl_wait_for(GL_BARRIER_ALL);
+}
+
+// Brings the foam memory to the last tick; four ticks at a time, which two complex transforms hold.
+static void run_ticks(const sea_programs *s, sea_tables *t, const bolan_sea *sea, const bolan_sea_clock *clock) {
+    const bool goes_on = t->remembers && t->from == clock->foam_from && t->tick >= clock->first_tick &&
+                         t->tick <= clock->tick;
+    if (!goes_on) {
+        t->tick = clock->first_tick;
+        t->remembers = false;
+    }
+    t->from = clock->foam_from;
+    while (t->tick < clock->tick) {
+        float moments[TICKS][4] = {{0}};
+        uint32_t count = 0;
+        for (; count < TICKS && t->tick < clock->tick; ++count) {
+            t->tick += 1.0;
+            split_time(bolan_sea_tick_time(sea, t->tick), moments[count]);
+        }
+        const bolan_vec4 foam = {clock->tick_keep, clock->tick_lose, t->remembers ? 1.0f : 0.0f, (float)count};
+        run_rows(&s->tick_rows, t, sea, moments[0], TICKS, 1);
+        run_columns(&s->tick_columns, t, sea, foam, 1);
+        t->remembers = true;
+    }
+}
+
+static void run_levels(const sea_compute *p, const gl_texture *image) {
+    bolan_gl_texture_bind(image, UNIT_OWN);
+    for (uint32_t from = 0; from + 1 < image->levels; from += LEVELS) {
+        const uint32_t left = image->levels - 1 - from, count = left < LEVELS ? left : LEVELS;
+        const uint32_t size = image->width >> from, tiles = size > TILE ? size / TILE : 1;
+        bolan_gl_program_int(&p->levels, "from", (int)from);
+        bolan_gl_program_int(&p->levels, "count", (int)count);
+        for (uint32_t l = 0; l < LEVELS; ++l) bolan_gl_image_bind(image, from + 1 + (l < count ? l : count - 1), l);
+        bolan_gl_dispatch(tiles, tiles, image->depth);
+        bolan_gl_wait_for(GL_BARRIER_TEXTURES);
+    }
+}
+
+static void run_law(const sea_compute *p, const sea_tables *t, const sea_images *images) {
+    const bool packed = images->fold == NULL;
+    const gl_program *g = &p->law[packed];
+    bolan_gl_program_vec2(g, "law", t->offset, t->variance);
+    bolan_gl_texture_bind(packed ? images->slopes : images->fold, UNIT_OWN);
+    bolan_gl_storage_bind(&t->law, SLOT_LAW);
+    bolan_gl_dispatch(1, 1, 1);
+}
+
+static void bind(const sea_compute *p, const sea_tables *t) {
+    bolan_gl_storage_bind(&t->modes, SLOT_MODES);
+    bolan_gl_storage_bind(&t->divisors, SLOT_DIVISORS);
+    bolan_gl_storage_bind(&p->rows, SLOT_ROWS);
+    bolan_gl_storage_bind(&t->memory, SLOT_MEMORY);
+}
+
+static void run_fields(sea_compute *p, const sea_programs *s, sea_tables *t, const bolan_sea *sea,
+                       const bolan_sea_clock *clock, const sea_images *images, gl_timing timing) {
+    const bool packed = images->fold == NULL;
+    float moment[4];
+    split_time(clock->shown, moment);
+    bolan_gl_timer_begin(&p->timers[SEA_STAGE_ROWS], timing);
+    run_rows(&s->rows, t, sea, moment, 1, 2);
+    bolan_gl_timer_end(&p->timers[SEA_STAGE_ROWS], timing);
+    bolan_gl_timer_begin(&p->timers[SEA_STAGE_COLUMNS], timing);
+    bolan_gl_image_bind(images->displacement, 0, 0);
+    bolan_gl_image_bind(images->slopes, 0, 1);
+    if (!packed) bolan_gl_image_bind(images->fold, 0, 2);
+    const bolan_vec4 foam = {clock->keep, clock->lose, t->remembers ? 1.0f : 0.0f, 0.0f};
+    run_columns(&s->columns[packed], t, sea, foam, packed ? 2 : 1);
+    bolan_gl_timer_end(&p->timers[SEA_STAGE_COLUMNS], timing);
+    bolan_gl_timer_begin(&p->timers[SEA_STAGE_LEVELS], timing);
+    run_levels(p, images->displacement);
+    run_levels(p, images->slopes);
+    if (!packed) run_levels(p, images->fold);
+    run_law(p, t, images);
+    bolan_gl_wait_for(GL_BARRIER_ALL);
+    bolan_gl_timer_end(&p->timers[SEA_STAGE_LEVELS], timing);
+}
+
+// Texels of all levels, written once, and the memory of the foam, read once.
+static uint64_t image_bytes(const sea_images *images) {
+    const uint64_t texels = (uint64_t)images->displacement->width * images->displacement->width *
+                            images->displacement->depth;
+    return texels * (images->fold == NULL ? 2 : 3) * 8 * 4 / 3 + texels * sizeof(float);
+}
+
+bool bolan_sea_compute_run(sea_compute *p, sea_tables *t, const bolan_sea *sea, const sea_images *images,
+                           gl_timing timing) {
+    const uint32_t n = bolan_sea_cascade_layout(sea, 0).n;
+    const bolan_sea_clock clock = bolan_sea_get_clock(sea);
+    if (!bolan_sea_compute_compile(p, n, images->fold == NULL)) return false;
+    if (!fit_tables(t, sea) || !fit_rows(p, t, n)) return false;
+    const sea_programs *s = programs_of(p, n);
+    gl_compute_saved saved;
+    bolan_gl_compute_begin(&saved);
+    bind(p, t);
+    bolan_gl_timer_begin(&p->timers[SEA_STAGE_TICKS], timing);
+    run_ticks(s, t, sea, &clock);
+    bolan_gl_timer_end(&p->timers[SEA_STAGE_TICKS], timing);
+    run_fields(p, s, t, sea, &clock, images, timing);
+    bolan_gl_compute_end(&saved);
+    p->bytes = t->bytes + image_bytes(images);
+    return true;
+}
