@@ -3,7 +3,7 @@
 // of src/waves/cascades/synth_columns.kernel.c; the layouts are those of src/render/sea_gpu.h.
 //
 // A group has TRANSFORMS columns that stand side by side, and neighbouring threads neighbouring columns, so that rows
-// are read and images written in runs. TICKS: the foam memory alone.
+// are read and images written in runs. TICKS: the foam memory alone. PACKED, HOST: see sea_layout of sea_compute.h.
 #ifdef COMPUTE
 #define SLOT(i, f) (spread(i) * TRANSFORMS + (f))
 #include "compute/transform.glsl"
@@ -44,7 +44,7 @@ void store(vec4 e[8], int t, int x, int c) {
 layout(rgba16f, binding = 0) writeonly uniform image2DArray displacement_image;
 layout(rgba16f, binding = 1) writeonly uniform image2DArray slope_image;
 #ifndef PACKED
-layout(rgba16f, binding = 2) writeonly uniform image2DArray fold_image;
+layout(rgba16f, binding = 2) writeonly uniform image2DArray third_image;
 #endif
 
 void store_displacement(vec4 e[8], int t, int x, int c) {
@@ -61,7 +61,11 @@ void store_slopes(vec4 e[8], float fold[8], int t, int x, int c) {
         imageStore(slope_image, ivec3(x, y, c), halfs(vec4(e[n].xy, divergence, now)));
 #else
         imageStore(slope_image, ivec3(x, y, c), halfs(e[n]));
-        imageStore(fold_image, ivec3(x, y, c), halfs(vec4(fold[n], now, 0.0, 0.0)));
+#ifdef HOST
+        imageStore(third_image, ivec3(x, y, c), halfs(vec4(now, 0.0, 0.0, 0.0)));
+#else
+        imageStore(third_image, ivec3(x, y, c), halfs(vec4(fold[n], now, 0.0, 0.0)));
+#endif
 #endif
     }
 }

@@ -35,24 +35,25 @@ static bool cascades_fit(const host_fields *p, const bolan_sea *sea) {
     return count == 0 || (p->displacement.width == bolan_sea_cascade_layout(sea, 0).n && p->displacement.depth == count);
 }
 
-static bool create_cascades(host_fields *p, uint32_t n, uint32_t count) {
+static bool create_cascades(host_fields *p, uint32_t n, uint32_t count, bool storage) {
     gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
                             .width = n,
                             .height = n,
                             .depth = count,
                             .array = true,
+                            .storage = storage,
                             .filter = GL_FILTER_MIPMAP,
                             .wrap = GL_WRAP_REPEAT};
     bolan_result result = bolan_gl_texture_create(&desc, &p->displacement);
     if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, &p->slopes);
-    desc.format = GL_FMT_R16F;
+    if (!storage) desc.format = GL_FMT_R16F; // ES has no images of one channel
     if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, &p->foam);
     if (result != BOLAN_OK) free_cascades(p);
     return result == BOLAN_OK;
 }
 
 static bool upload_cascades(host_fields *p, const bolan_sea *sea, uint32_t count) {
-    if (!cascades_fit(p, sea) && !create_cascades(p, bolan_sea_cascade_layout(sea, 0).n, count)) return false;
+    if (!cascades_fit(p, sea) && !create_cascades(p, bolan_sea_cascade_layout(sea, 0).n, count, false)) return false;
     for (uint32_t c = 0; c < count; ++c) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
         bolan_gl_texture_upload(&p->displacement, 0, (int)c, v.displacement_half, true);
@@ -63,6 +64,12 @@ static bool upload_cascades(host_fields *p, const bolan_sea *sea, uint32_t count
     bolan_gl_texture_generate_mipmaps(&p->slopes);
     bolan_gl_texture_generate_mipmaps(&p->foam);
     return true;
+}
+
+static bool compute_cascades(host_fields *p, const bolan_sea *sea, uint32_t count, sea_compute *compute) {
+    const sea_images images = {SEA_LAYOUT_HOST, &p->displacement, &p->slopes, &p->foam};
+    if (!cascades_fit(p, sea) && !create_cascades(p, bolan_sea_cascade_layout(sea, 0).n, count, true)) return false;
+    return bolan_sea_compute_run(compute, &p->tables, sea, &images, GL_TIMING_OFF);
 }
 
 static double exp_scale(double sharpness) { return sharpness > 0.0 ? 2.0 / (1.0 - exp(-2.0 * sharpness)) : 1.0; }
@@ -142,7 +149,8 @@ static fields_block block_of(const bolan_water *water, bolan_dvec3 origin) {
     return b;
 }
 
-static bool update(host_fields *p, const bolan_water *water, bolan_dvec3 origin) {
+// compute: NULL where the CPU makes the fields.
+static bool update(host_fields *p, const bolan_water *water, bolan_dvec3 origin, sea_compute *compute) {
     const bolan_sea *sea = water->sea;
     const fields_block b = block_of(water, origin);
     const uint64_t serial = bolan_sea_serial(sea);
@@ -150,7 +158,10 @@ static bool update(host_fields *p, const bolan_water *water, bolan_dvec3 origin)
         bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof b, NULL, &p->block) != BOLAN_OK)
         return false;
     if (b.wave_count > 0 && !upload_waves(p, sea, (uint32_t)b.wave_count, origin)) return false;
-    if (b.cascade_count > 0 && p->serial != serial && !upload_cascades(p, sea, (uint32_t)b.cascade_count)) return false;
+    const uint32_t count = (uint32_t)b.cascade_count;
+    if (count > 0 && p->serial != serial &&
+        !(compute != NULL ? compute_cascades(p, sea, count, compute) : upload_cascades(p, sea, count)))
+        return false;
     p->serial = serial;
     bolan_gl_buffer_update(&p->block, 0, sizeof b, &b);
     return true;
@@ -163,6 +174,7 @@ static void bind(const host_fields *p, uint32_t first, uint32_t slot) {
 
 void bolan_host_fields_free(host_fields *p) {
     free_cascades(p);
+    bolan_sea_tables_free(&p->tables);
     bolan_gl_texture_free(&p->waves);
     bolan_gl_buffer_free(&p->block);
 }
@@ -211,7 +223,8 @@ void bolan_renderer_bind_fields(bolan_renderer *r, const bolan_water *water, bol
     // Textures that go may be bound in the state that is saved and given back, so they go before.
     if (!cascades_fit(&r->fields, water->sea)) free_cascades(&r->fields);
     bolan_renderer_enter(r);
-    const bool ready = update(&r->fields, water, origin);
+    sea_compute *compute = r->desc.backend == BOLAN_BACKEND_COMPUTE ? &r->compute : NULL;
+    const bool ready = update(&r->fields, water, origin, compute);
     bolan_renderer_leave(r);
     if (ready) bind(&r->fields, first_unit, slot);
 }

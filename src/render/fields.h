@@ -5,6 +5,7 @@
 
 #include "bolan/water.h"
 #include "gl/gl.h"
+#include "sea_compute.h"
 
 // bolan_sea_block of bolan_fields.glsl: std140, keep in step.
 typedef struct fields_block {
@@ -21,6 +22,7 @@ typedef struct fields_block {
 typedef struct host_fields {
     gl_texture displacement, slopes, foam, waves;
     gl_buffer block;
+    sea_tables tables; // of the compute backend
     uint64_t serial; // of the sea whose fields are in the textures; 0: none
 } host_fields;
 

@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "renderer.h"
-#include "sea_compute.h"
 
 _Static_assert((int)PART_COUNT + (int)SEA_STAGES <= BOLAN_MAX_PASSES, "statistics have a place for each");
 
@@ -42,11 +41,11 @@ bolan_lighting bolan_lighting_default(void) {
 }
 
 // `world`: objects and tiles are drawn too; NULL: the water alone.
-static frame step_of(const bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting,
+static frame step_of(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting,
                      const bolan_world *world) {
     const bolan_scene *scene = world != NULL ? bolan_world_scene(world) : NULL;
     frame f = {.caps = &r->caps,
-               .computes = r->desc.backend == BOLAN_BACKEND_COMPUTE,
+               .compute = r->desc.backend == BOLAN_BACKEND_COMPUTE ? &r->compute : NULL,
                .timing = timing_of(r),
                .quality = r->desc.quality,
                .water = *water,
@@ -206,7 +205,7 @@ static void keep_statistics(bolan_renderer *r, const render_view *v) {
         s->passes[i].name = bolan_frame_part_names[i];
         s->passes[i].ms = r->timers[i].ms;
     }
-    const sea_compute *sea = r->frame.computes ? bolan_pass_water_sea(r->water) : NULL;
+    const sea_compute *sea = r->frame.compute;
     s->sea_bytes = sea != NULL ? sea->bytes : 0;
     for (int i = 0; sea != NULL && i < SEA_STAGES; ++i) {
         s->passes[s->pass_count].name = bolan_sea_stage_names[i];

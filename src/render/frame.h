@@ -57,7 +57,7 @@ enum {
 // A step: what the caller gave to prepare, and what every view of it shares.
 typedef struct frame {
     const gl_caps *caps;
-    bool computes; // the fields of cascades are made by compute shaders
+    struct sea_compute *compute; // which makes the fields of cascades; NULL: the CPU does
     gl_timing timing;
     bolan_quality quality;
     bolan_water water;
@@ -161,8 +161,6 @@ void bolan_pass_water_draw(pass_water *p, render_view *v);
 // The water round an eye in it, where the depth is 0.
 void bolan_pass_water_draw_body(pass_water *p, const frame *f);
 bool bolan_pass_water_needs_baking(const pass_water *p, const frame *f); // and was not asked to
-// The compute backend of its sea.
-const struct sea_compute *bolan_pass_water_sea(const pass_water *p);
 bolan_result bolan_pass_water_reload(pass_water *p);
 void bolan_pass_water_destroy(pass_water **p);
 

@@ -65,11 +65,8 @@ bool bolan_pass_water_needs_baking(const pass_water *p, const frame *f) {
     return o->stale != NULL && p->state[kind] != NULL && !p->failed[kind] && o->stale(p->state[kind]);
 }
 
-const sea_compute *bolan_pass_water_sea(const pass_water *p) { return &p->fields.compute; }
-
 bolan_result bolan_pass_water_reload(pass_water *p) {
     bolan_result result = bolan_water_programs_reload(&p->programs);
-    if (result == BOLAN_OK) result = bolan_sea_compute_reload(&p->fields.compute);
     if (result == BOLAN_OK) result = bolan_half_rate_reload(&p->sparse);
     for (int i = 0; i < BOLAN_OPTICS_KINDS && result == BOLAN_OK; ++i)
         if (p->state[i] != NULL && !p->failed[i] && optics_table[i]->reload != NULL)
@@ -190,7 +187,7 @@ bolan_result bolan_pass_water_compile(pass_water *p, const frame *f, bolan_progr
             list_programs(p, f, &s);
         }
     bolan_water_programs_compile(&p->programs, progress, user);
-    if (f->computes && s.waves == WATER_CASCADES && !bolan_sea_gpu_compile(&p->fields, f->sea, optics_of(f)->packed))
+    if (f->compute != NULL && s.waves == WATER_CASCADES && !bolan_sea_gpu_compile(f, optics_of(f)->packed))
         return BOLAN_ERROR_GL;
     if (p->programs.refused) return BOLAN_ERROR_MEMORY;
     return can_draw(p, f) && bolan_water_programs_are_whole(&p->programs) ? BOLAN_OK : BOLAN_ERROR_GL;

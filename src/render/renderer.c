@@ -155,6 +155,7 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     bolan_host_free(&r->host);
     bolan_gl_buffer_free(&r->bounds);
     bolan_host_fields_free(&r->fields);
+    bolan_sea_compute_free(&r->compute);
     bolan_blocks_free(&r->uniforms);
     bolan_gl_program_free(&r->yardstick);
     bolan_gl_depth_reader_free(&r->depth_reader);
@@ -170,6 +171,7 @@ static bolan_result reload_passes(bolan_renderer *r) {
                                     bolan_pass_ground_reload(r->own_cache.ground),
                                     bolan_pass_objects_reload(r->models),
                                     bolan_pass_water_reload(r->water),
+                                    bolan_sea_compute_reload(&r->compute),
                                     bolan_pass_tonemap_reload(r->tonemap),
                                     bolan_host_reload(&r->host)};
     for (size_t i = 0; i < sizeof results / sizeof results[0]; ++i)

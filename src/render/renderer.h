@@ -8,6 +8,7 @@
 #include "frame.h"
 #include "host.h"
 #include "kept_sizes.h"
+#include "sea_compute.h"
 
 // The timed parts of a frame, in order.
 typedef enum frame_part {
@@ -73,6 +74,7 @@ struct bolan_renderer {
     pass_tonemap *tonemap;
     host_frame host;    // pictures into a host's frame
     host_fields fields; // for programs of the host's
+    sea_compute compute; // of BOLAN_BACKEND_COMPUTE
     gl_buffer bounds;   // the polygon of a host's water
     block_buffers uniforms;
     gl_program yardstick;

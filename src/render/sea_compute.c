@@ -38,18 +38,28 @@ static bool make(gl_program *program, const char *stem, uint32_t n, const char *
     return bolan_gl_program_create_compute(stem, defines, program) == BOLAN_OK;
 }
 
-bool bolan_sea_compute_compile(sea_compute *p, uint32_t n, bool packed) {
+bool bolan_sea_compute_compile(sea_compute *p, uint32_t n, sea_layout layout) {
+    static const char *const defines[] = {"", "PACKED 1\n", "HOST 1\n"};
     sea_programs *s = programs_of(p, n);
-    const char *packs = packed ? "PACKED 1\n" : "";
-    if (s->compiled[packed]) return s->whole[packed];
-    s->compiled[packed] = true;
-    s->whole[packed] = make(&s->rows, "compute/sea_rows", n, "") &&
+    if (s->compiled[layout]) return s->whole[layout];
+    s->compiled[layout] = true;
+    s->whole[layout] = make(&s->rows, "compute/sea_rows", n, "") &&
                        make(&s->tick_rows, "compute/sea_rows", n, "TICKS 1\n") &&
                        make(&s->tick_columns, "compute/sea_columns", n, "TICKS 1\n") &&
-                       make(&s->columns[packed], "compute/sea_columns", n, packs) &&
+                       make(&s->columns[layout], "compute/sea_columns", n, defines[layout]) &&
                        make(&p->levels, "compute/sea_levels", 0, "") &&
-                       make(&p->law[packed], "compute/sea_foam_law", 0, packs);
-    return s->whole[packed];
+                       (layout == SEA_LAYOUT_HOST ||
+                        make(&p->law[layout], "compute/sea_foam_law", 0, defines[layout]));
+    return s->whole[layout];
+}
+
+enum { SIZE_PROGRAMS = 3 + SEA_LAYOUTS };
+
+static void list_programs(sea_programs *s, gl_program *out[SIZE_PROGRAMS]) {
+    out[0] = &s->rows;
+    out[1] = &s->tick_rows;
+    out[2] = &s->tick_columns;
+    for (int i = 0; i < SEA_LAYOUTS; ++i) out[3 + i] = &s->columns[i];
 }
 
 static bolan_result reload(gl_program *program) {
@@ -58,23 +68,23 @@ static bolan_result reload(gl_program *program) {
 
 bolan_result bolan_sea_compute_reload(sea_compute *p) {
     bolan_result result = reload(&p->levels);
-    for (int i = 0; i < 2 && result == BOLAN_OK; ++i) result = reload(&p->law[i]);
+    for (int i = 0; i < SEA_LAYOUT_HOST && result == BOLAN_OK; ++i) result = reload(&p->law[i]);
     for (int i = 0; i < SEA_SIZES && result == BOLAN_OK; ++i) {
-        sea_programs *s = &p->programs[i];
-        gl_program *all[] = {&s->rows, &s->tick_rows, &s->tick_columns, &s->columns[0], &s->columns[1]};
-        for (size_t k = 0; k < sizeof all / sizeof *all && result == BOLAN_OK; ++k) result = reload(all[k]);
+        gl_program *all[SIZE_PROGRAMS];
+        list_programs(&p->programs[i], all);
+        for (int k = 0; k < SIZE_PROGRAMS && result == BOLAN_OK; ++k) result = reload(all[k]);
     }
     return result;
 }
 
 void bolan_sea_compute_free(sea_compute *p) {
     for (int i = 0; i < SEA_SIZES; ++i) {
-        sea_programs *s = &p->programs[i];
-        gl_program *all[] = {&s->rows, &s->tick_rows, &s->tick_columns, &s->columns[0], &s->columns[1]};
-        for (size_t k = 0; k < sizeof all / sizeof *all; ++k) bolan_gl_program_free(all[k]);
+        gl_program *all[SIZE_PROGRAMS];
+        list_programs(&p->programs[i], all);
+        for (int k = 0; k < SIZE_PROGRAMS; ++k) bolan_gl_program_free(all[k]);
     }
     bolan_gl_program_free(&p->levels);
-    for (int i = 0; i < 2; ++i) bolan_gl_program_free(&p->law[i]);
+    for (int i = 0; i < SEA_LAYOUT_HOST; ++i) bolan_gl_program_free(&p->law[i]);
     for (int i = 0; i < SEA_STAGES; ++i) bolan_gl_timer_free(&p->timers[i]);
     bolan_gl_buffer_free(&p->rows);
 }
@@ -256,10 +266,10 @@ static void run_levels(const sea_compute *p, const gl_texture *image) {
 }
 
 static void run_law(const sea_compute *p, const sea_tables *t, const sea_images *images) {
-    const bool packed = images->fold == NULL;
-    const gl_program *g = &p->law[packed];
+    if (images->layout == SEA_LAYOUT_HOST) return;
+    const gl_program *g = &p->law[images->layout];
     bolan_gl_program_vec2(g, "law", t->offset, t->variance);
-    bolan_gl_texture_bind(packed ? images->slopes : images->fold, UNIT_OWN);
+    bolan_gl_texture_bind(images->layout == SEA_LAYOUT_PACKED ? images->slopes : images->third, UNIT_OWN);
     bolan_gl_storage_bind(&t->law, SLOT_LAW);
     bolan_gl_dispatch(1, 1, 1);
 }
@@ -273,7 +283,7 @@ static void bind(const sea_compute *p, const sea_tables *t) {
 
 static void run_fields(sea_compute *p, const sea_programs *s, sea_tables *t, const bolan_sea *sea,
                        const bolan_sea_clock *clock, const sea_images *images, gl_timing timing) {
-    const bool packed = images->fold == NULL;
+    const bool packed = images->layout == SEA_LAYOUT_PACKED;
     float moment[4];
     split_time(clock->shown, moment);
     bolan_gl_timer_begin(&p->timers[SEA_STAGE_ROWS], timing);
@@ -282,14 +292,14 @@ static void run_fields(sea_compute *p, const sea_programs *s, sea_tables *t, con
     bolan_gl_timer_begin(&p->timers[SEA_STAGE_COLUMNS], timing);
     bolan_gl_image_bind(images->displacement, 0, 0);
     bolan_gl_image_bind(images->slopes, 0, 1);
-    if (!packed) bolan_gl_image_bind(images->fold, 0, 2);
+    if (!packed) bolan_gl_image_bind(images->third, 0, 2);
     const bolan_vec4 foam = {clock->keep, clock->lose, t->remembers ? 1.0f : 0.0f, 0.0f};
-    run_columns(&s->columns[packed], t, sea, foam, packed ? 2 : 1);
+    run_columns(&s->columns[images->layout], t, sea, foam, packed ? 2 : 1);
     bolan_gl_timer_end(&p->timers[SEA_STAGE_COLUMNS], timing);
     bolan_gl_timer_begin(&p->timers[SEA_STAGE_LEVELS], timing);
     run_levels(p, images->displacement);
     run_levels(p, images->slopes);
-    if (!packed) run_levels(p, images->fold);
+    if (!packed) run_levels(p, images->third);
     run_law(p, t, images);
     bolan_gl_wait_for(GL_BARRIER_ALL);
     bolan_gl_timer_end(&p->timers[SEA_STAGE_LEVELS], timing);
@@ -299,14 +309,14 @@ static void run_fields(sea_compute *p, const sea_programs *s, sea_tables *t, con
 static uint64_t image_bytes(const sea_images *images) {
     const uint64_t texels = (uint64_t)images->displacement->width * images->displacement->width *
                             images->displacement->depth;
-    return texels * (images->fold == NULL ? 2 : 3) * 8 * 4 / 3 + texels * sizeof(float);
+    return texels * (images->layout == SEA_LAYOUT_PACKED ? 2 : 3) * 8 * 4 / 3 + texels * sizeof(float);
 }
 
 bool bolan_sea_compute_run(sea_compute *p, sea_tables *t, const bolan_sea *sea, const sea_images *images,
                            gl_timing timing) {
     const uint32_t n = bolan_sea_cascade_layout(sea, 0).n;
     const bolan_sea_clock clock = bolan_sea_get_clock(sea);
-    if (!bolan_sea_compute_compile(p, n, images->fold == NULL)) return false;
+    if (!bolan_sea_compute_compile(p, n, images->layout)) return false;
     if (!fit_tables(t, sea) || !fit_rows(p, t, n)) return false;
     const sea_programs *s = programs_of(p, n);
     gl_compute_saved saved;

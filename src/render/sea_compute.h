@@ -41,28 +41,33 @@ extern const char *const bolan_sea_stage_names[SEA_STAGES];
 
 typedef struct sea_compute sea_compute;
 
+// What the images hold besides the displacement. WHOLE and PACKED: see water_textures of sea_gpu.h. HOST: as
+// bolan_fields.glsl has it, slopes as in WHOLE, and the foam alone in the third.
+typedef enum sea_layout { SEA_LAYOUT_WHOLE, SEA_LAYOUT_PACKED, SEA_LAYOUT_HOST, SEA_LAYOUTS } sea_layout;
+
 enum { SEA_SIZES = 6 }; // 32, 64 .. 1024
-// The programs of a size; those of columns and of the law by whether the slopes are packed.
+// The programs of a size.
 typedef struct sea_programs {
-    gl_program rows, tick_rows, tick_columns, columns[2];
-    bool compiled[2], whole[2]; // tried; all of them are there
+    gl_program rows, tick_rows, tick_columns, columns[SEA_LAYOUTS];
+    bool compiled[SEA_LAYOUTS], whole[SEA_LAYOUTS]; // tried; all of them are there
 } sea_programs;
 
 struct sea_compute {
     sea_programs programs[SEA_SIZES];
-    gl_program levels, law[2];
+    gl_program levels, law[SEA_LAYOUT_HOST]; // a host has no law of foam
     gl_buffer rows; // between the passes; as large as the largest sea needs
     gl_timer timers[SEA_STAGES];
     uint64_t bytes; // of the last synthesis: see bolan_frame_statistics.sea_bytes
 };
 
-// The images that a synthesis fills: arrays with storage, a layer for each cascade.
+// The images that a synthesis fills: arrays of RGBA16F with storage, a layer for each cascade.
 typedef struct sea_images {
-    const gl_texture *displacement, *slopes, *fold; // as in sea_fields; fold is RGBA16F here, NULL where packed
+    sea_layout layout;
+    const gl_texture *displacement, *slopes, *third; // third: fold, or a host's foam; unused where packed
 } sea_images;
 
 // Compiles what seas of n x n samples need. False: it does not compile (logged).
-bool bolan_sea_compute_compile(sea_compute *p, uint32_t n, bool packed);
+bool bolan_sea_compute_compile(sea_compute *p, uint32_t n, sea_layout layout);
 // Fills the images with the present time of the sea, and the law of its foam. Tables of another sea are made anew.
 // False: there is no memory, or a program that does not compile (logged).
 bool bolan_sea_compute_run(sea_compute *p, sea_tables *t, const bolan_sea *sea, const sea_images *images,

@@ -95,7 +95,6 @@ static void free_fold(sea_gpu *p) {
 void bolan_sea_gpu_free(sea_gpu *p) {
     free_work(p);
     free_fold(p);
-    bolan_sea_compute_free(&p->compute);
     for (int i = 0; i < BOLAN_KEPT_SEAS; ++i) {
         free_textures(&p->kept[i]);
         bolan_sea_tables_free(&p->kept[i].tables);
@@ -243,15 +242,17 @@ static bool upload_cascades(sea_gpu *p, sea_fields *f, const bolan_sea *sea, boo
     return true;
 }
 
-bool bolan_sea_gpu_compile(sea_gpu *p, const bolan_sea *sea, bool packed) {
-    return bolan_sea_compute_compile(&p->compute, bolan_sea_cascade_layout(sea, 0).n, packed);
+static sea_layout layout_of(bool packed) { return packed ? SEA_LAYOUT_PACKED : SEA_LAYOUT_WHOLE; }
+
+bool bolan_sea_gpu_compile(const frame *f, bool packed) {
+    return bolan_sea_compute_compile(f->compute, bolan_sea_cascade_layout(f->sea, 0).n, layout_of(packed));
 }
 
-static bool compute_cascades(sea_gpu *p, sea_fields *f, const bolan_sea *sea, bool packed, gl_timing timing) {
-    const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade_layout(sea, 0).n;
-    const sea_images images = {&f->displacement, &f->slopes, packed ? NULL : &f->fold};
-    return fit_textures(f, n, count, packed, true) &&
-           bolan_sea_compute_run(&p->compute, &f->tables, sea, &images, timing);
+static bool compute_cascades(sea_fields *to, const frame *f, bool packed) {
+    const uint32_t count = bolan_sea_cascade_count(f->sea), n = bolan_sea_cascade_layout(f->sea, 0).n;
+    const sea_images images = {layout_of(packed), &to->displacement, &to->slopes, &to->fold};
+    return fit_textures(to, n, count, packed, true) &&
+           bolan_sea_compute_run(f->compute, &to->tables, f->sea, &images, f->timing);
 }
 
 enum { LIFT_OCTAVES = sizeof((water_block *)0)->cascade_lift / sizeof(vec4) }; // from a quarter of a texel up
@@ -419,8 +420,8 @@ static sea_fields *choose(sea_gpu *p, uint64_t sea, water_textures textures) {
 }
 
 static bool make_cascades(sea_gpu *p, sea_fields *now, const frame *f, bool packed) {
-    return f->computes ? compute_cascades(p, now, f->sea, packed, f->timing)
-                       : upload_cascades(p, now, f->sea, packed, f->caps->software);
+    return f->compute != NULL ? compute_cascades(now, f, packed)
+                              : upload_cascades(p, now, f->sea, packed, f->caps->software);
 }
 
 bool bolan_sea_gpu_prepare(sea_gpu *p, frame *f, water_textures textures) {
@@ -430,7 +431,7 @@ bool bolan_sea_gpu_prepare(sea_gpu *p, frame *f, water_textures textures) {
     const bool known = now->sea == sea && now->textures == textures;
     const bool fields = waves == WATER_CASCADES && textures != WATER_TEXTURES_NONE;
     now->used = ++p->preparations;
-    f->foam_law = fields && f->computes ? &now->tables.law : NULL;
+    f->foam_law = fields && f->compute != NULL ? &now->tables.law : NULL;
     if (known && now->serial == serial) return true;
     now->serial = 0;
     if (now->sea != sea) {

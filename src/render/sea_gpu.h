@@ -38,7 +38,6 @@ typedef struct sea_gpu {
     sea_fields kept[BOLAN_KEPT_SEAS];
     sea_fields *now;                                   // of the step that is drawn
     uint64_t preparations;                             // since creation
-    sea_compute compute;
     struct water_texel_work *work[BOLAN_MAX_CASCADES]; // levels made on the CPU
     uint32_t work_n;
     gl_texture table; // WATER_SUM: a texel a wave
@@ -51,7 +50,7 @@ bolan_result bolan_sea_gpu_create(sea_gpu *p);
 // the same sea or those that were prepared the longest time ago. Sets f->foam_law. False: they cannot be had (logged).
 bool bolan_sea_gpu_prepare(sea_gpu *p, frame *f, water_textures textures);
 // Compiles the compute shaders of a sea of cascades. False: one does not compile (logged).
-bool bolan_sea_gpu_compile(sea_gpu *p, const bolan_sea *sea, bool packed);
+bool bolan_sea_gpu_compile(const frame *f, bool packed);
 // Uploads what belongs to a view's eye, and binds all.
 void bolan_sea_gpu_view(sea_gpu *p, const render_view *v, water_waves waves);
 // Binds the textures again, for a pass that follows one which used their units.

@@ -30,6 +30,8 @@ static inline void picture_free(picture *p) {
 static const char
     *stage_shaders; // the folder that the renderers of stages take their shaders from; NULL: the built-in ones
 
+static bolan_backend stage_backend; // of the renderers of stages; default auto
+
 // A world and a renderer; the context must be current. The world takes over `scene`, which a test may change, before it
 // is drawn.
 typedef struct stage {
@@ -64,6 +66,7 @@ static inline bool stage_open(stage *s, const bolan_scene *scene, bolan_quality 
     desc.quality = quality;
     desc.no_clip_control = no_clip_control;
     desc.shader_directory = stage_shaders;
+    desc.backend = stage_backend;
     if (!stage_load(s, scene)) return false;
     stage_settle(s, scene->time);
     return bolan_renderer_create(&desc, &s->renderer) == BOLAN_OK;

@@ -97,7 +97,7 @@ try_compute() {
 }
 for size in 32 64 128 256 512 1024; do
     for name in "" TICKS; do try_compute sea_rows SIZE=$size $name; done
-    for name in "" TICKS PACKED; do try_compute sea_columns SIZE=$size $name; done
+    for name in "" TICKS PACKED HOST; do try_compute sea_columns SIZE=$size $name; done
 done
 try_compute sea_levels
 for name in "" PACKED; do try_compute sea_foam_law $name; done

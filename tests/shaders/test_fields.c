@@ -81,13 +81,14 @@ static GLuint float_texture(void) {
 }
 
 // Made once for all tests of an API.
-static int open_host(void **state, bolan_gl_api api) {
+static int open_host(void **state, bolan_gl_api api, bolan_backend backend) {
     static host all;
     host *h = &all;
     memset(h, 0, sizeof *h);
     if (gl_setup((void **)&h->context, api) != 0) return -1;
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = BOLAN_QUALITY_LOW;
+    desc.backend = backend;
     assert_int_equal(bolan_renderer_create(&desc, &h->renderer), BOLAN_OK);
     h->program = host_program(bolan_fields_glsl(), host_body);
     assert_int_equal(bolan_renderer_link_fields(h->renderer, h->program, UNIT, SLOT), BOLAN_OK);
@@ -106,8 +107,16 @@ static int open_host(void **state, bolan_gl_api api) {
     return 0;
 }
 
-static int open_core(void **state) { return open_host(state, BOLAN_GL_CORE); }
-static int open_es(void **state) { return open_host(state, BOLAN_GL_ES); }
+static int open_core(void **state) { return open_host(state, BOLAN_GL_CORE, BOLAN_BACKEND_CPU); }
+static int open_es(void **state) { return open_host(state, BOLAN_GL_ES, BOLAN_BACKEND_CPU); }
+static int open_compute(void **state) { return open_host(state, BOLAN_GL_CORE, BOLAN_BACKEND_COMPUTE); }
+
+static bool has_compute(void) {
+    bolan_context *context = NULL;
+    const bool has = bolan_context_create(BOLAN_GL_CORE, &context) == BOLAN_OK && bolan_gl_get_info().compute;
+    bolan_context_destroy(&context);
+    return has;
+}
 
 static int close_host(void **state) {
     host *h = *state;
@@ -506,6 +515,12 @@ int main(void) {
         TEST(a_step_and_another_sea_are_seen),
         TEST(misuse_is_refused),
     };
-    const int core = cmocka_run_group_tests_name("fields for the host's programs (core)", tests, open_core, close_host);
-    return core + cmocka_run_group_tests_name("fields for the host's programs (es)", tests, open_es, close_host);
+    const struct CMUnitTest computed[] = {
+        TEST(every_model_equals_the_sample),
+        TEST(a_step_and_another_sea_are_seen),
+    };
+    int failed = cmocka_run_group_tests_name("fields for the host's programs (core)", tests, open_core, close_host);
+    if (has_compute())
+        failed += cmocka_run_group_tests_name("fields that are computed", computed, open_compute, close_host);
+    return failed + cmocka_run_group_tests_name("fields for the host's programs (es)", tests, open_es, close_host);
 }

@@ -5,8 +5,10 @@
 
 #include "bolan/query.h"
 #include "render/foam_statistics.h"
+#include "heard.h"
 #include "render/sea_gpu.h"
 
+#include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <string.h>
 
@@ -15,6 +17,7 @@ typedef struct rig {
     gl_caps caps;
     frame step;
     sea_gpu gpu;
+    sea_compute compute;
     water_textures textures;
 } rig;
 
@@ -24,12 +27,13 @@ static void rig_open(rig *r, const bolan_sea_desc *desc, bool packed) {
     r->caps = bolan_gl_get_caps();
     if (!r->caps.compute) skip();
     r->textures = packed ? WATER_TEXTURES_PACKED : WATER_TEXTURES_ALL;
-    r->step = (frame){.caps = &r->caps, .computes = true, .sea = r->sea, .lighting = bolan_lighting_default()};
+    r->step = (frame){.caps = &r->caps, .compute = &r->compute, .sea = r->sea, .lighting = bolan_lighting_default()};
     assert_int_equal(bolan_sea_gpu_create(&r->gpu), BOLAN_OK);
 }
 
 static void rig_close(rig *r) {
     bolan_sea_gpu_free(&r->gpu);
+    bolan_sea_compute_free(&r->compute);
     bolan_sea_destroy(&r->sea);
 }
 
@@ -342,6 +346,95 @@ static void a_drawn_sea_costs_the_cpu_nothing(void **state) {
     bolan_set_hooks(NULL);
 }
 
+// ---- a context without compute shaders, and a host with bindings of its own ------------------------------------------
+
+static void *without_dispatch(void *user, const char *name) {
+    void *address = NULL;
+    void (*const found)(void) = eglGetProcAddress(name);
+    (void)user;
+    if (strcmp(name, "glDispatchCompute") != 0) memcpy(&address, &found, sizeof address);
+    return address;
+}
+
+static void where_there_is_none_it_is_refused_in_one_sentence(void **state) {
+    (void)state;
+    bolan_set_hooks(&(bolan_hooks){.log = hear, .get_proc_address = without_dispatch});
+    assert_false(bolan_gl_get_info().compute);
+    bolan_renderer_desc desc = bolan_renderer_desc_default();
+    bolan_renderer *renderer = NULL;
+    heard.errors = 0;
+    desc.backend = BOLAN_BACKEND_COMPUTE;
+    assert_int_equal(bolan_renderer_create(&desc, &renderer), BOLAN_ERROR_UNSUPPORTED);
+    assert_null(renderer);
+    assert_int_equal(heard.errors, 1);
+    assert_int_equal(heard.id, BOLAN_LOG_UNSUPPORTED);
+    assert_non_null(strstr(heard.sentence, "has no compute shaders; expected OpenGL 4.3"));
+    desc.backend = BOLAN_BACKEND_AUTO;
+    assert_int_equal(bolan_renderer_create(&desc, &renderer), BOLAN_OK);
+    assert_int_equal(bolan_renderer_backend(renderer), BOLAN_BACKEND_CPU);
+    bolan_renderer_destroy(&renderer);
+    heard.errors = 0;
+    desc.backend = (bolan_backend)3;
+    assert_int_equal(bolan_renderer_create(&desc, &renderer), BOLAN_ERROR_ARGUMENT);
+    assert_int_equal(heard.id, BOLAN_LOG_OUT_OF_RANGE);
+    bolan_set_hooks(NULL);
+}
+
+typedef struct bindings {
+    GLint buffer, slot[4], image[4][6];
+    GLint64 start[4], size[4];
+} bindings;
+
+static bindings bindings_now(void) {
+    static const GLenum names[6] = {GL_IMAGE_BINDING_NAME,  GL_IMAGE_BINDING_LEVEL,  GL_IMAGE_BINDING_LAYERED,
+                                    GL_IMAGE_BINDING_LAYER, GL_IMAGE_BINDING_ACCESS, GL_IMAGE_BINDING_FORMAT};
+    bindings b;
+    memset(&b, 0, sizeof b);
+    glGetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &b.buffer);
+    for (GLuint i = 0; i < 4; i++) {
+        glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, i, &b.slot[i]);
+        glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, i, &b.start[i]);
+        glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, i, &b.size[i]);
+        for (int k = 0; k < 6; k++) glGetIntegeri_v(names[k], i, &b.image[i][k]);
+    }
+    return b;
+}
+
+static void the_hosts_bindings_stay(void **state) {
+    (void)state;
+    if (!bolan_gl_get_info().compute) skip();
+    GLuint buffer[3], image;
+    glGenBuffers(3, buffer);
+    for (int i = 0; i < 3; i++) {
+        glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer[i]);
+        glBufferData(GL_SHADER_STORAGE_BUFFER, 4096, NULL, GL_STATIC_DRAW);
+    }
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer[0]);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 3, buffer[1], 1024, 512);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer[2]);
+    glGenTextures(1, &image);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, image);
+    glTexStorage3D(GL_TEXTURE_2D_ARRAY, 2, GL_RGBA32F, 8, 8, 4);
+    glBindImageTexture(1, image, 1, GL_FALSE, 2, GL_READ_ONLY, GL_RGBA32F);
+    const bindings before = bindings_now();
+    bolan_renderer_desc desc = bolan_renderer_desc_default();
+    desc.backend = BOLAN_BACKEND_COMPUTE;
+    bolan_renderer *renderer = NULL;
+    assert_int_equal(bolan_renderer_create(&desc, &renderer), BOLAN_OK);
+    bolan_water water = bolan_water_default();
+    bolan_lighting lighting = bolan_lighting_default();
+    bolan_sea *sea = small_sea(bolan_sea_state_from_wind(9.0, 250.0, 100e3));
+    water.sea = sea;
+    bolan_renderer_prepare(renderer, &water, &lighting);
+    const bindings after = bindings_now();
+    assert_memory_equal(&before, &after, sizeof before);
+    assert_true(before.slot[3] != 0 && before.image[1][0] != 0 && before.start[3] == 1024);
+    bolan_sea_destroy(&sea);
+    bolan_renderer_destroy(&renderer);
+    glDeleteBuffers(3, buffer);
+    glDeleteTextures(1, &image);
+}
+
 static void the_default_on_software_is_the_cpu(void **state) {
     (void)state;
     bolan_renderer_desc desc = bolan_renderer_desc_default();
@@ -364,6 +457,8 @@ int main(void) {
         IN_BOTH_APIS(levels_are_means),
         IN_BOTH_APIS(the_law_of_old_foam_is_the_cpus),
         IN_BOTH_APIS(a_drawn_sea_costs_the_cpu_nothing),
+        IN_BOTH_APIS(where_there_is_none_it_is_refused_in_one_sentence),
+        IN_BOTH_APIS(the_hosts_bindings_stay),
         IN_BOTH_APIS(the_default_on_software_is_the_cpu),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
