@@ -49,8 +49,8 @@ static void print_table(const frame_options *o, const stage_figures *figures) {
 static int usage(const char *why, const char *what) {
     fprintf(stderr,
             "bolan-bench frame: %s: %s\n"
-            "usage: frame [--technique NAME] [--json] [--size WxH] [--quality low|medium|high|ultra] [--threads N] "
-            "[SCENE...]\n",
+            "usage: frame [--technique NAME] [--json] [--size WxH] [--quality low|medium|high|ultra] "
+            "[--backend auto|cpu|compute] [--threads N] [SCENE...]\n",
             why, what);
     return 2;
 }

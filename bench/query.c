@@ -242,6 +242,7 @@ int bench_query(int argc, char **argv) {
     bolan_flow *flow = NULL;
     if (bolan_sea_create(&desc, &sea) != BOLAN_OK) return 1;
     bolan_sea_step(sea, 10.0);
+    bolan_sea_fields(sea);
     buffers b = {NULL};
     const bool ready = bolan_flow_create(sea, &flow) == BOLAN_OK && reserve(&b);
     if (ready) run(&(bolan_water){.sea = sea, .flow = flow}, &b, json);

@@ -11,6 +11,7 @@
 #define TICK (1.0 / 30.0)
 #define YARDSTICK_REPEATS 5
 #define YARDSTICK_RUNS 5
+#define RATE_REPEATS 8
 
 stage_options stage_options_default(void) {
     return (stage_options){.width = 1024, .height = 768, .quality = BOLAN_QUALITY_MEDIUM};
@@ -29,13 +30,23 @@ static bool parse_threads(const char *text, stage_options *o) {
     return sscanf(text, "%3u%c", &o->threads, &rest) == 1 && o->threads <= 64;
 }
 
+// The place of a name in a list that ends with NULL; -1: it has none.
+static int find_name(const char *text, const char *const *names) {
+    for (int i = 0; names[i]; ++i)
+        if (strcmp(text, names[i]) == 0) return i;
+    return -1;
+}
+
 static bool parse_quality(const char *text, stage_options *o) {
-    for (int i = 0; i < BOLAN_QUALITIES; ++i)
-        if (strcmp(text, bolan_quality_names[i]) == 0) {
-            o->quality = (bolan_quality)i;
-            return true;
-        }
-    return false;
+    const int found = find_name(text, bolan_quality_names);
+    if (found >= 0) o->quality = (bolan_quality)found;
+    return found >= 0;
+}
+
+static bool parse_backend(const char *text, stage_options *o) {
+    const int found = find_name(text, bolan_backend_names);
+    if (found >= 0) o->backend = (bolan_backend)found;
+    return found >= 0;
 }
 
 int stage_option(const char *name, int argc, char **argv, int *index, stage_options *o) {
@@ -46,6 +57,7 @@ int stage_option(const char *name, int argc, char **argv, int *index, stage_opti
         {"--size", "WIDTHxHEIGHT, each 1 to 16384", parse_size},
         {"--threads", "0 (one per processor) to 64", parse_threads},
         {"--quality", "low, medium, high or ultra", parse_quality},
+        {"--backend", "auto, cpu or compute", parse_backend},
     };
     const char *word = argv[*index], *value = *index + 1 < argc ? argv[*index + 1] : "";
     if (strcmp(word, "--json") == 0) return o->json = true, 1;
@@ -74,6 +86,7 @@ bolan_result stage_open(stage *s, const char *name, const stage_options *o,
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = o->quality;
     desc.max_vertices = o->max_vertices;
+    desc.backend = o->backend;
     bolan_scene scene;
     bolan_result result = bolan_scene_load(name, &scene);
     if (result == BOLAN_OK && change) change(&scene, context);
@@ -91,6 +104,8 @@ bolan_result stage_open(stage *s, const char *name, const stage_options *o,
 static double step_sea(stage *s) {
     double start = bench_now_ms();
     if (!s->without_water) bolan_world_step(s->world, bolan_world_scene(s->world)->time + TICK);
+    if (!s->without_water && bolan_renderer_backend(s->renderer) == BOLAN_BACKEND_CPU)
+        bolan_sea_fields(bolan_world_water(s->world)->sea); // what the first reader would make
     return bench_now_ms() - start;
 }
 
@@ -177,6 +192,9 @@ void stage_measure(stage *s, bool passes, stage_figures *f) {
     bolan_frame_statistics statistics = bolan_renderer_statistics(s->renderer);
     f->triangles = statistics.triangles;
     f->water_triangles = statistics.water_triangles;
+    f->backend = bolan_renderer_backend(s->renderer);
+    f->sea_bytes = statistics.sea_bytes;
+    if (f->sea_bytes > 0) f->memory_rate = bolan_renderer_memory_rate(s->renderer, RATE_REPEATS);
     if (passes) time_passes(s, f);
 }
 
@@ -188,6 +206,25 @@ void stage_print_machine(const stage_options *o, stage_yard yard) {
     printf("yardstick (6 bilinear look-ups a pixel): %.2f ms, %.2f ms of the processors\n\n", yard.ms, yard.cpu_ms);
 }
 
+// What the stages of a synthesis on the GPU took: each from its own row.
+static double sea_ms(const stage_figures *f) {
+    double ms = 0.0;
+    for (uint32_t p = 0; p < f->pass_count; ++p)
+        if (strncmp(f->passes[p].name, "sea ", 4) == 0) ms += f->passes[p].ms;
+    return ms;
+}
+
+// The time in which the GPU could move the bytes of a synthesis [ms].
+static double floor_ms(const stage_figures *f) {
+    return f->memory_rate > 0.0 ? (double)f->sea_bytes / f->memory_rate * 1e3 : 0.0;
+}
+
+static void print_floor(const stage_figures *f) {
+    if (f->sea_bytes == 0 || !(sea_ms(f) > 0.0)) return;
+    printf("%s: synthesis %.3f ms, of which %.0f %% are the floor: %.1f MB at %.0f GB/s\n", f->scene, sea_ms(f),
+           100.0 * floor_ms(f) / sea_ms(f), (double)f->sea_bytes * 1e-6, f->memory_rate * 1e-9);
+}
+
 void stage_print_table(const stage_figures *figures, uint32_t count) {
     printf("%-12s %-12s %10s %9s %8s %7s %6s %9s\n", "scene", "technique", "triangles", "water", "ms", "fps", "ratio",
            "cpu ratio");
@@ -197,12 +234,13 @@ void stage_print_table(const stage_figures *figures, uint32_t count) {
                f->water_triangles, f->ms, 1e3 / f->ms, f->ms / f->yard.ms, f->cpu_ms / f->yard.cpu_ms);
     }
     printf("\npasses [ms] ");
-    for (uint32_t p = 0; p < figures[0].pass_count; ++p) printf(" %10s", figures[0].passes[p].name);
+    for (uint32_t p = 0; p < figures[0].pass_count; ++p) printf(" %11s", figures[0].passes[p].name);
     for (uint32_t i = 0; i < count; ++i) {
         printf("\n%-12s", figures[i].technique);
-        for (uint32_t p = 0; p < figures[i].pass_count; ++p) printf(" %10.2f", figures[i].passes[p].ms);
+        for (uint32_t p = 0; p < figures[i].pass_count; ++p) printf(" %11.2f", figures[i].passes[p].ms);
     }
     printf("\n");
+    for (uint32_t i = 0; i < count; ++i) print_floor(&figures[i]);
 }
 
 void stage_print_machine_json(const stage_options *o, stage_yard yard) {
@@ -214,13 +252,18 @@ void stage_print_machine_json(const stage_options *o, stage_yard yard) {
 void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
         const stage_figures *f = &figures[i];
-        printf("    {\"scene\": \"%s\", \"technique\": \"%s\", \"width\": %u, \"height\": %u, \"triangles\": %u, "
+        printf("    {\"scene\": \"%s\", \"technique\": \"%s\", \"backend\": \"%s\", \"width\": %u, "
+               "\"height\": %u, \"triangles\": %u, "
                "\"water_triangles\": %u, \"ms\": %.3f, \"fps\": %.2f, \"ratio\": %.3f, \"cpu_ratio\": %.3f,\n     "
                "\"passes\": {",
-               f->scene, f->technique, o->width, o->height, f->triangles, f->water_triangles, f->ms, 1e3 / f->ms,
+               f->scene, f->technique, bolan_backend_names[f->backend], o->width, o->height, f->triangles, f->water_triangles, f->ms, 1e3 / f->ms,
                f->ms / f->yard.ms, f->cpu_ms / f->yard.cpu_ms);
         for (uint32_t p = 0; p < f->pass_count; ++p)
             printf("%s\"%s\": %.3f", p > 0 ? ", " : "", f->passes[p].name, f->passes[p].ms);
-        printf("}}%s\n", i + 1 < count ? "," : "");
+        printf("}");
+        if (f->sea_bytes > 0)
+            printf(",\n     \"sea_bytes\": %llu, \"memory_rate\": %.4g, \"sea_ms\": %.4f, \"sea_floor_ms\": %.4f",
+                   (unsigned long long)f->sea_bytes, f->memory_rate, sea_ms(f), floor_ms(f));
+        printf("}%s\n", i + 1 < count ? "," : "");
     }
 }

@@ -13,6 +13,7 @@ typedef struct stage_options {
     bool json;
     uint32_t width, height, threads;
     bolan_quality quality;
+    bolan_backend backend;
     uint32_t max_vertices; // of the water; 0: by quality. No option of the command line: a row of a table sets it
 } stage_options;
 // The defaults: 1024 x 768, medium.
@@ -39,6 +40,9 @@ typedef struct stage_figures {
     const char *technique;
     uint32_t triangles, water_triangles;
     double ms;       // median of a frame, synthesis included
+    bolan_backend backend;
+    uint64_t sea_bytes; // bolan_frame_statistics.sea_bytes
+    double memory_rate; // [bytes/s], where there are such bytes
     double cpu_ms;   // processor time of all threads for the same frames; hardly depends on other load
     stage_yard yard; // timed right before and after these frames, since a machine's speed changes from minute to minute
     uint32_t pass_count;

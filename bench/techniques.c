@@ -264,7 +264,8 @@ static int parse(int argc, char **argv, stage_options *o) {
         if (taken > 0) continue;
         fprintf(stderr,
                 "bolan-bench techniques: unknown argument %s\n"
-                "usage: techniques [--json] [--size WxH] [--quality low|medium|high|ultra] [--threads N]\n",
+                "usage: techniques [--json] [--size WxH] [--quality low|medium|high|ultra]\n"
+                "       [--backend auto|cpu|compute] [--threads N]\n",
                 argv[i]);
         return 2;
     }
