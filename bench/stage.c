@@ -256,8 +256,8 @@ void stage_print_json(const stage_options *o, const stage_figures *figures, uint
                "\"height\": %u, \"triangles\": %u, "
                "\"water_triangles\": %u, \"ms\": %.3f, \"fps\": %.2f, \"ratio\": %.3f, \"cpu_ratio\": %.3f,\n     "
                "\"passes\": {",
-               f->scene, f->technique, bolan_backend_names[f->backend], o->width, o->height, f->triangles, f->water_triangles, f->ms, 1e3 / f->ms,
-               f->ms / f->yard.ms, f->cpu_ms / f->yard.cpu_ms);
+               f->scene, f->technique, bolan_backend_names[f->backend], o->width, o->height, f->triangles,
+               f->water_triangles, f->ms, 1e3 / f->ms, f->ms / f->yard.ms, f->cpu_ms / f->yard.cpu_ms);
         for (uint32_t p = 0; p < f->pass_count; ++p)
             printf("%s\"%s\": %.3f", p > 0 ? ", " : "", f->passes[p].name, f->passes[p].ms);
         printf("}");

@@ -16,7 +16,7 @@ typedef struct job {
     const char *path;
     output_name name;
     uint32_t width, height, frames, samples;
-    uint32_t tile; // largest side that is drawn at once; 0: as OpenGL has it
+    uint32_t tile;     // largest side that is drawn at once; 0: as OpenGL has it
     double fps, start; // frames a second; time of the first [s]
     bolan_quality quality;
     bolan_backend backend;

@@ -48,8 +48,7 @@ bool window_open(window *w, const char *title, uint32_t width, uint32_t height) 
     bool ok = w->handle != NULL || complain("the window cannot be opened");
     // The versions with compute shaders first: some drivers make what they are asked for and no more.
     ok = ok && (create_context(w, false, 43) || create_context(w, false, 33) || create_context(w, true, 31) ||
-                create_context(w, true, 30) ||
-                complain("this display has neither OpenGL 3.3 core nor OpenGL ES 3.0"));
+                create_context(w, true, 30) || complain("this display has neither OpenGL 3.3 core nor OpenGL ES 3.0"));
     if (!ok) {
         window_close(w);
         return false;

@@ -32,7 +32,8 @@ static void free_cascades(host_fields *p) {
 
 static bool cascades_fit(const host_fields *p, const bolan_sea *sea) {
     const uint32_t count = bolan_sea_cascade_count(sea);
-    return count == 0 || (p->displacement.width == bolan_sea_cascade_layout(sea, 0).n && p->displacement.depth == count);
+    if (count == 0) return true;
+    return p->displacement.width == bolan_sea_cascade_layout(sea, 0).n && p->displacement.depth == count;
 }
 
 static bool create_cascades(host_fields *p, uint32_t n, uint32_t count, bool storage) {

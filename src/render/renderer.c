@@ -307,8 +307,7 @@ double bolan_renderer_memory_rate(bolan_renderer *r, uint32_t repeats) {
     gl_buffer from = {0}, to = {0};
     double ms = 0.0;
     bolan_result result = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, COPIED_BYTES, NULL, &from);
-    if (result == BOLAN_OK)
-        result = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, COPIED_BYTES, NULL, &to);
+    if (result == BOLAN_OK) result = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, COPIED_BYTES, NULL, &to);
     if (result == BOLAN_OK) ms = time_copies(&from, &to, repeats);
     bolan_gl_buffer_free(&from);
     bolan_gl_buffer_free(&to);

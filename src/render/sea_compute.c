@@ -48,8 +48,7 @@ bool bolan_sea_compute_compile(sea_compute *p, uint32_t n, sea_layout layout) {
                        make(&s->tick_columns, "compute/sea_columns", n, "TICKS 1\n") &&
                        make(&s->columns[layout], "compute/sea_columns", n, defines[layout]) &&
                        make(&p->levels, "compute/sea_levels", 0, "") &&
-                       (layout == SEA_LAYOUT_HOST ||
-                        make(&p->law[layout], "compute/sea_foam_law", 0, defines[layout]));
+                       (layout == SEA_LAYOUT_HOST || make(&p->law[layout], "compute/sea_foam_law", 0, defines[layout]));
     return s->whole[layout];
 }
 
@@ -231,8 +230,8 @@ static void run_columns(const gl_program *g, const sea_tables *t, const bolan_se
 
 // Brings the foam memory to the last tick; four ticks at a time, which two complex transforms hold.
 static void run_ticks(const sea_programs *s, sea_tables *t, const bolan_sea *sea, const bolan_sea_clock *clock) {
-    const bool goes_on = t->remembers && t->from == clock->foam_from && t->tick >= clock->first_tick &&
-                         t->tick <= clock->tick;
+    const bool goes_on =
+        t->remembers && t->from == clock->foam_from && t->tick >= clock->first_tick && t->tick <= clock->tick;
     if (!goes_on) {
         t->tick = clock->first_tick;
         t->remembers = false;
@@ -307,8 +306,8 @@ static void run_fields(sea_compute *p, const sea_programs *s, sea_tables *t, con
 
 // Texels of all levels, written once, and the memory of the foam, read once.
 static uint64_t image_bytes(const sea_images *images) {
-    const uint64_t texels = (uint64_t)images->displacement->width * images->displacement->width *
-                            images->displacement->depth;
+    const uint64_t texels =
+        (uint64_t)images->displacement->width * images->displacement->width * images->displacement->depth;
     return texels * (images->layout == SEA_LAYOUT_PACKED ? 2 : 3) * 8 * 4 / 3 + texels * sizeof(float);
 }
 

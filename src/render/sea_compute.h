@@ -19,15 +19,15 @@
 
 // What the GPU knows of one sea.
 typedef struct sea_tables {
-    uint64_t sea;          // 0: none
-    gl_buffer modes;       // of all cascades, and the divisors of the readers
+    uint64_t sea;    // 0: none
+    gl_buffer modes; // of all cascades, and the divisors of the readers
     gl_buffer divisors;
-    gl_buffer memory;      // foam at the last tick
-    gl_buffer law;         // four floats, by FOAM_LAW_THRESHOLD ...
-    float offset;          // of the law: from the mean to where old foam begins [standard deviations]
-    float variance;        // and the variance of the Jacobian
-    bool remembers;        // `memory` is of these ticks:
-    double from, tick;     // bolan_sea_clock.foam_from, and the last tick
+    gl_buffer memory;              // foam at the last tick
+    gl_buffer law;                 // four floats, by FOAM_LAW_THRESHOLD ...
+    float offset;                  // of the law: from the mean to where old foam begins [standard deviations]
+    float variance;                // and the variance of the Jacobian
+    bool remembers;                // `memory` is of these ticks:
+    double from, tick;             // bolan_sea_clock.foam_from, and the last tick
     float axes[4][4], parts[4][4]; // uniforms of sea_block.glsl
     uint32_t count, most_rows;     // cascades; the most transforms along i of one
     uint64_t bytes;                // of the modes, and of the rows between the passes
@@ -55,7 +55,7 @@ typedef struct sea_programs {
 struct sea_compute {
     sea_programs programs[SEA_SIZES];
     gl_program levels, law[SEA_LAYOUT_HOST]; // a host has no law of foam
-    gl_buffer rows; // between the passes; as large as the largest sea needs
+    gl_buffer rows;                          // between the passes; as large as the largest sea needs
     gl_timer timers[SEA_STAGES];
     uint64_t bytes; // of the last synthesis: see bolan_frame_statistics.sea_bytes
 };

@@ -222,7 +222,8 @@ static void upload_fold(const sea_gpu *p, sea_fields *f, const bolan_sea *sea, u
 // On software GL the levels are made here; a GPU makes them in no time.
 static bool upload_cascades(sea_gpu *p, sea_fields *f, const bolan_sea *sea, bool packed, bool software) {
     const uint32_t count = bolan_sea_cascade_count(sea), n = bolan_sea_cascade_layout(sea, 0).n;
-    if (!fit_textures(f, n, count, packed, false) || !fit_work(p, n, count) || (!packed && !fit_fold(p, n))) return false;
+    if (!fit_textures(f, n, count, packed, false) || !fit_work(p, n, count) || (!packed && !fit_fold(p, n)))
+        return false;
     texel_job job = {.gpu = p, .sea = sea, .packed = packed, .levels = software};
     if (packed || software) bolan_parallel(2 * count, 1, make_texels, &job);
     for (uint32_t c = 0; c < count; ++c) {

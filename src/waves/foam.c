@@ -79,8 +79,7 @@ double bolan_sea_tick_time(const bolan_sea *sea, double tick) {
 
 static void do_tick(const bolan_sea *sea) {
     sea->made->tick += 1.0;
-    const sea_instant instant =
-        instant_of(sea, bolan_sea_tick_time(sea, sea->made->tick), sea->shared->tick, true);
+    const sea_instant instant = instant_of(sea, bolan_sea_tick_time(sea, sea->made->tick), sea->shared->tick, true);
     sea->shared->model->step(sea, &instant);
     sea->made->empty = false;
 }

@@ -4,8 +4,8 @@
 #include "gl_support.h"
 
 #include "bolan/query.h"
-#include "render/foam_statistics.h"
 #include "heard.h"
+#include "render/foam_statistics.h"
 #include "render/sea_gpu.h"
 
 #include <epoxy/egl.h>
@@ -235,8 +235,8 @@ static void check_levels(const gl_texture *t, int layer) {
                 for (uint32_t k = 0; k < 4; k++) {
                     const float *a = finer + 4 * (2 * y * 2 * n + 2 * x) + k, *b = a + 4 * 2 * n;
                     const double want = 0.25 * ((double)a[0] + a[4] + b[0] + b[4]);
-                    const double size = 0.25 * (fabs((double)a[0]) + fabs((double)a[4]) + fabs((double)b[0]) +
-                                                fabs((double)b[4]));
+                    const double size =
+                        0.25 * (fabs((double)a[0]) + fabs((double)a[4]) + fabs((double)b[0]) + fabs((double)b[4]));
                     assert_near(level[4 * (y * n + x) + k], want, 0x1p-9 * size + 1e-7);
                 }
         free(finer);
@@ -346,7 +346,7 @@ static void a_drawn_sea_costs_the_cpu_nothing(void **state) {
     bolan_set_hooks(NULL);
 }
 
-// ---- a context without compute shaders, and a host with bindings of its own ------------------------------------------
+// ---- a context without compute shaders, and a host with bindings of its own -----------------------------------------
 
 static void *without_dispatch(void *user, const char *name) {
     void *address = NULL;

@@ -160,7 +160,8 @@ static void modes_and_clock_make_the_planes(void **state) {
         for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); c++) {
             const bolan_cascade_view v = bolan_sea_cascade(sea, c);
             for (uint32_t p = 5; p < 64 * 64; p += 1301)
-                assert_near(v.height[p], height_by_modes(sea, c, p % 64, p / 64), 1e-5 * (1.0 + 4.0 * sqrt(v.variance)));
+                assert_near(v.height[p], height_by_modes(sea, c, p % 64, p / 64),
+                            1e-5 * (1.0 + 4.0 * sqrt(v.variance)));
         }
     }
     bolan_sea_destroy(&sea);

@@ -50,10 +50,10 @@ void bolan_gl_image_bind(const gl_texture *t, uint32_t level, uint32_t slot) {
 void bolan_gl_dispatch(uint32_t x, uint32_t y, uint32_t z) { glDispatchCompute(x, y, z); }
 
 void bolan_gl_wait_for(gl_barrier what) {
-    static const GLbitfield bits[] = {
-        [GL_BARRIER_STORAGE] = GL_SHADER_STORAGE_BARRIER_BIT,
-        [GL_BARRIER_TEXTURES] = GL_TEXTURE_FETCH_BARRIER_BIT,
-        [GL_BARRIER_ALL] = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
-                           GL_UNIFORM_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT};
+    static const GLbitfield bits[] = {[GL_BARRIER_STORAGE] = GL_SHADER_STORAGE_BARRIER_BIT,
+                                      [GL_BARRIER_TEXTURES] = GL_TEXTURE_FETCH_BARRIER_BIT,
+                                      [GL_BARRIER_ALL] = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                                                         GL_BUFFER_UPDATE_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT |
+                                                         GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT};
     glMemoryBarrier(bits[what]);
 }
