@@ -35,7 +35,7 @@ vec2 product(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.
 vec4 turned(vec4 a, vec2 w) { return vec4(product(a.xy, w), product(a.zw, w)); }
 vec4 by_i(vec4 a) { return vec4(-a.y, a.x, -a.w, a.z); }
 
-// ---- butterflies: sums over r of a[r] e^{2 pi i q r / radix} ----------------------------------------------------------
+// ---- butterflies: sums over r of a[r] e^{2 pi i q r / radix} --------------------------------------------------------
 
 void radix4(inout vec4 a, inout vec4 b, inout vec4 c, inout vec4 d) {
     vec4 even = a + c, odd = b + d, even_difference = a - c, odd_difference = by_i(b - d);
