@@ -93,8 +93,8 @@ BOLAN_API bolan_renderer_desc bolan_renderer_desc_default(void);
 /// Makes a renderer in the current context.
 /// @param out receives the renderer; NULL after an error.
 /// Errors: GL (no context, one older than OpenGL 3.3 or OpenGL ES 3.0, a shader that does not compile), ARGUMENT (a
-/// field out of range), UNSUPPORTED (OpenGL ES without float targets; BOLAN_BACKEND_COMPUTE in a context without compute
-/// shaders), MEMORY.
+/// field out of range), UNSUPPORTED (OpenGL ES without float targets; BOLAN_BACKEND_COMPUTE in a context without
+/// compute shaders), MEMORY.
 BOLAN_API bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out);
 
 /// Returns the backend that the renderer uses: CPU or COMPUTE.
