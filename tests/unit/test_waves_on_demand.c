@@ -74,15 +74,23 @@ static void assert_equal_seas(const bolan_sea *a, const bolan_sea *b) {
     }
 }
 
+static void check_settled(const bolan_sea *sea, bolan_wave_model waves, double time) {
+    bolan_sea *fresh = test_sea(small(waves));
+    bolan_sea_settle(fresh, time);
+    assert_equal_seas(sea, fresh);
+    bolan_sea_destroy(&fresh);
+}
+
 // One sea is read at every step, the other after `every` of them; both jump and settle on the way.
 static void run_both(bolan_wave_model waves, int every) {
     bolan_sea *eager = test_sea(small(waves)), *lazy = test_sea(small(waves));
     double time = 0.0;
     for (int i = 0; i < 120; i++) {
-        time += i == 50 ? 7.0 : i == 77 ? -3.5 : 0.13;
+        time += i == 50 ? 7.0 : i == 85 ? -3.5 : 0.13;
         if (i == 90) {
             bolan_sea_settle(eager, time);
             bolan_sea_settle(lazy, time);
+            check_settled(eager, waves, time); // which has remembered but half a second so far
         }
         bolan_sea_step(eager, time);
         bolan_sea_step(lazy, time);
