@@ -2,7 +2,6 @@
 // See options.h.
 #include "options.h"
 
-#include "bolan/render.h"
 #include "describe.h"
 
 #include <math.h>

@@ -3,7 +3,6 @@
 #ifndef VIEWER_H
 #define VIEWER_H
 
-#include "bolan/render.h"
 #include "bolan/scene.h"
 
 typedef struct viewer_options {

@@ -49,21 +49,6 @@ extern "C" {
 /// The programs, tables and targets that draw in one context.
 typedef struct bolan_renderer bolan_renderer;
 
-/// What makes the fields of a sea of cascades.
-typedef enum bolan_backend {
-    /// COMPUTE on a GPU that has compute shaders, else CPU.
-    BOLAN_BACKEND_AUTO,
-    /// The CPU, by bolan_sea_fields(); the renderer uploads them. On software OpenGL the faster of the two.
-    BOLAN_BACKEND_CPU,
-    /// Compute shaders, from tables that are uploaded once for each sea. The CPU makes no fields, unless it is asked.
-    /// Heights differ from those of queries by less than 5e-3 of Hs, which is what half floats leave.
-    BOLAN_BACKEND_COMPUTE,
-} bolan_backend;
-/// Number of backends.
-#define BOLAN_BACKENDS 3
-/// The names that the command line uses, "auto" ...; by bolan_backend, NULL at the end.
-BOLAN_API extern const char *const bolan_backend_names[BOLAN_BACKENDS + 1];
-
 /// How a renderer is made.
 typedef struct bolan_renderer_desc {
     /// Default MEDIUM.

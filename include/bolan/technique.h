@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file technique.h
-/// Tier 3. How water is made and shaded: techniques, shading options, quality. Plain data.
+/// Tier 3. How water is made and shaded: techniques, shading options, quality, backends. Plain data.
 #ifndef BOLAN_TECHNIQUE_H
 #define BOLAN_TECHNIQUE_H
 
@@ -160,6 +160,21 @@ typedef enum bolan_quality {
 #define BOLAN_QUALITIES 4
 /// The names that the command line uses, "low" ...; by bolan_quality, NULL at the end.
 BOLAN_API extern const char *const bolan_quality_names[BOLAN_QUALITIES + 1];
+
+/// What makes the fields of a sea of cascades.
+typedef enum bolan_backend {
+    /// COMPUTE on a GPU that has compute shaders, else CPU.
+    BOLAN_BACKEND_AUTO,
+    /// The CPU, by bolan_sea_fields(); the renderer uploads them. On software OpenGL the faster of the two.
+    BOLAN_BACKEND_CPU,
+    /// Compute shaders, from tables that are uploaded once for each sea. The CPU makes no fields, unless it is asked.
+    /// Heights differ from those of queries by less than 5e-3 of Hs, which is what half floats leave.
+    BOLAN_BACKEND_COMPUTE,
+} bolan_backend;
+/// Number of backends.
+#define BOLAN_BACKENDS 3
+/// The names that the command line uses, "auto" ...; by bolan_backend, NULL at the end.
+BOLAN_API extern const char *const bolan_backend_names[BOLAN_BACKENDS + 1];
 
 /// The parameters of bolan_technique and bolan_look.
 BOLAN_API extern const bolan_param_table bolan_technique_params, bolan_look_params;

@@ -12,8 +12,6 @@
 
 enum { LEAST_VERTICES = 1024, MOST_VERTICES = 1000000 }; // of bolan_renderer_desc::max_vertices
 
-const char *const bolan_backend_names[BOLAN_BACKENDS + 1] = {"auto", "cpu", "compute", NULL};
-
 static bool is_size(uint32_t pixels) { return pixels >= 1 && pixels <= MOST_PIXELS; }
 
 bolan_renderer_desc bolan_renderer_desc_default(void) { return (bolan_renderer_desc){.quality = BOLAN_QUALITY_MEDIUM}; }

@@ -42,6 +42,7 @@ const char *const bolan_effect_names[BOLAN_EFFECTS + 1] = {
 const char *const bolan_show_names[BOLAN_SHOWS + 1] = {"picture", "mask", "mesh", NULL};
 
 const char *const bolan_quality_names[BOLAN_QUALITIES + 1] = {"low", "medium", "high", "ultra", NULL};
+const char *const bolan_backend_names[BOLAN_BACKENDS + 1] = {"auto", "cpu", "compute", NULL};
 
 const bolan_technique *bolan_techniques(uint32_t *count) {
     *count = BOLAN_TECHNIQUES;
