@@ -48,8 +48,8 @@ static void print_text(const facts *f) {
     printf("processors   %ld; wide kernels:", f->processors);
     for (int cpu = BOLAN_CPU_SCALAR; cpu <= (int)bolan_cpu_best(); cpu++) printf(" %s", bolan_cpu_name((bolan_cpu)cpu));
     if (f->has_gl) {
-        printf("\nOpenGL       %s\n             %s, GLSL %s%s%s\n", f->gl.version, f->gl.renderer, f->gl.shading_language,
-               f->gl.software ? " (software)" : "", f->gl.compute ? ", compute shaders" : "");
+        printf("\nOpenGL       %s\n             %s, GLSL %s%s%s\n", f->gl.version, f->gl.renderer,
+               f->gl.shading_language, f->gl.software ? " (software)" : "", f->gl.compute ? ", compute shaders" : "");
     } else {
         printf("\nOpenGL       none: %s\n", gl_message);
     }
@@ -91,7 +91,8 @@ static void print_json(const facts *f) {
         print_quoted(f->gl.version);
         printf(", \"renderer\": ");
         print_quoted(f->gl.renderer);
-        printf(", \"software\": %s, \"compute\": %s}", f->gl.software ? "true" : "false", f->gl.compute ? "true" : "false");
+        printf(", \"software\": %s, \"compute\": %s}", f->gl.software ? "true" : "false",
+               f->gl.compute ? "true" : "false");
     } else {
         printf("null");
     }
