@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The second pass of a synthesis: transforms along j, and what readers want: images of half floats, foam memory. Twin
-// of src/waves/cascades/synth_columns.kernel.c; the layouts are those of src/render/sea_gpu.h.
+// of src/waves/cascades/synth_rows.kernel.c; the layouts are those of src/render/sea_gpu.h.
 //
 // A group has TRANSFORMS columns that stand side by side, and neighbouring threads neighbouring columns, so that rows
 // are read and images written in runs. TICKS: the foam memory alone. PACKED, HOST: see sea_layout of sea_compute.h.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The first pass of a synthesis: modes at the time, and their transforms along i. Twin of
-// src/waves/cascades/synth_rows.kernel.c and of the packing in synth_columns.kernel.c.
+// The first pass of a synthesis: modes at the time, spectra of the fields, and transforms along i. Twin of
+// src/waves/cascades/synth_columns.kernel.c.
 //
 // A transform is that of a row j, -rows < j < rows, and of a set; a value of it holds two complex numbers, each of
 // which packs two real fields, A + i B:

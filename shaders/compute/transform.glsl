@@ -19,7 +19,7 @@ shared vec4 values[VALUES];
 int spread(int i) { return i ^ ((i >> 3) & 7); }
 
 // Cosine and sine of 2 pi x for |x| <= 1/2 turn, to 1e-7, since GLSL promises nothing of its own: the polynomials of
-// src/waves/cascades/synth_rows.kernel.c.
+// src/waves/cascades/synth_columns.kernel.c.
 vec2 turn_of(float x) {
     float n = floor(x * 4.0 + 0.5);
     float r = (x - n * 0.25) * 6.28318530717958648, z = r * r;
