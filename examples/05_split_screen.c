@@ -73,7 +73,7 @@ static int differences(const game *g, int player) {
 int main(int argc, char **argv) {
     const char *path = argc > 1 ? argv[1] : "split_screen.png";
     bolan_context *context = NULL;
-    game g = {NULL};
+    game g = {.renderer = NULL};
     if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) return 77; // no OpenGL on this machine
     bool ok = open_game(&g);
     if (ok) {

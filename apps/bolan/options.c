@@ -144,7 +144,7 @@ bolan_param option_param(const option_info *info) {
     } else if (find_row(bolan_scene_file_groups, info->name, &row)) {
         row.offset = info->offset;
     } else {
-        BOLAN_ASSERT(!"an option without a row");
+        BOLAN_ASSERT(false && "an option without a row");
     }
     return row;
 }
@@ -152,7 +152,7 @@ bolan_param option_param(const option_info *info) {
 bool option_given(const options *o, const char *name) {
     for (int i = 0; option_table[i].name; i++)
         if (strcmp(option_table[i].name, name) == 0) return (o->given >> i & 1) != 0;
-    BOLAN_ASSERT(!"no such option");
+    BOLAN_ASSERT(false && "no such option");
     return false;
 }
 

@@ -28,7 +28,7 @@ static void put(spectrum *g, double kx, double ky, double re, double im) {
 static void put_mode(void *context, const sea_mode *m) {
     spectrum *g = context;
     const double phase = 2.0 * BOLAN_PI * m->turns * g->time;
-    const double complex forth = CMPLX(m->re, m->im), back = CMPLX(m->back_re, m->back_im);
+    const double complex forth = m->re + I * m->im, back = m->back_re + I * m->back_im;
     const double complex h = forth * cexp(-I * phase) + back * cexp(I * phase);
     put(g, m->kx, m->ky, creal(h), cimag(h));
     if (m->paired) put(g, -m->kx, -m->ky, creal(h), -cimag(h));

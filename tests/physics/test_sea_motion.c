@@ -19,7 +19,7 @@ static double complex single(bolan_sea *sea, uint32_t i, uint32_t j, double ampl
     c->amplitude[row * 4 * FFT_LANES + 3 * FFT_LANES + lane] = (float)(-0.5 * amplitude);
     sea->stepped = false; // the fields at time 0 are of the modes before: a step to 0 has to make them again
     *k_out = dk * hypot(i, j);
-    return CMPLX(dk * i, dk * j);
+    return dk * i + I * (dk * j);
 }
 
 static bolan_sea_desc one_cascade(double depth) {
