@@ -257,7 +257,7 @@ static void short_waves_add_up_to_the_measured_slopes(void **state) {
     const double peak = bolan_k_from_omega(sea_state.systems[0].peak_omega, BOLAN_DEEP);
     double up, cross, long_waves = 0.0, kept = 0.0;
     bolan_cox_munk(8.0, &up, &cross);
-    bolan_sea_radial_prepare(&eval, peak, up + cross, &r);
+    bolan_sea_radial_prepare(&eval, 10.0 * peak, up + cross, &r);
     for (int i = 1; i < RADIAL_COUNT; i++) {
         const double slopes = r.mss[i] - r.mss[i - 1];
         if (r.k[i] <= 10.0 * peak)
