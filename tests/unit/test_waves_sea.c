@@ -178,6 +178,61 @@ static void seas_of_nearly_one_state_have_the_same_tiles(void **state) {
     assert_near(v[2].angle, v[0].angle - bolan_radians(22.5), 1e-12); // clockwise
 }
 
+// The phases of the waves of a tile with lattice indices up to PHASES, as unit numbers; 0 where the ring has no wave.
+enum { PHASES = 45 };
+typedef struct phases {
+    const sea_cascade *cascade;
+    double forth[PHASES][PHASES][2], back[PHASES][PHASES][2];
+} phases;
+
+static void keep_phase(void *context, const sea_mode *m) {
+    phases *p = context;
+    const sea_cascade *c = p->cascade;
+    const double scale = c->length / (2.0 * BOLAN_PI);
+    const int i = (int)floor((m->kx * c->cosine + m->ky * c->sine) * scale + 0.5);
+    const int j = (int)floor((m->ky * c->cosine - m->kx * c->sine) * scale + 0.5);
+    const double forth = hypot(m->re, m->im), back = hypot(m->back_re, m->back_im);
+    if (i <= 0 || i >= PHASES || j <= 0 || j >= PHASES || !(forth > 0.0 && back > 0.0)) return;
+    p->forth[j][i][0] = m->re / forth, p->forth[j][i][1] = m->im / forth;
+    p->back[j][i][0] = m->back_re / back, p->back[j][i][1] = -m->back_im / back; // of h0(-k) itself
+}
+
+// |mean of e^{i (p - q)}| over the indices that both have, times the root of their number: 1 where phases are random.
+static double likeness(double p[PHASES][PHASES][2], double q[PHASES][PHASES][2]) {
+    double re = 0.0, im = 0.0, count = 0.0;
+    for (int j = 0; j < PHASES; j++)
+        for (int i = 0; i < PHASES; i++) {
+            re += p[j][i][0] * q[j][i][0] + p[j][i][1] * q[j][i][1];
+            im += p[j][i][1] * q[j][i][0] - p[j][i][0] * q[j][i][1];
+            count += (p[j][i][0] != 0.0 || p[j][i][1] != 0.0) && (q[j][i][0] != 0.0 || q[j][i][1] != 0.0);
+        }
+    assert_true(count > 200.0);
+    return hypot(re, im) / sqrt(count);
+}
+
+static void no_two_waves_share_their_phases(void **state) {
+    (void)state;
+    static phases tile[3];
+    memset(tile, 0, sizeof tile);
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.sea_state = bolan_sea_state_from_wind(10.0, 240.0, 300e3);
+    desc.resolution = 128;
+    for (int s = 0; s < 2; s++) {
+        desc.seed = (uint64_t)s + 1;
+        bolan_sea *sea = test_sea(desc);
+        const cascade_tables *t = cascade_tables_of(sea->shared);
+        for (int c = 0; c < (s == 0 ? 2 : 1); c++) {
+            tile[2 * s + c].cascade = &t->cascade[c];
+            bolan_sea_each_mode(&t->cascade[c], keep_phase, &tile[2 * s + c]);
+        }
+        bolan_sea_destroy(&sea);
+    }
+    assert_true(likeness(tile[0].forth, tile[1].forth) < 4.0); // of two tiles
+    assert_true(likeness(tile[0].back, tile[1].back) < 4.0);
+    assert_true(likeness(tile[0].forth, tile[2].forth) < 4.0); // of two seeds
+    for (int c = 0; c < 2; c++) assert_true(likeness(tile[c].forth, tile[c].back) < 4.0); // of opposite waves
+}
+
 static void the_last_tile_reaches_a_few_centimetres(void **state) {
     (void)state;
     const double winds[] = {5.0, 10.0, 15.0};
@@ -277,6 +332,7 @@ RUN_TESTS(cmocka_unit_test(defaults_are_those_of_the_headers),
           cmocka_unit_test(rings_are_disjoint_and_leave_no_gap),
           cmocka_unit_test(the_first_tile_holds_sixteen_peak_waves_and_twelve_of_a_swell),
           cmocka_unit_test(seas_of_nearly_one_state_have_the_same_tiles),
+        cmocka_unit_test(no_two_waves_share_their_phases),
         cmocka_unit_test(the_last_tile_reaches_a_few_centimetres),
           cmocka_unit_test(short_waves_add_up_to_the_measured_slopes),
           cmocka_unit_test(more_threads_after_creation_do_no_harm))
