@@ -89,10 +89,11 @@ typedef struct bolan_kinematics {
 /// The water at @p count world points @p xyz [m].
 ///
 /// A parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is by the question's
-/// stretching. Below the surface folds are not searched: where the water folds the answer belongs to one of the parcels.
-/// A point is wet up to a millimetre above the surface, and above the ground of the water. The surface is that of
-/// bolan_query_heights(), or with a least wavelength that of bolan_query_motion(). Waves are attenuated over the ground as for bolan_query_surface(). Wave layers are added, by
-/// linear theory with their own period and depth; the gradient of their edges is ignored.
+/// stretching. Below the surface folds are not searched: where the water folds the answer belongs to one of the
+/// parcels. A point is wet up to a millimetre above the surface, and above the ground of the water. The surface is that
+/// of bolan_query_heights(), or with a least wavelength that of bolan_query_motion().
+/// Waves are attenuated over the ground as for bolan_query_surface().
+/// Wave layers are added, by linear theory with their own period and depth; the gradient of their edges is ignored.
 ///
 /// @p water needs a flow at the time of its sea: water->flow, bolan_flow_step(). A water without a flow is misuse.
 /// @p question NULL: the default.
