@@ -295,7 +295,7 @@ static void a_wave_alone_is_that_of_stokes(void **state) {
     bolan_cascades_bound(sea->shared);
     assert_true(bolan_cascade_lift(c, 1.0, &sea->shared->bound[0]));
     sea->shared->lift = lift->level[0];
-    sea->foam_holds = false; // the fields at time 0 are of the modes before
+    sea->stepped = false; // the fields at time 0 are of the modes before
     bolan_sea_step(sea, 0.0);
     const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
     assert_near(v.bound.height / (0.5 * k), 1.0, 0.01);
