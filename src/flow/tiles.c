@@ -29,23 +29,34 @@ typedef struct gathering {
     double speed[FLOW_BINS], rate[FLOW_BINS], energy[FLOW_BINS], moment[FLOW_BINS];
 } gathering;
 
-// Lattice indices of a mode.
-static void index_of(const gathering *g, const sea_mode *m, int32_t *i, int32_t *j) {
-    const sea_cascade *c = g->cascade;
-    const double scale = c->length / (2.0 * BOLAN_PI);
-    *i = (int32_t)floor((m->kx * c->cosine + m->ky * c->sine) * scale + 0.5);
-    *j = (int32_t)floor((m->ky * c->cosine - m->kx * c->sine) * scale + 0.5);
-}
-
 static double length_of(const sea_mode *m) { return sqrt(m->kx * m->kx + m->ky * m->ky); }
 
 static bool is_taken(const gathering *g, const sea_mode *m) { return length_of(m) >= g->from && length_of(m) < g->to; }
 
-static void count_mode(void *context, const sea_mode *m) {
-    gathering *g = context;
-    if (!is_taken(g, m)) return;
-    int32_t i, j;
-    index_of(g, m, &i, &j);
+// A cascade keeps the modes of i >= 0. Here they are those of j >= 0, of j = 0 with either sign of i: the mode of -k is
+// the conjugate of that of k.
+typedef struct half_plane {
+    gathering *g;
+    void (*visit)(gathering *g, const sea_mode *m, int32_t i, int32_t j);
+} half_plane;
+
+static void turn_mode(void *context, const sea_mode *m) {
+    const half_plane *half = context;
+    const sea_cascade *c = half->g->cascade;
+    if (!is_taken(half->g, m)) return;
+    const double scale = c->length / (2.0 * BOLAN_PI);
+    const int32_t i = (int32_t)floor((m->kx * c->cosine + m->ky * c->sine) * scale + 0.5);
+    const int32_t j = (int32_t)floor((m->ky * c->cosine - m->kx * c->sine) * scale + 0.5);
+    if (i == 0 && j < 0) return; // that of -k is an entry, too
+    if (j >= 0) half->visit(half->g, m, i, j);
+    if (j > 0 || i == 0) return;
+    sea_mode other = *m;
+    other.re = m->back_re, other.im = -m->back_im;
+    other.back_re = m->re, other.back_im = -m->im;
+    half->visit(half->g, &other, -i, -j);
+}
+
+static void count_mode(gathering *g, const sea_mode *m, int32_t i, int32_t j) {
     const uint32_t a = (uint32_t)(i < 0 ? -i : i) + 1, b = (uint32_t)j + 1;
     g->reach = a > g->reach ? a : g->reach;
     g->reach = b > g->reach ? b : g->reach;
@@ -99,12 +110,8 @@ static double transfer(int32_t index, uint32_t n) {
     return sinc * sinc * sinc * sinc;
 }
 
-static void add_mode(void *context, const sea_mode *m) {
-    gathering *g = context;
+static void add_mode(gathering *g, const sea_mode *m, int32_t i, int32_t j) {
     flow_tile *t = g->tile;
-    int32_t i, j;
-    if (!is_taken(g, m)) return;
-    index_of(g, m, &i, &j);
     const double k = length_of(m), all = 1.0 - portable_exp(-2.0 * k * g->sea_depth);
     const double scale = 1.0 / (k * all * transfer(i, t->n) * transfer(j, t->n));
     flow_mode *out = &t->modes[t->first[j / FFT_LANES] + g->count[j / FFT_LANES]++];
@@ -149,7 +156,7 @@ static gathering gather(bolan_flow *flow, const sea_shared *sea, uint32_t band, 
                    .to = to,
                    .low = 1e30};
     memset(t, 0, sizeof *t);
-    bolan_sea_each_mode(cascade, count_mode, &g);
+    bolan_sea_each_mode(cascade, turn_mode, &(half_plane){&g, count_mode});
     if (!(g.high > g.low)) g.high = g.low * 1.0001; // one mode, or none
     if (g.reach == 0) return g;
     bolan_sea_each_mode(cascade, bin_mode, &g);
@@ -175,7 +182,7 @@ static bool add_tile(bolan_flow *flow, uint32_t band, gathering *g) {
     t->texels = t->modes ? bolan_sea_reserve(&flow->memory, (size_t)t->n * t->n * FLOW_TEXEL * sizeof(float)) : NULL;
     if (!t->texels) return false;
     t->evolved = (float(*)[6])(void *)(t->modes + t->mode_count);
-    bolan_sea_each_mode(cascade, add_mode, g);
+    bolan_sea_each_mode(cascade, turn_mode, &(half_plane){g, add_mode});
     return true;
 }
 
