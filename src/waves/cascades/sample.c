@@ -174,6 +174,7 @@ void bolan_cascades_sample_rest(const bolan_sea *sea, const bolan_dvec2 *points,
 }
 
 void bolan_sea_bound_at(const bolan_sea *sea, bolan_dvec2 rest, const float *keep, double *height, double slope[2]) {
+    bolan_sea_fields(sea);
     const cascade_fields *f = cascade_fields_of(sea);
     const bolan_dvec2 drift = bolan_sea_drift(sea->shared, sea->time);
     double gradient[4];
