@@ -27,7 +27,8 @@
 /// **Level.** Parcels stand closer at crests and cover less area there, so the mean of eta at fixed points is
 /// -choppiness * integral of k coth(k depth) S dw. The lift, a constant of the sea, is the opposite of that: the mean
 /// of the surface at fixed points is the water level; the mean of bound waves is taken away as well. Every height of a
-/// sample, a query and an image includes the lift; the cascades' fields do not. Where shallow water attenuates waves by f, the lift is attenuated by f^2.
+/// sample, a query and an image includes the lift; the cascades' fields do not. Where shallow water attenuates waves by
+/// f, the lift is attenuated by f^2.
 ///
 /// **Order.** With desc.order 2 parcels stand higher by the bound waves, sums of products of the cascades' heights and
 /// displacements with weights that the depth and the spectrum fix: bolan_bound_weights. The third moment of the surface

@@ -69,8 +69,8 @@ static const struct wave *draw(void) {
     return &waves[low];
 }
 
-// Skewness of a Gaussian sea with all its bound waves, (3/2) sum sum m_i m_j (sum + difference) / m0^1.5, by pairs drawn
-// from the very modes of the sea: to 0.0003.
+// Skewness of a Gaussian sea with all its bound waves, (3/2) sum sum m_i m_j (sum + difference) / m0^1.5, by pairs
+// drawn from the very modes of the sea: to 0.0003.
 static double skewness_by_theory(const bolan_sea *sea) {
     wave_count = 0;
     bolan_cascades_each_wave(sea->shared, keep_wave, NULL);
