@@ -47,7 +47,7 @@ refuse 2 '--rate needs --buoy X,Y' measure --rate 3
 refuse 2 '--output needs --buoy X,Y' measure -o x.csv
 refuse 2 '--buoy is 1; expected X,Y' measure --buoy 1
 refuse 2 'a record of 2 s at 2 a second has too few samples; expected 64' measure --buoy 1,2 --duration 2
-refuse 1 'no/x.csv: cannot be written' measure --buoy 1,2 --duration 60 -o no/x.csv
+refuse 1 'no/x.csv: cannot be written' measure open-sea --buoy 1,2 --duration 60 -o no/x.csv
 
 # Options that a sea has no use for are refused, not ignored; every bit of a seed counts.
 refuse 2 '--terrain does not go with bolan measure' measure --terrain missing.tif
