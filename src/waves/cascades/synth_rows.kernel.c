@@ -116,7 +116,8 @@ static ALWAYS_INLINE void store_point(float *out, size_t apart, uint32_t m, uint
         wide_store(out, v);
     } else {
         const float *lanes = (const float *)&v;
-        for (uint32_t t = 0; t < WIDE / m && t < count; t++) memcpy(out + t * apart, lanes + t * m, m * sizeof(float));
+        for (uint32_t t = 0; t < WIDE / m && t < count; t++)
+            for (uint32_t i = 0; i < m; i++) out[t * apart + i] = lanes[t * m + i];
     }
 }
 
