@@ -59,6 +59,22 @@ static inline bolan_spectrum_text load_text(const char *name) {
     return text;
 }
 
+/// The five tables of NDBC's buoy 41010, for release_texts().
+static inline bolan_spectrum_texts buoy_41010(void) {
+    bolan_spectrum_texts texts = bolan_spectrum_texts_default();
+    texts.density = load_text("ndbc_41010.data_spec");
+    texts.swdir = load_text("ndbc_41010.swdir");
+    texts.swdir2 = load_text("ndbc_41010.swdir2");
+    texts.swr1 = load_text("ndbc_41010.swr1");
+    texts.swr2 = load_text("ndbc_41010.swr2");
+    return texts;
+}
+
+static inline void release_texts(bolan_spectrum_texts *texts) {
+    const bolan_spectrum_text all[5] = {texts->density, texts->swdir, texts->swdir2, texts->swr1, texts->swr2};
+    for (int i = 0; i < 5; i++) free((char *)all[i].data);
+}
+
 static inline bolan_spectrum_text literal(const char *name, const char *data) {
     const bolan_spectrum_text text = {name, data, strlen(data)};
     return text;

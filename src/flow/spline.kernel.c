@@ -33,30 +33,45 @@ static inline taps taps_of(double x, uint32_t n) {
     return t;
 }
 
+// Half a texel through one row: value, first and second derivative along it.
+typedef struct along {
+    eight value, slope, bend;
+} along;
+
+static inline __attribute__((always_inline)) along along_row(const float *row, const taps *x, int half) {
+    along a = {{0}, {0}, {0}};
+    for (int i = 0; i < TAPS; i++) {
+        const eight texel = ((const eight *)(const void *)(row + (size_t)x->at[i] * FLOW_TEXEL))[half];
+        a.value += x->value[i] * texel;
+        a.slope += x->slope[i] * texel;
+        a.bend += x->bend[i] * texel;
+    }
+    return a;
+}
+
+// Adds row j to value and first derivatives, and to the second derivatives behind them.
+static inline __attribute__((always_inline)) void add_slopes(eight sum[3], const taps *y, int j, const along *a) {
+    sum[0] += y->value[j] * a->value;
+    sum[1] += y->value[j] * a->slope;
+    sum[2] += y->slope[j] * a->value;
+}
+
+static inline __attribute__((always_inline)) void add_bends(eight sum[3], const taps *y, int j, const along *a) {
+    sum[0] += y->value[j] * a->bend;
+    sum[1] += y->slope[j] * a->slope;
+    sum[2] += y->bend[j] * a->value;
+}
+
 void KERNEL(bolan_flow_whole)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT],
                               float rest[3][FLOW_BENT]) {
     const taps x = taps_of(u, n), y = taps_of(v, n);
     eight sum[6] = {{0}}, other[3] = {{0}};
     for (int j = 0; j < TAPS; j++) {
         const float *row = texels + (size_t)y.at[j] * n * FLOW_TEXEL;
-        eight here = {0}, here_u = {0}, here_uu = {0}, there = {0}, there_u = {0};
-        for (int i = 0; i < TAPS; i++) {
-            const eight *texel = (const eight *)(const void *)(row + (size_t)x.at[i] * FLOW_TEXEL);
-            here += x.value[i] * texel[0];
-            here_u += x.slope[i] * texel[0];
-            here_uu += x.bend[i] * texel[0];
-            there += x.value[i] * texel[1];
-            there_u += x.slope[i] * texel[1];
-        }
-        sum[0] += y.value[j] * here;
-        sum[1] += y.value[j] * here_u;
-        sum[2] += y.slope[j] * here;
-        sum[3] += y.value[j] * here_uu;
-        sum[4] += y.slope[j] * here_u;
-        sum[5] += y.bend[j] * here;
-        other[0] += y.value[j] * there;
-        other[1] += y.value[j] * there_u;
-        other[2] += y.slope[j] * there;
+        const along here = along_row(row, &x, 0), there = along_row(row, &x, 1);
+        add_slopes(sum, &y, j, &here);
+        add_bends(sum + 3, &y, j, &here);
+        add_slopes(other, &y, j, &there);
     }
     for (int i = 0; i < 6; i++) *(eight *)(void *)bend[i] = sum[i];
     for (int i = 0; i < 3; i++) *(eight *)(void *)rest[i] = other[i];
@@ -66,20 +81,9 @@ void KERNEL(bolan_flow_bends)(const float *texels, uint32_t n, double u, double 
     const taps x = taps_of(u, n), y = taps_of(v, n);
     eight sum[6] = {{0}};
     for (int j = 0; j < TAPS; j++) {
-        const float *row = texels + (size_t)y.at[j] * n * FLOW_TEXEL;
-        eight here = {0}, here_u = {0}, here_uu = {0};
-        for (int i = 0; i < TAPS; i++) {
-            const eight texel = *(const eight *)(const void *)(row + (size_t)x.at[i] * FLOW_TEXEL);
-            here += x.value[i] * texel;
-            here_u += x.slope[i] * texel;
-            here_uu += x.bend[i] * texel;
-        }
-        sum[0] += y.value[j] * here;
-        sum[1] += y.value[j] * here_u;
-        sum[2] += y.slope[j] * here;
-        sum[3] += y.value[j] * here_uu;
-        sum[4] += y.slope[j] * here_u;
-        sum[5] += y.bend[j] * here;
+        const along here = along_row(texels + (size_t)y.at[j] * n * FLOW_TEXEL, &x, 0);
+        add_slopes(sum, &y, j, &here);
+        add_bends(sum + 3, &y, j, &here);
     }
     for (int i = 0; i < 6; i++) *(eight *)(void *)out[i] = sum[i];
 }

@@ -7,7 +7,8 @@ data=$BOLAN_SOURCE_DIR/tests/data/spectra
 run info "$data/ww3_netcdf.nc"
 for words in ': WAVEWATCH III point spectra (NetCDF)' 'records      9, 2014-12-01T00:00Z to 2014-12-05T00:00Z, every 12 h' \
     'locations    1 at 92.1, 19.95 (longitude, latitude)' '2 at 92, 19.8' \
-    '2014-12-01T00:00Z at 92.1, 19.95: Hs 0.7413 m, Tp 13.71 s, from 209.3 degrees, spread 39.2 degrees' 'frequencies  25, 0.04118 to 0.4056 Hz' \
+    '2014-12-01T00:00Z at 92.1, 19.95: Hs 0.7413 m, Tp 13.71 s, from 209.3 degrees, spread 39.2 degrees' \
+    'frequencies  25, 0.04118 to 0.4056 Hz' \
     'directions   24, every 15 degrees' 'Hs 0.6444 to 0.824 m' 'Tp 11.33 to 15.08 s' 'swell'; do
     grep -qF "$words" out || fail "info does not say: $words"
 done

@@ -29,21 +29,6 @@ static bolan_spectrum_texts swan_texts(void) {
     return texts;
 }
 
-static bolan_spectrum_texts buoy_41010(void) {
-    bolan_spectrum_texts texts = bolan_spectrum_texts_default();
-    texts.density = load_text("ndbc_41010.data_spec");
-    texts.swdir = load_text("ndbc_41010.swdir");
-    texts.swdir2 = load_text("ndbc_41010.swdir2");
-    texts.swr1 = load_text("ndbc_41010.swr1");
-    texts.swr2 = load_text("ndbc_41010.swr2");
-    return texts;
-}
-
-static void release_texts(bolan_spectrum_texts *texts) {
-    const bolan_spectrum_text all[5] = {texts->density, texts->swdir, texts->swdir2, texts->swr1, texts->swr2};
-    for (int i = 0; i < 5; i++) free((char *)all[i].data);
-}
-
 static void a_swan_model_off_taranaki_reads_as_published(void **state) {
     (void)state;
     bolan_spectrum_texts texts = swan_texts();

@@ -111,16 +111,6 @@ static void heights_are_correlated_as_the_spectrum_says(void **state) {
 enum { BUOYS = 64, SAMPLES = 2048, SEGMENT = 256 };
 static float heave[BUOYS][SAMPLES], east[BUOYS][SAMPLES], north[BUOYS][SAMPLES];
 
-static bolan_spectrum_texts buoy_41010(void) {
-    bolan_spectrum_texts texts = bolan_spectrum_texts_default();
-    texts.density = load_text("ndbc_41010.data_spec");
-    texts.swdir = load_text("ndbc_41010.swdir");
-    texts.swdir2 = load_text("ndbc_41010.swdir2");
-    texts.swr1 = load_text("ndbc_41010.swr1");
-    texts.swr2 = load_text("ndbc_41010.swr2");
-    return texts;
-}
-
 // Buoys that follow the surface, 2 samples a second.
 static void ride(bolan_sea *sea) {
     bolan_dvec2 rest[BUOYS];
@@ -185,8 +175,7 @@ static void a_buoy_measures_what_the_buoy_measured(void **state) {
     }
     bolan_sea_destroy(&sea);
     bolan_measured_spectrum_destroy(&spectrum);
-    const bolan_spectrum_text all[5] = {texts.density, texts.swdir, texts.swdir2, texts.swr1, texts.swr2};
-    for (int i = 0; i < 5; i++) free((char *)all[i].data);
+    release_texts(&texts);
 }
 
 RUN_TESTS(cmocka_unit_test(heights_are_correlated_as_the_spectrum_says),

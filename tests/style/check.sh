@@ -4,7 +4,7 @@
 # of Markdown tables and lines of Markdown that hold one link are exempt, since they cannot be broken; so are data.
 set -eu
 cd "$1"
-files=$({ find include src apps bench examples shaders tests docs -type f \
+files=$({ find include src apps bench examples shaders tests tools docs -type f \
     \( -name '*.[ch]' -o -name '*.cpp' -o -name '*.glsl' -o -name '*.md' \) \
     ! -path 'tests/data/*' ! -path 'tests/fuzz/corpus/*'
     ls ./*.md; } 2>/dev/null | sort)

@@ -10,11 +10,6 @@ static bolan_spectrum_texts texts_of(const char *name) {
     return texts;
 }
 
-static void release_texts(bolan_spectrum_texts *texts) {
-    const bolan_spectrum_text all[5] = {texts->density, texts->swdir, texts->swdir2, texts->swr1, texts->swr2};
-    for (int i = 0; i < 5; i++) free((char *)all[i].data);
-}
-
 static bolan_spectrum_options location(uint32_t number) {
     bolan_spectrum_options options = bolan_spectrum_options_default();
     options.location = number;

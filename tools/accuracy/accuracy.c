@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // bolan_accuracy FOLDER SWAN-FILE: the plots of docs/accuracy.md, and their numbers on standard output.
 //
-// Three spectra of each sea: the one that is asked for; the one that images draw, which read cubic splines over the half
-// floats of bolan_cascade_view; and the one that buoys at fixed points hear of bolan_query_heights(). The last two are
-// estimated by Welch's method (bolan_record_spectrum), whose window is applied to the first as well. Choppiness is 0: a
-// spectrum at fixed points is that of the request for linear waves alone.
+// Three spectra of each sea: the one that is asked for; the one that images draw, which read cubic splines over the
+// half floats of bolan_cascade_view; and the one that buoys at fixed points hear of bolan_query_heights(). The last two
+// are estimated by Welch's method (bolan_record_spectrum), whose window is applied to the first as well. Choppiness is
+// 0: a spectrum at fixed points is that of the request for linear waves alone.
 #include "bolan/io.h"
 #include "bolan/query.h"
 #include "bolan/record.h"
