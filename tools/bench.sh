@@ -73,7 +73,7 @@ row 'one cascade of 1024²' '' waves '"n": 1024, "cascades": 1, "threads": 1,'
 row '100 000 heights scattered over 10 km, one thread' 'memory streaming the samples read' \
     query '"heights, scattered over 10 km"' '"points": 100000,' '"threads": 1,'
 row '1 000 000 heights and normals, two threads' '' query '"heights and normals, scattered"' '"points": 1000000,' '"threads": 2,'
-row 'a frame of `open-sea`, 1024×768, medium, software OpenGL' 'a full-screen pass of 6 bilinear look-ups' \
+row 'a frame of `open-sea`, 1024×768, medium, software OpenGL' 'a full-screen pass of 6 bilinear texture fetches' \
     frame '"scene": "open-sea"'
 row 'the same by `flight-sim`' '' flight-sim '"scene": "open-sea"'
 row 'by `nested-grid`' '' nested-grid '"scene": "open-sea"'

@@ -19,7 +19,7 @@
 /// of waves is summed wave by wave.
 ///
 /// **Memory and time.** A sample takes 64 bytes. The last cascade has twice as many samples a side, because its
-/// shortest waves span few samples: four cascades of 256 take 35 MB, and bolan_flow_size() returns the exact figure. A
+/// shortest waves span few samples: four cascades of 256 take 36 MB, and bolan_flow_size() returns the exact figure. A
 /// step costs several steps of the sea. A question costs most at the surface, where every cascade is read, and least at
 /// depths where only long waves are left.
 #ifndef BOLAN_FLOW_H
