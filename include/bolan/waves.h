@@ -407,7 +407,12 @@ BOLAN_API bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t in
 /// Like bolan_sea_cascade(), without the planes: the pointers are NULL, and no fields are made.
 BOLAN_API bolan_cascade_view bolan_sea_cascade_layout(const bolan_sea *sea, uint32_t index);
 
-/// One mode (i, j) of a cascade, wave vector 2 pi (i, j) / length in the axes of the tile.
+/// Waves of a mode (i, j) of |i|, |j| < BOLAN_MODE_PART_REACH; other modes have one wave, part 0.
+#define BOLAN_MODE_PARTS 4
+#define BOLAN_MODE_PART_REACH 16
+/// One wave of a mode (i, j) of a cascade, wave vector 2 pi (i, j) / length in the axes of the tile.
+/// A mode near the origin is the sum of several waves with one wave vector: its cell of the spectrum is wide, and each
+/// wave has the frequency of a slice of the cell.
 /// At time t, with c + i s = e^{2 pi i turns t}, the amplitude of the height is
 /// h = (a[0] c + a[1] s) + i (a[2] c + a[3] s).
 /// It stands for -(i, j) as well, whose amplitude is the conjugate.
@@ -419,15 +424,16 @@ typedef struct bolan_sea_mode {
     /// Divisor of a field that a cubic B-spline reads, and of one that is read linearly: planes are h, D or their
     /// derivatives over these.
     float cubic, linear;
-    /// Frequency [1/s]; 0: the mode is empty.
+    /// Frequency [1/s]; 0: there is no such wave.
     double turns;
 } bolan_sea_mode;
 /// Returns how many rows of modes a cascade has: j = 0 .. rows - 1; the others are empty. Thread-safe, also during a
 /// step.
 BOLAN_API uint32_t bolan_sea_mode_rows(const bolan_sea *sea, uint32_t cascade);
-/// Copies row @p j of the modes of a cascade: out[0 .. n - 1], where entry i holds -n/2 <= i < n/2 modulo n.
+/// Copies waves @p part, 0 .. BOLAN_MODE_PARTS - 1, of row @p j of the modes of a cascade: out[0 .. n - 1], where entry
+/// i holds -n/2 <= i < n/2 modulo n.
 /// For a synthesis of your own, on a GPU. Row 0 holds both (i, 0) and (-i, 0). Thread-safe, also during a step.
-BOLAN_API void bolan_sea_modes(const bolan_sea *sea, uint32_t cascade, uint32_t j, bolan_sea_mode *out);
+BOLAN_API void bolan_sea_modes(const bolan_sea *sea, uint32_t cascade, uint32_t part, uint32_t j, bolan_sea_mode *out);
 
 /// What a synthesis of your own needs of the present time, besides the modes.
 /// The foam memory has a tick every 0.25 s about. With pinch = min(max(-(dxx + dyy) choppiness, 0), 3), it is

@@ -13,10 +13,11 @@
 // Only rows j >= 0 are stored: h(-k) is the conjugate of h(k).
 #ifdef COMPUTE
 #define SLOT(i, f) ((f) * SIZE + spread(i))
+#include "shared/constants.glsl"
 #include "compute/transform.glsl"
 #include "compute/sea_block.glsl"
 
-// See bolan_sea_mode in bolan/waves.h.
+// A wave of a mode; see bolan_sea_mode in bolan/waves.h.
 struct mode {
     vec4 amplitude;
     uvec2 step; // turns in a quarter of a second, its fraction as a number of 64 bits: low, high
@@ -37,26 +38,41 @@ float phase_of(mode m, vec4 moment) {
     return turns - floor(turns + 0.5);
 }
 
-vec2 height_of(mode m, vec4 moment) {
+vec2 wave_height(mode m, vec4 moment) {
     vec2 w = turn_of(phase_of(m, moment));
     return vec2(dot(m.amplitude.xy, w), dot(m.amplitude.zw, w));
 }
 
+// Of a mode's first wave and the others, the second of which is `others`; -1: it is alone.
+vec2 height_of(mode m, int others, vec4 moment) {
+    vec2 h = wave_height(m, moment);
+    if (others >= 0)
+        for (int p = 0; p < MODE_PARTS - 1; ++p)
+            h += wave_height(modes[others + p * 2 * MODE_PART_REACH * MODE_PART_REACH], moment);
+    return h;
+}
+
 #ifdef TICKS
-vec4 fields_of(mode m, vec2 k, float conjugate, vec2 divisor, int set) {
+vec4 fields_of(mode m, int others, vec2 k, float conjugate, vec2 divisor, int set) {
     float scale = -dot(k, k) * m.inverse_k * divisor.y;
     vec2 tick[4];
-    for (int i = 0; i < 4; ++i) tick[i] = height_of(m, moments[i]) * vec2(scale, scale * conjugate);
+    for (int i = 0; i < 4; ++i) tick[i] = height_of(m, others, moments[i]) * vec2(scale, scale * conjugate);
     return vec4(tick[0].x - tick[1].y, tick[0].y + tick[1].x, tick[2].x - tick[3].y, tick[2].y + tick[3].x);
 }
 #else
-vec4 fields_of(mode m, vec2 k, float conjugate, vec2 divisor, int set) {
-    vec2 h = height_of(m, moments[0]) * vec2(1.0, conjugate), u = h * m.inverse_k, gradient = vec2(-k.y, k.x);
+vec4 fields_of(mode m, int others, vec2 k, float conjugate, vec2 divisor, int set) {
+    vec2 h = height_of(m, others, moments[0]) * vec2(1.0, conjugate), u = h * m.inverse_k, gradient = vec2(-k.y, k.x);
     if (set == 0) return vec4(product(u, gradient) * divisor.x,
                               h * divisor.x + vec2(u.y, -u.x) * (k.x * k.y * divisor.y));
     return vec4(product(h, gradient), -product(u, k * k)) * divisor.y;
 }
 #endif
+
+// Where the second wave of the mode (i, j) is, -1 of a mode with one.
+int others_of(int i, int j, int c) {
+    if (max(abs(i), abs(j)) >= MODE_PART_REACH) return -1;
+    return int(cascade_parts[c].z) + abs(j) * 2 * MODE_PART_REACH + (j < 0 ? -i : i) + MODE_PART_REACH;
+}
 
 void main() {
     int f = int(gl_LocalInvocationID.x) / STEP, t = int(gl_LocalInvocationID.x) % STEP;
@@ -70,7 +86,8 @@ void main() {
         if (!filled || i == -SIZE / 2) continue; // that column is its own mirror image, and empty
         mode m = modes[from + abs(j) * SIZE + (j < 0 ? (SIZE - x) & (SIZE - 1) : x)];
         vec2 tile = vec2(i, j) * axes.z, k = vec2(tile.x * axes.x - tile.y * axes.y, tile.x * axes.y + tile.y * axes.x);
-        if (m.turns > 0.0) e[n] = fields_of(m, k, j < 0 ? -1.0 : 1.0, divisors[abs(i)] * divisors[abs(j)], set);
+        vec2 divisor = divisors[abs(i)] * divisors[abs(j)];
+        if (m.turns > 0.0) e[n] = fields_of(m, others_of(i, j, c), k, j < 0 ? -1.0 : 1.0, divisor, set);
     }
     transform(e, t, f);
     int to = int(cascade_parts[c].y) + (set * count + row) * SIZE + t;

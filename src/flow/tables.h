@@ -52,9 +52,12 @@ typedef struct flow_node {
     float across[FLOW_LEVELS], across_slope[FLOW_LEVELS], up[FLOW_LEVELS], up_slope[FLOW_LEVELS];
 } flow_node;
 
+// A wave of a mode. Of the waves of one mode, which differ in frequency, the first is the mode: the others are added
+// to it when they are evolved.
 typedef struct flow_mode {
     double turns;                   // [1/s]
     float re, im, back_re, back_im; // h0(k), conj(h0(-k))
+    uint32_t first;                 // wave of its mode: its own number, or a smaller one
     float level[FLOW_LEVELS];       // (2), over the transfer of the spline
     uint16_t row, lane;             // index along i, wrapped; along j, in its strip
 } flow_mode;
@@ -77,9 +80,9 @@ typedef struct flow_tile {
     double finest; // the unit of the table of weights [m]
     flow_node node[FLOW_NODES];
     fft_plan plan;
-    uint32_t strips, mode_count, first[FLOW_MAX_STRIPS + 1]; // modes of strip s: [first[s], first[s + 1])
+    uint32_t strips, mode_count, first[FLOW_MAX_STRIPS + 1]; // waves of strip s: [first[s], first[s + 1])
     flow_mode *modes;
-    float (*evolved)[6]; // of each mode at the time: h, dh/dt, d2h/dt2
+    float (*evolved)[6]; // of the modes at the time, where their first wave is: h, dh/dt, d2h/dt2
     float *texels;       // [n][n][FLOW_TEXEL]
 } flow_tile;
 

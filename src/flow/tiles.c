@@ -110,11 +110,21 @@ static double transfer(int32_t index, uint32_t n) {
     return sinc * sinc * sinc * sinc;
 }
 
+// The waves of a mode are visited one after the other, and at j = 0 in turn with those of the mirrored mode.
+static uint32_t first_of(const flow_tile *t, uint32_t wave, uint32_t from) {
+    for (uint32_t back = 1; back <= 2 && from + back <= wave; back++) {
+        const flow_mode *other = &t->modes[wave - back];
+        if (other->row == t->modes[wave].row && other->lane == t->modes[wave].lane) return other->first;
+    }
+    return wave;
+}
+
 static void add_mode(gathering *g, const sea_mode *m, int32_t i, int32_t j) {
     flow_tile *t = g->tile;
     const double k = length_of(m), all = 1.0 - portable_exp(-2.0 * k * g->sea_depth);
     const double scale = 1.0 / (k * all * transfer(i, t->n) * transfer(j, t->n));
-    flow_mode *out = &t->modes[t->first[j / FFT_LANES] + g->count[j / FFT_LANES]++];
+    const uint32_t from = t->first[j / FFT_LANES], wave = from + g->count[j / FFT_LANES]++;
+    flow_mode *out = &t->modes[wave];
     out->turns = m->turns;
     out->re = (float)m->re;
     out->im = (float)m->im;
@@ -123,6 +133,7 @@ static void add_mode(gathering *g, const sea_mode *m, int32_t i, int32_t j) {
     for (int l = 0; l < FLOW_LEVELS; l++) out->level[l] = (float)(scale * portable_exp(-k * t->depth[l]));
     out->row = (uint16_t)((uint32_t)(i + (int32_t)t->n) & (t->n - 1));
     out->lane = (uint16_t)(j % FFT_LANES);
+    out->first = first_of(t, wave, from);
 }
 
 // Five samples a wave, as far as the FFT goes: with four, images of the shortest waves are 4 % of accelerations.
@@ -242,14 +253,14 @@ static void run(step *s, uint32_t items, void (*work)(step *s, uint32_t item, fl
     bolan_parallel(s->flow->slots, 1, run_slots, s);
 }
 
-// h = h0(k) e^{-iwt} + conj(h0(-k)) e^{iwt} and its derivatives, of the modes of a strip.
+// h = h0(k) e^{-iwt} + conj(h0(-k)) e^{iwt} and its derivatives, of the waves of a strip, summed mode by mode.
 static void evolve(step *s, uint32_t strip, float *scratch) {
     (void)scratch;
     const flow_tile *t = s->tile;
     for (uint32_t i = t->first[strip]; i < t->first[strip + 1]; i++) {
         const flow_mode *m = &t->modes[i];
         const double turns = m->turns * s->time;
-        float sine, cosine, *h = t->evolved[i];
+        float sine, cosine, h[6], *sum = t->evolved[m->first];
         bolan_sincosf((float)(2.0 * BOLAN_PI * (turns - floor(turns + 0.5))), &sine, &cosine);
         const float omega = (float)(2.0 * BOLAN_PI * m->turns);
         const float forth_re = m->re * cosine + m->im * sine, forth_im = m->im * cosine - m->re * sine;
@@ -261,6 +272,7 @@ static void evolve(step *s, uint32_t strip, float *scratch) {
         h[3] = omega * (back_re - forth_re);
         h[4] = -omega * omega * h[0];
         h[5] = -omega * omega * h[1];
+        for (int d = 0; d < 6; d++) sum[d] = m->first == i ? h[d] : sum[d] + h[d];
     }
 }
 
@@ -314,6 +326,7 @@ static void do_rows(step *s, uint32_t strip, float *scratch) {
     memset(scratch, 0, 2 * (size_t)t->n * FFT_ROW * sizeof(float));
     for (uint32_t i = t->first[strip]; i < t->first[strip + 1]; i++) {
         const flow_mode *m = &t->modes[i];
+        if (m->first != i) continue;
         float a[2], b[2];
         field_of(t, m, t->evolved[i], strip, 2 * s->pair, a);
         field_of(t, m, t->evolved[i], strip, 2 * s->pair + 1, b);

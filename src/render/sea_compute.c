@@ -5,6 +5,7 @@
 #include "foam_statistics.h"
 #include "frame.h"
 #include "memory.h"
+#include "shared/constants.glsl"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +16,12 @@ const char *const bolan_sea_stage_names[SEA_STAGES] = {"sea ticks", "sea rows", 
 enum { SLOT_MODES, SLOT_DIVISORS, SLOT_ROWS, SLOT_MEMORY, SLOT_LAW = 0 }; // storage buffers
 enum { GROUP_VALUES = 1024, TICKS = 4, LEVELS = 4, TILE = 16 };           // of a dispatch of the shaders
 
-// A mode as sea_rows.glsl has it.
+// Waves beside the first of the modes of a cascade that have several.
+enum { PART_SIDE = 2 * MODE_PART_REACH, PART_ROWS = (MODE_PARTS - 1) * MODE_PART_REACH, PARTS = PART_ROWS * PART_SIDE };
+_Static_assert(MODE_PARTS == BOLAN_MODE_PARTS && MODE_PART_REACH == BOLAN_MODE_PART_REACH,
+               "the shaders read the modes that the public header states");
+
+// A wave of a mode as sea_rows.glsl has it.
 typedef struct gpu_mode {
     float amplitude[4];
     uint32_t step[2];
@@ -126,34 +132,50 @@ static void place_cascades(sea_tables *t, const bolan_sea *sea) {
         const uint32_t half = bolan_sea_mode_rows(sea, c), count = 2 * half - 1;
         const float axes[4] = {(float)cos(v.angle), (float)sin(v.angle), (float)(2.0 * BOLAN_PI / v.length),
                                (float)half};
-        const float parts[4] = {(float)modes, (float)rows, 0.0f, 0.0f};
+        const float parts[4] = {(float)modes, (float)rows, (float)(modes + (double)half * v.n), 0.0f};
         memcpy(t->axes[c], axes, sizeof axes);
         memcpy(t->parts[c], parts, sizeof parts);
-        modes += (double)half * v.n;
+        modes += (double)half * v.n + PARTS;
         rows += 2.0 * count * v.n;
         if (count > t->most_rows) t->most_rows = count;
     }
     t->bytes = (uint64_t)(modes * sizeof(gpu_mode) + 2.0 * rows * sizeof(bolan_vec4));
 }
 
+static gpu_mode gpu_mode_of(const bolan_sea_mode *m) {
+    gpu_mode out = {.turns = (float)m->turns, .inverse_k = m->inverse_k};
+    memcpy(out.amplitude, m->a, sizeof m->a);
+    split_step(m->turns, out.step);
+    return out;
+}
+
 static void upload_modes(sea_tables *t, const bolan_sea *sea, uint32_t cascade, bolan_sea_mode *row, gpu_mode *out) {
     const uint32_t n = bolan_sea_cascade_layout(sea, cascade).n, rows = bolan_sea_mode_rows(sea, cascade);
-    const size_t bytes = n * sizeof *out;
     for (uint32_t j = 0; j < rows; ++j) {
-        bolan_sea_modes(sea, cascade, j, row);
-        for (uint32_t i = 0; i < n; ++i) {
-            memcpy(out[i].amplitude, row[i].a, sizeof row[i].a);
-            split_step(row[i].turns, out[i].step);
-            out[i].turns = (float)row[i].turns;
-            out[i].inverse_k = row[i].inverse_k;
-        }
-        bolan_gl_buffer_update(&t->modes, ((size_t)t->parts[cascade][0] + (size_t)j * n) * sizeof *out, bytes, out);
+        bolan_sea_modes(sea, cascade, 0, j, row);
+        for (uint32_t i = 0; i < n; ++i) out[i] = gpu_mode_of(&row[i]);
+        const size_t at = (size_t)t->parts[cascade][0] + (size_t)j * n;
+        bolan_gl_buffer_update(&t->modes, at * sizeof *out, n * sizeof *out, out);
+    }
+}
+
+// The other waves of the modes near the origin, by part and j; i goes from -MODE_PART_REACH on.
+static void upload_parts(sea_tables *t, const bolan_sea *sea, uint32_t cascade, bolan_sea_mode *row) {
+    const uint32_t n = bolan_sea_cascade_layout(sea, cascade).n, rows = bolan_sea_mode_rows(sea, cascade);
+    size_t at = (size_t)t->parts[cascade][2];
+    for (uint32_t line = 0; line < PART_ROWS; ++line, at += PART_SIDE) {
+        const uint32_t part = 1 + line / MODE_PART_REACH, j = line % MODE_PART_REACH;
+        gpu_mode out[PART_SIDE] = {{.turns = 0.0f}};
+        if (j < rows) bolan_sea_modes(sea, cascade, part, j, row);
+        for (uint32_t x = 0; x < PART_SIDE && j < rows; ++x)
+            out[x] = gpu_mode_of(&row[(x - MODE_PART_REACH) & (n - 1)]);
+        bolan_gl_buffer_update(&t->modes, at * sizeof *out, sizeof out, out);
     }
 }
 
 // Row 0 has the divisors of one axis alone.
 static void upload_divisors(sea_tables *t, const bolan_sea *sea, uint32_t n, bolan_sea_mode *row, bolan_vec2 *out) {
-    bolan_sea_modes(sea, 0, 0, row);
+    bolan_sea_modes(sea, 0, 0, 0, row);
     for (uint32_t i = 0; i < n / 2; ++i) out[i] = (bolan_vec2){row[i].cubic, row[i].linear};
     bolan_gl_buffer_update(&t->divisors, 0, n / 2 * sizeof *out, out);
 }
@@ -164,7 +186,10 @@ static bool upload_tables(sea_tables *t, const bolan_sea *sea, uint32_t n) {
     if (scratch == NULL) return false;
     bolan_sea_mode *row = (void *)scratch;
     void *out = scratch + row_bytes;
-    for (uint32_t c = 0; c < t->count; ++c) upload_modes(t, sea, c, row, out);
+    for (uint32_t c = 0; c < t->count; ++c) {
+        upload_modes(t, sea, c, row, out);
+        upload_parts(t, sea, c, row);
+    }
     upload_divisors(t, sea, n, row, out);
     bolan_release(scratch, row_bytes + out_bytes);
     return true;
@@ -179,7 +204,7 @@ static bool fit_tables(sea_tables *t, const bolan_sea *sea) {
     bolan_sea_tables_free(t);
     place_cascades(t, sea);
     const uint32_t n = bolan_sea_cascade_layout(sea, 0).n, last = t->count - 1;
-    const size_t modes = (size_t)t->parts[last][0] + (size_t)t->axes[last][3] * n;
+    const size_t modes = (size_t)t->parts[last][2] + PARTS;
     const bool all = create_storage(modes * sizeof(gpu_mode), &t->modes) &&
                      create_storage(n / 2 * sizeof(bolan_vec2), &t->divisors) &&
                      create_storage((size_t)t->count * n * n * sizeof(float), &t->memory) &&

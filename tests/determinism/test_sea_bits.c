@@ -138,6 +138,11 @@ static void keep_mode(void *context, const sea_mode *m) {
     t->modes[t->count++] = *m;
 }
 
+// A mode may have several waves, which differ in frequency.
+static bool is_same_wave(const sea_mode *a, const sea_mode *b) {
+    return a->kx == b->kx && a->ky == b->ky && a->turns == b->turns;
+}
+
 // A finer grid of the same length holds the same waves, and more. The coarse ring ends within cells, of which it has a
 // part of the energy.
 static void resolution_does_not_change_which_waves_there_are(void **state) {
@@ -152,13 +157,13 @@ static void resolution_does_not_change_which_waves_there_are(void **state) {
     table *a = calloc(1, sizeof *a), *b = calloc(1, sizeof *b);
     bolan_sea_each_mode(&cascade_tables_of(coarse->shared)->cascade[0], keep_mode, a);
     bolan_sea_each_mode(&cascade_tables_of(fine->shared)->cascade[0], keep_mode, b);
-    assert_true(a->count > 600 && b->count > 10 * a->count);
+    assert_true(a->count > 600 && b->count > 5 * a->count);
     const double end = bolan_sea_cascade(coarse, 0).k_max - 2.0 * BOLAN_PI / 700.0;
     uint32_t inside = 0;
     for (uint32_t i = 0; i < a->count; i++) {
         const sea_mode *m = &a->modes[i];
         uint32_t j = 0;
-        while (j < b->count && (b->modes[j].kx != m->kx || b->modes[j].ky != m->ky)) j++;
+        while (j < b->count && !is_same_wave(&b->modes[j], m)) j++;
         assert_true(j < b->count);
         if (hypot(m->kx, m->ky) > end) continue;
         assert_memory_equal(&b->modes[j], m, offsetof(sea_mode, paired));

@@ -21,8 +21,8 @@ static void put(spectrum *g, double kx, double ky, double re, double im) {
     const int i = (int)lround((kx * g->c + ky * g->s) / g->step), j = (int)lround((ky * g->c - kx * g->s) / g->step);
     const uint32_t mask = g->n - 1, at = ((uint32_t)j & mask) * g->n + ((uint32_t)i & mask);
     const double inverse = sinc4(BOLAN_PI * i / g->n) * sinc4(BOLAN_PI * j / g->n); // planes are read by cubic splines
-    g->h[at][0] = (float)(re / inverse);
-    g->h[at][1] = (float)(im / inverse);
+    g->h[at][0] += (float)(re / inverse); // a mode may have several waves
+    g->h[at][1] += (float)(im / inverse);
 }
 
 static void put_mode(void *context, const sea_mode *m) {

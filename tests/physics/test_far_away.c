@@ -4,7 +4,7 @@
 #include "sea_support.h"
 
 #include "bolan/query.h"
-#include "waves/model.h"
+#include "waves/cascades/cascades.h"
 
 // ---- the sum over every mode ----------------------------------------------------------------------------------------
 
@@ -18,26 +18,39 @@ static wave waves[MOST_MODES];
 static uint32_t wave_count;
 static double water_depth;
 
-static void add_wave(double kx, double ky, double re, double im) {
+static void add_wave(double kx, double ky, double omega, double re, double im) {
     if (re == 0.0 && im == 0.0) return;
     assert_true(wave_count < MOST_MODES);
-    waves[wave_count++] = (wave){kx, ky, bolan_omega_from_k(hypot(kx, ky), water_depth), re, im};
+    waves[wave_count++] = (wave){kx, ky, omega, re, im};
 }
 
-// A mode is h0(k) e^{i (k.x - w t)} with its conjugate, and conj(h0(-k)) e^{i (k.x + w t)} with its own.
+// A mode is h0(k) e^{i (k.x - w t)} with its conjugate, and conj(h0(-k)) e^{i (k.x + w t)} with its own. Where a cell
+// of the lattice is divided among several waves, each has a frequency from within the cell.
 static void keep_mode(void *context, const sea_mode *m) {
-    (void)context;
-    add_wave(m->kx, m->ky, 2.0 * m->re, 2.0 * m->im);
-    if (m->paired) add_wave(-m->kx, -m->ky, 2.0 * m->back_re, -2.0 * m->back_im);
+    const sea_cascade *c = context;
+    const double k = hypot(m->kx, m->ky), dk = 2.0 * BOLAN_PI / c->length, exact = bolan_omega_from_k(k, water_depth);
+    const double i = fabs(m->kx * c->cosine + m->ky * c->sine) / dk, j = fabs(m->ky * c->cosine - m->kx * c->sine) / dk;
+    double omega = exact;
+    if (fmax(i, j) < SEA_PART_REACH - 0.5) {
+        omega = 2.0 * BOLAN_PI * m->turns;
+        assert_true(omega > bolan_omega_from_k(fmax(k - 0.7072 * dk, 0.0), water_depth) * (1.0 - 1e-9));
+        assert_true(omega < bolan_omega_from_k(k + 0.7072 * dk, water_depth));
+    }
+    add_wave(m->kx, m->ky, omega, 2.0 * m->re, 2.0 * m->im);
+    if (m->paired) add_wave(-m->kx, -m->ky, omega, 2.0 * m->back_re, -2.0 * m->back_im);
 }
 
 static void gather_waves(const bolan_sea *sea) {
     wave_count = 0;
     water_depth = bolan_sea_get_desc(sea)->sea_state.depth;
-    if (bolan_sea_form(sea) == BOLAN_FORM_CASCADES) sea->shared->model->each_wave(sea->shared, keep_mode, NULL);
+    for (uint32_t i = 0; i < bolan_sea_cascade_count(sea); i++) {
+        const sea_cascade *c = &cascade_tables_of(sea->shared)->cascade[i];
+        bolan_sea_each_mode(c, keep_mode, (void *)c);
+    }
     for (uint32_t i = 0; i < bolan_sea_component_count(sea); i++) {
         const bolan_sea_component c = bolan_sea_get_component(sea, i);
-        add_wave(c.kx, c.ky, c.amplitude * cos(c.phase), c.amplitude * sin(c.phase));
+        add_wave(c.kx, c.ky, bolan_omega_from_k(hypot(c.kx, c.ky), water_depth), c.amplitude * cos(c.phase),
+                 c.amplitude * sin(c.phase));
     }
     assert_true(wave_count > 100);
 }

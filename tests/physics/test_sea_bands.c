@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The modes of a sea against the continuous spectrum, band by band: what the grid of wave vectors of each tile does to
+// The waves of a sea against the continuous spectrum, band by band: what the grid of wave vectors of each tile does to
 // a spectrum. A mode has the energy of its cell, so the whole is exact; where a tile begins its cells are as wide as a
-// band, and energy changes to the next one.
+// tenth of an octave. One wave a cell would be off by 0.25 there; a quarter of the cell a wave leaves 0.07.
 #include "sea_support.h"
 #include "spectrum_support.h"
 
@@ -63,7 +63,7 @@ static double worst_of(const bolan_sea_state *state, double width, const char *n
 static void the_modes_have_the_spectrum_in_every_band(void **state) {
     (void)state;
     static const double winds[] = {5.0, 10.0, 20.0};
-    static const struct { double width, bound; } of[] = {{1.0718, 0.25}, {1.2599, 0.08}};
+    static const struct { double width, bound; } of[] = {{1.0718, 0.08}, {1.2599, 0.03}};
     for (int i = 0; i < 2; i++) {
         for (int w = 0; w < 3; w++) {
             const bolan_sea_state wind = bolan_sea_state_from_wind(winds[w], 240.0, 300e3);

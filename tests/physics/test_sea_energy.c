@@ -2,7 +2,7 @@
 // Energy, slopes and direction of the synthesised sea against the spectrum that was asked for.
 #include "sea_support.h"
 
-enum { SEEDS = 40 };
+enum { SEEDS = 20, TIMES = 8 };
 
 // JONSWAP of 10 m/s over 100 km, cos^2: m0 = 0.285843 m2, Hs = 2.1386 m, from the moments of Hasselmann et al. (1973).
 static bolan_sea_desc reference(uint32_t n) {
@@ -30,15 +30,21 @@ static double field_variance(const bolan_sea *sea) {
     return sum;
 }
 
-static void forty_seas_have_the_energy_of_their_modes(void **state) {
+// At a time the energy of a tile swings by some percent, because waves of one mode beat.
+static void twenty_seas_have_the_energy_of_their_modes(void **state) {
     (void)state;
     bolan_sea_desc desc = reference(128);
     double ratio = 0.0;
     for (uint32_t s = 0; s < SEEDS; s++) {
         desc.seed = 100 + s;
         bolan_sea *sea = test_sea(desc);
-        const double one = field_variance(sea) / expected_variance(sea);
-        assert_near(sqrt(one), 1.0, 0.01); // Hs of one realisation: its amplitudes are those of the spectrum
+        double one = 0.0;
+        for (int t = 0; t < TIMES; t++) {
+            bolan_sea_step(sea, 977.0 * t);
+            bolan_sea_fields(sea);
+            one += field_variance(sea) / expected_variance(sea) / TIMES;
+        }
+        assert_near(sqrt(one), 1.0, 0.015); // Hs of one realisation, over the tile and time
         ratio += one / SEEDS;
         bolan_sea_destroy(&sea);
     }
@@ -213,7 +219,7 @@ static void the_fields_move_where_the_modes_say(void **state) {
     bolan_sea_destroy(&sea);
 }
 
-RUN_TESTS(cmocka_unit_test(forty_seas_have_the_energy_of_their_modes),
+RUN_TESTS(cmocka_unit_test(twenty_seas_have_the_energy_of_their_modes),
           cmocka_unit_test(the_cascades_hold_the_spectrum_once),
           cmocka_unit_test(one_cascade_and_its_tail_hold_the_spectrum),
           cmocka_unit_test(a_narrow_swell_loses_nothing_between_the_modes),

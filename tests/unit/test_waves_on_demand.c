@@ -147,8 +147,10 @@ static double height_by_modes(const bolan_sea *sea, uint32_t cascade, uint32_t x
     const double t = bolan_sea_get_clock(sea).shown;
     bolan_sea_mode row[64];
     double sum = 0.0;
-    for (uint32_t j = 0; j < bolan_sea_mode_rows(sea, cascade); j++) {
-        bolan_sea_modes(sea, cascade, j, row);
+    const uint32_t rows = bolan_sea_mode_rows(sea, cascade);
+    for (uint32_t wave = 0; wave < BOLAN_MODE_PARTS * rows; wave++) {
+        const uint32_t part = wave / rows, j = wave % rows;
+        bolan_sea_modes(sea, cascade, part, j, row);
         for (uint32_t i = 0; i < n; i++) {
             const bolan_sea_mode *m = &row[i];
             const double turn = 2.0 * BOLAN_PI * fmod(m->turns * t, 1.0), c = cos(turn), s = sin(turn);

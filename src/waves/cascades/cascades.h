@@ -34,6 +34,22 @@ enum {
     SEA_MAX_STRIPS = FFT_MAX / 2 / FFT_LANES,
 };
 
+// Waves in a table of rows of 16 lanes: h = (A0 c + A1 s) + i (A2 c + A3 s) with c + i s = e^{i w t}.
+typedef struct sea_waves {
+    double *turns;    // [row][16]: w / 2 pi [1/s]; 0: no wave
+    float *amplitude; // [row][4][16]: A0 .. A3 [m]
+    float *expected;  // [row][2][16]: variance of the waves k and -k [m2]
+} sea_waves;
+
+// A mode near the origin of the lattice stands for a cell that is wide beside its wave number. It is the sum of waves
+// with one wave vector, each with the frequency of a slice of the cell (modes.c).
+enum {
+    SEA_PARTS = BOLAN_MODE_PARTS,
+    SEA_PART_REACH = BOLAN_MODE_PART_REACH, // |i| and |j| of such modes are smaller
+    SEA_PART_ROWS = 2 * SEA_PART_REACH - 1,
+};
+_Static_assert((int)SEA_PART_REACH == (int)FFT_LANES, "modes of several waves are those of the first strip");
+
 typedef struct sea_cascade {
     uint32_t n;
     double length, angle, cosine, sine, k_min, k_max;
@@ -43,10 +59,9 @@ typedef struct sea_cascade {
 
     uint32_t strips;                // strips of 16 i that hold modes; none has |i| or |j| >= 3/8 n
     uint32_t reach[SEA_MAX_STRIPS]; // in a strip modes have |j| < reach
-    float *amplitude;               // [strip][j][4][16]: h = (A0 c + A1 s) + i (A2 c + A3 s), c + i s = e^{i w t}
-    double *turns;                  // [strip][j][16]: w / 2 pi [1/s]
+    sea_waves modes;                // [strip][j]: of each mode, its only wave or its first
+    sea_waves parts;                // [SEA_PARTS - 1][SEA_PART_ROWS]: the others, of strip 0, from j = 1 - reach on
     float *inverse_k;               // [strip][j][16]: coth(kh) / |k| [m]
-    float *expected;                // [strip][j][2][16]: variance of the waves k and -k [m2]
     float *k_cos, *k_sin;           // [n]: tile wave number of an index (wrapped) times cosine and sine of the angle
     float *cubic, *linear;          // [n]: one over the divisors along an axis (spline.h)
 } sea_cascade;
@@ -127,6 +142,10 @@ void bolan_cascades_size(sea_shared *shared, const spectrum_eval *eval, uint32_t
 void bolan_cascades_layout(sea_shared *shared, const sea_radial *radial, cascade_extent extent);
 // The strips of a cascade that hold modes, and how far they reach.
 void bolan_cascade_set_reach(sea_cascade *cascade);
+// Row of `parts` of wave `part`, 1 .. SEA_PARTS - 1, at a signed index j.
+static inline size_t sea_part_row(uint32_t part, int32_t j) {
+    return (size_t)(part - 1) * SEA_PART_ROWS + (size_t)(j + SEA_PART_REACH - 1);
+}
 // Memory of the mode tables of a cascade [bytes].
 size_t bolan_cascade_table_bytes(const sea_cascade *cascade);
 // The warped plane over which a sea is read whose first tile has that length and angle.
@@ -137,7 +156,7 @@ bool bolan_cascades_modes(sea_shared *shared, const spectrum_eval *eval, const s
 void bolan_cascades_bound(sea_shared *shared);
 // The lift of a cascade. False when memory is short.
 bool bolan_cascade_lift(const sea_cascade *cascade, double choppiness, const bolan_bound_weights *bound);
-// Calls `visit` for every mode with energy, in a fixed order.
+// Calls `visit` for every wave of every mode, in a fixed order.
 void bolan_sea_each_mode(const sea_cascade *cascade, sea_visit *visit, void *context);
 
 // ---- the functions of the table (model.h) ---------------------------------------------------------------------------

@@ -44,17 +44,18 @@ static inline void reduce_turns(const double *turns, double time, float *out) {
     }
 }
 
-// h(k, t) of one row of modes.
-static inline void evolve_row(const sea_cascade *cascade, size_t row, double time, float *h) {
+// h(k, t) of one row of waves, which stands in h or is added to it.
+static ALWAYS_INLINE void evolve_row(const sea_waves *waves, size_t row, double time, bool add, float *h) {
     float phase[FFT_LANES] __attribute__((aligned(64)));
-    reduce_turns(cascade->turns + row * FFT_LANES, time, phase);
-    const float *a = cascade->amplitude + row * 4 * FFT_LANES;
+    reduce_turns(waves->turns + row * FFT_LANES, time, phase);
+    const float *a = waves->amplitude + row * 4 * FFT_LANES;
     for (int l = 0; l < FFT_LANES; l += WIDE) {
         wide s, c;
         sincos_turns(wide_load(phase + l), &s, &c);
         const wide re = wide_load(a + l) * c + wide_load(a + FFT_LANES + l) * s;
         const wide im = wide_load(a + 2 * FFT_LANES + l) * c + wide_load(a + 3 * FFT_LANES + l) * s;
-        pair_store(h + l, (pair){re, im});
+        const pair before = add ? pair_load(h + l) : (pair){re, im};
+        pair_store(h + l, add ? (pair){before.re + re, before.im + im} : before);
     }
 }
 
@@ -85,9 +86,15 @@ static inline column_strip strip_of(const sea_cascade *c, uint32_t strip, const 
 static inline bool has_modes(uint32_t n, uint32_t reach, uint32_t j) { return j < reach || n - j < reach; }
 
 static void evolve(const sea_cascade *cascade, uint32_t strip, double time, float *h) {
+    const int32_t n = (int32_t)cascade->n, reach = (int32_t)cascade->reach[strip];
+    const int32_t end = reach < SEA_PART_REACH ? reach : SEA_PART_REACH;
     for (uint32_t j = 0; j < cascade->n; j++)
         if (has_modes(cascade->n, cascade->reach[strip], j))
-            evolve_row(cascade, (size_t)strip * cascade->n + j, time, h + (size_t)j * FFT_ROW);
+            evolve_row(&cascade->modes, (size_t)strip * cascade->n + j, time, false, h + (size_t)j * FFT_ROW);
+    if (strip > 0) return;
+    for (uint32_t part = 1; part < SEA_PARTS; part++)
+        for (int32_t j = 1 - end; j < end; j++)
+            evolve_row(&cascade->parts, sea_part_row(part, j), time, true, h + (size_t)(j & (n - 1)) * FFT_ROW);
 }
 
 // ---- fields ---------------------------------------------------------------------------------------------------------
