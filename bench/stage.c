@@ -203,7 +203,7 @@ void stage_measure(stage *s, bool passes, stage_figures *f) {
 void stage_print_machine(const stage_options *o, stage_yard yard) {
     printf("%s, %s, %u threads, %u x %u\n", bench_machine(), bolan_gl_get_info().renderer, bolan_threads(), o->width,
            o->height);
-    printf("yardstick (6 bilinear texture fetches a pixel): %.2f ms, %.2f ms of the processors\n\n", yard.ms, yard.cpu_ms);
+    printf("yardstick (6 bilinear fetches a pixel): %.2f ms, %.2f ms of the processors\n\n", yard.ms, yard.cpu_ms);
 }
 
 // What the stages of a synthesis on the GPU took: each from its own row.
