@@ -407,8 +407,9 @@ BOLAN_API bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t in
 /// Like bolan_sea_cascade(), without the planes: the pointers are NULL, and no fields are made.
 BOLAN_API bolan_cascade_view bolan_sea_cascade_layout(const bolan_sea *sea, uint32_t index);
 
-/// Waves of a mode (i, j) of |i|, |j| < BOLAN_MODE_PART_REACH; other modes have one wave, part 0.
+/// Most waves that a mode has.
 #define BOLAN_MODE_PARTS 4
+/// Modes (i, j) with |i| and |j| below have several waves; others have one, part 0.
 #define BOLAN_MODE_PART_REACH 16
 /// One wave of a mode (i, j) of a cascade, wave vector 2 pi (i, j) / length in the axes of the tile.
 /// A mode near the origin is the sum of several waves with one wave vector: its cell of the spectrum is wide, and each

@@ -27,7 +27,7 @@
 // 0.00465 rad, still reflects its rim, (0.00465 / 2)^2 = 5.4e-6. It keeps a glint finite on flat water.
 #define SUN_DISC_SLOPES 6e-6
 
-// ---- the modes of a cascade (bolan_sea_mode)  ----------------------------------------------------------------------
+// ---- the modes of a cascade (bolan_sea_mode) -----------------------------------------------------------------------
 
 #define MODE_PARTS 4       // waves of a mode near the origin of the lattice
 #define MODE_PART_REACH 16 // |i| and |j| of such modes are smaller
