@@ -179,7 +179,9 @@ static int check_camera(const bolan_world *w) {
     const double below = scene->water.level - bolan_world_camera_at(w, scene->time).position.z;
     if (below <= 0.0 || bolan_optics_seen_from_below(scene->technique.optics)) return EXIT_OK;
     return usage_error(
-        "the camera stands %g m below the water; expected above it: only --optics mirror has views from below", below);
+        "the camera stands %g m below the water; expected above it: only the optics physical and mirror have views "
+        "from below",
+        below);
 }
 
 int command_render(int count, char **arguments) {

@@ -30,7 +30,7 @@ double world_floor(const bolan_world *w, double x, double y) {
     const bolan_water *water = bolan_world_water(w);
     bool land = false;
     double surface = world_surface(w, x, y, &land);
-    if (!land && bolan_world_scene(w)->technique.optics == BOLAN_OPTICS_MIRROR) // this optics has views from below
+    if (!land && bolan_optics_seen_from_below(bolan_world_scene(w)->technique.optics))
         return fmax(ground_at(water, x, y) + 0.3, water->level - 30.0);
     // On land the height of a standing person's eyes; over water above the waves.
     return surface + (land ? 1.7 : 0.5);

@@ -32,7 +32,7 @@ typedef enum bolan_optics_kind {
 /// The names that the command line and scene files use, "physical" ...; by bolan_optics_kind, NULL at the end.
 BOLAN_API extern const char *const bolan_optics_kind_names[BOLAN_OPTICS_KINDS + 1];
 
-/// Whether the optics draws views from an eye under the water: MIRROR does.
+/// Whether the optics draws views from an eye under the water: PHYSICAL and MIRROR do.
 /// A kind that is none: false.
 /// Thread-safe.
 BOLAN_API bool bolan_optics_seen_from_below(bolan_optics_kind optics);

@@ -117,6 +117,7 @@ BOLAN_API const bolan_model *const *bolan_world_object_models(const bolan_world 
 BOLAN_API bolan_camera bolan_world_camera_at(const bolan_world *world, double time);
 
 /// Returns @p eye, raised to 0.3 m above the surface where @p eye is lower, so that no wave covers the eye.
+/// The physical optics draws views from everywhere, the waterline among them: no eye is raised there.
 /// An eye below the level stays where the scene's optics draws such views: bolan_optics_seen_from_below().
 /// Thread-safe between steps.
 BOLAN_API bolan_dvec3 bolan_world_clear_eye(const bolan_world *world, bolan_dvec3 eye);

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "below.h"
 #include "renderer.h"
 
 _Static_assert((int)PART_COUNT + (int)SEA_STAGES <= BOLAN_MAX_PASSES, "statistics have a place for each");
@@ -113,6 +114,7 @@ static void prepare_view(bolan_renderer *r, render_view *v, bolan_view_cache *ca
     bolan_view_use(v);
     begin_part(r, PART_SKY_TABLES);
     bolan_pass_sky_prepare(cache->sky, v);
+    if (v->medium == EYE_IN_WATER) v->light.exposure *= bolan_below_exposure(&r->frame, v->eye);
     end_part(r, PART_SKY_TABLES);
     bolan_view_use(v); // the light is known now
     bolan_blocks_bind(&r->uniforms);
@@ -189,10 +191,11 @@ static void draw_sky(bolan_renderer *r, render_view *v, bolan_view_cache *cache)
     begin_part(r, PART_SKY);
     if (v->under) {
         bolan_pass_water_draw_body(r->water, v->frame);
-    } else {
+    } else if (v->medium != EYE_IN_WATER) {
         bolan_pass_sky_draw(cache->sky, v);
         bolan_pass_sky_draw_over(cache->sky, v);
     }
+    bolan_pass_water_draw_below(r->water, v);
     end_part(r, PART_SKY);
 }
 
@@ -238,7 +241,7 @@ static bool open_view(bolan_renderer *r, render_view *v, const bolan_view *from)
     v->depth_serial = r->targets.serial;
     v->bake = !v->progressive || r->bake;
     r->bake = false;
-    v->under = v->picture = v->eye.z < f->level && bolan_optics_seen_from_below(f->lighting.technique.optics);
+    v->under = v->picture = v->eye.z < f->level && bolan_pass_water_has_body(f);
     v->fog = f->lighting.look.effects & BOLAN_EFFECT_FOG;
     v->uniforms = &r->uniforms;
     r->near_plane = v->near_distance;
@@ -262,6 +265,8 @@ static void draw_view(bolan_renderer *r, const bolan_view *to) {
     bolan_renderer_accept(r, CALL_DRAW);
     if (!open_view(r, &v, to)) return;
     v.without_water = to->without_water;
+    bolan_pass_water_place(&r->frame, &v);
+    r->near_plane = v.near_distance;
     prepare_view(r, &v, cache);
     // The unshifted sample comes last, so that the depth that remains is that of the pixels' middles.
     for (uint32_t s = 0; s < to->samples; ++s) draw_sample(r, &v, to, cache, s);

@@ -51,6 +51,7 @@ enum {
     UNIT_RIPPLES = 18,       // 2D  slopes of ripples, or of a tile
     UNIT_TILE = 19,          // 2D RGBA8  the water's own texture, light on the bottom
     UNIT_GLINT = 25,         // 2D R8  the sun on a slide
+    UNIT_WINDOW = 25,        // 2D  what stands above an eye in the water: below.h
     UNIT_RIPPLE_SLOPES = 26, // 2D  slopes of the finer tile
 };
 
@@ -158,6 +159,12 @@ void bolan_pass_water_cover(pass_water *p, render_view *v);
 void bolan_pass_water_behind(pass_water *p, render_view *v, const world_drawer *world);
 // Shades the water into the view; reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH.
 void bolan_pass_water_draw(pass_water *p, render_view *v);
+// What is seen through water by an eye in it or at the waterline; after the sky.
+void bolan_pass_water_draw_below(pass_water *p, render_view *v);
+// The medium of a view from there, and what follows from it: its near plane.
+void bolan_pass_water_place(const frame *f, render_view *v);
+// Whether an eye below the mean water sees two triangles, and the water round it by bolan_pass_water_draw_body().
+bool bolan_pass_water_has_body(const frame *f);
 // The water round an eye in it, where the depth is 0.
 void bolan_pass_water_draw_body(pass_water *p, const frame *f);
 bool bolan_pass_water_needs_baking(const pass_water *p, const frame *f); // and was not asked to

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The water: the sea's waves on the GPU (sea_gpu.c), the surface of this view (water_mesh.c), and the optics that the
 // scene's technique names (water_optics.h).
+#include "below.h"
 #include "half_rate.h"
 #include "memory.h"
 
+#include <math.h>
 #include <string.h>
 
 struct pass_water {
@@ -100,6 +102,16 @@ static bool can_draw(const pass_water *p, const frame *f) { return !p->failed[f-
 
 bool bolan_pass_water_looks_through(const frame *f) { return optics_of(f)->looks_through; }
 
+bool bolan_pass_water_has_body(const frame *f) { return optics_of(f)->draw_body != NULL; }
+
+void bolan_pass_water_place(const frame *f, render_view *v) {
+    v->medium = EYE_IN_AIR;
+    if (optics_of(f)->draw_below == NULL || v->without_water) return;
+    v->medium = bolan_below_medium(f, v->eye);
+    if (v->medium == EYE_AT_WATERLINE) bolan_view_set_near(v, fmax(v->near_distance, WATERLINE_NEAR));
+    if (v->medium == EYE_IN_WATER) bolan_view_set_near(v, fmin(v->near_distance, WATERLINE_NEAR));
+}
+
 bool bolan_pass_water_mirrors(const frame *f) {
     const water_optics *o = optics_of(f);
     return o->planar_mirrors && (!o->own_sky || f->behind);
@@ -134,7 +146,7 @@ static water_setup setup_of(const frame *f) {
                          .waves = waves,
                          .waves_below = bolan_water_waves_of(form, BOLAN_SURFACE_QUAD),
                          .surface = t->surface,
-                         .below = bolan_optics_seen_from_below(t->optics),
+                         .below = o->draw_body != NULL,
                          .land = f->behind,
                          .static_grid =
                              o->static_grid && !edges && t->surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH,
@@ -238,7 +250,7 @@ static void draw_surface(pass_water *p, render_view *v) {
 }
 
 void bolan_pass_water_behind(pass_water *p, render_view *v, const world_drawer *world) {
-    if (!bolan_pass_water_mirrors(v->frame) || !can_draw(p, v->frame)) return;
+    if ((!bolan_pass_water_mirrors(v->frame) && v->medium == EYE_IN_AIR) || !can_draw(p, v->frame)) return;
     const water_draw d = draw_of(p, v);
     optics_of(v->frame)->behind(p->state[v->frame->lighting.technique.optics], &d, world);
 }
@@ -246,7 +258,7 @@ void bolan_pass_water_behind(pass_water *p, render_view *v, const world_drawer *
 void bolan_pass_water_draw(pass_water *p, render_view *v) {
     if (bolan_water_mesh_triangles(&p->mesh) == 0 || !can_draw(p, v->frame) || !p->ready) return;
     const bool keeps_shape = optics_of(v->frame)->keeps_shape, behind = v->frame->behind;
-    const uint32_t columns = bolan_half_rate_columns(v, columns_of(v->frame));
+    const uint32_t columns = bolan_half_rate_columns(v, v->medium == EYE_IN_AIR ? columns_of(v->frame) : 1);
     render_view sparse = bolan_half_rate_begin(&p->sparse, v, columns, keeps_shape, behind);
     if (sparse.shade_columns <= 1.0f) {
         bolan_gl_target_bind(&v->hdr);
@@ -261,6 +273,13 @@ void bolan_pass_water_draw(pass_water *p, render_view *v) {
     bolan_view_use(v);
     const water_draw d = draw_of(p, v);
     bolan_half_rate_lay(&p->sparse, &d, keeps_shape, behind);
+}
+
+void bolan_pass_water_draw_below(pass_water *p, render_view *v) {
+    if (v->medium == EYE_IN_AIR || !can_draw(p, v->frame) || !p->ready) return;
+    const water_draw d = draw_of(p, v);
+    bolan_sea_gpu_bind(&p->fields, d.waves);
+    optics_of(v->frame)->draw_below(p->state[v->frame->lighting.technique.optics], &d);
 }
 
 void bolan_pass_water_draw_body(pass_water *p, const frame *f) {

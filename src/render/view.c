@@ -169,6 +169,13 @@ void bolan_view_open(render_view *v, frame *f, const bolan_view *from, bool zero
     v->shade_columns = v->pixel_scale = 1.0f;
 }
 
+void bolan_view_set_near(render_view *v, double distance) {
+    const bolan_mat4 p = bolan_m4_projection(1.0, 1.0, distance, v->zero_to_one);
+    v->near_distance = distance;
+    v->projection.m[10] = p.m[10];
+    v->projection.m[14] = p.m[14];
+}
+
 void bolan_view_shift(render_view *v, bolan_vec2 pixels) {
     v->projection.m[8] -= 2.0f * pixels.x / (float)v->width;
     v->projection.m[9] -= 2.0f * pixels.y / (float)v->height;

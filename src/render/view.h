@@ -28,6 +28,9 @@ typedef struct view_light {
     bolan_vec2 cloud_offset;
 } view_light;
 
+// Where the eye is, for an optics whose mesh is seen from either side.
+typedef enum view_medium { EYE_IN_AIR, EYE_AT_WATERLINE, EYE_IN_WATER } view_medium;
+
 // The part of the world that a view shows, and how it raises what it refracts: see shaders/shared/view_block.glsl.
 typedef struct view_clip {
     float side, elevation, raise, mode;
@@ -47,7 +50,8 @@ typedef struct render_view {
     bool bake; // the optics may bake anew what another sun has lit
     // Inputs of the block.
     bolan_mat4 mirror;   // applied to the eye-relative world before the camera
-    bool under;          // the eye is below the mean water, and the optics has a picture from there
+    bool under;          // the eye is below the mean water, and the optics draws such views of two triangles
+    view_medium medium;  // see below.h
     bool mirrored_under; // the mirrored picture of such an eye
     bool fog;            // under water
     float shade_columns;
@@ -72,6 +76,8 @@ const char *bolan_view_problem(const bolan_view *from);
 // The view of a caller: lens, matrices, near plane and size. `zero_to_one`: clip depth is [0,1].
 void bolan_view_open(render_view *v, frame *f, const bolan_view *from, bool zero_to_one);
 #define LEVEL_ROLL 1e-3 // [deg] a camera that rolls less stands upright
+// Moves the near plane [m].
+void bolan_view_set_near(render_view *v, double distance);
 // The row of the picture, from the bottom, where the vertical plane through the view's axis shows what stands at the
 // angle with tangent t above the axis.
 double bolan_view_row(const render_view *v, double t);

@@ -55,11 +55,14 @@ typedef struct water_optics {
     // Notes every program that draw() can ask for, whatever the eye does; called after prepare().
     void (*list)(const void *state, const water_setup *s, water_programs *all);
     void (*prepare)(void *state, const water_draw *d); // once a view, before anything is drawn; may be NULL
-    // Once a sample, after the world and before the water: draws the planar views. Where planar_mirrors.
+    // Once a sample, after the world and before the water: draws planar views. Where planar_mirrors or draw_below.
     void (*behind)(void *state, const water_draw *d, const world_drawer *world);
     void (*draw)(void *state, const water_draw *d);
-    // The water round an eye in it, where the depth is 0. Where bolan_optics_seen_from_below().
+    // The water round an eye in it, where the depth is 0; such an eye sees two triangles. NULL: not so.
     void (*draw_body)(void *state);
+    // What is seen through water by an eye in it or at the waterline, over the frame and its sky; NULL: draw_body() or
+    // nothing. Its behind() is called for such an eye only.
+    void (*draw_below)(void *state, const water_draw *d);
     void (*free)(void *state);
 } water_optics;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The physical optics: draws the water's shape into a few numbers per pixel, and shades these over a copy of what lies
 // behind. Shaders: shaders/water_shape.glsl, shaders/water_physical.glsl.
+#include "below.h"
 #include "foam_statistics.h"
 #include "foam_texture.h"
 #include "kept_sizes.h"
@@ -27,6 +28,7 @@ typedef struct physical {
     shape *shape;       // of the present size
     gl_sampler sampler; // of a host's shadow map
     gl_texture foam_detail;
+    below_water below;
 } physical;
 
 static const water_shader shape_shader = {.stem = "water_shape", .reads = WATER_FEATURE_ALL};
@@ -92,6 +94,7 @@ static void free_all(void *state) {
     physical *p = state;
     for (int i = 0; i < KEPT_SIZES; ++i) free_shape(&p->shapes[i]);
     bolan_gl_texture_free(&p->foam_detail);
+    bolan_below_free(&p->below);
     bolan_gl_sampler_free(&p->sampler);
 }
 
@@ -156,6 +159,7 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
     bolan_water_programs_add(all, s, false, &shape_shader, 0);
     bolan_water_programs_add(all, s, false, &light_shader, 1u << s->quality);
     bolan_water_programs_add(all, s, false, &shadow_shader, 0); // a host may bring shadows to any view
+    bolan_below_list(s, all);
 }
 
 static void draw(void *state, const water_draw *d) {
@@ -163,8 +167,19 @@ static void draw(void *state, const water_draw *d) {
     if (fit_shape(p, d->view) != BOLAN_OK) return;
     const bolan_host *host = d->view->frame->host;
     draw_shape(p, d);
+    if (d->view->medium == EYE_IN_WATER) return;
     if (host != NULL && host->shadow != 0) draw_shadow(p, d);
     draw_light(p, d);
+}
+
+static void behind(void *state, const water_draw *d, const world_drawer *world) {
+    bolan_below_behind(&((physical *)state)->below, d, world);
+}
+
+static void draw_below(void *state, const water_draw *d) {
+    physical *p = state;
+    for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape->map[i], UNIT_OWN + 1 + i);
+    bolan_below_draw(&p->below, d);
 }
 
 static uint32_t shade_columns(const bolan_look *look, bolan_quality quality) {
@@ -179,5 +194,7 @@ const water_optics bolan_optics_physical = {.kind = BOLAN_OPTICS_PHYSICAL,
                                             .shade_columns = shade_columns,
                                             .create = create,
                                             .list = list,
+                                            .behind = behind,
                                             .draw = draw,
+                                            .draw_below = draw_below,
                                             .free = free_all};

@@ -26,7 +26,9 @@ const char *const bolan_technique_names[BOLAN_TECHNIQUES + 1] = {TECHNIQUES(NAME
 const char *const bolan_optics_kind_names[BOLAN_OPTICS_KINDS + 1] = {"physical", "mirror", "phong",
                                                                      "lit",      "crest",  NULL};
 
-bool bolan_optics_seen_from_below(bolan_optics_kind optics) { return optics == BOLAN_OPTICS_MIRROR; }
+bool bolan_optics_seen_from_below(bolan_optics_kind optics) {
+    return optics == BOLAN_OPTICS_PHYSICAL || optics == BOLAN_OPTICS_MIRROR;
+}
 
 _Static_assert(EFFECT_REFLECTION == BOLAN_EFFECT_REFLECTION && EFFECT_REFRACTION == BOLAN_EFFECT_REFRACTION &&
                    EFFECT_BUMP == BOLAN_EFFECT_BUMP && EFFECT_DISTORTION == BOLAN_EFFECT_DISTORTION &&

@@ -253,7 +253,9 @@ bolan_camera bolan_world_camera_at(const bolan_world *world, double time) {
 
 bolan_dvec3 bolan_world_clear_eye(const bolan_world *world, bolan_dvec3 eye) {
     BOLAN_ASSERT(world);
-    if (eye.z < world->water.level && bolan_optics_seen_from_below(world->scene.technique.optics)) return eye;
+    const bolan_optics_kind optics = world->scene.technique.optics;
+    if (optics == BOLAN_OPTICS_PHYSICAL) return eye;
+    if (eye.z < world->water.level && bolan_optics_seen_from_below(optics)) return eye;
     double vertical, horizontal;
     bolan_sea_bounds(world->sea, &vertical, &horizontal);
     if (world->water.layer_count == 0 && eye.z > world->water.level + vertical + EYE_CLEARANCE) return eye;

@@ -75,7 +75,7 @@ static void list_setups(const water_optics *o, bolan_quality quality, bolan_surf
                                .waves = waves,
                                .waves_below = bolan_water_waves_of(forms[i], BOLAN_SURFACE_QUAD),
                                .surface = surface,
-                               .below = bolan_optics_seen_from_below(o->kind),
+                               .below = o->draw_body != NULL,
                                .land = land,
                                .static_grid = grid,
                                .packed = o->packed,

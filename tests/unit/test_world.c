@@ -320,6 +320,9 @@ static void an_eye_keeps_clear_of_the_water(void **state) {
     bolan_world *world = pond_world();
     const bolan_water *water = bolan_world_water(world);
     bolan_world_step(world, 4.0);
+    bolan_scene scene = *bolan_world_scene(world);
+    scene.technique.optics = BOLAN_OPTICS_CREST;
+    assert_int_equal(bolan_world_set_scene(world, &scene), BOLAN_OK);
     for (int i = 0; i < 9; i++) {
         const double x = 3.1 * i, y = -1.7 * i, clear = height_at(water, x, y) + 0.3;
         const double heights[] = {-40.0, clear - 0.2, clear - 0.01, clear, clear + 0.01, 900.0};
@@ -329,7 +332,6 @@ static void an_eye_keeps_clear_of_the_water(void **state) {
         }
     }
     // With views from below an eye under the level stays; one between crest and level does not.
-    bolan_scene scene = *bolan_world_scene(world);
     scene.technique.optics = BOLAN_OPTICS_MIRROR;
     assert_int_equal(bolan_world_set_scene(world, &scene), BOLAN_OK);
     int lifted = 0;
@@ -340,8 +342,16 @@ static void an_eye_keeps_clear_of_the_water(void **state) {
         lifted += clear > 0.2501;
     }
     assert_true(lifted > 4);
+    // Drawn from everywhere, an eye stays everywhere.
+    scene.technique.optics = BOLAN_OPTICS_PHYSICAL;
+    assert_int_equal(bolan_world_set_scene(world, &scene), BOLAN_OK);
+    for (int i = 0; i < 9; i++) {
+        const double z = height_at(water, 3.1 * i, 4.0) + 0.1 * (i - 4);
+        assert_true(bolan_world_clear_eye(world, bolan_dv3(3.1 * i, 4.0, z)).z == z);
+    }
     for (int kind = -1; kind <= BOLAN_OPTICS_KINDS; kind++)
-        assert_true(bolan_optics_seen_from_below((bolan_optics_kind)kind) == (kind == BOLAN_OPTICS_MIRROR));
+        assert_true(bolan_optics_seen_from_below((bolan_optics_kind)kind) ==
+                    (kind == BOLAN_OPTICS_MIRROR || kind == BOLAN_OPTICS_PHYSICAL));
     bolan_world_destroy(&world);
 }
 

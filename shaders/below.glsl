@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// What an eye in the water sees, each pixel once, from the outputs of water_shape.glsl: the under side of the surface,
+// things in the water, and the water itself. Inside Snell's window a facet shows sky and land; outside it reflects what
+// lies below. Sunlight comes through facets of any slope by the microfacet law of Walter et al. 2007.
+//
+// LAND: there is terrain, or an object. TAPS: as in water_physical.glsl. WATERLINE: the surface cuts the near plane;
+// pixels are drawn where that plane lies in the water, with a meniscus along its edge.
+#include "common/frame.glsl"
+#include "common/fullscreen.glsl"
+#include "common/atmosphere.glsl"
+
+#ifdef VERTEX
+flat out float eye_shade; // share of the sun that passes the clouds over the eye
+
+void main() {
+    fullscreen(0.0);
+    eye_shade = cloud_shadow(vec2(0.0));
+}
+#endif
+
+#ifdef FRAGMENT
+#include "common/waves.glsl"
+#include "shared/fresnel.glsl"
+#include "shared/microfacets.glsl"
+#include "shared/bed.glsl"
+#include "common/look.glsl"
+
+flat in float eye_shade;
+out vec4 color;
+
+#pragma unit surface_rest 16
+#pragma unit surface_slope 17
+uniform highp sampler2D surface_rest; // water_shape.glsl's outputs
+uniform sampler2D surface_slope;
+#ifdef WAVES_MESH
+#pragma unit surface_transmittance 18
+uniform sampler2D surface_transmittance;
+#endif
+layout(std140) uniform Optics {
+#include "shared/below_block.glsl"
+};
+#include "common/below_medium.glsl"
+
+#ifdef LAND
+#include "common/behind.glsl"
+#pragma unit window_image 25
+uniform sampler2D window_image; // what stands above the water, as a level surface refracts it; w: something does
+#endif
+
+const float FARTHEST = 1e4; // of a ray that meets nothing [m]
+
+// ---- light from things in the water ---------------------------------------------------------------------------------
+
+// Radiance of a thing at a depth, which was shaded as if dry.
+vec3 lit_below(vec3 dry, float depth) { return dry * SKY_ENTERS * light_left(depth); }
+
+#ifdef LAND
+// The bed that a reflected ray meets where the image does not show it: a bright mean of sand and reef.
+const vec3 BED_ALBEDO = vec3(0.35, 0.31, 0.22);
+const int BED_STEPS = 8;
+
+// Radiance along a ray that goes down from a place on the surface, within the water.
+vec3 reflected_scene(vec3 from, vec3 dir, vec3 sunlight) {
+    float down = max(-dir.z, 0.02), height = eye_height + from.z, near = 0.0;
+    bool met = false;
+    for (int i = 0; i < BED_STEPS && !met; ++i) {
+        float to_bed = height - near * down - shore_elevation((from + dir * near).xy);
+        near += max(0.7 * to_bed, 0.05) / down;
+        met = to_bed < 0.1;
+    }
+    vec3 at = from + dir * near;
+    vec4 c = view_projection * vec4(at, 1.0);
+    vec2 uv = c.xy / max(c.w, 1e-4) * 0.5 + 0.5;
+    vec2 inside = min(uv, 1.0 - uv);
+    float depth = -(eye_height + at.z);
+    vec3 dry = BED_ALBEDO / PI * light_entering(sunlight);
+    vec3 seen_at;
+    vec4 seen = behind(clamp(uv, 0.001, 0.999), seen_at);
+    bool same = c.w > 0.0 && seen.w > 0.0 && seen_at.z + eye_height < 0.0 && distance(seen_at, at) < 0.3 * length(at);
+    vec3 bed = mix(dry, seen.rgb, same ? smoothstep(0.0, 0.08, min(inside.x, inside.y)) : 0.0);
+    vec3 left = exp(-beam_attenuation * near);
+    return lit_below(bed, depth) * left + veil(sunlight, -height, dir, near);
+}
+#else
+vec3 reflected_scene(vec3 from, vec3 dir, vec3 sunlight) {
+    return veil(sunlight, -(eye_height + from.z), dir, FARTHEST);
+}
+#endif
+
+// ---- the surface from below -----------------------------------------------------------------------------------------
+
+// The sky, and the land before it, along a ray in the air; straight: the ray in the water as a level surface would have
+// bent it.
+vec3 light_above(vec3 dir, float blur) {
+    vec3 sky = environment_radiance(vec3(dir.xy, max(dir.z, 0.0)), blur);
+#ifdef LAND
+    if (window_present > 0.5) {
+        vec2 level = dir.xy / water_index;
+        vec4 c = view_projection * vec4(level, sqrt(max(1.0 - dot(level, level), 0.0)), 0.0);
+        vec2 uv = c.xy / max(c.w, 1e-4) * 0.5 + 0.5;
+        vec4 land = textureLod(window_image, uv, 0.0);
+        bool inside = c.w > 0.0 && uv == clamp(uv, 0.0, 1.0);
+        sky = inside ? mix(sky, land.rgb, land.a) : sky;
+    }
+#endif
+    return sky;
+}
+
+// Radiance of the sun through facets of mean slope `slope` and covariance `c`, for an irradiance of 1 across its rays.
+float sun_through(vec3 dir, vec2 slope, vec3 c) {
+    vec3 h = normalize(water_index * dir - sun_direction);
+    float to_sun = dot(sun_direction, h), to_eye = dot(dir, h);
+    if (h.z < 0.05 || to_sun <= 0.0 || to_eye <= 0.0 || sun_direction.z <= 0.0) return 0.0;
+    vec2 off = -h.xy / h.z - slope;
+    float up2 = h.z * h.z, bend = water_index * to_eye - to_sun;
+    float lit = slope_density(off.x, off.y, c.x, c.y, c.z) / (up2 * up2);
+    float passes = 1.0 - fresnel(to_sun, water_index);
+    return water_index * water_index * passes * lit * to_sun * to_eye / (max(dir.z, 0.05) * bend * bend);
+}
+
+// Slopes by which a facet that leans so turns a ray through the sun's disc: half the radius of the disc over 1 - 1 / n.
+const float SUN_DISC_THROUGH = 7.5e-5;
+
+// Radiance that the surface sends down along the ray -dir.
+vec3 surface_from_below(vec3 position, vec3 dir, vec2 slope, vec3 hidden, vec3 sunlight) {
+    vec2 h = length(dir.xy) > 1e-4 ? normalize(dir.xy) : vec2(1.0, 0.0);
+    float sigma = sqrt(max(hidden.x * h.x * h.x + 2.0 * hidden.y * h.x * h.y + hidden.z * h.y * h.y, 1e-8));
+    vec3 through = vec3(0.0), mirrored = vec3(0.0);
+    float reflectance = 0.0, weights = 0.0;
+    for (int i = -1; i <= 1; ++i) { // Gauss's quadrature for a Gaussian
+        vec3 up = normalize(vec3(-slope - h * (1.7320508 * sigma * float(i)), 1.0));
+        float cosine = dot(dir, up), weight = (i == 0 ? 2.0 / 3.0 : 1.0 / 6.0) * max(cosine, 0.0);
+        if (cosine <= 0.0) continue;
+        float r = fresnel(cosine, 1.0 / water_index);
+        if (r < 1.0) through += weight * (1.0 - r) * light_above(refract(dir, -up, water_index), 0.5 * sigma);
+        reflectance += weight * r;
+        weights += weight;
+    }
+    weights = max(weights, 1e-4);
+    through *= water_index * water_index / weights;
+    reflectance /= weights;
+    vec3 up = normalize(vec3(-slope, 1.0)), down = reflect(dir, up);
+    down.z = -abs(down.z);
+    if (effect_is_on(EFFECT_REFLECTION)) mirrored = reflected_scene(position, normalize(down), sunlight);
+    vec3 light = effect_is_on(EFFECT_REFRACTION) ? through : vec3(0.0);
+    if (effect_is_on(EFFECT_GLITTER))
+        light += sunlight * sun_through(dir, slope, hidden + vec3(SUN_DISC_THROUGH, 0.0, SUN_DISC_THROUGH));
+    return light + reflectance * mirrored;
+}
+
+// ---- the pixel ------------------------------------------------------------------------------------------------------
+
+// What the ray meets, and its radiance there.
+vec3 seen_thing(ivec2 pixel, vec2 uv, vec3 ray, vec3 dir, out float reach) {
+    vec4 rest_depth = texelFetch(surface_rest, pixel, 0), slope_light = texelFetch(surface_slope, pixel, 0);
+    reach = FARTHEST;
+    if (rest_depth.w > 0.0) {
+        vec3 position = ray / rest_depth.w;
+        reach = length(position);
+        footprint f = pixel_footprint(vec3(-dir.xy, abs(dir.z)), reach, vec2(0.0));
+        float gust = slope_light.z, depth = rest_depth.z, jacobian = 1.0;
+#ifdef WAVES_MESH
+        jacobian = texelFetch(surface_transmittance, pixel, 0).w - 4.0;
+#endif
+        wave_fields w = waves_at(rest_depth.xy, f, gust, depth, vec4(slope_light.xy, jacobian, 0.0));
+        vec3 hidden = hidden_slopes(rest_depth.xy, f, depth) * gust * gust;
+        return surface_from_below(position, dir, w.slope, hidden, sun_light * slope_light.w);
+    }
+#ifdef LAND
+    vec3 at;
+    vec4 thing = behind(uv, at);
+    if (thing.w > 0.0) {
+        reach = length(at);
+        return lit_below(thing.rgb, -(at.z + eye_height));
+    }
+#endif
+    return vec3(0.0);
+}
+
+#ifdef WATERLINE
+const float MENISCUS = 2.5; // half its width [px]
+
+const float FINEST_MESH = 0.01; // spacing of the mesh at the eye [m]
+
+// Height of the surface over an eye-relative place; twin of wave_offset() of common/waves.glsl.
+float surface_height(vec2 place) {
+#ifdef WAVES_CASCADES
+#ifdef LAND
+    float depth = -shore_elevation(place);
+#else
+    float depth = 1000.0;
+#endif
+    vec4 kept = cascades_kept(depth);
+    vec2 rest = place;
+    float height = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        sea_place at = place_of(rest);
+        vec3 sum = vec3(0.0);
+        vec3 longer = vec3(0.0);
+        for (int c = 0; c < cascade_count; ++c) {
+            vec3 d = kept[c] * cascade_spline(c, cascade_uv(c, at.at));
+            sum += d + vec3(0.0, 0.0, kept[c] * kept[c] * lift_of(c, FINEST_MESH));
+#ifdef BOUND_WAVES
+            sum.z += bound_height(c, d, longer);
+#endif
+        }
+        rest = place - choppiness * sum.xy;
+        height = sum.z;
+    }
+    for (int i = 0; i < LAYER_COUNT; ++i) height += layer_at(i, rest, depth).height;
+    return height;
+#else
+    return 0.0;
+#endif
+}
+
+// Height of the near plane's point over the water [px].
+float over_water(vec3 point) {
+    return (point.z + eye_height - surface_height(point.xy)) / (near_distance * radians_per_pixel);
+}
+#endif
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec2 uv = gl_FragCoord.xy * pixel_size;
+    vec3 ray = frame_ray(uv), dir = normalize(ray);
+    float cover = 1.0, shade = 1.0;
+#ifdef WATERLINE
+    float over = over_water(ray);
+    if (over > MENISCUS) discard;
+    // the film on the lens: dark where it turns the view away, down to a thin bright line at its lower edge
+    float film = 1.0 - smoothstep(0.0, MENISCUS, abs(over));
+    cover = clamp(1.0 - over / MENISCUS, 0.0, 1.0);
+    shade = 1.0 - 0.75 * film;
+#endif
+    vec3 sunlight = sun_light * eye_shade;
+    float reach;
+    vec3 thing = seen_thing(pixel, uv, ray, dir, reach);
+    vec3 light = thing * exp(-beam_attenuation * reach) + veil(sunlight, -eye_height, dir, reach);
+    color = vec4(light * shade, cover);
+}
+#endif
