@@ -136,24 +136,13 @@ const float ROCKS_MEAN = 0.55, ROCKS_PULSE = 0.45; // cover by surge
 // Bores, swash at the edge, and surge at rocks. least: depth of the water where it is least near here [m]; water_path:
 // depth under the pixel [m]. Noise bends the fronts and lets the surge come at different times.
 float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 noise) {
-    float wobble = noise.b - 0.5;
-    float bore = bore_foam(behind_front(rest, depth, 0.9 * wobble + 0.5 * noise.a));
+    float wobble = 1.7 * (noise.r - 0.5); // as wide as a uniform distribution
+    float bore = bore_foam(behind_front(rest, depth, 0.9 * wobble + 0.85 * noise.a));
     float broken = surf_cover(depth / shore_height + wobble, bore, SURF_LOOK);
     float rocks = shallows(least, -ROCKS_DRY, ROCKS_DEEP) * surge(ROCKS_MEAN, ROCKS_PULSE, surf_time + 2.0 * wobble);
     return clamp(max(max(broken, rocks), swash_cover(water_path, surf_time, SURF_LOOK)), 0.0, 1.0);
 }
 #endif
-
-// Cover by breaking crests and by old foam, by the law of shared/foam.glsl. The pixel hides the same share of the slope
-// variance, of the variance of the Jacobian and of the foam memory.
-void breaking_cover(wave_fields w, vec3 covariance, out float fresh, out float old) {
-    float hidden = jacobian_variance_of(covariance.x + covariance.z - slopes_beyond_cascades, choppiness);
-    float share = clamp(hidden / max(jacobian_variance, 1e-6), 0.0, 1.0);
-    fresh = foam_cover(breaking_jacobian - w.jacobian, hidden + fresh_edge);
-    old = foam_cover(w.foam - old_foam_memory, memory_variance * (share + old_edge));
-    fresh = breaking_jacobian <= 1.0 - FOAM_NEVER ? 0.0 : fresh;
-    old = old_foam_memory >= FOAM_NEVER ? 0.0 : old;
-}
 
 // A pixel of water before it is shaded.
 struct water_here {
@@ -239,16 +228,16 @@ vec3 reflected_light(water_here p, rough_reflection mirror) {
     return light + (mirror.reflectance - mirror.clear) * again * low_sky;
 }
 
-// Radiance of the water itself: sunlight and skylight that were scattered back.
-vec3 water_light(vec3 sunlight) {
+// Irradiance just below the surface.
+vec3 light_below(vec3 sunlight) {
     rough_facets to_sun = rough_seen(sun_direction, vec2(0.0), slope_total);
     float enters = 1.0 - rough_fresnel(sun_direction, vec2(0.0), to_sun, water_index);
-    return water_reflectance * (sunlight * (max(sun_direction.z, 0.0) * enters) + sky_light * SKY_ENTERS);
+    return sunlight * (max(sun_direction.z, 0.0) * enters) + sky_light * SKY_ENTERS;
 }
 
 // The radiance from below the surface: of the water itself and of the bed. water_path: depth under the pixel [m].
-vec3 transmitted_light(water_here p, vec2 uv, vec3 sunlight, out float water_path) {
-    vec3 below = effect_is_on(EFFECT_AMBIENT) ? water_light(sunlight) : vec3(0.0);
+vec3 transmitted_light(water_here p, vec2 uv, vec3 sunlight, vec3 lit, out float water_path) {
+    vec3 below = effect_is_on(EFFECT_AMBIENT) ? water_reflectance * lit : vec3(0.0);
     water_path = 1e4;
 #ifdef LAND
     vec3 over_bed = bed_radiance(uv, below, p.position, p.view, p.normal, p.depth + p.height, water_path);
@@ -272,18 +261,42 @@ vec3 surface_light(water_here p, vec3 sunlight, vec3 below) {
     return light;
 }
 
-// The surface under its foam.
-vec3 covered(vec3 surface, water_here p, vec3 sunlight, float water_path) {
-    if (!effect_is_on(EFFECT_FOAM)) return surface;
-    float fresh, old;
-    breaking_cover(p.waves, p.hidden, fresh, old);
-    foam_texels texels = foam_look_up(p.rest, p.place.minor);
+// Densities, by eye: of fresh foam per unit of Jacobian, of old foam and of bubbles per deviation of the foam memory, of
+// foam at the shore per deviation of its noise; and how far beyond old foam the bubbles below reach, likewise.
+const float FRESH_DENSITY = 30.0, OLD_DENSITY = 4.0, SHORE_DENSITY = 2.0, BUBBLES_DENSITY = 0.7, BUBBLES_REACH = 0.5;
+const float BUBBLES_BLUR = 0.5; // variance by which bubbles spread, likewise squared
+
+struct foam_here {
+    float opacity; // of the film on the water
+    float bubbles; // share of their densest cloud below it
+};
+
+// By the law of shared/foam.glsl. The pixel hides the same share of the slope variance, of the variance of the Jacobian
+// and of the foam memory.
+// shore: share that broken waves at the shore cover.
+foam_here foam_at(water_here p, float shore, foam_texels texels) {
+    float width = p.place.minor;
+    float hidden = jacobian_variance_of(p.hidden.x + p.hidden.z - slopes_beyond_cascades, choppiness);
+    float share = clamp(hidden / max(jacobian_variance, 1e-6), 0.0, 1.0), unit = inversesqrt(memory_variance);
+    float fresh = foam_film(breaking_jacobian - p.waves.jacobian, hidden, sqrt(fresh_edge), fresh_grain(texels, width),
+                            FRESH_DENSITY);
+    float excess = (p.waves.foam - old_foam_memory) * unit;
+    float old = foam_film(excess, share, sqrt(old_edge), old_grain(texels, width), OLD_DENSITY);
+    float bubbles = foam_opacity(excess + BUBBLES_REACH, share + BUBBLES_BLUR, BUBBLES_DENSITY);
+    fresh = breaking_jacobian <= 1.0 - FOAM_NEVER ? 0.0 : fresh;
+    old = old_foam_memory >= FOAM_NEVER ? 0.0 : old;
+    bubbles = old_foam_memory >= FOAM_NEVER ? 0.0 : bubbles;
 #ifdef LAND
-    fresh = max(fresh, shore_cover(p.rest, p.depth, p.least, water_path, texels.broad));
+    fresh = max(fresh, foam_film(foam_quantile(shore), 0.0, 1.0, fresh_grain(texels, width), SHORE_DENSITY));
+    bubbles = max(bubbles, shore);
 #endif
-    float foam = foam_alpha(texels, p.place.minor, fresh, old) * foam_strength;
+    return foam_here(clamp((fresh + old * (1.0 - fresh)) * foam_strength, 0.0, 1.0), bubbles * foam_strength);
+}
+
+// The surface under its foam.
+vec3 covered(vec3 surface, water_here p, vec3 sunlight, float opacity) {
     vec3 light = foam_radiance(sunlight, dot(sun_direction, p.normal), sky_light) * FOAM_ALBEDO;
-    return mix(surface, light, clamp(foam, 0.0, 1.0) * FOAM_DENSEST);
+    return mix(surface, light, opacity);
 }
 
 const float FILM = 0.12; // depth within which the water's edge fades into wet sand [m]
@@ -297,8 +310,21 @@ void main() {
     water_here p = water_at(pixel, uv, through_air.w, from_air.w);
     vec3 sunlight = sun_light * p.shade;
     float water_path;
-    vec3 below = transmitted_light(p, uv, sunlight, water_path);
-    vec3 surface = covered(surface_light(p, sunlight, below), p, sunlight, water_path);
+    vec3 lit = light_below(sunlight);
+    vec3 below = transmitted_light(p, uv, sunlight, lit, water_path);
+    vec3 surface;
+    if (effect_is_on(EFFECT_FOAM)) {
+        foam_texels texels = foam_look_up(p.rest, p.place.minor);
+        float shore = 0.0;
+#ifdef LAND
+        shore = shore_cover(p.rest, p.depth, p.least, water_path, texels.broad);
+#endif
+        foam_here foam = foam_at(p, shore, texels);
+        below += bubble_reflectance(water_attenuation, foam.bubbles) * lit;
+        surface = covered(surface_light(p, sunlight, below), p, sunlight, foam.opacity);
+    } else {
+        surface = surface_light(p, sunlight, below);
+    }
 #ifdef LAND
     surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, smoothstep(0.0, FILM, water_path));
 #endif

@@ -575,6 +575,10 @@ BOLAN_API const float *bolan_sea_slope_table(const bolan_sea *sea);
 /// -1e30 where nothing foams: without wind, without waves, and with EXP_COSINE.
 /// Computed at creation. Thread-safe, also during a step.
 BOLAN_API double bolan_sea_foam_threshold(const bolan_sea *sea);
+/// Returns the Jacobian below which a crest is breaking: the quantile that covers bolan_breaker_cover() of the surface.
+/// Where the sea has no foam memory, which would hold the older foam, it covers bolan_callaghan_cover().
+/// -1e30 where nothing breaks. Thread-safe.
+BOLAN_API double bolan_sea_breaker_threshold(const bolan_sea *sea);
 
 /// Statistics of the surface at the present time, as queries return and images show it: the JSON keys of `bolan
 /// measure`. They are taken at 65536 places. At fixed points a parcel counts by the area that it covers, its Jacobian.

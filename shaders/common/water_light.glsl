@@ -25,5 +25,17 @@ vec3 crest_glow(vec3 deep, vec3 sunlight, vec3 view, vec3 to_sun, float height, 
            clamp(1.2 - jacobian, 0.0, 1.0) * (level * level);
 }
 
+// Bubbles that breaking waves drive into the water scatter all colours alike, and the water between them absorbs the
+// red: a milky green. The densest cloud scatters that much back [1/m] (Terrill, Melville & Stramski 2001: backscatter of
+// 0.1 to 1 within a breaker's plume).
+const float BUBBLE_BACKSCATTER = 0.25;
+const float GORDON_SHARE = 0.33; // irradiance reflectance for backscatter over absorption and backscatter (Gordon et al.)
+
+// Remote-sensing reflectance that bubbles add [1/sr]. density: share of the densest cloud.
+vec3 bubble_reflectance(vec3 attenuation, float density) {
+    float scatter = BUBBLE_BACKSCATTER * density;
+    return (BED_LEAVES * GORDON_SHARE / PI) * scatter / (attenuation + scatter);
+}
+
 // Radiance of foam of albedo 1 that the sun meets at that cosine: a Lambertian surface.
 vec3 foam_radiance(vec3 sunlight, float facing, vec3 sky) { return (sunlight * max(facing, 0.0) + sky) * (1.0 / PI); }

@@ -22,7 +22,7 @@
 struct wave_fields {
     vec2 slope;
     float jacobian; // of the horizontal map
-    float foam;     // foam memory
+    float foam;     // foam memory, weighted by foam_weights
 };
 
 #if defined(WAVES_EXP) || defined(WAVES_SUM)
@@ -195,7 +195,7 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #endif
 
 vec4 cascade_share(int c, vec4 fields, float gust, float kept) {
-    return (cascade_band[c].z < 20.0 ? gust : 1.0) * kept * fields;
+    return (cascade_band[c].z < 20.0 ? gust : 1.0) * kept * vec4(fields.xyz, foam_weights[c] * fields.w);
 }
 
 vec4 derivatives(sampler2D map, int c, vec2 at, float fine) {
@@ -258,7 +258,7 @@ wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh)
         vec2 fold = textureLod(fold_map, vec3(centre, float(c)), lod).xy;
         slope += keep / taps * slopes.xy;
         gradient += keep * choppiness * vec3(slopes.zw / taps, fold.x);
-        foam += keep * fold.y;
+        foam += keep * foam_weights[c] * fold.y;
 #ifdef BOUND_WAVES
         vec3 d = kept[c] * textureLod(displacement_map, vec3(centre, float(c)), lod).xyz;
         add_bound_slope(c, d, keep / taps * slopes.xy, keep * vec3(slopes.zw / taps, fold.x), bound);

@@ -11,6 +11,7 @@ layout(local_size_x = 128) in;
 #endif
 #pragma unit memory_map 15
 uniform sampler2DArray memory_map;
+uniform vec4 weights; // bolan_foam_weights()
 uniform vec2 law; // standard deviations from the mean to where old foam begins; variance of the Jacobian
 layout(std430, binding = 0) writeonly buffer Law { float result[4]; }; // see FOAM_LAW_THRESHOLD in sea_compute.h
 shared vec2 sums[128];
@@ -36,8 +37,8 @@ void main() {
             barrier();
         }
         vec2 moments = sums[0] / float(count);
-        mean += moments.x;
-        variance += max(moments.y - moments.x * moments.x, 0.0);
+        mean += weights[c] * moments.x;
+        variance += weights[c] * weights[c] * max(moments.y - moments.x * moments.x, 0.0);
     }
     if (thread != 0) return;
     bool none = law.x >= FOAM_NEVER || variance <= 0.0;

@@ -13,18 +13,24 @@
 #define FOAM_ALBEDO 0.72
 #define FOAM_DENSEST 0.92
 
+#define FOAM_TEXELS 512.0    // along a side of the noise of src/render/foam_texture.h
+#define FOAM_NOISE_RANGE 6.0 // standard deviations over all its 256 values
+
 // Mean opacity of thin, middling and dense foam of the multi-ramp map.
 #define FOAM_THIN 0.22
 #define FOAM_MIDDLING 0.5
 #define FOAM_DENSE 0.82
 
-#define OLD_FOAM_SHARE 2.0 // decaying foam covers about twice what the breaking crests do
-#define OLD_FOAM_MOST 0.3  // share of the sea, whatever the wind
-#define OLD_FOAM_EDGE 0.1  // variance that softens the edge of old foam, over that of the memory
+#define OLD_FOAM_EDGE 0.25 // variance that softens the edge of old foam, over that of the memory
 #define FOAM_NEVER 1e3     // far above every foam memory and every distance of the Jacobian from 1: nothing foams
 
-// Share of the sea under old foam, where breaking crests cover `fresh`.
-SHARED real old_foam_share(real fresh) { return min(OLD_FOAM_SHARE * fresh, OLD_FOAM_MOST); }
+// Share of the rest of the sea under old foam, where breaking crests cover `breaking` and whitecaps of all ages `all`.
+SHARED real old_foam_share(real breaking, real all) { return max(all - breaking, 0.0) / (1.0 - breaking); }
+
+// The foam memory keeps peaks, so it is skewed: its quantile with OLD_FOAM_EDGE for that of a Gaussian, in standard
+// deviations from the mean. Fitted from 1e-3 to .5 to settled seas of 5 to 50 m/s, to 0.05; tests/shaders/
+// test_foam_cover.c has what it covers.
+SHARED real memory_quantile(real gaussian) { return 0.96 * gaussian + 0.06 * (gaussian * gaussian - 1.0); }
 
 // Variance of the Jacobian of waves whose slopes have that variance.
 SHARED real jacobian_variance_of(real slope_variance, real choppiness) {
@@ -37,6 +43,21 @@ SHARED real softened_offset(real offset, real variance, real edge) { return offs
 
 // Share of a pixel that is beyond the threshold: `excess`, by how much its mean is; `variance`, hidden and of the edge.
 SHARED real foam_cover(real excess, real variance) { return normal_cdf(excess * inversesqrt(variance)); }
+// Mean opacity of foam whose thickness is Gaussian over the pixel: 1 - exp(-density x) where x > 0, of mean `excess` and
+// that variance (> 0). Thin foam lets the water through; the mean over pixels of any size is the same. With z the mean
+// in standard deviations and k the density times the deviation, it is P(z) - exp(k^2/2 - k z) P(z - k).
+SHARED real foam_opacity(real excess, real variance, real density) {
+    real sharp = inversesqrt(variance), z = excess * sharp, k = density / sharp, pdf = normal_pdf(z);
+    real clear = k > z ? pdf * normal_mills(k - z) : exp(k * (0.5 * k - z)) - pdf * normal_mills(z - k);
+    return clamp(normal_below(z, pdf) - clear, 0.0, 1.0);
+}
+// Standard deviations by which a Gaussian field of that mean is above 0 on that share: the logistic form, to 0.06 from
+// 0.002 to 0.998.
+SHARED real foam_quantile(real share) {
+    real s = clamp(share, 0.0001, 0.9999);
+    return log(s / (1.0 - s)) * (1.0 / 1.702);
+}
+
 // Fast: to 0.11.
 SHARED real foam_cover_fast(real excess, real variance) { return normal_cdf_linear(excess, variance); }
 

@@ -6,11 +6,16 @@
 
 SHARED real normal_pdf(real x) { return 0.39894228 * exp(-0.5 * x * x); }
 
+// What lies above x >= 0, over the density there: Mills' ratio, to 6e-3 (Abramowitz & Stegun 26.2.16).
+SHARED real normal_mills(real x) {
+    real t = 1.0 / (1.0 + 0.33267 * x);
+    return t * (0.4361836 + t * (-0.1201676 + t * 0.9372980));
+}
+
 // Distribution function to 1.2e-5; for x < 0 the error is also below 6e-3 of the density, which is `pdf`, and from -1.5
 // on below 6e-5 of it (Abramowitz & Stegun 26.2.16).
 SHARED real normal_below(real x, real pdf) {
-    real t = 1.0 / (1.0 + 0.33267 * max(x, -x));
-    real tail = pdf * t * (0.4361836 + t * (-0.1201676 + t * 0.9372980));
+    real tail = pdf * normal_mills(max(x, -x));
     return x < 0.0 ? tail : 1.0 - tail;
 }
 

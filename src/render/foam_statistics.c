@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // See foam_statistics.h.
 #include "foam_statistics.h"
+#include "frame.h"
 #include "shared/foam.glsl"
 
 #include <math.h>
@@ -17,7 +18,23 @@ double bolan_foam_quantile(double p) {
     return 0.5 * (low + high);
 }
 
-// Mean and variance of the summed foam memory, from a sparse lattice of each cascade.
+// Whitecaps travel at 0.3 to 0.8 of the phase speed of the dominant waves (Gemmrich, Banner & Garrett 2008), so their
+// waves are longer than about 1/8 of the dominant length. The memories of cascades of shorter waves fade.
+#define WHITECAP_WAVES 8.0
+
+static double weight_of(const bolan_sea *sea, uint32_t c) {
+    if (c >= bolan_sea_cascade_count(sea)) return 0.0;
+    const bolan_cascade_view v = bolan_sea_cascade_layout(sea, c);
+    const double longest = v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length;
+    return fmin(WHITECAP_WAVES * longest / fmax(bolan_sea_peak_length(bolan_sea_get_summary(sea)), 1e-6), 1.0);
+}
+
+bolan_vec4 bolan_foam_weights(const bolan_sea *sea) {
+    return (bolan_vec4){(float)weight_of(sea, 0), (float)weight_of(sea, 1), (float)weight_of(sea, 2),
+                        (float)weight_of(sea, 3)};
+}
+
+// Mean and variance of the weighted sum of the foam memories, from a sparse lattice of each cascade.
 static void memory_moments(const bolan_sea *sea, double *mean, double *variance) {
     *mean = *variance = 0.0;
     for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
@@ -28,8 +45,9 @@ static void memory_moments(const bolan_sea *sea, double *mean, double *variance)
             sum += v.foam[i];
             squares += (double)v.foam[i] * v.foam[i];
         }
-        *mean += sum / count;
-        *variance += squares / count - (sum / count) * (sum / count);
+        const double weight = weight_of(sea, c);
+        *mean += weight * sum / count;
+        *variance += weight * weight * (squares / count - (sum / count) * (sum / count));
     }
 }
 
@@ -47,6 +65,14 @@ static double cover_of(const bolan_sea *sea) {
     return bolan_monahan_cover(bolan_sea_get_desc(sea)->sea_state.wind_speed);
 }
 
+static double old_share_of(const bolan_sea *sea) {
+    const double wind = bolan_sea_get_desc(sea)->sea_state.wind_speed;
+    return old_foam_share(bolan_breaker_cover(wind), bolan_callaghan_cover(wind));
+}
+
+// Where old foam of that share begins [standard deviations of the memory over its mean].
+static double memory_offset(double share) { return memory_quantile(-bolan_foam_quantile(share)); }
+
 static double jacobian_variance(const bolan_sea *sea) {
     return fmax(jacobian_variance_of(bolan_foam_slope_variance(sea), bolan_sea_get_desc(sea)->choppiness), 1e-9);
 }
@@ -54,12 +80,12 @@ static double jacobian_variance(const bolan_sea *sea) {
 // Threshold of old foam; FOAM_NEVER in a calm, and where there is no memory.
 static double memory_threshold(double share, double mean, double variance) {
     if (!(share > 0.0) || !(variance > 0.0)) return FOAM_NEVER;
-    return mean + softened_offset(-bolan_foam_quantile(share) * sqrt(variance), variance, OLD_FOAM_EDGE * variance);
+    return mean + softened_offset(memory_offset(share) * sqrt(variance), variance, OLD_FOAM_EDGE * variance);
 }
 
 void bolan_foam_law_constants(const bolan_sea *sea, float *offset, float *variance) {
-    const double share = old_foam_share(cover_of(sea));
-    *offset = (float)(share > 0.0 ? -bolan_foam_quantile(share) : FOAM_NEVER);
+    const double share = old_share_of(sea);
+    *offset = (float)(share > 0.0 ? memory_offset(share) : FOAM_NEVER);
     *variance = (float)jacobian_variance(sea);
 }
 
@@ -69,13 +95,13 @@ foam_law bolan_foam_law(const bolan_sea *sea, double edge, bool memory) {
     float rest[3];
     if (memory) memory_moments(sea, &mean, &variance);
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
-    const double measured = softened_offset(bolan_sea_foam_threshold(sea) - 1.0, spread, edge * edge);
+    const double measured = softened_offset(bolan_sea_breaker_threshold(sea) - 1.0, spread, edge * edge);
     const double gaussian = softened_offset(bolan_foam_quantile(cover) * sqrt(spread), spread, edge * edge);
     return (foam_law){.breaking = fmax(measured, -1e30),
                       .breaking_gaussian = cover > 1e-7 ? gaussian : -FOAM_NEVER,
                       .variance = spread,
                       .edge = edge * edge,
                       .slopes_beyond = (double)rest[0] + (double)rest[2],
-                      .memory = memory_threshold(old_foam_share(cover), mean, variance),
+                      .memory = memory_threshold(old_share_of(sea), mean, variance),
                       .memory_variance = variance};
 }

@@ -3,7 +3,9 @@
 // cellular pattern (Worley 1996: distance to the second nearest point less that to the nearest) at three sizes,
 // displaced by smooth noise. The histogram is then flattened by rank.
 #include "foam_texture.h"
+#include "foam_statistics.h"
 #include "memory.h"
+#include "shared/foam.glsl"
 
 #include <math.h>
 #include <string.h>
@@ -70,12 +72,31 @@ static void foam_at(float u, float v, float out[4]) {
     out[3] = 0.6f * value_noise(u * 3, v * 3, 3, 51) + 0.4f * value_noise(u * 7, v * 7, 7, 52);
 }
 
+// The four channels of the noise of foam: patches, nets of walls, bubbles, and patches for streaks.
+static void noise_at(float u, float v, float out[4]) {
+    float wx = value_noise(u * 8, v * 8, 8, 61) + 0.5f * value_noise(u * 19, v * 19, 19, 62);
+    float wy = value_noise(u * 8, v * 8, 8, 71) + 0.5f * value_noise(u * 19, v * 19, 19, 72);
+    float x = u + 0.035f * (wx - 0.75f) + 1.0f, y = v + 0.06f * (wy - 0.75f) + 1.0f;
+    out[0] = 0.42f * value_noise(x * 6, y * 6, 6, 81) + 0.29f * value_noise(x * 14, y * 14, 14, 82) +
+             0.18f * value_noise(x * 31, y * 31, 31, 83) + 0.11f * value_noise(x * 67, y * 67, 67, 84);
+    out[1] = 0.50f * cell_walls(x * 13, y * 13, 13, 6) + 0.32f * cell_walls(x * 29, y * 29, 29, 7) +
+             0.18f * cell_walls(x * 64, y * 64, 64, 8);
+    out[2] = 0.55f * cell_walls(x * 31, y * 31, 31, 9) + 0.45f * cell_walls(x * 73, y * 73, 73, 10);
+    out[3] = 0.40f * value_noise(x * 4, y * 4, 4, 91) + 0.30f * value_noise(x * 11, y * 11, 11, 92) +
+             0.20f * value_noise(x * 27, y * 27, 27, 93) + 0.10f * value_noise(x * 63, y * 63, 63, 94);
+}
+
+typedef struct filling {
+    void (*at)(float u, float v, float out[4]);
+    float *out;
+} filling;
+
 static void fill_rows(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
     (void)worker;
-    float *out = context;
+    const filling *f = context;
     for (uint32_t j = begin; j < end; ++j)
         for (uint32_t i = 0; i < SIZE; ++i)
-            foam_at((float)i / (float)SIZE, (float)j / (float)SIZE, out + 4 * ((size_t)j * SIZE + i));
+            f->at((float)i / (float)SIZE, (float)j / (float)SIZE, f->out + 4 * ((size_t)j * SIZE + i));
 }
 
 static int bin_of(float value) {
@@ -83,31 +104,44 @@ static int bin_of(float value) {
     return bin < 0 ? 0 : bin >= BINS ? BINS - 1 : bin;
 }
 
-// Each value becomes its rank among all of its channel.
-static void flatten(const float *values, int channel, uint8_t *out) {
+static double uniform_byte(double share) { return 255.0 * share; }
+
+// One level of 8 bits is 0.024 of the standard deviation.
+static double normal_byte(double share) {
+    const double middle = share - 0.5 / (double)PIXELS; // of a rank
+    return fmin(fmax(127.5 + 255.0 / FOAM_NOISE_RANGE * bolan_foam_quantile(middle), 0.0), 255.0) + 0.5;
+}
+
+// Each value becomes what the share of its channel that is not above it is mapped to.
+static void flatten(const float *values, int channel, double (*byte_of)(double share), uint8_t *out) {
     uint32_t rank[BINS];
+    uint8_t mapped[BINS];
     memset(rank, 0, sizeof rank);
     for (size_t i = 0; i < PIXELS; ++i) rank[bin_of(values[4 * i + channel])]++;
     for (int b = 1; b < BINS; ++b) rank[b] += rank[b - 1];
-    for (size_t i = 0; i < PIXELS; ++i)
-        out[4 * i + channel] = (uint8_t)(255.0 * rank[bin_of(values[4 * i + channel])] / (double)PIXELS);
+    for (int b = 0; b < BINS; ++b) mapped[b] = (uint8_t)byte_of(rank[b] / (double)PIXELS);
+    for (size_t i = 0; i < PIXELS; ++i) out[4 * i + channel] = mapped[bin_of(values[4 * i + channel])];
 }
 
-bolan_result bolan_foam_texture_fill(uint8_t *out) {
+static bolan_result fill(void (*at)(float u, float v, float out[4]), double (*byte_of)(double share), uint8_t *out) {
     size_t bytes = sizeof(float) * 4 * PIXELS;
-    float *values = allocate_for("the texture of foam", bytes);
-    if (values == NULL) return BOLAN_ERROR_MEMORY;
-    bolan_parallel(SIZE, 16, fill_rows, values);
-    for (int channel = 0; channel < 4; ++channel) flatten(values, channel, out);
-    bolan_release(values, bytes);
+    filling f = {at, allocate_for("the texture of foam", bytes)};
+    if (f.out == NULL) return BOLAN_ERROR_MEMORY;
+    bolan_parallel(SIZE, 16, fill_rows, &f);
+    for (int channel = 0; channel < 4; ++channel) flatten(f.out, channel, byte_of, out);
+    bolan_release(f.out, bytes);
     return BOLAN_OK;
 }
 
-bolan_result bolan_foam_texture_create(gl_texture *out) {
+bolan_result bolan_foam_texture_fill(uint8_t *out) { return fill(foam_at, uniform_byte, out); }
+
+bolan_result bolan_foam_noise_fill(uint8_t *out) { return fill(noise_at, normal_byte, out); }
+
+static bolan_result create(bolan_result (*fill_pixels)(uint8_t *out), gl_texture *out) {
     size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
     uint8_t *pixels = allocate_for("the texture of foam", bytes);
     if (pixels == NULL) return BOLAN_ERROR_MEMORY;
-    bolan_result result = bolan_foam_texture_fill(pixels);
+    bolan_result result = fill_pixels(pixels);
     gl_texture_desc desc = {.format = GL_FMT_RGBA8,
                             .width = FOAM_TEXTURE_SIZE,
                             .height = FOAM_TEXTURE_SIZE,
@@ -121,3 +155,7 @@ bolan_result bolan_foam_texture_create(gl_texture *out) {
     bolan_release(pixels, bytes);
     return result;
 }
+
+bolan_result bolan_foam_texture_create(gl_texture *out) { return create(bolan_foam_texture_fill, out); }
+
+bolan_result bolan_foam_noise_create(gl_texture *out) { return create(bolan_foam_noise_fill, out); }

@@ -214,6 +214,7 @@ static bool fit_tables(sea_tables *t, const bolan_sea *sea) {
         return false;
     }
     bolan_foam_law_constants(sea, &t->offset, &t->variance);
+    t->weights = bolan_foam_weights(sea);
     t->sea = bolan_sea_id(sea);
     return true;
 }
@@ -293,6 +294,7 @@ static void run_law(const sea_compute *p, const sea_tables *t, const sea_images 
     if (images->layout == SEA_LAYOUT_HOST) return;
     const gl_program *g = &p->law[images->layout];
     bolan_gl_program_vec2(g, "law", t->offset, t->variance);
+    bolan_gl_program_vec4(g, "weights", t->weights);
     bolan_gl_texture_bind(images->layout == SEA_LAYOUT_PACKED ? images->slopes : images->third, UNIT_OWN);
     bolan_gl_storage_bind(&t->law, SLOT_LAW);
     bolan_gl_dispatch(1, 1, 1);

@@ -24,6 +24,7 @@ typedef struct sea_tables {
     gl_buffer divisors;
     gl_buffer memory;              // foam at the last tick
     gl_buffer law;                 // four floats, by FOAM_LAW_THRESHOLD ...
+    bolan_vec4 weights;            // bolan_foam_weights()
     float offset;                  // of the law: from the mean to where old foam begins [standard deviations]
     float variance;                // and the variance of the Jacobian
     bool remembers;                // `memory` is of these ticks:

@@ -2,6 +2,8 @@
 // See sea_gpu.h.
 #include "sea_gpu.h"
 
+#include "foam_statistics.h"
+
 #include "memory.h"
 #include "sea_texels.h"
 #include "shared/cascade.glsl"
@@ -303,6 +305,7 @@ static void set_cascades(water_block *b, const render_view *view) {
         b->cascade_bound[c] = (vec4){(float)v.bound.height, (float)v.bound.drift, (float)v.bound.height_long,
                                      (float)v.bound.drift_long};
     }
+    b->foam_weights = bolan_foam_weights(view->frame->sea);
     set_lift(b, view->frame->sea);
 }
 

@@ -27,8 +27,8 @@ typedef struct physical {
     shape shapes[KEPT_SIZES];
     shape *shape;       // of the present size
     gl_sampler sampler; // of a host's shadow map
-    gl_texture foam_detail;
     below_water below;
+    gl_texture foam_noise;
 } physical;
 
 static const water_shader shape_shader = {.stem = "water_shape", .reads = WATER_FEATURE_ALL};
@@ -45,7 +45,7 @@ static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;
     p->quality = quality;
     bolan_gl_sampler_create(&p->sampler, false);
-    return bolan_foam_texture_create(&p->foam_detail);
+    return bolan_foam_noise_create(&p->foam_noise);
 }
 
 static void free_shape(shape *s) {
@@ -93,8 +93,8 @@ static bolan_result fit_shape(physical *p, const render_view *v) {
 static void free_all(void *state) {
     physical *p = state;
     for (int i = 0; i < KEPT_SIZES; ++i) free_shape(&p->shapes[i]);
-    bolan_gl_texture_free(&p->foam_detail);
     bolan_below_free(&p->below);
+    bolan_gl_texture_free(&p->foam_noise);
     bolan_gl_sampler_free(&p->sampler);
 }
 
@@ -146,7 +146,7 @@ static void draw_light(physical *p, const water_draw *d) {
     if (law != NULL)
         bolan_water_blocks_patch_optics(d->blocks, offsetof(physical_block, old_foam_memory), law, FOAM_LAW_THRESHOLD,
                                         2); // and memory_variance
-    bolan_gl_texture_bind(&p->foam_detail, UNIT_FOAM_DETAIL);
+    bolan_gl_texture_bind(&p->foam_noise, UNIT_FOAM_DETAIL);
     for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape->map[i], UNIT_OWN + 1 + i);
     bolan_gl_target_bind_part(&d->view->hdr, 0, 0, d->view->hdr.width, bolan_water_rows(d->view, d->vertical));
     bolan_gl_set_state(&(gl_state){.color_write = true});

@@ -60,3 +60,19 @@ double bolan_monahan_cover(double wind_speed) {
     const double cover = 3.84e-6 * portable_pow(wind_speed, 3.41);
     return cover < MOST_COVER ? cover : MOST_COVER;
 }
+
+// Callaghan, de Leeuw, Cohen & O'Dowd, "Relationship of oceanic whitecap coverage to wind speed and wind history",
+// Geophys. Res. Lett. 35 (2008): two overlapping regressions. Each is the smaller one on its own side of their crossing.
+double bolan_callaghan_cover(double wind_speed) {
+    const double over = wind_speed - 3.70, past = wind_speed + 1.98;
+    if (!(over > 0.0)) return 0.0;
+    const double cover = fmin(3.18e-5 * over * over * over, 4.82e-6 * past * past * past);
+    return cover < MOST_COVER ? cover : MOST_COVER;
+}
+
+// Monahan, "Occurrence and evolution of acoustically relevant sub-surface bubble plumes and their associated, remotely
+// monitorable, surface whitecaps" (1993): stage A. No more than all whitecaps together.
+double bolan_breaker_cover(double wind_speed) {
+    if (!(wind_speed > 0.0)) return 0.0;
+    return fmin(3.16e-7 * portable_pow(wind_speed, 3.2), bolan_callaghan_cover(wind_speed));
+}

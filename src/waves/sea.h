@@ -90,6 +90,7 @@ typedef struct sea_shared {
     struct slope_map *slope_map; // see slopes.c
     float *slope_table;
     double foam_threshold;
+    double breaker_threshold;
     bolan_sea_summary summary; // of the sea state, limited
     double limit;              // factor on the height that the sea state asks for
     bool is_measured;          // it has a measured spectrum
@@ -206,7 +207,7 @@ uint64_t bolan_sea_hash_plane(uint64_t hash, const float *plane, size_t count);
 size_t bolan_sea_slopes_bytes(void);
 // rest_slope, slope_map and slope_table. False when memory is short.
 bool bolan_sea_slopes_create(sea_shared *shared);
-// foam_threshold, from the fields of `sea` at a few times; leaves it at time 0. False when memory is short.
+// foam_threshold and breaker_threshold, from the fields of `sea` at a few times; leaves it at time 0. False when memory is short.
 bool bolan_sea_whitecaps_create(bolan_sea *sea);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The foam threshold: the Jacobian below which the covered fraction is Monahan's for the wind, as a quantile of the
-// Jacobian of the sea.
-#include "waves/sea.h"
+// The foam thresholds: the Jacobians below which the covered fractions are those observed for the wind, as quantiles of
+// the Jacobian of the sea.
+#include "waves/model.h"
 
 enum { TIMES = 2, COUNT = TIMES * SEA_MEASURED }; // the rarest cover that can be seen, 1e-4, is still 13 of them
 #define TIMES_APART 97.3                          // [s]: no wave of the sea is coherent that long
@@ -69,16 +69,26 @@ static bool has_crests(const float *jacobian, size_t count) {
     return highest - lowest > 1e-5f;
 }
 
+// The Jacobian below which that share of them is. Reorders them.
+static double quantile(float *jacobian, double share) {
+    const size_t rank = (size_t)(share * COUNT);
+    return rank > 0 ? (double)select_rank(jacobian, COUNT, rank) : NEVER;
+}
+
 bool bolan_sea_whitecaps_create(bolan_sea *sea) {
-    const double cover = bolan_monahan_cover(sea->shared->desc.sea_state.wind_speed);
-    const size_t rank = (size_t)(cover * COUNT);
-    sea->shared->foam_threshold = NEVER;
-    if (rank > 0) { // a weaker wind makes no foam
+    sea_shared *shared = sea->shared;
+    const double wind = shared->desc.sea_state.wind_speed, cover = bolan_monahan_cover(wind);
+    shared->foam_threshold = shared->breaker_threshold = NEVER;
+    if (cover * COUNT >= 1.0) { // a weaker wind makes no foam
         float *jacobian = bolan_sea_borrow(COUNT * sizeof(float));
         if (!jacobian) return false;
         gather(sea, jacobian);
         // From 32 m/s on more than half of the sea is covered, and the threshold lies above the median, about 1.
-        if (has_crests(jacobian, COUNT)) sea->shared->foam_threshold = select_rank(jacobian, COUNT, rank);
+        if (has_crests(jacobian, COUNT)) {
+            shared->foam_threshold = quantile(jacobian, cover);
+            shared->breaker_threshold =
+                quantile(jacobian, shared->model->remembers ? bolan_breaker_cover(wind) : bolan_callaghan_cover(wind));
+        }
         bolan_release(jacobian, COUNT * sizeof(float));
     }
     sea->stepped = false;
@@ -89,4 +99,9 @@ bool bolan_sea_whitecaps_create(bolan_sea *sea) {
 double bolan_sea_foam_threshold(const bolan_sea *sea) {
     BOLAN_ASSERT(sea);
     return sea->shared->foam_threshold;
+}
+
+double bolan_sea_breaker_threshold(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    return sea->shared->breaker_threshold;
 }

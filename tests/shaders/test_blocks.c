@@ -84,6 +84,7 @@ static const member water_members[] = {
     WATER_ARRAY(cascade_tile),   WATER_ARRAY(cascade_band), WATER_ARRAY(cascade_lift), WATER_ARRAY(warp_wave_of),
     WATER_ARRAY(wave_component), WATER_ARRAY(exp_slope),    WATER_ARRAY(shore_level),  WATER_ARRAY(ripple_tile),
     WATER_ARRAY(ripple_size),    WATER_ARRAY(layer_wave),   WATER_ARRAY(layer_area),   WATER_ARRAY(layer_extent),
+    WATER(foam_weights),
     WATER(grid_reach),           WATER(grid_azimuth),       WATER(wave_slopes),        WATER(wave_slope_share),
     WATER(slope_total),          WATER(height_deviation),   WATER(grid_cells),         WATER(warp_at_eye),
     WATER(significant_height),   WATER(peak_length),        WATER(shore_height),       WATER(choppiness),

@@ -83,6 +83,7 @@ static sums twin(const bolan_sea *sea, double x, double y, double gust, double d
     const bolan_dvec2 at = bolan_sea_place_read(sea, x, y, g);
     const uint32_t count = bolan_sea_cascade_count(sea);
     float heights[BOLAN_MAX_CASCADES], shares[BOLAN_MAX_CASCADES];
+    const double peak = bolan_sea_peak_length(bolan_sea_get_summary(sea));
     for (uint32_t c = 0; c < count; ++c) heights[c] = (float)(4.0 * sqrt(bolan_sea_cascade(sea, c).variance));
     bolan_coast_attenuations((float)depth, heights, count, shares);
     for (uint32_t c = 0; c < count; ++c) {
@@ -96,7 +97,8 @@ static sums twin(const bolan_sea *sea, double x, double y, double gust, double d
         t.sx += keep * twin_linear(v.slope_x, &p), t.sy += keep * twin_linear(v.slope_y, &p);
         t.xx += keep * twin_linear(v.dxx, &p), t.yy += keep * twin_linear(v.dyy, &p),
             t.xy += keep * twin_linear(v.dxy, &p);
-        t.foam += keep * twin_linear(v.foam, &p);
+        const double longest = v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length;
+        t.foam += keep * fmin(8.0 * longest / peak, 1.0) * twin_linear(v.foam, &p);
     }
     const double sx = t.sx, sy = t.sy;
     t.sx = sx * g[0] + sy * g[2], t.sy = sx * g[1] + sy * g[3];
