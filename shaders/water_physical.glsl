@@ -135,9 +135,9 @@ const float ROCKS_MEAN = 0.55, ROCKS_PULSE = 0.45; // cover by surge
 
 // Bores, swash at the edge, and surge at rocks. least: depth of the water where it is least near here [m]; water_path:
 // depth under the pixel [m]. Noise bends the fronts and lets the surge come at different times.
-float shore_cover(vec2 rest, float depth, float least, float water_path, vec4 noise) {
-    float wobble = 1.7 * (noise.r - 0.5); // as wide as a uniform distribution
-    float bore = bore_foam(behind_front(rest, depth, 0.9 * wobble + 0.85 * noise.a));
+float shore_cover(vec2 rest, float depth, float least, float water_path, vec2 noise) {
+    float wobble = 2.0 * (noise.x - 0.5); // as wide as a uniform distribution
+    float bore = bore_foam(behind_front(rest, depth, 0.9 * wobble + noise.y));
     float broken = surf_cover(depth / shore_height + wobble, bore, SURF_LOOK);
     float rocks = shallows(least, -ROCKS_DRY, ROCKS_DEEP) * surge(ROCKS_MEAN, ROCKS_PULSE, surf_time + 2.0 * wobble);
     return clamp(max(max(broken, rocks), swash_cover(water_path, surf_time, SURF_LOOK)), 0.0, 1.0);
@@ -261,36 +261,47 @@ vec3 surface_light(water_here p, vec3 sunlight, vec3 below) {
     return light;
 }
 
-// Densities, by eye: of fresh foam per unit of Jacobian, of old foam and of bubbles per deviation of the foam memory, of
-// foam at the shore per deviation of its noise; and how far beyond old foam the bubbles below reach, likewise.
-const float FRESH_DENSITY = 30.0, OLD_DENSITY = 4.0, SHORE_DENSITY = 2.0, BUBBLES_DENSITY = 0.7, BUBBLES_REACH = 0.5;
-const float BUBBLES_BLUR = 0.5; // variance by which bubbles spread, likewise squared
+// Densities, by eye: of fresh foam per unit of Jacobian, of old foam and of bubbles per deviation of the foam memory,
+// of foam at the shore and of streaks per deviation of their noise.
+const float FRESH_DENSITY = 30.0, OLD_DENSITY = 4.0, SHORE_DENSITY = 2.0, STREAK_DENSITY = 0.8, BUBBLES_DENSITY = 0.6;
+// How far bubbles reach beyond old foam, and the variance that softens their cloud, by deviations of the foam memory.
+const float BUBBLES_REACH = 0.2, BUBBLES_BLUR = 0.5;
 
 struct foam_here {
     float opacity; // of the film on the water
     float bubbles; // share of their densest cloud below it
 };
 
+// share: of the variance of the Jacobian, that the pixel hides.
+float streak_film(float jacobian, float share, foam_texels texels, float width) {
+    float pinch = STREAKS_ON_CRESTS * (1.0 - jacobian) * inversesqrt(jacobian_variance);
+    return foam_film(streak_excess + pinch, STREAKS_ON_CRESTS * STREAKS_ON_CRESTS * share, 1.0,
+                     streak_grain(texels, width), STREAK_DENSITY);
+}
+
 // By the law of shared/foam.glsl. The pixel hides the same share of the slope variance, of the variance of the Jacobian
-// and of the foam memory.
-// shore: share that broken waves at the shore cover.
+// and of the foam memory. shore: share that broken waves at the shore cover.
 foam_here foam_at(water_here p, float shore, foam_texels texels) {
-    float width = p.place.minor;
-    float hidden = jacobian_variance_of(p.hidden.x + p.hidden.z - slopes_beyond_cascades, choppiness);
-    float share = clamp(hidden / max(jacobian_variance, 1e-6), 0.0, 1.0), unit = inversesqrt(memory_variance);
-    float fresh = foam_film(breaking_jacobian - p.waves.jacobian, hidden, sqrt(fresh_edge), fresh_grain(texels, width),
-                            FRESH_DENSITY);
-    float excess = (p.waves.foam - old_foam_memory) * unit;
-    float old = foam_film(excess, share, sqrt(old_edge), old_grain(texels, width), OLD_DENSITY);
-    float bubbles = foam_opacity(excess + BUBBLES_REACH, share + BUBBLES_BLUR, BUBBLES_DENSITY);
+    float width = p.place.minor, slopes = p.hidden.x + p.hidden.z - slopes_beyond_cascades;
+    float hidden = jacobian_variance_of(slopes, choppiness);
+    float share = clamp(hidden / max(jacobian_variance, 1e-6), 0.0, 1.0);
+    foam_grain grain = patch_grain(texels, FRESH_WEIGHTS, width);
+    float fresh = foam_film(breaking_jacobian - p.waves.jacobian, hidden, sqrt(fresh_edge), grain, FRESH_DENSITY);
     fresh = breaking_jacobian <= 1.0 - FOAM_NEVER ? 0.0 : fresh;
-    old = old_foam_memory >= FOAM_NEVER ? 0.0 : old;
-    bubbles = old_foam_memory >= FOAM_NEVER ? 0.0 : bubbles;
 #ifdef LAND
-    fresh = max(fresh, foam_film(foam_quantile(shore), 0.0, 1.0, fresh_grain(texels, width), SHORE_DENSITY));
-    bubbles = max(bubbles, shore);
+    fresh = max(fresh, foam_film(foam_quantile(shore), 0.0, 1.0, grain, SHORE_DENSITY));
 #endif
-    return foam_here(clamp((fresh + old * (1.0 - fresh)) * foam_strength, 0.0, 1.0), bubbles * foam_strength);
+    float excess = (p.waves.foam - old_foam_memory) * inversesqrt(memory_variance);
+    float old = foam_film(excess, share, sqrt(old_edge), patch_grain(texels, OLD_WEIGHTS, width), OLD_DENSITY);
+    float bubbles = foam_opacity(excess + BUBBLES_REACH, share + BUBBLES_BLUR, BUBBLES_DENSITY);
+    bool none = old_foam_memory >= FOAM_NEVER;
+    old = none ? 0.0 : old;
+    bubbles = none ? 0.0 : bubbles;
+    float streaks = 0.0; // a loop, because software OpenGL evaluates both sides of a branch
+    for (int i = 0; i < 1 && streak_excess > 1.0 - FOAM_NEVER; ++i)
+        streaks = streak_film(p.waves.jacobian, share, texels, width);
+    float clear = (1.0 - fresh) * (1.0 - old) * (1.0 - streaks);
+    return foam_here(clamp((1.0 - clear) * foam_strength, 0.0, 1.0), max(bubbles, shore) * foam_strength);
 }
 
 // The surface under its foam.
@@ -317,7 +328,8 @@ void main() {
         foam_texels texels = foam_look_up(p.rest, p.place.minor);
         float shore = 0.0;
 #ifdef LAND
-        shore = shore_cover(p.rest, p.depth, p.least, water_path, texels.broad);
+        vec2 noise = smooth_patches(p.rest, p.place.minor);
+        shore = shore_cover(p.rest, p.depth, p.least, water_path, noise);
 #endif
         foam_here foam = foam_at(p, shore, texels);
         below += bubble_reflectance(water_attenuation, foam.bubbles) * lit;

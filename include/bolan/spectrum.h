@@ -329,8 +329,8 @@ BOLAN_API void bolan_cox_munk(double wind_speed, double *mss_up, double *mss_cro
 /// Fraction covered by whitecaps, by Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41; 0 without wind.
 /// It is limited to 0.95, reached at 38 m/s: the published winds end at 17 m/s, and a hurricane leaves water uncovered.
 BOLAN_API double bolan_monahan_cover(double wind_speed);
-/// Fraction covered by whitecaps of all ages, by Callaghan et al. (2008): 3.18e-5 (U10 - 3.70)^3 up to 10 m/s about, then
-/// 4.82e-6 (U10 + 1.98)^3; 0 up to 3.70 m/s.
+/// Fraction covered by whitecaps of all ages, by Callaghan et al. (2008): 3.18e-5 (U10 - 3.70)^3 up to about 10 m/s,
+/// then 4.82e-6 (U10 + 1.98)^3; 0 up to 3.70 m/s.
 /// It is limited to 0.95; the observed winds end at 23 m/s.
 BOLAN_API double bolan_callaghan_cover(double wind_speed);
 /// Fraction covered by crests that are breaking, the stage A of Monahan (1993): 3.16e-7 U10^3.2, at most

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// From the fields of foam to what a pixel shows. The thickness of foam is a field, the excess of the breaking Jacobian
-// or of the foam memory over its threshold, plus a Gaussian noise of patches, nets and bubbles; foam is where it is
-// above 0. A pixel sees the mean of what it resolves and hides the rest, and both are Gaussian, so that the mean opacity
-// (shared/foam.glsl) is the same at every distance (Dupuy & Bruneton 2012). src/render/foam_texture.c makes the noise.
+// From the fields of foam to what a pixel shows. The thickness of foam is a field: the excess of the Jacobian or of the
+// foam memory over its threshold, plus a Gaussian noise of patches, nets and bubbles; foam is where it is above 0. A
+// pixel resolves a part of this field and hides the rest. Both parts are Gaussian, so the mean opacity, foam_opacity(),
+// is the same at every distance (Dupuy & Bruneton 2012). src/render/foam_texture.c makes the noise.
 #include "shared/constants.glsl"
 #include "shared/foam.glsl"
 #pragma unit foam_noise 7
@@ -27,9 +27,17 @@ foam_texels foam_look_up(vec2 rest, float width) {
                        textureLod(foam_noise, drawn_out, max(detail + log2(streak_scale.x), 0.0)));
 }
 
-// Weights of the noises, by eye; each sum of squares is 1. Fresh foam: broad patches, broad nets, small nets, bubbles.
-// Old foam: broad patches, streaks, small nets, bubbles.
-const vec4 FRESH_WEIGHTS = vec4(0.5, 0.45, 0.55, 0.5), OLD_WEIGHTS = vec4(0.3, 0.5, 0.69, 0.43);
+// Smooth patches of some metres, 0..1: x and y are independent.
+const float SMOOTH_LEVEL = 5.0; // [log2 of texels of 64 m]
+vec2 smooth_patches(vec2 rest, float width) {
+    vec2 p = mod(water_wrapped + rest, WORLD_WRAP);
+    return textureLod(foam_noise, p / 64.0, max(log2(width * (FOAM_TEXELS / 64.0)), SMOOTH_LEVEL)).ra;
+}
+
+// Weights of the noises, by eye; each sum of squares is 1. Fresh and old foam: broad patches, broad nets, small nets,
+// bubbles. Streaks: windrows, drawn-out nets, broad nets, small nets.
+const vec4 FRESH_WEIGHTS = vec4(0.5, 0.45, 0.55, 0.5), OLD_WEIGHTS = vec4(0.4, 0.52, 0.6, 0.45),
+           STREAK_WEIGHTS = vec4(0.5, 0.55, 0.4, 0.54);
 // Widths of a pixel at which it averages over half of a noise's variance [texels]: patches, nets, bubbles, streaks.
 const float PATCHES_WIDTH = 62.0, NETS_WIDTH = 11.0, BUBBLES_WIDTH = 4.9, STREAKS_WIDTH = 80.0;
 
@@ -39,18 +47,20 @@ struct foam_grain { float value, hidden; };
 foam_grain foam_grain_of(vec4 texels, vec4 weights, vec4 widths, float width) {
     vec4 share = width / widths; // of the variance, hidden over resolved
     vec4 resolved = 1.0 / (1.0 + share * share);
-    return foam_grain(dot(texels - 0.5, weights) * FOAM_NOISE_RANGE, 1.0 - dot(weights * weights, resolved));
+    float value = dot(texels - FOAM_NOISE_MIDDLE / 255.0, weights) * FOAM_NOISE_RANGE;
+    return foam_grain(value, 1.0 - dot(weights * weights, resolved));
 }
 
-foam_grain fresh_grain(foam_texels t, float width) {
-    return foam_grain_of(vec4(t.broad.r, t.broad.g, t.middle.g, t.fine.b), FRESH_WEIGHTS,
+// Of foam that lies as the waves left it, with FRESH_WEIGHTS or OLD_WEIGHTS.
+foam_grain patch_grain(foam_texels t, vec4 weights, float width) {
+    return foam_grain_of(vec4(t.broad.r, t.broad.g, t.middle.g, t.fine.b), weights,
                          vec4(64.0 * PATCHES_WIDTH, 64.0 * NETS_WIDTH, 8.0 * NETS_WIDTH, BUBBLES_WIDTH) / FOAM_TEXELS,
                          width);
 }
 
-foam_grain old_grain(foam_texels t, float width) {
-    return foam_grain_of(vec4(t.broad.r, t.streak.a, t.middle.g, t.fine.b), OLD_WEIGHTS,
-                         vec4(64.0 * PATCHES_WIDTH, STREAKS_WIDTH / streak_scale.x, 8.0 * NETS_WIDTH, BUBBLES_WIDTH) /
+foam_grain streak_grain(foam_texels t, float width) {
+    return foam_grain_of(vec4(t.streak.a, t.streak.g, t.broad.g, t.middle.g), STREAK_WEIGHTS,
+                         vec4(vec2(STREAKS_WIDTH, NETS_WIDTH) / streak_scale.x, 64.0 * NETS_WIDTH, 8.0 * NETS_WIDTH) /
                              FOAM_TEXELS,
                          width);
 }

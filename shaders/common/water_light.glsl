@@ -26,10 +26,10 @@ vec3 crest_glow(vec3 deep, vec3 sunlight, vec3 view, vec3 to_sun, float height, 
 }
 
 // Bubbles that breaking waves drive into the water scatter all colours alike, and the water between them absorbs the
-// red: a milky green. The densest cloud scatters that much back [1/m] (Terrill, Melville & Stramski 2001: backscatter of
-// 0.1 to 1 within a breaker's plume).
+// red: a milky green. By eye: what the densest cloud scatters back [1/m].
 const float BUBBLE_BACKSCATTER = 0.25;
-const float GORDON_SHARE = 0.33; // irradiance reflectance for backscatter over absorption and backscatter (Gordon et al.)
+// Irradiance reflectance for backscatter over the sum of absorption and backscatter (Gordon et al. 1988).
+const float GORDON_SHARE = 0.33;
 
 // Remote-sensing reflectance that bubbles add [1/sr]. density: share of the densest cloud.
 vec3 bubble_reflectance(vec3 attenuation, float density) {

@@ -14,6 +14,7 @@
 #define FOAM_DENSEST 0.92
 
 #define FOAM_TEXELS 512.0    // along a side of the noise of src/render/foam_texture.h
+#define FOAM_NOISE_MIDDLE 128.0 // of its values, whose mean is 0
 #define FOAM_NOISE_RANGE 6.0 // standard deviations over all its 256 values
 
 // Mean opacity of thin, middling and dense foam of the multi-ramp map.
@@ -21,16 +22,37 @@
 #define FOAM_MIDDLING 0.5
 #define FOAM_DENSE 0.82
 
-#define OLD_FOAM_EDGE 0.25 // variance that softens the edge of old foam, over that of the memory
+#define OLD_FOAM_EDGE 0.4  // variance that softens the edge of old foam, over that of the memory
+#define FRESH_FOAM_EDGE 0.16 // likewise of fresh foam, over that of the Jacobian
 #define FOAM_NEVER 1e3     // far above every foam memory and every distance of the Jacobian from 1: nothing foams
 
 // Share of the rest of the sea under old foam, where breaking crests cover `breaking` and whitecaps of all ages `all`.
 SHARED real old_foam_share(real breaking, real all) { return max(all - breaking, 0.0) / (1.0 - breaking); }
 
+// Share of the sea under streaks of foam. Beaufort's words: "begins to be blown in streaks" in force 7, "dense streaks"
+// in 9, "takes on a white appearance" in 10, "completely covered with long white patches" in 11, "completely white" in
+// 12 (WMO). Holthuijsen, Powell & Pietrzak (2012) see streaks merge into a white-out towards 40 m/s.
+#define STREAKS_NONE 13.9 // [m/s]
+#define STREAKS_ALL 38.0
+#define STREAKS_MOST 0.9
+SHARED real streak_share(real wind_speed) {
+    real t = clamp((wind_speed - STREAKS_NONE) / (STREAKS_ALL - STREAKS_NONE), 0.0, 1.0);
+    return STREAKS_MOST * t * t;
+}
+
+// Distance of the windrows that foam gathers in, between Langmuir's cells [m]: 4.8 s times the wind speed (Faller &
+// Woodcock 1964).
+#define WINDROW_TIME 4.8   // [s]
+#define WINDROW_LEAST 8.0  // [m]
+SHARED real windrow_distance(real wind_speed) { return max(WINDROW_TIME * wind_speed, WINDROW_LEAST); }
+#define WINDROWS 4.0       // of the broadest kind, across a tile of streaks
+#define WINDROW_STRETCH 6.0
+#define STREAKS_ON_CRESTS 0.6 // deviations of the streaks for one of the Jacobian: crests draw foam together
+
 // The foam memory keeps peaks, so it is skewed: its quantile with OLD_FOAM_EDGE for that of a Gaussian, in standard
 // deviations from the mean. Fitted from 1e-3 to .5 to settled seas of 5 to 50 m/s, to 0.05; tests/shaders/
 // test_foam_cover.c has what it covers.
-SHARED real memory_quantile(real gaussian) { return 0.96 * gaussian + 0.06 * (gaussian * gaussian - 1.0); }
+SHARED real memory_quantile(real gaussian) { return 0.96 * gaussian + 0.08 * (gaussian * gaussian - 1.0); }
 
 // Variance of the Jacobian of waves whose slopes have that variance.
 SHARED real jacobian_variance_of(real slope_variance, real choppiness) {
@@ -43,7 +65,7 @@ SHARED real softened_offset(real offset, real variance, real edge) { return offs
 
 // Share of a pixel that is beyond the threshold: `excess`, by how much its mean is; `variance`, hidden and of the edge.
 SHARED real foam_cover(real excess, real variance) { return normal_cdf(excess * inversesqrt(variance)); }
-// Mean opacity of foam whose thickness is Gaussian over the pixel: 1 - exp(-density x) where x > 0, of mean `excess` and
+// Mean opacity of foam whose thickness x is Gaussian over the pixel: 1 - exp(-density x) where x > 0. Mean `excess`,
 // that variance (> 0). Thin foam lets the water through; the mean over pixels of any size is the same. With z the mean
 // in standard deviations and k the density times the deviation, it is P(z) - exp(k^2/2 - k z) P(z - k).
 SHARED real foam_opacity(real excess, real variance, real density) {
@@ -51,11 +73,11 @@ SHARED real foam_opacity(real excess, real variance, real density) {
     real clear = k > z ? pdf * normal_mills(k - z) : exp(k * (0.5 * k - z)) - pdf * normal_mills(z - k);
     return clamp(normal_below(z, pdf) - clear, 0.0, 1.0);
 }
-// Standard deviations by which a Gaussian field of that mean is above 0 on that share: the logistic form, to 0.06 from
-// 0.002 to 0.998.
+// The inverse of normal_cdf(), of shares from 1e-4 to 0.9999: Newton's steps for its cubic.
 SHARED real foam_quantile(real share) {
-    real s = clamp(share, 0.0001, 0.9999);
-    return log(s / (1.0 - s)) * (1.0 / 1.702);
+    real s = clamp(share, 0.0001, 0.9999), y = log(s / (1.0 - s)) / 1.59576912, x = y;
+    for (int i = 0; i < 4; ++i) x = (y + 2.0 * 0.044715 * x * x * x) / (1.0 + 3.0 * 0.044715 * x * x);
+    return x;
 }
 
 // Fast: to 0.11.

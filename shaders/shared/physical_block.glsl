@@ -7,4 +7,4 @@ float old_edge;               // likewise of old foam, as a share of the memory'
 float old_foam_memory;        // foam memory where old foam begins (above 999: there is none)
 float memory_variance;
 float jacobian_variance;      // of all scales
-float physical_padding;       // the block's size is a multiple of 16 bytes
+float streak_excess;          // quantile of the share under streaks (below -999: there are none)

@@ -77,6 +77,8 @@ static double jacobian_variance(const bolan_sea *sea) {
     return fmax(jacobian_variance_of(bolan_foam_slope_variance(sea), bolan_sea_get_desc(sea)->choppiness), 1e-9);
 }
 
+double bolan_foam_breaking_edge(const bolan_sea *sea) { return sqrt(FRESH_FOAM_EDGE * jacobian_variance(sea)); }
+
 // Threshold of old foam; FOAM_NEVER in a calm, and where there is no memory.
 static double memory_threshold(double share, double mean, double variance) {
     if (!(share > 0.0) || !(variance > 0.0)) return FOAM_NEVER;

@@ -13,6 +13,9 @@ double bolan_foam_slope_variance(const bolan_sea *sea);
 // Weights of the cascades' foam memories in the foam that is drawn: short waves carry no whitecaps of their own.
 bolan_vec4 bolan_foam_weights(const bolan_sea *sea);
 
+// Standard deviation of the noise of fresh foam, in Jacobian.
+double bolan_foam_breaking_edge(const bolan_sea *sea);
+
 // The law of shaders/shared/foam.glsl for a sea. Thresholds are those of a soft edge: the covered share is kept.
 typedef struct foam_law {
     double breaking;          // a crest breaks where the Jacobian less 1 is below this: by the sea's own Jacobians

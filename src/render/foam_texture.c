@@ -109,7 +109,7 @@ static double uniform_byte(double share) { return 255.0 * share; }
 // One level of 8 bits is 0.024 of the standard deviation.
 static double normal_byte(double share) {
     const double middle = share - 0.5 / (double)PIXELS; // of a rank
-    return fmin(fmax(127.5 + 255.0 / FOAM_NOISE_RANGE * bolan_foam_quantile(middle), 0.0), 255.0) + 0.5;
+    return fmin(fmax(FOAM_NOISE_MIDDLE + 255.0 / FOAM_NOISE_RANGE * bolan_foam_quantile(middle) + 0.5, 0.0), 255.0);
 }
 
 // Each value becomes what the share of its channel that is not above it is mapped to.
@@ -137,7 +137,33 @@ bolan_result bolan_foam_texture_fill(uint8_t *out) { return fill(foam_at, unifor
 
 bolan_result bolan_foam_noise_fill(uint8_t *out) { return fill(noise_at, normal_byte, out); }
 
-static bolan_result create(bolan_result (*fill_pixels)(uint8_t *out), gl_texture *out) {
+// Sums of 2 x 2 texels: from `size` to half of it, in place.
+static void halve(uint32_t *sums, uint32_t size) {
+    const uint32_t n = size / 2;
+    for (uint32_t j = 0; j < n; ++j)
+        for (uint32_t i = 0; i < 4 * n; ++i) {
+            const uint32_t *s = sums + 4 * (size_t)size * (2 * j) + 8 * (i / 4) + i % 4, *below = s + 4 * (size_t)size;
+            sums[4 * (size_t)n * j + i] = s[0] + s[4] + below[0] + below[4];
+        }
+}
+
+// The smaller levels. GL may round each level of bytes upwards, which in the end is a fifth of a standard deviation.
+static bolan_result upload_levels(uint8_t *pixels, gl_texture *out) {
+    const size_t bytes = 4 * PIXELS * sizeof(uint32_t);
+    uint32_t *sums = allocate_for("the texture of foam", bytes);
+    if (sums == NULL) return BOLAN_ERROR_MEMORY;
+    for (size_t i = 0; i < 4 * PIXELS; ++i) sums[i] = pixels[i];
+    for (uint32_t level = 1, size = SIZE; size > 1; ++level, size /= 2) {
+        halve(sums, size);
+        const uint32_t values = 4 * (size / 2) * (size / 2), count = 1u << (2 * level); // texels in a sum
+        for (uint32_t i = 0; i < values; ++i) pixels[i] = (uint8_t)((sums[i] + count / 2) / count);
+        bolan_gl_texture_upload(out, level, -1, pixels, false);
+    }
+    bolan_release(sums, bytes);
+    return BOLAN_OK;
+}
+
+static bolan_result create(bolan_result (*fill_pixels)(uint8_t *out), bool own_levels, gl_texture *out) {
     size_t bytes = (size_t)FOAM_TEXTURE_SIZE * FOAM_TEXTURE_SIZE * 4;
     uint8_t *pixels = allocate_for("the texture of foam", bytes);
     if (pixels == NULL) return BOLAN_ERROR_MEMORY;
@@ -150,12 +176,15 @@ static bolan_result create(bolan_result (*fill_pixels)(uint8_t *out), gl_texture
     if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, out);
     if (result == BOLAN_OK) {
         bolan_gl_texture_upload(out, 0, -1, pixels, false);
-        bolan_gl_texture_generate_mipmaps(out);
+        if (own_levels)
+            result = upload_levels(pixels, out);
+        else
+            bolan_gl_texture_generate_mipmaps(out);
     }
     bolan_release(pixels, bytes);
     return result;
 }
 
-bolan_result bolan_foam_texture_create(gl_texture *out) { return create(bolan_foam_texture_fill, out); }
+bolan_result bolan_foam_texture_create(gl_texture *out) { return create(bolan_foam_texture_fill, false, out); }
 
-bolan_result bolan_foam_noise_create(gl_texture *out) { return create(bolan_foam_noise_fill, out); }
+bolan_result bolan_foam_noise_create(gl_texture *out) { return create(bolan_foam_noise_fill, true, out); }

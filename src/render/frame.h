@@ -73,7 +73,7 @@ typedef struct frame {
     bool behind; // something may be seen through the water or mirrored in it: ground, objects, a host's scene
     bool hosted; // it is a host's scene
     const bolan_host *host; // whose frame is drawn; NULL: the world's
-    uint32_t bounds_count; // corners of the polygon in which the water lies, while a host's frame is drawn; 0: no end
+    uint32_t bounds_count;  // corners of the polygon in which the water lies, while a host's frame is drawn; 0: no end
     // What follows from those.
     double time;
     bolan_vec3 sun_direction;
@@ -83,7 +83,7 @@ typedef struct frame {
     struct frame_caustics {
         bolan_vec2 turn, travel;
         float strength;
-    } caustics; // set by the mirror optics
+    } caustics;                // set by the mirror optics
     const gl_buffer *foam_law; // of sea_compute.h, which has the memory of this step's foam; NULL: the CPU has it
     frame_block block;
 } frame;
@@ -94,8 +94,8 @@ void bolan_frame_fill(frame *f);
 float bolan_radiance_unit(float sun_height);
 // How far the water has moved with its current since time 0 [m]; 0 without a sea.
 bolan_dvec2 bolan_frame_drift(const frame *f);
-// Place of an eye in the tile of wind streaks, for a wind that blows there.
-bolan_vec2 bolan_frame_streaks(bolan_dvec3 eye, double wind_to);
+// Place of an eye in the tile of wind streaks, for a wind that blows there. scale: frame_block.streak_scale.
+bolan_vec2 bolan_frame_streaks(bolan_dvec3 eye, double wind_to, bolan_vec2 scale);
 // x modulo period, in [0, period): in double, so that a shader never sees a large coordinate.
 float bolan_reduced(double x, double period);
 

@@ -302,8 +302,8 @@ static void set_cascades(water_block *b, const render_view *view) {
                                     (float)(ca / v.length), (float)(sa / v.length)};
         b->cascade_band[c] = (vec4){(float)(4.0 * sqrt(v.variance)), (float)texel,
                                     (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length), (float)log2(texel)};
-        b->cascade_bound[c] = (vec4){(float)v.bound.height, (float)v.bound.drift, (float)v.bound.height_long,
-                                     (float)v.bound.drift_long};
+        b->cascade_bound[c] =
+            (vec4){(float)v.bound.height, (float)v.bound.drift, (float)v.bound.height_long, (float)v.bound.drift_long};
     }
     b->foam_weights = bolan_foam_weights(view->frame->sea);
     set_lift(b, view->frame->sea);

@@ -6,10 +6,9 @@
 
 #include "frame.h"
 #include "shared/constants.glsl"
+#include "shared/foam.glsl"
 
-#define BORE_DEPTH 0.71            // of the water under a bore, in heights of the bore
-#define STREAK_ACROSS (1.0 / 16.0) // tiles of wind streaks per metre
-#define STREAK_ALONG (0.4 * STREAK_ACROSS)
+#define BORE_DEPTH 0.71 // of the water under a bore, in heights of the bore
 
 float bolan_reduced(double x, double period) { return (float)(x - period * floor(x / period)); }
 
@@ -28,10 +27,10 @@ bolan_dvec2 bolan_frame_drift(const frame *f) {
     return (bolan_dvec2){state->current_x * f->time, state->current_y * f->time};
 }
 
-bolan_vec2 bolan_frame_streaks(bolan_dvec3 eye, double wind_to) {
+bolan_vec2 bolan_frame_streaks(bolan_dvec3 eye, double wind_to, bolan_vec2 scale) {
     const double c = cos(wind_to), s = sin(wind_to);
-    return (bolan_vec2){bolan_reduced((c * eye.y - s * eye.x) * STREAK_ACROSS, 1.0),
-                        bolan_reduced((c * eye.x + s * eye.y) * STREAK_ALONG, 1.0)};
+    return (bolan_vec2){bolan_reduced((c * eye.y - s * eye.x) * (double)scale.x, 1.0),
+                        bolan_reduced((c * eye.x + s * eye.y) * (double)scale.y, 1.0)};
 }
 
 static bolan_vec3 direction_to_sun(const bolan_sky *sky) {
@@ -96,7 +95,8 @@ void bolan_frame_fill(frame *f) {
     b->cloud_base = (float)sky->cloud_base;
     b->visibility = (float)sky->visibility;
     b->earth_radius = (float)BOLAN_EARTH_RADIUS;
-    b->streak_scale = (bolan_vec2){(float)STREAK_ACROSS, (float)STREAK_ALONG};
+    const double across = 1.0 / (WINDROWS * windrow_distance(state->wind_speed));
+    b->streak_scale = (bolan_vec2){(float)across, (float)(across / WINDROW_STRETCH)};
     fill_haze(f);
     fill_surf(f, bolan_sea_get_summary(f->sea));
     fill_water(f);

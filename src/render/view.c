@@ -209,7 +209,7 @@ static void fill_eye(render_view *v) {
     b->eye_wrapped = (bolan_vec2){bolan_reduced(x, WORLD_WRAP), bolan_reduced(y, WORLD_WRAP)};
     b->eye_wrapped_wide = (bolan_vec2){bolan_reduced(x, WORLD_WRAP_WIDE), bolan_reduced(y, WORLD_WRAP_WIDE)};
     b->eye_height = (float)(v->eye.z - v->frame->level);
-    b->streak_place = bolan_frame_streaks((bolan_dvec3){water.x, water.y, v->eye.z}, f->wind_to);
+    b->streak_place = bolan_frame_streaks((bolan_dvec3){water.x, water.y, v->eye.z}, f->wind_to, f->block.streak_scale);
     b->surf_phase = bolan_reduced(f->surf_periods - f->surf_wave.x * x - f->surf_wave.y * y, 1.0);
     b->caustic_place = v->caustic_place;
     b->cloud_offset = v->light.cloud_offset;

@@ -98,21 +98,28 @@ static void free_all(void *state) {
     bolan_gl_sampler_free(&p->sampler);
 }
 
-#define FOAM_EDGE 0.12 // how widely the edge of a breaking patch is drawn, in Jacobian
-
 typedef struct physical_block {
 #include "shared/physical_block.glsl"
 } physical_block;
 
+// The field of streaks is a noise and the Jacobian of the waves. Where nothing breaks, nothing is blown into streaks.
+static double streak_excess(const bolan_sea *sea) {
+    const double share = streak_share(bolan_sea_get_desc(sea)->sea_state.wind_speed);
+    if (!(share > 0.0) || bolan_sea_breaker_threshold(sea) <= -FOAM_NEVER) return -FOAM_NEVER;
+    return bolan_foam_quantile(share) * sqrt(1.0 + STREAKS_ON_CRESTS * STREAKS_ON_CRESTS);
+}
+
 static physical_block foam_of(const render_view *v) {
-    const foam_law law = bolan_foam_law(v->frame->sea, FOAM_EDGE, v->frame->foam_law == NULL);
+    const bolan_sea *sea = v->frame->sea;
+    const foam_law law = bolan_foam_law(sea, bolan_foam_breaking_edge(sea), v->frame->foam_law == NULL);
     return (physical_block){.breaking_jacobian = (float)(1.0 + law.breaking),
                             .slopes_beyond_cascades = (float)law.slopes_beyond,
                             .fresh_edge = (float)law.edge,
                             .old_edge = (float)OLD_FOAM_EDGE,
                             .old_foam_memory = (float)law.memory,
                             .memory_variance = (float)fmax(law.memory_variance, 1e-9),
-                            .jacobian_variance = (float)law.variance};
+                            .jacobian_variance = (float)law.variance,
+                            .streak_excess = (float)streak_excess(sea)};
 }
 
 static void draw_shape(physical *p, const water_draw *d) {

@@ -199,6 +199,15 @@ static void cox_and_munk_and_monahan_give_their_regressions(void **state) {
     for (int i = 0; i < 5; i++)
         assert_ratio(bolan_monahan_cover(cover[i][0]), cover[i][1], 6e-3); // printed to two or three digits
     assert_true(bolan_monahan_cover(0.0) == 0.0 && bolan_monahan_cover(70.0) == 0.95);
+    // Callaghan et al. 2008, by hand from the printed regressions
+    static const double callaghan[][2] = {{5.0, 6.99e-5},  {8.0, 2.53e-3},  {10.0, 7.95e-3},
+                                          {15.0, 0.02358}, {20.0, 0.05119}, {50.0, 0.6777}};
+    for (size_t i = 0; i < sizeof callaghan / sizeof *callaghan; i++)
+        assert_ratio(bolan_callaghan_cover(callaghan[i][0]), callaghan[i][1], 3e-3);
+    assert_true(bolan_callaghan_cover(3.7) == 0.0 && bolan_callaghan_cover(70.0) == 0.95);
+    assert_ratio(bolan_breaker_cover(10.0), 5.01e-4, 2e-3);
+    assert_ratio(bolan_breaker_cover(20.0), 4.603e-3, 2e-3);
+    assert_true(bolan_breaker_cover(3.0) == 0.0 && bolan_breaker_cover(4.0) == bolan_callaghan_cover(4.0));
     assert_ratio(bolan_monahan_cover(35.0), 3.84e-6 * pow(35.0, 3.41), 1e-9);
 }
 

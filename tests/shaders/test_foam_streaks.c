@@ -41,12 +41,13 @@ static void old_foam_is_drawn_out_along_the_wind(void **state) {
     const double winds[] = {0.3, 1.9, -2.6};
     for (int k = 0; k < 3; ++k) {
         rig r = {.blocks = {
-                     .frame = {.wind_direction = {(float)cos(winds[k]), (float)sin(winds[k])}},
+                     .frame = {.wind_direction = {(float)cos(winds[k]), (float)sin(winds[k])},
+                               .streak_scale = {1.0f / 16.0f, 0.4f / 16.0f}},
                      .view = {.eye_wrapped = {700.0f, 100.0f}, .water_wrapped = {700.0f, 100.0f}, .eye_height = 3.0f}}};
-        r.blocks.view.streak_place = bolan_frame_streaks(bolan_dv3(700.0, 100.0, 3.0), winds[k]);
-        r.blocks.frame.streak_scale = (bolan_vec2){1.0f / 16.0f, 0.4f / 16.0f};
+        r.blocks.view.streak_place =
+            bolan_frame_streaks(bolan_dv3(700.0, 100.0, 3.0), winds[k], r.blocks.frame.streak_scale);
         float in[2][4] = {{0.1f}, {0.25f}}, out[2][4];
-        assert_int_equal(bolan_foam_texture_create(&r.detail), BOLAN_OK);
+        assert_int_equal(bolan_foam_noise_create(&r.detail), BOLAN_OK);
         assert_int_equal(bolan_blocks_create(&r.uniforms), BOLAN_OK);
         bolan_blocks_upload(&r.uniforms, &r.blocks);
         probe_run_with("#include \"common/frame.glsl\"\n#include \"common/slopes.glsl\"\n#include \"common/foam.glsl\"",

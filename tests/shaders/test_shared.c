@@ -66,6 +66,11 @@
     X(distribution_linear, normal_cdf_linear(a, b), -2, 2, 0.01, 2, 0, 0, 2e-6, 0)                       \
     X(cover, foam_cover(a, b), -2, 2, 0.01, 2, 0, 0, 2e-6, 1e-5)                                         \
     X(cover_fast, foam_cover_fast(a, b), -2, 2, 0.01, 2, 0, 0, 2e-6, 0)                                  \
+    X(mills, normal_mills(a), 0, 6, 0, 0, 0, 0, 1e-6, 1e-5)                                              \
+    X(opacity, foam_opacity(a, b, c), -2, 2, 0.01, 2, 0.1, 3, 3e-6, 1e-5)                                \
+    X(opacity_thick, foam_opacity(a, b, c), -0.3, 0.3, 0.002, 0.1, 5, 50, 2e-5, 1e-4)                    \
+    X(foam_deviations, foam_quantile(a), 0, 0.99, 0, 0, 0, 0, 2e-5, 1e-5)                                \
+    X(streaked, streak_share(a), 0, 60, 0, 0, 0, 0, 1e-6, 1e-6)                                          \
     X(threshold, softened_offset(a, b, c), -2, 2, 0.01, 2, 0, 0.1, 1e-6, 1e-6)                           \
     X(bore, bore_foam(a), 0, 1, 0, 0, 0, 0, 1e-6, 1e-5)                                                  \
     X(shoal, shallows(a, b, b + c), 0, 3, 0.1, 1, 0.2, 2, 2e-6, 0)                                       \

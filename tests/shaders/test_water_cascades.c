@@ -272,8 +272,7 @@ static void compare_pixels(const rig *r, double choppiness, double gust, double 
     // Pixels and queries have the same slopes but for the images that a linear fetch has and a spline has not.
     if (!r->packed && gust == 1.0 && depth > 100.0) {
         const double images = images_of_readers(r->sea);
-        print_message("slopes of pixels and queries are %.4f apart; images leave %.4f\n",
-                      sqrt(error / energy), images);
+        print_message("slopes of pixels and queries are %.4f apart; images leave %.4f\n", sqrt(error / energy), images);
         assert_near(sqrt(error / energy), images, 0.15 * images);
     }
     assert_true(plain > COUNT * 9 / 10);

@@ -46,6 +46,18 @@ static void the_fast_cover_is_within_its_bound(void **state) {
     assert_near((foam_cover_fast(1e-4, 0.04) - 0.5) / 1e-4, 1.0 / sqrt(2.0 * PI * 0.04), 1e-6); // the density
 }
 
+static double quantile_of(double share) {
+    double low = -8.0, high = 8.0;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        if (0.5 * erfc(-middle / sqrt(2.0)) < share)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
 static void covers_have_their_limits(void **state) {
     (void)state;
     assert_near(foam_cover(0.0, 0.01), 0.5, 1e-12);
@@ -56,10 +68,61 @@ static void covers_have_their_limits(void **state) {
     assert_near(softened_offset(-0.3, 0.04, 0.12), -0.6, 1e-12); // four times the variance: twice as far
     assert_near(jacobian_variance_of(0.03, 2.0), 0.12, 1e-15);
     assert_true(jacobian_variance_of(-0.03, 2.0) == 0.0);
-    assert_near(old_foam_share(0.01), 0.02, 1e-15);
-    assert_near(old_foam_share(0.4), 0.3, 1e-15);
-    assert_true(old_foam_share(0.0) == 0.0);
+    assert_near(old_foam_share(0.01, 0.06), 0.05 / 0.99, 1e-15); // of what does not break
+    assert_true(old_foam_share(0.4, 0.4) == 0.0 && old_foam_share(0.0, 0.0) == 0.0);
+    assert_near(memory_quantile(2.0), 1.92 + 0.24, 1e-12);
+    for (double share = 0.002; share < 1.0; share += 0.01) // 0.5 erfc(-x / sqrt 2) is the distribution function
+        assert_near(foam_quantile(share), quantile_of(share), 0.03);
+    assert_near(foam_quantile(0.5), 0.0, 1e-15);
+    assert_true(foam_quantile(0.0) < -3.5 && foam_quantile(1.0) > 3.5);
     assert_true(FOAM_ALBEDO * FOAM_DENSEST > 0.5 && FOAM_ALBEDO < 0.8); // thick foam
+}
+
+// Mean of 1 - exp(-density x) over the positive x of a Gaussian.
+static double mean_opacity(double mean, double variance, double density) {
+    enum { STEPS = 20000 };
+    double sum = 0.0;
+    for (int i = 0; i < STEPS; ++i) {
+        const double z = -9.0 + 18.0 * (i + 0.5) / STEPS, x = mean + z * sqrt(variance);
+        if (x > 0.0) sum += exp(-0.5 * z * z) / sqrt(2.0 * PI) * 18.0 / STEPS * -expm1(-density * x);
+    }
+    return sum;
+}
+
+static void thin_foam_lets_the_water_through(void **state) {
+    (void)state;
+    for (double mean = -0.6; mean < 1.0; mean += 0.13)
+        for (double variance = 1e-3; variance < 0.5; variance *= 5.0)
+            for (double density = 0.3; density < 100.0; density *= 4.0)
+                assert_near(foam_opacity(mean, variance, density), mean_opacity(mean, variance, density), 3e-3);
+    assert_near(foam_opacity(2.0, 1e-6, 0.5), 1.0 - exp(-1.0), 1e-4); // Beer's law where all is resolved
+    assert_near(foam_opacity(0.0, 1.0, 1e4), 0.5, 1e-3);              // thick foam hides what it covers
+    assert_true(foam_opacity(-1.0, 1e-4, 30.0) == 0.0 && foam_opacity(-30.0, 1.0, 3.0) < 1e-30);
+}
+
+// What pixels resolve and what they hide come to one mean.
+static void the_opacity_is_the_same_at_every_distance(void **state) {
+    (void)state;
+    enum { STEPS = 2000 };
+    for (double share = 0.0; share < 1.0; share += 0.24) {
+        double sum = 0.0;
+        for (int i = 0; i < STEPS; ++i) {
+            const double z = -7.0 + 14.0 * (i + 0.5) / STEPS, seen = -0.2 + z * sqrt(share * 0.04);
+            sum += exp(-0.5 * z * z) / sqrt(2.0 * PI) * 14.0 / STEPS * foam_opacity(seen, 0.04 * (1.0 - share), 20.0);
+        }
+        assert_near(sum, mean_opacity(-0.2, 0.04, 20.0), 1e-3);
+    }
+}
+
+// WMO's words for the forces of Beaufort, and white water from about 40 m/s on.
+static void streaks_come_with_the_gale(void **state) {
+    (void)state;
+    assert_true(streak_share(13.8) == 0.0 && streak_share(0.0) == 0.0);
+    assert_true(streak_share(17.0) > 0.005 && streak_share(17.0) < 0.05); // "begins to be blown"
+    assert_true(streak_share(22.6) > 0.1 && streak_share(26.4) > 0.2);    // "dense"
+    assert_true(streak_share(35.0) > 0.6 && streak_share(60.0) == 0.9);
+    assert_near(windrow_distance(15.0), 72.0, 1e-12);
+    assert_near(windrow_distance(0.0), 8.0, 1e-12);
 }
 
 static void a_bore_is_steep_in_front_and_thins_out_behind(void **state) {
@@ -106,6 +169,9 @@ int main(void) {
         cmocka_unit_test(the_covered_share_is_that_of_the_quantile),
         cmocka_unit_test(the_fast_cover_is_within_its_bound),
         cmocka_unit_test(covers_have_their_limits),
+        cmocka_unit_test(thin_foam_lets_the_water_through),
+        cmocka_unit_test(the_opacity_is_the_same_at_every_distance),
+        cmocka_unit_test(streaks_come_with_the_gale),
         cmocka_unit_test(a_bore_is_steep_in_front_and_thins_out_behind),
         cmocka_unit_test(surf_covers_the_shallows),
     };
