@@ -62,7 +62,7 @@ double bolan_monahan_cover(double wind_speed) {
 }
 
 // Callaghan, de Leeuw, Cohen & O'Dowd, "Relationship of oceanic whitecap coverage to wind speed and wind history",
-// Geophys. Res. Lett. 35 (2008): two overlapping regressions. Each is the smaller one on its own side of their crossing.
+// Geophys. Res. Lett. 35 (2008): two overlapping regressions. On either side of their crossing, the smaller one holds.
 double bolan_callaghan_cover(double wind_speed) {
     const double over = wind_speed - 3.70, past = wind_speed + 1.98;
     if (!(over > 0.0)) return 0.0;

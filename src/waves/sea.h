@@ -207,7 +207,8 @@ uint64_t bolan_sea_hash_plane(uint64_t hash, const float *plane, size_t count);
 size_t bolan_sea_slopes_bytes(void);
 // rest_slope, slope_map and slope_table. False when memory is short.
 bool bolan_sea_slopes_create(sea_shared *shared);
-// foam_threshold and breaker_threshold, from the fields of `sea` at a few times; leaves it at time 0. False when memory is short.
+// foam_threshold and breaker_threshold, from the fields of `sea` at a few times; leaves it at time 0. False when memory
+// is short.
 bool bolan_sea_whitecaps_create(bolan_sea *sea);
 
 #endif
