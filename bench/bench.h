@@ -18,5 +18,6 @@ bool bench_program(char *path, size_t size);
 // Monotonic time, and processor time of all threads of this process [ms].
 double bench_now_ms(void);
 double bench_cpu_ms(void);
+double bench_thread_ms(void); // processor time of the calling thread [ms]
 
 #endif

@@ -31,6 +31,7 @@ static double clock_ms(clockid_t clock) {
 double bench_now_ms(void) { return clock_ms(CLOCK_MONOTONIC); }
 
 double bench_cpu_ms(void) { return clock_ms(CLOCK_PROCESS_CPUTIME_ID); }
+double bench_thread_ms(void) { return clock_ms(CLOCK_THREAD_CPUTIME_ID); }
 
 bool bench_program(char *path, size_t size) {
     const ssize_t length = readlink("/proc/self/exe", path, size - 1);

@@ -87,6 +87,7 @@ bolan_result stage_open(stage *s, const char *name, const stage_options *o,
     desc.quality = o->quality;
     desc.max_vertices = o->max_vertices;
     desc.backend = o->backend;
+    desc.restore = BOLAN_RESTORE_NONE; // the context is this program's
     bolan_scene scene;
     bolan_result result = bolan_scene_load(name, &scene);
     if (result == BOLAN_OK && change) change(&scene, context);
@@ -115,7 +116,10 @@ static void draw(stage *s) {
     view.without_water = s->without_water;
     view.framebuffer = bolan_target_framebuffer(s->target);
     view.progressive = true; // like a window
+    const double start = bench_thread_ms();
     bolan_renderer_draw_world(s->renderer, s->world, &view);
+    s->calling_ms = bench_thread_ms() - start;
+    s->statistics = bolan_renderer_statistics(s->renderer);
     uint8_t pixel[3]; // reading one pixel waits for all of them
     bolan_renderer_read_rgb8(s->renderer, view.framebuffer, 1, 1, pixel);
 }
@@ -138,36 +142,38 @@ static double median(double *values, size_t count) {
 }
 
 static void time_frames(stage *s, stage_figures *f) {
-    double ms[FRAMES], cpu[FRAMES];
+    double ms[FRAMES], cpu[FRAMES], calling[FRAMES];
     for (int i = 0; i < WARM_UP + FRAMES; ++i) {
         const double start = bench_now_ms(), cpu_start = bench_cpu_ms();
         stage_frame(s);
         if (i < WARM_UP) continue;
         ms[i - WARM_UP] = bench_now_ms() - start;
         cpu[i - WARM_UP] = bench_cpu_ms() - cpu_start;
+        calling[i - WARM_UP] = s->calling_ms;
     }
     f->ms = median(ms, FRAMES);
     f->cpu_ms = median(cpu, FRAMES);
+    f->calling_ms = median(calling, FRAMES);
 }
 
 // In a row of its own: timing a pass makes the GPU wait between passes.
 static void time_passes(stage *s, stage_figures *f) {
     double ms[BOLAN_MAX_PASSES + 1][FRAMES];
-    bolan_frame_statistics statistics = {0};
+    const bolan_frame_statistics *statistics = &s->statistics;
     bolan_renderer_measure_passes(s->renderer, true);
     for (int i = 0; i < WARM_UP + FRAMES; ++i) {
         double synthesis = step_sea(s);
         draw(s);
-        statistics = bolan_renderer_statistics(s->renderer);
         if (i < WARM_UP) continue;
         ms[0][i - WARM_UP] = synthesis;
-        for (uint32_t p = 0; p < statistics.pass_count; ++p) ms[p + 1][i - WARM_UP] = statistics.passes[p].ms;
+        for (uint32_t p = 0; p < statistics->pass_count; ++p) ms[p + 1][i - WARM_UP] = statistics->passes[p].ms;
     }
     bolan_renderer_measure_passes(s->renderer, false);
-    f->pass_count = statistics.pass_count + 1;
+    f->pass_count = statistics->pass_count + 1;
     for (uint32_t p = 0; p < f->pass_count; ++p) {
-        f->passes[p].name = p == 0 ? "synthesis" : statistics.passes[p - 1].name;
+        f->passes[p].name = p == 0 ? "synthesis" : statistics->passes[p - 1].name;
         f->passes[p].ms = median(ms[p], FRAMES);
+        f->passes[p].gl_calls = p == 0 ? 0 : statistics->passes[p - 1].gl_calls;
     }
 }
 
@@ -189,11 +195,13 @@ void stage_measure(stage *s, bool passes, stage_figures *f) {
     time_frames(s, f);
     const stage_yard after = time_yardstick(s);
     f->yard = (stage_yard){0.5 * (before.ms + after.ms), 0.5 * (before.cpu_ms + after.cpu_ms)};
-    bolan_frame_statistics statistics = bolan_renderer_statistics(s->renderer);
-    f->triangles = statistics.triangles;
-    f->water_triangles = statistics.water_triangles;
+    const bolan_frame_statistics *statistics = &s->statistics;
+    f->triangles = statistics->triangles;
+    f->water_triangles = statistics->water_triangles;
+    f->gl_calls = statistics->gl_calls;
+    f->gl_questions = statistics->gl_questions;
     f->backend = bolan_renderer_backend(s->renderer);
-    f->sea_bytes = statistics.sea_bytes;
+    f->sea_bytes = statistics->sea_bytes;
     if (f->sea_bytes > 0) f->memory_rate = bolan_renderer_memory_rate(s->renderer, RATE_REPEATS);
     if (passes) time_passes(s, f);
 }
@@ -226,18 +234,21 @@ static void print_floor(const stage_figures *f) {
 }
 
 void stage_print_table(const stage_figures *figures, uint32_t count) {
-    printf("%-12s %-12s %10s %9s %8s %7s %6s %9s\n", "scene", "technique", "triangles", "water", "ms", "fps", "ratio",
-           "cpu ratio");
+    printf("%-12s %-12s %10s %9s %8s %7s %6s %9s %8s %8s %9s\n", "scene", "technique", "triangles", "water", "ms",
+           "fps", "ratio", "cpu ratio", "cpu ms", "gl calls", "questions");
     for (uint32_t i = 0; i < count; ++i) {
         const stage_figures *f = &figures[i];
-        printf("%-12s %-12s %10u %9u %8.2f %7.1f %6.2f %9.2f\n", f->scene, f->technique, f->triangles,
-               f->water_triangles, f->ms, 1e3 / f->ms, f->ms / f->yard.ms, f->cpu_ms / f->yard.cpu_ms);
+        printf("%-12s %-12s %10u %9u %8.2f %7.1f %6.2f %9.2f %8.2f %8u %9u\n", f->scene, f->technique, f->triangles,
+               f->water_triangles, f->ms, 1e3 / f->ms, f->ms / f->yard.ms, f->cpu_ms / f->yard.cpu_ms, f->calling_ms,
+               f->gl_calls, f->gl_questions);
     }
     printf("\npasses [ms] ");
     for (uint32_t p = 0; p < figures[0].pass_count; ++p) printf(" %11s", figures[0].passes[p].name);
     for (uint32_t i = 0; i < count; ++i) {
         printf("\n%-12s", figures[i].technique);
         for (uint32_t p = 0; p < figures[i].pass_count; ++p) printf(" %11.2f", figures[i].passes[p].ms);
+        printf("\n%12s", "gl calls");
+        for (uint32_t p = 0; p < figures[i].pass_count; ++p) printf(" %11u", figures[i].passes[p].gl_calls);
     }
     printf("\n");
     for (uint32_t i = 0; i < count; ++i) print_floor(&figures[i]);
@@ -255,9 +266,11 @@ void stage_print_json(const stage_options *o, const stage_figures *figures, uint
         printf("    {\"scene\": \"%s\", \"technique\": \"%s\", \"backend\": \"%s\", \"width\": %u, "
                "\"height\": %u, \"triangles\": %u, "
                "\"water_triangles\": %u, \"ms\": %.3f, \"fps\": %.2f, \"ratio\": %.3f, \"cpu_ratio\": %.3f,\n     "
+               "\"cpu_ms\": %.3f, \"process_ms\": %.3f, \"gl_calls\": %u, \"gl_questions\": %u,\n     "
                "\"passes\": {",
                f->scene, f->technique, bolan_backend_names[f->backend], o->width, o->height, f->triangles,
-               f->water_triangles, f->ms, 1e3 / f->ms, f->ms / f->yard.ms, f->cpu_ms / f->yard.cpu_ms);
+               f->water_triangles, f->ms, 1e3 / f->ms, f->ms / f->yard.ms, f->cpu_ms / f->yard.cpu_ms, f->calling_ms,
+               f->cpu_ms, f->gl_calls, f->gl_questions);
         for (uint32_t p = 0; p < f->pass_count; ++p)
             printf("%s\"%s\": %.3f", p > 0 ? ", " : "", f->passes[p].name, f->passes[p].ms);
         printf("}");

@@ -28,6 +28,8 @@ typedef struct stage {
     bolan_target *target;
     uint32_t width, height;
     bool without_water;
+    double calling_ms; // of the last frame
+    bolan_frame_statistics statistics;
 } stage;
 
 // The yardstick: a full-screen pass of 6 bilinear texture fetches at the stage's size.
@@ -39,16 +41,19 @@ typedef struct stage_figures {
     char scene[BOLAN_NAME_MAX];
     const char *technique;
     uint32_t triangles, water_triangles;
-    double ms;       // median of a frame, synthesis included
+    double ms; // median of a frame, synthesis included
     bolan_backend backend;
-    uint64_t sea_bytes; // bolan_frame_statistics.sea_bytes
-    double memory_rate; // [bytes/s], where there are such bytes
-    double cpu_ms;   // processor time of all threads for the same frames; hardly depends on other load
+    uint64_t sea_bytes;              // bolan_frame_statistics.sea_bytes
+    double memory_rate;              // [bytes/s], where there are such bytes
+    double calling_ms;               // processor time of the calling thread in the call that draws
+    uint32_t gl_calls, gl_questions; // bolan_frame_statistics, of the last frame
+    double cpu_ms;                   // processor time of all threads for the same frames; hardly depends on other load
     stage_yard yard; // timed right before and after these frames, since a machine's speed changes from minute to minute
     uint32_t pass_count;
     struct {
         const char *name;
         double ms;
+        uint32_t gl_calls;
     } passes[BOLAN_MAX_PASSES + 1];
 } stage_figures;
 

@@ -81,6 +81,7 @@ static bool open_stage(const job *j, stage *s) {
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = j->quality;
     desc.backend = j->backend;
+    desc.restore = BOLAN_RESTORE_NONE; // the context is this program's
     *s = (stage){.rgb_bytes = pixels * 3, .linear_bytes = j->name.kind == OUTPUT_EXR ? pixels * 7 * sizeof(float) : 0};
     if (bolan_context_create(BOLAN_GL_CORE, &s->context) || bolan_renderer_create(&desc, &s->renderer) ||
         !tiles_open(&s->tiles, s->renderer, j->width, j->height, j->tile, j->name.kind == OUTPUT_EXR))

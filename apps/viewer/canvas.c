@@ -15,6 +15,7 @@ bolan_result canvas_open(canvas *c, bolan_quality quality, bolan_backend backend
     *c = (canvas){.desc = bolan_renderer_desc_default()};
     c->desc.quality = quality;
     c->desc.backend = backend;
+    c->desc.restore = BOLAN_RESTORE_DECLARED; // outside of its calls this program keeps OpenGL's initial state
     c->desc.shader_directory = shader_directory;
     return bolan_renderer_create(&c->desc, &c->renderer);
 }

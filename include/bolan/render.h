@@ -3,7 +3,8 @@
 /// Tier 4, library bolan_render. Draws worlds, or the water alone, with OpenGL 3.3 core or OpenGL ES 3.0 in the
 /// caller's context, or in one of render_context.h.
 ///
-/// **State.** Each function here that touches your context leaves this state as it found it, whatever it was:
+/// **State.** Each function here that touches your context leaves this state as it found it, whatever it was, unless
+/// bolan_renderer_desc::restore says otherwise:
 /// - framebuffer bindings, program, vertex array;
 /// - buffers bound for vertices, uniforms, pixels and queries, uniform slots 0 to 4;
 /// - with BOLAN_BACKEND_COMPUTE the storage buffer binding, storage buffer slots 0 to 3 and image units 0 to 3;
@@ -59,6 +60,17 @@ typedef struct bolan_renderer_desc {
     /// Most vertices of the water on BOLAN_SURFACE_PROJECTED, 1024..1000000, whatever the quality and the size of the
     /// image. 0 (default): as the quality has it. Raised: smaller triangles, down to what the quality asks for.
     uint32_t max_vertices;
+    /// What calls of this renderer do with your state; default BOLAN_RESTORE_FULL.
+    /// FULL asks OpenGL some hundreds of questions in each call: a driver with a thread of its own makes you wait.
+    /// DECLARED and NONE ask none. In exchange:
+    /// - textures of units 0 to 28, uniform slots 0 to 4, and with BOLAN_BACKEND_COMPUTE storage buffers and images of
+    ///   slots 0 to 3 stay as the call leaves them, and sampler objects of these units are unbound;
+    /// - no transform feedback is active in a call;
+    /// - the names of your framebuffers and textures are checked when they first come, and not again: change
+    ///   bolan_renderer_desc::restore to FULL while you look for a wrong name;
+    /// - after a bolan_host with `stencil_mask` the functions and operations of the stencil are OpenGL's initial ones.
+    /// Creating, reloading, and reading back ask in any case.
+    bolan_restore restore;
     /// Folder from which shaders are read, and again by bolan_renderer_reload(). NULL (default): the built-in shaders.
     /// Copied; at most 1023 characters.
     const char *shader_directory;
@@ -81,6 +93,11 @@ BOLAN_API bolan_renderer_desc bolan_renderer_desc_default(void);
 /// field out of range), UNSUPPORTED (OpenGL ES without float targets; BOLAN_BACKEND_COMPUTE in a context without
 /// compute shaders), MEMORY.
 BOLAN_API bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out);
+
+/// With BOLAN_RESTORE_DECLARED: your state when a call begins, which is put back when it ends.
+/// Call it whenever the state at the place of your frame where Bolan is called has changed. Copied.
+/// Until the first call it is bolan_gl_state_default().
+BOLAN_API void bolan_renderer_declare_state(bolan_renderer *renderer, const bolan_gl_state *state);
 
 /// Returns the backend that the renderer uses: CPU or COMPUTE.
 /// Thread-safe.
@@ -422,10 +439,11 @@ typedef struct bolan_frame_statistics {
     /// How many entries of `passes` are filled.
     uint32_t pass_count;
     /// Name of each pass, and its time [ms] while bolan_renderer_measure_passes() is on; else 0. With several samples,
-    /// of one of them.
+    /// of one of them. `gl_calls`: the OpenGL functions that it called.
     struct {
         const char *name;
         double ms;
+        uint32_t gl_calls;
     } passes[BOLAN_MAX_PASSES];
     /// Triangles that were submitted.
     uint32_t triangles;
@@ -439,6 +457,11 @@ typedef struct bolan_frame_statistics {
     uint32_t uploads;
     /// Bytes of those uploads.
     uint64_t upload_bytes;
+    /// OpenGL functions called since the last preparation of a step began, saving and restoring your state included.
+    uint32_t gl_calls;
+    /// Of those, the ones that want an answer (glGet..., glIs..., reading back, glFinish()): a driver with a thread of
+    /// its own makes the caller wait for it. glGetString() is not among them.
+    uint32_t gl_questions;
     /// Bytes that the last synthesis by compute shaders moved at least, each table and image once; 0 with the CPU's.
     /// Over bolan_renderer_memory_rate() it is the time below which no synthesis can be.
     uint64_t sea_bytes;

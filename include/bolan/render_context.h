@@ -57,6 +57,75 @@ typedef struct bolan_gl_info {
 /// The properties of the context that is current on this thread.
 BOLAN_API bolan_gl_info bolan_gl_get_info(void);
 
+// ---- your state in it ----------------------------------------------------------------------------------------------
+
+/// What a renderer's calls do with your state of OpenGL.
+typedef enum bolan_restore {
+    /// Each call asks OpenGL for your state and puts it back, whatever it was; default.
+    BOLAN_RESTORE_FULL,
+    /// You say what the state is, by bolan_renderer_declare_state(). Calls ask for nothing and put that back.
+    BOLAN_RESTORE_DECLARED,
+    /// Calls ask for nothing and put nothing back: for programs that set what they need before each of their passes.
+    BOLAN_RESTORE_NONE,
+} bolan_restore;
+
+/// State of a context, in numbers and names of OpenGL.
+/// What has no field here is in OpenGL's initial state.
+typedef struct bolan_gl_state {
+    /// Default 0.
+    uint32_t draw_framebuffer, read_framebuffer;
+    /// Default 0.
+    uint32_t program, vertex_array;
+    /// Bound to GL_ARRAY_BUFFER and GL_UNIFORM_BUFFER; default 0.
+    uint32_t array_buffer, uniform_buffer;
+    /// The active texture unit, from 0; default 0.
+    uint32_t active_unit;
+    /// True: sampler objects may be bound to units 0 to 28. A call unbinds them. Default false.
+    bool samplers;
+    /// x, y, width, height; default all 0. With a width of 0 the viewport is not put back.
+    int32_t viewport[4];
+    /// GL_SCISSOR_TEST; default false.
+    bool scissor_test;
+    /// x, y, width, height; default all 0. With a width of 0 the box is not put back.
+    int32_t scissor_box[4];
+    /// GL_DEPTH_TEST; default false.
+    bool depth_test;
+    /// Default true.
+    bool depth_mask;
+    /// Default GL_LESS.
+    uint32_t depth_function;
+    /// Default 1.
+    float depth_clear;
+    /// GL_BLEND of all draw buffers; default false.
+    bool blend;
+    /// Source and destination of colour, then of alpha; default GL_ONE, GL_ZERO, GL_ONE, GL_ZERO.
+    uint32_t blend_function[4];
+    /// Of all draw buffers; default true.
+    bool color_mask[4];
+    /// Default 0.
+    float color_clear[4];
+    /// GL_CULL_FACE; default false.
+    bool cull_face;
+    /// Default GL_BACK.
+    uint32_t cull_mode;
+    /// Default GL_CCW.
+    uint32_t front_face;
+    /// GL_STENCIL_TEST; default false.
+    bool stencil_test;
+    /// GL_FRAMEBUFFER_SRGB, which OpenGL ES has not; default false.
+    bool framebuffer_srgb;
+    /// GL_DITHER; default true.
+    bool dither;
+    /// Clip control: origin at the upper left; default false.
+    bool clip_upper_left;
+    /// Clip control: clip depth in [0,1]; default false.
+    bool clip_zero_to_one;
+} bolan_gl_state;
+
+/// OpenGL's initial state: the defaults named above.
+/// Thread-safe.
+BOLAN_API bolan_gl_state bolan_gl_state_default(void);
+
 // ---- a framebuffer without a window ---------------------------------------------------------------------------------
 
 /// A framebuffer of 8-bit sRGB colours.

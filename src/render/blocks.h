@@ -28,7 +28,8 @@ typedef struct block_values {
 
 // The two blocks on the GPU.
 typedef struct block_buffers {
-    gl_buffer frame, view;
+    gl_ring ring;
+    gl_range frame, view; // the last of each
 } block_buffers;
 
 bolan_result bolan_blocks_create(block_buffers *b);

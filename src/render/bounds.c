@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+enum { RING_BYTES = 1 << 15 };
+
 const char *bolan_bounds_problem(const bolan_dvec2 *corners, uint32_t count) {
     if (count == 0) return NULL;
     if (corners == NULL) return "bounds is NULL";
@@ -13,16 +15,15 @@ const char *bolan_bounds_problem(const bolan_dvec2 *corners, uint32_t count) {
     return NULL;
 }
 
-bool bolan_bounds_upload(gl_buffer *b, const bolan_dvec2 *corners, uint32_t count, bolan_dvec3 eye) {
+bool bolan_bounds_upload(gl_ring *b, const bolan_dvec2 *corners, uint32_t count, bolan_dvec3 eye) {
     bounds_block block = {.count = (int32_t)count};
-    if (b->id == 0 && bolan_gl_buffer_create(GL_BUFFER_UNIFORM, GL_USAGE_STREAM, sizeof block, NULL, b) != BOLAN_OK)
-        return false;
+    if (b->id == 0 && bolan_gl_ring_create(RING_BYTES, b) != BOLAN_OK) return false;
     for (uint32_t i = 0; i < count; ++i) {
         const bolan_dvec2 a = corners[i], c = corners[(i + 1) % count];
         block.side[i] =
             (bolan_vec4){(float)(a.x - eye.x), (float)(a.y - eye.y), (float)(c.x - eye.x), (float)(c.y - eye.y)};
     }
-    bolan_gl_buffer_update(b, 0, sizeof block, &block);
-    bolan_gl_buffer_bind_uniform(b, BLOCK_BOUNDS);
+    const gl_range range = bolan_gl_ring_put(b, &block, sizeof block);
+    bolan_gl_range_bind_uniform(&range, BLOCK_BOUNDS);
     return true;
 }

@@ -15,7 +15,7 @@ typedef struct bounds_block {
 
 // What is wrong with a polygon, as the end of a sentence; NULL: nothing. No corner at all is no polygon, and right.
 const char *bolan_bounds_problem(const bolan_dvec2 *corners, uint32_t count);
-// Uploads the polygon round this eye, and binds it. The buffer is made at the first call; false: it cannot be had.
-bool bolan_bounds_upload(gl_buffer *b, const bolan_dvec2 *corners, uint32_t count, bolan_dvec3 eye);
+// Uploads the polygon round this eye, and binds it. The ring is made at the first call; false: it cannot be had.
+bool bolan_bounds_upload(gl_ring *b, const bolan_dvec2 *corners, uint32_t count, bolan_dvec3 eye);
 
 #endif

@@ -226,6 +226,7 @@ void bolan_renderer_bind_fields(bolan_renderer *r, const bolan_water *water, bol
     bolan_renderer_enter(r);
     sea_compute *compute = r->desc.backend == BOLAN_BACKEND_COMPUTE ? &r->compute : NULL;
     const bool ready = update(&r->fields, water, origin, compute);
-    bolan_renderer_leave(r);
-    if (ready) bind(&r->fields, first_unit, slot);
+    if (ready && !bolan_gl_may_ask()) bind(&r->fields, first_unit, slot);
+    bolan_renderer_leave(r); // puts back what a binding here would move, where that was asked for
+    if (ready && r->desc.restore == BOLAN_RESTORE_FULL) bind(&r->fields, first_unit, slot);
 }

@@ -9,8 +9,8 @@
 
 _Static_assert((int)PART_COUNT + (int)SEA_STAGES <= BOLAN_MAX_PASSES, "statistics have a place for each");
 
-const char *const bolan_frame_part_names[PART_COUNT] = {"sky tables", "sea",   "terrain", "models",  "copy",
-                                                        "mirror",     "water", "sky",     "tone map"};
+const char *const bolan_frame_part_names[PART_COUNT] = {"sky tables", "sea",    "view",  "terrain", "models",
+                                                        "copy",       "mirror", "water", "sky",     "tone map"};
 
 // Sub-pixel shifts of a sample: the R2 sequence (Roberts 2018), centred; the first is the pixel's middle.
 static bolan_vec2 sample_shift(uint32_t i) {
@@ -22,8 +22,16 @@ static gl_timing timing_of(const bolan_renderer *r) {
     if (!r->measure) return GL_TIMING_OFF;
     return r->caps.timers ? GL_TIMING_GPU : GL_TIMING_FINISH;
 }
-static void begin_part(bolan_renderer *r, frame_part part) { bolan_gl_timer_begin(&r->timers[part], timing_of(r)); }
-static void end_part(bolan_renderer *r, frame_part part) { bolan_gl_timer_end(&r->timers[part], timing_of(r)); }
+
+static void begin_part(bolan_renderer *r, frame_part part) {
+    bolan_gl_timer_begin(&r->timers[part], timing_of(r));
+    r->part_begun = bolan_gl_calls().count;
+}
+
+static void end_part(bolan_renderer *r, frame_part part) {
+    r->part_calls[part] = bolan_gl_calls().count - r->part_begun;
+    bolan_gl_timer_end(&r->timers[part], timing_of(r));
+}
 
 // ---- the step -------------------------------------------------------------------------------------------------------
 
@@ -78,6 +86,7 @@ bolan_result bolan_renderer_compile(bolan_renderer *r, const bolan_water *water,
 
 static void prepare(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting,
                     const bolan_world *world) {
+    r->statistics.gl_calls = r->statistics.gl_questions = 0;
     r->frame = step_of(r, water, lighting, world);
     begin_part(r, PART_SEA);
     bolan_pass_water_prepare(r->water, &r->frame);
@@ -85,20 +94,16 @@ static void prepare(bolan_renderer *r, const bolan_water *water, const bolan_lig
     r->prepared = true;
 }
 
-static void prepare_step(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting,
-                         const bolan_world *world) {
+void bolan_renderer_prepare(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting) {
+    const bool given = r != NULL && water != NULL && water->sea != NULL && lighting != NULL;
+    BOLAN_ASSERT(given);
+    if (!given) return;
     r->prepared = false;
     if (!bolan_step_is_valid(r, water, lighting)) return;
     bolan_renderer_accept(r, CALL_PREPARE);
     bolan_renderer_enter(r);
-    prepare(r, water, lighting, world);
+    prepare(r, water, lighting, NULL);
     bolan_renderer_leave(r);
-}
-
-void bolan_renderer_prepare(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting) {
-    const bool given = r != NULL && water != NULL && water->sea != NULL && lighting != NULL;
-    BOLAN_ASSERT(given);
-    if (given) prepare_step(r, water, lighting, NULL);
 }
 
 // ---- a picture ------------------------------------------------------------------------------------------------------
@@ -116,13 +121,15 @@ static void prepare_view(bolan_renderer *r, render_view *v, bolan_view_cache *ca
     bolan_pass_sky_prepare(cache->sky, v);
     if (v->medium == EYE_IN_WATER) v->light.exposure *= bolan_below_exposure(&r->frame, v->eye);
     end_part(r, PART_SKY_TABLES);
+    begin_part(r, PART_VIEW);
     bolan_view_use(v); // the light is known now
     bolan_blocks_bind(&r->uniforms);
     bolan_pass_ground_prepare(cache->ground, v);
     v->shore = bolan_pass_ground_shore(cache->ground);
     bolan_pass_objects_prepare(r->models, v);
     if (!v->without_water) bolan_pass_water_view(r->water, v);
-    use_frame(r); // the optics may have put caustics into it
+    if (r->frame.caustics.strength > 0.0f) use_frame(r); // which the optics has put into it
+    end_part(r, PART_VIEW);
 }
 
 static void draw_land(bolan_renderer *r, render_view *v, bolan_view_cache *cache) {
@@ -207,11 +214,13 @@ static void keep_statistics(bolan_renderer *r, const render_view *v) {
     for (int i = 0; i < PART_COUNT; ++i) {
         s->passes[i].name = bolan_frame_part_names[i];
         s->passes[i].ms = r->timers[i].ms;
+        s->passes[i].gl_calls = r->part_calls[i];
     }
     const sea_compute *sea = r->frame.compute;
     s->sea_bytes = sea != NULL ? sea->bytes : 0;
     for (int i = 0; sea != NULL && i < SEA_STAGES; ++i) {
         s->passes[s->pass_count].name = bolan_sea_stage_names[i];
+        s->passes[s->pass_count].gl_calls = 0; // the part of the sea has them
         s->passes[s->pass_count++].ms = sea->timers[i].ms;
     }
 }
@@ -337,17 +346,19 @@ void bolan_renderer_draw_water(bolan_renderer *r, const bolan_view *view, const 
     bolan_renderer_leave(r);
 }
 
-// ---- a world
-// ---------------------------------------------------------------------------------------------------------
+// ---- a world --------------------------------------------------------------------------------------------------------
 
 void bolan_renderer_draw_world(bolan_renderer *r, const bolan_world *world, const bolan_view *view) {
     const bool given = r != NULL && world != NULL && view != NULL;
     BOLAN_ASSERT(given);
     if (!given || !bolan_view_is_valid(r, view)) return;
     const bolan_lighting lighting = bolan_lighting_from_scene(bolan_world_scene(world));
-    prepare_step(r, bolan_world_water(world), &lighting, world);
-    if (!r->prepared) return;
+    const bolan_water *water = bolan_world_water(world);
+    r->prepared = false;
+    if (!bolan_step_is_valid(r, water, &lighting)) return;
+    bolan_renderer_accept(r, CALL_PREPARE);
     bolan_renderer_enter(r);
+    prepare(r, water, &lighting, world);
     draw_view(r, view);
     bolan_renderer_leave(r);
 }

@@ -61,7 +61,6 @@ static bool is_rotation(const float *m) {
 
 const char *bolan_environment_problem(const bolan_environment *e) {
     if (e->cube == 0) return NULL;
-    if (!bolan_gl_is_cube(e->cube)) return "environment.cube is no cube map of this context";
     if (!is_rotation(e->turn.m)) return "environment.turn is not a rotation";
     if (!(fabsf(bolan_v3_length(e->sun_direction) - 1.0f) <= UNIT_ERROR))
         return "environment.sun_direction does not have length 1";

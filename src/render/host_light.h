@@ -20,7 +20,7 @@ bool bolan_host_light_is_new(const host_light *p, const bolan_environment *e);
 // Draws the cube into the bound target, a square of the environment map.
 void bolan_host_light_draw(host_light *p, const bolan_environment *e, uint32_t unit);
 void bolan_host_light_free(host_light *p);
-// What is wrong with an environment or a haze, as the end of a sentence; NULL: nothing.
+// What is wrong with the numbers of an environment or a haze, as the end of a sentence; NULL: nothing.
 const char *bolan_environment_problem(const bolan_environment *e);
 const char *bolan_haze_problem(const bolan_haze *h);
 

@@ -29,9 +29,10 @@ static bolan_result create_passes(bolan_renderer *r) {
 // ---- entering and leaving -----------------------------------------------------------------------------------------
 
 void bolan_renderer_enter(bolan_renderer *r) {
-    bolan_gl_program_set_directory(r->shader_directory[0] ? r->shader_directory : NULL);
-    bolan_gl_save(&r->saved, &r->caps, r->desc.debug);
+    r->calls_before = bolan_gl_calls();
     r->programs_before = bolan_gl_programs_compiled();
+    bolan_gl_program_set_directory(r->shader_directory[0] ? r->shader_directory : NULL);
+    bolan_gl_enter(&r->saved, &r->caps, r->desc.restore, &r->declared, r->desc.debug, &r->empty);
     r->uploads_before = bolan_gl_uploads();
 }
 
@@ -40,7 +41,9 @@ void bolan_renderer_leave(bolan_renderer *r) {
     r->statistics.programs += bolan_gl_programs_compiled() - r->programs_before;
     r->statistics.uploads += uploads.count - r->uploads_before.count;
     r->statistics.upload_bytes += uploads.bytes - r->uploads_before.bytes;
-    bolan_gl_restore(&r->saved);
+    bolan_gl_leave(&r->saved);
+    r->statistics.gl_calls += bolan_gl_calls().count - r->calls_before.count;
+    r->statistics.gl_questions += bolan_gl_calls().questions - r->calls_before.questions;
 }
 
 bool bolan_renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, const char *format, ...) {
@@ -79,6 +82,11 @@ static bolan_result check_backend(bolan_backend backend) {
 }
 
 static bolan_result check_desc(const bolan_renderer_desc *desc) {
+    if ((int)desc->restore < BOLAN_RESTORE_FULL || desc->restore > BOLAN_RESTORE_NONE) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "renderer: restore %d is not one of full, declared, none",
+                  (int)desc->restore);
+        return BOLAN_ERROR_ARGUMENT;
+    }
     if ((int)desc->quality < BOLAN_QUALITY_LOW || desc->quality > BOLAN_QUALITY_ULTRA) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE,
                   "renderer: quality %d is not one of low, medium, high, ultra", (int)desc->quality);
@@ -109,6 +117,7 @@ static bolan_renderer *allocate(const bolan_renderer_desc *desc) {
     bolan_renderer *r = allocate_for("a renderer", sizeof *r);
     if (r == NULL) return NULL;
     r->desc = *desc;
+    r->declared = bolan_gl_state_default();
     r->desc.shader_directory = NULL; // the caller's memory; copied
     if (desc->shader_directory != NULL)
         snprintf(r->shader_directory, sizeof r->shader_directory, "%s", desc->shader_directory);
@@ -151,11 +160,12 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     bolan_pass_water_destroy(&r->water);
     bolan_pass_tonemap_destroy(&r->tonemap);
     bolan_host_free(&r->host);
-    bolan_gl_buffer_free(&r->bounds);
+    bolan_gl_ring_free(&r->bounds);
     bolan_host_fields_free(&r->fields);
     bolan_sea_compute_free(&r->compute);
     bolan_blocks_free(&r->uniforms);
     bolan_gl_program_free(&r->yardstick);
+    bolan_gl_mesh_free(&r->empty);
     bolan_gl_depth_reader_free(&r->depth_reader);
     for (int i = 0; i < PART_COUNT; ++i) bolan_gl_timer_free(&r->timers[i]);
     bolan_renderer_free_targets(r);

@@ -13,7 +13,8 @@
 // The timed parts of a frame, in order.
 typedef enum frame_part {
     PART_SKY_TABLES,
-    PART_SEA, // the stages of sea_compute.h are parts of it
+    PART_SEA,  // the stages of sea_compute.h are parts of it
+    PART_VIEW, // what an eye needs of ground, objects and water
     PART_TERRAIN,
     PART_MODELS,
     PART_COPY,
@@ -63,6 +64,8 @@ struct bolan_renderer {
     bolan_renderer_desc desc;
     gl_caps caps;
     gl_saved saved;                          // the caller's state, while a call runs
+    bolan_gl_state declared;                 // see bolan_restore
+    gl_known known;                          // names of the caller's that were checked
     char shader_directory[DIRECTORY_BYTES];  // "": the built-in shaders
     char refusal[CALL_COUNT][REFUSAL_BYTES]; // the last sentence of each call, "" after one that was done
     frame frame;                             // the step
@@ -72,15 +75,16 @@ struct bolan_renderer {
     pass_objects *models;
     pass_water *water;
     pass_tonemap *tonemap;
-    host_frame host;    // pictures into a host's frame
-    host_fields fields; // for programs of the host's
+    host_frame host;     // pictures into a host's frame
+    host_fields fields;  // for programs of the host's
     sea_compute compute; // of BOLAN_BACKEND_COMPUTE
-    gl_buffer bounds;   // the polygon of a host's water
+    gl_ring bounds;      // the polygon of a host's water
     block_buffers uniforms;
     gl_program yardstick;
+    gl_mesh empty; // for passes without vertices
     kept_sizes kept;
     frame_targets sizes[KEPT_SIZES];
-    frame_targets targets; // those of the present size
+    frame_targets targets;  // those of the present size
     uint64_t target_serial; // of the last that were made
     uint32_t width, height;
     // reading back
@@ -89,13 +93,16 @@ struct bolan_renderer {
     size_t scratch_bytes;
     // timing
     gl_timer timers[PART_COUNT];
+    uint32_t part_calls[PART_COUNT]; // of OpenGL, in the last run of each
+    uint32_t part_begun;             // the thread's calls when the present part began
     bool measure;
-    bool bake;                // asked for, by the next frame
-    bool stale;               // the last frame showed what was baked for another sun
-    double near_plane;        // of the last picture [m]
-    float radiance_unit;      // of the last picture: stored / unit is radiance
-    uint32_t programs_before; // compiled by this thread when the present call began
+    bool bake;                 // asked for, by the next frame
+    bool stale;                // the last frame showed what was baked for another sun
+    double near_plane;         // of the last picture [m]
+    float radiance_unit;       // of the last picture: stored / unit is radiance
+    uint32_t programs_before;  // compiled by this thread when the present call began
     gl_uploads uploads_before; // by this thread, then
+    gl_calls calls_before;
     bolan_frame_statistics statistics;
 };
 

@@ -16,7 +16,8 @@ typedef struct water_block {
 
 // The two blocks on the GPU.
 typedef struct water_block_buffers {
-    gl_buffer water, optics;
+    gl_ring ring;
+    gl_range water, optics; // the last of each
 } water_block_buffers;
 
 bolan_result bolan_water_blocks_create(water_block_buffers *b);

@@ -86,13 +86,11 @@ void bolan_gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_c
     glBindVertexArray(m->vao);
     const size_t offset = first_index * sizeof(uint32_t);
     glDrawElements(GL_TRIANGLES, (GLsizei)index_count, GL_UNSIGNED_INT, (const void *)offset);
-    glBindVertexArray(0);
 }
 
 void bolan_gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count) {
     glBindVertexArray(m->vao);
     glDrawElements(GL_LINES, (GLsizei)index_count, GL_UNSIGNED_INT, NULL);
-    glBindVertexArray(0);
 }
 
 void bolan_gl_mesh_free(gl_mesh *m) {
@@ -100,13 +98,12 @@ void bolan_gl_mesh_free(gl_mesh *m) {
     *m = (gl_mesh){0};
 }
 
-// The core profile draws nothing without a vertex array, and one belongs to one context: so it lives for this call
-// only.
+// The core profile draws nothing without a vertex array, and one belongs to one context: where the renderer has lent
+// none, one lives for this call.
 void bolan_gl_draw_fullscreen(void) {
-    GLuint vao = 0;
-    glGenVertexArrays(1, &vao);
-    glBindVertexArray(vao);
+    gl_mesh own = {0}, *lent = bolan_gl_empty_mesh(), *empty = lent != NULL ? lent : &own;
+    if (empty->vao == 0) glGenVertexArrays(1, &empty->vao);
+    glBindVertexArray(empty->vao);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
-    glDeleteVertexArrays(1, &vao);
+    if (lent == NULL) bolan_gl_mesh_free(&own);
 }

@@ -107,6 +107,7 @@ gl_caps bolan_gl_get_caps(void) {
                     // llvmpipe's count from when a worker picks the work up, and give nonsense for a pass that draws
                     // nothing.
                     .timers = timestamps && !software,
+                    .bind_units = !es && bolan_gl_version() >= 45 && bolan_gl_functions.BindTextureUnit,
                     .float_linear = !es || has("GL_OES_texture_float_linear"),
                     .color_float = !es || bolan_gl_version() >= 32 || has("GL_EXT_color_buffer_float"),
                     .max_anisotropy = 1.0f};

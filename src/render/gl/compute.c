@@ -12,6 +12,7 @@ static void save_image(gl_compute_saved *s, GLuint i) {
 }
 
 void bolan_gl_compute_begin(gl_compute_saved *s) {
+    if (!bolan_gl_may_ask()) return;
     glGetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &s->buffer);
     for (GLuint i = 0; i < GL_STORAGE_SLOTS; i++) {
         glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, i, &s->slot[i]);
@@ -22,6 +23,7 @@ void bolan_gl_compute_begin(gl_compute_saved *s) {
 }
 
 void bolan_gl_compute_end(const gl_compute_saved *s) {
+    if (!bolan_gl_may_ask()) return;
     for (GLuint i = 0; i < GL_STORAGE_SLOTS; i++) {
         if (s->slot[i] != 0 && s->size[i] > 0) {
             glBindBufferRange(GL_SHADER_STORAGE_BUFFER, i, (GLuint)s->slot[i], (GLintptr)s->offset[i],

@@ -23,8 +23,13 @@ static EGLDisplay open_display(void) {
 }
 
 static EGLContext ask(EGLDisplay display, EGLConfig config, bolan_gl_api api, int version) {
-    const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION, version / 10, EGL_CONTEXT_MINOR_VERSION, version % 10,
-                           EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION,
+                           version / 10,
+                           EGL_CONTEXT_MINOR_VERSION,
+                           version % 10,
+                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                           EGL_NONE};
     const EGLint es[] = {EGL_CONTEXT_MAJOR_VERSION, version / 10, EGL_CONTEXT_MINOR_VERSION, version % 10, EGL_NONE};
     return eglCreateContext(display, config, EGL_NO_CONTEXT, api == BOLAN_GL_ES ? es : core);
 }

@@ -6,6 +6,7 @@
 
 #include "bolan/base.h"
 #include "bolan/math.h"
+#include "bolan/render_context.h"
 
 // What this context can do beyond GL 3.3 core / GLES 3.0.
 typedef struct gl_caps {
@@ -16,6 +17,7 @@ typedef struct gl_caps {
     bool compute;        // compute shaders, storage buffers, images, and views of textures
     bool timestamps;     // the GPU's clock can be asked
     bool timers;         // and its answers are worth having: not on software GL
+    bool bind_units;     // a texture is bound to a unit in one call
     bool float_linear;   // linear filtering of 32F
     bool color_float;    // RGBA16F is renderable (ES 3.0: an extension)
     bool debug;          // KHR_debug
@@ -32,6 +34,13 @@ gl_caps bolan_gl_get_caps(void); // needs a context that bolan_gl_check_context(
 bool bolan_gl_has_context(void); // one is current on this thread
 // OK: a context is current, and it is GL 3.3 or ES 3.0 at least. Else GL, and the log says for `whom` what is missing.
 bolan_result bolan_gl_check_context(const char *whom);
+
+// Calls of OpenGL by this thread so far.
+typedef struct gl_calls {
+    uint32_t count;
+    uint32_t questions; // of those, the ones that want an answer: a driver with a thread of its own waits for it
+} gl_calls;
+gl_calls bolan_gl_calls(void);
 
 // ---- textures ----
 typedef enum gl_format {
@@ -86,7 +95,7 @@ typedef struct gl_uploads {
     uint64_t bytes;
 } gl_uploads;
 gl_uploads bolan_gl_uploads(void);
-uint32_t bolan_gl_textures_made(void); // by this thread so far
+uint32_t bolan_gl_textures_made(void);                          // by this thread so far
 void bolan_gl_texture_bind(const gl_texture *t, uint32_t unit); // nothing for a texture that was not made
 void bolan_gl_texture_free(gl_texture *t);
 
@@ -183,6 +192,29 @@ void bolan_gl_buffer_update(gl_buffer *b, size_t offset, size_t size,
 void bolan_gl_buffer_bind_uniform(const gl_buffer *b, uint32_t slot);
 void bolan_gl_buffer_copy(const gl_buffer *from, size_t from_offset, gl_buffer *to, size_t to_offset, size_t size);
 void bolan_gl_buffer_free(gl_buffer *b);
+// Memory for uniform blocks that change from draw to draw: see ring.c.
+enum { GL_RING_REGIONS = 3 };
+typedef struct gl_ring {
+    uint32_t id;
+    uint32_t filling; // the region that is filled now
+    size_t region;    // bytes of each
+    size_t used;      // of that region
+    size_t alignment; // of what is put
+    uint8_t *mapped;  // NULL: it cannot stay mapped
+    void *fences[GL_RING_REGIONS];
+} gl_ring;
+// Bytes that were put into a ring: they stay until as much as two regions is put after them.
+typedef struct gl_range {
+    uint32_t buffer;
+    size_t offset, size; // size 0: nothing was put
+} gl_range;
+bolan_result bolan_gl_ring_create(size_t region, gl_ring *out);
+gl_range bolan_gl_ring_put(gl_ring *r, const void *data, size_t bytes);
+void bolan_gl_range_bind_uniform(const gl_range *range, uint32_t slot);
+// The GPU copies bytes of a buffer that it wrote over a part of the range.
+void bolan_gl_range_patch(const gl_range *to, size_t to_offset, const gl_buffer *from, size_t from_offset, size_t size);
+void bolan_gl_ring_free(gl_ring *r);
+
 // Float attributes, interleaved: components[i] floats at location i. Indices are uint32.
 typedef struct gl_mesh {
     uint32_t vao;
@@ -233,6 +265,8 @@ enum { GL_UNIFORM_SLOTS = 5 }; // of the blocks Frame, View, Water, Optics and B
 enum { GL_SAVED_UNITS = 29, GL_SAVED_BUFFERS = 8, GL_SAVED_VIEWPORTS = 16, GL_SAVED_CLIPS = 8, GL_SAVED_SLOTS = 32 };
 typedef struct gl_saved {
     const gl_caps *caps;
+    bolan_restore restore;
+    const bolan_gl_state *declared;
     int32_t draw_framebuffer, read_framebuffer, program, vertex_array, array_buffer;
     int32_t uniform_buffer, uniform_slot[GL_UNIFORM_SLOTS], pixel_pack, pixel_unpack, query_buffer;
     int64_t uniform_offset[GL_UNIFORM_SLOTS], uniform_size[GL_UNIFORM_SLOTS];
@@ -263,6 +297,35 @@ typedef struct gl_saved {
 // a context; *s must stay where it is in between.
 void bolan_gl_save(gl_saved *s, const gl_caps *caps, bool debug);
 void bolan_gl_restore(const gl_saved *s);
+// Begins and ends a call that treats the caller's state as `restore` says: bolan_gl_save() and bolan_gl_restore(), or
+// without a question. `declared` may be NULL but for BOLAN_RESTORE_DECLARED. Nobody else may call OpenGL in between:
+// what would change nothing is not called. `empty`: a mesh without buffers, zeroed before the first call, for
+// bolan_gl_draw_fullscreen(); the caller frees it.
+void bolan_gl_enter(gl_saved *s, const gl_caps *caps, bolan_restore restore, const bolan_gl_state *declared, bool debug,
+                    gl_mesh *empty);
+void bolan_gl_leave(const gl_saved *s);
+// Between the two: the state may be asked for, and what is asked for is put back.
+bool bolan_gl_may_ask(void);
+
+// Names of the caller's that were checked and need not be again.
+enum { GL_KNOWN_NAMES = 32 };
+typedef enum gl_known_kind {
+    GL_KNOWN_NOTHING,
+    GL_KNOWN_FRAMEBUFFER, // can be drawn into
+    GL_KNOWN_STENCIL,     // a framebuffer that has one
+    GL_KNOWN_2D,
+    GL_KNOWN_MULTISAMPLED,
+    GL_KNOWN_CUBE
+} gl_known_kind;
+typedef struct gl_known {
+    struct {
+        uint32_t kind, name;
+    } entries[GL_KNOWN_NAMES];
+    uint32_t next;
+} gl_known;
+// The last GL_KNOWN_NAMES stay.
+void bolan_gl_know(gl_known *k, gl_known_kind kind, uint32_t name);
+bool bolan_gl_knows(const gl_known *k, gl_known_kind kind, uint32_t name);
 
 // Leaves out what the stencil of a framebuffer excludes: see bolan_host::stencil. What is set comes back with end().
 typedef struct gl_stencil {
@@ -283,7 +346,7 @@ bool bolan_gl_is_cube(uint32_t name); // a cube map of this context
 // Binds the host's cube map, and returns what was bound; bolan_gl_cube_unbind() puts that back, without a sampler.
 uint32_t bolan_gl_cube_bind(uint32_t name, const gl_sampler *sampler, uint32_t unit);
 void bolan_gl_cube_unbind(uint32_t before, uint32_t unit);
-bool bolan_gl_is_2d(uint32_t name); // a 2D texture of this context
+bool bolan_gl_is_2d(uint32_t name);           // a 2D texture of this context
 bool bolan_gl_is_multisampled(uint32_t name); // a multisampled one; false on ES
 // Binds a multisampled texture, and returns what was bound; bolan_gl_multisampled_unbind() puts that back.
 uint32_t bolan_gl_multisampled_bind(uint32_t name, uint32_t unit);

@@ -34,8 +34,8 @@ const char *bolan_gl_guest_link(uint32_t program, const char *block, const char 
 void bolan_gl_guest_bind(const gl_texture *const *textures, uint32_t count, uint32_t first, const gl_buffer *block,
                          uint32_t slot) {
     GLint active = 0, buffer = 0;
-    glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
-    glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &buffer);
+    if (bolan_gl_may_ask()) glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+    if (bolan_gl_may_ask()) glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &buffer);
     for (uint32_t i = 0; i < count; ++i) {
         if (textures[i]->id == 0) continue;
         glActiveTexture(GL_TEXTURE0 + first + i);
@@ -43,6 +43,7 @@ void bolan_gl_guest_bind(const gl_texture *const *textures, uint32_t count, uint
         glBindSampler(first + i, 0);
     }
     glBindBufferBase(GL_UNIFORM_BUFFER, slot, block->id);
+    if (!bolan_gl_may_ask()) return;
     glBindBuffer(GL_UNIFORM_BUFFER, (GLuint)buffer);
     glActiveTexture((GLenum)active);
 }
@@ -67,7 +68,7 @@ void bolan_gl_sampler_free(gl_sampler *s) {
 
 static GLuint swap_cube(GLuint name) {
     GLint before = 0;
-    glGetIntegerv(GL_TEXTURE_BINDING_CUBE_MAP, &before);
+    if (bolan_gl_may_ask()) glGetIntegerv(GL_TEXTURE_BINDING_CUBE_MAP, &before);
     glBindTexture(GL_TEXTURE_CUBE_MAP, name);
     return (GLuint)before;
 }
@@ -103,7 +104,7 @@ void bolan_gl_cube_unbind(uint32_t before, uint32_t unit) {
 
 static GLuint swap_multisampled(GLuint name) {
     GLint before = 0;
-    glGetIntegerv(GL_TEXTURE_BINDING_2D_MULTISAMPLE, &before);
+    if (bolan_gl_may_ask()) glGetIntegerv(GL_TEXTURE_BINDING_2D_MULTISAMPLE, &before);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, name);
     return (GLuint)before;
 }
@@ -132,7 +133,10 @@ void bolan_gl_stencil_begin(gl_stencil *s, uint8_t reference, uint8_t mask) {
                                        {GL_STENCIL_BACK_FUNC, GL_STENCIL_BACK_REF, GL_STENCIL_BACK_VALUE_MASK,
                                         GL_STENCIL_BACK_FAIL, GL_STENCIL_BACK_PASS_DEPTH_FAIL,
                                         GL_STENCIL_BACK_PASS_DEPTH_PASS}};
-    for (int i = 0; i < 2; ++i) {
+    *s = (gl_stencil){.function = {GL_ALWAYS, GL_ALWAYS}, .mask = {-1, -1}};
+    for (int i = 0; i < 2; ++i)
+        for (int k = 0; k < 3; ++k) s->operations[i][k] = GL_KEEP;
+    for (int i = 0; bolan_gl_may_ask() && i < 2; ++i) {
         glGetIntegerv(names[i][0], &s->function[i]);
         glGetIntegerv(names[i][1], &s->reference[i]);
         glGetIntegerv(names[i][2], &s->mask[i]);

@@ -10,6 +10,9 @@
 
 gl_functions bolan_gl_functions;
 
+_Thread_local gl_calls bolan_gl_calls_made;
+gl_calls bolan_gl_calls(void) { return bolan_gl_calls_made; }
+
 static atomic_flag filling = ATOMIC_FLAG_INIT;
 static bool filled;
 static bolan_hooks filled_from; // its get_proc_address and user are what the table was filled by

@@ -6,50 +6,45 @@
 #ifndef BOLAN_GL_LOADER_H
 #define BOLAN_GL_LOADER_H
 
+#include "gl.h"
+
 #include <epoxy/gl.h>
 #include <stdbool.h>
 
+// clang-format off
 // In every OpenGL 3.3 and OpenGL ES 3.0.
-#define GL_NEEDED(X)                                                                                                   \
-    X(ActiveTexture) X(CopyBufferSubData)                                                                              \
-    X(DeleteSamplers) X(GenSamplers) X(IsTexture) X(SamplerParameteri) X(StencilFuncSeparate)                          \
-    X(StencilOpSeparate)                                                                                               \
-    X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) X(BindFramebuffer) X(BindSampler)               \
-        X(BindTexture) X(BindVertexArray) X(BlendEquation) X(BlendEquationSeparate) X(BlendFunc) X(BlendFuncSeparate)  \
-            X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) X(ClearColor)         \
-                X(ColorMask) X(CompileShader) X(CreateProgram) X(CreateShader) X(CullFace) X(DeleteBuffers)            \
-                    X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) X(DeleteShader) X(DeleteTextures)          \
-                        X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(Disable) X(DrawArrays) X(DrawBuffers)        \
-                            X(DrawElements) X(Enable) X(EnableVertexAttribArray) X(Finish) X(FramebufferTexture2D)     \
-                                X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) X(GenFramebuffers) X(GenQueries) \
-                                    X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) X(GetActiveUniform)            \
-                                        X(GetBooleanv)                                                                 \
-                                        X(GetBufferParameteri64v) X(GetFloatv) X(GetFramebufferAttachmentParameteriv)  \
-                                            X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryObjectuiv)   \
-                                                X(GetQueryiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString)          \
-                                                    X(GetStringi) X(GetUniformBlockIndex) X(GetUniformLocation)        \
-                                                        X(IsEnabled) X(IsFramebuffer) X(IsProgram) X(LineWidth)        \
-                                                            X(LinkProgram) X(PixelStorei) X(ReadBuffer) X(ReadPixels)  \
-                                                                X(Scissor) X(ShaderSource) X(TexImage2D) X(TexImage3D) \
-                                                                    X(TexParameterf) X(TexParameteri) X(TexSubImage2D) \
-                                                                        X(TexSubImage3D) X(Uniform1f) X(Uniform1i)     \
-                                                                            X(Uniform2f) X(Uniform4f) X(Uniform4fv)    \
-                                                                                X(UniformBlockBinding) X(UseProgram)   \
-                                                                                    X(VertexAttribPointer) X(Viewport)
+#define GL_NEEDED(X) \
+    X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) X(BindFramebuffer) \
+    X(BindSampler) X(BindTexture) X(BindVertexArray) X(BlendEquation) X(BlendEquationSeparate) X(BlendFunc) \
+    X(BlendFuncSeparate) X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) \
+    X(ClearColor) X(ClientWaitSync) X(ColorMask) X(CompileShader) X(CopyBufferSubData) X(CreateProgram) \
+    X(CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) \
+    X(DeleteSamplers) X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) \
+    X(DepthMask) X(Disable) X(DrawArrays) X(DrawBuffers) X(DrawElements) X(Enable) X(EnableVertexAttribArray) \
+    X(FenceSync) X(Finish) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) \
+    X(GenFramebuffers) X(GenQueries) X(GenSamplers) X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) \
+    X(GetActiveUniform) X(GetBooleanv) X(GetBufferParameteri64v) X(GetFloatv) \
+    X(GetFramebufferAttachmentParameteriv) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) \
+    X(GetQueryObjectuiv) X(GetQueryiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) \
+    X(GetUniformBlockIndex) X(GetUniformLocation) X(IsEnabled) X(IsFramebuffer) X(IsProgram) X(IsTexture) \
+    X(LineWidth) X(LinkProgram) X(MapBufferRange) X(PixelStorei) X(ReadBuffer) X(ReadPixels) \
+    X(SamplerParameteri) X(Scissor) X(ShaderSource) X(StencilFuncSeparate) X(StencilOpSeparate) X(TexImage2D) \
+    X(TexImage3D) X(TexParameterf) X(TexParameteri) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i) \
+    X(Uniform2f) X(Uniform4f) X(Uniform4fv) X(UniformBlockBinding) X(UseProgram) X(VertexAttribPointer) \
+    X(Viewport)
 
 // In some versions only; gl_caps tells which may be called.
-#define GL_OPTIONAL(X)                                                                                                \
-    X(BindImageTexture) X(DispatchCompute) X(MemoryBarrier) X(TexStorage3D) X(TextureView) X(TextureViewEXT)          \
-    X(TextureViewOES)                                                                                                 \
-    X(BlendEquationSeparatei)                                                                                         \
-    X(GetTextureParameteriv)                                                                                          \
-    X(BlendEquationi) X(BlendFuncSeparatei) X(ClampColor) X(ClearDepth) X(ClearDepthf) X(ClipControl)                 \
-        X(ClipControlEXT) X(ColorMaski) X(DebugMessageCallback) X(DebugMessageCallbackKHR) X(DepthRange)              \
-            X(DepthRangeIndexed) X(DepthRangef) X(Disablei) X(Enablei) X(GetDoublev) X(GetPointerv) X(GetPointervKHR) \
-                X(GetQueryObjectui64v) X(GetTexLevelParameteriv) X(IsEnabledi) X(PauseTransformFeedback)              \
-                    X(PixelTransferf) X(PolygonMode) X(ProvokingVertex) X(QueryCounter) X(ResumeTransformFeedback)    \
-                        X(ScissorIndexedv) X(ViewportIndexedfv)
+#define GL_OPTIONAL(X) \
+    X(BindImageTexture) X(BindTextureUnit) X(BlendEquationSeparatei) X(BlendEquationi) X(BlendFuncSeparatei) \
+    X(BufferStorage) X(BufferStorageEXT) X(ClampColor) X(ClearDepth) X(ClearDepthf) X(ClipControl) \
+    X(ClipControlEXT) X(ColorMaski) X(DebugMessageCallback) X(DebugMessageCallbackKHR) X(DepthRange) \
+    X(DepthRangeIndexed) X(DepthRangef) X(Disablei) X(DispatchCompute) X(Enablei) X(GetDoublev) X(GetPointerv) \
+    X(GetPointervKHR) X(GetQueryObjectui64v) X(GetTexLevelParameteriv) X(GetTextureParameteriv) X(IsEnabledi) \
+    X(MemoryBarrier) X(PauseTransformFeedback) X(PixelTransferf) X(PolygonMode) X(ProvokingVertex) \
+    X(QueryCounter) X(ResumeTransformFeedback) X(ScissorIndexedv) X(TexStorage3D) X(TextureView) \
+    X(TextureViewEXT) X(TextureViewOES) X(ViewportIndexedfv)
 
+// clang-format on
 #define GL_POINTER(name) __typeof__(epoxy_gl##name) name;
 typedef struct gl_functions {
     GL_NEEDED(GL_POINTER)
@@ -62,6 +57,15 @@ extern gl_functions bolan_gl_functions;
 // NULL, or the name of the first needed function that the hook does not know.
 const char *bolan_gl_load(void);
 
+// Calls are counted: see gl_calls in gl.h. glGetString is no question: drivers answer it without waiting for anything.
+extern _Thread_local gl_calls bolan_gl_calls_made;
+static inline void bolan_gl_note_call(uint32_t questions) {
+    bolan_gl_calls_made.count++;
+    bolan_gl_calls_made.questions += questions;
+}
+#define bolan_gl_called(name) (bolan_gl_note_call(0), bolan_gl_functions.name)
+#define bolan_gl_asked(name) (bolan_gl_note_call(1), bolan_gl_functions.name)
+
 // Whether the current context is OpenGL ES.
 bool bolan_gl_is_es(void);
 // The version of the current context: 33 for OpenGL 3.3; 0 without one.
@@ -69,274 +73,288 @@ int bolan_gl_version(void);
 bool bolan_gl_has_extension(const char *name);
 
 #undef glActiveTexture
-#define glActiveTexture bolan_gl_functions.ActiveTexture
+#define glActiveTexture bolan_gl_called(ActiveTexture)
 #undef glAttachShader
-#define glAttachShader bolan_gl_functions.AttachShader
+#define glAttachShader bolan_gl_called(AttachShader)
 #undef glBindBuffer
-#define glBindBuffer bolan_gl_functions.BindBuffer
+#define glBindBuffer bolan_gl_called(BindBuffer)
 #undef glBindBufferBase
-#define glBindBufferBase bolan_gl_functions.BindBufferBase
+#define glBindBufferBase bolan_gl_called(BindBufferBase)
 #undef glBindBufferRange
-#define glBindBufferRange bolan_gl_functions.BindBufferRange
+#define glBindBufferRange bolan_gl_called(BindBufferRange)
 #undef glBindFramebuffer
-#define glBindFramebuffer bolan_gl_functions.BindFramebuffer
+#define glBindFramebuffer bolan_gl_called(BindFramebuffer)
 #undef glBindImageTexture
-#define glBindImageTexture bolan_gl_functions.BindImageTexture
+#define glBindImageTexture bolan_gl_called(BindImageTexture)
 #undef glBindSampler
-#define glBindSampler bolan_gl_functions.BindSampler
+#define glBindSampler bolan_gl_called(BindSampler)
 #undef glBindTexture
-#define glBindTexture bolan_gl_functions.BindTexture
+#define glBindTexture bolan_gl_called(BindTexture)
+#undef glBindTextureUnit
+#define glBindTextureUnit bolan_gl_called(BindTextureUnit)
 #undef glBindVertexArray
-#define glBindVertexArray bolan_gl_functions.BindVertexArray
+#define glBindVertexArray bolan_gl_called(BindVertexArray)
 #undef glBlendEquation
-#define glBlendEquation bolan_gl_functions.BlendEquation
+#define glBlendEquation bolan_gl_called(BlendEquation)
 #undef glBlendEquationSeparate
-#define glBlendEquationSeparate bolan_gl_functions.BlendEquationSeparate
+#define glBlendEquationSeparate bolan_gl_called(BlendEquationSeparate)
 #undef glBlendEquationSeparatei
-#define glBlendEquationSeparatei bolan_gl_functions.BlendEquationSeparatei
+#define glBlendEquationSeparatei bolan_gl_called(BlendEquationSeparatei)
 #undef glBlendEquationi
-#define glBlendEquationi bolan_gl_functions.BlendEquationi
+#define glBlendEquationi bolan_gl_called(BlendEquationi)
 #undef glBlendFunc
-#define glBlendFunc bolan_gl_functions.BlendFunc
+#define glBlendFunc bolan_gl_called(BlendFunc)
 #undef glBlendFuncSeparate
-#define glBlendFuncSeparate bolan_gl_functions.BlendFuncSeparate
+#define glBlendFuncSeparate bolan_gl_called(BlendFuncSeparate)
 #undef glBlendFuncSeparatei
-#define glBlendFuncSeparatei bolan_gl_functions.BlendFuncSeparatei
+#define glBlendFuncSeparatei bolan_gl_called(BlendFuncSeparatei)
 #undef glBlitFramebuffer
-#define glBlitFramebuffer bolan_gl_functions.BlitFramebuffer
+#define glBlitFramebuffer bolan_gl_called(BlitFramebuffer)
 #undef glBufferData
-#define glBufferData bolan_gl_functions.BufferData
+#define glBufferData bolan_gl_called(BufferData)
 #undef glBufferSubData
-#define glBufferSubData bolan_gl_functions.BufferSubData
+#define glBufferSubData bolan_gl_called(BufferSubData)
 #undef glCheckFramebufferStatus
-#define glCheckFramebufferStatus bolan_gl_functions.CheckFramebufferStatus
+#define glCheckFramebufferStatus bolan_gl_asked(CheckFramebufferStatus)
 #undef glClampColor
-#define glClampColor bolan_gl_functions.ClampColor
+#define glClampColor bolan_gl_called(ClampColor)
 #undef glClear
-#define glClear bolan_gl_functions.Clear
+#define glClear bolan_gl_called(Clear)
 #undef glClearColor
-#define glClearColor bolan_gl_functions.ClearColor
+#define glClearColor bolan_gl_called(ClearColor)
 #undef glClearDepth
-#define glClearDepth bolan_gl_functions.ClearDepth
+#define glClearDepth bolan_gl_called(ClearDepth)
 #undef glClearDepthf
-#define glClearDepthf bolan_gl_functions.ClearDepthf
+#define glClearDepthf bolan_gl_called(ClearDepthf)
 #undef glClipControl
-#define glClipControl bolan_gl_functions.ClipControl
+#define glClipControl bolan_gl_called(ClipControl)
 #undef glClipControlEXT
-#define glClipControlEXT bolan_gl_functions.ClipControlEXT
+#define glClipControlEXT bolan_gl_called(ClipControlEXT)
 #undef glColorMask
-#define glColorMask bolan_gl_functions.ColorMask
+#define glColorMask bolan_gl_called(ColorMask)
 #undef glColorMaski
-#define glColorMaski bolan_gl_functions.ColorMaski
+#define glColorMaski bolan_gl_called(ColorMaski)
 #undef glCompileShader
-#define glCompileShader bolan_gl_functions.CompileShader
+#define glCompileShader bolan_gl_called(CompileShader)
 #undef glCopyBufferSubData
-#define glCopyBufferSubData bolan_gl_functions.CopyBufferSubData
+#define glCopyBufferSubData bolan_gl_called(CopyBufferSubData)
 #undef glCreateProgram
-#define glCreateProgram bolan_gl_functions.CreateProgram
+#define glCreateProgram bolan_gl_called(CreateProgram)
 #undef glCreateShader
-#define glCreateShader bolan_gl_functions.CreateShader
+#define glCreateShader bolan_gl_called(CreateShader)
+#undef glBufferStorage
+#define glBufferStorage bolan_gl_called(BufferStorage)
+#undef glBufferStorageEXT
+#define glBufferStorageEXT bolan_gl_called(BufferStorageEXT)
+#undef glClientWaitSync
+#define glClientWaitSync bolan_gl_asked(ClientWaitSync)
+#undef glDeleteSync
+#define glDeleteSync bolan_gl_called(DeleteSync)
+#undef glFenceSync
+#define glFenceSync bolan_gl_called(FenceSync)
+#undef glMapBufferRange
+#define glMapBufferRange bolan_gl_called(MapBufferRange)
 #undef glCullFace
-#define glCullFace bolan_gl_functions.CullFace
+#define glCullFace bolan_gl_called(CullFace)
 #undef glDebugMessageCallback
-#define glDebugMessageCallback bolan_gl_functions.DebugMessageCallback
+#define glDebugMessageCallback bolan_gl_called(DebugMessageCallback)
 #undef glDebugMessageCallbackKHR
-#define glDebugMessageCallbackKHR bolan_gl_functions.DebugMessageCallbackKHR
+#define glDebugMessageCallbackKHR bolan_gl_called(DebugMessageCallbackKHR)
 #undef glDeleteBuffers
-#define glDeleteBuffers bolan_gl_functions.DeleteBuffers
+#define glDeleteBuffers bolan_gl_called(DeleteBuffers)
 #undef glDeleteFramebuffers
-#define glDeleteFramebuffers bolan_gl_functions.DeleteFramebuffers
+#define glDeleteFramebuffers bolan_gl_called(DeleteFramebuffers)
 #undef glDeleteProgram
-#define glDeleteProgram bolan_gl_functions.DeleteProgram
+#define glDeleteProgram bolan_gl_called(DeleteProgram)
 #undef glDeleteQueries
-#define glDeleteQueries bolan_gl_functions.DeleteQueries
+#define glDeleteQueries bolan_gl_called(DeleteQueries)
 #undef glDeleteSamplers
-#define glDeleteSamplers bolan_gl_functions.DeleteSamplers
+#define glDeleteSamplers bolan_gl_called(DeleteSamplers)
 #undef glDeleteShader
-#define glDeleteShader bolan_gl_functions.DeleteShader
+#define glDeleteShader bolan_gl_called(DeleteShader)
 #undef glDeleteTextures
-#define glDeleteTextures bolan_gl_functions.DeleteTextures
+#define glDeleteTextures bolan_gl_called(DeleteTextures)
 #undef glDeleteVertexArrays
-#define glDeleteVertexArrays bolan_gl_functions.DeleteVertexArrays
+#define glDeleteVertexArrays bolan_gl_called(DeleteVertexArrays)
 #undef glDepthFunc
-#define glDepthFunc bolan_gl_functions.DepthFunc
+#define glDepthFunc bolan_gl_called(DepthFunc)
 #undef glDepthMask
-#define glDepthMask bolan_gl_functions.DepthMask
+#define glDepthMask bolan_gl_called(DepthMask)
 #undef glDepthRange
-#define glDepthRange bolan_gl_functions.DepthRange
+#define glDepthRange bolan_gl_called(DepthRange)
 #undef glDepthRangeIndexed
-#define glDepthRangeIndexed bolan_gl_functions.DepthRangeIndexed
+#define glDepthRangeIndexed bolan_gl_called(DepthRangeIndexed)
 #undef glDepthRangef
-#define glDepthRangef bolan_gl_functions.DepthRangef
+#define glDepthRangef bolan_gl_called(DepthRangef)
 #undef glDisable
-#define glDisable bolan_gl_functions.Disable
+#define glDisable bolan_gl_called(Disable)
 #undef glDisablei
-#define glDisablei bolan_gl_functions.Disablei
+#define glDisablei bolan_gl_called(Disablei)
 #undef glDispatchCompute
-#define glDispatchCompute bolan_gl_functions.DispatchCompute
+#define glDispatchCompute bolan_gl_called(DispatchCompute)
 #undef glDrawArrays
-#define glDrawArrays bolan_gl_functions.DrawArrays
+#define glDrawArrays bolan_gl_called(DrawArrays)
 #undef glDrawBuffers
-#define glDrawBuffers bolan_gl_functions.DrawBuffers
+#define glDrawBuffers bolan_gl_called(DrawBuffers)
 #undef glDrawElements
-#define glDrawElements bolan_gl_functions.DrawElements
+#define glDrawElements bolan_gl_called(DrawElements)
 #undef glEnable
-#define glEnable bolan_gl_functions.Enable
+#define glEnable bolan_gl_called(Enable)
 #undef glEnableVertexAttribArray
-#define glEnableVertexAttribArray bolan_gl_functions.EnableVertexAttribArray
+#define glEnableVertexAttribArray bolan_gl_called(EnableVertexAttribArray)
 #undef glEnablei
-#define glEnablei bolan_gl_functions.Enablei
+#define glEnablei bolan_gl_called(Enablei)
 #undef glFinish
-#define glFinish bolan_gl_functions.Finish
+#define glFinish bolan_gl_asked(Finish)
 #undef glFramebufferTexture2D
-#define glFramebufferTexture2D bolan_gl_functions.FramebufferTexture2D
+#define glFramebufferTexture2D bolan_gl_called(FramebufferTexture2D)
 #undef glFramebufferTextureLayer
-#define glFramebufferTextureLayer bolan_gl_functions.FramebufferTextureLayer
+#define glFramebufferTextureLayer bolan_gl_called(FramebufferTextureLayer)
 #undef glFrontFace
-#define glFrontFace bolan_gl_functions.FrontFace
+#define glFrontFace bolan_gl_called(FrontFace)
 #undef glGenBuffers
-#define glGenBuffers bolan_gl_functions.GenBuffers
+#define glGenBuffers bolan_gl_called(GenBuffers)
 #undef glGenFramebuffers
-#define glGenFramebuffers bolan_gl_functions.GenFramebuffers
+#define glGenFramebuffers bolan_gl_called(GenFramebuffers)
 #undef glGenQueries
-#define glGenQueries bolan_gl_functions.GenQueries
+#define glGenQueries bolan_gl_called(GenQueries)
 #undef glGenSamplers
-#define glGenSamplers bolan_gl_functions.GenSamplers
+#define glGenSamplers bolan_gl_called(GenSamplers)
 #undef glGenTextures
-#define glGenTextures bolan_gl_functions.GenTextures
+#define glGenTextures bolan_gl_called(GenTextures)
 #undef glGenVertexArrays
-#define glGenVertexArrays bolan_gl_functions.GenVertexArrays
+#define glGenVertexArrays bolan_gl_called(GenVertexArrays)
 #undef glGenerateMipmap
-#define glGenerateMipmap bolan_gl_functions.GenerateMipmap
+#define glGenerateMipmap bolan_gl_called(GenerateMipmap)
 #undef glGetActiveUniform
-#define glGetActiveUniform bolan_gl_functions.GetActiveUniform
+#define glGetActiveUniform bolan_gl_asked(GetActiveUniform)
 #undef glGetBooleanv
-#define glGetBooleanv bolan_gl_functions.GetBooleanv
+#define glGetBooleanv bolan_gl_asked(GetBooleanv)
 #undef glGetBufferParameteri64v
-#define glGetBufferParameteri64v bolan_gl_functions.GetBufferParameteri64v
+#define glGetBufferParameteri64v bolan_gl_asked(GetBufferParameteri64v)
 #undef glGetDoublev
-#define glGetDoublev bolan_gl_functions.GetDoublev
+#define glGetDoublev bolan_gl_asked(GetDoublev)
 #undef glGetFloatv
-#define glGetFloatv bolan_gl_functions.GetFloatv
+#define glGetFloatv bolan_gl_asked(GetFloatv)
 #undef glGetFramebufferAttachmentParameteriv
-#define glGetFramebufferAttachmentParameteriv bolan_gl_functions.GetFramebufferAttachmentParameteriv
+#define glGetFramebufferAttachmentParameteriv bolan_gl_asked(GetFramebufferAttachmentParameteriv)
 #undef glGetIntegerv
-#define glGetIntegerv bolan_gl_functions.GetIntegerv
+#define glGetIntegerv bolan_gl_asked(GetIntegerv)
 #undef glGetPointerv
-#define glGetPointerv bolan_gl_functions.GetPointerv
+#define glGetPointerv bolan_gl_asked(GetPointerv)
 #undef glGetPointervKHR
-#define glGetPointervKHR bolan_gl_functions.GetPointervKHR
+#define glGetPointervKHR bolan_gl_asked(GetPointervKHR)
 #undef glGetProgramInfoLog
-#define glGetProgramInfoLog bolan_gl_functions.GetProgramInfoLog
+#define glGetProgramInfoLog bolan_gl_asked(GetProgramInfoLog)
 #undef glGetProgramiv
-#define glGetProgramiv bolan_gl_functions.GetProgramiv
+#define glGetProgramiv bolan_gl_asked(GetProgramiv)
 #undef glGetQueryObjectui64v
-#define glGetQueryObjectui64v bolan_gl_functions.GetQueryObjectui64v
+#define glGetQueryObjectui64v bolan_gl_asked(GetQueryObjectui64v)
 #undef glGetQueryObjectuiv
-#define glGetQueryObjectuiv bolan_gl_functions.GetQueryObjectuiv
+#define glGetQueryObjectuiv bolan_gl_asked(GetQueryObjectuiv)
 #undef glGetQueryiv
-#define glGetQueryiv bolan_gl_functions.GetQueryiv
+#define glGetQueryiv bolan_gl_asked(GetQueryiv)
 #undef glGetShaderInfoLog
-#define glGetShaderInfoLog bolan_gl_functions.GetShaderInfoLog
+#define glGetShaderInfoLog bolan_gl_asked(GetShaderInfoLog)
 #undef glGetShaderiv
-#define glGetShaderiv bolan_gl_functions.GetShaderiv
+#define glGetShaderiv bolan_gl_asked(GetShaderiv)
 #undef glGetStringi
-#define glGetStringi bolan_gl_functions.GetStringi
+#define glGetStringi bolan_gl_called(GetStringi)
 #undef glGetString
-#define glGetString bolan_gl_functions.GetString
+#define glGetString bolan_gl_called(GetString)
 #undef glGetTexLevelParameteriv
-#define glGetTexLevelParameteriv bolan_gl_functions.GetTexLevelParameteriv
+#define glGetTexLevelParameteriv bolan_gl_asked(GetTexLevelParameteriv)
 #undef glGetTextureParameteriv
-#define glGetTextureParameteriv bolan_gl_functions.GetTextureParameteriv
+#define glGetTextureParameteriv bolan_gl_asked(GetTextureParameteriv)
 #undef glGetUniformBlockIndex
-#define glGetUniformBlockIndex bolan_gl_functions.GetUniformBlockIndex
+#define glGetUniformBlockIndex bolan_gl_asked(GetUniformBlockIndex)
 #undef glGetUniformLocation
-#define glGetUniformLocation bolan_gl_functions.GetUniformLocation
+#define glGetUniformLocation bolan_gl_asked(GetUniformLocation)
 #undef glIsEnabled
-#define glIsEnabled bolan_gl_functions.IsEnabled
+#define glIsEnabled bolan_gl_asked(IsEnabled)
 #undef glIsEnabledi
-#define glIsEnabledi bolan_gl_functions.IsEnabledi
+#define glIsEnabledi bolan_gl_asked(IsEnabledi)
 #undef glIsFramebuffer
-#define glIsFramebuffer bolan_gl_functions.IsFramebuffer
+#define glIsFramebuffer bolan_gl_asked(IsFramebuffer)
 #undef glIsProgram
-#define glIsProgram bolan_gl_functions.IsProgram
+#define glIsProgram bolan_gl_asked(IsProgram)
 #undef glIsTexture
-#define glIsTexture bolan_gl_functions.IsTexture
+#define glIsTexture bolan_gl_asked(IsTexture)
 #undef glLineWidth
-#define glLineWidth bolan_gl_functions.LineWidth
+#define glLineWidth bolan_gl_called(LineWidth)
 #undef glLinkProgram
-#define glLinkProgram bolan_gl_functions.LinkProgram
+#define glLinkProgram bolan_gl_called(LinkProgram)
 #undef glMemoryBarrier
-#define glMemoryBarrier bolan_gl_functions.MemoryBarrier
+#define glMemoryBarrier bolan_gl_called(MemoryBarrier)
 #undef glPauseTransformFeedback
-#define glPauseTransformFeedback bolan_gl_functions.PauseTransformFeedback
+#define glPauseTransformFeedback bolan_gl_called(PauseTransformFeedback)
 #undef glPixelStorei
-#define glPixelStorei bolan_gl_functions.PixelStorei
+#define glPixelStorei bolan_gl_called(PixelStorei)
 #undef glPixelTransferf
-#define glPixelTransferf bolan_gl_functions.PixelTransferf
+#define glPixelTransferf bolan_gl_called(PixelTransferf)
 #undef glPolygonMode
-#define glPolygonMode bolan_gl_functions.PolygonMode
+#define glPolygonMode bolan_gl_called(PolygonMode)
 #undef glProvokingVertex
-#define glProvokingVertex bolan_gl_functions.ProvokingVertex
+#define glProvokingVertex bolan_gl_called(ProvokingVertex)
 #undef glQueryCounter
-#define glQueryCounter bolan_gl_functions.QueryCounter
+#define glQueryCounter bolan_gl_called(QueryCounter)
 #undef glReadBuffer
-#define glReadBuffer bolan_gl_functions.ReadBuffer
+#define glReadBuffer bolan_gl_called(ReadBuffer)
 #undef glReadPixels
-#define glReadPixels bolan_gl_functions.ReadPixels
+#define glReadPixels bolan_gl_asked(ReadPixels)
 #undef glResumeTransformFeedback
-#define glResumeTransformFeedback bolan_gl_functions.ResumeTransformFeedback
+#define glResumeTransformFeedback bolan_gl_called(ResumeTransformFeedback)
 #undef glSamplerParameteri
-#define glSamplerParameteri bolan_gl_functions.SamplerParameteri
+#define glSamplerParameteri bolan_gl_called(SamplerParameteri)
 #undef glScissor
-#define glScissor bolan_gl_functions.Scissor
+#define glScissor bolan_gl_called(Scissor)
 #undef glScissorIndexedv
-#define glScissorIndexedv bolan_gl_functions.ScissorIndexedv
+#define glScissorIndexedv bolan_gl_called(ScissorIndexedv)
 #undef glShaderSource
-#define glShaderSource bolan_gl_functions.ShaderSource
+#define glShaderSource bolan_gl_called(ShaderSource)
 #undef glStencilFuncSeparate
-#define glStencilFuncSeparate bolan_gl_functions.StencilFuncSeparate
+#define glStencilFuncSeparate bolan_gl_called(StencilFuncSeparate)
 #undef glStencilOpSeparate
-#define glStencilOpSeparate bolan_gl_functions.StencilOpSeparate
+#define glStencilOpSeparate bolan_gl_called(StencilOpSeparate)
 #undef glTexImage2D
-#define glTexImage2D bolan_gl_functions.TexImage2D
+#define glTexImage2D bolan_gl_called(TexImage2D)
 #undef glTexImage3D
-#define glTexImage3D bolan_gl_functions.TexImage3D
+#define glTexImage3D bolan_gl_called(TexImage3D)
 #undef glTexParameterf
-#define glTexParameterf bolan_gl_functions.TexParameterf
+#define glTexParameterf bolan_gl_called(TexParameterf)
 #undef glTexParameteri
-#define glTexParameteri bolan_gl_functions.TexParameteri
+#define glTexParameteri bolan_gl_called(TexParameteri)
 #undef glTexStorage3D
-#define glTexStorage3D bolan_gl_functions.TexStorage3D
+#define glTexStorage3D bolan_gl_called(TexStorage3D)
 #undef glTexSubImage2D
-#define glTexSubImage2D bolan_gl_functions.TexSubImage2D
+#define glTexSubImage2D bolan_gl_called(TexSubImage2D)
 #undef glTexSubImage3D
-#define glTexSubImage3D bolan_gl_functions.TexSubImage3D
+#define glTexSubImage3D bolan_gl_called(TexSubImage3D)
 #undef glTextureView
-#define glTextureView bolan_gl_functions.TextureView
+#define glTextureView bolan_gl_called(TextureView)
 #undef glTextureViewEXT
-#define glTextureViewEXT bolan_gl_functions.TextureViewEXT
+#define glTextureViewEXT bolan_gl_called(TextureViewEXT)
 #undef glTextureViewOES
-#define glTextureViewOES bolan_gl_functions.TextureViewOES
+#define glTextureViewOES bolan_gl_called(TextureViewOES)
 #undef glUniform1f
-#define glUniform1f bolan_gl_functions.Uniform1f
+#define glUniform1f bolan_gl_called(Uniform1f)
 #undef glUniform1i
-#define glUniform1i bolan_gl_functions.Uniform1i
+#define glUniform1i bolan_gl_called(Uniform1i)
 #undef glUniform2f
-#define glUniform2f bolan_gl_functions.Uniform2f
+#define glUniform2f bolan_gl_called(Uniform2f)
 #undef glUniform4f
-#define glUniform4f bolan_gl_functions.Uniform4f
+#define glUniform4f bolan_gl_called(Uniform4f)
 #undef glUniform4fv
-#define glUniform4fv bolan_gl_functions.Uniform4fv
+#define glUniform4fv bolan_gl_called(Uniform4fv)
 #undef glUniformBlockBinding
-#define glUniformBlockBinding bolan_gl_functions.UniformBlockBinding
+#define glUniformBlockBinding bolan_gl_called(UniformBlockBinding)
 #undef glUseProgram
-#define glUseProgram bolan_gl_functions.UseProgram
+#define glUseProgram bolan_gl_called(UseProgram)
 #undef glVertexAttribPointer
-#define glVertexAttribPointer bolan_gl_functions.VertexAttribPointer
+#define glVertexAttribPointer bolan_gl_called(VertexAttribPointer)
 #undef glViewport
-#define glViewport bolan_gl_functions.Viewport
+#define glViewport bolan_gl_called(Viewport)
 #undef glViewportIndexedfv
-#define glViewportIndexedfv bolan_gl_functions.ViewportIndexedfv
+#define glViewportIndexedfv bolan_gl_called(ViewportIndexedfv)
 
 #endif

@@ -102,11 +102,11 @@ _Static_assert((int)TOGGLE_COUNT <= (int)GL_SAVED_SLOTS && (int)PIXEL_STORE_COUN
                "gl_saved has a slot for each");
 _Static_assert((int)GL_SAVED_UNITS == (int)SCRATCH_UNIT + 1, "every unit that is bound is saved");
 
-static void set_clip(const gl_caps *caps, GLint origin, GLint depth) {
+void bolan_gl_set_clip(const gl_caps *caps, GLenum origin, GLenum depth) {
     if (caps->es) {
-        glClipControlEXT((GLenum)origin, (GLenum)depth);
+        glClipControlEXT(origin, depth);
     } else {
-        glClipControl((GLenum)origin, (GLenum)depth);
+        glClipControl(origin, depth);
     }
 }
 
@@ -233,8 +233,7 @@ static void pause_feedback(gl_saved *s) {
     if (s->feedback) glPauseTransformFeedback();
 }
 
-// What our calls take for granted.
-static void set_defaults(const gl_caps *caps) {
+void bolan_gl_set_defaults(const gl_caps *caps) {
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
     for (int i = 0; i < TOGGLE_COUNT; i++)
@@ -255,7 +254,7 @@ static void set_defaults(const gl_caps *caps) {
     glFrontFace(GL_CCW);
     glDepthRangef(0.0f, 1.0f);
     glLineWidth(1.0f);
-    if (caps->clip_control) set_clip(caps, GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    if (caps->clip_control) bolan_gl_set_clip(caps, GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     if (caps->es) return;
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
@@ -271,7 +270,7 @@ void bolan_gl_save(gl_saved *s, const gl_caps *caps, bool debug) {
     save_viewports(s);
     save_pixels(s);
     save_rest(s);
-    set_defaults(caps);
+    bolan_gl_set_defaults(caps);
 }
 
 // ---- restore ------------------------------------------------------------------------------------------------------
@@ -393,7 +392,7 @@ static void restore_rest(const gl_saved *s) {
     }
     glClearColor(s->color_clear[0], s->color_clear[1], s->color_clear[2], s->color_clear[3]);
     glLineWidth(s->line_width);
-    if (s->caps->clip_control) set_clip(s->caps, s->clip_origin, s->clip_depth);
+    if (s->caps->clip_control) bolan_gl_set_clip(s->caps, (GLenum)s->clip_origin, (GLenum)s->clip_depth);
     restore_polygons(s);
 }
 

@@ -23,9 +23,11 @@ void bolan_gl_set_state(const gl_state *s) {
     case GL_BLEND_ALPHA:
         glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         break;
-    case GL_BLEND_ADD: glBlendFunc(GL_ONE, GL_ONE); break;
-    case GL_BLEND_MULTIPLY: glBlendFunc(GL_DST_COLOR, GL_ZERO); break;
-    case GL_BLEND_PREMULTIPLIED: glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
+    case GL_BLEND_ADD: glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE); break;
+    case GL_BLEND_MULTIPLY: glBlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_DST_COLOR, GL_ZERO); break;
+    case GL_BLEND_PREMULTIPLIED:
+        glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        break;
     }
 }
 

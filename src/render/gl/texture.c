@@ -201,9 +201,7 @@ void bolan_gl_texture_layer(const gl_texture *array, uint32_t layer, const gl_te
 
 void bolan_gl_texture_bind(const gl_texture *t, uint32_t unit) {
     BOLAN_ASSERT(unit < SCRATCH_UNIT);
-    if (!t->id) return;
-    glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(t->target, t->id);
+    if (t->id) bolan_gl_bind_to_unit(unit, t->target, t->id);
 }
 
 void bolan_gl_texture_free(gl_texture *t) {
