@@ -10,11 +10,14 @@
 #include "common/atmosphere.glsl"
 
 #ifdef VERTEX
+#include "common/gusts.glsl"
 flat out float eye_shade; // share of the sun that passes the clouds over the eye
+flat out float eye_gust;  // factor on the slope of short waves there
 
 void main() {
     fullscreen(0.0);
     eye_shade = cloud_shadow(vec2(0.0));
+    eye_gust = gustiness(eye_wrapped_wide, 1.0);
 }
 #endif
 
@@ -25,17 +28,16 @@ void main() {
 #include "shared/bed.glsl"
 #include "common/look.glsl"
 
+#include "common/shape.glsl"
+
 flat in float eye_shade;
+flat in float eye_gust;
 out vec4 color;
 
 #pragma unit surface_rest 16
-#pragma unit surface_slope 17
-uniform highp sampler2D surface_rest; // water_shape.glsl's outputs
-uniform sampler2D surface_slope;
-#ifdef WAVES_MESH
-#pragma unit surface_transmittance 18
-uniform sampler2D surface_transmittance;
-#endif
+#pragma unit surface_fields 17
+uniform highp sampler2D surface_rest; // water_shape.glsl's outputs; the fields are the first two
+uniform sampler2DArray surface_fields;
 layout(std140) uniform Optics {
 #include "shared/below_block.glsl"
 };
@@ -152,19 +154,19 @@ vec3 surface_from_below(vec3 position, vec3 dir, vec2 slope, vec3 hidden, vec3 s
 
 // What the ray meets, and its radiance there.
 vec3 seen_thing(ivec2 pixel, vec2 uv, vec3 ray, vec3 dir, out float reach) {
-    vec4 rest_depth = texelFetch(surface_rest, pixel, 0), slope_light = texelFetch(surface_slope, pixel, 0);
+    vec4 shape = texelFetch(surface_rest, pixel, 0);
     reach = FARTHEST;
-    if (rest_depth.w > 0.0) {
-        vec3 position = ray / rest_depth.w;
+    if (shape.w > 0.0) {
+        vec4 mesh = texelFetch(surface_fields, ivec3(pixel, 0), 0);
+        vec4 bend = texelFetch(surface_fields, ivec3(pixel, 1), 0);
+        vec2 rest = shape_rest_point(shape);
+        vec3 position = ray / shape.w;
         reach = length(position);
         footprint f = pixel_footprint(vec3(-dir.xy, abs(dir.z)), reach, vec2(0.0));
-        float gust = slope_light.z, depth = rest_depth.z, jacobian = 1.0;
-#ifdef WAVES_MESH
-        jacobian = texelFetch(surface_transmittance, pixel, 0).w - 4.0;
-#endif
-        wave_fields w = waves_at(rest_depth.xy, f, gust, depth, vec4(slope_light.xy, jacobian, 0.0));
-        vec3 hidden = hidden_slopes(rest_depth.xy, f, depth) * gust * gust;
-        return surface_from_below(position, dir, w.slope, hidden, sun_light * slope_light.w);
+        wave_fields w = waves_at(rest, sea_place(shape.xy, bend.xyz), f, eye_gust, mesh.w,
+                                 vec4(mesh.xy, mesh.z - 4.0, 0.0));
+        vec3 hidden = hidden_slopes(rest, f, mesh.w) * eye_gust * eye_gust;
+        return surface_from_below(position, dir, w.slope, hidden, sun_light * bend.w);
     }
 #ifdef LAND
     vec3 at;

@@ -25,6 +25,18 @@ uniform vec4 places;            // x, y: from a pixel's column to the samples': 
 #ifdef KEPT
 #pragma unit shape_rest 16
 uniform highp sampler2D shape_rest; // w: 0 where there is no water
+
+// Samples of nearer or farther water, across the edge of a wave, count little. `share`: of the samples in those
+// columns.
+const float OTHER_WATER = 0.1, OTHER_SHARE = 0.01; // difference of the distance over it
+vec2 edges_kept(vec2 share, ivec2 from, int next) {
+    vec2 at = min((vec2(from.x, next) + 0.5) / places.x, vec2(textureSize(shape_rest, 0).x) - 0.5);
+    float here = texelFetch(shape_rest, ivec2(gl_FragCoord.xy), 0).w;
+    vec2 there = vec2(texelFetch(shape_rest, ivec2(int(at.x), from.y), 0).w,
+                      texelFetch(shape_rest, ivec2(int(at.y), from.y), 0).w);
+    share *= mix(vec2(1.0), vec2(OTHER_SHARE), greaterThan(abs(there - here), vec2(OTHER_WATER * here)));
+    return share / (share.x + share.y);
+}
 #endif
 
 void main() {
@@ -36,9 +48,13 @@ void main() {
 #endif
     // columns of the samples on both sides; none of them lies between rows
     float at = gl_FragCoord.x * places.x + places.y, left = floor(at);
-    ivec2 from = ivec2(int(left), int(gl_FragCoord.y));
-    ivec2 next = ivec2(min(from.x + 1, int(places.z)), from.y);
-    vec4 light = mix(texelFetch(sparse_light, max(from, 0), 0), texelFetch(sparse_light, next, 0), at - left);
+    ivec2 from = ivec2(max(int(left), 0), int(gl_FragCoord.y));
+    ivec2 next = ivec2(min(int(left) + 1, int(places.z)), from.y);
+    vec2 share = vec2(1.0 - (at - left), at - left);
+#ifdef KEPT
+    share = edges_kept(share, from, next.x);
+#endif
+    vec4 light = share.x * texelFetch(sparse_light, from, 0) + share.y * texelFetch(sparse_light, next, 0);
     // no sample covers this pixel: a wave's tip between two samples, water between objects, or the rim of the quad
 #if defined(KEPT) || defined(QUAD) // the pixel's depth keeps the sky pass out: fall back to skylight
     if (light.a < 0.05) light = vec4(sky_light * 0.31830989, 1.0);

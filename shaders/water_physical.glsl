@@ -21,7 +21,8 @@ void main() { fullscreen(0.0); }
 #endif
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
-#include "shared/earth.glsl"
+#include "common/shape.glsl"
+#include "common/water_air.glsl"
 #include "shared/fresnel.glsl"
 #include "common/slopes.glsl"
 #include "common/reflection.glsl"
@@ -34,13 +35,9 @@ void main() { fullscreen(0.0); }
 out vec4 color;
 
 #pragma unit surface_rest 16
-#pragma unit surface_slope 17
-#pragma unit surface_transmittance 18
-#pragma unit surface_inscatter 19
-uniform highp sampler2D surface_rest; // water_shape.glsl's outputs
-uniform sampler2D surface_slope;
-uniform sampler2D surface_transmittance;
-uniform sampler2D surface_inscatter;
+#pragma unit surface_fields 17
+uniform highp sampler2D surface_rest; // water_shape.glsl's outputs; the fields are the first two
+uniform sampler2DArray surface_fields;
 layout(std140) uniform Optics {
 #include "shared/physical_block.glsl"
 };
@@ -133,13 +130,25 @@ const surf_look SURF_LOOK = surf_look(0.35, 1.6, 0.1, 0.02, 0.35, 0.75, 0.0);
 const float ROCKS_DRY = 1.5, ROCKS_DEEP = 0.8;    // heights that the surge covers: this much dry [m], this much drowned
 const float ROCKS_MEAN = 0.55, ROCKS_PULSE = 0.45; // cover by surge
 
-// Bores, swash at the edge, and surge at rocks. least: depth of the water where it is least near here [m]; water_path:
-// depth under the pixel [m]. Noise bends the fronts and lets the surge come at different times.
-float shore_cover(vec2 rest, float depth, float least, float water_path, vec2 noise) {
+// The least depth of the mean water within a few metres [m]; `depth` where no rocks can be so near.
+const float ROCKS_NEAR = 5.0, ROCKS_STEEP = 3.0; // [m]; rise of the bed over its run
+float least_depth(vec2 rest, float depth) {
+    float least = depth;
+    for (int i = 0; i < 4 && depth < ROCKS_DEEP + ROCKS_STEEP * ROCKS_NEAR; ++i) {
+        vec2 d = ROCKS_NEAR * vec2(i < 2 ? 1.0 : -1.0, (i & 1) == 0 ? 1.0 : -1.0);
+        least = min(least, -shore_elevation(rest + d));
+    }
+    return least;
+}
+
+// Bores, swash at the edge, and surge at rocks. water_path: depth under the pixel [m]. Noise bends the fronts and lets
+// the surge come at different times.
+float shore_cover(vec2 rest, float depth, float water_path, vec2 noise) {
     float wobble = 2.0 * (noise.x - 0.5); // as wide as a uniform distribution
     float bore = bore_foam(behind_front(rest, depth, 0.9 * wobble + noise.y));
     float broken = surf_cover(depth / shore_height + wobble, bore, SURF_LOOK);
-    float rocks = shallows(least, -ROCKS_DRY, ROCKS_DEEP) * surge(ROCKS_MEAN, ROCKS_PULSE, surf_time + 2.0 * wobble);
+    float rocks = shallows(least_depth(rest, depth), -ROCKS_DRY, ROCKS_DEEP);
+    rocks *= surge(ROCKS_MEAN, ROCKS_PULSE, surf_time + 2.0 * wobble);
     return clamp(max(max(broken, rocks), swash_cover(water_path, surf_time, SURF_LOOK)), 0.0, 1.0);
 }
 #endif
@@ -148,8 +157,9 @@ float shore_cover(vec2 rest, float depth, float least, float water_path, vec2 no
 struct water_here {
     vec3 position, view;    // eye-relative; towards the eye
     vec2 rest;              // undisplaced xy
-    float depth, least;     // of the mean water, and the least near here [m]
-    float shade;            // share of the sun that passes the clouds
+    float depth;            // of the mean water [m]
+    float shade;            // share of the sun that passes the clouds and a host's objects
+    water_air air;
     float height;           // over the mean water [m]
     footprint place;
     wave_fields waves;
@@ -179,30 +189,32 @@ float waves_left(float depth) {
 #endif
 }
 
-water_here water_at(ivec2 pixel, vec2 uv, float coded, float least) {
-    vec4 rest_depth = texelFetch(surface_rest, pixel, 0), slope_light = texelFetch(surface_slope, pixel, 0);
+water_here water_at(ivec2 pixel, vec2 uv, vec4 shape) {
+    vec4 mesh = texelFetch(surface_fields, ivec3(pixel, 0), 0), bend = texelFetch(surface_fields, ivec3(pixel, 1), 0);
     water_here p;
-    p.position = frame_ray(uv) / rest_depth.w;
-    p.rest = rest_depth.xy;
-    p.depth = rest_depth.z;
-    p.least = least;
-    p.shade = slope_light.w;
+    p.position = frame_ray(uv) / shape.w;
+    p.rest = shape_rest_point(shape);
+    p.depth = mesh.w;
     p.height = earth_height(p.position.z, eye_height, dot(p.position.xy, p.position.xy), earth_radius);
-    float gust = slope_light.z, dist = length(p.position), left = waves_left(p.depth);
+    float dist = length(p.position), left = waves_left(p.depth);
     p.view = -p.position / dist;
-    p.place = pixel_footprint(p.view, dist, slope_light.xy);
-    vec3 beyond = slopes_beyond_mesh(p.rest, p.place, p.depth, coded) * gust * gust;
-    p.whole = facets_seen(p.view, slope_light.xy, beyond);
+    p.air = air_at(uv, dist, p.view.z);
+    p.shade = bend.w;
+    float gust = p.air.gust;
+    p.place = pixel_footprint(p.view, dist, mesh.xy);
+    vec3 beyond = slopes_beyond_mesh(p.rest, p.place, p.depth, mesh.z) * gust * gust;
+    p.whole = facets_seen(p.view, mesh.xy, beyond);
     // The visible length of the water under the pixel is that which other waves do not hide.
     p.place.major = max(p.place.minor, min(p.place.major, dist * radians_per_pixel / max(p.whole.area, 0.01)));
-    p.waves = waves_at(p.rest, p.place, gust, p.depth, vec4(slope_light.xy, coded - 4.0, 0.0));
+    p.waves = waves_at(p.rest, sea_place(shape.xy, bend.xyz), p.place, gust, p.depth,
+                       vec4(mesh.xy, mesh.z - 4.0, 0.0));
 #ifdef WAVES_CASCADES
     p.place.minor = max(p.place.minor, p.place.major / float(TAPS)); // the width that the fetches really average over
 #endif
     p.hidden = hidden_slopes(p.rest, p.place, p.depth);
     p.roughness = p.hidden * gust * gust;
     vec3 total = mix(beyond, slope_total, left * left);
-    p.near = surroundings_of(slope_light.xy, beyond, total, p.height / (height_deviation * left));
+    p.near = surroundings_of(mesh.xy, beyond, total, p.height / (height_deviation * left));
     p.slope = seen_slope(p.view, p.waves.slope, p.near, p.whole, p.roughness);
     p.seen = facets_seen(p.view, p.slope, p.roughness);
     p.normal = normalize(vec3(-p.slope, 1.0));
@@ -315,10 +327,9 @@ const float FILM = 0.12; // depth within which the water's edge fades into wet s
 void main() {
     ivec2 pixel = sampled_pixel();
     vec2 uv = (vec2(pixel) + 0.5) * pixel_size;
-    vec4 through_air = texelFetch(surface_transmittance, pixel, 0);
-    if (through_air.w < 0.5) discard; // no water here
-    vec4 from_air = texelFetch(surface_inscatter, pixel, 0);
-    water_here p = water_at(pixel, uv, through_air.w, from_air.w);
+    vec4 shape = texelFetch(surface_rest, pixel, 0);
+    if (shape.w == 0.0) discard; // no water here
+    water_here p = water_at(pixel, uv, shape);
     vec3 sunlight = sun_light * p.shade;
     float water_path;
     vec3 lit = light_below(sunlight);
@@ -329,7 +340,7 @@ void main() {
         float shore = 0.0;
 #ifdef LAND
         vec2 noise = smooth_patches(p.rest, p.place.minor);
-        shore = shore_cover(p.rest, p.depth, p.least, water_path, noise);
+        shore = shore_cover(p.rest, p.depth, water_path, noise);
 #endif
         foam_here foam = foam_at(p, shore, texels);
         below += bubble_reflectance(water_attenuation, foam.bubbles) * lit;
@@ -340,6 +351,6 @@ void main() {
 #ifdef LAND
     surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, smoothstep(0.0, FILM, water_path));
 #endif
-    color = vec4(surface * through_air.rgb + from_air.rgb, 1.0);
+    color = vec4(surface * p.air.transmittance + p.air.inscatter, 1.0);
 }
 #endif

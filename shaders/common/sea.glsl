@@ -35,27 +35,25 @@ float lift_of(int c, float spacing) {
     return mix(cascade_lift[i][c], cascade_lift[i + 1][c], at - float(i));
 }
 
-// The warped plane that the tiles are read over (bolan/waves.h): the place that is read for a rest point, and what its
-// gradient makes of the gradient of something that was read there.
-struct sea_place {
-    vec2 at;       // eye-relative
-    vec4 gradient; // of it: xx, xy, yx, yy
-};
-
+// The warped plane that the tiles are read over (bolan/waves.h). Each wave of the warp moves water across its own
+// direction, so the gradient has no divergence. Smooth over hundreds of metres: vertices compute it, and pixels
+// interpolate.
 sea_place place_of(vec2 rest) {
-    sea_place p = sea_place(rest - warp_at_eye, vec4(1.0, 0.0, 0.0, 1.0));
+    sea_place p = sea_place(rest - warp_at_eye, vec3(0.0));
     for (int i = 0; i < warp_count; ++i) {
         vec4 wave = warp_wave_of[i];
         float turn = fract(dot(wave.xy, rest) + wave.z);
         vec2 across = vec2(-wave.y, wave.x) * wave.w; // metres a unit of the wave
         p.at += across * warp_wave(turn);
-        p.gradient += warp_slope(turn) * across.xxyy * wave.xyxy;
+        p.bend += warp_slope(turn) * across.xxy * wave.xyx;
     }
     return p;
 }
 
+// The gradient over rest points of what has that gradient over the plane.
 vec2 unwarped(sea_place p, vec2 gradient) {
-    return vec2(dot(gradient, p.gradient.xz), dot(gradient, p.gradient.yw));
+    vec3 b = p.bend;
+    return gradient + vec2(dot(gradient, b.xz), gradient.x * b.y - gradient.y * b.x);
 }
 
 vec2 cascade_uv(int c, vec2 at) {

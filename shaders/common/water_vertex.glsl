@@ -34,6 +34,8 @@ layout(location = 1) in vec2 stitch; // to the neighbours whose mean this vertex
 out vec4 water_place;                // eye-relative position, depth of the mean water
 out vec2 water_rest;                 // undisplaced xy
 #ifndef QUAD
+out vec2 water_read;                 // sea_place: where its waves are read
+out vec3 water_bend;
 out vec4 water_mesh;                 // slope, jacobian, foam of the mesh
 out vec4 water_light;                // gust factor, sun through the clouds 0..1, least depth near here [m], spacing [m]
 out vec3 water_transmittance;        // of the air to the eye
@@ -74,17 +76,21 @@ void water_vertex() {
 #endif
     vec2 rest = vertex.xy;
     float depth = water_depth(rest);
-    vec3 offset = wave_offset(rest, vertex.w, depth, water_mesh);
+    sea_place place = place_of(rest);
+    vec3 offset = wave_offset(rest, place, vertex.w, depth, water_mesh);
 #if !defined(WAVES_MESH) && !defined(STATIC_GRID) // there the CPU stitched; here nothing is
     if (stitch != vec2(0.0)) {
         vec4 unused;
-        offset = 0.5 * (wave_offset(rest - stitch, vertex.w, water_depth(rest - stitch), unused) +
-                        wave_offset(rest + stitch, vertex.w, water_depth(rest + stitch), unused));
+        vec2 near = rest - stitch, far = rest + stitch;
+        offset = 0.5 * (wave_offset(near, place_of(near), vertex.w, water_depth(near), unused) +
+                        wave_offset(far, place_of(far), vertex.w, water_depth(far), unused));
     }
 #endif
     vec3 position = vertex.xyz + offset;
     water_place = vec4(position, depth);
     water_rest = rest;
+    water_read = place.at;
+    water_bend = place.bend;
     water_light = vec4(gustiness(eye_wrapped_wide + rest, vertex.w), cloud_shadow(position.xy),
                        least_depth(rest, depth), vertex.w);
     aerial_perspective(position, water_transmittance, water_inscatter);
@@ -133,6 +139,8 @@ void water_vertex() {
 in vec4 water_place;
 in vec2 water_rest;
 #ifndef QUAD
+in vec2 water_read;
+in vec3 water_bend;
 in vec4 water_mesh;
 in vec4 water_light;
 in vec3 water_transmittance;
@@ -150,6 +158,7 @@ flat in vec3 quad_extinction2;
 struct water_pixel {
     vec3 position; // eye-relative
     vec2 rest;
+    sea_place place;
     float depth, least; // of the mean water here, and the least within a few metres [m]
     float gust, shade;
     float spacing; // of the vertices [m]
@@ -207,6 +216,7 @@ water_pixel water_here() {
     float away = round_earth(p.position.xy);
     p.position *= away;
     p.rest *= away;
+    p.place = place_of(p.rest);
 #ifdef LAND
     p.depth = -shore_elevation(p.rest);
 #else
@@ -219,6 +229,7 @@ water_pixel water_here() {
     p.spacing = 0.0;
     quad_aerial(p.position, p.transmittance, p.inscatter);
 #else
+    p.place = sea_place(water_read, water_bend);
     p.depth = water_place.w;
     p.least = water_light.z;
     p.gust = water_light.x;

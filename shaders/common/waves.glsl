@@ -13,9 +13,18 @@
 #ifdef LAND
 #include "common/shore.glsl"
 #endif
+
+// Where the waves of a rest point are read.
+struct sea_place {
+    vec2 at;   // eye-relative [m]
+    vec3 bend; // gradient of the place by the rest point, less the identity: xx, xy, yx; yy is -xx
+};
+
 #if !defined(WAVES_EXP) && !defined(WAVES_SUM) && !defined(WAVES_MESH)
 #define WAVES_CASCADES
 #include "common/sea.glsl"
+#else
+sea_place place_of(vec2 rest) { return sea_place(rest, vec3(0.0)); }
 #endif
 
 // What the waves do at a place. slope: dz/dx, dz/dy of the displaced surface.
@@ -118,9 +127,9 @@ layout(location = 2) in vec3 mesh_offset; // height, dx, dy
 layout(location = 3) in vec4 mesh_fields; // slope, jacobian, foam
 #endif
 
-// Displacement of the vertex at `rest` on a mesh of that spacing, over water of that depth; fields of the mesh: slope,
-// jacobian, foam.
-vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
+// Displacement of the vertex at `rest`, whose waves are read at `place`, on a mesh of that spacing, over water of that
+// depth; fields of the mesh: slope, jacobian, foam.
+vec3 wave_offset(vec2 rest, sea_place place, float spacing, float depth, out vec4 fields) {
     vec3 offset = vec3(0.0);
     fields = vec4(0.0, 0.0, 1.0, 0.0);
 #ifdef WAVES_MESH
@@ -149,7 +158,6 @@ vec3 wave_offset(vec2 rest, float spacing, float depth, out vec4 fields) {
 #endif
 #ifdef WAVES_CASCADES
     vec4 kept = cascades_kept(depth);
-    sea_place place = place_of(rest);
     vec3 longer = vec3(0.0);
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
@@ -205,9 +213,8 @@ vec4 derivatives(sampler2D map, int c, vec2 at, float fine) {
 // One texture fetch a cascade, at the level of a width whose log2 is `fine`. Slopes over the displaced surface as if
 // waves came from all sides. Textures of their own and no loop: an array, and a loop that pixels leave at different
 // times, cost twice as much.
-wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
+wave_fields waves_of_width(vec2 rest, sea_place place, float fine, float gust, float depth) {
     vec4 kept = cascades_kept(depth);
-    sea_place place = place_of(rest);
     vec4 sum = cascade_share(0, derivatives(slope_map0, 0, place.at, fine), gust, kept.x);
 #if CASCADES > 1
     sum += cascade_share(1, derivatives(slope_map1, 1, place.at, fine), gust, kept.y);
@@ -225,9 +232,9 @@ wave_fields waves_of_width(vec2 rest, float fine, float gust, float depth) {
     return wave_fields(slope * min(1.0, 1.2 * inversesqrt(max(dot(slope, slope), 1e-6))), 1.0 + pinch, sum.w);
 }
 
-wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
+wave_fields waves_at(vec2 rest, sea_place place, footprint f, float gust, float depth, vec4 mesh) {
     float width = max(f.minor, f.major / float(TAPS));
-    return waves_of_width(rest, log2(width), gust, depth);
+    return waves_of_width(rest, place, log2(width), gust, depth);
 }
 #elif defined(WAVES_CASCADES)
 #pragma unit fold_map 10
@@ -235,12 +242,11 @@ uniform sampler2DArray fold_map; // r: dxy, g: foam memory
 
 // Each cascade is looked up along the footprint as often as its texels are shorter than it, at most TAPS times; the
 // level of detail makes up for the rest. Rings whose longest wave is shorter than the pixel is wide have nothing left.
-wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
+wave_fields waves_at(vec2 rest, sea_place place, footprint f, float gust, float depth, vec4 mesh) {
     vec2 slope = vec2(0.0);
     vec3 gradient = vec3(0.0); // dxx, dyy, dxy of the displacement, choppiness applied
     float foam = 0.0;
     vec4 kept = cascades_kept(depth);
-    sea_place place = place_of(rest);
 #ifdef BOUND_WAVES
     bound_slopes bound = bound_slopes(vec2(0.0), vec3(0.0), vec2(0.0), vec3(0.0));
 #endif
@@ -322,14 +328,14 @@ wave_fields waves_of_footprint(vec2 rest, footprint f, float gust, float depth, 
     return wave_fields(slope * gust + layers_slope(rest, f, depth), 1.0, 0.0);
 }
 
-wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
+wave_fields waves_at(vec2 rest, sea_place place, footprint f, float gust, float depth, vec4 mesh) {
     vec3 unused;
     return waves_of_footprint(rest, f, gust, depth, unused);
 }
 #endif
 
 #ifdef WAVES_MESH
-wave_fields waves_at(vec2 rest, footprint f, float gust, float depth, vec4 mesh) {
+wave_fields waves_at(vec2 rest, sea_place place, footprint f, float gust, float depth, vec4 mesh) {
     return wave_fields(mesh.xy * gust, mesh.z, mesh.w);
 }
 #endif

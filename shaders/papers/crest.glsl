@@ -10,7 +10,7 @@
 // leaves of sunlight over a path through the crest.
 //
 // The shape of the water is there already (crest_shape.glsl), and what varies slowly over the picture
-// (crest_air.glsl). The facets that the eye sees lean towards it; their mean tilt, their area and the mean Fresnel
+// (water_air.glsl). The facets that the eye sees lean towards it; their mean tilt, their area and the mean Fresnel
 // reflectance are rational and quadratic forms (common/rough.glsl).
 //
 // LAND: there is terrain. SPARSE: into a cleared picture of fewer columns. CASCADES: how many of them these rows show.
@@ -31,7 +31,8 @@ void main() { fullscreen(0.0); }
 #include "common/rough.glsl"
 #include "common/look.glsl"
 #include "common/water_light.glsl"
-#include "shared/earth.glsl"
+#include "common/shape.glsl"
+#include "common/water_air.glsl"
 #ifdef LAND
 #include "common/behind.glsl"
 #include "common/surf.glsl"
@@ -39,11 +40,9 @@ void main() { fullscreen(0.0); }
 out vec4 color;
 
 #pragma unit shape_rest 16
-#pragma unit shape_mesh 17
-#pragma unit air_map 18
+#pragma unit shape_fields 17
 uniform highp sampler2D shape_rest; // of crest_shape.glsl
-uniform sampler2D shape_mesh;
-uniform sampler2DArray air_map; // outputs of crest_air.glsl: transmittance, inscatter, bed
+uniform sampler2D shape_fields;
 
 layout(std140) uniform Optics {
 #include "shared/crest_block.glsl"
@@ -67,9 +66,10 @@ vec4 slopes_of_width(float fine) {
 struct crest_pixel {
     vec3 position, view; // eye-relative; to the eye
     vec2 rest;
+    sea_place place;
     float dist, width, fine; // [m], what the waves are averaged over [m], its log2
-    float gust, shade, depth, shore;
-    vec3 transmittance, inscatter;
+    float depth, shore;
+    water_air air;
     vec3 slopes; // covariance of what is averaged away
     float lit;   // share of the facets turned to the sun that no wave shades
     vec4 mesh;
@@ -79,42 +79,38 @@ crest_pixel pixel_here(ivec2 at, vec4 shape) {
     crest_pixel p;
     vec2 uv = (vec2(at) + 0.5) * pixel_size;
     p.position = frame_ray(uv) / shape.w;
-    p.rest = shape.xy;
+    p.rest = shape_rest_point(shape);
+    p.place = sea_place(shape.xy, vec3(0.0));
     p.dist = sqrt(dot(p.position, p.position));
     p.view = -p.position / p.dist;
     p.mesh = vec4(0.0, 0.0, 1.0, 0.0);
 #ifdef WAVES_MESH
-    p.mesh = texelFetch(shape_mesh, at, 0);
+    p.mesh = texelFetch(shape_fields, at, 0);
+#elif defined(WAVES_CASCADES)
+    p.place.bend = texelFetch(shape_fields, at, 0).xyz;
 #endif
     p.width = max(p.dist * radians_per_pixel, 1e-4);
     p.width = max(p.width * shade_columns, p.width / (float(TAPS) * clamp(p.view.z, 0.02, 1.0)));
     p.fine = log2(p.width);
-    vec4 through = textureLod(air_map, vec3(uv, 0.0), 0.0), from = textureLod(air_map, vec3(uv, 1.0), 0.0);
-    // a crest before the horizon is nearer than the mean water on its ray
-    float above = max(eye_height, 0.3), sinks = max(p.view.z, 0.5 * earth_dip(above, earth_radius));
-    float share = min(p.dist * sinks / above, 1.0);
-    p.transmittance = mix(vec3(1.0), through.rgb, share);
-    p.inscatter = from.rgb * share;
-    p.gust = through.w;
-    p.shade = from.w;
+    p.air = air_at(uv, p.dist, p.view.z);
     p.depth = 1000.0;
     p.shore = 1e4;
 #ifdef LAND
-    vec2 bed = textureLod(air_map, vec3(uv, 2.0), 0.0).xy;
+    vec2 bed = bed_at(uv);
     p.depth = bed.x;
     p.shore = bed.y;
 #endif
     vec4 rough = slopes_of_width(p.fine);
-    p.slopes = rough.xyz * (p.gust * p.gust);
+    p.slopes = rough.xyz * (p.air.gust * p.air.gust);
     p.lit = rough.w;
     return p;
 }
 
 wave_fields waves_here(crest_pixel p) {
 #if defined(WAVES_CASCADES) && defined(PACKED)
-    return waves_of_width(p.rest, p.fine, p.gust, p.depth);
+    return waves_of_width(p.rest, p.place, p.fine, p.air.gust, p.depth);
 #else
-    return waves_at(p.rest, footprint(vec2(1.0, 0.0), p.width, p.width), p.gust, p.depth, p.mesh);
+    return waves_at(p.rest, p.place, footprint(vec2(1.0, 0.0), p.width, p.width), p.air.gust, p.depth, p.mesh);
 #endif
 }
 
@@ -261,7 +257,7 @@ vec3 light_here(ivec2 at, vec4 shape) {
     vec3 normal = normalize(vec3(toward * seen.shift - w.slope, 1.0));
     float reflectance = fresnel_mean_fast(max(dot(p.view, normal), 0.0), seen.sigma, water_index);
 
-    vec3 sunlight = sun_light * p.shade;
+    vec3 sunlight = sun_light * p.air.shade;
     vec3 below = water_reflectance * (sunlight * (max(sun_direction.z, 0.0) * SUN_ENTERS) + SKY_ENTERS * sky_light);
     float rise = earth_height(p.position.z, eye_height, dot(p.rest, p.rest), earth_radius);
     float mask = crest_mask(p, w, rise, toward);
@@ -290,7 +286,7 @@ vec3 light_here(ivec2 at, vec4 shape) {
         light *= lather.y * FOAM_ALBEDO * FOAM_DENSEST;
         surface = mix(surface, light, lather.x * min(foam_strength, 1.0));
     }
-    surface = surface * p.transmittance + p.inscatter;
+    surface = surface * p.air.transmittance + p.air.inscatter;
     if (look_show > 0.5 && look_show < 1.5) surface = false_colors(mask, foam, reflectance, normal);
 #ifdef LAND
     float film = smoothstep(0.0, FILM, bed);

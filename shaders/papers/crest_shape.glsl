@@ -9,16 +9,19 @@ void main() { water_vertex(); }
 #endif
 
 #ifdef FRAGMENT
-layout(location = 0) out vec4 out_rest; // undisplaced xy, 0, window depth; all 0: no water
-#ifdef WAVES_MESH
-layout(location = 1) out vec4 out_mesh; // slope, jacobian, foam of the mesh
+#include "common/shape.glsl"
+layout(location = 0) out vec4 out_rest; // common/shape.glsl
+#if defined(WAVES_MESH) || defined(WAVES_CASCADES)
+layout(location = 1) out vec4 out_fields; // WAVES_MESH: slope, jacobian, foam of the mesh; cascades: bend of sea_place
 #endif
 
 void main() {
     water_pixel p = water_here();
-    out_rest = vec4(p.rest, 0.0, gl_FragCoord.z);
+    out_rest = shape_texel(p.rest, p.place, gl_FragCoord.z);
 #ifdef WAVES_MESH
-    out_mesh = p.mesh;
+    out_fields = p.mesh;
+#elif defined(WAVES_CASCADES)
+    out_fields = vec4(p.place.bend, 0.0);
 #endif
 }
 #endif

@@ -38,7 +38,7 @@ const float FILM = 0.12;                          // depth within which the wate
 
 // Slope, jacobian and foam of the waves here. The paper has those of the vertices.
 wave_fields waves_here(water_pixel p, footprint f) {
-    wave_fields w = waves_at(p.rest, f, p.gust, p.depth, p.mesh);
+    wave_fields w = waves_at(p.rest, p.place, f, p.gust, p.depth, p.mesh);
 #if defined(PAPER) && !defined(QUAD)
     w.slope = p.mesh.xy;
 #endif

@@ -106,7 +106,7 @@ waves_here look_at_waves(water_pixel p, vec3 view, float dist) {
     w.own = own_radiance * t.w;
 #endif
 #else
-    wave_fields at = waves_at(p.rest, f, p.gust, p.depth, p.mesh);
+    wave_fields at = waves_at(p.rest, p.place, f, p.gust, p.depth, p.mesh);
     vec3 c = hidden_slopes(p.rest, f, p.depth);
     w.slope = at.slope;
     w.variance = 0.5 * (c.x + c.z);

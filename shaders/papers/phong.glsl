@@ -96,7 +96,7 @@ phong_surface surface_here() {
 #endif
     s.slope = waves_of_footprint(at, wide, s.here.gust, s.here.depth, s.covariance).slope;
 #else
-    s.slope = waves_at(s.here.rest, f, s.here.gust, s.here.depth, s.here.mesh).slope;
+    s.slope = waves_at(s.here.rest, s.here.place, f, s.here.gust, s.here.depth, s.here.mesh).slope;
 #ifdef WAVES_CASCADES
     f.minor = max(f.minor, f.major / float(TAPS)); // the width that the fetches really average over
 #endif

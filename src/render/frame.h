@@ -43,7 +43,7 @@ enum {
     UNIT_WAVE_TABLE = 27,   // 2D RGBA32F  the waves of a sum
 };
 enum {
-    UNIT_OWN = 15,              // 15-19: inputs of a pass; of `physical` 16-19: outputs of water_shape.glsl
+    UNIT_OWN = 15,              // 15-19: inputs of a pass
     UNIT_REFRACTION_DEPTH = 15, // 2D  images of planar_views.c and their depths
     UNIT_REFLECTION = 16,
     UNIT_REFRACTION = 17,

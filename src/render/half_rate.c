@@ -99,20 +99,24 @@ static bolan_vec4 places(const half_rate *s, const render_view *v, bool keeps_sh
     return (bolan_vec4){scale, keeps_shape ? -0.5f * scale - 0.5f : -0.5f, (float)(s->now.target.width - 1), 0.0f};
 }
 
-void bolan_half_rate_lay(const half_rate *s, const water_draw *d, bool keeps_shape, bool opaque) {
-    const gl_program *g = keeps_shape ? bolan_water_program(d, &shape_resolve, opaque ? KEPT | OPAQUE : KEPT)
-                                      : bolan_water_program(d, &mesh_resolve, 0);
-    if (!g) return;
+static bool begin_laying(const half_rate *s, const water_draw *d, bool keeps_shape, const water_shader *shader,
+                         uint32_t own) {
+    const gl_program *g = bolan_water_program(d, shader, own);
+    if (g == NULL) return false;
     bolan_gl_program_vec4(g, "places", places(s, d->view, keeps_shape));
     bolan_gl_texture_bind(&s->now.color, UNIT_HALF_RATE);
-    if (!keeps_shape) {
-        bolan_water_draw_forward(d);
-        return;
-    }
-    bolan_gl_target_bind_part(&d->view->hdr, 0, 0, d->view->hdr.width, bolan_water_rows(d->view, d->vertical));
+    return true;
+}
+
+void bolan_half_rate_lay_mesh(const half_rate *s, const water_draw *d) {
+    if (begin_laying(s, d, false, &mesh_resolve, 0)) bolan_water_draw_forward(d);
+}
+
+void bolan_half_rate_lay_shape(const half_rate *s, const water_draw *d, bool opaque, uint32_t rows) {
+    if (!begin_laying(s, d, true, &shape_resolve, opaque ? KEPT | OPAQUE : KEPT)) return;
+    bolan_gl_target_bind_part(&d->view->hdr, 0, 0, d->view->hdr.width, rows);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
-    bolan_gl_target_bind(&d->view->hdr);
 }
 
 bolan_result bolan_half_rate_reload(half_rate *s) {

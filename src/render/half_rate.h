@@ -4,7 +4,7 @@
 // At grazing angles the footprint of a pixel is far longer along the view than wide, and texture fetches average over
 // round footprints: with one fetch in a footprint v times as long as wide, v neighbouring pixels read the same texels.
 // Below the high qualities one sample therefore serves `columns` pixels of a row. The shape of the water, its edges and
-// its depth keep the full rate. An optics that keeps its shape (water_optics.keeps_shape) is shaded from the shape; for
+// its depth keep the full rate. An optics that keeps its shape (water_optics.shape) is shaded from the shape; for
 // other optics the mesh is drawn twice, the second time with hardly any work for a pixel.
 #ifndef BOLAN_RENDER_WATER_SPARSE_H
 #define BOLAN_RENDER_WATER_SPARSE_H
@@ -33,9 +33,10 @@ uint32_t bolan_half_rate_columns(const render_view *f, uint32_t most);
 // something is `opaque`. Its sampling.x is 1 and
 // it is `f` itself where it cannot be had (logged).
 render_view bolan_half_rate_begin(half_rate *s, const render_view *f, uint32_t columns, bool keeps_shape, bool opaque);
-// Into the frame's picture; d->view is the frame that bolan_half_rate_begin() had. With its own shape bound
-// or by the mesh.
-void bolan_half_rate_lay(const half_rate *s, const water_draw *d, bool keeps_shape, bool opaque);
+// Into the frame's picture, by the mesh; d->view is the frame that bolan_half_rate_begin() had.
+void bolan_half_rate_lay_mesh(const half_rate *s, const water_draw *d);
+// Likewise these rows from the bottom, over the shape that the optics keeps, which must be bound.
+void bolan_half_rate_lay_shape(const half_rate *s, const water_draw *d, bool opaque, uint32_t rows);
 bolan_result bolan_half_rate_reload(half_rate *s);
 void bolan_half_rate_free(half_rate *s);
 

@@ -177,7 +177,7 @@ static void list_programs(pass_water *p, const frame *f, const water_setup *s) {
     if (o->planar_mirrors && s->surface == BOLAN_SURFACE_QUAD)
         bolan_water_programs_add(&p->programs, s, false, &cover_shader, 0);
     if (o->planar_mirrors && s->below) bolan_water_programs_add(&p->programs, s, true, &cover_shader, 0);
-    if (s->shares_samples) bolan_half_rate_prepare(&p->sparse, s, o->keeps_shape, &p->programs);
+    if (s->shares_samples) bolan_half_rate_prepare(&p->sparse, s, o->shape != NULL, &p->programs);
 }
 
 static void prepare_programs(pass_water *p, const frame *f) {
@@ -238,6 +238,11 @@ static void draw_edges(pass_water *p, const water_draw *d) {
     if (bolan_water_program(d, &edge_shader, 0)) bolan_water_mesh_draw_edges(&p->mesh);
 }
 
+static void count_triangles(const pass_water *p, render_view *v) {
+    v->triangles += bolan_water_mesh_triangles(&p->mesh);
+    v->water_triangles += bolan_water_mesh_triangles(&p->mesh);
+}
+
 static void draw_surface(pass_water *p, render_view *v) {
     water_draw d = draw_of(p, v);
     bolan_sea_gpu_bind(&p->fields, d.waves);
@@ -245,8 +250,7 @@ static void draw_surface(pass_water *p, render_view *v) {
         draw_edges(p, &d);
     else
         optics_of(v->frame)->draw(p->state[v->frame->lighting.technique.optics], &d);
-    v->triangles += bolan_water_mesh_triangles(&p->mesh);
-    v->water_triangles += bolan_water_mesh_triangles(&p->mesh);
+    count_triangles(p, v);
 }
 
 void bolan_pass_water_behind(pass_water *p, render_view *v, const world_drawer *world) {
@@ -255,16 +259,10 @@ void bolan_pass_water_behind(pass_water *p, render_view *v, const world_drawer *
     optics_of(v->frame)->behind(p->state[v->frame->lighting.technique.optics], &d, world);
 }
 
-void bolan_pass_water_draw(pass_water *p, render_view *v) {
-    if (bolan_water_mesh_triangles(&p->mesh) == 0 || !can_draw(p, v->frame) || !p->ready) return;
-    const bool keeps_shape = optics_of(v->frame)->keeps_shape, behind = v->frame->behind;
-    const uint32_t columns = bolan_half_rate_columns(v, v->medium == EYE_IN_AIR ? columns_of(v->frame) : 1);
-    render_view sparse = bolan_half_rate_begin(&p->sparse, v, columns, keeps_shape, behind);
-    if (sparse.shade_columns <= 1.0f) {
-        bolan_gl_target_bind(&v->hdr);
-        draw_surface(p, v);
-        return;
-    }
+// With fewer samples than pixels, by the mesh. False: each pixel needs its own, or they cannot be had (logged).
+static bool draw_shared(pass_water *p, render_view *v, uint32_t columns) {
+    render_view sparse = bolan_half_rate_begin(&p->sparse, v, columns, false, v->frame->behind);
+    if (sparse.shade_columns <= 1.0f) return false;
     bolan_view_use(&sparse);
     bolan_gl_target_bind(&sparse.hdr);
     draw_surface(p, &sparse);
@@ -272,7 +270,49 @@ void bolan_pass_water_draw(pass_water *p, render_view *v) {
     v->water_triangles = sparse.water_triangles;
     bolan_view_use(v);
     const water_draw d = draw_of(p, v);
-    bolan_half_rate_lay(&p->sparse, &d, keeps_shape, behind);
+    bolan_half_rate_lay_mesh(&p->sparse, &d);
+    return true;
+}
+
+// Shades the kept shape up to that row with fewer samples than pixels; false as above.
+static bool light_shared(pass_water *p, render_view *v, uint32_t columns, uint32_t rows) {
+    const water_optics *o = optics_of(v->frame);
+    if (rows == 0) return false;
+    render_view sparse = bolan_half_rate_begin(&p->sparse, v, columns, true, v->frame->behind);
+    if (sparse.shade_columns <= 1.0f) return false;
+    bolan_view_use(&sparse);
+    water_draw d = draw_of(p, &sparse);
+    o->light(p->state[o->kind], &d, (water_rows){0, rows});
+    bolan_view_use(v);
+    d = draw_of(p, v);
+    bolan_half_rate_lay_shape(&p->sparse, &d, v->frame->behind, rows);
+    return true;
+}
+
+static void draw_kept(pass_water *p, render_view *v, uint32_t columns) {
+    const water_optics *o = optics_of(v->frame);
+    const water_draw d = draw_of(p, v);
+    const uint32_t all = bolan_water_rows(v, d.vertical);
+    const uint32_t shared = columns <= 1 ? 0 : o->shared_rows != NULL ? o->shared_rows(&d, all) : all;
+    bolan_sea_gpu_bind(&p->fields, d.waves);
+    if (o->shape(p->state[o->kind], &d)) {
+        const water_rows rest = {light_shared(p, v, columns, shared) ? shared : 0, all};
+        if (rest.from < rest.to) o->light(p->state[o->kind], &d, rest);
+    }
+    bolan_gl_target_bind(&v->hdr);
+    count_triangles(p, v);
+}
+
+void bolan_pass_water_draw(pass_water *p, render_view *v) {
+    if (bolan_water_mesh_triangles(&p->mesh) == 0 || !can_draw(p, v->frame) || !p->ready) return;
+    const uint32_t columns = bolan_half_rate_columns(v, v->medium == EYE_IN_AIR ? columns_of(v->frame) : 1);
+    if (optics_of(v->frame)->shape != NULL && v->frame->lighting.look.show != BOLAN_SHOW_MESH) {
+        draw_kept(p, v, columns);
+        return;
+    }
+    if (draw_shared(p, v, columns)) return;
+    bolan_gl_target_bind(&v->hdr);
+    draw_surface(p, v);
 }
 
 void bolan_pass_water_draw_below(pass_water *p, render_view *v) {

@@ -72,3 +72,10 @@ uint32_t bolan_water_rows(const render_view *v, double vertical) {
     const double rows = bolan_view_row(v, -tan(top)) + 3.0; // in the middle; the horizon curves down from there
     return (uint32_t)fmin(fmax(rows, 1.0), v->height);
 }
+
+uint32_t bolan_water_rows_steeper(const render_view *v, double sine, uint32_t rows) {
+    if (sine >= 1.0) return 0;                                          // even straight below
+    const double down = bolan_radians(v->lens.pitch_deg) + asin(sine); // from the middle of the picture
+    if (fabs(down) > 1.5) return down > 0.0 ? 0 : rows;
+    return (uint32_t)fmin(fmax(bolan_view_row(v, -tan(down)) + 2.0, 0.0), rows);
+}

@@ -30,8 +30,15 @@ void bolan_water_fill(water_block *b, const water_draw *d);
 void bolan_water_draw_forward(const water_draw *d);
 // Rows of the picture, from the bottom, that can show water: up to the horizon raised by the highest wave.
 uint32_t bolan_water_rows(const render_view *v, double vertical);
+// Of these rows from the bottom of the picture, those whose rays go down more steeply than an angle of that sine.
+uint32_t bolan_water_rows_steeper(const render_view *v, double sine, uint32_t rows);
 // The surface that is drawn: two triangles for an eye under water, whatever the technique says.
 bolan_surface_kind bolan_water_surface(const render_view *v);
+
+// Rows of a picture, counted from the bottom.
+typedef struct water_rows {
+    uint32_t from, to;
+} water_rows;
 
 // What an optics can do and needs. The passes and the frame ask this table, and never which optics it is.
 typedef struct water_optics {
@@ -41,10 +48,11 @@ typedef struct water_optics {
     bool planar_mirrors;    // fetches planar views of the world instead: see behind()
     bool own_sky;           // reflects a sky of its own, so needs no planar views where the scene is empty
     bool static_grid;       // shades each pixel from textures: the static grid is fine enough
-    bool keeps_shape;       // shades each pixel from a shape that it keeps, on its own units: see half_rate.h
     bool packed;            // of the cascades it reads slopes, pinch and foam, nothing else: see sea_gpu.h
     // Columns of pixels that share a sample; NULL: each pixel has its own.
     uint32_t (*shade_columns)(const bolan_look *look, bolan_quality quality);
+    // Of these rows from the bottom, those where they do; NULL: all. With shape().
+    uint32_t (*shared_rows)(const water_draw *d, uint32_t rows);
     // How the mesh of the water differs for this look; NULL, or a function that returns NULL: not at all.
     const mesh_rules *(*mesh)(const bolan_look *look);
     // True: it has no use for the cascades' textures; NULL: it has.
@@ -57,7 +65,13 @@ typedef struct water_optics {
     void (*prepare)(void *state, const water_draw *d); // once a view, before anything is drawn; may be NULL
     // Once a sample, after the world and before the water: draws planar views. Where planar_mirrors or draw_below.
     void (*behind)(void *state, const water_draw *d, const world_drawer *world);
+    // Draws the water; NULL where the optics has the next two.
     void (*draw)(void *state, const water_draw *d);
+    // Draws the shape of the water, which the optics keeps and binds to its own units: see half_rate.h. False:
+    // there is nothing to shade, for an eye in the water or because it cannot be drawn (logged).
+    bool (*shape)(void *state, const water_draw *d);
+    // Shades these rows of the shape into the picture of the view.
+    void (*light)(void *state, const water_draw *d, water_rows rows);
     // The water round an eye in it, where the depth is 0; such an eye sees two triangles. NULL: not so.
     void (*draw_body)(void *state);
     // What is seen through water by an eye in it or at the waterline, over the frame and its sky; NULL: draw_body() or

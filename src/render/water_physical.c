@@ -6,19 +6,21 @@
 #include "foam_texture.h"
 #include "kept_sizes.h"
 #include "shared/foam.glsl"
+#include "water_air.h"
 #include "water_optics.h"
 
 #include <math.h>
 #include <stddef.h>
 
-enum { SURFACE_COUNT = 4, SURFACE_SUN = 1 }; // SURFACE_SUN: the output that holds the share of the sun
+enum { FIELDS = 2, FIELD_OF_SUN = 1 }; // outputs that are fields, and that of them which holds the share of the sun
 
-// What has the size of a view: 40 bytes a pixel.
+// What has the size of a view: 32 bytes a pixel.
 typedef struct shape {
-    gl_texture map[SURFACE_COUNT]; // outputs of water_shape.glsl
-    gl_target target;              // they, and the frame's depth
-    gl_target sun;                 // the share of the sun among them
-    uint64_t depth_serial;         // of that depth
+    gl_texture fields, rest; // outputs of water_shape.glsl; a layer for each field
+    gl_target target;        // they, and the frame's depth
+    gl_target sun;           // the share of the sun among them
+    water_air air;
+    uint64_t depth_serial; // of that depth
 } shape;
 
 typedef struct physical {
@@ -51,24 +53,28 @@ static bolan_result create(void *state, bolan_quality quality) {
 static void free_shape(shape *s) {
     bolan_gl_target_free(&s->target);
     bolan_gl_target_free(&s->sun);
-    for (int i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_free(&s->map[i]);
+    bolan_gl_texture_free(&s->fields);
+    bolan_gl_texture_free(&s->rest);
+    bolan_water_air_free(&s->air);
     s->depth_serial = 0;
 }
 
 static bolan_result create_shape(shape *s, const render_view *v) {
-    const gl_texture *colors[SURFACE_COUNT];
-    bolan_result result = BOLAN_OK;
-    for (int i = 0; i < SURFACE_COUNT && result == BOLAN_OK; ++i) {
-        gl_texture_desc desc = {.format = i == 0 ? GL_FMT_RGBA32F : GL_FMT_RGBA16F,
-                                .width = v->width,
-                                .height = v->height,
-                                .filter = GL_FILTER_NEAREST,
-                                .wrap = GL_WRAP_CLAMP};
-        result = bolan_gl_texture_create(&desc, &s->map[i]);
-        colors[i] = &s->map[i];
-    }
-    if (result == BOLAN_OK) result = bolan_gl_target_create(colors, SURFACE_COUNT, v->hdr_depth, -1, 0, &s->target);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(&colors[SURFACE_SUN], 1, NULL, -1, 0, &s->sun);
+    const gl_texture_desc rest = {.format = GL_FMT_RGBA32F,
+                                  .width = v->width,
+                                  .height = v->height,
+                                  .filter = GL_FILTER_NEAREST,
+                                  .wrap = GL_WRAP_CLAMP};
+    gl_texture_desc fields = rest;
+    fields.format = GL_FMT_RGBA16F;
+    fields.array = true;
+    fields.depth = FIELDS;
+    const gl_texture *colors[FIELDS + 1] = {&s->fields, &s->fields, &s->rest}, *field = &s->fields;
+    bolan_result result = bolan_gl_texture_create(&rest, &s->rest);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&fields, &s->fields);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(colors, FIELDS + 1, v->hdr_depth, 0, 0, &s->target);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(&field, 1, NULL, FIELD_OF_SUN, 0, &s->sun);
+    if (result == BOLAN_OK) result = bolan_water_air_create(&s->air, v);
     if (result == BOLAN_OK) s->depth_serial = v->depth_serial;
     return result;
 }
@@ -122,12 +128,13 @@ static physical_block foam_of(const render_view *v) {
                             .streak_excess = (float)streak_excess(sea)};
 }
 
-static void draw_shape(physical *p, const water_draw *d) {
-    if (!bolan_water_program(d, &shape_shader, 0)) return;
+static bool draw_shape(physical *p, const water_draw *d) {
+    if (!bolan_water_program(d, &shape_shader, 0)) return false;
     bolan_gl_target_bind(&p->shape->target);
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     bolan_water_mesh_draw(d->mesh);
+    return true;
 }
 
 // Takes the share that a host's objects leave from the sun's.
@@ -139,13 +146,19 @@ static void draw_shadow(const physical *p, const water_draw *d) {
     bolan_gl_program_float(g, "shadow_bias", host->shadow_bias);
     bolan_gl_target_bind(&p->shape->sun);
     bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_MULTIPLY});
-    bolan_gl_texture_bind(&p->shape->map[0], UNIT_OWN + 1);
+    bolan_gl_texture_bind(&p->shape->rest, UNIT_OWN + 1);
     bolan_gl_guest_texture_bind(host->shadow, UNIT_OWN, &p->sampler);
     bolan_gl_draw_fullscreen();
     bolan_gl_guest_texture_bind(0, UNIT_OWN, NULL);
 }
 
-static void draw_light(physical *p, const water_draw *d) {
+static void bind_shape(const shape *s) {
+    bolan_gl_texture_bind(&s->rest, UNIT_OWN + 1);
+    bolan_gl_texture_bind(&s->fields, UNIT_OWN + 2);
+}
+
+static void light(void *state, const water_draw *d, water_rows rows) {
+    physical *p = state;
     if (!bolan_water_program(d, &light_shader, 1u << p->quality)) return;
     const physical_block block = foam_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
@@ -154,8 +167,9 @@ static void draw_light(physical *p, const water_draw *d) {
         bolan_water_blocks_patch_optics(d->blocks, offsetof(physical_block, old_foam_memory), law, FOAM_LAW_THRESHOLD,
                                         2); // and memory_variance
     bolan_gl_texture_bind(&p->foam_noise, UNIT_FOAM_DETAIL);
-    for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape->map[i], UNIT_OWN + 1 + i);
-    bolan_gl_target_bind_part(&d->view->hdr, 0, 0, d->view->hdr.width, bolan_water_rows(d->view, d->vertical));
+    bind_shape(p->shape);
+    bolan_gl_texture_bind(&p->shape->air.map, UNIT_OWN + 3);
+    bolan_gl_target_bind_part(&d->view->hdr, 0, rows.from, d->view->hdr.width, rows.to - rows.from);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
     bolan_gl_target_bind(&d->view->hdr);
@@ -164,19 +178,19 @@ static void draw_light(physical *p, const water_draw *d) {
 static void list(const void *state, const water_setup *s, water_programs *all) {
     (void)state;
     bolan_water_programs_add(all, s, false, &shape_shader, 0);
+    bolan_water_air_list(s, all);
     bolan_water_programs_add(all, s, false, &light_shader, 1u << s->quality);
     bolan_water_programs_add(all, s, false, &shadow_shader, 0); // a host may bring shadows to any view
     bolan_below_list(s, all);
 }
 
-static void draw(void *state, const water_draw *d) {
+static bool make_shape(void *state, const water_draw *d) {
     physical *p = state;
-    if (fit_shape(p, d->view) != BOLAN_OK) return;
     const bolan_host *host = d->view->frame->host;
-    draw_shape(p, d);
-    if (d->view->medium == EYE_IN_WATER) return;
+    if (fit_shape(p, d->view) != BOLAN_OK || !draw_shape(p, d)) return false;
+    if (d->view->medium == EYE_IN_WATER) return false; // draw_below() shades it
     if (host != NULL && host->shadow != 0) draw_shadow(p, d);
-    draw_light(p, d);
+    return bolan_water_air_draw(&p->shape->air, d);
 }
 
 static void behind(void *state, const water_draw *d, const world_drawer *world) {
@@ -185,23 +199,38 @@ static void behind(void *state, const water_draw *d, const world_drawer *world) 
 
 static void draw_below(void *state, const water_draw *d) {
     physical *p = state;
-    for (uint32_t i = 0; i < SURFACE_COUNT; ++i) bolan_gl_texture_bind(&p->shape->map[i], UNIT_OWN + 1 + i);
+    bind_shape(p->shape);
     bolan_below_draw(&p->below, d);
 }
 
 static uint32_t shade_columns(const bolan_look *look, bolan_quality quality) {
     (void)look;
-    return quality == BOLAN_QUALITY_LOW ? 2 : 1;
+    return quality <= BOLAN_QUALITY_MEDIUM ? 2 : 1;
+}
+
+// At medium quality columns share samples where a texel of the shortest waves is at least so many pixels wide: there
+// the samples lose hardly a wave. What is seen through the water has no such limit.
+#define SHARED_TEXEL 1.5
+
+static uint32_t shared_rows(const water_draw *d, uint32_t rows) {
+    const render_view *v = d->view;
+    if (v->frame->quality < BOLAN_QUALITY_MEDIUM) return rows;
+    if (d->waves != WATER_CASCADES || v->frame->behind) return 0;
+    const bolan_cascade_view last =
+        bolan_sea_cascade_layout(v->frame->sea, bolan_sea_cascade_count(v->frame->sea) - 1);
+    const double width = last.length / last.n / SHARED_TEXEL;
+    return bolan_water_rows_steeper(v, v->block.eye_height * v->block.radians_per_pixel / width, rows);
 }
 
 const water_optics bolan_optics_physical = {.kind = BOLAN_OPTICS_PHYSICAL,
                                             .size = sizeof(physical),
                                             .looks_through = true,
-                                            .keeps_shape = true,
                                             .shade_columns = shade_columns,
+                                            .shared_rows = shared_rows,
                                             .create = create,
                                             .list = list,
                                             .behind = behind,
-                                            .draw = draw,
+                                            .shape = make_shape,
+                                            .light = light,
                                             .draw_below = draw_below,
                                             .free = free_all};

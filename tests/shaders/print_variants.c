@@ -59,7 +59,7 @@ static void list(const water_optics *o, const water_setup *s, water_programs *al
         if (state != NULL) o->list(state, s, all);
         free(state);
     }
-    if (s->shares_samples) bolan_half_rate_prepare(&sparse, s, o->keeps_shape, all);
+    if (s->shares_samples) bolan_half_rate_prepare(&sparse, s, o->shape != NULL, all);
 }
 
 // Bits of `choice`: land, paper, bounds with bound waves, layers; what else stands in the picture goes with the land.

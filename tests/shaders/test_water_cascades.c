@@ -133,8 +133,8 @@ enum { CASES = 3 };
 #define SLOPE_ERROR 1.2e-3
 #define JACOBIAN_ERROR 2e-3
 
-static const char *const vertex_probe = "vec4 probe(vec4 x) { vec4 fields; return vec4(wave_offset(x.xy, 1e-3, x.w, "
-                                        "fields), fields.x); }";
+static const char *const vertex_probe = "vec4 probe(vec4 x) { vec4 fields; return vec4(wave_offset(x.xy, "
+                                        "place_of(x.xy), 1e-3, x.w, fields), fields.x); }";
 
 static void vertices_stand_where_the_cpu_has_them(void **state) {
     (void)state;
@@ -177,8 +177,10 @@ static void vertices_of_a_coarse_mesh_have_the_long_waves(void **state) {
     for (int k = 0; k < 3; ++k) {
         float in[COUNT][4], out[COUNT][4];
         scatter(in, (float)spacings[k], 1e3f);
-        run(&r, "vec4 probe(vec4 x) { vec4 fields; return vec4(wave_offset(x.xy, x.z, x.w, fields), 0.0); }", 4, in,
-            COUNT, out);
+        run(&r,
+            "vec4 probe(vec4 x) { vec4 fields; "
+            "return vec4(wave_offset(x.xy, place_of(x.xy), x.z, x.w, fields), 0.0); }",
+            4, in, COUNT, out);
         double error = 0.0, energy = 0.0, shader = 0.0, cpu = 0.0;
         for (int i = 0; i < COUNT; ++i) {
             const bolan_dvec2 at = {r.f.eye.x + (double)in[i][0], r.f.eye.y + (double)in[i][1]};
@@ -244,8 +246,9 @@ static void compare_pixels(const rig *r, double choppiness, double gust, double 
     float in[COUNT][4], out[COUNT][4];
     scatter(in, (float)gust, (float)depth);
     run(r,
-        "vec4 probe(vec4 x) { wave_fields w = waves_at(x.xy, footprint(vec2(1.0, 0.0), 1e-4, 1e-4), x.z, x.w, "
-        "vec4(0.0)); return vec4(w.slope, w.jacobian, w.foam); }",
+        "vec4 probe(vec4 x) { footprint f = footprint(vec2(1.0, 0.0), 1e-4, 1e-4); "
+        "wave_fields w = waves_at(x.xy, place_of(x.xy), f, x.z, x.w, vec4(0.0)); "
+        "return vec4(w.slope, w.jacobian, w.foam); }",
         4, in, COUNT, out);
     int plain = 0;
     double error = 0.0, energy = 0.0;
@@ -290,10 +293,70 @@ static void pixels_have_the_slopes_of_the_cpu(void **state) {
     }
 }
 
+// ---- the warped plane -----------------------------------------------------------------------------------------------
+
+// Pixels interpolate between vertices where the sea is read. The gradient of a wave of the warp goes from -0.036 to
+// 0.036 in half its length: 0.039 a tile for the shortest, 0.086 for all six. An interpolation over a spacing s is off
+// by an eighth of that times s^2: by 0.011 s over a tile, and pixels resolve no waves much shorter than s.
+#define BEND_OF_WARP 0.086 // largest second derivative of the place, times the side of the first tile
+
+static void places_may_be_interpolated_between_vertices(void **state) {
+    (void)state;
+    rig r;
+    rig_open(&r, 20.0, 0.0, (bolan_dvec2){123456.7, -98765.4}, 3.0, false);
+    const double side = bolan_sea_cascade_layout(r.sea, 0).length;
+    float in[COUNT][4], out[COUNT][4];
+    scatter(in, 0.0f, 0.0f);
+    for (int i = 0; i < COUNT; ++i) in[i][2] = (float)(1.0 * pow(2.0, i % 9)), in[i][3] = (float)i;
+    run(&r,
+        "vec4 probe(vec4 x) { vec2 half_way = 0.5 * x.z * vec2(cos(x.w), sin(x.w)); "
+        "sea_place a = place_of(x.xy - half_way), b = place_of(x.xy + half_way), at = place_of(x.xy); "
+        "vec3 bend = abs(0.5 * (a.bend + b.bend) - at.bend); return vec4(distance(0.5 * (a.at + b.at), at.at), "
+        "max(bend.x, max(bend.y, bend.z)), distance(at.at, x.xy), length(at.bend)); }",
+        4, in, COUNT, out);
+    double shift = 0.0, bend = 0.0;
+    for (int i = 0; i < COUNT; ++i) {
+        const double s = (double)in[i][2];
+        const double error = BEND_OF_WARP * s * s / 8.0 / side;
+        assert_true((double)out[i][0] < error + 1e-3); // a float of some hundred metres
+        assert_true((double)out[i][1] < BEND_OF_WARP * s / 2.0 / side + 1e-5);
+        assert_true(error < 0.1 * s);
+        shift = fmax(shift, (double)out[i][2]), bend = fmax(bend, (double)out[i][3]);
+    }
+    assert_true(shift > 5.0 && bend > 0.05); // else there is no warp, and the test says nothing
+    rig_close(&r);
+}
+
+// The texel of a kept shape holds the place exactly, and the rest point to half a step of 0.28 / 2047 of its distance
+// in both directions.
+#define REST_ERROR 1.2e-4
+
+static void a_kept_shape_holds_place_and_rest_point(void **state) {
+    (void)state;
+    rig r;
+    rig_open(&r, 20.0, 0.0, (bolan_dvec2){-4321.0, 98765.4}, 3.0, false);
+    float in[COUNT][4], out[COUNT][4];
+    scatter(in, 0.0f, 0.0f);
+    for (int i = 0; i < COUNT; ++i) in[i][2] = (float)pow(2.0, i % 20 - 10); // from 0.4 m to 200 km
+    run(&r,
+        "\n#include \"common/shape.glsl\"\nvec4 probe(vec4 x) { vec2 rest = x.xy * x.z; sea_place p = place_of(rest); "
+        "vec4 t = shape_texel(rest, p, 0.25); return vec4(shape_rest_point(t) - rest, distance(t.xy, p.at), t.w); }",
+        4, in, COUNT, out);
+    double worst = 0.0;
+    for (int i = 0; i < COUNT; ++i) {
+        const double far = (double)in[i][2] * hypot((double)in[i][0], (double)in[i][1]);
+        worst = fmax(worst, hypot((double)out[i][0], (double)out[i][1]) / far);
+        assert_true(out[i][2] == 0.0f && out[i][3] == 0.25f);
+    }
+    assert_true(worst < REST_ERROR && worst > 0.1 * REST_ERROR);
+    rig_close(&r);
+}
+
 // ---- bound waves ----------------------------------------------------------------------------------------------------
 
-static const char *const pixel_probe = "vec4 probe(vec4 x) { wave_fields w = waves_at(x.xy, footprint(vec2(1.0, 0.0), "
-                                       "1e-4, 1e-4), 1.0, x.w, vec4(0.0)); return vec4(w.slope, 0.0, 0.0); }";
+static const char *const pixel_probe = "vec4 probe(vec4 x) { footprint f = footprint(vec2(1.0, 0.0), 1e-4, 1e-4); "
+                                       "wave_fields w = waves_at(x.xy, place_of(x.xy), f, 1.0, x.w, vec4(0.0)); "
+                                       "return vec4(w.slope, 0.0, 0.0); }";
 
 // What order 2 adds to vertices and pixels is what it adds to samples. A pixel fetches the splines of height and
 // displacement linearly, which overstates the short waves in its products.
@@ -341,7 +404,7 @@ static const char *const energy_probe = "vec4 probe(vec4 x) {\n"
                                         "    vec3 sum = vec3(0.0);\n"
                                         "    for (int i = 0; i < 4096; ++i) {\n"
                                         "        vec2 at = 5000.0 * fract(float(i) * vec2(0.75487766, 0.56984029));\n"
-                                        "        vec2 s = waves_at(at, f, 1.0, 1e3, vec4(0.0)).slope;\n"
+                                        "        vec2 s = waves_at(at, place_of(at), f, 1.0, 1e3, vec4(0.0)).slope;\n"
                                         "        sum += s.xxy * s.xyy / 4096.0;\n"
                                         "    }\n"
                                         "    return vec4(sum, 0.0);\n"
@@ -423,6 +486,8 @@ int main(void) {
         IN_BOTH_APIS(vertices_stand_where_the_cpu_has_them),
         IN_BOTH_APIS(vertices_of_a_coarse_mesh_have_the_long_waves),
         IN_BOTH_APIS(pixels_have_the_slopes_of_the_cpu),
+        IN_BOTH_APIS(places_may_be_interpolated_between_vertices),
+        IN_BOTH_APIS(a_kept_shape_holds_place_and_rest_point),
         IN_BOTH_APIS(bound_waves_reach_vertices_and_pixels),
         IN_BOTH_APIS(the_table_of_unresolved_slopes_is_looked_up_where_it_should_be),
         IN_BOTH_APIS(no_footprint_loses_or_gains_slope_variance),

@@ -95,11 +95,13 @@ static void compare(const rig *r) {
     float in[COUNT][4] = {{0}}, height[COUNT][4], slope[COUNT][4];
     scatter(in);
     if (r->waves == WATER_EXP) // the shader of the vertices has no sum of cosines: the CPU makes those
-        run(r, "vec4 probe(vec4 x) { vec4 fields; return vec4(wave_offset(x.xy, 1e-3, 1e3, fields), fields.x); }", in,
-            COUNT, height);
+        run(r,
+            "vec4 probe(vec4 x) { vec4 fields; return vec4(wave_offset(x.xy, place_of(x.xy), 1e-3, 1e3, fields), "
+            "fields.x); }",
+            in, COUNT, height);
     run(r,
-        "vec4 probe(vec4 x) { wave_fields w = waves_at(x.xy, footprint(vec2(1.0, 0.0), 1e-4, 1e-4), 1.0, 1e3, "
-        "vec4(0.0)); "
+        "vec4 probe(vec4 x) { footprint f = footprint(vec2(1.0, 0.0), 1e-4, 1e-4); "
+        "wave_fields w = waves_at(x.xy, place_of(x.xy), f, 1.0, 1e3, vec4(0.0)); "
         "return vec4(w.slope, w.jacobian, w.foam); }",
         in, COUNT, slope);
     double height_error, slope_error;
@@ -179,10 +181,10 @@ static void what_a_footprint_takes_from_a_wave_is_in_the_table(void **state) {
         in[i][2] = (float)(i / 10 % 2 == 0 ? 0.0 : atan2(w.ky, w.kx) + 0.6); // direction of the long side
     }
     run(&r,
-        "vec4 probe(vec4 x) { vec2 a = vec2(cos(x.z), sin(x.z)); vec2 at = vec2(1.0, 2.0); float whole = "
-        "waves_at(at, footprint(a, 1e-5, 1e-5), 1.0, 1e3, vec4(0.0)).slope.x; return vec4(waves_at(at, footprint(a, "
-        "x.x, x.y), 1.0, "
-        "1e3, vec4(0.0)).slope.x / whole); }",
+        "float slope_under(footprint f) { vec2 at = vec2(1.0, 2.0); "
+        "return waves_at(at, place_of(at), f, 1.0, 1e3, vec4(0.0)).slope.x; }\n"
+        "vec4 probe(vec4 x) { vec2 a = vec2(cos(x.z), sin(x.z)); "
+        "return vec4(slope_under(footprint(a, x.x, x.y)) / slope_under(footprint(a, 1e-5, 1e-5))); }",
         in, 40, out);
     for (int i = 0; i < 40; ++i) {
         float left[3];

@@ -98,8 +98,8 @@ static void check_vertices(float spacing, float depth, const double keep[2]) {
         rig_open(&r, times[t], &blocks);
         scatter(in, spacing, depth);
         run(&r,
-            "vec4 probe(vec4 x) { vec4 f; vec3 o = wave_offset(x.xy, x.z, x.w, f); return vec4(o.z, f.xy, "
-            "length(o.xy)); }",
+            "vec4 probe(vec4 x) { vec4 f; vec3 o = wave_offset(x.xy, place_of(x.xy), x.z, x.w, f); "
+            "return vec4(o.z, f.xy, length(o.xy)); }",
             in, out);
         for (int i = 0; i < COUNT; ++i) {
             const bolan_wave_layer_sample want = twin(&r, in[i], keep);
@@ -142,7 +142,7 @@ static void pixels_have_the_slopes_and_what_they_hide_is_roughness(void **state)
     scatter(in, 0.05f, 0.02f); // a pixel of centimetres
     run(&r,
         "vec4 probe(vec4 x) { footprint f = footprint(vec2(1.0, 0.0), x.z, x.w);"
-        " return vec4(layers_slope(x.xy, f, 1e4), waves_at(x.xy, f, 1.0, 1e4, vec4(0.0)).slope); }",
+        " return vec4(layers_slope(x.xy, f, 1e4), waves_at(x.xy, place_of(x.xy), f, 1.0, 1e4, vec4(0.0)).slope); }",
         in, out);
     for (int i = 0; i < COUNT; ++i) {
         const bolan_wave_layer_sample want = twin(&r, in[i], (const double[2]){1.0, 1.0});

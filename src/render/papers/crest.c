@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Light through crests and ramps of foam. Three steps: the shape of the water over the static grid
-// (shaders/papers/crest_shape.glsl), what varies slowly, in a small picture (crest_air.glsl), and the light, each pixel
+// (shaders/papers/crest_shape.glsl), what varies slowly, in a small picture (water_air.h), and the light, each pixel
 // once (crest.glsl).
 #include "render/foam_statistics.h"
 #include "render/kept_sizes.h"
 #include "render/memory.h"
 #include "render/papers/foam_ramps.h"
 #include "render/papers/shade_columns.h"
+#include "render/water_air.h"
 #include "render/water_optics.h"
 #include "shared/constants.glsl"
 #include "shared/foam.glsl"
@@ -15,22 +16,15 @@
 #include <math.h>
 #include <stddef.h>
 
-enum {
-    AIR_COUNT = 3,
-    AIR_COLUMN = 16,
-    AIR_ROW = 4
-}; // pixels to one of the slow picture: rows are where the horizon is
-
 // Rows of one small texture: the ramps of foam, and row 0 of the table of unresolved slopes, which changes with the
 // sun.
 enum { TABLE_SLOPES = FOAM_RAMP_ROWS, TABLE_ROWS };
 
 // What has the size of a view: 24 bytes a pixel.
 typedef struct crest_targets {
-    gl_texture rest, mesh; // outputs of crest_shape.glsl
-    gl_target shape, shape_mesh;
-    gl_texture air; // outputs of crest_air.glsl, a layer each
-    gl_target air_target;
+    gl_texture rest, fields;       // outputs of crest_shape.glsl
+    gl_target shape, shape_fields; // the first alone, and both
+    water_air air;
     uint64_t depth_serial; // of the frame's depth that shape draws with
 } crest_targets;
 
@@ -47,7 +41,6 @@ typedef struct crest {
 enum { ONE_CASCADE = 1 << 4, SPARSE = 1 << 8 };
 
 static const water_shader shape_shader = {.stem = "papers/crest_shape", .reads = WATER_FEATURE_ALL};
-static const water_shader air_shader = {.stem = "papers/crest_air", .reads = WATER_FEATURE_LAND};
 static const water_shader light_shader = {.stem = "papers/crest",
                                           .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
                                           .defines = {[BOLAN_QUALITY_LOW] = "TAPS 2\n",
@@ -105,33 +98,24 @@ static bolan_result create(void *state, bolan_quality quality) {
 
 static void free_pictures(crest_targets *p) {
     bolan_gl_target_free(&p->shape);
-    bolan_gl_target_free(&p->shape_mesh);
-    bolan_gl_target_free(&p->air_target);
+    bolan_gl_target_free(&p->shape_fields);
     bolan_gl_texture_free(&p->rest);
-    bolan_gl_texture_free(&p->mesh);
-    bolan_gl_texture_free(&p->air);
+    bolan_gl_texture_free(&p->fields);
+    bolan_water_air_free(&p->air);
     p->depth_serial = 0;
 }
 
 static bolan_result create_pictures(crest_targets *p, const render_view *v) {
     gl_texture_desc rest = {
         .format = GL_FMT_RGBA32F, .width = v->width, .height = v->height, .filter = GL_FILTER_NEAREST};
-    gl_texture_desc mesh = {
-        .format = GL_FMT_RGBA16F, .width = v->width, .height = v->height, .filter = GL_FILTER_NEAREST};
-    gl_texture_desc air = {.format = GL_FMT_RGBA16F,
-                           .width = (v->width + AIR_COLUMN - 1) / AIR_COLUMN,
-                           .height = (v->height + AIR_ROW - 1) / AIR_ROW,
-                           .depth = AIR_COUNT,
-                           .array = true,
-                           .filter = GL_FILTER_LINEAR,
-                           .wrap = GL_WRAP_CLAMP};
-    const gl_texture *shapes[] = {&p->rest, &p->mesh}, *airs[AIR_COUNT] = {&p->air, &p->air, &p->air};
+    gl_texture_desc fields = rest;
+    fields.format = GL_FMT_RGBA16F;
+    const gl_texture *shapes[] = {&p->rest, &p->fields};
     bolan_result result = bolan_gl_texture_create(&rest, &p->rest);
-    if (result == BOLAN_OK) result = bolan_gl_texture_create(&mesh, &p->mesh);
-    if (result == BOLAN_OK) result = bolan_gl_texture_create(&air, &p->air);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&fields, &p->fields);
+    if (result == BOLAN_OK) result = bolan_water_air_create(&p->air, v);
     if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 1, v->hdr_depth, -1, 0, &p->shape);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 2, v->hdr_depth, -1, 0, &p->shape_mesh);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(airs, AIR_COUNT, NULL, 0, 0, &p->air_target);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 2, v->hdr_depth, -1, 0, &p->shape_fields);
     return result;
 }
 
@@ -197,24 +181,15 @@ static void upload_rough(crest *p, const render_view *v) {
 
 static void prepare(void *state, const water_draw *d) { upload_rough(state, d->view); }
 
+// Whether crest_shape.glsl has a second output for these waves.
+static bool has_fields(water_waves waves) { return waves == WATER_MESH || waves == WATER_CASCADES; }
+
 static bool draw_shape(crest *p, const water_draw *d) {
     if (!bolan_water_program(d, &shape_shader, 0)) return false;
-    bolan_gl_target_bind(d->waves == WATER_MESH ? &p->now->shape_mesh : &p->now->shape);
+    bolan_gl_target_bind(has_fields(d->waves) ? &p->now->shape_fields : &p->now->shape);
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     bolan_water_mesh_draw(d->mesh);
-    return true;
-}
-
-static bool draw_air(crest *p, const water_draw *d) {
-    const gl_program *g = bolan_water_program(d, &air_shader, 0);
-    if (!g) return false;
-    const uint32_t width = p->now->air.width, height = p->now->air.height;
-    const uint32_t rows = (bolan_water_rows(d->view, d->vertical) + AIR_ROW - 1) / AIR_ROW + 1;
-    bolan_gl_program_vec4(g, "air_size", (bolan_vec4){1.0f / (float)width, 1.0f / (float)height, 0.0f, 0.0f});
-    bolan_gl_target_bind_part(&p->now->air_target, 0, 0, width, rows < height ? rows : height);
-    bolan_gl_set_state(&(gl_state){.color_write = true});
-    bolan_gl_draw_fullscreen();
     return true;
 }
 
@@ -223,17 +198,8 @@ static bool draw_air(crest *p, const water_draw *d) {
 static uint32_t rows_of_width(const render_view *v, double width, double taps, uint32_t rows) {
     const double above = v->block.eye_height - 0.7 * bolan_sea_get_summary(v->frame->sea)->hs;
     if (fabs(v->lens.roll_deg) > LEVEL_ROLL || above <= 0.0) return rows;
-    const double steep = above * v->block.radians_per_pixel / (width * taps); // squared sine
-    if (steep >= 1.0) return 0;                                               // even straight below
-    const double down = bolan_radians(v->lens.pitch_deg) + asin(sqrt(steep)); // from the middle of the picture
-    if (fabs(down) > 1.5) return down > 0.0 ? 0 : rows;
-    return (uint32_t)fmin(fmax(bolan_view_row(v, -tan(down)) + 2.0, 0.0), rows);
+    return bolan_water_rows_steeper(v, sqrt(above * v->block.radians_per_pixel / (width * taps)), rows);
 }
-
-typedef struct light_rows {
-    uint32_t from, to;
-    uint32_t cascades; // that pixels there fetch
-} light_rows;
 
 static uint32_t own_defines(bolan_quality quality, uint32_t cascades, bool sparse) {
     return 1u << quality | (uint32_t)ONE_CASCADE << (cascades - 1) | (sparse ? SPARSE : 0u);
@@ -242,7 +208,7 @@ static uint32_t own_defines(bolan_quality quality, uint32_t cascades, bool spars
 static void list(const void *state, const water_setup *s, water_programs *all) {
     (void)state;
     bolan_water_programs_add(all, s, false, &shape_shader, 0);
-    bolan_water_programs_add(all, s, false, &air_shader, 0);
+    bolan_water_air_list(s, all);
     for (uint32_t cascades = 1; cascades <= s->cascades; ++cascades)
         for (int sparse = 0; sparse <= s->shares_samples; ++sparse)
             bolan_water_programs_add(all, s, false, &light_shader, own_defines(s->quality, cascades, sparse));
@@ -260,14 +226,14 @@ static void patch_foam(const water_draw *d) {
         bolan_water_blocks_patch_optics(d->blocks, members[i].offset, law, members[i].first, 1);
 }
 
-static void draw_rows(crest *p, const water_draw *d, light_rows rows) {
+static void draw_rows(crest *p, const water_draw *d, water_rows rows, uint32_t cascades) {
     const bool sparse = d->view->block.shade_columns > 1.0f;
-    if (!bolan_water_program(d, &light_shader, own_defines(p->quality, rows.cascades, sparse))) return;
+    if (!bolan_water_program(d, &light_shader, own_defines(p->quality, cascades, sparse))) return;
     bolan_gl_texture_bind(&p->densities, UNIT_OWN + 4);
     bolan_gl_texture_bind(&p->tables, UNIT_OWN);
     bolan_gl_texture_bind(&p->now->rest, UNIT_OWN + 1);
-    bolan_gl_texture_bind(&p->now->mesh, UNIT_OWN + 2);
-    bolan_gl_texture_bind(&p->now->air, UNIT_OWN + 3);
+    bolan_gl_texture_bind(&p->now->fields, UNIT_OWN + 2);
+    bolan_gl_texture_bind(&p->now->air.map, UNIT_OWN + 3);
     bolan_gl_target_bind_part(&d->view->hdr, 0, rows.from, d->view->hdr.width, rows.to - rows.from);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
@@ -281,27 +247,25 @@ static uint32_t rows_of_cascade(const water_draw *d, uint32_t cascade, double ta
 }
 
 // Far rows fetch fewer cascades.
-static void draw_light(crest *p, const water_draw *d) {
-    const uint32_t rows = bolan_water_rows(d->view, d->vertical);
+static void light(void *state, const water_draw *d, water_rows rows) {
+    crest *p = state;
     const crest_block block = foam_of(d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     patch_foam(d);
-    light_rows part = {.cascades = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->view->frame->sea) : 1};
-    while (part.from < rows) {
-        part.to = part.cascades > 1 ? rows_of_cascade(d, part.cascades - 1, p->taps, rows) : rows;
+    uint32_t cascades = d->waves == WATER_CASCADES ? bolan_sea_cascade_count(d->view->frame->sea) : 1;
+    for (water_rows part = rows; part.from < rows.to;) {
+        part.to = cascades > 1 ? rows_of_cascade(d, cascades - 1, p->taps, rows.to) : rows.to;
         if (part.to > part.from) {
-            draw_rows(p, d, part);
+            draw_rows(p, d, part, cascades);
             part.from = part.to;
         }
-        if (part.cascades > 1) part.cascades--;
+        if (cascades > 1) cascades--;
     }
 }
 
-static void draw(void *state, const water_draw *d) {
+static bool make_shape(void *state, const water_draw *d) {
     crest *p = state;
-    if (!fit_pictures(p, d->view)) return;
-    if (draw_shape(p, d) && draw_air(p, d)) draw_light(p, d);
-    bolan_gl_target_bind(&d->view->hdr);
+    return fit_pictures(p, d->view) && draw_shape(p, d) && bolan_water_air_draw(&p->now->air, d);
 }
 
 const water_optics bolan_optics_crest = {.kind = BOLAN_OPTICS_CREST,
@@ -309,10 +273,10 @@ const water_optics bolan_optics_crest = {.kind = BOLAN_OPTICS_CREST,
                                          .looks_through = true,
                                          .shade_columns = bolan_paper_columns,
                                          .static_grid = true,
-                                         .keeps_shape = true,
                                          .packed = true,
                                          .create = create,
                                          .list = list,
                                          .prepare = prepare,
-                                         .draw = draw,
+                                         .shape = make_shape,
+                                         .light = light,
                                          .free = free_all};
