@@ -9,7 +9,7 @@
 
 #include "bolan/ground.h"
 #include "bolan/query.h"
-#include "waves/model.h"
+#include "waves/cascades/cascades.h"
 
 #include <complex.h>
 #include <string.h>
@@ -212,9 +212,17 @@ static void hear_seed(which which_sea, uint32_t n, uint32_t seed, uint32_t seeds
     bolan_sea_destroy(&sea);
 }
 
+// Frequency [Hz] up to which a sea is as it was asked for; its shorter waves are rolled off (bolan/waves.h), and buoys
+// are held to the modes.
+static double asked_end(which which_sea, uint32_t n) {
+    const bolan_sea_desc d = desc_of(which_sea, n, 1);
+    const bolan_sea_summary summary = bolan_sea_state_summary(&d.sea_state);
+    return bolan_omega_from_k(bolan_sea_asked_end(&d.sea_state, &summary), d.sea_state.depth) / (2.0 * BOLAN_PI);
+}
+
 // Ratio of the buoys' spectrum to that of the modes and of the request, by tenths of an octave.
 static void check_buoys(which which_sea, uint32_t n, uint32_t seeds, uint32_t buoys, double tolerance) {
-    const double records = RECORDS * seeds;
+    const double records = RECORDS * seeds, end = asked_end(which_sea, n);
     static bands all;
     memset(&all, 0, sizeof all);
     for (uint32_t seed = 1; seed <= seeds; seed++) hear_seed(which_sea, n, seed, seeds, buoys, &all);
@@ -222,12 +230,14 @@ static void check_buoys(which which_sea, uint32_t n, uint32_t seeds, uint32_t bu
     for (int b = 0; b < BANDS; b++) top = fmax(top, all.asked[b]);
     for (int b = 0; b < BANDS; b++) {
         if (all.asked[b] < 1e-2 * top || LOWEST * pow(BAND, b + 1) > 0.7) continue; // above, 2 Hz aliases
-        const double f = LOWEST * pow(BAND, b + 0.5), error = all.heard[b] / all.asked[b] - 1.0;
+        const double f = LOWEST * pow(BAND, b + 0.5),
+                     asked = LOWEST * pow(BAND, b + 1) < end ? all.asked[b] : all.held[b];
+        const double error = all.heard[b] / asked - 1.0;
         const double spread = all.squares[b] - all.heard[b] * all.heard[b] / records; // of the mean: n / (n - 1) times
-        const double sd = sqrt(spread * records / (records - 1.0)) / all.asked[b];
+        const double sd = sqrt(spread * records / (records - 1.0)) / asked;
         if (is_long())
             print_message("      %.4f Hz  buoys/request %.3f +- %.3f  buoys/modes %.3f  modes/request %.3f\n", f,
-                          1.0 + error, sd, all.heard[b] / all.held[b], all.held[b] / all.asked[b]);
+                          all.heard[b] / all.asked[b], sd, all.heard[b] / all.held[b], all.held[b] / all.asked[b]);
         if (fabs(error) > fabs(worst)) worst = error, at = f, doubt = sd;
         beyond = fmax(beyond, fabs(error) - 2.0 * sd);
         worst_held = fmax(worst_held, fabs(all.heard[b] / all.held[b] - 1.0));
