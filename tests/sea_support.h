@@ -3,6 +3,7 @@
 #ifndef BOLAN_TESTS_SEA_SUPPORT_H
 #define BOLAN_TESTS_SEA_SUPPORT_H
 
+#include "cascade_twin.h"
 #include "support.h"
 
 #include "bolan/ground.h"
@@ -34,8 +35,8 @@ static inline bolan_sea_desc test_calm_desc(uint32_t n) {
     return desc;
 }
 
-/// What a spline through a plane of height or displacement is at its samples: @p out has n * n.
-static inline void test_nodes(const bolan_cascade_view *v, const float *plane, float *out) {
+/// What the spline of the heights is at its samples: @p out has n * n.
+static inline void test_nodes(const bolan_cascade_view *v, float *out) {
     const uint32_t n = v->n, mask = n - 1;
     for (uint32_t j = 0; j < n; j++)
         for (uint32_t i = 0; i < n; i++) {
@@ -43,7 +44,7 @@ static inline void test_nodes(const bolan_cascade_view *v, const float *plane, f
             for (uint32_t b = 0; b < 3; b++)
                 for (uint32_t a = 0; a < 3; a++)
                     sum += (a == 1 ? 4.0 : 1.0) * (b == 1 ? 4.0 : 1.0) / 36.0 *
-                           (double)plane[(size_t)((j + b - 1) & mask) * n + ((i + a - 1) & mask)];
+                           (double)v->displacement[((j + b - 1) & mask) * v->pitch + ((i + a - 1) & mask)].height;
             out[(size_t)j * n + i] = (float)sum;
         }
 }

@@ -357,14 +357,29 @@ typedef struct bolan_bound_weights {
     double height_long, drift_long;
 } bolan_bound_weights;
 
+/// Columns and rows of bolan_cascade_view.displacement that repeat the first ones.
+#define BOLAN_CASCADE_GUARD 4
+
+/// A sample of the displacement of a cascade: 16 bytes, so that the 4 x 4 samples of a spline are four rows of 64.
+typedef struct bolan_sea_texel {
+    /// D, world east and north [m].
+    float dx, dy;
+    /// eta [m].
+    float height;
+    /// dDx/dy (= dDy/dx), by the place read.
+    float dxy;
+} bolan_sea_texel;
+
 /// One cascade, read-only.
 /// The pointers are valid while the sea lives. What they point to is of the present time until the next step; call
 /// bolan_sea_cascade() again after it.
-/// Sample (i, j) of a field is at [j * n + i], at tile coordinates (i, j) * length / n. A rest point is read at
+/// Sample (i, j) of a field is at [j * n + i], of displacement at [j * pitch + i]. It lies at tile coordinates
+/// (i, j) * length / n. A rest point is read at
 /// (x, y) = bolan_sea_place_read(); from there to the tile: rotate by -angle, u = x cos(angle) + y sin(angle),
 /// v = -x sin(angle) + y cos(angle).
-/// eta, dx, dy are coefficients of cubic B-splines: the field at a sample is the mean of 3 x 3 with weights (1, 4, 1)/6
-/// each way. The other planes are read by linear interpolation, which leaves them the slope variance of the waves.
+/// Height, dx and dy are coefficients of cubic B-splines: the field at a sample is the mean of 3 x 3 with weights
+/// (1, 4, 1)/6 each way. The other fields are read by linear interpolation, which leaves them the slope variance of the
+/// waves.
 typedef struct bolan_cascade_view {
     /// Samples along a side.
     uint32_t n;
@@ -383,17 +398,18 @@ typedef struct bolan_cascade_view {
     /// Where sample (0, 0) lies in the world [m]: the tile drifts from the world origin with the current.
     /// bolan_sea_place_read() has taken it off.
     double origin_x, origin_y;
-    /// Spline of eta [m].
-    const float *height;
-    /// Splines of D, world east and north [m].
-    const float *dx, *dy;
-    /// grad eta, by the place read.
+    /// Rows of @c pitch samples, n of each and then its first BOLAN_CASCADE_GUARD again. As many of the first rows
+    /// follow row n - 1. So the 4 x 4 samples of a spline never wrap round: they begin at a column and a row below n.
+    const bolan_sea_texel *displacement;
+    /// Samples from one row of @c displacement to the next: n + BOLAN_CASCADE_GUARD.
+    uint32_t pitch;
+    /// Gradient of the height, by the place read.
     const float *slope_x, *slope_y;
-    /// dDx/dx, dDy/dy, dDx/dy (= dDy/dx), by the place read.
-    const float *dxx, *dyy, *dxy;
+    /// dDx/dx, dDy/dy, by the place read.
+    const float *dxx, *dyy;
     /// Foam memory, 0..3: recent peak of -(dxx + dyy) * choppiness, decaying.
     const float *foam;
-    /// n * n * 4 halfs to upload as RGBA16F: dx, dy, eta, dxy.
+    /// n * n * 4 halfs to upload as RGBA16F: dx, dy, height, dxy.
     const uint16_t *displacement_half;
     /// n * n * 4 halfs: slope_x, slope_y, dxx, dyy.
     const uint16_t *slope_half;

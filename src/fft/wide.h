@@ -139,36 +139,60 @@ static inline void wide_transpose4(wide v[4]) {
 }
 #endif
 
+// Transposes the groups of four lanes of v, as many vectors as a vector has groups.
+#if WIDE > 1
+static inline void wide_transpose_groups(wide v[WIDE / 4]) {
+#if WIDE == 16
+    const wide a = WIDE_SHUFFLE(v[0], v[1], 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
+    const wide b = WIDE_SHUFFLE(v[0], v[1], 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
+    const wide c = WIDE_SHUFFLE(v[2], v[3], 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
+    const wide d = WIDE_SHUFFLE(v[2], v[3], 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
+    v[0] = WIDE_SHUFFLE(a, c, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27);
+    v[1] = WIDE_SHUFFLE(a, c, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31);
+    v[2] = WIDE_SHUFFLE(b, d, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27);
+    v[3] = WIDE_SHUFFLE(b, d, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31);
+#elif WIDE == 8
+    const wide a = v[0], b = v[1];
+    v[0] = WIDE_SHUFFLE(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+    v[1] = WIDE_SHUFFLE(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+#else
+    (void)v;
+#endif
+}
+#endif
+
 // Transposes the WIDE x WIDE block v: within groups of four lanes, which no processor is slow at, then the groups.
 static inline void wide_transpose(wide v[WIDE]) {
+#if WIDE > 1
+#pragma GCC unroll 4
+    for (int g = 0; g < WIDE / 4; g++) wide_transpose4(v + 4 * g);
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; k++) {
+        wide column[WIDE / 4];
+#pragma GCC unroll 4
+        for (int g = 0; g < WIDE / 4; g++) column[g] = v[4 * g + k];
+        wide_transpose_groups(column);
+#pragma GCC unroll 4
+        for (int g = 0; g < WIDE / 4; g++) v[4 * g + k] = column[g];
+    }
+#else
+    (void)v;
+#endif
+}
+
+// Four fields of WIDE samples as WIDE texels of four floats, one behind the other.
+static inline void wide_texels(wide v[4]) {
+#if WIDE > 1
+    wide_transpose4(v); // vector k, group g: texel 4 g + k
 #if WIDE == 16
-#pragma GCC unroll 4
-    for (int g = 0; g < 4; g++) wide_transpose4(v + 4 * g);
-    wide u[16];
-#pragma GCC unroll 4
-    for (int k = 0; k < 4; k++) {
-        const wide a = WIDE_SHUFFLE(v[k], v[k + 4], 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
-        const wide b = WIDE_SHUFFLE(v[k], v[k + 4], 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
-        const wide c = WIDE_SHUFFLE(v[k + 8], v[k + 12], 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
-        const wide d = WIDE_SHUFFLE(v[k + 8], v[k + 12], 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
-        u[k] = WIDE_SHUFFLE(a, c, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27);
-        u[k + 4] = WIDE_SHUFFLE(a, c, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31);
-        u[k + 8] = WIDE_SHUFFLE(b, d, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27);
-        u[k + 12] = WIDE_SHUFFLE(b, d, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31);
-    }
-#pragma GCC unroll 16
-    for (int i = 0; i < 16; i++) v[i] = u[i];
+    wide_transpose_groups(v);
 #elif WIDE == 8
-    wide_transpose4(v);
-    wide_transpose4(v + 4);
-#pragma GCC unroll 4
-    for (int k = 0; k < 4; k++) {
-        const wide a = v[k], b = v[k + 4];
-        v[k] = WIDE_SHUFFLE(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
-        v[k + 4] = WIDE_SHUFFLE(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-#elif WIDE == 4
-    wide_transpose4(v);
+    wide_transpose_groups(v);
+    wide_transpose_groups(v + 2);
+    const wide second = v[1];
+    v[1] = v[2];
+    v[2] = second;
+#endif
 #else
     (void)v;
 #endif

@@ -13,8 +13,8 @@
 //
 // A lane is solved by two passes over the cascades, long waves first, and a Newton step after each cascade:
 //
-//     guess    dx and dy of each, read linearly             8 loads of 4 samples, some 70 operations
-//     refine   height, dx and dy by cubic splines           12 loads of 4 samples, 231 operations (splines.h)
+//     guess    dx and dy of each, read linearly             2 rows of 2 texels, some 70 operations
+//     refine   height, dx and dy by cubic splines           4 rows of 4 texels, some 400 operations (splines.h)
 //
 // Each pass takes the cascades before the present one, and after it those of the last pass, by their tangents, so a
 // spline is read once, close to the root. The error is then of second order: half the curvature of each cascade times
@@ -34,6 +34,7 @@
 
 enum {
     QUERY_LANES = 16,
+    QUERY_BLOCKS = 2, // at most, that are solved side by side: one waits for memory and for roots, the other computes
     QUERY_MAX_OFFSET = 1000, // [m], far beyond any displacement: keeps the cell arithmetic inside int
 };
 
@@ -46,8 +47,8 @@ enum {
 
 // One cascade as the kernels read it.
 typedef struct query_cascade {
-    const float *height, *dx, *dy;
-    uint32_t n;
+    const float *texels; // {dx, dy, height, dxy}
+    uint32_t n, pitch;
     float cells_per_metre;
     float c, s;              // cosine and sine of the tile's angle
     double tile_c, tile_s;   // the same over the tile's length: world [m] -> tiles
@@ -70,22 +71,23 @@ typedef struct query_sea {
 
 // Cells of a tile per metre of offset, the warp included: along the tile by x and y, across it by x and y.
 typedef struct query_axes {
-    float ux[QUERY_LANES], uy[QUERY_LANES], vx[QUERY_LANES], vy[QUERY_LANES];
+    _Alignas(64) float ux[QUERY_LANES], uy[QUERY_LANES], vx[QUERY_LANES], vy[QUERY_LANES];
 } query_axes;
 
+// Every array of 16 numbers fills whole cache lines.
 typedef struct query_block {
-    double x[QUERY_LANES], y[QUERY_LANES];                                                    // asked points [m]
+    _Alignas(64) double x[QUERY_LANES], y[QUERY_LANES];                                       // asked points [m]
     int32_t cell_u[BOLAN_MAX_CASCADES][QUERY_LANES], cell_v[BOLAN_MAX_CASCADES][QUERY_LANES]; // their cells
     float part_u[BOLAN_MAX_CASCADES][QUERY_LANES], part_v[BOLAN_MAX_CASCADES][QUERY_LANES];   // and fractions, 0..1
     query_axes axes[BOLAN_MAX_CASCADES];
     float attenuation[BOLAN_MAX_CASCADES][QUERY_LANES];                                     // by shallow water, 0..1
     float lean_x[BOLAN_MAX_CASCADES][QUERY_LANES], lean_y[BOLAN_MAX_CASCADES][QUERY_LANES]; // its gradient [1/m]
-    bool leans;                                                            // a lane has a gradient of the attenuation
-    bool settled[QUERY_LANES];                                             // it is the same all around
-    float ox[QUERY_LANES], oy[QUERY_LANES];                                // rest point - asked point [m]
-    float rx[QUERY_LANES], ry[QUERY_LANES];                                // residual of (1) [m]
-    float height[QUERY_LANES], slope_x[QUERY_LANES], slope_y[QUERY_LANES]; // at the rest point
+    float ox[QUERY_LANES], oy[QUERY_LANES];                                       // rest point - asked point [m]
+    float rx[QUERY_LANES], ry[QUERY_LANES];                                       // residual of (1) [m]
+    float height[QUERY_LANES], slope_x[QUERY_LANES], slope_y[QUERY_LANES];        // at the rest point
     float jxx[QUERY_LANES], jxy[QUERY_LANES], jyx[QUERY_LANES], jyy[QUERY_LANES]; // Jacobian matrix of x0 -> x
+    bool settled[QUERY_LANES]; // the attenuation is the same all around
+    bool leans;                // a lane has a gradient of the attenuation
 } query_block;
 
 // The lanes that a kernel works on, a bit each.
@@ -95,9 +97,9 @@ typedef struct query_block {
 typedef struct query_kernels {
     // Sets cell and part from x and y. Lanes whose point is not finite get cell 0.
     void (*locate)(const query_sea *sea, query_block *block);
-    // Offsets from 0 and heights by `guess` and `refine`. Returns the lanes whose answer is certain: little doubt, and
-    // no fold near. NULL where a sum has no cascades to read.
-    uint32_t (*approach)(const query_sea *sea, query_block *block);
+    // Offsets from 0 and heights by `guess` and `refine`, of `count` blocks, 1 .. QUERY_BLOCKS. `certain`: the lanes of
+    // each whose answer is certain: little doubt, and no fold near. NULL where a sum has no cascades to read.
+    void (*approach)(const query_sea *sea, query_block *blocks, uint32_t count, uint32_t *certain);
     // Residual, height, slopes and Jacobian matrix at the present offsets.
     void (*evaluate)(const query_sea *sea, uint32_t lanes, query_block *block);
 } query_kernels;

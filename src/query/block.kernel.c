@@ -11,7 +11,7 @@
 #define LANES(l) for (int l = 0; l < QUERY_LANES; l++)
 
 void KERNEL(bolan_query_locate)(const query_sea *sea, query_block *block);
-uint32_t KERNEL(bolan_query_approach)(const query_sea *sea, query_block *block);
+void KERNEL(bolan_query_approach)(const query_sea *sea, query_block *blocks, uint32_t count, uint32_t *certain);
 void KERNEL(bolan_query_evaluate)(const query_sea *sea, uint32_t lanes, query_block *block);
 
 // ---- places ---------------------------------------------------------------------------------------------------------
@@ -26,7 +26,7 @@ static inline double fraction(double x) { return x - floor(x); } // 1 of a tiny 
 // The places of the warped plane that the points are read at, and the gradient of the warp: xx, xy, yx, yy.
 static void warp(const query_sea *sea, const query_block *block, double *x, double *y, float gradient[4][QUERY_LANES]) {
     const bolan_sea_warp *w = &sea->warp;
-    double own_x[QUERY_LANES], own_y[QUERY_LANES];
+    _Alignas(64) double own_x[QUERY_LANES], own_y[QUERY_LANES];
     LANES(l) {
         own_x[l] = x[l] = block->x[l] - sea->origin_x; // the water drifts
         own_y[l] = y[l] = block->y[l] - sea->origin_y;
@@ -51,8 +51,8 @@ static void warp(const query_sea *sea, const query_block *block, double *x, doub
 }
 
 void KERNEL(bolan_query_locate)(const query_sea *sea, query_block *block) {
-    double x[QUERY_LANES], y[QUERY_LANES];
-    float g[4][QUERY_LANES];
+    _Alignas(64) double x[QUERY_LANES], y[QUERY_LANES];
+    _Alignas(64) float g[4][QUERY_LANES];
     warp(sea, block, x, y, g);
     for (uint32_t c = 0; c < sea->count; c++) {
         const query_cascade *t = &sea->cascade[c];
@@ -86,18 +86,14 @@ static inline float place_v(const query_block *b, uint32_t c, int l) {
 
 // Offsets lead to places of the warped plane by its tangent.
 static inline void find_spots(const query_cascade *t, const query_block *block, uint32_t c, spots *out) {
-    const int32_t n = (int32_t)t->n, mask = n - 1;
+    const int32_t pitch = (int32_t)t->pitch, mask = (int32_t)t->n - 1;
     LANES(l) {
         const float u = place_u(block, c, l), v = place_v(block, c, l);
         const int32_t iu = floor_to_int(u), iv = floor_to_int(v);
         out->u[l] = u - (float)iu;
         out->v[l] = v - (float)iv;
-        const int32_t column = (block->cell_u[c][l] + iu - 1) & mask, row = block->cell_v[c][l] + iv;
-        out->column[l] = column;
-        out->first[0][l] = ((row - 1) & mask) * n + column;
-        out->first[1][l] = (row & mask) * n + column;
-        out->first[2][l] = ((row + 1) & mask) * n + column;
-        out->first[3][l] = ((row + 2) & mask) * n + column;
+        const int32_t column = (block->cell_u[c][l] + iu - 1) & mask, row = (block->cell_v[c][l] + iv - 1) & mask;
+        out->first[l] = row * pitch + column;
     }
 }
 
@@ -105,11 +101,16 @@ static inline void find_spots(const query_cascade *t, const query_block *block, 
 
 // The displacement, times choppiness and attenuation, as a function of the offset: value + gradient . offset.
 typedef struct tangent {
-    float x[QUERY_LANES], y[QUERY_LANES];
+    _Alignas(64) float x[QUERY_LANES], y[QUERY_LANES];
     float xx[QUERY_LANES], xy[QUERY_LANES], yx[QUERY_LANES], yy[QUERY_LANES];
 } tangent;
 
 static const tangent no_tangent;
+
+// Of each cascade of a block.
+typedef struct query_tangents {
+    tangent of[BOLAN_MAX_CASCADES];
+} query_tangents;
 
 static inline void add_tangents(const tangent *a, const tangent *b, tangent *out) {
     LANES(l) {
@@ -158,33 +159,40 @@ static inline void set_tangent(const query_block *b, uint32_t c, float scale, co
 // ---- a guess --------------------------------------------------------------------------------------------------------
 
 // Leaves in rest[c] the sum of the tangents of the cascades behind c.
-static void guess(const query_sea *sea, query_block *block, tangent rest[BOLAN_MAX_CASCADES]) {
-    tangent own[BOLAN_MAX_CASCADES], sum = no_tangent;
+static void guess(const query_sea *sea, query_block *blocks, uint32_t count, query_tangents *rest) {
+    query_tangents own[QUERY_BLOCKS];
+    tangent sum[QUERY_BLOCKS];
+    spots at[QUERY_BLOCKS];
+    memset(sum, 0, sizeof sum);
     for (uint32_t c = 0; c < sea->count; c++) {
         const query_cascade *t = &sea->cascade[c];
-        spots at;
-        spline_values f;
-        find_spots(t, block, c, &at);
-        read_linearly(t, &at, &f);
-        set_tangent(block, c, sea->choppiness * t->linear, &f, &own[c]);
-        add_tangents(&sum, &own[c], &sum);
-        go_to_root(&sum, block);
+        for (uint32_t i = 0; i < count; i++) find_spots(t, &blocks[i], c, &at[i]);
+        for (uint32_t i = 0; i < count; i++) {
+            spline_values f;
+            read_linearly(t, &at[i], &f);
+            set_tangent(&blocks[i], c, sea->choppiness * t->linear, &f, &own[i].of[c]);
+            add_tangents(&sum[i], &own[i].of[c], &sum[i]);
+            go_to_root(&sum[i], &blocks[i]);
+        }
     }
-    rest[sea->count - 1] = no_tangent;
-    for (uint32_t c = sea->count - 1; c > 0; c--) add_tangents(&rest[c], &own[c], &rest[c - 1]);
+    for (uint32_t i = 0; i < count; i++) {
+        rest[i].of[sea->count - 1] = no_tangent;
+        for (uint32_t c = sea->count - 1; c > 0; c--) add_tangents(&rest[i].of[c], &own[i].of[c], &rest[i].of[c - 1]);
+    }
 }
 
 // ---- bound waves ----------------------------------------------------------------------------------------------------
 
 // dx, dy and height of a cascade, or of all of them, and their gradients by the rest point.
 typedef struct fields {
-    float value[SPLINE_PLANES][QUERY_LANES], by_x[SPLINE_PLANES][QUERY_LANES], by_y[SPLINE_PLANES][QUERY_LANES];
+    _Alignas(64) float value[SPLINE_FIELDS][QUERY_LANES], by_x[SPLINE_FIELDS][QUERY_LANES],
+        by_y[SPLINE_FIELDS][QUERY_LANES];
 } fields;
 
 static inline void set_fields(const query_block *b, uint32_t c, const spline_values *f, fields *out) {
     const query_axes *axes = &b->axes[c];
     const float *weight = b->attenuation[c];
-    for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+    for (int p = 0; p < SPLINE_FIELDS; p++) LANES(l) {
             out->value[p][l] = weight[l] * f->value[p][l];
             out->by_x[p][l] = weight[l] * (f->along[p][l] * axes->ux[l] + f->across[p][l] * axes->vx[l]);
             out->by_y[p][l] = weight[l] * (f->along[p][l] * axes->uy[l] + f->across[p][l] * axes->vy[l]);
@@ -194,12 +202,12 @@ static inline void set_fields(const query_block *b, uint32_t c, const spline_val
 // Height and slope of the bound waves (bolan_bound_weights; twin of add_bound() in waves/cascades/sample.c), and the
 // weighted sums over the longer cascades.
 typedef struct bound {
-    float height[QUERY_LANES], x[QUERY_LANES], y[QUERY_LANES];
+    _Alignas(64) float height[QUERY_LANES], x[QUERY_LANES], y[QUERY_LANES];
     fields longer;
 } bound;
 
 static inline void add_bound_height(const query_cascade *t, const fields *f, bound *b) {
-    for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+    for (int p = 0; p < SPLINE_FIELDS; p++) LANES(l) {
             const float value = f->value[p][l];
             b->height[l] += value * (value * t->own[p] + b->longer.value[p][l]);
             b->longer.value[p][l] += value * t->longer[p];
@@ -208,7 +216,7 @@ static inline void add_bound_height(const query_cascade *t, const fields *f, bou
 
 // Before the height of the same cascade.
 static inline void add_bound_slope(const query_cascade *t, const fields *f, bound *b) {
-    for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+    for (int p = 0; p < SPLINE_FIELDS; p++) LANES(l) {
             const float value = f->value[p][l], twice = 2.0f * (value * t->own[p]) + b->longer.value[p][l];
             b->x[l] += f->by_x[p][l] * twice + value * b->longer.by_x[p][l];
             b->y[l] += f->by_y[p][l] * twice + value * b->longer.by_y[p][l];
@@ -221,7 +229,7 @@ static inline void add_bound_slope(const query_cascade *t, const fields *f, boun
 
 // The tangent of the height.
 typedef struct height_tangent {
-    float value[QUERY_LANES], x[QUERY_LANES], y[QUERY_LANES];
+    _Alignas(64) float value[QUERY_LANES], x[QUERY_LANES], y[QUERY_LANES];
 } height_tangent;
 
 static inline void add_height(const query_sea *sea, uint32_t c, const query_block *b, const spline_values *f,
@@ -237,56 +245,61 @@ static inline void add_height(const query_sea *sea, uint32_t c, const query_bloc
     }
 }
 
-// Adds the bound waves to the heights, from what was read at offsets (at_x, at_y), by its tangents.
-static void add_bound_heights(const query_sea *sea, float at_x[BOLAN_MAX_CASCADES][QUERY_LANES],
-                              float at_y[BOLAN_MAX_CASCADES][QUERY_LANES], fields read[BOLAN_MAX_CASCADES],
-                              query_block *b) {
+// What refine() has of a block.
+typedef struct refined {
+    _Alignas(64) float at_x[BOLAN_MAX_CASCADES][QUERY_LANES],
+        at_y[BOLAN_MAX_CASCADES][QUERY_LANES]; // offsets of reading
+    tangent sum;
+    height_tangent height;
+    fields read[BOLAN_MAX_CASCADES]; // where there are bound waves
+} refined;
+
+// Adds the bound waves to the heights, from what was read, by its tangents.
+static void add_bound_heights(const query_sea *sea, refined *r, query_block *b) {
     bound all;
     memset(&all, 0, sizeof all);
     for (uint32_t c = 0; c < sea->count; c++) {
-        for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
-                const float x = b->ox[l] - at_x[c][l], y = b->oy[l] - at_y[c][l];
-                read[c].value[p][l] += read[c].by_x[p][l] * x + read[c].by_y[p][l] * y;
+        for (int p = 0; p < SPLINE_FIELDS; p++) LANES(l) {
+                const float x = b->ox[l] - r->at_x[c][l], y = b->oy[l] - r->at_y[c][l];
+                r->read[c].value[p][l] += r->read[c].by_x[p][l] * x + r->read[c].by_y[p][l] * y;
             }
-        add_bound_height(&sea->cascade[c], &read[c], &all);
+        add_bound_height(&sea->cascade[c], &r->read[c], &all);
     }
     LANES(l) b->height[l] += all.height[l];
 }
 
-// `rest` as guess() leaves it.
-static uint32_t refine(const query_sea *sea, const tangent rest[BOLAN_MAX_CASCADES], query_block *b) {
-    float at_x[BOLAN_MAX_CASCADES][QUERY_LANES], at_y[BOLAN_MAX_CASCADES][QUERY_LANES], doubt[QUERY_LANES];
-    fields read[BOLAN_MAX_CASCADES];
-    tangent sum = no_tangent, own, all;
-    height_tangent height;
-    memset(&height, 0, sizeof height);
-    for (uint32_t c = 0; c < sea->count; c++) {
-        memcpy(at_x[c], b->ox, sizeof at_x[c]);
-        memcpy(at_y[c], b->oy, sizeof at_y[c]);
-        spots at;
-        spline_values f;
-        find_spots(&sea->cascade[c], b, c, &at);
-        read_splines(&sea->cascade[c], &at, QUERY_ALL_LANES, &f);
-        set_tangent(b, c, sea->choppiness, &f, &own);
-        add_height(sea, c, b, &f, &height);
-        if (sea->bound) set_fields(b, c, &f, &read[c]);
-        add_tangents(&sum, &own, &sum);
-        add_tangents(&sum, &rest[c], &all);
-        go_to_root(&all, b);
-    }
+// A cascade of a block, at `at`.
+static inline void refine_cascade(const query_sea *sea, uint32_t c, const spots *at, const tangent *rest, refined *r,
+                                  query_block *b) {
+    tangent own, all;
+    spline_values f;
+    memcpy(r->at_x[c], b->ox, sizeof r->at_x[c]);
+    memcpy(r->at_y[c], b->oy, sizeof r->at_y[c]);
+    read_splines(&sea->cascade[c], at, QUERY_ALL_LANES, &f);
+    set_tangent(b, c, sea->choppiness, &f, &own);
+    add_height(sea, c, b, &f, &r->height);
+    if (sea->bound) set_fields(b, c, &f, &r->read[c]);
+    add_tangents(&r->sum, &own, &r->sum);
+    add_tangents(&r->sum, rest, &all);
+    go_to_root(&all, b);
+}
+
+// The lanes that are certain, of a block that all cascades were read for.
+static inline uint32_t conclude(const query_sea *sea, refined *r, query_block *b) {
+    float doubt[QUERY_LANES];
     LANES(l) {
-        b->height[l] = height.value[l] + (height.x[l] * b->ox[l] + height.y[l] * b->oy[l]);
-        b->jxx[l] = 1.0f + sum.xx[l];
-        b->jxy[l] = sum.xy[l];
-        b->jyx[l] = sum.yx[l];
-        b->jyy[l] = 1.0f + sum.yy[l];
+        b->height[l] = r->height.value[l] + (r->height.x[l] * b->ox[l] + r->height.y[l] * b->oy[l]);
+        b->jxx[l] = 1.0f + r->sum.xx[l];
+        b->jxy[l] = r->sum.xy[l];
+        b->jyx[l] = r->sum.yx[l];
+        b->jyy[l] = 1.0f + r->sum.yy[l];
         doubt[l] = 0.0f;
     }
-    if (sea->bound) add_bound_heights(sea, at_x, at_y, read, b);
+    if (sea->bound) add_bound_heights(sea, r, b);
     for (uint32_t c = 0; c < sea->count; c++) {
         const float half = 0.5f * sea->cascade[c].curvature;
         LANES(l) {
-            const float x = b->ox[l] - at_x[c][l], y = b->oy[l] - at_y[c][l];
+            const float x = b->ox[l] - r->at_x[c][l], y = b->oy[l] - r->at_y[c][l];
             doubt[l] += half * (x * x + y * y);
         }
     }
@@ -298,14 +311,30 @@ static uint32_t refine(const query_sea *sea, const tangent rest[BOLAN_MAX_CASCAD
     return certain;
 }
 
-uint32_t KERNEL(bolan_query_approach)(const query_sea *sea, query_block *block) {
-    tangent rest[BOLAN_MAX_CASCADES];
+// `rest` as guess() leaves it.
+static void refine(const query_sea *sea, const query_tangents *rest, query_block *blocks, uint32_t count,
+                   uint32_t *certain) {
+    refined r[QUERY_BLOCKS];
+    spots at[QUERY_BLOCKS];
+    for (uint32_t i = 0; i < count; i++) {
+        r[i].sum = no_tangent;
+        memset(&r[i].height, 0, sizeof r[i].height);
+    }
+    for (uint32_t c = 0; c < sea->count; c++) {
+        for (uint32_t i = 0; i < count; i++) find_spots(&sea->cascade[c], &blocks[i], c, &at[i]);
+        for (uint32_t i = 0; i < count; i++) refine_cascade(sea, c, &at[i], &rest[i].of[c], &r[i], &blocks[i]);
+    }
+    for (uint32_t i = 0; i < count; i++) certain[i] = conclude(sea, &r[i], &blocks[i]);
+}
+
+void KERNEL(bolan_query_approach)(const query_sea *sea, query_block *blocks, uint32_t count, uint32_t *certain) {
+    query_tangents rest[QUERY_BLOCKS];
     if (sea->choppiness > 0.0f) {
-        guess(sea, block, rest);
+        guess(sea, blocks, count, rest);
     } else {
         memset(rest, 0, sizeof rest);
     }
-    return refine(sea, rest, block);
+    refine(sea, rest, blocks, count, certain);
 }
 
 // ---- one place ------------------------------------------------------------------------------------------------------
@@ -314,7 +343,7 @@ static inline void add_cascade(const query_sea *sea, uint32_t c, const query_blo
                                fields *out) {
     const query_axes *axes = &b->axes[c];
     const float *weight = b->attenuation[c];
-    for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+    for (int p = 0; p < SPLINE_FIELDS; p++) LANES(l) {
             out->value[p][l] += weight[l] * f->value[p][l];
             out->by_x[p][l] += weight[l] * (f->along[p][l] * axes->ux[l] + f->across[p][l] * axes->vx[l]);
             out->by_y[p][l] += weight[l] * (f->along[p][l] * axes->uy[l] + f->across[p][l] * axes->vy[l]);
@@ -325,7 +354,7 @@ static inline void add_cascade(const query_sea *sea, uint32_t c, const query_blo
 // Where the attenuation changes, it leans the water as well. The lift goes with its square.
 static inline void add_lean(const query_sea *sea, uint32_t c, const query_block *b, const spline_values *f,
                             fields *out) {
-    for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+    for (int p = 0; p < SPLINE_FIELDS; p++) LANES(l) {
             const float lift = p == SPLINE_HEIGHT ? 2.0f * b->attenuation[c][l] * sea->lift[c] : 0.0f;
             out->by_x[p][l] += (f->value[p][l] + lift) * b->lean_x[c][l];
             out->by_y[p][l] += (f->value[p][l] + lift) * b->lean_y[c][l];
@@ -337,7 +366,7 @@ static inline void add_bound(const query_sea *sea, uint32_t c, const query_block
     fields own;
     set_fields(b, c, f, &own);
     if (b->leans)
-        for (int p = 0; p < SPLINE_PLANES; p++) LANES(l) {
+        for (int p = 0; p < SPLINE_FIELDS; p++) LANES(l) {
                 own.by_x[p][l] += f->value[p][l] * b->lean_x[c][l];
                 own.by_y[p][l] += f->value[p][l] * b->lean_y[c][l];
             }

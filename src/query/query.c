@@ -168,6 +168,12 @@ static void load_block(const bolan_dvec2 *xy, uint32_t lanes, query_block *b) {
     }
 }
 
+// Of block i of `count` points.
+static uint32_t lanes_of(uint32_t count, uint32_t i) {
+    const uint32_t rest = count - i * QUERY_LANES;
+    return rest < QUERY_LANES ? rest : QUERY_LANES;
+}
+
 // A block of deep water.
 static void clear_block(query_block *b) {
     memset(b, 0, sizeof *b);
@@ -235,16 +241,11 @@ static void evaluate_surface(const query *q, query_block *b) {
     memcpy(b->height, height, sizeof height);
 }
 
-static void answer_block(const batch *t, uint32_t first, uint32_t lanes, query_block *b, leftover *left) {
-    const query *q = &t->q;
-    uint32_t certain = 0;
-    q->kernels->locate(&q->sea, b);
-    const uint32_t settled = settle(q, b);
-    if (q->kernels->approach) {
-        certain = q->kernels->approach(&q->sea, b) & settled;
-        if (t->out) evaluate_surface(q, b);
-        if (certain && q->water->layer_count > 0) add_layers(q, b);
-    }
+// `lanes` points from `first` on, whose block is solved; `certain`: the lanes that need no more.
+static void write_block(const batch *t, uint32_t first, uint32_t lanes, uint32_t certain, query_block *b,
+                        leftover *left) {
+    if (t->out && certain) evaluate_surface(&t->q, b);
+    if (certain && t->q.water->layer_count > 0) add_layers(&t->q, b);
     for (uint32_t l = 0; l < lanes; l++) {
         if (certain >> l & 1) {
             write_lane(t, first + l, b, l);
@@ -254,19 +255,33 @@ static void answer_block(const batch *t, uint32_t first, uint32_t lanes, query_b
     }
 }
 
+// The points [first, first + count), of as many blocks as they fill.
+static void answer_blocks(const batch *t, uint32_t first, uint32_t count, query_block *blocks, leftover *left) {
+    const query *q = &t->q;
+    const uint32_t block_count = (count + QUERY_LANES - 1) / QUERY_LANES;
+    uint32_t settled[QUERY_BLOCKS], certain[QUERY_BLOCKS] = {0};
+    for (uint32_t i = 0; i < block_count; i++) {
+        load_block(t->xy + first + i * QUERY_LANES, lanes_of(count, i), &blocks[i]);
+        q->kernels->locate(&q->sea, &blocks[i]);
+        settled[i] = settle(q, &blocks[i]);
+    }
+    if (q->kernels->approach) q->kernels->approach(&q->sea, blocks, block_count, certain);
+    for (uint32_t i = 0; i < block_count; i++)
+        write_block(t, first + i * QUERY_LANES, lanes_of(count, i), certain[i] & settled[i], &blocks[i], left);
+}
+
 static void do_blocks(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
     (void)worker;
     const batch *t = context;
-    query_block b;
+    const uint32_t points = QUERY_LANES * end < t->count ? QUERY_LANES * end : t->count;
+    query_block blocks[QUERY_BLOCKS];
     leftover left;
-    clear_block(&b);
+    for (uint32_t i = 0; i < QUERY_BLOCKS && i < end - begin; i++) clear_block(&blocks[i]);
     clear_block(&left.block);
     left.count = 0;
-    for (uint32_t i = begin; i < end; i++) {
-        const uint32_t first = i * QUERY_LANES;
-        const uint32_t lanes = t->count - first < QUERY_LANES ? t->count - first : QUERY_LANES;
-        load_block(t->xy + first, lanes, &b);
-        answer_block(t, first, lanes, &b, &left);
+    for (uint32_t first = QUERY_LANES * begin; first < points; first += QUERY_BLOCKS * QUERY_LANES) {
+        const uint32_t rest = points - first, most = QUERY_BLOCKS * QUERY_LANES;
+        answer_blocks(t, first, rest < most ? rest : most, blocks, &left);
     }
     if (left.count > 0) answer_leftover(t, &left);
 }
@@ -281,10 +296,9 @@ static query_cascade cascade_of(const bolan_cascade_view *v, const bolan_sea_des
     bolan_sincos(v->angle, &s, &c);
     const double cell = v->length / v->n, k2 = v->variance > 0.0 ? v->mss / v->variance : 0.0; // [m], mean of k^2
     const double travel = k2 > 0.0 ? 1.0 + 1.0 / (sqrt(k2) * desc->sea_state.depth) : 1.0;     // above coth(kh)
-    return (query_cascade){.height = v->height,
-                           .dx = v->dx,
-                           .dy = v->dy,
+    return (query_cascade){.texels = &v->displacement->dx,
                            .n = v->n,
+                           .pitch = v->pitch,
                            .cells_per_metre = (float)(v->n / v->length),
                            .c = (float)c,
                            .s = (float)s,

@@ -175,13 +175,14 @@ static void make_texels(void *context, uint32_t begin, uint32_t end, uint32_t wo
     for (uint32_t item = begin; item < end; ++item) {
         water_texel_work *w = job->gpu->work[item / 2];
         const bolan_cascade_view v = bolan_sea_cascade(job->sea, item / 2);
-        const float *displacement[] = {v.dx, v.dy, v.height, v.dxy};
         const float *slopes[] = {v.slope_x, v.slope_y, job->packed ? w->sum : v.dxx, job->packed ? v.foam : v.dyy};
         const bool second = item % 2 == 1;
         if (second && job->packed)
             bolan_texel_kernels_best()->pack((size_t)v.n * v.n, v.slope_x, v.slope_y, v.dxx, v.dyy, v.foam, w->sum,
                                              w->packed);
-        if (job->levels) bolan_texel_chain(v.n, second ? slopes : displacement, w->scratch[second], w->levels[second]);
+        if (job->levels && second) bolan_texel_chain(v.n, slopes, w->scratch[1], w->levels[1]);
+        if (job->levels && !second)
+            bolan_texel_chain_of_texels(v.n, v.pitch, &v.displacement->dx, w->scratch[0], w->levels[0]);
     }
 }
 

@@ -4,12 +4,13 @@
 
 #include "bolan/base.h"
 
-#define DECLARE(set)                                                                                               \
-    void bolan_texel_pack_##set(size_t, const float *, const float *, const float *, const float *, const float *, \
-                                float *, uint16_t *);                                                              \
-    void bolan_texel_halve_##set(uint32_t, const float *const[TEXEL_PLANES], float *const[TEXEL_PLANES], uint16_t *);
+#define DECLARE(set)                                                                                                  \
+    void bolan_texel_pack_##set(size_t, const float *, const float *, const float *, const float *, const float *,    \
+                                float *, uint16_t *);                                                                 \
+    void bolan_texel_halve_##set(uint32_t, const float *const[TEXEL_PLANES], float *const[TEXEL_PLANES], uint16_t *); \
+    void bolan_texel_halve_texels_##set(uint32_t, size_t, const float *, float *, uint16_t *);
 #define ROW(set) \
-    { bolan_texel_pack_##set, bolan_texel_halve_##set }
+    { bolan_texel_pack_##set, bolan_texel_halve_##set, bolan_texel_halve_texels_##set }
 DECLARE(scalar)
 DECLARE(generic4)
 #ifdef BOLAN_KERNELS_X86
@@ -46,5 +47,17 @@ void bolan_texel_chain(uint32_t n, const float *const planes[TEXEL_PLANES], floa
         for (int p = 0; p < TEXEL_PLANES; p++) from[p] = to[p];
         scratch += TEXEL_PLANES * size;
         out += 4 * size;
+    }
+}
+
+void bolan_texel_chain_of_texels(uint32_t n, size_t pitch, const float *texels, float *scratch, uint16_t *out) {
+    const texel_kernels *kernels = bolan_texel_kernels_best();
+    for (; n > 1; n /= 2) {
+        const size_t floats = TEXEL_PLANES * (size_t)(n / 2) * (n / 2);
+        kernels->halve_texels(n, pitch, texels, scratch, out);
+        texels = scratch;
+        pitch = n / 2;
+        scratch += floats;
+        out += floats;
     }
 }

@@ -18,6 +18,8 @@ typedef struct texel_kernels {
                  float *sum, uint16_t *out);
     // Means of 2 x 2 texels: planes of n x n in `from` to planes of n/2 x n/2 in `to`, and as texels of halfs in `out`.
     void (*halve)(uint32_t n, const float *const from[TEXEL_PLANES], float *const to[TEXEL_PLANES], uint16_t *out);
+    // The same of texels of four floats; `pitch` of them from row to row of `from`.
+    void (*halve_texels)(uint32_t n, size_t pitch, const float *from, float *to, uint16_t *out);
 } texel_kernels;
 const texel_kernels *bolan_texel_kernels_best(void);
 
@@ -26,5 +28,7 @@ size_t bolan_texel_scratch_bytes(uint32_t n);
 size_t bolan_texel_chain_bytes(uint32_t n);
 // All levels below the first of n x n texels of those planes, one after the other, into `out`.
 void bolan_texel_chain(uint32_t n, const float *const planes[TEXEL_PLANES], float *scratch, uint16_t *out);
+// The same of texels of four floats; `pitch` of them from row to row.
+void bolan_texel_chain_of_texels(uint32_t n, size_t pitch, const float *texels, float *scratch, uint16_t *out);
 
 #endif

@@ -92,3 +92,24 @@ void KERNEL(bolan_texel_halve)(uint32_t n, const float *const from[TEXEL_PLANES]
             wide_row(n, low, row, out + (size_t)y * (n / 2) * 4);
     }
 }
+
+static void halfs_of(uint32_t count, const float *from, uint16_t *out) {
+    if (count < WIDE)
+        for (uint32_t i = 0; i < count; i++) out[i] = half_from_float(from[i]);
+    else
+        for (uint32_t i = 0; i < count; i += WIDE) wide_half_store(out + i, load(from + i));
+}
+
+void KERNEL(bolan_texel_halve_texels)(uint32_t n, size_t pitch, const float *from, float *to, uint16_t *out);
+void KERNEL(bolan_texel_halve_texels)(uint32_t n, size_t pitch, const float *from, float *to, uint16_t *out) {
+    const size_t row = TEXEL_PLANES * (size_t)(n / 2);
+    for (uint32_t y = 0; y < n / 2; y++, to += row, out += row) {
+        const float *low = from + 2 * y * TEXEL_PLANES * pitch, *high = low + TEXEL_PLANES * pitch;
+        for (uint32_t x = 0; x < n / 2; x++)
+            for (int p = 0; p < TEXEL_PLANES; p++) {
+                const size_t a = (size_t)2 * TEXEL_PLANES * x + (size_t)p, b = a + TEXEL_PLANES;
+                to[TEXEL_PLANES * x + (uint32_t)p] = 0.25f * ((low[a] + high[a]) + (low[b] + high[b]));
+            }
+        halfs_of((uint32_t)row, to, out);
+    }
+}

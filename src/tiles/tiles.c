@@ -209,7 +209,8 @@ static double height_at(const bolan_cascade_view *c, uint32_t i, uint32_t j) {
     double sum = 0.0;
     for (uint32_t b = 0; b < 3; b++)
         for (uint32_t a = 0; a < 3; a++)
-            sum += weight[a] * weight[b] * (double)c->height[((j + b - 1) & m) * n + ((i + a - 1) & m)];
+            sum += weight[a] * weight[b] *
+                   (double)c->displacement[((j + b - 1) & m) * c->pitch + ((i + a - 1) & m)].height;
     return sum;
 }
 

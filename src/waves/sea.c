@@ -292,7 +292,8 @@ bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t index) {
 bolan_cascade_view bolan_sea_cascade_layout(const bolan_sea *sea, uint32_t index) {
     BOLAN_ASSERT(sea && index < sea->shared->cascades);
     bolan_cascade_view v = sea->shared->model->cascade(sea, index);
-    v.height = v.dx = v.dy = v.slope_x = v.slope_y = v.dxx = v.dyy = v.dxy = v.foam = NULL;
+    v.displacement = NULL;
+    v.slope_x = v.slope_y = v.dxx = v.dyy = v.foam = NULL;
     v.displacement_half = v.slope_half = v.foam_half = NULL;
     return v;
 }

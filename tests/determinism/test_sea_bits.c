@@ -25,8 +25,9 @@ static uint64_t all_bits(const bolan_sea *sea) {
     for (uint32_t i = 0; i < bolan_sea_cascade_count(sea); i++) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, i);
         const size_t points = (size_t)v.n * v.n;
-        const float *planes[] = {v.height, v.dx, v.dy, v.slope_x, v.slope_y, v.dxx, v.dyy, v.dxy, v.foam};
-        for (int f = 0; f < 9; f++) h = bytes_hash(h, planes[f], points * sizeof(float));
+        const float *planes[] = {v.slope_x, v.slope_y, v.dxx, v.dyy, v.foam};
+        h = bytes_hash(h, v.displacement, (size_t)v.pitch * v.pitch * sizeof *v.displacement);
+        for (int f = 0; f < 5; f++) h = bytes_hash(h, planes[f], points * sizeof(float));
         h = bytes_hash(h, v.displacement_half, points * 8);
         h = bytes_hash(h, v.slope_half, points * 8);
         h = bytes_hash(h, v.foam_half, points * 2);

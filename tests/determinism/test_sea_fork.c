@@ -36,7 +36,7 @@ static void assert_same(const bolan_sea *a, const bolan_sea *b) {
         const bolan_cascade_view v = bolan_sea_cascade(a, i), w = bolan_sea_cascade(b, i);
         const size_t samples = (size_t)v.n * v.n;
         assert_int_equal(v.n, w.n);
-        assert_true(v.height != w.height && v.foam != w.foam);
+        assert_true(v.displacement != w.displacement && v.foam != w.foam);
         assert_memory_equal(v.foam, w.foam, samples * sizeof(float));
         assert_memory_equal(v.displacement_half, w.displacement_half, samples * 4 * sizeof(uint16_t));
         assert_memory_equal(v.slope_half, w.slope_half, samples * 4 * sizeof(uint16_t));

@@ -42,7 +42,7 @@ static void compare(uint32_t n) {
     bolan_sea_step(sea, 123.4);
     for (uint32_t index = 0; index < bolan_sea_cascade_count(sea); index++) {
         const sea_cascade *c = &cascade_tables_of(sea->shared)->cascade[index];
-        const float *height = bolan_sea_cascade(sea, index).height;
+        const bolan_cascade_view v = bolan_sea_cascade(sea, index);
         spectrum g = {n, 2.0 * BOLAN_PI / c->length, c->cosine, c->sine, 123.4, fftwf_alloc_complex((size_t)n * n)};
         fftwf_plan plan = fftwf_plan_dft_2d((int)n, (int)n, g.h, g.h, FFTW_BACKWARD, FFTW_ESTIMATE);
         for (size_t p = 0; p < (size_t)n * n; p++) g.h[p][0] = g.h[p][1] = 0.0f;
@@ -50,7 +50,7 @@ static void compare(uint32_t n) {
         fftwf_execute(plan);
         double error = 0.0, imaginary = 0.0;
         for (size_t p = 0; p < (size_t)n * n; p++) {
-            error += pow(g.h[p][0] - height[p], 2.0);
+            error += pow(g.h[p][0] - v.displacement[p / n * v.pitch + p % n].height, 2.0);
             imaginary += pow(g.h[p][1], 2.0);
         }
         const double hs = 4.0 * sqrt(c->band->variance);

@@ -39,7 +39,7 @@ static double phase_of(const bolan_cascade_view *v, double kx, double ky) {
     double complex sum = 0.0;
     for (uint32_t j = 0; j < v->n; j++)
         for (uint32_t i = 0; i < v->n; i++)
-            sum += v->height[(size_t)j * v->n + i] * cexp(-I * (kx * i + ky * j) * (v->length / v->n));
+            sum += v->displacement[(size_t)j * v->pitch + i].height * cexp(-I * (kx * i + ky * j) * (v->length / v->n));
     return carg(sum);
 }
 
@@ -95,10 +95,11 @@ static void crests_gather_the_water(void **state) {
                 const double angle = (creal(kv) * i + cimag(kv) * j) * v.length / v.n -
                                      2.0 * BOLAN_PI * bolan_omega_from_k(k, depths[d]) / (2.0 * BOLAN_PI) * 3.21;
                 const double eta = amplitude * cos(angle), push = -amplitude * sin(angle) * deepening;
-                assert_near(v.height[p] * cubic, eta, 1e-5);
-                assert_near(v.dx[p] * cubic, push * creal(to) / k, 1e-5);
-                assert_near(v.dy[p] * cubic, push * cimag(to) / k, 1e-5);
-                const double l = 1.3 * linear, xx = 1.0 + l * v.dxx[p], yy = 1.0 + l * v.dyy[p], xy = l * v.dxy[p];
+                const bolan_sea_texel texel = v.displacement[(size_t)j * v.pitch + i];
+                assert_near(texel.height * cubic, eta, 1e-5);
+                assert_near(texel.dx * cubic, push * creal(to) / k, 1e-5);
+                assert_near(texel.dy * cubic, push * cimag(to) / k, 1e-5);
+                const double l = 1.3 * linear, xx = 1.0 + l * v.dxx[p], yy = 1.0 + l * v.dyy[p], xy = l * texel.dxy;
                 lowest = fmin(lowest, xx * yy - xy * xy);
             }
         }
@@ -149,19 +150,19 @@ static void a_loop_closes(void **state) {
         bolan_sea *sea = test_sea(desc), *later = test_sea(desc);
         const bolan_cascade_view v = bolan_sea_cascade(sea, 1), w = bolan_sea_cascade(later, 1);
         const size_t bytes = (size_t)v.n * v.n * sizeof(float);
+        const size_t texels = (size_t)v.n * v.pitch * sizeof *v.displacement;
         for (int t = 0; t < 4; t++) {
             for (int loops = -3; loops <= 40; loops += 43) {
                 bolan_sea_settle(sea, times[t]);
                 bolan_sea_settle(later, times[t] + loops * desc.loop_period);
                 bolan_sea_fields(sea);
                 bolan_sea_fields(later);
-                assert_memory_equal(v.height, w.height, bytes);
-                assert_memory_equal(v.dxy, w.dxy, bytes);
+                assert_memory_equal(v.displacement, w.displacement, texels);
                 assert_memory_equal(v.foam, w.foam, bytes);
             }
             bolan_sea_settle(later, times[t] + 0.5 * desc.loop_period); // it does move in between
             bolan_sea_fields(later);
-            assert_memory_not_equal(v.height, w.height, bytes);
+            assert_memory_not_equal(v.displacement, w.displacement, texels);
         }
         bolan_sea_destroy(&sea);
         bolan_sea_destroy(&later);
@@ -205,7 +206,9 @@ static void the_planes_are_the_direct_sum(void **state) {
         bolan_sea *sea = test_sea(desc);
         bolan_sea_step(sea, 86400.25); // a day: phases of 1e5 turns
         const bolan_cascade_view v = bolan_sea_cascade(sea, 0);
-        const float *planes[8] = {v.height, v.dx, v.dy, v.slope_x, v.slope_y, v.dxx, v.dyy, v.dxy};
+        const twin_field fields[8] = {TWIN_TEXELS(&v, height), TWIN_TEXELS(&v, dx),     TWIN_TEXELS(&v, dy),
+                                      TWIN_PLANE(&v, slope_x), TWIN_PLANE(&v, slope_y), TWIN_PLANE(&v, dxx),
+                                      TWIN_PLANE(&v, dyy),     TWIN_TEXELS(&v, dxy)};
         double error[8] = {0};
         const double hs = 4.0 * sqrt(v.variance);
         const int count = n > 256 ? 8 : 40;
@@ -213,7 +216,7 @@ static void the_planes_are_the_direct_sum(void **state) {
             const uint32_t i = (uint32_t)(s * 37) % n, j = (uint32_t)(s * s * 11 + 5) % n;
             exact e = {.v = &v, .x = i * v.length / n, .y = j * v.length / n, .time = 86400.25};
             bolan_sea_each_mode(&cascade_tables_of(sea->shared)->cascade[0], add_exact, &e);
-            for (int f = 0; f < 8; f++) error[f] += pow(planes[f][(size_t)j * n + i] - e.plane[f], 2.0) / count;
+            for (int f = 0; f < 8; f++) error[f] += pow(twin_at(fields[f], i, j) - e.plane[f], 2.0) / count;
         }
         for (int f = 0; f < 3; f++) assert_true(sqrt(error[f]) < 1e-5 * hs); // 32-bit synthesis, phases reduced in 64
         for (int f = 3; f < 8; f++) assert_true(sqrt(error[f]) < 1e-5);      // of quantities of order 0.1 and 1
@@ -255,14 +258,16 @@ static void half_fields_are_the_float_fields(void **state) {
     bolan_sea *sea = test_sea(desc);
     for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); c++) {
         const bolan_cascade_view v = bolan_sea_cascade(sea, c);
-        const float *planes[8] = {v.dx, v.dy, v.height, v.dxy, v.slope_x, v.slope_y, v.dxx, v.dyy};
-        for (size_t p = 0; p < (size_t)v.n * v.n; p++) {
+        const twin_field fields[8] = {TWIN_TEXELS(&v, dx),  TWIN_TEXELS(&v, dy),     TWIN_TEXELS(&v, height),
+                                      TWIN_TEXELS(&v, dxy), TWIN_PLANE(&v, slope_x), TWIN_PLANE(&v, slope_y),
+                                      TWIN_PLANE(&v, dxx),  TWIN_PLANE(&v, dyy)};
+        for (uint32_t p = 0; p < v.n * v.n; p++) {
             for (int f = 0; f < 8; f++) {
-                const uint16_t h = (f < 4 ? v.displacement_half : v.slope_half)[4 * p + (size_t)(f % 4)];
+                const uint16_t h = (f < 4 ? v.displacement_half : v.slope_half)[4 * p + (uint32_t)(f % 4)];
+                const double want = twin_at(fields[f], p % v.n, p / v.n);
                 const double magnitude =
                     (h >> 10 & 31) == 0 ? ldexp(h & 1023, -24) : ldexp(1024 + (h & 1023), (h >> 10 & 31) - 25);
-                assert_near(h & 0x8000 ? -magnitude : magnitude, planes[f][p],
-                            fmax(fabs(planes[f][p]) * 0x1p-11, 0x1p-25));
+                assert_near(h & 0x8000 ? -magnitude : magnitude, want, fmax(fabs(want) * 0x1p-11, 0x1p-25));
             }
         }
     }

@@ -214,7 +214,8 @@ static void breaking_crests_cover_monahans_share(void **state) {
                     at[axis] = v.length * (double)(random >> 8) / 16777216.0;
                 }
                 const twin_place p = twin_place_in(&v, (bolan_dvec2){at[0], at[1]});
-                pinch += desc.choppiness * (twin_linear(v.dxx, &p) + twin_linear(v.dyy, &p));
+                pinch +=
+                    desc.choppiness * (twin_linear(TWIN_PLANE(&v, dxx), &p) + twin_linear(TWIN_PLANE(&v, dyy), &p));
             }
             below += pinch < breaks;
         }
@@ -234,14 +235,19 @@ static double half_value(uint16_t h) {
 
 static void levels_are_means_down_to_one_texel(void **state) {
     (void)state;
-    enum { N = 64 };
-    static float planes[TEXEL_PLANES][N * N];
+    enum { N = 64, PITCH = N + 4 };
+    static float planes[TEXEL_PLANES][N * N], texels[N * PITCH * TEXEL_PLANES];
     const float *const from[TEXEL_PLANES] = {planes[0], planes[1], planes[2], planes[3]};
     for (int p = 0; p < TEXEL_PLANES; ++p)
-        for (int i = 0; i < N * N; ++i) planes[p][i] = (float)((i * (7 + p) + i / N * 3) % 101) / 50.0f - 1.0f;
+        for (int i = 0; i < N * N; ++i) {
+            planes[p][i] = (float)((i * (7 + p) + i / N * 3) % 101) / 50.0f - 1.0f;
+            texels[TEXEL_PLANES * (i / N * PITCH + i % N) + p] = planes[p][i];
+        }
     float *scratch = malloc(bolan_texel_scratch_bytes(N));
-    uint16_t *levels = malloc(bolan_texel_chain_bytes(N)), *at = levels;
+    uint16_t *levels = malloc(bolan_texel_chain_bytes(N)), *same = malloc(bolan_texel_chain_bytes(N)), *at = levels;
+    bolan_texel_chain_of_texels(N, PITCH, texels, scratch, same);
     bolan_texel_chain(N, from, scratch, levels);
+    assert_memory_equal(levels, same, sizeof *levels * TEXEL_PLANES * (N * N - 1) / 3);
     for (int size = N / 2, step = 2; size >= 1; size /= 2, step *= 2) {
         for (int j = 0; j < size; ++j)
             for (int i = 0; i < size; ++i)
@@ -256,6 +262,7 @@ static void levels_are_means_down_to_one_texel(void **state) {
     }
     free(scratch);
     free(levels);
+    free(same);
 }
 
 static void packed_texels_hold_slope_pinch_and_foam(void **state) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The synthesis by compute shaders (src/render/sea_compute.h) against that of the CPU (src/waves/cascades), texel by
 // texel, and what a renderer does with it.
+#include "cascade_twin.h"
 #include "gl_support.h"
 
 #include "bolan/query.h"
@@ -54,45 +55,46 @@ static float *read_layer(const gl_texture *t, int layer, uint32_t level) {
 #define HALF_ERROR 0x1p-11
 #define SMALLEST_HALF 0x1p-25
 
-static double rms_of(const float *plane, size_t count) {
+static double rms_of(const bolan_cascade_view *v, twin_field f) {
     double squares = 0.0;
-    for (size_t i = 0; i < count; i++) squares += (double)plane[i] * (double)plane[i];
-    return sqrt(squares / (double)count);
+    for (uint32_t p = 0; p < v->n * v->n; p++) squares += pow((double)twin_at(f, p % v->n, p / v->n), 2.0);
+    return sqrt(squares / ((double)v->n * v->n));
 }
 
-// A channel of the texels against a plane of the CPU. `partner`: the other field of its transform.
-static void check_channel(const float *texels, int channel, const float *plane, const float *partner, size_t count,
-                          const char *name) {
-    const double scale = rms_of(plane, count) + rms_of(partner, count);
+// A channel of the texels against a field of the CPU. `partner`: the other field of its transform.
+static void check_channel(const float *texels, int channel, const bolan_cascade_view *v, twin_field field,
+                          twin_field partner, const char *name) {
+    const double scale = rms_of(v, field) + rms_of(v, partner);
     double worst = 0.0;
-    for (size_t i = 0; i < count; i++) {
-        const double want = (double)plane[i], rounding = HALF_ERROR * fabs(want) + SMALLEST_HALF;
-        worst = fmax(worst, (fabs((double)texels[4 * i + channel] - want) - rounding) / fmax(scale, 1e-30));
+    for (uint32_t p = 0; p < v->n * v->n; p++) {
+        const double want = (double)twin_at(field, p % v->n, p / v->n), rounding = HALF_ERROR * fabs(want);
+        const double off = fabs((double)texels[4 * p + (uint32_t)channel] - want) - rounding - SMALLEST_HALF;
+        worst = fmax(worst, off / fmax(scale, 1e-30));
     }
     if (worst > FLOAT_ERROR) fail_msg("%s: a texel is off by %.3g of the rms, beyond half floats", name, worst);
 }
 
 static void check_packed(const sea_fields *f, const bolan_cascade_view *v, uint32_t c) {
     const size_t count = (size_t)v->n * v->n;
-    float *slopes = read_layer(&f->packed_slopes[c], -1, 0), *divergence = malloc(count * sizeof *divergence);
-    for (size_t i = 0; i < count; i++) divergence[i] = v->dxx[i] + v->dyy[i];
-    check_channel(slopes, 0, v->slope_x, v->slope_y, count, "packed slope x");
-    check_channel(slopes, 1, v->slope_y, v->slope_x, count, "packed slope y");
-    check_channel(slopes, 2, divergence, v->dxx, count, "packed divergence");
-    check_channel(slopes, 3, v->foam, divergence, count, "packed foam");
+    float *slopes = read_layer(&f->packed_slopes[c], -1, 0), *sums = malloc(count * sizeof *sums);
+    for (size_t i = 0; i < count; i++) sums[i] = v->dxx[i] + v->dyy[i];
+    const twin_field divergence = {sums, 1, v->n};
+    check_channel(slopes, 0, v, TWIN_PLANE(v, slope_x), TWIN_PLANE(v, slope_y), "packed slope x");
+    check_channel(slopes, 1, v, TWIN_PLANE(v, slope_y), TWIN_PLANE(v, slope_x), "packed slope y");
+    check_channel(slopes, 2, v, divergence, TWIN_PLANE(v, dxx), "packed divergence");
+    check_channel(slopes, 3, v, TWIN_PLANE(v, foam), divergence, "packed foam");
     free(slopes);
-    free(divergence);
+    free(sums);
 }
 
 static void check_whole(const sea_fields *f, const bolan_cascade_view *v, uint32_t c) {
-    const size_t count = (size_t)v->n * v->n;
     float *slopes = read_layer(&f->slopes, (int)c, 0), *fold = read_layer(&f->fold, (int)c, 0);
-    check_channel(slopes, 0, v->slope_x, v->slope_y, count, "slope x");
-    check_channel(slopes, 1, v->slope_y, v->slope_x, count, "slope y");
-    check_channel(slopes, 2, v->dxx, v->dyy, count, "dxx");
-    check_channel(slopes, 3, v->dyy, v->dxx, count, "dyy");
-    check_channel(fold, 0, v->dxy, v->height, count, "fold dxy");
-    check_channel(fold, 1, v->foam, v->dxx, count, "fold foam");
+    check_channel(slopes, 0, v, TWIN_PLANE(v, slope_x), TWIN_PLANE(v, slope_y), "slope x");
+    check_channel(slopes, 1, v, TWIN_PLANE(v, slope_y), TWIN_PLANE(v, slope_x), "slope y");
+    check_channel(slopes, 2, v, TWIN_PLANE(v, dxx), TWIN_PLANE(v, dyy), "dxx");
+    check_channel(slopes, 3, v, TWIN_PLANE(v, dyy), TWIN_PLANE(v, dxx), "dyy");
+    check_channel(fold, 0, v, TWIN_TEXELS(v, dxy), TWIN_TEXELS(v, height), "fold dxy");
+    check_channel(fold, 1, v, TWIN_PLANE(v, foam), TWIN_PLANE(v, dxx), "fold foam");
     free(slopes);
     free(fold);
 }
@@ -102,12 +104,11 @@ static void check_now(rig *r) {
     const sea_fields *f = r->gpu.now;
     for (uint32_t c = 0; c < bolan_sea_cascade_count(r->sea); c++) {
         const bolan_cascade_view v = bolan_sea_cascade(r->sea, c);
-        const size_t count = (size_t)v.n * v.n;
         float *displacement = read_layer(&f->displacement, (int)c, 0);
-        check_channel(displacement, 0, v.dx, v.dy, count, "dx");
-        check_channel(displacement, 1, v.dy, v.dx, count, "dy");
-        check_channel(displacement, 2, v.height, v.dxy, count, "height");
-        check_channel(displacement, 3, v.dxy, v.height, count, "dxy");
+        check_channel(displacement, 0, &v, TWIN_TEXELS(&v, dx), TWIN_TEXELS(&v, dy), "dx");
+        check_channel(displacement, 1, &v, TWIN_TEXELS(&v, dy), TWIN_TEXELS(&v, dx), "dy");
+        check_channel(displacement, 2, &v, TWIN_TEXELS(&v, height), TWIN_TEXELS(&v, dxy), "height");
+        check_channel(displacement, 3, &v, TWIN_TEXELS(&v, dxy), TWIN_TEXELS(&v, height), "dxy");
         free(displacement);
         (r->textures == WATER_TEXTURES_PACKED ? check_packed : check_whole)(f, &v, c);
     }

@@ -91,14 +91,15 @@ static sums twin(const bolan_sea *sea, double x, double y, double gust, double d
         const twin_place p = twin_place_in(&v, at);
         const double shallow = (double)shares[c];
         const double keep = v.k_min > 0.0 && 2.0 * BOLAN_PI / v.k_min < 20.0 ? gust * shallow : shallow;
-        t.dx += shallow * twin_cubic(v.dx, &p), t.dy += shallow * twin_cubic(v.dy, &p),
-            t.z += shallow * twin_cubic(v.height, &p);
+        t.dx += shallow * twin_cubic(TWIN_TEXELS(&v, dx), &p), t.dy += shallow * twin_cubic(TWIN_TEXELS(&v, dy), &p),
+            t.z += shallow * twin_cubic(TWIN_TEXELS(&v, height), &p);
         t.z += shallow * shallow * bolan_sea_lift(sea, c, 0.0);
-        t.sx += keep * twin_linear(v.slope_x, &p), t.sy += keep * twin_linear(v.slope_y, &p);
-        t.xx += keep * twin_linear(v.dxx, &p), t.yy += keep * twin_linear(v.dyy, &p),
-            t.xy += keep * twin_linear(v.dxy, &p);
+        t.sx += keep * twin_linear(TWIN_PLANE(&v, slope_x), &p),
+            t.sy += keep * twin_linear(TWIN_PLANE(&v, slope_y), &p);
+        t.xx += keep * twin_linear(TWIN_PLANE(&v, dxx), &p), t.yy += keep * twin_linear(TWIN_PLANE(&v, dyy), &p),
+            t.xy += keep * twin_linear(TWIN_TEXELS(&v, dxy), &p);
         const double longest = v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length;
-        t.foam += keep * fmin(8.0 * longest / peak, 1.0) * twin_linear(v.foam, &p);
+        t.foam += keep * fmin(8.0 * longest / peak, 1.0) * twin_linear(TWIN_PLANE(&v, foam), &p);
     }
     const double sx = t.sx, sy = t.sy;
     t.sx = sx * g[0] + sy * g[2], t.sy = sx * g[1] + sy * g[3];

@@ -123,7 +123,8 @@ static void cascades_lie_over_the_world_as_tiles_do(void **state) {
         const bolan_dvec2 read = bolan_sea_place_read(sea, at.x, at.y, gradient);
         assert_true(hypot(read.x - at.x, read.y - at.y) > 1e-3); // else the plane would not be warped
         const twin_place there[] = {twin_place_in(&first, read), twin_place_in(&v, read)};
-        const double want = twin_cubic(first.height, &there[0]) + twin_cubic(v.height, &there[1]);
+        const double want =
+            twin_cubic(TWIN_TEXELS(&first, height), &there[0]) + twin_cubic(TWIN_TEXELS(&v, height), &there[1]);
         assert_near((double)height, want, 1e-5); // the place to 1e-9 cells, heights of a few metres in float
         assert_near((double)sample.height, want, 1e-5);
     }

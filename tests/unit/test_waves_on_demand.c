@@ -67,7 +67,7 @@ static void assert_equal_seas(const bolan_sea *a, const bolan_sea *b) {
     for (uint32_t c = 0; c < bolan_sea_cascade_count(a); c++) {
         const bolan_cascade_view v = bolan_sea_cascade(a, c), w = bolan_sea_cascade(b, c);
         const size_t bytes = (size_t)v.n * v.n * sizeof(float);
-        assert_memory_equal(v.height, w.height, bytes);
+        assert_memory_equal(v.displacement, w.displacement, (size_t)v.n * v.pitch * sizeof *v.displacement);
         assert_memory_equal(v.slope_x, w.slope_x, bytes);
         assert_memory_equal(v.foam, w.foam, bytes);
         assert_memory_equal(v.foam_half, w.foam_half, bytes / 2);
@@ -162,6 +162,23 @@ static double height_by_modes(const bolan_sea *sea, uint32_t cascade, uint32_t x
     return sum;
 }
 
+// So that the 4 x 4 texels of a spline need not wrap.
+static void the_first_texels_follow_the_last(void **state) {
+    (void)state;
+    bolan_sea *sea = test_sea(small(BOLAN_WAVES_FFT));
+    bolan_sea_step(sea, 3.3);
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); c++) {
+        const bolan_cascade_view v = bolan_sea_cascade(sea, c);
+        assert_int_equal(v.pitch, v.n + BOLAN_CASCADE_GUARD);
+        for (uint32_t j = 0; j < v.pitch; j++)
+            for (uint32_t i = 0; i < v.pitch; i++)
+                assert_memory_equal(&v.displacement[(size_t)j * v.pitch + i],
+                                    &v.displacement[(size_t)(j % v.n) * v.pitch + i % v.n], sizeof *v.displacement);
+        assert_memory_not_equal(v.displacement, v.displacement + BOLAN_CASCADE_GUARD, sizeof *v.displacement);
+    }
+    bolan_sea_destroy(&sea);
+}
+
 static void modes_and_clock_make_the_planes(void **state) {
     (void)state;
     bolan_sea *sea = test_sea(small(BOLAN_WAVES_FFT));
@@ -170,7 +187,7 @@ static void modes_and_clock_make_the_planes(void **state) {
         for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); c++) {
             const bolan_cascade_view v = bolan_sea_cascade(sea, c);
             for (uint32_t p = 5; p < 64 * 64; p += 1301)
-                assert_near(v.height[p], height_by_modes(sea, c, p % 64, p / 64),
+                assert_near(v.displacement[p / 64 * v.pitch + p % 64].height, height_by_modes(sea, c, p % 64, p / 64),
                             1e-5 * (1.0 + 4.0 * sqrt(v.variance)));
         }
     }
@@ -213,6 +230,7 @@ int main(void) {
         cmocka_unit_test(a_step_makes_nothing_and_the_first_question_all),
         cmocka_unit_test(it_does_not_matter_how_often_a_sea_is_read),
         cmocka_unit_test(many_threads_may_read_first),
+        cmocka_unit_test(the_first_texels_follow_the_last),
         cmocka_unit_test(modes_and_clock_make_the_planes),
         cmocka_unit_test(the_clock_tells_what_foam_remembers),
     };

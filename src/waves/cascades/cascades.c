@@ -72,10 +72,13 @@ void bolan_cascades_destroy(sea_shared *shared) {
 enum { PLANE_SHIFT = 7 * 16 }; // floats
 
 static size_t plane_floats(const sea_cascade *c) { return (size_t)c->n * c->n + PLANE_SHIFT; }
+static uint32_t pitch_of(const sea_cascade *c) { return c->n + BOLAN_CASCADE_GUARD; }
+static size_t texels_floats(const sea_cascade *c) { return SEA_HALF * (size_t)pitch_of(c) * pitch_of(c) + PLANE_SHIFT; }
 static size_t middle_floats(const sea_cascade *c) { return (size_t)(c->n / SEA_ROWS) * c->strips * SEA_CELL; }
 static size_t modes_floats(const sea_cascade *c) { return (size_t)c->n * c->strips * FFT_ROW; }
 static size_t planes_bytes(const sea_cascade *c) {
-    return (modes_floats(c) + middle_floats(c) + plane_floats(c) * (SEA_FIELDS + 7)) * sizeof(float);
+    const size_t planes = plane_floats(c) * (SEA_HALF + 7);
+    return (modes_floats(c) + middle_floats(c) + texels_floats(c) + planes) * sizeof(float);
 }
 
 static bool reserve_planes(sea_memory *memory, const sea_cascade *c, sea_planes *p) {
@@ -86,7 +89,9 @@ static bool reserve_planes(sea_memory *memory, const sea_cascade *c, sea_planes 
     next += modes_floats(c);
     p->middle = next;
     next += middle_floats(c);
-    for (int f = 0; f < SEA_FIELDS; f++, next += plane) p->field[f] = next;
+    p->displacement = (bolan_sea_texel *)(void *)next;
+    next += texels_floats(c);
+    for (int f = 0; f < SEA_HALF; f++, next += plane) p->slope[f] = next;
     p->foam = next;
     p->foam_tick = next + plane;
     p->displacement_half = (uint16_t *)(void *)(next + 2 * plane);
@@ -165,9 +170,11 @@ double bolan_cascades_side(const sea_shared *shared) { return cascade_tables_of(
 
 uint64_t bolan_cascades_hash(const bolan_sea *sea, uint64_t hash) {
     for (uint32_t i = 0; i < sea->shared->cascades; i++) {
-        const size_t n = cascade_tables_of(sea->shared)->cascade[i].n;
+        const sea_cascade *c = &cascade_tables_of(sea->shared)->cascade[i];
         const sea_planes *p = &cascade_fields_of(sea)->planes[i];
-        for (int f = 0; f < SEA_FIELDS; f++) hash = bolan_sea_hash_plane(hash, p->field[f], n * n);
+        for (size_t j = 0; j < c->n; j++)
+            hash = bolan_sea_hash_plane(hash, &p->displacement[j * pitch_of(c)].dx, SEA_HALF * (size_t)c->n);
+        for (int f = 0; f < SEA_HALF; f++) hash = bolan_sea_hash_plane(hash, p->slope[f], (size_t)c->n * c->n);
     }
     const bolan_dvec2 drift = bolan_sea_drift(sea->shared, sea->time);
     const float moved[2] = {(float)drift.x, (float)drift.y};
@@ -188,14 +195,12 @@ bolan_cascade_view bolan_cascades_view(const bolan_sea *sea, uint32_t index) {
                                 .variance = c->band->variance,
                                 .mss = c->slope[0] + c->slope[2],
                                 .bound = sea->shared->bound[index],
-                                .height = p->field[FIELD_HEIGHT],
-                                .dx = p->field[FIELD_DX],
-                                .dy = p->field[FIELD_DY],
-                                .slope_x = p->field[FIELD_SLOPE_X],
-                                .slope_y = p->field[FIELD_SLOPE_Y],
-                                .dxx = p->field[FIELD_DXX],
-                                .dyy = p->field[FIELD_DYY],
-                                .dxy = p->field[FIELD_DXY],
+                                .displacement = p->displacement,
+                                .pitch = pitch_of(c),
+                                .slope_x = p->slope[0],
+                                .slope_y = p->slope[1],
+                                .dxx = p->slope[2],
+                                .dyy = p->slope[3],
                                 .foam = p->foam,
                                 .displacement_half = p->displacement_half,
                                 .slope_half = p->slope_half,

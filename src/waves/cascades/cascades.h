@@ -66,7 +66,7 @@ typedef struct sea_cascade {
     float *cubic, *linear;          // [n]: one over the divisors along an axis (spline.h)
 } sea_cascade;
 
-// The halves of a step: the fields of displacement_half, then those of slope_half.
+// The halves of a step: the fields of displacement and displacement_half, then those of slope and slope_half.
 typedef enum sea_half { SEA_DISPLACEMENT, SEA_SLOPES, SEA_HALVES } sea_half;
 static const uint8_t sea_half_field[SEA_HALVES][SEA_HALF] = {{FIELD_DX, FIELD_DY, FIELD_HEIGHT, FIELD_DXY},
                                                              {FIELD_SLOPE_X, FIELD_SLOPE_Y, FIELD_DXX, FIELD_DYY}};
@@ -74,9 +74,10 @@ enum { SEA_DIVERGENCE = 2 }; // of SEA_SLOPES, the fields that a tick needs: fro
 
 // What a step writes of a cascade.
 typedef struct sea_planes {
-    float *modes;             // [strip][j][FFT_ROW]: h at the time, for both halves
-    float *middle;            // [block of y][strip][SEA_HALF][SEA_ROWS][FFT_ROW]: fields at (i, y)
-    float *field[SEA_FIELDS]; // by FIELD_HEIGHT ...
+    float *modes;                  // [strip][j][FFT_ROW]: h at the time, for both halves
+    float *middle;                 // [block of y][strip][SEA_HALF][SEA_ROWS][FFT_ROW]: fields at (i, y)
+    bolan_sea_texel *displacement; // [n + guard][n + guard]: bolan/waves.h
+    float *slope[SEA_HALF];        // fields of SEA_SLOPES
     float *foam;
     float *foam_tick; // foam memory at the last tick
     uint16_t *displacement_half, *slope_half, *foam_half;

@@ -22,22 +22,23 @@ static cell cell_of(const sea_cascade *c, double x, double y) {
     return (cell){(uint32_t)u & (c->n - 1), (uint32_t)v & (c->n - 1), u - floor(u), v - floor(v)};
 }
 
-// The samples around a place, and their weights for the value and for its derivatives along the tile's axes, by metres.
+// The texels around a place, and their weights for the value and for its derivatives along the tile's axes, by metres.
 typedef struct spline_taps {
-    size_t at[16];
+    const bolan_sea_texel *at[16];
     double weight[16], along[16], across[16];
 } spline_taps;
 
-static spline_taps taps_of(const sea_cascade *c, const cell *at) {
+static spline_taps taps_of(const sea_cascade *c, const bolan_sea_texel *texels, const cell *at) {
     spline_taps t;
     double wu[4], du[4], wv[4], dv[4];
     SPLINE_WEIGHTS(double, at->u, wu, du);
     SPLINE_WEIGHTS(double, at->v, wv, dv);
     const double scale = c->n / c->length;
-    const uint32_t mask = c->n - 1;
+    const uint32_t mask = c->n - 1, pitch = c->n + BOLAN_CASCADE_GUARD;
+    const bolan_sea_texel *first = texels + (size_t)((at->j - 1) & mask) * pitch + ((at->i - 1) & mask);
     for (uint32_t j = 0; j < 4; j++) {
         for (uint32_t i = 0; i < 4; i++) {
-            t.at[4 * j + i] = (size_t)((at->j + j - 1) & mask) * c->n + ((at->i + i - 1) & mask);
+            t.at[4 * j + i] = first + (size_t)j * pitch + i;
             t.weight[4 * j + i] = wu[i] * wv[j];
             t.along[4 * j + i] = du[i] * wv[j] * scale;
             t.across[4 * j + i] = wu[i] * dv[j] * scale;
@@ -46,12 +47,12 @@ static spline_taps taps_of(const sea_cascade *c, const cell *at) {
     return t;
 }
 
-// Adds weight times the value to `sum`, and its gradient in world axes to `gradient`.
-static void add_spline(const sea_cascade *c, const float *plane, const spline_taps *t, double weight, double *sum,
+// Adds weight times the value to `sum`, and its gradient in world axes to `gradient`. `field`: its offset in a texel.
+static void add_spline(const sea_cascade *c, size_t field, const spline_taps *t, double weight, double *sum,
                        double gradient[2]) {
     double value = 0.0, along = 0.0, across = 0.0;
     for (int k = 0; k < 16; k++) {
-        const double sample = plane[t->at[k]];
+        const double sample = (double)*(const float *)(const void *)((const char *)t->at[k] + field);
         value += t->weight[k] * sample;
         along += t->along[k] * sample;
         across += t->across[k] * sample;
@@ -130,10 +131,10 @@ static void add_cascade(const sea_cascade *c, const sea_planes *p, bolan_dvec2 p
     const cell at = cell_of(c, place.x, place.y);
     v->foam += foam_weight * linear(p->foam, c->n, &at);
     if (weight == 0.0) return;
-    const spline_taps t = taps_of(c, &at);
-    add_spline(c, p->field[FIELD_HEIGHT], &t, weight, &v->height, v->slope);
-    add_spline(c, p->field[FIELD_DX], &t, weight, &v->dx, v->east);
-    add_spline(c, p->field[FIELD_DY], &t, weight, &v->dy, v->north);
+    const spline_taps t = taps_of(c, p->displacement, &at);
+    add_spline(c, offsetof(bolan_sea_texel, height), &t, weight, &v->height, v->slope);
+    add_spline(c, offsetof(bolan_sea_texel, dx), &t, weight, &v->dx, v->east);
+    add_spline(c, offsetof(bolan_sea_texel, dy), &t, weight, &v->dy, v->north);
 }
 
 // The chain rule: from gradients by the place read to gradients by the rest point.

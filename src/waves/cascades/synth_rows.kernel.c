@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Second pass of a step: rows of the eight fields by four complex transforms along i, and what readers want: float
-// planes, half texels, foam memory. cascades.h has the plan.
+// Second pass of a step: rows of the eight fields by four complex transforms along i, and what readers want: texels and
+// planes of floats, half texels, foam memory. cascades.h has the plan.
 //
 // Two real fields A and B share a complex transform: P = A + iB, and since A and B are Hermitian,
 // P(-i) = conj(A(i)) + i conj(B(i)).
@@ -191,14 +191,43 @@ static inline void store_foam(const sea_planes *planes, const sea_moment *moment
     wide_half_store(planes->foam_half + at, foam);
 }
 
+// Row y of the displacement, and the row after the last that repeats it.
+static ALWAYS_INLINE void store_displacement(const row_scratch *r, bolan_sea_texel *texels, sea_stream stream,
+                                             uint32_t n, uint32_t y) {
+    const uint32_t pitch = n + BOLAN_CASCADE_GUARD;
+    for (uint32_t to = y; to < pitch; to += n) {
+        bolan_sea_texel *row = texels + (size_t)to * pitch;
+        for (uint32_t x = 0; x < n; x += WIDE) {
+            wide v[SEA_HALF];
+#pragma GCC unroll 4
+            for (int f = 0; f < SEA_HALF; f++) v[f] = wide_load(r->field + (size_t)f * r->pitch + x);
+            wide_texels(v);
+#pragma GCC unroll 4
+            for (int f = 0; f < SEA_HALF; f++) put(stream != SEA_STREAM_NONE, &row[x].dx + f * WIDE, v[f]);
+        }
+        for (uint32_t x = 0; x < BOLAN_CASCADE_GUARD; x++) {
+            const float *field = r->field + x;
+            row[n + x] = (bolan_sea_texel){field[0], field[r->pitch], field[2 * r->pitch], field[3 * r->pitch]};
+        }
+    }
+}
+
+static ALWAYS_INLINE void store_slopes(const row_scratch *r, float *const plane[SEA_HALF], sea_stream stream,
+                                       uint32_t n, uint32_t y) {
+    for (int f = 0; f < SEA_HALF; f++) // one after the other, so that streamed lines are written at once
+        for (uint32_t x = 0; x < n; x += WIDE)
+            put(stream != SEA_STREAM_NONE, plane[f] + (size_t)y * n + x,
+                wide_load(r->field + (size_t)f * r->pitch + x));
+}
+
 // Row y of the four fields of a half.
 static ALWAYS_INLINE void store_row(const row_scratch *r, const sea_planes *planes, const sea_moment *moment,
                                     sea_stream stream, sea_half half, uint32_t n, uint32_t y) {
     uint16_t *texels = half == SEA_SLOPES ? planes->slope_half : planes->displacement_half;
-    for (int f = 0; f < SEA_HALF; f++) { // one after the other, so that streamed lines are written at once
-        float *plane = planes->field[sea_half_field[half][f]] + (size_t)y * n;
-        for (uint32_t x = 0; x < n; x += WIDE)
-            put(stream != SEA_STREAM_NONE, plane + x, wide_load(r->field + (size_t)f * r->pitch + x));
+    if (half == SEA_SLOPES) {
+        store_slopes(r, planes->slope, stream, n, y);
+    } else {
+        store_displacement(r, planes->displacement, stream, n, y);
     }
     for (uint32_t x = 0; x < n; x += WIDE) {
         const size_t at = (size_t)y * n + x;
