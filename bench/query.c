@@ -14,9 +14,9 @@
 
 enum { MOST_POINTS = 1000000, REPEATS = 11, TAPS = 16, COPY_BYTES = 64 << 20 };
 
-// Bytes that a query reads around a place in each cascade, from memory if the points are scattered: of three planes of
-// floats, or of the flow, whose texels are 16 floats.
-enum { PLANES = 3 * sizeof(float), TEXEL = 16 * sizeof(float) };
+// Bytes that a query reads of each of the TAPS samples in each cascade, from memory if the points are scattered: a
+// texel of the displacement, or of the flow, whose texels are 16 floats.
+enum { TEXEL = sizeof(bolan_sea_texel), FLOW_TEXEL = 16 * sizeof(float) };
 
 typedef enum query_kind { HEIGHTS, SURFACE, BELOW, MOTION } query_kind;
 
@@ -49,6 +49,7 @@ typedef struct query_row {
     const query_case *what;
     uint32_t points, threads;
     double ms, ratio;
+    double bytes; // a point
 } query_row;
 
 typedef struct buffers {
@@ -119,21 +120,23 @@ static query_row measure(const bolan_water *water, const query_case *what, const
         ask(water, what->kind, b, points);
         time = fmin(time, seconds_of(threads) - start);
     }
-    const double at_a_sample = what->kind == BELOW || what->kind == MOTION ? TEXEL : PLANES;
-    const double bytes = (double)points * bolan_sea_cascade_count(water->sea) * TAPS * at_a_sample;
-    return (query_row){what, points, threads, 1e3 * time, time / (bytes / bytes_per_second)};
+    const double at_a_sample = what->kind == BELOW || what->kind == MOTION ? FLOW_TEXEL : TEXEL;
+    const double bytes = bolan_sea_cascade_count(water->sea) * TAPS * at_a_sample;
+    return (query_row){what, points, threads, 1e3 * time, time / (points * bytes / bytes_per_second), bytes};
 }
 
 static void print_table(const query_row *rows, uint32_t count, const double *bytes_per_second) {
-    printf("%s\nqueries of 4 cascades of 256 x 256; ratio: to the time in which memory streams the samples read\n",
-           bench_machine());
+    printf(
+        "%s\nqueries of 4 cascades of 256 x 256; bytes: of the samples that a point reads; ratio: to the time in which "
+        "memory streams them\n",
+        bench_machine());
     for (int t = 0; t < THREADS; t++)
         printf("memory, %u thread%s: %.1f GB/s\n", thread_counts[t], thread_counts[t] > 1 ? "s" : "",
                bytes_per_second[t] * 1e-9);
-    printf("%-32s %9s %8s %10s %14s %7s\n", "", "points", "threads", "ms", "points/s", "ratio");
+    printf("%-32s %9s %8s %10s %14s %8s %7s\n", "", "points", "threads", "ms", "points/s", "bytes", "ratio");
     for (uint32_t i = 0; i < count; i++)
-        printf("%-32s %9u %8u %10.3f %14.3g %7.2f\n", rows[i].what->name, rows[i].points, rows[i].threads, rows[i].ms,
-               1e3 * rows[i].points / rows[i].ms, rows[i].ratio);
+        printf("%-32s %9u %8u %10.3f %14.3g %8.0f %7.2f\n", rows[i].what->name, rows[i].points, rows[i].threads,
+               rows[i].ms, 1e3 * rows[i].points / rows[i].ms, rows[i].bytes, rows[i].ratio);
 }
 
 static void print_json(const query_row *rows, uint32_t count, const double *bytes_per_second) {
@@ -141,9 +144,9 @@ static void print_json(const query_row *rows, uint32_t count, const double *byte
            bytes_per_second[0], bytes_per_second[1]);
     for (uint32_t i = 0; i < count; i++)
         printf("%s\n  {\"what\": \"%s\", \"points\": %u, \"threads\": %u, \"ms\": %.4f, \"points_per_second\": %.4g, "
-               "\"ratio\": %.3f}",
+               "\"bytes\": %.0f, \"ratio\": %.3f}",
                i ? "," : "", rows[i].what->name, rows[i].points, rows[i].threads, rows[i].ms,
-               1e3 * rows[i].points / rows[i].ms, rows[i].ratio);
+               1e3 * rows[i].points / rows[i].ms, rows[i].bytes, rows[i].ratio);
     printf("\n]}\n");
 }
 

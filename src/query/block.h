@@ -23,7 +23,13 @@
 //
 //     evaluate  height, dx and dy of all cascades, and gradients, at one place
 //
-// Slopes and Jacobians are gradients of the very splines whose heights are answered.
+// Slopes and Jacobians are gradients of the very splines whose heights are answered:
+//
+//     surface   the short cascades again, where the root ended up; the long ones by the tangents of `refine`
+//
+// A lane of little doubt has not moved far since a cascade was read: its doubt bounds curvature x distance^2 / 2, and
+// so the error of a slope, curvature x distance. `again` is the first cascade where the bound of the latter is above
+// QUERY_SLOPE_ERROR.
 #ifndef BOLAN_QUERY_BLOCK_H
 #define BOLAN_QUERY_BLOCK_H
 
@@ -40,6 +46,11 @@ enum {
 
 // [m] far below the residual that query.h promises.
 #define QUERY_CONVERGED 1.5e-5f
+// [m] of the doubt, which overestimates the residual: at 256 samples a side 1 in 400 of the lanes below it has a
+// residual above QUERY_CONVERGED, and none above 6e-5 m.
+#define QUERY_DOUBTFUL 3e-5f
+// Of a cascade that is not read again: the bound of its error, which is some ten times the rms.
+#define QUERY_SLOPE_ERROR 4e-3f
 // Determinant below which a second root may be near.
 #define QUERY_FOLD 0.25f
 // Determinant below which the matrix of a Newton step says nothing.
@@ -59,7 +70,8 @@ typedef struct query_cascade {
 
 typedef struct query_sea {
     uint32_t count;
-    bool bound; // there are bound waves
+    uint32_t again; // the first of the cascades that bolan_query_surface() reads again; below `count`
+    bool bound;     // there are bound waves
     float choppiness;
     double origin_x, origin_y; // where the tiles lie: they drift with the current [m]
     query_cascade cascade[BOLAN_MAX_CASCADES];
@@ -74,6 +86,23 @@ typedef struct query_axes {
     _Alignas(64) float ux[QUERY_LANES], uy[QUERY_LANES], vx[QUERY_LANES], vy[QUERY_LANES];
 } query_axes;
 
+// Functions of the offset, value + gradient . offset: of the displacement, times choppiness and attenuation, and of the
+// height.
+typedef struct query_tangent {
+    _Alignas(64) float x[QUERY_LANES], y[QUERY_LANES];
+    float xx[QUERY_LANES], xy[QUERY_LANES], yx[QUERY_LANES], yy[QUERY_LANES];
+} query_tangent;
+
+typedef struct query_height_tangent {
+    _Alignas(64) float value[QUERY_LANES], x[QUERY_LANES], y[QUERY_LANES];
+} query_height_tangent;
+
+// Sums over the cascades before query_sea.again.
+typedef struct query_kept {
+    query_tangent sum;
+    query_height_tangent height;
+} query_kept;
+
 // Every array of 16 numbers fills whole cache lines.
 typedef struct query_block {
     _Alignas(64) double x[QUERY_LANES], y[QUERY_LANES];                                       // asked points [m]
@@ -86,6 +115,7 @@ typedef struct query_block {
     float rx[QUERY_LANES], ry[QUERY_LANES];                                       // residual of (1) [m]
     float height[QUERY_LANES], slope_x[QUERY_LANES], slope_y[QUERY_LANES];        // at the rest point
     float jxx[QUERY_LANES], jxy[QUERY_LANES], jyx[QUERY_LANES], jyy[QUERY_LANES]; // Jacobian matrix of x0 -> x
+    query_kept kept;
     bool settled[QUERY_LANES]; // the attenuation is the same all around
     bool leans;                // a lane has a gradient of the attenuation
 } query_block;
@@ -100,6 +130,8 @@ typedef struct query_kernels {
     // Offsets from 0 and heights by `guess` and `refine`, of `count` blocks, 1 .. QUERY_BLOCKS. `certain`: the lanes of
     // each whose answer is certain: little doubt, and no fold near. NULL where a sum has no cascades to read.
     void (*approach)(const query_sea *sea, query_block *blocks, uint32_t count, uint32_t *certain);
+    // Residual, slopes and Jacobian matrix of the certain lanes of a block, after `approach`. NULL where that is.
+    void (*surface)(const query_sea *sea, query_block *block);
     // Residual, height, slopes and Jacobian matrix at the present offsets.
     void (*evaluate)(const query_sea *sea, uint32_t lanes, query_block *block);
 } query_kernels;

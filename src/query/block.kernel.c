@@ -12,6 +12,7 @@
 
 void KERNEL(bolan_query_locate)(const query_sea *sea, query_block *block);
 void KERNEL(bolan_query_approach)(const query_sea *sea, query_block *blocks, uint32_t count, uint32_t *certain);
+void KERNEL(bolan_query_surface)(const query_sea *sea, query_block *block);
 void KERNEL(bolan_query_evaluate)(const query_sea *sea, uint32_t lanes, query_block *block);
 
 // ---- places ---------------------------------------------------------------------------------------------------------
@@ -99,69 +100,72 @@ static inline void find_spots(const query_cascade *t, const query_block *block, 
 
 // ---- tangents -------------------------------------------------------------------------------------------------------
 
-// The displacement, times choppiness and attenuation, as a function of the offset: value + gradient . offset.
-typedef struct tangent {
-    _Alignas(64) float x[QUERY_LANES], y[QUERY_LANES];
-    float xx[QUERY_LANES], xy[QUERY_LANES], yx[QUERY_LANES], yy[QUERY_LANES];
-} tangent;
-
-static const tangent no_tangent;
+static const query_tangent no_tangent;
 
 // Of each cascade of a block.
 typedef struct query_tangents {
-    tangent of[BOLAN_MAX_CASCADES];
+    query_tangent of[BOLAN_MAX_CASCADES];
 } query_tangents;
 
-static inline void add_tangents(const tangent *a, const tangent *b, tangent *out) {
-    LANES(l) {
-        out->x[l] = a->x[l] + b->x[l];
-        out->y[l] = a->y[l] + b->y[l];
-        out->xx[l] = a->xx[l] + b->xx[l];
-        out->xy[l] = a->xy[l] + b->xy[l];
-        out->yx[l] = a->yx[l] + b->yx[l];
-        out->yy[l] = a->yy[l] + b->yy[l];
-    }
+// A lane of it. One loop over the lanes does all with a lane that is read once, in registers.
+typedef struct lane_tangent {
+    float x, y, xx, xy, yx, yy;
+} lane_tangent;
+
+static inline lane_tangent get_lane(const query_tangent *t, int l) {
+    return (lane_tangent){t->x[l], t->y[l], t->xx[l], t->xy[l], t->yx[l], t->yy[l]};
+}
+
+static inline void put_lane(lane_tangent a, int l, query_tangent *out) {
+    out->x[l] = a.x, out->y[l] = a.y;
+    out->xx[l] = a.xx, out->xy[l] = a.xy, out->yx[l] = a.yx, out->yy[l] = a.yy;
+}
+
+static inline lane_tangent plus(lane_tangent a, lane_tangent b) {
+    return (lane_tangent){a.x + b.x, a.y + b.y, a.xx + b.xx, a.xy + b.xy, a.yx + b.yx, a.yy + b.yy};
 }
 
 // Newton's step: the offset where (1) holds for the tangents of all cascades. Near a fold it stays where it is.
-static inline void go_to_root(const tangent *sum, query_block *b) {
-    LANES(l) {
-        const float xx = 1.0f + sum->xx[l], yy = 1.0f + sum->yy[l], xy = sum->xy[l], yx = sum->yx[l];
-        const float det = xx * yy - xy * yx;
-        const bool regular = det > QUERY_REGULAR;
-        const float inverse = 1.0f / (regular ? det : 1.0f);
-        const float x = (xy * sum->y[l] - yy * sum->x[l]) * inverse, y = (yx * sum->x[l] - xx * sum->y[l]) * inverse;
-        const bool near =
-            x < QUERY_MAX_OFFSET && x > -QUERY_MAX_OFFSET && y < QUERY_MAX_OFFSET && y > -QUERY_MAX_OFFSET;
-        b->ox[l] = regular && near ? x : b->ox[l];
-        b->oy[l] = regular && near ? y : b->oy[l];
-    }
+static inline void go_to_root(lane_tangent sum, int l, query_block *b) {
+    const float xx = 1.0f + sum.xx, yy = 1.0f + sum.yy, xy = sum.xy, yx = sum.yx;
+    const float det = xx * yy - xy * yx;
+    const bool regular = det > QUERY_REGULAR;
+    const float inverse = 1.0f / (regular ? det : 1.0f);
+    const float x = (xy * sum.y - yy * sum.x) * inverse, y = (yx * sum.x - xx * sum.y) * inverse;
+    const bool near = x < QUERY_MAX_OFFSET && x > -QUERY_MAX_OFFSET && y < QUERY_MAX_OFFSET && y > -QUERY_MAX_OFFSET;
+    b->ox[l] = regular && near ? x : b->ox[l];
+    b->oy[l] = regular && near ? y : b->oy[l];
 }
 
-// The tangent of a cascade at the present offsets, from what was read of dx and dy there; `scale` is a factor on it.
-static inline void set_tangent(const query_block *b, uint32_t c, float scale, const spline_values *f, tangent *out) {
-    LANES(l) {
-        const float weight = scale * b->attenuation[c][l], ox = b->ox[l], oy = b->oy[l];
-        const float ux = b->axes[c].ux[l], uy = b->axes[c].uy[l], vx = b->axes[c].vx[l], vy = b->axes[c].vy[l];
-        const float xx = weight * (f->along[0][l] * ux + f->across[0][l] * vx);
-        const float xy = weight * (f->along[0][l] * uy + f->across[0][l] * vy);
-        const float yx = weight * (f->along[1][l] * ux + f->across[1][l] * vx);
-        const float yy = weight * (f->along[1][l] * uy + f->across[1][l] * vy);
-        out->x[l] = weight * f->value[0][l] - (xx * ox + xy * oy);
-        out->y[l] = weight * f->value[1][l] - (yx * ox + yy * oy);
-        out->xx[l] = xx;
-        out->xy[l] = xy;
-        out->yx[l] = yx;
-        out->yy[l] = yy;
-    }
+// The tangent of a cascade at the present offset, from what was read of dx and dy there; `scale` is a factor on it.
+static inline lane_tangent tangent_of(const query_block *b, uint32_t c, float scale, const spline_values *f, int l) {
+    const float weight = scale * b->attenuation[c][l], ox = b->ox[l], oy = b->oy[l];
+    const float ux = b->axes[c].ux[l], uy = b->axes[c].uy[l], vx = b->axes[c].vx[l], vy = b->axes[c].vy[l];
+    const float xx = weight * (f->along[0][l] * ux + f->across[0][l] * vx);
+    const float xy = weight * (f->along[0][l] * uy + f->across[0][l] * vy);
+    const float yx = weight * (f->along[1][l] * ux + f->across[1][l] * vx);
+    const float yy = weight * (f->along[1][l] * uy + f->across[1][l] * vy);
+    return (lane_tangent){
+        weight * f->value[0][l] - (xx * ox + xy * oy), weight * f->value[1][l] - (yx * ox + yy * oy), xx, xy, yx, yy};
 }
 
 // ---- a guess --------------------------------------------------------------------------------------------------------
 
+// Takes a cascade in, whose factor is `scale`.
+static inline void guess_lanes(uint32_t c, float scale, const spline_values *f, query_tangent *restrict own,
+                               query_tangent *restrict sum, query_block *restrict b) {
+    LANES(l) {
+        const lane_tangent one = tangent_of(b, c, scale, f, l), all = plus(get_lane(sum, l), one);
+        put_lane(one, l, own);
+        put_lane(all, l, sum);
+        go_to_root(all, l, b);
+    }
+}
+
 // Leaves in rest[c] the sum of the tangents of the cascades behind c.
 static void guess(const query_sea *sea, query_block *blocks, uint32_t count, query_tangents *rest) {
     query_tangents own[QUERY_BLOCKS];
-    tangent sum[QUERY_BLOCKS];
+    query_tangent sum[QUERY_BLOCKS];
     spots at[QUERY_BLOCKS];
     memset(sum, 0, sizeof sum);
     for (uint32_t c = 0; c < sea->count; c++) {
@@ -170,14 +174,14 @@ static void guess(const query_sea *sea, query_block *blocks, uint32_t count, que
         for (uint32_t i = 0; i < count; i++) {
             spline_values f;
             read_linearly(t, &at[i], &f);
-            set_tangent(&blocks[i], c, sea->choppiness * t->linear, &f, &own[i].of[c]);
-            add_tangents(&sum[i], &own[i].of[c], &sum[i]);
-            go_to_root(&sum[i], &blocks[i]);
+            guess_lanes(c, sea->choppiness * t->linear, &f, &own[i].of[c], &sum[i], &blocks[i]);
         }
     }
     for (uint32_t i = 0; i < count; i++) {
         rest[i].of[sea->count - 1] = no_tangent;
-        for (uint32_t c = sea->count - 1; c > 0; c--) add_tangents(&rest[i].of[c], &own[i].of[c], &rest[i].of[c - 1]);
+        for (uint32_t c = sea->count - 1; c > 0; c--) LANES(l) {
+                put_lane(plus(get_lane(&rest[i].of[c], l), get_lane(&own[i].of[c], l)), l, &rest[i].of[c - 1]);
+            }
     }
 }
 
@@ -227,30 +231,23 @@ static inline void add_bound_slope(const query_cascade *t, const fields *f, boun
 
 // ---- splines --------------------------------------------------------------------------------------------------------
 
-// The tangent of the height.
-typedef struct height_tangent {
-    _Alignas(64) float value[QUERY_LANES], x[QUERY_LANES], y[QUERY_LANES];
-} height_tangent;
-
-static inline void add_height(const query_sea *sea, uint32_t c, const query_block *b, const spline_values *f,
-                              height_tangent *height) {
-    LANES(l) {
-        const float weight = b->attenuation[c][l];
-        const float x = weight * (f->along[2][l] * b->axes[c].ux[l] + f->across[2][l] * b->axes[c].vx[l]);
-        const float y = weight * (f->along[2][l] * b->axes[c].uy[l] + f->across[2][l] * b->axes[c].vy[l]);
-        const float value = weight * f->value[2][l] + weight * weight * sea->lift[c];
-        height->value[l] += value - (x * b->ox[l] + y * b->oy[l]);
-        height->x[l] += x;
-        height->y[l] += y;
-    }
+static inline void add_height(float lift, uint32_t c, const query_block *b, const spline_values *f, int l,
+                              query_height_tangent *height) {
+    const float weight = b->attenuation[c][l];
+    const float x = weight * (f->along[2][l] * b->axes[c].ux[l] + f->across[2][l] * b->axes[c].vx[l]);
+    const float y = weight * (f->along[2][l] * b->axes[c].uy[l] + f->across[2][l] * b->axes[c].vy[l]);
+    const float value = weight * f->value[2][l] + weight * weight * lift;
+    height->value[l] += value - (x * b->ox[l] + y * b->oy[l]);
+    height->x[l] += x;
+    height->y[l] += y;
 }
 
 // What refine() has of a block.
 typedef struct refined {
     _Alignas(64) float at_x[BOLAN_MAX_CASCADES][QUERY_LANES],
         at_y[BOLAN_MAX_CASCADES][QUERY_LANES]; // offsets of reading
-    tangent sum;
-    height_tangent height;
+    query_tangent sum;
+    query_height_tangent height;
     fields read[BOLAN_MAX_CASCADES]; // where there are bound waves
 } refined;
 
@@ -269,19 +266,20 @@ static void add_bound_heights(const query_sea *sea, refined *r, query_block *b) 
 }
 
 // A cascade of a block, at `at`.
-static inline void refine_cascade(const query_sea *sea, uint32_t c, const spots *at, const tangent *rest, refined *r,
-                                  query_block *b) {
-    tangent own, all;
+static inline void refine_cascade(const query_sea *sea, uint32_t c, const spots *at, const query_tangent *restrict rest,
+                                  refined *restrict r, query_block *restrict b) {
+    const float choppiness = sea->choppiness, lift = sea->lift[c];
     spline_values f;
-    memcpy(r->at_x[c], b->ox, sizeof r->at_x[c]);
-    memcpy(r->at_y[c], b->oy, sizeof r->at_y[c]);
     read_splines(&sea->cascade[c], at, QUERY_ALL_LANES, &f);
-    set_tangent(b, c, sea->choppiness, &f, &own);
-    add_height(sea, c, b, &f, &r->height);
     if (sea->bound) set_fields(b, c, &f, &r->read[c]);
-    add_tangents(&r->sum, &own, &r->sum);
-    add_tangents(&r->sum, rest, &all);
-    go_to_root(&all, b);
+    LANES(l) {
+        r->at_x[c][l] = b->ox[l];
+        r->at_y[c][l] = b->oy[l];
+        add_height(lift, c, b, &f, l, &r->height);
+        const lane_tangent all = plus(get_lane(&r->sum, l), tangent_of(b, c, choppiness, &f, l));
+        put_lane(all, l, &r->sum);
+        go_to_root(plus(all, get_lane(rest, l)), l, b);
+    }
 }
 
 // The lanes that are certain, of a block that all cascades were read for.
@@ -306,7 +304,7 @@ static inline uint32_t conclude(const query_sea *sea, refined *r, query_block *b
     uint32_t certain = 0;
     LANES(l) {
         const float determinant = b->jxx[l] * b->jyy[l] - b->jxy[l] * b->jyx[l];
-        certain |= doubt[l] <= QUERY_CONVERGED && determinant >= QUERY_FOLD ? 1u << l : 0u;
+        certain |= doubt[l] <= QUERY_DOUBTFUL && determinant >= QUERY_FOLD ? 1u << l : 0u;
     }
     return certain;
 }
@@ -322,7 +320,10 @@ static void refine(const query_sea *sea, const query_tangents *rest, query_block
     }
     for (uint32_t c = 0; c < sea->count; c++) {
         for (uint32_t i = 0; i < count; i++) find_spots(&sea->cascade[c], &blocks[i], c, &at[i]);
-        for (uint32_t i = 0; i < count; i++) refine_cascade(sea, c, &at[i], &rest[i].of[c], &r[i], &blocks[i]);
+        for (uint32_t i = 0; i < count; i++) {
+            if (c == sea->again) blocks[i].kept = (query_kept){r[i].sum, r[i].height};
+            refine_cascade(sea, c, &at[i], &rest[i].of[c], &r[i], &blocks[i]);
+        }
     }
     for (uint32_t i = 0; i < count; i++) certain[i] = conclude(sea, &r[i], &blocks[i]);
 }
@@ -374,26 +375,32 @@ static inline void add_bound(const query_sea *sea, uint32_t c, const query_block
     add_bound_height(&sea->cascade[c], &own, all);
 }
 
-void KERNEL(bolan_query_evaluate)(const query_sea *sea, uint32_t lanes, query_block *block) {
-    const float lambda = sea->choppiness;
-    fields sum;
+// The cascades from `first` on, at the present offsets.
+static inline void sum_cascades(const query_sea *sea, uint32_t first, uint32_t lanes, const query_block *block,
+                                fields *sum) {
     bound all;
-    memset(&sum, 0, sizeof sum);
+    memset(sum, 0, sizeof *sum);
     if (sea->bound) memset(&all, 0, sizeof all);
-    for (uint32_t c = 0; c < sea->count; c++) {
+    for (uint32_t c = first; c < sea->count; c++) {
         spots at;
         spline_values f;
         find_spots(&sea->cascade[c], block, c, &at);
         read_splines(&sea->cascade[c], &at, lanes, &f);
-        add_cascade(sea, c, block, &f, &sum);
-        if (block->leans) add_lean(sea, c, block, &f, &sum);
+        add_cascade(sea, c, block, &f, sum);
+        if (block->leans) add_lean(sea, c, block, &f, sum);
         if (sea->bound) add_bound(sea, c, block, &f, &all);
     }
     if (sea->bound) LANES(l) {
-            sum.value[SPLINE_HEIGHT][l] += all.height[l];
-            sum.by_x[SPLINE_HEIGHT][l] += all.x[l];
-            sum.by_y[SPLINE_HEIGHT][l] += all.y[l];
+            sum->value[SPLINE_HEIGHT][l] += all.height[l];
+            sum->by_x[SPLINE_HEIGHT][l] += all.x[l];
+            sum->by_y[SPLINE_HEIGHT][l] += all.y[l];
         }
+}
+
+void KERNEL(bolan_query_evaluate)(const query_sea *sea, uint32_t lanes, query_block *block) {
+    const float lambda = sea->choppiness;
+    fields sum;
+    sum_cascades(sea, 0, lanes, block, &sum);
     LANES(l) {
         const bool on = lanes >> l & 1;
         block->rx[l] = on ? block->ox[l] + lambda * sum.value[SPLINE_DX][l] : block->rx[l];
@@ -405,5 +412,23 @@ void KERNEL(bolan_query_evaluate)(const query_sea *sea, uint32_t lanes, query_bl
         block->jxy[l] = on ? lambda * sum.by_y[SPLINE_DX][l] : block->jxy[l];
         block->jyx[l] = on ? lambda * sum.by_x[SPLINE_DY][l] : block->jyx[l];
         block->jyy[l] = on ? 1.0f + lambda * sum.by_y[SPLINE_DY][l] : block->jyy[l];
+    }
+}
+
+void KERNEL(bolan_query_surface)(const query_sea *sea, query_block *block) {
+    const float lambda = sea->choppiness;
+    const query_tangent *k = &block->kept.sum;
+    fields sum;
+    sum_cascades(sea, sea->again, QUERY_ALL_LANES, block, &sum);
+    LANES(l) {
+        const float ox = block->ox[l], oy = block->oy[l];
+        block->rx[l] = ox + ((k->x[l] + (k->xx[l] * ox + k->xy[l] * oy)) + lambda * sum.value[SPLINE_DX][l]);
+        block->ry[l] = oy + ((k->y[l] + (k->yx[l] * ox + k->yy[l] * oy)) + lambda * sum.value[SPLINE_DY][l]);
+        block->slope_x[l] = block->kept.height.x[l] + sum.by_x[SPLINE_HEIGHT][l];
+        block->slope_y[l] = block->kept.height.y[l] + sum.by_y[SPLINE_HEIGHT][l];
+        block->jxx[l] = 1.0f + (k->xx[l] + lambda * sum.by_x[SPLINE_DX][l]);
+        block->jxy[l] = k->xy[l] + lambda * sum.by_y[SPLINE_DX][l];
+        block->jyx[l] = k->yx[l] + lambda * sum.by_x[SPLINE_DY][l];
+        block->jyy[l] = 1.0f + (k->yy[l] + lambda * sum.by_y[SPLINE_DY][l]);
     }
 }

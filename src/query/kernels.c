@@ -5,9 +5,10 @@
 #define QUERY_DECLARE(set)                                                                   \
     void bolan_query_locate_##set(const query_sea *sea, query_block *block);                 \
     void bolan_query_approach_##set(const query_sea *, query_block *, uint32_t, uint32_t *); \
+    void bolan_query_surface_##set(const query_sea *sea, query_block *block);                \
     void bolan_query_evaluate_##set(const query_sea *sea, uint32_t lanes, query_block *block);
 #define QUERY_ROW(set) \
-    { bolan_query_locate_##set, bolan_query_approach_##set, bolan_query_evaluate_##set }
+    { bolan_query_locate_##set, bolan_query_approach_##set, bolan_query_surface_##set, bolan_query_evaluate_##set }
 
 QUERY_DECLARE(scalar)
 QUERY_DECLARE(generic4)

@@ -233,18 +233,10 @@ static void leave_lane(const batch *t, const query_block *b, uint32_t l, uint32_
     if (left->count == QUERY_LANES) answer_leftover(t, left);
 }
 
-// Slopes, Jacobian and residual at the offsets; the heights stay, so that they are those of a batch of heights.
-static void evaluate_surface(const query *q, query_block *b) {
-    float height[QUERY_LANES];
-    memcpy(height, b->height, sizeof height);
-    q->kernels->evaluate(&q->sea, QUERY_ALL_LANES, b);
-    memcpy(b->height, height, sizeof height);
-}
-
 // `lanes` points from `first` on, whose block is solved; `certain`: the lanes that need no more.
 static void write_block(const batch *t, uint32_t first, uint32_t lanes, uint32_t certain, query_block *b,
                         leftover *left) {
-    if (t->out && certain) evaluate_surface(&t->q, b);
+    if (t->out && certain) t->q.kernels->surface(&t->q.sea, b);
     if (certain && t->q.water->layer_count > 0) add_layers(&t->q, b);
     for (uint32_t l = 0; l < lanes; l++) {
         if (certain >> l & 1) {
@@ -310,6 +302,16 @@ static query_cascade cascade_of(const bolan_cascade_view *v, const bolan_sea_des
                            .curvature = (float)(desc->choppiness * travel * v->k_max * sqrt(v->mss))};
 }
 
+// The cascade from which on query_kernels.surface reads again. Bound waves are products of all cascades.
+static uint32_t again_from(const query_sea *sea) {
+    uint32_t c = 0;
+    if (sea->bound) return 0;
+    while (c + 1 < sea->count &&
+           2.0f * QUERY_DOUBTFUL * sea->cascade[c].curvature < QUERY_SLOPE_ERROR * QUERY_SLOPE_ERROR)
+        c++;
+    return c;
+}
+
 void bolan_query_prepare(const bolan_water *water, query *out) {
     const bolan_sea *sea = water->sea;
     const bolan_sea_desc *desc = bolan_sea_get_desc(sea);
@@ -330,6 +332,7 @@ void bolan_query_prepare(const bolan_water *water, query *out) {
     }
     double variance = 0.0;
     const sea_band *band = bolan_sea_bands(sea, &q.sea.count);
+    q.sea.again = again_from(&q.sea);
     for (uint32_t i = 0; i < q.sea.count; i++) {
         q.sea.lift[i] = (float)bolan_sea_lift(sea, i, 0.0);
         q.band_hs[i] = (float)(4.0 * sqrt(band[i].variance));

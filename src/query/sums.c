@@ -48,4 +48,4 @@ static void evaluate(const query_sea *sea, uint32_t lanes, query_block *block) {
     }
 }
 
-const query_kernels bolan_query_sum_kernels = {locate, NULL, evaluate};
+const query_kernels bolan_query_sum_kernels = {locate, NULL, NULL, evaluate};
