@@ -423,6 +423,28 @@ BOLAN_API bolan_cascade_view bolan_sea_cascade(const bolan_sea *sea, uint32_t in
 /// Like bolan_sea_cascade(), without the planes: the pointers are NULL, and no fields are made.
 BOLAN_API bolan_cascade_view bolan_sea_cascade_layout(const bolan_sea *sea, uint32_t index);
 
+/// The fine waves of a sea of model FFT: capillary-gravity waves from the last cascade's ring down to 1 cm, of which
+/// pixels near the eye read the slopes.
+/// They have most of the slope variance that Cox & Munk state for the wind and the cascades lack. Their height is a
+/// millimetre, which queries leave out, as they do the slopes.
+/// Sample (i, j) is at [j * n + i]. It lies at tile coordinates (i, j) * length / n, as that of a bolan_cascade_view.
+typedef struct bolan_sea_fine_view {
+    /// Samples along a side; 0: there are none, and the rest is 0.
+    uint32_t n;
+    /// Side of the tile [m], and its rotation against the world, counter-clockwise [rad].
+    double length, angle;
+    /// Ring of wave numbers [rad/m].
+    double k_min, k_max;
+    /// Expected slope covariance xx, xy, yy.
+    double slopes[3];
+    /// Gradient of the height by the place read, to be read linearly.
+    const float *slope_x, *slope_y;
+} bolan_sea_fine_view;
+/// Returns the fine waves at the present time, which the first call after a step makes; bolan_sea_fields() does not.
+/// The pointers are valid while the sea lives; what they point to is of the present time until the next step.
+/// Thread-safe between steps. Source: Phillips 1958 (k^-4), Cox & Munk 1954 (variance), Lamb 1932 (dispersion).
+BOLAN_API bolan_sea_fine_view bolan_sea_fine(const bolan_sea *sea);
+
 /// Most waves that a mode has.
 #define BOLAN_MODE_PARTS 4
 /// Modes (i, j) with |i| and |j| below have several waves; others have one, part 0.
@@ -581,7 +603,8 @@ BOLAN_API void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, d
 /// Texels along the angle, periodic: texel l is l pi / 8.
 #define BOLAN_SLOPE_TABLE_ANGLE 8
 /// Returns bolan_sea_unresolved_slopes() as a table to sample with linear filtering:
-/// out[((l * ASPECT) + j) * MAJOR + i][4] = xx, xy, yy, 0.
+/// out[((l * ASPECT) + j) * MAJOR + i][4] = xx, xy, yy, and the share of their slope variance that the footprint
+/// removes of the fine waves. Where they are drawn (bolan_sea_fine()), take off what they keep: slopes * (1 - share).
 /// Computed at creation. Valid while the sea lives. Thread-safe, also during a step.
 BOLAN_API const float *bolan_sea_slope_table(const bolan_sea *sea);
 

@@ -102,16 +102,32 @@ static void remember(const bolan_sea *sea) {
     while (m->tick < sea->tick) do_tick(sea);
 }
 
+// True: the caller makes what is stale, and then says that it is fresh. False: it is fresh.
+static bool begin_making(atomic_uint *state) {
+    if (atomic_load_explicit(state, memory_order_acquire) == SEA_FRESH) return false;
+    unsigned expected = SEA_STALE;
+    if (atomic_compare_exchange_strong_explicit(state, &expected, SEA_MAKING, memory_order_acquire,
+                                                memory_order_acquire))
+        return true;
+    while (atomic_load_explicit(state, memory_order_acquire) != SEA_FRESH) sched_yield();
+    return false;
+}
+
+bolan_sea_fine_view bolan_sea_fine(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    const struct sea_model *model = sea->shared->model;
+    if (!model->fine) return (bolan_sea_fine_view){.n = 0};
+    if (begin_making(&sea->made->fine)) {
+        model->step_fine(sea);
+        atomic_store_explicit(&sea->made->fine, SEA_FRESH, memory_order_release);
+    }
+    return model->fine(sea);
+}
+
 void bolan_sea_fields(const bolan_sea *sea) {
     BOLAN_ASSERT(sea);
     sea_made *m = sea->made;
-    if (atomic_load_explicit(&m->state, memory_order_acquire) == SEA_FRESH) return;
-    unsigned expected = SEA_STALE;
-    if (!atomic_compare_exchange_strong_explicit(&m->state, &expected, SEA_MAKING, memory_order_acquire,
-                                                 memory_order_acquire)) {
-        while (atomic_load_explicit(&m->state, memory_order_acquire) != SEA_FRESH) sched_yield();
-        return;
-    }
+    if (!begin_making(&m->state)) return;
     if (sea->shared->model->remembers) remember(sea);
     const sea_instant instant = instant_of(sea, sea->shown, sea->since, false);
     sea->shared->model->step(sea, &instant);
@@ -126,6 +142,7 @@ static void move_to(bolan_sea *sea, double time, place_in_time at) {
     sea->stepped = true;
     sea->serial = bolan_sea_next_number();
     atomic_store_explicit(&sea->made->state, SEA_STALE, memory_order_relaxed);
+    atomic_store_explicit(&sea->made->fine, SEA_STALE, memory_order_relaxed);
 }
 
 void bolan_sea_step(bolan_sea *sea, double time) {

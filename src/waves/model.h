@@ -52,6 +52,12 @@ typedef struct sea_model {
     void (*bounds)(const sea_shared *shared, double *vertical, double *horizontal);
     // Peak period of the waves [s]. NULL: the general estimate of statistics.c, for a dense spectrum.
     double (*peak_period)(const sea_shared *shared);
+    // The fine waves of cascades (bolan_sea_fine()), all NULL where the model has none. Their tables, from
+    // shared->rest_slope; each of them; their fields at the sea's time; a view of these.
+    bool (*create_fine)(sea_shared *shared);
+    void (*each_fine)(const sea_shared *shared, sea_visit *visit, void *context);
+    void (*step_fine)(const bolan_sea *sea);
+    bolan_sea_fine_view (*fine)(const bolan_sea *sea);
     // Side of the square over which the sea is measured [m], > 0.
     double (*side)(const sea_shared *shared);
     // Continues a digest over every field.

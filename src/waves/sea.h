@@ -29,7 +29,7 @@
 
 // ---- memory ---------------------------------------------------------------------------------------------------------
 
-enum { SEA_MAX_BLOCKS = 24 };
+enum { SEA_MAX_BLOCKS = 28 };
 typedef struct sea_memory {
     uint32_t count;
     struct {
@@ -102,6 +102,7 @@ typedef struct sea_shared {
 enum { SEA_STALE, SEA_MAKING, SEA_FRESH };
 typedef struct sea_made {
     atomic_uint state; // SEA_STALE ...
+    atomic_uint fine;  // likewise of the fine waves
     bool any;          // the foam memory was ever made
     bool empty;        // it holds nothing yet
     double from;       // the sea's foam_from when it was begun

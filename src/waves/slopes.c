@@ -60,12 +60,11 @@ static void compact(const gathering *g, struct slope_map *map) {
     }
 }
 
-static void unresolved(const sea_shared *shared, double major, double minor, double angle, double out[3]) {
-    const struct slope_map *map = shared->slope_map;
+// Adds the slope covariance that a footprint removes of the waves of a map.
+static void add_removed(const struct slope_map *map, double major, double minor, double angle, double out[3]) {
     double s, c;
     bolan_sincos(angle, &s, &c);
     const double ax = major * c, ay = major * s, bx = -minor * s, by = minor * c;
-    memcpy(out, shared->rest_slope, 3 * sizeof(double));
     for (uint32_t i = 0; i < map->count; i++) {
         const double a = ax * map->at[i].kx + ay * map->at[i].ky, b = bx * map->at[i].kx + by * map->at[i].ky;
         const double x = a * a + b * b, removed = x < 40.0 ? 1.0 - portable_exp(-x) : 1.0;
@@ -73,6 +72,11 @@ static void unresolved(const sea_shared *shared, double major, double minor, dou
         out[1] += removed * map->at[i].xy;
         out[2] += removed * map->at[i].yy;
     }
+}
+
+static void unresolved(const sea_shared *shared, double major, double minor, double angle, double out[3]) {
+    memcpy(out, shared->rest_slope, 3 * sizeof(double));
+    add_removed(shared->slope_map, major, minor, angle, out);
 }
 
 static void unresolved_floats(const sea_shared *shared, double major, double minor, double angle, float out[3]) {
@@ -96,16 +100,33 @@ _Static_assert(SLOPE_TABLE_MAJOR == BOLAN_SLOPE_TABLE_MAJOR && SLOPE_TABLE_ASPEC
                    SLOPE_TABLE_ANGLE == BOLAN_SLOPE_TABLE_ANGLE,
                "the shaders read the table that the public header states");
 
+// What a footprint removes of the fine waves, over their variance; 1 where there are none.
+static double removed_share(const struct slope_map *fine, double major, double minor, double angle) {
+    double all = 0.0, removed[3] = {0.0};
+    for (uint32_t i = 0; i < fine->count; i++) all += fine->at[i].xx + fine->at[i].yy;
+    if (!(all > 0.0)) return 1.0;
+    add_removed(fine, major, minor, angle, removed);
+    return (removed[0] + removed[2]) / all;
+}
+
+typedef struct filling {
+    sea_shared *shared;
+    const struct slope_map *fine;
+} filling;
+
 // Task: rows [begin, end) of the table, one for each (angle, aspect).
 static void fill_table(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
     (void)worker;
-    const sea_shared *shared = context;
+    const filling *f = context;
+    const sea_shared *shared = f->shared;
     for (uint32_t row = begin; row < end; row++) {
         const uint32_t l = row / BOLAN_SLOPE_TABLE_ASPECT, j = row % BOLAN_SLOPE_TABLE_ASPECT;
         for (uint32_t i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; i++) {
             const double major = portable_pow(2.0, i / SLOPE_TABLE_PER_OCTAVE + SLOPE_TABLE_FIRST);
             float *texel = shared->slope_table + ((size_t)row * BOLAN_SLOPE_TABLE_MAJOR + i) * 4;
-            unresolved_floats(shared, major, ldexp(major, -(int)j), l * BOLAN_PI / BOLAN_SLOPE_TABLE_ANGLE, texel);
+            const double minor = ldexp(major, -(int)j), angle = l * BOLAN_PI / BOLAN_SLOPE_TABLE_ANGLE;
+            unresolved_floats(shared, major, minor, angle, texel);
+            texel[3] = (float)removed_share(f->fine, major, minor, angle);
         }
     }
 }
@@ -133,16 +154,32 @@ static const size_t table_bytes =
 
 size_t bolan_sea_slopes_bytes(void) { return sizeof(struct slope_map) + table_bytes; }
 
-bool bolan_sea_slopes_create(sea_shared *shared) {
-    set_rest(shared);
-    shared->slope_map = bolan_sea_reserve(&shared->memory, sizeof *shared->slope_map);
-    shared->slope_table = shared->slope_map ? bolan_sea_reserve(&shared->memory, table_bytes) : NULL;
-    gathering *g = shared->slope_table ? bolan_sea_borrow(sizeof *g) : NULL;
-    if (!g) return false;
+// The table, with the fine waves gathered in `g` and `fine` meanwhile.
+static void make_table(sea_shared *shared, gathering *g, struct slope_map *fine) {
     g->ratio = shared->slope_ratio;
     shared->model->each_wave(shared, gather_mode, g);
     compact(g, shared->slope_map);
-    bolan_parallel(BOLAN_SLOPE_TABLE_ANGLE * BOLAN_SLOPE_TABLE_ASPECT, 1, fill_table, shared);
+    memset(g, 0, sizeof *g);
+    g->ratio = 1.0;
+    if (shared->model->each_fine) shared->model->each_fine(shared, gather_mode, g);
+    compact(g, fine);
+    filling f = {shared, fine};
+    bolan_parallel(BOLAN_SLOPE_TABLE_ANGLE * BOLAN_SLOPE_TABLE_ASPECT, 1, fill_table, &f);
+}
+
+typedef struct gathered {
+    gathering bins;
+    struct slope_map fine;
+} gathered;
+
+bool bolan_sea_slopes_create(sea_shared *shared) {
+    set_rest(shared);
+    if (shared->model->create_fine && !shared->model->create_fine(shared)) return false;
+    shared->slope_map = bolan_sea_reserve(&shared->memory, sizeof *shared->slope_map);
+    shared->slope_table = shared->slope_map ? bolan_sea_reserve(&shared->memory, table_bytes) : NULL;
+    gathered *g = shared->slope_table ? bolan_sea_borrow(sizeof *g) : NULL;
+    if (!g) return false;
+    make_table(shared, &g->bins, &g->fine);
     bolan_release(g, sizeof *g);
     return true;
 }

@@ -100,6 +100,27 @@ static bool reserve_planes(sea_memory *memory, const sea_cascade *c, sea_planes 
     return true;
 }
 
+// The slopes alone: the rest of what the second pass writes for them is not read.
+static size_t fine_bytes(const sea_cascade *c) {
+    return (modes_floats(c) + middle_floats(c) + plane_floats(c) * (SEA_HALF + 5)) * sizeof(float);
+}
+
+static bool reserve_fine(sea_memory *memory, const sea_cascade *c, sea_planes *p) {
+    const size_t plane = plane_floats(c);
+    float *next = c->n > 0 ? bolan_sea_reserve(memory, fine_bytes(c)) : NULL;
+    if (!next) return c->n == 0;
+    p->modes = next;
+    next += modes_floats(c);
+    p->middle = next;
+    next += middle_floats(c);
+    for (int f = 0; f < SEA_HALF; f++, next += plane) p->slope[f] = next;
+    p->foam = next;
+    p->foam_tick = next + plane;
+    p->slope_half = (uint16_t *)(void *)(next + 2 * plane);
+    p->foam_half = (uint16_t *)(void *)(next + 4 * plane);
+    return true;
+}
+
 // A worker that a later bolan_set_threads() adds finds no scratch and stays idle.
 bool bolan_cascades_create_fields(bolan_sea *sea) {
     const cascade_tables *t = cascade_tables_of(sea->shared);
@@ -111,7 +132,7 @@ bool bolan_cascades_create_fields(bolan_sea *sea) {
     if (!f->scratch) return false;
     for (uint32_t i = 0; i < sea->shared->cascades; i++)
         if (!reserve_planes(&sea->memory, &t->cascade[i], &f->planes[i])) return false;
-    return true;
+    return reserve_fine(&sea->memory, &t->fine, &f->fine);
 }
 
 void bolan_cascades_size(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent,
@@ -128,6 +149,11 @@ void bolan_cascades_size(sea_shared *shared, const spectrum_eval *eval, uint32_t
         bolan_cascade_set_reach(&t.cascade[i]);
         bytes->tables += bolan_cascade_table_bytes(&t.cascade[i]);
         bytes->fields += planes_bytes(&t.cascade[i]);
+    }
+    if (t.fine.n > 0) {
+        bolan_cascade_set_reach(&t.fine);
+        bytes->tables += bolan_cascade_table_bytes(&t.fine);
+        bytes->fields += fine_bytes(&t.fine);
     }
     shared->tables = NULL;
 }

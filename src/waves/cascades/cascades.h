@@ -88,6 +88,8 @@ struct sea_kernels;
 // sea_shared.tables
 typedef struct cascade_tables {
     sea_cascade cascade[BOLAN_MAX_CASCADES];
+    sea_cascade fine; // fine.c; n 0: there is none
+    sea_band fine_band;
     fft_plan columns; // n points
     fft_plan rows;    // n / 16 points, the first half of an FFT along a row: synth_rows.kernel.c
     float *turns;     // [n / 16][FFT_ROW]: e^{2 pi i bl / n} between its halves
@@ -97,8 +99,9 @@ typedef struct cascade_tables {
 // bolan_sea.fields
 typedef struct cascade_fields {
     sea_planes planes[BOLAN_MAX_CASCADES];
-    uint32_t slots; // workers that a step uses at most
-    float *scratch; // [slots][scratch_floats]
+    sea_planes fine; // slopes alone
+    uint32_t slots;  // workers that a step uses at most
+    float *scratch;  // [slots][scratch_floats]
     size_t scratch_floats;
 } cascade_fields;
 
@@ -141,6 +144,15 @@ void bolan_cascades_size(sea_shared *shared, const spectrum_eval *eval, uint32_t
                          bolan_sea_bytes *bytes);
 // Lengths, angles and rings of `count` cascades.
 void bolan_cascades_layout(sea_shared *shared, const sea_radial *radial, cascade_extent extent);
+// The part of the Nyquist wave number at which rings end.
+#define CASCADE_RING_END 0.7
+// The tile of the fine waves behind `count` cascades.
+void bolan_cascade_lay_fine(cascade_tables *tables, uint32_t count);
+// Their spectrum: fine.c. Density [m4] at (kx, ky), whose k is not 0.
+typedef struct cascade_fine_spectrum {
+    double a, m, cosine, sine; // the latter of the wind's direction
+} cascade_fine_spectrum;
+double bolan_cascade_fine_density(const cascade_fine_spectrum *f, double kx, double ky);
 // The strips of a cascade that hold modes, and how far they reach.
 void bolan_cascade_set_reach(sea_cascade *cascade);
 // Row of `parts` of wave `part`, 1 .. SEA_PARTS - 1, at a signed index j.
@@ -153,6 +165,9 @@ size_t bolan_cascade_table_bytes(const sea_cascade *cascade);
 void bolan_sea_warp_prepare(double length, double angle, bolan_sea_warp *out);
 // Mode tables of every cascade. False when memory is short.
 bool bolan_cascades_modes(sea_shared *shared, const spectrum_eval *eval, const sea_radial *radial);
+// Mode tables of cascade number `index`: of the sea state, or of the fine waves, where `fine` is not NULL.
+bool bolan_cascade_fill(sea_shared *shared, sea_cascade *cascade, uint32_t index, const spectrum_eval *eval,
+                        const sea_radial *radial, const cascade_fine_spectrum *fine);
 // The weights of the bound waves, of a sea with its modes.
 void bolan_cascades_bound(sea_shared *shared);
 // The lift of a cascade. False when memory is short.
@@ -172,13 +187,18 @@ void bolan_cascades_sample_direct(const sea_shared *shared, bolan_dvec2 at, bola
                                   sea_sums *out);
 
 // The part of a table that FFT and TEXTURES have in common.
-#define CASCADES_MODEL                                                                             \
-    .form = BOLAN_FORM_CASCADES, .remembers = true, .destroy = bolan_cascades_destroy,             \
-    .create_fields = bolan_cascades_create_fields, .step = bolan_cascades_step,                    \
-    .sample_rest = bolan_cascades_sample_rest, .sample_grid = bolan_cascades_sample_grid,          \
-    .sample_direct = bolan_cascades_sample_direct, .each_wave = bolan_cascades_each_wave,          \
-    .slopes = bolan_cascades_slopes, .bounds = bolan_cascades_bounds, .side = bolan_cascades_side, \
-    .hash = bolan_cascades_hash, .cascade = bolan_cascades_view
+#define CASCADES_MODEL                                                                                      \
+    .form = BOLAN_FORM_CASCADES, .remembers = true, .destroy = bolan_cascades_destroy,                      \
+    .create_fields = bolan_cascades_create_fields, .step = bolan_cascades_step,                             \
+    .sample_rest = bolan_cascades_sample_rest, .sample_grid = bolan_cascades_sample_grid,                   \
+    .sample_direct = bolan_cascades_sample_direct, .each_wave = bolan_cascades_each_wave,                   \
+    .slopes = bolan_cascades_slopes, .bounds = bolan_cascades_bounds, .side = bolan_cascades_side,          \
+    .hash = bolan_cascades_hash, .cascade = bolan_cascades_view, .create_fine = bolan_cascades_create_fine, \
+    .each_fine = bolan_cascades_each_fine, .step_fine = bolan_cascades_step_fine, .fine = bolan_cascades_fine
+bool bolan_cascades_create_fine(sea_shared *shared);
+void bolan_cascades_each_fine(const sea_shared *shared, sea_visit *visit, void *context);
+void bolan_cascades_step_fine(const bolan_sea *sea);
+bolan_sea_fine_view bolan_cascades_fine(const bolan_sea *sea);
 void bolan_cascades_each_wave(const sea_shared *shared, sea_visit *visit, void *context);
 void bolan_cascades_slopes(const sea_shared *shared, double out[3]);
 void bolan_cascades_bounds(const sea_shared *shared, double *vertical, double *horizontal);

@@ -23,7 +23,6 @@ static const double ratio_of_ratio[BOLAN_MAX_CASCADES - 1] = {0.99713, 0.96189, 
 static const double angles_deg[BOLAN_MAX_CASCADES] = {22.36, 61.92, 112.71, 147.28};
 
 enum { LAYOUT_N = 128 };   // the resolution whose rings all higher ones share
-#define RING_END 0.7       // of the Nyquist wave number
 #define SHORTEST_WAVE 0.02 // [m]: below it, water is viscous roughness
 #define CALM_LENGTH 100.0  // [m] of a sea without waves
 #define ANGLE_STEP 22.5    // [degrees] half of what lies between an axis and a diagonal
@@ -44,9 +43,9 @@ static double automatic_length(const sea_radial *radial, const bolan_sea_summary
 
 // Ratio of successive lengths: as large as the rings allow, less when the last ring would reach beyond SHORTEST_WAVE.
 static double length_ratio(double length, uint32_t n, uint32_t count) {
-    const double largest = RING_END * 0.5 * n / modes_to_inner_edge(n);
+    const double largest = CASCADE_RING_END * 0.5 * n / modes_to_inner_edge(n);
     if (count < 2) return largest;
-    const double last = RING_END * BOLAN_PI * n / length;
+    const double last = CASCADE_RING_END * BOLAN_PI * n / length;
     const double enough = portable_pow(2.0 * BOLAN_PI / SHORTEST_WAVE / last, 1.0 / (count - 1));
     return fmin(largest, fmax(enough, 2.0));
 }
@@ -66,7 +65,8 @@ void bolan_cascades_layout(sea_shared *shared, const sea_radial *radial, cascade
         c->angle = extent.open ? along + bolan_radians(angles_deg[i]) : 0.0;
         bolan_sincos(c->angle, &c->sine, &c->cosine);
         c->k_min = i == 0 ? 0.0 : t->cascade[i - 1].k_max;
-        c->k_max = RING_END * BOLAN_PI * (i + 1 == count ? c->n : n) / c->length;
+        c->k_max = CASCADE_RING_END * BOLAN_PI * (i + 1 == count ? c->n : n) / c->length;
         if (i + 1 == count) c->k_max = fmax(fmin(c->k_max, 2.0 * BOLAN_PI / SHORTEST_WAVE), 1.01 * c->k_min);
     }
+    if (extent.open) bolan_cascade_lay_fine(t, count);
 }

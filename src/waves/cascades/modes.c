@@ -40,8 +40,13 @@ typedef struct fill {
     sea_cascade *cascade;
     const spectrum_eval *eval;
     const sea_radial *radial;
+    const cascade_fine_spectrum *fine; // instead of the two; or NULL
     uint64_t key;
 } fill;
+
+static double density_at(const fill *f, double kx, double ky) {
+    return f->fine ? bolan_cascade_fine_density(f->fine, kx, ky) : bolan_spectrum_eval_psi(f->eval, kx, ky);
+}
 
 static bool has_parts(int32_t i, int32_t j) { return i < SEA_PART_REACH && j < SEA_PART_REACH && -j < SEA_PART_REACH; }
 
@@ -73,8 +78,8 @@ static void sample_cell(const fill *f, int32_t i, int32_t j, double low, double 
             const uint32_t part = (uint32_t)fmin(fmax((k - low) / (high - low), 0.0) * parts, parts - 1.0);
             out[part].count += 1.0;
             out[part].k += k;
-            out[part].forth += bolan_spectrum_eval_psi(f->eval, kx, ky);
-            out[part].back += bolan_spectrum_eval_psi(f->eval, -kx, -ky);
+            out[part].forth += density_at(f, kx, ky);
+            out[part].back += density_at(f, -kx, -ky);
         }
     }
 }
@@ -128,7 +133,8 @@ static uint32_t waves_of(const fill *f, int32_t i, int32_t j, double k, wave out
     uint32_t count = 0;
     for (const slice *s = slices; s < slices + parts; s++) {
         if (s->count == 0.0) continue;
-        const double own = parts > 1 ? s->k / s->count : k, scale = side * side * bolan_sea_radial_keep(f->radial, own);
+        const double own = parts > 1 ? s->k / s->count : k;
+        const double scale = side * side * (f->radial ? bolan_sea_radial_keep(f->radial, own) : 1.0);
         const wave w = {turns_of(f->shared, own), s->forth * scale, s->back * scale};
         if (w.forth + w.back < 1e-24) continue; // less than a picometre, and out of the denormal numbers
         if (count > 0 && out[count - 1].turns == w.turns) {
@@ -317,16 +323,20 @@ static void add_expected(void *context, const sea_mode *m) {
     c->displacement += e * g;
 }
 
+bool bolan_cascade_fill(sea_shared *shared, sea_cascade *c, uint32_t index, const spectrum_eval *eval,
+                        const sea_radial *radial, const cascade_fine_spectrum *fine) {
+    bolan_cascade_set_reach(c);
+    if (!reserve_tables(&shared->memory, c)) return false;
+    fill_factors(c);
+    fill f = {shared, c, eval, radial, fine, bolan_sea_mix(bolan_sea_mix(shared->desc.seed) ^ (index + 1))};
+    bolan_parallel(c->strips, 1, fill_strips, &f);
+    bolan_sea_each_mode(c, add_expected, c);
+    return true;
+}
+
 bool bolan_cascades_modes(sea_shared *shared, const spectrum_eval *eval, const sea_radial *radial) {
     cascade_tables *t = shared->tables;
-    for (uint32_t i = 0; i < shared->cascades; i++) {
-        sea_cascade *c = &t->cascade[i];
-        bolan_cascade_set_reach(c);
-        if (!reserve_tables(&shared->memory, c)) return false;
-        fill_factors(c);
-        fill f = {shared, c, eval, radial, bolan_sea_mix(bolan_sea_mix(shared->desc.seed) ^ (i + 1))};
-        bolan_parallel(c->strips, 1, fill_strips, &f);
-        bolan_sea_each_mode(c, add_expected, c);
-    }
+    for (uint32_t i = 0; i < shared->cascades; i++)
+        if (!bolan_cascade_fill(shared, &t->cascade[i], i, eval, radial, NULL)) return false;
     return true;
 }

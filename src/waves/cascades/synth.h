@@ -17,6 +17,7 @@ typedef struct sea_moment {
     sea_instant at;
     float choppiness;
     sea_stream stream;
+    bool alone; // the slopes are asked for without the displacement, which would have made the modes at the time
 } sea_moment;
 
 typedef struct sea_kernels {

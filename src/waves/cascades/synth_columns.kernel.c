@@ -174,7 +174,7 @@ void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade,
                                const sea_moment *moment, sea_half half, uint32_t strip, float *scratch) {
     float *h = planes->modes + (size_t)strip * plan->n * FFT_ROW, *work = scratch;
     const size_t block = (size_t)cascade->strips * SEA_CELL;
-    if (moment->at.tick || half == SEA_DISPLACEMENT) evolve(cascade, strip, moment->at.shown, h);
+    if (moment->at.tick || moment->alone || half == SEA_DISPLACEMENT) evolve(cascade, strip, moment->at.shown, h);
     for (uint32_t f = moment->at.tick ? SEA_DIVERGENCE : 0; f < SEA_HALF; f++) {
         for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
             const column_strip s = strip_of(cascade, strip, h, lane);
