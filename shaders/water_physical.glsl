@@ -42,6 +42,8 @@ layout(std140) uniform Optics {
 #include "shared/physical_block.glsl"
 };
 
+#include "common/fine.glsl"
+
 #ifdef LAND
 #include "common/behind.glsl"
 #endif
@@ -213,6 +215,9 @@ water_here water_at(ivec2 pixel, vec2 uv, vec4 shape) {
 #endif
     p.hidden = hidden_slopes(p.rest, p.place, p.depth);
     p.roughness = p.hidden * gust * gust;
+#ifdef WAVES_CASCADES
+    add_fine(sea_place(shape.xy, bend.xyz), p.place, gust, p.depth, p.waves.slope, p.roughness);
+#endif
     vec3 total = mix(beyond, slope_total, left * left);
     p.near = surroundings_of(mesh.xy, beyond, total, p.height / (height_deviation * left));
     p.slope = seen_slope(p.view, p.waves.slope, p.near, p.whole, p.roughness);

@@ -439,7 +439,11 @@ typedef struct bolan_sea_fine_view {
     double slopes[3];
     /// Gradient of the height by the place read, to be read linearly.
     const float *slope_x, *slope_y;
+    /// n * n * 4 halfs to upload as RGBA16F: slope_x, slope_y, and two fields without a use.
+    const uint16_t *slope_half;
 } bolan_sea_fine_view;
+/// Like bolan_sea_fine(), without the planes: the pointers are NULL, and nothing is made.
+BOLAN_API bolan_sea_fine_view bolan_sea_fine_layout(const bolan_sea *sea);
 /// Returns the fine waves at the present time, which the first call after a step makes; bolan_sea_fields() does not.
 /// The pointers are valid while the sea lives; what they point to is of the present time until the next step.
 /// Thread-safe between steps. Source: Phillips 1958 (k^-4), Cox & Munk 1954 (variance), Lamb 1932 (dispersion).
@@ -595,9 +599,8 @@ BOLAN_API void bolan_sea_bounds(const bolan_sea *sea, double *vertical, double *
 BOLAN_API void bolan_sea_unresolved_slopes(const bolan_sea *sea, double major, double minor, double angle,
                                            float out[3]);
 
-/// Texels of the slope table along log2(major): texel i is major = 2^(i/1.5 - 8) m, from 4 mm to 2^(23/1.5 - 8) = 160
-/// m.
-#define BOLAN_SLOPE_TABLE_MAJOR 24
+/// Texels of the slope table along log2(major): texel i is major = 2^(i/1.5 - 11) m, from 0.5 mm to 200 m.
+#define BOLAN_SLOPE_TABLE_MAJOR 29
 /// Texels along minor/major: texel j is 2^-j.
 #define BOLAN_SLOPE_TABLE_ASPECT 8
 /// Texels along the angle, periodic: texel l is l pi / 8.

@@ -105,15 +105,20 @@ float slope_table_coordinate(float deviation) {
     return ((deviation - SLOPE_TABLE_FIRST) * SLOPE_TABLE_PER_OCTAVE + 0.5) / float(SLOPE_TABLE_MAJOR);
 }
 
-// Slope covariance (xx, xy, yy) that this footprint removes, and that of the waves shorter than the model has.
-vec3 unresolved_slopes(footprint f) {
+// Slope covariance (xx, xy, yy) that this footprint removes, that of the waves shorter than the cascades included; and
+// the share that it removes of the fine waves among these (common/fine.glsl).
+vec4 slope_texel(footprint f) {
     float major = log2(max(FOOTPRINT_DEVIATION * f.major, 1e-4));
     float aspect = log2(f.major / max(f.minor, f.major / 127.0));
     float angle = half_turns(f.axis);
     vec3 t = vec3(slope_table_coordinate(major), (aspect + 0.5) / float(SLOPE_TABLE_ASPECT),
                   (angle * float(SLOPE_TABLE_ANGLE) + 0.5) / float(SLOPE_TABLE_LAYERS));
-    vec3 m = textureLod(slope_table, t, 0.0).xyz; // xx, xy, yy
-    return m + vec3(SUN_DISC_SLOPES, 0.0, SUN_DISC_SLOPES);
+    return textureLod(slope_table, t, 0.0);
+}
+
+// The covariance, with the facets that the sun's disc adds.
+vec3 unresolved_slopes(footprint f) {
+    return slope_texel(f).xyz + vec3(SUN_DISC_SLOPES, 0.0, SUN_DISC_SLOPES);
 }
 
 // The same, with what the footprint removes of the layers at a rest point.

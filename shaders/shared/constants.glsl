@@ -14,12 +14,12 @@
 // ---- the table of unresolved slopes (bolan_sea_slope_table)
 // -----------------------------------------------------------
 
-#define SLOPE_TABLE_MAJOR 24  // texel i: a footprint's standard deviation is 2^(i / PER_OCTAVE + FIRST) m
+#define SLOPE_TABLE_MAJOR 29  // texel i: a footprint's standard deviation is 2^(i / PER_OCTAVE + FIRST) m
 #define SLOPE_TABLE_ASPECT 8  // texel j: minor over major is 2^-j
 #define SLOPE_TABLE_ANGLE 8   // texel l: the major axis points along l pi / 8
 #define SLOPE_TABLE_LAYERS 9  // on the GPU the first layer repeats after the last, so that linear filtering wraps
 #define SLOPE_TABLE_PER_OCTAVE 1.5
-#define SLOPE_TABLE_FIRST (-8.0)
+#define SLOPE_TABLE_FIRST (-11.0)
 // Texture fetches average over about half a pixel's width at each end: a footprint's standard deviation over its width.
 #define FOOTPRINT_DEVIATION 0.4
 

@@ -53,6 +53,7 @@ enum {
     UNIT_GLINT = 25,         // 2D R8  the sun on a slide
     UNIT_WINDOW = 25,        // 2D  what stands above an eye in the water: below.h
     UNIT_RIPPLE_SLOPES = 26, // 2D  slopes of the finer tile
+    UNIT_FINE = 26,          // 2D  slopes of the fine waves
 };
 
 // A step: what the caller gave to prepare, and what every view of it shares.

@@ -100,6 +100,7 @@ void bolan_sea_gpu_free(sea_gpu *p) {
     for (int i = 0; i < BOLAN_KEPT_SEAS; ++i) {
         free_textures(&p->kept[i]);
         bolan_sea_tables_free(&p->kept[i].tables);
+        bolan_gl_texture_free(&p->kept[i].fine);
         bolan_gl_texture_free(&p->kept[i].slope_table);
     }
     bolan_gl_texture_free(&p->table);
@@ -283,7 +284,22 @@ uint32_t bolan_warp_waves_at(const bolan_sea_warp *warp, bolan_dvec3 origin, vec
     return warp->count;
 }
 
-// Where the eye stands in each tile, reduced in double so that the GPU never sees a large coordinate.
+// Where a place stands in a tile, reduced in double so that the GPU never sees a large coordinate. Sample (0, 0) lies at
+// the tile's corner, a texture's first texel half a texel inside.
+static vec4 place_in_tile(bolan_dvec2 at, double angle, double length, uint32_t n) {
+    const double c = cos(angle), s = sin(angle);
+    const double u = along_tile(at.x, at.y, c, s) / length, w = across_tile(at.x, at.y, c, s) / length;
+    return (vec4){(float)(u - floor(u) + 0.5 / n), (float)(w - floor(w) + 0.5 / n), (float)(c / length),
+                  (float)(s / length)};
+}
+
+vec4 bolan_fine_tile(const render_view *v) {
+    const bolan_sea_fine_view fine = bolan_sea_fine_layout(v->frame->sea);
+    double unused[4];
+    const bolan_dvec2 eye = bolan_sea_place_read(v->frame->sea, v->eye.x, v->eye.y, unused);
+    return fine.n > 0 ? place_in_tile(eye, fine.angle, fine.length, fine.n) : (vec4){0};
+}
+
 static void set_cascades(water_block *b, const render_view *view) {
     const bolan_sea_warp warp = bolan_sea_get_warp(view->frame->sea);
     double unused[4];
@@ -295,12 +311,8 @@ static void set_cascades(water_block *b, const render_view *view) {
     b->cascade_count = (int)bolan_sea_cascade_count(view->frame->sea);
     for (int c = 0; c < b->cascade_count; ++c) {
         bolan_cascade_view v = bolan_sea_cascade_layout(view->frame->sea, (uint32_t)c);
-        double ca = cos(v.angle), sa = sin(v.angle);
-        double u = along_tile(eye.x, eye.y, ca, sa) / v.length, w = across_tile(eye.x, eye.y, ca, sa) / v.length;
-        double texel = v.length / v.n;
-        // sample (0, 0) lies at the tile's corner, a texture's first texel half a texel inside
-        b->cascade_tile[c] = (vec4){(float)(u - floor(u) + 0.5 / v.n), (float)(w - floor(w) + 0.5 / v.n),
-                                    (float)(ca / v.length), (float)(sa / v.length)};
+        const double texel = v.length / v.n;
+        b->cascade_tile[c] = place_in_tile(eye, v.angle, v.length, v.n);
         b->cascade_band[c] = (vec4){(float)(4.0 * sqrt(v.variance)), (float)texel,
                                     (float)(v.k_min > 0.0 ? 2.0 * BOLAN_PI / v.k_min : v.length), (float)log2(texel)};
         b->cascade_bound[c] =
@@ -424,7 +436,29 @@ static sea_fields *choose(sea_gpu *p, uint64_t sea, water_textures textures) {
     return oldest;
 }
 
+// The fine waves come from the CPU, with either backend. The levels below the first: see upload_cascades().
+static bool upload_fine(sea_gpu *p, sea_fields *to, const bolan_sea *sea, bool software) {
+    const bolan_sea_fine_view v = bolan_sea_fine(sea);
+    if (v.n == 0) return true;
+    if (to->fine.width != v.n) {
+        const gl_texture_desc desc = {
+            .format = GL_FMT_RGBA16F, .width = v.n, .height = v.n, .filter = GL_FILTER_MIPMAP, .wrap = GL_WRAP_REPEAT};
+        bolan_gl_texture_free(&to->fine);
+        if (bolan_gl_texture_create(&desc, &to->fine) != BOLAN_OK) return false;
+    }
+    bolan_gl_texture_upload(&to->fine, 0, -1, v.slope_half, true);
+    if (!software || !fit_work(p, v.n, 1)) {
+        bolan_gl_texture_generate_mipmaps(&to->fine);
+        return true;
+    }
+    const float *const planes[TEXEL_PLANES] = {v.slope_x, v.slope_y, v.slope_x, v.slope_y};
+    bolan_texel_chain(v.n, planes, p->work[0]->scratch[1], p->work[0]->levels[1]);
+    upload_levels(&to->fine, -1, p->work[0]->levels[1]);
+    return true;
+}
+
 static bool make_cascades(sea_gpu *p, sea_fields *now, const frame *f, bool packed) {
+    if (!packed && !upload_fine(p, now, f->sea, f->caps->software)) return false;
     return f->compute != NULL ? compute_cascades(now, f, packed)
                               : upload_cascades(p, now, f->sea, packed, f->caps->software);
 }

@@ -22,12 +22,13 @@ typedef enum water_textures {
     WATER_TEXTURES_NONE,   // only the table of unresolved slopes (the optics has the waves by other means)
 } water_textures;
 
-// What the GPU holds of one sea.
+// What the GPU holds of one sea. The optics binds `fine`.
 typedef struct sea_fields {
     gl_texture displacement, slopes, fold;        // cascades: arrays, a layer each
     gl_texture packed_slopes[BOLAN_MAX_CASCADES]; // instead of slopes and fold; where computed, the layers of slopes
     bool packed;                                  // which of them hold this step's waves
     sea_tables tables;                            // of the compute backend
+    gl_texture fine; // slopes of the fine waves, with WATER_TEXTURES_ALL
     gl_texture slope_table;
     uint64_t sea, serial;    // of the slope table, and of the fields; 0: none
     water_textures textures; // what was uploaded of that serial
@@ -51,6 +52,8 @@ bolan_result bolan_sea_gpu_create(sea_gpu *p);
 bool bolan_sea_gpu_prepare(sea_gpu *p, frame *f, water_textures textures);
 // Compiles the compute shaders of a sea of cascades. False: one does not compile (logged).
 bool bolan_sea_gpu_compile(const frame *f, bool packed);
+// Where the eye stands in the tile of the fine waves, as fine_tile of shared/physical_block.glsl has it.
+vec4 bolan_fine_tile(const render_view *v);
 // Uploads what belongs to a view's eye, and binds all.
 void bolan_sea_gpu_view(sea_gpu *p, const render_view *v, water_waves waves);
 // Binds the textures again, for a pass that follows one which used their units.

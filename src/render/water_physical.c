@@ -128,6 +128,16 @@ static physical_block foam_of(const render_view *v) {
                             .streak_excess = (float)streak_excess(sea)};
 }
 
+#define FINE_WIDTH 0.6 // of the longest fine wave: a pixel that wide shows none
+
+static void set_fine(physical_block *b, const render_view *v) {
+    const bolan_sea_fine_view fine = bolan_sea_fine_layout(v->frame->sea);
+    if (fine.n == 0) return;
+    b->fine_tile = bolan_fine_tile(v);
+    b->fine_slopes = (bolan_vec3){(float)fine.slopes[0], (float)fine.slopes[1], (float)fine.slopes[2]};
+    b->fine_band = (bolan_vec2){(float)(FINE_WIDTH * 2.0 * BOLAN_PI / fine.k_min), (float)log2(fine.length / fine.n)};
+}
+
 static bool draw_shape(physical *p, const water_draw *d) {
     if (!bolan_water_program(d, &shape_shader, 0)) return false;
     bolan_gl_target_bind(&p->shape->target);
@@ -160,7 +170,8 @@ static void bind_shape(const shape *s) {
 static void light(void *state, const water_draw *d, water_rows rows) {
     physical *p = state;
     if (!bolan_water_program(d, &light_shader, 1u << p->quality)) return;
-    const physical_block block = foam_of(d->view);
+    physical_block block = foam_of(d->view);
+    set_fine(&block, d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     const gl_buffer *law = d->view->frame->foam_law;
     if (law != NULL)
@@ -169,6 +180,7 @@ static void light(void *state, const water_draw *d, water_rows rows) {
     bolan_gl_texture_bind(&p->foam_noise, UNIT_FOAM_DETAIL);
     bind_shape(p->shape);
     bolan_gl_texture_bind(&p->shape->air.map, UNIT_OWN + 3);
+    if (d->fields->now->fine.id != 0) bolan_gl_texture_bind(&d->fields->now->fine, UNIT_FINE);
     bolan_gl_target_bind_part(&d->view->hdr, 0, rows.from, d->view->hdr.width, rows.to - rows.from);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
@@ -216,8 +228,7 @@ static uint32_t shared_rows(const water_draw *d, uint32_t rows) {
     const render_view *v = d->view;
     if (v->frame->quality < BOLAN_QUALITY_MEDIUM) return rows;
     if (d->waves != WATER_CASCADES || v->frame->behind) return 0;
-    const bolan_cascade_view last =
-        bolan_sea_cascade_layout(v->frame->sea, bolan_sea_cascade_count(v->frame->sea) - 1);
+    const bolan_cascade_view last = bolan_sea_cascade_layout(v->frame->sea, bolan_sea_cascade_count(v->frame->sea) - 1);
     const double width = last.length / last.n / SHARED_TEXEL;
     return bolan_water_rows_steeper(v, v->block.eye_height * v->block.radians_per_pixel / width, rows);
 }

@@ -113,6 +113,15 @@ static bool begin_making(atomic_uint *state) {
     return false;
 }
 
+bolan_sea_fine_view bolan_sea_fine_layout(const bolan_sea *sea) {
+    BOLAN_ASSERT(sea);
+    bolan_sea_fine_view v = {.n = 0};
+    if (sea->shared->model->fine) v = sea->shared->model->fine(sea);
+    v.slope_x = v.slope_y = NULL;
+    v.slope_half = NULL;
+    return v;
+}
+
 bolan_sea_fine_view bolan_sea_fine(const bolan_sea *sea) {
     BOLAN_ASSERT(sea);
     const struct sea_model *model = sea->shared->model;

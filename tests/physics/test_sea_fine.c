@@ -121,7 +121,7 @@ static void the_table_knows_what_a_footprint_keeps_of_them(void **state) {
     const bolan_sea_fine_view v = bolan_sea_fine(sea);
     const float *table = bolan_sea_slope_table(sea);
     for (int i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; i++) { // round footprints: exp(-sigma^2 k^2) over even log k
-        const double sigma = pow(2.0, i / 1.5 - 8.0), log_ratio = log(v.k_max / v.k_min);
+        const double sigma = pow(2.0, i / 1.5 - 11.0), log_ratio = log(v.k_max / v.k_min);
         double kept = 0.0;
         for (int s = 0; s < 1000; s++) kept += exp(-pow(sigma * v.k_min * exp(log_ratio * (s + 0.5) / 1000.0), 2.0));
         assert_near(table[4 * i + 3], 1.0 - kept / 1000.0, 0.01);

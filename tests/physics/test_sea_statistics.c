@@ -341,7 +341,7 @@ static void the_slope_table_is_the_function(void **state) {
     for (uint32_t l = 0; l < BOLAN_SLOPE_TABLE_ANGLE; l += 3) {
         for (uint32_t j = 0; j < BOLAN_SLOPE_TABLE_ASPECT; j += 2) {
             for (uint32_t i = 0; i < BOLAN_SLOPE_TABLE_MAJOR; i += 5) {
-                const double major = pow(2.0, i / 1.5 - 8.0);
+                const double major = pow(2.0, i / 1.5 - 11.0);
                 float expected[3];
                 bolan_sea_unresolved_slopes(sea, major, major / (1 << j), l * BOLAN_PI / 8.0, expected);
                 const float *texel = table + ((l * BOLAN_SLOPE_TABLE_ASPECT + j) * BOLAN_SLOPE_TABLE_MAJOR + i) * 4;

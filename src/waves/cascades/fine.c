@@ -117,5 +117,6 @@ bolan_sea_fine_view bolan_cascades_fine(const bolan_sea *sea) {
     v.k_min = c->k_min, v.k_max = c->k_max;
     for (int i = 0; i < 3; i++) v.slopes[i] = c->slope[i];
     v.slope_x = p->slope[0], v.slope_y = p->slope[1];
+    v.slope_half = p->slope_half;
     return v;
 }
