@@ -42,6 +42,7 @@ layout(std140) uniform Optics {
 #include "shared/below_block.glsl"
 };
 #include "common/below_medium.glsl"
+#include "common/gathered.glsl"
 
 #ifdef LAND
 #include "common/behind.glsl"
@@ -150,6 +151,35 @@ vec3 surface_from_below(vec3 position, vec3 dir, vec2 slope, vec3 hidden, vec3 s
     return light + reflectance * mirrored;
 }
 
+// ---- shafts of light ------------------------------------------------------------------------------------------------
+
+const float SHAFTS_REACH = 14.0; // to the edge of the caustics' patch [m]
+const int SHAFT_STEPS = 12;
+
+// Mean of the gathered light along a ray, weighted by what reaches the eye of it. The start of the steps differs from
+// pixel to pixel, so that no bands show.
+float gathered_along(vec3 dir, float reach) {
+    float first = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    float sum = 0.0, weights = 1e-6, fading = beam_attenuation.g * (1.0 - dir.z / sun_below_z);
+    for (int i = 0; i < SHAFT_STEPS; ++i) {
+        float s = reach * (float(i) + first) / float(SHAFT_STEPS), weight = exp(-fading * s);
+        vec3 at = dir * s;
+        sum += weight * gathered_at(at.xy, max(-(eye_height + at.z), 0.0));
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+// The veil before what lies `reach` away, with the shafts that the caustics cast through it.
+vec3 veil_with_shafts(vec3 sunlight, vec3 dir, float reach) {
+    float depth = -eye_height, near = min(reach, SHAFTS_REACH);
+    vec3 beam = beam_veil(beam_entering(sunlight), depth, dir.z, reach);
+    if (caustic_spread.x > 0.0)
+        beam += beam_veil(beam_entering(sunlight), depth, dir.z, near) * (gathered_along(dir, near) - 1.0);
+    return field_veil(light_entering(sunlight), depth, dir.z, reach) +
+           phase_beyond_blur(dot(dir, sun_below())) * beam;
+}
+
 // ---- the pixel ------------------------------------------------------------------------------------------------------
 
 // What the ray meets, and its radiance there.
@@ -238,7 +268,7 @@ void main() {
     vec3 sunlight = sun_light * eye_shade;
     float reach;
     vec3 thing = seen_thing(pixel, uv, ray, dir, reach);
-    vec3 light = thing * exp(-beam_attenuation * reach) + veil(sunlight, -eye_height, dir, reach);
+    vec3 light = thing * exp(-beam_attenuation * reach) + veil_with_shafts(sunlight, dir, reach);
     color = vec4(light * shade, cover);
 }
 #endif

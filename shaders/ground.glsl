@@ -6,6 +6,9 @@
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
 #include "common/under.glsl"
+#ifndef PICTURE
+#include "common/gathered.glsl"
+#endif
 
 uniform vec4 chunk; // xyz: eye-relative south-west corner at elevation 0, w: side [m]
 
@@ -219,6 +222,8 @@ void main() {
     vec3 sunlight = sun_light * lit * oren_nayar(n, sun_direction, view, m.rough);
 #ifdef PICTURE
     sunlight *= gathered_light(position.xy, -g.elevation);
+#else
+    sunlight *= gathered_on_bed(position.xy, -g.elevation);
 #endif
     float up = 0.5 + 0.5 * n.z;
     vec3 around = (sun_light * max(sun_direction.z, 0.0) * 0.6 + sky_light) * vec3(0.13, 0.14, 0.08);

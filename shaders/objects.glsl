@@ -6,6 +6,12 @@
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
 #include "common/under.glsl"
+#ifndef PICTURE
+#include "common/gathered.glsl"
+#endif
+#if defined(WET) || !defined(PICTURE)
+#define LIT_BELOW
+#endif
 
 uniform vec4 place[3];     // rows of the matrix from model to eye-relative world
 uniform float grain_scale; // 1 / period of the grain [1/m]
@@ -24,7 +30,7 @@ out vec4 grain;     // noise coordinates, strength, level
 #ifdef CUT
 out float over;     // height above the clip level [m]
 #endif
-#ifdef WET
+#ifdef LIT_BELOW
 out vec3 bottom;    // level place relative to the eye, depth under the water [m]
 #endif
 
@@ -90,6 +96,9 @@ void main() {
 #endif
     float tilted = max(abs(dot(n, position)), 0.03 * away) / max(away, 1e-3); // the long side of a footprint
     grain.w = log2(max(away * pixel * NOISE_SIZE / (period * tilted), 1.0));
+#ifdef LIT_BELOW
+    bottom = vec3(position.xy, -height);
+#endif
 #ifdef PICTURE
     vec3 through, veil;
     through_water(position, height, through, veil);
@@ -97,9 +106,6 @@ void main() {
     inscatter = inscatter * through + veil;
 #ifdef CUT
     over = clip_side * (height - clip_elevation);
-#endif
-#ifdef WET
-    bottom = vec3(position.xy, -height);
 #endif
     position.z += seen_height(position.xy, height) - height;
 #endif
@@ -114,7 +120,7 @@ in vec4 grain;
 #ifdef CUT
 in float over;
 #endif
-#ifdef WET
+#ifdef LIT_BELOW
 in vec3 bottom;
 #endif
 out vec4 color;
@@ -130,8 +136,13 @@ void main() {
     vec4 noise = textureLod(ground_noise, grain.xy, floor(grain.w + 0.5));
     float tone = noise.r + noise.a - 1.0;
     vec3 radiance = light * max(1.0 + grain.z * tone, 0.2);
+#ifdef LIT_BELOW
+    const float SUN_SHARE = 0.75; // of the light; the rest is the sky's
 #ifdef WET
-    radiance *= mix(1.0, gathered_light(bottom.xy, bottom.z), 0.75); // the rest is light of the sky
+    radiance *= mix(1.0, gathered_light(bottom.xy, bottom.z), SUN_SHARE);
+#else
+    radiance *= mix(1.0, gathered_at(bottom.xy, bottom.z), SUN_SHARE);
+#endif
 #endif
     color = vec4(radiance + inscatter, 1.0);
 }

@@ -51,6 +51,7 @@ enum {
     UNIT_RIPPLES = 18,       // 2D  slopes of ripples, or of a tile
     UNIT_TILE = 19,          // 2D RGBA8  the water's own texture, light on the bottom
     UNIT_GLINT = 25,         // 2D R8  the sun on a slide
+    UNIT_CAUSTICS = 24,      // 2D RGBA16F  caustics of the drawn waves: caustics.h
     UNIT_WINDOW = 25,        // 2D  what stands above an eye in the water: below.h
     UNIT_RIPPLE_SLOPES = 26, // 2D  slopes of the finer tile
     UNIT_FINE = 26,          // 2D  slopes of the fine waves
@@ -84,7 +85,7 @@ typedef struct frame {
     struct frame_caustics {
         bolan_vec2 turn, travel;
         float strength;
-    } caustics;                // set by the mirror optics
+    } caustics;                // set by the optics mirror and physical
     const gl_buffer *foam_law; // of sea_compute.h, which has the memory of this step's foam; NULL: the CPU has it
     frame_block block;
 } frame;

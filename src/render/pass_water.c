@@ -229,6 +229,9 @@ void bolan_pass_water_view(pass_water *p, render_view *v) {
     water_block block;
     bolan_water_fill(&block, &d);
     bolan_water_blocks_upload(&p->blocks, &block);
+    if (o->gather == NULL || p->failed[t->optics] || !p->ready) return;
+    bolan_sea_gpu_bind(&p->fields, d.waves);
+    o->gather(p->state[t->optics], &d);
 }
 
 // BOLAN_SHOW_MESH: the triangles, whichever optics would light them.

@@ -212,6 +212,7 @@ static void fill_eye(render_view *v) {
     b->streak_place = bolan_frame_streaks((bolan_dvec3){water.x, water.y, v->eye.z}, f->wind_to, f->block.streak_scale);
     b->surf_phase = bolan_reduced(f->surf_periods - f->surf_wave.x * x - f->surf_wave.y * y, 1.0);
     b->caustic_place = v->caustic_place;
+    b->caustic_spread = v->caustic_spread;
     b->cloud_offset = v->light.cloud_offset;
     b->eye_above_clouds = v->light.above_clouds ? 1.0f : 0.0f;
     b->sun_light = v->light.sun;

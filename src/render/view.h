@@ -58,7 +58,7 @@ typedef struct render_view {
     float pixel_scale; // size of its pixels over radians_per_pixel
     view_clip clip;
     view_light light;
-    bolan_vec2 caustic_place;
+    bolan_vec2 caustic_place, caustic_spread;
     view_block block;
     block_buffers *uniforms; // where the block is uploaded
     // Targets.

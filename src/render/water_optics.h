@@ -63,6 +63,8 @@ typedef struct water_optics {
     // Notes every program that draw() can ask for, whatever the eye does; called after prepare().
     void (*list)(const void *state, const water_setup *s, water_programs *all);
     void (*prepare)(void *state, const water_draw *d); // once a view, before anything is drawn; may be NULL
+    // Once a view, after prepare() and the programs, with the fields bound: draws and binds maps of light; may be NULL.
+    void (*gather)(void *state, const water_draw *d);
     // Once a sample, after the world and before the water: draws planar views. Where planar_mirrors or draw_below.
     void (*behind)(void *state, const water_draw *d, const world_drawer *world);
     // Draws the water; NULL where the optics has the next two.

@@ -2,6 +2,7 @@
 // The physical optics: draws the water's shape into a few numbers per pixel, and shades these over a copy of what lies
 // behind. Shaders: shaders/water_shape.glsl, shaders/water_physical.glsl.
 #include "below.h"
+#include "caustics.h"
 #include "foam_statistics.h"
 #include "foam_texture.h"
 #include "kept_sizes.h"
@@ -31,6 +32,7 @@ typedef struct physical {
     gl_sampler sampler; // of a host's shadow map
     below_water below;
     gl_texture foam_noise;
+    caustic_maps caustics;
 } physical;
 
 static const water_shader shape_shader = {.stem = "water_shape", .reads = WATER_FEATURE_ALL};
@@ -47,7 +49,8 @@ static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;
     p->quality = quality;
     bolan_gl_sampler_create(&p->sampler, false);
-    return bolan_foam_noise_create(&p->foam_noise);
+    const bolan_result result = bolan_caustics_create(&p->caustics, quality);
+    return result == BOLAN_OK ? bolan_foam_noise_create(&p->foam_noise) : result;
 }
 
 static void free_shape(shape *s) {
@@ -101,6 +104,7 @@ static void free_all(void *state) {
     for (int i = 0; i < KEPT_SIZES; ++i) free_shape(&p->shapes[i]);
     bolan_below_free(&p->below);
     bolan_gl_texture_free(&p->foam_noise);
+    bolan_caustics_free(&p->caustics);
     bolan_gl_sampler_free(&p->sampler);
 }
 
@@ -194,6 +198,7 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
     bolan_water_programs_add(all, s, false, &light_shader, 1u << s->quality);
     bolan_water_programs_add(all, s, false, &shadow_shader, 0); // a host may bring shadows to any view
     bolan_below_list(s, all);
+    bolan_caustics_list(s, all);
 }
 
 static bool make_shape(void *state, const water_draw *d) {
@@ -204,6 +209,10 @@ static bool make_shape(void *state, const water_draw *d) {
     if (host != NULL && host->shadow != 0) draw_shadow(p, d);
     return bolan_water_air_draw(&p->shape->air, d);
 }
+
+static void gather(void *state, const water_draw *d) { bolan_caustics_draw(&((physical *)state)->caustics, d); }
+
+static bolan_result reload(void *state) { return bolan_caustics_reload(&((physical *)state)->caustics); }
 
 static void behind(void *state, const water_draw *d, const world_drawer *world) {
     bolan_below_behind(&((physical *)state)->below, d, world);
@@ -239,6 +248,8 @@ const water_optics bolan_optics_physical = {.kind = BOLAN_OPTICS_PHYSICAL,
                                             .shade_columns = shade_columns,
                                             .shared_rows = shared_rows,
                                             .create = create,
+                                            .reload = reload,
+                                            .gather = gather,
                                             .list = list,
                                             .behind = behind,
                                             .shape = make_shape,

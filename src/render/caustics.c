@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// See caustics.h.
+#include "caustics.h"
+
+#include <math.h>
+
+#include "memory.h"
+#include "shared/refraction.glsl"
+
+#define SIDE 24.0             // of the patch [m]
+#define AHEAD 7.0             // of the eye lies its middle [m]
+#define LOWEST_SUN 0.06       // sine of its height; below, hardly any sunlight enters
+#define HIGHEST_EYE 15.0      // over the water [m]: from higher up the patch is a few pixels
+#define DEEPEST_BED 20.0      // that an eye above the water sees lit [m]
+#define SUN_RADIUS 0.00465    // [rad]
+enum { TEXELS_A_CELL = 2, LAYERS = 4 };
+
+static const float depths[LAYERS] = {1.5f, 4.0f, 10.0f, -1.0f}; // [m]: CAUSTIC_DEPTHS of gathered.glsl, and the bed
+static const uint32_t cells_of[] = {[BOLAN_QUALITY_LOW] = 80,
+                                    [BOLAN_QUALITY_MEDIUM] = 112,
+                                    [BOLAN_QUALITY_HIGH] = 160,
+                                    [BOLAN_QUALITY_ULTRA] = 240};
+static const water_shader source_shader = {.stem = "caustic_source", .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND};
+
+// ---- life -----------------------------------------------------------------------------------------------------------
+
+static bolan_result create_mesh(caustic_maps *c) {
+    static const uint8_t components[] = {2};
+    const uint32_t n = c->cells, side = n + 1;
+    const size_t node_bytes = (size_t)side * side * 2 * sizeof(float), index_bytes = (size_t)n * n * 6 * sizeof(uint32_t);
+    float *nodes = allocate_for("the rays of the caustics", node_bytes);
+    uint32_t *indices = allocate_for("the rays of the caustics", index_bytes);
+    bolan_result r = nodes != NULL && indices != NULL ? BOLAN_OK : BOLAN_ERROR_MEMORY;
+    for (uint32_t i = 0; r == BOLAN_OK && i < side * side; ++i) {
+        nodes[2 * i] = (float)(i % side);
+        nodes[2 * i + 1] = (float)(i / side);
+    }
+    for (uint32_t i = 0; r == BOLAN_OK && i < n * n; ++i) {
+        const uint32_t a = i / n * side + i % n, b = a + side;
+        const uint32_t two[6] = {a, a + 1, b + 1, a, b + 1, b};
+        for (int k = 0; k < 6; ++k) indices[6 * i + k] = two[k];
+    }
+    if (r == BOLAN_OK) r = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, node_bytes, nodes, &c->nodes);
+    if (r == BOLAN_OK) r = bolan_gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, index_bytes, indices, &c->indices);
+    if (r == BOLAN_OK) r = bolan_gl_mesh_create(&c->nodes, &c->indices, components, 1, 2 * sizeof(float), &c->mesh);
+    bolan_release(nodes, node_bytes);
+    bolan_release(indices, index_bytes);
+    return r;
+}
+
+bolan_result bolan_caustics_create(caustic_maps *c, bolan_quality quality) {
+    *c = (caustic_maps){.cells = cells_of[quality]};
+    const uint32_t nodes = c->cells + 1, texels = c->cells * TEXELS_A_CELL;
+    const gl_texture_desc ray = {.format = GL_FMT_RGBA32F, .width = nodes, .height = nodes, .wrap = GL_WRAP_CLAMP};
+    const gl_texture_desc map = {.format = GL_FMT_RGBA16F,
+                                 .width = texels,
+                                 .height = texels,
+                                 .filter = GL_FILTER_MIPMAP,
+                                 .wrap = GL_WRAP_CLAMP};
+    const gl_texture *sources[] = {&c->rays, &c->lights}, *maps[] = {&c->map};
+    bolan_result r = bolan_gl_texture_create(&ray, &c->rays);
+    if (r == BOLAN_OK) r = bolan_gl_texture_create(&ray, &c->lights);
+    if (r == BOLAN_OK) r = bolan_gl_texture_create(&map, &c->map);
+    if (r == BOLAN_OK) r = bolan_gl_target_create(sources, 2, NULL, -1, 0, &c->source);
+    if (r == BOLAN_OK) r = bolan_gl_target_create(maps, 1, NULL, -1, 0, &c->target);
+    if (r == BOLAN_OK) r = create_mesh(c);
+    return r == BOLAN_OK ? bolan_gl_program_create("caustics", NULL, &c->program) : r;
+}
+
+bolan_result bolan_caustics_reload(caustic_maps *c) { return bolan_gl_program_reload(&c->program); }
+
+void bolan_caustics_free(caustic_maps *c) {
+    bolan_gl_target_free(&c->source);
+    bolan_gl_target_free(&c->target);
+    bolan_gl_texture_free(&c->rays);
+    bolan_gl_texture_free(&c->lights);
+    bolan_gl_texture_free(&c->map);
+    bolan_gl_mesh_free(&c->mesh);
+    bolan_gl_buffer_free(&c->nodes);
+    bolan_gl_buffer_free(&c->indices);
+    bolan_gl_program_free(&c->program);
+}
+
+void bolan_caustics_list(const water_setup *s, water_programs *all) {
+    bolan_water_programs_add(all, s, false, &source_shader, 0);
+}
+
+// ---- a view ---------------------------------------------------------------------------------------------------------
+
+// Whether the view can show light on things in the water near the eye.
+static bool shows(const render_view *v) {
+    const frame *f = v->frame;
+    if (f->host != NULL || !(f->lighting.look.effects & BOLAN_EFFECT_CAUSTICS)) return false;
+    if (f->sun_direction.z < (float)LOWEST_SUN) return false;
+    if (v->medium != EYE_IN_AIR) return true;
+    if (!f->behind || v->eye.z - f->level > HIGHEST_EYE) return false;
+    return f->ground == NULL ||
+           (double)bolan_ground_elevation(f->ground, v->eye.x, v->eye.y, SIDE) - f->level > -DEEPEST_BED;
+}
+
+typedef struct patch {
+    double corner_x, corner_y; // eye-relative [m]
+    double cell, texel;        // [m]
+} patch;
+
+// Ahead of the eye. Its corner is a whole number of cells of the world, so that nothing swims.
+static patch patch_of(const caustic_maps *c, const render_view *v) {
+    patch p = {.cell = SIDE / c->cells, .texel = SIDE / c->cells / TEXELS_A_CELL};
+    const double heading = bolan_radians(v->lens.heading_deg);
+    const double level = AHEAD * cos(bolan_radians(v->lens.pitch_deg));
+    const double x = v->eye.x + level * sin(heading) - 0.5 * SIDE, y = v->eye.y + level * cos(heading) - 0.5 * SIDE;
+    p.corner_x = floor(x / p.cell) * p.cell - v->eye.x;
+    p.corner_y = floor(y / p.cell) * p.cell - v->eye.y;
+    return p;
+}
+
+// Blur a metre of depth: of the sun's disc, and of the slopes that the patch cannot show, each of which turns a ray by
+// 1 - 1 / n of itself.
+static double blur_of(const frame *f, double cell) {
+    float hidden[3];
+    bolan_sea_unresolved_slopes(f->sea, cell, cell, 0.0, hidden);
+    const double index = (double)f->block.water_index, turn = 1.0 - 1.0 / index;
+    const double slope = 0.5 * fmax((double)(hidden[0] + hidden[2]), 0.0), disc = SUN_RADIUS / index;
+    return sqrt(turn * turn * slope + 0.25 * disc * disc);
+}
+
+static void set_block(const patch *p, render_view *v) {
+    frame *f = v->frame;
+    const bolan_water_optics *o = &f->water.optics;
+    const double down = refracted_cosine((double)f->sun_direction.z, (double)f->block.water_index);
+    const double index = (double)f->block.water_index;
+    f->caustics.strength = 1.0f;
+    f->caustics.turn = (bolan_vec2){(float)(1.0 / SIDE), 0.0f};
+    f->caustics.travel = (bolan_vec2){(float)(-(double)f->sun_direction.x / index / down),
+                                      (float)(-(double)f->sun_direction.y / index / down)};
+    v->caustic_place = (bolan_vec2){(float)(-p->corner_x / SIDE), (float)(-p->corner_y / SIDE)};
+    // what is scattered at all leaves the pattern
+    v->caustic_spread = (bolan_vec2){(float)(2.0 * blur_of(f, p->cell)), (float)(0.5 * (double)o->scattering.y / down)};
+}
+
+static void draw_source(const caustic_maps *c, const patch *p, const water_draw *d) {
+    const gl_program *g = bolan_water_program(d, &source_shader, 0);
+    if (g == NULL) return;
+    bolan_gl_program_vec4(g, "patch_place",
+                          (bolan_vec4){(float)p->corner_x, (float)p->corner_y, (float)p->cell, 0.0f});
+    bolan_gl_target_bind(&c->source);
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_draw_fullscreen();
+}
+
+static void draw_layers(const caustic_maps *c, const patch *p) {
+    const gl_program *g = &c->program;
+    bolan_gl_program_use(g);
+    bolan_gl_texture_bind(&c->rays, UNIT_OWN);
+    bolan_gl_texture_bind(&c->lights, UNIT_OWN + 1);
+    bolan_gl_program_vec4(g, "patch_place",
+                          (bolan_vec4){(float)p->corner_x, (float)p->corner_y, (float)p->cell, (float)p->texel});
+    bolan_gl_target_bind(&c->target);
+    bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_ADD});
+    bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    for (int i = 0; i < LAYERS; ++i) {
+        bolan_gl_program_vec4(g, "layer", (bolan_vec4){depths[i], (float)(1.0 / SIDE), 0.0f, 0.0f});
+        bolan_gl_program_vec4(g, "channel", (bolan_vec4){i == 0, i == 1, i == 2, i == 3});
+        bolan_gl_mesh_draw(&c->mesh, 0, c->cells * c->cells * 6);
+    }
+}
+
+void bolan_caustics_draw(caustic_maps *c, const water_draw *d) {
+    render_view *v = d->view;
+    v->caustic_spread = (bolan_vec2){0.0f, 0.0f};
+    v->frame->caustics.strength = 0.0f;
+    if (shows(v)) {
+        const patch p = patch_of(c, v);
+        set_block(&p, v);
+        bolan_frame_fill(v->frame);
+        bolan_blocks_upload_frame(v->uniforms, &v->frame->block);
+        bolan_view_use(v);
+        draw_source(c, &p, d);
+        draw_layers(c, &p);
+        bolan_gl_texture_generate_mipmaps(&c->map);
+    }
+    bolan_gl_texture_bind(&c->map, UNIT_CAUSTICS);
+}
