@@ -268,7 +268,9 @@ void main() {
     vec3 sunlight = sun_light * eye_shade;
     float reach;
     vec3 thing = seen_thing(pixel, uv, ray, dir, reach);
-    vec3 light = thing * exp(-beam_attenuation * reach) + veil_with_shafts(sunlight, dir, reach);
+    vec3 light = thing;
+    if (effect_is_on(EFFECT_FOG))
+        light = thing * exp(-beam_attenuation * reach) + veil_with_shafts(sunlight, dir, reach);
     color = vec4(light * shade, cover);
 }
 #endif

@@ -16,6 +16,7 @@
 #include "shared/grid.glsl"
 
 #define PROBES 9 // directions tried along each axis of the picture
+#define STEEP_UP 1.0 // elevation from which azimuths of probes miss some of the picture, for an eye in the water [rad]
 
 // The visible part of the water in polar coordinates.
 typedef struct polar_bounds {
@@ -38,7 +39,7 @@ static double meets_water(double slope, double height) {
 }
 
 static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
-    polar_bounds b = {.far_distance = bolan_surface_horizon_distance(fmax(height, 0.0), v->vertical) + 10.0};
+    polar_bounds b = {.far_distance = bolan_surface_horizon_distance(fmax(fabs(height), 0.5), v->vertical) + 10.0};
     double lowest = 1e9, highest = -1e9; // elevation angles in the picture
     for (int j = 0; j < PROBES; ++j)
         for (int i = 0; i < PROBES; ++i) {
@@ -53,6 +54,7 @@ static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
         b.half = BOLAN_PI;
         lowest = -0.5 * BOLAN_PI;
     }
+    if (height < 0.0 && highest > STEEP_UP) b.half = BOLAN_PI; // the surface stands overhead
     b.half = fmin(b.half, BOLAN_PI);
     double above = height - v->vertical; // of the eye over the highest crest
     double dip = above > 0.0 ? earth_dip_exact(above, BOLAN_EARTH_RADIUS) : 0.0;
@@ -61,7 +63,7 @@ static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
     if (above > 0.0 && lowest >= 0.0) b.near_distance = 0.5 * earth_horizon(above, BOLAN_EARTH_RADIUS);
     // where the whole picture lies below the horizon: to its upper edge, seen down to the deepest trough
     const double edge = highest + SURFACE_GUARD_ANGLE, deep = height + v->vertical;
-    if (edge < -0.01) b.far_distance = fmin(b.far_distance, meets_water(tan(-edge), deep) + 1.5 * v->horizontal + 10.0);
+    if (edge < -0.01 && height > 0.0) b.far_distance = fmin(b.far_distance, meets_water(tan(-edge), deep) + 1.5 * v->horizontal + 10.0);
     b.near_distance = fmin(b.near_distance, 0.5 * b.far_distance);
     return b;
 }
@@ -69,7 +71,7 @@ static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
 bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *view) {
     BOLAN_ASSERT(view != NULL);
     const double above = view->eye.z - view->water_level;
-    const polar_bounds b = find_bounds(view, fmax(above, 0.5));
+    const polar_bounds b = find_bounds(view, above < 0.0 ? above : fmax(above, 0.5));
     bolan_surface_projector p = {.visible = b.any, .above = above};
     p.height = fmax(fabs(above), 0.5); // the angular steps must not vanish at the surface
     p.near_parameter = grid_parameter(b.near_distance / p.height);

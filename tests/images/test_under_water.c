@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// The physical optics for an eye in the water: Snell's window, light by depth, the colour of the deep, the waterline of
+// the surface that queries return, and caustics that lose no light.
+#include "bolan/query.h"
+#include "picture.h"
+#include "support.h"
+
+static bolan_context *context;
+
+static int open_context(void **state) {
+    (void)state;
+    return bolan_context_create(BOLAN_GL_CORE, &context) == BOLAN_OK ? 0 : -1;
+}
+
+static int close_context(void **state) {
+    (void)state;
+    bolan_context_destroy(&context);
+    return 0;
+}
+
+static bolan_scene open_water(double wind) {
+    bolan_scene scene = bolan_scene_default();
+    bolan_scene_set_wind(&scene, wind, 240.0);
+    scene.sky.cloud_cover = 0.0;
+    scene.sky.sun_elevation_deg = 60.0;
+    scene.camera.position = bolan_dv3(0.0, 0.0, -3.0);
+    scene.camera.roll_deg = 0.0;
+    return scene;
+}
+
+// Radiance, three floats a pixel, the top row first; the caller frees it.
+static float *draw(const bolan_scene *scene, uint32_t width, uint32_t height) {
+    stage s;
+    assert_true(stage_open(&s, scene, BOLAN_QUALITY_HIGH, false));
+    picture p = stage_draw(&s, width, height, 1);
+    float *rgb = malloc(sizeof(float) * 3 * width * height);
+    bolan_renderer_read_linear(s.renderer, rgb, NULL);
+    picture_free(&p);
+    stage_close(&s);
+    return rgb;
+}
+
+static void mean_of(const float *rgb, uint32_t pixels, double mean[3]) {
+    for (int k = 0; k < 3; ++k) {
+        mean[k] = 0.0;
+        for (uint32_t i = 0; i < pixels; ++i) mean[k] += (double)rgb[3 * i + (uint32_t)k] / pixels;
+    }
+}
+
+static void snells_window_has_the_right_radius(void **state) {
+    (void)state;
+    enum { SIZE = 600 };
+    const double fov = 110.0;
+    bolan_scene scene = open_water(0.0);
+    scene.look.effects = BOLAN_EFFECTS_ALL & ~(unsigned)(BOLAN_EFFECT_FOG | BOLAN_EFFECT_GLITTER);
+    scene.camera.pitch_deg = 90.0;
+    scene.camera.fov_deg = fov;
+    float *rgb = draw(&scene, SIZE, SIZE);
+    const float *row = rgb + 3 * (size_t)(SIZE / 2 * SIZE);
+    const float inside = row[3 * (SIZE / 2) + 1], outside = row[3 * 2 + 1];
+    assert_true(inside > 3.0f * outside);
+    uint32_t first = 0, last = SIZE - 1;
+    while (row[3 * first + 1] < 0.5f * (inside + outside) && first < SIZE / 2) ++first;
+    while (row[3 * last + 1] < 0.5f * (inside + outside) && last > SIZE / 2) --last;
+    const double half = 0.5 * SIZE / tan(bolan_radians(0.5 * fov));
+    const double east = bolan_degrees(atan((last + 1 - 0.5 * SIZE) / half)),
+                 west = bolan_degrees(atan((0.5 * SIZE - first) / half));
+    print_message("Snell's window: %.2f and %.2f degrees\n", east, west);
+    assert_near(0.5 * (east + west), 48.268, 0.5); // asin(1 / 1.34)
+    assert_near(east, west, 0.3);
+    free(rgb);
+}
+
+// A flat plate, level, 40 m wide.
+static const char *plate(void) {
+    static const char *const path = "plate.obj";
+    FILE *f = fopen(path, "w");
+    assert_non_null(f);
+    fprintf(f, "v -20 0 -20\nv 20 0 -20\nv 20 0 20\nv -20 0 20\nf 1 4 3 2\n");
+    fclose(f);
+    return path;
+}
+
+static bolan_scene over_plate(double wind, double depth) {
+    bolan_scene scene = open_water(wind);
+    scene.object_count = 1;
+    scene.objects[0] = (bolan_object){.position = {0.0, 0.0, -depth}, .scale = 1.0};
+    snprintf(scene.objects[0].model, sizeof scene.objects[0].model, "%s", plate());
+    scene.camera.position = bolan_dv3(0.0, 0.0, 1.5 - depth);
+    scene.camera.pitch_deg = -90.0;
+    scene.camera.fov_deg = 60.0;
+    return scene;
+}
+
+// The acceptance number: exp(-Kd d) within 2 %.
+static void a_plate_at_ten_metres_has_the_light_that_kd_leaves(void **state) {
+    (void)state;
+    static const bolan_jerlov types[] = {BOLAN_JERLOV_I, BOLAN_JERLOV_III, BOLAN_JERLOV_5C};
+    for (int i = 0; i < 3; ++i) {
+        double shallow[3], deep[3];
+        bolan_scene scene = over_plate(0.0, 2.0);
+        scene.water.type = types[i];
+        scene.look.effects = BOLAN_EFFECTS_ALL & ~(unsigned)(BOLAN_EFFECT_FOG | BOLAN_EFFECT_CAUSTICS);
+        float *rgb = draw(&scene, 32, 32);
+        mean_of(rgb, 32 * 32, shallow);
+        free(rgb);
+        scene.objects[0].position.z -= 8.0;
+        scene.camera.position.z -= 8.0;
+        rgb = draw(&scene, 32, 32);
+        mean_of(rgb, 32 * 32, deep);
+        free(rgb);
+        const bolan_vec3 kd = bolan_water_optics_from_jerlov(types[i]).kd;
+        for (int k = 0; k < 3; ++k) {
+            const double expected = exp(-8.0 * (double)(&kd.x)[k]), got = deep[k] / shallow[k];
+            if (expected > 1e-3) assert_near(got / expected, 1.0, 0.02);
+        }
+    }
+}
+
+// The pattern has its mean where it has its contrast.
+static void caustics_lose_no_light(void **state) {
+    (void)state;
+    static const double under[] = {1.5, 4.0, 10.0};
+    for (int i = 0; i < 3; ++i) {
+        enum { SIZE = 256 };
+        double with[3], without[3], contrast = 0.0;
+        bolan_scene scene = over_plate(5.0, under[i]);
+        scene.camera.position.z = -0.6 - 0.3 * under[i];
+        scene.camera.position.y = 0.0;
+        scene.camera.fov_deg = 90.0;
+        scene.look.effects = BOLAN_EFFECTS_ALL & ~(unsigned)BOLAN_EFFECT_FOG;
+        float *rgb = draw(&scene, SIZE, SIZE);
+        scene.look.effects &= ~(unsigned)BOLAN_EFFECT_CAUSTICS;
+        float *flat = draw(&scene, SIZE, SIZE);
+        mean_of(rgb, SIZE * SIZE, with);
+        mean_of(flat, SIZE * SIZE, without);
+        for (uint32_t j = 0; j < SIZE * SIZE; ++j) {
+            const double share = (double)rgb[3 * j + 1] / (double)flat[3 * j + 1] - 1.0;
+            contrast += share * share / (SIZE * SIZE);
+        }
+        assert_near(with[1] / without[1], 1.0, 0.02);
+        print_message("%g m down: mean %.4f, rms contrast %.3f\n", under[i], with[1] / without[1], sqrt(contrast));
+        assert_true(sqrt(contrast) > 0.05);
+        free(rgb);
+        free(flat);
+    }
+}
+
+// Straight down into the deep, just under the surface, is seen what leaves the water, times n^2 and the rest of
+// BED_LEAVES.
+static void the_deep_has_the_colour_that_is_seen_from_above(void **state) {
+    (void)state;
+    bolan_scene scene = open_water(0.0);
+    scene.look.effects = BOLAN_EFFECTS_ALL & ~(unsigned)(BOLAN_EFFECT_REFLECTION | BOLAN_EFFECT_GLITTER |
+                                                         BOLAN_EFFECT_FOAM | BOLAN_EFFECT_CAUSTICS);
+    scene.camera.pitch_deg = -90.0;
+    scene.camera.fov_deg = 10.0;
+    scene.camera.position.z = 3.0;
+    double above[3], below[3];
+    float *rgb = draw(&scene, 32, 32);
+    mean_of(rgb, 32 * 32, above);
+    free(rgb);
+    scene.camera.position.z = -0.7;
+    rgb = draw(&scene, 32, 32);
+    mean_of(rgb, 32 * 32, below);
+    free(rgb);
+    const bolan_vec3 kd = bolan_water_optics_from_jerlov(scene.water.type).kd;
+    for (int k = 0; k < 3; ++k) {
+        const double expected = 1.0 / (0.54 * (1.0 - 0.0211)) * exp(-0.7 * (double)(&kd.x)[k]);
+        print_message("under over above: %.4f, expected %.4f\n", below[k] / above[k], expected);
+        assert_near(below[k] / above[k] / expected, 1.0, k == 0 ? 0.08 : 0.03); // red is as dim as the air before it
+    }
+}
+
+// The meniscus is darkest where the near plane, 0.12 m away, cuts the surface that queries return.
+static void the_waterline_is_that_of_the_queries(void **state) {
+    (void)state;
+    enum { SIZE = 240 };
+    const double near = 0.12, fov = 60.0, half = 0.5 * SIZE / tan(bolan_radians(0.5 * fov));
+    bolan_scene scene = open_water(6.0);
+    scene.camera.heading_deg = 0.0;
+    scene.camera.pitch_deg = 0.0;
+    scene.camera.fov_deg = fov;
+    stage s;
+    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_HIGH, false));
+    float *rgb = malloc(sizeof(float) * 3 * SIZE * SIZE), height;
+    int found = 0;
+    for (int place = 0; place < 4; ++place) {
+        const bolan_dvec2 eye = {13.7 * place, 1e5 - 7.3 * place};
+        bolan_query_heights(bolan_world_water(s.world), &eye, 1, &height);
+        s.scene.camera.position = bolan_dv3(eye.x, eye.y, (double)height);
+        picture p = stage_draw(&s, SIZE, SIZE, 1);
+        bolan_renderer_read_linear(s.renderer, rgb, NULL);
+        picture_free(&p);
+        for (int x = 10; x < SIZE; x += 20) {
+            const bolan_dvec2 at = {eye.x + near * (x + 0.5 - 0.5 * SIZE) / half, eye.y + near};
+            float there;
+            bolan_query_heights(bolan_world_water(s.world), &at, 1, &there);
+            const double row = 0.5 * SIZE - ((double)there - (double)height) / near * half;
+            if (row < 12.0 || row > SIZE - 12.0) continue;
+            int darkest = (int)row;
+            double least = 1e9;
+            for (int y = (int)row - 8; y <= (int)row + 8; ++y) {
+                const double light = (double)rgb[3 * (SIZE * y + x) + 1];
+                if (light < least) least = light, darkest = y;
+            }
+            assert_near(darkest + 0.5, row, 1.5);
+            ++found;
+        }
+    }
+    print_message("%d places of the waterline\n", found);
+    assert_true(found > 20);
+    free(rgb);
+    stage_close(&s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(snells_window_has_the_right_radius),
+        cmocka_unit_test(a_plate_at_ten_metres_has_the_light_that_kd_leaves),
+        cmocka_unit_test(caustics_lose_no_light),
+        cmocka_unit_test(the_deep_has_the_colour_that_is_seen_from_above),
+        cmocka_unit_test(the_waterline_is_that_of_the_queries),
+    };
+    return cmocka_run_group_tests(tests, open_context, close_context);
+}
