@@ -30,4 +30,4 @@ float view_padding;           // a vec2 that begins at a multiple of 8 bytes
 vec2 tile_corner;             // lower left corner of the picture in the whole of which it is a tile [px]
 vec2 tile_share;              // size of the picture over that of the whole; 1 where it is the whole
 vec2 water_wrapped;           // as eye_wrapped, over the water, which drifts with the current; for foam
-vec2 caustic_spread;          // of caustics, a metre of depth: width of their blur; what leaves the pattern [1/m]. 0: none
+vec2 caustic_spread;          // of caustics, a metre of depth: their blur [m]; light that leaves them [1/m]

@@ -27,7 +27,8 @@ static const water_shader source_shader = {.stem = "caustic_source", .reads = WA
 static bolan_result create_mesh(caustic_maps *c) {
     static const uint8_t components[] = {2};
     const uint32_t n = c->cells, side = n + 1;
-    const size_t node_bytes = (size_t)side * side * 2 * sizeof(float), index_bytes = (size_t)n * n * 6 * sizeof(uint32_t);
+    const size_t node_bytes = (size_t)side * side * 2 * sizeof(float);
+    const size_t index_bytes = (size_t)n * n * 6 * sizeof(uint32_t);
     float *nodes = allocate_for("the rays of the caustics", node_bytes);
     uint32_t *indices = allocate_for("the rays of the caustics", index_bytes);
     bolan_result r = nodes != NULL && indices != NULL ? BOLAN_OK : BOLAN_ERROR_MEMORY;

@@ -16,7 +16,7 @@
 #include "shared/grid.glsl"
 
 #define PROBES 9 // directions tried along each axis of the picture
-#define STEEP_UP 1.0 // elevation from which azimuths of probes miss some of the picture, for an eye in the water [rad]
+#define STEEP_UP 1.0 // [rad] of a picture that rises higher, from within the water, the probes miss azimuths
 
 // The visible part of the water in polar coordinates.
 typedef struct polar_bounds {
