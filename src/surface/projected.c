@@ -63,7 +63,8 @@ static polar_bounds find_bounds(const bolan_surface_view *v, double height) {
     if (above > 0.0 && lowest >= 0.0) b.near_distance = 0.5 * earth_horizon(above, BOLAN_EARTH_RADIUS);
     // where the whole picture lies below the horizon: to its upper edge, seen down to the deepest trough
     const double edge = highest + SURFACE_GUARD_ANGLE, deep = height + v->vertical;
-    if (edge < -0.01 && height > 0.0) b.far_distance = fmin(b.far_distance, meets_water(tan(-edge), deep) + 1.5 * v->horizontal + 10.0);
+    if (edge < -0.01 && height > 0.0)
+        b.far_distance = fmin(b.far_distance, meets_water(tan(-edge), deep) + 1.5 * v->horizontal + 10.0);
     b.near_distance = fmin(b.near_distance, 0.5 * b.far_distance);
     return b;
 }
