@@ -146,6 +146,41 @@ static void caustics_lose_no_light(void **state) {
     }
 }
 
+// A shallow plate is bright where the light entered by a crest, which gathers it, and dim by a trough.
+static void crests_gather_the_light(void **state) {
+    (void)state;
+    enum { SIZE = 128 };
+    const double depth = 1.5, above = 1.0, half = 0.5 * SIZE; // a field of view of 90 degrees
+    bolan_scene scene = over_plate(5.0, depth);
+    scene.sky.sun_azimuth_deg = 90.0;
+    scene.camera.heading_deg = 0.0;
+    scene.camera.position.z = above - depth;
+    scene.camera.fov_deg = 90.0;
+    scene.look.effects = BOLAN_EFFECTS_ALL & ~(unsigned)BOLAN_EFFECT_FOG;
+    stage s;
+    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_HIGH, false));
+    picture p = stage_draw(&s, SIZE, SIZE, 1);
+    float *rgb = malloc(sizeof(float) * 3 * SIZE * SIZE);
+    bolan_renderer_read_linear(s.renderer, rgb, NULL);
+    const double sine = cos(bolan_radians(60.0)) / 1.34, travel = sine / sqrt(1.0 - sine * sine); // away from the sun
+    double lh = 0.0, ll = 0.0, hh = 0.0, l1 = 0.0, h1 = 0.0;
+    for (int i = 0; i < SIZE * SIZE; ++i) {
+        const double east = above * (i % SIZE + 0.5 - half) / half, north = above * (half - i / SIZE - 0.5) / half;
+        const bolan_dvec2 entry = {east + travel * depth, north};
+        float height;
+        bolan_query_heights(bolan_world_water(s.world), &entry, 1, &height);
+        const double l = (double)rgb[3 * i + 1], h = (double)height;
+        lh += l * h, ll += l * l, hh += h * h, l1 += l, h1 += h;
+    }
+    const double n = SIZE * SIZE, covariance = lh - l1 * h1 / n;
+    const double correlation = covariance / sqrt((ll - l1 * l1 / n) * (hh - h1 * h1 / n));
+    print_message("correlation of light and height: %.3f\n", correlation);
+    assert_true(correlation > 0.2);
+    free(rgb);
+    picture_free(&p);
+    stage_close(&s);
+}
+
 // Straight down into the deep, just under the surface, is seen what leaves the water, times n^2 and the rest of
 // BED_LEAVES.
 static void the_deep_has_the_colour_that_is_seen_from_above(void **state) {
@@ -219,6 +254,7 @@ int main(void) {
         cmocka_unit_test(snells_window_has_the_right_radius),
         cmocka_unit_test(a_plate_at_ten_metres_has_the_light_that_kd_leaves),
         cmocka_unit_test(caustics_lose_no_light),
+        cmocka_unit_test(crests_gather_the_light),
         cmocka_unit_test(the_deep_has_the_colour_that_is_seen_from_above),
         cmocka_unit_test(the_waterline_is_that_of_the_queries),
     };

@@ -78,8 +78,7 @@ static const member view_members[] = {VIEW(view_projection),
                                       VIEW(tile_corner),
                                       VIEW(tile_share),
                                       VIEW(water_wrapped),
-<<<<<<< HEAD
-                                      VIEW(view_padding_end)};
+                                      VIEW(caustic_spread)};
 static const member water_members[] = {WATER_ARRAY(cascade_bound), WATER_ARRAY(cascade_tile),
                                        WATER_ARRAY(cascade_band),  WATER_ARRAY(cascade_lift),
                                        WATER_ARRAY(warp_wave_of),  WATER_ARRAY(wave_component),
@@ -101,21 +100,6 @@ static const member water_members[] = {WATER_ARRAY(cascade_bound), WATER_ARRAY(c
                                        WATER(look_effects),        WATER(cascade_count),
                                        WATER(wave_count),          WATER(shore_present),
                                        WATER(layer_count),         WATER(warp_count)};
-=======
-                                      VIEW(caustic_spread)};
-static const member water_members[] = {
-    WATER_ARRAY(cascade_bound),
-    WATER_ARRAY(cascade_tile),   WATER_ARRAY(cascade_band), WATER_ARRAY(cascade_lift), WATER_ARRAY(warp_wave_of),
-    WATER_ARRAY(wave_component), WATER_ARRAY(exp_slope),    WATER_ARRAY(shore_level),  WATER_ARRAY(ripple_tile),
-    WATER_ARRAY(ripple_size),    WATER_ARRAY(layer_wave),   WATER_ARRAY(layer_area),   WATER_ARRAY(layer_extent),
-    WATER(grid_reach),           WATER(grid_azimuth),       WATER(wave_slopes),        WATER(wave_slope_share),
-    WATER(slope_total),          WATER(height_deviation),   WATER(grid_cells),         WATER(warp_at_eye),
-    WATER(significant_height),   WATER(peak_length),        WATER(shore_height),       WATER(choppiness),
-    WATER(exp_sharpness),        WATER(exp_mean),           WATER(mesh_lift),          WATER(look_distortion),
-    WATER(look_blend),           WATER(look_shininess),     WATER(look_ambient),       WATER(look_diffuse),
-    WATER(look_specular),        WATER(look_show),          WATER(look_effects),       WATER(cascade_count),
-    WATER(wave_count),           WATER(shore_present),      WATER(layer_count),        WATER(warp_count)};
->>>>>>> 32fb413 (render: caustics of the drawn waves, on the bed, on objects, and as shafts of light in the water)
 #define COUNT(a) (GLint)(sizeof(a) / sizeof((a)[0]))
 
 static void compare(GLuint program, const char *block, GLuint slot, const member *members, GLint count, size_t size) {
