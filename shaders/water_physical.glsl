@@ -252,6 +252,15 @@ vec3 light_below(vec3 sunlight) {
     return sunlight * (max(sun_direction.z, 0.0) * enters) + sky_light * SKY_ENTERS;
 }
 
+// The far side of the crest leans towards the sun as this one leans away from it.
+vec3 light_through_crest(water_here p, vec3 sunlight) {
+    vec2 to_sun = normalize(sun_direction.xy + vec2(1e-6, 0.0));
+    float rise = dot(p.waves.slope, to_sun), path = crest_path(p.height, rise, 1.0 - p.waves.jacobian);
+    vec3 beam = refract(-sun_direction, normalize(vec3(to_sun * max(rise, 0.0), 1.0)), 1.0 / water_index);
+    vec3 back = -refract(-p.view, p.normal, 1.0 / water_index);
+    return crest_light(water_scattering, water_attenuation, sunlight, dot(beam, back), path, water_index);
+}
+
 // The radiance from below the surface: of the water itself and of the bed. water_path: depth under the pixel [m].
 vec3 transmitted_light(water_here p, vec2 uv, vec3 sunlight, vec3 lit, out float water_path) {
     vec3 below = effect_is_on(EFFECT_AMBIENT) ? water_reflectance * lit : vec3(0.0);
@@ -261,8 +270,7 @@ vec3 transmitted_light(water_here p, vec2 uv, vec3 sunlight, vec3 lit, out float
     if (effect_is_on(EFFECT_REFRACTION)) below = over_bed;
 #endif
     if (effect_is_on(EFFECT_SCATTERING)) {
-        float height = (p.position.z + eye_height) / max(significant_height, 0.3);
-        below += crest_glow(water_reflectance, sunlight, p.view, sun_direction, height, p.waves.jacobian);
+        below += light_through_crest(p, sunlight);
     }
     return below;
 }

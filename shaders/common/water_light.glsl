@@ -4,10 +4,8 @@
 #include "shared/bed.glsl"
 #include "shared/constants.glsl"
 #include "shared/foam.glsl"
+#include "shared/fournier_forand.glsl"
 #include "shared/refraction.glsl"
-
-// Light through crests: `GLOW_ALL` for every azimuth, GLOW_AHEAD more towards the sun, chosen by eye.
-const float GLOW_ALL = 0.6, GLOW_AHEAD = 5.0;
 
 // The radiance over the water of a bed of radiance `bed`, and of the water `deep` over it. both_ways: share of the
 // light that is left after bed_path(), by Beer's law with the diffuse attenuation.
@@ -15,14 +13,24 @@ vec3 radiance_of_bed(vec3 bed, vec3 deep, vec3 both_ways) {
     return bed * BED_LEAVES * both_ways + deep * (1.0 - both_ways);
 }
 
-// Light that entered the far side of a crest and leaves through the near one [radiance for the water's reflectance
-// `deep`]. `height`: over the mean water in significant heights; pinched crests (Jacobian below 1) are thin. Seen from
-// above nothing glows: the way through the crest is level.
-vec3 crest_glow(vec3 deep, vec3 sunlight, vec3 view, vec3 to_sun, float height, float jacobian) {
-    float ahead = clamp(dot(-view, normalize(vec3(to_sun.xy, max(to_sun.z, 0.05)))), 0.0, 1.0);
-    float level = 1.0 - view.z * view.z;
-    return deep * sunlight * (ahead * ahead * ahead * GLOW_AHEAD + GLOW_ALL) * clamp(height, 0.0, 1.0) *
-           clamp(1.2 - jacobian, 0.0, 1.0) * (level * level);
+// Level way through a crest to its sunny side [m]. In deep water a wave of amplitude A and phase x has the height
+// A cos x, the slope A k sin x, and pinches the surface by A k cos x. So x is known, and k is the pinch over the
+// height. rise: slope towards the sun; pinch: 1 less the Jacobian. Endless where the crest is not pinched.
+float crest_path(float height, float rise, float pinch) {
+    float p = max(pinch, 1e-4);
+    return 2.0 * max(height, 0.0) / p * atan(max(rise, 0.0), p);
+}
+
+// Waves turn the beam by more than that: the phase function has no finite value straight ahead.
+const float PHASE_NEAREST = 0.99;
+const float PETZOLD = 3.5835; // exponent of the sizes of Petzold's mean particles
+
+// Sunlight that entered the sunny side of a crest, `path` away, and is scattered once on its way to the eye. The phase
+// function of particles points forwards: crests glow before the sun and are dark elsewhere. cosine: of the angle by
+// which light turns. Radiance in the water over index squared.
+vec3 crest_light(vec3 scattering, vec3 attenuation, vec3 sunlight, float cosine, float path, float index) {
+    float phase = fournier_forand(min(cosine, PHASE_NEAREST), fournier_forand_index(PETZOLD), PETZOLD);
+    return sunlight * (SUN_ENTERS * phase * path / (index * index)) * scattering * exp(-attenuation * path);
 }
 
 // Bubbles that breaking waves drive into the water scatter all colours alike, and the water between them absorbs the

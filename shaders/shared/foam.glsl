@@ -40,6 +40,16 @@ SHARED real streak_share(real wind_speed) {
     return STREAKS_MOST * t * t;
 }
 
+// Visibility through the spray of a storm [m]: "affected" from force 11 on, "very seriously affected" in 12 (WMO).
+#define SPRAY_CLEAR 300e3 // [m] up to SPRAY_BEGINS
+#define SPRAY_BEGINS 26.5 // [m/s]
+#define SPRAY_THICK 1000.0 // [m] from SPRAY_ALL on
+#define SPRAY_ALL 40.0
+SHARED real spray_visibility(real wind_speed) {
+    real t = clamp((wind_speed - SPRAY_BEGINS) / (SPRAY_ALL - SPRAY_BEGINS), 0.0, 1.0);
+    return SPRAY_CLEAR * exp(t * log(SPRAY_THICK / SPRAY_CLEAR));
+}
+
 // Distance of the windrows that foam gathers in, between Langmuir's cells [m]: 4.8 s times the wind speed (Faller &
 // Woodcock 1964).
 #define WINDROW_TIME 4.8   // [s]

@@ -3,6 +3,8 @@
 vec4 fine_tile;               // of the fine waves: the eye in the tile [0,1), cos, sin of its angle over its side [1/m]
 vec3 fine_slopes;             // their slope covariance xx, xy, yy
 float streak_excess;          // quantile of the share under streaks (below -999: there are none)
+vec3 water_scattering;        // [1/m]
+float jacobian_variance;      // of all scales
 vec2 fine_band;               // pixels wider than that show none of them [m], 0: there are none; log2 of a texel [m]
 float breaking_jacobian;      // Jacobian below which crests break (below -999: nothing foams)
 float slopes_beyond_cascades; // slope variance of the waves that no cascade has
@@ -10,4 +12,3 @@ float fresh_edge;             // variance that softens the edge of fresh foam; t
 float old_edge;               // likewise of old foam, as a share of the memory's variance
 float old_foam_memory;        // foam memory where old foam begins (above 999: there is none)
 float memory_variance;
-float jacobian_variance;      // of all scales

@@ -93,7 +93,7 @@ void bolan_frame_fill(frame *f) {
     b->wind_speed = (float)state->wind_speed;
     b->cloud_cover = own_sky ? (float)sky->cloud_cover : 0.0f;
     b->cloud_base = (float)sky->cloud_base;
-    b->visibility = (float)sky->visibility;
+    b->visibility = (float)fmin(sky->visibility, spray_visibility(state->wind_speed));
     b->earth_radius = (float)BOLAN_EARTH_RADIUS;
     const double across = 1.0 / (WINDROWS * windrow_distance(state->wind_speed));
     b->streak_scale = (bolan_vec2){(float)across, (float)(across / WINDROW_STRETCH)};

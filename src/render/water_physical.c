@@ -129,7 +129,8 @@ static physical_block foam_of(const render_view *v) {
                             .old_foam_memory = (float)law.memory,
                             .memory_variance = (float)fmax(law.memory_variance, 1e-9),
                             .jacobian_variance = (float)law.variance,
-                            .streak_excess = (float)streak_excess(sea)};
+                            .streak_excess = (float)streak_excess(sea),
+                            .water_scattering = v->frame->water.optics.scattering};
 }
 
 #define FINE_WIDTH 0.6 // of the longest fine wave: a pixel that wide shows none

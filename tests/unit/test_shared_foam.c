@@ -121,6 +121,10 @@ static void streaks_come_with_the_gale(void **state) {
     assert_true(streak_share(17.0) > 0.005 && streak_share(17.0) < 0.05); // "begins to be blown"
     assert_true(streak_share(22.6) > 0.1 && streak_share(26.4) > 0.2);    // "dense"
     assert_true(streak_share(35.0) > 0.6 && streak_share(60.0) == 0.9);
+    assert_near(spray_visibility(24.0), 300e3, 1e-6);                          // no less than any sky has
+    assert_true(spray_visibility(30.5) > 1e4 && spray_visibility(30.5) < 8e4); // 11: "affected"
+    assert_true(spray_visibility(36.0) > 1e3 && spray_visibility(36.0) < 1e4); // 12: "very seriously"
+    assert_near(spray_visibility(60.0), 1000.0, 1e-6);
     assert_near(windrow_distance(15.0), 72.0, 1e-12);
     assert_near(windrow_distance(0.0), 8.0, 1e-12);
 }
