@@ -87,7 +87,10 @@ def _open():
         except OSError as error:
             reasons.append(str(error))
             continue
-        found = ffi.string(library.bolan_version()).decode()
+        try:
+            found = ffi.string(library.bolan_version()).decode()
+        except AttributeError as error:
+            raise ImportError(f"{name} is not libbolan_all: {error}") from None
         if found.rsplit(".", 1)[0] != VERSION:
             raise ImportError(f"{name} is version {found} of the library; expected {VERSION}")
         return library
