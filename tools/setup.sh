@@ -9,7 +9,8 @@ tools='build-essential cmake ninja-build pkg-config glslang-tools doxygen'
 graphics='libegl-dev libgl-dev libgl1-mesa-dri libepoxy-dev libsdl2-dev libimgui-dev'
 files='libstb-dev libyaml-dev libopenexr-dev libgdal-dev libassimp-dev zlib1g-dev libnetcdf-dev ffmpeg'
 tests='libcmocka-dev libfftw3-dev xvfb xauth locales python3-yaml'
-packages="$tools $graphics $files $tests"
+python='python3-cffi python3-numpy python3-pytest python3-matplotlib python3-pip python3-setuptools'
+packages="$tools $graphics $files $tests $python"
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     echo 'Bolan sets itself up on Debian and Ubuntu only. Install what these packages hold, then run again with' >&2

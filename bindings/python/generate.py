@@ -11,6 +11,7 @@ HEADERS is the folder that holds bolan/*.h. Into FOLDER, normally bindings/pytho
   _docs.py         the headers' comments of each function
 The compiler is $CC, or cc.
 """
+import keyword
 import os
 import pathlib
 import re
@@ -142,6 +143,10 @@ def class_name(struct):
     return "".join(part.capitalize() for part in struct.removeprefix("bolan_").split("_"))
 
 
+def python_name(field):
+    return field + "_" if keyword.iskeyword(field) else field
+
+
 def annotation(kind):
     """The Python type that a field of this C type reads as."""
     if kind.kind == "enum":
@@ -174,7 +179,7 @@ def struct_classes(text, structs, fields):
             lines.append(f"    {field}: " + doc.replace("\n", "\n        ").rstrip() + "\n")
         lines.append('    """\n' + f'    _type = "{name}"\n')
         for field, described in kind.fields:
-            lines.append(f"    {field}: {annotation(described.type)}\n")
+            lines.append(f"    {python_name(field)}: {annotation(described.type)}\n")
         out.append("".join(re.sub(r"[ \t]+\n", "\n", line) for line in lines))
     return "".join(out)
 

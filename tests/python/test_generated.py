@@ -53,4 +53,9 @@ def test_comments_reach_the_docstrings():
 def test_structs_have_the_fields_of_the_header():
     for name, cls in vars(_structs).items():
         if isinstance(cls, type) and getattr(cls, "_type", None):
-            assert list(cls.__annotations__)[:] == [field for field, _ in ffi.typeof(cls._type).fields], name
+            assert [name.rstrip("_") for name in cls.__annotations__] == [field for field, _ in ffi.typeof(cls._type).fields], cls
+
+
+def test_a_field_named_like_a_word_of_python():
+    system = bolan.WaveSystem(lambda_=2.5)
+    assert system.lambda_ == 2.5 and "lambda_" in dir(system) and system.as_dict()["lambda_"] == 2.5

@@ -10,7 +10,7 @@ import bolan
 
 YAML = """
 camera: {position: [0, 0, 12], heading: 90, pitch: -10}
-sea: {wind: 6, wind_from: 200}
+sea: {wind: {speed: 6, from: 200}}
 """
 
 
@@ -30,7 +30,7 @@ def test_bad_scenes_name_line_and_key(tmp_path):
         bolan.Scene.parse("# a scene\ncamera: {hight: 3}\n", name="mine")
     assert caught.value.id == 311  # SCENE_UNKNOWN_KEY
     path = tmp_path / "bad.yaml"
-    path.write_text("sea:\n  wind: 1000\n")
+    path.write_text("sea:\n  wind: {speed: 1000}\n")
     with pytest.raises(bolan.FormatError, match=r"bad.yaml:2: .*wind"):
         bolan.Scene.load(path)
     with pytest.raises(bolan.FileError, match="none.yaml"):
@@ -39,6 +39,10 @@ def test_bad_scenes_name_line_and_key(tmp_path):
     scene.camera.fov_deg = 500.0
     with pytest.raises(bolan.ArgumentError, match="fov_deg"):
         scene.validate()
+
+
+def test_cameras_begin_with_the_defaults():
+    assert (bolan.Camera().position, bolan.Camera().fov_deg) == ((0.0, 0.0, 3.0), 50.0)
 
 
 def test_world_steps_and_answers():
@@ -63,9 +67,10 @@ def test_world_steps_and_answers():
         world.heights(xy)
 
 
-def test_island_has_land_and_objects():
+def test_a_world_has_land_and_objects():
     with bolan.World("island") as world:
         assert world.heights([[0.0, 0.0]])[0] == pytest.approx(world.scene.water.level, abs=1e-6)  # dry land
+    with bolan.World("pond") as world:
         assert len(world.scene.objects) == world.scene.object_count > 0
         pose = world.object_pose(0)
         assert sum(v * v for v in pose.z) == pytest.approx(1.0, abs=1e-5)
@@ -133,6 +138,9 @@ def test_renderer_refuses(renderer):
                 renderer.draw(world, size)
         with pytest.raises(bolan.ArgumentError, match="samples"):
             renderer.draw(world, (16, 16), samples=0)
+        for _ in range(2):  # every time, not once
+            with pytest.raises(bolan.ArgumentError, match="fov"):
+                renderer.draw(world, (16, 16), camera=bolan.Camera(fov_deg=0.0))
         second = bolan.Renderer("low")
         with pytest.raises(bolan.GLError, match="no picture yet"):
             second.linear()

@@ -89,7 +89,7 @@ def _open():
             continue
         try:
             found = ffi.string(library.bolan_version()).decode()
-        except AttributeError as error:
+        except (AttributeError, ffi.error) as error:
             raise ImportError(f"{name} is not libbolan_all: {error}") from None
         if found.rsplit(".", 1)[0] != VERSION:
             raise ImportError(f"{name} is version {found} of the library; expected {VERSION}")

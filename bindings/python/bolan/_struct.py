@@ -1,13 +1,25 @@
 # SPDX-License-Identifier: MIT
 """Plain structs of the library as Python objects: their fields are attributes over the memory of the struct."""
+import keyword
+
 from ._library import ArgumentError, c_name, ffi, lib, text
 
 _TUPLES = ("bolan_vec2", "bolan_vec3", "bolan_vec4", "bolan_dvec2", "bolan_dvec3")
 _classes = {}  # the Python class of each C struct
 
 
-def _fields(kind):
-    return dict(ffi.typeof(kind).fields if isinstance(kind, str) else kind.fields)
+def _fields(pointer):
+    """The fields of the struct under a pointer."""
+    return dict(ffi.typeof(pointer).item.fields)
+
+
+def _field_name(name):
+    """The field of an attribute: lambda_ stands for lambda, which is a word of Python."""
+    return name[:-1] if name.endswith("_") and keyword.iskeyword(name[:-1]) else name
+
+
+def _attribute_name(field):
+    return field + "_" if keyword.iskeyword(field) else field
 
 
 def _enum_names(kind):
@@ -50,6 +62,12 @@ def enum_name(kind, value):
     return _enum_names(ffi.typeof(kind)).get(value, str(value))
 
 
+def parameters(kind):
+    """The table of ranges and defaults of a struct; None where it has none."""
+    table = getattr(lib, kind.removesuffix("_desc") + "_params", None)
+    return None if table is None else ffi.addressof(table)
+
+
 class Struct:
     """A plain struct. Made with the library's defaults; keywords set fields. Structs inside it are views."""
 
@@ -65,6 +83,8 @@ class Struct:
             raise TypeError("a Struct is made by its subclasses")
         default = getattr(lib, self._type + "_default", None)
         self._begin(ffi.new(self._type + " *") if default is None else ffi.new(self._type + " *", default()), [])
+        if default is None and parameters(self._type) is not None:
+            lib.bolan_params_default(parameters(self._type), self._c)
         self.update(**fields)
 
     def _begin(self, pointer, keep):
@@ -94,10 +114,10 @@ class Struct:
 
     def as_dict(self):
         """The fields, those of structs inside too, as a dict."""
-        return {name: _plain(getattr(self, name)) for name in _fields(ffi.typeof(self._c).item)}
+        return {name: _plain(getattr(self, name)) for name in map(_attribute_name, _fields(self._c))}
 
     def __dir__(self):
-        return [*_fields(ffi.typeof(self._c).item), *super().__dir__()]
+        return [*map(_attribute_name, _fields(self._c)), *super().__dir__()]
 
     def __repr__(self):
         return f"{type(self).__name__}({', '.join(f'{k}={v!r}' for k, v in self.as_dict().items())})"
@@ -108,7 +128,8 @@ class Struct:
     __hash__ = None
 
     def __getattr__(self, name):
-        described = _fields(ffi.typeof(self._c).item).get(name)
+        name = _field_name(name)
+        described = _fields(self._c).get(name)
         if described is None:
             raise AttributeError(f"{type(self).__name__} has no field {name}")
         return self._read(name, described.type)
@@ -130,7 +151,7 @@ class Struct:
 
     def _length(self, name, kind):
         """How many elements of a list are in use: its count where the struct has one."""
-        fields = _fields(ffi.typeof(self._c).item)
+        fields = _fields(self._c)
         for count in (name.removesuffix("s") + "_count", name.removesuffix("es") + "_count"):
             if count in fields:
                 return min(getattr(self._c, count), kind.length)
@@ -147,7 +168,8 @@ class Struct:
     def __setattr__(self, name, value):
         if isinstance(getattr(type(self), name, None), property):
             return object.__setattr__(self, name, value)
-        described = _fields(ffi.typeof(self._c).item).get(name)
+        name = _field_name(name)
+        described = _fields(self._c).get(name)
         if described is None:
             raise AttributeError(f"{type(self).__name__} has no field {name}")
         what = f"{c_name(ffi.typeof(self._c).item)}.{name}"

@@ -1953,7 +1953,7 @@ class WaveSystem(Struct):
     hs: float
     peak_omega: float
     gamma: float
-    lambda: float
+    lambda_: float
     from_deg: float
     spreading: str
     spread_s: float

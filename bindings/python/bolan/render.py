@@ -9,7 +9,7 @@ import numpy
 from . import _arrays, _structs
 from ._library import (ArgumentError, ClosedError, Error, GLError, call, check, documented, ffi, files, lib, path_bytes,
                        text)
-from ._struct import enum_name, enum_value
+from ._struct import enum_name, enum_value, parameters
 from .world import World
 
 _left = {}  # what is to be released on a thread, where a renderer of it was collected on another one
@@ -131,6 +131,8 @@ class Renderer:
             pointer = world._get()
             camera = lib.bolan_world_scene(pointer).camera if camera is None else camera._c[0]
             holder = ffi.new("bolan_camera *", camera)
+            # The renderer says once what it refuses, and then leaves the picture as it was.
+            check(lib.bolan_params_validate, parameters("bolan_camera"), holder, b"camera")
             view = ffi.new("bolan_view *", lib.bolan_view_from_camera(holder, width, height))
             view.framebuffer, view.samples = own.sized((width, height)), samples
             call(lib.bolan_renderer_draw_world, own.renderer[0], pointer, view, error=GLError)
