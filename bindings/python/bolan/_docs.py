@@ -10,6 +10,11 @@ Thread-safe if the hook is.""",
 It is the depth times bolan_refraction_k() at the angle of the path.""",
     "bolan_assert_failed": """Reports misuse to the assert hook; called by BOLAN_ASSERT().""",
     "bolan_beaufort_from_wind": """Returns the Beaufort force of a wind speed at 10 m [m/s], 0..12.""",
+    "bolan_breaker_cover": """Fraction covered by crests that are breaking, the stage A of Monahan (1993): 3.16e-7 U10^3.2, at most
+bolan_callaghan_cover().""",
+    "bolan_callaghan_cover": """Fraction covered by whitecaps of all ages, by Callaghan et al. (2008): 3.18e-5 (U10 - 3.70)^3 up to about 10 m/s,
+then 4.82e-6 (U10 + 1.98)^3; 0 up to 3.70 m/s.
+It is limited to 0.95; the observed winds end at 23 m/s.""",
     "bolan_coast_attenuation": """Returns the share of the deep-water amplitude that a sea keeps in shallow water: f = tanh(0.6 depth / hs).
 It is 1 in deep water and falls to 0 at the waterline; the local height stays below the breaking limit, 0.6 depth.
 depth: depth of the water [m]; <= 0 gives 0.
@@ -131,6 +136,8 @@ Total reflection is included.""",
 A plug-in calls it to add its own hooks to the hooks of the host.
 Thread-safe while no thread calls bolan_set_hooks().""",
     "bolan_gl_get_info": """The properties of the context that is current on this thread.""",
+    "bolan_gl_state_default": """OpenGL's initial state: the defaults named above.
+Thread-safe.""",
     "bolan_ground_bounds": """Bounds [m] of the elevations, at any resolution, in the square of side size [m] from (west, south).
 The bounds are not tight. A call costs a few memory reads; for culling.
 Thread-safe.""",
@@ -232,7 +239,7 @@ roll, and the mean its height.
 Thread-safe between steps.""",
     "bolan_omega_from_k": """w(k): w^2 = (g k + (sigma/rho) k^3) tanh(k h). k wave number [rad/m] >= 0, depth [m] > 0. [rad/s]
 Linear theory of gravity-capillary waves over a flat bottom.""",
-    "bolan_optics_seen_from_below": """Whether the optics draws views from an eye under the water: MIRROR does.
+    "bolan_optics_seen_from_below": """Whether the optics draws views from an eye under the water: PHYSICAL and MIRROR do.
 A kind that is none: false.
 Thread-safe.""",
     "bolan_parallel": """Runs task over [0, count) on the hook or the built-in pool, and waits for its end.
@@ -414,6 +421,9 @@ out: receives the renderer; NULL after an error.
 Errors: GL (no context, one older than OpenGL 3.3 or OpenGL ES 3.0, a shader that does not compile), ARGUMENT (a
 field out of range), UNSUPPORTED (OpenGL ES without float targets; BOLAN_BACKEND_COMPUTE in a context without
 compute shaders), MEMORY.""",
+    "bolan_renderer_declare_state": """With BOLAN_RESTORE_DECLARED: your state when a call begins, which is put back when it ends.
+Call it whenever the state at the place of your frame where Bolan is called has changed. Copied.
+Until the first call it is bolan_gl_state_default().""",
     "bolan_renderer_desc_default": """The defaults named above.
 Thread-safe.""",
     "bolan_renderer_destroy": """Releases the renderer.
@@ -504,6 +514,9 @@ bolan_scene_validate() checks the values.""",
 Logs a sentence that names the first field out of range, and returns ARGUMENT.""",
     "bolan_sea_bounds": """Returns bounds that the surface does not leave, 6 standard deviations: vertical with the lift [m], horizontal with
 the choppiness [m]. Thread-safe, also during a step.""",
+    "bolan_sea_breaker_threshold": """Returns the Jacobian below which a crest is breaking: the quantile that covers bolan_breaker_cover() of the surface.
+Where the sea has no foam memory, which would hold the older foam, it covers bolan_callaghan_cover().
+-1e30 where nothing breaks. Thread-safe.""",
     "bolan_sea_cascade": """Returns cascade index; 0 is the one of the longest waves.""",
     "bolan_sea_cascade_count": """Returns the number of cascades: 1..BOLAN_MAX_CASCADES of form CASCADES, else 0. Thread-safe, also during a step.""",
     "bolan_sea_cascade_layout": """Like bolan_sea_cascade(), without the planes: the pointers are NULL, and no fields are made.""",
@@ -921,6 +934,7 @@ NULL-safe.""",
     "bolan_world_camera_at": """The scene's camera at time [s]: see bolan_scene_camera_at().
 A camera inside the ground is lifted: to 1.8 m above land, to 0.3 m above the sea bed.""",
     "bolan_world_clear_eye": """Returns eye, raised to 0.3 m above the surface where eye is lower, so that no wave covers the eye.
+The physical optics draws views from everywhere, the waterline among them: no eye is raised there.
 An eye below the level stays where the scene's optics draws such views: bolan_optics_seen_from_below().
 Thread-safe between steps.""",
     "bolan_world_create": """Makes a world, whose sea is stepped to scene->time.

@@ -207,7 +207,7 @@ class FrameStatistics(Struct):
     Fields:
     pass_count: How many entries of `passes` are filled.
     passes: Name of each pass, and its time [ms] while bolan_renderer_measure_passes() is on; else 0. With several samples,
-        of one of them.
+        of one of them. `gl_calls`: the OpenGL functions that it called.
     triangles: Triangles that were submitted.
     water_triangles: Triangles of the water.
     programs: Shader programs compiled by this renderer since it was created. It rises when a frame of another technique, sea
@@ -215,6 +215,9 @@ class FrameStatistics(Struct):
     uploads: Uploads to textures of this renderer since it was created: fields of seas, maps of the ground, tables. They stay
         while the step and the eye stay, and on the open sea while the step stays.
     upload_bytes: Bytes of those uploads.
+    gl_calls: OpenGL functions called since the last preparation of a step began, saving and restoring your state included.
+    gl_questions: Of those, the ones that want an answer (glGet..., glIs..., reading back, glFinish()): a driver with a thread of
+        its own makes the caller wait for it. glGetString() is not among them.
     sea_bytes: Bytes that the last synthesis by compute shaders moved at least, each table and image once; 0 with the CPU's.
         Over bolan_renderer_memory_rate() it is the time below which no synthesis can be.
     """
@@ -226,6 +229,8 @@ class FrameStatistics(Struct):
     programs: int
     uploads: int
     upload_bytes: int
+    gl_calls: int
+    gl_questions: int
     sea_bytes: int
 
 
@@ -251,6 +256,69 @@ class GlInfo(Struct):
     clip_control: bool
     compute: bool
     max_picture: int
+
+
+class GlState(Struct):
+    """State of a context, in numbers and names of OpenGL.
+What has no field here is in OpenGL's initial state.
+
+    Fields:
+    draw_framebuffer: Default 0.
+    read_framebuffer: Default 0.
+    program: Default 0.
+    vertex_array: Default 0.
+    array_buffer: Bound to GL_ARRAY_BUFFER and GL_UNIFORM_BUFFER; default 0.
+    uniform_buffer: Bound to GL_ARRAY_BUFFER and GL_UNIFORM_BUFFER; default 0.
+    active_unit: The active texture unit, from 0; default 0.
+    samplers: True: sampler objects may be bound to units 0 to 28. A call unbinds them. Default false.
+    viewport: x, y, width, height; default all 0. With a width of 0 the viewport is not put back.
+    scissor_test: GL_SCISSOR_TEST; default false.
+    scissor_box: x, y, width, height; default all 0. With a width of 0 the box is not put back.
+    depth_test: GL_DEPTH_TEST; default false.
+    depth_mask: Default true.
+    depth_function: Default GL_LESS.
+    depth_clear: Default 1.
+    blend: GL_BLEND of all draw buffers; default false.
+    blend_function: Source and destination of colour, then of alpha; default GL_ONE, GL_ZERO, GL_ONE, GL_ZERO.
+    color_mask: Of all draw buffers; default true.
+    color_clear: Default 0.
+    cull_face: GL_CULL_FACE; default false.
+    cull_mode: Default GL_BACK.
+    front_face: Default GL_CCW.
+    stencil_test: GL_STENCIL_TEST; default false.
+    framebuffer_srgb: GL_FRAMEBUFFER_SRGB, which OpenGL ES has not; default false.
+    dither: GL_DITHER; default true.
+    clip_upper_left: Clip control: origin at the upper left; default false.
+    clip_zero_to_one: Clip control: clip depth in [0,1]; default false.
+    """
+    _type = "bolan_gl_state"
+    draw_framebuffer: int
+    read_framebuffer: int
+    program: int
+    vertex_array: int
+    array_buffer: int
+    uniform_buffer: int
+    active_unit: int
+    samplers: bool
+    viewport: Tuple[int, ...]
+    scissor_test: bool
+    scissor_box: Tuple[int, ...]
+    depth_test: bool
+    depth_mask: bool
+    depth_function: int
+    depth_clear: float
+    blend: bool
+    blend_function: Tuple[int, ...]
+    color_mask: Tuple[bool, ...]
+    color_clear: Tuple[float, ...]
+    cull_face: bool
+    cull_mode: int
+    front_face: int
+    stencil_test: bool
+    framebuffer_srgb: bool
+    dither: bool
+    clip_upper_left: bool
+    clip_zero_to_one: bool
 
 
 class GroundDesc(Struct):
@@ -1015,6 +1083,16 @@ class RendererDesc(Struct):
         COMPUTE takes OpenGL 4.3, or OpenGL ES 3.1 with EXT_texture_view or OES_texture_view.
     max_vertices: Most vertices of the water on BOLAN_SURFACE_PROJECTED, 1024..1000000, whatever the quality and the size of the
         image. 0 (default): as the quality has it. Raised: smaller triangles, down to what the quality asks for.
+    restore: What calls of this renderer do with your state; default BOLAN_RESTORE_FULL.
+        FULL asks OpenGL some hundreds of questions in each call: a driver with a thread of its own makes you wait.
+        DECLARED and NONE ask none. In exchange:
+        - textures of units 0 to 28, uniform slots 0 to 4, and with BOLAN_BACKEND_COMPUTE storage buffers and images of
+          slots 0 to 3 stay as the call leaves them, and sampler objects of these units are unbound;
+        - no transform feedback is active in a call;
+        - the names of your framebuffers and textures are checked when they first come, and not again: change
+          bolan_renderer_desc::restore to FULL while you look for a wrong name;
+        - after a bolan_host with `stencil_mask` the functions and operations of the stencil are OpenGL's initial ones.
+        Creating, reloading, and reading back ask in any case.
     shader_directory: Folder from which shaders are read, and again by bolan_renderer_reload(). NULL (default): the built-in shaders.
         Copied; at most 1023 characters.
     no_clip_control: True: the path without clip control is taken also where the context has it, for tests. Default false.
@@ -1026,6 +1104,7 @@ class RendererDesc(Struct):
     quality: str
     backend: str
     max_vertices: int
+    restore: str
     shader_directory: Optional[str]
     no_clip_control: bool
     force_timers: bool
