@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Sea states against published numbers, and files of spectra."""
+import gc
 import math
 import pathlib
 
@@ -83,7 +84,11 @@ def test_buoy_becomes_a_sea():
     state = bolan.SeaState(measured=measured)
     assert state.measured is measured
     expected = state.summary().hs
+    gc.collect()
+    held = bolan.memory_in_use()
     measured.close()
+    del measured
+    assert bolan.memory_in_use() == held
     with bolan.Sea(state, resolution=64) as sea:  # the spectrum lives on in the sea state
         assert sea.summary.hs == pytest.approx(expected, rel=1e-6)
 

@@ -97,6 +97,8 @@ def test_picture_radiance_and_distance(renderer):
         assert linear[0, :, 2].mean() > linear[0, :, 0].mean() > 0  # a clear sky is blue
         out = numpy.zeros((90, 160, 3), "u1")
         assert renderer.draw(world, (160, 90), out=out) is out and (out == rgb).all()
+        smooth = renderer.draw(world, (160, 90), samples=4)
+        assert (smooth != rgb).any() and abs(smooth.astype("f4") - rgb).mean() < 8
         other = renderer.draw(world, (64, 64), camera=bolan.Camera(position=(0.0, 0.0, 40.0), pitch_deg=-90.0))
         assert renderer.distance().shape == (64, 64) and renderer.distance().mean() == pytest.approx(40.0, abs=1.0)
         assert other.shape == (64, 64, 3)
@@ -152,3 +154,25 @@ def test_renderer_refuses(renderer):
         renderer.draw(world, (16, 16))
         with pytest.raises(bolan.ArgumentError, match="float32 of shape"):
             renderer.linear(out=numpy.empty((16, 17, 3), "f4"))
+
+
+def test_a_renderer_dropped_on_another_thread_goes_with_the_next_one_of_its_own(renderer):
+    made, dropped, after = [], threading.Event(), []
+
+    def own():
+        made.append(bolan.Renderer("low"))
+        ready.set()
+        dropped.wait()
+        before = bolan.memory_in_use()
+        last = bolan.Renderer("low")
+        last.close()
+        after.append((before, bolan.memory_in_use()))
+    ready = threading.Event()
+    thread = threading.Thread(target=own)
+    thread.start()
+    ready.wait()
+    made.clear()
+    dropped.set()
+    thread.join()
+    (before, now), = after
+    assert now < before
