@@ -11,7 +11,7 @@ import numpy
 import pytest
 
 import bolan
-from bolan import record
+from bolan import _library, record
 
 WRONG = {
     "float32": numpy.zeros((3, 2), "f4"), "three columns": numpy.zeros((3, 3)), "one axis": numpy.zeros(2),
@@ -75,8 +75,9 @@ def test_wrong_fields():
         scene.spectrum_path = "x" * 1024
     with pytest.raises(bolan.ArgumentError, match="2 values; expected 3"):
         scene.camera.position = (1.0, 2.0)
-    with pytest.raises(bolan.ArgumentError, match="True or False"):
-        scene.wind_sea = 1.0
+    for flag in (1, 1.0, "yes"):
+        with pytest.raises(bolan.ArgumentError, match="True or False"):
+            scene.wind_sea = flag
 
 
 def test_wrong_numbers(sea):
@@ -180,6 +181,26 @@ def test_two_threads_at_once():
     assert not wrong
     assert {value: len(said) for value, said in sentences.items()} == {100.0: 1, 200.0: 1}
     assert all(f"is {int(value)};" in said.pop() for value, said in sentences.items())  # each thread hears its own
+
+
+def test_a_thread_hears_its_own_sentences_alone():
+    def refuse(depth):
+        state = bolan.SeaState(depth=depth)
+        return lambda: _library.lib.bolan_sea_state_validate(state._c)
+
+    def both():
+        thread = threading.Thread(target=_library._hear, args=(refuse(-2.0), ()))
+        thread.start()
+        thread.join()
+        return refuse(-1.0)()
+    _, said = _library._hear(both, ())
+    assert [sentence.split(";")[0] for _, _, sentence in said] == ["bolan_sea_state.depth is -1"]
+
+
+def test_another_version_of_the_library_is_an_import_error(monkeypatch):
+    monkeypatch.setattr(_library, "VERSION", "0.1")
+    with pytest.raises(ImportError, match="is version 0.2.0 of the library; expected 0.1"):
+        _library._open()
 
 
 def test_a_long_call_lets_other_threads_run(sea):

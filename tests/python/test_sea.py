@@ -62,6 +62,16 @@ def test_heights_have_the_variance_of_the_spectrum(sea):
     assert sea.measure().hs == pytest.approx(sea.summary.hs, rel=0.05)
 
 
+def test_a_settled_sea_has_the_foam_of_one_that_has_run():
+    points = numpy.random.default_rng(11).uniform(-300, 300, (2000, 2))
+    with bolan.Sea(bolan.SeaState.from_wind(18.0, 225.0), resolution=64) as sea:
+        sea.step(40.0)
+        young = sea.sample(points)
+        sea.settle(40.0)
+        assert sea.sample(points)["foam"].mean() > 1.2 * young["foam"].mean() > 0
+        assert (sea.sample(points)["height"] == young["height"]).all() and sea.time == 40.0
+
+
 def test_least_wavelength_and_stretching_reach_the_library(sea):
     xy = numpy.random.default_rng(10).uniform(-500, 500, (500, 2))
     assert sea.motion(xy, least_wavelength=1000.0)["height"].var() < 0.1 * sea.motion(xy)["height"].var()

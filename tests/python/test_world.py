@@ -48,8 +48,9 @@ def test_cameras_begin_with_the_defaults():
 def test_world_steps_and_answers():
     assert {"island", "open-sea", "storm"} <= set(bolan.scene_names())
     with bolan.World("open-sea") as world:
-        xy = [[0.0, 0.0], [25.0, 0.0]]
+        xy, under = [[0.0, 0.0], [25.0, 0.0]], [[0.0, 0.0, -3.0]]
         world.step(3.0)
+        world.below(under)
         assert world.time == 3.0 and world.scene.time == 3.0
         fork = world.fork_sea()
         fork.step(3.0)
@@ -57,9 +58,13 @@ def test_world_steps_and_answers():
         scene = world.scene.set_wind(16.0, 30.0)
         world.set_scene(scene)
         assert world.time == 3.0 and world.heights(xy).tobytes() != fork.heights(xy).tobytes()
-        assert world.below([[0.0, 0.0, -3.0]])["wet"][0]  # the flow follows the other sea
+        fork = world.fork_sea()
+        fork.step(3.0)
+        assert world.below(under).tobytes() == fork.below(under).tobytes()  # the flow follows the other sea
         world.set_camera(bolan.Camera(position=(1.0, 2.0, 30.0)))
         assert world.scene.camera.position == (1.0, 2.0, 30.0)
+        world.settle(5.0)
+        assert world.time == 5.0
         scene.tiles_path = "/there/are/none"
         with pytest.raises(bolan.ArgumentError, match="tiles"):
             world.set_scene(scene)
