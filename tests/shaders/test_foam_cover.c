@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How much of the sea is under foam: the law of shaders/shared/foam.glsl on real seas against the observed covers, and
 // the noise of shaders/common/foam.glsl, which covers the same share at every distance.
+#include "cascade_twin.h"
 #include "probe.h"
 
 #include "render/foam_statistics.h"
@@ -19,13 +20,6 @@ static uint32_t random_state;
 static double unit(void) {
     random_state = random_state * 1664525u + 1013904223u;
     return (double)(random_state >> 8) / 16777216.0;
-}
-
-static double linear(const float *plane, uint32_t n, double x, double y) {
-    const uint32_t i = (uint32_t)x % n, j = (uint32_t)y % n, right = (i + 1) % n, up = (j + 1) % n;
-    const double u = x - floor(x), v = y - floor(y);
-    return (1.0 - v) * ((1.0 - u) * (double)plane[j * n + i] + u * (double)plane[j * n + right]) +
-           v * ((1.0 - u) * (double)plane[up * n + i] + u * (double)plane[up * n + right]);
 }
 
 static double share_over(double excess, double variance) { return 0.5 * erfc(-excess / sqrt(2.0 * variance)); }
@@ -48,9 +42,11 @@ static covers measure(double wind) {
         for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
             const bolan_cascade_view v = bolan_sea_cascade(sea, c);
             const double x = v.n * unit(), y = v.n * unit();
-            xx += desc.choppiness * linear(v.dxx, v.n, x, y), yy += desc.choppiness * linear(v.dyy, v.n, x, y);
-            xy += desc.choppiness * linear(v.dxy, v.n, x, y);
-            memory += weight[c] * linear(v.foam, v.n, x, y);
+            const twin_place p = {v.n, (uint32_t)x % v.n, (uint32_t)y % v.n, x - floor(x), y - floor(y)};
+            xx += desc.choppiness * twin_linear(TWIN_PLANE(&v, dxx), &p);
+            yy += desc.choppiness * twin_linear(TWIN_PLANE(&v, dyy), &p);
+            xy += desc.choppiness * twin_linear(TWIN_TEXELS(&v, dxy), &p);
+            memory += weight[c] * twin_linear(TWIN_PLANE(&v, foam), &p);
         }
         const double fresh = share_over(law.breaking - (xx * yy - xy * xy - 1.0), law.edge);
         const double old = share_over(memory - law.memory, OLD_FOAM_EDGE * law.memory_variance);
