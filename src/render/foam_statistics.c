@@ -91,13 +91,24 @@ void bolan_foam_law_constants(const bolan_sea *sea, float *offset, float *varian
     *variance = (float)jacobian_variance(sea);
 }
 
+// The breaking threshold less 1, softened by a noise of that variance. Low Jacobians are rarer than a Gaussian's, but
+// those of the noise are not, so that its part goes by the quantile of the share that breaks.
+static double breaking_offset(const bolan_sea *sea, double edge) {
+    const double wind = bolan_sea_get_desc(sea)->sea_state.wind_speed, offset = bolan_sea_breaker_threshold(sea) - 1.0;
+    const bool remembers = bolan_sea_cascade_count(sea) > 0;
+    const double share = remembers ? bolan_breaker_cover(wind) : bolan_callaghan_cover(wind);
+    if (!(offset > -1e29 && offset < 0.0 && share > 0.0)) return offset;
+    const double deviations = bolan_foam_quantile(share);
+    return -sqrt(offset * offset + edge * deviations * deviations);
+}
+
 foam_law bolan_foam_law(const bolan_sea *sea, double edge, bool memory) {
     const double cover = cover_of(sea), spread = jacobian_variance(sea);
     double mean = 0.0, variance = 0.0;
     float rest[3];
     if (memory) memory_moments(sea, &mean, &variance);
     bolan_sea_unresolved_slopes(sea, 0.0, 0.0, 0.0, rest);
-    const double measured = softened_offset(bolan_sea_breaker_threshold(sea) - 1.0, spread, edge * edge);
+    const double measured = breaking_offset(sea, edge * edge);
     const double gaussian = softened_offset(bolan_foam_quantile(cover) * sqrt(spread), spread, edge * edge);
     return (foam_law){.breaking = fmax(measured, -1e30),
                       .breaking_gaussian = cover > 1e-7 ? gaussian : -FOAM_NEVER,
