@@ -194,7 +194,7 @@ def test_a_thread_hears_its_own_sentences_alone():
         thread.join()
         return refuse(-1.0)()
     _, said = _library._hear(both, ())
-    assert [sentence.split(";")[0] for _, _, sentence in said] == ["bolan_sea_state.depth is -1"]
+    assert [sentence.split(";")[0] for _, _, sentence in said] == ["bolan_sea_state: depth is -1"]
 
 
 def test_another_version_of_the_library_is_an_import_error(monkeypatch):
