@@ -31,7 +31,7 @@ def comment(mark):
     return "".join(f"{mark} {line}\n" for line in NOTE.splitlines())
 
 
-# ---- declarations -----------------------------------------------------------------------------------------------------
+# ---- declarations --------------------------------------------------------------------------------------------------
 
 def declarations(include):
     """The declarations of the public headers as text for cffi."""
@@ -41,8 +41,8 @@ def declarations(include):
             pathlib.Path(empty, name + ".h").touch()
         source = "".join(f'#include "{header}"\n' for header in HEADERS)
         # Without __GNUC__ the headers have no attributes.
-        command = [*os.environ.get("CC", "cc").split(), "-E", "-P", "-nostdinc", "-U__GNUC__", "-I", str(include), "-I", empty,
-                   "-x", "c", "-"]
+        command = [*os.environ.get("CC", "cc").split(), "-E", "-P", "-nostdinc", "-U__GNUC__", "-I", str(include), "-I",
+                   empty, "-x", "c", "-"]
         text = subprocess.run(command, input=source, capture_output=True, text=True, check=True).stdout
     text = re.sub(r"static inline [^{;]*\{[^}]*\}", "", text)
     text = re.sub(r"\s+", " ", text)
@@ -73,7 +73,7 @@ def without_comments(text):
     return re.sub(r"^//.*$", "", text, flags=re.M)
 
 
-# ---- comments ---------------------------------------------------------------------------------------------------------
+# ---- comments ------------------------------------------------------------------------------------------------------
 
 def plain(lines):
     """Text of a doc comment without the marks of doxygen."""
@@ -137,7 +137,7 @@ def field_names(code):
     return [re.search(r"(\w+)$", name.strip())[1] for name in names]
 
 
-# ---- classes ----------------------------------------------------------------------------------------------------------
+# ---- classes -------------------------------------------------------------------------------------------------------
 
 def class_name(struct):
     return "".join(part.capitalize() for part in struct.removeprefix("bolan_").split("_"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""run.py TEST-FILE: runs one file of tests by pytest. Where a package that it needs is missing it says so and exits 77."""
+"""run.py TEST-FILE: runs one file of tests by pytest. Exits 77 where a package is missing, and says so."""
 import importlib
 import os
 import sys

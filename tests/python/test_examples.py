@@ -86,7 +86,8 @@ def test_a_batch_is_as_fast_as_c():
             call()
             return time.thread_time() - began
         sea.heights(xy)
-        turns = [(cost(lambda: lib.bolan_query_heights(water, points, len(xy), out)), cost(lambda: sea.heights(xy, out=heights)))
+        turns = [(cost(lambda: lib.bolan_query_heights(water, points, len(xy), out)),
+                  cost(lambda: sea.heights(xy, out=heights)))
                  for _ in range(7)]
     straight, package = map(min, zip(*turns))
     assert straight / package >= 0.9

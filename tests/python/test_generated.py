@@ -53,7 +53,8 @@ def test_comments_reach_the_docstrings():
 def test_structs_have_the_fields_of_the_header():
     for name, cls in vars(_structs).items():
         if isinstance(cls, type) and getattr(cls, "_type", None):
-            assert [name.rstrip("_") for name in cls.__annotations__] == [field for field, _ in ffi.typeof(cls._type).fields], cls
+            fields = [field for field, _ in ffi.typeof(cls._type).fields]
+            assert [name.rstrip("_") for name in cls.__annotations__] == fields, cls
 
 
 def test_a_field_named_like_a_word_of_python():

@@ -15,7 +15,8 @@ from bolan import _library, record
 
 WRONG = {
     "float32": numpy.zeros((3, 2), "f4"), "three columns": numpy.zeros((3, 3)), "one axis": numpy.zeros(2),
-    "strided": numpy.zeros((3, 4))[:, ::2], "column-major": numpy.zeros((2, 3)).T, "big-endian": numpy.zeros((3, 2), ">f8"),
+    "strided": numpy.zeros((3, 4))[:, ::2], "column-major": numpy.zeros((2, 3)).T,
+    "big-endian": numpy.zeros((3, 2), ">f8"),
     "complex": numpy.zeros((3, 2), complex), "text": "somewhere", "none": None, "ragged": [[1.0, 2.0], [3.0]],
 }
 
@@ -31,13 +32,14 @@ def test_wrong_out(sea):
     xy = numpy.zeros((4, 2))
     fixed = numpy.zeros(4, "f4")
     fixed.flags.writeable = False
-    for out in (numpy.zeros(3, "f4"), numpy.zeros(4), numpy.zeros(8, "f4")[::2], fixed, [0.0] * 4, numpy.zeros((4, 1), "f4")):
-        with pytest.raises(bolan.ArgumentError, match=r"expected a contiguous, writeable array of float32 of shape \(4,\)"):
+    for out in (numpy.zeros(3, "f4"), numpy.zeros(4), numpy.zeros(8, "f4")[::2], fixed, [0.0] * 4,
+                numpy.zeros((4, 1), "f4")):
+        with pytest.raises(bolan.ArgumentError, match=r"a contiguous, writeable array of float32 of shape \(4,\)"):
             sea.heights(xy, out=out)
 
 
 def test_sentences_are_the_library_s(sea):
-    with pytest.raises(bolan.ArgumentError, match="resolution is 100; expected a power of two from 32 to 1024") as caught:
+    with pytest.raises(bolan.ArgumentError, match="resolution is 100; expected a power of two from 32 to") as caught:
         bolan.Sea(resolution=100)
     assert caught.value.id == 103 and isinstance(caught.value, ValueError)
     with pytest.raises(bolan.ArgumentError, match=r"hs is 200; expected 0 to 40 m"):
@@ -134,8 +136,8 @@ def test_closed_objects_refuse_everything():
     sea.close()
     xy = [[0.0, 0.0]]
     for use in (lambda: sea.heights(xy), lambda: sea.below([[0.0, 0.0, 0.0]]), lambda: sea.step(1.0), lambda: sea.time,
-                sea.fork, sea.hash, sea.measure, lambda: sea.desc, lambda: sea.summary, lambda: sea.bounds, sea.components,
-                lambda: sea.cascade(0), lambda: sea.sample(xy), lambda: water.heights(xy), lambda: sea.__enter__()):
+                sea.fork, sea.hash, sea.measure, lambda: sea.desc, lambda: sea.summary, lambda: sea.bounds,
+                sea.components, lambda: sea.cascade(0), lambda: sea.sample(xy), lambda: water.heights(xy), lambda: sea.__enter__()):
         with pytest.raises(bolan.ClosedError, match="this Sea is closed"):
             use()
     for use in (lambda: world.heights(xy), lambda: world.step(1.0), lambda: world.scene, lambda: world.time,
@@ -172,7 +174,8 @@ def test_two_threads_at_once():
             with pytest.raises(bolan.ArgumentError) as caught:
                 bolan.SeaState().add_swell(value, 10.0, 0.0)
             sentences.setdefault(value, set()).add(str(caught.value))
-    jobs = [(private, list(truth)), (private, list(truth)[::-1]), (shared,), (shared,), (refused, 100.0), (refused, 200.0)]
+    jobs = [(private, list(truth)), (private, list(truth)[::-1]), (shared,), (shared,), (refused, 100.0),
+            (refused, 200.0)]
     threads = [threading.Thread(target=job, args=arguments) for job, *arguments in jobs]
     for thread in threads:
         thread.start()

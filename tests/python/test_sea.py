@@ -171,7 +171,8 @@ def test_out_is_filled_where_it_lies(sea):
 
 
 def test_sums_of_waves_have_components():
-    with bolan.Sea(bolan.SeaState.from_wind(8, 270), waves="cosines", cosines={"frequencies": 5, "directions": 3}) as sea:
+    state = bolan.SeaState.from_wind(8, 270)
+    with bolan.Sea(state, waves="cosines", cosines={"frequencies": 5, "directions": 3}) as sea:
         waves = sea.components()
         assert sea.form == "cosines" and len(waves) == 15 and sea.cascade_count == 0
         sea.step(2.0)

@@ -93,8 +93,8 @@ def view(address, shape, dtype, owner):
 class Field(numpy.ndarray):
     """A read-only array over a field of a sea at its present time.
 
-    After the next step every use raises StaleError, after close() ClosedError: indexing, arithmetic, functions of numpy,
-    copies. Take a copy() of what shall stay. numpy.asarray() of a Field is a plain array over the same memory, without
+    After the next step every use raises StaleError, after close() ClosedError: indexing, arithmetic, functions of
+    numpy, copies. Take a copy() of what shall stay. numpy.asarray() of a Field is a plain array over the same memory, without
     that check; the memory itself lives as long as an array over it."""
 
     def __array_finalize__(self, other):
@@ -138,7 +138,8 @@ def _guarded(name):
     return method
 
 
-for _name in ("copy", "astype", "tolist", "tobytes", "item", "flatten", "dot", "mean", "sum", "std", "var", "min", "max",
+for _name in ("copy", "astype", "tolist", "tobytes", "item", "flatten", "dot", "mean", "sum", "std", "var", "min",
+              "max",
               "argmin", "argmax", "nonzero", "argsort", "take", "cumsum", "ravel", "reshape", "transpose", "__copy__",
               "__deepcopy__", "__reduce__", "tofile", "dump", "dumps", "searchsorted", "compress", "choose", "repeat",
               "round", "clip", "ptp", "all", "any", "prod", "trace", "diagonal", "squeeze", "swapaxes"):

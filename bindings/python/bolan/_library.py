@@ -16,7 +16,7 @@ NAME = "bolan_all"
 log = logging.getLogger("bolan")
 
 
-# ---- exceptions -------------------------------------------------------------------------------------------------------
+# ---- exceptions ----------------------------------------------------------------------------------------------------
 
 class Error(Exception):
     """Something that the library refused. The text is the library's own sentence.
@@ -68,7 +68,7 @@ class BolanWarning(UserWarning):
     """The library went on, with something missing, replaced or lowered."""
 
 
-# ---- the library ------------------------------------------------------------------------------------------------------
+# ---- the library ---------------------------------------------------------------------------------------------------
 
 def _candidates():
     given = os.environ.get("BOLAN_LIBRARY")
@@ -199,7 +199,7 @@ def path_bytes(path):
     return made
 
 
-# ---- objects ----------------------------------------------------------------------------------------------------------
+# ---- objects -------------------------------------------------------------------------------------------------------
 
 class Gate:
     """Many readers or one writer. A reader that comes while a writer waits lets it go first."""

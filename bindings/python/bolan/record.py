@@ -44,7 +44,7 @@ def measure(heave, rate: float) -> _structs.RecordStatistics:
 @documented("bolan_record_spectrum")
 def spectrum(heave, rate: float, segment: int, east=None, north=None,
              out: Optional[numpy.ndarray] = None) -> numpy.ndarray:
-    """The spectrum of a buoy, series (n,) float32 [m]: a record array with frequency, density, a1 ..., direction_from."""
+    """The spectrum of a buoy, series (n,) float32 [m]: a record array with frequency, density ... spread."""
     heave, kind = _series(heave, "heave"), "bolan_record_band"
     if (east is None) != (north is None):
         raise ArgumentError("east and north belong together; expected both or neither")

@@ -116,7 +116,8 @@ class Renderer:
              out: Optional[numpy.ndarray] = None) -> numpy.ndarray:
         """Draws a world at its present time: (height, width, 3) uint8, sRGB, row 0 at the top.
 
-        size is (width, height). The camera is the scene's, or another. linear() and distance() read the same picture."""
+        size is (width, height). The camera is the scene's, or another. linear() and distance() read the same
+        picture."""
         own = self._own()
         width, height = _size(size)
         if not isinstance(world, World):

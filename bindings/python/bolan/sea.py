@@ -73,7 +73,7 @@ class Questions:
     @documented("bolan_query_rays")
     def rays(self, origins, directions, length: float, least_wavelength: float = 0.0,
              out: Optional[numpy.ndarray] = None) -> numpy.ndarray:
-        """Where rays meet the surface; origins and directions (n, 3) float64. A record array with hit, distance, point."""
+        """Where rays meet the surface; origins and directions (n, 3) float64: hit, distance and point."""
         origins = _arrays.read(origins, "f8", (None, 3), "origins")
         directions = _arrays.read(directions, "f8", (len(origins), 3), "directions")
         rays = numpy.empty(len(origins), _arrays.dtype_of("bolan_ray"))

@@ -34,4 +34,5 @@ observed = environment.reset(seed=1)
 while not ended:
     observed, reward, fell, late, _ = environment.step(-0.5 * observed[0] - 1.0 * observed[1])
     total, ended = total + reward, fell or late
-print(f"after {environment.time:.0f} s: x {environment.x:+.2f} m, {observed[2]:+.2f} m over the water, reward {total:.1f}")
+x, over = environment.x, observed[2]
+print(f"after {environment.time:.0f} s: x {x:+.2f} m, {over:+.2f} m over the water, reward {total:.1f}")
