@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # libbolan_all: all libraries in one shared library, which the Python package opens. Without BUILD_SHARED_LIBS the
-# archives are linked into it whole, so that nothing is compiled twice; with it, it holds nothing and needs the shared ones.
+# archives are linked into it whole, so that nothing is compiled twice; with it, it holds nothing and needs the
+# shared ones.
 
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/bolan_all.c CONTENT "typedef int bolan_all;\n")
 add_library(bolan_all SHARED ${CMAKE_CURRENT_BINARY_DIR}/bolan_all.c)

@@ -137,7 +137,8 @@ def test_closed_objects_refuse_everything():
     xy = [[0.0, 0.0]]
     for use in (lambda: sea.heights(xy), lambda: sea.below([[0.0, 0.0, 0.0]]), lambda: sea.step(1.0), lambda: sea.time,
                 sea.fork, sea.hash, sea.measure, lambda: sea.desc, lambda: sea.summary, lambda: sea.bounds,
-                sea.components, lambda: sea.cascade(0), lambda: sea.sample(xy), lambda: water.heights(xy), lambda: sea.__enter__()):
+                sea.components, lambda: sea.cascade(0), lambda: sea.sample(xy), lambda: water.heights(xy),
+                lambda: sea.__enter__()):
         with pytest.raises(bolan.ClosedError, match="this Sea is closed"):
             use()
     for use in (lambda: world.heights(xy), lambda: world.step(1.0), lambda: world.scene, lambda: world.time,

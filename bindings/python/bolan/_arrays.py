@@ -94,8 +94,8 @@ class Field(numpy.ndarray):
     """A read-only array over a field of a sea at its present time.
 
     After the next step every use raises StaleError, after close() ClosedError: indexing, arithmetic, functions of
-    numpy, copies. Take a copy() of what shall stay. numpy.asarray() of a Field is a plain array over the same memory, without
-    that check; the memory itself lives as long as an array over it."""
+    numpy, copies. Take a copy() of what shall stay. numpy.asarray() of a Field is a plain array over the same
+    memory, without that check; the memory itself lives as long as an array over it."""
 
     def __array_finalize__(self, other):
         self._fresh = getattr(other, "_fresh", None)
