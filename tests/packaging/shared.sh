@@ -37,7 +37,12 @@ use_find_package "$PWD/prefix" bolan bolan_content bolan_io bolan_render
 
 # A shared library exports the names that the public headers declare, and no other.
 cat "$BOLAN_SOURCE_DIR"/include/bolan/*.h | grep -ow 'bolan_[a-z0-9_]*' | sort -u > public
-for library in $(find prefix -name 'libbolan*.so'); do
+# libbolan_all, for Python, holds nothing here: it needs the others.
+all=$(find prefix -name 'libbolan_all.so')
+for library in bolan bolan_content bolan_io bolan_render; do
+    readelf -d "$all" | grep -q "NEEDED.*\[lib$library\.so\.$minor\]" || fail "libbolan_all does not need lib$library"
+done
+for library in $(find prefix -name 'libbolan*.so' ! -name 'libbolan_all.so'); do
     nm -D --defined-only "$library" | awk '{ print $3 }' | grep -v '^_\(_bss_start\|edata\|end\|init\|fini\)$' | sort -u > exported
     [ -s exported ] || fail "$library exports nothing"
     strange=$(comm -23 exported public | tr '\n' ' ')
