@@ -535,6 +535,10 @@ foam_decay.
 Call it after a step to choose the moment of the work, and before jobs of your own task system read the sea: a job
 that waits for the fields must not run on a thread that is making them.
 Uses the task hook. Thread-safe between steps.""",
+    "bolan_sea_fine": """Returns the fine waves at the present time, which the first call after a step makes; bolan_sea_fields() does not.
+The pointers are valid while the sea lives; what they point to is of the present time until the next step.
+Thread-safe between steps. Source: Phillips 1958 (k^-4), Cox & Munk 1954 (variance), Lamb 1932 (dispersion).""",
+    "bolan_sea_fine_layout": """Like bolan_sea_fine(), without the planes: the pointers are NULL, and nothing is made.""",
     "bolan_sea_foam_threshold": """Returns the Jacobian below which there is foam.
 It is the quantile of the Jacobian that covers bolan_monahan_cover() of the surface for the wind; above 1 where more
 than about half is covered.
@@ -597,12 +601,12 @@ them for each second of foam_decay.""",
     "bolan_sea_size": """Returns the memory that a sea of this desc will hold, without creating it: exact with as many workers as now, since
 fields include scratch memory for each. The creation borrows up to 1 MB more.
 Both are 0 where the desc is not valid, with the field named in the log. Allocates nothing. Thread-safe.""",
-    "bolan_sea_slope_table": """Texels of the slope table along log2(major): texel i is major = 2^(i/1.5 - 8) m, from 4 mm to 2^(23/1.5 - 8) = 160
-m.
+    "bolan_sea_slope_table": """Texels of the slope table along log2(major): texel i is major = 2^(i/1.5 - 11) m, from 0.5 mm to 200 m.
 Texels along minor/major: texel j is 2^-j.
 Texels along the angle, periodic: texel l is l pi / 8.
 Returns bolan_sea_unresolved_slopes() as a table to sample with linear filtering:
-out[((l * ASPECT) + j) * MAJOR + i][4] = xx, xy, yy, 0.
+out[((l * ASPECT) + j) * MAJOR + i][4] = xx, xy, yy, and the share of their slope variance that the footprint
+removes of the fine waves. Where they are drawn (bolan_sea_fine()), take off what they keep: slopes * (1 - share).
 Computed at creation. Valid while the sea lives. Thread-safe, also during a step.""",
     "bolan_sea_state_add_ochi_hubble": """Members of Ochi & Hubble's family.
 Adds the two peaks of Ochi & Hubble (1976) for one height, with cos-2s spreading of s = 10.

@@ -80,11 +80,13 @@ class CascadeView(Struct):
     """One cascade, read-only.
 The pointers are valid while the sea lives. What they point to is of the present time until the next step; call
 bolan_sea_cascade() again after it.
-Sample (i, j) of a field is at [j * n + i], at tile coordinates (i, j) * length / n. A rest point is read at
+Sample (i, j) of a field is at [j * n + i], of displacement at [j * pitch + i]. It lies at tile coordinates
+(i, j) * length / n. A rest point is read at
 (x, y) = bolan_sea_place_read(); from there to the tile: rotate by -angle, u = x cos(angle) + y sin(angle),
 v = -x sin(angle) + y cos(angle).
-eta, dx, dy are coefficients of cubic B-splines: the field at a sample is the mean of 3 x 3 with weights (1, 4, 1)/6
-each way. The other planes are read by linear interpolation, which leaves them the slope variance of the waves.
+Height, dx and dy are coefficients of cubic B-splines: the field at a sample is the mean of 3 x 3 with weights
+(1, 4, 1)/6 each way. The other fields are read by linear interpolation, which leaves them the slope variance of the
+waves.
 
     Fields:
     n: Samples along a side.
@@ -99,16 +101,15 @@ each way. The other planes are read by linear interpolation, which leaves them t
         bolan_sea_place_read() has taken it off.
     origin_y: Where sample (0, 0) lies in the world [m]: the tile drifts from the world origin with the current.
         bolan_sea_place_read() has taken it off.
-    height: Spline of eta [m].
-    dx: Splines of D, world east and north [m].
-    dy: Splines of D, world east and north [m].
-    slope_x: grad eta, by the place read.
-    slope_y: grad eta, by the place read.
-    dxx: dDx/dx, dDy/dy, dDx/dy (= dDy/dx), by the place read.
-    dyy: dDx/dx, dDy/dy, dDx/dy (= dDy/dx), by the place read.
-    dxy: dDx/dx, dDy/dy, dDx/dy (= dDy/dx), by the place read.
+    displacement: Rows of @c pitch samples, n of each and then its first BOLAN_CASCADE_GUARD again. As many of the first rows
+        follow row n - 1. So the 4 x 4 samples of a spline never wrap round: they begin at a column and a row below n.
+    pitch: Samples from one row of @c displacement to the next: n + BOLAN_CASCADE_GUARD.
+    slope_x: Gradient of the height, by the place read.
+    slope_y: Gradient of the height, by the place read.
+    dxx: dDx/dx, dDy/dy, by the place read.
+    dyy: dDx/dx, dDy/dy, by the place read.
     foam: Foam memory, 0..3: recent peak of -(dxx + dyy) * choppiness, decaying.
-    displacement_half: n * n * 4 halfs to upload as RGBA16F: dx, dy, eta, dxy.
+    displacement_half: n * n * 4 halfs to upload as RGBA16F: dx, dy, height, dxy.
     slope_half: n * n * 4 halfs: slope_x, slope_y, dxx, dyy.
     foam_half: n * n halfs: foam.
     """
@@ -123,14 +124,12 @@ each way. The other planes are read by linear interpolation, which leaves them t
     bound: "BoundWeights"
     origin_x: float
     origin_y: float
-    height: Any
-    dx: Any
-    dy: Any
+    displacement: Any
+    pitch: int
     slope_x: Any
     slope_y: Any
     dxx: Any
     dyy: Any
-    dxy: Any
     foam: Any
     displacement_half: Any
     slope_half: Any
@@ -1294,6 +1293,36 @@ but every field must be in its range whatever the model.
     exp_cosine: Struct
 
 
+class SeaFineView(Struct):
+    """The fine waves of a sea of model FFT: capillary-gravity waves from the last cascade's ring down to 1 cm, of which
+pixels near the eye read the slopes.
+They have most of the slope variance that Cox & Munk state for the wind and the cascades lack. Their height is a
+millimetre, which queries leave out, as they do the slopes.
+Sample (i, j) is at [j * n + i]. It lies at tile coordinates (i, j) * length / n, as that of a bolan_cascade_view.
+
+    Fields:
+    n: Samples along a side; 0: there are none, and the rest is 0.
+    length: Side of the tile [m], and its rotation against the world, counter-clockwise [rad].
+    angle: Side of the tile [m], and its rotation against the world, counter-clockwise [rad].
+    k_min: Ring of wave numbers [rad/m].
+    k_max: Ring of wave numbers [rad/m].
+    slopes: Expected slope covariance xx, xy, yy.
+    slope_x: Gradient of the height by the place read, to be read linearly.
+    slope_y: Gradient of the height by the place read, to be read linearly.
+    slope_half: n * n * 4 halfs to upload as RGBA16F: slope_x, slope_y, and two fields without a use.
+    """
+    _type = "bolan_sea_fine_view"
+    n: int
+    length: float
+    angle: float
+    k_min: float
+    k_max: float
+    slopes: Tuple[float, ...]
+    slope_x: Any
+    slope_y: Any
+    slope_half: Any
+
+
 class SeaLimit(Struct):
     """Factors on the height, in (0, 1], with which water of this depth can carry the waves; 1: nothing is too high.
 bolan_sea_create() applies the smaller factor to all waves and warns.
@@ -1475,6 +1504,22 @@ A calm has zeros, and the direction of the wind.
     te: float
     from_deg: float
     spread_deg: float
+
+
+class SeaTexel(Struct):
+    """A sample of the displacement of a cascade: 16 bytes, so that the 4 x 4 samples of a spline are four rows of 64.
+
+    Fields:
+    dx: D, world east and north [m].
+    dy: D, world east and north [m].
+    height: eta [m].
+    dxy: dDx/dy (= dDy/dx), by the place read.
+    """
+    _type = "bolan_sea_texel"
+    dx: float
+    dy: float
+    height: float
+    dxy: float
 
 
 class SeaWarp(Struct):
