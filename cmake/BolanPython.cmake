@@ -5,6 +5,7 @@
 
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/bolan_all.c CONTENT "typedef int bolan_all;\n")
 add_library(bolan_all SHARED ${CMAKE_CURRENT_BINARY_DIR}/bolan_all.c)
+bolan_compile_options(bolan_all)
 set_target_properties(bolan_all PROPERTIES VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH $ORIGIN)
 target_link_libraries(bolan_all PRIVATE
