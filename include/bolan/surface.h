@@ -112,6 +112,19 @@ typedef struct bolan_surface_projector {
 /// Pure, thread-safe.
 BOLAN_API bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *view);
 
+/// Largest block of bolan_surface_projector_size().
+#define BOLAN_SURFACE_MAX_BLOCK 16
+
+/// The size of the projector's grid: angular steps of desc->pixels_per_vertex pixels, larger ones where
+/// desc->max_vertices asks for it. 0 columns and rows where no water can be in view.
+/// The cells along both sides are whole blocks of @p block x @p block cells, 1..BOLAN_SURFACE_MAX_BLOCK, so that a grid
+/// can be drawn as instances of one block.
+/// @param projector that of @p view; its azimuths are widened by what columns that are snapped may fall short.
+/// Pure, thread-safe.
+BOLAN_API bolan_surface_size bolan_surface_projector_size(const bolan_surface_desc *desc,
+                                                          const bolan_surface_view *view, uint32_t block,
+                                                          bolan_surface_projector *projector);
+
 /// Writes the projector's grid of @p size, in the order of bolan_surface_projected().
 /// @param size columns and rows, each at least 2.
 /// Pure, thread-safe.

@@ -5,6 +5,13 @@
 #include "shared/earth.glsl"
 #include "shared/grid.glsl"
 
+// Where a corner of a cell of a block (0..GRID_BLOCK each way) lies in the unit square: blocks stand row by row, the
+// nearest first. cells: along both sides of the whole grid.
+vec2 grid_place(vec2 corner, int block, vec2 cells) {
+    int across = int(cells.x) / GRID_BLOCK;
+    return (vec2(block % across, block / across) * float(GRID_BLOCK) + corner) / cells;
+}
+
 // reach: s of the first row, from there to the last row, height that sets the steps [m], of the eye over the water [m];
 // azimuth: middle, half [rad], guard [m], earth radius [m]; cells along both sides. Gives eye-relative position and
 // spacing [m].

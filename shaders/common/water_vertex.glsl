@@ -4,7 +4,7 @@
 // quad has only four, so there the pixels make it themselves, and the vertices only what is the same for the whole
 // picture.
 //
-// STATIC_GRID: the vertices are places of the unit square, which the projector puts onto the water.
+// STATIC_GRID: each instance is a block of the unit square, which the projector puts onto the water.
 // LAND: there is terrain, and shallow water attenuates the waves. QUAD: the surface is the quad; TRIM: of which the
 // corners beyond the horizon can be seen, and are left out. ROUGH_VERTICES: the vertices compute the roughness too.
 #include "common/waves.glsl"
@@ -26,7 +26,7 @@ footprint mesh_footprint(footprint f, float spacing) {
 
 #ifdef VERTEX
 #ifdef STATIC_GRID
-layout(location = 0) in vec2 grid_place; // column and row in 0..1: the same in every frame
+layout(location = 0) in vec2 grid_corner; // of a cell in the block: the same in every frame
 #else
 layout(location = 0) in vec4 vertex; // eye-relative mean water; w: spacing [m]
 layout(location = 1) in vec2 stitch; // to the neighbours whose mean this vertex is; (0, 0): none
@@ -72,7 +72,7 @@ float least_depth(vec2 rest, float depth) {
 
 void water_vertex() {
 #ifdef STATIC_GRID
-    vec4 vertex = grid_point(grid_place, grid_reach, grid_azimuth, grid_cells);
+    vec4 vertex = grid_point(grid_place(grid_corner, gl_InstanceID, grid_cells), grid_reach, grid_azimuth, grid_cells);
 #endif
     vec2 rest = vertex.xy;
     float depth = water_depth(rest);

@@ -11,6 +11,7 @@
 #include "shared/constants.glsl"
 #include "shared/language.glsl"
 
+#define GRID_BLOCK 16 // cells of a block along a side; the grid is drawn as instances of one block
 #define GRID_FAR_SHARE 7.0
 #define GRID_FAR_FROM 6.854101966249685  // x1 = (7 + sqrt 45) / 2
 #define GRID_FAR_ANGLE 1.425920476076873 // atan x1

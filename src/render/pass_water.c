@@ -148,8 +148,7 @@ static water_setup setup_of(const frame *f) {
                          .surface = t->surface,
                          .below = o->draw_body != NULL,
                          .land = f->behind,
-                         .static_grid =
-                             o->static_grid && !edges && t->surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH,
+                         .static_grid = !edges && t->surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH,
                          .packed = o->packed,
                          .bounds = f->bounds_count > 0,
                          .layers = f->water.layer_count > 0,
@@ -223,7 +222,8 @@ void bolan_pass_water_view(pass_water *p, render_view *v) {
     bolan_sea_gpu_view(&p->fields, v, d.waves);
     const bool edges = v->frame->lighting.look.show == BOLAN_SHOW_MESH; // these are made of the mesh that the CPU has
     const mesh_rules *rules = o->mesh != NULL ? o->mesh(&v->frame->lighting.look) : NULL;
-    bolan_water_mesh_build(&p->mesh, v, bolan_water_surface(v), d.waves, o->static_grid && !edges, rules);
+    const mesh_wishes wishes = {.coarse = o->coarse_grid, .on_cpu = edges};
+    bolan_water_mesh_build(&p->mesh, v, bolan_water_surface(v), d.waves, wishes, rules);
     if (o->prepare != NULL && !p->failed[t->optics]) o->prepare(p->state[t->optics], &d);
     prepare_programs(p, v->frame);
     water_block block;

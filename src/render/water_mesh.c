@@ -5,6 +5,7 @@
 
 #include "bolan/earth.h"
 #include "shared/earth.glsl"
+#include "shared/grid.glsl"
 
 #include <math.h>
 #include <string.h>
@@ -14,12 +15,18 @@
 static const struct {
     double pixels_per_vertex;
     uint32_t max_vertices, nested_cells;
-    bolan_surface_size fixed; // columns and rows of the static grid
+    bolan_surface_size coarse; // columns and rows for optics that need few vertices: whole blocks
 } quality_table[] = {
     [BOLAN_QUALITY_LOW] = {8.0, 40000, 32, {97, 81}},
     [BOLAN_QUALITY_MEDIUM] = {6.0, 100000, 32, {129, 97}},
     [BOLAN_QUALITY_HIGH] = {3.0, 300000, 64, {257, 193}},
     [BOLAN_QUALITY_ULTRA] = {2.0, 700000, 128, {513, 385}},
+};
+
+enum {
+    BLOCK_SIDE = GRID_BLOCK + 1,
+    BLOCK_VERTICES = BLOCK_SIDE * BLOCK_SIDE,
+    BLOCK_INDICES = 6 * GRID_BLOCK * GRID_BLOCK
 };
 
 static bolan_result allocate(water_mesh *m) {
@@ -35,23 +42,22 @@ static bolan_result allocate(water_mesh *m) {
 }
 
 // Uploaded once (Ni, Zhang & Tan: the sampling grid lies in video memory, and is not sent again in each frame).
-static bolan_result create_fixed(water_mesh *m, bolan_surface_size size) {
-    static const uint8_t place[] = {2};
-    const uint32_t count = size.columns * size.rows;
-    float *places = (float *)(void *)m->cpu_vertices; // large enough, and not in use yet
-    for (uint32_t i = 0; i < count; ++i) {
-        places[2 * i] = (float)(i % size.columns) / (float)(size.columns - 1);
-        places[2 * i + 1] = (float)(i / size.columns) / (float)(size.rows - 1);
+static bolan_result create_block(water_mesh *m) {
+    static const uint8_t corner[] = {2};
+    const bolan_surface_size size = {BLOCK_SIDE, BLOCK_SIDE};
+    float corners[BLOCK_VERTICES][2];
+    uint32_t indices[BLOCK_INDICES];
+    for (uint32_t i = 0; i < BLOCK_VERTICES; ++i) {
+        corners[i][0] = (float)(i % BLOCK_SIDE);
+        corners[i][1] = (float)(i / BLOCK_SIDE);
     }
-    m->fixed_size = size;
-    const uint32_t indices = bolan_surface_grid_indices(size, m->cpu_indices);
-    bolan_result r = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, sizeof(float) * 2 * count, places,
-                                            &m->fixed_vertices);
+    bolan_surface_grid_indices(size, indices);
+    bolan_result r =
+        bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, sizeof corners, corners, &m->block_vertices);
     if (r == BOLAN_OK)
-        r = bolan_gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, sizeof(uint32_t) * indices, m->cpu_indices,
-                                   &m->fixed_indices);
+        r = bolan_gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, sizeof indices, indices, &m->block_indices);
     if (r == BOLAN_OK)
-        r = bolan_gl_mesh_create(&m->fixed_vertices, &m->fixed_indices, place, 1, 2 * sizeof(float), &m->fixed_mesh);
+        r = bolan_gl_mesh_create(&m->block_vertices, &m->block_indices, corner, 1, sizeof corners[0], &m->block);
     return r;
 }
 
@@ -63,11 +69,16 @@ static bolan_result create_mesh(const water_mesh *m, const gl_buffer *indices, g
     return r;
 }
 
+static uint32_t whole_blocks(double vertices) {
+    const uint32_t blocks = (uint32_t)vertices / GRID_BLOCK;
+    return (blocks > 0 ? blocks : 1) * GRID_BLOCK + 1;
+}
+
 // As the quality has it, or as much smaller each way as the bound asks.
-static bolan_surface_size fixed_within(bolan_surface_size size, uint32_t max_vertices) {
+static bolan_surface_size coarse_within(bolan_surface_size size, uint32_t max_vertices) {
     const double share = sqrt((double)max_vertices / ((double)size.columns * size.rows));
     if (share >= 1.0) return size;
-    return (bolan_surface_size){(uint32_t)(size.columns * share), (uint32_t)(size.rows * share)};
+    return (bolan_surface_size){whole_blocks(size.columns * share - 1.0), whole_blocks(size.rows * share - 1.0)};
 }
 
 bolan_result bolan_water_mesh_create(water_mesh *m, bolan_quality quality, uint32_t max_vertices) {
@@ -87,7 +98,8 @@ bolan_result bolan_water_mesh_create(water_mesh *m, bolan_quality quality, uint3
         r = bolan_gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, m->index_capacity * sizeof(uint32_t), NULL,
                                    &m->indices);
     if (r == BOLAN_OK) r = create_mesh(m, &m->indices, &m->mesh);
-    return r == BOLAN_OK ? create_fixed(m, fixed_within(quality_table[quality].fixed, m->projected.max_vertices)) : r;
+    m->coarse = coarse_within(quality_table[quality].coarse, m->projected.max_vertices);
+    return r == BOLAN_OK ? create_block(m) : r;
 }
 
 void bolan_water_mesh_free(water_mesh *m) {
@@ -98,9 +110,9 @@ void bolan_water_mesh_free(water_mesh *m) {
     bolan_gl_buffer_free(&m->vertices);
     bolan_gl_buffer_free(&m->waves);
     bolan_gl_buffer_free(&m->indices);
-    bolan_gl_mesh_free(&m->fixed_mesh);
-    bolan_gl_buffer_free(&m->fixed_vertices);
-    bolan_gl_buffer_free(&m->fixed_indices);
+    bolan_gl_mesh_free(&m->block);
+    bolan_gl_buffer_free(&m->block_vertices);
+    bolan_gl_buffer_free(&m->block_indices);
     bolan_release(m->cpu_vertices, n * sizeof *m->cpu_vertices);
     bolan_release(m->cpu_waves, n * sizeof *m->cpu_waves);
     bolan_release(m->cpu_rest, n * sizeof *m->cpu_rest);
@@ -125,16 +137,24 @@ bolan_surface_view bolan_water_mesh_view(const render_view *v) {
     return view;
 }
 
-// ---- the three surfaces: each fills vertices, and indices where they changed; returns the number of vertices
-// -----------
+// ---- the three surfaces ---------------------------------------------------------------------------------------------
+// Each fills vertices, and indices where they changed, and returns the number of vertices.
 
 static void upload_indices(water_mesh *m, uint32_t count) {
     bolan_gl_buffer_update(&m->indices, 0, sizeof(uint32_t) * (count + m->seam_count), m->cpu_indices);
     m->index_count = count;
 }
 
-static uint32_t build_projected(water_mesh *m, const bolan_surface_view *view) {
-    bolan_surface_size size = bolan_surface_projected(&m->projected, view, m->cpu_vertices);
+// The grid of this view, whoever makes its vertices.
+static bolan_surface_size place_grid(water_mesh *m, const bolan_surface_view *view, bool coarse) {
+    m->projector = bolan_surface_projector_of(view);
+    if (!m->projector.visible) return (bolan_surface_size){0, 0};
+    return coarse ? m->coarse : bolan_surface_projector_size(&m->projected, view, GRID_BLOCK, &m->projector);
+}
+
+static uint32_t build_projected(water_mesh *m, const bolan_surface_view *view, bool coarse) {
+    const bolan_surface_size size = place_grid(m, view, coarse);
+    if (size.rows > 0) bolan_surface_projector_vertices(&m->projector, size, m->cpu_vertices);
     bool same = m->kind == BOLAN_SURFACE_PROJECTED && size.columns == m->grid.columns && size.rows == m->grid.rows;
     m->grid = size;
     if (!same) {
@@ -233,26 +253,25 @@ static void stitch_waves(water_mesh *m, uint32_t count) {
     }
 }
 
-static void build_fixed(water_mesh *m, const bolan_surface_view *view) {
-    m->projector = bolan_surface_projector_of(view);
-    const bolan_surface_size size = m->fixed_size;
-    m->index_count = m->projector.visible ? 6 * (size.columns - 1) * (size.rows - 1) : 0;
+static void build_fixed(water_mesh *m, const bolan_surface_view *view, bool coarse) {
+    const bolan_surface_size size = m->fixed_size = place_grid(m, view, coarse);
+    m->index_count = size.rows > 0 ? 6 * (size.columns - 1) * (size.rows - 1) : 0;
     m->seam_count = 0;
     m->grid = (bolan_surface_size){0, 0}; // the other buffers' indices count no longer
 }
 
 void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_kind kind, water_waves waves,
-                            bool fixed, const mesh_rules *rules) {
+                            mesh_wishes wishes, const mesh_rules *rules) {
     bolan_surface_view view = bolan_water_mesh_view(v);
-    m->fixed = fixed && kind == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH;
+    m->fixed = kind == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH && !wishes.on_cpu;
     if (m->fixed) {
-        build_fixed(m, &view);
+        build_fixed(m, &view, wishes.coarse);
         m->kind = kind;
         return;
     }
     uint32_t count = kind == BOLAN_SURFACE_QUAD     ? bolan_build_quad(m, &view)
                      : kind == BOLAN_SURFACE_NESTED ? build_nested(m, &view, rules)
-                                                    : build_projected(m, &view);
+                                                    : build_projected(m, &view, wishes.coarse && waves != WATER_MESH);
     m->kind = kind;
     if (count < 3) {
         m->index_count = m->seam_count = 0;
@@ -279,7 +298,10 @@ void bolan_water_mesh_fill(const water_mesh *m, water_block *b) {
 }
 
 void bolan_water_mesh_draw(const water_mesh *m) {
-    bolan_gl_mesh_draw(m->fixed ? &m->fixed_mesh : &m->mesh, 0, m->index_count + m->seam_count);
+    if (m->fixed)
+        bolan_gl_mesh_draw_instances(&m->block, BLOCK_INDICES, m->index_count / BLOCK_INDICES);
+    else
+        bolan_gl_mesh_draw(&m->mesh, 0, m->index_count + m->seam_count);
 }
 
 uint32_t bolan_water_mesh_triangles(const water_mesh *m) { return m->index_count / 3; }

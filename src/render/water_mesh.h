@@ -27,10 +27,10 @@ typedef struct water_mesh {
     uint32_t index_count; // of this view; 0: no water in sight
     uint32_t seam_count;  // indices after those, of triangles without area
     uint32_t line_count;  // indices of its edges
-    // The static grid: places in the unit square, uploaded once; the vertex shader puts them onto the water
-    bolan_surface_size fixed_size;
-    gl_buffer fixed_vertices, fixed_indices;
-    gl_mesh fixed_mesh;
+    // The static grid: one block of cells, uploaded once; the vertex shader puts its instances onto the water
+    gl_buffer block_vertices, block_indices;
+    gl_mesh block;
+    bolan_surface_size coarse, fixed_size; // of a grid for optics that need few vertices, and of this view
     bolan_surface_projector projector;
     bool fixed; // it is what this view draws
 } water_mesh;
@@ -47,11 +47,16 @@ typedef struct mesh_rules {
 
 // max_vertices: of the projected surface, as bolan_renderer_desc has it; 0: by quality.
 bolan_result bolan_water_mesh_create(water_mesh *m, bolan_quality quality, uint32_t max_vertices);
-// Makes the mesh of this view; WATER_MESH: with waves on its vertices. `fixed`: the projected surface as the static
-// grid, for optics that shade each pixel from textures and need few vertices; not with waves that are made on the CPU.
-// `rules` may be NULL.
-void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_kind kind, water_waves waves, bool fixed,
-                            const mesh_rules *rules);
+// How the projected surface is made.
+typedef struct mesh_wishes {
+    bool coarse; // for optics that shade each pixel from textures and need few vertices
+    bool on_cpu; // its vertices are wanted here, to be looked at
+} mesh_wishes;
+
+// Makes the mesh of this view; WATER_MESH: with waves on its vertices. The projected surface is the static grid, but
+// with waves that are made on the CPU, and where its vertices are wanted here. `rules` may be NULL.
+void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_kind kind, water_waves waves,
+                            mesh_wishes wishes, const mesh_rules *rules);
 // Fills the members of the static grid, where it is drawn.
 void bolan_water_mesh_fill(const water_mesh *m, water_block *b);
 void bolan_water_mesh_draw(const water_mesh *m);

@@ -47,7 +47,7 @@ typedef struct water_optics {
     bool looks_through;     // fetches what lies behind the water from the copy of the frame
     bool planar_mirrors;    // fetches planar views of the world instead: see behind()
     bool own_sky;           // reflects a sky of its own, so needs no planar views where the scene is empty
-    bool static_grid;       // shades each pixel from textures: the static grid is fine enough
+    bool coarse_grid;       // shades each pixel from textures: a coarse projected grid is fine enough
     bool packed;            // of the cascades it reads slopes, pinch and foam, nothing else: see sea_gpu.h
     // Columns of pixels that share a sample; NULL: each pixel has its own.
     uint32_t (*shade_columns)(const bolan_look *look, bolan_quality quality);

@@ -131,21 +131,34 @@ void bolan_surface_projector_uniforms(const bolan_surface_projector *p, bolan_su
     out[7] = (float)BOLAN_EARTH_RADIUS;
 }
 
+// Vertices for steps of that angle over a range, with a whole number of blocks of cells between them.
+static uint32_t vertices_along(double range, double angle, uint32_t block) {
+    const uint32_t cells = (uint32_t)ceil(range / angle) + 1;
+    return (cells + block - 1) / block * block + 1;
+}
+
+bolan_surface_size bolan_surface_projector_size(const bolan_surface_desc *desc, const bolan_surface_view *view,
+                                                uint32_t block, bolan_surface_projector *p) {
+    BOLAN_ASSERT(desc != NULL && view != NULL && p != NULL && desc->max_vertices >= 1024);
+    BOLAN_ASSERT(block >= 1 && block <= BOLAN_SURFACE_MAX_BLOCK);
+    if (!p->visible) return (bolan_surface_size){0, 0};
+    bolan_surface_size size;
+    const double pixel = view->fov_y / view->pixel_height, half = p->half;
+    // coarser until it fits: at most a twentieth fewer than may be, or a block
+    for (double angle = pixel * desc->pixels_per_vertex;; angle *= 1.02) {
+        p->half = fmin(half + beyond_guard(angle, pixel), BOLAN_PI);
+        size.rows = vertices_along(p->range, angle, block);
+        size.columns = vertices_along(2.0 * p->half, angle, block);
+        if ((uint64_t)size.rows * size.columns <= desc->max_vertices) return size;
+    }
+}
+
 bolan_surface_size bolan_surface_projected(const bolan_surface_desc *desc, const bolan_surface_view *view,
                                            bolan_surface_vertex *vertices) {
     BOLAN_ASSERT(desc != NULL && view != NULL && vertices != NULL && desc->max_vertices >= 1024);
     bolan_surface_projector p = bolan_surface_projector_of(view);
-    if (!p.visible) return (bolan_surface_size){0, 0};
-    bolan_surface_size size;
-    const double pixel = view->fov_y / view->pixel_height, half = p.half;
-    // coarser until it fits: at most a twentieth fewer than may be
-    for (double angle = pixel * desc->pixels_per_vertex;; angle *= 1.02) {
-        p.half = fmin(half + beyond_guard(angle, pixel), BOLAN_PI);
-        size.rows = (uint32_t)ceil(p.range / angle) + 2;
-        size.columns = (uint32_t)ceil(2.0 * p.half / angle) + 2;
-        if ((uint64_t)size.rows * size.columns <= desc->max_vertices) break;
-    }
-    bolan_surface_projector_vertices(&p, size, vertices);
+    const bolan_surface_size size = bolan_surface_projector_size(desc, view, 1, &p);
+    if (size.rows > 0) bolan_surface_projector_vertices(&p, size, vertices);
     return size;
 }
 

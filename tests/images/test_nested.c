@@ -113,7 +113,7 @@ static void random_view(rig *r, double highest) {
 
 static bolan_mat4 draw(rig *r) {
     const bolan_camera *c = &r->scene.camera;
-    bolan_water_mesh_build(&r->mesh, &r->f, BOLAN_SURFACE_NESTED, WATER_MESH, false, NULL);
+    bolan_water_mesh_build(&r->mesh, &r->f, BOLAN_SURFACE_NESTED, WATER_MESH, (mesh_wishes){0}, NULL);
     bolan_mat4 clip = bolan_m4_mul(bolan_m4_projection(bolan_radians(c->fov_deg), (double)WIDTH / HEIGHT, 0.1, 0),
                                    bolan_m4_view(c->heading_deg, c->pitch_deg, c->roll_deg));
     bolan_mat4 rows = bolan_m4_transpose(clip);

@@ -137,6 +137,32 @@ static void a_grid_of_any_size_spans_the_same_water(void **state) {
     }
 }
 
+// A grid of whole blocks is as fine as was asked for, or as the bound allows, and never coarser than a block more.
+static void a_grid_is_made_of_whole_blocks(void **state) {
+    (void)state;
+    bolan_surface_desc desc = bolan_surface_desc_default();
+    const uint32_t blocks[] = {1, 4, BOLAN_SURFACE_MAX_BLOCK}, bounds[] = {1024, 5000, 60000, 200000};
+    for (int k = 0; k < 12; ++k) {
+        const uint32_t block = blocks[k % 3];
+        bolan_surface_view view = view_at(20, 200, -8);
+        bolan_surface_projector p = bolan_surface_projector_of(&view), plain = p;
+        desc.max_vertices = bounds[k / 3];
+        const bolan_surface_size whole = bolan_surface_projector_size(&desc, &view, block, &p);
+        const bolan_surface_size free = bolan_surface_projector_size(&desc, &view, 1, &plain);
+        assert_int_equal((whole.columns - 1) % block, 0);
+        assert_int_equal((whole.rows - 1) % block, 0);
+        assert_true((uint64_t)whole.columns * whole.rows <= desc.max_vertices);
+        assert_true(whole.columns + block > free.columns && whole.rows + block > free.rows);
+        assert_true(p.half >= plain.half || block > 1);
+        if (desc.max_vertices == 200000) { // the bound is no bound: the angle asked for
+            const double angle = view.fov_y / view.pixel_height * desc.pixels_per_vertex;
+            assert_true(p.range / (whole.rows - 1) <= angle);
+            assert_true(2.0 * p.half / (whole.columns - 1) <= angle);
+            assert_true(p.range / (whole.rows - 1 - block) > 0.95 * angle);
+        }
+    }
+}
+
 static void looking_up_from_above_the_waves_draws_nothing(void **state) {
     (void)state;
     bolan_surface_view view = view_at(50, 0, 60);
@@ -194,6 +220,7 @@ int main(void) {
         cmocka_unit_test(every_visible_point_of_mean_water_lies_on_the_grid),
         cmocka_unit_test(rows_end_where_the_picture_does),
         cmocka_unit_test(a_grid_of_any_size_spans_the_same_water),
+        cmocka_unit_test(a_grid_is_made_of_whole_blocks),
         cmocka_unit_test(looking_up_from_above_the_waves_draws_nothing),
         cmocka_unit_test(rows_are_the_same_for_any_pitch_and_columns_for_a_small_turn),
         cmocka_unit_test(indices_are_counter_clockwise_and_cover_each_cell_twice),

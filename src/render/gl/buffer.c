@@ -88,6 +88,11 @@ void bolan_gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_c
     glDrawElements(GL_TRIANGLES, (GLsizei)index_count, GL_UNSIGNED_INT, (const void *)offset);
 }
 
+void bolan_gl_mesh_draw_instances(const gl_mesh *m, uint32_t index_count, uint32_t instances) {
+    glBindVertexArray(m->vao);
+    glDrawElementsInstanced(GL_TRIANGLES, (GLsizei)index_count, GL_UNSIGNED_INT, NULL, (GLsizei)instances);
+}
+
 void bolan_gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count) {
     glBindVertexArray(m->vao);
     glDrawElements(GL_LINES, (GLsizei)index_count, GL_UNSIGNED_INT, NULL);

@@ -27,7 +27,7 @@
     X(GetFramebufferAttachmentParameteriv) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) \
     X(GetQueryObjectuiv) X(GetQueryiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) \
     X(GetUniformBlockIndex) X(GetUniformLocation) X(IsEnabled) X(IsFramebuffer) X(IsProgram) X(IsTexture) \
-    X(LineWidth) X(LinkProgram) X(MapBufferRange) X(PixelStorei) X(ReadBuffer) X(ReadPixels) \
+    X(LineWidth) X(LinkProgram) X(MapBufferRange) X(DrawElementsInstanced) X(PixelStorei) X(ReadBuffer) X(ReadPixels) \
     X(SamplerParameteri) X(Scissor) X(ShaderSource) X(StencilFuncSeparate) X(StencilOpSeparate) X(TexImage2D) \
     X(TexImage3D) X(TexParameterf) X(TexParameteri) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i) \
     X(Uniform2f) X(Uniform4f) X(Uniform4fv) X(UniformBlockBinding) X(UseProgram) X(VertexAttribPointer) \
@@ -198,6 +198,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glDrawBuffers bolan_gl_called(DrawBuffers)
 #undef glDrawElements
 #define glDrawElements bolan_gl_called(DrawElements)
+#undef glDrawElementsInstanced
+#define glDrawElementsInstanced bolan_gl_called(DrawElementsInstanced)
 #undef glEnable
 #define glEnable bolan_gl_called(Enable)
 #undef glEnableVertexAttribArray
