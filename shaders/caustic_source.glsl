@@ -26,15 +26,16 @@ void main() {
     depth = -shore_elevation(rest);
     bed = clamp(-shore_elevation(rest + caustic_travel * clamp(depth, 0.0, DEEPEST)), 0.0, DEEPEST);
 #endif
-    wave_fields w = waves_at(rest, footprint(vec2(1.0, 0.0), cell, cell), 1.0, depth, vec4(0.0, 0.0, 1.0, 0.0));
+    footprint f = footprint(vec2(1.0, 0.0), cell, cell);
+    sea_place place = place_of(rest);
+    wave_fields w = waves_at(rest, place, f, 1.0, depth, vec4(0.0, 0.0, 1.0, 0.0));
     vec3 offset = vec3(0.0);
 #ifdef WAVES_CASCADES
     vec4 kept = cascades_kept(depth);
-    vec2 at = place_of(rest).at;
     for (int c = 0; c < cascade_count; ++c) {
         vec4 band = cascade_band[c];
         if (cell > band.z) break;
-        vec3 d = kept[c] * cascade_displacement(c, cascade_uv(c, at), max(log2(cell) - band.w, 0.0));
+        vec3 d = kept[c] * cascade_displacement(c, cascade_uv(c, place.at), max(log2(cell) - band.w, 0.0));
         offset += vec3(choppiness * d.xy, d.z);
     }
 #endif

@@ -284,8 +284,8 @@ uint32_t bolan_warp_waves_at(const bolan_sea_warp *warp, bolan_dvec3 origin, vec
     return warp->count;
 }
 
-// Where a place stands in a tile, reduced in double so that the GPU never sees a large coordinate. Sample (0, 0) lies at
-// the tile's corner, a texture's first texel half a texel inside.
+// Where a place stands in a tile, reduced in double so that the GPU never sees a large coordinate. Sample (0, 0) lies
+// at the tile's corner, a texture's first texel half a texel inside.
 static vec4 place_in_tile(bolan_dvec2 at, double angle, double length, uint32_t n) {
     const double c = cos(angle), s = sin(angle);
     const double u = along_tile(at.x, at.y, c, s) / length, w = across_tile(at.x, at.y, c, s) / length;

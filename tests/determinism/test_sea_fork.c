@@ -168,6 +168,8 @@ static size_t most_bytes_of_fields(const bolan_sea *sea) {
         bytes += 60 * n * n + 15 * 7 * 64 + n * (n / 2) * 16 * sizeof(float);
         if (i == 0) bytes += bolan_threads() * 3 * (n * 32 + 144) * sizeof(float);
     }
+    const size_t fine = bolan_sea_fine_layout(sea).n; // slopes alone
+    bytes += fine * (fine + 64) * 9 * sizeof(float) + fine * (fine / 2) * 16 * sizeof(float);
     return bytes;
 }
 

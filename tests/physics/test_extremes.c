@@ -144,11 +144,19 @@ static void gather_heights(const bolan_sea *sea, sums *s) {
     }
 }
 
+// The first tile holds many waves of the peak.
+static bool is_wide(const bolan_sea *sea) {
+    if (bolan_sea_form(sea) != BOLAN_FORM_CASCADES) return false;
+    const double omega = 2.0 * BOLAN_PI / fmax(bolan_sea_get_summary(sea)->tp, 0.1);
+    const double k = bolan_k_from_omega(omega, bolan_sea_get_desc(sea)->sea_state.depth);
+    return bolan_sea_cascade_layout(sea, 0).length > 6.0 * 2.0 * BOLAN_PI / k;
+}
+
 // Where parcels move as linear theory says; choppier water spends more of its area in troughs.
 static const char *variance_fault(const bolan_sea *sea, const sums *s) {
     const double mean = s->heights / s->count, variance = s->squares / s->count - mean * mean;
-    // Waves exp(s cos) have their own form, and a tile that is shorter than its waves is one arrangement of a few.
-    const double expected = variance_of(sea), share = bolan_sea_form(sea) == BOLAN_FORM_CASCADES ? 1.3 : 2.0;
+    // Waves exp(s cos) have their own form, and a tile that is not much longer than its waves has a few, which beat.
+    const double expected = variance_of(sea), share = is_wide(sea) ? 1.3 : 2.0;
     if (bolan_sea_get_desc(sea)->choppiness > 1.0) return NULL;
     if (!(variance <= share * expected + 1e-9 && variance >= expected / share - 1e-9)) {
         print_error("variance %.5g, of its waves %.5g\n", variance, expected);

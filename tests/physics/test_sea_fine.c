@@ -56,7 +56,7 @@ static void all_waves_have_the_slopes_of_cox_and_munk(void **state) {
     }
 }
 
-// Up- over crosswind variance is that of the rest. The wind comes from 240 degrees, so it blows to 60: north of east 30.
+// Up- over crosswind variance is that of the rest. The wind comes from 240 degrees and blows to 60, 30 north of east.
 static void they_lie_across_the_wind(void **state) {
     (void)state;
     bolan_sea *sea = test_sea(desc_of(10.0, 256));

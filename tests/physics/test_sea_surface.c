@@ -491,7 +491,8 @@ static void buoys_see_the_spectrum(void **state) {
     static const which measured[] = {WIND10, NARROW14, OPEN_SEA, SWAN4};
     static const uint32_t sides[] = {256, 64, 128, 512, 1024};
     for (int i = 0; i < 5; i++)
-        for (int s = 0; s < 4; s++) check_buoys(measured[s], sides[i], sides[i] <= 128 ? 8 : sides[i] == 256 ? 4 : 2, 512, 0.03);
+        for (int s = 0; s < 4; s++)
+            check_buoys(measured[s], sides[i], sides[i] <= 128 ? 8 : sides[i] == 256 ? 4 : 2, 512, 0.03);
 }
 
 static void one_realisation_has_the_height_that_was_asked_for(void **state) {
