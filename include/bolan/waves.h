@@ -53,7 +53,7 @@
 ///
 /// **Fields on demand.** A step notes the time. The first call afterwards that reads a field makes all of them, by
 /// bolan_sea_fields(): samples, queries, cascades, measures, hashes. A sea that is drawn by the compute backend of a
-/// renderer and asked nothing is never synthesised on the CPU.
+/// renderer and asked nothing is never synthesised on the CPU, but for its fine waves.
 ///
 /// **Threads.** Different seas may be used from different threads at the same time. One sea is stepped by one thread at
 /// a time; between steps any number of threads may read it: the first makes the fields while the others wait. Forks of

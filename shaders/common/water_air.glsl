@@ -16,7 +16,13 @@ water_air air_at(vec2 uv, float dist, float down) {
     // a crest before the horizon is nearer than the mean water on its ray
     float above = max(eye_height, 0.3), sinks = max(down, 0.5 * earth_dip(above, earth_radius));
     float share = min(dist * sinks / above, 1.0);
-    return water_air(mix(vec3(1.0), through.rgb, share), from.rgb * share, through.w, from.w);
+    vec3 left = mix(vec3(1.0), through.rgb, share), light = from.rgb * share;
+    // that of a host may be dense; software OpenGL leaves a loop where it does a branch not
+    for (int given = haze_given > 0.5 ? 1 : 0; given > 0; --given) {
+        left = exp(-given_haze_extinction * dist);
+        light = given_haze_radiance * (1.0 - left);
+    }
+    return water_air(left, light, through.w, from.w);
 }
 
 // Depth of the mean water, and distance to shore by the slope of the bed [m].

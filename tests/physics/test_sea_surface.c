@@ -74,6 +74,7 @@ enum { MOST_BUOYS = 2048, SAMPLES = 512, BANDS = 40 };
 #define RATE 2.0    // [Hz]
 #define BAND 1.0718 // a tenth of an octave
 #define LOWEST 0.05 // [Hz]
+#define LARGEST 2.5 // standard deviations: the largest of 28 bands is 2.2 off in the mean
 
 static void fft(double complex *x, uint32_t n) { // radix 2
     static double complex turns[1 << 12];
@@ -239,10 +240,10 @@ static void check_buoys(which which_sea, uint32_t n, uint32_t seeds, uint32_t bu
             print_message("      %.4f Hz  buoys/request %.3f +- %.3f  buoys/modes %.3f  modes/request %.3f\n", f,
                           all.heard[b] / all.asked[b], sd, all.heard[b] / all.held[b], all.held[b] / all.asked[b]);
         if (fabs(error) > fabs(worst)) worst = error, at = f, doubt = sd;
-        beyond = fmax(beyond, fabs(error) - 2.0 * sd);
+        beyond = fmax(beyond, fabs(error) - LARGEST * sd);
         worst_held = fmax(worst_held, fabs(all.heard[b] / all.held[b] - 1.0));
     }
-    print_message("%s, N %u: spectrum off by %+.3f +- %.3f at %.3f Hz (of the modes %.3f; beyond twice the error "
+    print_message("%s, N %u: spectrum off by %+.3f +- %.3f at %.3f Hz (of the modes %.3f; beyond 2.5 times the error "
                   "%.3f), variance of the records %.3f\n",
                   names[which_sea], n, worst, doubt, at, worst_held, beyond, all.variance);
     assert_true(beyond < tolerance); // beyond the statistical error

@@ -306,6 +306,10 @@ static void count_loop(void *user, uint32_t count, uint32_t grain, bolan_task_fn
     task(context, 0, count, 0);
 }
 
+// Of the fine waves, whose columns and rows the CPU makes with either backend; and their levels.
+enum { FINE_LOOPS = 2, FINE_UPLOADS = 7 };
+
+// Nothing of the cascades.
 static void a_drawn_sea_costs_the_cpu_nothing(void **state) {
     (void)state;
     const bolan_hooks hooks = {.parallel = count_loop, .parallel_workers = 1};
@@ -331,7 +335,7 @@ static void a_drawn_sea_costs_the_cpu_nothing(void **state) {
         bolan_renderer_prepare(renderer, &water, &lighting);
         bolan_renderer_draw_water(renderer, &view, NULL);
         if (i == 0) continue; // which may make tables on the CPU
-        assert_int_equal(loops, 0);
+        assert_int_equal(loops, FINE_LOOPS);
     }
     const bolan_frame_statistics warm = bolan_renderer_statistics(renderer);
     bolan_sea_step(sea, 4.0);
@@ -339,7 +343,7 @@ static void a_drawn_sea_costs_the_cpu_nothing(void **state) {
     bolan_renderer_draw_water(renderer, &view, NULL);
     const bolan_frame_statistics after = bolan_renderer_statistics(renderer);
     assert_int_equal(after.programs, warm.programs);
-    assert_int_equal(after.uploads, warm.uploads);
+    assert_true(after.uploads <= warm.uploads + FINE_UPLOADS);
     assert_true(after.sea_bytes > 2 * 64 * 64 * 16);
     bolan_sea_destroy(&sea);
     bolan_target_destroy(&target);
