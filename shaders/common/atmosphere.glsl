@@ -66,11 +66,7 @@ vec3 air_transmittance(float h, float mu, float d) {
     return exp(-d * (RAYLEIGH * sum.x + mie_extinction() * sum.y));
 }
 
-// Haze that the host gives: the same in all directions and at all heights.
-void given_haze(float d, out vec3 transmittance, out vec3 inscatter) {
-    transmittance = exp(-given_haze_extinction * d);
-    inscatter = given_haze_radiance * (1.0 - transmittance);
-}
+#include "common/given_haze.glsl"
 
 // Haze between the eye and an eye-relative position: color * transmittance + inscatter. Clouds below a high
 // eye are laid over the picture at its end (sky_over.glsl).

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What varies slowly over the picture of the water, from the small picture that water_air.glsl has made.
+#include "common/given_haze.glsl"
 #include "shared/earth.glsl"
 #pragma unit air_map 18
 uniform sampler2DArray air_map; // outputs of water_air.glsl: transmittance, inscatter, bed
@@ -18,10 +19,7 @@ water_air air_at(vec2 uv, float dist, float down) {
     float share = min(dist * sinks / above, 1.0);
     vec3 left = mix(vec3(1.0), through.rgb, share), light = from.rgb * share;
     // that of a host may be dense; software OpenGL leaves a loop where it does a branch not
-    for (int given = haze_given > 0.5 ? 1 : 0; given > 0; --given) {
-        left = exp(-given_haze_extinction * dist);
-        light = given_haze_radiance * (1.0 - left);
-    }
+    for (int given = haze_given > 0.5 ? 1 : 0; given > 0; --given) given_haze(dist, left, light);
     return water_air(left, light, through.w, from.w);
 }
 
