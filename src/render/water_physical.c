@@ -239,7 +239,8 @@ static uint32_t shared_rows(const water_draw *d, uint32_t rows) {
     if (v->frame->quality < BOLAN_QUALITY_MEDIUM) return rows;
     if (d->waves != WATER_CASCADES || v->frame->behind) return 0;
     const bolan_cascade_view last = bolan_sea_cascade_layout(v->frame->sea, bolan_sea_cascade_count(v->frame->sea) - 1);
-    const double width = last.length / last.n / SHARED_TEXEL;
+    const bolan_sea_fine_view fine = bolan_sea_fine_layout(v->frame->sea);
+    const double width = (fine.n > 0 ? fine.length / fine.n : last.length / last.n) / SHARED_TEXEL;
     return bolan_water_rows_steeper(v, v->block.eye_height * v->block.radians_per_pixel / width, rows);
 }
 

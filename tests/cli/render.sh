@@ -6,7 +6,7 @@ set -eu
 # Refusals need no OpenGL.
 refuse 1 'no/such/a.png: cannot be written: No such file or directory' render open-sea -o no/such/a.png
 refuse 1 'no/such/a.exr: cannot be written: No such file or directory' render open-sea -o no/such/a.exr
-refuse 2 'the camera stands 3 m below the water' render open-sea -o a.png --camera 0,0,-3,0,0
+refuse 2 'the camera stands 3 m below the water' render open-sea -o a.png --technique flight-sim --camera 0,0,-3,0,0
 mkdir folder.png
 refuse 1 'folder.png: cannot be written: Is a directory' render open-sea -o folder.png
 need_gl

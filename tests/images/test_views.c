@@ -131,9 +131,9 @@ static void check_halves(const char *scene, bool world, double psnr, double seam
 static void halves_by_off_centre_frusta_join(void **state) {
     (void)state;
     // The dither of the world's images, 0.2 levels, lies elsewhere in the halves; the water drawn alone has none.
-    check_halves("open-sea", true, 55.0, 0.3);
+    check_halves("open-sea", true, 55.0, 0.5); // the air is interpolated over 16 columns, and ends at the seam
     check_halves("open-sea", false, 70.0, 0.02);
-    check_halves("island", true, 55.0, 0.3);
+    check_halves("island", true, 55.0, 0.5);
 }
 
 // ---- faces of a cube ------------------------------------------------------------------------------------------------
@@ -277,11 +277,12 @@ static uint64_t uploaded(const waters *w, uint64_t *before) {
     return bytes;
 }
 
-// Half floats: displacement and slopes of 4 with their smaller levels, which software OpenGL gets too, pinch and foam.
+// Half floats: displacement and slopes of 4 with their smaller levels, which software OpenGL gets too, pinch and foam;
+// and slopes of the fine waves.
 static uint64_t bytes_of_fields(uint64_t n, uint64_t cascades) {
     uint64_t texels = 0;
     for (uint64_t side = n; side > 0; side /= 2) texels += bolan_gl_get_info().software || side == n ? side * side : 0;
-    return cascades * (2 * 8 * texels + 4 * n * n);
+    return cascades * (2 * 8 * texels + 4 * n * n) + 8 * texels;
 }
 
 static void an_unchanged_step_uploads_nothing(void **state) {
