@@ -157,9 +157,9 @@ def _plain(values):
     return values
 
 
-def field(address, shape, dtype, sea, serial):
-    """A Field of a sea."""
-    array = view(address, shape, dtype, sea._pointer).view(Field)
+def field(address, shape, dtype, sea, serial, part=...):
+    """A Field of a sea: a part of an array, all of it unless `part` is an index."""
+    array = view(address, shape, dtype, sea._pointer)[part].view(Field)
 
     def fresh():
         if sea.closed:

@@ -284,6 +284,7 @@ typedef struct bolan_surface_size { uint32_t columns, rows; } bolan_surface_size
 bolan_surface_size bolan_surface_projected(const bolan_surface_desc *desc, const bolan_surface_view *view, bolan_surface_vertex *vertices);
 typedef struct bolan_surface_projector { bool visible; double height; double above; double near_parameter, range; double heading, half; double guard; } bolan_surface_projector;
 bolan_surface_projector bolan_surface_projector_of(const bolan_surface_view *view);
+bolan_surface_size bolan_surface_projector_size(const bolan_surface_desc *desc, const bolan_surface_view *view, uint32_t block, bolan_surface_projector *projector);
 void bolan_surface_projector_vertices(const bolan_surface_projector *projector, bolan_surface_size size, bolan_surface_vertex *vertices);
 void bolan_surface_projector_uniforms(const bolan_surface_projector *projector, bolan_surface_size size, float out[8]);
 void bolan_surface_quad(const bolan_surface_view *view, bolan_surface_vertex vertices[4]);

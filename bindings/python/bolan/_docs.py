@@ -794,6 +794,12 @@ vertices: receives the grid; its capacity is desc->max_vertices.
 Pure, thread-safe, allocates nothing.""",
     "bolan_surface_projector_of": """The projector of a view.
 Pure, thread-safe.""",
+    "bolan_surface_projector_size": """The size of the projector's grid: angular steps of desc->pixels_per_vertex pixels, larger ones where
+desc->max_vertices asks for it. 0 columns and rows where no water can be in view.
+The cells along both sides are whole blocks of block x block cells, 1..BOLAN_SURFACE_MAX_BLOCK, so that a grid
+can be drawn as instances of one block.
+projector: that of view; its azimuths are widened by what columns that are snapped may fall short.
+Pure, thread-safe.""",
     "bolan_surface_projector_uniforms": """The projector as the uniforms of a vertex shader; the twin is grid_point() in shaders/common/grid.glsl.
 out: near_parameter, range, height, above, azimuth of the middle (snapped to the columns), half, guard, earth
 radius.""",

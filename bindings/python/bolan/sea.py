@@ -133,7 +133,8 @@ class Cascade:
 
     The fields are views of the library's memory. A step of the sea ends them: see Field."""
 
-    _PLANES = ("height", "dx", "dy", "slope_x", "slope_y", "dxx", "dyy", "dxy", "foam")
+    _TEXELS = ("dx", "dy", "height", "dxy")  # fields of bolan_sea_texel, in its order
+    _PLANES = ("slope_x", "slope_y", "dxx", "dyy", "foam")
     _NUMBERS = ("n", "length", "angle", "k_min", "k_max", "variance", "mss", "origin_x", "origin_y")
     n: int
     length: float
@@ -158,6 +159,10 @@ class Cascade:
         serial = lib.bolan_sea_serial(sea._get())
         for name in self._NUMBERS:
             setattr(self, name, getattr(view, name))
+        for i, name in enumerate(self._TEXELS):
+            texels = ffi.cast("float *", view.displacement)
+            part = (slice(None), slice(view.n), i)
+            setattr(self, name, _arrays.field(texels, (view.n, view.pitch, 4), "f4", sea, serial, part))
         for name in self._PLANES:
             setattr(self, name, _arrays.field(getattr(view, name), (view.n, view.n), "f4", sea, serial))
 
