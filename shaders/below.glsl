@@ -34,10 +34,7 @@ flat in float eye_shade;
 flat in float eye_gust;
 out vec4 color;
 
-#pragma unit surface_rest 16
-#pragma unit surface_fields 17
-uniform highp sampler2D surface_rest; // water_shape.glsl's outputs; the fields are the first two
-uniform sampler2DArray surface_fields;
+#include "common/shape_maps.glsl"
 layout(std140) uniform Optics {
 #include "shared/below_block.glsl"
 };

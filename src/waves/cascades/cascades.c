@@ -76,39 +76,15 @@ static uint32_t pitch_of(const sea_cascade *c) { return c->n + BOLAN_CASCADE_GUA
 static size_t texels_floats(const sea_cascade *c) { return SEA_HALF * (size_t)pitch_of(c) * pitch_of(c) + PLANE_SHIFT; }
 static size_t middle_floats(const sea_cascade *c) { return (size_t)(c->n / SEA_ROWS) * c->strips * SEA_CELL; }
 static size_t modes_floats(const sea_cascade *c) { return (size_t)c->n * c->strips * FFT_ROW; }
-static size_t planes_bytes(const sea_cascade *c) {
-    const size_t planes = plane_floats(c) * (SEA_HALF + 7);
-    return (modes_floats(c) + middle_floats(c) + texels_floats(c) + planes) * sizeof(float);
+// What the slopes need; the fine waves have nothing else.
+static size_t slopes_floats(const sea_cascade *c) {
+    return modes_floats(c) + middle_floats(c) + plane_floats(c) * (SEA_HALF + 5);
 }
+static size_t planes_floats(const sea_cascade *c) { return slopes_floats(c) + texels_floats(c) + plane_floats(c) * 2; }
 
-static bool reserve_planes(sea_memory *memory, const sea_cascade *c, sea_planes *p) {
+// Returns what is behind the slopes.
+static float *lay_slopes(float *next, const sea_cascade *c, sea_planes *p) {
     const size_t plane = plane_floats(c);
-    float *next = bolan_sea_reserve(memory, planes_bytes(c));
-    if (!next) return false;
-    p->modes = next;
-    next += modes_floats(c);
-    p->middle = next;
-    next += middle_floats(c);
-    p->displacement = (bolan_sea_texel *)(void *)next;
-    next += texels_floats(c);
-    for (int f = 0; f < SEA_HALF; f++, next += plane) p->slope[f] = next;
-    p->foam = next;
-    p->foam_tick = next + plane;
-    p->displacement_half = (uint16_t *)(void *)(next + 2 * plane);
-    p->slope_half = (uint16_t *)(void *)(next + 4 * plane);
-    p->foam_half = (uint16_t *)(void *)(next + 6 * plane);
-    return true;
-}
-
-// The slopes alone: the rest of what the second pass writes for them is not read.
-static size_t fine_bytes(const sea_cascade *c) {
-    return (modes_floats(c) + middle_floats(c) + plane_floats(c) * (SEA_HALF + 5)) * sizeof(float);
-}
-
-static bool reserve_fine(sea_memory *memory, const sea_cascade *c, sea_planes *p) {
-    const size_t plane = plane_floats(c);
-    float *next = c->n > 0 ? bolan_sea_reserve(memory, fine_bytes(c)) : NULL;
-    if (!next) return c->n == 0;
     p->modes = next;
     next += modes_floats(c);
     p->middle = next;
@@ -118,7 +94,23 @@ static bool reserve_fine(sea_memory *memory, const sea_cascade *c, sea_planes *p
     p->foam_tick = next + plane;
     p->slope_half = (uint16_t *)(void *)(next + 2 * plane);
     p->foam_half = (uint16_t *)(void *)(next + 4 * plane);
+    return next + 5 * plane;
+}
+
+static bool reserve_planes(sea_memory *memory, const sea_cascade *c, sea_planes *p) {
+    float *next = bolan_sea_reserve(memory, planes_floats(c) * sizeof *next);
+    if (!next) return false;
+    next = lay_slopes(next, c, p);
+    p->displacement_half = (uint16_t *)(void *)next;
+    p->displacement = (bolan_sea_texel *)(void *)(next + 2 * plane_floats(c));
     return true;
+}
+
+static bool reserve_fine(sea_memory *memory, const sea_cascade *c, sea_planes *p) {
+    if (c->n == 0) return true;
+    float *next = bolan_sea_reserve(memory, slopes_floats(c) * sizeof *next);
+    if (next) lay_slopes(next, c, p);
+    return next != NULL;
 }
 
 // A worker that a later bolan_set_threads() adds finds no scratch and stays idle.
@@ -148,12 +140,12 @@ void bolan_cascades_size(sea_shared *shared, const spectrum_eval *eval, uint32_t
     for (uint32_t i = 0; i < count; i++) {
         bolan_cascade_set_reach(&t.cascade[i]);
         bytes->tables += bolan_cascade_table_bytes(&t.cascade[i]);
-        bytes->fields += planes_bytes(&t.cascade[i]);
+        bytes->fields += planes_floats(&t.cascade[i]) * sizeof(float);
     }
     if (t.fine.n > 0) {
         bolan_cascade_set_reach(&t.fine);
         bytes->tables += bolan_cascade_table_bytes(&t.fine);
-        bytes->fields += fine_bytes(&t.fine);
+        bytes->fields += slopes_floats(&t.fine) * sizeof(float);
     }
     shared->tables = NULL;
 }

@@ -2,9 +2,9 @@
 // The fine waves: capillary-gravity waves shorter than those of the last cascade, down to 1 cm, in one more tile. They
 // have no part in heights and in queries: theirs is a millimetre. Pixels near the eye read their slopes.
 //
-// Cox & Munk (1954) know what slope variance there is for a wind; the cascades hold a part, and slopes.c leaves the
-// rest to the roughness of pixels. Of that rest the fine waves have FINE_SHARE, evenly in log k as it is where wind and
-// gravity are in balance (Phillips 1958: Psi ~ k^-4), and about the wind with the ratio of up- to crosswind variance:
+// Cox & Munk (1954) state the slope variance of a wind. The cascades hold a part of it; slopes.c leaves the rest to the
+// roughness of pixels. The fine waves have FINE_SHARE of that rest. It is spread evenly over log k, the law of waves
+// that break (Phillips 1958: Psi ~ k^-4), and about the wind so that the up- and crosswind parts keep their ratio:
 //
 //     k^4 Psi = a (1 + m cos 2 theta) / pi   for |theta| < pi / 2,   theta being the angle to the wind,
 //     slope variance a ln(k_max / k_min), of which (1/2 + m / 4) along the wind and (1/2 - m / 4) across.
@@ -17,7 +17,7 @@
 #define FINE_EDGE 6.0      // modes below the first wave, at least
 #define FINE_ANGLE 201.35  // [degrees] from the first tile: no multiple of what lies between the others
 
-// Of the last cascade's ring end; no tile where that is beyond the shortest fine wave.
+// The ring begins where that of the last cascade ends. There is no tile where that is beyond the shortest fine wave.
 void bolan_cascade_lay_fine(cascade_tables *t, uint32_t count) {
     const sea_cascade *last = &t->cascade[count - 1];
     sea_cascade *c = &t->fine;
@@ -42,13 +42,13 @@ static cascade_fine_spectrum spectrum_of(const sea_shared *shared, const sea_cas
     double up, cross;
     bolan_sincos(bolan_compass_from_to_math(shared->desc.sea_state.wind_from_deg), &out.sine, &out.cosine);
     along_wind(shared->rest_slope, out.cosine, out.sine, &up, &cross);
-    const double rest = up + cross, octaves = portable_log(c->k_max / c->k_min);
+    const double rest = up + cross, range = portable_log(c->k_max / c->k_min);
     if (!(rest > 1e-9)) return out;
     const double whole = portable_log(2.0 * BOLAN_PI / FINE_SHORTEST / c->k_min), m = 2.0 * (up - cross) / rest;
     out.m = fmin(fmax(m, -1.0), 1.0);
     const double along = 0.5 + 0.25 * out.m; // neither part may be more than there is
     const double most = fmin(up / along, cross / (1.0 - along));
-    out.a = FINE_SHARE * fmin(rest * fmin(octaves / whole, 1.0), most) / octaves;
+    out.a = FINE_SHARE * fmin(rest * fmin(range / whole, 1.0), most) / range;
     return out;
 }
 

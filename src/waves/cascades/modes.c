@@ -11,8 +11,8 @@
 // waves are few). The phase depends on nothing but the seed, the tile's number and the lattice index: a finer grid
 // holds the same waves and some more.
 //
-// Where a tile begins, at 6 modes, a cell is as wide as a tenth of an octave of frequency. One wave a cell would put
-// all of its energy at one frequency, and energy would be up to a third wrong in a band of that width. So modes near
+// Where a tile begins, at 6 modes, a cell is as wide as a tenth of an octave of frequency. One wave a cell has all of
+// its energy at one frequency: bands of that width are off by a quarter (tests/physics/test_sea_bands.c). So modes near
 // the origin are sums of SEA_PARTS waves of one wave vector. Each has the energy of a slice of the cell between two
 // wave numbers, and the frequency of the slice:
 //
