@@ -245,7 +245,7 @@ vec3 sun_glitter(crest_pixel p, vec2 slope, float area, vec3 sunlight) {
 // False colours (the paper's figure 3): red crests, green shore and foam, blue open sea, shaded by what is mirrored.
 vec3 false_colors(float mask, float foam, float reflectance, vec3 normal) {
     float rest = 1.0 - max(mask, foam);
-    return vec3(mask, foam, rest) * (0.35 + 0.65 * reflectance + 0.3 * normal.x) / max(exposure, 1e-9);
+    return vec3(mask, foam, rest) * (0.35 + 0.65 * reflectance + 0.3 * normal.x) / max(exposure, vec3(1e-9));
 }
 
 vec3 light_here(ivec2 at, vec4 shape) {

@@ -19,15 +19,16 @@ float clip_elevation;         // of the clip plane over mean water [m]
 float refraction_raise;       // factor on heights of refracted points about the water level, where refraction_mode is 1
 float refraction_mode;        // raises refracted points: 0 not, 1 by refraction_raise, 2 each vertex by its own angle
 vec3 sun_light;               // irradiance of the sun at the eye, at normal incidence, through the air
-float exposure;               // factor before the tone map
-vec3 sky_light;               // irradiance of the sky on a horizontal surface
 float eye_above_clouds;       // 1: the eye is above the base of the clouds
+vec3 sky_light;               // irradiance of the sky on a horizontal surface
+float surf_phase;             // of the bores at the eye [cycles]
+vec3 exposure;                // factor before the tone map: exposure and white balance
+float view_padding;           // vec2 begin at a multiple of 8 bytes
 vec2 cloud_offset;            // of the eye from the middle of the clouds' maps [m]
 vec2 streak_place;            // of the eye in the tile of wind streaks [0,1)
 vec2 caustic_place;           // of the eye in the caustics' tile
-float surf_phase;             // of the bores at the eye [cycles]
-float view_padding;           // a vec2 that begins at a multiple of 8 bytes
 vec2 tile_corner;             // lower left corner of the picture in the whole of which it is a tile [px]
 vec2 tile_share;              // size of the picture over that of the whole; 1 where it is the whole
 vec2 water_wrapped;           // as eye_wrapped, over the water, which drifts with the current; for foam
 vec2 caustic_spread;          // of caustics, a metre of depth: their blur [m]; light that leaves them [1/m]
+vec2 view_rest;               // the block ends at a multiple of 16 bytes

@@ -209,7 +209,7 @@ static float luminance(const float *c) { return 0.2126f * c[0] + 0.7152f * c[1] 
 // first by less than half a stop for each stop of light (the sky about a low sun stays bright), then by nearly all of
 // it, so that dusk is seen but looks darker than noon.
 static float exposure(const pass_sky *p, const render_view *v, float unit) {
-    const float noon_light = 0.25f, noon_exposure = 9.0f;
+    const float noon_light = 0.25f, noon_exposure = 7.1f;
     const float direct = 0.18f * luminance(p->measured + 4) * p->measured[12];
     const float light = fmaxf((luminance(p->measured) + direct) / unit, 1e-10f);
     const float darker = fmaxf(log2f(noon_light / light), -1.0f); // in stops
@@ -221,11 +221,28 @@ static float exposure(const pass_sky *p, const render_view *v, float unit) {
     return noon_exposure * exp2f(stops - 0.8f * over + (float)v->frame->lighting.exposure) / unit;
 }
 
+// A photographer sets the film for daylight and lets a little of the light's own color go, so that a cloud is white by
+// day and an evening stays golden.
+static bolan_vec3 white_balance(const pass_sky *p, float sun_z) {
+    const float daylight[] = {1.0175f, 0.9998f, 0.9644f}; // on the sea, sun 60 degrees high; luminance 1
+    const float adapted = 0.25f;
+    const float *sky = p->measured, *sun = p->measured + 4;
+    float light[3], gain[3];
+    for (int c = 0; c < 3; ++c) light[c] = sky[c] + sun[c] * fmaxf(sun_z, 0.0f);
+    const float grey = luminance(light);
+    for (int c = 0; c < 3; ++c) {
+        const float color = grey > 0.0f ? fminf(fmaxf(light[c] / grey / daylight[c], 0.05f), 20.0f) : 1.0f;
+        gain[c] = 1.0f / (daylight[c] * powf(color, adapted));
+    }
+    return bolan_v3_scale(bolan_v3(gain[0], gain[1], gain[2]), 1.0f / luminance(gain));
+}
+
 static void set_light(const pass_sky *p, render_view *v) {
     const float *sky = p->measured, *sun = p->measured + 4;
     v->light.sky = bolan_v3(sky[0], sky[1], sky[2]);
     v->light.sun = bolan_v3(sun[0], sun[1], sun[2]);
-    v->light.exposure = exposure(p, v, v->frame->block.radiance_unit);
+    v->light.exposure = bolan_v3_scale(white_balance(p, v->frame->sun_direction.z),
+                                       exposure(p, v, v->frame->block.radiance_unit));
 }
 
 #define SUN_STEP 0.0005 // between suns that the tables are made for [rad]: 0.3 % of the light of a sun at 5 degrees

@@ -22,8 +22,7 @@ typedef struct view_lens {
 
 // What the sky pass finds for this eye.
 typedef struct view_light {
-    bolan_vec3 sun, sky;
-    float exposure;
+    bolan_vec3 sun, sky, exposure;
     bool above_clouds;
     bolan_vec2 cloud_offset;
 } view_light;

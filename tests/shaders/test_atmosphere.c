@@ -235,7 +235,7 @@ static void the_sky_is_positive_and_finite_for_every_sun_and_height(void **state
             r.step.lighting.sky.sun_elevation_deg = suns[s];
             r.camera.position.z = heights[h];
             rig_prepare(&r);
-            assert_true(isfinite(r.f.block.exposure) && r.f.block.exposure > 0);
+            assert_true(isfinite(r.f.block.exposure.y) && r.f.block.exposure.y > 0);
             assert_true(r.f.block.sky_light.x > 0 && r.f.block.sky_light.y > 0 && r.f.block.sky_light.z > 0);
             for (int i = 0; i < 24; i++) {
                 const double z = -1 + 2 * (i + 0.5) / 24, side = sqrt(1 - z * z), d = pow(10, 1 + i % 5);

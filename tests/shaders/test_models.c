@@ -94,7 +94,7 @@ static void draw(rig *r, bolan_vec4 clip) {
                                   .visibility = 40000.0f,
                                   .earth_radius = (float)BOLAN_EARTH_RADIUS};
     f->block = (view_block){.sun_light = {1.0f, 1.0f, 1.0f},
-                            .exposure = 1.0f,
+                            .exposure = {1.0f, 1.0f, 1.0f},
                             .sky_light = {1.0f, 1.0f, 1.0f},
                             .radians_per_pixel = 0.01f,
                             .near_distance = 0.2f,

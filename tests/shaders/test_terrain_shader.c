@@ -111,7 +111,7 @@ static void draw(stage *s, bolan_dvec3 eye, double heading, double pitch) {
                                   .earth_radius = (float)BOLAN_EARTH_RADIUS};
     f->block = (view_block){.eye_height = (float)eye.z,
                             .sun_light = {1.0f, 1.0f, 1.0f},
-                            .exposure = 1.0f,
+                            .exposure = {1.0f, 1.0f, 1.0f},
                             .sky_light = {0.3f, 0.3f, 0.3f},
                             .radians_per_pixel = (float)(2.0 * tan(0.5) / HEIGHT),
                             .near_distance = 0.2f,
