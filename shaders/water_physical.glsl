@@ -18,6 +18,7 @@ void main() { fullscreen(0.0); }
 #ifdef FRAGMENT
 #ifndef RAYS // set by quality; this serves an offline compiler
 #define RAYS 3
+#define LAND_STEPS 32
 #endif
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
@@ -49,55 +50,78 @@ layout(std140) uniform Optics {
 vec3 reflected_ray(vec3 view, vec2 slope) { return reflect(-view, normalize(vec3(-slope, 1.0))); }
 
 #ifdef LAND
-// The land that a reflected ray meets, found in screen space: rgb, w = its weight.
-vec4 mirrored_land(vec3 position, vec3 direction) {
+#pragma unit land_mirror 19
+uniform sampler2D land_mirror; // land_mirror.glsl
+
+
+// The land that a lobe of reflected rays meets, found in screen space along its middle: rgb times the share, the share.
+// width: angle that the lobe spans [rad].
+vec4 mirrored_land(vec3 position, vec3 direction, float width) {
+    if (direction.z > 0.6) return vec4(0.0);
     vec4 origin = view_projection * vec4(position, 1.0), step = view_projection * vec4(direction, 0.0);
-    float near = 0.0, far = 3.0;
-    bool hit = false, lost = direction.z > 0.6;
-    for (int i = 0; i < 12 && !hit && !lost; ++i) {
-        vec4 c = origin + step * far;
-        vec2 uv = c.xy / c.w * 0.5 + 0.5;
-        lost = c.w <= 0.0 || uv.x < 0.0 || uv.x > 1.0 || uv.y > 1.0 || uv.y < 0.0;
-        float depth = textureLod(scene_depth, uv, 0.0).x;
-        hit = !lost && depth > 0.0 && frame_distance(depth) < c.w;
-        if (!hit) { near = far; far *= 2.0; }
+    // Of the ray, what the screen shows: to one of its edges, or so far that the end is the point where it vanishes.
+    vec4 inside = vec4(origin.w + origin.xy, origin.w - origin.xy);
+    vec4 loss = max(-vec4(step.w + step.xy, step.w - step.xy), 1e-6 * origin.w);
+    vec2 least = min(inside.xy / loss.xy, inside.zw / loss.zw);
+    float end = min(least.x, least.y), end_w = origin.w + end * step.w;
+    // Steps over the screen, so that no hill is passed over that is wider than one of them; they are short at first,
+    // where a boat may lie. A ray that meets nothing still has land beside it, about where it vanishes.
+    float near = 0.0, far = 1.0, gap = 0.0; // gap: distance of the ray behind the visible surface [m]
+    bool hit = false;
+    for (int i = 0; i < LAND_STEPS && !hit; ++i) {
+        far = (float(i) + 1.0) / float(LAND_STEPS);
+        far *= sqrt(far);
+        vec4 c = origin + step * (end * far * origin.w / mix(end_w, origin.w, far));
+        float depth = textureLod(scene_depth, c.xy / c.w * 0.5 + 0.5, 0.0).x;
+        hit = depth > 0.0 && frame_distance(depth) < c.w;
+        if (!hit) near = far;
     }
-    vec2 uv = vec2(0.0);
-    float gap = 0.0; // distance of the ray behind the visible surface [m]
     for (int i = 0; i < 5 && hit; ++i) {
         float middle = 0.5 * (near + far);
-        vec4 c = origin + step * middle;
-        uv = c.xy / c.w * 0.5 + 0.5;
-        float depth = textureLod(scene_depth, uv, 0.0).x;
-        if (depth > 0.0 && frame_distance(depth) < c.w) {
+        vec4 c = origin + step * (end * middle * origin.w / mix(end_w, origin.w, middle));
+        float depth = textureLod(scene_depth, c.xy / c.w * 0.5 + 0.5, 0.0).x;
+        bool behind_it = depth > 0.0 && frame_distance(depth) < c.w;
+        if (behind_it) {
             far = middle;
             gap = c.w - frame_distance(depth);
         } else {
             near = middle;
         }
     }
+    float there = end * far * origin.w / mix(end_w, origin.w, far);
+    float before = end * near * origin.w / mix(end_w, origin.w, near);
     // Land reaches down to the ground, so a ray behind it has met it. On the open sea objects may float in the air.
-    if (shore_present == 0 && gap > 0.5 + 2.0 * (far - near)) hit = false;
-    vec3 land;
-    vec4 seen = behind(uv, land);
-    bool dry = hit && seen.w > 0.0 && land.z + eye_height > -0.3; // else it ended on the sea bed
+    if (shore_present == 0 && (!hit || gap > 0.5 + 2.0 * (there - before))) return vec4(0.0);
+    vec4 c = origin + step * there;
+    vec2 uv = c.xy / c.w * 0.5 + 0.5;
+    // A lobe is long upwards and narrow sideways: three texture fetches over one another, each round.
+    float pixels = width * there / (c.w * radians_per_pixel * float(3 * LAND_MIRROR_PART));
+    vec4 rise = view_projection[2];
+    vec2 up = rise.xy - (c.xy / c.w) * rise.w, apart = normalize(up * viewport_size) * pixel_size * (float(LAND_MIRROR_PART) * max(pixels, 1.0));
+    float level = log2(max(pixels, 1.0));
+    vec4 land = (1.0 / 3.0) * (textureLod(land_mirror, uv - apart, level) + textureLod(land_mirror, uv, level) +
+                               textureLod(land_mirror, uv + apart, level));
+    if (pixels < 1.0 && hit) { // sharper than the small picture
+        vec3 where;
+        vec4 seen = behind(uv, where);
+        land = mix(seen.w > 0.0 && is_dry(where) ? vec4(seen.rgb, 1.0) : vec4(0.0), land, pixels);
+    }
+    // What of the lobe lies below the horizon meets other waves.
+    land *= 1.0 / clamp(0.5 + direction.z / max(width, 1e-3), 0.5, 1.0);
     vec2 whole = uv * tile_share + tile_corner * (pixel_size * tile_share), edge = min(whole, 1.0 - whole);
-    return vec4(seen.rgb, dry ? smoothstep(0.0, 0.05, min(edge.x, edge.y)) : 0.0);
+    return land * (smoothstep(0.0, 0.05, min(edge.x, edge.y)) / max(land.w, 1.0));
 }
 
-// Weight of a single ray, which represents a wider lobe.
-const float LONE_RAY = 0.75;
-
-// The reflected sky with the land before it. Several tilts sample the distribution of the facets; with a single tilt
-// the reflection of a hill breaks up. The share `mirror.clear` of sky and land is not hidden by waves.
+// The reflected sky with the land before it. Several tilts sample the distribution of the facets, each with its part of
+// the lobe. The share `mirror.clear` of sky and land is not hidden by waves.
 vec3 with_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, rough_reflection mirror) {
     vec4 land = vec4(0.0);
+    float width = (RAYS == 1 ? 5.0 : 2.4) * mirror.spread; // a facet's tilt turns the ray by twice as much
     for (int i = 0; i < RAYS; ++i) {
         float tilt = RAYS == 1 ? 0.0 : float(i - 1) * 1.2;
         vec3 ray = reflected_ray(view, slope + toward * (mirror.tilt + tilt * mirror.spread));
-        vec4 one = mirrored_land(position, vec3(ray.xy, abs(ray.z)));
-        float weight = RAYS == 1 ? LONE_RAY : i == 1 ? 0.5 : 0.25;
-        land += weight * vec4(one.rgb * one.w, one.w);
+        float weight = RAYS == 1 ? 1.0 : i == 1 ? 0.5 : 0.25;
+        land += weight * mirrored_land(position, vec3(ray.xy, abs(ray.z)), width);
     }
     return sky * (1.0 - land.w) + land.rgb * mirror.clear;
 }

@@ -11,3 +11,6 @@ vec4 behind(vec2 uv, out vec3 where) {
     where = frame_ray(uv) / max(depth, 1e-9);
     return vec4(textureLod(scene_color, uv, 0.0).rgb, depth > 0.0 ? 1.0 : 0.0);
 }
+
+// Whether that point stands above the water, on the round earth.
+bool is_dry(vec3 where) { return where.z + eye_height + dot(where.xy, where.xy) / (2.0 * earth_radius) > -0.3; }

@@ -21,7 +21,7 @@ float caustic_strength;  // 0..1
 float water_level;       // of the mean water over the datum [m]
 float earth_radius;      // [m]
 float wind_speed;        // 10 m above the water [m/s]
-vec2 frame_padding;      // a vec3 begins at a multiple of 16 bytes
+vec2 gust_travel;        // of the gusts since time 0, modulo WORLD_WRAP_WIDE [m]
 vec3 given_haze_radiance;   // of endless haze, where the host gives it
 float haze_given;           // 1: haze by given_haze_radiance and given_haze_extinction, 0: Bolan's air
 vec3 given_haze_extinction; // [1/m]

@@ -91,6 +91,9 @@ void bolan_frame_fill(frame *f) {
     b->radiance_unit = own_sky ? bolan_radiance_unit(f->sun_direction.z) : 1.0f;
     b->wind_direction = (bolan_vec2){(float)cos(f->wind_to), (float)sin(f->wind_to)};
     b->wind_speed = (float)state->wind_speed;
+    const double gone = state->wind_speed * f->time; // gusts go with the wind
+    b->gust_travel = (bolan_vec2){bolan_reduced(gone * cos(f->wind_to), WORLD_WRAP_WIDE),
+                                  bolan_reduced(gone * sin(f->wind_to), WORLD_WRAP_WIDE)};
     b->cloud_cover = own_sky ? (float)sky->cloud_cover : 0.0f;
     b->cloud_base = (float)sky->cloud_base;
     b->visibility = (float)fmin(sky->visibility, spray_visibility(state->wind_speed));

@@ -6,6 +6,7 @@
 #include "foam_statistics.h"
 #include "foam_texture.h"
 #include "kept_sizes.h"
+#include "shared/constants.glsl"
 #include "shared/foam.glsl"
 #include "water_air.h"
 #include "water_optics.h"
@@ -21,6 +22,8 @@ typedef struct shape {
     gl_target target;        // they, and the frame's depth
     gl_target sun;           // the share of the sun among them
     water_air air;
+    gl_texture land; // land_mirror.glsl, where there is land
+    gl_target land_target;
     uint64_t depth_serial; // of that depth
 } shape;
 
@@ -36,14 +39,15 @@ typedef struct physical {
 } physical;
 
 static const water_shader shape_shader = {.stem = "water_shape", .reads = WATER_FEATURE_ALL};
+static const water_shader land_shader = {.stem = "land_mirror"};
 static const water_shader shadow_shader = {.stem = "host_shadow"};
 // By quality: texture fetches along a footprint, reflected rays that look for land.
 static const water_shader light_shader = {.stem = "water_physical",
                                           .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
-                                          .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\n",
-                                                      [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\n",
-                                                      [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\n",
-                                                      [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\n"}};
+                                          .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\nLAND_STEPS 12\n",
+                                                      [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\nLAND_STEPS 12\n",
+                                                      [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\nLAND_STEPS 32\n",
+                                                      [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\nLAND_STEPS 48\n"}};
 
 static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;
@@ -59,7 +63,20 @@ static void free_shape(shape *s) {
     bolan_gl_texture_free(&s->fields);
     bolan_gl_texture_free(&s->rest);
     bolan_water_air_free(&s->air);
+    bolan_gl_target_free(&s->land_target);
+    bolan_gl_texture_free(&s->land);
     s->depth_serial = 0;
+}
+
+static bolan_result create_land(shape *s, const render_view *v) {
+    const gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
+                                  .width = (v->width + LAND_MIRROR_PART - 1) / LAND_MIRROR_PART,
+                                  .height = (v->height + LAND_MIRROR_PART - 1) / LAND_MIRROR_PART,
+                                  .filter = GL_FILTER_MIPMAP,
+                                  .wrap = GL_WRAP_CLAMP};
+    const gl_texture *color = &s->land;
+    const bolan_result result = bolan_gl_texture_create(&desc, &s->land);
+    return result == BOLAN_OK ? bolan_gl_target_create(&color, 1, NULL, -1, 0, &s->land_target) : result;
 }
 
 static bolan_result create_shape(shape *s, const render_view *v) {
@@ -78,6 +95,7 @@ static bolan_result create_shape(shape *s, const render_view *v) {
     if (result == BOLAN_OK) result = bolan_gl_target_create(colors, FIELDS + 1, v->hdr_depth, 0, 0, &s->target);
     if (result == BOLAN_OK) result = bolan_gl_target_create(&field, 1, NULL, FIELD_OF_SUN, 0, &s->sun);
     if (result == BOLAN_OK) result = bolan_water_air_create(&s->air, v);
+    if (result == BOLAN_OK) result = create_land(s, v);
     if (result == BOLAN_OK) s->depth_serial = v->depth_serial;
     return result;
 }
@@ -167,6 +185,15 @@ static void draw_shadow(const physical *p, const water_draw *d) {
     bolan_gl_guest_texture_bind(0, UNIT_OWN, NULL);
 }
 
+static bool draw_land(shape *s, const water_draw *d) {
+    if (!bolan_water_program(d, &land_shader, 0)) return false;
+    bolan_gl_target_bind(&s->land_target);
+    bolan_gl_set_state(&(gl_state){.color_write = true});
+    bolan_gl_draw_fullscreen();
+    bolan_gl_texture_generate_mipmaps(&s->land);
+    return true;
+}
+
 static void bind_shape(const shape *s) {
     bolan_gl_texture_bind(&s->rest, UNIT_OWN + 1);
     bolan_gl_texture_bind(&s->fields, UNIT_OWN + 2);
@@ -185,6 +212,7 @@ static void light(void *state, const water_draw *d, water_rows rows) {
     bolan_gl_texture_bind(&p->foam_noise, UNIT_FOAM_DETAIL);
     bind_shape(p->shape);
     bolan_gl_texture_bind(&p->shape->air.map, UNIT_OWN + 3);
+    bolan_gl_texture_bind(&p->shape->land, UNIT_OWN + 4);
     if (d->fields->now->fine.id != 0) bolan_gl_texture_bind(&d->fields->now->fine, UNIT_FINE);
     bolan_gl_target_bind_part(&d->view->hdr, 0, rows.from, d->view->hdr.width, rows.to - rows.from);
     bolan_gl_set_state(&(gl_state){.color_write = true});
@@ -197,6 +225,7 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
     bolan_water_programs_add(all, s, false, &shape_shader, 0);
     bolan_water_air_list(s, all);
     bolan_water_programs_add(all, s, false, &light_shader, 1u << s->quality);
+    bolan_water_programs_add(all, s, false, &land_shader, 0);
     bolan_water_programs_add(all, s, false, &shadow_shader, 0); // a host may bring shadows to any view
     bolan_below_list(s, all);
     bolan_caustics_list(s, all);
@@ -208,6 +237,7 @@ static bool make_shape(void *state, const water_draw *d) {
     if (fit_shape(p, d->view) != BOLAN_OK || !draw_shape(p, d)) return false;
     if (d->view->medium == EYE_IN_WATER) return false; // draw_below() shades it
     if (host != NULL && host->shadow != 0) draw_shadow(p, d);
+    if (d->view->frame->behind && !draw_land(p->shape, d)) return false;
     return bolan_water_air_draw(&p->shape->air, d);
 }
 
