@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Gusts: what they do to the mean, in light winds the patches with glass between them, and the way they go.
+#include "probe.h"
+
+#include "bolan/waves.h"
+#include "render/frame.h"
+
+#include <math.h>
+
+typedef struct gusts {
+    double mean, square, least, most, first;
+} gusts;
+
+static void bind(const gl_program *program, const void *uniforms) {
+    (void)program;
+    bolan_blocks_bind(uniforms);
+}
+
+// The factor at 32768 places of the whole period, with footprints of a metre, each moved by `shift`.
+static gusts look(block_buffers *u, float wind, bolan_vec2 travel, bolan_vec2 shift) {
+    static float in[PROBE_WIDTH][4], out[PROBE_WIDTH][4];
+    bolan_blocks_upload_frame(u, &(frame_block){.wind_speed = wind, .gust_travel = travel});
+    for (int i = 0; i < PROBE_WIDTH; i++) in[i][0] = 512.0f * (float)i + shift.x, in[i][1] = shift.y;
+    probe_run_with("#include \"common/frame.glsl\"\n#include \"common/gusts.glsl\"",
+                   "vec4 probe(vec4 x) {\n"
+                   "    vec4 sum = vec4(0.0, 0.0, 1e9, 0.0);\n"
+                   "    for (int i = 0; i < 128; ++i) {\n"
+                   "        float g = gustiness(x.xy + vec2(31.0, 1024.0) * float(i), 1.0);\n"
+                   "        sum = vec4(sum.xy + vec2(g, g * g) / 128.0, min(sum.z, g), max(sum.w, g));\n"
+                   "    }\n"
+                   "    return sum;\n"
+                   "}",
+                   NULL, bind, u, in, PROBE_WIDTH, out);
+    gusts all = {.least = 1e9, .first = (double)out[0][0]};
+    for (int i = 0; i < PROBE_WIDTH; i++) {
+        all.mean += (double)out[i][0] / PROBE_WIDTH, all.square += (double)out[i][1] / PROBE_WIDTH;
+        all.least = fmin(all.least, (double)out[i][2]), all.most = fmax(all.most, (double)out[i][3]);
+    }
+    return all;
+}
+
+static void gusts_leave_the_mean(void **state) {
+    (void)state;
+    block_buffers uniforms = {0};
+    assert_int_equal(bolan_blocks_create(&uniforms), BOLAN_OK);
+    const gusts breeze = look(&uniforms, 8.0f, (bolan_vec2){0}, (bolan_vec2){0});
+    const gusts light = look(&uniforms, 1.0f, (bolan_vec2){0}, (bolan_vec2){0});
+    print_message("8 m/s: mean %.4f, of squares %.4f, %.2f to %.2f; 1 m/s: %.4f, %.4f, %.2f to %.2f\n", breeze.mean,
+                  breeze.square, breeze.least, breeze.most, light.mean, light.square, light.least, light.most);
+    // the largest patches are 4 km wide, a thousand in the period: 1 % of chance
+    assert_near(breeze.mean, 1.0, 0.02);
+    assert_true(breeze.least > 0.6 && breeze.most < 1.4);
+    assert_near(light.square, 1.0, 0.08); // the slope variance is that of Cox & Munk in the mean
+    assert_true(light.least < 0.16 && light.most > 1.45); // glass, and paws
+    bolan_blocks_free(&uniforms);
+}
+
+// Places that went with the wind for as long as the gusts did see what they saw; without that, something else.
+static void gusts_go_with_the_wind(void **state) {
+    (void)state;
+    block_buffers uniforms = {0};
+    assert_int_equal(bolan_blocks_create(&uniforms), BOLAN_OK);
+    const bolan_vec2 far = {4096.0f, 1536.0f};
+    const gusts now = look(&uniforms, 1.0f, (bolan_vec2){0}, (bolan_vec2){0});
+    const gusts with = look(&uniforms, 1.0f, far, far), without = look(&uniforms, 1.0f, far, (bolan_vec2){0});
+    assert_near(with.first, now.first, 1e-4);
+    assert_true(fabs(without.first - now.first) > 0.01);
+    bolan_blocks_free(&uniforms);
+}
+
+// Wind from the west by south (250 degrees), 6 m/s: in 100 s the gusts go 600 m, 563.8 m east and 205.2 m north.
+static void the_frame_carries_the_gusts_downwind(void **state) {
+    (void)state;
+    bolan_sea_desc d = bolan_sea_desc_default();
+    d.sea_state = bolan_sea_state_from_wind(6.0, 250.0, 50e3);
+    d.resolution = 64;
+    bolan_sea *sea = NULL;
+    assert_int_equal(bolan_sea_create(&d, &sea), BOLAN_OK);
+    bolan_sea_step(sea, 100.0);
+    frame f = {.sea = sea};
+    bolan_frame_fill(&f);
+    assert_near(f.block.gust_travel.x, 563.8, 0.1);
+    assert_near(f.block.gust_travel.y, 205.2, 0.1);
+    bolan_sea_destroy(&sea);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {IN_BOTH_APIS(gusts_leave_the_mean), IN_BOTH_APIS(gusts_go_with_the_wind),
+                                       cmocka_unit_test(the_frame_carries_the_gusts_downwind)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
