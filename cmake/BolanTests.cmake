@@ -141,6 +141,13 @@ foreach(file IN LISTS packaging_tests)
         "BOLAN_SOURCE_DIR=${PROJECT_SOURCE_DIR};BOLAN_BUILD_DIR=${CMAKE_BINARY_DIR};CC=${CMAKE_C_COMPILER}")
 endforeach()
 
+# The longest start first, or one of them runs alone at the end.
+foreach(name packaging/bits_elsewhere images/test_mixes images/test_references packaging/bits)
+    if(TEST ${name})
+        set_tests_properties(${name} PROPERTIES COST 1000)
+    endif()
+endforeach()
+
 # Checks of the sources themselves.
 function(bolan_add_check name script)
     if(EXISTS ${PROJECT_SOURCE_DIR}/${script})

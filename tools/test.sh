@@ -52,5 +52,7 @@ run build-asan -L '^(unit|physics|determinism|kernels|fuzz)$'
 # program; the tests count the memory of the renderer themselves.
 ASAN_OPTIONS=detect_leaks=0:strict_string_checks=1:allocator_may_return_null=1 BOLAN_TEST_SHORT=1
 export ASAN_OPTIONS BOLAN_TEST_SHORT
-run build-asan -L '^(shaders|twins|images)$'
+# Without those that measure light: their code is the others'.
+run build-asan -L '^(shaders|twins|images)$' \
+    -E 'test_(references|light_bands|light_laws|views|view_tiles|clouds_above|same_picture|land_mirror|tonemap)$'
 finish

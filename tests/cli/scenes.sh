@@ -48,7 +48,7 @@ run measure good.yaml --wind 12 --wind-from 200 --seed 5 --json
 [ "$(value hash)" = "$one" ] || fail 'the same options changed the sea'
 run measure good.yaml --seed 6 --json
 [ "$(value hash)" != "$one" ] || fail '--seed did not change the sea'
-for name in island open-sea storm measured reef underwater; do
+for name in island open-sea storm measured reef underwater calm; do
     run measure "$name" --json
     near "$(value jacobian_mean)" 1 3e-3 # mass is conserved; 65536 places of a Jacobian that spreads by 0.2
 done

@@ -87,4 +87,4 @@ refuse 2 'width and height are even' render -o a.mp4 --size 101x100
 refuse 2 'query needs --points FILE' query
 refuse 2 'unexpected storm; bolan info takes one file' info island storm
 refuse 1 'island: cannot be read: No such file' info island
-refuse 2 'there is no such scene; expected approach, coast, island' measure atlantis
+refuse 2 'there is no such scene; expected approach, calm, coast, island' measure atlantis

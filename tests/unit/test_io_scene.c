@@ -539,7 +539,8 @@ static void test_limits_of_the_text(void **state) {
 static void test_built_in_scenes_load(void **state) {
     (void)state;
     static const char *const expected[] = {"island", "open-sea", "storm", "coast",
-                                           "measured", "pond",     "reef",  "underwater"};
+                                           "measured", "pond",     "reef",  "underwater",
+                                           "calm"};
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
         bolan_scene scene;
         assert_int_equal(bolan_scene_load(expected[i], &scene), BOLAN_OK);
