@@ -5,6 +5,7 @@
 #include "output.h"
 #include "progress.h"
 #include "session.h"
+#include "shot.h"
 #include "tiles.h"
 
 #include "bolan/render.h"
@@ -113,8 +114,7 @@ static bool close_stage(stage *s, bool keep) {
 static bool write_exr(const job *j, stage *s, const char *path) {
     const size_t pixels = (size_t)j->width * j->height;
     float *rgb = s->linear, *distance = rgb + 3 * pixels, *plane = distance + pixels;
-    for (size_t i = 0; i < pixels; i++)
-        for (size_t c = 0; c < 3; c++) plane[c * pixels + i] = rgb[3 * i + c];
+    shot_planes(rgb, pixels, plane);
     const bolan_exr_channel channels[] = {
         {"R", plane}, {"G", plane + pixels}, {"B", plane + 2 * pixels}, {"Z", distance}};
     return bolan_exr_write(path, j->width, j->height, channels, 4) == BOLAN_OK;
@@ -135,11 +135,7 @@ static bool render_frame(const job *j, bolan_world *w, stage *s, uint32_t number
     } else {
         bolan_world_step(w, time);
     }
-    const bolan_camera camera = bolan_world_camera_at(w, time);
-    bolan_world_set_camera(w, &camera);
-    bolan_view view = bolan_view_from_camera(&camera, j->width, j->height);
-    view.eye = bolan_world_clear_eye(w, view.eye);
-    view.samples = j->samples;
+    const bolan_view view = shot_view(w, time, j->width, j->height, j->samples);
     float *distance = s->linear != NULL ? s->linear + 3 * (size_t)j->width * j->height : NULL;
     tiles_draw(&s->tiles, w, &view, s->rgb, s->linear, distance);
     return write_frame(j, s, number);
@@ -175,16 +171,6 @@ static bool can_write(const job *j) {
     return !bolan_file_check_writable(path);
 }
 
-static int check_camera(const bolan_world *w) {
-    const bolan_scene *scene = bolan_world_scene(w);
-    const double below = scene->water.level - bolan_world_camera_at(w, scene->time).position.z;
-    if (below <= 0.0 || bolan_optics_seen_from_below(scene->technique.optics)) return EXIT_OK;
-    return usage_error(
-        "the camera stands %g m below the water; expected above it: only the optics physical and mirror have views "
-        "from below",
-        below);
-}
-
 int command_render(int count, char **arguments) {
     options o;
     job j;
@@ -199,7 +185,7 @@ int command_render(int count, char **arguments) {
     result = make_job(&o, &j);
     if (result) return result;
     result = can_write(&j) ? session_open(&o, &w) : EXIT_FAILED;
-    if (!result) result = check_camera(w);
+    if (!result) result = session_check_camera(w);
     if (!result) {
         j.start = bolan_world_scene(w)->time;
         result = render_all(&j, w);

@@ -7,6 +7,9 @@ int command_view(int count, char **arguments);
 int command_render(int count, char **arguments);
 int command_measure(int count, char **arguments);
 int command_query(int count, char **arguments);
+int command_farm(int count, char **arguments);
+// One process of a farm: begun by command_farm() alone.
+int command_farm_worker(int count, char **arguments);
 int command_bake(int count, char **arguments);
 int command_export(int count, char **arguments);
 int command_info(int count, char **arguments);

@@ -191,7 +191,7 @@ static void print_group(FILE *file, const char *section, const bolan_param_group
 
 static void print_options(FILE *file) {
     static const char *const commands[] = {"view", "render", "measure", "query", // the bits ON_...
-                                           "info", "bake",   "export"};
+                                           "info", "bake",   "export",  "farm"};
     fprintf(file, "# options\n| option | values | goes with | |\n|---|---|---|---|\n");
     for (const option_info *i = option_table; i->name; i++) {
         char values[DESCRIBE_MAX] = "", on[128] = "";

@@ -9,7 +9,7 @@
 typedef struct command {
     const char *name;
     int (*run)(int count, char **arguments);
-    const char *help;
+    const char *help; // NULL: not listed
     int (*exists)(void); // NULL: always
 } command;
 
@@ -23,6 +23,9 @@ static const command commands[] = {
     {"query", command_query, "[SCENE] --points FILE.csv     heights and normals at points, as CSV", NULL},
     {"bake", command_bake, "[SCENE] -o DIR                looping tiles: heights, normal maps, light on the bottom",
      NULL},
+    {"farm", command_farm,
+     "[SCENE|TABLE.csv] -o FILE     frames or rows of a table by many processes, MPI ranks or Slurm", NULL},
+    {"farm-worker", command_farm_worker, NULL, NULL},
     {"export", command_export, "spectrum [SCENE] -o FILE      the spectrum as .png, .csv or SWAN text (.spec)", NULL},
     {"bench", command_bench, "[waves|query|frame|techniques]  benchmarks", bench_is_there},
     {"info", command_info, "[FILE]                        build, processor, scenes; or what a file of spectra holds",
@@ -34,7 +37,7 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 static int print_help(FILE *file) {
     fputs("Bolan makes, measures and draws seas.\n\nusage: bolan COMMAND [SCENE] [OPTIONS]\n\n", file);
     for (int i = 0; i < COMMANDS; i++)
-        if (!commands[i].exists || commands[i].exists())
+        if (commands[i].help && (!commands[i].exists || commands[i].exists()))
             fprintf(file, "  bolan %-8s %s\n", commands[i].name, commands[i].help);
     fputs("\nbolan COMMAND --help lists the options of a command; bolan --version prints the version.\n", file);
     return EXIT_OK;

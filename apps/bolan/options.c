@@ -8,9 +8,10 @@
 #include <stdarg.h>
 #include <string.h>
 
-#define SCENE_COMMANDS (ON_VIEW | ON_RENDER | ON_MEASURE | ON_QUERY | ON_BAKE | ON_EXPORT)
+#define SCENE_COMMANDS (ON_VIEW | ON_RENDER | ON_MEASURE | ON_QUERY | ON_BAKE | ON_EXPORT | ON_FARM)
 #define SPECTRUM_COMMANDS (SCENE_COMMANDS | ON_INFO)
-#define PICTURE_COMMANDS (ON_VIEW | ON_RENDER)
+#define PICTURE_COMMANDS (ON_VIEW | ON_RENDER | ON_FARM)
+#define FILE_COMMANDS (ON_RENDER | ON_FARM) // images without a window
 #define GROUND_COMMANDS (PICTURE_COMMANDS | ON_QUERY) // the other commands do not read a sea bed
 
 static const char *const stretching_names[] = {"none", "wheeler", NULL}; // by bolan_stretching
@@ -67,17 +68,17 @@ const option_info option_table[] = {
     OPTION("size", SIZE, size, PICTURE_COMMANDS, "WxH",
            .low = 16, .high = 65536,
            .help = "pixels: 1920x1080 for one image, 1280x720 for a sequence, film or window"),
-    OPTION("samples", WHOLE, samples, ON_RENDER, "N",
+    OPTION("samples", WHOLE, samples, FILE_COMMANDS, "N",
            .low = 1, .high = 256,
            .help = "images with shifted pixels that are averaged; "
                    "one image takes 1, 1, 4, 16 by quality, moving ones 1"),
-    OPTION("tile", WHOLE, tile, ON_RENDER, "N",
+    OPTION("tile", WHOLE, tile, FILE_COMMANDS, "N",
            .low = 448, .high = 16384,
            .help = "largest side drawn at once, in pixels, above which tiles are drawn; by default what OpenGL can"),
     OPTION("frames", WHOLE, frames, PICTURE_COMMANDS | ON_BAKE, "N",
            .low = 1, .high = 1e6,
-           .help = "how many; by default 10 seconds of them (render), 32 (bake), or until you quit (view)"),
-    OPTION("fps", NUMBER, fps, ON_RENDER, "F",
+           .help = "how many; by default 10 seconds of them (render, farm), 32 (bake), or until you quit (view)"),
+    OPTION("fps", NUMBER, fps, FILE_COMMANDS, "F",
            .low = 1, .high = 240, .help = "frames a second; 30 by default"),
     OPTION("backend", NAME, backend, PICTURE_COMMANDS, "NAME",
            .names = bolan_backend_names,
@@ -104,8 +105,17 @@ const option_info option_table[] = {
            .low = 0.1, .high = 50, .unit = "Hz", .help = "samples a second of the buoy's record; 2 by default"),
     OPTION("record-time", FLAG, record_time, ON_MEASURE, NULL,
            .help = "only when the measured spectrum was taken, ISO 8601"),
-    OPTION("output", TEXT, output, ON_RENDER | ON_QUERY | ON_BAKE | ON_EXPORT | ON_MEASURE, "FILE",
+    OPTION("output", TEXT, output, FILE_COMMANDS | ON_QUERY | ON_BAKE | ON_EXPORT | ON_MEASURE, "FILE",
            .letter = 'o', .help = "where to write"),
+    OPTION("outputs", TEXT, outputs, ON_FARM, "LIST",
+           .help = "of each frame: picture, linear, distance, normal, segmentation, motion; picture by default"),
+    OPTION("processes", WHOLE, processes, ON_FARM, "N",
+           .low = 1, .high = 1024, .help = "how many draw beside each other; by default one per processor, "
+                                           "under mpirun one per rank"),
+    OPTION("part", TEXT, part, ON_FARM, "K/N",
+           .help = "only the frames K, K + N, K + 2 N ... from 0, as a task of an array does"),
+    OPTION("slurm", TEXT, slurm, ON_FARM, "FILE",
+           .help = "writes a Slurm array script that does the work, and draws nothing"),
     OPTION("screenshot", TEXT, screenshot, ON_VIEW, "FILE",
            .help = "the last frame as PNG"),
     OPTION("json", FLAG, json, ON_MEASURE | ON_INFO, NULL,
@@ -278,12 +288,17 @@ static bool set_value(const option_info *info, const char *value, options *o) {
 
 // ---- arguments ------------------------------------------------------------------------------------------------------
 
+const option_info *options_find(const char *name, size_t length) {
+    for (const option_info *i = option_table; i->name; i++)
+        if (strlen(i->name) == length && strncmp(i->name, name, length) == 0) return i;
+    return NULL;
+}
+
 static const option_info *find_option(const char *argument, size_t length) {
     for (const option_info *i = option_table; i->name; i++) {
         if (length == 2 && argument[0] == '-' && argument[1] == i->letter) return i;
-        if (length > 2 && strlen(i->name) == length - 2 && strncmp(i->name, argument + 2, length - 2) == 0) return i;
     }
-    return NULL;
+    return length > 2 ? options_find(argument + 2, length - 2) : NULL;
 }
 
 static bool is_option(const char *argument) {
@@ -312,6 +327,10 @@ static int parse_option(unsigned command, const char *command_name, int count, c
 
 int options_parse(unsigned command, const char *command_name, int count, char **arguments, options *out) {
     *out = nothing_given();
+    return options_parse_more(command, command_name, count, arguments, out);
+}
+
+int options_parse_more(unsigned command, const char *command_name, int count, char **arguments, options *out) {
     bool only_names = false;
     for (int i = 0; i < count; i++) {
         if (!only_names && strcmp(arguments[i], "--") == 0) {

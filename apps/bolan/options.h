@@ -11,7 +11,7 @@
 enum { EXIT_OK = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 
 // Commands, as bits of option_info.commands.
-enum { ON_VIEW = 1, ON_RENDER = 2, ON_MEASURE = 4, ON_QUERY = 8, ON_INFO = 16, ON_BAKE = 32, ON_EXPORT = 64 };
+enum { ON_VIEW = 1, ON_RENDER = 2, ON_MEASURE = 4, ON_QUERY = 8, ON_INFO = 16, ON_BAKE = 32, ON_EXPORT = 64, ON_FARM = 128 };
 
 // The parsed options. Of options that are no parameter, a number that was not given is NAN, a name -1, a text NULL.
 typedef struct options {
@@ -25,11 +25,11 @@ typedef struct options {
     char record[32], location[64];
     // Options that are no parameter.
     double at[2], camera[6], sun[2]; // latitude, longitude; x, y, z, heading, pitch[, fov]; azimuth, elevation
-    double fps, frames, samples, threads, tile;
+    double fps, frames, samples, threads, tile, processes;
     double size[2];
     double least_wavelength, buoy[2], duration, rate;
     int quality, backend, stretching;
-    const char *spectrum, *terrain, *points, *columns, *output, *screenshot;
+    const char *spectrum, *terrain, *points, *columns, *output, *screenshot, *outputs, *slurm, *part;
     bool record_time, json, parameters, schema, quiet, help;
 } options;
 
@@ -62,6 +62,10 @@ extern const option_info option_table[]; // a NULL name ends it
 
 // Reads the arguments after the command's name. Prints one sentence and returns EXIT_USAGE on an error.
 int options_parse(unsigned command, const char *command_name, int count, char **arguments, options *out);
+// Reads further arguments; what they give replaces what was given before.
+int options_parse_more(unsigned command, const char *command_name, int count, char **arguments, options *out);
+// The option of this name without its dashes; NULL: there is none.
+const option_info *options_find(const char *name, size_t length);
 // Log one sentence through bolan_log(), which escapes control characters of the arguments, and return EXIT_USAGE or
 // EXIT_FAILED.
 #if defined(__GNUC__)

@@ -22,3 +22,13 @@ static int open_world(const options *o, bool open_sea, bolan_world **world) {
 int session_open(const options *o, bolan_world **world) { return open_world(o, false, world); }
 
 int session_open_sea(const options *o, bolan_world **world) { return open_world(o, true, world); }
+
+int session_check_camera(const bolan_world *w) {
+    const bolan_scene *scene = bolan_world_scene(w);
+    const double below = scene->water.level - bolan_world_camera_at(w, scene->time).position.z;
+    if (below <= 0.0 || bolan_optics_seen_from_below(scene->technique.optics)) return EXIT_OK;
+    return usage_error(
+        "the camera stands %g m below the water; expected above it: only the optics physical and mirror have views "
+        "from below",
+        below);
+}

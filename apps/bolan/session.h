@@ -12,4 +12,7 @@ int session_open(const options *o, bolan_world **world);
 // Like session_open(), without ground and objects, for commands that need the open sea only.
 int session_open_sea(const options *o, bolan_world **world);
 
+// Refuses a camera below the water where the optics has no such view. Returns an exit code.
+int session_check_camera(const bolan_world *world);
+
 #endif
