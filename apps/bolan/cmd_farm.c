@@ -17,7 +17,8 @@ static const char what[] =
     "Draws frames by many processes; every file has the bytes that one process would write.\n"
     "SCENE: --frames of it, --fps apart. TABLE.csv: a row a frame, of the columns scene and options of scenes\n"
     "(wind, sea-state, seed, time, camera, sun, ...). FILE: a numbered name, sea-%04d.png or .exr, or a folder.\n"
-    "Beside each frame stands its record NAME.json with all parameters and the SHA-256 of its files, beside all of them\n"
+    "Beside each frame stands its record NAME.json with all parameters and the SHA-256 of its files, beside all of "
+    "them\n"
     "the manifest. What is finished is not drawn again. mpirun -n 8 bolan farm ... draws with eight ranks.";
 
 // ---- before ---------------------------------------------------------------------------------------------------------
@@ -89,7 +90,8 @@ static int finish(const farm_job *job, farm_result *results) {
     char path[BOLAN_PATH_MAX];
     bolan_scene scene;
     for (uint32_t i = 0; job->parts > 1 && i < job->count; i++)
-        if (results[i].state == FARM_OPEN && (!farm_job_file(job, i, FARM_FILE_RECORD, path) || access(path, F_OK) != 0))
+        if (results[i].state == FARM_OPEN &&
+            (!farm_job_file(job, i, FARM_FILE_RECORD, path) || access(path, F_OK) != 0))
             return EXIT_OK;
     for (uint32_t i = 0; job->parts > 1 && i < job->count; i++)
         if (results[i].state == FARM_OPEN && !farm_job_scene(job, i, &scene) &&
@@ -153,8 +155,10 @@ int command_farm(int count, char **arguments) {
         code = usage_error("--processes does not go with mpirun, under which every rank draws");
     if (!code) {
         code = farm_job_read(&o, &job);
-        if (!code && o.slurm) code = r.rank == 0 ? farm_slurm_write(&job, o.slurm, count, arguments) : EXIT_OK;
-        else if (!code) code = run_job(&job, &r, count, arguments, &lost);
+        if (!code && o.slurm)
+            code = r.rank == 0 ? farm_slurm_write(&job, o.slurm, count, arguments) : EXIT_OK;
+        else if (!code)
+            code = run_job(&job, &r, count, arguments, &lost);
         farm_job_free(&job);
     }
     ranks_end(&r, lost);

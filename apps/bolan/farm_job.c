@@ -76,8 +76,9 @@ static int read_outputs(farm_job *job, const char *list) {
         while (i < COUNT && (strlen(names[i]) != length || strncmp(names[i], p, length) != 0)) i++;
         char word[SHORT_WORD];
         if (i == COUNT)
-            return usage_error("--outputs is %s; expected some of picture, linear, distance, normal, segmentation, motion",
-                               shorten(list, word));
+            return usage_error(
+                "--outputs is %s; expected some of picture, linear, distance, normal, segmentation, motion",
+                shorten(list, word));
         job->outputs |= 1u << i;
         p += length;
         if (!*p) return EXIT_OK;
@@ -125,7 +126,8 @@ static int read_frames(farm_job *job) {
     job->count = (uint32_t)otherwise(o->frames, ceil(10.0 * job->fps));
     if (!job->has_table) return options_scene(o, &job->scene);
     if (!isnan(o->frames) || !isnan(o->fps))
-        return usage_error("--%s does not go with a table, whose rows are the frames", isnan(o->fps) ? "frames" : "fps");
+        return usage_error("--%s does not go with a table, whose rows are the frames",
+                           isnan(o->fps) ? "frames" : "fps");
     const int result = farm_table_read(o->scene, &job->table);
     job->count = job->table.count;
     job->given.scene = NULL;

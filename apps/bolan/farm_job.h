@@ -10,13 +10,13 @@
 
 // What is written of a frame, as bits, by the names of --outputs.
 enum {
-    FARM_PICTURE = 1,      // NAME.png
-    FARM_LINEAR = 2,       // NAME.exr: R, G, B
-    FARM_DISTANCE = 4,     // Z
-    FARM_NORMAL = 8,       // normal.X, .Y, .Z
+    FARM_PICTURE = 1,       // NAME.png
+    FARM_LINEAR = 2,        // NAME.exr: R, G, B
+    FARM_DISTANCE = 4,      // Z
+    FARM_NORMAL = 8,        // normal.X, .Y, .Z
     FARM_SEGMENTATION = 16, // segmentation
-    FARM_MOTION = 32,      // motion.X, .Y, .Z
-    FARM_LAYERS = 62,      // all that stands in NAME.exr
+    FARM_MOTION = 32,       // motion.X, .Y, .Z
+    FARM_LAYERS = 62,       // all that stands in NAME.exr
     FARM_SURFACES = FARM_NORMAL | FARM_SEGMENTATION | FARM_MOTION,
 };
 

@@ -28,7 +28,8 @@ static void add_bytes(text *t, const char *bytes, size_t size) {
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-static void add(text *t, const char *format, ...) {
+static void
+add(text *t, const char *format, ...) {
     char piece[512];
     va_list arguments;
     va_start(arguments, format);
@@ -112,7 +113,9 @@ static void add_record(text *t, const farm_job *job, uint32_t frame, const bolan
         add(t, ": \"%s\"", r->hash[f]);
         comma = ",";
     }
-    add(t, "\n  },\n  \"parameters\": {\n    \"width\": %u,\n    \"height\": %u,\n    \"samples\": %u,\n    \"tile\": %u,\n",
+    add(t,
+        "\n  },\n  \"parameters\": {\n    \"width\": %u,\n    \"height\": %u,\n    \"samples\": %u,\n    \"tile\": "
+        "%u,\n",
         (unsigned)job->width, (unsigned)job->height, (unsigned)job->samples, (unsigned)job->tile);
     add(t, "    \"outputs\": %u,\n    \"quality\": \"%s\",\n    \"backend\": \"%s\"", job->outputs,
         bolan_quality_names[job->quality], bolan_backend_names[job->backend]);
@@ -125,8 +128,7 @@ static void add_record(text *t, const farm_job *job, uint32_t frame, const bolan
 static bool holds(const char *path, const text *t) {
     FILE *file = fopen(path, "rb");
     char *there = file ? malloc(t->size + 1) : NULL;
-    const bool equal =
-        there && fread(there, 1, t->size + 1, file) == t->size && memcmp(there, t->data, t->size) == 0;
+    const bool equal = there && fread(there, 1, t->size + 1, file) == t->size && memcmp(there, t->data, t->size) == 0;
     free(there);
     if (file) fclose(file);
     return equal;
@@ -188,8 +190,8 @@ static uint32_t add_list(text *t, const farm_job *job, const farm_result *result
 int farm_manifest_write(const farm_job *job, const farm_result *results) {
     char path[BOLAN_PATH_MAX];
     text t = begin_text();
-    add(&t, "{\n  \"program\": \"bolan %s\",\n  \"frames\": %u,\n  \"width\": %u,\n  \"height\": %u,\n", bolan_version(),
-        (unsigned)job->count, (unsigned)job->width, (unsigned)job->height);
+    add(&t, "{\n  \"program\": \"bolan %s\",\n  \"frames\": %u,\n  \"width\": %u,\n  \"height\": %u,\n",
+        bolan_version(), (unsigned)job->count, (unsigned)job->width, (unsigned)job->height);
     add(&t, "  \"finished\": [");
     add_list(&t, job, results, FARM_DONE);
     add(&t, ",\n  \"failed\": [");

@@ -13,10 +13,10 @@ enum { FARM_SENTENCE = 256 };
 typedef struct farm_result {
     uint32_t frame;
     farm_state state;
-    double time; // of the frame's scene [s]
+    double time;                        // of the frame's scene [s]
     char hash[FARM_FILES][SHA256_TEXT]; // "" for a file that is not among the outputs
-    char reason[FARM_SENTENCE];  // of a failure
-    char warning[FARM_SENTENCE]; // the first that was said, or ""
+    char reason[FARM_SENTENCE];         // of a failure
+    char warning[FARM_SENTENCE];        // the first that was said, or ""
 } farm_result;
 
 // Hashes the frame's files and its record, which is written first with @p write. Returns false where one is missing or,

@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 enum {
-    WARNINGS = 16,   // of different texts, which are said once each
-    VAIN_FRAMES = 8, // beyond one for each slot: failures without a success after which no frame is begun
+    WARNINGS = 16,     // of different texts, which are said once each
+    VAIN_FRAMES = 8,   // beyond one for each slot: failures without a success after which no frame is begun
     LONG_SILENCE = 30, // [s] of a rank, which says that it lives every second
 };
 
@@ -93,8 +93,10 @@ static void hand_out(hall *h, slot *s) {
     farm_run *run = h->run;
     if (h->next == run->todo_count) {
         s->closed = true;
-        if (s->rank > 0) ranks_give(s->rank, FARM_STOP);
-        else farm_process_dismiss(&s->process);
+        if (s->rank > 0)
+            ranks_give(s->rank, FARM_STOP);
+        else
+            farm_process_dismiss(&s->process);
         return;
     }
     s->frame = run->todo[h->next++];
@@ -119,8 +121,10 @@ static void hear_processes(hall *h, struct pollfd *waits, bool alone) {
         slot *s = &h->slots[i];
         if (!s->busy || s->rank > 0) continue;
         if (waits[k++].revents == 0) continue;
-        if (farm_process_take(&s->process, &result)) take_result(h, s, &result);
-        else bury(h, s);
+        if (farm_process_take(&s->process, &result))
+            take_result(h, s, &result);
+        else
+            bury(h, s);
     }
 }
 

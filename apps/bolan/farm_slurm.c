@@ -15,8 +15,10 @@ enum { MOST_TASKS = 1000 }; // Slurm's own default limit of an array is 1001
 static void print_word(FILE *file, const char *word) {
     fputc('\'', file);
     for (; *word; word++) {
-        if (*word == '\'') fputs("'\\''", file);
-        else fputc(*word, file);
+        if (*word == '\'')
+            fputs("'\\''", file);
+        else
+            fputc(*word, file);
     }
     fputc('\'', file);
 }

@@ -98,11 +98,10 @@ static bool write_layers(farm_stage *s, const char *path) {
 static bool write_files(farm_stage *s, uint32_t frame) {
     const farm_job *j = s->job;
     char path[BOLAN_PATH_MAX];
-    if ((j->outputs & FARM_PICTURE) && (!farm_job_file(j, frame, FARM_FILE_PICTURE, path) ||
-                                        bolan_png_write(path, j->width, j->height, s->rgb)))
+    if ((j->outputs & FARM_PICTURE) &&
+        (!farm_job_file(j, frame, FARM_FILE_PICTURE, path) || bolan_png_write(path, j->width, j->height, s->rgb)))
         return false;
-    return !(j->outputs & FARM_LAYERS) ||
-           (farm_job_file(j, frame, FARM_FILE_LAYERS, path) && write_layers(s, path));
+    return !(j->outputs & FARM_LAYERS) || (farm_job_file(j, frame, FARM_FILE_LAYERS, path) && write_layers(s, path));
 }
 
 bool farm_stage_draw(farm_stage *s, uint32_t frame, farm_result *result) {

@@ -62,7 +62,8 @@ static char *cut_cell(char *at, char **next) {
 
 static int cut_line(const farm_table *t, uint32_t line, char *text, const char *cells[MOST_COLUMNS], int *count) {
     for (*count = 0; text; (*count)++) {
-        if (*count == MOST_COLUMNS) return usage_error("%s:%u: more than %d cells", t->path, (unsigned)line, MOST_COLUMNS);
+        if (*count == MOST_COLUMNS)
+            return usage_error("%s:%u: more than %d cells", t->path, (unsigned)line, MOST_COLUMNS);
         char *cell = cut_cell(text, &text);
         if (!cell) return usage_error("%s:%u: a quote is wrong in cell %d", t->path, (unsigned)line, *count + 1);
         cells[*count] = cell;
@@ -101,14 +102,17 @@ static int add_row(farm_table *t, const columns *c, uint32_t line, char *text, s
     const int result = cut_line(t, line, text, cells, &count);
     if (result) return result;
     if (count != c->count)
-        return usage_error("%s:%u: %d cells; expected %d, as in the first line", t->path, (unsigned)line, count, c->count);
+        return usage_error("%s:%u: %d cells; expected %d, as in the first line", t->path, (unsigned)line, count,
+                           c->count);
     farm_row *row = &t->rows[t->count++];
     *row = (farm_row){.line = line, .first = *arguments};
     for (int i = 0; i < count; i++) {
         if (!*cells[i]) continue;
         const bool scene = strcmp(c->names[i], "scene") == 0;
         char *word = t->words + *used;
-        *used += (size_t)sprintf(word, "%s%s%s%s", scene ? "" : "--", scene ? "" : c->names[i], scene ? "" : "=", cells[i]) + 1;
+        *used +=
+            (size_t)sprintf(word, "%s%s%s%s", scene ? "" : "--", scene ? "" : c->names[i], scene ? "" : "=", cells[i]) +
+            1;
         t->arguments[(*arguments)++] = word;
         row->count++;
     }
@@ -148,7 +152,8 @@ int farm_table_read(const char *path, farm_table *t) {
             result = add_row(t, &c, line, text, &used, &arguments);
         }
     }
-    if (!result && t->count == 0) result = usage_error("%s: no row; expected a line of columns, and a line a frame", path);
+    if (!result && t->count == 0)
+        result = usage_error("%s: no row; expected a line of columns, and a line a frame", path);
     return result;
 }
 

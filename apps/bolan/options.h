@@ -11,7 +11,16 @@
 enum { EXIT_OK = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 
 // Commands, as bits of option_info.commands.
-enum { ON_VIEW = 1, ON_RENDER = 2, ON_MEASURE = 4, ON_QUERY = 8, ON_INFO = 16, ON_BAKE = 32, ON_EXPORT = 64, ON_FARM = 128 };
+enum {
+    ON_VIEW = 1,
+    ON_RENDER = 2,
+    ON_MEASURE = 4,
+    ON_QUERY = 8,
+    ON_INFO = 16,
+    ON_BAKE = 32,
+    ON_EXPORT = 64,
+    ON_FARM = 128,
+};
 
 // The parsed options. Of options that are no parameter, a number that was not given is NAN, a name -1, a text NULL.
 typedef struct options {

@@ -44,9 +44,10 @@ static void take_block(digest *d, const uint8_t *block) {
     memcpy(s, d->h, sizeof s);
     for (int t = 0; t < 64; t++) {
         const uint32_t e = s[4], a = s[0];
-        const uint32_t t1 = s[7] + (rotated(e, 6) ^ rotated(e, 11) ^ rotated(e, 25)) + ((e & s[5]) ^ (~e & s[6])) +
-                            k[t] + w[t];
-        const uint32_t t2 = (rotated(a, 2) ^ rotated(a, 13) ^ rotated(a, 22)) + ((a & s[1]) ^ (a & s[2]) ^ (s[1] & s[2]));
+        const uint32_t t1 =
+            s[7] + (rotated(e, 6) ^ rotated(e, 11) ^ rotated(e, 25)) + ((e & s[5]) ^ (~e & s[6])) + k[t] + w[t];
+        const uint32_t t2 =
+            (rotated(a, 2) ^ rotated(a, 13) ^ rotated(a, 22)) + ((a & s[1]) ^ (a & s[2]) ^ (s[1] & s[2]));
         memmove(s + 1, s, 7 * sizeof *s);
         s[4] += t1;
         s[0] = t1 + t2;
@@ -55,7 +56,8 @@ static void take_block(digest *d, const uint8_t *block) {
 }
 
 static void begin(digest *d) {
-    *d = (digest){.h = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19}};
+    *d =
+        (digest){.h = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19}};
 }
 
 static void take(digest *d, const uint8_t *data, size_t size) {

@@ -4,13 +4,13 @@ set -eu
 . "$BOLAN_SOURCE_DIR/tests/cli/common"
 
 run --help
-for name in render measure query info bake export; do
+for name in render measure query info bake export farm; do
     grep -q "bolan $name " out || fail "--help does not list $name"
 done
-! grep -q 'farm' out || fail '--help lists what is not there'
+! grep -q 'farm-worker' out || fail '--help lists what nobody calls'
 run --version
 grep -q '^bolan [0-9]*\.[0-9]*\.[0-9]*$' out || fail 'no version'
-for name in render measure query info bake export; do
+for name in render measure query info bake export farm; do
     run "$name" --help
     grep -q "^usage: bolan $name" out || fail "$name --help has no usage line"
 done
