@@ -137,7 +137,7 @@ static bool render_frame(const job *j, bolan_world *w, stage *s, uint32_t number
     }
     const bolan_view view = shot_view(w, time, j->width, j->height, j->samples);
     float *distance = s->linear != NULL ? s->linear + 3 * (size_t)j->width * j->height : NULL;
-    tiles_draw(&s->tiles, w, &view, s->rgb, s->linear, distance);
+    tiles_draw(&s->tiles, w, &view, s->rgb, s->linear, distance, NULL);
     return write_frame(j, s, number);
 }
 

@@ -15,7 +15,7 @@ typedef struct ranks {
 
 // Joins the job that mpirun or srun has started, if any. Returns an exit code; failures were reported.
 int ranks_begin(ranks *r);
-// Leaves it. @p lost: a rank has died, and nobody waits for it.
+// Leaves it. @p lost: a rank has died; the others are ended, for they would wait for it, and the program with them.
 void ranks_end(ranks *r, bool lost);
 // Of rank 0: hands a frame to another rank. FARM_STOP: no more.
 void ranks_give(int rank, uint32_t frame);

@@ -2,6 +2,7 @@
 // See tiles.h. Corners lie at multiples of BOLAN_TILE_STEP: pixels that share a sample in the whole share it in a tile.
 #include "tiles.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "options.h"
@@ -33,6 +34,7 @@ bool tiles_open(tiles *t, bolan_renderer *renderer, uint32_t width, uint32_t hei
     plan(t, most);
     if (bolan_target_create(t->most_columns, t->most_rows, &t->target) != BOLAN_OK) return false;
     const size_t pixels = (size_t)t->most_columns * t->most_rows;
+    t->pixels = pixels;
     t->rgb_bytes = 3 * pixels;
     t->linear_bytes = linear ? 3 * pixels * sizeof(float) : 0;
     t->distance_bytes = linear ? pixels * sizeof(float) : 0;
@@ -44,7 +46,18 @@ bool tiles_open(tiles *t, bolan_renderer *renderer, uint32_t width, uint32_t hei
     return false;
 }
 
+bool tiles_add_surfaces(tiles *t, const bolan_surfaces *wanted) {
+    bolan_surfaces *s = &t->surfaces;
+    if (wanted->label != NULL) s->label = malloc(t->pixels * sizeof *s->label);
+    if (wanted->normal != NULL) s->normal = malloc(t->pixels * sizeof *s->normal);
+    if (wanted->motion != NULL) s->motion = malloc(t->pixels * sizeof *s->motion);
+    if (!s->label == !wanted->label && !s->normal == !wanted->normal && !s->motion == !wanted->motion) return true;
+    failure("no memory for a tile of %ux%u", (unsigned)t->most_columns, (unsigned)t->most_rows);
+    return false;
+}
+
 void tiles_close(tiles *t) {
+    free(t->surfaces.label), free(t->surfaces.normal), free(t->surfaces.motion);
     bolan_release(t->rgb, t->rgb_bytes);
     bolan_release(t->linear, t->linear_bytes);
     bolan_release(t->distance, t->distance_bytes);
@@ -73,8 +86,18 @@ static void copy(const tiles *t, rectangle core, rectangle drawn, const void *fr
     }
 }
 
+static void draw_surfaces(const tiles *t, const bolan_world *world, const bolan_view *view, rectangle core,
+                          rectangle drawn, const bolan_surfaces *to) {
+    bolan_surfaces part = t->surfaces;
+    part.flow = to->flow;
+    bolan_renderer_read_surfaces(t->renderer, world, view, &part);
+    if (to->label != NULL) copy(t, core, drawn, part.label, to->label, sizeof *to->label);
+    if (to->normal != NULL) copy(t, core, drawn, part.normal, to->normal, sizeof *to->normal);
+    if (to->motion != NULL) copy(t, core, drawn, part.motion, to->motion, sizeof *to->motion);
+}
+
 void tiles_draw(const tiles *t, const bolan_world *world, const bolan_view *whole, uint8_t *rgb, float *linear,
-                float *distance) {
+                float *distance, const bolan_surfaces *surfaces) {
     bolan_view view = *whole;
     view.framebuffer = bolan_target_framebuffer(t->target);
     for (uint32_t y = 0; y < t->height; y += t->rows)
@@ -91,5 +114,6 @@ void tiles_draw(const tiles *t, const bolan_world *world, const bolan_view *whol
             bolan_renderer_read_linear(t->renderer, t->linear, t->distance);
             copy(t, core, drawn, t->linear, linear, 3 * sizeof(float));
             copy(t, core, drawn, t->distance, distance, sizeof(float));
+            if (surfaces != NULL) draw_surfaces(t, world, &view, core, drawn, surfaces);
         }
 }

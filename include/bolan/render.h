@@ -393,6 +393,43 @@ BOLAN_API void bolan_renderer_bake(bolan_renderer *renderer);
 /// Allocates only where the view is larger than all that were read before.
 BOLAN_API void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, float *distance);
 
+/// What stands at a pixel.
+typedef enum bolan_label {
+    BOLAN_LABEL_SKY,
+    BOLAN_LABEL_WATER,
+    /// Water whose foam is BOLAN_LABEL_LEAST_FOAM at least: bolan_query_foam().
+    BOLAN_LABEL_FOAM,
+    /// The ground, dry or seen without water before it.
+    BOLAN_LABEL_LAND,
+    /// The first object of the scene; object i is BOLAN_LABEL_OBJECT + i.
+    BOLAN_LABEL_OBJECT,
+} bolan_label;
+
+/// The foam from which water is labelled as foam.
+#define BOLAN_LABEL_LEAST_FOAM 0.5f
+
+/// Where bolan_renderer_read_surfaces() writes: width * height elements each, row 0 at the top, or NULL.
+typedef struct bolan_surfaces {
+    /// bolan_label, or BOLAN_LABEL_OBJECT + index of an object.
+    uint32_t *label;
+    /// Unit normal in world axes; 0 at the sky. Of water: bolan_query_surface() at the place of the pixel, where the
+    /// picture's own normal is low-passed to the pixel. Of land: the map that shades it. Of objects: their vertices'.
+    bolan_vec3 *normal;
+    /// Velocity of the water at the surface, by bolan_query_motion() [m/s]; 0 at sky, land and objects. Needs `flow`.
+    bolan_vec3 *motion;
+    /// The flow at the time of the world's sea: bolan_flow_step(). NULL where `motion` is.
+    const bolan_flow *flow;
+} bolan_surfaces;
+
+/// Reads what stands at the middle of each pixel of the last view, which bolan_renderer_draw_world() has drawn of
+/// @p world and @p view. Draws land and objects once more, without light, into a target of its own; no picture changes.
+/// The eye is above the level of the water. Water that is seen before land is water, however shallow.
+/// The places are those of a flat earth; within 1 km of the eye its curvature moves them by less than 0.1 m of height.
+/// Before such a view, of another size, with `motion` and without `flow`, or from below the level, the buffers are left
+/// alone, logged once. Allocates.
+BOLAN_API void bolan_renderer_read_surfaces(bolan_renderer *renderer, const bolan_world *world, const bolan_view *view,
+                                            const bolan_surfaces *out);
+
 /// Reads the 8-bit image of @p framebuffer, row 0 at the top: width * height * 3 bytes.
 /// A framebuffer that is not complete, has several samples a pixel or holds integers: @p rgb is left alone, logged
 /// once.

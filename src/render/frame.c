@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "below.h"
+#include "memory.h"
 #include "renderer.h"
 
 _Static_assert((int)PART_COUNT + (int)SEA_STAGES <= BOLAN_MAX_PASSES, "statistics have a place for each");
@@ -360,5 +361,61 @@ void bolan_renderer_draw_world(bolan_renderer *r, const bolan_world *world, cons
     bolan_renderer_enter(r);
     prepare(r, water, &lighting, world);
     draw_view(r, view);
+    bolan_renderer_leave(r);
+}
+
+// ---- what stands at the pixels --------------------------------------------------------------------------------------
+
+static const char *surfaces_problem(const bolan_renderer *r, const bolan_world *world, const bolan_view *view,
+                                    const bolan_surfaces *out) {
+    const bolan_water *water = bolan_world_water(world);
+    if (r->width != view->width || r->height != view->height || !r->prepared) return "the last view was another";
+    if (r->frame.water.sea != water->sea) return "the last view was of another world";
+    if (view->eye.z < water->level) return "the eye is below the level of the water";
+    if (out->motion != NULL && out->flow == NULL) return "motion needs a flow; expected bolan_surfaces.flow";
+    return NULL;
+}
+
+static void draw_surfaces(bolan_renderer *r, render_view *v, const bolan_view *view) {
+    bolan_view_cache *cache = view->cache != NULL ? view->cache : &r->own_cache;
+    v->without_water = view->without_water;
+    bolan_pass_water_place(&r->frame, v);
+    prepare_view(r, v, cache);
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    bolan_gl_target_bind(&r->surfaces.target);
+    bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    bolan_gl_target_clear_depth(0.0f);
+    bolan_pass_ground_draw_surfaces(cache->ground, v, &r->surfaces.land);
+    bolan_pass_objects_draw_surfaces(r->models, v, &r->surfaces.object, BOLAN_LABEL_OBJECT);
+}
+
+static void read_surfaces(bolan_renderer *r, const bolan_view *view, const bolan_surfaces *out) {
+    const size_t plane = (size_t)view->width * view->height * 4, bytes = 3 * plane * sizeof(float);
+    render_view v = {.frame = NULL};
+    float *memory = allocate_for("reading surfaces back", bytes);
+    if (memory != NULL && bolan_surface_reader_fit(&r->surfaces, view->width, view->height) == BOLAN_OK &&
+        bolan_gl_depth_read(&r->depth_reader, &r->targets.hdr_depth, memory) == BOLAN_OK && open_view(r, &v, view)) {
+        draw_surfaces(r, &v, view);
+        bolan_gl_target_read_float(&r->surfaces.target, 0, memory + plane);
+        const surface_pixels pixels = {memory, memory + 2 * plane, memory + plane};
+        if (bolan_gl_depth_read(&r->depth_reader, &r->surfaces.depth, memory + 2 * plane) == BOLAN_OK)
+            bolan_surfaces_fill(&v, &pixels, out);
+    }
+    bolan_release(memory, bytes);
+}
+
+void bolan_renderer_read_surfaces(bolan_renderer *r, const bolan_world *world, const bolan_view *view,
+                                  const bolan_surfaces *out) {
+    const bool given = r != NULL && world != NULL && view != NULL && out != NULL;
+    BOLAN_ASSERT(given);
+    if (!given || !bolan_view_is_valid(r, view)) return;
+    const char *problem = surfaces_problem(r, world, view, out);
+    if (problem != NULL) {
+        bolan_renderer_refuse(r, CALL_READ_SURFACES, BOLAN_LOG_BAD_ARGUMENT, "read_surfaces: %s", problem);
+        return;
+    }
+    bolan_renderer_accept(r, CALL_READ_SURFACES);
+    bolan_renderer_enter(r);
+    read_surfaces(r, view, out);
     bolan_renderer_leave(r);
 }

@@ -131,6 +131,8 @@ bolan_result bolan_pass_ground_create(const gl_caps *caps, const pass_ground *fr
 void bolan_pass_ground_share(pass_ground *p, const pass_ground *from);
 void bolan_pass_ground_prepare(pass_ground *p, render_view *v); // chunks of this view, shore map; binds its units
 void bolan_pass_ground_draw(pass_ground *p, render_view *v);
+// With the program surfaces.glsl, in the place of its own.
+void bolan_pass_ground_draw_surfaces(pass_ground *p, render_view *v, const gl_program *program);
 bolan_result bolan_pass_ground_reload(pass_ground *p);
 void bolan_pass_ground_destroy(pass_ground **p);
 
@@ -139,6 +141,8 @@ void bolan_pass_objects_prepare(pass_objects *p, render_view *v); // places of t
 void bolan_pass_objects_draw(
     pass_objects *p,
     render_view *v); // one side of the clip plane; reads UNIT_TERRAIN2 (the terrain pass's noise)
+// With the program surfaces.glsl, in the place of its own; object i has the label `first` + i.
+void bolan_pass_objects_draw_surfaces(pass_objects *p, render_view *v, const gl_program *program, uint32_t first);
 bolan_result bolan_pass_objects_reload(pass_objects *p);
 void bolan_pass_objects_destroy(pass_objects **p);
 

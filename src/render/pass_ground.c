@@ -264,12 +264,16 @@ void bolan_pass_ground_prepare(pass_ground *p, render_view *v) {
     }
 }
 
-static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program *program, const render_view *v) {
-    const ground_chunk *c = &s->chunk;
-    // The one place where doubles become eye-relative floats.
+// The one place where doubles become eye-relative floats.
+static void place_chunk(const ground_chunk *c, const gl_program *program, const render_view *v) {
     bolan_gl_program_vec4(
         program, "chunk",
         (bolan_vec4){(float)(c->west - v->eye.x), (float)(c->south - v->eye.y), (float)-v->eye.z, (float)c->size});
+}
+
+static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program *program, const render_view *v) {
+    const ground_chunk *c = &s->chunk;
+    place_chunk(c, program, v);
     // A shadow's edge is as soft as the map's own grain.
     float slope = bolan_chunk_sun_from(v->frame->sun_direction).slope, texel = (float)(c->size / CHUNK_TEXELS);
     bolan_gl_program_float(program, "shadow_softness", 0.15f + 1.2f * texel * fminf(slope, 4.0f));
@@ -289,5 +293,20 @@ void bolan_pass_ground_draw(pass_ground *p, render_view *v) {
         bool near_ground = s->chunk.size / CHUNK_TEXELS < FINEST_GRAIN;
         draw_chunk(&p->gpu[list[n]], s, &p->programs[v->picture][near_ground], v);
         v->triangles += bolan_chunk_index_count(s->mesh) / 3;
+    }
+}
+
+void bolan_pass_ground_draw_surfaces(pass_ground *p, render_view *v, const gl_program *program) {
+    if (!p->terrain || !p->tree || shown_by_object(v)) return;
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    bolan_gl_program_use(program);
+    bolan_gl_program_float(program, "label", (float)BOLAN_LABEL_LAND);
+    uint32_t count;
+    const uint32_t *list = bolan_ground_tree_draw_list(p->tree, &count);
+    for (uint32_t n = 0; n < count; n++) {
+        const chunk_slot *s = bolan_ground_tree_slot(p->tree, list[n]);
+        place_chunk(&s->chunk, program, v);
+        bolan_gl_texture_bind(&p->gpu[list[n]].map, UNIT_TERRAIN);
+        bolan_gl_mesh_draw(&p->gpu[list[n]].mesh, bolan_chunk_first_index(s->mesh), bolan_chunk_index_count(s->mesh));
     }
 }

@@ -50,6 +50,7 @@ typedef struct placed {
     double lowest, highest;   // of its box, above the water level [m]
     float nearest;            // about as near as it comes to the eye [m]
     int caster;               // its own, or -1
+    uint32_t index;           // in the scene
 } placed;
 
 struct pass_objects {
@@ -305,6 +306,7 @@ void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
         const bolan_model *model = v->frame->models[i];
         placed *to = &p->objects[p->count];
         if (!model || !(to->gpu = keep(p, model))) continue;
+        to->index = i;
         bolan_model_bounds(model, &to->low, &to->high);
         const bolan_pose at = bolan_object_pose(&s->objects[i], model, &v->frame->water);
         fill_rows(to, &at, s->objects[i].scale, v->eye);
@@ -386,4 +388,18 @@ void bolan_pass_objects_draw(pass_objects *p, render_view *v) {
     for (int flat = 0; flat < 2; flat++)
         for (int kind = v->picture ? WHOLE : MAIN; kind < (v->picture ? KINDS : WHOLE); kind++)
             draw_kind(p, v, flat, kind);
+}
+
+void bolan_pass_objects_draw_surfaces(pass_objects *p, render_view *v, const gl_program *program, uint32_t first) {
+    bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
+    if (p->count > 0) bolan_gl_program_use(program);
+    for (uint32_t i = 0; i < p->count; i++) {
+        const placed *o = &p->objects[i];
+        uint32_t count = 0;
+        for (int c = 0; c < CLASSES; c++) count += o->counts[c];
+        bolan_gl_program_vec4_array(program, "place", o->rows, 3);
+        bolan_gl_program_float(program, "label", (float)(first + o->index));
+        bolan_gl_mesh_draw(o->mesh, 0, count);
+        v->triangles += count / 3;
+    }
 }

@@ -167,6 +167,7 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     bolan_gl_program_free(&r->yardstick);
     bolan_gl_mesh_free(&r->empty);
     bolan_gl_depth_reader_free(&r->depth_reader);
+    bolan_surface_reader_free(&r->surfaces);
     for (int i = 0; i < PART_COUNT; ++i) bolan_gl_timer_free(&r->timers[i]);
     bolan_renderer_free_targets(r);
     bolan_release(r->scratch, r->scratch_bytes);

@@ -9,6 +9,7 @@
 #include "host.h"
 #include "kept_sizes.h"
 #include "sea_compute.h"
+#include "surfaces.h"
 
 // The timed parts of a frame, in order.
 typedef enum frame_part {
@@ -32,6 +33,7 @@ typedef enum renderer_call {
     CALL_PREPARE,
     CALL_READ_LINEAR,
     CALL_READ_RGB8,
+    CALL_READ_SURFACES,
     CALL_YARDSTICK,
     CALL_MEMORY_RATE,
     CALL_BIND_FIELDS,
@@ -89,6 +91,7 @@ struct bolan_renderer {
     uint32_t width, height;
     // reading back
     gl_depth_reader depth_reader;
+    surface_reader surfaces;
     void *scratch;
     size_t scratch_bytes;
     // timing

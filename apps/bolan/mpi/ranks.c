@@ -38,7 +38,8 @@ int ranks_begin(ranks *r) {
 void ranks_end(ranks *r, bool lost) {
     free(heard);
     heard = NULL;
-    if (r->begun && !lost) MPI_Finalize(); // which waits for every rank
+    if (r->begun && lost) fflush(NULL), MPI_Abort(MPI_COMM_WORLD, EXIT_FAILED);
+    if (r->begun) MPI_Finalize(); // which waits for every rank
     r->begun = false;
 }
 
