@@ -49,11 +49,6 @@ BOLAN_API void bolan_query_surface(const bolan_water *water, const bolan_dvec2 *
 /// @param height receives count floats.
 BOLAN_API void bolan_query_heights(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, float *height);
 
-/// Foam at @p count world points @p xy: bolan_sea_sample::foam of the parcel that stands there, 0 without waves.
-/// The rest point is found by a fixed point without the search for folds of bolan_query_surface(), which is exact enough
-/// for foam. @p foam receives count floats. Allocates nothing. Cannot fail. Thread-safe between steps of the sea.
-BOLAN_API void bolan_query_foam(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, float *foam);
-
 // ---- the moving water -----------------------------------------------------------------------------------------------
 
 /// At which depth the waves of linear theory are taken for a point at height z over the mean level, under a surface at

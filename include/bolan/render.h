@@ -397,16 +397,13 @@ BOLAN_API void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, 
 typedef enum bolan_label {
     BOLAN_LABEL_SKY,
     BOLAN_LABEL_WATER,
-    /// Water whose foam is BOLAN_LABEL_LEAST_FOAM at least: bolan_query_foam().
+    /// Water that foams: its Jacobian, bolan_query_point::jacobian, is below bolan_sea_foam_threshold().
     BOLAN_LABEL_FOAM,
     /// The ground, dry or seen without water before it.
     BOLAN_LABEL_LAND,
     /// The first object of the scene; object i is BOLAN_LABEL_OBJECT + i.
     BOLAN_LABEL_OBJECT,
 } bolan_label;
-
-/// The foam from which water is labelled as foam.
-#define BOLAN_LABEL_LEAST_FOAM 0.5f
 
 /// Where bolan_renderer_read_surfaces() writes: width * height elements each, row 0 at the top, or NULL.
 typedef struct bolan_surfaces {

@@ -43,13 +43,12 @@ typedef struct row {
     bolan_dvec2 *xy;
     bolan_query_point *surface;
     bolan_surface_motion *motion;
-    float *foam;
     void *memory;
     size_t bytes;
 } row;
 
 static bool begin_row(row *r, uint32_t width) {
-    const size_t each = sizeof *r->xy + sizeof *r->surface + sizeof *r->motion + sizeof *r->index + sizeof *r->foam;
+    const size_t each = sizeof *r->xy + sizeof *r->surface + sizeof *r->motion + sizeof *r->index;
     *r = (row){.bytes = width * each};
     r->memory = allocate_for("reading surfaces back", r->bytes);
     if (r->memory == NULL) return false;
@@ -57,7 +56,6 @@ static bool begin_row(row *r, uint32_t width) {
     r->surface = (bolan_query_point *)(r->xy + width);
     r->motion = (bolan_surface_motion *)(r->surface + width);
     r->index = (uint32_t *)(r->motion + width);
-    r->foam = (float *)(r->index + width);
     return true;
 }
 
@@ -98,14 +96,14 @@ static void sort_pixels(const render_view *v, const surface_pixels *s, const bol
 static void fill_water(const render_view *v, const bolan_surfaces *out, row *r) {
     bolan_water water = v->frame->water;
     water.flow = out->flow;
-    if (out->normal != NULL) bolan_query_surface(&water, r->xy, r->count, r->surface);
-    if (out->label != NULL) bolan_query_foam(&water, r->xy, r->count, r->foam);
+    const double threshold = bolan_sea_foam_threshold(water.sea);
+    if (out->normal != NULL || out->label != NULL) bolan_query_surface(&water, r->xy, r->count, r->surface);
     if (out->motion != NULL) bolan_query_motion(&water, NULL, r->xy, r->count, r->motion);
     for (uint32_t k = 0; k < r->count; k++) {
         if (out->normal != NULL) out->normal[r->index[k]] = r->surface[k].normal;
         if (out->motion != NULL) out->motion[r->index[k]] = r->motion[k].velocity;
         if (out->label != NULL)
-            out->label[r->index[k]] = r->foam[k] >= BOLAN_LABEL_LEAST_FOAM ? BOLAN_LABEL_FOAM : BOLAN_LABEL_WATER;
+            out->label[r->index[k]] = (double)r->surface[k].jacobian < threshold ? BOLAN_LABEL_FOAM : BOLAN_LABEL_WATER;
     }
 }
 
