@@ -10,7 +10,8 @@ graphics='libegl-dev libgl-dev libgl1-mesa-dri libepoxy-dev libsdl2-dev libimgui
 files='libstb-dev libyaml-dev libopenexr-dev libgdal-dev libassimp-dev zlib1g-dev libnetcdf-dev ffmpeg'
 tests='libcmocka-dev libfftw3-dev xvfb xauth locales python3-yaml'
 python='python3-cffi python3-numpy python3-pytest python3-matplotlib python3-pip python3-setuptools'
-packages="$tools $graphics $files $tests $python"
+farm='libopenmpi-dev openmpi-bin'
+packages="$tools $graphics $files $tests $python $farm"
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     echo 'Bolan sets itself up on Debian and Ubuntu only. Install what these packages hold, then run again with' >&2

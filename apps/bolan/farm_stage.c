@@ -138,6 +138,9 @@ bool farm_stage_draw(farm_stage *s, uint32_t frame, farm_result *result) {
     bolan_scene scene;
     if (farm_job_scene(s->job, frame, &scene) || !use_scene(s, &scene)) return false;
     const bolan_view view = shot_view(s->world, scene.time, s->job->width, s->job->height, s->job->samples);
+    if ((s->job->outputs & FARM_SURFACES) && view.eye.z < scene.water.level)
+        return failure("normal, segmentation and motion are those of an eye above the water; expected a higher camera"),
+               false;
     tiles_draw(&s->tiles, s->world, &view, s->rgb, s->linear, s->distance,
                s->job->outputs & FARM_SURFACES ? &s->surfaces : NULL);
     if (!write_files(s, frame)) return false;

@@ -74,40 +74,43 @@ same one kept
 for i in 0 4; do [ "$(date -r "kept/00000$i.png" +%Y)" = 2001 ] || fail "frame $i was drawn again"; done
 for i in 1 2 3; do [ "$(date -r "kept/00000$i.png" +%Y)" != 2001 ] || fail "frame $i was not drawn again"; done
 
-# kill_one WHO: begins in the folder `hurt`, and kills a process of the farm, or all of it, after the first frame.
-kill_one() {
+# wait_until COMMAND...: the command succeeds, while the farm runs.
+wait_until() {
+    tries=0
+    until "$@"; do
+        tries=$((tries + 1))
+        [ "$tries" -lt 2400 ] || fail "waited in vain for $*: $(cat err)"
+        kill -0 "$farm" 2> /dev/null || fail "the farm ended by itself: $(cat err)"
+        sleep 0.05
+    done
+}
+begin_hurt() {
     rm -rf hurt
     status=0
     # shellcheck disable=SC2086
     "$BOLAN" farm $film -o hurt --processes 2 > out 2> err &
     farm=$!
-    tries=0
-    until [ -n "$(find hurt -name '0*.json' 2> /dev/null)" ]; do
-        tries=$((tries + 1))
-        [ "$tries" -lt 2400 ] || fail "no frame: $(cat err)"
-        kill -0 "$farm" 2> /dev/null || fail "the farm ended by itself: $(cat err)"
-        sleep 0.05
-    done
-    workers=$(ps -o pid= --ppid "$farm")
-    if [ "$1" = worker ]; then
-        # shellcheck disable=SC2086
-        set -- $workers
-        kill -STOP "$1" # in the middle of a frame
-        sleep 0.2
-        kill -KILL "$1"
-    else
-        kill -KILL "$farm"
-    fi
-    wait "$farm" || status=$?
 }
-kill_one worker
+has_two() { workers=$(ps -o pid= --ppid "$farm") && [ "$(echo "$workers" | wc -l)" -eq 2 ]; }
+has_frame() { [ -n "$(find hurt -name '0*.json' 2> /dev/null)" ]; }
+
+# A process dies while it draws its first frame, which takes it longer than any other.
+begin_hurt
+wait_until has_two
+kill -KILL "$(echo "$workers" | head -n 1)"
+wait "$farm" || status=$?
 [ "$status" -eq 1 ] || fail "a dead process: exit code $status"
 [ "$(wc -l < err)" -eq 1 ] || fail "a dead process: $(cat err)"
 grep -q '^bolan: 1 of 5 frames failed: [0-9] (its process was ended by signal 9); the same command draws' err ||
     fail "a dead process: $(cat err)"
 [ "$(grep -c '"reason": "its process was ended by signal 9"' hurt/manifest.json)" -eq 1 ] || fail 'the manifest knows of no failure'
 [ "$(find hurt -name '*.png' | wc -l)" -eq 4 ] || fail "a dead process cost more than its frame: $(ls hurt)"
-kill_one farm
+# The farm is killed after a frame.
+begin_hurt
+wait_until has_two
+wait_until has_frame
+kill -KILL "$farm" 2> /dev/null || true
+wait "$farm" || status=$?
 tries=0
 # shellcheck disable=SC2086
 while kill -0 $workers 2> /dev/null; do
@@ -119,6 +122,15 @@ has_no_part
 # shellcheck disable=SC2086
 run farm $film -o hurt --processes 1
 same one hurt
+
+# Layers stand in one file of floats.
+# shellcheck disable=SC2086
+run farm $film -o layers --processes 1 --frames 1 --outputs linear,distance,normal,segmentation,motion
+[ ! -e layers/000000.png ] || fail 'a picture that was not asked for'
+for channel in R G B Z normal.X normal.Y normal.Z motion.X motion.Y motion.Z segmentation; do
+    head -c 2000 layers/000000.exr | grep -aq "$channel" || fail "the layers lack $channel"
+done
+grep -q '"layers' layers/manifest.json && fail 'the manifest names the folder'
 
 # A table: the columns are options, a quoted cell holds commas, an empty cell is not given.
 cat > seas.csv << 'END'

@@ -472,6 +472,9 @@ void bolan_renderer_draw_water(bolan_renderer *renderer, const bolan_view *view,
 bool bolan_renderer_needs_baking(const bolan_renderer *renderer);
 void bolan_renderer_bake(bolan_renderer *renderer);
 void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, float *distance);
+typedef enum bolan_label { BOLAN_LABEL_SKY, BOLAN_LABEL_WATER, BOLAN_LABEL_FOAM, BOLAN_LABEL_LAND, BOLAN_LABEL_OBJECT, } bolan_label;
+typedef struct bolan_surfaces { uint32_t *label; bolan_vec3 *normal; bolan_vec3 *motion; const bolan_flow *flow; } bolan_surfaces;
+void bolan_renderer_read_surfaces(bolan_renderer *renderer, const bolan_world *world, const bolan_view *view, const bolan_surfaces *out);
 void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb);
 const char *bolan_fields_glsl(void);
 bolan_result bolan_renderer_link_fields(bolan_renderer *renderer, uint32_t program, uint32_t first_unit, uint32_t slot);

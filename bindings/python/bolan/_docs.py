@@ -479,6 +479,12 @@ Allocates only where the view is larger than all that were read before.""",
     "bolan_renderer_read_rgb8": """Reads the 8-bit image of framebuffer, row 0 at the top: width * height * 3 bytes.
 A framebuffer that is not complete, has several samples a pixel or holds integers: rgb is left alone, logged
 once.""",
+    "bolan_renderer_read_surfaces": """Reads what stands at the middle of each pixel of the last view, which bolan_renderer_draw_world() has drawn of
+world and view. Draws land and objects once more, without light, into a target of its own; no picture changes.
+The eye is above the level of the water. Water that is seen before land is water, however shallow.
+The places are those of a flat earth; within 1 km of the eye its curvature moves them by less than 0.1 m of height.
+Before such a view, of another size, with `motion` and without `flow`, or from below the level, the buffers are left
+alone, logged once. Allocates.""",
     "bolan_renderer_reload": """Compiles all shaders again from shader_directory, those of its view caches too.
 Errors: GL (a shader that does not compile; the old programs stay).""",
     "bolan_renderer_statistics": """The statistics of the last finished frame.""",

@@ -1875,6 +1875,23 @@ class SurfaceView(Struct):
     shift_y: float
 
 
+class Surfaces(Struct):
+    """Where bolan_renderer_read_surfaces() writes: width * height elements each, row 0 at the top, or NULL.
+
+    Fields:
+    label: bolan_label, or BOLAN_LABEL_OBJECT + index of an object.
+    normal: Unit normal in world axes; 0 at the sky. Of water: bolan_query_surface() at the place of the pixel, where the
+        picture's own normal is low-passed to the pixel. Of land: the map that shades it. Of objects: their vertices'.
+    motion: Velocity of the water at the surface, by bolan_query_motion() [m/s]; 0 at sky, land and objects. Needs `flow`.
+    flow: The flow at the time of the world's sea: bolan_flow_step(). NULL where `motion` is.
+    """
+    _type = "bolan_surfaces"
+    label: Any
+    normal: Any
+    motion: Any
+    flow: Any
+
+
 class Technique(Struct):
     """A way to make water: a wave model x a surface x an optics. Every mix works.
 
