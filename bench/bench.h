@@ -10,6 +10,8 @@ int bench_waves(int argc, char **argv);
 int bench_query(int argc, char **argv);
 int bench_frame(int argc, char **argv);
 int bench_techniques(int argc, char **argv);
+int bench_farm(int argc, char **argv);
+int bench_farm(int argc, char **argv);
 
 // Processor, instruction set and processor count in words, without characters that JSON would have to escape.
 const char *bench_machine(void);

@@ -20,6 +20,8 @@ static const command commands[] = {
     {"query", bench_query, "heights, normals and motion a second, as a ratio to memory"},
     {"frame", bench_frame, "a picture, pass by pass, as a ratio to a full-screen pass"},
     {"techniques", bench_techniques, "every technique, and the tables of the papers beside ours"},
+    {"farm", bench_farm, "frames by one and two processes, the hand-out, a simulation of 1000 ranks"},
+    {"farm", bench_farm, "frames by one and two processes, the hand-out, a simulation of 1000 ranks"},
 };
 
 static double clock_ms(clockid_t clock) {

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -102,6 +103,28 @@ static int finish(const farm_job *job, farm_result *results) {
     return code;
 }
 
+// The frames of this run in the order of their numbers, and what handing out has cost.
+static int write_times(const farm_run *run) {
+    char *text = NULL;
+    size_t size = 0;
+    struct rusage used;
+    FILE *file = run->job->given.times ? open_memstream(&text, &size) : NULL;
+    if (!file) return EXIT_OK;
+    getrusage(RUSAGE_SELF, &used);
+    fprintf(file, "frame,by,draw_s,taken_s\n");
+    for (uint32_t i = 0; i < run->todo_count; i++) {
+        const farm_result *r = &run->results[run->todo[i]];
+        if (r->state == FARM_DONE)
+            fprintf(file, "%u,%u,%.6f,%.6f\n", (unsigned)r->frame, (unsigned)r->by, r->draw, r->taken);
+    }
+    fprintf(file, "# processor time of the process that hands out, from its start: %.6f s\n",
+            (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec + (double)used.ru_stime.tv_sec +
+                1e-6 * (double)used.ru_stime.tv_usec);
+    const bool ok = fclose(file) == 0 && bolan_file_write(run->job->given.times, text, size) == BOLAN_OK;
+    free(text);
+    return ok ? EXIT_OK : EXIT_FAILED;
+}
+
 static uint32_t processors(void) {
     const long count = sysconf(_SC_NPROCESSORS_ONLN);
     return count > 1 ? (uint32_t)count : 1;
@@ -117,8 +140,8 @@ static int draw(const farm_job *job, const ranks *r, farm_run *run) {
     farm_clean(job, run->todo, run->todo_count);
     if (!farm_run_all(run, r)) return EXIT_FAILED;
     code = report_failures(run);
-    const int finished = finish(job, run->results);
-    return code ? code : finished;
+    const int finished = finish(job, run->results), told = write_times(run);
+    return code ? code : finished ? finished : told;
 }
 
 static int run_job(const farm_job *job, const ranks *r, int count, char **arguments, bool *lost) {

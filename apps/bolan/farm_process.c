@@ -14,9 +14,16 @@
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 extern char **environ;
+
+double farm_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 // ---- bytes ----------------------------------------------------------------------------------------------------------
 
@@ -125,7 +132,9 @@ static void work(const farm_job *job, int socket) {
     while (receive_all(socket, &frame, sizeof frame)) {
         memset(&result, 0, sizeof result);
         if (!stage) stage = farm_stage_open(job);
+        const double begun = farm_now();
         const bool done = stage && farm_stage_draw(stage, frame, &result);
+        result.draw = farm_now() - begun;
         result.frame = frame;
         result.state = done ? FARM_DONE : FARM_FAILED;
         if (!done && !result.reason[0]) snprintf(result.reason, FARM_SENTENCE, "no reason was given");

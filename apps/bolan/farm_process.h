@@ -14,6 +14,8 @@ typedef struct farm_process {
     int socket; // -1: none
 } farm_process;
 
+// Monotonic time [s].
+double farm_now(void);
 // Starts a process for the arguments of bolan farm, which draws with that many threads. False with errno.
 bool farm_process_start(farm_process *p, int count, char **arguments, uint32_t threads);
 // Hands a frame out. False: the process has ended.

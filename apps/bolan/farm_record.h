@@ -14,6 +14,9 @@ typedef struct farm_result {
     uint32_t frame;
     farm_state state;
     double time;                        // of the frame's scene [s]
+    // What it took: drawing and writing; from hand-out to answer [s]. By which process or rank. Not in the manifest.
+    double draw, taken;
+    uint32_t by;
     char hash[FARM_FILES][SHA256_TEXT]; // "" for a file that is not among the outputs
     char reason[FARM_SENTENCE];         // of a failure
     char warning[FARM_SENTENCE];        // the first that was said, or ""

@@ -9,7 +9,6 @@
 #include <poll.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 enum {
@@ -24,6 +23,7 @@ typedef struct slot {
     int rank; // 0: a process of this machine
     bool busy, closed;
     uint32_t frame;
+    double handed; // [s]
 } slot;
 
 typedef struct hall {
@@ -35,12 +35,6 @@ typedef struct hall {
     char warnings[WARNINGS][FARM_SENTENCE];
     uint32_t warning_count;
 } hall;
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 // ---- what is said ---------------------------------------------------------------------------------------------------
 
@@ -56,7 +50,7 @@ static void warn(hall *h, const char *sentence) {
 static void tell_progress(hall *h) {
     enum { EVERY = 30 }; // [s]
     progress_update(&h->bar, h->ended);
-    const double t = now();
+    const double t = farm_now();
     if (h->bar.shown || h->run->job->quiet || t - h->told < EVERY || h->ended == 0) return;
     h->told = t;
     const long left = (long)((t - h->begun) / h->ended * (h->run->todo_count - h->ended) + 0.5);
@@ -67,8 +61,11 @@ static void tell_progress(hall *h) {
 // ---- frames ---------------------------------------------------------------------------------------------------------
 
 static void take_result(hall *h, slot *s, const farm_result *result) {
-    h->run->results[s->frame] = *result;
-    h->run->results[s->frame].frame = s->frame;
+    farm_result *kept = &h->run->results[s->frame];
+    *kept = *result;
+    kept->frame = s->frame;
+    kept->taken = farm_now() - s->handed;
+    kept->by = (uint32_t)(s - h->slots);
     h->succeeded += result->state == FARM_DONE;
     h->ended++;
     s->busy = false;
@@ -101,6 +98,7 @@ static void hand_out(hall *h, slot *s) {
     }
     s->frame = run->todo[h->next++];
     s->busy = true;
+    s->handed = farm_now();
     if (s->rank > 0) {
         ranks_give(s->rank, s->frame);
     } else if (s->process.pid == 0 && !farm_process_start(&s->process, run->count, run->arguments, run->threads)) {
@@ -163,7 +161,7 @@ static bool is_open(const hall *h) {
 bool farm_run_all(farm_run *run, const ranks *r) {
     const uint32_t others = (uint32_t)r->count - 1, wanted = others > 0 ? 1 : run->processes;
     const uint32_t here = wanted < run->todo_count || others > 0 ? wanted : run->todo_count;
-    hall h = {.run = run, .slot_count = here + others, .begun = now(), .told = now()};
+    hall h = {.run = run, .slot_count = here + others, .begun = farm_now(), .told = farm_now()};
     h.slots = calloc(h.slot_count + 1, sizeof *h.slots);
     struct pollfd *waits = calloc(here + 1, sizeof *waits);
     if (!h.slots || !waits) return free(h.slots), free(waits), failure("no memory for the processes"), false;

@@ -27,7 +27,7 @@ static const command commands[] = {
      "[SCENE|TABLE.csv] -o FILE     frames or rows of a table by many processes, MPI ranks or Slurm", NULL},
     {"farm-worker", command_farm_worker, NULL, NULL},
     {"export", command_export, "spectrum [SCENE] -o FILE      the spectrum as .png, .csv or SWAN text (.spec)", NULL},
-    {"bench", command_bench, "[waves|query|frame|techniques]  benchmarks", bench_is_there},
+    {"bench", command_bench, "[waves|query|frame|techniques|farm]  benchmarks", bench_is_there},
     {"info", command_info, "[FILE]                        build, processor, scenes; or what a file of spectra holds",
      NULL},
 };

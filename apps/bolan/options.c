@@ -114,6 +114,8 @@ const option_info option_table[] = {
                                            "under mpirun one per rank"),
     OPTION("part", TEXT, part, ON_FARM, "K/N",
            .help = "only the frames K, K + N, K + 2 N ... from 0, as a task of an array does"),
+    OPTION("times", TEXT, times, ON_FARM, "FILE",
+           .help = "CSV of what each frame took: its process or rank, drawing, from hand-out to answer"),
     OPTION("slurm", TEXT, slurm, ON_FARM, "FILE",
            .help = "writes a Slurm array script that does the work, and draws nothing"),
     OPTION("screenshot", TEXT, screenshot, ON_VIEW, "FILE",

@@ -38,7 +38,7 @@ typedef struct options {
     double size[2];
     double least_wavelength, buoy[2], duration, rate;
     int quality, backend, stretching;
-    const char *spectrum, *terrain, *points, *columns, *output, *screenshot, *outputs, *slurm, *part;
+    const char *spectrum, *terrain, *points, *columns, *output, *screenshot, *outputs, *slurm, *part, *times;
     bool record_time, json, parameters, schema, quiet, help;
 } options;
 

@@ -21,7 +21,8 @@ typedef struct tiles {
 // most: largest side that is drawn at once [px], 0: as the context has it. linear: tiles_draw() gives radiance and
 // distance too. False: it cannot be had (logged).
 bool tiles_open(tiles *t, bolan_renderer *renderer, uint32_t width, uint32_t height, uint32_t most, bool linear);
-// Makes room for surfaces of one tile, of which tiles_draw() then gives those that are asked for here. False: no memory.
+// Makes room for surfaces of one tile, of which tiles_draw() then gives those that are asked for here. False: no
+// memory.
 bool tiles_add_surfaces(tiles *t, const bolan_surfaces *wanted);
 // Draws a view of the whole into buffers of width * height, top row first: 3 bytes a pixel, and where they are not NULL
 // 3 floats of radiance and 1 of distance; surfaces where it is not NULL. @p whole has no tile and no framebuffer.

@@ -38,7 +38,8 @@ rm t.csv
 need_gl
 
 tiny='--technique exp-cosine --size 160x90 --quality low --samples 1'
-film="open-sea $tiny --fps 10 --frames 5"
+# A machine that is slow is told of the progress, on stderr.
+film="open-sea $tiny --fps 10 --frames 5 --quiet"
 
 # same A B: two folders hold the same files with the same bytes.
 same() { diff -r "$1" "$2" > difference || fail "$1 and $2: $(cat difference)"; }
@@ -48,10 +49,11 @@ has_no_part() { [ -z "$(find . -name '*.part*')" ] || fail "left $(find . -name 
 # shellcheck disable=SC2086 # split on purpose
 {
     run farm $film -o one --processes 1
+    [ ! -s out ] || fail '--quiet prints'
+    run farm ${film% --quiet} -o one --processes 1
     [ "$(cat out)" = one/manifest.json ] || fail 'the name of the manifest is not printed'
     [ "$(ls one | wc -l)" -eq 11 ] || fail "one holds $(ls one)"
-    run farm $film -o two --processes 2 --quiet
-    [ ! -s out ] || fail '--quiet prints'
+    run farm $film -o two --processes 2
     same one two
     run render $film -o 'r-%d.png'
     for i in 0 1 2 3 4; do cmp "r-$i.png" "one/00000$i.png" || fail "frame $i is not that of bolan render"; done
@@ -143,6 +145,7 @@ open-sea, 7, , 20, "10,20,6,90,-10,70"
 END
 # shellcheck disable=SC2086
 {
+    run farm seas.csv $tiny -o 's-%02d.png' --processes 1 --quiet
     run farm seas.csv $tiny -o 's-%02d.png' --processes 1
     [ "$(cat out)" = s-manifest.json ] || fail "the manifest is $(cat out)"
     run render open-sea --seed 1 --wind 12 --time 3.5 --camera 0,0,4,200,-5 $tiny -o r.png

@@ -30,13 +30,13 @@ ranks 2 farm t.csv -o out > /dev/null 2> err || status=$?
 [ "$(grep -c '^bolan: t.csv:3: --wind is 71' err)" -eq 1 ] || fail "a wrong row: $(cat err)"
 need_gl
 
-film='open-sea --technique exp-cosine --size 160x90 --quality low --fps 10 --frames 4'
+film='open-sea --technique exp-cosine --size 160x90 --quality low --fps 10 --frames 4 --quiet'
 # shellcheck disable=SC2086 # split on purpose
 {
     run farm $film -o one --processes 1
     ranks 2 farm $film -o ranks > out 2> err || fail "$(cat err)"
 }
-[ "$(cat out)" = ranks/manifest.json ] || fail "printed: $(cat out)"
+[ ! -s out ] || fail "printed: $(cat out)"
 diff -r one ranks > difference || fail "ranks write other files: $(cat difference)"
 
 # A process dies while it draws its first frame.

@@ -83,6 +83,8 @@ function check_system(header, name) {
     if (gl_allowed && FILENAME !~ /\/gl\.h$/ && header ~ /^(epoxy|EGL|GL|GLES3)\//) return
     if (area == "src" && module == "io" && header !~ /^(epoxy|EGL|GL|GLES|SDL)/) return
     if (engine && header ~ /^SDL2\//) return
+    if (FILENAME ~ /^apps\/bolan\// && has("spawn sys/prctl sys/socket", name)) return
+    if (FILENAME ~ /^apps\/bolan\/mpi\// && header == "mpi.h") return
     if (viewer && header ~ /^(SDL|imgui|backends\/imgui_impl_(sdl|opengl3))/) return
     breach("<" header "> is not for this layer")
 }
