@@ -15,7 +15,7 @@ typedef struct times {
     uint32_t count;
     double draw[MOST], taken[MOST];
     uint32_t by[MOST];
-    double processor; // of the process that hands out, its start included [s]
+    double processor; // of the process that hands out [s]
 } times;
 
 // ---- measured -------------------------------------------------------------------------------------------------------
@@ -29,7 +29,7 @@ static bool read_times(const char *path, times *t) {
         if (sscanf(line, "%u,%u,%lf,%lf", &frame, &by, &t->draw[t->count], &t->taken[t->count]) == 4)
             t->by[t->count++] = by;
         else
-            sscanf(line, "# processor time of the process that hands out, from its start: %lf", &t->processor);
+            sscanf(line, "# processor time of the process that hands out: %lf", &t->processor);
     }
     if (file) fclose(file);
     return t->count > 0;
@@ -135,7 +135,7 @@ int bench_farm(int argc, char **argv) {
                "frame by one process of one thread        %9.1f ms\n"
                "efficiency of two such processes          %9.3f\n"
                "hand-out, beyond the drawing              %9.3f ms a frame\n"
-               "processor time of who hands out           %9.3f ms a frame, its start included\n"
+               "processor time of who hands out           %9.3f ms a frame\n"
                "SIMULATION of %d ranks with these times  %9.3f of their time is drawing\n"
                "  if the whole hand-out were serial        %9.3f\n",
                bench_machine(), scene, size, 1e3 * mean_taken(&one), efficiency, 1e3 * extra, 1e3 * service, RANKS,

@@ -10,7 +10,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -107,19 +106,15 @@ static int finish(const farm_job *job, farm_result *results) {
 static int write_times(const farm_run *run) {
     char *text = NULL;
     size_t size = 0;
-    struct rusage used;
     FILE *file = run->job->given.times ? open_memstream(&text, &size) : NULL;
     if (!file) return EXIT_OK;
-    getrusage(RUSAGE_SELF, &used);
     fprintf(file, "frame,by,draw_s,taken_s\n");
     for (uint32_t i = 0; i < run->todo_count; i++) {
         const farm_result *r = &run->results[run->todo[i]];
         if (r->state == FARM_DONE)
             fprintf(file, "%u,%u,%.6f,%.6f\n", (unsigned)r->frame, (unsigned)r->by, r->draw, r->taken);
     }
-    fprintf(file, "# processor time of the process that hands out, from its start: %.6f s\n",
-            (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec + (double)used.ru_stime.tv_sec +
-                1e-6 * (double)used.ru_stime.tv_usec);
+    fprintf(file, "# processor time of the process that hands out: %.6f s\n", run->processor);
     const bool ok = fclose(file) == 0 && bolan_file_write(run->job->given.times, text, size) == BOLAN_OK;
     free(text);
     return ok ? EXIT_OK : EXIT_FAILED;

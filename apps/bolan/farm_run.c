@@ -9,6 +9,7 @@
 #include <poll.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 enum {
@@ -35,6 +36,13 @@ typedef struct hall {
     char warnings[WARNINGS][FARM_SENTENCE];
     uint32_t warning_count;
 } hall;
+
+// Processor time of this process [s].
+static double processor_time(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 // ---- what is said ---------------------------------------------------------------------------------------------------
 
@@ -168,12 +176,14 @@ bool farm_run_all(farm_run *run, const ranks *r) {
     for (uint32_t i = 0; i < h.slot_count; i++)
         h.slots[i] = (slot){.process = {0, -1}, .rank = i < here ? 0 : (int)(i - here + 1)};
     h.bar = progress_start(run->todo_count, run->job->quiet);
+    const double used = processor_time();
     while (is_open(&h)) {
         for (uint32_t i = 0; i < h.slot_count; i++)
             if (!h.slots[i].busy && !h.slots[i].closed) hand_out(&h, &h.slots[i]);
         hear_processes(&h, waits, others == 0);
         if (others > 0) hear_ranks(&h);
     }
+    run->processor = processor_time() - used;
     progress_end(&h.bar);
     free(h.slots);
     free(waits);

@@ -16,6 +16,7 @@ typedef struct farm_run {
     uint32_t processes; // of this machine; 1 under MPI
     uint32_t threads;   // of each
     bool lost;          // a rank has died
+    double processor;   // what handing out has cost this process [s]
 } farm_run;
 
 // Of rank 0: draws what is to do. A frame that fails is not tried again; farm_run.results says why.
