@@ -18,7 +18,7 @@ awk -f "$rules" $files
 # be passed by.
 list=src/render/gl/loader.h
 if [ -f $list ]; then
-    called=$(grep -hoE '\bgl[A-Z][A-Za-z0-9]+ *\(' src/render/gl/*.c | tr -d ' (' | sort -u)
+    called=$(grep -hoE '\bgl[A-Z][A-Za-z0-9_]+ *\(' src/render/gl/*.c | tr -d ' (' | sort -u)
     for name in $called; do
         grep -q "X(${name#gl})" $list && grep -qE "^#define $name bolan_gl_(called|asked)\(${name#gl}\)" $list && continue
         echo "src/render/gl: $name is called and not named in loader.h"

@@ -85,6 +85,7 @@ function check_system(header, name) {
     if (engine && header ~ /^SDL2\//) return
     if (FILENAME ~ /^apps\/bolan\// && has("spawn sys/prctl sys/socket", name)) return
     if (FILENAME ~ /^apps\/bolan\/mpi\// && header == "mpi.h") return
+    if (FILENAME ~ /^apps\/web\// && header ~ /^emscripten\//) return
     if (viewer && header ~ /^(SDL|imgui|backends\/imgui_impl_(sdl|opengl3))/) return
     breach("<" header "> is not for this layer")
 }

@@ -2,19 +2,40 @@
 // Buffers and meshes.
 #include "gl_internal.h"
 
-static GLenum buffer_target(uint32_t kind) { return kind == GL_BUFFER_UNIFORM ? GL_UNIFORM_BUFFER : GL_ARRAY_BUFFER; }
+// Binds a vertex array without buffers: the one that the renderer has lent, else one of its own that the caller frees.
+static void bind_empty(gl_mesh *own) {
+    gl_mesh *lent = bolan_gl_empty_mesh(), *empty = lent != NULL ? lent : own;
+    if (empty->vao == 0) glGenVertexArrays(1, &empty->vao);
+    glBindVertexArray(empty->vao);
+}
 
-// Index data go through the array binding: the element binding belongs to whatever vertex array is bound.
+// Indices go through the element binding, since WebGL keeps a buffer for indices, or for other data, as it was bound
+// first. That binding belongs to a vertex array.
+static GLenum bind_buffer(const gl_buffer *b, gl_mesh *own) {
+    const GLenum target = b->kind == GL_BUFFER_UNIFORM ? GL_UNIFORM_BUFFER
+                          : b->kind == GL_BUFFER_INDEX ? GL_ELEMENT_ARRAY_BUFFER
+                                                       : GL_ARRAY_BUFFER;
+    if (b->kind == GL_BUFFER_INDEX) bind_empty(own);
+    glBindBuffer(target, b->id);
+    return target;
+}
+
+static void unbind_buffer(const gl_buffer *b, gl_mesh *own) {
+    if (b->kind == GL_BUFFER_INDEX) glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0); // a deleted buffer would live on in there
+    bolan_gl_mesh_free(own);
+}
+
 bolan_result bolan_gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t size, const void *data,
                                     gl_buffer *out) {
     BOLAN_ASSERT(out && size > 0);
     gl_buffer b = {.size = size, .kind = kind, .usage = usage};
-    const GLenum target = buffer_target(kind);
     GLint64 got = 0;
+    gl_mesh own = {0};
     glGenBuffers(1, &b.id);
-    glBindBuffer(target, b.id);
+    const GLenum target = bind_buffer(&b, &own);
     glBufferData(target, (GLsizeiptr)size, data, usage == GL_USAGE_STREAM ? GL_STREAM_DRAW : GL_STATIC_DRAW);
     glGetBufferParameteri64v(target, GL_BUFFER_SIZE, &got);
+    unbind_buffer(&b, &own);
     if (got != (GLint64)size) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY, "GL has no memory for a buffer of %zu bytes", size);
         bolan_gl_buffer_free(&b);
@@ -26,12 +47,13 @@ bolan_result bolan_gl_buffer_create(gl_buffer_kind kind, gl_usage usage, size_t 
 
 void bolan_gl_buffer_update(gl_buffer *b, size_t offset, size_t size, const void *data) {
     BOLAN_ASSERT(b->id && offset + size <= b->size);
-    const GLenum target = buffer_target(b->kind);
-    glBindBuffer(target, b->id);
+    gl_mesh own = {0};
+    const GLenum target = bind_buffer(b, &own);
     if (offset == 0 && b->usage == GL_USAGE_STREAM) {
         glBufferData(target, (GLsizeiptr)b->size, NULL, GL_STREAM_DRAW); // fresh memory: no wait for the last frame
     }
     glBufferSubData(target, (GLintptr)offset, (GLsizeiptr)size, data);
+    unbind_buffer(b, &own);
 }
 
 void bolan_gl_buffer_bind_uniform(const gl_buffer *b, uint32_t slot) {
@@ -103,12 +125,10 @@ void bolan_gl_mesh_free(gl_mesh *m) {
     *m = (gl_mesh){0};
 }
 
-// The core profile draws nothing without a vertex array, and one belongs to one context: where the renderer has lent
-// none, one lives for this call.
+// The core profile draws nothing without a vertex array.
 void bolan_gl_draw_fullscreen(void) {
-    gl_mesh own = {0}, *lent = bolan_gl_empty_mesh(), *empty = lent != NULL ? lent : &own;
-    if (empty->vao == 0) glGenVertexArrays(1, &empty->vao);
-    glBindVertexArray(empty->vao);
+    gl_mesh own = {0};
+    bind_empty(&own);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    if (lent == NULL) bolan_gl_mesh_free(&own);
+    bolan_gl_mesh_free(&own);
 }

@@ -15,10 +15,15 @@ static bool is_software(const char *renderer) {
            strstr(renderer, "SwiftShader");
 }
 
+// A loader may lack the function of an extension that the context has.
 static bool has_clip_control(void) {
-    if (bolan_gl_is_es()) return bolan_gl_has_extension("GL_EXT_clip_control");
-    return bolan_gl_version() >= 45 || bolan_gl_has_extension("GL_ARB_clip_control");
+    const gl_functions *f = &bolan_gl_functions;
+    if (bolan_gl_is_es()) return bolan_gl_has_extension("GL_EXT_clip_control") && f->ClipControlEXT;
+    return (bolan_gl_version() >= 45 || bolan_gl_has_extension("GL_ARB_clip_control")) && f->ClipControl;
 }
+
+// OpenGL ES 3.0 in a browser, with less state and stricter rules.
+static bool is_webgl(void) { return strstr(gl_string(GL_VERSION), "WebGL") != NULL; }
 
 // Without a context the system's library answers NULL; most other calls would end the process in the loader.
 bool bolan_gl_has_context(void) {
@@ -84,7 +89,7 @@ static void find_state(gl_caps *caps) {
     caps->feedback_pause = es || version >= 40 || has("GL_ARB_transform_feedback2");
     caps->sample_mask = version >= (es ? 31 : 32);
     caps->sample_shading = version >= (es ? 32 : 40) || has(es ? "GL_OES_sample_shading" : "GL_ARB_sample_shading");
-    caps->fixed_restart = es || version >= 43 || has("GL_ARB_ES3_compatibility");
+    caps->fixed_restart = (es && !is_webgl()) || version >= 43 || has("GL_ARB_ES3_compatibility");
     caps->depth_bounds = has("GL_EXT_depth_bounds_test");
     caps->query_buffer = !es && (version >= 44 || has("GL_ARB_query_buffer_object"));
     caps->buffer_masks = es ? version >= 32 || (version >= 31 && indexed) : true;

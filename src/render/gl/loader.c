@@ -24,7 +24,11 @@ static const char *missing;
         void *address = hooks->get_proc_address(hooks->user, "gl" #name); \
         memcpy(&bolan_gl_functions.name, &address, sizeof address);       \
     }
-#define FROM_EPOXY(name) bolan_gl_functions.name = epoxy_gl##name;
+#if BOLAN_WITH_EPOXY
+#define WITHOUT_HOOK(name) bolan_gl_functions.name = epoxy_gl##name;
+#else
+#define WITHOUT_HOOK(name) bolan_gl_functions.name = NULL;
+#endif
 #define NOTE_MISSING(name) \
     if (!bolan_gl_functions.name && !missing) missing = "gl" #name;
 
@@ -34,8 +38,8 @@ static void fill(const bolan_hooks *hooks) {
         GL_NEEDED(FROM_HOOK)
         GL_OPTIONAL(FROM_HOOK)
     } else {
-        GL_NEEDED(FROM_EPOXY)
-        GL_OPTIONAL(FROM_EPOXY)
+        GL_NEEDED(WITHOUT_HOOK)
+        GL_OPTIONAL(WITHOUT_HOOK)
     }
     GL_NEEDED(NOTE_MISSING)
 }

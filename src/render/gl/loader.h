@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The OpenGL functions that this folder calls, as one table of pointers. It is filled by the host's get_proc_address
 // hook where there is one, else by libepoxy, so a host with a loader or a capture layer of its own sees every call.
+// A build without libepoxy uses its headers alone, for types and constants, and needs the hook.
 // A function that a newer file calls must be named in one of the lists and among the macros below:
 // tests/layers/check.sh looks.
 #ifndef BOLAN_GL_LOADER_H
@@ -24,10 +25,11 @@
     X(FenceSync) X(Finish) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) \
     X(GenFramebuffers) X(GenQueries) X(GenSamplers) X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) \
     X(GetActiveUniform) X(GetBooleanv) X(GetBufferParameteri64v) X(GetFloatv) \
-    X(GetFramebufferAttachmentParameteriv) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) \
+    X(GetFramebufferAttachmentParameteriv) X(GetInteger64i_v) X(GetIntegeri_v) X(GetIntegerv) \
+    X(GetProgramInfoLog) X(GetProgramiv) \
     X(GetQueryObjectuiv) X(GetQueryiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) \
     X(GetUniformBlockIndex) X(GetUniformLocation) X(IsEnabled) X(IsFramebuffer) X(IsProgram) X(IsTexture) \
-    X(LineWidth) X(LinkProgram) X(MapBufferRange) X(DrawElementsInstanced) X(PixelStorei) X(ReadBuffer) X(ReadPixels) \
+    X(LineWidth) X(LinkProgram) X(DrawElementsInstanced) X(PixelStorei) X(ReadBuffer) X(ReadPixels) \
     X(SamplerParameteri) X(Scissor) X(ShaderSource) X(StencilFuncSeparate) X(StencilOpSeparate) X(TexImage2D) \
     X(TexImage3D) X(TexParameterf) X(TexParameteri) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i) \
     X(Uniform2f) X(Uniform4f) X(Uniform4fv) X(UniformBlockBinding) X(UseProgram) X(VertexAttribPointer) \
@@ -38,9 +40,10 @@
     X(BindImageTexture) X(BindTextureUnit) X(BlendEquationSeparatei) X(BlendEquationi) X(BlendFuncSeparatei) \
     X(BufferStorage) X(BufferStorageEXT) X(ClampColor) X(ClearDepth) X(ClearDepthf) X(ClipControl) \
     X(ClipControlEXT) X(ColorMaski) X(DebugMessageCallback) X(DebugMessageCallbackKHR) X(DepthRange) \
-    X(DepthRangeIndexed) X(DepthRangef) X(Disablei) X(DispatchCompute) X(Enablei) X(GetDoublev) X(GetPointerv) \
+    X(DepthRangeIndexed) X(DepthRangef) X(Disablei) X(DispatchCompute) X(Enablei) X(GetBooleani_v) X(GetDoublei_v) \
+    X(GetDoublev) X(GetFloati_v) X(GetPointerv) \
     X(GetPointervKHR) X(GetQueryObjectui64v) X(GetTexLevelParameteriv) X(GetTextureParameteriv) X(IsEnabledi) \
-    X(MemoryBarrier) X(PauseTransformFeedback) X(PixelTransferf) X(PolygonMode) X(ProvokingVertex) \
+    X(MapBufferRange) X(MemoryBarrier) X(PauseTransformFeedback) X(PixelTransferf) X(PolygonMode) X(ProvokingVertex) \
     X(QueryCounter) X(ResumeTransformFeedback) X(ScissorIndexedv) X(TexStorage3D) X(TextureView) \
     X(TextureViewEXT) X(TextureViewOES) X(ViewportIndexedfv)
 
@@ -240,6 +243,16 @@ bool bolan_gl_has_extension(const char *name);
 #define glGetFloatv bolan_gl_asked(GetFloatv)
 #undef glGetFramebufferAttachmentParameteriv
 #define glGetFramebufferAttachmentParameteriv bolan_gl_asked(GetFramebufferAttachmentParameteriv)
+#undef glGetInteger64i_v
+#define glGetInteger64i_v bolan_gl_asked(GetInteger64i_v)
+#undef glGetIntegeri_v
+#define glGetIntegeri_v bolan_gl_asked(GetIntegeri_v)
+#undef glGetBooleani_v
+#define glGetBooleani_v bolan_gl_asked(GetBooleani_v)
+#undef glGetDoublei_v
+#define glGetDoublei_v bolan_gl_asked(GetDoublei_v)
+#undef glGetFloati_v
+#define glGetFloati_v bolan_gl_asked(GetFloati_v)
 #undef glGetIntegerv
 #define glGetIntegerv bolan_gl_asked(GetIntegerv)
 #undef glGetPointerv

@@ -6,7 +6,8 @@
 //       the oldest      full: a fence    being filled
 //
 // A region is filled again when the fence at its end has passed, which it has long since: a frame puts a few kilobytes.
-// Where buffers can stay mapped (OpenGL 4.4, EXT_buffer_storage) putting is copying; else it is one glBufferSubData().
+// Where buffers can stay mapped (OpenGL 4.4, EXT_buffer_storage) putting is copying; else it is one glBufferSubData(),
+// which OpenGL itself keeps in order with the draws, so that there are no fences.
 #include "gl_internal.h"
 #include <string.h>
 
@@ -55,7 +56,7 @@ bolan_result bolan_gl_ring_create(size_t region, gl_ring *out) {
 }
 
 static void enter_next_region(gl_ring *r) {
-    r->fences[r->filling] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (r->mapped != NULL) r->fences[r->filling] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     r->filling = (r->filling + 1) % GL_RING_REGIONS;
     r->used = 0;
     const GLsync passed = r->fences[r->filling];
