@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 # A thin front for CMake. Everything lands in build*/ and out/, which git ignores.
 .POSIX:
-.PHONY: help build run test bench install docs figures format mutate setup
+.PHONY: help build run web test bench install docs figures format mutate setup
 
 PREFIX = /usr/local
 
 help:
 	@echo 'make run      build, then show the default scene: in a window, or without a display as out/island.png and .mp4'
 	@echo 'make build    build the library and the program build/bolan'
+	@echo 'make web      the sea as a web page: build/web, a static folder; installs emscripten and Chromium'
 	@echo 'make test     build and run every test; the last line counts them'
 	@echo 'make bench    build and run the benchmarks'
 	@echo 'make install  install the program, libraries and headers under PREFIX (default /usr/local)'
@@ -25,6 +26,10 @@ build: setup
 
 run: build
 	@tools/run.sh
+
+web: setup
+	@tools/setup.sh web
+	@tools/web.sh && echo 'The page is at build/web: python3 -m http.server -d build/web -b 127.0.0.1'
 
 test: setup
 	@tools/test.sh

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Installs the Debian or Ubuntu packages that the build and the tests need and this machine lacks. Silent when none is.
-# BOLAN_SKIP_SETUP=1 leaves the machine as it is.
+# With the argument "web" those of the web page too. BOLAN_SKIP_SETUP=1 leaves the machine as it is.
 set -eu
 [ -z "${BOLAN_SKIP_SETUP:-}" ] || exit 0
 
@@ -12,6 +12,8 @@ tests='libcmocka-dev libfftw3-dev xvfb xauth locales python3-yaml'
 python='python3-cffi python3-numpy python3-pytest python3-matplotlib python3-pip python3-setuptools'
 farm='libopenmpi-dev openmpi-bin'
 packages="$tools $graphics $files $tests $python $farm"
+packages="$tools $graphics $files $tests $python"
+if [ "${1:-}" = web ]; then packages="$packages emscripten chromium"; fi
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     echo 'Bolan sets itself up on Debian and Ubuntu only. Install what these packages hold, then run again with' >&2

@@ -11,7 +11,14 @@
 static const double steps[] = {1.0, 0.75, 0.6, 0.5, 0.4, 0.33, 0.25};
 #define STEPS (sizeof steps / sizeof steps[0])
 
-void pace_start(pace *p, bool software) { *p = (pace){.scale = software ? 0.6 : 1.0}; }
+void pace_start(pace *p, bool software) {
+    *p = (pace){.scale = software ? 0.6 : 1.0, .slow_ms = SLOW_MS, .fast_ms = FAST_MS};
+}
+
+void pace_limit(pace *p, double slow_ms, double fast_ms) {
+    p->slow_ms = slow_ms;
+    p->fast_ms = fast_ms;
+}
 
 static size_t step_of(double scale) {
     size_t i = 0;
@@ -31,11 +38,11 @@ void pace_frame(pace *p, double ms, bool automatic) {
     p->settled++;
     if (!automatic || p->settled < PATIENCE) return;
     size_t i = step_of(p->scale);
-    if (p->frame_ms > SLOW_MS && i + 1 < STEPS) {
-        size_t down = p->frame_ms > 2.0 * SLOW_MS && i + 2 < STEPS ? 2 : 1; // far off: quicker
+    if (p->frame_ms > p->slow_ms && i + 1 < STEPS) {
+        size_t down = p->frame_ms > 2.0 * p->slow_ms && i + 2 < STEPS ? 2 : 1; // far off: quicker
         change(p, steps[i + down]);
     } else if (i > 0) {
         double growth = steps[i - 1] * steps[i - 1] / (p->scale * p->scale);
-        if (p->frame_ms * growth < FAST_MS) change(p, steps[i - 1]);
+        if (p->frame_ms * growth < p->fast_ms) change(p, steps[i - 1]);
     }
 }

@@ -185,7 +185,7 @@ typedef struct bolan_hooks {
     /// Returns the address of the OpenGL function @p name, such as "glClear"; NULL where there is none.
     /// Called once for each function that bolan_render uses, on the thread of the first call into bolan_render, with a
     /// context current.
-    /// Default: libepoxy.
+    /// Default: libepoxy; a library that was built without it needs the hook.
     void *(*get_proc_address)(void *user, const char *name);
 } bolan_hooks;
 

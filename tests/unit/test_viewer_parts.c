@@ -107,10 +107,24 @@ static void the_pace_is_left_alone_unless_automatic(void **state) {
     assert_near(p.scale, 1.0, 0.0);
 }
 
+static void the_pace_has_other_limits(void **state) {
+    (void)state;
+    pace viewer, page;
+    pace_start(&viewer, false);
+    pace_start(&page, false);
+    pace_limit(&page, 42.0, 32.0);
+    for (int i = 0; i < 20; ++i) {
+        pace_frame(&viewer, 50.0, true);
+        pace_frame(&page, 50.0 * page.scale * page.scale, true);
+    }
+    assert_true(viewer.scale == 1.0); // 50 ms do for the viewer
+    assert_true(page.scale == 0.75);  // and a page goes one step down, to 28 ms
+}
+
 RUN_TESTS(cmocka_unit_test(writing_back_what_was_read_keeps_the_sea),
           cmocka_unit_test(a_new_wind_keeps_the_swell_and_a_new_swell_the_wind_sea),
           cmocka_unit_test(the_wind_of_a_measured_sea_makes_no_waves),
           cmocka_unit_test(forward_is_where_the_camera_looks),
           cmocka_unit_test(the_camera_stays_between_floor_and_ceiling),
           cmocka_unit_test(the_pace_settles_without_fluttering),
-          cmocka_unit_test(the_pace_is_left_alone_unless_automatic))
+          cmocka_unit_test(the_pace_is_left_alone_unless_automatic), cmocka_unit_test(the_pace_has_other_limits))
