@@ -27,7 +27,7 @@ build: setup
 run: build
 	@tools/run.sh
 
-web: setup
+web:
 	@tools/setup.sh web
 	@tools/web.sh && echo 'The page is at build/web: python3 -m http.server -d build/web -b 127.0.0.1'
 

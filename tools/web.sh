@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The web page: build/web, by emscripten. Objects stay in build/web-obj. Needs a configured build/ for its scenes.
+# The web page: build/web, by emscripten. Objects stay in build/web-obj; a program of build/ prints the scenes.
 set -eu
 cd "$(dirname "$0")/.."
 if ! command -v emcc > /dev/null; then
@@ -9,11 +9,13 @@ if ! command -v emcc > /dev/null; then
 fi
 export NODE_PATH="${NODE_PATH:-/usr/share/nodejs}" # where Debian keeps the modules that emscripten loads
 mkdir -p build/web-obj
-cmake --build build --target bolan_print_scenes > build/web-obj/scenes.log || { cat build/web-obj/scenes.log >&2; exit 1; }
+# quietly COMMAND...: shows what it says where it fails.
+quietly() {
+    "$@" > build/web-obj/log 2>&1 || { cat build/web-obj/log >&2; exit 1; }
+}
+[ -f build/build.ninja ] || quietly cmake --preset release
+quietly cmake --build build --target bolan_print_scenes
 build/bolan_print_scenes > build/web-obj/scenes.new
 cmp -s build/web-obj/scenes.new build/web-obj/scenes.c || cp build/web-obj/scenes.new build/web-obj/scenes.c
-if ! log=$(cmake --preset web -DBOLAN_WEB_SCENES="$PWD/build/web-obj/scenes.c" -DBOLAN_WEB_FOLDER="$PWD/build/web" 2>&1); then
-    printf '%s\n' "$log" >&2
-    exit 1
-fi
+quietly cmake --preset web "-DBOLAN_WEB_SCENES=$PWD/build/web-obj/scenes.c" "-DBOLAN_WEB_FOLDER=$PWD/build/web"
 exec cmake --build --preset web --target bolan_web

@@ -20,7 +20,8 @@ const canvas = find('water'), panel = find('panel');
 const state = {
   core: null, ask: {}, drawing: false, scene: '', changed: new Map(), quality: 1, paused: false, scale: 0,
   time: 0, last: 0, frames: 0, moved: false, look: [0, 0], push: [0, 0, 0], keys: new Set(), pointers: new Map(),
-  cursor: null, linkTimer: 0, problem: '', frameMs: 0, firstPicture: 0,
+  cursor: null, linkTimer: 0, problem: '', frameMs: 0, loaded: 0, firstPicture: 0, entered: false, lost: false,
+  request: 0,
 };
 window.bolan = state; // for tests, and for the curious
 
@@ -96,8 +97,17 @@ function enter() {
     state.frames = 0;
     fillPanel();
     if (made) say(state.problem);
+    state.entered ||= made;
     start();
   }));
+}
+
+function onLink() {
+  const quality = state.quality;
+  state.drawing = false;
+  readLink();
+  if (state.quality !== quality) renewCanvas();
+  enter();
 }
 
 function openScene(name) {
@@ -191,8 +201,7 @@ function fillPanel() {
 
 function chooseQuality(name) {
   state.quality = QUALITIES.indexOf(name);
-  state.ask.close();
-  openCanvas();
+  renewCanvas();
   linkSoon();
 }
 
@@ -330,7 +339,7 @@ function showHeight() {
 
 function frame(now) {
   if (!state.drawing) return;
-  requestAnimationFrame(frame);
+  state.request = requestAnimationFrame(frame);
   const ms = now - state.last;
   state.last = now;
   const scale = state.scale || state.core._web_pace(state.frames > 1 ? ms : 0);
@@ -346,10 +355,11 @@ function frame(now) {
       `${canvas.height}, ${state.time.toFixed(0)} s`;
 }
 
+// One loop at a time; none without a sea or a context.
 function start() {
-  state.drawing = true;
-  state.last = performance.now();
-  requestAnimationFrame(now => { state.last = now; frame(now); });
+  cancelAnimationFrame(state.request);
+  state.drawing = state.entered && !state.lost;
+  state.request = requestAnimationFrame(now => { state.last = now; frame(now); });
 }
 
 // ---- from start to end -----------------------------------------------------------------------------------------------
@@ -364,15 +374,23 @@ function openCanvas() {
   return result === 0;
 }
 
+function renewCanvas() {
+  if (state.lost) return; // it is made when the context is back
+  state.ask.close();
+  openCanvas();
+}
+
 function listenContext() {
   canvas.addEventListener('webglcontextlost', event => {
     event.preventDefault(); // asks for it back
+    state.lost = true;
     state.drawing = false;
     state.ask.close();
     say('The browser took the graphics away. The sea comes back when it gives them again.');
   });
   canvas.addEventListener('webglcontextrestored', () => {
     if (!openCanvas()) return;
+    state.lost = false;
     say('');
     start();
   });
@@ -418,7 +436,8 @@ async function begin() {
   find('pause').addEventListener('click', pause);
   find('home').addEventListener('click', () => openScene(state.scene));
   find('share').addEventListener('click', share);
-  window.addEventListener('hashchange', () => { state.drawing = false; readLink(); enter(); });
+  window.addEventListener('hashchange', onLink);
+  document.addEventListener('visibilitychange', () => { state.last = performance.now(); }); // a rest is no slow frame
   showPanel(!document.body.classList.contains('bare') && window.innerWidth > 600);
   enter();
 }

@@ -99,6 +99,22 @@ def test_heights(page):
     check(True, 'over the horizon it says sky')
 
 
+def test_settings(page):
+    visit(page, '#scene=open-sea&sea.wind.speed=14&sea.swell.hs=3&sea.swell.tp=9&pause=5&scale=0.2&panel=none')
+    with open(os.path.join(os.environ['BOLAN_SOURCE_DIR'], 'scenes', 'open-sea.yaml'), encoding='utf-8') as file:
+        text = file.read()
+    for old, new in (('speed: 10', 'speed: 14'), ('hs: 1.8', 'hs: 3'), ('tp: 13', 'tp: 9')):
+        assert old in text
+        text = text.replace(old, new)
+    world = bolan.World(bolan.Scene.parse(text))
+    world.settle(5.0)
+    places = [[3.5, -7.25], [410.0, 95.0]]
+    ours = [page.run('bolan.ask.height(%r, %r)' % tuple(p)) for p in places]
+    check(numpy.abs(ours - world.heights(places)).max() < 1e-5, 'settings make the sea of such a scene file: %s' % ours)
+    told = {key: page.run('bolan.ask.get(%r)' % key) for key in ('sea.fetch_km', 'sea.swell.from', 'sky.visibility_km')}
+    check(told == {'sea.fetch_km': '300', 'sea.swell.from': '300', 'sky.visibility_km': '50'}, 'and are told: %s' % told)
+
+
 def number(page, key):
     return float(page.run('bolan.ask.get(%r)' % key))
 
@@ -229,6 +245,7 @@ def main():
         check(True, 'the first picture came %.1f s after the files' % (page.run('bolan.firstPicture') / 1e3))
         test_pictures(page)
         test_heights(page)
+        test_settings(page)
         test_hands(page)
         test_touch(page)
         test_link(page)
