@@ -38,7 +38,9 @@ def decibels(a, b):
 
 
 def shown(page, folder=tempfile.gettempdir()):
-    """The picture of the page, (height, width, 3) uint8."""
+    """The picture of the page without the cursor's height, (height, width, 3) uint8."""
+    page.run('bolan.cursor = null, bolan.frames = 0')
+    page.wait('bolan.frames > 1')
     path = os.path.join(folder, 'bolan-page-%d.png' % os.getpid())
     page.screenshot(path)
     picture = matplotlib.image.imread(path)
