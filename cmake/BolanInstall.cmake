@@ -1,24 +1,28 @@
 # SPDX-License-Identifier: MIT
 # make install: program, libraries, public headers, a .pc file per library, and a CMake package (find_package(bolan);
-# bolan::bolan, bolan::bolan_content, bolan::bolan_io, bolan::bolan_render).
+# bolan::bolan, bolan::bolan_content, bolan::bolan_io, bolan::bolan_render). Components: `program`; `libraries`, what
+# a program that is linked already needs; `development`. cmake --install build --component NAME installs one of them.
 include(CMakePackageConfigHelpers)
 
 # Installed programs and libraries find the libraries from where they lie themselves.
 if(TARGET bolan_cli)
     file(RELATIVE_PATH bin_to_lib /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
     set_target_properties(bolan_cli PROPERTIES INSTALL_RPATH $ORIGIN/${bin_to_lib})
-    install(TARGETS bolan_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-    install(FILES scenes/scene.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/bolan)
+    install(TARGETS bolan_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+    install(FILES scenes/scene.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/bolan COMPONENT program)
 endif()
 
-install(TARGETS ${BOLAN_LIBRARIES} EXPORT bolanTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY include/bolan DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(TARGETS ${BOLAN_LIBRARIES} EXPORT bolanTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY include/bolan DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+    FILES_MATCHING PATTERN "*.h")
 
 # GLSL that a program of the host's includes.
 set(bolan_shader_folder ${CMAKE_INSTALL_DATADIR}/bolan/shaders)
 if(TARGET bolan_render)
-    install(FILES shaders/include/bolan_fields.glsl DESTINATION ${bolan_shader_folder})
+    install(FILES shaders/include/bolan_fields.glsl DESTINATION ${bolan_shader_folder} COMPONENT development)
 endif()
 
 # An archive leaves its own needs to whoever links it: the CMake package looks for these, and the .pc files name them.
@@ -40,12 +44,12 @@ if(NOT BUILD_SHARED_LIBS AND TARGET bolan_render)
 endif()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/bolan)
-install(EXPORT bolanTargets NAMESPACE bolan:: DESTINATION ${package_folder})
+install(EXPORT bolanTargets NAMESPACE bolan:: DESTINATION ${package_folder} COMPONENT development)
 configure_package_config_file(cmake/bolanConfig.cmake.in bolanConfig.cmake INSTALL_DESTINATION ${package_folder}
     PATH_VARS bolan_shader_folder)
 write_basic_package_version_file(bolanConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/bolanConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/bolanConfigVersion.cmake
-    DESTINATION ${package_folder})
+    DESTINATION ${package_folder} COMPONENT development)
 
 # bolan_install_pc(library description "required .pc files" needs of the archive...)
 function(bolan_install_pc pc_name pc_description pc_requires)
@@ -66,7 +70,8 @@ function(bolan_install_pc pc_name pc_description pc_requires)
         endforeach()
     endif()
     configure_file(cmake/bolan.pc.in ${pc_name}.pc @ONLY)
-    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+        COMPONENT development)
 endfunction()
 bolan_install_pc(bolan "the core, without files and OpenGL" "" -pthread -lm)
 bolan_install_pc(bolan_content "generated grounds and models" "bolan = ${PROJECT_VERSION}" -lm)

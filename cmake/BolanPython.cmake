@@ -17,5 +17,6 @@ target_link_libraries(bolan_all PRIVATE
     $<IF:$<BOOL:${BUILD_SHARED_LIBS}>,-Wl$<COMMA>--as-needed,-Wl$<COMMA>--no-whole-archive>
     ${BOLAN_LIBRARIES} Threads::Threads m) # for what they need themselves
 if(BOLAN_INSTALL)
-    install(TARGETS bolan_all LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS bolan_all LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT
+        development)
 endif()

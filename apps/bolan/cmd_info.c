@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // bolan info: features of this build and this machine.
 #include "commands.h"
+#include "completion.h"
 #include "describe.h"
 #include "help.h"
 #include "info_spectra.h"
+#include "man.h"
 #include "options.h"
 
 #include "bolan/io.h"
@@ -79,6 +81,20 @@ static void print_quoted(const char *text) {
     putchar('"');
 }
 
+// What is built in or lies beside the program.
+static void print_json_build(void) {
+#ifdef BOLAN_HAVE_VIEWER
+    const bool viewer = true;
+#else
+    const bool viewer = false;
+#endif
+    const bolan_io_features io = bolan_io_get_features();
+    printf(",\n  \"viewer\": %s,\n  \"bench\": %s", viewer ? "true" : "false", bench_is_there() ? "true" : "false");
+    printf(",\n  \"files\": {\"rasters\": %s, \"models\": %s, \"exr\": %s, \"gzip\": %s, \"netcdf4\": %s}",
+           io.rasters ? "true" : "false", io.models ? "true" : "false", io.exr ? "true" : "false",
+           io.gzip ? "true" : "false", io.netcdf4 ? "true" : "false");
+}
+
 static void print_json(const facts *f) {
     printf("{\n  \"version\": \"%s\",\n  \"compiler\": ", bolan_version());
     print_quoted(compiler);
@@ -96,10 +112,7 @@ static void print_json(const facts *f) {
     } else {
         printf("null");
     }
-    const bolan_io_features io = bolan_io_get_features();
-    printf(",\n  \"files\": {\"rasters\": %s, \"models\": %s, \"exr\": %s, \"gzip\": %s, \"netcdf4\": %s}",
-           io.rasters ? "true" : "false", io.models ? "true" : "false", io.exr ? "true" : "false",
-           io.gzip ? "true" : "false", io.netcdf4 ? "true" : "false");
+    print_json_build();
     uint32_t count = 0;
     const bolan_technique *techniques = bolan_techniques(&count);
     printf(",\n  \"techniques\": [");
@@ -127,9 +140,11 @@ int command_info(int count, char **arguments) {
     if (option_given(&o, "record") || option_given(&o, "location") || option_given(&o, "interpolate") ||
         option_given(&o, "from") || option_given(&o, "spread"))
         return usage_error("bolan info has no file of spectra to choose from; expected bolan info FILE");
-    if (o.parameters || o.schema) {
+    if (o.parameters || o.schema || o.man || o.completion >= 0) {
         if (o.parameters) describe_print_tables(stdout);
         if (o.schema) describe_print_schema(stdout);
+        if (o.man) man_print(stdout);
+        if (o.completion >= 0) completion_print(stdout, o.completion);
         return EXIT_OK;
     }
     bolan_set_hooks(&(bolan_hooks){.log = keep_message});

@@ -64,9 +64,27 @@ void describe_values(const bolan_param *p, const char *quote, char *out, size_t 
 
 void describe_option_values(const option_info *i, const char *quote, char *out, size_t capacity) {
     out[0] = '\0';
+    if (i->kind == OPTION_PARAM) {
+        const bolan_param row = option_param(i);
+        describe_values(&row, quote, out, capacity);
+    }
     if (i->kind == OPTION_NAME) join(i->names, quote, out, capacity);
     if (i->kind == OPTION_NUMBER || i->kind == OPTION_WHOLE || i->kind == OPTION_SIZE)
         describe_range(i->low, i->high, i->unit, out, capacity);
+}
+
+const char *describe_option_help(const option_info *info) {
+    return info->kind == OPTION_PARAM ? option_param(info).help : info->help;
+}
+
+void describe_goes_with(const option_info *info, char *out, size_t capacity) {
+    static const char *const commands[] = {"view", "render", "measure", "query", // the bits ON_...
+                                           "info", "bake",   "export"};
+    size_t used = 0;
+    snprintf(out, capacity, "%s", info->commands == ~0u ? "all" : "");
+    for (unsigned k = 0; k < sizeof commands / sizeof *commands && info->commands != ~0u; k++)
+        if (info->commands >> k & 1 && used < capacity)
+            used += (size_t)snprintf(out + used, capacity - used, "%s%s", used ? ", " : "", commands[k]);
 }
 
 // ---- Markdown -------------------------------------------------------------------------------------------------------
@@ -190,28 +208,17 @@ static void print_group(FILE *file, const char *section, const bolan_param_group
 }
 
 static void print_options(FILE *file) {
-    static const char *const commands[] = {"view", "render", "measure", "query", // the bits ON_...
-                                           "info", "bake",   "export",  "farm"};
     fprintf(file, "# options\n| option | values | goes with | |\n|---|---|---|---|\n");
     for (const option_info *i = option_table; i->name; i++) {
-        char values[DESCRIBE_MAX] = "", on[128] = "";
-        const char *help = i->help;
-        if (i->kind == OPTION_PARAM) {
-            const bolan_param row = option_param(i);
-            describe_values(&row, "`", values, sizeof values);
-            help = row.help;
-        } else {
-            describe_option_values(i, "`", values, sizeof values);
-        }
-        for (unsigned k = 0; k < sizeof commands / sizeof *commands; k++)
-            if (i->commands >> k & 1)
-                snprintf(on + strlen(on), sizeof on - strlen(on), "%s%s", *on ? ", " : "", commands[k]);
+        char values[DESCRIBE_MAX], on[128];
+        describe_option_values(i, "`", values, sizeof values);
+        describe_goes_with(i, on, sizeof on);
         fprintf(file, "| `--%s%s", i->name, i->argument ? " " : "");
         for (const char *p = i->argument ? i->argument : ""; *p; p++) fprintf(file, *p == '|' ? "\\|" : "%c", *p);
         fprintf(file, "` | ");
         print_cell(file, values);
-        print_cell(file, i->commands == ~0u ? "all" : on);
-        fprintf(file, "%s |\n", help);
+        print_cell(file, on);
+        fprintf(file, "%s |\n", describe_option_help(i));
     }
 }
 

@@ -6,39 +6,28 @@
 
 #include <string.h>
 
-typedef struct command {
-    const char *name;
-    int (*run)(int count, char **arguments);
-    const char *help; // NULL: not listed
-    int (*exists)(void); // NULL: always
-} command;
-
-static const command commands[] = {
+const command command_table[] = {
 #ifdef BOLAN_HAVE_VIEWER
-    {"view", command_view, "[SCENE]                       a window to fly through the scene", NULL},
+    {"view", ON_VIEW, command_view, "[SCENE]", "a window to fly through the scene", NULL},
 #endif
-    {"render", command_render,
-     "[SCENE] -o FILE               one .png or .exr, a numbered sequence (%04d), or .mp4/.webm", NULL},
-    {"measure", command_measure, "[SCENE]                       statistics of the synthesised sea", NULL},
-    {"query", command_query, "[SCENE] --points FILE.csv     heights and normals at points, as CSV", NULL},
-    {"bake", command_bake, "[SCENE] -o DIR                looping tiles: heights, normal maps, light on the bottom",
+    {"render", ON_RENDER, command_render, "[SCENE] -o FILE",
+     "one .png or .exr, a numbered sequence (%04d), or .mp4/.webm", NULL},
+    {"measure", ON_MEASURE, command_measure, "[SCENE]", "statistics of the synthesised sea", NULL},
+    {"query", ON_QUERY, command_query, "[SCENE] --points FILE.csv", "heights and normals at points, as CSV", NULL},
+    {"bake", ON_BAKE, command_bake, "[SCENE] -o DIR", "looping tiles: heights, normal maps, light on the bottom", NULL},
+    {"farm", ON_FARM, command_farm, "[SCENE|TABLE.csv] -o FILE",
+     "frames or rows of a table by many processes, MPI ranks or Slurm", NULL},
+    {"export", ON_EXPORT, command_export, "spectrum [SCENE] -o FILE", "the spectrum as .png, .csv or SWAN text (.spec)",
      NULL},
-    {"farm", command_farm,
-     "[SCENE|TABLE.csv] -o FILE     frames or rows of a table by many processes, MPI ranks or Slurm", NULL},
-    {"farm-worker", command_farm_worker, NULL, NULL},
-    {"export", command_export, "spectrum [SCENE] -o FILE      the spectrum as .png, .csv or SWAN text (.spec)", NULL},
-    {"bench", command_bench, "[waves|query|frame|techniques|farm]  benchmarks", bench_is_there},
-    {"info", command_info, "[FILE]                        build, processor, scenes; or what a file of spectra holds",
-     NULL},
+    {"bench", 0, command_bench, "[waves|query|frame|techniques|farm]", "benchmarks", bench_is_there},
+    {"info", ON_INFO, command_info, "[FILE]", "build, processor, scenes; or what a file of spectra holds", NULL},
+    {.name = NULL},
 };
-
-enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static int print_help(FILE *file) {
     fputs("Bolan makes, measures and draws seas.\n\nusage: bolan COMMAND [SCENE] [OPTIONS]\n\n", file);
-    for (int i = 0; i < COMMANDS; i++)
-        if (commands[i].help && (!commands[i].exists || commands[i].exists()))
-            fprintf(file, "  bolan %-8s %s\n", commands[i].name, commands[i].help);
+    for (const command *c = command_table; c->name; c++)
+        if (!c->exists || c->exists()) fprintf(file, "  bolan %-8s %-36s %s\n", c->name, c->arguments, c->help);
     fputs("\nbolan COMMAND --help lists the options of a command; bolan --version prints the version.\n", file);
     return EXIT_OK;
 }
@@ -66,8 +55,9 @@ int main(int count, char **arguments) {
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0)
         return flush_output(print_help(stdout));
     if (strcmp(name, "--version") == 0) return printf("bolan %s\n", bolan_version()), flush_output(EXIT_OK);
-    for (int i = 0; i < COMMANDS; i++)
-        if (strcmp(name, commands[i].name) == 0) return flush_output(commands[i].run(count - 2, arguments + 2));
+    if (strcmp(name, "farm-worker") == 0) return flush_output(command_farm_worker(count - 2, arguments + 2));
+    for (const command *c = command_table; c->name; c++)
+        if (strcmp(name, c->name) == 0) return flush_output(c->run(count - 2, arguments + 2));
     char word[SHORT_WORD];
     return usage_error("unknown command %s; see bolan --help", shorten(name, word));
 }

@@ -2,6 +2,7 @@
 // See options.h.
 #include "options.h"
 
+#include "completion.h"
 #include "describe.h"
 
 #include <math.h>
@@ -126,6 +127,10 @@ const option_info option_table[] = {
            .help = "the keys of scene files and the options of commands, as Markdown tables"),
     OPTION("schema", FLAG, schema, ON_INFO, NULL,
            .help = "the JSON schema of scene files, for editors"),
+    OPTION("man", FLAG, man, ON_INFO, NULL,
+           .help = "the manual page of this program, for `man`"),
+    OPTION("completion", NAME, completion, ON_INFO, "SHELL",
+           .names = completion_shells, .help = "the commands and options, for the completion of a shell"),
     OPTION("quiet", FLAG, quiet, SCENE_COMMANDS, NULL,
            .letter = 'q', .help = "nothing but errors and results"),
     OPTION("help", FLAG, help, ~0u, NULL,
@@ -133,6 +138,7 @@ const option_info option_table[] = {
     {.name = NULL},
 };
 // clang-format on
+_Static_assert(sizeof option_table / sizeof *option_table - 1 <= 64, "options.given has a bit for each option");
 
 // ---- parameters -----------------------------------------------------------------------------------------------------
 
@@ -353,16 +359,9 @@ int options_parse_more(unsigned command, const char *command_name, int count, ch
 
 // The sentence of an option and the values that it takes, for a terminal.
 static void print_help(FILE *file, const option_info *info) {
-    char values[DESCRIBE_MAX] = "";
-    const char *help = info->help;
-    if (info->kind == OPTION_PARAM) {
-        const bolan_param row = option_param(info);
-        help = row.help;
-        describe_values(&row, "", values, sizeof values);
-    } else {
-        describe_option_values(info, "", values, sizeof values);
-    }
-    for (const char *p = help; *p; p++)
+    char values[DESCRIBE_MAX];
+    describe_option_values(info, "", values, sizeof values);
+    for (const char *p = describe_option_help(info); *p; p++)
         if (*p != '`') fputc(*p, file);
     fprintf(file, *values ? " (%s)\n" : "%s\n", values);
 }

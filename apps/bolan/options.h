@@ -37,9 +37,9 @@ typedef struct options {
     double fps, frames, samples, threads, tile, processes;
     double size[2];
     double least_wavelength, buoy[2], duration, rate;
-    int quality, backend, stretching;
+    int quality, backend, stretching, completion;
     const char *spectrum, *terrain, *points, *columns, *output, *screenshot, *outputs, *slurm, *part, *times;
-    bool record_time, json, parameters, schema, quiet, help;
+    bool record_time, json, parameters, schema, man, quiet, help;
 } options;
 
 typedef enum option_kind {
