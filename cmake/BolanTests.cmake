@@ -147,6 +147,10 @@ foreach(name packaging/bits_elsewhere images/test_mixes images/test_references p
         set_tests_properties(${name} PROPERTIES COST 1000)
     endif()
 endforeach()
+if(TEST packaging/shared AND TEST packaging/deb)
+    set_tests_properties(packaging/shared PROPERTIES FIXTURES_SETUP shared_build)
+    set_tests_properties(packaging/deb PROPERTIES FIXTURES_REQUIRED shared_build)
+endif()
 
 # Checks of the sources themselves.
 function(bolan_add_check name script)
@@ -171,7 +175,12 @@ if(TARGET bolan_render)
     bolan_add_check(shaders tests/shaders/check.sh $<TARGET_FILE:print_shader> $<TARGET_FILE:print_variants>
         ${CMAKE_BINARY_DIR}/tests/glslang)
 endif()
-bolan_add_check(docs tools/docs.sh ${CMAKE_BINARY_DIR}/docs)
+if(TARGET bolan_cli)
+    # Each command of the gallery is checked, and the first one draws.
+    bolan_add_check(docs tools/docs.sh ${CMAKE_BINARY_DIR}/docs $<TARGET_FILE:bolan_cli> first)
+else()
+    bolan_add_check(docs tools/docs.sh ${CMAKE_BINARY_DIR}/docs)
+endif()
 if(TARGET bolan_all)
     include(BolanPythonTests)
     include(BolanWebTests)

@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# docs.sh SOURCE-FOLDER OUTPUT-FOLDER: builds the API reference. Any warning is a failure: a function, type, enum or macro
-# without a comment, a reference that leads nowhere. A plain member of a documented struct may stand by its name alone.
-# So is a picture that a page shows and the folder lacks, a page named after a folder of this machine, and a file or a
-# function that the page of the data flow names and the sources lack.
+# docs.sh SOURCE-FOLDER OUTPUT-FOLDER [PROGRAM [all|first]]: builds the site OUTPUT-FOLDER/html: the manual and, by
+# doxygen, the reference. PROGRAM draws the pictures of the gallery, or a small first one; without it the gallery has
+# commands alone. Any warning is a failure: a function, type, enum or macro without a comment, a reference that leads nowhere. A
+# plain member of a documented struct may stand by its name alone. So is a link or picture whose target the site lacks,
+# and a file or a function that the page of the data flow names and the sources lack.
 set -eu
 cd "$1"
 root=$PWD
@@ -36,38 +37,30 @@ done <$page
 [ $functions -ge 60 ] || fail "$page names $functions functions; expected 60 or more"
 [ $failures = 0 ] || exit 1
 
-if ! command -v doxygen >/dev/null; then
-    echo 'doxygen is missing: skipped'
+for tool in doxygen cmark-gfm python3 ffmpeg; do
+    command -v $tool >/dev/null && continue
+    echo "$tool is missing: skipped"
+    [ -z "${BOLAN_REQUIRE_DOCS:-}" ] || exit 1
     exit 77
-fi
+done
 rm -rf "$2/html"
-mkdir -p "$2"
+mkdir -p "$2/html"
 {
     cat docs/Doxyfile
     echo "OUTPUT_DIRECTORY = $2"
+    echo "GENERATE_TAGFILE = $2/html/reference/bolan.tag"
 } | doxygen - 2>"$2/log"
 if grep -v 'Member .* (variable) .* is not documented' "$2/log"; then exit 1; fi
+python3 tools/site/site.py "$root" "$2/html" --bolan "${3:-}" --gallery "${4:-all}" || fail 'the pages'
+rm "$2/html/reference/bolan.tag"
+python3 tools/site/links.py "$2/html" || fail 'the links'
 
-cd "$2/html"
-# Doxygen leaves out a picture that it does not find, without a warning: count them on both sides.
-grep -oh '<img [^>]*src="[^"]*"\|<object [^>]*data="[^"]*"' ./*.html | sed 's/.*"\([^"]*\)"$/\1/' | grep -v '^http' | sort -u >../shown
-while read -r picture; do
-    [ -s "$picture" ] || fail "a page shows $picture, which is not there"
-done <../shown
-(cd "$root" && sed -n 's/!\[/\n![/gp' README.md docs/*.md | sed -n 's/^!\[[^]]*\](\([^)]*\)).*/\1/p' | sed 's|.*/||' | sort -u) >../wanted
-for picture in $(cat ../wanted); do
-    grep -q "^$picture\$" ../shown || fail "no page shows $picture"
-done
-[ -s ../wanted ] || fail 'the pages have no pictures'
-for page in ./md_*.html; do
-    case $page in
-    ./md_docs_* | ./md_CONTRIBUTING.html | ./md_CHANGELOG.html) ;;
-    *) fail "$page is named after a folder" ;;
-    esac
-done
-grep -q 'A volcanic island' index.html || fail 'the front page is not the README'
+grep -q 'A volcanic island' "$2/html/index.html" || fail 'the front page is not the README'
+pictures=$(find "$2/html/gallery" -name '*.jpg' 2>/dev/null | wc -l)
+commands=$(grep -c '^bolan render ' docs/gallery.md)
+[ "${3:+${4:-all}}" != all ] || [ "$pictures" = "$commands" ] || fail "the gallery has $pictures pictures of $commands commands"
 # Every log id of base.h has its row in the page of errors, with its number, and no row is of another id.
-sed -n 's/^ *X(\([0-9]*\), \([A-Z0-9_]*\)).*/| \1 | `\2` |/p' "$root/include/bolan/base.h" | sort >../ids
-sed -n 's/^\(| [0-9]* | `[A-Z0-9_]*` |\).*/\1/p' "$root/docs/errors.md" | sort >../rows
-diff ../ids ../rows >../difference || fail "docs/errors.md and base.h differ in log ids: $(tr '\n' ' ' <../difference)"
+sed -n 's/^ *X(\([0-9]*\), \([A-Z0-9_]*\)).*/| \1 | `\2` |/p' "$root/include/bolan/base.h" | sort >"$2/ids"
+sed -n 's/^\(| [0-9]* | `[A-Z0-9_]*` |\).*/\1/p' "$root/docs/errors.md" | sort >"$2/rows"
+diff "$2/ids" "$2/rows" >"$2/difference" || fail "docs/errors.md and base.h differ in log ids: $(tr '\n' ' ' <"$2/difference")"
 [ $failures = 0 ]
