@@ -2,6 +2,7 @@
 # A thin front for CMake. Everything lands in build*/ and out/, which git ignores.
 .POSIX:
 .PHONY: help build run web test bench install docs figures format mutate setup
+.PHONY: help build run test bench install deb docs figures format mutate setup
 
 PREFIX = /usr/local
 
@@ -12,7 +13,8 @@ help:
 	@echo 'make test     build and run every test; the last line counts them'
 	@echo 'make bench    build and run the benchmarks'
 	@echo 'make install  install the program, libraries and headers under PREFIX (default /usr/local)'
-	@echo 'make docs     the API reference: build/docs/html/index.html'
+	@echo 'make deb      Debian packages of the program, the libraries and the Python module: build-deb/*.deb'
+	@echo 'make docs     the manual, the reference and the gallery as a site: build/docs/html/index.html'
 	@echo 'make figures  the figures of the four papers again: docs/images/techniques/'
 	@echo 'make mutate   try whether the tests can fail: hours (tools/mutate.sh --only REGEX for some)'
 	@echo 'make format   clang-format every C, C++ and header file'
@@ -21,7 +23,8 @@ help:
 setup:
 	@tools/setup.sh
 
-build: setup
+build:
+	@tools/setup.sh build
 	@tools/build.sh
 
 run: build
@@ -40,8 +43,13 @@ bench: build
 install: build
 	cmake --install build --prefix '$(PREFIX)'
 
-docs: setup
-	@tools/docs.sh . build/docs && echo 'The reference is at build/docs/html/index.html'
+deb:
+	@tools/setup.sh build deb
+	@tools/deb.sh
+
+docs: build
+	@tools/setup.sh docs
+	@tools/docs.sh . build/docs build/bolan && echo 'The site is at build/docs/html/index.html'
 
 figures: build
 	@tools/figures.sh

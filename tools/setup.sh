@@ -2,20 +2,44 @@
 # SPDX-License-Identifier: MIT
 # Installs the Debian or Ubuntu packages that the build and the tests need and this machine lacks. Silent when none is.
 # With the argument "web" those of the web page too. BOLAN_SKIP_SETUP=1 leaves the machine as it is.
+# setup.sh [GROUPS...]: installs the Debian or Ubuntu packages that this machine lacks of the groups: build (the program
+# and the libraries), test (the tests; with build and docs), docs (the site), deb (Debian packages). Without GROUPS it is
+# test. Silent, and without apt-get, when none is missing. BOLAN_SKIP_SETUP=1 leaves the machine as it is.
 set -eu
 [ -z "${BOLAN_SKIP_SETUP:-}" ] || exit 0
 
-tools='build-essential cmake ninja-build pkg-config glslang-tools doxygen'
+tools='build-essential cmake ninja-build pkg-config'
 graphics='libegl-dev libgl-dev libgl1-mesa-dri libepoxy-dev libsdl2-dev libimgui-dev'
 files='libstb-dev libyaml-dev libopenexr-dev libgdal-dev libassimp-dev zlib1g-dev libnetcdf-dev ffmpeg'
-tests='libcmocka-dev libfftw3-dev xvfb xauth locales python3-yaml'
+build="$tools $graphics $files"
+docs='doxygen cmark-gfm python3-pygments ffmpeg'
+deb='debhelper dh-python lintian python3-pip python3-setuptools python3-wheel'
+shells='groff-base man-db zsh fish'
 python='python3-cffi python3-numpy python3-pytest python3-matplotlib python3-pip python3-setuptools'
 farm='libopenmpi-dev openmpi-bin'
 packages="$tools $graphics $files $tests $python $farm"
 packages="$tools $graphics $files $tests $python"
 if [ "${1:-}" = web ]; then packages="$packages emscripten chromium"; fi
+test="$build $docs $shells $python glslang-tools libcmocka-dev libfftw3-dev xvfb xauth locales python3-yaml"
+
+packages=
+for group in "${@:-test}"; do
+    case $group in
+    build) packages="$packages $build" ;;
+    docs) packages="$packages $docs" ;;
+    deb) packages="$packages $deb" ;;
+    test) packages="$packages $test" ;;
+    *) echo "setup.sh: unknown group $group; expected build, test, docs, deb" >&2 && exit 2 ;;
+    esac
+done
+packages=$(printf '%s\n' $packages | sort -u | tr '\n' ' ')
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    # Elsewhere what the build needs is known by its programs and its .pc files.
+    if [ "$*" = build ] && command -v cc cmake ninja pkg-config >/dev/null &&
+        pkg-config --exists egl gl epoxy sdl2 imgui yaml-0.1 OpenEXR gdal assimp zlib netcdf; then
+        exit 0
+    fi
     echo 'Bolan sets itself up on Debian and Ubuntu only. Install what these packages hold, then run again with' >&2
     echo 'BOLAN_SKIP_SETUP=1 in the environment:' >&2
     echo "  $packages" >&2
