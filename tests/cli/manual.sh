@@ -25,10 +25,12 @@ while read -r name rest; do
     sentence=$(printf '%s\n' "$rest" | sed 's/.*  //')
     grep -qF -- "$sentence" page || fail "the page lacks '$sentence'"
     "$BOLAN" "$name" --help | sed -n '/^options:/,/^SCENE/p' |
-        sed -n 's/^  *\(-., \)\{0,1\}\(--[a-z-]*\)\( [^ ][^ ]*\)\{0,1\} *\(.*\)/\2\3|\4/p' > options
+        sed -n 's/^  *\(-., \)\{0,1\}\(--[a-z-]*\)\( [^ ][^ ]*\)\{0,1\} *\(.*\)/\2\3\t\4/p' > options
     [ -s options ] || fail "bolan $name --help lists no option"
-    while IFS='|' read -r option _; do
+    while IFS="$(printf '\t')" read -r option sentence; do
         grep -q -- "^\(-., \)\{0,1\}$(printf '%s\n' "$option" | sed 's/[].*[]/\\&/g')" page || fail "the page lacks $option of bolan $name"
+        # A long option has its sentence on the next line of the help.
+        grep -qF -- "$sentence" page || fail "the page lacks '$sentence' of $option"
     done < options
 done < commands
 grep -q 'where the wind comes from, compass degrees (-360..360 degrees). Goes with: view, render, measure' page ||

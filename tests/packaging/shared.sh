@@ -36,6 +36,19 @@ grep -q 'bolan_SHADER_DIR.*share/bolan/shaders' "$(find prefix -name bolanConfig
 use_pkg_config "$PWD/prefix" bolan bolan_content bolan_io bolan_render
 use_find_package "$PWD/prefix" bolan bolan_content bolan_io bolan_render
 
+# The components of the installation are the whole of it, each file in one of them.
+(cd prefix && find . ! -type d | sort) > whole
+for component in program libraries development; do
+    cmake --install shared --prefix "$PWD/$component" --component $component > component.log || fail "$(cat component.log)"
+    (cd $component && find . ! -type d)
+done | sort > parts
+cmp whole parts || fail "the components are not the whole: $(diff whole parts)"
+! find libraries ! -type d ! -name 'lib*.so.*' | grep . || fail 'libraries holds more than libraries'
+for file in man/man1/bolan.1 bash-completion/completions/bolan zsh/site-functions/_bolan \
+    fish/vendor_completions.d/bolan.fish; do
+    [ -s program/share/$file ] || fail "program lacks $file"
+done
+
 # A shared library exports the names that the public headers declare, and no other.
 cat "$BOLAN_SOURCE_DIR"/include/bolan/*.h | grep -ow 'bolan_[a-z0-9_]*' | sort -u > public
 # libbolan_all, for Python, holds nothing here: it needs the others.
