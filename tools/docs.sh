@@ -51,14 +51,20 @@ mkdir -p "$2/html"
     echo "GENERATE_TAGFILE = $2/html/reference/bolan.tag"
 } | doxygen - 2>"$2/log"
 if grep -v 'Member .* (variable) .* is not documented' "$2/log"; then exit 1; fi
-python3 tools/site/site.py "$root" "$2/html" --bolan "${3:-}" --gallery "${4:-all}" || fail 'the pages'
+program=${3:-}
+if [ -n "$program" ] && "$program" info --json | grep -q '"gl": null'; then
+    echo 'There is no OpenGL here: the gallery has no pictures'
+    [ "${BOLAN_REQUIRE_GL:-}" != 1 ] || exit 1
+    program=
+fi
+python3 tools/site/site.py "$root" "$2/html" --bolan "$program" --gallery "${4:-all}" || fail 'the pages'
 rm "$2/html/reference/bolan.tag"
 python3 tools/site/links.py "$2/html" || fail 'the links'
 
 grep -q 'A volcanic island' "$2/html/index.html" || fail 'the front page is not the README'
 pictures=$(find "$2/html/gallery" -name '*.jpg' 2>/dev/null | wc -l)
 commands=$(grep -c '^bolan render ' docs/gallery.md)
-[ "${3:+${4:-all}}" != all ] || [ "$pictures" = "$commands" ] || fail "the gallery has $pictures pictures of $commands commands"
+[ "${program:+${4:-all}}" != all ] || [ "$pictures" = "$commands" ] || fail "the gallery has $pictures pictures of $commands commands"
 # Every log id of base.h has its row in the page of errors, with its number, and no row is of another id.
 sed -n 's/^ *X(\([0-9]*\), \([A-Z0-9_]*\)).*/| \1 | `\2` |/p' "$root/include/bolan/base.h" | sort >"$2/ids"
 sed -n 's/^\(| [0-9]* | `[A-Z0-9_]*` |\).*/\1/p' "$root/docs/errors.md" | sort >"$2/rows"
