@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # A thin front for CMake. Everything lands in build*/ and out/, which git ignores.
 .POSIX:
-.PHONY: help build run web test bench install docs figures format mutate setup
-.PHONY: help build run test bench install deb docs figures format mutate setup
+.PHONY: help build run web test bench install deb docs figures format mutate setup
 
 PREFIX = /usr/local
 
@@ -31,7 +30,7 @@ run: build
 	@tools/run.sh
 
 web:
-	@tools/setup.sh web
+	@tools/setup.sh build web
 	@tools/web.sh && echo 'The page is at build/web: python3 -m http.server -d build/web -b 127.0.0.1'
 
 test: setup

@@ -1,10 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs the Debian or Ubuntu packages that the build and the tests need and this machine lacks. Silent when none is.
-# With the argument "web" those of the web page too. BOLAN_SKIP_SETUP=1 leaves the machine as it is.
 # setup.sh [GROUPS...]: installs the Debian or Ubuntu packages that this machine lacks of the groups: build (the program
-# and the libraries), test (the tests; with build and docs), docs (the site), deb (Debian packages). Without GROUPS it is
-# test. Silent, and without apt-get, when none is missing. BOLAN_SKIP_SETUP=1 leaves the machine as it is.
+# and the libraries), test (the tests; with build and docs), docs (the site), deb (Debian packages), web (the page and
+# its browser), slurm (a queue of one node). Without GROUPS it is test. Silent, and without apt-get, when none is missing.
+# BOLAN_SKIP_SETUP=1 leaves the machine as it is.
 set -eu
 [ -z "${BOLAN_SKIP_SETUP:-}" ] || exit 0
 
@@ -16,11 +15,9 @@ docs='doxygen cmark-gfm python3-pygments ffmpeg'
 deb='debhelper dh-python lintian python3-pip python3-setuptools python3-wheel'
 shells='groff-base man-db zsh fish'
 python='python3-cffi python3-numpy python3-pytest python3-matplotlib python3-pip python3-setuptools'
-farm='libopenmpi-dev openmpi-bin'
-packages="$tools $graphics $files $tests $python $farm"
-packages="$tools $graphics $files $tests $python"
-if [ "${1:-}" = web ]; then packages="$packages emscripten chromium"; fi
-test="$build $docs $shells $python glslang-tools libcmocka-dev libfftw3-dev xvfb xauth locales python3-yaml"
+web='emscripten chromium'
+slurm='slurmctld slurmd slurm-client munge'
+test="$build $docs $shells $python libopenmpi-dev openmpi-bin glslang-tools libcmocka-dev libfftw3-dev xvfb xauth locales python3-yaml"
 
 packages=
 for group in "${@:-test}"; do
@@ -28,8 +25,10 @@ for group in "${@:-test}"; do
     build) packages="$packages $build" ;;
     docs) packages="$packages $docs" ;;
     deb) packages="$packages $deb" ;;
+    web) packages="$packages $web" ;;
+    slurm) packages="$packages $slurm" ;;
     test) packages="$packages $test" ;;
-    *) echo "setup.sh: unknown group $group; expected build, test, docs, deb" >&2 && exit 2 ;;
+    *) echo "setup.sh: unknown group $group; expected build, test, docs, deb, web, slurm" >&2 && exit 2 ;;
     esac
 done
 packages=$(printf '%s\n' $packages | sort -u | tr '\n' ' ')

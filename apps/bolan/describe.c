@@ -79,7 +79,7 @@ const char *describe_option_help(const option_info *info) {
 
 void describe_goes_with(const option_info *info, char *out, size_t capacity) {
     static const char *const commands[] = {"view", "render", "measure", "query", // the bits ON_...
-                                           "info", "bake",   "export"};
+                                           "info", "bake",   "export",  "farm"};
     size_t used = 0;
     snprintf(out, capacity, "%s", info->commands == ~0u ? "all" : "");
     for (unsigned k = 0; k < sizeof commands / sizeof *commands && info->commands != ~0u; k++)

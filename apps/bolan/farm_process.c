@@ -58,8 +58,8 @@ bool farm_process_start(farm_process *p, int count, char **arguments, uint32_t t
     fcntl(ends[1], F_SETFD, 0);
     snprintf(number, sizeof number, "%d", ends[1]);
     snprintf(amount, sizeof amount, "--threads=%u", (unsigned)threads);
-    char command[] = "farm-worker", program[] = "bolan";
-    list[0] = program, list[1] = command, list[2] = number, list[3] = amount;
+    char verb[] = "farm-worker", program[] = "bolan";
+    list[0] = program, list[1] = verb, list[2] = number, list[3] = amount;
     for (int i = 0; i < count; i++) list[4 + i] = arguments[i]; // of which --threads replaces the one above
     // Software OpenGL has threads of its own.
     setenv("LP_NUM_THREADS", amount + strlen("--threads="), 0);
