@@ -8,7 +8,6 @@
 
 #include <string.h>
 
-const char *const completion_shells[] = {"bash", "zsh", "fish", NULL};
 
 // ---- what the tables say --------------------------------------------------------------------------------------------
 

@@ -29,6 +29,8 @@ static const char *const stretching_names[] = {"none", "wheeler", NULL}; // by b
 #define OF_FILE(long_name, member, goes_with, value) OPTION(long_name, PARAM, member, goes_with, value, .help = NULL)
 
 // clang-format off
+const char *const completion_shells[] = {"bash", "zsh", "fish", NULL};
+
 const option_info option_table[] = {
     OF_FILE("technique", technique, SCENE_COMMANDS, "NAME"),
     OF_SCENE("waves", SCENE_COMMANDS, "MODEL"),
