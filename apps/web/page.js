@@ -79,6 +79,7 @@ function readLink() {
   state.quality = Math.max(QUALITIES.indexOf(take('quality') || 'medium'), 0);
   state.scale = Math.min(Math.max(Number(take('scale')) || 0, 0), 1);
   document.body.classList.toggle('bare', take('panel') === 'none');
+  if (document.body.classList.contains('bare')) showPanel(false);
   const pause = take('pause');
   state.paused = pause !== undefined;
   state.moved = CAMERA.some(key => given.has(key));
