@@ -49,6 +49,27 @@ BOLAN_API void bolan_query_surface(const bolan_water *water, const bolan_dvec2 *
 /// @param height receives count floats.
 BOLAN_API void bolan_query_heights(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, float *height);
 
+/// A parcel of the surface, known by its rest point.
+typedef struct bolan_parcel {
+    /// From the rest point on the mean water to the parcel [m]: it is found at x0 + x, y0 + y, level + z.
+    bolan_vec3 displacement;
+    /// Unit normal of the displaced surface, z >= 0.
+    bolan_vec3 normal;
+    /// Jacobian of the horizontal map; below 0 the surface is folded.
+    float jacobian;
+} bolan_parcel;
+/// Where the parcels of @p count rest points @p rest [m] are: the vertices of a mesh of the surface.
+///
+/// Waves, layers and attenuation over a ground are those of bolan_query_surface(), which finds the same parcel at its
+/// place, or a higher one where the water folds.
+/// @p spacing[i] >= 0 [m]: the distance of point i to its neighbours in a mesh, for which the waves are low-passed as by
+/// bolan_sea_sample_grid(), so that nothing aliases. Layers keep all their waves. NULL or 0: no low-pass.
+/// Points that are not finite give no displacement and a vertical normal.
+/// Uses the task hook for large batches. Allocates nothing. Cannot fail; a water that is not valid is misuse.
+/// Thread-safe as bolan_query_surface().
+BOLAN_API void bolan_query_parcels(const bolan_water *water, const bolan_dvec2 *rest, const float *spacing,
+                                   uint32_t count, bolan_parcel *out);
+
 // ---- the moving water -----------------------------------------------------------------------------------------------
 
 /// At which depth the waves of linear theory are taken for a point at height z over the mean level, under a surface at

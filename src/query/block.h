@@ -117,6 +117,7 @@ typedef struct query_block {
     float jxx[QUERY_LANES], jxy[QUERY_LANES], jyx[QUERY_LANES], jyy[QUERY_LANES]; // Jacobian matrix of x0 -> x
     query_kept kept;
     bool settled[QUERY_LANES]; // the attenuation is the same all around
+    const float *fade;         // of sums: 1 / (2 spacing) of each lane, for a grid of that spacing; NULL: no low-pass
     bool leans;                // a lane has a gradient of the attenuation
 } query_block;
 
@@ -179,6 +180,12 @@ void bolan_query_rest_points(const query *q, const bolan_dvec2 *xy, uint32_t cou
 // Newton steps from the present offsets until the lanes of `lanes` have converged, `steps` at most, each with the
 // attenuation of the depth at its rest points; leaves them evaluated.
 void bolan_query_solve(const query *q, uint32_t lanes, uint32_t steps, query_block *block);
+// Puts `lanes` rest points into a block, to be evaluated where they are: offsets 0, with the attenuation there.
+void bolan_query_open_block(const query *q, const bolan_dvec2 *rest, uint32_t lanes, query_block *block);
+// Adds the layers at the rest points, to a block that was evaluated.
+void bolan_query_add_layers(const query *q, query_block *block);
+// Unit normal of the displaced surface at a lane that was evaluated, z >= 0.
+bolan_vec3 bolan_query_normal(const query_block *block, uint32_t l);
 // Copies what belongs to the place of lane `lane`, and its offset, into lane `l` of `to`.
 void bolan_query_copy_place(const query *q, const query_block *from, uint32_t lane, query_block *to, uint32_t l);
 // Unit vector along which the Jacobian matrix (xx, xy; xy, yy) compresses most: the eigenvector of the smaller

@@ -84,6 +84,7 @@ void bolan_query_search_folds(const query *q, query_block *block, uint32_t lane)
     const query_block *from = block;
     uint32_t best = lane;
     starts.leans = block->leans;
+    starts.fade = block->fade;
     for (uint32_t l = 0; l < QUERY_LANES; l++) bolan_query_copy_place(q, block, lane, &starts, l);
     for (int round = 0; round < 2; round++) { // the second from the best of the first, along its own direction
         spread_starts(q, from, best, &starts);

@@ -92,7 +92,7 @@ static layer_share share_of(const query *q, const query_block *b, uint32_t l, fl
 }
 
 // Adds the layers at the rest points. They move no parcel sideways, so the solver need not know them.
-static void add_layers(const query *q, query_block *b) {
+void bolan_query_add_layers(const query *q, query_block *b) {
     double x[QUERY_LANES], y[QUERY_LANES];
     for (uint32_t l = 0; l < QUERY_LANES; l++) {
         x[l] = b->x[l] + (double)b->ox[l];
@@ -149,7 +149,7 @@ void bolan_query_solve(const query *q, uint32_t lanes, uint32_t steps, query_blo
         newton(lanes, block);
     }
     correct_heights(block);
-    if (q->water->layer_count > 0) add_layers(q, block);
+    if (q->water->layer_count > 0) bolan_query_add_layers(q, block);
 }
 
 // True if the last step was not small enough, or the map is nearly singular there.
@@ -183,8 +183,16 @@ static void clear_block(query_block *b) {
     }
 }
 
+void bolan_query_open_block(const query *q, const bolan_dvec2 *rest, uint32_t lanes, query_block *b) {
+    clear_block(b);
+    load_block(rest, lanes, b);
+    q->kernels->locate(&q->sea, b);
+    (void)settle(q, b);
+    attenuate(q, QUERY_ALL_LANES, true, b);
+}
+
 // Normal of the displaced surface: the cross product of its tangents along the rest axes, with the sign that points up.
-static bolan_vec3 normal_of(const query_block *b, uint32_t l) {
+bolan_vec3 bolan_query_normal(const query_block *b, uint32_t l) {
     const float determinant = query_determinant(b, l), sign = determinant < 0.0f ? -1.0f : 1.0f;
     const bolan_vec3 n = {-(b->slope_x[l] * b->jyy[l] - b->slope_y[l] * b->jyx[l]) * sign,
                           -(b->slope_y[l] * b->jxx[l] - b->slope_x[l] * b->jxy[l]) * sign, determinant * sign};
@@ -194,7 +202,7 @@ static bolan_vec3 normal_of(const query_block *b, uint32_t l) {
 static bolan_query_point point_of(const query *q, const query_block *b, uint32_t l) {
     bolan_query_point p;
     p.height = (float)(q->water->level + (double)b->height[l]);
-    p.normal = normal_of(b, l);
+    p.normal = bolan_query_normal(b, l);
     p.jacobian = query_determinant(b, l);
     p.residual = sqrtf(b->rx[l] * b->rx[l] + b->ry[l] * b->ry[l]);
     return p;
@@ -237,7 +245,7 @@ static void leave_lane(const batch *t, const query_block *b, uint32_t l, uint32_
 static void write_block(const batch *t, uint32_t first, uint32_t lanes, uint32_t certain, query_block *b,
                         leftover *left) {
     if (t->out && certain) t->q.kernels->surface(&t->q.sea, b);
-    if (certain && t->q.water->layer_count > 0) add_layers(&t->q, b);
+    if (certain && t->q.water->layer_count > 0) bolan_query_add_layers(&t->q, b);
     for (uint32_t l = 0; l < lanes; l++) {
         if (certain >> l & 1) {
             write_lane(t, first + l, b, l);

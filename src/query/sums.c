@@ -24,7 +24,7 @@ static void fields_of(const query_sea *sea, const query_block *block, fields *ou
         x[l] = block->x[l] + (double)block->ox[l];
         y[l] = block->y[l] + (double)block->oy[l];
     }
-    sea->sum_fields(sea->sum, x, y, NULL, out->at);
+    sea->sum_fields(sea->sum, x, y, block->fade, out->at);
 }
 
 static void evaluate(const query_sea *sea, uint32_t lanes, query_block *block) {

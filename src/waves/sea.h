@@ -177,6 +177,9 @@ double bolan_sea_lift_at(const sea_lift *lift, double spacing);
 // Spacing [m] of a level; 0 of level 0.
 double bolan_sea_lift_spacing(const sea_lift *lift, int level);
 
+// Share of the amplitude of a cascade on a grid of that spacing [m]: it fades from 4 to 2 spacings of its longest wave.
+double bolan_cascade_fade(double k_min, double length, double spacing);
+
 // ---- samples --------------------------------------------------------------------------------------------------------
 
 // Sums over the cascades or waves of the fields at one rest point, choppiness not applied, and what becomes of them

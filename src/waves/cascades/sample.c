@@ -198,13 +198,17 @@ void bolan_sea_bound_at(const bolan_sea *sea, bolan_dvec2 rest, const float *kee
 
 enum { MOST_TAPS = 4, FOAM_TAPS = 2, GRAIN_POINTS = 256 }; // taps along a side of the square
 
+double bolan_cascade_fade(double k_min, double length, double spacing) {
+    const double longest = k_min > 0.0 ? 2.0 * BOLAN_PI / k_min : length;
+    const double t = fmin(fmax(spacing > 0.0 ? 0.5 * longest / spacing - 1.0 : 1.0, 0.0), 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
 // A square of two spacings, averaged, takes a wave of two spacings out and leaves one of four at 0.64. Of a cascade
 // that has faded away its foam is left.
 static void add_filtered(const sea_cascade *c, const sea_planes *p, bolan_dvec2 at, double spacing, double *lift,
                          spline_sums *v) {
-    const double longest = c->k_min > 0.0 ? 2.0 * BOLAN_PI / c->k_min : c->length;
-    const double t = fmin(fmax(spacing > 0.0 ? 0.5 * longest / spacing - 1.0 : 1.0, 0.0), 1.0);
-    const double fade = t * t * (3.0 - 2.0 * t), width = 2.0 * spacing;
+    const double fade = bolan_cascade_fade(c->k_min, c->length, spacing), width = 2.0 * spacing;
     const int taps = (int)fmin(fmax(ceil(width * c->n / c->length), 1.0), fade > 0.0 ? MOST_TAPS : FOAM_TAPS);
     const double share = 1.0 / (taps * taps);
     *lift += fade * fade * bolan_sea_lift_at(&c->band->lift, spacing); // a product of two that fade
