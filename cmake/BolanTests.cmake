@@ -43,8 +43,15 @@ foreach(kind unit physics determinism kernels shaders twins images)
         endif()
         if((name MATCHES "^test_io_raster" AND NOT BOLAN_WITH_GDAL) OR
             (name MATCHES "^test_io_models" AND NOT BOLAN_WITH_ASSIMP) OR
+            (name MATCHES "^test_io_fields" AND NOT (BOLAN_WITH_NETCDF AND BOLAN_WITH_OPENEXR)) OR
             (name MATCHES "^test_io_pictures" AND NOT BOLAN_WITH_OPENEXR))
             continue()
+        endif()
+        # Read back by these libraries themselves.
+        if(name STREQUAL test_io_models_export)
+            list(APPEND libraries PkgConfig::assimp)
+        elseif(name STREQUAL test_io_fields)
+            list(APPEND libraries PkgConfig::netcdf ${OPENEXR_CORE_LIBRARY})
         endif()
         if(kind STREQUAL kernels OR name MATCHES fftw)
             if(NOT fftw_FOUND)

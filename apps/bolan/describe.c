@@ -78,13 +78,29 @@ const char *describe_option_help(const option_info *info) {
 }
 
 void describe_goes_with(const option_info *info, char *out, size_t capacity) {
-    static const char *const commands[] = {"view", "render", "measure", "query", // the bits ON_...
-                                           "info", "bake",   "export",  "farm"};
+    static const struct {
+        unsigned bits; // ON_...
+        const char *name;
+    } commands[] = {{ON_VIEW, "view"},
+                    {ON_RENDER, "render"},
+                    {ON_MEASURE, "measure"},
+                    {ON_QUERY, "query"},
+                    {ON_INFO, "info"},
+                    {ON_BAKE, "bake"},
+                    {ON_FARM, "farm"},
+                    {ON_EXPORT, "export"}, // before its parts
+                    {ON_SPECTRUM, "export spectrum"},
+                    {ON_MESH, "export mesh"},
+                    {ON_FIELDS, "export fields"},
+                    {ON_SKY, "export sky"}};
     size_t used = 0;
-    snprintf(out, capacity, "%s", info->commands == ~0u ? "all" : "");
+    unsigned left = info->commands;
+    snprintf(out, capacity, "%s", left == ~0u ? "all" : "");
     for (unsigned k = 0; k < sizeof commands / sizeof *commands && info->commands != ~0u; k++)
-        if (info->commands >> k & 1 && used < capacity)
-            used += (size_t)snprintf(out + used, capacity - used, "%s%s", used ? ", " : "", commands[k]);
+        if ((left & commands[k].bits) == commands[k].bits && used < capacity) {
+            used += (size_t)snprintf(out + used, capacity - used, "%s%s", used ? ", " : "", commands[k].name);
+            left &= ~commands[k].bits;
+        }
 }
 
 // ---- Markdown -------------------------------------------------------------------------------------------------------
@@ -210,7 +226,7 @@ static void print_group(FILE *file, const char *section, const bolan_param_group
 static void print_options(FILE *file) {
     fprintf(file, "# options\n| option | values | goes with | |\n|---|---|---|---|\n");
     for (const option_info *i = option_table; i->name; i++) {
-        char values[DESCRIBE_MAX], on[128];
+        char values[DESCRIBE_MAX], on[192];
         describe_option_values(i, "`", values, sizeof values);
         describe_goes_with(i, on, sizeof on);
         fprintf(file, "| `--%s%s", i->name, i->argument ? " " : "");

@@ -17,7 +17,7 @@ const command command_table[] = {
     {"bake", ON_BAKE, command_bake, "[SCENE] -o DIR", "looping tiles: heights, normal maps, light on the bottom", NULL},
     {"farm", ON_FARM, command_farm, "[SCENE|TABLE.csv] -o FILE",
      "frames or rows of a table by many processes, MPI ranks or Slurm", NULL},
-    {"export", ON_EXPORT, command_export, "spectrum [SCENE] -o FILE", "the spectrum as .png, .csv or SWAN text (.spec)",
+    {"export", ON_EXPORT, command_export, "mesh|fields|sky|spectrum [SCENE] -o FILE", "the water for other programs",
      NULL},
     {"bench", 0, command_bench, "[waves|query|frame|techniques|farm]", "benchmarks", bench_is_there},
     {"info", ON_INFO, command_info, "[FILE]", "build, processor, scenes; or what a file of spectra holds", NULL},
@@ -27,7 +27,7 @@ const command command_table[] = {
 static int print_help(FILE *file) {
     fputs("Bolan makes, measures and draws seas.\n\nusage: bolan COMMAND [SCENE] [OPTIONS]\n\n", file);
     for (const command *c = command_table; c->name; c++)
-        if (!c->exists || c->exists()) fprintf(file, "  bolan %-8s %-36s %s\n", c->name, c->arguments, c->help);
+        if (!c->exists || c->exists()) fprintf(file, "  bolan %-8s %-40s %s\n", c->name, c->arguments, c->help);
     fputs("\nbolan COMMAND --help lists the options of a command; bolan --version prints the version.\n", file);
     return EXIT_OK;
 }

@@ -13,7 +13,7 @@
 #define SPECTRUM_COMMANDS (SCENE_COMMANDS | ON_INFO)
 #define PICTURE_COMMANDS (ON_VIEW | ON_RENDER | ON_FARM)
 #define FILE_COMMANDS (ON_RENDER | ON_FARM) // images without a window
-#define GROUND_COMMANDS (PICTURE_COMMANDS | ON_QUERY) // the other commands do not read a sea bed
+#define GROUND_COMMANDS (PICTURE_COMMANDS | ON_QUERY | ON_MESH | ON_FIELDS) // the other commands do not read a sea bed
 
 static const char *const stretching_names[] = {"none", "wheeler", NULL}; // by bolan_stretching
 
@@ -62,15 +62,15 @@ const option_info option_table[] = {
            .low = -360, .high = 360, .least = 2, .most = 2, .unit = "degrees",
            .help = "where in the raster the scene's origin lies"),
     OF_SCENE("water", PICTURE_COMMANDS | ON_BAKE, "TYPE"),
-    OPTION("camera", NUMBERS, camera, PICTURE_COMMANDS, "X,Y,Z,HEADING,PITCH[,FOV]",
+    OPTION("camera", NUMBERS, camera, PICTURE_COMMANDS | ON_MESH | ON_SKY, "X,Y,Z,HEADING,PITCH[,FOV]",
            .low = -1e7, .high = 1e7, .least = 5, .most = 6, .help = "metres; compass degrees; degrees up; degrees"),
-    OPTION("sun", NUMBERS, sun, PICTURE_COMMANDS | ON_BAKE, "AZIMUTH,ELEVATION",
+    OPTION("sun", NUMBERS, sun, PICTURE_COMMANDS | ON_BAKE | ON_SKY, "AZIMUTH,ELEVATION",
            .low = -360, .high = 360, .least = 2, .most = 2, .unit = "degrees", .help = "compass degrees; degrees up"),
-    OPTION("quality", NAME, quality, PICTURE_COMMANDS, "LEVEL",
+    OPTION("quality", NAME, quality, PICTURE_COMMANDS | ON_SKY, "LEVEL",
            .names = bolan_quality_names, .help = "how much an image may cost; high for render, medium for view"),
-    OPTION("size", SIZE, size, PICTURE_COMMANDS, "WxH",
+    OPTION("size", SIZE, size, PICTURE_COMMANDS | ON_MESH | ON_SKY, "WxH",
            .low = 16, .high = 65536,
-           .help = "pixels: 1920x1080 for one image, 1280x720 for a sequence, film or window"),
+           .help = "pixels: 1920x1080 for one image, 1280x720 for a sequence, film, window or mesh, 2048x1024 for a sky"),
     OPTION("samples", WHOLE, samples, FILE_COMMANDS, "N",
            .low = 1, .high = 256,
            .help = "images with shifted pixels that are averaged; "
@@ -78,10 +78,11 @@ const option_info option_table[] = {
     OPTION("tile", WHOLE, tile, FILE_COMMANDS, "N",
            .low = 448, .high = 16384,
            .help = "largest side drawn at once, in pixels, above which tiles are drawn; by default what OpenGL can"),
-    OPTION("frames", WHOLE, frames, PICTURE_COMMANDS | ON_BAKE, "N",
+    OPTION("frames", WHOLE, frames, PICTURE_COMMANDS | ON_BAKE | ON_MESH | ON_FIELDS, "N",
            .low = 1, .high = 1e6,
-           .help = "how many; by default 10 seconds of them (render, farm), 32 (bake), or until you quit (view)"),
-    OPTION("fps", NUMBER, fps, FILE_COMMANDS, "F",
+           .help = "how many; by default 10 seconds of them (render, farm), 32 (bake), one (export), or until you quit "
+                   "(view)"),
+    OPTION("fps", NUMBER, fps, FILE_COMMANDS | ON_MESH | ON_FIELDS, "F",
            .low = 1, .high = 240, .help = "frames a second; 30 by default"),
     OPTION("backend", NAME, backend, PICTURE_COMMANDS, "NAME",
            .names = bolan_backend_names,
@@ -108,6 +109,20 @@ const option_info option_table[] = {
            .low = 0.1, .high = 50, .unit = "Hz", .help = "samples a second of the buoy's record; 2 by default"),
     OPTION("record-time", FLAG, record_time, ON_MEASURE, NULL,
            .help = "only when the measured spectrum was taken, ISO 8601"),
+    OPTION("rect", NUMBERS, rect, ON_MESH | ON_FIELDS, "X0,Y0,X1,Y1",
+           .low = -1e7, .high = 1e7, .least = 4, .most = 4, .unit = "m",
+           .help = "the rectangle of the world, south-west and north-east corner"),
+    OPTION("spacing", NUMBER, spacing, ON_MESH | ON_FIELDS, "M",
+           .low = 0.001, .high = 1e5, .unit = "m",
+           .help = "distance of neighbouring points; 0.5 by default; without --rect a square of 513 points a side round "
+                   "the camera"),
+    OPTION("origin", NUMBERS, origin, ON_MESH, "X,Y[,Z]",
+           .low = -1e7, .high = 1e7, .least = 2, .most = 3, .unit = "m",
+           .help = "the place of the world that is the origin of the file"),
+    OPTION("with", TEXT, with, ON_MESH, "ground",
+           .help = "the ground too"),
+    OPTION("half", FLAG, half, ON_FIELDS, NULL,
+           .help = "16-bit floats in an .exr"),
     OPTION("output", TEXT, output, FILE_COMMANDS | ON_QUERY | ON_BAKE | ON_EXPORT | ON_MEASURE, "FILE",
            .letter = 'o', .help = "where to write"),
     OPTION("outputs", TEXT, outputs, ON_FARM, "LIST",

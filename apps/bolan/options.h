@@ -18,8 +18,12 @@ enum {
     ON_QUERY = 8,
     ON_INFO = 16,
     ON_BAKE = 32,
-    ON_EXPORT = 64,
-    ON_FARM = 128,
+    ON_SPECTRUM = 64, // of export
+    ON_MESH = 128,
+    ON_FIELDS = 256,
+    ON_SKY = 512,
+    ON_EXPORT = ON_SPECTRUM | ON_MESH | ON_FIELDS | ON_SKY,
+    ON_FARM = 1024,
 };
 
 // The parsed options. Of options that are no parameter, a number that was not given is NAN, a name -1, a text NULL.
@@ -40,6 +44,9 @@ typedef struct options {
     int quality, backend, stretching, completion;
     const char *spectrum, *terrain, *points, *columns, *output, *screenshot, *outputs, *slurm, *part, *times;
     bool record_time, json, parameters, schema, man, quiet, help;
+    double rect[4], spacing, origin[3]; // of an export
+    const char *with;
+    bool half;
 } options;
 
 typedef enum option_kind {

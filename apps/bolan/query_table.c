@@ -113,31 +113,17 @@ bool query_batch_create(query_batch *b, uint32_t capacity, unsigned asks) {
     *b = (query_batch){
         .xyz = malloc(capacity * sizeof *b->xyz),
         .xy = malloc(capacity * sizeof *b->xy),
-        .rest = malloc(asks & ASK_FOAM ? capacity * sizeof *b->rest : 1),
         .surface = malloc(asks & ASK_SURFACE ? capacity * sizeof *b->surface : 1),
-        .parcel = malloc(asks & ASK_FOAM ? capacity * sizeof *b->parcel : 1),
+        .foam = malloc(asks & ASK_FOAM ? capacity * sizeof *b->foam : 1),
         .motion = malloc(moves ? capacity * sizeof *b->motion : 1),
         .below = malloc(asks & ASK_BELOW ? capacity * sizeof *b->below : 1),
     };
-    return b->xyz && b->xy && b->rest && b->surface && b->parcel && b->motion && b->below;
+    return b->xyz && b->xy && b->surface && b->foam && b->motion && b->below;
 }
 
 void query_batch_free(query_batch *b) {
-    free(b->xyz), free(b->xy), free(b->rest), free(b->surface), free(b->parcel), free(b->motion), free(b->below);
+    free(b->xyz), free(b->xy), free(b->surface), free(b->foam), free(b->motion), free(b->below);
     *b = (query_batch){0};
-}
-
-// The foam of the parcel at a place: the rest point by the plain fixed point, which is exact enough for foam.
-static void answer_foam(query_batch *b, const bolan_sea *sea) {
-    enum { STEPS = 8 };
-    memcpy(b->rest, b->xy, b->count * sizeof *b->rest);
-    for (int step = 0; step <= STEPS; step++) {
-        bolan_sea_sample_rest(sea, b->rest, b->count, b->parcel);
-        for (uint32_t i = 0; i < b->count && step < STEPS; i++) {
-            b->rest[i].x = b->xy[i].x - (double)b->parcel[i].dx;
-            b->rest[i].y = b->xy[i].y - (double)b->parcel[i].dy;
-        }
-    }
 }
 
 // Points without z are at the surface, where all pressure is 0: the dynamic one takes the hydrostatic one back.
@@ -161,7 +147,7 @@ static bool lacks_z(const query_batch *b) {
 void query_batch_answer(query_batch *b, const bolan_water *water, const bolan_question *question, unsigned asks) {
     for (uint32_t i = 0; i < b->count; i++) b->xy[i] = (bolan_dvec2){b->xyz[i].x, b->xyz[i].y};
     if (asks & ASK_SURFACE) bolan_query_surface(water, b->xy, b->count, b->surface);
-    if (asks & ASK_FOAM) answer_foam(b, water->sea);
+    if (asks & ASK_FOAM) bolan_query_foam(water, b->xy, b->count, b->foam);
     const bool no_z = (asks & ASK_BELOW) && lacks_z(b);
     if ((asks & ASK_MOTION) || no_z) bolan_query_motion(water, question, b->xy, b->count, b->motion);
     if (asks & ASK_BELOW) bolan_query_below(water, question, b->xyz, b->count, b->below);
@@ -184,7 +170,7 @@ static double cell_of(const query_batch *b, uint32_t i, int index, bool filtered
         return component(filtered ? b->motion[i].normal : b->surface[i].normal, index - COLUMN_NORMAL_X);
     case COLUMN_JACOBIAN: return (double)b->surface[i].jacobian;
     case COLUMN_RESIDUAL: return (double)b->surface[i].residual;
-    case COLUMN_FOAM: return (double)b->parcel[i].foam;
+    case COLUMN_FOAM: return (double)b->foam[i];
     case COLUMN_RISE: return (double)b->motion[i].rise;
     case COLUMN_VELOCITY_X:
     case COLUMN_VELOCITY_Y:

@@ -29,9 +29,9 @@ size_t query_columns_header(const query_columns *columns, char out[QUERY_MAX_COL
 typedef struct query_batch {
     uint32_t count;
     bolan_dvec3 *xyz; // z NAN: at the surface
-    bolan_dvec2 *xy, *rest;
+    bolan_dvec2 *xy;
     bolan_query_point *surface;
-    bolan_sea_sample *parcel; // at the rest points: foam
+    float *foam;
     bolan_surface_motion *motion;
     bolan_kinematics *below;
 } query_batch;

@@ -123,6 +123,9 @@ typedef enum bolan_log_level { BOLAN_LOG_ERROR, BOLAN_LOG_WARNING, BOLAN_LOG_INF
     X(337, MODEL_LIMIT)             \
     X(340, VIDEO_PROGRAM)           \
     X(341, VIDEO_WRITE)             \
+    X(345, EXPORT_TOO_LARGE)        \
+    X(346, EXPORT_LEFT_OUT)         \
+    X(347, EXPORT_PRECISION)        \
     X(400, GL_CONTEXT)              \
     X(401, GL_VERSION)              \
     X(402, GL_SHADER)               \
@@ -214,6 +217,9 @@ BOLAN_API uint32_t bolan_threads(void);
 /// Loops do not nest: a loop started inside a task runs on the thread of that task.
 /// Thread-safe.
 BOLAN_API void bolan_parallel(uint32_t count, uint32_t grain, bolan_task_fn *task, void *context);
+
+/// Called after each step of work that takes a while: @p done of @p total steps.
+typedef void bolan_progress(void *user, uint32_t done, uint32_t total);
 
 /// Allocates memory through the hooks: zero-filled, aligned to 64 bytes.
 /// Returns NULL for @p size 0 and on failure.

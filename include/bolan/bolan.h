@@ -31,5 +31,6 @@
 #include "bolan/world.h"
 
 #include "bolan/io.h"
+#include "bolan/export.h"
 
 #endif

@@ -248,6 +248,32 @@ typedef struct bolan_exr_channel {
 BOLAN_API bolan_result bolan_exr_write(const char *path, uint32_t width, uint32_t height,
                                        const bolan_exr_channel *channels, uint32_t count);
 
+/// An attribute in the header of an EXR part: text, a number or a vector.
+typedef struct bolan_exr_attribute {
+    /// Its name, such as "sunDirection".
+    const char *name;
+    /// Text; NULL: numbers.
+    const char *text;
+    /// 1 (a double) or 3 (a vector of floats); of text 0.
+    uint32_t count;
+    double number[3];
+} bolan_exr_attribute;
+/// A part of an EXR image.
+typedef struct bolan_exr_part {
+    /// Its name, which no other part has; NULL in an image of one part.
+    const char *name;
+    uint32_t width, height;
+    /// 1..64 channels.
+    const bolan_exr_channel *channels;
+    uint32_t channel_count;
+    const bolan_exr_attribute *attributes;
+    uint32_t attribute_count;
+    /// The file holds 16-bit floats, to the nearest.
+    bool half;
+} bolan_exr_part;
+/// Writes an EXR image of 1..16 parts; otherwise like bolan_exr_write().
+BOLAN_API bolan_result bolan_exr_write_parts(const char *path, const bolan_exr_part *parts, uint32_t count);
+
 /// A film that is being written.
 typedef struct bolan_video bolan_video;
 /// Checks that a film can be begun, so that long work fails before it starts.

@@ -70,6 +70,10 @@ typedef struct bolan_parcel {
 BOLAN_API void bolan_query_parcels(const bolan_water *water, const bolan_dvec2 *rest, const float *spacing,
                                    uint32_t count, bolan_parcel *out);
 
+/// The foam at @p count world points @p xy [m]: bolan_sea_sample.foam of the parcel that bolan_query_heights() finds there.
+/// Points that are not finite give 0. Otherwise like bolan_query_parcels().
+BOLAN_API void bolan_query_foam(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, float *foam);
+
 // ---- the moving water -----------------------------------------------------------------------------------------------
 
 /// At which depth the waves of linear theory are taken for a point at height z over the mean level, under a surface at

@@ -204,9 +204,6 @@ BOLAN_API bolan_lighting bolan_lighting_from_scene(const bolan_scene *scene);
 BOLAN_API void bolan_renderer_prepare(bolan_renderer *renderer, const bolan_water *water,
                                       const bolan_lighting *lighting);
 
-/// Called after each step of a preparation that takes a while: @p done of @p total steps.
-typedef void bolan_progress(void *user, uint32_t done, uint32_t total);
-
 /// Compiles the programs that views of this water with this lighting can need, whatever their eye: over the open sea
 /// and over ground, in a world and in a host's frame, with and without bounds.
 /// Without this call each of them is compiled by the first view that can need it.
@@ -426,6 +423,18 @@ typedef struct bolan_surfaces {
 /// alone, logged once. Allocates.
 BOLAN_API void bolan_renderer_read_surfaces(bolan_renderer *renderer, const bolan_world *world, const bolan_view *view,
                                             const bolan_surfaces *out);
+
+/// Draws the sky of the prepared step as an equirectangular map, for an eye at @p eye [m], and reads it.
+/// Column i looks to the compass direction 360 ((i + 0.5) / width - 0.5) degrees, row j to the elevation
+/// 180 (0.5 - (j + 0.5) / height). Clouds are in it, the sun's disc is not; directions below the horizon have the
+/// radiance of the horizon.
+/// @param width, height of the map, at most what OpenGL can; its detail is that of the clouds of the quality.
+/// @param rgb receives width * height * 3 floats, row 0 the zenith, in the units of bolan_renderer_read_linear().
+/// @param light receives sun and sky at the sea.
+/// Compiles a program and allocates: not for every frame.
+/// Errors: ARGUMENT (no prepared step, a size), GL, MEMORY.
+BOLAN_API bolan_result bolan_renderer_read_sky(bolan_renderer *renderer, bolan_dvec3 eye, uint32_t width,
+                                               uint32_t height, float *rgb, bolan_sky_light *light);
 
 /// Reads the 8-bit image of @p framebuffer, row 0 at the top: width * height * 3 bytes.
 /// A framebuffer that is not complete, has several samples a pixel or holds integers: @p rgb is left alone, logged

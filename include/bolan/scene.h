@@ -60,6 +60,16 @@ typedef struct bolan_sky {
     uint64_t cloud_seed;
 } bolan_sky;
 
+/// What sun and sky give at the sea, linear, in units of the irradiance of the sun in space at normal incidence.
+typedef struct bolan_sky_light {
+    /// Unit vector to the sun.
+    bolan_vec3 sun_direction;
+    /// Irradiance of the sun on a surface that faces it; 0 below the horizon.
+    bolan_vec3 sun_irradiance;
+    /// Irradiance of the sky on a horizontal surface.
+    bolan_vec3 sky_irradiance;
+} bolan_sky_light;
+
 /// Position of the sun at @p unix_time [s since 1970-01-01 UTC] seen from @p latitude, @p longitude [deg, north and
 /// east positive].
 /// @param azimuth receives the compass direction [deg].

@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-enum { GRAIN_BLOCKS = 16, MOST_TAPS = 4 };
+enum { GRAIN_BLOCKS = 16, MOST_TAPS = 4, FOAM_BATCH = 256 };
 
 typedef struct parcels {
     query q;
@@ -169,5 +169,50 @@ void bolan_query_parcels(const bolan_water *water, const bolan_dvec2 *rest, cons
         do_blocks(&p, 0, blocks, 0);
     } else {
         bolan_parallel(blocks, GRAIN_BLOCKS, do_blocks, &p);
+    }
+}
+
+// ---- foam -----------------------------------------------------------------------------------------------------------
+
+typedef struct foam_points {
+    query q;
+    const bolan_dvec2 *xy;
+    uint32_t count;
+    float *foam;
+} foam_points;
+
+// Task: batches [begin, end).
+static void find_foam(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
+    (void)worker;
+    const foam_points *p = context;
+    bolan_vec2 offset[FOAM_BATCH];
+    bolan_dvec2 rest[FOAM_BATCH];
+    bolan_sea_sample sample[FOAM_BATCH];
+    for (uint32_t i = begin; i < end; i++) {
+        const uint32_t first = i * FOAM_BATCH, left = p->count - first, count = left < FOAM_BATCH ? left : FOAM_BATCH;
+        bolan_query_rest_points(&p->q, p->xy + first, count, NULL, offset);
+        for (uint32_t k = 0; k < count; k++) {
+            const bolan_dvec2 at = p->xy[first + k];
+            const bool valid = isfinite(at.x) && isfinite(at.y);
+            rest[k].x = valid ? at.x + (double)offset[k].x : 0.0;
+            rest[k].y = valid ? at.y + (double)offset[k].y : 0.0;
+        }
+        bolan_sea_sample_grid(p->q.water->sea, rest, NULL, count, sample);
+        for (uint32_t k = 0; k < count; k++)
+            p->foam[first + k] = isfinite(p->xy[first + k].x + p->xy[first + k].y) ? sample[k].foam : 0.0f;
+    }
+}
+
+void bolan_query_foam(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, float *foam) {
+    const bool valid = bolan_water_is_valid(water) && (count == 0 || (xy && foam));
+    BOLAN_ASSERT(valid);
+    if (!valid) return;
+    foam_points p = {.xy = xy, .count = count, .foam = foam};
+    bolan_query_prepare(water, &p.q);
+    const uint32_t batches = count / FOAM_BATCH + (count % FOAM_BATCH != 0);
+    if (batches <= 1) {
+        find_foam(&p, 0, batches, 0);
+    } else {
+        bolan_parallel(batches, 1, find_foam, &p);
     }
 }

@@ -419,3 +419,49 @@ void bolan_renderer_read_surfaces(bolan_renderer *r, const bolan_world *world, c
     read_surfaces(r, view, out);
     bolan_renderer_leave(r);
 }
+
+// ---- the sky alone --------------------------------------------------------------------------------------------------
+
+// As bolan_renderer_read_sky(), in this context; @p rgba has room for the map.
+static bolan_result read_sky(bolan_renderer *r, bolan_dvec3 eye, uint32_t width, uint32_t height, float *rgba,
+                             bolan_sky_light *light) {
+    bolan_view view = bolan_view_default();
+    render_view v = {.frame = NULL};
+    view.eye = eye;
+    view.width = view.height = 64; // what the sky is made for does not depend on it
+    if (!open_view(r, &v, &view)) return BOLAN_ERROR_GL;
+    use_frame(r);
+    bolan_view_use(&v);
+    bolan_pass_sky_prepare(r->own_cache.sky, &v);
+    bolan_view_use(&v);
+    bolan_blocks_bind(&r->uniforms);
+    *light = (bolan_sky_light){r->frame.sun_direction, v.light.sun, v.light.sky};
+    light->sun_irradiance = bolan_v3_scale(light->sun_irradiance, 1.0f / r->radiance_unit);
+    light->sky_irradiance = bolan_v3_scale(light->sky_irradiance, 1.0f / r->radiance_unit);
+    return bolan_pass_sky_map(r->own_cache.sky, width, height, rgba);
+}
+
+bolan_result bolan_renderer_read_sky(bolan_renderer *r, bolan_dvec3 eye, uint32_t width, uint32_t height, float *rgb,
+                                     bolan_sky_light *light) {
+    const bool given = r != NULL && rgb != NULL && light != NULL && r->prepared && width > 0 && height > 0;
+    BOLAN_ASSERT(given);
+    if (!given) return BOLAN_ERROR_ARGUMENT;
+    if (!bolan_gl_has_context()) return bolan_gl_check_context("read_sky");
+    if (width > (uint32_t)r->caps.max_texture_size || height > (uint32_t)r->caps.max_texture_size) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "read_sky: a map of %ux%u; expected at most %d each way",
+                  (unsigned)width, (unsigned)height, r->caps.max_texture_size);
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    const size_t pixels = (size_t)width * height, bytes = 4 * pixels * sizeof(float);
+    float *rgba = allocate_for("a map of the sky", bytes);
+    if (rgba == NULL) return BOLAN_ERROR_MEMORY;
+    bolan_renderer_enter(r);
+    const bolan_result result = read_sky(r, eye, width, height, rgba, light);
+    bolan_renderer_leave(r);
+    for (size_t i = 0; i < pixels && result == BOLAN_OK; ++i) {
+        const size_t from = (height - 1 - i / width) * width + i % width; // the top row comes last
+        for (int c = 0; c < 3; ++c) rgb[3 * i + (size_t)c] = rgba[4 * from + (size_t)c] / r->radiance_unit;
+    }
+    bolan_release(rgba, bytes);
+    return result;
+}

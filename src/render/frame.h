@@ -121,6 +121,8 @@ bolan_result bolan_pass_sky_create(const gl_caps *caps, const pass_sky *from, pa
 void bolan_pass_sky_share(pass_sky *p, const pass_sky *from);
 void bolan_pass_sky_prepare(pass_sky *p,
                             render_view *v); // tables (when stale), sun_light, sky_light, exposure; binds its units
+// Draws the prepared sky as an equirectangular map and reads it, from the lowest row up.
+bolan_result bolan_pass_sky_map(pass_sky *p, uint32_t width, uint32_t height, float *rgba);
 void bolan_pass_sky_draw(pass_sky *p, const render_view *v); // where depth is 0 (nothing drawn)
 void bolan_pass_sky_draw_over(pass_sky *p,
                               const render_view *v); // after the water: clouds below a high eye; reads UNIT_SCENE_DEPTH

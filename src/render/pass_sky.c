@@ -294,6 +294,29 @@ void bolan_pass_sky_prepare(pass_sky *p, render_view *v) {
     set_light(p, v);
 }
 
+bolan_result bolan_pass_sky_map(pass_sky *p, uint32_t width, uint32_t height, float *rgba) {
+    const gl_texture_desc desc = {.format = GL_FMT_RGBA32F, .width = width, .height = height};
+    gl_texture texture = {.id = 0};
+    const gl_texture *color = &texture;
+    gl_target target = {.id = 0};
+    gl_program program = {.id = 0};
+    bolan_result result = bolan_gl_texture_create(&desc, &texture);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(&color, 1, NULL, -1, 0, &target);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("sky_map", NULL, &program);
+    if (result == BOLAN_OK) {
+        bolan_gl_set_state(&(gl_state){.color_write = true});
+        bolan_gl_texture_bind(&p->panorama, UNIT_OWN);
+        bolan_gl_target_bind(&target);
+        bolan_gl_program_use(&program);
+        bolan_gl_draw_fullscreen();
+        bolan_gl_target_read_float(&target, 0, rgba);
+    }
+    bolan_gl_program_free(&program);
+    bolan_gl_target_free(&target);
+    bolan_gl_texture_free(&texture);
+    return result;
+}
+
 void bolan_pass_sky_draw(pass_sky *p, const render_view *v) {
     bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
     bolan_gl_texture_bind(&p->panorama, UNIT_OWN);

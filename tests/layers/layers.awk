@@ -27,6 +27,8 @@ BEGIN {
     may["io"] = core " technique scene world" # it and render do not know each other
     may["render"] = may["io"] " render_context"
     may["io"] = may["io"] " content" # scene files name generated grounds and models
+    may["export"] = may["io"]
+    may["io"] = may["io"] " export" # src/io writes exports too
     may["bolan"] = may["io"] " io"                    # the umbrella header: never GL
 
     c_headers = "assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg " \
