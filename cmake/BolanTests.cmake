@@ -67,6 +67,9 @@ foreach(kind unit physics determinism kernels shaders twins images)
                 add_dependencies(bolan_tests_core ${name})
             endif()
         endif()
+        if(TARGET test_io_fields AND name STREQUAL test_io_fields)
+            target_include_directories(test_io_fields SYSTEM PRIVATE ${OPENEXR_CORE_INCLUDE}) # its headers name each other
+        endif()
     endforeach()
 endforeach()
 

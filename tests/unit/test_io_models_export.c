@@ -20,7 +20,6 @@ static bolan_world *open_world(const char *name) {
     assert_int_equal(bolan_scene_load(name, &scene), BOLAN_OK);
     scene.sea.resolution = 64;
     scene.object_count = 0;
-    scene.sea.sea_state.current_speed = 0.0;
     assert_int_equal(bolan_world_load_scene(&scene, &world), BOLAN_OK);
     return world;
 }
