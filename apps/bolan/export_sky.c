@@ -38,13 +38,15 @@ int export_sky(const options *o) {
     if (length < 5 || strcmp(o->output + length - 4, ".exr") != 0)
         return usage_error("-o %s: expected a name that ends in .exr", o->output);
     if (width != 2 * height)
-        return usage_error("--size %ux%u: the map of a sky is twice as wide as high", (unsigned)width, (unsigned)height);
+        return usage_error("--size %ux%u: the map of a sky is twice as wide as high", (unsigned)width,
+                           (unsigned)height);
     int result = bolan_file_check_writable(o->output) ? EXIT_FAILED : session_open_sea(o, &w);
     if (result) return result;
     const size_t bytes = 3 * (size_t)width * height * sizeof(float);
     float *rgb = bolan_allocate(bytes);
     if (!rgb) failure("no memory for a map of %ux%u", (unsigned)width, (unsigned)height);
-    const bool ok = rgb && draw(o, w, width, height, rgb, &light) && !bolan_export_sky(o->output, width, height, rgb, &light);
+    const bool ok =
+        rgb && draw(o, w, width, height, rgb, &light) && !bolan_export_sky(o->output, width, height, rgb, &light);
     bolan_release(rgb, bytes);
     bolan_world_destroy(&w);
     return ok ? EXIT_OK : EXIT_FAILED;

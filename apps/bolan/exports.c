@@ -114,7 +114,8 @@ static bolan_result write_fields(bolan_world *world, const void *desc, const cha
 }
 
 // One file has a bar of its own.
-static int run(const sequence *s, bolan_world *w, bolan_export_frames *frames, const void *desc, write_function *write) {
+static int run(const sequence *s, bolan_world *w, bolan_export_frames *frames, const void *desc,
+               write_function *write) {
     progress bar = progress_start(s->frames == 1 ? 1000 : 1, s->o->quiet);
     if (s->frames == 1) frames->progress = show, frames->user = &bar;
     const int result = write_files(s, w, desc, write);
@@ -136,7 +137,8 @@ int export_mesh(const options *o) {
     grid_of(o, bolan_world_scene(w), &d.grid, &rectangle);
     if (rectangle) d.vertices = BOLAN_EXPORT_RECTANGLE;
     if (!isnan(o->size[0])) d.width = (uint32_t)o->size[0], d.height = (uint32_t)o->size[1];
-    if (!isnan(o->origin[0])) d.origin = bolan_dv3(o->origin[0], o->origin[1], isnan(o->origin[2]) ? 0.0 : o->origin[2]);
+    if (!isnan(o->origin[0]))
+        d.origin = bolan_dv3(o->origin[0], o->origin[1], isnan(o->origin[2]) ? 0.0 : o->origin[2]);
     d.ground = o->with != NULL;
     if (rectangle) result = check_grid(&d.grid);
     if (!result) result = run(&s, w, &d.frames, &d, write_mesh);

@@ -70,7 +70,8 @@ const option_info option_table[] = {
            .names = bolan_quality_names, .help = "how much an image may cost; high for render, medium for view"),
     OPTION("size", SIZE, size, PICTURE_COMMANDS | ON_MESH | ON_SKY, "WxH",
            .low = 16, .high = 65536,
-           .help = "pixels: 1920x1080 for one image, 1280x720 for a sequence, film, window or mesh, 2048x1024 for a sky"),
+           .help = "pixels: 1920x1080 for one image, 1280x720 for a sequence, film, window or mesh, "
+                   "2048x1024 for a sky"),
     OPTION("samples", WHOLE, samples, FILE_COMMANDS, "N",
            .low = 1, .high = 256,
            .help = "images with shifted pixels that are averaged; "
@@ -114,8 +115,8 @@ const option_info option_table[] = {
            .help = "the rectangle of the world, south-west and north-east corner"),
     OPTION("spacing", NUMBER, spacing, ON_MESH | ON_FIELDS, "M",
            .low = 0.001, .high = 1e5, .unit = "m",
-           .help = "distance of neighbouring points; 0.5 by default; without --rect a square of 513 points a side round "
-                   "the camera"),
+           .help = "distance of neighbouring points; 0.5 by default; without --rect a square of 513 points a "
+                   "side round the camera"),
     OPTION("origin", NUMBERS, origin, ON_MESH, "X,Y[,Z]",
            .low = -1e7, .high = 1e7, .least = 2, .most = 3, .unit = "m",
            .help = "the place of the world that is the origin of the file"),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file export.h
-/// Tier 3, library bolan_io. Water for other programs: meshes of the surface (PLY, OBJ, glTF), fields of the waves (EXR,
-/// NetCDF), the sky (EXR).
+/// Tier 3, library bolan_io. Water for other programs: meshes of the surface (PLY, OBJ, glTF), fields of the waves
+/// (EXR, NetCDF), the sky (EXR).
 ///
 /// Files are written as io.h says: whole or not at all, and piece by piece, so that memory does not grow with the file.
 ///
@@ -52,8 +52,8 @@ typedef struct bolan_export_frames {
 
 /// Which vertices a mesh has.
 typedef enum bolan_export_vertices {
-    /// The projected grid of the scene's camera, which the renderer draws: fine near the eye, coarse far away, low-passed
-    /// for its spacing, and curved with the earth.
+    /// The projected grid of the scene's camera, which the renderer draws: fine near the eye, coarse far away,
+    /// low-passed for its spacing, and curved with the earth.
     BOLAN_EXPORT_VIEW,
     /// A rectangle, whose rest points are at a spacing. Every vertex has all the waves of a query.
     BOLAN_EXPORT_RECTANGLE,
@@ -84,20 +84,20 @@ BOLAN_API bolan_export_mesh_desc bolan_export_mesh_desc_default(void);
 
 /// Writes the water of @p world as a mesh, in the format that the suffix of @p path names.
 ///
-/// A vertex of the water is a parcel of bolan_query_parcels(), with its normal; its foam is that of bolan_sea_sample, and
-/// its velocity that of bolan_query_motion() at its place, the current included. Triangles are counter-clockwise seen
-/// from above. Vertices of the ground have its normal, no foam and no velocity.
+/// A vertex of the water is a parcel of bolan_query_parcels(), with its normal; its foam is that of bolan_sea_sample,
+/// and its velocity that of bolan_query_motion() at its place, the current included. Triangles are counter-clockwise
+/// seen from above. Vertices of the ground have its normal, no foam and no velocity.
 ///
 /// | suffix | format | foam | velocity | water and ground |
 /// |---|---|---|---|---|
-/// | .ply | binary, little-endian | `foam` | `vx`, `vy`, `vz` | vertex property `part`, 0 and 1, where there is ground |
-/// | .obj | text | colour of the vertex, red = green = blue, not clamped | none: a warning (EXPORT_LEFT_OUT) | objects `water`, `ground` |
+/// | .ply | binary, little-endian | `foam` | `vx`, `vy`, `vz` | with ground: vertex property `part`, 0 and 1 |
+/// | .obj | text | grey of the vertex, not clamped | none: EXPORT_LEFT_OUT warns | objects `water`, `ground` |
 /// | .glb | glTF 2.0, binary | `_FOAM` | `_VELOCITY` | nodes `water`, `ground` |
 ///
 /// An animation holds the mesh of the first frame and, for each other frame, a morph target of position and normal with
 /// the weight 1 at its time; foam and velocity are those of the first frame. It is played with linear interpolation.
 /// A scene whose technique draws another surface gets the projected grid, with one warning (EXPORT_LEFT_OUT).
-/// Memory: a view's grid, and 64 rows of a rectangle at most; an animation holds its first frame.
+/// Memory: a view's grid, and 16384 vertices or one row at a time; an animation holds its first frame.
 /// Errors: ARGUMENT (the suffix, a field out of range, no water in view, several frames for another format, no ground),
 /// FORMAT (EXPORT_TOO_LARGE: more than 4 GiB of .glb), IO, MEMORY.
 BOLAN_API bolan_result bolan_export_mesh(bolan_world *world, const bolan_export_mesh_desc *desc, const char *path);
@@ -106,7 +106,7 @@ BOLAN_API bolan_result bolan_export_mesh(bolan_world *world, const bolan_export_
 
 /// How fields are written.
 typedef struct bolan_export_fields_desc {
-    /// False (default): the fields of each cascade at its samples, in the axes of the sea. True: the surface over `grid`.
+    /// False (default): the fields of each cascade at its samples. True: the surface over `grid`.
     bool resampled;
     /// The points of the world that are asked, where resampled.
     bolan_export_grid grid;
@@ -121,14 +121,14 @@ BOLAN_API bolan_export_fields_desc bolan_export_fields_desc_default(void);
 /// Writes the fields of the waves of @p world: .exr, OpenEXR, or .nc, NetCDF-3 with 64-bit offsets and the conventions
 /// CF-1.8.
 ///
-/// Of cascades (a sea of form CASCADES): height, dx, dy, slope_x, slope_y, dxx, dyy, dxy, foam, as bolan_cascade_view has
-/// them, at the samples: height, dx and dy are values of the spline, not its coefficients. In EXR each cascade is a part
-/// "cascade0" ..., whose header has time, length, angle, k_min, k_max, variance and origin; in NetCDF the variables are
+/// Of cascades (a sea of form CASCADES): height, dx, dy, slope_x, slope_y, dxx, dyy, dxy, foam, as bolan_cascade_view
+/// has them, at the samples: height, dx and dy are values of the spline, not its coefficients. In EXR each cascade is a
+/// part "cascade0" ..., whose header has time, length, angle, k_min, k_max, variance and origin; in NetCDF the variables are
 /// height_0(time, v_0, u_0) ..., with the same as attributes.
 ///
-/// Resampled: height, normal_x, normal_y, normal_z, jacobian of bolan_query_surface(), velocity_x, velocity_y, velocity_z
-/// of bolan_query_motion(), over fixed points, and in NetCDF as sea_surface_height(time, y, x) and so on, with CF
-/// standard names where there are any.
+/// Resampled: height, normal_x, normal_y, normal_z, jacobian of bolan_query_surface(), velocity_x, velocity_y,
+/// velocity_z of bolan_query_motion(), foam of bolan_query_foam(), at fixed points; in NetCDF height(time, y, x) and so
+/// on, with CF standard names where there are any.
 ///
 /// Times are seconds since the epoch of the scene, which CF wants as a date: it is named 1970-01-01.
 /// Memory: one frame and, of .exr, the compressed file.

@@ -62,15 +62,16 @@ typedef struct bolan_parcel {
 ///
 /// Waves, layers and attenuation over a ground are those of bolan_query_surface(), which finds the same parcel at its
 /// place, or a higher one where the water folds.
-/// @p spacing[i] >= 0 [m]: the distance of point i to its neighbours in a mesh, for which the waves are low-passed as by
-/// bolan_sea_sample_grid(), so that nothing aliases. Layers keep all their waves. NULL or 0: no low-pass.
+/// @p spacing[i] >= 0 [m]: the distance of point i to its neighbours in a mesh, for which the waves are low-passed as
+/// by bolan_sea_sample_grid(), so that nothing aliases. Layers keep all their waves. NULL or 0: no low-pass.
 /// Points that are not finite give no displacement and a vertical normal.
 /// Uses the task hook for large batches. Allocates nothing. Cannot fail; a water that is not valid is misuse.
 /// Thread-safe as bolan_query_surface().
 BOLAN_API void bolan_query_parcels(const bolan_water *water, const bolan_dvec2 *rest, const float *spacing,
                                    uint32_t count, bolan_parcel *out);
 
-/// The foam at @p count world points @p xy [m]: bolan_sea_sample.foam of the parcel that bolan_query_heights() finds there.
+/// The foam at @p count world points @p xy [m]: bolan_sea_sample.foam of the parcel that bolan_query_heights() finds
+/// there.
 /// Points that are not finite give 0. Otherwise like bolan_query_parcels().
 BOLAN_API void bolan_query_foam(const bolan_water *water, const bolan_dvec2 *xy, uint32_t count, float *foam);
 

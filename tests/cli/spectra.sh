@@ -54,7 +54,7 @@ run export spectrum open-sea -o sea.csv
 [ "$(wc -l < sea.csv)" -eq 6913 ] || fail 'not 96 x 72 rows'
 run export spectrum --spectrum "$data/octopus_maari_20180311.oct" --record 3 -o sea.png
 [ "$(head -c 4 sea.png | tail -c 3)" = PNG ] || fail 'not a PNG'
-refuse 2 'bolan export mesh: expected spectrum' export mesh -o a.csv
-refuse 2 'bolan export needs to know what: spectrum' export -o a.csv
-refuse 2 'bolan export needs -o FILE' export spectrum
+refuse 2 'bolan export cake: expected mesh, fields, sky or spectrum' export cake -o a.csv
+refuse 2 'bolan export needs to know what: mesh, fields, sky or spectrum' export -o a.csv
+refuse 2 'bolan export spectrum needs -o FILE' export spectrum
 refuse 2 'expected .png, .csv or .spec' export spectrum -o a.txt

@@ -49,7 +49,8 @@ static void the_brightest_sky_is_round_the_sun(void **state) {
         for (uint32_t p = 0; p < WIDTH * HEIGHT / 2; p++) {
             const double elevation = BOLAN_PI * (0.5 - (p / WIDTH + 0.5) / HEIGHT);
             if (map[3 * p + 1] > map[3 * best + 1] && elevation > 0.35) best = p;
-            sky += (double)map[3 * p + 1] * sin(elevation) * cos(elevation) * (BOLAN_PI / HEIGHT) * (2.0 * BOLAN_PI / WIDTH);
+            sky += (double)map[3 * p + 1] * sin(elevation) * cos(elevation) * (BOLAN_PI / HEIGHT) *
+                   (2.0 * BOLAN_PI / WIDTH);
         }
         const double compass = 360.0 * ((best % WIDTH + 0.5) / WIDTH - 0.5);
         assert_true(fabs(remainder(compass - azimuths[i], 360.0)) < 4.0);

@@ -7,8 +7,8 @@
 #include "bolan/io.h"
 #include "bolan/query.h"
 
-#include <netcdf.h>
 #include <OpenEXR/openexr.h>
+#include <netcdf.h>
 #include <stdlib.h>
 
 enum { COLUMNS = 11, ROWS = 6, POINTS = COLUMNS * ROWS, FRAMES = 3 };
@@ -160,8 +160,7 @@ static void read_channel(exr_context_t file, int part, const char *name, uint32_
             channel->user_bytes_per_element = sizeof(float);
             channel->user_data_type = EXR_PIXEL_FLOAT;
         }
-        if (y == 0)
-            assert_int_equal(exr_decoding_choose_default_routines(file, part, &decoder), EXR_ERR_SUCCESS);
+        if (y == 0) assert_int_equal(exr_decoding_choose_default_routines(file, part, &decoder), EXR_ERR_SUCCESS);
         assert_int_equal(exr_decoding_run(file, part, &decoder), EXR_ERR_SUCCESS);
     }
     exr_decoding_destroy(file, &decoder);
@@ -259,9 +258,11 @@ static void what_cannot_be_exported_is_refused(void **state) {
     (void)state;
     bolan_world *world = open_world();
     bolan_export_fields_desc d = small_grid();
-    assert_refusal(bolan_export_fields(world, &d, "x.png"), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT, ".exr or .nc");
+    assert_refusal(bolan_export_fields(world, &d, "x.png"), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT,
+                   ".exr or .nc");
     d.frames.count = 2;
-    assert_refusal(bolan_export_fields(world, &d, "x.exr"), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT, "several frames");
+    assert_refusal(bolan_export_fields(world, &d, "x.exr"), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT,
+                   "several frames");
     d = small_grid();
     d.grid.to.x = -50.0;
     assert_refusal(bolan_export_fields(world, &d, "x.nc"), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT, "rectangle");
@@ -270,9 +271,12 @@ static void what_cannot_be_exported_is_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(netcdf_has_what_queries_say_at_each_time), cmocka_unit_test(netcdf_has_the_cascades),
-        cmocka_unit_test(exr_has_north_at_its_top),                 cmocka_unit_test(exr_has_a_part_for_each_cascade),
-        cmocka_unit_test(skies_have_the_sun_in_their_header),       cmocka_unit_test(what_cannot_be_exported_is_refused),
+        cmocka_unit_test(netcdf_has_what_queries_say_at_each_time),
+        cmocka_unit_test(netcdf_has_the_cascades),
+        cmocka_unit_test(exr_has_north_at_its_top),
+        cmocka_unit_test(exr_has_a_part_for_each_cascade),
+        cmocka_unit_test(skies_have_the_sun_in_their_header),
+        cmocka_unit_test(what_cannot_be_exported_is_refused),
     };
     return cmocka_run_group_tests(tests, listen_to_log, NULL);
 }

@@ -238,7 +238,8 @@ static void the_view_is_what_the_camera_sees(void **state) {
     uint32_t near = 0, far = 0;
     for (unsigned k = 0; k < m->mNumVertices; k++) {
         const double x = (double)m->mVertices[k].x - c->position.x, y = (double)m->mVertices[k].y - c->position.y;
-        const double away = hypot(x, y), along = x * sin(bolan_radians(c->heading_deg)) + y * cos(bolan_radians(c->heading_deg));
+        const double away = hypot(x, y),
+                     along = x * sin(bolan_radians(c->heading_deg)) + y * cos(bolan_radians(c->heading_deg));
         near += away < 50.0;
         far += away > 1000.0;
         if (away > 200.0) assert_true(along > 0.4 * away);
@@ -253,9 +254,11 @@ static void what_cannot_be_exported_is_refused(void **state) {
     (void)state;
     bolan_world *world = open_world("open-sea");
     bolan_export_mesh_desc d = small_rectangle();
-    assert_refusal(bolan_export_mesh(world, &d, "x.stl"), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT, ".ply, .obj or .glb");
+    assert_refusal(bolan_export_mesh(world, &d, "x.stl"), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT,
+                   ".ply, .obj or .glb");
     d.frames.count = 2;
-    assert_refusal(bolan_export_mesh(world, &d, "x.ply"), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT, "several frames");
+    assert_refusal(bolan_export_mesh(world, &d, "x.ply"), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_BAD_ARGUMENT,
+                   "several frames");
     d = small_rectangle();
     d.ground = true;
     assert_refusal(bolan_export_mesh(world, &d, "x.ply"), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_OUT_OF_RANGE, "no ground");
@@ -271,9 +274,9 @@ static void what_cannot_be_exported_is_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(assimp_reads_what_a_query_says),    cmocka_unit_test(obj_has_the_foam_as_colours),
-        cmocka_unit_test(velocities_are_those_of_the_water), cmocka_unit_test(animations_move_as_the_sea_does),
-        cmocka_unit_test(the_ground_is_a_mesh_of_its_own),   cmocka_unit_test(the_view_is_what_the_camera_sees),
+        cmocka_unit_test(assimp_reads_what_a_query_says),     cmocka_unit_test(obj_has_the_foam_as_colours),
+        cmocka_unit_test(velocities_are_those_of_the_water),  cmocka_unit_test(animations_move_as_the_sea_does),
+        cmocka_unit_test(the_ground_is_a_mesh_of_its_own),    cmocka_unit_test(the_view_is_what_the_camera_sees),
         cmocka_unit_test(what_cannot_be_exported_is_refused),
     };
     return cmocka_run_group_tests(tests, listen_to_log, NULL);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parcels at their rest points: the surface that queries find, with layers and over a ground, and the low-pass of a mesh.
+// Parcels at their rest points: the surface that queries find, with layers and over a ground; the low-pass of a mesh.
 #include "sea_support.h"
 
 #include "bolan/query.h"

@@ -91,9 +91,10 @@ static void make_cascade(fields *f, uint32_t index) {
             const size_t at = (size_t)j * v.n + i;
             float spline[3];
             spline_at(&v, i, j, spline);
-            const float values[FIELDS] = {spline[0],     spline[1],  spline[2],
-                                          v.slope_x[at], v.slope_y[at], v.dxx[at],
-                                          v.dyy[at],     v.displacement[(size_t)j * v.pitch + i].dxy, v.foam[at]};
+            const float values[FIELDS] = {
+                spline[0],     spline[1], spline[2], v.slope_x[at],
+                v.slope_y[at], v.dxx[at], v.dyy[at], v.displacement[(size_t)j * v.pitch + i].dxy,
+                v.foam[at]};
             for (int k = 0; k < FIELDS; k++) s->plane[k][at] = values[k];
         }
 }
@@ -101,8 +102,7 @@ static void make_cascade(fields *f, uint32_t index) {
 static void make_row(fields *f, uint32_t row) {
     const field_set *s = &f->set[0];
     const size_t first = (size_t)row * s->columns;
-    for (uint32_t i = 0; i < s->columns; i++)
-        f->row[i] = (bolan_dvec2){s->x0 + i * s->step, s->y0 + row * s->step};
+    for (uint32_t i = 0; i < s->columns; i++) f->row[i] = (bolan_dvec2){s->x0 + i * s->step, s->y0 + row * s->step};
     bolan_query_surface(&f->water, f->row, s->columns, f->points);
     bolan_query_motion(&f->water, NULL, f->row, s->columns, f->motion);
     bolan_query_foam(&f->water, f->row, s->columns, s->plane[FIELDS - 1] + first);
@@ -140,7 +140,8 @@ static bolan_result open_cascades(fields *f) {
     f->info = cascade_fields;
     f->sets = bolan_sea_cascade_count(f->water.sea);
     if (f->sets == 0)
-        return refuse(f->path, "this sea is a sum of waves and has no cascades; expected a grid of the world (resampled)");
+        return refuse(f->path,
+                      "this sea is a sum of waves and has no cascades; expected a grid of the world (resampled)");
     for (uint32_t i = 0; i < f->sets; i++) {
         field_set *s = &f->set[i];
         s->layout = bolan_sea_cascade_layout(f->water.sea, i);
@@ -157,8 +158,9 @@ static bolan_result open_grid(fields *f) {
     f->sets = 1;
     bolan_export_grid_size(&f->desc->grid, &s->columns, &s->rows);
     if (s->columns == 0)
-        return refuse(f->path, "the rectangle or its spacing is out of range; expected corners within 1e7 m, south-west "
-                               "first, and 2 to 65536 points along a side, at most 2^28 in all");
+        return refuse(f->path,
+                      "the rectangle or its spacing is out of range; expected corners within 1e7 m, south-west "
+                      "first, and 2 to 65536 points along a side, at most 2^28 in all");
     s->x0 = f->desc->grid.from.x, s->y0 = f->desc->grid.from.y, s->step = f->desc->grid.spacing;
     f->row = bolan_allocate(s->columns * sizeof *f->row);
     f->points = bolan_allocate(s->columns * sizeof *f->points);
@@ -209,12 +211,15 @@ static bolan_result write_exr(fields *f) {
                                                {"spacing", NULL, 1, {s->step}},
                                                {"west", NULL, 1, {s->x0}},
                                                {"south", NULL, 1, {s->y0}}};
-        const bolan_exr_attribute of_cascade[ATTRIBUTES] = {
-            {"time", NULL, 1, {time}},           {"spacing", NULL, 1, {s->step}},
-            {"length", NULL, 1, {v->length}},    {"angle", NULL, 1, {v->angle}},
-            {"k_min", NULL, 1, {v->k_min}},      {"k_max", NULL, 1, {v->k_max}},
-            {"variance", NULL, 1, {v->variance}}, {"origin_x", NULL, 1, {v->origin_x}},
-            {"origin_y", NULL, 1, {v->origin_y}}};
+        const bolan_exr_attribute of_cascade[ATTRIBUTES] = {{"time", NULL, 1, {time}},
+                                                            {"spacing", NULL, 1, {s->step}},
+                                                            {"length", NULL, 1, {v->length}},
+                                                            {"angle", NULL, 1, {v->angle}},
+                                                            {"k_min", NULL, 1, {v->k_min}},
+                                                            {"k_max", NULL, 1, {v->k_max}},
+                                                            {"variance", NULL, 1, {v->variance}},
+                                                            {"origin_x", NULL, 1, {v->origin_x}},
+                                                            {"origin_y", NULL, 1, {v->origin_y}}};
         const uint32_t count = f->desc->resampled ? 4 : ATTRIBUTES;
         memcpy(attributes[i], f->desc->resampled ? of_grid : of_cascade, count * sizeof *of_grid);
         parts[i] = (bolan_exr_part){.name = f->desc->resampled ? NULL : names[i],
@@ -251,8 +256,9 @@ static void add_coordinate(nc_file *nc, const field_set *s, bool resampled, uint
     if (resampled)
         bolan_nc_describe(v, "standard_name", along ? "projection_x_coordinate" : "projection_y_coordinate", 0.0);
     bolan_nc_describe(v, "long_name",
-                      resampled ? (along ? "distance east of the world's origin" : "distance north of the world's origin")
-                                : (along ? "distance along the tile" : "distance across the tile"),
+                      resampled
+                          ? (along ? "distance east of the world's origin" : "distance north of the world's origin")
+                          : (along ? "distance along the tile" : "distance across the tile"),
                       0.0);
     bolan_nc_describe(v, "units", "m", 0.0);
     if (resampled) bolan_nc_describe(v, "axis", along ? "X" : "Y", 0.0);

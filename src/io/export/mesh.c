@@ -46,7 +46,8 @@ bolan_result bolan_export_mesh(bolan_world *world, const bolan_export_mesh_desc 
     const bool glb = bolan_export_has_suffix(path, ".glb"), obj = bolan_export_has_suffix(path, ".obj");
     if (!glb && !obj && !bolan_export_has_suffix(path, ".ply"))
         return refuse(path, "expected a name that ends in .ply, .obj or .glb");
-    if (desc->frames.count > 1 && !glb) return refuse(path, "several frames in one mesh; expected a .glb, or a file each");
+    if (desc->frames.count > 1 && !glb)
+        return refuse(path, "several frames in one mesh; expected a .glb, or a file each");
     mesh_rows r;
     bolan_result result = bolan_mesh_rows_open(world, desc, path, &r);
     if (!result && obj)

@@ -170,7 +170,8 @@ static void put_views(json *j, const gltf *g) {
     put(j, "],");
 }
 
-static void put_accessor(json *j, uint32_t view, uint32_t offset, uint32_t component, uint64_t count, const char *type) {
+static void put_accessor(json *j, uint32_t view, uint32_t offset, uint32_t component, uint64_t count,
+                         const char *type) {
     put_whole(j, "{\"bufferView\":", view);
     if (offset) put_whole(j, ",\"byteOffset\":", offset);
     put_whole(j, ",\"componentType\":", component);
@@ -236,7 +237,8 @@ static void put_meshes(json *j, const gltf *g) {
 
 static void put_animation(json *j, const gltf *g) {
     const uint32_t times = 5 * g->parts + 2 * (g->frames - 1);
-    put(j, "\"animations\":[{\"name\":\"waves\",\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"weights\"}}],");
+    put(j, "\"animations\":[{\"name\":\"waves\",\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":"
+           "\"weights\"}}],");
     put_whole(j, "\"samplers\":[{\"input\":", times);
     put_whole(j, ",\"interpolation\":\"LINEAR\",\"output\":", times + 1);
     put(j, "}]}],");
@@ -255,7 +257,8 @@ static void put_json(json *j, const gltf *g) {
     put_accessors(j, g);
     put_views(j, g);
     put(j, "\"materials\":[{\"name\":\"water\",\"doubleSided\":true,\"pbrMetallicRoughness\":{\"baseColorFactor\":"
-           "[0.02,0.08,0.1,1],\"metallicFactor\":0,\"roughnessFactor\":0.1}},{\"name\":\"ground\",\"pbrMetallicRoughness\":"
+           "[0.02,0.08,0.1,1],\"metallicFactor\":0,\"roughnessFactor\":0.1}},{\"name\":\"ground\","
+           "\"pbrMetallicRoughness\":"
            "{\"baseColorFactor\":[0.4,0.35,0.25,1],\"metallicFactor\":0}}],");
     put_whole(j, "\"buffers\":[{\"byteLength\":", binary_size(g));
     put(j, "}]}");
@@ -280,8 +283,7 @@ static void write_json(const gltf *g) {
 static void write_indices(const gltf *g) {
     const mesh_rows *r = g->r;
     for (uint32_t row = 0; row + 1 < r->rows && !g->w->result; row++)
-        for (uint32_t i = 0; i < 6 * (r->columns - 1); i++)
-            bolan_export_u32(g->w, row * r->columns + r->strip[i]);
+        for (uint32_t i = 0; i < 6 * (r->columns - 1); i++) bolan_export_u32(g->w, row * r->columns + r->strip[i]);
 }
 
 // Weight 1 of its own target at each frame; frame 0 has none.

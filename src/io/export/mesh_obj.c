@@ -45,7 +45,8 @@ static void write_triangles(const mesh_rows *r, uint32_t part, export_writer *w)
 
 void bolan_mesh_write_obj(mesh_rows *r, export_writer *w) {
     const bolan_dvec3 o = r->desc->origin;
-    bolan_export_text(w, "# Bolan %s: x east, y up, z south [m]; colour: foam\n# origin (east north up) ", bolan_version());
+    bolan_export_text(w, "# Bolan %s: x east, y up, z south [m]; colour: foam\n# origin (east north up) ",
+                      bolan_version());
     bolan_export_number(w, o.x, 12), bolan_export_text(w, " ");
     bolan_export_number(w, o.y, 12), bolan_export_text(w, " ");
     bolan_export_number(w, o.z, 12);

@@ -35,7 +35,8 @@ static bolan_result check(const bolan_world *world, const bolan_export_mesh_desc
     const bool view = d->vertices == BOLAN_EXPORT_VIEW;
     uint32_t columns, rows;
     bolan_export_grid_size(&d->grid, &columns, &rows);
-    if (!view && d->vertices != BOLAN_EXPORT_RECTANGLE) return refuse(path, "vertices are neither a view nor a rectangle");
+    if (!view && d->vertices != BOLAN_EXPORT_RECTANGLE)
+        return refuse(path, "vertices are neither a view nor a rectangle");
     if (!view && columns == 0)
         return refuse(path, "the rectangle or its spacing is out of range; expected corners within 1e7 m, south-west "
                             "first, a spacing of 0.001 to 1e5 m, and 2 to 65536 points along a side, at most 2^28 in "

@@ -8,7 +8,7 @@
 ///       -> bolan_query_motion()       velocity at the parcel's place
 ///
 /// A mesh is columns x rows vertices, rows from south to north or from near to far, columns from west to east or
-/// clockwise; a cell is the two triangles of bolan_surface_grid_indices(). Batches of whole rows are in memory at a time.
+/// clockwise; a cell is the two triangles of bolan_surface_grid_indices(). Batches of whole rows are in memory.
 #ifndef BOLAN_IO_EXPORT_ROWS_H
 #define BOLAN_IO_EXPORT_ROWS_H
 
@@ -28,11 +28,11 @@ typedef struct mesh_rows {
     bolan_world *world;
     const bolan_export_mesh_desc *desc;
     uint32_t columns, rows;
-    uint32_t batch;       ///< rows that are made at a time
-    bool moves;           ///< the velocity is wanted; else it is 0
-    bolan_water water;    ///< the world's, with the flow below
+    uint32_t batch;    ///< rows that are made at a time
+    bool moves;        ///< the velocity is wanted; else it is 0
+    bolan_water water; ///< the world's, with the flow below
     bolan_flow *flow;
-    bolan_dvec3 eye;      ///< of a view
+    bolan_dvec3 eye;            ///< of a view
     bolan_surface_vertex *grid; ///< of a view: all its vertices; else NULL
     size_t grid_bytes;
     // Of a batch.
@@ -52,8 +52,8 @@ typedef struct mesh_rows {
 bolan_result bolan_mesh_rows_open(bolan_world *world, const bolan_export_mesh_desc *desc, const char *path,
                                   mesh_rows *out);
 void bolan_mesh_rows_close(mesh_rows *r);
-/// Makes rows [first, first + r->batch), or fewer at the end, in r->vertices. Returns the number of vertices, 0 past the
-/// last row.
+/// Makes rows [first, first + r->batch), or fewer at the end, in r->vertices. Returns the number of vertices, 0 past
+/// the last row.
 uint32_t bolan_mesh_rows_make(mesh_rows *r, mesh_part part, uint32_t first);
 /// Steps to a frame of the desc; frame 0 of several settles. With r->moves the flow follows.
 void bolan_mesh_rows_step(mesh_rows *r, double start, uint32_t frame);
