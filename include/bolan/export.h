@@ -123,8 +123,8 @@ BOLAN_API bolan_export_fields_desc bolan_export_fields_desc_default(void);
 ///
 /// Of cascades (a sea of form CASCADES): height, dx, dy, slope_x, slope_y, dxx, dyy, dxy, foam, as bolan_cascade_view
 /// has them, at the samples: height, dx and dy are values of the spline, not its coefficients. In EXR each cascade is a
-/// part "cascade0" ..., whose header has time, length, angle, k_min, k_max, variance and origin; in NetCDF the variables
-/// are height_0(time, v_0, u_0) ..., with the same as attributes.
+/// part "cascade0" ..., whose header has time, length, angle, k_min, k_max, variance and origin; in NetCDF the
+/// variables are height_0(time, v_0, u_0) ..., with the same as attributes.
 ///
 /// Resampled: height, normal_x, normal_y, normal_z, jacobian of bolan_query_surface(), velocity_x, velocity_y,
 /// velocity_z of bolan_query_motion(), foam of bolan_query_foam(), at fixed points; in NetCDF height(time, y, x) and so

@@ -203,6 +203,48 @@ static void animations_move_as_the_sea_does(void **state) {
     bolan_world_destroy(&world);
 }
 
+// The next number behind a word of a text, which moves on behind it.
+static double number_behind(const char **text, const char *word) {
+    const char *at = strstr(*text, word);
+    assert_non_null(at);
+    char *end = NULL;
+    const double value = strtod(at + strlen(word), &end);
+    *text = end;
+    return value;
+}
+
+// glTF wants the exact bounds of each POSITION, and programs cull by them.
+static void bounds_are_those_of_the_positions(void **state) {
+    (void)state;
+    enum { FRAMES = 3 };
+    bolan_export_mesh_desc d = small_rectangle();
+    d.frames = (bolan_export_frames){.count = FRAMES, .fps = 4.0};
+    bolan_world *world = open_world("open-sea");
+    assert_int_equal(bolan_export_mesh(world, &d, "b.glb"), BOLAN_OK);
+    size_t size;
+    uint8_t *glb = read_file("b.glb", &size);
+    uint32_t json;
+    memcpy(&json, glb + 12, 4);
+    const char *text = strstr((const char *)glb + 20, "\"accessors\"");
+    const size_t triangles = 2 * (COLUMNS - 1) * (ROWS - 1);
+    for (int f = 0; f < FRAMES; f++) {
+        const size_t stride = f ? 24 : 40, first = f ? POINTS * 40 + 12 * triangles + (size_t)(f - 1) * POINTS * 24 : 0;
+        double stated[6];
+        for (int k = 0; k < 6; k++) stated[k] = number_behind(&text, k == 0 ? "\"min\":[" : k == 3 ? "\"max\":[" : ",");
+        for (int k = 0; k < 3; k++) {
+            float least = 1e30f, most = -1e30f, value;
+            for (size_t i = 0; i < POINTS; i++) {
+                memcpy(&value, glb + 20 + json + 8 + first + i * stride + 4 * (size_t)k, 4);
+                least = fminf(least, value), most = fmaxf(most, value);
+            }
+            assert_true((float)stated[k] == least && (float)stated[3 + k] == most);
+        }
+    }
+    free(glb);
+    remove("b.glb");
+    bolan_world_destroy(&world);
+}
+
 static void the_ground_is_a_mesh_of_its_own(void **state) {
     (void)state;
     bolan_export_mesh_desc d = small_rectangle();
@@ -214,12 +256,24 @@ static void the_ground_is_a_mesh_of_its_own(void **state) {
     assert_non_null(scene);
     assert_int_equal(scene->mNumMeshes, 2);
     const struct aiMesh *m = scene->mMeshes[1];
+    float steepest = 0.0f;
     ask(world);
     for (uint32_t i = 0; i < POINTS; i++) {
         const float z = bolan_ground_elevation(bolan_world_water(world)->ground, rest[i].x, rest[i].y, 2.0);
         assert_close(to_world(&m->mVertices[i], true), (bolan_vec3){(float)rest[i].x, (float)rest[i].y, z}, 1e-5f);
-        assert_true(m->mNormals[i].y > 0.0f);
+        const bolan_ground *ground = bolan_world_water(world)->ground;
+        const float east = bolan_ground_elevation(ground, rest[i].x + 1.0, rest[i].y, 2.0) -
+                           bolan_ground_elevation(ground, rest[i].x - 1.0, rest[i].y, 2.0);
+        const float north = bolan_ground_elevation(ground, rest[i].x, rest[i].y + 1.0, 2.0) -
+                            bolan_ground_elevation(ground, rest[i].x, rest[i].y - 1.0, 2.0);
+        const bolan_vec3 normal = to_world(&m->mNormals[i], true), across = {2.0f, 0.0f, east},
+                         along = {0.0f, 2.0f, north};
+        assert_float_equal(bolan_v3_dot(normal, across), 0.0f, 1e-5f);
+        assert_float_equal(bolan_v3_dot(normal, along), 0.0f, 1e-5f);
+        assert_true(normal.z > 0.0f);
+        steepest = fmaxf(steepest, fmaxf(fabsf(east), fabsf(north)));
     }
+    assert_true(steepest > 0.01f);
     aiReleaseImport(scene);
     remove("g.glb");
     bolan_world_destroy(&world);
@@ -274,10 +328,10 @@ static void what_cannot_be_exported_is_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(assimp_reads_what_a_query_says),     cmocka_unit_test(obj_has_the_foam_as_colours),
-        cmocka_unit_test(velocities_are_those_of_the_water),  cmocka_unit_test(animations_move_as_the_sea_does),
-        cmocka_unit_test(the_ground_is_a_mesh_of_its_own),    cmocka_unit_test(the_view_is_what_the_camera_sees),
-        cmocka_unit_test(what_cannot_be_exported_is_refused),
+        cmocka_unit_test(assimp_reads_what_a_query_says),    cmocka_unit_test(obj_has_the_foam_as_colours),
+        cmocka_unit_test(velocities_are_those_of_the_water), cmocka_unit_test(animations_move_as_the_sea_does),
+        cmocka_unit_test(bounds_are_those_of_the_positions), cmocka_unit_test(the_ground_is_a_mesh_of_its_own),
+        cmocka_unit_test(the_view_is_what_the_camera_sees),  cmocka_unit_test(what_cannot_be_exported_is_refused),
     };
     return cmocka_run_group_tests(tests, listen_to_log, NULL);
 }
