@@ -89,9 +89,57 @@ Returns NULL on failure, and leaves the old allocation as it is.
 Thread-safe if the hook is.""",
     "bolan_environment_default": """The defaults named above.
 Thread-safe.""",
+    "bolan_export_fields": """Writes the fields of the waves of world: .exr, OpenEXR, or .nc, NetCDF-3 with 64-bit offsets and the conventions
+CF-1.8.
+
+Of cascades (a sea of form CASCADES): height, dx, dy, slope_x, slope_y, dxx, dyy, dxy, foam, as bolan_cascade_view
+has them, at the samples: height, dx and dy are values of the spline, not its coefficients. In EXR each cascade is a
+part "cascade0" ..., whose header has time, length, angle, k_min, k_max, variance and origin; in NetCDF the
+variables are height_0(time, v_0, u_0) ..., with the same as attributes.
+
+Resampled: height, normal_x, normal_y, normal_z, jacobian of bolan_query_surface(), velocity_x, velocity_y,
+velocity_z of bolan_query_motion(), foam of bolan_query_foam(), at fixed points; in NetCDF height(time, y, x) and so
+on, with CF standard names where there are any.
+
+Times are seconds since the epoch of the scene, which CF wants as a date: it is named 1970-01-01.
+Memory: one frame and, of .exr, the compressed file.
+Errors: ARGUMENT (the suffix, a field out of range, cascades of a sum, several frames of .exr), FORMAT
+(EXPORT_TOO_LARGE: more than 2^28 points), UNSUPPORTED (EXR in a build without it), IO, MEMORY.""",
+    "bolan_export_fields_desc_default": """The defaults named above the fields. Thread-safe.""",
+    "bolan_export_grid_size": """Points along x and along y; 0 and 0 where the grid is out of range.
+Thread-safe.""",
+    "bolan_export_mesh": """Writes the water of world as a mesh, in the format that the suffix of path names.
+
+A vertex of the water is a parcel of bolan_query_parcels(), with its normal; its foam is that of bolan_sea_sample,
+and its velocity that of bolan_query_motion() at its place, the current included. Triangles are counter-clockwise
+seen from above. Vertices of the ground have its normal, no foam and no velocity.
+
+| suffix | format | foam | velocity | water and ground |
+|---|---|---|---|---|
+| .ply | binary, little-endian | `foam` | `vx`, `vy`, `vz` | with ground: vertex property `part`, 0 and 1 |
+| .obj | text | grey of the vertex, not clamped | none: EXPORT_LEFT_OUT warns | objects `water`, `ground` |
+| .glb | glTF 2.0, binary | `_FOAM` | `_VELOCITY` | nodes `water`, `ground` |
+
+An animation holds the mesh of the first frame and, for each other frame, a morph target of position and normal with
+the weight 1 at its time; foam and velocity are those of the first frame. It is played with linear interpolation.
+A scene whose technique draws another surface gets the projected grid, with one warning (EXPORT_LEFT_OUT).
+Memory: a view's grid, and 16384 vertices or one row at a time; an animation holds its first frame.
+Errors: ARGUMENT (the suffix, a field out of range, no water in view, several frames for another format, no ground),
+FORMAT (EXPORT_TOO_LARGE: more than 4 GiB of .glb), IO, MEMORY.""",
+    "bolan_export_mesh_desc_default": """The defaults named above the fields. Thread-safe.""",
+    "bolan_export_sky": """Writes the sky as an equirectangular map, .exr: channels R, G, B of linear radiance, floats.
+
+Column i looks to the compass direction 360 ((i + 0.5) / width - 0.5) degrees, row j to the elevation
+180 (0.5 - (j + 0.5) / height). The sun's disc is not in the map, but in the header, as a light of its own:
+sunDirection, the unit vector to it (x east, y north, z up); sunAzimuth, sunElevation [deg]; sunIrradiance, on a
+surface that faces it; skyIrradiance, of the map on a horizontal surface. The unit is the irradiance of the sun in
+space at normal incidence.
+rgb: width * height * 3 floats, row 0 at the top, as bolan_renderer_read_sky() has them.
+Errors: ARGUMENT (a size as of bolan_exr_write(), another suffix), UNSUPPORTED, IO, MEMORY.""",
     "bolan_exr_write": """Writes an EXR image of 32-bit floats, ZIP compressed.
 The channels, 1..64, may stand in any order and must have different names.
 Errors: ARGUMENT, IO, MEMORY (the file is encoded in memory first).""",
+    "bolan_exr_write_parts": """Writes an EXR image of 1..16 parts; otherwise like bolan_exr_write().""",
     "bolan_fields_glsl": """The text of shaders/include/bolan_fields.glsl: functions that give displacement, slope, normal, Jacobian and foam of
 the sea at a point, for GLSL 330 core and 300 es.
 Put it into your shader below its version line.
@@ -291,7 +339,7 @@ A number that is missing, not finite or beyond 1e8 m is refused with its line.""
     "bolan_points_progress": """How much was read and how much there is [bytes]; size is 0 where that is not known, as of a pipe.""",
     "bolan_pond_elevation": """Returns the elevation of the pond's ground [m] at world (x, y) [m], before it is sampled on a grid.
 Thread-safe.""",
-    "bolan_progress": """Called after each step of a preparation that takes a while: done of total steps.""",
+    "bolan_progress": """Called after each step of work that takes a while: done of total steps.""",
     "bolan_query_below": """The water at count world points xyz [m].
 
 A parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is by the question's
@@ -310,6 +358,9 @@ step [m], 0.001..1e4: heights are compared this far apart and maxima refined to 
 to one another than two steps may count as one.
 Writes at most capacity crests to out and returns how many there are. A line of more than 1e7 steps is misuse.
 Otherwise like bolan_query_rays().""",
+    "bolan_query_foam": """The foam at count world points xy [m]: bolan_sea_sample.foam of the parcel that bolan_query_heights() finds
+there.
+Points that are not finite give 0. Otherwise like bolan_query_parcels().""",
     "bolan_query_heights": """Like bolan_query_surface(), for heights alone [m above the datum].
 height: receives count floats.""",
     "bolan_query_motion": """Height, normal and motion of the surface at count world points xy [m], without the waves that the question
@@ -317,6 +368,15 @@ leaves out: a long hull does not feel ripples. The rest point is that of bolan_q
 wavelength, and over a sum of waves, folds are not searched.
 The flow has tables of its own: its heights agree with those of bolan_query_surface() within their interpolation.
 Otherwise like bolan_query_below(). On dry land the height is the level and nothing moves.""",
+    "bolan_query_parcels": """Where the parcels of count rest points rest [m] are: the vertices of a mesh of the surface.
+
+Waves, layers and attenuation over a ground are those of bolan_query_surface(), which finds the same parcel at its
+place, or a higher one where the water folds.
+spacing[i] >= 0 [m]: the distance of point i to its neighbours in a mesh, for which the waves are low-passed as
+by bolan_sea_sample_grid(), so that nothing aliases. Layers keep all their waves. NULL or 0: no low-pass.
+Points that are not finite give no displacement and a vertical normal.
+Uses the task hook for large batches. Allocates nothing. Cannot fail; a water that is not valid is misuse.
+Thread-safe as bolan_query_surface().""",
     "bolan_query_rays": """The first places at which count rays meet the surface, of flat earth.
 The surface is that of bolan_query_heights(), or of bolan_query_motion() where the question has a least wavelength.
 The place is within 1 mm of the surface along the vertical. A crest that the ray cuts by less than 5 mm may be
@@ -479,12 +539,15 @@ Allocates only where the view is larger than all that were read before.""",
     "bolan_renderer_read_rgb8": """Reads the 8-bit image of framebuffer, row 0 at the top: width * height * 3 bytes.
 A framebuffer that is not complete, has several samples a pixel or holds integers: rgb is left alone, logged
 once.""",
-    "bolan_renderer_read_surfaces": """Reads what stands at the middle of each pixel of the last view, which bolan_renderer_draw_world() has drawn of
-world and view. Draws land and objects once more, without light, into a target of its own; no picture changes.
-The eye is above the level of the water. Water that is seen before land is water, however shallow.
-The places are those of a flat earth; within 1 km of the eye its curvature moves them by less than 0.1 m of height.
-Before such a view, of another size, with `motion` and without `flow`, or from below the level, the buffers are left
-alone, logged once. Allocates.""",
+    "bolan_renderer_read_sky": """Draws the sky of the prepared step as an equirectangular map, for an eye at eye [m], and reads it.
+Column i looks to the compass direction 360 ((i + 0.5) / width - 0.5) degrees, row j to the elevation
+180 (0.5 - (j + 0.5) / height). Clouds are in it, the sun's disc is not; directions below the horizon have the
+radiance of the horizon.
+width:, height of the map, at most what OpenGL can; its detail is that of the clouds of the quality.
+rgb: receives width * height * 3 floats, row 0 the zenith, in the units of bolan_renderer_read_linear().
+light: receives sun and sky at the sea.
+Compiles a program and allocates: not for every frame.
+Errors: ARGUMENT (no prepared step, a size), GL, MEMORY.""",
     "bolan_renderer_reload": """Compiles all shaders again from shader_directory, those of its view caches too.
 Errors: GL (a shader that does not compile; the old programs stay).""",
     "bolan_renderer_statistics": """The statistics of the last finished frame.""",

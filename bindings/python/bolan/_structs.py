@@ -188,6 +188,97 @@ Radiance and irradiance are in units of yours, which the linear output has too.
     sky_irradiance: Tuple[float, ...]
 
 
+class ExportFieldsDesc(Struct):
+    """How fields are written.
+
+    Fields:
+    resampled: False (default): the fields of each cascade at its samples. True: the surface over `grid`.
+    grid: The points of the world that are asked, where resampled.
+    half: EXR: halfs in the place of floats. Default false.
+    frames: More than one: the time dimension of NetCDF. An EXR has one.
+    """
+    _type = "bolan_export_fields_desc"
+    resampled: bool
+    grid: "ExportGrid"
+    half: bool
+    frames: "ExportFrames"
+
+
+class ExportFrames(Struct):
+    """Frames of an export that has several.
+
+    Fields:
+    count: How many, 1..100000; default 1: the present time of the world, which is not stepped.
+        More: the world is settled at its present time, stepped from frame to frame, and left at the last.
+    fps: Frames a second, 0.001..1000; default 30.
+    progress: Called after each part of the work; default NULL. @c user is handed to it.
+    user:
+    """
+    _type = "bolan_export_frames"
+    count: int
+    fps: float
+    progress: Any
+    user: Any
+
+
+class ExportGrid(Struct):
+    """A rectangle of points in the world, at a spacing: from its south-west corner on, as many as fit.
+
+    Fields:
+    from: South-west and north-east corner [m], +-1e7; default -128, -128 and 128, 128.
+    to: South-west and north-east corner [m], +-1e7; default -128, -128 and 128, 128.
+    spacing: Distance of neighbours [m], 0.001..1e5; default 0.5.
+        2..65536 points along each side, and at most 2^28 in all.
+    """
+    _type = "bolan_export_grid"
+    from_: Tuple[float, ...]
+    to: Tuple[float, ...]
+    spacing: float
+
+
+class ExportMeshDesc(Struct):
+    """How a mesh is made.
+
+    Fields:
+    vertices: Default BOLAN_EXPORT_VIEW.
+    grid: RECTANGLE: the rest points of the vertices.
+    width: VIEW: the picture that the grid is for [px], 16..65536; default 1280 x 720.
+    height: VIEW: the picture that the grid is for [px], 16..65536; default 1280 x 720.
+    most_vertices: VIEW: most vertices, 1024..10000000; default 200000. The grid is coarsened to fit.
+    ground: The ground too, as a mesh of its own over the same points. Default false.
+        A world without ground: ARGUMENT.
+    origin: The place of the world that is the origin of the file [m]; default 0, 0, 0.
+        Positions are floats: beyond 8 km from the origin they are rounded to more than half a millimetre, with one
+        warning (EXPORT_PRECISION).
+    frames: More than one: an animation, in .glb alone.
+    """
+    _type = "bolan_export_mesh_desc"
+    vertices: str
+    grid: "ExportGrid"
+    width: int
+    height: int
+    most_vertices: int
+    ground: bool
+    origin: Tuple[float, ...]
+    frames: "ExportFrames"
+
+
+class ExrAttribute(Struct):
+    """An attribute in the header of an EXR part: text, a number or a vector.
+
+    Fields:
+    name: Its name, such as "sunDirection".
+    text: Text; NULL: numbers.
+    count: 1 (a double) or 3 (a vector of floats); of text 0.
+    number:
+    """
+    _type = "bolan_exr_attribute"
+    name: Optional[str]
+    text: Optional[str]
+    count: int
+    number: Tuple[float, ...]
+
+
 class ExrChannel(Struct):
     """One channel of an EXR image.
 
@@ -198,6 +289,30 @@ class ExrChannel(Struct):
     _type = "bolan_exr_channel"
     name: Optional[str]
     pixels: Any
+
+
+class ExrPart(Struct):
+    """A part of an EXR image.
+
+    Fields:
+    name: Its name, which no other part has; NULL in an image of one part.
+    width:
+    height:
+    channels: 1..64 channels.
+    channel_count:
+    attributes:
+    attribute_count:
+    half: The file holds 16-bit floats, to the nearest.
+    """
+    _type = "bolan_exr_part"
+    name: Optional[str]
+    width: int
+    height: int
+    channels: Any
+    channel_count: int
+    attributes: Any
+    attribute_count: int
+    half: bool
 
 
 class FrameStatistics(Struct):
@@ -850,6 +965,20 @@ class ParamTable(Struct):
     type: Optional[str]
     params: Any
     count: int
+
+
+class Parcel(Struct):
+    """A parcel of the surface, known by its rest point.
+
+    Fields:
+    displacement: From the rest point on the mean water to the parcel [m]: it is found at x0 + x, y0 + y, level + z.
+    normal: Unit normal of the displaced surface, z >= 0.
+    jacobian: Jacobian of the horizontal map; below 0 the surface is folded.
+    """
+    _type = "bolan_parcel"
+    displacement: Tuple[float, ...]
+    normal: Tuple[float, ...]
+    jacobian: float
 
 
 class Partition(Struct):
@@ -1570,6 +1699,20 @@ class Sky(Struct):
     cloud_cover: float
     cloud_base: float
     cloud_seed: int
+
+
+class SkyLight(Struct):
+    """What sun and sky give at the sea, linear, in units of the irradiance of the sun in space at normal incidence.
+
+    Fields:
+    sun_direction: Unit vector to the sun.
+    sun_irradiance: Irradiance of the sun on a surface that faces it; 0 below the horizon.
+    sky_irradiance: Irradiance of the sky on a horizontal surface.
+    """
+    _type = "bolan_sky_light"
+    sun_direction: Tuple[float, ...]
+    sun_irradiance: Tuple[float, ...]
+    sky_irradiance: Tuple[float, ...]
 
 
 class SpectrumContents(Struct):
