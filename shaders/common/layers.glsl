@@ -58,10 +58,27 @@ float layer_kept(int i, footprint f) {
     return exp(-0.5 * (major * major * along * along + minor * minor * max(all - along * along, 0.0)));
 }
 
+#ifdef LAND
+const float LAYER_STEP = 0.05; // of depth to either side [m]
+
+// Slope that the coast adds where its share of a layer changes: by its height in water of other depths. Water deeper
+// than eight of its heights leaves all.
+vec2 layer_lean(int i, vec2 rest, float depth) {
+    vec2 lean = vec2(0.0);
+    for (int once = shore_present == 1 && abs(depth) < 8.2 * layer_extent[i].w ? 1 : 0; once > 0; --once)
+        lean = shore_fall(rest) * ((layer_at(i, rest, depth + LAYER_STEP).height -
+                                    layer_at(i, rest, depth - LAYER_STEP).height) / (2.0 * LAYER_STEP));
+    return lean;
+}
+#else
+vec2 layer_lean(int i, vec2 rest, float depth) { return vec2(0.0); }
+#endif
+
 // Slope of the layers under a footprint.
 vec2 layers_slope(vec2 rest, footprint f, float depth) {
     vec2 slope = vec2(0.0);
-    for (int i = 0; i < LAYER_COUNT; ++i) slope += layer_kept(i, f) * layer_at(i, rest, depth).slope;
+    for (int i = 0; i < LAYER_COUNT; ++i)
+        slope += layer_kept(i, f) * (layer_at(i, rest, depth).slope + layer_lean(i, rest, depth));
     return slope;
 }
 

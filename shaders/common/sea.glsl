@@ -56,6 +56,26 @@ vec2 unwarped(sea_place p, vec2 gradient) {
     return gradient + vec2(dot(gradient, b.xz), gradient.x * b.y - gradient.y * b.x);
 }
 
+#ifdef LAND
+// Derivatives by the plane's axes of what depth leaves of the amplitude of each cascade.
+struct cascades_lean {
+    vec4 x, y;
+};
+const float LEAN_STEP = 0.05; // of depth to either side [m]
+
+// Deeper water leaves all of every wave.
+bool is_leaning(float depth) { return shore_present == 1 && abs(depth) < 8.2 * significant_height; }
+
+// Where the depth changes, so do the amplitudes, and that leans the water. Twin of add_lean() in
+// src/query/block.kernel.c.
+cascades_lean cascades_lean_at(vec2 rest, sea_place place, float depth) {
+    vec4 by_depth = (cascades_kept(depth + LEAN_STEP) - cascades_kept(depth - LEAN_STEP)) / (2.0 * LEAN_STEP);
+    vec2 fall = shore_fall(rest);
+    fall = 2.0 * fall - unwarped(place, fall); // along the axes of the plane, where the bend is small
+    return cascades_lean(by_depth * fall.x, by_depth * fall.y);
+}
+#endif
+
 vec2 cascade_uv(int c, vec2 at) {
     vec4 t = cascade_tile[c];
     return t.xy + vec2(along_tile(at.x, at.y, t.z, t.w), across_tile(at.x, at.y, t.z, t.w));
@@ -76,9 +96,48 @@ vec3 cascade_spline(int c, vec2 uv) {
     return mix(north, south, low.y);
 }
 
+// Weights of four samples around the fraction t of a cell, and their derivatives by t: src/waves/cascades/spline.h.
+vec4 spline_weights(float t) {
+    float r = 1.0 - t;
+    return vec4(r * r * r, t * t * (3.0 * t - 6.0) + 4.0, r * r * (3.0 * r - 6.0) + 4.0, t * t * t) / 6.0;
+}
+vec4 spline_slopes(float t) {
+    float r = 1.0 - t;
+    return vec4(-0.5 * r * r, t * (1.5 * t - 2.0), r * (2.0 - 1.5 * r), 0.5 * t * t);
+}
+
 vec3 cascade_displacement(int c, vec2 uv, float lod) {
     vec3 coarse = lod > 0.0 ? textureLod(displacement_map, vec3(uv, float(c)), max(lod, 1.0)).xyz : vec3(0.0);
     return lod < 1.0 ? mix(cascade_spline(c, uv), coarse, lod) : coarse;
+}
+
+// Displacement (dx, dy, height) of a cascade and its derivatives along the axes of the plane.
+struct cascade_gradient {
+    vec3 value, by_x, by_y;
+};
+
+// `share` of that of the splines, from the 16 texels around. Twin of read_splines() in src/query/block.kernel.c.
+cascade_gradient cascade_spline_gradient(int c, vec2 uv, float share) {
+    int n = textureSize(displacement_map, 0).x;
+    vec2 at = uv * float(n) - 0.5, t = fract(at);
+    ivec2 first = ivec2(at - t) - 1;
+    ivec4 column = (first.x + ivec4(0, 1, 2, 3)) & (n - 1);
+    vec4 wx = spline_weights(t.x), dx = spline_slopes(t.x), wy = share * spline_weights(t.y);
+    vec4 dy = share * spline_slopes(t.y);
+    vec3 value = vec3(0.0), along = vec3(0.0), across = vec3(0.0);
+    for (int j = 0; j < 4; ++j) {
+        int row = (first.y + j) & (n - 1);
+        vec3 a = texelFetch(displacement_map, ivec3(column.x, row, c), 0).xyz;
+        vec3 b = texelFetch(displacement_map, ivec3(column.y, row, c), 0).xyz;
+        vec3 d = texelFetch(displacement_map, ivec3(column.z, row, c), 0).xyz;
+        vec3 e = texelFetch(displacement_map, ivec3(column.w, row, c), 0).xyz;
+        vec3 sum = wx.x * a + wx.y * b + wx.z * d + wx.w * e;
+        value += wy[j] * sum;
+        along += wy[j] * (dx.x * a + dx.y * b + dx.z * d + dx.w * e);
+        across += dy[j] * sum;
+    }
+    vec2 axis = float(n) * cascade_tile[c].zw; // texels a metre
+    return cascade_gradient(value, axis.x * along - axis.y * across, axis.y * along + axis.x * across);
 }
 
 #ifdef BOUND_WAVES
@@ -91,24 +150,19 @@ float bound_height(int c, vec3 d, inout vec3 longer) {
     return height;
 }
 
-// The slope, from the cascade's slope and the derivatives xx, yy, xy of its displacement; likewise summed over the
-// longer cascades.
+// The slope, from the displacement d of the cascade and its derivatives; likewise summed over the longer cascades.
 struct bound_slopes {
     vec2 slope;
-    vec3 longer;
-    vec2 longer_slope;
-    vec3 longer_bend;
+    vec3 longer, longer_x, longer_y;
 };
 
-vec2 bent(vec3 bend, vec2 d) { return vec2(bend.x * d.x + bend.z * d.y, bend.z * d.x + bend.y * d.y); }
-
-void add_bound_slope(int c, vec3 d, vec2 slope, vec3 bend, inout bound_slopes b) {
+void add_bound_slope(int c, vec3 d, vec3 by_x, vec3 by_y, inout bound_slopes b) {
     vec4 w = cascade_bound[c];
     vec3 all = 2.0 * w.yyx * d + b.longer;
-    b.slope += slope * all.z + bent(bend, all.xy) + b.longer_slope * d.z + bent(b.longer_bend, d.xy);
+    b.slope += vec2(dot(by_x, all) + dot(b.longer_x, d), dot(by_y, all) + dot(b.longer_y, d));
     b.longer += w.wwz * d;
-    b.longer_slope += w.z * slope;
-    b.longer_bend += w.w * bend;
+    b.longer_x += w.wwz * by_x;
+    b.longer_y += w.wwz * by_y;
 }
 #endif
 

@@ -34,6 +34,14 @@ float shore_elevation(vec2 position) {
     return elevation + rest * SHORE_NONE;
 }
 
+// Gradient of the depth of the mean water. A texel to either side: elevations are half floats.
+vec2 shore_fall(vec2 position) {
+    vec2 step = vec2(shore_level[0].w, 0.0);
+    vec2 east = position + step, west = position - step, north = position + step.yx, south = position - step.yx;
+    return vec2(shore_elevation(west) - shore_elevation(east), shore_elevation(south) - shore_elevation(north)) /
+           (2.0 * step.x);
+}
+
 // coast_attenuation() of four bands that make one sea, 0 for a band that is not there; together they keep what one sea
 // of their height does. Twin of bolan_coast_attenuations() in src/coast/attenuation.c.
 vec4 coast_attenuations(float depth, vec4 hs) {

@@ -15,8 +15,8 @@ static const water_shader shader = {.stem = "below",
                                     .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
                                     .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\n",
                                                 [BOLAN_QUALITY_MEDIUM] = "TAPS 2\n",
-                                                [BOLAN_QUALITY_HIGH] = "TAPS 4\n",
-                                                [BOLAN_QUALITY_ULTRA] = "TAPS 8\n",
+                                                [BOLAN_QUALITY_HIGH] = "TAPS 4\nSPLINES 1\n",
+                                                [BOLAN_QUALITY_ULTRA] = "TAPS 8\nSPLINES 1\n",
                                                 [BOLAN_QUALITIES] = "WATERLINE 1\n"}};
 
 typedef struct below_block {

@@ -41,13 +41,13 @@ typedef struct physical {
 static const water_shader shape_shader = {.stem = "water_shape", .reads = WATER_FEATURE_ALL};
 static const water_shader land_shader = {.stem = "land_mirror"};
 static const water_shader shadow_shader = {.stem = "host_shadow"};
-// By quality: texture fetches along a footprint, reflected rays that look for land.
+// By quality: texture fetches along a footprint, reflected rays that look for land, slopes by cubic splines.
 static const water_shader light_shader = {.stem = "water_physical",
                                           .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
                                           .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\nLAND_STEPS 12\n",
                                                       [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\nLAND_STEPS 12\n",
-                                                      [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\nLAND_STEPS 32\n",
-                                                      [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\nLAND_STEPS 48\n"}};
+                                                      [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\nLAND_STEPS 32\nSPLINES 1\n",
+                                                      [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\nLAND_STEPS 48\nSPLINES 1\n"}};
 
 static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;

@@ -16,7 +16,8 @@
 // So the planes of a cascade hold coefficients, not samples of the surface. The gradient of the cubic spline is
 // continuous and exactly that of the surface, so queries take slopes and Jacobians from height, dx and dy as well
 // (Unser 1999, "Splines: a perfect fit for signal and image processing"). Shaders evaluate it by four linear fetches
-// (Sigg & Hadwiger 2005): shaders/common/sea.glsl. Pixels fetch the derivatives once.
+// (Sigg & Hadwiger 2005), and its gradient from 16 texels: shaders/common/sea.glsl. Pixels whose footprint is shorter
+// than a texel take that gradient where the quality allows its cost; others fetch the derivatives linearly.
 #ifndef BOLAN_WAVES_SPLINE_H
 #define BOLAN_WAVES_SPLINE_H
 
