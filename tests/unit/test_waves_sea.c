@@ -233,6 +233,37 @@ static void no_two_waves_share_their_phases(void **state) {
     for (int c = 0; c < 2; c++) assert_true(likeness(tile[c].forth, tile[c].back) < 4.0); // of opposite waves
 }
 
+// Modes of the first tile with two waves, and those in which two waves have one frequency.
+static void count_waves(double loop_period, uint32_t *several, uint32_t *equal) {
+    enum { SIDE = 64 };
+    static bolan_sea_mode wave[BOLAN_MODE_PARTS][SIDE];
+    bolan_sea_desc desc = bolan_sea_desc_default();
+    desc.sea_state = bolan_sea_state_from_wind(10.0, 240.0, 300e3);
+    desc.resolution = SIDE;
+    desc.loop_period = loop_period;
+    bolan_sea *sea = test_sea(desc);
+    *several = *equal = 0;
+    for (uint32_t j = 0; j < BOLAN_MODE_PART_REACH && j < bolan_sea_mode_rows(sea, 0); j++) {
+        for (uint32_t part = 0; part < BOLAN_MODE_PARTS; part++) bolan_sea_modes(sea, 0, part, j, wave[part]);
+        for (uint32_t i = 0; i < SIDE; i++) {
+            *several += wave[1][i].turns > 0.0;
+            for (uint32_t part = 1; part < BOLAN_MODE_PARTS; part++)
+                *equal += wave[part][i].turns > 0.0 && wave[part][i].turns == wave[part - 1][i].turns;
+        }
+    }
+    bolan_sea_destroy(&sea);
+}
+
+// Two waves of one wave vector and one frequency would hold more energy than both, or less, forever.
+static void slices_that_a_loop_gives_one_frequency_are_one_wave(void **state) {
+    (void)state;
+    uint32_t several, equal;
+    count_waves(0.0, &several, &equal);
+    assert_true(several > 100 && equal == 0);
+    count_waves(20.0, &several, &equal);
+    assert_int_equal(equal, 0);
+}
+
 static void the_last_tile_reaches_a_few_centimetres(void **state) {
     (void)state;
     const double winds[] = {5.0, 10.0, 15.0};
@@ -332,7 +363,8 @@ RUN_TESTS(cmocka_unit_test(defaults_are_those_of_the_headers),
           cmocka_unit_test(rings_are_disjoint_and_leave_no_gap),
           cmocka_unit_test(the_first_tile_holds_sixteen_peak_waves_and_twelve_of_a_swell),
           cmocka_unit_test(seas_of_nearly_one_state_have_the_same_tiles),
-        cmocka_unit_test(no_two_waves_share_their_phases),
-        cmocka_unit_test(the_last_tile_reaches_a_few_centimetres),
+          cmocka_unit_test(no_two_waves_share_their_phases),
+          cmocka_unit_test(slices_that_a_loop_gives_one_frequency_are_one_wave),
+          cmocka_unit_test(the_last_tile_reaches_a_few_centimetres),
           cmocka_unit_test(short_waves_add_up_to_the_measured_slopes),
           cmocka_unit_test(more_threads_after_creation_do_no_harm))
