@@ -52,6 +52,10 @@ static inline wide_int wide_to_int(wide v) {
 static inline wide wide_max(wide a, wide b) {
 #if WIDE == 1
     return a > b ? a : b;
+#elif WIDE == 16
+    return (wide)_mm512_max_ps((__m512)a, (__m512)b);
+#elif WIDE == 8
+    return (wide)_mm256_max_ps((__m256)a, (__m256)b);
 #else
     const wide_int m = a > b;
     return wide_from_bits((m & wide_bits(a)) | (~m & wide_bits(b)));
@@ -62,6 +66,10 @@ static inline wide wide_max(wide a, wide b) {
 static inline wide wide_min(wide a, wide b) {
 #if WIDE == 1
     return a < b ? a : b;
+#elif WIDE == 16
+    return (wide)_mm512_min_ps((__m512)a, (__m512)b);
+#elif WIDE == 8
+    return (wide)_mm256_min_ps((__m256)a, (__m256)b);
 #else
     const wide_int m = a < b;
     return wide_from_bits((m & wide_bits(a)) | (~m & wide_bits(b)));
@@ -175,24 +183,6 @@ static inline void wide_transpose(wide v[WIDE]) {
 #pragma GCC unroll 4
         for (int g = 0; g < WIDE / 4; g++) v[4 * g + k] = column[g];
     }
-#else
-    (void)v;
-#endif
-}
-
-// Four fields of WIDE samples as WIDE texels of four floats, one behind the other.
-static inline void wide_texels(wide v[4]) {
-#if WIDE > 1
-    wide_transpose4(v); // vector k, group g: texel 4 g + k
-#if WIDE == 16
-    wide_transpose_groups(v);
-#elif WIDE == 8
-    wide_transpose_groups(v);
-    wide_transpose_groups(v + 2);
-    const wide second = v[1];
-    v[1] = v[2];
-    v[2] = second;
-#endif
 #else
     (void)v;
 #endif

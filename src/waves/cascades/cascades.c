@@ -38,7 +38,7 @@ static bool create_plans(sea_shared *shared, cascade_tables *t) {
 bool bolan_cascades_create(sea_shared *shared, const spectrum_eval *eval, uint32_t count, cascade_extent extent) {
     cascade_tables *t = shared->tables = bolan_sea_reserve(&shared->memory, sizeof *t);
     if (!t) return false;
-    t->kernels = bolan_sea_kernels_for(shared->desc.cpu);
+    t->kernels = bolan_sea_kernels_for(shared->desc.cpu, shared->desc.resolution);
     sea_radial radial;
     plan_cascades(shared, eval, count, extent, &radial);
     if (extent.open) bolan_sea_warp_prepare(shared->desc.length, t->cascade[0].angle, &shared->warp);

@@ -24,7 +24,14 @@ static const sea_kernels table[] = {
 #endif
 };
 
-const sea_kernels *bolan_sea_kernels_for(bolan_cpu cpu) {
+// The lanes of a vector are halves of two transforms of n / 16 points (wide_fields.h).
+static bool is_too_wide(bolan_cpu cpu, uint32_t n) {
+    return (cpu == BOLAN_CPU_AVX512 && n < 128) || (cpu == BOLAN_CPU_AVX2 && n < 64);
+}
+
+const sea_kernels *bolan_sea_kernels_for(bolan_cpu cpu, uint32_t n) {
     const bolan_cpu best = bolan_cpu_best();
-    return &table[cpu == BOLAN_CPU_AUTO || cpu > best ? best : cpu];
+    bolan_cpu set = cpu == BOLAN_CPU_AUTO || cpu > best ? best : cpu;
+    while (is_too_wide(set, n)) set--;
+    return &table[set];
 }

@@ -32,6 +32,7 @@ typedef struct sea_kernels {
 // Scratch memory of a worker [floats]: n rows for the first pass; the second uses 10 n, and 1008 more.
 static inline size_t sea_scratch_floats(uint32_t n) { return (size_t)n * FFT_ROW + 2 * FFT_LANES * FFT_ROW; }
 
-const sea_kernels *bolan_sea_kernels_for(bolan_cpu cpu);
+// The kernels of a sea made with `cpu`, of n samples a side: a narrower set where vectors are too wide for so few.
+const sea_kernels *bolan_sea_kernels_for(bolan_cpu cpu, uint32_t n);
 
 #endif

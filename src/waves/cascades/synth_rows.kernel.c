@@ -11,7 +11,7 @@
 //     X[b + m c] = sum_l e^{2 pi i lc / 16} (e^{2 pi i bl / n} sum_a P[16 a + l] e^{2 pi i ab / m})
 #include "fft/strip.h"
 #include "waves/cascades/synth.h"
-#include "waves/cascades/wide_half.h"
+#include "waves/cascades/wide_fields.h"
 
 #include <string.h>
 
@@ -22,21 +22,28 @@ void KERNEL(bolan_sea_rows)(const cascade_tables *tables, const sea_cascade *cas
 
 // ---- a row ----------------------------------------------------------------------------------------------------------
 
-// Scratch memory of a row, a few lines apart: the packed spectrum, two half transformed ones, and four fields.
+// Scratch memory of a row, a few lines apart: the packed spectrum, two half transformed ones, and the outputs.
 typedef struct row_scratch {
-    float *spectrum, *turned, *field;
-    size_t pitch; // from field to field
+    float *spectrum, *turned;
+    float *row;     // four fields, or texels with those behind the last
+    uint16_t *half; // texels
 } row_scratch;
 
 enum { SHIFT = 9 * 16 };
 
 static row_scratch row_scratch_of(uint32_t n, float *scratch) {
-    const size_t row = 2 * (size_t)n + SHIFT, rows = 2 * row + (size_t)FFT_LANES * FFT_ROW;
-    return (row_scratch){scratch, scratch + row, scratch + row + rows, (size_t)n + FFT_LANES};
+    float *turned = scratch + 2 * (size_t)n + SHIFT, *row = turned + 4 * (size_t)n + SHIFT;
+    return (row_scratch){scratch, turned, row, (uint16_t *)(void *)(row + 4 * (size_t)n + SHIFT)};
 }
 
-// Packs two fields that follow each other, from the row's `piece` of the first strip, into `out`, [m][FFT_ROW].
-static void pack(const sea_cascade *cascade, const float *piece, float *out) {
+static inline void prefetch_pair(const float *row) {
+    __builtin_prefetch(row);
+    __builtin_prefetch(row + FFT_LANES);
+}
+
+// Packs two fields that follow each other, from the row's `piece` of the first strip, into `out`, [m][FFT_ROW]. What the
+// next row will read, `ahead` floats on, is fetched: strips are pages apart, where no processor foresees it.
+static void pack(const sea_cascade *cascade, const float *piece, ptrdiff_t ahead, float *out) {
     const uint32_t n = cascade->n, m = n / FFT_LANES, half = cascade->strips, open = m >= 8 ? m / 8 * 3 : m / 2;
     for (uint32_t row = half; row < open; row++) {
         memset(out + (size_t)row * FFT_ROW, 0, FFT_ROW * sizeof(float));
@@ -47,6 +54,8 @@ static void pack(const sea_cascade *cascade, const float *piece, float *out) {
         at -= WIDE;
         const float *cell = piece + (size_t)(at / FFT_LANES) * SEA_CELL + at % FFT_LANES;
         const pair p = pair_load(cell), q = pair_load(cell + SEA_PIECE);
+        prefetch_pair(cell + ahead);
+        prefetch_pair(cell + ahead + SEA_PIECE);
         pair_store(out + (size_t)(at / FFT_LANES) * FFT_ROW + at % FFT_LANES, (pair){p.re - q.im, p.im + q.re});
         const uint32_t to = n - WIDE - at;
         const wide re = p.re + q.im, im = q.re - p.im;
@@ -99,82 +108,87 @@ static void transform_rows(const fft_plan *plan, const float *turns, float *in, 
     }
 }
 
-// WIDE rows of 16 lanes as 16 vectors of WIDE lanes.
-static ALWAYS_INLINE void load_transposed(const float *rows, wide v[FFT_LANES]) {
+// A group of the lanes b of both turned transforms: GROUP rows of the first, and as many of the second `apart` floats
+// behind, as 16 vectors.
+static ALWAYS_INLINE void load_transposed(const float *rows, size_t apart, wide v[FFT_LANES]) {
 #pragma GCC unroll 16
     for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
 #pragma GCC unroll 16
-        for (uint32_t i = 0; i < WIDE; i++) v[lane + i] = wide_load(rows + (size_t)i * FFT_ROW + lane);
+        for (uint32_t i = 0; i < WIDE; i++)
+            v[lane + i] = wide_load(rows + i / GROUP * apart + (size_t)(i % GROUP) * FFT_ROW + lane);
         wide_transpose(v + lane);
     }
 }
 
-// Point c of the transforms whose turned rows begin at `row`: to a field at `out`. Where the m rows of a transform are
-// less than a vector, it holds the rows of `count` transforms, and nothing behind.
-static ALWAYS_INLINE void store_point(float *out, size_t apart, uint32_t m, uint32_t count, wide v) {
-    if (m >= WIDE) {
-        wide_store(out, v);
-    } else {
-        const float *lanes = (const float *)&v;
-        for (uint32_t t = 0; t < WIDE / m && t < count; t++)
-            for (uint32_t i = 0; i < m; i++) out[t * apart + i] = lanes[t * m + i];
+// Where a row goes.
+typedef struct row_out {
+    float *texels;   // of SEA_DISPLACEMENT
+    float *plane[4]; // of SEA_SLOPES, and of a tick
+    uint16_t *half;  // texels, too; not of a tick
+} row_out;
+
+typedef enum row_kind { ROW_DISPLACEMENT, ROW_SLOPES, ROW_TICK } row_kind;
+
+// GROUP samples of four fields, from x on.
+static ALWAYS_INLINE void put_fields(row_kind kind, const row_out *out, uint32_t x, wide_fields f) {
+    if (kind != ROW_DISPLACEMENT) wide_fields_store(f, out->plane, x);
+    if (kind == ROW_TICK) return;
+    wide texels[TEXEL_PARTS];
+    wide_fields_texels(f, texels);
+#pragma GCC unroll 4
+    for (uint32_t part = 0; part < TEXEL_PARTS; part++) {
+        const size_t at = 4 * (size_t)x + part * WIDE;
+        if (kind == ROW_DISPLACEMENT) wide_store(out->texels + at, texels[part]);
+        wide_half_store(out->half + at, texels[part]);
     }
 }
 
-// The transforms over l of `count` turned transforms, to two fields each.
-static ALWAYS_INLINE void transform_lanes(const row_scratch *r, uint32_t m, uint32_t count) {
-    for (uint32_t row = 0; row < count * m; row += WIDE) {
-        wide re[FFT_LANES], im[FFT_LANES];
-        load_transposed(r->turned + (size_t)row * FFT_ROW, re);
-        load_transposed(r->turned + (size_t)row * FFT_ROW + FFT_LANES, im);
-        pair t[4][4];
-        begin16(re, im, t);
-        float *out = r->field + (size_t)(row / m * 2) * r->pitch + row % m;
+// The transforms over l of two turned transforms, which are the four fields of a row, or two of two.
+static ALWAYS_INLINE void transform_lanes(const float *turned, uint32_t m, row_kind kind, const row_out *out) {
+    const size_t apart = (size_t)m * FFT_ROW;
+    for (uint32_t b = 0; b < m; b += GROUP) {
+        pair t[PASSES][4][4];
+        for (uint32_t pass = 0; pass < PASSES; pass++) {
+            const float *rows = turned + (size_t)b * FFT_ROW + pass * apart;
+            wide re[FFT_LANES], im[FFT_LANES];
+            load_transposed(rows, apart, re);
+            load_transposed(rows + FFT_LANES, apart, im);
+            begin16(re, im, t[pass]);
+        }
 #pragma GCC unroll 4
         for (uint32_t q = 0; q < 4; q++) {
-            const pair in[4] = {t[0][q], t[1][q], t[2][q], t[3][q]};
-            pair point[4];
-            butterfly4(in, point);
-#pragma GCC unroll 4
-            for (uint32_t i = 0; i < 4; i++) {
-                store_point(out + (size_t)(q + 4 * i) * m, 2 * r->pitch, m, count, point[i].re);
-                store_point(out + (size_t)(q + 4 * i) * m + r->pitch, 2 * r->pitch, m, count, point[i].im);
+            pair point[PASSES][4];
+            for (uint32_t pass = 0; pass < PASSES; pass++) {
+                const pair in[4] = {t[pass][0][q], t[pass][1][q], t[pass][2][q], t[pass][3][q]};
+                butterfly4(in, point[pass]);
             }
+#pragma GCC unroll 4
+            for (uint32_t i = 0; i < 4; i++)
+                put_fields(kind, out, b + (q + 4 * i) * m, (wide_fields){point[0][i], point[PASSES - 1][i]});
         }
     }
 }
 
-// A row of 2 `count` fields of `middle`, from `piece` on -> r->field.
-static void transform(const cascade_tables *tables, const sea_cascade *cascade, const float *piece, uint32_t count,
-                      const row_scratch *r) {
-    const uint32_t m = tables->rows.n;
-    for (uint32_t t = 0; t < count; t++) {
-        pack(cascade, piece + (size_t)t * 2 * SEA_PIECE, r->spectrum);
-        transform_rows(&tables->rows, tables->turns, r->spectrum, r->turned + (size_t)t * m * FFT_ROW);
-    }
-    if (m == FFT_LANES / 2) { // a constant where it matters
-        transform_lanes(r, FFT_LANES / 2, count);
-    } else {
-        transform_lanes(r, m, count);
-    }
+// Two transforms, of the pairs of fields at `first` and `second`; `ahead`: pack().
+static void begin_transforms(const cascade_tables *tables, const sea_cascade *cascade, const float *first,
+                             const float *second, ptrdiff_t ahead, const row_scratch *r) {
+    pack(cascade, first, ahead, r->spectrum);
+    transform_rows(&tables->rows, tables->turns, r->spectrum, r->turned);
+    pack(cascade, second, ahead, r->spectrum);
+    transform_rows(&tables->rows, tables->turns, r->spectrum, r->turned + (size_t)tables->rows.n * FFT_ROW);
 }
 
 // ---- what readers want ----------------------------------------------------------------------------------------------
 
-static inline void put(bool stream, float *p, wide v) {
+// A row is made in scratch memory and copied: planes are written line after line, whatever order a transform has.
+static void copy_row(void *to, const void *from, size_t bytes, bool stream) {
     if (stream) {
-        wide_stream(p, v);
+        for (size_t at = 0; at < bytes / sizeof(float); at += WIDE)
+            wide_stream((float *)to + at, wide_load((const float *)from + at));
     } else {
-        wide_store(p, v);
+        for (size_t at = 0; at < bytes / sizeof(float); at += WIDE)
+            wide_store((float *)to + at, wide_load((const float *)from + at));
     }
-}
-
-// Texels of four halfs.
-static inline void store_texels(sea_stream stream, uint16_t *out, const wide v[4]) {
-    wide words[2];
-    wide_interleave(wide_half_pair(v[0], v[1]), wide_half_pair(v[2], v[3]), words);
-    put(stream == SEA_STREAM_ALL, (float *)(void *)out, words[0]);
-    put(stream == SEA_STREAM_ALL, (float *)(void *)out + WIDE, words[1]);
 }
 
 // What is left of the foam of the last tick, or the present pinch where it is more. Both are bounded, so that a memory
@@ -185,104 +199,75 @@ static inline wide foam_of(const float *tick, const sea_moment *moment, wide dxx
     return wide_max(wide_max(past, wide_min(present, none + SEA_MOST_FOAM)), none);
 }
 
-static inline void store_foam(const sea_planes *planes, const sea_moment *moment, size_t at, wide dxx, wide dyy) {
-    const wide foam = foam_of(planes->foam_tick + at, moment, dxx, dyy);
-    wide_store(planes->foam + at, foam);
-    wide_half_store(planes->foam_half + at, foam);
-}
-
-// Row y of the displacement, and the row after the last that repeats it.
-static ALWAYS_INLINE void store_displacement(const row_scratch *r, bolan_sea_texel *texels, sea_stream stream,
-                                             uint32_t n, uint32_t y) {
-    const uint32_t pitch = n + BOLAN_CASCADE_GUARD;
-    for (uint32_t to = y; to < pitch; to += n) {
-        bolan_sea_texel *row = texels + (size_t)to * pitch;
-        for (uint32_t x = 0; x < n; x += WIDE) {
-            wide v[SEA_HALF];
-#pragma GCC unroll 4
-            for (int f = 0; f < SEA_HALF; f++) v[f] = wide_load(r->field + (size_t)f * r->pitch + x);
-            wide_texels(v);
-#pragma GCC unroll 4
-            for (int f = 0; f < SEA_HALF; f++) put(stream != SEA_STREAM_NONE, &row[x].dx + f * WIDE, v[f]);
-        }
-        for (uint32_t x = 0; x < BOLAN_CASCADE_GUARD; x++) {
-            const float *field = r->field + x;
-            row[n + x] = (bolan_sea_texel){field[0], field[r->pitch], field[2 * r->pitch], field[3 * r->pitch]};
-        }
-    }
-}
-
-static ALWAYS_INLINE void store_slopes(const row_scratch *r, float *const plane[SEA_HALF], sea_stream stream,
-                                       uint32_t n, uint32_t y) {
-    for (int f = 0; f < SEA_HALF; f++) // one after the other, so that streamed lines are written at once
-        for (uint32_t x = 0; x < n; x += WIDE)
-            put(stream != SEA_STREAM_NONE, plane[f] + (size_t)y * n + x,
-                wide_load(r->field + (size_t)f * r->pitch + x));
-}
-
-// Row y of the four fields of a half.
-static ALWAYS_INLINE void store_row(const row_scratch *r, const sea_planes *planes, const sea_moment *moment,
-                                    sea_stream stream, sea_half half, uint32_t n, uint32_t y) {
-    uint16_t *texels = half == SEA_SLOPES ? planes->slope_half : planes->displacement_half;
-    if (half == SEA_SLOPES) {
-        store_slopes(r, planes->slope, stream, n, y);
-    } else {
-        store_displacement(r, planes->displacement, stream, n, y);
-    }
+static void store_foam(const sea_planes *planes, const sea_moment *moment, uint32_t n, uint32_t y, const float *dxx,
+                       const float *dyy) {
+    const size_t row = (size_t)y * n;
     for (uint32_t x = 0; x < n; x += WIDE) {
-        const size_t at = (size_t)y * n + x;
-        wide v[SEA_HALF];
-#pragma GCC unroll 4
-        for (int f = 0; f < SEA_HALF; f++) v[f] = wide_load(r->field + (size_t)f * r->pitch + x);
-        store_texels(stream, texels + 4 * at, v);
-        if (half == SEA_SLOPES) store_foam(planes, moment, at, v[SEA_DIVERGENCE], v[SEA_DIVERGENCE + 1]);
+        const wide foam = foam_of(planes->foam_tick + row + x, moment, wide_load(dxx + x), wide_load(dyy + x));
+        wide_store(planes->foam + row + x, foam);
+        wide_half_store(planes->foam_half + row + x, foam);
     }
 }
 
-static ALWAYS_INLINE void rows(const cascade_tables *tables, const sea_cascade *cascade, const sea_planes *planes,
-                               const sea_moment *moment, sea_stream stream, sea_half half, uint32_t block,
-                               const row_scratch *r) {
-    const float *piece = planes->middle + (size_t)block * cascade->strips * SEA_CELL;
-    for (uint32_t y = block * SEA_ROWS; y < (block + 1) * SEA_ROWS; y++, piece += FFT_ROW) {
-        transform(tables, cascade, piece, 2, r);
-        store_row(r, planes, moment, stream, half, cascade->n, y);
-    }
+// Row y of the displacement: behind it the first texels again, and behind the last row the first ones.
+static void displacement_row(const sea_planes *planes, sea_stream stream, uint32_t n, uint32_t m, uint32_t y,
+                             const row_scratch *r) {
+    const size_t pitch = n + BOLAN_CASCADE_GUARD, bytes = pitch * sizeof(bolan_sea_texel);
+    const row_out out = {.texels = r->row, .half = r->half};
+    transform_lanes(r->turned, m, ROW_DISPLACEMENT, &out);
+    memcpy(r->row + 4 * (size_t)n, r->row, BOLAN_CASCADE_GUARD * sizeof(bolan_sea_texel));
+    for (size_t to = y; to < pitch; to += n)
+        copy_row(planes->displacement + to * pitch, r->row, bytes, stream != SEA_STREAM_NONE);
+    copy_row(planes->displacement_half + 4 * (size_t)y * n, r->half, 4 * (size_t)n * sizeof *r->half,
+             stream == SEA_STREAM_ALL);
 }
 
-static ALWAYS_INLINE void rows_of_half(const cascade_tables *tables, const sea_cascade *cascade,
-                                       const sea_planes *planes, const sea_moment *moment, sea_stream stream,
-                                       sea_half half, uint32_t block, const row_scratch *r) {
-    if (half == SEA_SLOPES) {
-        rows(tables, cascade, planes, moment, stream, SEA_SLOPES, block, r);
-    } else {
-        rows(tables, cascade, planes, moment, stream, SEA_DISPLACEMENT, block, r);
-    }
+static row_out planes_of(const row_scratch *r, uint32_t n) {
+    return (row_out){.half = r->half, .plane = {r->row, r->row + n, r->row + 2 * (size_t)n, r->row + 3 * (size_t)n}};
 }
 
-// A tick: div D alone, and the foam memory.
-static void tick_rows(const cascade_tables *tables, const sea_cascade *cascade, const sea_planes *planes,
-                      const sea_moment *moment, uint32_t block, const row_scratch *r) {
-    const float *piece = planes->middle + (size_t)block * cascade->strips * SEA_CELL + SEA_DIVERGENCE * SEA_PIECE;
-    for (uint32_t y = block * SEA_ROWS; y < (block + 1) * SEA_ROWS; y++, piece += FFT_ROW) {
-        transform(tables, cascade, piece, 1, r);
-        for (uint32_t x = 0; x < cascade->n; x += WIDE) {
-            float *tick = planes->foam_tick + (size_t)y * cascade->n + x;
-            wide_store(tick, foam_of(tick, moment, wide_load(r->field + x), wide_load(r->field + r->pitch + x)));
+static void slopes_row(const sea_planes *planes, const sea_moment *moment, uint32_t n, uint32_t m, uint32_t y,
+                       const row_scratch *r) {
+    const row_out out = planes_of(r, n);
+    transform_lanes(r->turned, m, ROW_SLOPES, &out);
+    store_foam(planes, moment, n, y, out.plane[SEA_DIVERGENCE], out.plane[SEA_DIVERGENCE + 1]);
+    for (uint32_t f = 0; f < SEA_HALF; f++)
+        copy_row(planes->slope[f] + (size_t)y * n, out.plane[f], n * sizeof(float), moment->stream != SEA_STREAM_NONE);
+    copy_row(planes->slope_half + 4 * (size_t)y * n, r->half, 4 * (size_t)n * sizeof *r->half,
+             moment->stream == SEA_STREAM_ALL);
+}
+
+// A tick: div D alone, of two rows, and the foam memory.
+static void tick_rows(const sea_planes *planes, const sea_moment *moment, uint32_t n, uint32_t m, uint32_t y,
+                      const row_scratch *r) {
+    const row_out out = planes_of(r, n);
+    transform_lanes(r->turned, m, ROW_TICK, &out);
+    for (uint32_t row = 0; row < 2; row++)
+        for (uint32_t x = 0; x < n; x += WIDE) {
+            float *tick = planes->foam_tick + (size_t)(y + row) * n + x;
+            const wide dxx = wide_load(out.plane[2 * row] + x), dyy = wide_load(out.plane[2 * row + 1] + x);
+            wide_store(tick, foam_of(tick, moment, dxx, dyy));
         }
-    }
 }
 
 void KERNEL(bolan_sea_rows)(const cascade_tables *tables, const sea_cascade *cascade, const sea_planes *planes,
                             const sea_moment *moment, sea_half half, uint32_t block, float *scratch) {
-    const row_scratch r = row_scratch_of(cascade->n, scratch);
-    if (moment->at.tick) {
-        tick_rows(tables, cascade, planes, moment, block, &r);
-        return;
-    }
-    switch (moment->stream) { // a constant in each case, so that the loops have no branches
-    case SEA_STREAM_NONE: rows_of_half(tables, cascade, planes, moment, SEA_STREAM_NONE, half, block, &r); break;
-    case SEA_STREAM_PLANES: rows_of_half(tables, cascade, planes, moment, SEA_STREAM_PLANES, half, block, &r); break;
-    case SEA_STREAM_ALL: rows_of_half(tables, cascade, planes, moment, SEA_STREAM_ALL, half, block, &r); break;
+    const uint32_t n = cascade->n, m = tables->rows.n, step = moment->at.tick ? 2 : 1, end = (block + 1) * SEA_ROWS;
+    const row_scratch r = row_scratch_of(n, scratch);
+    const ptrdiff_t row = (ptrdiff_t)step * FFT_ROW, whole = (ptrdiff_t)cascade->strips * SEA_CELL;
+    const float *piece = planes->middle + (ptrdiff_t)block * whole;
+    for (uint32_t y = block * SEA_ROWS; y < end; y += step, piece += row) {
+        const float *first = moment->at.tick ? piece + SEA_DIVERGENCE * SEA_PIECE : piece;
+        const float *second = moment->at.tick ? first + FFT_ROW : piece + 2 * SEA_PIECE;
+        const ptrdiff_t ahead = y + step < end ? row : whole - (SEA_ROWS - (ptrdiff_t)step) * FFT_ROW;
+        begin_transforms(tables, cascade, first, second, ahead, &r);
+        if (moment->at.tick) {
+            tick_rows(planes, moment, n, m, y, &r);
+        } else if (half == SEA_SLOPES) {
+            slopes_row(planes, moment, n, m, y, &r);
+        } else {
+            displacement_row(planes, moment->stream, n, m, y, &r);
+        }
     }
     wide_stream_end();
 }
