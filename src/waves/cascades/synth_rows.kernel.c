@@ -41,8 +41,8 @@ static inline void prefetch_pair(const float *row) {
     __builtin_prefetch(row + FFT_LANES);
 }
 
-// Packs two fields that follow each other, from the row's `piece` of the first strip, into `out`, [m][FFT_ROW]. What the
-// next row will read, `ahead` floats on, is fetched: strips are pages apart, where no processor foresees it.
+// Packs two fields that follow each other, from the row's `piece` of the first strip, into `out`, [m][FFT_ROW].
+// What the next row will read, `ahead` floats on, is fetched: strips are pages apart, where no processor foresees it.
 static void pack(const sea_cascade *cascade, const float *piece, ptrdiff_t ahead, float *out) {
     const uint32_t n = cascade->n, m = n / FFT_LANES, half = cascade->strips, open = m >= 8 ? m / 8 * 3 : m / 2;
     for (uint32_t row = half; row < open; row++) {
