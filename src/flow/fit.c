@@ -52,11 +52,11 @@ typedef struct problem {
     matrix factor;
 } problem;
 
-static void set_problem(const flow_tile *tile, const double weight[FLOW_BINS], problem *p) {
+static void set_problem(const flow_levels *levels, const double weight[FLOW_BINS], problem *p) {
     memset(p, 0, sizeof *p);
     for (int b = 0; b < FLOW_BINS; b++) {
         p->weight[b] = weight[b];
-        for (int l = 0; l < FLOW_LEVELS; l++) p->level[b][l] = portable_exp(-tile->bin[b].k * tile->depth[l]);
+        for (int l = 0; l < FLOW_LEVELS; l++) p->level[b][l] = portable_exp(-levels->bin[b].k * levels->depth[l]);
     }
     double trace = 0.0;
     for (int i = 0; i < FLOW_LEVELS; i++) {
@@ -69,10 +69,10 @@ static void set_problem(const flow_tile *tile, const double weight[FLOW_BINS], p
 }
 
 // The weights of k^power e^{-kd}.
-static void solve_target(const flow_tile *tile, const problem *p, double d, int power, float out[FLOW_LEVELS]) {
+static void solve_target(const flow_levels *levels, const problem *p, double d, int power, float out[FLOW_LEVELS]) {
     double x[FLOW_LEVELS] = {0.0};
     for (int b = 0; b < FLOW_BINS; b++) {
-        const double k = tile->bin[b].k;
+        const double k = levels->bin[b].k;
         double target = p->weight[b] * portable_exp(-k * d);
         for (int i = 0; i < power; i++) target *= k;
         for (int l = 0; l < FLOW_LEVELS; l++) x[l] += target * p->level[b][l];
@@ -82,43 +82,43 @@ static void solve_target(const flow_tile *tile, const problem *p, double d, int 
 }
 
 // Depth of a node: cells of equal width in each octave of d + finest.
-static double node_depth(const flow_tile *tile, int node) {
-    return tile->finest * (ldexp(1.0 + (double)(node % FLOW_CELLS) / FLOW_CELLS, node / FLOW_CELLS) - 1.0);
+static double node_depth(const flow_levels *levels, int node) {
+    return levels->finest * (ldexp(1.0 + (double)(node % FLOW_CELLS) / FLOW_CELLS, node / FLOW_CELLS) - 1.0);
 }
 
-static void set_node(flow_tile *tile, const problem *across, const problem *up, int node) {
-    flow_node *n = &tile->node[node];
-    const double d = node_depth(tile, node);
-    solve_target(tile, across, d, 0, n->across);
-    solve_target(tile, across, d, 1, n->across_slope);
-    solve_target(tile, up, d, 1, n->up);
-    solve_target(tile, up, d, 2, n->up_slope);
+static void set_node(flow_levels *levels, const problem *across, const problem *up, int node) {
+    flow_node *n = &levels->node[node];
+    const double d = node_depth(levels, node);
+    solve_target(levels, across, d, 0, n->across);
+    solve_target(levels, across, d, 1, n->across_slope);
+    solve_target(levels, up, d, 1, n->up);
+    solve_target(levels, up, d, 2, n->up_slope);
     for (int l = 0; l < FLOW_LEVELS; l++) { // d/dd e^{-kd} = -k e^{-kd}
         n->across_slope[l] = -n->across_slope[l];
         n->up_slope[l] = -n->up_slope[l];
     }
 }
 
-static void set_depths(flow_tile *tile) {
-    const double first = FIRST_DEPTH / tile->k_high, last = LAST_DEPTH / tile->k_low, span = portable_log(last / first);
-    tile->depth[0] = 0.0;
-    tile->depth[1] = first;
-    tile->depth[2] = first * portable_exp(BETWEEN * span);
-    tile->depth[3] = last;
-    tile->finest = FINEST / tile->k_high;
+static void set_depths(flow_levels *levels) {
+    const double first = FIRST_DEPTH / levels->k_high, last = LAST_DEPTH / levels->k_low, span = portable_log(last / first);
+    levels->depth[0] = 0.0;
+    levels->depth[1] = first;
+    levels->depth[2] = first * portable_exp(BETWEEN * span);
+    levels->depth[3] = last;
+    levels->finest = FINEST / levels->k_high;
 }
 
-void bolan_flow_fit(flow_tile *tile, double sea_depth) {
+void bolan_flow_fit(flow_levels *levels, double sea_depth) {
     double across[FLOW_BINS], up[FLOW_BINS], total = 0.0;
-    for (int b = 0; b < FLOW_BINS; b++) total += tile->bin[b].motion;
+    for (int b = 0; b < FLOW_BINS; b++) total += levels->bin[b].motion;
     for (int b = 0; b < FLOW_BINS; b++) {
-        const double k = tile->bin[b].k, all = 1.0 - portable_exp(-2.0 * k * sea_depth);
-        across[b] = (tile->bin[b].motion + FLOOR * total + 1e-30) / (all * all);
+        const double k = levels->bin[b].k, all = 1.0 - portable_exp(-2.0 * k * sea_depth);
+        across[b] = (levels->bin[b].motion + FLOOR * total + 1e-30) / (all * all);
         up[b] = across[b] / (k * k);
     }
-    set_depths(tile);
+    set_depths(levels);
     problem p, q;
-    set_problem(tile, across, &p);
-    set_problem(tile, up, &q);
-    for (int node = 0; node < FLOW_NODES; node++) set_node(tile, &p, &q, node);
+    set_problem(levels, across, &p);
+    set_problem(levels, up, &q);
+    for (int node = 0; node < FLOW_NODES; node++) set_node(levels, &p, &q, node);
 }

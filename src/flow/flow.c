@@ -4,6 +4,7 @@
 
 static void release(bolan_flow *flow) {
     for (uint32_t i = 0; i < flow->tiles; i++) bolan_fft_plan_destroy(&flow->tile[i].plan);
+    bolan_fft_plan_destroy(&flow->second_plan);
     for (uint32_t i = 0; i < flow->memory.count; i++)
         bolan_release(flow->memory.block[i].at, flow->memory.block[i].bytes);
     bolan_release(flow, sizeof *flow);
@@ -18,6 +19,7 @@ static void evolve(bolan_flow *flow, const bolan_sea *sea) {
     const double shown = flow->model->shown_time(sea->shared, bolan_sea_time(sea), NULL);
     bolan_flow_evolve_tiles(flow, shown);
     bolan_flow_evolve_waves(flow, shown);
+    bolan_flow_evolve_second(flow, shown);
     flow->time = bolan_sea_time(sea);
     flow->origin = bolan_sea_drift(sea->shared, flow->time);
 }
@@ -38,7 +40,9 @@ bolan_result bolan_flow_create(const bolan_sea *sea, bolan_flow **out) {
     flow->choppiness = flow->model->form == BOLAN_FORM_EXP_COSINES ? 0.0f : (float)desc->choppiness;
     set_bands(flow, sea);
     const bool cascades = flow->model->form == BOLAN_FORM_CASCADES;
-    if (!(cascades ? bolan_flow_create_tiles(flow, sea) : bolan_flow_create_waves(flow, sea))) {
+    bool ready = cascades ? bolan_flow_create_tiles(flow, sea) : bolan_flow_create_waves(flow, sea);
+    if (ready && cascades && desc->order > 1) ready = bolan_flow_create_second(flow, sea);
+    if (!ready) {
         release(flow);
         return BOLAN_ERROR_MEMORY;
     }
@@ -71,7 +75,7 @@ uint64_t bolan_flow_sea_id(const bolan_flow *flow) {
 
 size_t bolan_flow_size(const bolan_flow *flow) {
     BOLAN_ASSERT(flow);
-    size_t bytes = sizeof *flow;
+    size_t bytes = sizeof *flow + flow->second_plan.bytes;
     for (uint32_t i = 0; i < flow->tiles; i++) bytes += flow->tile[i].plan.bytes;
     for (uint32_t i = 0; i < flow->memory.count; i++) bytes += flow->memory.block[i].bytes;
     return bytes;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The flow at a point: weights of the levels at its depth, and the gradients of the potentials.
-#include "flow/tables.h"
-#include "shared/cascade.glsl"
+#include "flow/point.h"
 #include "spectrum/portable.h"
 
 #include <string.h>
@@ -10,9 +9,11 @@
 
 #define FLOW_DECLARE(set)                                                                      \
     void bolan_flow_bends_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT]); \
-    void bolan_flow_whole_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT], float[3][FLOW_BENT]);
+    void bolan_flow_whole_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT], float[3][FLOW_BENT]); \
+    void bolan_flow_full_##set(const float *, uint32_t, double, double, float[12][FLOW_BENT]);                    \
+    void bolan_flow_slopes_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT]);
 #define FLOW_ROW(set) \
-    { bolan_flow_bends_##set, bolan_flow_whole_##set }
+    { bolan_flow_bends_##set, bolan_flow_whole_##set, bolan_flow_full_##set, bolan_flow_slopes_##set }
 
 FLOW_DECLARE(scalar)
 FLOW_DECLARE(generic4)
@@ -47,7 +48,15 @@ double bolan_flow_kept(double k, double smoothing) {
 }
 
 // Adds `share` of the weights of e^{-kd}; `mirror` is the sign of those of k e^{-kd}: -1 for what the bed mirrors.
-static void add_weights(const flow_tile *t, double d, float share, float mirror, flow_weights *out) {
+static void add_weights(const flow_levels *t, double d, float share, float mirror, flow_weights *out) {
+    if (d < 0.0) { // along the tangent at the mean level
+        const flow_node *top = &t->node[0];
+        for (int l = 0; l < FLOW_LEVELS; l++) {
+            out->across[l] += share * (top->across[l] + (float)d * top->across_slope[l]);
+            out->up[l] += share * mirror * (top->up[l] + (float)d * top->up_slope[l]);
+        }
+        return;
+    }
     const double x = d / t->finest + 1.0;
     if (!(x < (double)(1 << FLOW_OCTAVES))) return;
     int octave;
@@ -67,14 +76,14 @@ static void add_weights(const flow_tile *t, double d, float share, float mirror,
 }
 
 // (3) of tables.h: the surface's e^{-kd}, and that of its image below the bed.
-static void add_depth(const flow_tile *t, double sea_depth, double d, double farther, float share, flow_weights *out) {
+static void add_depth(const flow_levels *t, double sea_depth, double d, double farther, float share,
+                      flow_weights *out) {
     add_weights(t, d + farther, share, 1.0f, out);
     add_weights(t, 2.0 * sea_depth - d + farther, share, -1.0f, out);
 }
 
-static void set_weights(const flow_tile *t, double sea_depth, double d, double smoothing, flow_weights *out) {
+void bolan_flow_weights(const flow_levels *t, double sea_depth, double d, double smoothing, flow_weights *out) {
     memset(out, 0, sizeof *out);
-    if (t->mode_count == 0) return;
     if (smoothing > 0.0) {
         for (int i = 0; i < FLOW_ORDER; i++) add_depth(t, sea_depth, d, (i + 1) * smoothing, (float)binomial[i], out);
     } else {
@@ -90,7 +99,7 @@ void bolan_flow_depth(const bolan_flow *flow, double below, double smoothing, fl
     out->below = below > 0.0 ? fmin(below, flow->depth) : 0.0;
     out->smoothing = smoothing;
     for (uint32_t i = 0; i < flow->tiles; i++)
-        set_weights(&flow->tile[i], flow->depth, out->below, smoothing, &out->weights[i]);
+        bolan_flow_weights(&flow->tile[i].levels, flow->depth, out->below, smoothing, &out->weights[i]);
 }
 
 void bolan_flow_lifts(const bolan_flow *flow, double smoothing, float out[BOLAN_MAX_CASCADES]) {
@@ -98,8 +107,8 @@ void bolan_flow_lifts(const bolan_flow *flow, double smoothing, float out[BOLAN_
     for (uint32_t i = 0; i < flow->tiles; i++) {
         double sum = 0.0;
         for (int b = 0; b < FLOW_BINS; b++) {
-            const double kept = bolan_flow_kept(flow->tile[i].bin[b].k, smoothing);
-            sum += flow->tile[i].bin[b].lift * kept * kept;
+            const double kept = bolan_flow_kept(flow->tile[i].levels.bin[b].k, smoothing);
+            sum += flow->tile[i].levels.bin[b].lift * kept * kept;
         }
         out[flow->tile[i].band] += (float)sum;
     }
@@ -115,36 +124,15 @@ void bolan_flow_shares(const bolan_flow *flow, double smoothing, float out[BOLAN
     for (uint32_t i = 0; i < flow->tiles; i++) {
         const flow_tile *t = &flow->tile[i];
         for (int b = 0; b < FLOW_BINS; b++) {
-            const double kept = bolan_flow_kept(t->bin[b].k, smoothing);
-            whole[t->band] += t->bin[b].energy;
-            left[t->band] += t->bin[b].energy * kept * kept;
+            const double kept = bolan_flow_kept(t->levels.bin[b].k, smoothing);
+            whole[t->band] += t->levels.bin[b].energy;
+            left[t->band] += t->levels.bin[b].energy * kept * kept;
         }
     }
     for (uint32_t i = 0; i < flow->bands; i++) out[i] = whole[i] > 0.0 ? (float)sqrt(left[i] / whole[i]) : 1.0f;
 }
 
 // ---- points ---------------------------------------------------------------------------------------------------------
-
-static double fraction(double x) {
-    const double f = x - floor(x);
-    return f >= 0.0 && f < 1.0 ? f : 0.0; // 1 by rounding of a tiny negative, or not a number
-}
-
-static double weigh(const float *weight, const float *field) {
-    return (double)((weight[0] * field[0] + weight[1] * field[1]) + (weight[2] * field[2] + weight[3] * field[3]));
-}
-
-// A derivative of a field: the stored one at level 0, that of the spline, `per` samples a metre, at the others.
-static double blend(const float *weight, double per, const float *spline, float stored) {
-    const float deep = weight[1] * spline[1] + (weight[2] * spline[2] + weight[3] * spline[3]);
-    return per * (double)deep + (double)(weight[0] * stored);
-}
-
-// Where a point is in a tile, in samples.
-static bolan_dvec2 place(const flow_tile *t, double x, double y) {
-    return (bolan_dvec2){fraction(along_tile(x, y, t->cosine, t->sine) / t->length) * t->n,
-                         fraction(across_tile(x, y, t->cosine, t->sine) / t->length) * t->n};
-}
 
 // From derivatives by the place read to derivatives by the rest point. The solver takes the mean of the two that differ
 // by the warp.
@@ -155,20 +143,15 @@ static void unwarp(const double g[4], flow_bend *b) {
     b->dyy = xy * g[1] + yy * g[3];
 }
 
-static void add_turned(const flow_tile *t, double u, double v, double *x, double *y) {
-    *x += u * t->cosine - v * t->sine;
-    *y += u * t->sine + v * t->cosine;
-}
-
 // `f` as flow_kernels.bends() has it.
 static void add_bend(const flow_tile *t, const flow_weights *w, double keep, float f[6][FLOW_BENT], flow_bend *out) {
-    const double per = t->n / t->length, c = t->cosine, s = t->sine;
+    const double per = t->frame.n / t->frame.length, c = t->frame.cosine, s = t->frame.sine;
     const double u = keep * blend(w->across, per, f[1], f[0][FLOW_DRIFT]);
     const double v = keep * blend(w->across, per, f[2], f[0][FLOW_DRIFT + 1]);
     const double uu = keep * per * blend(w->across, per, f[3], f[1][FLOW_DRIFT]);
     const double uv = keep * per * blend(w->across, per, f[4], f[2][FLOW_DRIFT]);
     const double vv = keep * per * blend(w->across, per, f[5], f[2][FLOW_DRIFT + 1]);
-    add_turned(t, u, v, &out->dx, &out->dy);
+    add_turned(&t->frame, u, v, &out->dx, &out->dy);
     out->dxx += uu * c * c - 2.0 * uv * c * s + vv * s * s;
     out->dyy += uu * s * s + 2.0 * uv * c * s + vv * c * c;
     out->dxy += (uu - vv) * c * s + uv * (c * c - s * s);
@@ -178,13 +161,13 @@ static void add_bend(const flow_tile *t, const flow_weights *w, double keep, flo
 static void add_motion(const flow_tile *t, const flow_weights *w, double keep, float f[6][FLOW_BENT],
                        float g[3][FLOW_BENT], flow_motion *out) {
     enum { RATE = FLOW_RATE - FLOW_SPEED };
-    const double per = t->n / t->length;
+    const double per = t->frame.n / t->frame.length;
     out->height += keep * weigh(w->up, f[0]);
-    add_turned(t, keep * blend(w->up, per, f[1], f[0][FLOW_DRIFT]),
+    add_turned(&t->frame, keep * blend(w->up, per, f[1], f[0][FLOW_DRIFT]),
                keep * blend(w->up, per, f[2], f[0][FLOW_DRIFT + 1]), &out->slope_x, &out->slope_y);
-    add_turned(t, keep * per * weigh(w->across, g[1]), keep * per * weigh(w->across, g[2]), &out->vx, &out->vy);
+    add_turned(&t->frame, keep * per * weigh(w->across, g[1]), keep * per * weigh(w->across, g[2]), &out->vx, &out->vy);
     out->vz += keep * weigh(w->up, g[0]);
-    add_turned(t, keep * blend(w->across, per, g[1] + RATE, f[0][FLOW_PUSH]),
+    add_turned(&t->frame, keep * blend(w->across, per, g[1] + RATE, f[0][FLOW_PUSH]),
                keep * blend(w->across, per, g[2] + RATE, f[0][FLOW_PUSH + 1]), &out->ax, &out->ay);
     out->az += keep * weigh(w->up, g[0] + RATE);
     out->potential += keep * weigh(w->across, g[0] + RATE);
@@ -218,10 +201,10 @@ void bolan_flow_spot(const bolan_flow *flow, double x, double y, flow_spot *out)
 
 // Asks for the texels around a place: there are more than a cache holds, and the next tile's are read meanwhile.
 static void prefetch_texels(const flow_tile *t, bolan_dvec2 p) {
-    const uint32_t mask = t->n - 1, column = (uint32_t)p.x + mask, row = (uint32_t)p.y + mask;
+    const uint32_t mask = t->frame.n - 1, column = (uint32_t)p.x + mask, row = (uint32_t)p.y + mask;
     for (uint32_t j = 0; j < 4; j++)
         for (uint32_t i = 0; i < 4; i++)
-            __builtin_prefetch(t->texels + ((size_t)((row + j) & mask) * t->n + ((column + i) & mask)) * FLOW_TEXEL);
+            __builtin_prefetch(t->texels + ((size_t)((row + j) & mask) * t->frame.n + ((column + i) & mask)) * FLOW_TEXEL);
 }
 
 static void read_tiles(const bolan_flow *flow, const flow_depth *at, bolan_dvec2 read, const float *weight,
@@ -230,7 +213,7 @@ static void read_tiles(const bolan_flow *flow, const flow_depth *at, bolan_dvec2
     uint32_t used[FLOW_MAX_TILES], count = 0;
     for (uint32_t i = 0; i < flow->tiles; i++) {
         if (!at->weights[i].used || weight[flow->tile[i].band] == 0.0f) continue;
-        p[count] = place(&flow->tile[i], read.x, read.y);
+        p[count] = place(&flow->tile[i].frame, read.x, read.y);
         prefetch_texels(&flow->tile[i], p[count]);
         used[count++] = i;
     }
@@ -240,10 +223,10 @@ static void read_tiles(const bolan_flow *flow, const flow_depth *at, bolan_dvec2
         const double keep = (double)weight[t->band];
         float f[6][FLOW_BENT], g[3][FLOW_BENT];
         if (motion) {
-            flow->kernels->whole(t->texels, t->n, p[i].x, p[i].y, f, g);
+            flow->kernels->whole(t->texels, t->frame.n, p[i].x, p[i].y, f, g);
             add_motion(t, w, keep, f, g, motion);
         } else {
-            flow->kernels->bends(t->texels, t->n, p[i].x, p[i].y, f);
+            flow->kernels->bends(t->texels, t->frame.n, p[i].x, p[i].y, f);
         }
         add_bend(t, w, keep, f, bend);
     }

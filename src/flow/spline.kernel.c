@@ -14,6 +14,8 @@ typedef float eight __attribute__((vector_size(32), aligned(4), may_alias));
 void KERNEL(bolan_flow_whole)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT],
                               float rest[3][FLOW_BENT]);
 void KERNEL(bolan_flow_bends)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]);
+void KERNEL(bolan_flow_full)(const float *texels, uint32_t n, double u, double v, float out[12][FLOW_BENT]);
+void KERNEL(bolan_flow_slopes)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]);
 
 // The taps along one axis: indices, and the weights of value, first and second derivative by cells.
 typedef struct taps {
@@ -84,6 +86,33 @@ void KERNEL(bolan_flow_bends)(const float *texels, uint32_t n, double u, double 
         const along here = along_row(texels + (size_t)y.at[j] * n * FLOW_TEXEL, &x, 0);
         add_slopes(sum, &y, j, &here);
         add_bends(sum + 3, &y, j, &here);
+    }
+    for (int i = 0; i < 6; i++) *(eight *)(void *)out[i] = sum[i];
+}
+
+void KERNEL(bolan_flow_full)(const float *texels, uint32_t n, double u, double v, float out[12][FLOW_BENT]) {
+    const taps x = taps_of(u, n), y = taps_of(v, n);
+    eight sum[12] = {{0}};
+    for (int j = 0; j < TAPS; j++) {
+        const float *row = texels + (size_t)y.at[j] * n * FLOW_TEXEL;
+        for (int half = 0; half < 2; half++) {
+            const along here = along_row(row, &x, half);
+            add_slopes(sum + 6 * half, &y, j, &here);
+            add_bends(sum + 6 * half + 3, &y, j, &here);
+        }
+    }
+    for (int i = 0; i < 12; i++) *(eight *)(void *)out[i] = sum[i];
+}
+
+void KERNEL(bolan_flow_slopes)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]) {
+    const taps x = taps_of(u, n), y = taps_of(v, n);
+    eight sum[6] = {{0}};
+    for (int j = 0; j < TAPS; j++) {
+        const float *row = texels + (size_t)y.at[j] * n * FLOW_TEXEL;
+        for (int half = 0; half < 2; half++) {
+            const along here = along_row(row, &x, half);
+            add_slopes(sum + 3 * half, &y, j, &here);
+        }
     }
     for (int i = 0; i < 6; i++) *(eight *)(void *)out[i] = sum[i];
 }

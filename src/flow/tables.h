@@ -70,15 +70,25 @@ typedef struct flow_bin {
     double energy; // variance of the height [m2]
 } flow_bin;
 
-typedef struct flow_tile {
-    uint32_t n;
-    double length, cosine, sine;
-    uint32_t band;             // the cascade that it comes from
+// Depths at which the potential of a band is kept, and the weights of any other depth.
+typedef struct flow_levels {
     double k_low, k_high;      // waves that matter
     double depth[FLOW_LEVELS]; // [m]
     flow_bin bin[FLOW_BINS];
     double finest; // the unit of the table of weights [m]
     flow_node node[FLOW_NODES];
+} flow_levels;
+
+// A tile's side in samples, its length [m] and how it lies.
+typedef struct tile_frame {
+    uint32_t n;
+    double length, cosine, sine;
+} tile_frame;
+
+typedef struct flow_tile {
+    tile_frame frame;
+    uint32_t band; // the cascade that it comes from
+    flow_levels levels;
     fft_plan plan;
     uint32_t strips, mode_count, first[FLOW_MAX_STRIPS + 1]; // waves of strip s: [first[s], first[s + 1])
     flow_mode *modes;
@@ -96,12 +106,19 @@ typedef struct flow_wave {
     double base; // phase at the world origin and the time [turns]
 } flow_wave;
 
+// The potential of second order of a cascade: second.h.
+typedef struct flow_second flow_second;
+
 typedef struct flow_kernels {
     // Value, gradient u, v and second derivatives uu, uv, vv of the first FLOW_BENT fields of a texel, per cell.
     void (*bends)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT]);
     // The same, and value and gradient of the other fields.
     void (*whole)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT],
                   float rest[3][FLOW_BENT]);
+    // Of a sea of order 2. The six of bends() for the first half of a texel, then for the second.
+    void (*full)(const float *texels, uint32_t n, double u, double v, float out[12][FLOW_BENT]);
+    // Value and gradient of the first half, then of the second.
+    void (*slopes)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]);
 } flow_kernels;
 
 struct bolan_flow {
@@ -123,18 +140,26 @@ struct bolan_flow {
     uint32_t slots;
     float *scratch;
     size_t scratch_floats;
-    uint32_t wave_count; // of a sum
+    bool is_second; // the sea has order 2
+    uint32_t seconds;
+    flow_second *second; // of the cascades that count, longest first
+    fft_plan second_plan;
+    float *second_planes; // SECOND_PLANES and one for each slot
+    uint32_t wave_count;  // of a sum
     flow_wave *waves;
     sea_memory memory;
 };
 
 // ---- creation -------------------------------------------------------------------------------------------------------
 
-// Sets depth and node of a tile from its bins. `sea_depth` is H.
-void bolan_flow_fit(flow_tile *tile, double sea_depth);
+// Sets depth and node from k_low, k_high and bin. `sea_depth` is H.
+void bolan_flow_fit(flow_levels *levels, double sea_depth);
 // Modes and memory of every cascade, or waves of a sum. False when memory is short.
 bool bolan_flow_create_tiles(bolan_flow *flow, const bolan_sea *sea);
 bool bolan_flow_create_waves(bolan_flow *flow, const bolan_sea *sea);
+// The potentials of second order, after the tiles. False when memory is short.
+bool bolan_flow_create_second(bolan_flow *flow, const bolan_sea *sea);
+void bolan_flow_evolve_second(bolan_flow *flow, double shown);
 void bolan_flow_evolve_tiles(bolan_flow *flow, double shown);
 void bolan_flow_evolve_waves(bolan_flow *flow, double shown);
 const flow_kernels *bolan_flow_kernels_for(bolan_cpu cpu);
@@ -149,6 +174,9 @@ static inline double flow_smoothing(double least_wavelength) {
     return least_wavelength * (FLOW_HALF / (2.0 * BOLAN_PI));
 }
 double bolan_flow_kept(double k, double smoothing);
+
+// Weights of the levels at a depth d; above the mean level, d < 0, along the tangent there.
+void bolan_flow_weights(const flow_levels *levels, double sea_depth, double d, double smoothing, flow_weights *out);
 
 // A depth at rest, as it counts for all bands.
 typedef struct flow_depth {
@@ -185,5 +213,17 @@ void bolan_flow_shares(const bolan_flow *flow, double smoothing, float out[BOLAN
 // For sums.
 void bolan_flow_bend_waves(const bolan_flow *flow, const flow_depth *at, double x, double y, flow_bend *out);
 void bolan_flow_motion_waves(const bolan_flow *flow, const flow_depth *at, double x, double y, flow_motion *out);
+
+// ---- second order ---------------------------------------------------------------------------------------------------
+
+// The water at a fixed point, to second order.
+typedef struct flow_water {
+    double velocity[3], acceleration[3]; // of the parcel that is there: acceleration is -grad of pressure
+    double pressure;                     // dynamic, over density [m2/s2]
+} flow_water;
+// At (x, y), `below` under the mean level, less than 0 above it. `rides`: the short waves' depth is counted from the
+// surface of the long ones. `keep` is a factor for each band's amplitudes, and `share` for those of its pairs, too.
+void bolan_flow_ride(const bolan_flow *flow, double x, double y, double below, bool rides, double smoothing,
+                     const float *keep, const float *share, flow_water *out);
 
 #endif

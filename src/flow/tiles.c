@@ -81,8 +81,8 @@ static void bin_mode(void *context, const sea_mode *m) {
     g->rate[b] += omega * omega * omega * omega * energy;
     g->energy[b] += energy;
     g->moment[b] += energy * k;
-    g->tile->bin[b].energy += energy;
-    g->tile->bin[b].lift += g->choppiness * energy * k * k * m->inverse_k -
+    g->tile->levels.bin[b].energy += energy;
+    g->tile->levels.bin[b].lift += g->choppiness * energy * k * k * m->inverse_k -
                             energy * bolan_sea_bound_mean(g->bound, k * m->inverse_k); // as waves/cascades/lift.c
 }
 
@@ -91,13 +91,13 @@ static void set_bins(gathering *g) {
     flow_tile *t = g->tile;
     double speed = 1e-30, rate = 1e-30, below = 0.0;
     for (int b = 0; b < FLOW_BINS; b++) speed += g->speed[b], rate += g->rate[b];
-    t->k_low = g->low;
-    t->k_high = g->high;
+    t->levels.k_low = g->low;
+    t->levels.k_high = g->high;
     for (int b = 0; b < FLOW_BINS; b++) {
-        t->bin[b].motion = g->speed[b] / speed + g->rate[b] / rate;
-        t->bin[b].k = g->energy[b] > 0.0 ? g->moment[b] / g->energy[b] : bin_edge(g, b + 0.5);
+        t->levels.bin[b].motion = g->speed[b] / speed + g->rate[b] / rate;
+        t->levels.bin[b].k = g->energy[b] > 0.0 ? g->moment[b] / g->energy[b] : bin_edge(g, b + 0.5);
         below += g->speed[b];
-        if (below < 1e-4 * speed) t->k_low = bin_edge(g, b + 1.0);
+        if (below < 1e-4 * speed) t->levels.k_low = bin_edge(g, b + 1.0);
     }
 }
 
@@ -122,7 +122,7 @@ static uint32_t first_of(const flow_tile *t, uint32_t wave, uint32_t from) {
 static void add_mode(gathering *g, const sea_mode *m, int32_t i, int32_t j) {
     flow_tile *t = g->tile;
     const double k = length_of(m), all = 1.0 - portable_exp(-2.0 * k * g->sea_depth);
-    const double scale = 1.0 / (k * all * transfer(i, t->n) * transfer(j, t->n));
+    const double scale = 1.0 / (k * all * transfer(i, t->frame.n) * transfer(j, t->frame.n));
     const uint32_t from = t->first[j / FFT_LANES], wave = from + g->count[j / FFT_LANES]++;
     flow_mode *out = &t->modes[wave];
     out->turns = m->turns;
@@ -130,8 +130,8 @@ static void add_mode(gathering *g, const sea_mode *m, int32_t i, int32_t j) {
     out->im = (float)m->im;
     out->back_re = (float)m->back_re;
     out->back_im = (float)m->back_im;
-    for (int l = 0; l < FLOW_LEVELS; l++) out->level[l] = (float)(scale * portable_exp(-k * t->depth[l]));
-    out->row = (uint16_t)((uint32_t)(i + (int32_t)t->n) & (t->n - 1));
+    for (int l = 0; l < FLOW_LEVELS; l++) out->level[l] = (float)(scale * portable_exp(-k * t->levels.depth[l]));
+    out->row = (uint16_t)((uint32_t)(i + (int32_t)t->frame.n) & (t->frame.n - 1));
     out->lane = (uint16_t)(j % FFT_LANES);
     out->first = first_of(t, wave, from);
 }
@@ -181,16 +181,16 @@ static bool add_tile(bolan_flow *flow, uint32_t band, gathering *g) {
     const sea_cascade *cascade = g->cascade;
     flow_tile *t = &flow->tile[flow->tiles];
     t->band = band;
-    t->length = cascade->length;
-    t->cosine = cascade->cosine;
-    t->sine = cascade->sine;
-    t->n = side_of(g->reach);
-    bolan_flow_fit(t, flow->depth);
+    t->frame.length = cascade->length;
+    t->frame.cosine = cascade->cosine;
+    t->frame.sine = cascade->sine;
+    t->frame.n = side_of(g->reach);
+    bolan_flow_fit(&t->levels, flow->depth);
     set_strips(g);
-    if (!bolan_fft_plan_create(t->n, &t->plan)) return false;
+    if (!bolan_fft_plan_create(t->frame.n, &t->plan)) return false;
     flow->tiles++; // from here on it is released with the flow
     t->modes = bolan_sea_reserve(&flow->memory, t->mode_count * (sizeof *t->modes + sizeof *t->evolved));
-    t->texels = t->modes ? bolan_sea_reserve(&flow->memory, (size_t)t->n * t->n * FLOW_TEXEL * sizeof(float)) : NULL;
+    t->texels = t->modes ? bolan_sea_reserve(&flow->memory, (size_t)t->frame.n * t->frame.n * FLOW_TEXEL * sizeof(float)) : NULL;
     if (!t->texels) return false;
     t->evolved = (float(*)[6])(void *)(t->modes + t->mode_count);
     bolan_sea_each_mode(cascade, turn_mode, &(half_plane){g, add_mode});
@@ -200,7 +200,7 @@ static bool add_tile(bolan_flow *flow, uint32_t band, gathering *g) {
 // One tile, or two where the band is too wide for the levels of one.
 static bool add_cascade(bolan_flow *flow, const sea_shared *sea, uint32_t band) {
     gathering g = gather(flow, sea, band, 0.0, INFINITY);
-    const double low = g.tile->k_low, high = g.tile->k_high;
+    const double low = g.tile->levels.k_low, high = g.tile->levels.k_high;
     if (g.reach == 0 || high < WIDE * low) return add_tile(flow, band, &g);
     const double between = sqrt(low * high);
     g = gather(flow, sea, band, 0.0, between);
@@ -213,7 +213,7 @@ bool bolan_flow_create_tiles(bolan_flow *flow, const bolan_sea *sea) {
     uint32_t largest = FFT_MIN;
     for (uint32_t i = 0; i < sea->shared->cascades; i++)
         if (!add_cascade(flow, sea->shared, i)) return false;
-    for (uint32_t i = 0; i < flow->tiles; i++) largest = flow->tile[i].n > largest ? flow->tile[i].n : largest;
+    for (uint32_t i = 0; i < flow->tiles; i++) largest = flow->tile[i].frame.n > largest ? flow->tile[i].frame.n : largest;
     flow->transform = bolan_fft_strip_for(sea->shared->desc.cpu);
     flow->slots = bolan_threads();
     flow->scratch_floats = 2 * (size_t)largest * FFT_ROW;
@@ -285,11 +285,11 @@ static void put(float *strip, size_t row, uint32_t lane, float re, float im) {
 static void transpose_out(const step *s, const float *rows, uint32_t first_j, bool mirrored) {
     const flow_tile *t = s->tile;
     for (uint32_t lane = 0; lane < FFT_LANES; lane++) {
-        const uint32_t j = first_j + lane, to = mirrored ? (t->n - j) & (t->n - 1) : j;
-        if ((mirrored && j == 0) || j >= t->n / 2) continue;
-        for (uint32_t x = 0; x < t->n; x++) {
+        const uint32_t j = first_j + lane, to = mirrored ? (t->frame.n - j) & (t->frame.n - 1) : j;
+        if ((mirrored && j == 0) || j >= t->frame.n / 2) continue;
+        for (uint32_t x = 0; x < t->frame.n; x++) {
             const float *from = rows + (size_t)t->plan.order[x] * FFT_ROW + lane;
-            float *out = s->flow->middle + ((size_t)(x / FFT_LANES) * t->n + to) * FFT_ROW + x % FFT_LANES;
+            float *out = s->flow->middle + ((size_t)(x / FFT_LANES) * t->frame.n + to) * FFT_ROW + x % FFT_LANES;
             out[0] = from[0];
             out[FFT_LANES] = from[FFT_LANES];
         }
@@ -313,17 +313,17 @@ static void field_of(const flow_tile *t, const flow_mode *m, const float *h, uin
         out[0] = re, out[1] = im;
         return;
     }
-    const int32_t i = m->row < t->n / 2 ? (int32_t)m->row : (int32_t)m->row - (int32_t)t->n;
+    const int32_t i = m->row < t->frame.n / 2 ? (int32_t)m->row : (int32_t)m->row - (int32_t)t->frame.n;
     const int32_t along = f.axis == 1 ? i : (int32_t)(strip * FFT_LANES + m->lane);
-    const float k = (float)(2.0 * BOLAN_PI * along / t->length);
+    const float k = (float)(2.0 * BOLAN_PI * along / t->frame.length);
     out[0] = -k * im;
     out[1] = k * re;
 }
 
 static void do_rows(step *s, uint32_t strip, float *scratch) {
     const flow_tile *t = s->tile;
-    float *plus = scratch, *minus = scratch + (size_t)t->n * FFT_ROW;
-    memset(scratch, 0, 2 * (size_t)t->n * FFT_ROW * sizeof(float));
+    float *plus = scratch, *minus = scratch + (size_t)t->frame.n * FFT_ROW;
+    memset(scratch, 0, 2 * (size_t)t->frame.n * FFT_ROW * sizeof(float));
     for (uint32_t i = t->first[strip]; i < t->first[strip + 1]; i++) {
         const flow_mode *m = &t->modes[i];
         if (m->first != i) continue;
@@ -331,7 +331,7 @@ static void do_rows(step *s, uint32_t strip, float *scratch) {
         field_of(t, m, t->evolved[i], strip, 2 * s->pair, a);
         field_of(t, m, t->evolved[i], strip, 2 * s->pair + 1, b);
         put(plus, m->row, m->lane, a[0] - b[1], a[1] + b[0]);
-        put(minus, (t->n - m->row) & (t->n - 1), m->lane, a[0] + b[1], b[0] - a[1]);
+        put(minus, (t->frame.n - m->row) & (t->frame.n - 1), m->lane, a[0] + b[1], b[0] - a[1]);
     }
     s->flow->transform(&t->plan, plus);
     s->flow->transform(&t->plan, minus);
@@ -341,12 +341,12 @@ static void do_rows(step *s, uint32_t strip, float *scratch) {
 
 static void do_columns(step *s, uint32_t strip, float *scratch) {
     const flow_tile *t = s->tile;
-    const size_t floats = (size_t)t->n * FFT_ROW;
+    const size_t floats = (size_t)t->frame.n * FFT_ROW;
     memcpy(scratch, s->flow->middle + strip * floats, floats * sizeof(float));
     s->flow->transform(&t->plan, scratch);
-    for (uint32_t y = 0; y < t->n; y++) {
+    for (uint32_t y = 0; y < t->frame.n; y++) {
         const float *row = scratch + (size_t)t->plan.order[y] * FFT_ROW;
-        float *out = t->texels + ((size_t)y * t->n + (size_t)strip * FFT_LANES) * FLOW_TEXEL + 2 * (size_t)s->pair;
+        float *out = t->texels + ((size_t)y * t->frame.n + (size_t)strip * FFT_LANES) * FLOW_TEXEL + 2 * (size_t)s->pair;
         for (uint32_t lane = 0; lane < FFT_LANES; lane++, out += FLOW_TEXEL) {
             out[0] = row[lane];
             out[1] = row[FFT_LANES + lane];
@@ -360,10 +360,10 @@ void bolan_flow_evolve_tiles(bolan_flow *flow, double shown) {
         if (t->mode_count == 0) continue;
         step s = {.flow = flow, .tile = t, .time = shown};
         run(&s, t->strips, evolve);
-        memset(flow->middle, 0, 2 * (size_t)t->n * t->n * sizeof(float)); // rows without modes
+        memset(flow->middle, 0, 2 * (size_t)t->frame.n * t->frame.n * sizeof(float)); // rows without modes
         for (s.pair = 0; s.pair < FLOW_PAIRS; s.pair++) {
             run(&s, t->strips, do_rows);
-            run(&s, t->n / FFT_LANES, do_columns);
+            run(&s, t->frame.n / FFT_LANES, do_columns);
         }
     }
 }

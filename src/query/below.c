@@ -30,7 +30,7 @@ typedef struct asked {
     float lift[BOLAN_MAX_CASCADES];
     bool bound;                      // the sea has bound waves
     float share[BOLAN_MAX_CASCADES]; // of the rms height of each band, left by the least wavelength
-    flow_depth surface;              // depth 0
+    flow_depth surface, all;         // depth 0, and there without the filter of a least wavelength
     bool filtered;                   // waves are left out: the surface is not that of `heights`
     query heights;                   // of all waves
     // One of two questions.
@@ -171,6 +171,31 @@ static double depth_at_rest(const asked *a, bolan_dvec3 p, const sought *s, rest
     return fmax(stretched ? a->flow->depth * (eta - z) / total : -z, 0.0);
 }
 
+static void set_kinematics(const asked *a, const flow_motion *m, bolan_kinematics *out) {
+    out->velocity = bolan_v3((float)m->vx + a->flow->current_x, (float)m->vy + a->flow->current_y, (float)m->vz);
+    out->acceleration = bolan_v3((float)m->ax, (float)m->ay, (float)m->az);
+    out->pressure = (float)(-BOLAN_SEA_WATER_DENSITY * m->potential);
+    out->wet = true;
+}
+
+// What a sea of order 2 has at a point, `below` under the mean level. Layers are of first order.
+static void answer_second(const asked *a, double x, double y, double below, bool stretched, bolan_kinematics *out) {
+    rest r = {.x = x, .y = y, .depth = INFINITY};
+    for (uint32_t i = 0; i < BOLAN_MAX_CASCADES; i++) r.keep[i] = 1.0f;
+    attenuate(a, &r);
+    flow_water w;
+    bolan_flow_ride(a->flow, x, y, below, !stretched, a->smoothing, r.keep, a->share, &w);
+    flow_motion m = {.vx = w.velocity[0],
+                     .vy = w.velocity[1],
+                     .vz = w.velocity[2],
+                     .ax = w.acceleration[0],
+                     .ay = w.acceleration[1],
+                     .az = w.acceleration[2],
+                     .potential = -w.pressure};
+    add_layer_flows(a, &r, fmax(below, 0.0), &m);
+    set_kinematics(a, &m, out);
+}
+
 // `at` holds the weights of the last depth.
 static void answer_below(const asked *a, bolan_dvec3 p, sought *s, flow_depth *at, bolan_kinematics *out) {
     rest r;
@@ -180,6 +205,11 @@ static void answer_below(const asked *a, bolan_dvec3 p, sought *s, flow_depth *a
     bolan_flow_spot(a->flow, p.x, p.y, &s->spot);
     const double below = depth_at_rest(a, p, s, &r, &found);
     if (below < 0.0) return;
+    if (a->bound) {
+        const bool stretched = a->question.stretching == BOLAN_STRETCH_WHEELER;
+        answer_second(a, p.x, p.y, stretched ? below : a->water->level - p.z, stretched, out);
+        return;
+    }
     if (at->below != below) bolan_flow_depth(a->flow, below, a->smoothing, at);
     if (!found || below > 0.0) {
         if (found) s->near = (bolan_dvec2){r.x, r.y};
@@ -188,10 +218,7 @@ static void answer_below(const asked *a, bolan_dvec3 p, sought *s, flow_depth *a
     }
     flow_motion m = r.motion;
     add_layer_flows(a, &r, below, &m);
-    out->velocity = bolan_v3((float)m.vx + a->flow->current_x, (float)m.vy + a->flow->current_y, (float)m.vz);
-    out->acceleration = bolan_v3((float)m.ax, (float)m.ay, (float)m.az);
-    out->pressure = (float)(-BOLAN_SEA_WATER_DENSITY * m.potential);
-    out->wet = true;
+    set_kinematics(a, &m, out);
 }
 
 // ---- the surface ----------------------------------------------------------------------------------------------------
@@ -214,6 +241,25 @@ static double rise_of(const asked *a, const flow_motion *sea, double vz, bolan_v
     return vz + (ux * (double)normal.x + uy * (double)normal.y) / (double)normal.z;
 }
 
+// Rate of the height of the bound waves at a rest point: that of their products (bolan_bound_weights).
+static double rate_of_bound_waves(const asked *a, const flow_spot *spot, const rest *r) {
+    double sum = 0.0, height = 0.0, dx = 0.0, dy = 0.0, vx = 0.0, vy = 0.0, vz = 0.0; // of the longer cascades, weighted
+    for (uint32_t i = 0; i < a->flow->bands; i++) {
+        const bolan_bound_weights *w = &a->water->sea->shared->bound[i];
+        float keep[BOLAN_MAX_CASCADES] = {0.0f};
+        keep[i] = r->keep[i] * a->share[i];
+        flow_bend d;
+        flow_motion m;
+        bolan_flow_read(a->flow, &a->all, spot, r->x, r->y, keep, &d, &m);
+        sum += m.vz * (2.0 * w->height * m.height + height) + m.height * vz;
+        sum += m.vx * (2.0 * w->drift * d.dx + dx) + d.dx * vx + m.vy * (2.0 * w->drift * d.dy + dy) + d.dy * vy;
+        height += w->height_long * m.height, vz += w->height_long * m.vz;
+        dx += w->drift_long * d.dx, vx += w->drift_long * m.vx;
+        dy += w->drift_long * d.dy, vy += w->drift_long * m.vy;
+    }
+    return sum;
+}
+
 static void answer_motion(const asked *a, bolan_dvec2 p, sought *s, bolan_surface_motion *out) {
     rest r;
     *out = (bolan_surface_motion){.height = (float)a->water->level, .normal = {0.0f, 0.0f, 1.0f}};
@@ -226,8 +272,16 @@ static void answer_motion(const asked *a, bolan_dvec2 p, sought *s, bolan_surfac
     out->height = (float)(a->water->level + m.height);
     out->normal = normal_of(a, &r, &m);
     if (r.depth <= 0.0) return; // land
-    out->velocity = bolan_v3((float)m.vx + a->flow->current_x, (float)m.vy + a->flow->current_y, (float)m.vz);
-    out->acceleration = bolan_v3((float)m.ax, (float)m.ay, (float)m.az);
+    bolan_kinematics k;
+    if (a->bound) {
+        const bool stretched = a->question.stretching == BOLAN_STRETCH_WHEELER;
+        answer_second(a, p.x, p.y, stretched ? 0.0 : -m.height, stretched, &k);
+        m.vz += rate_of_bound_waves(a, &s->spot, &r);
+    } else {
+        set_kinematics(a, &m, &k);
+    }
+    out->velocity = k.velocity;
+    out->acceleration = k.acceleration;
     out->rise = (float)rise_of(a, &r.motion, m.vz, out->normal);
 }
 
@@ -306,6 +360,7 @@ static void ask(asked *a, const bolan_water *water, const bolan_question *questi
     a->bound = bolan_sea_get_desc(water->sea)->order > 1;
     if (a->bound) bolan_flow_shares(a->flow, a->smoothing, a->share);
     bolan_flow_depth(a->flow, 0.0, a->smoothing, &a->surface);
+    if (a->bound) bolan_flow_depth(a->flow, 0.0, 0.0, &a->all);
     bolan_query_prepare(water, &a->heights);
     a->filtered = a->smoothing > 0.0 || !a->heights.kernels->approach;
     if (count <= GRAIN_POINTS) {

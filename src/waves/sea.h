@@ -84,6 +84,7 @@ typedef struct sea_shared {
     uint32_t bands;
     sea_band band[BOLAN_MAX_CASCADES];
     bolan_bound_weights bound[BOLAN_MAX_CASCADES]; // of cascades; read with desc.order 2 alone
+    double bound_keep;                             // what they are lowered to: 1 where theory holds
     double lift;                                   // of all bands for a point, added to every height [m]
     double slope_ratio;                            // of the slope variance to k^2 times the variance: 1 for cosines
     double rest_slope[3];                          // slope covariance of the waves shorter than all those of the model

@@ -125,7 +125,7 @@ static double share(double sum, double of, double pairs) { return of > 0.0 ? 0.5
 static void limit_weights(sea_shared *shared, double kernel, double variance) {
     const double steep = kernel * sqrt(variance);
     if (!(steep > STEEPEST)) return;
-    const double keep = STEEPEST / steep;
+    const double keep = shared->bound_keep = STEEPEST / steep;
     for (uint32_t c = 0; c < shared->cascades; c++) {
         bolan_bound_weights *w = &shared->bound[c];
         w->height *= keep, w->drift *= keep, w->height_long *= keep, w->drift_long *= keep;
@@ -155,5 +155,6 @@ void bolan_cascades_bound(sea_shared *shared) {
                                                  .drift_long = share(shorter.drift, shorter.square, 1.0)};
         kernel += own.kernel + 2.0 * shorter.kernel;
     }
+    shared->bound_keep = 1.0;
     if (variance > 0.0) limit_weights(shared, kernel / (variance * variance), variance);
 }
