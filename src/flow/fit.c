@@ -100,7 +100,8 @@ static void set_node(flow_levels *levels, const problem *across, const problem *
 }
 
 static void set_depths(flow_levels *levels) {
-    const double first = FIRST_DEPTH / levels->k_high, last = LAST_DEPTH / levels->k_low, span = portable_log(last / first);
+    const double first = FIRST_DEPTH / levels->k_high, last = LAST_DEPTH / levels->k_low,
+                 span = portable_log(last / first);
     levels->depth[0] = 0.0;
     levels->depth[1] = first;
     levels->depth[2] = first * portable_exp(BETWEEN * span);

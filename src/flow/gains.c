@@ -15,8 +15,8 @@
 
 enum { DRAWS = 40000, BINS = 20, SIGNS = 2 };
 #define G BOLAN_GRAVITY
-#define RIDGE 0.02      // keeps the two gains alike where pairs do not tell them apart
-#define CLOSEST 0.02    // least 1 - W^2 / (g K tanh KH): the theory ends near resonance
+#define RIDGE 0.02   // keeps the two gains alike where pairs do not tell them apart
+#define CLOSEST 0.02 // least 1 - W^2 / (g K tanh KH): the theory ends near resonance
 
 // Sums over the pairs of one range of K. Gains here are in units of 1 / (g K tanh KH).
 typedef struct sums {
@@ -26,8 +26,8 @@ typedef struct sums {
 
 typedef struct fit {
     const flow_second *s;
-    double depth, unit;     // 2 pi / length
-    double *upto;           // energies of the waves up to each
+    double depth, unit; // 2 pi / length
+    double *upto;       // energies of the waves up to each
     sums bin[SIGNS][BINS];
     double gain[SIGNS][BINS][2];
 } fit;

@@ -28,7 +28,6 @@ static inline bolan_dvec2 place(const tile_frame *t, double x, double y) {
                          fraction(across_tile(x, y, t->cosine, t->sine) / t->length) * t->n};
 }
 
-
 static inline void add_turned(const tile_frame *t, double u, double v, double *x, double *y) {
     *x += u * t->cosine - v * t->sine;
     *y += u * t->sine + v * t->cosine;

@@ -7,10 +7,10 @@
 
 #define NEGLIGIBLE 1e-7f // of a weight: a level holds no more than some metres
 
-#define FLOW_DECLARE(set)                                                                      \
-    void bolan_flow_bends_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT]); \
+#define FLOW_DECLARE(set)                                                                                           \
+    void bolan_flow_bends_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT]);                      \
     void bolan_flow_whole_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT], float[3][FLOW_BENT]); \
-    void bolan_flow_full_##set(const float *, uint32_t, double, double, float[12][FLOW_BENT]);                    \
+    void bolan_flow_full_##set(const float *, uint32_t, double, double, float[12][FLOW_BENT]);                      \
     void bolan_flow_slopes_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT]);
 #define FLOW_ROW(set) \
     { bolan_flow_bends_##set, bolan_flow_whole_##set, bolan_flow_full_##set, bolan_flow_slopes_##set }
@@ -204,7 +204,8 @@ static void prefetch_texels(const flow_tile *t, bolan_dvec2 p) {
     const uint32_t mask = t->frame.n - 1, column = (uint32_t)p.x + mask, row = (uint32_t)p.y + mask;
     for (uint32_t j = 0; j < 4; j++)
         for (uint32_t i = 0; i < 4; i++)
-            __builtin_prefetch(t->texels + ((size_t)((row + j) & mask) * t->frame.n + ((column + i) & mask)) * FLOW_TEXEL);
+            __builtin_prefetch(t->texels +
+                               ((size_t)((row + j) & mask) * t->frame.n + ((column + i) & mask)) * FLOW_TEXEL);
 }
 
 static void read_tiles(const bolan_flow *flow, const flow_depth *at, bolan_dvec2 read, const float *weight,

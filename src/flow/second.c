@@ -18,14 +18,15 @@ static void add_wave(flow_second *s, const flow_mode *m, double re, double im, i
     const double tanh = portable_tanh(k * depth), bed = 1.0 / (tanh * tanh) - 1.0, omega = 2.0 * BOLAN_PI * m->turns;
     const double energy = 2.0 * (re * re + im * im);
     if (!(energy > 0.0)) return;
-    s->waves[s->wave_count++] = (second_wave){.turns = m->turns,
-                                              .re = (float)(2.0 * re),
-                                              .im = (float)(2.0 * im),
-                                              .omega = (float)omega,
-                                              .across = {(float)(unit * i / (k * tanh)), (float)(unit * j / (k * tanh))},
-                                              .bed = (float)(bed > LEAST_BED ? bed : 0.0),
-                                              .i = (int16_t)i,
-                                              .j = (int16_t)j};
+    s->waves[s->wave_count++] =
+        (second_wave){.turns = m->turns,
+                      .re = (float)(2.0 * re),
+                      .im = (float)(2.0 * im),
+                      .omega = (float)omega,
+                      .across = {(float)(unit * i / (k * tanh)), (float)(unit * j / (k * tanh))},
+                      .bed = (float)(bed > LEAST_BED ? bed : 0.0),
+                      .i = (int16_t)i,
+                      .j = (int16_t)j};
     s->head += 0.5 * omega * omega * bed * energy;
 }
 
@@ -168,9 +169,9 @@ enum { U, U1, U2, V, V1, V2, ETA, W, W1, W2, T, T1 };
 static const struct {
     kind what;
     int rate;
-} fields[SECOND_FIELDS] = {[U] = {EAST, 0},      [U1] = {EAST, 1},    [U2] = {EAST, 2},    [V] = {NORTH, 0},
-                           [V1] = {NORTH, 1},    [V2] = {NORTH, 2},   [ETA] = {SURFACE, 0}, [W] = {SURFACE, 1},
-                           [W1] = {SURFACE, 2},  [W2] = {SURFACE, 3}, [T] = {BED, 1},      [T1] = {BED, 2}};
+} fields[SECOND_FIELDS] = {[U] = {EAST, 0},     [U1] = {EAST, 1},    [U2] = {EAST, 2},     [V] = {NORTH, 0},
+                           [V1] = {NORTH, 1},   [V2] = {NORTH, 2},   [ETA] = {SURFACE, 0}, [W] = {SURFACE, 1},
+                           [W1] = {SURFACE, 2}, [W2] = {SURFACE, 3}, [T] = {BED, 1},       [T1] = {BED, 2}};
 
 static void evolve_waves(flow_second *second, double time) {
     for (uint32_t i = 0; i < second->wave_count; i++) {
@@ -233,9 +234,8 @@ static void multiply(const step *s, uint32_t strip, float *scratch) {
                 q[p + FFT_LANES] = -product(planes, p, W1, W, sign) - 0.5f * product(planes, p, ETA, T, sign);
                 rate[p] = -(product(planes, p, U2, U, sign) + product(planes, p, U1, U1, sign)) -
                           (product(planes, p, V2, V, sign) + product(planes, p, V1, V1, sign));
-                rate[p + FFT_LANES] =
-                    -(product(planes, p, W2, W, sign) + product(planes, p, W1, W1, sign)) -
-                    0.5f * (product(planes, p, W, T, sign) + product(planes, p, ETA, T1, sign));
+                rate[p + FFT_LANES] = -(product(planes, p, W2, W, sign) + product(planes, p, W1, W1, sign)) -
+                                      0.5f * (product(planes, p, W, T, sign) + product(planes, p, ETA, T1, sign));
             }
         }
     }

@@ -44,11 +44,11 @@ enum {
 // A wave that travels one way. With A = amplitude e^{-i w t} its velocity at z = 0 is w A (across, -i) and
 // g d2phi/dz2 + d3phi/dt2dz is -i w^3 bed A; `bed` is 0 in deep water.
 typedef struct second_wave {
-    double turns;              // w / 2 pi [1/s]
-    float re, im;              // amplitude: twice that of its mode [m]
-    float omega, across[2];    // [rad/s]; coth(kH) k / |k| along the tile's axes
-    float bed;                 // (k^2 - R^2) / R^2, R = k tanh kH
-    int16_t i, j;              // of the wave vector
+    double turns;           // w / 2 pi [1/s]
+    float re, im;           // amplitude: twice that of its mode [m]
+    float omega, across[2]; // [rad/s]; coth(kH) k / |k| along the tile's axes
+    float bed;              // (k^2 - R^2) / R^2, R = k tanh kH
+    int16_t i, j;           // of the wave vector
 } second_wave;
 
 // What becomes of the products at |i|, |j|.
@@ -63,10 +63,10 @@ struct flow_second {
     flow_levels half[SECOND_HALVES];
     uint32_t wave_count;
     second_wave *waves;
-    float (*evolved)[2];             // A of the waves
-    second_cell *cells;              // [SECOND_REACH + 1][SECOND_REACH + 1]
-    float *texels;                   // [SECOND_SIDE][SECOND_SIDE][FLOW_TEXEL]
-    double head;                     // mean that keeps the level, (1/2)(u^2 - w^2) at z = 0 [m2/s2]
+    float (*evolved)[2]; // A of the waves
+    second_cell *cells;  // [SECOND_REACH + 1][SECOND_REACH + 1]
+    float *texels;       // [SECOND_SIDE][SECOND_SIDE][FLOW_TEXEL]
+    double head;         // mean that keeps the level, (1/2)(u^2 - w^2) at z = 0 [m2/s2]
 };
 
 // Sets gain and level of the cells, and the levels of both halves, from the waves. `keep` is a factor on phi2.

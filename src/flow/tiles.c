@@ -82,8 +82,9 @@ static void bin_mode(void *context, const sea_mode *m) {
     g->energy[b] += energy;
     g->moment[b] += energy * k;
     g->tile->levels.bin[b].energy += energy;
-    g->tile->levels.bin[b].lift += g->choppiness * energy * k * k * m->inverse_k -
-                            energy * bolan_sea_bound_mean(g->bound, k * m->inverse_k); // as waves/cascades/lift.c
+    g->tile->levels.bin[b].lift +=
+        g->choppiness * energy * k * k * m->inverse_k -
+        energy * bolan_sea_bound_mean(g->bound, k * m->inverse_k); // as waves/cascades/lift.c
 }
 
 // Bins of motion, and the wave number below which there is next to none.
@@ -190,7 +191,9 @@ static bool add_tile(bolan_flow *flow, uint32_t band, gathering *g) {
     if (!bolan_fft_plan_create(t->frame.n, &t->plan)) return false;
     flow->tiles++; // from here on it is released with the flow
     t->modes = bolan_sea_reserve(&flow->memory, t->mode_count * (sizeof *t->modes + sizeof *t->evolved));
-    t->texels = t->modes ? bolan_sea_reserve(&flow->memory, (size_t)t->frame.n * t->frame.n * FLOW_TEXEL * sizeof(float)) : NULL;
+    t->texels = t->modes
+                    ? bolan_sea_reserve(&flow->memory, (size_t)t->frame.n * t->frame.n * FLOW_TEXEL * sizeof(float))
+                    : NULL;
     if (!t->texels) return false;
     t->evolved = (float(*)[6])(void *)(t->modes + t->mode_count);
     bolan_sea_each_mode(cascade, turn_mode, &(half_plane){g, add_mode});
@@ -213,7 +216,8 @@ bool bolan_flow_create_tiles(bolan_flow *flow, const bolan_sea *sea) {
     uint32_t largest = FFT_MIN;
     for (uint32_t i = 0; i < sea->shared->cascades; i++)
         if (!add_cascade(flow, sea->shared, i)) return false;
-    for (uint32_t i = 0; i < flow->tiles; i++) largest = flow->tile[i].frame.n > largest ? flow->tile[i].frame.n : largest;
+    for (uint32_t i = 0; i < flow->tiles; i++)
+        largest = flow->tile[i].frame.n > largest ? flow->tile[i].frame.n : largest;
     flow->transform = bolan_fft_strip_for(sea->shared->desc.cpu);
     flow->slots = bolan_threads();
     flow->scratch_floats = 2 * (size_t)largest * FFT_ROW;
@@ -346,7 +350,8 @@ static void do_columns(step *s, uint32_t strip, float *scratch) {
     s->flow->transform(&t->plan, scratch);
     for (uint32_t y = 0; y < t->frame.n; y++) {
         const float *row = scratch + (size_t)t->plan.order[y] * FFT_ROW;
-        float *out = t->texels + ((size_t)y * t->frame.n + (size_t)strip * FFT_LANES) * FLOW_TEXEL + 2 * (size_t)s->pair;
+        float *out =
+            t->texels + ((size_t)y * t->frame.n + (size_t)strip * FFT_LANES) * FLOW_TEXEL + 2 * (size_t)s->pair;
         for (uint32_t lane = 0; lane < FFT_LANES; lane++, out += FLOW_TEXEL) {
             out[0] = row[lane];
             out[1] = row[FFT_LANES + lane];

@@ -243,7 +243,8 @@ static double rise_of(const asked *a, const flow_motion *sea, double vz, bolan_v
 
 // Rate of the height of the bound waves at a rest point: that of their products (bolan_bound_weights).
 static double rate_of_bound_waves(const asked *a, const flow_spot *spot, const rest *r) {
-    double sum = 0.0, height = 0.0, dx = 0.0, dy = 0.0, vx = 0.0, vy = 0.0, vz = 0.0; // of the longer cascades, weighted
+    double sum = 0.0, height = 0.0, dx = 0.0, dy = 0.0, vx = 0.0, vy = 0.0,
+           vz = 0.0; // of the longer cascades, weighted
     for (uint32_t i = 0; i < a->flow->bands; i++) {
         const bolan_bound_weights *w = &a->water->sea->shared->bound[i];
         float keep[BOLAN_MAX_CASCADES] = {0.0f};
