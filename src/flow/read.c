@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#define NEGLIGIBLE 1e-7f // of a weight: a level holds no more than some metres
+#define NEGLIGIBLE 2e-5f // of a weight: a level holds no more than some metres
 
 #define FLOW_DECLARE(set)                                                                                           \
     void bolan_flow_bends_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT]);                      \

@@ -13,7 +13,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#define WIDE 7.3 // ratio of a band's ends beyond which four levels are not enough
+#define WIDE 8.2 // ratio of a band's ends beyond which four levels are not enough
 
 // ---- modes ----------------------------------------------------------------------------------------------------------
 
