@@ -7,12 +7,14 @@
 
 #define NEGLIGIBLE 2e-5f // of a weight: a level holds no more than some metres
 
-#define FLOW_DECLARE(set)                                                                                           \
-    void bolan_flow_bends_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT]);                      \
-    void bolan_flow_whole_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT], float[3][FLOW_BENT]); \
-    void bolan_flow_full_##set(const float *, uint32_t, double, double, float[12][FLOW_BENT]);                      \
+#define FLOW_DECLARE(set)                                                                             \
+    void bolan_flow_bends_##set(const float *, uint32_t, double, double, const flow_weights *, float, \
+                                float[FLOW_SUMS]);                                                    \
+    void bolan_flow_whole_##set(const float *, uint32_t, double, double, const flow_weights *, float, \
+                                float[FLOW_SUMS]);                                                    \
+    void bolan_flow_full_##set(const float *, uint32_t, double, double, float[12][FLOW_BENT]);        \
     void bolan_flow_slopes_##set(const float *, uint32_t, double, double, float[6][FLOW_BENT]);
-#define FLOW_ROW(set) \
+#define FLOW_SET(set) \
     { bolan_flow_bends_##set, bolan_flow_whole_##set, bolan_flow_full_##set, bolan_flow_slopes_##set }
 
 FLOW_DECLARE(scalar)
@@ -23,11 +25,11 @@ FLOW_DECLARE(avx512)
 #endif
 
 static const flow_kernels table[] = {
-    [BOLAN_CPU_SCALAR] = FLOW_ROW(scalar),
-    [BOLAN_CPU_GENERIC4] = FLOW_ROW(generic4),
+    [BOLAN_CPU_SCALAR] = FLOW_SET(scalar),
+    [BOLAN_CPU_GENERIC4] = FLOW_SET(generic4),
 #ifdef BOLAN_KERNELS_X86
-    [BOLAN_CPU_AVX2] = FLOW_ROW(avx2),
-    [BOLAN_CPU_AVX512] = FLOW_ROW(avx512),
+    [BOLAN_CPU_AVX2] = FLOW_SET(avx2),
+    [BOLAN_CPU_AVX512] = FLOW_SET(avx512),
 #endif
 };
 
@@ -82,6 +84,17 @@ static void add_depth(const flow_levels *t, double sea_depth, double d, double f
     add_weights(t, 2.0 * sea_depth - d + farther, share, -1.0f, out);
 }
 
+static void lay_out(flow_weights *w) {
+    for (int l = 0; l < FLOW_LEVELS; l++) {
+        w->across_row[FLOW_LEVELS + l] = w->across[l];
+        w->up_row[FLOW_LEVELS + l] = w->up[l];
+        w->across_deep[FLOW_LEVELS + l] = l > 0 ? w->across[l] : 0.0f;
+        w->up_deep[FLOW_LEVELS + l] = l > 0 ? w->up[l] : 0.0f;
+    }
+    w->across_top[FLOW_ZERO] = w->across[0];
+    w->up_top[FLOW_ZERO] = w->up[0];
+}
+
 void bolan_flow_weights(const flow_levels *t, double sea_depth, double d, double smoothing, flow_weights *out) {
     memset(out, 0, sizeof *out);
     if (smoothing > 0.0) {
@@ -93,6 +106,7 @@ void bolan_flow_weights(const flow_levels *t, double sea_depth, double d, double
     for (int l = 0; l < FLOW_LEVELS; l++) {
         if (fabsf(out->across[l]) > NEGLIGIBLE || fabsf(out->up[l]) > unit) out->used = true;
     }
+    if (out->used) lay_out(out);
 }
 
 void bolan_flow_depth(const bolan_flow *flow, double below, double smoothing, flow_depth *out) {
@@ -143,34 +157,26 @@ static void unwarp(const double g[4], flow_bend *b) {
     b->dyy = xy * g[1] + yy * g[3];
 }
 
-// `f` as flow_kernels.bends() has it.
-static void add_bend(const flow_tile *t, const flow_weights *w, double keep, float f[6][FLOW_BENT], flow_bend *out) {
-    const double per = t->frame.n / t->frame.length, c = t->frame.cosine, s = t->frame.sine;
-    const double u = keep * blend(w->across, per, f[1], f[0][FLOW_DRIFT]);
-    const double v = keep * blend(w->across, per, f[2], f[0][FLOW_DRIFT + 1]);
-    const double uu = keep * per * blend(w->across, per, f[3], f[1][FLOW_DRIFT]);
-    const double uv = keep * per * blend(w->across, per, f[4], f[2][FLOW_DRIFT]);
-    const double vv = keep * per * blend(w->across, per, f[5], f[2][FLOW_DRIFT + 1]);
-    add_turned(&t->frame, u, v, &out->dx, &out->dy);
+static void add_bend(const flow_tile *t, double keep, const float f[FLOW_SUMS], flow_bend *out) {
+    const double c = t->frame.cosine, s = t->frame.sine;
+    const double uu = keep * (double)f[FLOW_SUM_UU], uv = keep * (double)f[FLOW_SUM_UV];
+    const double vv = keep * (double)f[FLOW_SUM_VV];
+    add_turned(&t->frame, keep * (double)f[FLOW_SUM_U], keep * (double)f[FLOW_SUM_V], &out->dx, &out->dy);
     out->dxx += uu * c * c - 2.0 * uv * c * s + vv * s * s;
     out->dyy += uu * s * s + 2.0 * uv * c * s + vv * c * c;
     out->dxy += (uu - vv) * c * s + uv * (c * c - s * s);
 }
 
-// `f` and `g` as flow_kernels.whole() has them: the fields from FLOW_SPEED on are in g.
-static void add_motion(const flow_tile *t, const flow_weights *w, double keep, float f[6][FLOW_BENT],
-                       float g[3][FLOW_BENT], flow_motion *out) {
-    enum { RATE = FLOW_RATE - FLOW_SPEED };
-    const double per = t->frame.n / t->frame.length;
-    out->height += keep * weigh(w->up, f[0]);
-    add_turned(&t->frame, keep * blend(w->up, per, f[1], f[0][FLOW_DRIFT]),
-               keep * blend(w->up, per, f[2], f[0][FLOW_DRIFT + 1]), &out->slope_x, &out->slope_y);
-    add_turned(&t->frame, keep * per * weigh(w->across, g[1]), keep * per * weigh(w->across, g[2]), &out->vx, &out->vy);
-    out->vz += keep * weigh(w->up, g[0]);
-    add_turned(&t->frame, keep * blend(w->across, per, g[1] + RATE, f[0][FLOW_PUSH]),
-               keep * blend(w->across, per, g[2] + RATE, f[0][FLOW_PUSH + 1]), &out->ax, &out->ay);
-    out->az += keep * weigh(w->up, g[0] + RATE);
-    out->potential += keep * weigh(w->across, g[0] + RATE);
+static void add_motion(const flow_tile *t, double keep, const float f[FLOW_SUMS], flow_motion *out) {
+    const float *v = f + FLOW_SUM_VELOCITY, *a = f + FLOW_SUM_ACCELERATION;
+    out->height += keep * (double)f[FLOW_SUM_HEIGHT];
+    add_turned(&t->frame, keep * (double)f[FLOW_SUM_SLOPE_U], keep * (double)f[FLOW_SUM_SLOPE_V], &out->slope_x,
+               &out->slope_y);
+    add_turned(&t->frame, keep * (double)v[0], keep * (double)v[1], &out->vx, &out->vy);
+    out->vz += keep * (double)v[2];
+    add_turned(&t->frame, keep * (double)a[0], keep * (double)a[1], &out->ax, &out->ay);
+    out->az += keep * (double)a[2];
+    out->potential += keep * (double)f[FLOW_SUM_POTENTIAL];
 }
 
 static void scale_bend(flow_bend *b, double f) {
@@ -222,14 +228,15 @@ static void read_tiles(const bolan_flow *flow, const flow_depth *at, bolan_dvec2
         const flow_tile *t = &flow->tile[used[i]];
         const flow_weights *w = &at->weights[used[i]];
         const double keep = (double)weight[t->band];
-        float f[6][FLOW_BENT], g[3][FLOW_BENT];
+        const float per = (float)(t->frame.n / t->frame.length);
+        float f[FLOW_SUMS];
         if (motion) {
-            flow->kernels->whole(t->texels, t->frame.n, p[i].x, p[i].y, f, g);
-            add_motion(t, w, keep, f, g, motion);
+            flow->kernels->whole(t->texels, t->frame.n, p[i].x, p[i].y, w, per, f);
+            add_motion(t, keep, f, motion);
         } else {
-            flow->kernels->bends(t->texels, t->frame.n, p[i].x, p[i].y, f);
+            flow->kernels->bends(t->texels, t->frame.n, p[i].x, p[i].y, w, per, f);
         }
-        add_bend(t, w, keep, f, bend);
+        add_bend(t, keep, f, bend);
     }
 }
 

@@ -11,9 +11,10 @@ enum { TAPS = 4 };
 _Static_assert(FLOW_BENT == 8 && FLOW_TEXEL == 16, "a texel is two vectors");
 typedef float eight __attribute__((vector_size(32), aligned(4), may_alias));
 
-void KERNEL(bolan_flow_whole)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT],
-                              float rest[3][FLOW_BENT]);
-void KERNEL(bolan_flow_bends)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]);
+void KERNEL(bolan_flow_bends)(const float *texels, uint32_t n, double u, double v, const flow_weights *w, float per,
+                              float out[FLOW_SUMS]);
+void KERNEL(bolan_flow_whole)(const float *texels, uint32_t n, double u, double v, const flow_weights *w, float per,
+                              float out[FLOW_SUMS]);
 void KERNEL(bolan_flow_full)(const float *texels, uint32_t n, double u, double v, float out[12][FLOW_BENT]);
 void KERNEL(bolan_flow_slopes)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]);
 
@@ -64,8 +65,74 @@ static inline __attribute__((always_inline)) void add_bends(eight sum[3], const 
     sum[2] += y->bend[j] * a->value;
 }
 
-void KERNEL(bolan_flow_whole)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT],
-                              float rest[3][FLOW_BENT]) {
+// ---- sums over the levels -------------------------------------------------------------------------------------------
+
+#if defined __clang__ || __GNUC__ >= 12
+#define SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#else
+typedef int32_t eight_int __attribute__((vector_size(32)));
+#define SHUFFLE(a, b, ...) __builtin_shuffle(a, b, (eight_int){__VA_ARGS__})
+#endif
+
+// Macros: without AVX a function must not return such a vector.
+#define LOAD(p) (*(const eight *)(const void *)(p))
+#define LEVEL0(top, lane) LOAD((top) + FLOW_ZERO - (lane))
+#define PAIRS(a, b) (SHUFFLE(a, b, 0, 2, 8, 10, 4, 6, 12, 14) + SHUFFLE(a, b, 1, 3, 9, 11, 5, 7, 13, 15))
+
+// The sum of the lanes of each of eight vectors.
+static inline __attribute__((always_inline)) void sum_lanes(const eight v[8], float *out) {
+    eight four[4], two[2];
+    for (int i = 0; i < 4; i++) four[i] = PAIRS(v[2 * i], v[2 * i + 1]);
+    for (int i = 0; i < 2; i++) two[i] = PAIRS(four[2 * i], four[2 * i + 1]);
+    *(eight *)(void *)out =
+        SHUFFLE(two[0], two[1], 0, 1, 2, 3, 8, 9, 10, 11) + SHUFFLE(two[0], two[1], 4, 5, 6, 7, 12, 13, 14, 15);
+}
+
+// FLOW_SUM_U .. FLOW_SUM_SLOPE_V from the first half of a texel: value, gradient, second derivatives. A derivative is
+// the stored field at level 0, and that of the spline, `per` samples a metre, at the others.
+static inline __attribute__((always_inline)) void sum_bends(const eight s[6], const flow_weights *w, float per,
+                                                            bool all, float *out) {
+    const eight deep = LOAD(w->across_deep + FLOW_LOW) * per;
+    const eight u = LEVEL0(w->across_top, FLOW_DRIFT), v = LEVEL0(w->across_top, FLOW_DRIFT + 1);
+    eight sum[8] = {s[1] * deep + s[0] * u, s[2] * deep + s[0] * v, (s[3] * deep + s[1] * u) * per,
+                    (s[4] * deep + s[2] * u) * per, (s[5] * deep + s[2] * v) * per};
+    if (all) {
+        const eight up = LOAD(w->up_deep + FLOW_LOW) * per;
+        sum[5] = s[0] * LOAD(w->up_row + FLOW_LOW);
+        sum[6] = s[1] * up + s[0] * LEVEL0(w->up_top, FLOW_DRIFT);
+        sum[7] = s[2] * up + s[0] * LEVEL0(w->up_top, FLOW_DRIFT + 1);
+    }
+    sum_lanes(sum, out);
+}
+
+// The others, `r` value and gradient of the second half.
+static inline __attribute__((always_inline)) void sum_motions(const eight s[6], const eight r[3], const flow_weights *w,
+                                                              float per, float *out) {
+    const eight across = LOAD(w->across_row + FLOW_LOW) * per, deep = LOAD(w->across_deep + FLOW_HIGH) * per;
+    const eight sum[8] = {r[1] * across,
+                          r[2] * across,
+                          r[0] * LOAD(w->up_row + FLOW_LOW),
+                          r[1] * deep + s[0] * LEVEL0(w->across_top, FLOW_PUSH),
+                          r[2] * deep + s[0] * LEVEL0(w->across_top, FLOW_PUSH + 1),
+                          r[0] * LOAD(w->up_row + FLOW_HIGH),
+                          r[0] * LOAD(w->across_row + FLOW_HIGH)};
+    sum_lanes(sum, out);
+}
+
+void KERNEL(bolan_flow_bends)(const float *texels, uint32_t n, double u, double v, const flow_weights *w, float per,
+                              float out[FLOW_SUMS]) {
+    const taps x = taps_of(u, n), y = taps_of(v, n);
+    eight sum[6] = {{0}};
+    for (int j = 0; j < TAPS; j++) {
+        const along here = along_row(texels + (size_t)y.at[j] * n * FLOW_TEXEL, &x, 0);
+        add_slopes(sum, &y, j, &here);
+        add_bends(sum + 3, &y, j, &here);
+    }
+    sum_bends(sum, w, per, false, out);
+}
+
+void KERNEL(bolan_flow_whole)(const float *texels, uint32_t n, double u, double v, const flow_weights *w, float per,
+                              float out[FLOW_SUMS]) {
     const taps x = taps_of(u, n), y = taps_of(v, n);
     eight sum[6] = {{0}}, other[3] = {{0}};
     for (int j = 0; j < TAPS; j++) {
@@ -75,20 +142,11 @@ void KERNEL(bolan_flow_whole)(const float *texels, uint32_t n, double u, double 
         add_bends(sum + 3, &y, j, &here);
         add_slopes(other, &y, j, &there);
     }
-    for (int i = 0; i < 6; i++) *(eight *)(void *)bend[i] = sum[i];
-    for (int i = 0; i < 3; i++) *(eight *)(void *)rest[i] = other[i];
+    sum_bends(sum, w, per, true, out);
+    sum_motions(sum, other, w, per, out + FLOW_SUM_VELOCITY);
 }
 
-void KERNEL(bolan_flow_bends)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]) {
-    const taps x = taps_of(u, n), y = taps_of(v, n);
-    eight sum[6] = {{0}};
-    for (int j = 0; j < TAPS; j++) {
-        const along here = along_row(texels + (size_t)y.at[j] * n * FLOW_TEXEL, &x, 0);
-        add_slopes(sum, &y, j, &here);
-        add_bends(sum + 3, &y, j, &here);
-    }
-    for (int i = 0; i < 6; i++) *(eight *)(void *)out[i] = sum[i];
-}
+// ---- order 2 --------------------------------------------------------------------------------------------------------
 
 void KERNEL(bolan_flow_full)(const float *texels, uint32_t n, double u, double v, float out[12][FLOW_BENT]) {
     const taps x = taps_of(u, n), y = taps_of(v, n);

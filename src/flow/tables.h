@@ -41,9 +41,13 @@ enum {
     FLOW_MAX_TILES = 2 * BOLAN_MAX_CASCADES, // a cascade of a wide band is two
 };
 
-// Weights of the levels.
+// Weights of the levels. Each row lies among zeros, so that a load of eight lanes has it in its lower half, its upper
+// half, or level 0 in any lane.
+enum { FLOW_LOW = FLOW_LEVELS, FLOW_HIGH = 0, FLOW_ROW = 3 * FLOW_LEVELS, FLOW_ZERO = 7, FLOW_TOP = 2 * FLOW_ZERO + 1 };
 typedef struct flow_weights {
     float across[FLOW_LEVELS], up[FLOW_LEVELS];
+    float across_row[FLOW_ROW], across_deep[FLOW_ROW], across_top[FLOW_TOP]; // all levels; without level 0; level 0
+    float up_row[FLOW_ROW], up_deep[FLOW_ROW], up_top[FLOW_TOP];
     bool used; // some weight is not negligible
 } flow_weights;
 
@@ -109,13 +113,31 @@ typedef struct flow_wave {
 // The potential of second order of a cascade: second.h.
 typedef struct flow_second flow_second;
 
+// What kernels make of a tile: sums over its levels, along its axes.
+enum {
+    FLOW_SUM_U, // displacement
+    FLOW_SUM_V,
+    FLOW_SUM_UU, // its gradient
+    FLOW_SUM_UV,
+    FLOW_SUM_VV,
+    FLOW_SUM_HEIGHT, // vertical displacement and its gradient
+    FLOW_SUM_SLOPE_U,
+    FLOW_SUM_SLOPE_V,
+    FLOW_SUM_VELOCITY, // u, v, vertical
+    FLOW_SUM_ACCELERATION = FLOW_SUM_VELOCITY + 3,
+    FLOW_SUM_POTENTIAL = FLOW_SUM_ACCELERATION + 3,
+    FLOW_SUMS = 16,
+};
+
 typedef struct flow_kernels {
-    // Value, gradient u, v and second derivatives uu, uv, vv of the first FLOW_BENT fields of a texel, per cell.
-    void (*bends)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT]);
-    // The same, and value and gradient of the other fields.
-    void (*whole)(const float *texels, uint32_t n, double u, double v, float bend[6][FLOW_BENT],
-                  float rest[3][FLOW_BENT]);
-    // Of a sea of order 2. The six of bends() for the first half of a texel, then for the second.
+    // The displacement and its gradient at (u, v), in samples, `per` of which are a metre.
+    void (*bends)(const float *texels, uint32_t n, double u, double v, const flow_weights *w, float per,
+                  float out[FLOW_SUMS]);
+    // Everything.
+    void (*whole)(const float *texels, uint32_t n, double u, double v, const flow_weights *w, float per,
+                  float out[FLOW_SUMS]);
+    // Of a sea of order 2. Value, gradient u, v and second derivatives uu, uv, vv by samples of the first half of a
+    // texel, then of the second.
     void (*full)(const float *texels, uint32_t n, double u, double v, float out[12][FLOW_BENT]);
     // Value and gradient of the first half, then of the second.
     void (*slopes)(const float *texels, uint32_t n, double u, double v, float out[6][FLOW_BENT]);
