@@ -5,7 +5,8 @@
 
 #include <string.h>
 
-#define NEGLIGIBLE 2e-5f // of a weight: a level holds no more than some metres
+#define NEGLIGIBLE 2e-5f // of a weight, as a share of what the surface has
+#define DEAD 14.0        // k d beyond which e^{-kd} is less than that
 
 #define FLOW_DECLARE(set)                                                                             \
     void bolan_flow_bends_##set(const float *, uint32_t, double, double, const flow_weights *, float, \
@@ -97,6 +98,7 @@ static void lay_out(flow_weights *w) {
 
 void bolan_flow_weights(const flow_levels *t, double sea_depth, double d, double smoothing, flow_weights *out) {
     memset(out, 0, sizeof *out);
+    if (d * t->k_low > DEAD) return;
     if (smoothing > 0.0) {
         for (int i = 0; i < FLOW_ORDER; i++) add_depth(t, sea_depth, d, (i + 1) * smoothing, (float)binomial[i], out);
     } else {

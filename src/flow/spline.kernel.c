@@ -36,33 +36,70 @@ static inline taps taps_of(double x, uint32_t n) {
     return t;
 }
 
-// Half a texel through one row: value, first and second derivative along it.
-typedef struct along {
-    eight value, slope, bend;
-} along;
-
-static inline __attribute__((always_inline)) along along_row(const float *row, const taps *x, int half) {
-    along a = {{0}, {0}, {0}};
-    for (int i = 0; i < TAPS; i++) {
-        const eight texel = ((const eight *)(const void *)(row + (size_t)x->at[i] * FLOW_TEXEL))[half];
-        a.value += x->value[i] * texel;
-        a.slope += x->slope[i] * texel;
-        a.bend += x->bend[i] * texel;
+// Lanes through one row: value, first and second derivative along it. PART is eight or sixteen lanes, those of half a
+// texel or of all of it; the bits of a lane are the same.
+#define SPLINE_OF(part, name)                                                                                         \
+    typedef struct name##_along {                                                                                     \
+        part value, slope, bend;                                                                                      \
+    } name##_along;                                                                                                   \
+    static inline __attribute__((always_inline)) void name##_row(const float *row, const taps *x, name##_along *a) {  \
+        const part first = *(const part *)(const void *)(row + (size_t)x->at[0] * FLOW_TEXEL);                        \
+        a->value = x->value[0] * first;                                                                               \
+        a->slope = x->slope[0] * first;                                                                               \
+        a->bend = x->bend[0] * first;                                                                                 \
+        for (int i = 1; i < TAPS; i++) {                                                                              \
+            const part texel = *(const part *)(const void *)(row + (size_t)x->at[i] * FLOW_TEXEL);                    \
+            a->value += x->value[i] * texel;                                                                          \
+            a->slope += x->slope[i] * texel;                                                                          \
+            a->bend += x->bend[i] * texel;                                                                            \
+        }                                                                                                             \
+    }                                                                                                                 \
+    /* Adds row j to value and first derivatives, and to the second derivatives behind them. */                       \
+    static inline                                                                                                     \
+        __attribute__((always_inline)) void name##_slopes(part sum[3], const taps *y, int j, const name##_along *a) { \
+        sum[0] += y->value[j] * a->value;                                                                             \
+        sum[1] += y->value[j] * a->slope;                                                                             \
+        sum[2] += y->slope[j] * a->value;                                                                             \
+    }                                                                                                                 \
+    static inline                                                                                                     \
+        __attribute__((always_inline)) void name##_bends(part sum[3], const taps *y, int j, const name##_along *a) {  \
+        sum[0] += y->value[j] * a->bend;                                                                              \
+        sum[1] += y->slope[j] * a->slope;                                                                             \
+        sum[2] += y->bend[j] * a->value;                                                                              \
     }
-    return a;
-}
+SPLINE_OF(eight, half)
+#ifdef __AVX512F__
+typedef float sixteen __attribute__((vector_size(64), aligned(4), may_alias));
+SPLINE_OF(sixteen, texel)
+#endif
 
-// Adds row j to value and first derivatives, and to the second derivatives behind them.
-static inline __attribute__((always_inline)) void add_slopes(eight sum[3], const taps *y, int j, const along *a) {
-    sum[0] += y->value[j] * a->value;
-    sum[1] += y->value[j] * a->slope;
-    sum[2] += y->slope[j] * a->value;
-}
-
-static inline __attribute__((always_inline)) void add_bends(eight sum[3], const taps *y, int j, const along *a) {
-    sum[0] += y->value[j] * a->bend;
-    sum[1] += y->slope[j] * a->slope;
-    sum[2] += y->bend[j] * a->value;
+// Value, gradient and second derivatives of the first half of a texel, value and gradient of the second.
+static inline __attribute__((always_inline)) void spline_both(const float *texels, uint32_t n, double u, double v,
+                                                              eight first[6], eight second[3]) {
+    const taps x = taps_of(u, n), y = taps_of(v, n);
+#ifdef __AVX512F__
+    sixteen sum[6] = {{0}};
+    for (int j = 0; j < TAPS; j++) {
+        texel_along here;
+        texel_row(texels + (size_t)y.at[j] * n * FLOW_TEXEL, &x, &here);
+        texel_slopes(sum, &y, j, &here);
+        texel_bends(sum + 3, &y, j, &here);
+    }
+    for (int i = 0; i < 6; i++) first[i] = ((const eight *)(const void *)&sum[i])[0];
+    for (int i = 0; i < 3; i++) second[i] = ((const eight *)(const void *)&sum[i])[1];
+#else
+    for (int i = 0; i < 6; i++) first[i] = (eight){0};
+    for (int i = 0; i < 3; i++) second[i] = (eight){0};
+    for (int j = 0; j < TAPS; j++) {
+        const float *row = texels + (size_t)y.at[j] * n * FLOW_TEXEL;
+        half_along here, there;
+        half_row(row, &x, &here);
+        half_row(row + FLOW_BENT, &x, &there);
+        half_slopes(first, &y, j, &here);
+        half_bends(first + 3, &y, j, &here);
+        half_slopes(second, &y, j, &there);
+    }
+#endif
 }
 
 // ---- sums over the levels -------------------------------------------------------------------------------------------
@@ -124,24 +161,18 @@ void KERNEL(bolan_flow_bends)(const float *texels, uint32_t n, double u, double 
     const taps x = taps_of(u, n), y = taps_of(v, n);
     eight sum[6] = {{0}};
     for (int j = 0; j < TAPS; j++) {
-        const along here = along_row(texels + (size_t)y.at[j] * n * FLOW_TEXEL, &x, 0);
-        add_slopes(sum, &y, j, &here);
-        add_bends(sum + 3, &y, j, &here);
+        half_along here;
+        half_row(texels + (size_t)y.at[j] * n * FLOW_TEXEL, &x, &here);
+        half_slopes(sum, &y, j, &here);
+        half_bends(sum + 3, &y, j, &here);
     }
     sum_bends(sum, w, per, false, out);
 }
 
 void KERNEL(bolan_flow_whole)(const float *texels, uint32_t n, double u, double v, const flow_weights *w, float per,
                               float out[FLOW_SUMS]) {
-    const taps x = taps_of(u, n), y = taps_of(v, n);
-    eight sum[6] = {{0}}, other[3] = {{0}};
-    for (int j = 0; j < TAPS; j++) {
-        const float *row = texels + (size_t)y.at[j] * n * FLOW_TEXEL;
-        const along here = along_row(row, &x, 0), there = along_row(row, &x, 1);
-        add_slopes(sum, &y, j, &here);
-        add_bends(sum + 3, &y, j, &here);
-        add_slopes(other, &y, j, &there);
-    }
+    eight sum[6], other[3];
+    spline_both(texels, n, u, v, sum, other);
     sum_bends(sum, w, per, true, out);
     sum_motions(sum, other, w, per, out + FLOW_SUM_VELOCITY);
 }
@@ -154,9 +185,10 @@ void KERNEL(bolan_flow_full)(const float *texels, uint32_t n, double u, double v
     for (int j = 0; j < TAPS; j++) {
         const float *row = texels + (size_t)y.at[j] * n * FLOW_TEXEL;
         for (int half = 0; half < 2; half++) {
-            const along here = along_row(row, &x, half);
-            add_slopes(sum + 6 * half, &y, j, &here);
-            add_bends(sum + 6 * half + 3, &y, j, &here);
+            half_along here;
+            half_row(row + half * FLOW_BENT, &x, &here);
+            half_slopes(sum + 6 * half, &y, j, &here);
+            half_bends(sum + 6 * half + 3, &y, j, &here);
         }
     }
     for (int i = 0; i < 12; i++) *(eight *)(void *)out[i] = sum[i];
@@ -168,8 +200,9 @@ void KERNEL(bolan_flow_slopes)(const float *texels, uint32_t n, double u, double
     for (int j = 0; j < TAPS; j++) {
         const float *row = texels + (size_t)y.at[j] * n * FLOW_TEXEL;
         for (int half = 0; half < 2; half++) {
-            const along here = along_row(row, &x, half);
-            add_slopes(sum + 3 * half, &y, j, &here);
+            half_along here;
+            half_row(row + half * FLOW_BENT, &x, &here);
+            half_slopes(sum + 3 * half, &y, j, &here);
         }
     }
     for (int i = 0; i < 6; i++) *(eight *)(void *)out[i] = sum[i];
