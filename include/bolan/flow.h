@@ -18,10 +18,25 @@
 /// pressure is below 1 % of their root mean square at the surface, at every depth (tests/physics/test_below.c). A sum
 /// of waves is summed wave by wave.
 ///
+/// **Order 2.** The flow of a sea of order 2 (bolan_sea_desc.order) has the potentials that belong to its bound waves,
+/// those of Sharma & Dean (1981), in any depth. Waves of a cascade make Q = -d/dt |u|^2 - eta d/dz (g phi_z + phi_tt) at
+/// z = 0; its sums and differences, of wave vector K and frequency W, make phi2 = Q / (g K tanh KH - W^2), with cosh
+/// K(H + z) below. The products are exact; the divisor is a least squares fit over the pairs of waves of each K. Short
+/// cascades are read where the longer ones have carried them, which is what theory has for waves of very different
+/// length, and holds where its expansion fails. Velocity is grad phi, acceleration its rate for the parcel, -grad of
+/// pressure / density, and pressure / density -phi_t - |grad phi|^2 / 2.
+/// The mean velocity at a fixed point is 0: parcels drift (Stokes), and water returns under the groups of waves. The
+/// mean of the dynamic pressure is -density times that of the square of the vertical velocity.
+/// Against the sum over all pairs, for waves of Hs 3 m and 8 s in 30 m of water and deeper, the error is below 1 % of
+/// the values of first order at the surface, at every depth, and below 18 % of the velocity that order 2 adds there; in
+/// 12 m of water it is 2 % (tests/physics/test_below_second.c). A cascade of less than 0.2 % of the velocity has none,
+/// and waves and pairs of indices beyond 42 of a cascade are left out.
+///
 /// **Memory and time.** A sample takes 64 bytes. The last cascade has twice as many samples a side, because its
 /// shortest waves span few samples: four cascades of 256 take 36 MB, and bolan_flow_size() returns the exact figure. A
 /// step costs several steps of the sea. A question costs most at the surface, where every cascade is read, and least at
-/// depths where only long waves are left.
+/// depths where only long waves are left. With order 2 each cascade takes 2 to 3 MB more, a step 28 complex FFTs of 128 x
+/// 128 a cascade, half as long again in all, and a question three to seven times as long. Order 1 pays nothing.
 #ifndef BOLAN_FLOW_H
 #define BOLAN_FLOW_H
 

@@ -54,7 +54,8 @@ BOLAN_API void bolan_query_heights(const bolan_water *water, const bolan_dvec2 *
 /// At which depth the waves of linear theory are taken for a point at height z over the mean level, under a surface at
 /// height eta over it. Linear theory ends at the mean level; H is the depth of the sea.
 typedef enum bolan_stretching {
-    /// At z; above the mean level at the mean level, so that the flow is constant up to the crest.
+    /// At z; above the mean level at the mean level, so that the flow is constant up to the crest. With a sea of order 2
+    /// along the tangent instead.
     BOLAN_STRETCH_NONE,
     /// At H (z - eta) / (H + eta): the surface is where linear theory has the mean level (Wheeler 1970).
     BOLAN_STRETCH_WHEELER,
@@ -73,12 +74,13 @@ typedef struct bolan_question {
 /// The defaults named above the fields. Thread-safe.
 BOLAN_API bolan_question bolan_question_default(void);
 
-/// The water at one world point, over the ground. Velocity and acceleration are those of linear theory whatever the
-/// choppiness, which moves parcels in place only.
+/// The water at one world point, over the ground.
+/// With a sea of order 1 these are the values of linear theory whatever the choppiness, which moves parcels in place
+/// only. With a sea of order 2 they are those of second-order theory, of which flow.h has the equations.
 typedef struct bolan_kinematics {
     /// Orbital velocity of the waves, and the current of the sea [m/s].
     bolan_vec3 velocity;
-    /// [m/s2]
+    /// Of the parcel that is at the point [m/s2]: with order 2 it includes (velocity . grad) velocity.
     bolan_vec3 acceleration;
     /// Dynamic pressure [Pa]: what the waves add to the hydrostatic pressure of still water, density g (level - z) for
     /// water of BOLAN_SEA_WATER_DENSITY. Both together are 0 at the surface; a gauge of depth measures both.
@@ -88,11 +90,15 @@ typedef struct bolan_kinematics {
 } bolan_kinematics;
 /// The water at @p count world points @p xyz [m].
 ///
-/// A parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is by the question's
+/// With a sea of order 1 a parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is by the question's
 /// stretching. Below the surface folds are not searched: where the water folds the answer belongs to one of the
 /// parcels. A point is wet up to a millimetre above the surface, and above the ground of the water. The surface is that
 /// of bolan_query_heights(), or with a least wavelength that of bolan_query_motion().
-/// Waves are attenuated over the ground as for bolan_query_surface().
+/// With a sea of order 2 the point itself is asked, of waves that longer waves have carried there (flow.h). Without
+/// stretching the flow above the mean level is continued along the tangent there, so that the velocity at the surface
+/// is that of the surface, and the pressure there is 0, to second order. With stretching the heights of long waves do
+/// not carry short ones.
+/// Waves are attenuated over the ground as for bolan_query_surface(); what pairs of waves make, with the square.
 /// Wave layers are added, by linear theory with their own period and depth; the gradient of their edges is ignored.
 ///
 /// @p water needs a flow at the time of its sea: water->flow, bolan_flow_step(). A water without a flow is misuse.
@@ -101,6 +107,13 @@ typedef struct bolan_kinematics {
 /// Thread-safe between steps of sea and flow.
 BOLAN_API void bolan_query_below(const bolan_water *water, const bolan_question *question, const bolan_dvec3 *xyz,
                                  uint32_t count, bolan_kinematics *out);
+
+/// The water at a list of levels under the same places: @p count places @p xy [m] at @p levels heights @p z [m above
+/// the datum], in any order. Writes place i at level l to out[l * count + i].
+/// Each answer is that of bolan_query_below() at (x, y, z), bit for bit; the surface over a place is looked for once.
+/// Otherwise like bolan_query_below().
+BOLAN_API void bolan_query_levels(const bolan_water *water, const bolan_question *question, const bolan_dvec2 *xy,
+                                  uint32_t count, const double *z, uint32_t levels, bolan_kinematics *out);
 
 /// The surface and its motion at one world point.
 typedef struct bolan_surface_motion {

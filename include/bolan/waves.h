@@ -33,7 +33,8 @@
 /// **Order.** With desc.order 2 parcels stand higher by the bound waves, sums of products of the cascades' heights and
 /// displacements with weights that the depth and the spectrum fix: bolan_bound_weights. The third moment of the surface
 /// is then that of second-order theory for the sea's spectrum. Heights and slopes of samples, queries and images
-/// include them; the cascades' fields, Jacobians, foam and the flow below the surface are of first order.
+/// include them, and the flow below the surface has their potentials (flow.h). The cascades' fields, Jacobians and foam
+/// are of first order.
 ///
 /// **Limits.** A sea state that is too high for its depth or too steep is lowered as a whole, with one warning
 /// (SEA_LIMITED): bolan_sea_state_limit() has the rules. Queries never return waves that no water can carry.

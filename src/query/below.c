@@ -36,6 +36,8 @@ typedef struct asked {
     // One of two questions.
     const bolan_dvec3 *xyz;
     bolan_kinematics *below;
+    const double *z; // of levels, where columns are asked
+    uint32_t levels, columns;
     const bolan_dvec2 *xy;
     bolan_surface_motion *motion;
 } asked;
@@ -306,18 +308,39 @@ static void seek(const asked *a, const bolan_dvec2 *xy, const bool *known, uint3
     }
 }
 
+static bool is_near_surface(const asked *a, double z) {
+    return a->question.stretching == BOLAN_STRETCH_WHEELER || fabs(z - a->water->level) <= a->highest + WET_MARGIN;
+}
+
 static void answer_batch_below(const asked *a, uint32_t first, uint32_t count, flow_depth *at) {
-    const bool stretched = a->question.stretching == BOLAN_STRETCH_WHEELER;
     bolan_dvec2 xy[BATCH];
     bool known[BATCH];
     sought s[BATCH];
     for (uint32_t i = 0; i < count; i++) {
         const bolan_dvec3 p = a->xyz[first + i];
         xy[i] = (bolan_dvec2){p.x, p.y};
-        known[i] = stretched || fabs(p.z - a->water->level) <= a->highest + WET_MARGIN;
+        known[i] = is_near_surface(a, p.z);
     }
     seek(a, xy, known, count, s);
     for (uint32_t i = 0; i < count; i++) answer_below(a, a->xyz[first + i], &s[i], at, &a->below[first + i]);
+}
+
+// Level by level, so that the weights of a depth are made once.
+static void answer_batch_columns(const asked *a, uint32_t first, uint32_t count, flow_depth *at) {
+    bool known[BATCH], any = false;
+    sought s[BATCH];
+    for (uint32_t l = 0; l < a->levels; l++) any |= is_near_surface(a, a->z[l]);
+    for (uint32_t i = 0; i < count; i++) known[i] = any;
+    seek(a, a->xy + first, known, count, s);
+    for (uint32_t l = 0; l < a->levels; l++) {
+        bolan_kinematics *out = a->below + (size_t)l * a->columns + first;
+        for (uint32_t i = 0; i < count; i++) {
+            sought one = s[i];
+            one.is_known = one.is_known && is_near_surface(a, a->z[l]);
+            if (!one.is_known) one.near = a->xy[first + i];
+            answer_below(a, (bolan_dvec3){a->xy[first + i].x, a->xy[first + i].y, a->z[l]}, &one, at, &out[i]);
+        }
+    }
 }
 
 static void answer_batch_motion(const asked *a, uint32_t first, uint32_t count) {
@@ -335,7 +358,9 @@ static void answer_points(void *context, uint32_t begin, uint32_t end, uint32_t 
     flow_depth at = a->surface;
     for (uint32_t first = begin; first < end; first += BATCH) {
         const uint32_t count = end - first < BATCH ? end - first : BATCH;
-        if (a->below) {
+        if (a->z) {
+            answer_batch_columns(a, first, count, &at);
+        } else if (a->below) {
             answer_batch_below(a, first, count, &at);
         } else {
             answer_batch_motion(a, first, count);
@@ -377,6 +402,15 @@ void bolan_query_below(const bolan_water *water, const bolan_question *question,
     BOLAN_ASSERT(valid);
     if (!valid) return;
     asked a = {.xyz = xyz, .below = out};
+    ask(&a, water, question, count);
+}
+
+void bolan_query_levels(const bolan_water *water, const bolan_question *question, const bolan_dvec2 *xy, uint32_t count,
+                        const double *z, uint32_t levels, bolan_kinematics *out) {
+    const bool valid = is_answerable(water, question) && (count == 0 || levels == 0 || (xy && z && out));
+    BOLAN_ASSERT(valid);
+    if (!valid || count == 0 || levels == 0) return;
+    asked a = {.xy = xy, .columns = count, .z = z, .levels = levels, .below = out};
     ask(&a, water, question, count);
 }
 

@@ -607,6 +607,45 @@ static void check_batch(uint32_t order) {
     bolan_sea_destroy(&sea);
 }
 
+// Levels in any order, above the surface and deep below it, are the points one by one.
+static void check_levels(uint32_t order) {
+    enum { PLACES_ASKED = 150, LEVELS = 5 };
+    static const double z[LEVELS] = {2.5, -30.0, 3.2, 15.0, 0.0};
+    static bolan_dvec2 xy[PLACES_ASKED];
+    static bolan_kinematics all[LEVELS * PLACES_ASKED];
+    bolan_sea_desc d = wind_desc();
+    d.order = order;
+    bolan_sea *sea = test_sea(d);
+    bolan_sea_step(sea, 11.0);
+    bolan_flow *flow = test_flow(sea);
+    const bolan_water water = {.sea = sea, .flow = flow, .level = 3.0};
+    int wet = 0;
+    for (int i = 0; i < PLACES_ASKED; i++) xy[i] = (bolan_dvec2){17.3 * i, 3.1 * (i % 13)};
+    for (int q = 0; q < 2; q++) {
+        const bolan_question question = {.stretching = q ? BOLAN_STRETCH_WHEELER : BOLAN_STRETCH_NONE};
+        bolan_query_levels(&water, &question, xy, PLACES_ASKED, z, LEVELS, all);
+        for (int p = 0; p < LEVELS * PLACES_ASKED; p++) {
+            const bolan_dvec2 at = xy[p % PLACES_ASKED];
+            bolan_kinematics one;
+            bolan_query_below(&water, &question, &(bolan_dvec3){at.x, at.y, z[p / PLACES_ASKED]}, 1, &one);
+            assert_memory_equal(&one.velocity, &all[p].velocity, sizeof one.velocity);
+            assert_memory_equal(&one.acceleration, &all[p].acceleration, sizeof one.acceleration);
+            assert_true(one.wet == all[p].wet && one.pressure == all[p].pressure);
+            wet += one.wet;
+        }
+    }
+    assert_true(wet > 4 * PLACES_ASKED && wet < 9 * PLACES_ASKED);
+    bolan_query_levels(&water, NULL, NULL, 0, NULL, 0, NULL);
+    bolan_flow_destroy(&flow);
+    bolan_sea_destroy(&sea);
+}
+
+static void levels_are_their_points(void **state) {
+    (void)state;
+    check_levels(1);
+    check_levels(2);
+}
+
 static void a_batch_is_its_points(void **state) {
     (void)state;
     check_batch(1);
@@ -621,5 +660,6 @@ RUN_TESTS(cmocka_unit_test(one_wave_is_that_of_the_textbook), cmocka_unit_test(s
           cmocka_unit_test(the_surface_is_that_of_the_query), cmocka_unit_test(a_layer_adds_its_own_flow),
           cmocka_unit_test(a_bed_attenuates_and_is_dry),
           cmocka_unit_test(answers_do_not_depend_on_threads_and_instruction_set),
-          cmocka_unit_test(a_batch_is_its_points), cmocka_unit_test(a_step_and_a_question_allocate_nothing),
+          cmocka_unit_test(levels_are_their_points), cmocka_unit_test(a_batch_is_its_points),
+          cmocka_unit_test(a_step_and_a_question_allocate_nothing),
           cmocka_unit_test(a_water_without_the_flow_of_its_time_is_misuse))

@@ -62,6 +62,18 @@ class Questions:
         return self._ask(lib.bolan_query_below, kind, 3, xyz, out, _arrays.dtype_of(kind),
                          (_question(least_wavelength, stretching),), moving=True)
 
+    @documented("bolan_query_levels")
+    def levels(self, xy, z, least_wavelength: float = 0.0, stretching: str = "none",
+               out: Optional[numpy.ndarray] = None) -> numpy.ndarray:
+        """The water at every height z [m] under every place xy, (n, 2) float64: like below(), of shape (levels, n)."""
+        xy, z = _arrays.read(xy, "f8", (None, 2), "xy"), _arrays.read(z, "f8", (None,), "z")
+        out = _arrays.written(out, _arrays.dtype_of("bolan_kinematics"), (len(z), len(xy)))
+        question = _question(least_wavelength, stretching)
+        with self._asked(True) as water:
+            call(lib.bolan_query_levels, water, question, _arrays.pointer("bolan_dvec2", xy), len(xy),
+                 _arrays.pointer("double", z), len(z), _arrays.pointer("bolan_kinematics", out, writeable=True))
+        return out
+
     @documented("bolan_query_motion")
     def motion(self, xy, least_wavelength: float = 0.0, stretching: str = "none",
                out: Optional[numpy.ndarray] = None) -> numpy.ndarray:
