@@ -260,6 +260,7 @@ typedef struct bolan_question { double least_wavelength; bolan_stretching stretc
 bolan_question bolan_question_default(void);
 typedef struct bolan_kinematics { bolan_vec3 velocity; bolan_vec3 acceleration; float pressure; bool wet; } bolan_kinematics;
 void bolan_query_below(const bolan_water *water, const bolan_question *question, const bolan_dvec3 *xyz, uint32_t count, bolan_kinematics *out);
+void bolan_query_levels(const bolan_water *water, const bolan_question *question, const bolan_dvec2 *xy, uint32_t count, const double *z, uint32_t levels, bolan_kinematics *out);
 typedef struct bolan_surface_motion { float height; float rise; bolan_vec3 normal; bolan_vec3 velocity, acceleration; } bolan_surface_motion;
 void bolan_query_motion(const bolan_water *water, const bolan_question *question, const bolan_dvec2 *xy, uint32_t count, bolan_surface_motion *out);
 typedef struct bolan_ray { bolan_dvec3 origin; bolan_dvec3 direction; double length; } bolan_ray;

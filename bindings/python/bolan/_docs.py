@@ -294,11 +294,15 @@ Thread-safe.""",
     "bolan_progress": """Called after each step of a preparation that takes a while: done of total steps.""",
     "bolan_query_below": """The water at count world points xyz [m].
 
-A parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is by the question's
+With a sea of order 1 a parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is by the question's
 stretching. Below the surface folds are not searched: where the water folds the answer belongs to one of the
 parcels. A point is wet up to a millimetre above the surface, and above the ground of the water. The surface is that
 of bolan_query_heights(), or with a least wavelength that of bolan_query_motion().
-Waves are attenuated over the ground as for bolan_query_surface().
+With a sea of order 2 the point itself is asked, of waves that longer waves have carried there (flow.h). Without
+stretching the flow above the mean level is continued along the tangent there, so that the velocity at the surface
+is that of the surface, and the pressure there is 0, to second order. With stretching the heights of long waves do
+not carry short ones.
+Waves are attenuated over the ground as for bolan_query_surface(); what pairs of waves make, with the square.
 Wave layers are added, by linear theory with their own period and depth; the gradient of their edges is ignored.
 
 water needs a flow at the time of its sea: water->flow, bolan_flow_step(). A water without a flow is misuse.
@@ -312,6 +316,10 @@ Writes at most capacity crests to out and returns how many there are. A line of 
 Otherwise like bolan_query_rays().""",
     "bolan_query_heights": """Like bolan_query_surface(), for heights alone [m above the datum].
 height: receives count floats.""",
+    "bolan_query_levels": """The water at a list of levels under the same places: count places xy [m] at levels heights z [m above
+the datum], in any order. Writes place i at level l to out[l * count + i].
+Each answer is that of bolan_query_below() at (x, y, z), bit for bit; the surface over a place is looked for once.
+Otherwise like bolan_query_below().""",
     "bolan_query_motion": """Height, normal and motion of the surface at count world points xy [m], without the waves that the question
 leaves out: a long hull does not feel ripples. The rest point is that of bolan_query_surface(); with a least
 wavelength, and over a sum of waves, folds are not searched.
