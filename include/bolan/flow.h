@@ -19,8 +19,8 @@
 /// of waves is summed wave by wave.
 ///
 /// **Order 2.** The flow of a sea of order 2 (bolan_sea_desc.order) has the potentials that belong to its bound waves,
-/// those of Sharma & Dean (1981), in any depth. Waves of a cascade make Q = -d/dt |u|^2 - eta d/dz (g phi_z + phi_tt) at
-/// z = 0; its sums and differences, of wave vector K and frequency W, make phi2 = Q / (g K tanh KH - W^2), with cosh
+/// those of Sharma & Dean (1981), in any depth. Waves of a cascade make Q = -d/dt |u|^2 - eta d/dz (g phi_z + phi_tt)
+/// at z = 0; its sums and differences, of wave vector K and frequency W, make phi2 = Q / (g K tanh KH - W^2), with cosh
 /// K(H + z) below. The products are exact; the divisor is a least squares fit over the pairs of waves of each K. Short
 /// cascades are read where the longer ones have carried them, which is what theory has for waves of very different
 /// length, and holds where its expansion fails. Velocity is grad phi, acceleration its rate for the parcel, -grad of
@@ -35,8 +35,9 @@
 /// **Memory and time.** A sample takes 64 bytes. The last cascade has twice as many samples a side, because its
 /// shortest waves span few samples: four cascades of 256 take 36 MB, and bolan_flow_size() returns the exact figure. A
 /// step costs several steps of the sea. A question costs most at the surface, where every cascade is read, and least at
-/// depths where only long waves are left. With order 2 each cascade takes 2 to 3 MB more, a step 28 complex FFTs of 128 x
-/// 128 a cascade, half as long again in all, and a question three to seven times as long. Order 1 pays nothing.
+/// depths where only long waves are left. With order 2 each cascade takes 2 to 3 MB more, and a step 24 complex FFTs of
+/// 128 x 128 a cascade more, half as long again in all. A question takes three to six times as long. Order 1 pays
+/// nothing.
 #ifndef BOLAN_FLOW_H
 #define BOLAN_FLOW_H
 

@@ -80,8 +80,8 @@ BOLAN_API void bolan_query_foam(const bolan_water *water, const bolan_dvec2 *xy,
 /// At which depth the waves of linear theory are taken for a point at height z over the mean level, under a surface at
 /// height eta over it. Linear theory ends at the mean level; H is the depth of the sea.
 typedef enum bolan_stretching {
-    /// At z; above the mean level at the mean level, so that the flow is constant up to the crest. With a sea of order 2
-    /// along the tangent instead.
+    /// At z; above the mean level at the mean level, so that the flow is constant up to the crest. With a sea of
+    /// order 2 along the tangent instead.
     BOLAN_STRETCH_NONE,
     /// At H (z - eta) / (H + eta): the surface is where linear theory has the mean level (Wheeler 1970).
     BOLAN_STRETCH_WHEELER,
@@ -116,10 +116,10 @@ typedef struct bolan_kinematics {
 } bolan_kinematics;
 /// The water at @p count world points @p xyz [m].
 ///
-/// With a sea of order 1 a parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is by the question's
-/// stretching. Below the surface folds are not searched: where the water folds the answer belongs to one of the
-/// parcels. A point is wet up to a millimetre above the surface, and above the ground of the water. The surface is that
-/// of bolan_query_heights(), or with a least wavelength that of bolan_query_motion().
+/// With a sea of order 1 a parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is
+/// by the question's stretching. Below the surface folds are not searched: where the water folds the answer belongs to
+/// one of the parcels. A point is wet up to a millimetre above the surface, and above the ground of the water. The
+/// surface is that of bolan_query_heights(), or with a least wavelength that of bolan_query_motion().
 /// With a sea of order 2 the point itself is asked, of waves that longer waves have carried there (flow.h). Without
 /// stretching the flow above the mean level is continued along the tangent there, so that the velocity at the surface
 /// is that of the surface, and the pressure there is 0, to second order. With stretching the heights of long waves do

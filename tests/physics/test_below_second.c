@@ -369,7 +369,8 @@ static void the_surface_moves_with_the_water_and_has_no_pressure(void **state) {
 
 // ---- means ----------------------------------------------------------------------------------------------------------
 
-// No mean flow at a fixed point: parcels drift with the waves (Stokes), and water returns under groups alone. The mean pressure is -density <w^2>, whatever the depth of the sea.
+// No mean flow at a fixed point: parcels drift with the waves (Stokes), and water returns under groups alone.
+// The mean pressure is -density <w^2>, whatever the depth of the sea.
 static void the_mean_flow_is_none_and_the_mean_pressure_that_of_the_vertical_motion(void **state) {
     (void)state;
     enum { SIDE = 96 };

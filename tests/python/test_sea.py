@@ -78,6 +78,10 @@ def test_least_wavelength_and_stretching_reach_the_library(sea):
     below = numpy.column_stack([xy, numpy.full(500, -2.0)])
     assert sea.below(below, least_wavelength=1000.0)["velocity"].var() < 0.1 * sea.below(below)["velocity"].var()
     assert (sea.below(below, stretching="wheeler")["velocity"] != sea.below(below)["velocity"]).any()
+    under = sea.levels(below[:, :2].copy(), [-1.0, -7.0])
+    points = below.copy()
+    points[:, 2] = -7.0
+    assert under.shape == (2, len(below)) and under[1].tobytes() == sea.below(points).tobytes()
     assert len(sea.crests((0, 0), (900, 0), 1.0, least_wavelength=60.0)) < len(sea.crests((0, 0), (900, 0), 1.0))
     down, ray = [[0.0, 0.0, 50.0]], [[0.0, 0.0, -1.0]]
     assert sea.rays(down, ray, 99.0, least_wavelength=1000.0)["distance"][0] == pytest.approx(

@@ -264,6 +264,7 @@ typedef struct bolan_question { double least_wavelength; bolan_stretching stretc
 bolan_question bolan_question_default(void);
 typedef struct bolan_kinematics { bolan_vec3 velocity; bolan_vec3 acceleration; float pressure; bool wet; } bolan_kinematics;
 void bolan_query_below(const bolan_water *water, const bolan_question *question, const bolan_dvec3 *xyz, uint32_t count, bolan_kinematics *out);
+void bolan_query_levels(const bolan_water *water, const bolan_question *question, const bolan_dvec2 *xy, uint32_t count, const double *z, uint32_t levels, bolan_kinematics *out);
 typedef struct bolan_surface_motion { float height; float rise; bolan_vec3 normal; bolan_vec3 velocity, acceleration; } bolan_surface_motion;
 void bolan_query_motion(const bolan_water *water, const bolan_question *question, const bolan_dvec2 *xy, uint32_t count, bolan_surface_motion *out);
 typedef struct bolan_ray { bolan_dvec3 origin; bolan_dvec3 direction; double length; } bolan_ray;
@@ -490,6 +491,9 @@ void bolan_renderer_draw_water(bolan_renderer *renderer, const bolan_view *view,
 bool bolan_renderer_needs_baking(const bolan_renderer *renderer);
 void bolan_renderer_bake(bolan_renderer *renderer);
 void bolan_renderer_read_linear(bolan_renderer *renderer, float *rgb, float *distance);
+typedef enum bolan_label { BOLAN_LABEL_SKY, BOLAN_LABEL_WATER, BOLAN_LABEL_FOAM, BOLAN_LABEL_LAND, BOLAN_LABEL_OBJECT, } bolan_label;
+typedef struct bolan_surfaces { uint32_t *label; bolan_vec3 *normal; bolan_vec3 *motion; const bolan_flow *flow; } bolan_surfaces;
+void bolan_renderer_read_surfaces(bolan_renderer *renderer, const bolan_world *world, const bolan_view *view, const bolan_surfaces *out);
 bolan_result bolan_renderer_read_sky(bolan_renderer *renderer, bolan_dvec3 eye, uint32_t width, uint32_t height, float *rgb, bolan_sky_light *light);
 void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb);
 const char *bolan_fields_glsl(void);

@@ -342,11 +342,15 @@ Thread-safe.""",
     "bolan_progress": """Called after each step of work that takes a while: done of total steps.""",
     "bolan_query_below": """The water at count world points xyz [m].
 
-A parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is by the question's
-stretching. Below the surface folds are not searched: where the water folds the answer belongs to one of the
-parcels. A point is wet up to a millimetre above the surface, and above the ground of the water. The surface is that
-of bolan_query_heights(), or with a least wavelength that of bolan_query_motion().
-Waves are attenuated over the ground as for bolan_query_surface().
+With a sea of order 1 a parcel at rest at (x0, y0, s) is found at x0 + choppiness D(x0, y0, s), horizontally; s is
+by the question's stretching. Below the surface folds are not searched: where the water folds the answer belongs to
+one of the parcels. A point is wet up to a millimetre above the surface, and above the ground of the water. The
+surface is that of bolan_query_heights(), or with a least wavelength that of bolan_query_motion().
+With a sea of order 2 the point itself is asked, of waves that longer waves have carried there (flow.h). Without
+stretching the flow above the mean level is continued along the tangent there, so that the velocity at the surface
+is that of the surface, and the pressure there is 0, to second order. With stretching the heights of long waves do
+not carry short ones.
+Waves are attenuated over the ground as for bolan_query_surface(); what pairs of waves make, with the square.
 Wave layers are added, by linear theory with their own period and depth; the gradient of their edges is ignored.
 
 water needs a flow at the time of its sea: water->flow, bolan_flow_step(). A water without a flow is misuse.
@@ -363,6 +367,10 @@ there.
 Points that are not finite give 0. Otherwise like bolan_query_parcels().""",
     "bolan_query_heights": """Like bolan_query_surface(), for heights alone [m above the datum].
 height: receives count floats.""",
+    "bolan_query_levels": """The water at a list of levels under the same places: count places xy [m] at levels heights z [m above
+the datum], in any order. Writes place i at level l to out[l * count + i].
+Each answer is that of bolan_query_below() at (x, y, z), bit for bit; the surface over a place is looked for once.
+Otherwise like bolan_query_below().""",
     "bolan_query_motion": """Height, normal and motion of the surface at count world points xy [m], without the waves that the question
 leaves out: a long hull does not feel ripples. The rest point is that of bolan_query_surface(); with a least
 wavelength, and over a sum of waves, folds are not searched.
@@ -548,6 +556,12 @@ rgb: receives width * height * 3 floats, row 0 the zenith, in the units of bolan
 light: receives sun and sky at the sea.
 Compiles a program and allocates: not for every frame.
 Errors: ARGUMENT (no prepared step, a size), GL, MEMORY.""",
+    "bolan_renderer_read_surfaces": """Reads what stands at the middle of each pixel of the last view, which bolan_renderer_draw_world() has drawn of
+world and view. Draws land and objects once more, without light, into a target of its own; no picture changes.
+The eye is above the level of the water. Water that is seen before land is water, however shallow.
+The places are those of a flat earth; within 1 km of the eye its curvature moves them by less than 0.1 m of height.
+Before such a view, of another size, with `motion` and without `flow`, or from below the level, the buffers are left
+alone, logged once. Allocates.""",
     "bolan_renderer_reload": """Compiles all shaders again from shader_directory, those of its view caches too.
 Errors: GL (a shader that does not compile; the old programs stay).""",
     "bolan_renderer_statistics": """The statistics of the last finished frame.""",

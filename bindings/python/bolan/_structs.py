@@ -570,7 +570,7 @@ A NULL member keeps the built-in behaviour.
     get_proc_address: Returns the address of the OpenGL function name, such as "glClear"; NULL where there is none.
         Called once for each function that bolan_render uses, on the thread of the first call into bolan_render, with a
         context current.
-        Default: libepoxy.
+        Default: libepoxy; a library that was built without it needs the hook.
     """
     _type = "bolan_hooks"
     user: Any
@@ -651,12 +651,13 @@ A function of a format that is left out logs one sentence and returns UNSUPPORTE
 
 
 class Kinematics(Struct):
-    """The water at one world point, over the ground. Velocity and acceleration are those of linear theory whatever the
-choppiness, which moves parcels in place only.
+    """The water at one world point, over the ground.
+With a sea of order 1 these are the values of linear theory whatever the choppiness, which moves parcels in place
+only. With a sea of order 2 they are those of second-order theory, of which flow.h has the equations.
 
     Fields:
     velocity: Orbital velocity of the waves, and the current of the sea [m/s].
-    acceleration: [m/s2]
+    acceleration: Of the parcel that is at the point [m/s2]: with order 2 it includes (velocity . grad) velocity.
     pressure: Dynamic pressure [Pa]: what the waves add to the hydrostatic pressure of still water, density g (level - z) for
         water of BOLAN_SEA_WATER_DENSITY. Both together are 0 at the surface; a gauge of depth measures both.
     wet: The point is in the water. If not, all else is 0.
