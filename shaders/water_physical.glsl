@@ -97,7 +97,8 @@ vec4 mirrored_land(vec3 position, vec3 direction, float width) {
     // A lobe is long upwards and narrow sideways: three texture fetches over one another, each round.
     float pixels = width * there / (c.w * radians_per_pixel * float(3 * LAND_MIRROR_PART));
     vec4 rise = view_projection[2];
-    vec2 up = rise.xy - (c.xy / c.w) * rise.w, apart = normalize(up * viewport_size) * pixel_size * (float(LAND_MIRROR_PART) * max(pixels, 1.0));
+    vec2 up = normalize((rise.xy - (c.xy / c.w) * rise.w) * viewport_size);
+    vec2 apart = up * pixel_size * (float(LAND_MIRROR_PART) * max(pixels, 1.0));
     float level = log2(max(pixels, 1.0));
     vec4 land = (1.0 / 3.0) * (textureLod(land_mirror, uv - apart, level) + textureLod(land_mirror, uv, level) +
                                textureLod(land_mirror, uv + apart, level));

@@ -120,7 +120,8 @@ static void prepare_view(bolan_renderer *r, render_view *v, bolan_view_cache *ca
     bolan_view_use(v);
     begin_part(r, PART_SKY_TABLES);
     bolan_pass_sky_prepare(cache->sky, v);
-    if (v->medium == EYE_IN_WATER) v->light.exposure = bolan_v3_scale(v->light.exposure, bolan_below_exposure(&r->frame, v->eye));
+    if (v->medium == EYE_IN_WATER)
+        v->light.exposure = bolan_v3_scale(v->light.exposure, bolan_below_exposure(&r->frame, v->eye));
     end_part(r, PART_SKY_TABLES);
     begin_part(r, PART_VIEW);
     bolan_view_use(v); // the light is known now

@@ -46,8 +46,10 @@ static const water_shader light_shader = {.stem = "water_physical",
                                           .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
                                           .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\nLAND_STEPS 12\n",
                                                       [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\nLAND_STEPS 12\n",
-                                                      [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\nLAND_STEPS 32\nSPLINES 1\n",
-                                                      [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\nLAND_STEPS 48\nSPLINES 1\n"}};
+                                                      [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\nLAND_STEPS 32\n"
+                                                                          "SPLINES 1\n",
+                                                      [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\nLAND_STEPS 48\n"
+                                                                           "SPLINES 1\n"}};
 
 static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;

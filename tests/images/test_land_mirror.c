@@ -36,7 +36,8 @@ static void draw(stage *s, double wind, bolan_quality quality, float *rgb, float
     bolan_scene_set_wind(&scene, wind, 180.0);
     scene.sea.sea_state.system_count = 0;
     scene.look.effects = BOLAN_EFFECT_REFLECTION;
-    scene.sky = (bolan_sky){.sun_azimuth_deg = 180.0, .sun_elevation_deg = 40.0, .visibility = 300e3, .cloud_base = 1200};
+    scene.sky =
+        (bolan_sky){.sun_azimuth_deg = 180.0, .sun_elevation_deg = 40.0, .visibility = 300e3, .cloud_base = 1200};
     scene.camera = (bolan_camera){.position = {0.0, 0.0, EYE}, .fov_deg = FOV};
     assert_true(stage_open(s, &scene, quality, false));
     bolan_world_destroy(&s->world);
