@@ -252,11 +252,11 @@ static void the_sky_is_positive_and_finite_for_every_sun_and_height(void **state
     rig_destroy(&r);
 }
 
-// A white surface level on the sea: white by day to 2 %, and of an evening's color three quarters, the daylight's own
+// A white surface level on the sea: white by day to 2 %, and at dusk three quarters of the color, the daylight's own
 // divided out. Red over blue of the surface under the light, as it is and as it is exposed.
-static void daylight_is_white_and_an_evening_stays_golden(void **state) {
+static void daylight_is_white_and_dusk_keeps_its_color(void **state) {
     (void)state;
-    static const double suns[] = {60.0, 5.0};
+    static const double suns[] = {60.0, -4.0};
     double lit[2], seen[2];
     sky_rig r;
     rig_create(&r, 16, 16);
@@ -264,14 +264,14 @@ static void daylight_is_white_and_an_evening_stays_golden(void **state) {
         r.step.lighting.sky.sun_elevation_deg = suns[s];
         rig_prepare(&r);
         const bolan_vec3 sky = r.f.light.sky, sun = r.f.light.sun, gain = r.f.light.exposure;
-        const double z = sin(bolan_radians(suns[s]));
+        const double z = fmax(sin(bolan_radians(suns[s])), 0.0);
         lit[s] = ((double)sky.x + z * (double)sun.x) / ((double)sky.z + z * (double)sun.z);
         seen[s] = lit[s] * (double)(gain.x / gain.z);
     }
-    print_message("red over blue: %.3f seen as %.3f by day, %.3f as %.3f in the evening\n", lit[0], seen[0], lit[1],
+    print_message("red over blue: %.3f seen as %.3f by day, %.3f as %.3f at dusk\n", lit[0], seen[0], lit[1],
                   seen[1]);
     assert_near(seen[0], 1.0, 0.02);
-    assert_true(lit[1] > 1.3 * lit[0]);
+    assert_true(fabs(log(lit[1] / lit[0])) > 0.2);
     assert_near(log(seen[1]), 0.75 * log(lit[1] / lit[0]), 0.03);
     rig_destroy(&r);
 }
@@ -431,7 +431,7 @@ int main(void) {
         IN_BOTH_APIS(heights_along_a_ray_keep_their_precision),
         IN_BOTH_APIS(the_environment_map_unfolds_to_the_direction_it_was_asked),
         IN_BOTH_APIS(the_sky_is_positive_and_finite_for_every_sun_and_height),
-        IN_BOTH_APIS(daylight_is_white_and_an_evening_stays_golden),
+        IN_BOTH_APIS(daylight_is_white_and_dusk_keeps_its_color),
         IN_BOTH_APIS(the_light_on_the_sea_is_the_integral_of_the_sky),
         IN_BOTH_APIS(day_and_twilight_are_as_bright_as_measured),
         IN_BOTH_APIS(the_noon_zenith_is_blue_and_the_setting_sun_is_red),
