@@ -14,7 +14,7 @@ from ._arrays import Field
 from ._library import (ArgumentError, BolanWarning, ClosedError, Error, FileError, FormatError, GLError, MisuseError,
                        OutOfMemoryError, StaleError, UnsupportedError, memory_in_use, set_threads, threads, version)
 from ._structs import Partition, SpectrumOptions, WaveSystem, WaveTrainDesc
-from .render import Renderer, write_exr, write_png
+from .render import Renderer, SkyLight, export_sky, write_exr, write_png
 from .sea import Cascade, Sea, SeaDesc, Water, WaveLayer
 from .spectra import Contents, MeasuredSpectrum, SeaState, contents
 from .world import Camera, Pose, Scene, World, scene_names

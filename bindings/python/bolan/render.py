@@ -2,7 +2,7 @@
 """Pictures without a window: colour, linear radiance and distance as arrays."""
 import threading
 import weakref
-from typing import Optional, Tuple
+from typing import NamedTuple, Optional, Tuple
 
 import numpy
 
@@ -162,6 +162,36 @@ class Renderer:
     def distance(self, out: Optional[numpy.ndarray] = None) -> numpy.ndarray:
         """Distance along the view axis in the last picture [m], (height, width) float32; infinity is the sky."""
         return self._read(1, out, 1)
+
+    @documented("bolan_renderer_read_sky")
+    def sky(self, size: Tuple[int, int] = (2048, 1024), eye=(0.0, 0.0, 2.0)) -> Tuple[numpy.ndarray, "SkyLight"]:
+        """The sky of the last picture as an equirectangular map of linear radiance, (height, width, 3) float32, row 0
+        the zenith and north in the middle, and the light of sun and sky. export_sky() writes both."""
+        own = self._own()
+        width, height = _size(size)
+        if self._drawn is None:
+            raise GLError("there is no picture yet; draw() makes one")
+        out, light = numpy.empty((height, width, 3), "f4"), ffi.new("bolan_sky_light *")
+        check(lib.bolan_renderer_read_sky, own.renderer[0], tuple(float(v) for v in eye), width, height,
+              _arrays.pointer("float", out, writeable=True), light)
+        return out, SkyLight(*((v.x, v.y, v.z) for v in
+                               (light.sun_direction, light.sun_irradiance, light.sky_irradiance)))
+
+
+class SkyLight(NamedTuple):
+    """Unit vector to the sun; irradiance of the sun on a surface that faces it, of the sky on a horizontal one."""
+    sun_direction: Tuple[float, float, float]
+    sun_irradiance: Tuple[float, float, float]
+    sky_irradiance: Tuple[float, float, float]
+
+
+@documented("bolan_export_sky")
+def export_sky(path, rgb: numpy.ndarray, light: SkyLight) -> None:
+    """Writes a map of Renderer.sky() as .exr, with the sun in its header."""
+    rgb = _arrays.read(rgb, "f4", (None, None, 3), "rgb")
+    with files:
+        check(lib.bolan_export_sky, path_bytes(path), rgb.shape[1], rgb.shape[0], _arrays.pointer("float", rgb),
+              ffi.new("bolan_sky_light *", tuple(light)))
 
 
 def _size(size):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Scenes, and worlds made of them: a scene with all that it refers to, and its water."""
 from contextlib import contextmanager
-from typing import NamedTuple, Tuple
+from typing import NamedTuple, Optional, Sequence, Tuple
 
 from . import _structs
 from ._library import ArgumentError, Closable, Gate, Pointer, call, check, documented, ffi, files, lib, path_bytes, text
@@ -77,6 +77,20 @@ class Pose(NamedTuple):
     x: Tuple[float, float, float]
     y: Tuple[float, float, float]
     z: Tuple[float, float, float]
+
+
+def _whole(value, name):
+    if not isinstance(value, int) or not 0 <= value < 1 << 32:
+        raise ArgumentError(f"{name} is {value!r}; expected whole numbers")
+    return value
+
+
+def _fill_grid(grid, rectangle, spacing):
+    if len(rectangle) != 4:
+        raise ArgumentError(f"rectangle is {rectangle!r}; expected (west, south, east, north)")
+    west, south, east, north = (finite(v, "rectangle") for v in rectangle)
+    grid.__setattr__("from", (west, south))
+    grid.to, grid.spacing = (east, north), finite(spacing, "spacing")
 
 
 class World(Closable, Questions):
@@ -159,6 +173,40 @@ class World(Closable, Questions):
         with self._gate.read():
             world = self._get()
             return Sea.__new__(Sea)._begin(Pointer("bolan_sea", lib.bolan_sea_fork, lib.bolan_world_water(world).sea))
+
+    @documented("bolan_export_mesh")
+    def export_mesh(self, path, rectangle: Optional[Sequence[float]] = None, spacing: float = 0.5,
+                    size: Tuple[int, int] = (1280, 720), ground: bool = False,
+                    origin: Sequence[float] = (0.0, 0.0, 0.0), frames: int = 1, fps: float = 30.0) -> None:
+        """Writes the water as a mesh, .ply, .obj or .glb.
+
+        The vertices are those of the camera's grid for a picture of that size, or of a rectangle (west, south, east,
+        north) [m] at a spacing [m]. Several frames are an animation, and the world is left at the last."""
+        desc = ffi.new("bolan_export_mesh_desc *", lib.bolan_export_mesh_desc_default())
+        if rectangle is not None:
+            desc.vertices = lib.BOLAN_EXPORT_RECTANGLE
+            _fill_grid(desc.grid, rectangle, spacing)
+        desc.width, desc.height = _whole(size[0], "size"), _whole(size[1], "size")
+        desc.ground = bool(ground)
+        desc.origin.x, desc.origin.y, desc.origin.z = (finite(v, "origin") for v in origin)
+        self._export(lib.bolan_export_mesh, desc, path, frames, fps)
+
+    @documented("bolan_export_fields")
+    def export_fields(self, path, rectangle: Optional[Sequence[float]] = None, spacing: float = 0.5,
+                      half: bool = False, frames: int = 1, fps: float = 30.0) -> None:
+        """Writes the fields of every cascade, or the surface over a rectangle (west, south, east, north) [m] at a
+        spacing [m], as .exr or .nc. Several frames are the time dimension of .nc."""
+        desc = ffi.new("bolan_export_fields_desc *", lib.bolan_export_fields_desc_default())
+        if rectangle is not None:
+            desc.resampled = True
+            _fill_grid(desc.grid, rectangle, spacing)
+        desc.half = bool(half)
+        self._export(lib.bolan_export_fields, desc, path, frames, fps)
+
+    def _export(self, function, desc, path, frames, fps):
+        desc.frames.count, desc.frames.fps = _whole(frames, "frames"), finite(fps, "fps")
+        with self._gate.write(), files:
+            check(function, self._get(), desc, path_bytes(path))
 
     @documented("bolan_world_object_pose")
     def object_pose(self, index: int) -> Pose:
