@@ -10,7 +10,8 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { WIDTH = 96, HEIGHT = 64, MOST_SAMPLERS = 12, MOST_NAMES = 4000 };
+enum { WIDTH = 96, HEIGHT = 64, MOST_NAMES = 4000 };
+enum { MOST_SAMPLERS = 16 }; // OpenGL 3.3 and ES 3.0 promise so many to a fragment shader
 
 typedef struct flight {
     bolan_scene scene;
