@@ -20,8 +20,11 @@ uniform vec4 host_depth; // offset, scale; z: factor of radiance, w: samples a p
 uniform vec2 host_origin; // lower left corner of the rectangle in the host's textures [px]
 out vec4 color;
 
+// Where a host with a finite far plane has drawn nothing, there is the sky, not a wall at that plane.
 float our_depth(ivec2 at, int i) {
-    return clamp((texelFetch(host_scene_depth, at, i).r - host_depth.x) / host_depth.y, 0.0, 1.0);
+    float depth = texelFetch(host_scene_depth, at, i).r;
+    if (depth == (host_depth.y > 0.0 ? 0.0 : 1.0)) return 0.0;
+    return clamp((depth - host_depth.x) / host_depth.y, 0.0, 1.0);
 }
 
 void main() {

@@ -59,9 +59,12 @@ uniform sampler2D land_mirror; // land_mirror.glsl
 vec4 mirrored_land(vec3 position, vec3 direction, float width) {
     if (direction.z > 0.6) return vec4(0.0);
     vec4 origin = view_projection * vec4(position, 1.0), step = view_projection * vec4(direction, 0.0);
-    // Of the ray, what the screen shows: to one of its edges, or so far that the end is the point where it vanishes.
-    vec4 inside = vec4(origin.w + origin.xy, origin.w - origin.xy);
-    vec4 loss = max(-vec4(step.w + step.xy, step.w - step.xy), 1e-6 * origin.w);
+    // Of the ray, what the whole picture shows, so that a tile of it takes the same steps: to one of its edges, or so
+    // far that the end is the point where the ray vanishes.
+    vec2 shift = tile_share + 2.0 * tile_corner * (pixel_size * tile_share) - 1.0;
+    vec2 from = origin.xy * tile_share + origin.w * shift, along = step.xy * tile_share + step.w * shift;
+    vec4 inside = vec4(origin.w + from, origin.w - from);
+    vec4 loss = max(-vec4(step.w + along, step.w - along), 1e-6 * origin.w);
     vec2 least = min(inside.xy / loss.xy, inside.zw / loss.zw);
     float end = min(least.x, least.y), end_w = origin.w + end * step.w;
     // Steps over the screen, so that no hill is passed over that is wider than one of them; they are short at first,
@@ -73,7 +76,7 @@ vec4 mirrored_land(vec3 position, vec3 direction, float width) {
         far *= sqrt(far);
         vec4 c = origin + step * (end * far * origin.w / mix(end_w, origin.w, far));
         float depth = textureLod(scene_depth, c.xy / c.w * 0.5 + 0.5, 0.0).x;
-        hit = depth > 0.0 && frame_distance(depth) < c.w;
+        hit = depth > 0.0 && frame_distance(depth) < c.w && max(abs(c.x), abs(c.y)) <= c.w;
         if (!hit) near = far;
     }
     for (int i = 0; i < 5 && hit; ++i) {
@@ -94,14 +97,16 @@ vec4 mirrored_land(vec3 position, vec3 direction, float width) {
     if (shore_present == 0 && (!hit || gap > 0.5 + 2.0 * (there - before))) return vec4(0.0);
     vec4 c = origin + step * there;
     vec2 uv = c.xy / c.w * 0.5 + 0.5;
-    // A lobe is long upwards and narrow sideways: three texture fetches over one another, each round.
+    // A lobe is long upwards and narrow sideways: three texture fetches over one another, each round. Pixels of the
+    // coarsest level are whole in every tile of a picture.
     float pixels = width * there / (c.w * radians_per_pixel * float(3 * LAND_MIRROR_PART));
+    pixels = min(pixels, exp2(LAND_MIRROR_LEVELS));
     vec4 rise = view_projection[2];
-    vec2 up = normalize((rise.xy - (c.xy / c.w) * rise.w) * viewport_size);
-    vec2 apart = up * pixel_size * (float(LAND_MIRROR_PART) * max(pixels, 1.0));
+    vec2 up = normalize((rise.xy - (c.xy / c.w) * rise.w) * viewport_size), size = vec2(textureSize(land_mirror, 0));
+    vec2 at = uv * viewport_size / (size * float(LAND_MIRROR_PART)), apart = up * max(pixels, 1.0) / size;
     float level = log2(max(pixels, 1.0));
-    vec4 land = (1.0 / 3.0) * (textureLod(land_mirror, uv - apart, level) + textureLod(land_mirror, uv, level) +
-                               textureLod(land_mirror, uv + apart, level));
+    vec4 land = (1.0 / 3.0) * (textureLod(land_mirror, at - apart, level) + textureLod(land_mirror, at, level) +
+                               textureLod(land_mirror, at + apart, level));
     if (pixels < 1.0 && hit) { // sharper than the small picture
         vec3 where;
         vec4 seen = behind(uv, where);

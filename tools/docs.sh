@@ -61,7 +61,7 @@ python3 tools/site/site.py "$root" "$2/html" --bolan "$program" --gallery "${4:-
 rm "$2/html/reference/bolan.tag"
 python3 tools/site/links.py "$2/html" || fail 'the links'
 
-grep -q 'A volcanic island' "$2/html/index.html" || fail 'the front page is not the README'
+grep -q 'is a C library for water' "$2/html/index.html" || fail 'the front page is not the README'
 pictures=$(find "$2/html/gallery" -name '*.jpg' 2>/dev/null | wc -l)
 commands=$(grep -c '^bolan render ' docs/gallery.md)
 [ "${program:+${4:-all}}" != all ] || [ "$pictures" = "$commands" ] || fail "the gallery has $pictures pictures of $commands commands"

@@ -10,7 +10,8 @@
 // Shaders see the eye's place modulo these lengths [m]. The period of a texture or noise over world places divides one.
 #define WORLD_WRAP 4096.0
 #define WORLD_WRAP_WIDE 131072.0 // gusts of wind
-#define LAND_MIRROR_PART 4 // pixels to one of land_mirror.glsl, along each axis
+#define LAND_MIRROR_PART 4     // pixels to one of land_mirror.glsl, along each axis
+#define LAND_MIRROR_LEVELS 4.0 // of its mip chain that are read; its size is a multiple of their texels
 
 // ---- the table of unresolved slopes (bolan_sea_slope_table)
 // -----------------------------------------------------------

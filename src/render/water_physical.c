@@ -70,10 +70,16 @@ static void free_shape(shape *s) {
     s->depth_serial = 0;
 }
 
+static uint32_t land_side(uint32_t pixels) {
+    const uint32_t whole = 1u << (uint32_t)LAND_MIRROR_LEVELS;
+    const uint32_t part = (pixels + LAND_MIRROR_PART - 1) / LAND_MIRROR_PART;
+    return (part + whole - 1) / whole * whole;
+}
+
 static bolan_result create_land(shape *s, const render_view *v) {
     const gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
-                                  .width = (v->width + LAND_MIRROR_PART - 1) / LAND_MIRROR_PART,
-                                  .height = (v->height + LAND_MIRROR_PART - 1) / LAND_MIRROR_PART,
+                                  .width = land_side(v->width),
+                                  .height = land_side(v->height),
                                   .filter = GL_FILTER_MIPMAP,
                                   .wrap = GL_WRAP_CLAMP};
     const gl_texture *color = &s->land;

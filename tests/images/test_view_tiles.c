@@ -144,7 +144,8 @@ static void tiles_with_a_guard_have_its_glow_and_half_rate_shading(void **state)
 static void tiles_of_land_need_a_guard(void **state) {
     (void)state;
     against_whole("island_odd", "island", &bolan_technique_ocean, BOLAN_QUALITY_MEDIUM, &odd, 0, 80, 0.02, 50.0);
-    against_whole("island", "island", &bolan_technique_ocean, BOLAN_QUALITY_MEDIUM, &even, 64, 20, 5e-5, 75.0);
+    // The land that the water mirrors must stand in the tile or its guard: that of the program has 128 pixels.
+    against_whole("island", "island", &bolan_technique_ocean, BOLAN_QUALITY_MEDIUM, &even, 128, 20, 5e-5, 75.0);
 }
 
 static void tiles_of_the_papers_are_the_whole(void **state) {

@@ -47,6 +47,7 @@ static int open_rig(void **state) {
     assert_int_equal(bolan_scene_load("open-sea", &r.scene), BOLAN_OK);
     r.scene.sea.resolution = 64;
     r.scene.sky.cloud_cover = 0.0;
+    r.scene.camera.heading_deg = 230.0; // towards the sun, whose path is bright
     assert_int_equal(bolan_world_load_scene(&r.scene, &r.world), BOLAN_OK);
     bolan_world_step(r.world, 3.0);
     bolan_renderer_desc desc = bolan_renderer_desc_default();

@@ -563,7 +563,7 @@ static void test_paths_count_from_the_scenes_folder(void **state) {
     assert_string_equal(scene.name, "with_paths.yaml");
     remove("with_paths.yaml");
     assert_refusal(bolan_scene_load("no-such-scene", &scene), BOLAN_ERROR_ARGUMENT, BOLAN_LOG_UNKNOWN_NAME,
-                   "no-such-scene: there is no such scene; expected approach, coast, island");
+                   "no-such-scene: there is no such scene; expected approach, calm, coast, island");
     assert_refusal(bolan_scene_load("./no.yaml", &scene), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN,
                    "./no.yaml: cannot be read");
     assert_refusal(bolan_scene_load("/", &scene), BOLAN_ERROR_IO, BOLAN_LOG_FILE_OPEN, "it is a folder");
