@@ -27,7 +27,7 @@ const command command_table[] = {
 static int print_help(FILE *file) {
     fputs("Bolan makes, measures and draws seas.\n\nusage: bolan COMMAND [SCENE] [OPTIONS]\n\n", file);
     for (const command *c = command_table; c->name; c++)
-        if (!c->exists || c->exists()) fprintf(file, "  bolan %-8s %-40s %s\n", c->name, c->arguments, c->help);
+        if (!c->exists || c->exists()) fprintf(file, "  bolan %-8s %-41s %s\n", c->name, c->arguments, c->help);
     fputs("\nbolan COMMAND --help lists the options of a command; bolan --version prints the version.\n", file);
     return EXIT_OK;
 }

@@ -156,6 +156,8 @@ class Site:
         path = self.folder / html.unescape(match.group(1))
         head = path.read_bytes()[:24] if path.suffix == ".png" and path.is_file() else b""
         size = ' width="%d" height="%d"' % struct.unpack(">II", head[16:24]) if head[:4] == b"\x89PNG" else ""
+        if match.string[match.end():].lstrip().startswith("width="):  # the page says how wide
+            size = ""
         return f'<img src="{match.group(1)}"{size} loading="lazy"'
 
     def code(self, page, match):
