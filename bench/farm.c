@@ -117,7 +117,7 @@ int bench_farm(int argc, char **argv) {
             return fprintf(stderr, "usage: bolan-bench farm [SCENE] [--size WxH] [--json]\n"), 2;
     }
     static times one, two;
-    char program[1024], folder[] = "/tmp/bolan-farm-XXXXXX", command[64];
+    char program[1024], folder[] = P_tmpdir "/bolan-XXXXXX", command[64];
     if (!bench_program(program, sizeof program)) return fprintf(stderr, "bolan-bench: no program bolan here\n"), 1;
     if (!mkdtemp(folder)) return fprintf(stderr, "bolan-bench: no folder for the frames\n"), 1;
     const bool ok = draw(program, folder, 1, scene, size, &one) && draw(program, folder, 2, scene, size, &two);

@@ -58,7 +58,7 @@ bool farm_process_start(farm_process *p, int count, char **arguments, uint32_t t
     fcntl(ends[1], F_SETFD, 0);
     snprintf(number, sizeof number, "%d", ends[1]);
     snprintf(amount, sizeof amount, "--threads=%u", (unsigned)threads);
-    char verb[] = "farm-worker", program[] = "bolan";
+    char verb[] = "worker", program[] = "bolan";
     list[0] = program, list[1] = verb, list[2] = number, list[3] = amount;
     for (int i = 0; i < count; i++) list[4 + i] = arguments[i]; // of which --threads replaces the one above
     // Software OpenGL has threads of its own.
@@ -146,7 +146,7 @@ static void work(const farm_job *job, int socket) {
 int command_farm_worker(int count, char **arguments) {
     double number = -1.0;
     if (count < 1 || !bolan_parse_number(arguments[0], strlen(arguments[0]), &number) || number < 3.0)
-        return usage_error("farm-worker is started by bolan farm alone");
+        return usage_error("worker is started by bolan farm alone");
     prctl(PR_SET_PDEATHSIG, SIGTERM); // nobody to draw for
     options o;
     farm_job job;

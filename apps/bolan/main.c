@@ -55,7 +55,7 @@ int main(int count, char **arguments) {
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0)
         return flush_output(print_help(stdout));
     if (strcmp(name, "--version") == 0) return printf("bolan %s\n", bolan_version()), flush_output(EXIT_OK);
-    if (strcmp(name, "farm-worker") == 0) return flush_output(command_farm_worker(count - 2, arguments + 2));
+    if (strcmp(name, "worker") == 0) return flush_output(command_farm_worker(count - 2, arguments + 2));
     for (const command *c = command_table; c->name; c++)
         if (strcmp(name, c->name) == 0) return flush_output(c->run(count - 2, arguments + 2));
     char word[SHORT_WORD];

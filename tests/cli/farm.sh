@@ -12,7 +12,7 @@ refuse 2 '--outputs is picture,depth; expected some of picture' farm open-sea -o
 refuse 2 '--part is 3/3; expected K/N' farm open-sea -o out --part 3/3
 refuse 2 '--part is 1; expected K/N' farm open-sea -o out --part 1
 refuse 2 '--processes does not go with bolan render' render open-sea -o a.png --processes 2
-refuse 2 'farm-worker is started by bolan farm alone' farm-worker
+refuse 2 'worker is started by bolan farm alone' worker
 refuse 1 'no/such: cannot be made' farm open-sea -o no/such --frames 2
 
 # Tables: a wrong cell is refused with its line before anything is drawn.

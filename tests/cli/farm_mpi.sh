@@ -48,7 +48,7 @@ job=$!
 # Processes that draw, below our mpirun.
 drawers() {
     ps -eo pid=,ppid=,args= | awk -v root="$job" '
-        { parent[$1] = $2; if ($0 ~ / farm-worker [0-9]/) drawer[$1] }
+        { parent[$1] = $2; if ($0 ~ / worker [0-9]/) drawer[$1] }
         END { for (p in drawer) { for (up = p; up in parent && up != root;) up = parent[up]; if (up == root) print p } }'
 }
 tries=0

@@ -7,7 +7,7 @@ run --help
 for name in render measure query info bake export farm; do
     grep -q "bolan $name " out || fail "--help does not list $name"
 done
-! grep -q 'farm-worker' out || fail '--help lists what nobody calls'
+! grep -q 'bolan worker' out || fail '--help lists what nobody calls'
 run --version
 grep -q '^bolan [0-9]*\.[0-9]*\.[0-9]*$' out || fail 'no version'
 for name in render measure query info bake export farm; do
