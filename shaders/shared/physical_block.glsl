@@ -12,3 +12,4 @@ float fresh_edge;             // variance that softens the edge of fresh foam; t
 float old_edge;               // likewise of old foam, as a share of the memory's variance
 float old_foam_memory;        // foam memory where old foam begins (above 999: there is none)
 float memory_variance;
+float spray_time;             // in lives of a veil of spray, modulo SPRAY_LIVES

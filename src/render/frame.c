@@ -204,6 +204,7 @@ static void draw_sky(bolan_renderer *r, render_view *v, bolan_view_cache *cache)
         bolan_pass_sky_draw(cache->sky, v);
         bolan_pass_sky_draw_over(cache->sky, v);
     }
+    if (!v->without_water) bolan_pass_water_draw_over(r->water, v);
     bolan_pass_water_draw_below(r->water, v);
     end_part(r, PART_SKY);
 }

@@ -167,6 +167,8 @@ void bolan_pass_water_cover(pass_water *p, render_view *v);
 void bolan_pass_water_behind(pass_water *p, render_view *v, const world_drawer *world);
 // Shades the water into the view; reads UNIT_SCENE_COLOR and UNIT_SCENE_DEPTH.
 void bolan_pass_water_draw(pass_water *p, render_view *v);
+// What flies over the water, after the sky.
+void bolan_pass_water_draw_over(pass_water *p, render_view *v);
 // What is seen through water by an eye in it or at the waterline; after the sky.
 void bolan_pass_water_draw_below(pass_water *p, render_view *v);
 // The medium of a view from there, and what follows from it: its near plane.

@@ -318,6 +318,16 @@ void bolan_pass_water_draw(pass_water *p, render_view *v) {
     draw_surface(p, v);
 }
 
+void bolan_pass_water_draw_over(pass_water *p, render_view *v) {
+    const water_optics *o = optics_of(v->frame);
+    if (o->draw_over == NULL || v->medium != EYE_IN_AIR || !can_draw(p, v->frame) || !p->ready ||
+        v->frame->lighting.look.show == BOLAN_SHOW_MESH || bolan_water_mesh_triangles(&p->mesh) == 0)
+        return;
+    const water_draw d = draw_of(p, v);
+    bolan_sea_gpu_bind(&p->fields, d.waves);
+    o->draw_over(p->state[o->kind], &d);
+}
+
 void bolan_pass_water_draw_below(pass_water *p, render_view *v) {
     if (v->medium == EYE_IN_AIR || !can_draw(p, v->frame) || !p->ready) return;
     const water_draw d = draw_of(p, v);

@@ -74,6 +74,8 @@ typedef struct water_optics {
     bool (*shape)(void *state, const water_draw *d);
     // Shades these rows of the shape into the picture of the view.
     void (*light)(void *state, const water_draw *d, water_rows rows);
+    // What flies over the water, over the picture of water and sky, for an eye in the air; NULL: nothing.
+    void (*draw_over)(void *state, const water_draw *d);
     // The water round an eye in it, where the depth is 0; such an eye sees two triangles. NULL: not so.
     void (*draw_body)(void *state);
     // What is seen through water by an eye in it or at the waterline, over the frame and its sky; NULL: draw_body() or

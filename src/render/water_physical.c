@@ -8,6 +8,7 @@
 #include "kept_sizes.h"
 #include "shared/constants.glsl"
 #include "shared/foam.glsl"
+#include "spray.h"
 #include "water_air.h"
 #include "water_optics.h"
 
@@ -36,6 +37,7 @@ typedef struct physical {
     below_water below;
     gl_texture foam_noise;
     caustic_maps caustics;
+    spray spray;
 } physical;
 
 static const water_shader shape_shader = {.stem = "water_shape", .reads = WATER_FEATURE_ALL};
@@ -55,7 +57,8 @@ static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;
     p->quality = quality;
     bolan_gl_sampler_create(&p->sampler, false);
-    const bolan_result result = bolan_caustics_create(&p->caustics, quality);
+    bolan_result result = bolan_caustics_create(&p->caustics, quality);
+    if (result == BOLAN_OK) result = bolan_spray_create(&p->spray);
     return result == BOLAN_OK ? bolan_foam_noise_create(&p->foam_noise) : result;
 }
 
@@ -131,6 +134,7 @@ static void free_all(void *state) {
     bolan_below_free(&p->below);
     bolan_gl_texture_free(&p->foam_noise);
     bolan_caustics_free(&p->caustics);
+    bolan_spray_free(&p->spray);
     bolan_gl_sampler_free(&p->sampler);
 }
 
@@ -156,6 +160,7 @@ static physical_block foam_of(const render_view *v) {
                             .memory_variance = (float)fmax(law.memory_variance, 1e-9),
                             .jacobian_variance = (float)law.variance,
                             .streak_excess = (float)streak_excess(sea),
+                            .spray_time = bolan_spray_time(v->frame->time),
                             .water_scattering = v->frame->water.optics.scattering};
 }
 
@@ -237,6 +242,7 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
     bolan_water_programs_add(all, s, false, &shadow_shader, 0); // a host may bring shadows to any view
     bolan_below_list(s, all);
     bolan_caustics_list(s, all);
+    bolan_spray_list(s, all);
 }
 
 static bool make_shape(void *state, const water_draw *d) {
@@ -261,6 +267,12 @@ static void draw_below(void *state, const water_draw *d) {
     physical *p = state;
     bind_shape(p->shape);
     bolan_below_draw(&p->below, d);
+}
+
+static void draw_over(void *state, const water_draw *d) {
+    const physical *p = state;
+    bolan_gl_texture_bind(&p->foam_noise, UNIT_FOAM_DETAIL);
+    bolan_spray_draw(&p->spray, d);
 }
 
 static uint32_t shade_columns(const bolan_look *look, bolan_quality quality) {
@@ -294,5 +306,6 @@ const water_optics bolan_optics_physical = {.kind = BOLAN_OPTICS_PHYSICAL,
                                             .behind = behind,
                                             .shape = make_shape,
                                             .light = light,
+                                            .draw_over = draw_over,
                                             .draw_below = draw_below,
                                             .free = free_all};
