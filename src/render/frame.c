@@ -309,6 +309,7 @@ static void draw_hosted(bolan_renderer *r, const bolan_view *to, const bolan_hos
     draw_behind(r, &v, cache);
     begin_part(r, PART_WATER);
     bolan_pass_water_draw(r->water, &v);
+    bolan_pass_water_draw_over(r->water, &v); // seen where water stands behind it
     bolan_gl_texture_bind(&r->targets.behind_depth, UNIT_SCENE_DEPTH);
     bolan_host_resolve(&r->host, &v, to, host, &r->targets.hdr_color);
     bolan_pass_tonemap_forget(r->tonemap);
