@@ -87,6 +87,28 @@ static inline void butterfly8_open(const pair a[8], pair out[8]) {
     join8(e, o, out);
 }
 
+// The same where only a[0], a[1], a[6] and a[7] are not zero.
+static inline void butterfly8_four(const pair a[8], pair out[8]) {
+    const pair i6 = pair_i(a[6]), i7 = pair_i(a[7]);
+    const pair e[4] = {pair_add(a[0], a[6]), pair_sub(a[0], i6), pair_sub(a[0], a[6]), pair_add(a[0], i6)};
+    const pair o[4] = {pair_add(a[1], a[7]), pair_sub(a[1], i7), pair_sub(a[1], a[7]), pair_add(a[1], i7)};
+    join8(e, o, out);
+}
+
+// The same where only a[0] and a[7] are not zero.
+static inline void butterfly8_two(const pair a[8], pair out[8]) {
+    const pair i7 = pair_i(a[7]), back = {(a[7].re + a[7].im) * FFT_HALF_ROOT, (a[7].im - a[7].re) * FFT_HALF_ROOT};
+    const pair forth = pair_i(back);
+    out[0] = pair_add(a[0], a[7]);
+    out[1] = pair_add(a[0], back);
+    out[2] = pair_sub(a[0], i7);
+    out[3] = pair_sub(a[0], forth);
+    out[4] = pair_sub(a[0], a[7]);
+    out[5] = pair_sub(a[0], back);
+    out[6] = pair_add(a[0], i7);
+    out[7] = pair_add(a[0], forth);
+}
+
 // X[q] = sum_p (re[p] + i im[p]) e^{2 pi i pq / 16} in two halves: four transforms of four with their turns to
 // t[p % 4][q % 4], then butterfly4() of t[0 .. 3][q] gives X[q], X[q + 4], X[q + 8], X[q + 12].
 static inline __attribute__((always_inline)) void begin16(const wide re[16], const wide im[16], pair t[4][4]) {

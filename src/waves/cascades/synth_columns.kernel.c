@@ -120,21 +120,42 @@ static ALWAYS_INLINE pair spectrum(const column_strip s, int field, uint32_t j) 
     }
 }
 
-// The first stage of a field's transform, from the modes to `work`.
+// The first stage of a field's transform, from the modes to `work`, at the rows j = first .. end - 1 and those 1/8 n
+// apart from them: the blocks of low j alone that hold modes in one of these rows, and as many of high j.
+#define BEGIN(name, blocks, butterfly)                                                                                \
+    static ALWAYS_INLINE void name(const column_strip s, int field, const float *twiddle, uint32_t first,             \
+                                   uint32_t end, float *work) {                                                       \
+        const uint32_t q = s.n / 8;                                                                                   \
+        const pair zero = {(wide){0}, (wide){0}};                                                                     \
+        for (uint32_t j = first; j < end; j++) {                                                                      \
+            const float *turn = twiddle + 14 * (size_t)j;                                                             \
+            float *at = work + (size_t)j * FFT_ROW;                                                                   \
+            pair a[8], b[8];                                                                                          \
+            for (uint32_t i = 0; i < 8; i++)                                                                          \
+                if (i < blocks || i >= 8 - blocks)                                                                    \
+                    a[i] = has_modes(s.n, s.reach, j + i * q) ? spectrum(s, field, j + i * q) : zero;                 \
+            butterfly(a, b);                                                                                          \
+            pair_store(at, b[0]);                                                                                     \
+            for (uint32_t i = 1; i < 8; i++)                                                                          \
+                pair_store(at + (size_t)i * q * FFT_ROW, pair_turn(b[i], turn + 2 * (i - 1)));                        \
+        }                                                                                                             \
+    }
+BEGIN(begin_two, 1, butterfly8_two)
+BEGIN(begin_four, 2, butterfly8_four)
+BEGIN(begin_open, 3, butterfly8_open)
+#undef BEGIN
+
+// Modes reach into `most` blocks on either side, and into the last of them by `edge` rows: which of the first and of
+// the last rows of a block.
 static ALWAYS_INLINE void begin_field(const column_strip s, int field, const float *twiddle, float *work) {
-    const uint32_t q = s.n / 8;
-    const wide none = {0};
-    const pair zero = {none, none};
-    for (uint32_t j = 0; j < q; j++, twiddle += 14, work += FFT_ROW) {
-        pair a[8], b[8];
-#pragma GCC unroll 8
-        for (uint32_t i = 0; i < 8; i++)
-            if (i != 3 && i != 4) a[i] = has_modes(s.n, s.reach, j + i * q) ? spectrum(s, field, j + i * q) : zero;
-        butterfly8_open(a, b);
-        pair_store(work, b[0]);
-#pragma GCC unroll 8
-        for (uint32_t i = 1; i < 8; i++)
-            pair_store(work + (size_t)i * q * FFT_ROW, pair_turn(b[i], twiddle + 2 * (i - 1)));
+    const uint32_t q = s.n / 8, most = (s.reach + q - 1) / q, edge = s.reach - (most - 1) * q;
+    const uint32_t back = q - edge + 1 > edge ? q - edge + 1 : edge, ends[] = {edge, back, q};
+    for (uint32_t part = 0, first = 0; part < 3; first = ends[part++]) {
+        switch (part == 1 ? most - 1 : most) {
+        case 3: begin_open(s, field, twiddle, first, ends[part], work); break;
+        case 2: begin_four(s, field, twiddle, first, ends[part], work); break;
+        default: begin_two(s, field, twiddle, first, ends[part], work); break;
+        }
     }
 }
 

@@ -36,39 +36,91 @@ static row_scratch row_scratch_of(uint32_t n, float *scratch) {
     return (row_scratch){scratch, turned, row, (uint16_t *)(void *)(row + 4 * (size_t)n + SHIFT)};
 }
 
-static inline void prefetch_pair(const float *row) {
+// ---- the transform over a -------------------------------------------------------------------------------------------
+
+// Two fields that follow each other, from the row's piece of the first strip on. What the next row will read, `ahead`
+// floats on, is fetched: strips are pages apart, where no processor foresees it.
+typedef struct packing {
+    const float *piece;
+    ptrdiff_t ahead;
+    uint32_t strips, m;
+} packing;
+
+static ALWAYS_INLINE void prefetch_pair(const float *row) {
     __builtin_prefetch(row);
     __builtin_prefetch(row + FFT_LANES);
 }
 
-// Packs two fields that follow each other, from the row's `piece` of the first strip, into `out`, [m][FFT_ROW].
-// What the next row will read, `ahead` floats on, is fetched: strips are pages apart, where no processor foresees it.
-static void pack(const sea_cascade *cascade, const float *piece, ptrdiff_t ahead, float *out) {
-    const uint32_t n = cascade->n, m = n / FFT_LANES, half = cascade->strips, open = m >= 8 ? m / 8 * 3 : m / 2;
-    for (uint32_t row = half; row < open; row++) {
-        memset(out + (size_t)row * FFT_ROW, 0, FFT_ROW * sizeof(float));
-        memset(out + (size_t)(m - 1 - row) * FFT_ROW, 0, FFT_ROW * sizeof(float));
-    }
-    wide next_re = {0}, next_im = {0};
-    for (uint32_t at = half * FFT_LANES; at > 0;) { // from the highest wave number, whose neighbour is zero
-        at -= WIDE;
-        const float *cell = piece + (size_t)(at / FFT_LANES) * SEA_CELL + at % FFT_LANES;
-        const pair p = pair_load(cell), q = pair_load(cell + SEA_PIECE);
-        prefetch_pair(cell + ahead);
-        prefetch_pair(cell + ahead + SEA_PIECE);
-        pair_store(out + (size_t)(at / FFT_LANES) * FFT_ROW + at % FFT_LANES, (pair){p.re - q.im, p.im + q.re});
-        const uint32_t to = n - WIDE - at;
-        const wide re = p.re + q.im, im = q.re - p.im;
-        pair_store(out + (size_t)(to / FFT_LANES) * FFT_ROW + to % FFT_LANES,
-                   (pair){wide_mirror(re, next_re), wide_mirror(im, next_im)});
-        next_re = re;
-        next_im = im;
-    }
+// P in row a = `row` of the lower half, WIDE values of i.
+static ALWAYS_INLINE pair packed_low(const packing *k, uint32_t row, uint32_t lane) {
+    if (row >= k->strips) return (pair){(wide){0}, (wide){0}};
+    const float *cell = k->piece + (size_t)row * SEA_CELL + lane;
+    const pair a = pair_load(cell), b = pair_load(cell + SEA_PIECE);
+    prefetch_pair(cell + k->ahead);
+    prefetch_pair(cell + k->ahead + SEA_PIECE);
+    return (pair){a.re - b.im, a.im + b.re};
+}
+
+// P at minus i from 16 `strip` + `lane` on.
+static ALWAYS_INLINE pair packed_minus(const packing *k, uint32_t strip, uint32_t lane) {
+    if (strip >= k->strips) return (pair){(wide){0}, (wide){0}};
+    const float *cell = k->piece + (size_t)strip * SEA_CELL + lane;
+    const pair a = pair_load(cell), b = pair_load(cell + SEA_PIECE);
+    return (pair){a.re + b.im, b.re - a.im};
+}
+
+// P in row a = `row` of the upper half.
+static ALWAYS_INLINE pair packed_high(const packing *k, uint32_t row, uint32_t lane) {
+    const uint32_t strip = k->m - 1 - row, from = FFT_LANES - WIDE - lane;
+    if (strip >= k->strips) return (pair){(wide){0}, (wide){0}};
+    const pair v = packed_minus(k, strip, from);
+    const pair next = lane > 0 ? packed_minus(k, strip, from + WIDE) : packed_minus(k, strip + 1, 0);
+    return (pair){wide_mirror(v.re, next.re), wide_mirror(v.im, next.im)};
 }
 
 static inline pair pair_turn_lanes(pair a, const float *w) {
     const pair t = pair_load(w);
     return (pair){a.re * t.re - a.im * t.im, a.re * t.im + a.im * t.re};
+}
+
+// The first stage, of radix r, of which so many blocks of rows of either half may hold modes. Where it is the only one,
+// the outputs are turned.
+#define FIRST(name, r, blocks, butterfly)                                                                             \
+    static ALWAYS_INLINE void name(const fft_plan *plan, const float *turns, const packing *k, uint32_t j, float *out) { \
+        const uint32_t q = k->m / r;                                                                                  \
+        const float *twiddle = plan->twiddle[0] + 2 * (size_t)j * (r - 1);                                            \
+        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {                                                     \
+            pair a[r], b[r];                                                                                          \
+            for (uint32_t i = 0; i < blocks; i++) {                                                                   \
+                a[i] = packed_low(k, j + i * q, lane);                                                                \
+                a[r - 1 - i] = packed_high(k, j + (r - 1 - i) * q, lane);                                             \
+            }                                                                                                         \
+            butterfly(a, b);                                                                                          \
+            for (uint32_t i = 0; i < r; i++) {                                                                        \
+                const size_t at = (size_t)(j + i * q) * FFT_ROW + lane;                                               \
+                pair_store(out + at, q == 1 ? pair_turn_lanes(b[i], turns + at)                                       \
+                                   : i > 0  ? pair_turn(b[i], twiddle + 2 * (i - 1))                                  \
+                                            : b[i]);                                                                  \
+            }                                                                                                         \
+        }                                                                                                             \
+    }
+FIRST(first2, 2, 1, butterfly2)
+FIRST(first4, 4, 2, butterfly4)
+FIRST(first8_two, 8, 1, butterfly8_two)
+FIRST(first8_four, 8, 2, butterfly8_four)
+FIRST(first8_open, 8, 3, butterfly8_open)
+#undef FIRST
+
+// Row j of each block.
+static ALWAYS_INLINE void begin_row(const fft_plan *plan, const float *turns, const packing *k, uint32_t j, float *out) {
+    const uint32_t q = k->m / 8, far = j > q - 1 - j ? q - 1 - j : j; // in the block that is nearest to its modes
+    if (k->strips <= q + far) {
+        first8_two(plan, turns, k, j, out);
+    } else if (k->strips <= 2 * q + far) {
+        first8_four(plan, turns, k, j, out);
+    } else {
+        first8_open(plan, turns, k, j, out);
+    }
 }
 
 // The last stage of radix r over a, and the turns.
@@ -91,20 +143,21 @@ static inline pair pair_turn_lanes(pair a, const float *w) {
 TURN(turn2, 2, butterfly2)
 TURN(turn4, 4, butterfly4)
 TURN(turn8, 8, butterfly8)
-TURN(turn8_open, 8, butterfly8_open)
 #undef TURN
 
-// The transform over a, turned: `in` to `out`.
-static void transform_rows(const fft_plan *plan, const float *turns, float *in, float *out) {
-    if (plan->n == 8) {
-        turn8_open(plan, turns, in, out);
-        return;
+// The transform over a, turned, of two fields; `between` is scratch memory.
+static void transform_rows(const fft_plan *plan, const float *turns, const packing *k, float *between, float *out) {
+    switch (plan->n) {
+    case 2: first2(plan, turns, k, 0, out); return;
+    case 4: first4(plan, turns, k, 0, out); return;
+    case 8: begin_row(plan, turns, k, 0, out); return;
+    default: break;
     }
-    if (plan->n > 8) stage8_open(in, plan->n, plan->n, plan->twiddle[0]);
+    for (uint32_t j = 0; j < plan->n / 8; j++) begin_row(plan, turns, k, j, between);
     switch (plan->radix[plan->stages - 1]) {
-    case 2: turn2(plan, turns, in, out); break;
-    case 4: turn4(plan, turns, in, out); break;
-    default: turn8(plan, turns, in, out); break;
+    case 2: turn2(plan, turns, between, out); break;
+    case 4: turn4(plan, turns, between, out); break;
+    default: turn8(plan, turns, between, out); break;
     }
 }
 
@@ -135,12 +188,10 @@ static ALWAYS_INLINE void put_fields(row_kind kind, const row_out *out, uint32_t
     if (kind == ROW_TICK) return;
     wide texels[TEXEL_PARTS];
     wide_fields_texels(f, texels);
+    if (kind == ROW_DISPLACEMENT)
 #pragma GCC unroll 4
-    for (uint32_t part = 0; part < TEXEL_PARTS; part++) {
-        const size_t at = 4 * (size_t)x + part * WIDE;
-        if (kind == ROW_DISPLACEMENT) wide_store(out->texels + at, texels[part]);
-        wide_half_store(out->half + at, texels[part]);
-    }
+        for (uint32_t part = 0; part < TEXEL_PARTS; part++) wide_store(out->texels + 4 * (size_t)x + part * WIDE, texels[part]);
+    wide_fields_halves(f, texels, out->half + 4 * (size_t)x);
 }
 
 // The transforms over l of two turned transforms, which are the four fields of a row, or two of two.
@@ -169,26 +220,22 @@ static ALWAYS_INLINE void transform_lanes(const float *turned, uint32_t m, row_k
     }
 }
 
-// Two transforms, of the pairs of fields at `first` and `second`; `ahead`: pack().
+// Two transforms, of the pairs of fields at `first` and `second`; `ahead`: packing.
 static void begin_transforms(const cascade_tables *tables, const sea_cascade *cascade, const float *first,
                              const float *second, ptrdiff_t ahead, const row_scratch *r) {
-    pack(cascade, first, ahead, r->spectrum);
-    transform_rows(&tables->rows, tables->turns, r->spectrum, r->turned);
-    pack(cascade, second, ahead, r->spectrum);
-    transform_rows(&tables->rows, tables->turns, r->spectrum, r->turned + (size_t)tables->rows.n * FFT_ROW);
+    const uint32_t m = tables->rows.n;
+    const packing one = {first, ahead, cascade->strips, m}, other = {second, ahead, cascade->strips, m};
+    transform_rows(&tables->rows, tables->turns, &one, r->spectrum, r->turned);
+    transform_rows(&tables->rows, tables->turns, &other, r->spectrum, r->turned + (size_t)m * FFT_ROW);
 }
 
 // ---- what readers want ----------------------------------------------------------------------------------------------
 
-// A row is made in scratch memory and copied: planes are written line after line, whatever order a transform has.
-static void copy_row(void *to, const void *from, size_t bytes, bool stream) {
-    if (stream) {
-        for (size_t at = 0; at < bytes / sizeof(float); at += WIDE)
-            wide_stream((float *)to + at, wide_load((const float *)from + at));
-    } else {
-        for (size_t at = 0; at < bytes / sizeof(float); at += WIDE)
-            wide_store((float *)to + at, wide_load((const float *)from + at));
-    }
+// A row that bypasses the cache is made in scratch memory and copied: lines are streamed whole and one after the other,
+// whatever order a transform has.
+static void stream_row(void *to, const void *from, size_t bytes) {
+    for (size_t at = 0; at < bytes / sizeof(float); at += WIDE)
+        wide_stream((float *)to + at, wide_load((const float *)from + at));
 }
 
 // What is left of the foam of the last tick, or the present pinch where it is more. Both are bounded, so that a memory
@@ -212,14 +259,16 @@ static void store_foam(const sea_planes *planes, const sea_moment *moment, uint3
 // Row y of the displacement: behind it the first texels again, and behind the last row the first ones.
 static void displacement_row(const sea_planes *planes, sea_stream stream, uint32_t n, uint32_t m, uint32_t y,
                              const row_scratch *r) {
-    const size_t pitch = n + BOLAN_CASCADE_GUARD, bytes = pitch * sizeof(bolan_sea_texel);
-    const row_out out = {.texels = r->row, .half = r->half};
+    const size_t pitch = n + BOLAN_CASCADE_GUARD, guard = BOLAN_CASCADE_GUARD * sizeof(bolan_sea_texel);
+    float *row = &planes->displacement[y * pitch].dx;
+    uint16_t *half = planes->displacement_half + 4 * (size_t)y * n;
+    const row_out out = {.texels = stream == SEA_STREAM_NONE ? row : r->row,
+                         .half = stream == SEA_STREAM_ALL ? r->half : half};
     transform_lanes(r->turned, m, ROW_DISPLACEMENT, &out);
-    memcpy(r->row + 4 * (size_t)n, r->row, BOLAN_CASCADE_GUARD * sizeof(bolan_sea_texel));
-    for (size_t to = y; to < pitch; to += n)
-        copy_row(planes->displacement + to * pitch, r->row, bytes, stream != SEA_STREAM_NONE);
-    copy_row(planes->displacement_half + 4 * (size_t)y * n, r->half, 4 * (size_t)n * sizeof *r->half,
-             stream == SEA_STREAM_ALL);
+    memcpy(out.texels + 4 * (size_t)n, out.texels, guard);
+    if (stream != SEA_STREAM_NONE) stream_row(row, out.texels, pitch * sizeof(bolan_sea_texel));
+    if (y < BOLAN_CASCADE_GUARD) memcpy(row + 4 * n * pitch, out.texels, pitch * sizeof(bolan_sea_texel));
+    if (stream == SEA_STREAM_ALL) stream_row(half, out.half, 4 * (size_t)n * sizeof *half);
 }
 
 static row_out planes_of(const row_scratch *r, uint32_t n) {
@@ -228,13 +277,16 @@ static row_out planes_of(const row_scratch *r, uint32_t n) {
 
 static void slopes_row(const sea_planes *planes, const sea_moment *moment, uint32_t n, uint32_t m, uint32_t y,
                        const row_scratch *r) {
-    const row_out out = planes_of(r, n);
+    uint16_t *half = planes->slope_half + 4 * (size_t)y * n;
+    row_out out = planes_of(r, n);
+    if (moment->stream != SEA_STREAM_ALL) out.half = half;
+    for (uint32_t f = 0; f < SEA_HALF && moment->stream == SEA_STREAM_NONE; f++)
+        out.plane[f] = planes->slope[f] + (size_t)y * n;
     transform_lanes(r->turned, m, ROW_SLOPES, &out);
     store_foam(planes, moment, n, y, out.plane[SEA_DIVERGENCE], out.plane[SEA_DIVERGENCE + 1]);
-    for (uint32_t f = 0; f < SEA_HALF; f++)
-        copy_row(planes->slope[f] + (size_t)y * n, out.plane[f], n * sizeof(float), moment->stream != SEA_STREAM_NONE);
-    copy_row(planes->slope_half + 4 * (size_t)y * n, r->half, 4 * (size_t)n * sizeof *r->half,
-             moment->stream == SEA_STREAM_ALL);
+    for (uint32_t f = 0; f < SEA_HALF && moment->stream != SEA_STREAM_NONE; f++)
+        stream_row(planes->slope[f] + (size_t)y * n, out.plane[f], n * sizeof(float));
+    if (moment->stream == SEA_STREAM_ALL) stream_row(half, out.half, 4 * (size_t)n * sizeof *half);
 }
 
 // A tick: div D alone, of two rows, and the foam memory.
