@@ -1,253 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The surface that queries return, measured as an instrument would, against the sea that was asked for.
 //
-// Virtual buoys (Welch 1967), finite differences, correlations over distance and time, and the same seed at several
-// resolutions. The short version is the test; BOLAN_LONG=1 measures every sea with more buoys and seeds, and prints
-// the numbers of docs/accuracy.md; BOLAN_ONLY=nothing* runs the tests whose names match.
-#include "sea_support.h"
-#include "spectrum_support.h"
+// Finite differences, correlations over distance and time, and the same seed at several resolutions; test_sea_buoys.c
+// has the spectrum. The short version is the test; BOLAN_LONG=1 measures every sea at more places and of more seeds;
+// BOLAN_ONLY=nothing* runs the tests whose names match.
+#include "sea_kinds.h"
 
 #include "bolan/ground.h"
 #include "bolan/query.h"
-#include "waves/cascades/cascades.h"
-
-#include <complex.h>
-#include <string.h>
-
-static bool is_long(void) { return getenv("BOLAN_LONG") != NULL; }
-
-// ---- seas -----------------------------------------------------------------------------------------------------------
-
-typedef enum which { WIND5, WIND10, WIND20, SWELL14, NARROW14, OPEN_SEA, SWAN4, SEAS } which;
-static const char *const names[] = {"wind 5 m/s",   "wind 10 m/s", "wind 20 m/s",  "swell 14 s",
-                                    "narrow swell", "open sea",    "SWAN record 4"};
-static bolan_measured_spectrum *swan;
-
-static bolan_sea_desc desc_of(which sea, uint32_t n, uint64_t seed) {
-    static const double wind[SEAS] = {5.0, 10.0, 20.0, 0.0, 0.0, 10.0, 0.0};
-    bolan_sea_desc d = bolan_sea_desc_default();
-    d.sea_state = wind[sea] > 0.0 ? bolan_sea_state_from_wind(wind[sea], 240.0, 300e3) : bolan_sea_state_default();
-    if (sea == SWELL14) bolan_sea_state_add_swell(&d.sea_state, 2.0, 14.0, 270.0, 75.0);
-    if (sea == NARROW14) bolan_sea_state_add_swell(&d.sea_state, 2.0, 14.0, 270.0, 200.0);
-    if (sea == OPEN_SEA) bolan_sea_state_add_swell(&d.sea_state, 1.8, 13.0, 300.0, 45.0);
-    if (sea == SWAN4) d.sea_state = sea_of(swan), d.sea_state.wind_speed = 15.0;
-    d.resolution = n;
-    d.seed = seed;
-    d.choppiness = 0.0;
-    return d;
-}
-
-static double m0_of(const bolan_sea *sea) { return bolan_sea_get_summary(sea)->m0; }
-static double turn(double x) { return x - floor(x); }
-
-static bolan_dvec2 scattered(uint32_t i, double side) {
-    return (bolan_dvec2){side * turn(0.5 + i * 0.7548776662466927), side * turn(0.5 + i * 0.5698402909980532)};
-}
-
-// ---- modes ----------------------------------------------------------------------------------------------------------
-
-enum { MOST_MODES = 1 << 20 };
-typedef struct wave {
-    double kx, ky, turns, variance;
-} wave;
-static wave waves[MOST_MODES];
-static uint32_t wave_count;
-
-static void keep_wave(void *context, const sea_mode *m) {
-    (void)context;
-    const double forth = 2.0 * (m->re * m->re + m->im * m->im),
-                 back = 2.0 * (m->back_re * m->back_re + m->back_im * m->back_im);
-    assert_true(wave_count + 2 <= MOST_MODES);
-    waves[wave_count++] = (wave){m->kx, m->ky, m->turns, forth};
-    if (m->paired) waves[wave_count++] = (wave){-m->kx, -m->ky, m->turns, back};
-}
-
-// The progressive waves of a sea, with the variance of each.
-static void gather(const bolan_sea *sea) {
-    wave_count = 0;
-    sea->shared->model->each_wave(sea->shared, keep_wave, NULL);
-}
-
-// ---- buoys ----------------------------------------------------------------------------------------------------------
-
-enum { MOST_BUOYS = 2048, SAMPLES = 512, BANDS = 40 };
-#define RATE 2.0    // [Hz]
-#define BAND 1.0718 // a tenth of an octave
-#define LOWEST 0.05 // [Hz]
-#define LARGEST 2.5 // standard deviations: the largest of 28 bands is 2.2 off in the mean
-
-static void fft(double complex *x, uint32_t n) { // radix 2
-    static double complex turns[1 << 12];
-    static uint32_t made;
-    for (uint32_t i = 0; made != n && i < n / 2; i++) turns[i] = cexp(-2.0 * I * BOLAN_PI * i / n);
-    made = n;
-    for (uint32_t i = 1, j = 0; i < n; i++) {
-        uint32_t bit = n >> 1;
-        for (; j & bit; bit >>= 1) j ^= bit;
-        j ^= bit;
-        if (i < j) {
-            const double complex t = x[i];
-            x[i] = x[j], x[j] = t;
-        }
-    }
-    for (uint32_t m = 2; m <= n; m *= 2)
-        for (uint32_t block = 0; block < n; block += m)
-            for (uint32_t k = 0; k < m / 2; k++) {
-                const double complex w = turns[k * (n / m)] * x[block + k + m / 2], a = x[block + k];
-                x[block + k] = a + w, x[block + k + m / 2] = a - w;
-            }
-}
-
-typedef struct spectrum {
-    double bin[SAMPLES / 2 + 1]; // variance per bin of RATE / SAMPLES Hz
-} spectrum;
-
-static void add_segment(const float *h, spectrum *s, double weight) {
-    double complex x[SAMPLES];
-    double power = 0.0;
-    for (int i = 0; i < SAMPLES; i++) {
-        const double w = 0.5 - 0.5 * cos(2.0 * BOLAN_PI * (i + 0.5) / SAMPLES);
-        x[i] = w * (double)h[i];
-        power += w * w;
-    }
-    fft(x, SAMPLES);
-    for (int i = 0; i <= SAMPLES / 2; i++) s->bin[i] += weight * 2.0 * creal(x[i] * conj(x[i])) / (power * SAMPLES);
-}
-
-// The window spreads a wave over bins: what a discrete line at f gives bin i.
-static double window_share(double f, int i) {
-    const double d = f * SAMPLES / RATE - i; // of Hann: (sinc(d) + (sinc(d - 1) + sinc(d + 1)) / 2)^2 / 1.5
-    if (fabs(d) > 8.0) return 0.0;
-    double sum = 0.0;
-    for (int k = -1; k <= 1; k++) {
-        const double x = BOLAN_PI * (d + k);
-        sum += (k == 0 ? 1.0 : 0.5) * (fabs(x) < 1e-9 ? 1.0 : sin(x) / x);
-    }
-    return sum * sum / 1.5;
-}
-
-static void add_line(spectrum *s, double f, double variance) {
-    const int middle = (int)(f * SAMPLES / RATE);
-    for (int i = middle - 8; i <= middle + 9; i++)
-        if (i >= 0 && i <= SAMPLES / 2) s->bin[i] += variance * window_share(f, i);
-}
-
-static double in_band(const spectrum *s, int band) {
-    double sum = 0.0;
-    const double from = LOWEST * pow(BAND, band) * SAMPLES / RATE, to = from * BAND;
-    for (int i = 0; i <= SAMPLES / 2; i++) { // a bin reaches half a bin to either side
-        const double low = fmax(from, i - 0.5), high = fmin(to, i + 0.5);
-        if (high > low) sum += (high - low) * s->bin[i];
-    }
-    return sum;
-}
-
-// What was asked for, the continuous spectrum, as the same instrument would see it.
-static void requested(const bolan_sea_state *state, spectrum *s) {
-    enum { LINES = 8 * SAMPLES / 2, ANGLES = 120 };
-    memset(s, 0, sizeof *s);
-    for (int i = 0; i < LINES; i++) {
-        const double f = 0.5 * RATE * (i + 0.5) / LINES;
-        double density = 0.0;
-        for (int a = 0; a < ANGLES; a++)
-            density += bolan_sea_state_density(state, 2.0 * BOLAN_PI * f, 2.0 * BOLAN_PI * a / ANGLES);
-        add_line(s, f, density * (2.0 * BOLAN_PI / ANGLES) * BOLAN_PI * RATE / LINES);
-    }
-}
-static void realised(const bolan_sea *sea, spectrum *s) {
-    memset(s, 0, sizeof *s);
-    gather(sea);
-    for (uint32_t i = 0; i < wave_count; i++) add_line(s, waves[i].turns, waves[i].variance);
-}
-
-// What buoys hear, apart for each record: how far the records of all seeds are apart is the statistical error. The
-// energy of a mode of several waves beats in all of its tile at once, so buoys of one time do not make up for each
-// other; the records lie far apart instead.
-enum { RECORDS = 8 };
-#define APART 1111.5 // [s]
-static void listen(bolan_sea *sea, uint32_t buoys, spectrum s[RECORDS]) {
-    static float record[MOST_BUOYS][SAMPLES];
-    static float now[MOST_BUOYS];
-    static bolan_dvec2 at[MOST_BUOYS];
-    memset(s, 0, RECORDS * sizeof *s);
-    // At random: evenly scattered buoys would hear beats of waves that fit their spacing.
-    uint32_t random = 1;
-    for (uint32_t b = 0; b < buoys; b++)
-        for (int axis = 0; axis < 2; axis++) {
-            random = random * 1664525u + 1013904223u;
-            *(axis ? &at[b].y : &at[b].x) = 1e5 * (random >> 8) / 16777216.0;
-        }
-    for (uint32_t r = 0; r < RECORDS; r++) {
-        for (int i = 0; i < SAMPLES; i++) {
-            bolan_sea_step(sea, APART * r + i / RATE);
-            bolan_query_heights(&(bolan_water){.sea = sea}, at, buoys, now);
-            for (uint32_t b = 0; b < buoys; b++) record[b][i] = now[b];
-        }
-        for (uint32_t b = 0; b < buoys; b++) add_segment(record[b], &s[r], 1.0 / buoys);
-    }
-}
-
-typedef struct bands {
-    double heard[BANDS], squares[BANDS]; // of the buoys: sums over records, and of squares
-    double held[BANDS], asked[BANDS];    // of the modes and of the request
-    double variance;                     // of the records over m0
-} bands;
-
-static void hear_seed(which which_sea, uint32_t n, uint32_t seed, uint32_t seeds, uint32_t buoys, bands *out) {
-    static spectrum buoy[RECORDS];
-    spectrum modes, request;
-    const bolan_sea_desc desc = desc_of(which_sea, n, seed);
-    bolan_sea *sea = test_sea(desc);
-    listen(sea, buoys, buoy);
-    realised(sea, &modes);
-    requested(&desc.sea_state, &request);
-    for (int b = 0; b < BANDS; b++) {
-        for (int r = 0; r < RECORDS; r++) {
-            const double heard = in_band(&buoy[r], b) / (RECORDS * seeds);
-            out->heard[b] += heard, out->squares[b] += heard * heard;
-        }
-        out->held[b] += in_band(&modes, b) / seeds, out->asked[b] += in_band(&request, b) / seeds;
-    }
-    for (int r = 0; r < RECORDS; r++)
-        for (int i = 0; i <= SAMPLES / 2; i++) out->variance += buoy[r].bin[i] / m0_of(sea) / (RECORDS * seeds);
-    bolan_sea_destroy(&sea);
-}
-
-// Frequency [Hz] up to which a sea is as it was asked for; its shorter waves are rolled off (bolan/waves.h), and buoys
-// are held to the modes.
-static double asked_end(which which_sea, uint32_t n) {
-    const bolan_sea_desc d = desc_of(which_sea, n, 1);
-    const bolan_sea_summary summary = bolan_sea_state_summary(&d.sea_state);
-    return bolan_omega_from_k(bolan_sea_asked_end(&d.sea_state, &summary), d.sea_state.depth) / (2.0 * BOLAN_PI);
-}
-
-// Ratio of the buoys' spectrum to that of the modes and of the request, by tenths of an octave.
-static void check_buoys(which which_sea, uint32_t n, uint32_t seeds, uint32_t buoys, double tolerance) {
-    const double records = RECORDS * seeds, end = asked_end(which_sea, n);
-    static bands all;
-    memset(&all, 0, sizeof all);
-    for (uint32_t seed = 1; seed <= seeds; seed++) hear_seed(which_sea, n, seed, seeds, buoys, &all);
-    double worst = 0.0, worst_held = 0.0, at = 0.0, top = 0.0, doubt = 0.0, beyond = 0.0;
-    for (int b = 0; b < BANDS; b++) top = fmax(top, all.asked[b]);
-    for (int b = 0; b < BANDS; b++) {
-        if (all.asked[b] < 1e-2 * top || LOWEST * pow(BAND, b + 1) > 0.7) continue; // above, 2 Hz aliases
-        const double f = LOWEST * pow(BAND, b + 0.5),
-                     asked = LOWEST * pow(BAND, b + 1) < end ? all.asked[b] : all.held[b];
-        const double error = all.heard[b] / asked - 1.0;
-        const double spread = all.squares[b] - all.heard[b] * all.heard[b] / records; // of the mean: n / (n - 1) times
-        const double sd = sqrt(spread * records / (records - 1.0)) / asked;
-        if (is_long())
-            print_message("      %.4f Hz  buoys/request %.3f +- %.3f  buoys/modes %.3f  modes/request %.3f\n", f,
-                          all.heard[b] / all.asked[b], sd, all.heard[b] / all.held[b], all.held[b] / all.asked[b]);
-        if (fabs(error) > fabs(worst)) worst = error, at = f, doubt = sd;
-        beyond = fmax(beyond, fabs(error) - LARGEST * sd);
-        worst_held = fmax(worst_held, fabs(all.heard[b] / all.held[b] - 1.0));
-    }
-    print_message("%s, N %u: spectrum off by %+.3f +- %.3f at %.3f Hz (of the modes %.3f; beyond 2.5 times the error "
-                  "%.3f), variance of the records %.3f\n",
-                  names[which_sea], n, worst, doubt, at, worst_held, beyond, all.variance);
-    assert_true(beyond < tolerance); // beyond the statistical error
-}
 
 // ---- variance and slopes of one realisation -------------------------------------------------------------------------
 
@@ -483,19 +243,6 @@ static void check_quality(which which_sea, double least) {
 
 // ---- the tests ------------------------------------------------------------------------------------------------------
 
-static void buoys_see_the_spectrum(void **state) {
-    (void)state;
-    if (!is_long()) {
-        check_buoys(WIND10, 128, 1, 256, 0.03);
-        return;
-    }
-    static const which measured[] = {WIND10, NARROW14, OPEN_SEA, SWAN4};
-    static const uint32_t sides[] = {256, 64, 128, 512, 1024};
-    for (int i = 0; i < 5; i++)
-        for (int s = 0; s < 4; s++)
-            check_buoys(measured[s], sides[i], sides[i] <= 128 ? 8 : sides[i] == 256 ? 4 : 2, 512, 0.03);
-}
-
 static void one_realisation_has_the_height_that_was_asked_for(void **state) {
     (void)state;
     for (int s = 0; s < SEAS; s++) check_variance((which)s, 128, is_long() ? 16 : 2, 0.01, 0.03);
@@ -539,28 +286,11 @@ static void every_quality_shows_the_same_waves(void **state) {
     check_quality(OPEN_SEA, 0.999);
 }
 
-static int open_swan(void **state) {
-    (void)state;
-    bolan_spectrum_texts texts = bolan_spectrum_texts_default();
-    texts.density = load_text("swan_maari_lonlat_24f36d.spec");
-    swan = parse(&texts, 4);
-    free((char *)texts.density.data);
-    return 0;
-}
-
-static int close_swan(void **state) {
-    (void)state;
-    bolan_measured_spectrum_destroy(&swan);
-    return 0;
-}
-
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(buoys_see_the_spectrum),
-                                       cmocka_unit_test(one_realisation_has_the_height_that_was_asked_for),
-                                       cmocka_unit_test(normals_are_those_of_the_heights),
-                                       cmocka_unit_test(nothing_repeats_within_sight),
-                                       cmocka_unit_test(nothing_returns_within_an_hour),
-                                       cmocka_unit_test(every_quality_shows_the_same_waves)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_realisation_has_the_height_that_was_asked_for),
+        cmocka_unit_test(normals_are_those_of_the_heights), cmocka_unit_test(nothing_repeats_within_sight),
+        cmocka_unit_test(nothing_returns_within_an_hour), cmocka_unit_test(every_quality_shows_the_same_waves)};
     if (getenv("BOLAN_ONLY")) cmocka_set_test_filter(getenv("BOLAN_ONLY"));
     return cmocka_run_group_tests(tests, open_swan, close_swan);
 }
