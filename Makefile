@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # A thin front for CMake. Everything lands in build*/ and out/, which git ignores.
 .POSIX:
-.PHONY: help build run web test bench install deb docs figures format mutate setup
+.PHONY: help build run web test bench install deb docs figures views format mutate setup
 
 PREFIX = /usr/local
 
@@ -15,6 +15,7 @@ help:
 	@echo 'make deb      Debian packages of the program, the libraries and the Python module: build-deb/*.deb'
 	@echo 'make docs     the manual, the reference and the gallery as a site: build/docs/html/index.html'
 	@echo 'make figures  the figures of the four papers again: docs/images/techniques/'
+	@echo 'make views    24 views of open water in every weather, to be looked at: out/views/index.html'
 	@echo 'make mutate   try whether the tests can fail: hours (tools/mutate.sh --only REGEX for some)'
 	@echo 'make format   clang-format every C, C++ and header file'
 	@echo 'Each installs missing Debian or Ubuntu packages first (tools/setup.sh).'
@@ -52,6 +53,9 @@ docs: build
 
 figures: build
 	@tools/figures.sh
+
+views: build
+	@tools/views.sh
 
 mutate: setup
 	@tools/mutate.sh
