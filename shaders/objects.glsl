@@ -6,6 +6,8 @@
 #include "common/frame.glsl"
 #include "common/atmosphere.glsl"
 #include "common/under.glsl"
+#include "common/object_shadow.glsl"
+#include "shared/wet.glsl"
 #ifndef PICTURE
 #include "common/gathered.glsl"
 #endif
@@ -16,9 +18,8 @@
 uniform vec4 place[3];     // rows of the matrix from model to eye-relative world
 uniform float grain_scale; // 1 / period of the grain [1/m]
 uniform float pixel;       // of this picture [rad]
-uniform vec4 caster[64];   // pairs: centre (eye-relative), 1 / horizontal radius; x: 1 / vertical radius [1/m]
-uniform int caster_count;
 uniform int own_caster;    // an object does not shadow itself
+uniform vec2 wet_band;     // where it is wet: from the water at it to the wet line, over the water level [m]
 
 #ifdef VERTEX
 layout(location = 0) in vec3 vertex;
@@ -26,6 +27,7 @@ layout(location = 1) in vec3 vertex_normal;
 layout(location = 2) in vec4 vertex_color; // albedo; open sky
 out vec3 light;     // radiance of the surface as it arrives
 out vec3 inscatter; // of the air before it
+out vec4 wet;       // share of the light that is left where it is wet; height over the water level [m]
 out vec4 grain;     // noise coordinates, strength, level
 #ifdef CUT
 out float over;     // height above the clip level [m]
@@ -36,18 +38,10 @@ out vec3 bottom;    // level place relative to the eye, depth under the water [m
 
 const float NOISE_SIZE = 256.0; // texels
 
-
-// Share of the sun that passes the other objects, each taken as a soft ellipsoid.
-float object_shadow(vec3 position) {
-    float lit = 1.0;
-    for (int i = 0; i < caster_count; ++i) {
-        if (i == own_caster) continue;
-        vec4 c = caster[2 * i];
-        vec3 scale = vec3(c.w, c.w, caster[2 * i + 1].x), to = (c.xyz - position) * scale, ray = sun_direction * scale;
-        vec3 miss = to - ray * max(dot(to, ray) / dot(ray, ray), 0.0);
-        lit *= 1.0 - 0.82 * (1.0 - smoothstep(0.45, 1.25, dot(miss, miss)));
-    }
-    return lit;
+// Where the sunlight that reaches a point under the water came in.
+vec3 sunlit_place(vec3 position, float height) {
+    float depth = max(-height, 0.0), down = max(refracted_cosine(sun_direction.z, water_index), 0.1);
+    return position + depth * vec3(sun_direction.xy / (water_index * down), 1.0);
 }
 
 void main() {
@@ -67,11 +61,15 @@ void main() {
 #else
     float lit = mix(max(facing, 0.0), max((facing + 0.4) / 1.4, 0.0) * smoothstep(0.05, 0.75, open), leafy);
 #endif
-    lit *= object_shadow(position) * cloud_shadow(position.xy);
+    lit *= object_shadow(sunlit_place(position, height), own_caster) * cloud_shadow(position.xy);
     float up = 0.5 + 0.5 * n.z;
     vec3 around = (sun_light * max(sun_direction.z, 0.0) * 0.6 + sky_light) * vec3(0.13, 0.14, 0.08);
     vec3 ambient = open * (sky_light * up + around * (1.0 - up + 0.25 * (1.0 - open)));
     light = albedo / PI * (sun_light * lit + ambient);
+
+    wet = vec4(wet_albedo(albedo.r, water_index), wet_albedo(albedo.g, water_index), wet_albedo(albedo.b, water_index),
+               height);
+    wet.rgb /= max(albedo, 1e-3);
 
     vec3 transmittance;
     float away = length(position);
@@ -116,6 +114,7 @@ void main() {
 #ifdef FRAGMENT
 in vec3 light;
 in vec3 inscatter;
+in vec4 wet;
 in vec4 grain;
 #ifdef CUT
 in float over;
@@ -128,6 +127,8 @@ out vec4 color;
 #pragma unit ground_noise 12
 uniform sampler2D ground_noise; // billows, their gradient, patches; mean 0.5
 
+const float WET_EDGE = 0.04; // half the height over which it dries [m]
+
 void main() {
 #ifdef CUT
     if (over < 0.0) discard;
@@ -135,7 +136,10 @@ void main() {
     // One level: software OpenGL blends two at twice the cost.
     vec4 noise = textureLod(ground_noise, grain.xy, floor(grain.w + 0.5));
     float tone = noise.r + noise.a - 1.0;
-    vec3 radiance = light * max(1.0 + grain.z * tone, 0.2);
+    // Under the water it is as bright as dry: what a film reflects back, there the surface does (BED_LEAVES).
+    float dry = smoothstep(-WET_EDGE, WET_EDGE, wet.w - wet_band.y + WET_EDGE * tone);
+    vec3 left = mix(wet.rgb, vec3(1.0), wet.w < wet_band.x ? 1.0 : dry);
+    vec3 radiance = light * left * max(1.0 + grain.z * tone, 0.2);
 #ifdef LIT_BELOW
     const float SUN_SHARE = 0.75; // of the light; the rest is the sky's
 #ifdef WET

@@ -253,6 +253,12 @@ water_here water_at(ivec2 pixel, vec2 uv, vec4 shape) {
     return p;
 }
 
+#ifdef LAND
+// Depth of the bed under a pixel [m], for what the water's edge has and a hull has not. water_path: depth of what is
+// seen under it, which is less only over an object.
+float over_bed(water_here p, float water_path) { return max(water_path, p.depth + p.height); }
+#endif
+
 // The reflected sky and land: radiance times reflectance. Two texture fetches along the lobe, which is long along the
 // view and narrows across it by the sine of the grazing angle. Rays that another wave stops are reflected again there,
 // and come from the low sky.
@@ -380,7 +386,7 @@ void main() {
         float shore = 0.0;
 #ifdef LAND
         vec2 noise = smooth_patches(p.rest, p.place.minor);
-        shore = shore_cover(p.rest, p.depth, water_path, noise);
+        shore = shore_cover(p.rest, p.depth, over_bed(p, water_path), noise);
 #endif
         foam_here foam = foam_at(p, shore, texels);
         below += bubble_reflectance(water_attenuation, foam.bubbles) * lit;
@@ -389,7 +395,7 @@ void main() {
         surface = surface_light(p, sunlight, below);
     }
 #ifdef LAND
-    surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, smoothstep(0.0, FILM, water_path));
+    surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, smoothstep(0.0, FILM, over_bed(p, water_path)));
 #endif
     color = vec4(surface * p.air.transmittance + p.air.inscatter, 1.0);
 }

@@ -140,6 +140,8 @@ void bolan_pass_ground_destroy(pass_ground **p);
 
 bolan_result bolan_pass_objects_create(const gl_caps *caps, pass_objects **out);
 void bolan_pass_objects_prepare(pass_objects *p, render_view *v); // places of this frame; uploads what is new
+// Sets the casters of shadows in a program that includes common/object_shadow.glsl.
+void bolan_casters_use(const render_view *v, const gl_program *program);
 void bolan_pass_objects_draw(
     pass_objects *p,
     render_view *v); // one side of the clip plane; reads UNIT_TERRAIN2 (the terrain pass's noise)

@@ -2,6 +2,7 @@
 // The scene's objects: keeps their meshes on the GPU, sets them on the waves, draws them. Shader: shaders/objects.glsl.
 #include "frame.h"
 
+#include "bolan/query.h"
 #include "bolan/world.h"
 #include "memory.h"
 
@@ -9,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define VERTEX_FLOATS 10    // position, normal, colour and openness
-#define MAX_CASTERS 32      // twin of caster[] in objects.glsl
-#define WIDEST_CASTER 30.0f // [m]: what is larger is a landscape
+#define VERTEX_FLOATS 10                          // position, normal, colour and openness
+enum { CASTER_FLOATS = 3 * 4, MAX_CASTERS = 32 }; // twins of caster[] in common/object_shadow.glsl
+#define WIDEST_CASTER 30.0f                       // [m]: what is larger is a landscape
 #define OVERLAP 0.25f // [m], as in planar_views.c: what stands clear of the water by more is cut by no picture's plane
 
 enum { ABOVE, ACROSS, BELOW, CLASSES }; // the paper's three classes (section 2.2), of triangles
@@ -50,6 +51,7 @@ typedef struct placed {
     double lowest, highest;   // of its box, above the water level [m]
     float nearest;            // about as near as it comes to the eye [m]
     int caster;               // its own, or -1
+    float wet[2];             // heights over the water level between which it is wet [m]
     uint32_t index;           // in the scene
 } placed;
 
@@ -59,7 +61,7 @@ struct pass_objects {
     sorted sorted[BOLAN_MAX_OBJECTS];  // by the scene's order
     placed objects[BOLAN_MAX_OBJECTS]; // the nearest first: what they hide is not shaded
     uint32_t count;
-    float casters[MAX_CASTERS * 2 * 4];
+    float casters[MAX_CASTERS * CASTER_FLOATS];
     uint32_t caster_count;
 };
 
@@ -282,14 +284,32 @@ static int by_distance(const void *a, const void *b) {
 // What stands up throws a shadow: an ellipsoid in the upper part of its box, where crowns and roofs are.
 static void add_caster(pass_objects *p, placed *to, bolan_vec3 low, bolan_vec3 high, float scale) {
     const bolan_vec3 size = bolan_v3_scale(bolan_v3_sub(high, low), scale);
-    const float radius = 0.25f * (size.x + size.y);
     to->caster = -1;
-    if (p->caster_count == MAX_CASTERS || radius > WIDEST_CASTER || fminf(size.x, fminf(size.y, size.z)) < 0.4f) return;
+    if (p->caster_count == MAX_CASTERS || 0.25f * (size.x + size.y) > WIDEST_CASTER) return;
+    if (fminf(size.x, fminf(size.y, size.z)) < 0.4f) return;
     const bolan_vec3 center = {0.5f * (low.x + high.x), 0.5f * (low.y + high.y), low.z + 0.56f * (high.z - low.z)};
     const bolan_vec3 at = transformed(to->rows, center);
-    const float pair[8] = {at.x, at.y, at.z, 1.0f / radius, 1.0f / (0.44f * size.z)};
-    memcpy(p->casters + 8 * p->caster_count, pair, sizeof pair);
+    const float radius[3] = {0.5f * size.x, 0.5f * size.y, 0.44f * size.z};
+    float *row = p->casters + CASTER_FLOATS * p->caster_count;
+    for (int i = 0; i < 3; i++, row += 4) {
+        const bolan_vec3 axis = {to->rows[i], to->rows[4 + i], to->rows[8 + i]}; // `scale` long
+        const bolan_vec3 along = bolan_v3_scale(axis, 1.0f / (scale * radius[i]));
+        const float map[4] = {along.x, along.y, along.z, -bolan_v3_dot(along, at)};
+        memcpy(row, map, sizeof map);
+    }
     to->caster = (int)p->caster_count++;
+}
+
+#define WET_FLOATING 0.06 // over the water or its crests [m]
+#define WET_FIXED 0.5     // crests over the mean water, in significant wave heights, at what does not float
+
+// Heights over the water level between which an object is wet.
+static void measure_wet(placed *to, const bolan_object *o, const frame *f, double hs) {
+    const bolan_dvec2 at = {o->position.x, o->position.y};
+    float height = 0.0f;
+    bolan_query_heights(&f->water, &at, 1, &height);
+    to->wet[0] = height - (float)f->level;
+    to->wet[1] = (o->floats ? to->wet[0] : (float)(WET_FIXED * hs)) + (float)WET_FLOATING;
 }
 
 void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
@@ -297,6 +317,7 @@ void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
     p->count = p->caster_count = 0;
     for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) p->models[i].wanted = false;
     const uint32_t count = v->frame->models ? s->object_count : 0;
+    const double hs = count > 0 && v->frame->sea ? bolan_sea_get_summary(v->frame->sea)->hs : 0.0;
     // First what is there already, so that nothing that is wanted makes way.
     for (uint32_t i = 0; i < count; i++) {
         gpu_model *g = v->frame->models[i] ? find(p, bolan_model_id(v->frame->models[i])) : NULL;
@@ -311,11 +332,19 @@ void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
         const bolan_pose at = bolan_object_pose(&s->objects[i], model, &v->frame->water);
         fill_rows(to, &at, s->objects[i].scale, v->eye);
         measure_box(to, v->eye.z - v->frame->level);
+        measure_wet(to, &s->objects[i], v->frame, hs);
         add_caster(p, to, to->low, to->high, (float)s->objects[i].scale);
         sort_triangles(&p->sorted[i], to, model, s->objects[i].floats, v->block.eye_height);
         p->count++;
     }
     qsort(p->objects, p->count, sizeof *p->objects, by_distance);
+    v->casters = p->casters;
+    v->caster_count = p->caster_count;
+}
+
+void bolan_casters_use(const render_view *v, const gl_program *program) {
+    bolan_gl_program_int(program, "caster_count", (int)v->caster_count);
+    if (v->caster_count > 0) bolan_gl_program_vec4_array(program, "caster", v->casters, 3 * v->caster_count);
 }
 
 // ---- drawing --------------------------------------------------------------------------------------------------------
@@ -345,12 +374,11 @@ static bool is_wanted(int class, float side) {
     return class == ABOVE ? side >= 0.0f : class == BELOW ? side <= 0.0f : true;
 }
 
-static const gl_program *use(pass_objects *p, int flat, int kind, float pixel) {
+static const gl_program *use(pass_objects *p, int flat, int kind, const render_view *v) {
     const gl_program *program = &p->programs[flat][kind];
     bolan_gl_program_use(program);
-    bolan_gl_program_float(program, "pixel", pixel);
-    bolan_gl_program_int(program, "caster_count", (int)p->caster_count);
-    if (p->caster_count) bolan_gl_program_vec4_array(program, "caster", p->casters, 2 * p->caster_count);
+    bolan_gl_program_float(program, "pixel", v->block.radians_per_pixel * v->pixel_scale);
+    bolan_casters_use(v, program);
     return program;
 }
 
@@ -358,6 +386,7 @@ static void draw_part(const gl_program *program, const placed *o, uint32_t first
     bolan_gl_program_vec4_array(program, "place", o->rows, 3);
     bolan_gl_program_float(program, "grain_scale", 1.0f / o->gpu->period);
     bolan_gl_program_int(program, "own_caster", o->caster);
+    bolan_gl_program_vec2(program, "wet_band", o->wet[0], o->wet[1]);
     bolan_gl_mesh_draw(o->mesh, first, count);
     v->triangles += count / 3;
 }
@@ -365,7 +394,6 @@ static void draw_part(const gl_program *program, const placed *o, uint32_t first
 // All of one kind together, for a change of program costs.
 static void draw_kind(pass_objects *p, render_view *v, int flat, int kind) {
     const float side = v->block.clip_side;
-    const float pixel = v->block.radians_per_pixel * v->pixel_scale;
     const gl_program *program = NULL;
     for (uint32_t i = 0; i < p->count; i++) {
         const placed *o = &p->objects[i];
@@ -377,7 +405,7 @@ static void draw_kind(pass_objects *p, render_view *v, int flat, int kind) {
             count += o->counts[c];
         }
         if (count == 0) continue;
-        if (!program) program = use(p, flat, kind, pixel);
+        if (!program) program = use(p, flat, kind, v);
         draw_part(program, o, from, count, v);
     }
 }

@@ -39,14 +39,14 @@ typedef struct render_view {
     frame *frame;
     bolan_dvec3 eye; // world, z above the datum
     view_lens lens;
-    bolan_mat4 view, projection; // world -> eye, without translation; eye -> clip, reversed Z, infinite far
-    double near_distance;        // [m]
-    bool zero_to_one;            // clip depth is [0,1]
-    uint32_t width, height;      // [px]
+    bolan_mat4 view, projection;        // world -> eye, without translation; eye -> clip, reversed Z, infinite far
+    double near_distance;               // [m]
+    bool zero_to_one;                   // clip depth is [0,1]
+    uint32_t width, height;             // [px]
     bolan_vec2 tile_corner, tile_share; // as of the block View
     bool progressive;
     bool without_water; // all but the water is drawn
-    bool bake; // the optics may bake anew what another sun has lit
+    bool bake;          // the optics may bake anew what another sun has lit
     // Inputs of the block.
     bolan_mat4 mirror;   // applied to the eye-relative world before the camera
     bool under;          // the eye is below the mean water, and the optics draws such views of two triangles
@@ -63,10 +63,12 @@ typedef struct render_view {
     // Targets.
     gl_target hdr; // RGBA16F colour + depth
     const gl_texture *hdr_depth;
-    uint64_t depth_serial; // of the making of that depth; 0: not the frame's
-    bolan_vec4 background;               // of a picture, where nothing is drawn
-    bool picture;                        // drawn for the water to read, or from under it: see clip and under
-    const struct shore_map *shore;       // set by bolan_pass_ground_prepare's caller
+    uint64_t depth_serial;         // of the making of that depth; 0: not the frame's
+    bolan_vec4 background;         // of a picture, where nothing is drawn
+    bool picture;                  // drawn for the water to read, or from under it: see clip and under
+    const struct shore_map *shore; // set by bolan_pass_ground_prepare's caller
+    const float *casters;          // of shadows: see common/object_shadow.glsl
+    uint32_t caster_count;
     uint32_t triangles, water_triangles; // counted by the passes
 } render_view;
 

@@ -43,15 +43,16 @@ typedef struct physical {
 static const water_shader shape_shader = {.stem = "water_shape", .reads = WATER_FEATURE_ALL};
 static const water_shader land_shader = {.stem = "land_mirror"};
 static const water_shader shadow_shader = {.stem = "host_shadow"};
+static const water_shader object_shadow_shader = {.stem = "object_shadow"};
 // By quality: texture fetches along a footprint, reflected rays that look for land, slopes by cubic splines.
 static const water_shader light_shader = {.stem = "water_physical",
                                           .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
                                           .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\nLAND_STEPS 12\n",
                                                       [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\nLAND_STEPS 12\n",
                                                       [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\nLAND_STEPS 32\n"
-                                                                          "SPLINES 1\n",
+                                                                             "SPLINES 1\n",
                                                       [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\nLAND_STEPS 48\n"
-                                                                           "SPLINES 1\n"}};
+                                                                              "SPLINES 1\n"}};
 
 static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;
@@ -198,6 +199,17 @@ static void draw_shadow(const physical *p, const water_draw *d) {
     bolan_gl_guest_texture_bind(0, UNIT_OWN, NULL);
 }
 
+// The same for the scene's objects.
+static void draw_object_shadow(const physical *p, const water_draw *d) {
+    const gl_program *g = bolan_water_program(d, &object_shadow_shader, 0);
+    if (g == NULL) return;
+    bolan_casters_use(d->view, g);
+    bolan_gl_target_bind(&p->shape->sun);
+    bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_MULTIPLY});
+    bolan_gl_texture_bind(&p->shape->rest, UNIT_OWN + 1);
+    bolan_gl_draw_fullscreen();
+}
+
 static bool draw_land(shape *s, const water_draw *d) {
     if (!bolan_water_program(d, &land_shader, 0)) return false;
     bolan_gl_target_bind(&s->land_target);
@@ -240,6 +252,7 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
     bolan_water_programs_add(all, s, false, &light_shader, 1u << s->quality);
     bolan_water_programs_add(all, s, false, &land_shader, 0);
     bolan_water_programs_add(all, s, false, &shadow_shader, 0); // a host may bring shadows to any view
+    if (s->land) bolan_water_programs_add(all, s, false, &object_shadow_shader, 0);
     bolan_below_list(s, all);
     bolan_caustics_list(s, all);
     bolan_spray_list(s, all);
@@ -251,6 +264,7 @@ static bool make_shape(void *state, const water_draw *d) {
     if (fit_shape(p, d->view) != BOLAN_OK || !draw_shape(p, d)) return false;
     if (d->view->medium == EYE_IN_WATER) return false; // draw_below() shades it
     if (host != NULL && host->shadow != 0) draw_shadow(p, d);
+    if (d->view->caster_count > 0) draw_object_shadow(p, d);
     if (d->view->frame->behind && !draw_land(p->shape, d)) return false;
     return bolan_water_air_draw(&p->shape->air, d);
 }
