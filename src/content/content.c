@@ -31,6 +31,8 @@ static const struct {
     {"reeds", bolan_model_reeds},
     {"jetty", bolan_model_jetty},
     {"rock", bolan_model_rock},
+    {"coral", bolan_model_coral},
+    {"staghorn", bolan_model_staghorn},
 };
 #define MODELS (sizeof models / sizeof *models)
 

@@ -77,5 +77,7 @@ void bolan_model_conifer(model_builder *b);
 void bolan_model_reeds(model_builder *b);
 void bolan_model_jetty(model_builder *b);
 void bolan_model_rock(model_builder *b);
+void bolan_model_coral(model_builder *b);
+void bolan_model_staghorn(model_builder *b);
 
 #endif
