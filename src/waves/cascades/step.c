@@ -6,8 +6,8 @@
 #include <stdatomic.h>
 
 #define SAMPLE_BYTES 54.0 // 9 planes of float, 9 of half
-#define LARGE_OUTPUT 1e7  // [bytes] all planes: more than second-level caches hold
-#define HUGE_OUTPUT 4e7   // [bytes] more than third-level caches hold for one process
+#define LARGE_OUTPUT \
+    1e7 // [bytes] all planes: more than second-level caches hold, and soon more than their share of a third
 
 // Each cascade goes through phases: the columns of a half, strip by strip, and its rows, block by block. A worker stays
 // with a cascade while there is work on it, so that the intermediate data remain in its own cache, and then helps with
@@ -70,6 +70,6 @@ void bolan_cascades_step(const bolan_sea *sea, const sea_instant *instant) {
     step s = {cascade_tables_of(sea->shared), cascade_fields_of(sea), sea->shared->cascades, .moment.at = *instant};
     s.moment.choppiness = (float)sea->shared->desc.choppiness;
     const double bytes = SAMPLE_BYTES * s.cascades * s.tables->columns.n * s.tables->columns.n;
-    s.moment.stream = bytes > HUGE_OUTPUT ? SEA_STREAM_ALL : bytes > LARGE_OUTPUT ? SEA_STREAM_PLANES : SEA_STREAM_NONE;
+    s.moment.stream = bytes > LARGE_OUTPUT;
     bolan_parallel(s.fields->slots, 1, run_slots, &s);
 }

@@ -5,19 +5,12 @@
 
 #include "waves/cascades/cascades.h"
 
-// The outputs that bypass the cache, because they are larger than the cache.
-typedef enum sea_stream {
-    SEA_STREAM_NONE,
-    SEA_STREAM_PLANES, // the float planes, which are read sparsely; halfs are uploaded soon after
-    SEA_STREAM_ALL,
-} sea_stream;
-
 // The parameters that all strips of a step share.
 typedef struct sea_moment {
     sea_instant at;
     float choppiness;
-    sea_stream stream;
-    bool alone; // the slopes are asked for without the displacement, which would have made the modes at the time
+    bool stream; // the outputs bypass the cache: each line would be read before it is written, and put out unread
+    bool alone;  // the slopes are asked for without the displacement, which would have made the modes at the time
 } sea_moment;
 
 typedef struct sea_kernels {

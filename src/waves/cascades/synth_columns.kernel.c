@@ -122,23 +122,22 @@ static ALWAYS_INLINE pair spectrum(const column_strip s, int field, uint32_t j) 
 
 // The first stage of a field's transform, from the modes to `work`, at the rows j = first .. end - 1 and those 1/8 n
 // apart from them: the blocks of low j alone that hold modes in one of these rows, and as many of high j.
-#define BEGIN(name, blocks, butterfly)                                                                                \
-    static ALWAYS_INLINE void name(const column_strip s, int field, const float *twiddle, uint32_t first,             \
-                                   uint32_t end, float *work) {                                                       \
-        const uint32_t q = s.n / 8;                                                                                   \
-        const pair zero = {(wide){0}, (wide){0}};                                                                     \
-        for (uint32_t j = first; j < end; j++) {                                                                      \
-            const float *turn = twiddle + 14 * (size_t)j;                                                             \
-            float *at = work + (size_t)j * FFT_ROW;                                                                   \
-            pair a[8], b[8];                                                                                          \
-            for (uint32_t i = 0; i < 8; i++)                                                                          \
-                if (i < blocks || i >= 8 - blocks)                                                                    \
-                    a[i] = has_modes(s.n, s.reach, j + i * q) ? spectrum(s, field, j + i * q) : zero;                 \
-            butterfly(a, b);                                                                                          \
-            pair_store(at, b[0]);                                                                                     \
-            for (uint32_t i = 1; i < 8; i++)                                                                          \
-                pair_store(at + (size_t)i * q * FFT_ROW, pair_turn(b[i], turn + 2 * (i - 1)));                        \
-        }                                                                                                             \
+#define BEGIN(name, blocks, butterfly)                                                                         \
+    static ALWAYS_INLINE void name(const column_strip s, int field, const float *twiddle, uint32_t first,      \
+                                   uint32_t end, float *work) {                                                \
+        const uint32_t q = s.n / 8;                                                                            \
+        const pair zero = {(wide){0}, (wide){0}};                                                              \
+        for (uint32_t j = first; j < end; j++) {                                                               \
+            const float *turn = twiddle + 14 * (size_t)j;                                                      \
+            float *at = work + (size_t)j * FFT_ROW;                                                            \
+            pair a[8], b[8];                                                                                   \
+            _Pragma("GCC unroll 8") for (uint32_t i = 0; i < 8; i++) if (i < blocks || i >= 8 - blocks) a[i] = \
+                has_modes(s.n, s.reach, j + i * q) ? spectrum(s, field, j + i * q) : zero;                     \
+            butterfly(a, b);                                                                                   \
+            pair_store(at, b[0]);                                                                              \
+            _Pragma("GCC unroll 8") for (uint32_t i = 1; i < 8; i++)                                           \
+                pair_store(at + (size_t)i * q * FFT_ROW, pair_turn(b[i], turn + 2 * (i - 1)));                 \
+        }                                                                                                      \
     }
 BEGIN(begin_two, 1, butterfly8_two)
 BEGIN(begin_four, 2, butterfly8_four)

@@ -85,24 +85,25 @@ static inline pair pair_turn_lanes(pair a, const float *w) {
 
 // The first stage, of radix r, of which so many blocks of rows of either half may hold modes. Where it is the only one,
 // the outputs are turned.
-#define FIRST(name, r, blocks, butterfly)                                                                             \
-    static ALWAYS_INLINE void name(const fft_plan *plan, const float *turns, const packing *k, uint32_t j, float *out) { \
-        const uint32_t q = k->m / r;                                                                                  \
-        const float *twiddle = plan->twiddle[0] + 2 * (size_t)j * (r - 1);                                            \
-        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {                                                     \
-            pair a[r], b[r];                                                                                          \
-            for (uint32_t i = 0; i < blocks; i++) {                                                                   \
-                a[i] = packed_low(k, j + i * q, lane);                                                                \
-                a[r - 1 - i] = packed_high(k, j + (r - 1 - i) * q, lane);                                             \
-            }                                                                                                         \
-            butterfly(a, b);                                                                                          \
-            for (uint32_t i = 0; i < r; i++) {                                                                        \
-                const size_t at = (size_t)(j + i * q) * FFT_ROW + lane;                                               \
-                pair_store(out + at, q == 1 ? pair_turn_lanes(b[i], turns + at)                                       \
-                                   : i > 0  ? pair_turn(b[i], twiddle + 2 * (i - 1))                                  \
-                                            : b[i]);                                                                  \
-            }                                                                                                         \
-        }                                                                                                             \
+#define FIRST(name, r, blocks, butterfly)                                                                  \
+    static ALWAYS_INLINE void name(const fft_plan *plan, const float *turns, const packing *k, uint32_t j, \
+                                   float *out) {                                                           \
+        const uint32_t q = k->m / r;                                                                       \
+        const float *twiddle = plan->twiddle[0] + 2 * (size_t)j * (r - 1);                                 \
+        for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {                                          \
+            pair a[r], b[r];                                                                               \
+            for (uint32_t i = 0; i < blocks; i++) {                                                        \
+                a[i] = packed_low(k, j + i * q, lane);                                                     \
+                a[r - 1 - i] = packed_high(k, j + (r - 1 - i) * q, lane);                                  \
+            }                                                                                              \
+            butterfly(a, b);                                                                               \
+            for (uint32_t i = 0; i < r; i++) {                                                             \
+                const size_t at = (size_t)(j + i * q) * FFT_ROW + lane;                                    \
+                pair_store(out + at, q == 1  ? pair_turn_lanes(b[i], turns + at)                           \
+                                     : i > 0 ? pair_turn(b[i], twiddle + 2 * (i - 1))                      \
+                                             : b[i]);                                                      \
+            }                                                                                              \
+        }                                                                                                  \
     }
 FIRST(first2, 2, 1, butterfly2)
 FIRST(first4, 4, 2, butterfly4)
@@ -112,7 +113,8 @@ FIRST(first8_open, 8, 3, butterfly8_open)
 #undef FIRST
 
 // Row j of each block.
-static ALWAYS_INLINE void begin_row(const fft_plan *plan, const float *turns, const packing *k, uint32_t j, float *out) {
+static ALWAYS_INLINE void begin_row(const fft_plan *plan, const float *turns, const packing *k, uint32_t j,
+                                    float *out) {
     const uint32_t q = k->m / 8, far = j > q - 1 - j ? q - 1 - j : j; // in the block that is nearest to its modes
     if (k->strips <= q + far) {
         first8_two(plan, turns, k, j, out);
@@ -190,7 +192,8 @@ static ALWAYS_INLINE void put_fields(row_kind kind, const row_out *out, uint32_t
     wide_fields_texels(f, texels);
     if (kind == ROW_DISPLACEMENT)
 #pragma GCC unroll 4
-        for (uint32_t part = 0; part < TEXEL_PARTS; part++) wide_store(out->texels + 4 * (size_t)x + part * WIDE, texels[part]);
+        for (uint32_t part = 0; part < TEXEL_PARTS; part++)
+            wide_store(out->texels + 4 * (size_t)x + part * WIDE, texels[part]);
     wide_fields_halves(f, texels, out->half + 4 * (size_t)x);
 }
 
@@ -257,18 +260,18 @@ static void store_foam(const sea_planes *planes, const sea_moment *moment, uint3
 }
 
 // Row y of the displacement: behind it the first texels again, and behind the last row the first ones.
-static void displacement_row(const sea_planes *planes, sea_stream stream, uint32_t n, uint32_t m, uint32_t y,
+static void displacement_row(const sea_planes *planes, bool stream, uint32_t n, uint32_t m, uint32_t y,
                              const row_scratch *r) {
-    const size_t pitch = n + BOLAN_CASCADE_GUARD, guard = BOLAN_CASCADE_GUARD * sizeof(bolan_sea_texel);
+    const size_t pitch = n + BOLAN_CASCADE_GUARD, bytes = pitch * sizeof(bolan_sea_texel);
     float *row = &planes->displacement[y * pitch].dx;
     uint16_t *half = planes->displacement_half + 4 * (size_t)y * n;
-    const row_out out = {.texels = stream == SEA_STREAM_NONE ? row : r->row,
-                         .half = stream == SEA_STREAM_ALL ? r->half : half};
+    const row_out out = {.texels = stream ? r->row : row, .half = stream ? r->half : half};
     transform_lanes(r->turned, m, ROW_DISPLACEMENT, &out);
-    memcpy(out.texels + 4 * (size_t)n, out.texels, guard);
-    if (stream != SEA_STREAM_NONE) stream_row(row, out.texels, pitch * sizeof(bolan_sea_texel));
-    if (y < BOLAN_CASCADE_GUARD) memcpy(row + 4 * n * pitch, out.texels, pitch * sizeof(bolan_sea_texel));
-    if (stream == SEA_STREAM_ALL) stream_row(half, out.half, 4 * (size_t)n * sizeof *half);
+    memcpy(out.texels + 4 * (size_t)n, out.texels, BOLAN_CASCADE_GUARD * sizeof(bolan_sea_texel));
+    if (y < BOLAN_CASCADE_GUARD) memcpy(row + 4 * n * pitch, out.texels, bytes);
+    if (!stream) return;
+    stream_row(row, out.texels, bytes);
+    stream_row(half, out.half, 4 * (size_t)n * sizeof *half);
 }
 
 static row_out planes_of(const row_scratch *r, uint32_t n) {
@@ -277,16 +280,17 @@ static row_out planes_of(const row_scratch *r, uint32_t n) {
 
 static void slopes_row(const sea_planes *planes, const sea_moment *moment, uint32_t n, uint32_t m, uint32_t y,
                        const row_scratch *r) {
-    uint16_t *half = planes->slope_half + 4 * (size_t)y * n;
+    const size_t at = (size_t)y * n;
     row_out out = planes_of(r, n);
-    if (moment->stream != SEA_STREAM_ALL) out.half = half;
-    for (uint32_t f = 0; f < SEA_HALF && moment->stream == SEA_STREAM_NONE; f++)
-        out.plane[f] = planes->slope[f] + (size_t)y * n;
+    if (!moment->stream) {
+        out.half = planes->slope_half + 4 * at;
+        for (uint32_t f = 0; f < SEA_HALF; f++) out.plane[f] = planes->slope[f] + at;
+    }
     transform_lanes(r->turned, m, ROW_SLOPES, &out);
     store_foam(planes, moment, n, y, out.plane[SEA_DIVERGENCE], out.plane[SEA_DIVERGENCE + 1]);
-    for (uint32_t f = 0; f < SEA_HALF && moment->stream != SEA_STREAM_NONE; f++)
-        stream_row(planes->slope[f] + (size_t)y * n, out.plane[f], n * sizeof(float));
-    if (moment->stream == SEA_STREAM_ALL) stream_row(half, out.half, 4 * (size_t)n * sizeof *half);
+    if (!moment->stream) return;
+    for (uint32_t f = 0; f < SEA_HALF; f++) stream_row(planes->slope[f] + at, out.plane[f], n * sizeof(float));
+    stream_row(planes->slope_half + 4 * at, out.half, 4 * (size_t)n * sizeof(uint16_t));
 }
 
 // A tick: div D alone, of two rows, and the foam memory.
