@@ -216,6 +216,18 @@ static void prefetch_texels(const flow_tile *t, bolan_dvec2 p) {
                                ((size_t)((row + j) & mask) * t->frame.n + ((column + i) & mask)) * FLOW_TEXEL);
 }
 
+// The place of the warped plane of a rest point near a spot.
+static bolan_dvec2 read_at(const flow_spot *spot, double x, double y) {
+    const double *g = spot->gradient, ox = x - spot->at.x, oy = y - spot->at.y;
+    return (bolan_dvec2){spot->read.x + (g[0] * ox + g[1] * oy), spot->read.y + (g[2] * ox + g[3] * oy)};
+}
+
+void bolan_flow_prefetch(const bolan_flow *flow, const flow_depth *at, const flow_spot *spot, double x, double y) {
+    const bolan_dvec2 read = read_at(spot, x, y);
+    for (uint32_t i = 0; i < flow->tiles; i++)
+        if (at->weights[i].used) prefetch_texels(&flow->tile[i], place(&flow->tile[i].frame, read.x, read.y));
+}
+
 static void read_tiles(const bolan_flow *flow, const flow_depth *at, bolan_dvec2 read, const float *weight,
                        flow_bend *bend, flow_motion *motion) {
     bolan_dvec2 p[FLOW_MAX_TILES];
@@ -248,9 +260,8 @@ void bolan_flow_read(const bolan_flow *flow, const flow_depth *at, const flow_sp
     if (motion) *motion = (flow_motion){0};
     if (flow->wave_count > 0) read_waves(flow, at, x, y, (double)weight[0], bend, motion);
     if (flow->tiles == 0) return;
-    const double *g = spot->gradient, ox = x - spot->at.x, oy = y - spot->at.y;
-    const bolan_dvec2 read = {spot->read.x + (g[0] * ox + g[1] * oy), spot->read.y + (g[2] * ox + g[3] * oy)};
-    read_tiles(flow, at, read, weight, bend, motion);
+    const double *g = spot->gradient;
+    read_tiles(flow, at, read_at(spot, x, y), weight, bend, motion);
     unwarp(g, bend);
     if (!motion) return;
     const double sx = motion->slope_x, sy = motion->slope_y;

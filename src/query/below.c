@@ -204,7 +204,6 @@ static void answer_below(const asked *a, bolan_dvec3 p, sought *s, flow_depth *a
     bool found;
     *out = (bolan_kinematics){0};
     if (!isfinite(p.x) || !isfinite(p.y) || !isfinite(p.z)) return;
-    bolan_flow_spot(a->flow, p.x, p.y, &s->spot);
     const double below = depth_at_rest(a, p, s, &r, &found);
     if (below < 0.0) return;
     if (a->bound) {
@@ -267,7 +266,6 @@ static void answer_motion(const asked *a, bolan_dvec2 p, sought *s, bolan_surfac
     rest r;
     *out = (bolan_surface_motion){.height = (float)a->water->level, .normal = {0.0f, 0.0f, 1.0f}};
     if (!isfinite(p.x) || !isfinite(p.y)) return;
-    bolan_flow_spot(a->flow, p.x, p.y, &s->spot);
     find_rest(a, &a->surface, s, s->near, s->is_known, &r);
     flow_motion m = r.motion;
     add_layer_heights(a, &r, &m);
@@ -302,10 +300,16 @@ static void seek(const asked *a, const bolan_dvec2 *xy, const bool *known, uint3
     }
     if (any) bolan_query_rest_points(&a->heights, xy, count, height, offset);
     for (uint32_t i = 0; i < count; i++) {
+        if (isfinite(xy[i].x) && isfinite(xy[i].y)) bolan_flow_spot(a->flow, xy[i].x, xy[i].y, &out[i].spot);
         if (!out[i].is_known) continue;
         out[i].near = (bolan_dvec2){xy[i].x + (double)offset[i].x, xy[i].y + (double)offset[i].y};
         out[i].eta = (float)((double)height[i] - a->water->level);
     }
+}
+
+// While point i is answered, what the next one reads comes to the cache.
+static void look_ahead(const asked *a, const flow_depth *at, const sought *s, uint32_t i, uint32_t count) {
+    if (i + 1 < count) bolan_flow_prefetch(a->flow, at, &s[i + 1].spot, s[i + 1].near.x, s[i + 1].near.y);
 }
 
 static bool is_near_surface(const asked *a, double z) {
@@ -322,7 +326,10 @@ static void answer_batch_below(const asked *a, uint32_t first, uint32_t count, f
         known[i] = is_near_surface(a, p.z);
     }
     seek(a, xy, known, count, s);
-    for (uint32_t i = 0; i < count; i++) answer_below(a, a->xyz[first + i], &s[i], at, &a->below[first + i]);
+    for (uint32_t i = 0; i < count; i++) {
+        look_ahead(a, at, s, i, count);
+        answer_below(a, a->xyz[first + i], &s[i], at, &a->below[first + i]);
+    }
 }
 
 // Level by level, so that the weights of a depth are made once.
@@ -336,6 +343,7 @@ static void answer_batch_columns(const asked *a, uint32_t first, uint32_t count,
         bolan_kinematics *out = a->below + (size_t)l * a->columns + first;
         for (uint32_t i = 0; i < count; i++) {
             sought one = s[i];
+            look_ahead(a, at, s, i, count);
             one.is_known = one.is_known && is_near_surface(a, a->z[l]);
             if (!one.is_known) one.near = a->xy[first + i];
             answer_below(a, (bolan_dvec3){a->xy[first + i].x, a->xy[first + i].y, a->z[l]}, &one, at, &out[i]);
@@ -348,7 +356,10 @@ static void answer_batch_motion(const asked *a, uint32_t first, uint32_t count) 
     bool known[BATCH];
     for (uint32_t i = 0; i < count; i++) known[i] = true;
     seek(a, a->xy + first, known, count, s);
-    for (uint32_t i = 0; i < count; i++) answer_motion(a, a->xy[first + i], &s[i], &a->motion[first + i]);
+    for (uint32_t i = 0; i < count; i++) {
+        look_ahead(a, &a->surface, s, i, count);
+        answer_motion(a, a->xy[first + i], &s[i], &a->motion[first + i]);
+    }
 }
 
 // Task: points [begin, end).
