@@ -355,8 +355,8 @@ foam_here foam_at(water_here p, float shore, foam_texels texels) {
     bool none = old_foam_memory >= FOAM_NEVER;
     old = none ? 0.0 : old;
     bubbles = none ? 0.0 : bubbles;
-    float streaks = 0.0; // a loop, because software OpenGL evaluates both sides of a branch
-    for (int i = 0; i < 1 && streak_excess > 1.0 - FOAM_NEVER; ++i)
+    float streaks = 0.0;
+    if (streak_excess > 1.0 - FOAM_NEVER)
         streaks = streak_film(p.waves.jacobian, share, texels, width);
     float clear = (1.0 - fresh) * (1.0 - old) * (1.0 - streaks);
     return foam_here(clamp((1.0 - clear) * foam_strength, 0.0, 1.0), max(bubbles, shore) * foam_strength);

@@ -8,8 +8,7 @@ uniform sampler2D fine_map; // slope x, slope y
 // Adds the fine waves to the slope of a pixel, and takes what it shows of their variance from its roughness. The block
 // of the optics has fine_tile, fine_slopes and fine_band.
 void add_fine(sea_place place, footprint f, float gust, float depth, inout vec2 slope, inout vec3 roughness) {
-    // software OpenGL leaves a loop where it does a branch not
-    for (int once = f.minor < fine_band.x ? 1 : 0; once > 0; --once) {
+    if (f.minor < fine_band.x) {
         float taps = clamp(ceil(f.major * exp2(-fine_band.y)), 1.0, float(TAPS));
         float lod = derivative_level(log2(max(f.minor, f.major / taps)) - fine_band.y);
         vec2 at = fine_tile.xy + vec2(along_tile(place.at.x, place.at.y, fine_tile.z, fine_tile.w),
@@ -18,13 +17,13 @@ void add_fine(sea_place place, footprint f, float gust, float depth, inout vec2 
         vec2 along = vec2(along_tile(a.x, a.y, fine_tile.z, fine_tile.w),
                           across_tile(a.x, a.y, fine_tile.z, fine_tile.w));
         vec2 sum = vec2(0.0);
-        for (float i = 0.0; i < taps; i += 1.0)
-            sum += textureLod(fine_map, at + along * (i - 0.5 * taps + 0.5), lod).xy;
+        for (int i = 0; i < TAP_COUNT(taps); ++i)
+            sum += textureLod(fine_map, at + along * tap_place(i, taps), lod).xy;
         float keep = gust;
 #ifdef LAND
         keep *= clamp(2.0 * depth, 0.0, 1.0); // no waves run where there is no water
 #endif
-        slope += keep * unwarped(place, sum / taps);
+        slope += keep * unwarped(place, sum / float(TAP_COUNT(taps)));
         roughness -= keep * keep * (1.0 - slope_texel(f).w) * fine_slopes;
     }
 }

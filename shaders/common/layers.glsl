@@ -65,7 +65,7 @@ const float LAYER_STEP = 0.05; // of depth to either side [m]
 // than eight of its heights leaves all.
 vec2 layer_lean(int i, vec2 rest, float depth) {
     vec2 lean = vec2(0.0);
-    for (int once = shore_present == 1 && abs(depth) < 8.2 * layer_extent[i].w ? 1 : 0; once > 0; --once)
+    if (shore_present == 1 && abs(depth) < 8.2 * layer_extent[i].w)
         lean = shore_fall(rest) * ((layer_at(i, rest, depth + LAYER_STEP).height -
                                     layer_at(i, rest, depth - LAYER_STEP).height) / (2.0 * LAYER_STEP));
     return lean;

@@ -18,8 +18,7 @@ water_air air_at(vec2 uv, float dist, float down) {
     float above = max(eye_height, 0.3), sinks = max(down, 0.5 * earth_dip(above, earth_radius));
     float share = min(dist * sinks / above, 1.0);
     vec3 left = mix(vec3(1.0), through.rgb, share), light = from.rgb * share;
-    // that of a host may be dense; software OpenGL leaves a loop where it does a branch not
-    for (int given = haze_given > 0.5 ? 1 : 0; given > 0; --given) given_haze(dist, left, light);
+    if (haze_given > 0.5) given_haze(dist, left, light); // that of a host may be dense
     return water_air(left, light, through.w, from.w);
 }
 

@@ -201,6 +201,15 @@ vec3 wave_offset(vec2 rest, sea_place place, float spacing, float depth, out vec
 #ifndef TAPS
 #define TAPS 4
 #endif
+// How many are made where `taps` are wanted, and where fetch i lies, in their distances from the middle. Up to two are
+// always made, at one place where one is wanted: software OpenGL runs a loop once more than it has trips.
+#if TAPS <= 2
+#define TAP_COUNT(taps) TAPS
+float tap_place(int i, float taps) { return (taps - 1.0) * (float(i) - 0.5 * float(TAPS - 1)); }
+#else
+#define TAP_COUNT(taps) int(taps)
+float tap_place(int i, float taps) { return float(i) - 0.5 * (taps - 1.0); }
+#endif
 
 #if defined(WAVES_CASCADES) && defined(PACKED)
 #ifndef CASCADES
@@ -256,66 +265,87 @@ cascade_gradient cascade_fetched(int c, vec2 at, footprint f, int displaced, out
     vec2 centre = cascade_uv(c, at), fold = textureLod(fold_map, vec3(centre, float(c)), lod).xy;
     foam = foam_weights[c] * fold.y;
     cascade_gradient g = cascade_gradient(vec3(0.0), vec3(0.0), vec3(0.0));
-    // software OpenGL leaves a loop where it does a branch not
 #ifdef SPLINES
     near = clamp(1.0 - 4.0 * lod, 0.0, 1.0);
-    for (int once = near > 0.0 ? 1 : 0; once > 0; --once) g = cascade_spline_gradient(c, centre, near);
-    for (int once = near < 1.0 ? 1 : 0; once > 0; --once)
+    if (near > 0.0) g = cascade_spline_gradient(c, centre, near);
+    if (near < 1.0)
 #endif
     {
-        vec2 along = (cascade_uv(c, at + f.axis * f.major) - centre) / taps, uv = centre - along * (0.5 * taps - 0.5);
+        vec2 along = (cascade_uv(c, at + f.axis * f.major) - centre) / taps;
         vec4 slopes = vec4(0.0);
-        for (float i = 0.0; i < taps; i += 1.0) slopes += textureLod(slope_map, vec3(uv + along * i, float(c)), lod);
-        slopes /= taps;
+        for (int i = 0; i < TAP_COUNT(taps); ++i)
+            slopes += textureLod(slope_map, vec3(centre + along * tap_place(i, taps), float(c)), lod);
+        slopes /= float(TAP_COUNT(taps));
         g.by_x += (1.0 - near) * vec3(slopes.z, fold.x, slopes.x);
         g.by_y += (1.0 - near) * vec3(fold.x, slopes.w, slopes.y);
-        for (int once = displaced; once > 0; --once)
+        if (displaced > 0)
             g.value += (1.0 - near) * textureLod(displacement_map, vec3(centre, float(c)), lod).xyz;
     }
     return g;
 }
 
+// The sums over the cascades, weighted by what depth and gusts leave of each.
+struct cascade_sums {
+    vec3 by_x, by_y; // as cascade_gradient
+    float foam;
+#ifdef LAND
+    cascades_lean lean;
+#endif
+#ifdef BOUND_WAVES
+    bound_slopes bound;
+#endif
+};
+
 // Rings whose longest wave is shorter than the pixel is wide have nothing left.
+void add_cascade(int c, vec2 at, footprint f, float gust, float kept, int displaced, inout cascade_sums sums) {
+    vec4 band = cascade_band[c];
+    if (c >= cascade_count || f.minor > 0.6 * band.z) return;
+    float memory, fresh = band.z < 20.0 ? gust : 1.0;
+    cascade_gradient g = cascade_fetched(c, at, f, displaced, memory);
+    vec3 x = kept * g.by_x, y = kept * g.by_y;
+    sums.foam += fresh * kept * memory;
+#ifdef LAND
+    x += sums.lean.x[c] * g.value;
+    y += sums.lean.y[c] * g.value;
+#endif
+#ifdef BOUND_WAVES
+    add_bound_slope(c, kept * g.value, fresh * x, fresh * y, sums.bound);
+#endif
+#ifdef LAND
+    float lift = 2.0 * kept * lift_of(c, f.minor);
+    x.z += sums.lean.x[c] * lift;
+    y.z += sums.lean.y[c] * lift;
+#endif
+    sums.by_x += fresh * x;
+    sums.by_y += fresh * y;
+}
+
+// No loop over the cascades: software OpenGL runs the body of a loop once more than it has trips.
 wave_fields waves_at(vec2 rest, sea_place place, footprint f, float gust, float depth, vec4 mesh) {
-    vec3 by_x = vec3(0.0), by_y = vec3(0.0);
-    float foam = 0.0;
+    cascade_sums sums;
+    sums.by_x = sums.by_y = vec3(0.0);
+    sums.foam = 0.0;
     vec4 kept = cascades_kept(depth);
     int displaced = 0;
 #ifdef LAND
-    cascades_lean lean = cascades_lean(vec4(0.0), vec4(0.0));
+    sums.lean = cascades_lean(vec4(0.0), vec4(0.0));
     displaced = is_leaning(depth) ? 1 : 0;
-    for (int once = displaced; once > 0; --once) lean = cascades_lean_at(rest, place, depth);
+    if (displaced > 0) sums.lean = cascades_lean_at(rest, place, depth);
 #endif
 #ifdef BOUND_WAVES
-    bound_slopes bound = bound_slopes(vec2(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    sums.bound = bound_slopes(vec2(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     displaced = 1;
 #endif
-    for (int c = 0; c < cascade_count; ++c) {
-        vec4 band = cascade_band[c];
-        if (f.minor > 0.6 * band.z) break;
-        float memory, fresh = band.z < 20.0 ? gust : 1.0;
-        cascade_gradient g = cascade_fetched(c, place.at, f, displaced, memory);
-        vec3 x = kept[c] * g.by_x, y = kept[c] * g.by_y;
-        foam += fresh * kept[c] * memory;
-#ifdef LAND
-        x += lean.x[c] * g.value;
-        y += lean.y[c] * g.value;
-#endif
+    add_cascade(0, place.at, f, gust, kept.x, displaced, sums);
+    add_cascade(1, place.at, f, gust, kept.y, displaced, sums);
+    add_cascade(2, place.at, f, gust, kept.z, displaced, sums);
+    add_cascade(3, place.at, f, gust, kept.w, displaced, sums);
+    vec3 by_x = sums.by_x, by_y = sums.by_y;
 #ifdef BOUND_WAVES
-        add_bound_slope(c, kept[c] * g.value, fresh * x, fresh * y, bound);
+    by_x.z += sums.bound.slope.x;
+    by_y.z += sums.bound.slope.y;
 #endif
-#ifdef LAND
-        float lift = 2.0 * kept[c] * lift_of(c, f.minor);
-        x.z += lean.x[c] * lift;
-        y.z += lean.y[c] * lift;
-#endif
-        by_x += fresh * x;
-        by_y += fresh * y;
-    }
-#ifdef BOUND_WAVES
-    by_x.z += bound.slope.x;
-    by_y.z += bound.slope.y;
-#endif
+    float foam = sums.foam;
     vec3 bend = place.bend, east = by_x + bend.x * by_x + bend.z * by_y, north = by_y + bend.y * by_x - bend.x * by_y;
     vec2 slope = vec2(east.z, north.z) + layers_slope(rest, f, depth);
     float jxx = 1.0 + choppiness * east.x, jyx = choppiness * east.y;
