@@ -380,7 +380,7 @@ void main() {
     float water_path;
     vec3 lit = light_below(sunlight);
     vec3 below = transmitted_light(p, uv, sunlight, lit, water_path);
-    vec3 surface;
+    foam_here foam = foam_here(0.0, 0.0);
     if (effect_is_on(EFFECT_FOAM)) {
         foam_texels texels = foam_look_up(p.rest, p.place.minor);
         float shore = 0.0;
@@ -388,12 +388,10 @@ void main() {
         vec2 noise = smooth_patches(p.rest, p.place.minor);
         shore = shore_cover(p.rest, p.depth, over_bed(p, water_path), noise);
 #endif
-        foam_here foam = foam_at(p, shore, texels);
-        below += bubble_reflectance(water_attenuation, foam.bubbles) * lit;
-        surface = covered(surface_light(p, sunlight, below), p, sunlight, foam.opacity);
-    } else {
-        surface = surface_light(p, sunlight, below);
+        foam = foam_at(p, shore, texels);
     }
+    below += bubble_reflectance(water_attenuation, foam.bubbles) * lit;
+    vec3 surface = covered(surface_light(p, sunlight, below), p, sunlight, foam.opacity);
 #ifdef LAND
     surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, smoothstep(0.0, FILM, over_bed(p, water_path)));
 #endif

@@ -81,13 +81,14 @@ rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surround
     float per_mesh = per_deviation(slope_variance(h, near.mesh));
     vec3 offset, weight;
     facet_nodes(seen, offset, weight);
-    float reflectance = 0.0, visible = 0.0;
-    for (int i = 0; i < 3; ++i) {
-        float s = along - seen.shift - offset[i] * seen.sigma;
-        float w = weight[i] * not_hidden((observer + near.joint * (plane - s)) * per_local);
-        visible += w;
-        reflectance += w * facet_fresnel(v.z - flat_length * s, s, across2, index);
-    }
+    vec3 tilts = along - seen.shift - offset * seen.sigma;
+    weight *= vec3(not_hidden((observer + near.joint * (plane - tilts.x)) * per_local),
+                   not_hidden((observer + near.joint * (plane - tilts.y)) * per_local),
+                   not_hidden((observer + near.joint * (plane - tilts.z)) * per_local));
+    float visible = weight.x + weight.y + weight.z;
+    float reflectance = dot(weight, vec3(facet_fresnel(v.z - flat_length * tilts.x, tilts.x, across2, index),
+                                         facet_fresnel(v.z - flat_length * tilts.y, tilts.y, across2, index),
+                                         facet_fresnel(v.z - flat_length * tilts.z, tilts.z, across2, index)));
     // half the angle from the view to the lowest ray, which clears the horizon and the mesh's plane
     float cosine = plane < 0.0 ? inversesqrt(1.0 + plane * plane) : 1.0;
     float lowest = along + (max(-plane, 0.0) * cosine - v.z) / (cosine + flat_length);

@@ -80,7 +80,7 @@ SHARED real foam_cover(real excess, real variance) { return normal_cdf(excess * 
 // in standard deviations and k the density times the deviation, it is P(z) - exp(k^2/2 - k z) P(z - k).
 SHARED real foam_opacity(real excess, real variance, real density) {
     real sharp = inversesqrt(variance), z = excess * sharp, k = density / sharp, pdf = normal_pdf(z);
-    real clear = k > z ? pdf * normal_mills(k - z) : exp(k * (0.5 * k - z)) - pdf * normal_mills(z - k);
+    real beyond = pdf * normal_mills(max(k - z, z - k)), clear = k > z ? beyond : exp(k * (0.5 * k - z)) - beyond;
     return clamp(normal_below(z, pdf) - clear, 0.0, 1.0);
 }
 // The inverse of normal_cdf(), of shares from 1e-4 to 0.9999: Newton's steps for its cubic.
