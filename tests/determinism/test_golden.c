@@ -6,6 +6,8 @@
 //
 // After an intended change of any of them:
 //     BOLAN_PRINT_HASHES=1 build/tests/test_golden > tests/determinism/golden_hashes.h
+// With the argument `once`, for slow builds and emulators, each case runs once and not by every instruction set and
+// number of threads: these take turns.
 #include "content_support.h"
 #include "sea_support.h"
 
@@ -233,8 +235,7 @@ static uint64_t tiles_bits(bolan_cpu cpu) {
 
 // bolan_surface_nested_place() promises the same levels on every machine.
 static uint64_t nested_bits(void) {
-    const bolan_surface_view view = {
-        {123.4, -56.7, 21.0}, 33.0, -7.0, 4.0, 0.9, 1.5, 720, 0.25, 2.0, 1.5, 0.0, 0.0};
+    const bolan_surface_view view = {{123.4, -56.7, 21.0}, 33.0, -7.0, 4.0, 0.9, 1.5, 720, 0.25, 2.0, 1.5, 0.0, 0.0};
     bolan_nested_desc desc = bolan_nested_desc_default();
     const bolan_nested nested = bolan_surface_nested_place(&desc, &view);
     uint64_t hash = FNV_START;
@@ -275,7 +276,7 @@ static const struct golden {
 };
 
 static unsigned differences;
-static bool printing;
+static bool printing, once;
 
 static void check(const char *name, uint64_t hash, const char *how) {
     if (printing) {
@@ -294,12 +295,8 @@ static void check(const char *name, uint64_t hash, const char *how) {
 static const struct sea_case {
     const char *name;
     bolan_sea_desc (*desc)(void);
-} seas[] = {{"sea: default", small},
-            {"sea: storm and swell", stormy},
-            {"sea: shallow, looping", shallow},
-            {"sea: Phillips", phillips},
-            {"sea: order 2", second_order},
-            {"sea: cosines in a current", carried}};
+} seas[] = {{"sea: default", small},     {"sea: storm and swell", stormy}, {"sea: shallow, looping", shallow},
+            {"sea: Phillips", phillips}, {"sea: order 2", second_order},   {"sea: cosines in a current", carried}};
 static const struct model_case {
     const char *name;
     bolan_wave_model waves;
@@ -307,18 +304,21 @@ static const struct model_case {
                    {"sea: exp-cosine", BOLAN_WAVES_EXP_COSINE},
                    {"sea: textures", BOLAN_WAVES_TEXTURES}};
 
-static void check_seas(bolan_cpu cpu, const bolan_ground *pond, const char *how) {
-    for (size_t i = 0; i < sizeof seas / sizeof *seas; i++) {
-        bolan_sea_desc desc = seas[i].desc();
-        desc.cpu = cpu;
-        check(seas[i].name, sea_bits(desc, pond), how);
+enum {
+    SEAS = sizeof seas / sizeof *seas,
+    MODELS = sizeof wave_models / sizeof *wave_models,
+    CASES = SEAS + MODELS + 1
+};
+
+// Case `i`: a sea of the first table, one of the second, or the tiles.
+static void check_case(int i, bolan_cpu cpu, const bolan_ground *pond, const char *how) {
+    if (i == CASES - 1) {
+        check("tiles", tiles_bits(cpu), how);
+        return;
     }
-    for (size_t i = 0; i < sizeof wave_models / sizeof *wave_models; i++) {
-        bolan_sea_desc desc = of_model(wave_models[i].waves);
-        desc.cpu = cpu;
-        check(wave_models[i].name, sea_bits(desc, pond), how);
-    }
-    check("tiles", tiles_bits(cpu), how);
+    bolan_sea_desc desc = i < SEAS ? seas[i].desc() : of_model(wave_models[i - SEAS].waves);
+    desc.cpu = cpu;
+    check(i < SEAS ? seas[i].name : wave_models[i - SEAS].name, sea_bits(desc, pond), how);
 }
 
 static void check_ground(const bolan_ground *pond, const char *how) {
@@ -334,18 +334,37 @@ static bolan_ground *create_pond(void) {
     return pond;
 }
 
+static const char *const set_names[] = {"", " (scalar)", " (generic4)", " (AVX2)", " (AVX-512)"};
+
+static void check_by_every_set(const bolan_ground *pond) {
+    const int last = printing ? BOLAN_CPU_SCALAR : (int)bolan_cpu_best();
+    for (int cpu = BOLAN_CPU_SCALAR; cpu <= last; cpu++)
+        for (int i = 0; i < CASES; i++) check_case(i, (bolan_cpu)cpu, pond, set_names[cpu]);
+    if (printing) return;
+    bolan_set_threads(3);
+    for (int i = 0; i < CASES; i++) check_case(i, BOLAN_CPU_AUTO, pond, " (3 threads)");
+    bolan_set_threads(1);
+}
+
+// The order of the cases gives each set a sea of cascades, and each but the first of four a sum of waves.
+static void check_by_turns(const bolan_ground *pond) {
+    const int sets = (int)bolan_cpu_best() - BOLAN_CPU_SCALAR + 1;
+    for (int i = 0; i < CASES; i++) {
+        const bolan_cpu cpu = (bolan_cpu)(BOLAN_CPU_SCALAR + i % sets);
+        bolan_set_threads(1 + (uint32_t)i % 3);
+        check_case(i, cpu, pond, set_names[cpu]);
+    }
+    bolan_set_threads(1);
+}
+
 static void seas_and_answers_have_their_bits(void **state) {
     (void)state;
-    static const char *const names[] = {"", " (scalar)", " (generic4)", " (AVX2)", " (AVX-512)"};
     bolan_ground *pond = create_pond();
     differences = 0;
-    const int last = printing ? BOLAN_CPU_SCALAR : (int)bolan_cpu_best();
-    for (int cpu = BOLAN_CPU_SCALAR; cpu <= last; cpu++) check_seas((bolan_cpu)cpu, pond, names[cpu]);
-    if (!printing) {
-        bolan_set_threads(3);
-        check_seas(BOLAN_CPU_AUTO, pond, " (3 threads)");
-        bolan_set_threads(1);
-    }
+    if (once)
+        check_by_turns(pond);
+    else
+        check_by_every_set(pond);
     bolan_ground_destroy(&pond);
     assert_int_equal(differences, 0);
 }
@@ -354,7 +373,7 @@ static void the_ground_has_its_bits(void **state) {
     (void)state;
     bolan_ground *pond = create_pond();
     differences = 0;
-    check_ground(pond, "");
+    if (!once) check_ground(pond, "");
     if (!printing) {
         bolan_set_threads(3);
         check_ground(pond, " (3 threads)");
@@ -377,8 +396,9 @@ static void grids_and_models_have_their_bits(void **state) {
     assert_int_equal(differences, 0);
 }
 
-int main(void) {
+int main(int count, char **arguments) {
     printing = getenv("BOLAN_PRINT_HASHES") != NULL;
+    once = count > 1 && strcmp(arguments[1], "once") == 0;
     if (printing) {
         printf("// SPDX-License-Identifier: MIT\n// Written by test_golden.c, which says how.\n");
         seas_and_answers_have_their_bits(NULL);
