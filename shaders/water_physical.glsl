@@ -7,7 +7,7 @@
 //
 // LAND: there is terrain: depth attenuates the waves, the bed is visible through the water, land is reflected, the
 // shore foams. TAPS: most texture fetches along the long side of the pixel's footprint. RAYS: reflected rays that
-// search for land.
+// search for land. STREAKS: the wind blows foam into streaks.
 #include "common/frame.glsl"
 #include "common/fullscreen.glsl"
 
@@ -355,10 +355,10 @@ foam_here foam_at(water_here p, float shore, foam_texels texels) {
     bool none = old_foam_memory >= FOAM_NEVER;
     old = none ? 0.0 : old;
     bubbles = none ? 0.0 : bubbles;
-    float streaks = 0.0;
-    if (streak_excess > 1.0 - FOAM_NEVER)
-        streaks = streak_film(p.waves.jacobian, share, texels, width);
-    float clear = (1.0 - fresh) * (1.0 - old) * (1.0 - streaks);
+    float clear = (1.0 - fresh) * (1.0 - old);
+#ifdef STREAKS
+    clear *= 1.0 - streak_film(p.waves.jacobian, share, texels, width);
+#endif
     return foam_here(clamp((1.0 - clear) * foam_strength, 0.0, 1.0), max(bubbles, shore) * foam_strength);
 }
 

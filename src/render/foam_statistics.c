@@ -102,6 +102,11 @@ static double breaking_offset(const bolan_sea *sea, double edge) {
     return -sqrt(offset * offset + edge * deviations * deviations);
 }
 
+double bolan_foam_streak_share(const bolan_sea *sea) {
+    const bool breaks = bolan_sea_breaker_threshold(sea) > -FOAM_NEVER;
+    return breaks ? streak_share(bolan_sea_get_desc(sea)->sea_state.wind_speed) : 0.0;
+}
+
 foam_law bolan_foam_law(const bolan_sea *sea, double edge, bool memory) {
     const double cover = cover_of(sea), spread = jacobian_variance(sea);
     double mean = 0.0, variance = 0.0;

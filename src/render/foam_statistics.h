@@ -16,6 +16,9 @@ bolan_vec4 bolan_foam_weights(const bolan_sea *sea);
 // Standard deviation of the noise of fresh foam, in Jacobian.
 double bolan_foam_breaking_edge(const bolan_sea *sea);
 
+// Share of the sea under streaks of foam. Where nothing breaks, nothing is blown into streaks.
+double bolan_foam_streak_share(const bolan_sea *sea);
+
 // The law of shaders/shared/foam.glsl for a sea. Thresholds are those of a soft edge: the covered share is kept.
 typedef struct foam_law {
     double breaking;          // a crest breaks where the Jacobian less 1 is below this: by the sea's own Jacobians

@@ -2,6 +2,7 @@
 // The water: the sea's waves on the GPU (sea_gpu.c), the surface of this view (water_mesh.c), and the optics that the
 // scene's technique names (water_optics.h).
 #include "below.h"
+#include "foam_statistics.h"
 #include "half_rate.h"
 #include "memory.h"
 
@@ -154,6 +155,7 @@ static water_setup setup_of(const frame *f) {
                          .layers = f->water.layer_count > 0,
                          .bound_waves = bolan_sea_get_desc(f->sea)->order > 1,
                          .look = &f->lighting.look,
+                         .streaks = bolan_foam_streak_share(f->sea) > 0.0,
                          .shares_samples = columns_of(f) > 1,
                          .edges = edges,
                          .wave_count = bolan_sea_component_count(f->sea),

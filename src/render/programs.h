@@ -68,6 +68,7 @@ typedef struct water_setup {
     bool below;                                     // the optics has a picture for an eye under water
     bool land, static_grid, packed, bounds, layers, bound_waves; // as the features of these names
     const bolan_look *look;
+    bool streaks;        // the wind blows foam into streaks
     bool shares_samples; // half-rate shading: see half_rate.h
     bool edges;          // BOLAN_SHOW_MESH
     uint32_t wave_count; // exp-cosine waves

@@ -44,7 +44,9 @@ static const water_shader shape_shader = {.stem = "water_shape", .reads = WATER_
 static const water_shader land_shader = {.stem = "land_mirror"};
 static const water_shader shadow_shader = {.stem = "host_shadow"};
 static const water_shader object_shadow_shader = {.stem = "object_shadow"};
-// By quality: texture fetches along a footprint, reflected rays that look for land, slopes by cubic splines.
+// By quality: texture fetches along a footprint, reflected rays that look for land, slopes by cubic splines. Then, what
+// a sea with streaks of foam adds.
+enum { LIGHT_STREAKS = 1 << BOLAN_QUALITIES };
 static const water_shader light_shader = {.stem = "water_physical",
                                           .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
                                           .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\nLAND_STEPS 12\n",
@@ -52,7 +54,12 @@ static const water_shader light_shader = {.stem = "water_physical",
                                                       [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\nLAND_STEPS 32\n"
                                                                              "SPLINES 1\n",
                                                       [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\nLAND_STEPS 48\n"
-                                                                              "SPLINES 1\n"}};
+                                                                           "SPLINES 1\n",
+                                                      [BOLAN_QUALITIES] = "STREAKS 1\n"}};
+
+static uint32_t light_variant(bolan_quality quality, bool streaks) {
+    return 1u << quality | (streaks ? LIGHT_STREAKS : 0);
+}
 
 static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;
@@ -143,10 +150,10 @@ typedef struct physical_block {
 #include "shared/physical_block.glsl"
 } physical_block;
 
-// The field of streaks is a noise and the Jacobian of the waves. Where nothing breaks, nothing is blown into streaks.
+// The field of streaks is a noise and the Jacobian of the waves.
 static double streak_excess(const bolan_sea *sea) {
-    const double share = streak_share(bolan_sea_get_desc(sea)->sea_state.wind_speed);
-    if (!(share > 0.0) || bolan_sea_breaker_threshold(sea) <= -FOAM_NEVER) return -FOAM_NEVER;
+    const double share = bolan_foam_streak_share(sea);
+    if (!(share > 0.0)) return -FOAM_NEVER;
     return bolan_foam_quantile(share) * sqrt(1.0 + STREAKS_ON_CRESTS * STREAKS_ON_CRESTS);
 }
 
@@ -226,7 +233,8 @@ static void bind_shape(const shape *s) {
 
 static void light(void *state, const water_draw *d, water_rows rows) {
     physical *p = state;
-    if (!bolan_water_program(d, &light_shader, 1u << p->quality)) return;
+    const bool streaks = bolan_foam_streak_share(d->view->frame->sea) > 0.0;
+    if (!bolan_water_program(d, &light_shader, light_variant(p->quality, streaks))) return;
     physical_block block = foam_of(d->view);
     set_fine(&block, d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
@@ -249,7 +257,7 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
     (void)state;
     bolan_water_programs_add(all, s, false, &shape_shader, 0);
     bolan_water_air_list(s, all);
-    bolan_water_programs_add(all, s, false, &light_shader, 1u << s->quality);
+    bolan_water_programs_add(all, s, false, &light_shader, light_variant(s->quality, s->streaks));
     bolan_water_programs_add(all, s, false, &land_shader, 0);
     bolan_water_programs_add(all, s, false, &shadow_shader, 0); // a host may bring shadows to any view
     if (s->land) bolan_water_programs_add(all, s, false, &object_shadow_shader, 0);

@@ -62,7 +62,8 @@ static void list(const water_optics *o, const water_setup *s, water_programs *al
     if (s->shares_samples) bolan_half_rate_prepare(&sparse, s, o->shape != NULL, all);
 }
 
-// Bits of `choice`: land, paper, bounds with bound waves, layers; what else stands in the picture goes with the land.
+// Bits of `choice`: land, paper, bounds with bound waves, layers with streaks of foam; what else stands in the picture
+// goes with the land.
 static void list_setups(const water_optics *o, bolan_quality quality, bolan_surface_kind surface, int choice,
                         water_programs *all) {
     static const bolan_wave_form forms[] = {BOLAN_FORM_CASCADES, BOLAN_FORM_COSINES, BOLAN_FORM_EXP_COSINES};
@@ -82,6 +83,7 @@ static void list_setups(const water_optics *o, bolan_quality quality, bolan_surf
                                .bounds = bounds,
                                .layers = layers,
                                .bound_waves = bounds,
+                               .streaks = layers,
                                .look = &look,
                                .shares_samples = o->shade_columns(&look, quality) > 1,
                                .wave_count = 5,
