@@ -146,6 +146,77 @@ static void caustics_lose_no_light(void **state) {
     }
 }
 
+// One wave that runs east: its wave number [rad/m] and amplitude [m], from zero crossings of what a query returns.
+static void fit_wave(const bolan_water *water, double *k, double *amplitude) {
+    enum { N = 4000 };
+    static bolan_dvec2 at[N];
+    static float h[N];
+    const double step = 0.01;
+    for (int i = 0; i < N; ++i) at[i] = (bolan_dvec2){step * i, 0.0};
+    bolan_query_heights(water, at, N, h);
+    double first = -1.0, last = 0.0;
+    int crossings = 0;
+    *amplitude = 0.0;
+    for (int i = 1; i < N; ++i) {
+        *amplitude = fmax(*amplitude, fabs((double)h[i]));
+        if ((h[i] < 0.0f) == (h[i - 1] < 0.0f)) continue;
+        last = step * (i - (double)h[i] / ((double)h[i] - (double)h[i - 1]));
+        if (first < 0.0) first = last;
+        ++crossings;
+    }
+    *k = BOLAN_PI * (crossings - 1) / (last - first);
+}
+
+// The acceptance number: the first focus within 5 %. Under a crest of a cos k x the light is 1 / (1 - depth / f), f = n
+// / ((n - 1) a k^2): Snell's law for a thin lens of curvature a k^2.
+static void a_single_wave_gathers_light_at_its_first_focus(void **state) {
+    (void)state;
+    enum { SIZE = 192 };
+    const double depth = 10.0, index = 1.34;
+    bolan_scene scene = over_plate(0.0, depth);
+    bolan_technique technique = bolan_technique_ocean;
+    technique.waves = BOLAN_WAVES_EXP_COSINE; // of low sharpness: a cosine
+    bolan_scene_set_technique(&scene, &technique);
+    scene.sea.exp_cosine.wave_count = 1;
+    scene.sea.exp_cosine.sharpness = 0.01;
+    scene.wind_sea = false;
+    scene.sea.sea_state.system_count = 0;
+    bolan_wave_system system = bolan_wave_system_default();
+    system.hs = 0.33, system.peak_omega = 3.2, system.from_deg = 270.0;
+    assert_int_equal(bolan_sea_state_add_system(&scene.sea.sea_state, &system), BOLAN_OK);
+    scene.water.type = BOLAN_JERLOV_I;
+    scene.sky.sun_elevation_deg = 90.0;
+    scene.camera.heading_deg = 0.0;
+    scene.camera.position.z = 6.0 - depth;
+    scene.look.effects = BOLAN_EFFECTS_ALL & ~(unsigned)BOLAN_EFFECT_FOG;
+    stage s;
+    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_HIGH, false));
+    double k, amplitude;
+    fit_wave(bolan_world_water(s.world), &k, &amplitude);
+    stage_close(&s);
+    float *rgb = draw(&scene, SIZE, SIZE);
+    scene.look.effects &= ~(unsigned)BOLAN_EFFECT_CAUSTICS;
+    float *flat = draw(&scene, SIZE, SIZE);
+    double most = 0.0;
+    for (int x = 0; x < SIZE; ++x) {
+        double with = 0.0, without = 0.0;
+        for (int y = SIZE / 4; y < 3 * SIZE / 4; ++y) {
+            with += (double)rgb[3 * (y * SIZE + x) + 1];
+            without += (double)flat[3 * (y * SIZE + x) + 1];
+        }
+        most = fmax(most, with / without);
+    }
+    // Three quarters of an object's light are the sun's; what is scattered once on the way leaves the pattern.
+    const double scattering = (double)bolan_water_optics_from_jerlov(BOLAN_JERLOV_I).scattering.y;
+    const double crest = 1.0 + (most - 1.0) / (0.75 * exp(-0.5 * scattering * depth));
+    const double focus = depth / (1.0 - 1.0 / crest), expected = index / ((index - 1.0) * amplitude * k * k);
+    print_message("crest %.3f; focus at %.2f m, expected %.2f m\n", crest, focus, expected);
+    assert_true(expected > 1.5 * depth); // the law holds before the focus
+    assert_near(focus / expected, 1.0, 0.05);
+    free(rgb);
+    free(flat);
+}
+
 // A shallow plate is bright where the light entered by a crest, which gathers it, and dim by a trough.
 static void crests_gather_the_light(void **state) {
     (void)state;
@@ -255,6 +326,7 @@ int main(void) {
         cmocka_unit_test(a_plate_at_ten_metres_has_the_light_that_kd_leaves),
         cmocka_unit_test(caustics_lose_no_light),
         cmocka_unit_test(crests_gather_the_light),
+        cmocka_unit_test(a_single_wave_gathers_light_at_its_first_focus),
         cmocka_unit_test(the_deep_has_the_colour_that_is_seen_from_above),
         cmocka_unit_test(the_waterline_is_that_of_the_queries),
     };
