@@ -66,7 +66,7 @@ static inline void gather(const bolan_sea *sea) {
     sea->shared->model->each_wave(sea->shared, keep_wave, NULL);
 }
 
-// ---- FFT --------------------------------------------------------------------------------------------------------------
+// ---- FFT ------------------------------------------------------------------------------------------------------------
 
 static inline void fft(double complex *x, uint32_t n) { // radix 2
     static double complex turns[1 << 12];
@@ -90,7 +90,7 @@ static inline void fft(double complex *x, uint32_t n) { // radix 2
             }
 }
 
-// ---- fixtures ---------------------------------------------------------------------------------------------------------
+// ---- fixtures -------------------------------------------------------------------------------------------------------
 
 static inline int open_swan(void **state) {
     (void)state;

@@ -27,17 +27,17 @@
 /// pressure / density, and pressure / density -phi_t - |grad phi|^2 / 2.
 /// The mean velocity at a fixed point is 0: parcels drift (Stokes), and water returns under the groups of waves. The
 /// mean of the dynamic pressure is -density times that of the square of the vertical velocity.
-/// Against the sum over all pairs, for waves of Hs 3 m and 8 s in 30 m of water and deeper, the error is below 1 % of
-/// the values of first order at the surface, at every depth, and below 18 % of the velocity that order 2 adds there; in
-/// 12 m of water it is 2 % (tests/physics/test_below_second.c). A cascade of less than 0.2 % of the velocity has none,
-/// and waves and pairs of indices beyond 42 of a cascade are left out.
+/// Against the sum over all pairs, for waves of Hs 3 m and 8 s in 12 m of water and deeper, the error is below 1 % of
+/// the values of first order at the surface, at every depth, and below 18 % of the velocity that order 2 adds there
+/// (tests/physics/test_below_second.c). A cascade of less than 0.2 % of the velocity has none. Waves and pairs of
+/// indices beyond 85 of the longest cascade, 42 of a shorter one, are left out.
 ///
 /// **Memory and time.** A sample takes 64 bytes. The last cascade has twice as many samples a side, because its
 /// shortest waves span few samples: four cascades of 256 take 36 MB, and bolan_flow_size() returns the exact figure. A
 /// step costs several steps of the sea. A question costs most at the surface, where every cascade is read, and least at
-/// depths where only long waves are left. With order 2 each cascade takes 2 to 3 MB more, and a step 24 complex FFTs of
-/// 128 x 128 a cascade more, half as long again in all. A question takes three to six times as long. Order 1 pays
-/// nothing.
+/// depths where only long waves are left. With order 2 the longest cascade takes 14 MB more and the others 2 MB each,
+/// and a step 24 complex FFTs more for each cascade, of 256 x 256 for the longest and of 128 x 128 for the others: four
+/// times as long in all, of four cascades of 128. A question takes three to six times as long. Order 1 pays nothing.
 #ifndef BOLAN_FLOW_H
 #define BOLAN_FLOW_H
 

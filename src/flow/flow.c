@@ -4,7 +4,7 @@
 
 static void release(bolan_flow *flow) {
     for (uint32_t i = 0; i < flow->tiles; i++) bolan_fft_plan_destroy(&flow->tile[i].plan);
-    bolan_fft_plan_destroy(&flow->second_plan);
+    for (int i = 0; i < 2; i++) bolan_fft_plan_destroy(&flow->second_plan[i]);
     for (uint32_t i = 0; i < flow->memory.count; i++)
         bolan_release(flow->memory.block[i].at, flow->memory.block[i].bytes);
     bolan_release(flow, sizeof *flow);
@@ -75,7 +75,7 @@ uint64_t bolan_flow_sea_id(const bolan_flow *flow) {
 
 size_t bolan_flow_size(const bolan_flow *flow) {
     BOLAN_ASSERT(flow);
-    size_t bytes = sizeof *flow + flow->second_plan.bytes;
+    size_t bytes = sizeof *flow + flow->second_plan[0].bytes + flow->second_plan[1].bytes;
     for (uint32_t i = 0; i < flow->tiles; i++) bytes += flow->tile[i].plan.bytes;
     for (uint32_t i = 0; i < flow->memory.count; i++) bytes += flow->memory.block[i].bytes;
     return bytes;

@@ -32,7 +32,7 @@ typedef struct fit {
     double gain[SIGNS][BINS][2];
 } fit;
 
-static double highest_k(const fit *f) { return f->unit * SECOND_REACH * 1.4142135623730951; }
+static double highest_k(const fit *f) { return f->unit * f->s->reach * 1.4142135623730951; }
 
 // Position of K among the bins.
 static double bin_of(const fit *f, double k) {
@@ -69,7 +69,7 @@ static uint32_t draw(const fit *f, double at) {
 static void add_pair(fit *f, const second_wave *a, const second_wave *b, int sign) {
     const int32_t i = a->i + sign * b->i, j = a->j + sign * b->j;
     const int32_t ai = i < 0 ? -i : i, aj = j < 0 ? -j : j;
-    if ((i == 0 && j == 0) || ai > SECOND_REACH || aj > SECOND_REACH) return;
+    if ((i == 0 && j == 0) || ai > f->s->reach || aj > f->s->reach) return;
     const double k = f->unit * sqrt((double)(i * i + j * j)), free = G * k * portable_tanh(k * f->depth);
     const double w1 = (double)a->omega, w2 = (double)b->omega, w = w1 + sign * w2;
     const double u = (double)a->across[0] * (double)b->across[0] + (double)a->across[1] * (double)b->across[1];
@@ -146,8 +146,8 @@ static void set_half(fit *f, flow_levels *levels, int half) {
     bolan_flow_fit(levels, f->depth);
 }
 
-static double sinc4(int32_t index) {
-    const double x = BOLAN_PI * index / SECOND_SIDE;
+static double sinc4(const fit *f, int32_t index) {
+    const double x = BOLAN_PI * index / f->s->frame.n;
     double sine, cosine;
     bolan_sincos(x, &sine, &cosine);
     const double sinc = index == 0 ? 1.0 : sine / x;
@@ -158,7 +158,7 @@ static void set_cell(const fit *f, int32_t i, int32_t j, double keep, second_cel
     const double k = f->unit * sqrt((double)(i * i + j * j)), tanh = portable_tanh(k * f->depth);
     const int half = bin_of(f, k) < 0.5 * BINS ? 0 : 1;
     const flow_levels *levels = &f->s->half[half];
-    const double all = 1.0 - portable_exp(-2.0 * k * f->depth), scale = tanh / (all * sinc4(i) * sinc4(j));
+    const double all = 1.0 - portable_exp(-2.0 * k * f->depth), scale = tanh / (all * sinc4(f, i) * sinc4(f, j));
     for (int g = 0; g < 4; g++) out->gain[g] = (float)(keep * gain_at(f, g / 2, g % 2, k) / (G * k * tanh));
     for (int l = 0; l < FLOW_LEVELS; l++)
         out->level[half * FLOW_LEVELS + l] = (float)(scale * portable_exp(-k * levels->depth[l]));
@@ -172,8 +172,8 @@ void bolan_flow_second_gains(flow_second *s, double sea_depth, double keep) {
     if (upto > 0.0) add_pairs(&f);
     set_gains(&f);
     for (int half = 0; half < SECOND_HALVES; half++) set_half(&f, &s->half[half], half);
-    for (int32_t i = 0; i <= SECOND_REACH; i++)
-        for (int32_t j = 0; j <= SECOND_REACH; j++)
-            if (i > 0 || j > 0) set_cell(&f, i, j, keep, &s->cells[i * (SECOND_REACH + 1) + j]);
+    for (int32_t i = 0; i <= s->reach; i++)
+        for (int32_t j = 0; j <= s->reach; j++)
+            if (i > 0 || j > 0) set_cell(&f, i, j, keep, &s->cells[i * (s->reach + 1) + j]);
     memset(s->texels, 0, s->wave_count * sizeof *f.upto);
 }

@@ -34,7 +34,7 @@ static void add_wave(flow_second *s, const flow_mode *m, double re, double im, i
 static void add_mode(flow_second *s, const flow_tile *t, uint32_t strip, const flow_mode *m, double depth) {
     const int32_t i = m->row < t->frame.n / 2 ? (int32_t)m->row : (int32_t)m->row - (int32_t)t->frame.n;
     const int32_t j = (int32_t)(strip * FFT_LANES + m->lane);
-    if (i > SECOND_REACH || i < -SECOND_REACH || j > SECOND_REACH) return;
+    if (i > s->reach || i < -s->reach || j > s->reach) return;
     add_wave(s, m, (double)m->re, (double)m->im, i, j, depth);
     if (j > 0) add_wave(s, m, (double)m->back_re, -(double)m->back_im, -i, -j, depth);
 }
@@ -57,32 +57,52 @@ static double motion_of(const bolan_flow *flow, uint32_t band) {
     return sum;
 }
 
+static void gather(const bolan_flow *flow, flow_second *s) {
+    for (uint32_t i = 0; i < flow->tiles; i++) {
+        const flow_tile *t = &flow->tile[i];
+        for (uint32_t strip = 0; t->band == s->band && strip < t->strips; strip++)
+            for (uint32_t m = t->first[strip]; m < t->first[strip + 1]; m++)
+                add_mode(s, t, strip, &t->modes[m], flow->depth);
+    }
+}
+
 static bool add_band(bolan_flow *flow, uint32_t band, double keep) {
     flow_second *s = &flow->second[flow->seconds];
-    const uint32_t most = most_waves(flow, band), cells = (SECOND_REACH + 1) * (SECOND_REACH + 1);
-    const size_t samples = (size_t)SECOND_SIDE * SECOND_SIDE;
     memset(s, 0, sizeof *s);
     s->band = band;
     for (uint32_t i = 0; i < flow->tiles; i++) {
         const flow_tile *t = &flow->tile[i];
         if (t->band == band) s->frame = t->frame;
     }
-    s->frame.n = SECOND_SIDE;
-    s->texels = bolan_sea_reserve(&flow->memory, samples * FLOW_TEXEL * sizeof(float) + cells * sizeof *s->cells +
+    s->frame.n = flow->seconds == 0 ? SECOND_FINE : SECOND_COARSE;
+    s->reach = (int32_t)s->frame.n / 3;
+    const uint32_t most = most_waves(flow, band), row = (uint32_t)s->reach + 1;
+    const size_t samples = (size_t)s->frame.n * s->frame.n;
+    s->texels = bolan_sea_reserve(&flow->memory, samples * FLOW_TEXEL * sizeof(float) + row * row * sizeof *s->cells +
                                                      most * (sizeof *s->waves + sizeof *s->evolved));
     if (!s->texels) return false;
     s->waves = (second_wave *)(void *)(s->texels + samples * FLOW_TEXEL);
     s->evolved = (float(*)[2])(void *)(s->waves + most);
     s->cells = (second_cell *)(void *)(s->evolved + most);
-    for (uint32_t i = 0; i < flow->tiles; i++) {
-        const flow_tile *t = &flow->tile[i];
-        for (uint32_t strip = 0; t->band == band && strip < t->strips; strip++)
-            for (uint32_t m = t->first[strip]; m < t->first[strip + 1]; m++)
-                add_mode(s, t, strip, &t->modes[m], flow->depth);
-    }
+    gather(flow, s);
     bolan_flow_second_gains(s, flow->depth, keep);
     flow->seconds++;
     return true;
+}
+
+// The plans and the planes of the grids that there are.
+static bool reserve_planes(bolan_flow *flow) {
+    static const uint32_t sides[2] = {SECOND_COARSE, SECOND_FINE};
+    size_t samples = 0;
+    for (uint32_t i = 0; i < flow->seconds; i++) {
+        const uint32_t n = flow->second[i].frame.n;
+        fft_plan *plan = &flow->second_plan[n == SECOND_FINE];
+        samples = samples > (size_t)n * n ? samples : (size_t)n * n;
+        if (plan->n == 0 && !bolan_fft_plan_create(sides[n == SECOND_FINE], plan)) return false;
+    }
+    const size_t planes = SECOND_PLANES + flow->slots;
+    flow->second_planes = bolan_sea_reserve(&flow->memory, planes * 2 * samples * sizeof(float));
+    return flow->second_planes != NULL;
 }
 
 bool bolan_flow_create_second(bolan_flow *flow, const bolan_sea *sea) {
@@ -95,11 +115,7 @@ bool bolan_flow_create_second(bolan_flow *flow, const bolan_sea *sea) {
         if (!(motion_of(flow, b) > LEAST_SHARE * LEAST_SHARE * all)) continue;
         if (!add_band(flow, b, sea->shared->bound_keep)) return false;
     }
-    if (flow->seconds == 0) return true;
-    if (!bolan_fft_plan_create(SECOND_SIDE, &flow->second_plan)) return false;
-    const size_t floats = (size_t)(SECOND_PLANES + flow->slots) * SECOND_FLOATS;
-    flow->second_planes = bolan_sea_reserve(&flow->memory, floats * sizeof(float));
-    return flow->second_planes != NULL;
+    return flow->seconds == 0 || reserve_planes(flow);
 }
 
 // ---- a time ---------------------------------------------------------------------------------------------------------
@@ -112,7 +128,9 @@ typedef struct step {
     void (*work)(const struct step *s, uint32_t item, float *scratch);
 } step;
 
-static float *plane_of(const step *s, uint32_t index) { return s->flow->second_planes + (size_t)index * SECOND_FLOATS; }
+// A complex plane: [strip of y][x][FFT_ROW].
+static size_t plane_floats(const step *s) { return 2 * (size_t)s->second->frame.n * s->second->frame.n; }
+static float *plane_of(const step *s, uint32_t index) { return s->flow->second_planes + index * plane_floats(s); }
 
 // Task: slots [begin, end), of which each owns a plane.
 static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
@@ -133,32 +151,44 @@ static void run(step *s, uint32_t items, void (*work)(const step *s, uint32_t it
 }
 
 // Place of the complex value (i, j) of a plane, whose imaginary part is FFT_LANES farther.
-static size_t at(uint32_t i, uint32_t j) {
-    return ((size_t)(j / FFT_LANES) * SECOND_SIDE + i) * FFT_ROW + j % FFT_LANES;
+static size_t at(const step *s, uint32_t i, uint32_t j) {
+    return ((size_t)(j / FFT_LANES) * s->second->frame.n + i) * FFT_ROW + j % FFT_LANES;
 }
-static uint32_t wrapped(int32_t index) { return (uint32_t)(index + SECOND_SIDE) & (SECOND_SIDE - 1); }
+static uint32_t wrapped(const step *s, int32_t index) {
+    const uint32_t n = s->second->frame.n;
+    return ((uint32_t)index + n) & (n - 1);
+}
 
-// FFT along the rows of a plane into another, whose axes are exchanged.
-static void transform_rows(const step *s, float *from, float *to) {
-    const uint16_t *order = s->flow->second_plan.order;
-    for (uint32_t strip = 0; strip < SECOND_SIDE / FFT_LANES; strip++) {
-        float *rows = from + (size_t)strip * SECOND_SIDE * FFT_ROW;
-        s->flow->transform(&s->flow->second_plan, rows);
+// A strip holds an index of at most `reach`.
+static bool is_within(const step *s, uint32_t strip, int32_t reach) {
+    const int32_t n = (int32_t)s->second->frame.n, first = (int32_t)strip * FFT_LANES;
+    return first <= reach || first + FFT_LANES - 1 >= n - reach;
+}
+
+// FFT along the rows of a plane into another, whose axes are exchanged. Rows beyond `reach` count as 0.
+static void transform_rows(const step *s, float *from, float *to, int32_t reach) {
+    const uint32_t n = s->second->frame.n;
+    const fft_plan *plan = &s->flow->second_plan[n == SECOND_FINE];
+    for (uint32_t strip = 0; strip < n / FFT_LANES; strip++) {
+        float *rows = from + (size_t)strip * n * FFT_ROW;
+        const bool any = is_within(s, strip, reach);
+        if (any) s->flow->transform(plan, rows);
         for (uint32_t lane = 0; lane < FFT_LANES; lane++) {
-            for (uint32_t x = 0; x < SECOND_SIDE; x++) {
-                const float *value = rows + (size_t)order[x] * FFT_ROW + lane;
-                float *out = to + at(strip * FFT_LANES + lane, x);
-                out[0] = value[0];
-                out[FFT_LANES] = value[FFT_LANES];
+            for (uint32_t x = 0; x < n; x++) {
+                const float *value = rows + (size_t)plan->order[x] * FFT_ROW + lane;
+                float *out = to + at(s, strip * FFT_LANES + lane, x);
+                out[0] = any ? value[0] : 0.0f;
+                out[FFT_LANES] = any ? value[FFT_LANES] : 0.0f;
             }
         }
     }
 }
 
-// sum of plane e^{+ik.x}, not normalised, in place.
-static void transform(const step *s, float *plane, float *scratch) {
-    transform_rows(s, plane, scratch);
-    transform_rows(s, scratch, plane);
+// sum of plane e^{+ik.x}, not normalised, in place. Index j of what there is, and i of what is wanted, is at most
+// `given` and `wanted`.
+static void transform(const step *s, float *plane, float *scratch, int32_t given, int32_t wanted) {
+    transform_rows(s, plane, scratch, given);
+    transform_rows(s, scratch, plane, wanted);
 }
 
 // ---- fields ---------------------------------------------------------------------------------------------------------
@@ -195,7 +225,8 @@ static float factor_of(const second_wave *w, kind what) {
 
 static void make_field(const step *s, uint32_t index, float *scratch) {
     float *plane = plane_of(s, index);
-    memset(plane, 0, SECOND_FLOATS * sizeof *plane);
+    int32_t reach = 0;
+    memset(plane, 0, plane_floats(s) * sizeof *plane);
     for (uint32_t n = 0; n < s->second->wave_count; n++) {
         const second_wave *w = &s->second->waves[n];
         const float f = factor_of(w, fields[index].what);
@@ -205,44 +236,44 @@ static void make_field(const step *s, uint32_t index, float *scratch) {
             im = -w->omega * re;
             re = turned;
         }
-        float *out = plane + at(wrapped(w->i), wrapped(w->j));
+        float *out = plane + at(s, wrapped(s, w->i), wrapped(s, w->j));
         out[0] += re;
         out[FFT_LANES] += im;
+        reach = w->j > reach ? w->j : -w->j > reach ? -w->j : reach;
     }
-    transform(s, plane, scratch);
+    transform(s, plane, scratch, reach, (int32_t)s->second->frame.n);
 }
 
 // ---- products -------------------------------------------------------------------------------------------------------
 
 // Re(a conj b) with sign 1, Re(a b) with sign -1.
-static float product(const float *planes, size_t p, int a, int b, float sign) {
-    const float *x = planes + (size_t)a * SECOND_FLOATS + p, *y = planes + (size_t)b * SECOND_FLOATS + p;
+static float product(const step *s, size_t p, int a, int b, float sign) {
+    const float *x = plane_of(s, (uint32_t)a) + p, *y = plane_of(s, (uint32_t)b) + p;
     return x[0] * y[0] + sign * (x[FFT_LANES] * y[FFT_LANES]);
 }
 
 // Q of differences and of sums, dQ/dt likewise: horizontal part, and as the imaginary part the vertical one.
 static void multiply(const step *s, uint32_t strip, float *scratch) {
     (void)scratch;
-    const float *planes = s->flow->second_planes;
-    const size_t first = (size_t)strip * SECOND_SIDE * FFT_ROW;
+    const size_t rows = (size_t)s->second->frame.n * FFT_ROW, first = strip * rows;
     for (int sums = 0; sums < 2; sums++) {
         const float sign = sums ? -1.0f : 1.0f;
         float *q = plane_of(s, SECOND_FIELDS + (uint32_t)sums), *rate = plane_of(s, SECOND_FIELDS + 2 + (uint32_t)sums);
-        for (size_t row = first; row < first + SECOND_SIDE * FFT_ROW; row += FFT_ROW) {
+        for (size_t row = first; row < first + rows; row += FFT_ROW) {
             for (size_t p = row; p < row + FFT_LANES; p++) {
-                q[p] = -(product(planes, p, U1, U, sign) + product(planes, p, V1, V, sign));
-                q[p + FFT_LANES] = -product(planes, p, W1, W, sign) - 0.5f * product(planes, p, ETA, T, sign);
-                rate[p] = -(product(planes, p, U2, U, sign) + product(planes, p, U1, U1, sign)) -
-                          (product(planes, p, V2, V, sign) + product(planes, p, V1, V1, sign));
-                rate[p + FFT_LANES] = -(product(planes, p, W2, W, sign) + product(planes, p, W1, W1, sign)) -
-                                      0.5f * (product(planes, p, W, T, sign) + product(planes, p, ETA, T1, sign));
+                q[p] = -(product(s, p, U1, U, sign) + product(s, p, V1, V, sign));
+                q[p + FFT_LANES] = -product(s, p, W1, W, sign) - 0.5f * product(s, p, ETA, T, sign);
+                rate[p] = -(product(s, p, U2, U, sign) + product(s, p, U1, U1, sign)) -
+                          (product(s, p, V2, V, sign) + product(s, p, V1, V1, sign));
+                rate[p + FFT_LANES] = -(product(s, p, W2, W, sign) + product(s, p, W1, W1, sign)) -
+                                      0.5f * (product(s, p, W, T, sign) + product(s, p, ETA, T1, sign));
             }
         }
     }
 }
 
 static void transform_products(const step *s, uint32_t item, float *scratch) {
-    transform(s, plane_of(s, SECOND_FIELDS + item), scratch);
+    transform(s, plane_of(s, SECOND_FIELDS + item), scratch, (int32_t)s->second->frame.n, s->second->reach);
 }
 
 // ---- potentials -----------------------------------------------------------------------------------------------------
@@ -253,13 +284,14 @@ static void potential(const step *s, uint32_t rate, int32_t i, int32_t j, const 
     out[0] = out[1] = 0.0f;
     for (uint32_t sums = 0; sums < 2; sums++) {
         const float *plane = plane_of(s, SECOND_FIELDS + 2 * rate + sums);
-        const float *x = plane + at(wrapped(i), wrapped(j)), *y = plane + at(wrapped(-i), wrapped(-j));
+        const float *x = plane + at(s, wrapped(s, i), wrapped(s, j));
+        const float *y = plane + at(s, wrapped(s, -i), wrapped(s, -j));
         const float re = y[0], im = y[FFT_LANES], cre = x[0], cim = -x[FFT_LANES];
         const float h = cell->gain[2 * sums], v = cell->gain[2 * sums + 1];
         out[0] += h * (re + cre) + v * (im - cim);
         out[1] += h * (im + cim) - v * (re - cre);
     }
-    const float scale = 0.5f / ((float)SECOND_SIDE * SECOND_SIDE);
+    const float n = (float)s->second->frame.n, scale = 0.5f / (n * n);
     out[0] *= scale;
     out[1] *= scale;
 }
@@ -267,25 +299,26 @@ static void potential(const step *s, uint32_t rate, int32_t i, int32_t j, const 
 // Fields 2 item and 2 item + 1 of the texels: two levels of phi2 or of dphi2/dt.
 static void make_levels(const step *s, uint32_t item, float *scratch) {
     float *plane = plane_of(s, item); // the fields are done with
-    const uint32_t rate = 2 * item / SECOND_LEVELS, level = 2 * item % SECOND_LEVELS;
-    memset(plane, 0, SECOND_FLOATS * sizeof *plane);
-    for (int32_t i = -SECOND_REACH; i <= SECOND_REACH; i++) {
-        for (int32_t j = -SECOND_REACH; j <= SECOND_REACH; j++) {
+    const uint32_t n = s->second->frame.n, rate = 2 * item / SECOND_LEVELS, level = 2 * item % SECOND_LEVELS;
+    const int32_t reach = s->second->reach;
+    memset(plane, 0, plane_floats(s) * sizeof *plane);
+    for (int32_t i = -reach; i <= reach; i++) {
+        for (int32_t j = -reach; j <= reach; j++) {
             const int32_t row = i < 0 ? -i : i, column = j < 0 ? -j : j;
-            const second_cell *cell = &s->second->cells[row * (SECOND_REACH + 1) + column];
+            const second_cell *cell = &s->second->cells[row * (reach + 1) + column];
             const float a = cell->level[level], b = cell->level[level + 1];
-            float phi[2], *out = plane + at(wrapped(i), wrapped(j));
+            float phi[2], *out = plane + at(s, wrapped(s, i), wrapped(s, j));
             if (a == 0.0f && b == 0.0f) continue;
             potential(s, rate, i, j, cell, phi);
             out[0] = a * phi[0] - b * phi[1];
             out[FFT_LANES] = a * phi[1] + b * phi[0];
         }
     }
-    transform(s, plane, scratch);
-    for (uint32_t y = 0; y < SECOND_SIDE; y++) {
-        for (uint32_t x = 0; x < SECOND_SIDE; x++) {
-            const float *from = plane + at(x, y);
-            float *out = s->second->texels + ((size_t)y * SECOND_SIDE + x) * FLOW_TEXEL + 2 * (size_t)item;
+    transform(s, plane, scratch, reach, (int32_t)n);
+    for (uint32_t y = 0; y < n; y++) {
+        for (uint32_t x = 0; x < n; x++) {
+            const float *from = plane + at(s, x, y);
+            float *out = s->second->texels + ((size_t)y * n + x) * FLOW_TEXEL + 2 * (size_t)item;
             out[0] = from[0];
             out[1] = from[FFT_LANES];
         }
@@ -297,7 +330,7 @@ void bolan_flow_evolve_second(bolan_flow *flow, double shown) {
         step s = {.flow = flow, .second = &flow->second[i]};
         evolve_waves(s.second, shown);
         run(&s, SECOND_FIELDS, make_field);
-        run(&s, SECOND_SIDE / FFT_LANES, multiply);
+        run(&s, s.second->frame.n / FFT_LANES, multiply);
         run(&s, SECOND_PACKS, transform_products);
         run(&s, SECOND_LEVELS, make_levels);
     }

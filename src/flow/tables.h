@@ -164,10 +164,10 @@ struct bolan_flow {
     size_t scratch_floats;
     bool is_second; // the sea has order 2
     uint32_t seconds;
-    flow_second *second; // of the cascades that count, longest first
-    fft_plan second_plan;
-    float *second_planes; // SECOND_PLANES and one for each slot
-    uint32_t wave_count;  // of a sum
+    flow_second *second;     // of the cascades that count, longest first
+    fft_plan second_plan[2]; // of SECOND_COARSE and of SECOND_FINE points; `bytes` 0: not needed
+    float *second_planes;    // SECOND_PLANES and one for each slot
+    uint32_t wave_count;     // of a sum
     flow_wave *waves;
     sea_memory memory;
 };

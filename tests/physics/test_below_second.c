@@ -309,10 +309,11 @@ static void the_flow_is_the_sum_over_all_pairs(void **state) {
     check_pairs(&(low_sea){"narrow swell", BOLAN_DEEP, 12.0, 75.0, 1, 200, 0.18, 0.004});
 }
 
-// 12 m of water under waves of 74 m: the gains fit worst.
+// 12 m of water under waves of 74 m: sums of waves have a potential here, also those of the shorter ones, and the gains
+// fit worst, to 7 % of the velocity of second order.
 static void the_flow_is_near_the_sum_in_shallow_water(void **state) {
     (void)state;
-    check_pairs(&(low_sea){"12 m of water", 12.0, 8.0, 12.0, 1, 200, 0.4, 0.03});
+    check_pairs(&(low_sea){"12 m of water", 12.0, 8.0, 12.0, 1, 600, 0.15, 0.01});
 }
 
 // ---- the surface ----------------------------------------------------------------------------------------------------
