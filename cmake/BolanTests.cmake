@@ -152,7 +152,9 @@ foreach(file IN LISTS packaging_tests)
 endforeach()
 
 # The longest start first, or one of them runs alone at the end.
-foreach(name packaging/bits_elsewhere images/test_mixes images/test_references packaging/bits)
+foreach(name packaging/bits_elsewhere packaging/bits packaging/shared images/test_mixes images/test_references
+        images/test_backends images/test_same_picture images/test_pictures images/test_light_laws images/test_objects
+        physics/test_extremes physics/test_below)
     if(TEST ${name})
         set_tests_properties(${name} PROPERTIES COST 1000)
     endif()

@@ -43,10 +43,11 @@ static int listen(void **state) {
 typedef bolan_result maker(void **out);
 typedef void destroyer(void **made);
 
-// @p stride: only every so manieth allocation, where making the thing takes long.
+// @p stride: only every so manieth allocation, where making the thing takes long; those that are refused alone lie
+// between those that are refused with all that follow.
 static void sweep_some(const char *name, maker *make, destroyer *destroy, long stride) {
     for (int all = 0; all < 2; all++) {
-        long n = 1;
+        long n = 1 + all * (stride / 2);
         for (;; n += stride) {
             void *out = &out; // must not stay
             const size_t before = bolan_memory_in_use();
@@ -160,7 +161,7 @@ static void destroy_terrain(void **t) { bolan_ground_destroy((bolan_ground **)t)
 static void ground(void **state) {
     (void)state;
     sweep("terrain", make_terrain, destroy_terrain);
-    sweep_some("island", make_island, destroy_terrain, 4);
+    sweep_some("island", make_island, destroy_terrain, 8);
     sweep("pond", make_pond, destroy_terrain);
 }
 
@@ -197,12 +198,14 @@ static bolan_result load_scene(void **out) {
     return *out = NULL, result;
 }
 
+static bolan_ground_kind world_ground;
+
 static bolan_result load_world(void **out) {
     static bolan_scene scene;
     scene = bolan_scene_default();
     scene.sea.resolution = 32;
     snprintf(scene.spectrum_path, sizeof scene.spectrum_path, "memory.spec");
-    scene.terrain.kind = BOLAN_GROUND_GENERATED;
+    scene.terrain.kind = world_ground;
     scene.terrain.generator = generator_named("pond");
     scene.object_count = 2;
     snprintf(scene.objects[0].model, sizeof scene.objects[0].model, "builtin:%s", bolan_content_model_name(0));
@@ -244,7 +247,10 @@ static void files(void **state) {
     sweep("points", load_points, destroy_points);
     sweep("image", read_image, release_image);
     sweep("scene", load_scene, nothing);
+    world_ground = BOLAN_GROUND_NONE;
     sweep("world", load_world, destroy_world);
+    world_ground = BOLAN_GROUND_GENERATED; // whose own allocations have been refused one by one
+    sweep_some("world with a ground", load_world, destroy_world, 8);
     sweep("video", open_video, close_video);
     sweep("exr", write_exr, remove_exr);
     assert_int_equal(system("rm memory.csv memory.png memory.yaml memory.spec; ! ls memory* 2> /dev/null"), 0);
