@@ -50,7 +50,7 @@ static int usage(const char *why, const char *what) {
     fprintf(stderr,
             "bolan-bench frame: %s: %s\n"
             "usage: frame [--technique NAME] [--json] [--size WxH] [--quality low|medium|high|ultra] "
-            "[--backend auto|cpu|compute] [--threads N] [SCENE...]\n",
+            "[--backend auto|cpu|compute] [--pixels auto|fragment|compute] [--threads N] [SCENE...]\n",
             why, what);
     return 2;
 }

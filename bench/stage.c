@@ -49,6 +49,12 @@ static bool parse_backend(const char *text, stage_options *o) {
     return found >= 0;
 }
 
+static bool parse_pixels(const char *text, stage_options *o) {
+    const int found = find_name(text, bolan_pixels_names);
+    if (found >= 0) o->pixels = (bolan_pixels)found;
+    return found >= 0;
+}
+
 int stage_option(const char *name, int argc, char **argv, int *index, stage_options *o) {
     static const struct {
         const char *word, *expects;
@@ -58,6 +64,7 @@ int stage_option(const char *name, int argc, char **argv, int *index, stage_opti
         {"--threads", "0 (one per processor) to 64", parse_threads},
         {"--quality", "low, medium, high or ultra", parse_quality},
         {"--backend", "auto, cpu or compute", parse_backend},
+        {"--pixels", "auto, fragment or compute", parse_pixels},
     };
     const char *word = argv[*index], *value = *index + 1 < argc ? argv[*index + 1] : "";
     if (strcmp(word, "--json") == 0) return o->json = true, 1;
@@ -87,6 +94,7 @@ bolan_result stage_open(stage *s, const char *name, const stage_options *o,
     desc.quality = o->quality;
     desc.max_vertices = o->max_vertices;
     desc.backend = o->backend;
+    desc.pixels = o->pixels;
     desc.restore = BOLAN_RESTORE_NONE; // the context is this program's
     bolan_scene scene;
     bolan_result result = bolan_scene_load(name, &scene);
@@ -201,6 +209,7 @@ void stage_measure(stage *s, bool passes, stage_figures *f) {
     f->gl_calls = statistics->gl_calls;
     f->gl_questions = statistics->gl_questions;
     f->backend = bolan_renderer_backend(s->renderer);
+    f->pixels = bolan_renderer_pixels(s->renderer);
     f->sea_bytes = statistics->sea_bytes;
     if (f->sea_bytes > 0) f->memory_rate = bolan_renderer_memory_rate(s->renderer, RATE_REPEATS);
     if (passes) time_passes(s, f);
@@ -263,14 +272,14 @@ void stage_print_machine_json(const stage_options *o, stage_yard yard) {
 void stage_print_json(const stage_options *o, const stage_figures *figures, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
         const stage_figures *f = &figures[i];
-        printf("    {\"scene\": \"%s\", \"technique\": \"%s\", \"backend\": \"%s\", \"width\": %u, "
+        printf("    {\"scene\": \"%s\", \"technique\": \"%s\", \"backend\": \"%s\", \"pixels\": \"%s\", \"width\": %u, "
                "\"height\": %u, \"triangles\": %u, "
                "\"water_triangles\": %u, \"ms\": %.3f, \"fps\": %.2f, \"ratio\": %.3f, \"cpu_ratio\": %.3f,\n     "
                "\"cpu_ms\": %.3f, \"process_ms\": %.3f, \"gl_calls\": %u, \"gl_questions\": %u,\n     "
                "\"passes\": {",
-               f->scene, f->technique, bolan_backend_names[f->backend], o->width, o->height, f->triangles,
-               f->water_triangles, f->ms, 1e3 / f->ms, f->ms / f->yard.ms, f->cpu_ms / f->yard.cpu_ms, f->calling_ms,
-               f->cpu_ms, f->gl_calls, f->gl_questions);
+               f->scene, f->technique, bolan_backend_names[f->backend], bolan_pixels_names[f->pixels], o->width,
+               o->height, f->triangles, f->water_triangles, f->ms, 1e3 / f->ms, f->ms / f->yard.ms,
+               f->cpu_ms / f->yard.cpu_ms, f->calling_ms, f->cpu_ms, f->gl_calls, f->gl_questions);
         for (uint32_t p = 0; p < f->pass_count; ++p)
             printf("%s\"%s\": %.3f", p > 0 ? ", " : "", f->passes[p].name, f->passes[p].ms);
         printf("}");

@@ -14,6 +14,7 @@ typedef struct stage_options {
     uint32_t width, height, threads;
     bolan_quality quality;
     bolan_backend backend;
+    bolan_pixels pixels;
     uint32_t max_vertices; // of the water; 0: by quality. No option of the command line: a row of a table sets it
 } stage_options;
 // The defaults: 1024 x 768, medium.
@@ -43,6 +44,7 @@ typedef struct stage_figures {
     uint32_t triangles, water_triangles;
     double ms; // median of a frame, synthesis included
     bolan_backend backend;
+    bolan_pixels pixels;
     uint64_t sea_bytes;              // bolan_frame_statistics.sea_bytes
     double memory_rate;              // [bytes/s], where there are such bytes
     double calling_ms;               // processor time of the calling thread in the call that draws

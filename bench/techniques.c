@@ -265,7 +265,7 @@ static int parse(int argc, char **argv, stage_options *o) {
         fprintf(stderr,
                 "bolan-bench techniques: unknown argument %s\n"
                 "usage: techniques [--json] [--size WxH] [--quality low|medium|high|ultra]\n"
-                "       [--backend auto|cpu|compute] [--threads N]\n",
+                "       [--backend auto|cpu|compute] [--pixels auto|fragment|compute] [--threads N]\n",
                 argv[i]);
         return 2;
     }

@@ -15,7 +15,7 @@
 void main() { fullscreen(0.0); }
 #endif
 
-#ifdef FRAGMENT
+#ifndef VERTEX
 #ifndef RAYS // set by quality; this serves an offline compiler
 #define RAYS 3
 #define LAND_STEPS 32
@@ -32,8 +32,6 @@ void main() { fullscreen(0.0); }
 #include "common/foam.glsl"
 #include "common/surf.glsl"
 #include "common/look.glsl"
-
-out vec4 color;
 
 #include "common/shape_maps.glsl"
 layout(std140) uniform Optics {
@@ -370,11 +368,13 @@ vec3 covered(vec3 surface, water_here p, vec3 sunlight, float opacity) {
 
 const float FILM = 0.12; // depth within which the water's edge fades into wet sand [m]
 
-void main() {
-    ivec2 pixel = sampled_pixel();
+// False: there is no water under the pixel of the target with that centre.
+bool shade(vec2 centre, out vec4 color) {
+    ivec2 pixel = sampled_pixel(centre);
     vec2 uv = (vec2(pixel) + 0.5) * pixel_size;
     vec4 shape = texelFetch(surface_rest, pixel, 0);
-    if (shape.w == 0.0) discard; // no water here
+    color = vec4(0.0);
+    if (shape.w == 0.0) return false;
     water_here p = water_at(pixel, uv, shape);
     vec3 sunlight = sun_light * p.shade;
     float water_path;
@@ -396,5 +396,8 @@ void main() {
     surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, smoothstep(0.0, FILM, over_bed(p, water_path)));
 #endif
     color = vec4(surface * p.air.transmittance + p.air.inscatter, 1.0);
+    return true;
 }
+
+#include "common/pixels.glsl"
 #endif

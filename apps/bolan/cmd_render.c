@@ -21,6 +21,7 @@ typedef struct job {
     double fps, start; // frames a second; time of the first [s]
     bolan_quality quality;
     bolan_backend backend;
+    bolan_pixels pixels;
     bool quiet;
 } job;
 
@@ -64,6 +65,7 @@ static int make_job(const options *o, job *j) {
     j->tile = (uint32_t)otherwise(o->tile, 0.0);
     j->quality = o->quality >= 0 ? (bolan_quality)o->quality : BOLAN_QUALITY_HIGH;
     j->backend = o->backend >= 0 ? (bolan_backend)o->backend : BOLAN_BACKEND_AUTO;
+    j->pixels = o->pixels >= 0 ? (bolan_pixels)o->pixels : BOLAN_PIXELS_AUTO;
     static const uint32_t still_samples[] = {1, 1, 4, 16};
     j->samples = (uint32_t)otherwise(o->samples, moving ? 1 : still_samples[j->quality]);
     return EXIT_OK;
@@ -82,6 +84,7 @@ static bool open_stage(const job *j, stage *s) {
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = j->quality;
     desc.backend = j->backend;
+    desc.pixels = j->pixels;
     desc.restore = BOLAN_RESTORE_NONE; // the context is this program's
     *s = (stage){.rgb_bytes = pixels * 3, .linear_bytes = j->name.kind == OUTPUT_EXR ? pixels * 7 * sizeof(float) : 0};
     if (bolan_context_create(BOLAN_GL_CORE, &s->context) || bolan_renderer_create(&desc, &s->renderer) ||

@@ -29,6 +29,7 @@ int command_view(int count, char **arguments) {
     }
     if (o.quality >= 0) v.quality = (bolan_quality)o.quality;
     if (o.backend >= 0) v.backend = (bolan_backend)o.backend;
+    if (o.pixels >= 0) v.pixels = (bolan_pixels)o.pixels;
     if (!isnan(o.frames)) v.frames = (uint32_t)o.frames;
     v.screenshot = o.screenshot;
 #ifdef BOLAN_SHADER_DIR

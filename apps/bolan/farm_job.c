@@ -106,6 +106,7 @@ static int read_size(farm_job *job, const options *o) {
     job->tile = (uint32_t)otherwise(o->tile, 0.0);
     job->quality = o->quality >= 0 ? (bolan_quality)o->quality : BOLAN_QUALITY_HIGH;
     job->backend = o->backend >= 0 ? (bolan_backend)o->backend : BOLAN_BACKEND_AUTO;
+    job->pixels = o->pixels >= 0 ? (bolan_pixels)o->pixels : BOLAN_PIXELS_AUTO;
     job->samples = (uint32_t)otherwise(o->samples, job->has_table ? still_samples[job->quality] : 1.0);
     if ((uint64_t)job->width * job->height <= BOLAN_IMAGE_MOST_PIXELS) return EXIT_OK;
     return usage_error("--size %ux%u: expected at most %u pixels in all", (unsigned)job->width, (unsigned)job->height,

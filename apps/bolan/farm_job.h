@@ -35,6 +35,7 @@ typedef struct farm_job {
     unsigned outputs; // FARM_PICTURE ...
     bolan_quality quality;
     bolan_backend backend;
+    bolan_pixels pixels;
     bool quiet;
 } farm_job;
 

@@ -32,6 +32,7 @@ farm_stage *farm_stage_open(const farm_job *job) {
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = job->quality;
     desc.backend = job->backend;
+    desc.pixels = job->pixels;
     desc.restore = BOLAN_RESTORE_NONE; // the context is this program's
     farm_stage *s = calloc(1, sizeof *s);
     if (!s) return failure("no memory to draw"), NULL;

@@ -12,7 +12,7 @@
 #define SCENE_COMMANDS (ON_VIEW | ON_RENDER | ON_MEASURE | ON_QUERY | ON_BAKE | ON_EXPORT | ON_FARM)
 #define SPECTRUM_COMMANDS (SCENE_COMMANDS | ON_INFO)
 #define PICTURE_COMMANDS (ON_VIEW | ON_RENDER | ON_FARM)
-#define FILE_COMMANDS (ON_RENDER | ON_FARM) // images without a window
+#define FILE_COMMANDS (ON_RENDER | ON_FARM)                                 // images without a window
 #define GROUND_COMMANDS (PICTURE_COMMANDS | ON_QUERY | ON_MESH | ON_FIELDS) // the other commands do not read a sea bed
 
 static const char *const stretching_names[] = {"none", "wheeler", NULL}; // by bolan_stretching
@@ -88,6 +88,9 @@ const option_info option_table[] = {
     OPTION("backend", NAME, backend, PICTURE_COMMANDS, "NAME",
            .names = bolan_backend_names,
            .help = "what makes the waves that are drawn; auto: compute shaders on a GPU that has them, else cpu"),
+    OPTION("pixels", NAME, pixels, PICTURE_COMMANDS, "NAME",
+           .names = bolan_pixels_names,
+           .help = "what shades the pixels of water; auto: compute shaders on a GPU that has them, else fragment"),
     OPTION("threads", WHOLE, threads, SCENE_COMMANDS, "N",
            .low = 0, .high = 64, .help = "0 (default): one per processor; no bit of a result depends on it"),
     OF_SCENE("cpu", SCENE_COMMANDS, "SET"),

@@ -41,7 +41,7 @@ typedef struct options {
     double fps, frames, samples, threads, tile, processes;
     double size[2];
     double least_wavelength, buoy[2], duration, rate;
-    int quality, backend, stretching, completion;
+    int quality, backend, pixels, stretching, completion;
     const char *spectrum, *terrain, *points, *columns, *output, *screenshot, *outputs, *slurm, *part, *times;
     bool record_time, json, parameters, schema, man, quiet, help;
     double rect[4], spacing, origin[3]; // of an export

@@ -11,10 +11,12 @@
 
 #define PICTURE_SAMPLES 4 // a saved image may take longer than a frame
 
-bolan_result canvas_open(canvas *c, bolan_quality quality, bolan_backend backend, const char *shader_directory) {
+bolan_result canvas_open(canvas *c, bolan_quality quality, bolan_backend backend, bolan_pixels pixels,
+                         const char *shader_directory) {
     *c = (canvas){.desc = bolan_renderer_desc_default()};
     c->desc.quality = quality;
     c->desc.backend = backend;
+    c->desc.pixels = pixels;
     c->desc.restore = BOLAN_RESTORE_DECLARED; // outside of its calls this program keeps OpenGL's initial state
     c->desc.shader_directory = shader_directory;
     return bolan_renderer_create(&c->desc, &c->renderer);

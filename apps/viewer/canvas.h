@@ -15,7 +15,8 @@ typedef struct canvas {
 } canvas;
 
 // Needs the window's context.
-bolan_result canvas_open(canvas *c, bolan_quality quality, bolan_backend backend, const char *shader_directory);
+bolan_result canvas_open(canvas *c, bolan_quality quality, bolan_backend backend, bolan_pixels pixels,
+                         const char *shader_directory);
 void canvas_close(canvas *c);
 // Makes the renderer again; the old one stays on failure.
 bolan_result canvas_set_quality(canvas *c, bolan_quality quality);

@@ -25,8 +25,8 @@ typedef struct viewer {
     window window;
     input input;
     bolan_world *world;
-    bolan_scene scene; // edited by panel, keys and mouse; copied to the world before each frame
-    bolan_camera home; // the camera that the scene came with
+    bolan_scene scene;               // edited by panel, keys and mouse; copied to the world before each frame
+    bolan_camera home;               // the camera that the scene came with
     bolan_sea_statistics statistics; // of the sea when it was made
     double synthesis_ms;             // of the last step
     sea_knobs knobs;
@@ -280,7 +280,7 @@ static void one_frame(viewer *v) {
 static bool start(viewer *v, const bolan_scene *scene) {
     const viewer_options *o = v->options;
     if (!window_open(&v->window, "Bolan", o->width, o->height)) return false;
-    if (canvas_open(&v->canvas, o->quality, o->backend, o->shader_directory) != BOLAN_OK) return false;
+    if (canvas_open(&v->canvas, o->quality, o->backend, o->pixels, o->shader_directory) != BOLAN_OK) return false;
     if (!open_world(v, scene) || !panel_open(&v->window)) return false;
     input_open(&v->input);
     bolan_gl_info info = bolan_gl_get_info();

@@ -9,6 +9,7 @@ typedef struct viewer_options {
     uint32_t width, height;       // of the window [screen units]; default 1280 x 720
     bolan_quality quality;        // default medium
     bolan_backend backend;        // default auto
+    bolan_pixels pixels;          // default auto
     const char *shader_directory; // NULL: the built-in shaders; else read from there, and again when a file changes
     const char *screenshot;       // NULL, or the PNG that receives the last frame
     uint32_t frames;              // quit after so many frames of 1/30 s; 0: when the user quits

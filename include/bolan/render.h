@@ -7,7 +7,8 @@
 /// bolan_renderer_desc::restore says otherwise:
 /// - framebuffer bindings, program, vertex array;
 /// - buffers bound for vertices, uniforms, pixels and queries, uniform slots 0 to 4;
-/// - with BOLAN_BACKEND_COMPUTE the storage buffer binding, storage buffer slots 0 to 3 and image units 0 to 3;
+/// - with BOLAN_BACKEND_COMPUTE or BOLAN_PIXELS_COMPUTE the storage buffer binding, storage buffer slots 0 to 3 and
+///   image units 0 to 3;
 /// - the active texture unit, and textures (2D, 3D, 2D array) and samplers of units 0 to 28;
 /// - viewports, scissors and depth ranges of all viewports (arrays of them on desktop OpenGL);
 /// - blend switch, function and equation, and colour mask, of each draw buffer; logic op, dither, sRGB switch;
@@ -57,14 +58,17 @@ typedef struct bolan_renderer_desc {
     /// Default AUTO.
     /// COMPUTE takes OpenGL 4.3, or OpenGL ES 3.1 with EXT_texture_view or OES_texture_view.
     bolan_backend backend;
+    /// Default AUTO. COMPUTE takes what BOLAN_BACKEND_COMPUTE takes.
+    bolan_pixels pixels;
     /// Most vertices of the water on BOLAN_SURFACE_PROJECTED, 1024..1000000, whatever the quality and the size of the
     /// image. 0 (default): as the quality has it. Raised: smaller triangles, down to what the quality asks for.
     uint32_t max_vertices;
     /// What calls of this renderer do with your state; default BOLAN_RESTORE_FULL.
     /// FULL asks OpenGL some hundreds of questions in each call: a driver with a thread of its own makes you wait.
     /// DECLARED and NONE ask none. In exchange:
-    /// - textures of units 0 to 28, uniform slots 0 to 4, and with BOLAN_BACKEND_COMPUTE storage buffers and images of
-    ///   slots 0 to 3 stay as the call leaves them, and sampler objects of these units are unbound;
+    /// - textures of units 0 to 28 and uniform slots 0 to 4 stay as the call leaves them, and sampler objects of these
+    ///   units are unbound; with BOLAN_BACKEND_COMPUTE or BOLAN_PIXELS_COMPUTE also storage buffers and images of slots
+    ///   0 to 3 stay;
     /// - no transform feedback is active in a call;
     /// - the names of your framebuffers and textures are checked when they first come, and not again: change
     ///   bolan_renderer_desc::restore to FULL while you look for a wrong name;
@@ -90,8 +94,8 @@ BOLAN_API bolan_renderer_desc bolan_renderer_desc_default(void);
 /// Makes a renderer in the current context.
 /// @param out receives the renderer; NULL after an error.
 /// Errors: GL (no context, one older than OpenGL 3.3 or OpenGL ES 3.0, a shader that does not compile), ARGUMENT (a
-/// field out of range), UNSUPPORTED (OpenGL ES without float targets; BOLAN_BACKEND_COMPUTE in a context without
-/// compute shaders), MEMORY.
+/// field out of range), UNSUPPORTED (OpenGL ES without float targets; BOLAN_BACKEND_COMPUTE or BOLAN_PIXELS_COMPUTE
+/// in a context without compute shaders), MEMORY.
 BOLAN_API bolan_result bolan_renderer_create(const bolan_renderer_desc *desc, bolan_renderer **out);
 
 /// With BOLAN_RESTORE_DECLARED: your state when a call begins, which is put back when it ends.
@@ -102,6 +106,10 @@ BOLAN_API void bolan_renderer_declare_state(bolan_renderer *renderer, const bola
 /// Returns the backend that the renderer uses: CPU or COMPUTE.
 /// Thread-safe.
 BOLAN_API bolan_backend bolan_renderer_backend(const bolan_renderer *renderer);
+
+/// Returns what the renderer shades pixels with: FRAGMENT or COMPUTE.
+/// Thread-safe.
+BOLAN_API bolan_pixels bolan_renderer_pixels(const bolan_renderer *renderer);
 
 /// Releases the renderer.
 /// The context must be current. Without one the log says so, and only the memory of the CPU is released: that of the

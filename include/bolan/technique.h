@@ -176,6 +176,20 @@ typedef enum bolan_backend {
 /// The names that the command line uses, "auto" ...; by bolan_backend, NULL at the end.
 BOLAN_API extern const char *const bolan_backend_names[BOLAN_BACKENDS + 1];
 
+/// What shades the pixels of water by BOLAN_OPTICS_PHYSICAL. Both make the same image, but for rounding.
+typedef enum bolan_pixels {
+    /// COMPUTE on a GPU that has compute shaders, else FRAGMENT.
+    BOLAN_PIXELS_AUTO,
+    /// Fragment shaders. On software OpenGL the faster of the two.
+    BOLAN_PIXELS_FRAGMENT,
+    /// Compute shaders.
+    BOLAN_PIXELS_COMPUTE,
+} bolan_pixels;
+/// Number of such kinds.
+#define BOLAN_PIXELS 3
+/// The names that the command line uses, "auto" ...; by bolan_pixels, NULL at the end.
+BOLAN_API extern const char *const bolan_pixels_names[BOLAN_PIXELS + 1];
+
 /// The parameters of bolan_technique and bolan_look.
 BOLAN_API extern const bolan_param_table bolan_technique_params, bolan_look_params;
 

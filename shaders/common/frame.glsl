@@ -8,10 +8,8 @@ layout(std140) uniform View {
 #include "shared/view_block.glsl"
 };
 
-#ifdef FRAGMENT
-// The pixel of the image whose kept shape is shaded here.
-ivec2 sampled_pixel() { return ivec2(min(gl_FragCoord.xy * vec2(shade_columns, 1.0), viewport_size - 0.5)); }
-#endif
+// The pixel of the image whose kept shape is shaded for the pixel of the target with that centre.
+ivec2 sampled_pixel(vec2 centre) { return ivec2(min(centre * vec2(shade_columns, 1.0), viewport_size - 0.5)); }
 
 // Eye-relative direction through a point of the picture, uv in [0,1], not normalised. Depth 1 is the near plane.
 vec3 frame_ray(vec2 uv) {

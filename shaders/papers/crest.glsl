@@ -296,7 +296,7 @@ vec3 light_here(ivec2 at, vec4 shape) {
 }
 
 void main() {
-    ivec2 at = sampled_pixel();
+    ivec2 at = sampled_pixel(gl_FragCoord.xy);
     vec4 shape = texelFetch(shape_rest, at, 0);
     color = vec4(0.0);
     // a loop: software OpenGL goes past one that no pixel enters, and on to the end of a discard

@@ -56,6 +56,7 @@ static frame step_of(bolan_renderer *r, const bolan_water *water, const bolan_li
     const bolan_scene *scene = world != NULL ? bolan_world_scene(world) : NULL;
     frame f = {.caps = &r->caps,
                .compute = r->desc.backend == BOLAN_BACKEND_COMPUTE ? &r->compute : NULL,
+               .compute_pixels = r->desc.pixels == BOLAN_PIXELS_COMPUTE,
                .timing = timing_of(r),
                .quality = r->desc.quality,
                .water = *water,

@@ -61,6 +61,7 @@ enum {
 typedef struct frame {
     const gl_caps *caps;
     struct sea_compute *compute; // which makes the fields of cascades; NULL: the CPU does
+    bool compute_pixels;         // BOLAN_PIXELS_COMPUTE
     gl_timing timing;
     bolan_quality quality;
     bolan_water water;

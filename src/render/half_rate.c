@@ -38,9 +38,13 @@ static void free_targets(half_rate_targets *t) {
     bolan_gl_texture_free(&t->depth);
 }
 
-static bolan_result create_targets(half_rate_targets *t, uint32_t width, uint32_t height) {
-    gl_texture_desc color = {
-        .format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
+static bolan_result create_targets(half_rate_targets *t, uint32_t width, uint32_t height, bool storage) {
+    gl_texture_desc color = {.format = GL_FMT_RGBA16F,
+                             .width = width,
+                             .height = height,
+                             .storage = storage,
+                             .filter = GL_FILTER_LINEAR,
+                             .wrap = GL_WRAP_CLAMP};
     gl_texture_desc depth = {.format = GL_FMT_DEPTH32F, .width = width, .height = height, .filter = GL_FILTER_NEAREST};
     const gl_texture *colors[] = {&t->color};
     bolan_result result = bolan_gl_texture_create(&color, &t->color);
@@ -48,14 +52,14 @@ static bolan_result create_targets(half_rate_targets *t, uint32_t width, uint32_
     return result == BOLAN_OK ? bolan_gl_target_create(colors, 1, &t->depth, -1, 0, &t->target) : result;
 }
 
-static bool fit(half_rate *s, uint32_t width, uint32_t height) {
+static bool fit(half_rate *s, uint32_t width, uint32_t height, bool storage) {
     bool fresh;
     uint32_t over;
     const uint32_t slot = bolan_kept_sizes_use(&s->kept, width, height, &fresh);
     half_rate_targets *t = &s->sizes[slot];
     if (fresh) free_targets(t);
     while (bolan_kept_sizes_over(&s->kept, &over)) free_targets(&s->sizes[over]);
-    if (fresh && create_targets(t, width, height) != BOLAN_OK) {
+    if (fresh && create_targets(t, width, height, storage) != BOLAN_OK) {
         free_targets(t);
         bolan_kept_sizes_forget(&s->kept, slot);
         return false;
@@ -78,7 +82,7 @@ static bool fill_depth(half_rate *s, const render_view *v, uint32_t columns) {
 render_view bolan_half_rate_begin(half_rate *s, const render_view *v, uint32_t columns, bool keeps_shape, bool opaque) {
     const uint32_t width = (v->width + columns - 1) / columns, height = v->height;
     render_view sparse = *v;
-    if (columns == 1 || !fit(s, width, height)) return sparse;
+    if (columns == 1 || !fit(s, width, height, v->frame->compute_pixels)) return sparse;
     bolan_gl_target_bind(&s->now.target);
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
     if (!keeps_shape) {

@@ -154,6 +154,7 @@ static water_setup setup_of(const frame *f) {
                          .bounds = f->bounds_count > 0,
                          .layers = f->water.layer_count > 0,
                          .bound_waves = bolan_sea_get_desc(f->sea)->order > 1,
+                         .compute = f->compute_pixels,
                          .look = &f->lighting.look,
                          .streaks = bolan_foam_streak_share(f->sea) > 0.0,
                          .shares_samples = columns_of(f) > 1,

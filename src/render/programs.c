@@ -15,7 +15,8 @@ enum { FIRST_PROGRAMS = 32 };
 // ---- which ----------------------------------------------------------------------------------------------------------
 
 static bool is_same(const water_variant *a, const water_variant *b) {
-    return a->shader == b->shader && a->features == b->features && a->own == b->own && a->waves == b->waves;
+    return a->shader == b->shader && a->features == b->features && a->own == b->own && a->waves == b->waves &&
+           a->compute == b->compute;
 }
 
 static uint32_t features_of_waves(water_waves waves) {
@@ -26,12 +27,15 @@ static uint32_t features_of_waves(water_waves waves) {
 }
 
 water_variant bolan_water_variant_of(const water_shader *shader, uint32_t own, water_waves waves, uint32_t wave_count,
-                                     uint32_t features) {
+                                     uint32_t features, bool compute) {
     features |= features_of_waves(waves);
     if (waves != WATER_CASCADES) features &= ~(uint32_t)WATER_FEATURE_CASCADES;
     features &= shader->reads;
-    return (water_variant){
-        .shader = shader, .features = features, .own = own, .waves = features & WATER_FEATURE_EXP ? wave_count : 0};
+    return (water_variant){.shader = shader,
+                           .features = features,
+                           .own = own,
+                           .waves = features & WATER_FEATURE_EXP ? wave_count : 0,
+                           .compute = compute && shader->pixels};
 }
 
 static bool grow(water_programs *all) {
@@ -64,9 +68,9 @@ bool bolan_water_programs_add(water_programs *all, const water_setup *s, bool be
                               (s->packed ? WATER_FEATURE_PACKED : 0) | (s->bounds ? WATER_FEATURE_BOUNDS : 0) |
                               (s->layers ? WATER_FEATURE_LAYERS : 0) | (s->bound_waves ? WATER_FEATURE_BOUND : 0);
     const water_waves waves = below ? s->waves_below : s->waves;
-    const water_variant plain = bolan_water_variant_of(shader, own, waves, s->wave_count, features);
+    const water_variant plain = bolan_water_variant_of(shader, own, waves, s->wave_count, features, s->compute);
     const water_variant trimmed =
-        bolan_water_variant_of(shader, own, waves, s->wave_count, features | WATER_FEATURE_TRIM);
+        bolan_water_variant_of(shader, own, waves, s->wave_count, features | WATER_FEATURE_TRIM, s->compute);
     return add(all, &plain) && (!quad || below || add(all, &trimmed));
 }
 
@@ -101,7 +105,10 @@ void bolan_water_variant_defines(const water_variant *v, char *defines, size_t s
 static void compile(water_program *p) {
     char defines[sizeof p->program.defines];
     bolan_water_variant_defines(&p->variant, defines, sizeof defines);
-    if (bolan_gl_program_create(p->variant.shader->stem, defines, &p->program) != BOLAN_OK) p->program.id = 0;
+    const bolan_result result = p->variant.compute
+                                    ? bolan_gl_program_create_compute(p->variant.shader->stem, defines, &p->program)
+                                    : bolan_gl_program_create(p->variant.shader->stem, defines, &p->program);
+    if (result != BOLAN_OK) p->program.id = 0;
     p->compiled = true;
 }
 

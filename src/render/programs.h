@@ -37,6 +37,7 @@ enum { WATER_SHADER_DEFINES = 10 }; // of one shader file, besides the features
 typedef struct water_shader {
     const char *stem;
     uint32_t reads;                            // features that the file depends on
+    bool pixels;                               // the file has both entry points of shaders/common/pixels.glsl
     const char *defines[WATER_SHADER_DEFINES]; // bit i of a variant's `own` adds line i, "NAME VALUE\n"
 } water_shader;
 
@@ -46,6 +47,7 @@ typedef struct water_variant {
     uint32_t features; // of WATER_FEATURE_..., those that the file reads
     uint32_t own;      // bits of the file's own defines
     uint32_t waves;    // number of exp-cosine waves, 0 for every other model
+    bool compute;      // a compute shader, in the place of a vertex and a fragment shader
 } water_variant;
 
 typedef struct water_program {
@@ -63,10 +65,11 @@ typedef struct water_programs {
 // What decides which programs a frame of the water can need. It does not change while the eye moves.
 typedef struct water_setup {
     bolan_quality quality;
-    water_waves waves, waves_below;                 // seen from above and from under the water
-    bolan_surface_kind surface;                     // from above; from below it is the quad
-    bool below;                                     // the optics has a picture for an eye under water
+    water_waves waves, waves_below;                              // seen from above and from under the water
+    bolan_surface_kind surface;                                  // from above; from below it is the quad
+    bool below;                                                  // the optics has a picture for an eye under water
     bool land, static_grid, packed, bounds, layers, bound_waves; // as the features of these names
+    bool compute;                                                // BOLAN_PIXELS_COMPUTE
     const bolan_look *look;
     bool streaks;        // the wind blows foam into streaks
     bool shares_samples; // half-rate shading: see half_rate.h
@@ -85,9 +88,10 @@ uint32_t bolan_water_programs_missing(const water_programs *all);
 void bolan_water_programs_compile(water_programs *all, bolan_progress *progress, void *user);
 // Whether every noted variant has compiled.
 bool bolan_water_programs_are_whole(const water_programs *all);
-// The variant of a shader by which something is drawn: `features` are those of the surface and the ground.
+// The variant of a shader by which something is drawn: `features` are those of the surface and the ground. `compute`:
+// by a compute shader, where the file has one.
 water_variant bolan_water_variant_of(const water_shader *shader, uint32_t own, water_waves waves, uint32_t wave_count,
-                                     uint32_t features);
+                                     uint32_t features, bool compute);
 // The lines "NAME VALUE\n" that a variant defines.
 void bolan_water_variant_defines(const water_variant *v, char *defines, size_t size);
 // The program of a variant; NULL: it was never noted (an assertion), or does not compile.

@@ -81,6 +81,21 @@ static bolan_result check_backend(bolan_backend backend) {
     return BOLAN_ERROR_UNSUPPORTED;
 }
 
+static bolan_result check_pixels(bolan_pixels pixels) {
+    if ((int)pixels < BOLAN_PIXELS_AUTO || pixels > BOLAN_PIXELS_COMPUTE) {
+        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "renderer: pixels %d is not one of auto, fragment, compute",
+                  (int)pixels);
+        return BOLAN_ERROR_ARGUMENT;
+    }
+    const bolan_gl_info info = bolan_gl_get_info();
+    if (pixels != BOLAN_PIXELS_COMPUTE || info.compute) return BOLAN_OK;
+    bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_UNSUPPORTED,
+              "renderer: pixels is compute, and this context (OpenGL %s) has no compute shaders; expected OpenGL 4.3, "
+              "OpenGL ES 3.1 with texture views, or fragment",
+              info.version);
+    return BOLAN_ERROR_UNSUPPORTED;
+}
+
 static bolan_result check_desc(const bolan_renderer_desc *desc) {
     if ((int)desc->restore < BOLAN_RESTORE_FULL || desc->restore > BOLAN_RESTORE_NONE) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "renderer: restore %d is not one of full, declared, none",
@@ -104,13 +119,20 @@ static bolan_result check_desc(const bolan_renderer_desc *desc) {
                   DIRECTORY_BYTES - 1);
         return BOLAN_ERROR_ARGUMENT;
     }
-    return check_backend(desc->backend);
+    const bolan_result result = check_backend(desc->backend);
+    return result == BOLAN_OK ? check_pixels(desc->pixels) : result;
 }
 
 // On software OpenGL the CPU is several times as fast at this as its compute shaders.
 static bolan_backend backend_of(const bolan_renderer_desc *desc, const gl_caps *caps) {
     if (desc->backend != BOLAN_BACKEND_AUTO) return desc->backend;
     return caps->compute && !caps->software ? BOLAN_BACKEND_COMPUTE : BOLAN_BACKEND_CPU;
+}
+
+// Software OpenGL runs fragments and invocations at one speed, and a rasterizer wastes no group at an edge.
+static bolan_pixels pixels_of(const bolan_renderer_desc *desc, const gl_caps *caps) {
+    if (desc->pixels != BOLAN_PIXELS_AUTO) return desc->pixels;
+    return caps->compute && !caps->software ? BOLAN_PIXELS_COMPUTE : BOLAN_PIXELS_FRAGMENT;
 }
 
 static bolan_renderer *allocate(const bolan_renderer_desc *desc) {
@@ -123,6 +145,7 @@ static bolan_renderer *allocate(const bolan_renderer_desc *desc) {
         snprintf(r->shader_directory, sizeof r->shader_directory, "%s", desc->shader_directory);
     r->caps = bolan_gl_get_caps();
     r->desc.backend = backend_of(desc, &r->caps);
+    r->desc.pixels = pixels_of(desc, &r->caps);
     if (desc->force_timers) r->caps.timers = r->caps.timestamps;
     return r;
 }
@@ -202,6 +225,11 @@ bolan_result bolan_renderer_reload(bolan_renderer *r) {
 bolan_backend bolan_renderer_backend(const bolan_renderer *r) {
     BOLAN_ASSERT(r != NULL);
     return r != NULL ? r->desc.backend : BOLAN_BACKEND_CPU;
+}
+
+bolan_pixels bolan_renderer_pixels(const bolan_renderer *r) {
+    BOLAN_ASSERT(r != NULL);
+    return r != NULL ? r->desc.pixels : BOLAN_PIXELS_FRAGMENT;
 }
 
 bool bolan_renderer_needs_baking(const bolan_renderer *r) {

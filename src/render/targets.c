@@ -13,9 +13,13 @@ static void free_set(frame_targets *t) {
 }
 
 static bolan_result create_target(gl_texture *color, gl_texture *depth, gl_target *target, uint32_t width,
-                                  uint32_t height) {
-    gl_texture_desc c = {
-        .format = GL_FMT_RGBA16F, .width = width, .height = height, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_CLAMP};
+                                  uint32_t height, bool storage) {
+    gl_texture_desc c = {.format = GL_FMT_RGBA16F,
+                         .width = width,
+                         .height = height,
+                         .storage = storage,
+                         .filter = GL_FILTER_LINEAR,
+                         .wrap = GL_WRAP_CLAMP};
     gl_texture_desc d = {.format = GL_FMT_DEPTH32F,
                          .width = width,
                          .height = height,
@@ -28,10 +32,11 @@ static bolan_result create_target(gl_texture *color, gl_texture *depth, gl_targe
     return result;
 }
 
-static bolan_result create_set(frame_targets *t, uint32_t width, uint32_t height) {
-    const bolan_result result = create_target(&t->hdr_color, &t->hdr_depth, &t->hdr, width, height);
+// storage: compute shaders write the color.
+static bolan_result create_set(frame_targets *t, uint32_t width, uint32_t height, bool storage) {
+    const bolan_result result = create_target(&t->hdr_color, &t->hdr_depth, &t->hdr, width, height, storage);
     if (result != BOLAN_OK) return result;
-    return create_target(&t->behind_color, &t->behind_depth, &t->behind, width, height);
+    return create_target(&t->behind_color, &t->behind_depth, &t->behind, width, height, false);
 }
 
 bolan_result bolan_renderer_resize(bolan_renderer *r, uint32_t width, uint32_t height) {
@@ -42,7 +47,7 @@ bolan_result bolan_renderer_resize(bolan_renderer *r, uint32_t width, uint32_t h
     uint32_t over;
     if (fresh) free_set(t);
     while (bolan_kept_sizes_over(&r->kept, &over)) free_set(&r->sizes[over]);
-    const bolan_result result = fresh ? create_set(t, width, height) : BOLAN_OK;
+    const bolan_result result = fresh ? create_set(t, width, height, r->desc.pixels == BOLAN_PIXELS_COMPUTE) : BOLAN_OK;
     r->width = r->height = 0;
     if (result != BOLAN_OK) {
         free_set(t);

@@ -27,7 +27,8 @@ static uint32_t features_of(const water_draw *d) {
 
 const gl_program *bolan_water_program(const water_draw *d, const water_shader *shader, uint32_t own) {
     const uint32_t wave_count = bolan_sea_component_count(d->view->frame->sea);
-    const water_variant v = bolan_water_variant_of(shader, own, d->waves, wave_count, features_of(d));
+    const water_variant v =
+        bolan_water_variant_of(shader, own, d->waves, wave_count, features_of(d), d->view->frame->compute_pixels);
     const gl_program *program = bolan_water_programs_find(d->programs, &v);
     if (program == NULL) return NULL;
     bolan_gl_program_use(program);
@@ -74,7 +75,7 @@ uint32_t bolan_water_rows(const render_view *v, double vertical) {
 }
 
 uint32_t bolan_water_rows_steeper(const render_view *v, double sine, uint32_t rows) {
-    if (sine >= 1.0) return 0;                                          // even straight below
+    if (sine >= 1.0) return 0;                                         // even straight below
     const double down = bolan_radians(v->lens.pitch_deg) + asin(sine); // from the middle of the picture
     if (fabs(down) > 1.5) return down > 0.0 ? 0 : rows;
     return (uint32_t)fmin(fmax(bolan_view_row(v, -tan(down)) + 2.0, 0.0), rows);

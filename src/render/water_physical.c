@@ -6,6 +6,7 @@
 #include "foam_statistics.h"
 #include "foam_texture.h"
 #include "kept_sizes.h"
+#include "pixels.h"
 #include "shared/constants.glsl"
 #include "shared/foam.glsl"
 #include "spray.h"
@@ -49,12 +50,13 @@ static const water_shader object_shadow_shader = {.stem = "object_shadow"};
 enum { LIGHT_STREAKS = 1 << BOLAN_QUALITIES };
 static const water_shader light_shader = {.stem = "water_physical",
                                           .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
+                                          .pixels = true,
                                           .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\nLAND_STEPS 12\n",
                                                       [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\nLAND_STEPS 12\n",
                                                       [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\nLAND_STEPS 32\n"
                                                                              "SPLINES 1\n",
                                                       [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\nLAND_STEPS 48\n"
-                                                                           "SPLINES 1\n",
+                                                                              "SPLINES 1\n",
                                                       [BOLAN_QUALITIES] = "STREAKS 1\n"}};
 
 static uint32_t light_variant(bolan_quality quality, bool streaks) {
@@ -234,7 +236,8 @@ static void bind_shape(const shape *s) {
 static void light(void *state, const water_draw *d, water_rows rows) {
     physical *p = state;
     const bool streaks = bolan_foam_streak_share(d->view->frame->sea) > 0.0;
-    if (!bolan_water_program(d, &light_shader, light_variant(p->quality, streaks))) return;
+    const gl_program *program = bolan_water_program(d, &light_shader, light_variant(p->quality, streaks));
+    if (program == NULL) return;
     physical_block block = foam_of(d->view);
     set_fine(&block, d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
@@ -247,9 +250,7 @@ static void light(void *state, const water_draw *d, water_rows rows) {
     bolan_gl_texture_bind(&p->shape->air.map, UNIT_OWN + 3);
     bolan_gl_texture_bind(&p->shape->land, UNIT_OWN + 4);
     if (d->fields->now->fine.id != 0) bolan_gl_texture_bind(&d->fields->now->fine, UNIT_FINE);
-    bolan_gl_target_bind_part(&d->view->hdr, 0, rows.from, d->view->hdr.width, rows.to - rows.from);
-    bolan_gl_set_state(&(gl_state){.color_write = true});
-    bolan_gl_draw_fullscreen();
+    bolan_pixels_draw(program, &d->view->hdr, rows.from, rows.to);
     bolan_gl_target_bind(&d->view->hdr);
 }
 

@@ -46,6 +46,8 @@ const char *const bolan_show_names[BOLAN_SHOWS + 1] = {"picture", "mask", "mesh"
 const char *const bolan_quality_names[BOLAN_QUALITIES + 1] = {"low", "medium", "high", "ultra", NULL};
 const char *const bolan_backend_names[BOLAN_BACKENDS + 1] = {"auto", "cpu", "compute", NULL};
 
+const char *const bolan_pixels_names[BOLAN_PIXELS + 1] = {"auto", "fragment", "compute", NULL};
+
 const bolan_technique *bolan_techniques(uint32_t *count) {
     *count = BOLAN_TECHNIQUES;
     return techniques;

@@ -67,6 +67,7 @@ refuse 2 '--at is a place in a raster' render --at 3,4 -o a.png
 refuse 2 '--at has a latitude beyond 90' render coast --at 94,3 -o a.png
 refuse 2 '--at is 3; expected LAT,LON' render --at 3 -o a.png
 refuse 2 '--backend is gpu; expected auto' render -o a.png --backend gpu
+refuse 2 '--pixels is gpu; expected auto' render -o a.png --pixels gpu
 refuse 2 '--camera is 1,2,3; expected X,Y,Z,HEADING,PITCH[,FOV]' render -o a.png --camera 1,2,3
 refuse 2 '--camera is 1,2,3,4,nan' render -o a.png --camera 1,2,3,4,nan
 refuse 2 'camera.pitch_deg is 100; expected -90 to 90' render -o a.png --camera 1,2,3,4,100

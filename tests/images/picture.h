@@ -31,6 +31,7 @@ static const char
     *stage_shaders; // the folder that the renderers of stages take their shaders from; NULL: the built-in ones
 
 static bolan_backend stage_backend; // of the renderers of stages; default auto
+static bolan_pixels stage_pixels;   // likewise
 
 // A world and a renderer; the context must be current. The world takes over `scene`, which a test may change, before it
 // is drawn.
@@ -67,6 +68,7 @@ static inline bool stage_open(stage *s, const bolan_scene *scene, bolan_quality 
     desc.no_clip_control = no_clip_control;
     desc.shader_directory = stage_shaders;
     desc.backend = stage_backend;
+    desc.pixels = stage_pixels;
     if (!stage_load(s, scene)) return false;
     stage_settle(s, scene->time);
     return bolan_renderer_create(&desc, &s->renderer) == BOLAN_OK;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // print_variants SHADER-FOLDER OUT-FOLDER: every variant of the water's programs that the optics list for any setup
-// (src/render/programs.h), as the text that the engine hands to the driver: both stages, core and ES, one file each.
+// (src/render/programs.h), as the text that the engine hands to the driver: each stage, core and ES, one file each.
 #include "render/gl/source.h"
 #include "render/half_rate.h"
 #include "render/papers/tiles.h"
@@ -15,20 +15,22 @@ static const water_optics *const optics[] = {&bolan_optics_physical, &bolan_opti
 enum { OPTICS = sizeof optics / sizeof *optics };
 
 // Names like water_physical.LAND_1.TAPS_2.core.frag: glslangValidator takes the stage from the last ending.
-static void name_file(const char *folder, const char *stem, const char *defines, bool es, bool vertex, char out[512]) {
+static void name_file(const char *folder, const char *stem, const char *defines, bool es, const char *ending,
+                      char out[512]) {
     const int start = snprintf(out, 512, "%s/", folder);
-    snprintf(out + start, 512 - (size_t)start, "%s.%s%s.%s", stem, defines, es ? "es" : "core",
-             vertex ? "vert" : "frag");
+    snprintf(out + start, 512 - (size_t)start, "%s.%s%s.%s", stem, defines, es ? "es" : "core", ending);
     for (char *c = out + start; *c != '\0'; ++c) *c = (char)(*c == '/' ? '-' : *c == ' ' ? '_' : *c == '\n' ? '.' : *c);
 }
 
-static bool write_variant(const char *folder, const char *stem, const char *defines) {
-    for (int i = 0; i < 4; ++i) {
-        const bool es = i & 1, vertex = i & 2;
+static bool write_variant(const char *folder, const water_shader *shader, const char *defines) {
+    static const char *const stages[][2] = {{"VERTEX", "vert"}, {"FRAGMENT", "frag"}, {"COMPUTE", "comp"}};
+    for (int i = 0; i < (shader->pixels ? 6 : 4); ++i) {
+        const char *const *stage = stages[i / 2];
+        const bool es = i & 1;
         char path[512];
         shader_text text;
-        name_file(folder, stem, defines, es, vertex, path);
-        if (bolan_shader_text_build(stem, vertex ? "VERTEX" : "FRAGMENT", defines, es, &text) != BOLAN_OK) return false;
+        name_file(folder, shader->stem, defines, es, stage[1], path);
+        if (bolan_shader_text_build(shader->stem, stage[0], defines, es, &text) != BOLAN_OK) return false;
         FILE *file = fopen(path, "w");
         const bool written = file != NULL && fputs(text.text, file) >= 0;
         if (file == NULL || fclose(file) != 0 || !written) {
@@ -110,7 +112,7 @@ int main(int argc, char **argv) {
     for (uint32_t i = 0; i < all.count && written; ++i) {
         char defines[256];
         bolan_water_variant_defines(&all.list[i].variant, defines, sizeof defines);
-        written = write_variant(argv[2], all.list[i].variant.shader->stem, defines);
+        written = write_variant(argv[2], all.list[i].variant.shader, defines);
     }
     printf("%u variants of the water's programs\n", all.count);
     bolan_water_programs_free(&all);

@@ -487,8 +487,8 @@ MEMORY.""",
     "bolan_renderer_create": """Makes a renderer in the current context.
 out: receives the renderer; NULL after an error.
 Errors: GL (no context, one older than OpenGL 3.3 or OpenGL ES 3.0, a shader that does not compile), ARGUMENT (a
-field out of range), UNSUPPORTED (OpenGL ES without float targets; BOLAN_BACKEND_COMPUTE in a context without
-compute shaders), MEMORY.""",
+field out of range), UNSUPPORTED (OpenGL ES without float targets; BOLAN_BACKEND_COMPUTE or BOLAN_PIXELS_COMPUTE
+in a context without compute shaders), MEMORY.""",
     "bolan_renderer_declare_state": """With BOLAN_RESTORE_DECLARED: your state when a call begins, which is put back when it ends.
 Call it whenever the state at the place of your frame where Bolan is called has changed. Copied.
 Until the first call it is bolan_gl_state_default().""",
@@ -529,6 +529,8 @@ copies of 64 MB. 0 where there is no memory for them.""",
 Only the optics MIRROR bakes: loops of its waves with the light on the bottom.
 It bakes them when a frame with another sea, water or mode is prepared, and again when the sun has turned by 8
 degrees. A view with bolan_view.progressive never bakes for the sun: it keeps the old light, and this returns true.""",
+    "bolan_renderer_pixels": """Returns what the renderer shades pixels with: FRAGMENT or COMPUTE.
+Thread-safe.""",
     "bolan_renderer_prepare": """Takes a step of the water: uploads its fields unless those of the same serial are on the GPU already.
 An unchanged step uploads nothing: see bolan_frame_statistics::uploads.
 The fields of the last BOLAN_KEPT_SEAS seas stay on the GPU, so that several waters may take turns in each frame.

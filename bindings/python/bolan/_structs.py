@@ -1210,13 +1210,15 @@ class RendererDesc(Struct):
     quality: Default MEDIUM.
     backend: Default AUTO.
         COMPUTE takes OpenGL 4.3, or OpenGL ES 3.1 with EXT_texture_view or OES_texture_view.
+    pixels: Default AUTO. COMPUTE takes what BOLAN_BACKEND_COMPUTE takes.
     max_vertices: Most vertices of the water on BOLAN_SURFACE_PROJECTED, 1024..1000000, whatever the quality and the size of the
         image. 0 (default): as the quality has it. Raised: smaller triangles, down to what the quality asks for.
     restore: What calls of this renderer do with your state; default BOLAN_RESTORE_FULL.
         FULL asks OpenGL some hundreds of questions in each call: a driver with a thread of its own makes you wait.
         DECLARED and NONE ask none. In exchange:
-        - textures of units 0 to 28, uniform slots 0 to 4, and with BOLAN_BACKEND_COMPUTE storage buffers and images of
-          slots 0 to 3 stay as the call leaves them, and sampler objects of these units are unbound;
+        - textures of units 0 to 28 and uniform slots 0 to 4 stay as the call leaves them, and sampler objects of these
+          units are unbound; with BOLAN_BACKEND_COMPUTE or BOLAN_PIXELS_COMPUTE also storage buffers and images of slots
+          0 to 3 stay;
         - no transform feedback is active in a call;
         - the names of your framebuffers and textures are checked when they first come, and not again: change
           bolan_renderer_desc::restore to FULL while you look for a wrong name;
@@ -1232,6 +1234,7 @@ class RendererDesc(Struct):
     _type = "bolan_renderer_desc"
     quality: str
     backend: str
+    pixels: str
     max_vertices: int
     restore: str
     shader_directory: Optional[str]

@@ -59,12 +59,14 @@ class Renderer:
     """Draws worlds by OpenGL without a window, in a context of its own.
 
     It belongs to the thread that made it, whose current context it takes. quality: "low", "medium", "high", "ultra";
-    backend: "auto", "cpu", "compute"; api: "core", "es"."""
+    backend: "auto", "cpu", "compute"; pixels: "auto", "fragment", "compute"; api: "core", "es"."""
 
-    def __init__(self, quality: str = "medium", backend: str = "auto", api: str = "core"):
+    def __init__(self, quality: str = "medium", backend: str = "auto", api: str = "core",
+                 pixels: str = "auto"):
         desc = ffi.new("bolan_renderer_desc *", lib.bolan_renderer_desc_default())
         desc.quality = enum_value("bolan_quality", quality, "quality")
         desc.backend = enum_value("bolan_backend", backend, "backend")
+        desc.pixels = enum_value("bolan_pixels", pixels, "pixels")
         _release_left()
         self._resources = _Resources(enum_value("bolan_gl_api", api, "api"), desc)
         self._finalizer = weakref.finalize(self, self._resources.release)
@@ -110,6 +112,11 @@ class Renderer:
     def backend(self) -> str:
         """What makes the fields: "cpu" or "compute"."""
         return enum_name("bolan_backend", lib.bolan_renderer_backend(self._own().renderer[0]))
+
+    @property
+    def pixels(self) -> str:
+        """What shades the pixels of water: "fragment" or "compute"."""
+        return enum_name("bolan_pixels", lib.bolan_renderer_pixels(self._own().renderer[0]))
 
     @documented("bolan_renderer_draw_world")
     def draw(self, world: World, size: Tuple[int, int], camera: Optional[_structs.Camera] = None, samples: int = 1,

@@ -44,7 +44,7 @@ void bolan_gl_storage_bind(const gl_buffer *b, uint32_t slot) {
 }
 
 void bolan_gl_image_bind(const gl_texture *t, uint32_t level, uint32_t slot) {
-    BOLAN_ASSERT(t->id && level < t->levels && slot < GL_IMAGES);
+    BOLAN_ASSERT(t->id && t->storage && level < t->levels && slot < GL_IMAGES);
     glBindImageTexture(slot, t->id, (GLint)level, GL_TRUE, 0, GL_WRITE_ONLY,
                        bolan_gl_format_info(t->format)->internal_format);
 }

@@ -70,6 +70,7 @@ typedef struct gl_texture {
     uint32_t id, target;
     uint32_t width, height, depth, levels;
     gl_format format;
+    bool storage; // compute shaders can write it
 } gl_texture;
 typedef struct gl_texture_desc {
     gl_format format;
@@ -77,7 +78,7 @@ typedef struct gl_texture_desc {
     uint32_t depth; // 0: 2D; else 3D, or an array when `array`
     bool array;
     uint32_t levels; // 0: full chain when the filter is a mipmap one, else 1
-    bool storage;    // an array that compute shaders write: only where caps.compute
+    bool storage;    // a 2D texture or an array that compute shaders write: only where caps.compute
     gl_filter filter;
     gl_wrap wrap;
     float anisotropy; // 0 or 1: none
@@ -135,6 +136,7 @@ void bolan_gl_program_free(gl_program *p);
 typedef struct gl_target {
     uint32_t id;
     uint32_t width, height;
+    gl_texture color; // the first, which the target does not own; id 0: it has none
 } gl_target;
 // colour may be NULL (count 0); depth may be NULL. layer: slice of a 3D/array texture, the next one for each further
 // colour; -1 for 2D; level 0..

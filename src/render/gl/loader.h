@@ -44,7 +44,7 @@
     X(GetDoublev) X(GetFloati_v) X(GetPointerv) \
     X(GetPointervKHR) X(GetQueryObjectui64v) X(GetTexLevelParameteriv) X(GetTextureParameteriv) X(IsEnabledi) \
     X(MapBufferRange) X(MemoryBarrier) X(PauseTransformFeedback) X(PixelTransferf) X(PolygonMode) X(ProvokingVertex) \
-    X(QueryCounter) X(ResumeTransformFeedback) X(ScissorIndexedv) X(TexStorage3D) X(TextureView) \
+    X(QueryCounter) X(ResumeTransformFeedback) X(ScissorIndexedv) X(TexStorage2D) X(TexStorage3D) X(TextureView) \
     X(TextureViewEXT) X(TextureViewOES) X(ViewportIndexedfv)
 
 // clang-format on
@@ -339,6 +339,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glTexParameterf bolan_gl_called(TexParameterf)
 #undef glTexParameteri
 #define glTexParameteri bolan_gl_called(TexParameteri)
+#undef glTexStorage2D
+#define glTexStorage2D bolan_gl_called(TexStorage2D)
 #undef glTexStorage3D
 #define glTexStorage3D bolan_gl_called(TexStorage3D)
 #undef glTexSubImage2D

@@ -94,7 +94,7 @@ static bool append_prologue(shader_text *s, const char *stage, const char *defin
     const char *version = es ? compute ? "310 es" : "300 es" : compute ? "430 core" : "330 core";
     bool ok = append_format(s, "#version %s\n", version);
     if (es) ok = ok && append(s, es_head, sizeof es_head - 1);
-    if (es && compute) ok = ok && append_format(s, "precision highp image2DArray;\n");
+    if (es && compute) ok = ok && append_format(s, "precision highp image2D;\nprecision highp image2DArray;\n");
     ok = ok && append_format(s, "#define %s 1\n", stage);
     for (const char *d = defines; ok && d && *d;) {
         const size_t length = strcspn(d, "\n");

@@ -23,7 +23,8 @@ bolan_result bolan_gl_target_create(const gl_texture *const *color, uint32_t cou
                                     uint32_t level, gl_target *out) {
     BOLAN_ASSERT(out && count <= MAX_COLORS && (count > 0 || depth));
     const gl_texture *first = count ? color[0] : depth;
-    gl_target t = {0, first->width >> level, first->height >> level};
+    gl_target t = {.width = first->width >> level, .height = first->height >> level};
+    if (count) t.color = *color[0];
     if (!t.width) t.width = 1;
     if (!t.height) t.height = 1;
     GLint draw = 0, read = 0;

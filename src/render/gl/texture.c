@@ -63,13 +63,16 @@ static void set_wrap(const gl_texture *t, gl_wrap wrap) {
     if (t->target == GL_TEXTURE_3D) glTexParameteri(t->target, GL_TEXTURE_WRAP_R, other);
 }
 
-static void allocate_levels(const gl_texture *t, bool storage) {
+static void allocate_levels(const gl_texture *t) {
     const format_info *f = bolan_gl_format_info(t->format);
     const GLint internal_format = (GLint)f->internal_format;
-    if (storage) {
-        BOLAN_ASSERT(t->target == GL_TEXTURE_2D_ARRAY);
-        glTexStorage3D(t->target, (GLsizei)t->levels, f->internal_format, (GLsizei)t->width, (GLsizei)t->height,
-                       (GLsizei)t->depth);
+    if (t->storage) {
+        const GLsizei w = (GLsizei)t->width, h = (GLsizei)t->height;
+        BOLAN_ASSERT(t->target != GL_TEXTURE_3D);
+        if (t->target == GL_TEXTURE_2D)
+            glTexStorage2D(t->target, (GLsizei)t->levels, f->internal_format, w, h);
+        else
+            glTexStorage3D(t->target, (GLsizei)t->levels, f->internal_format, w, h, (GLsizei)t->depth);
         return;
     }
     for (uint32_t l = 0; l < t->levels; l++) {
@@ -119,7 +122,11 @@ uint32_t bolan_gl_textures_made(void) { return made; }
 
 bolan_result bolan_gl_texture_create(const gl_texture_desc *d, gl_texture *out) {
     BOLAN_ASSERT(d && out && d->width > 0 && d->height > 0);
-    gl_texture t = {.width = d->width, .height = d->height, .depth = d->depth ? d->depth : 1, .format = d->format};
+    gl_texture t = {.width = d->width,
+                    .height = d->height,
+                    .depth = d->depth ? d->depth : 1,
+                    .format = d->format,
+                    .storage = d->storage};
     t.target = d->depth == 0 ? GL_TEXTURE_2D : d->array ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_3D;
     t.levels = d->levels ? d->levels : 1;
     if (!d->levels && is_mipmapped(d->filter)) {
@@ -134,7 +141,7 @@ bolan_result bolan_gl_texture_create(const gl_texture_desc *d, gl_texture *out) 
     bind_scratch(&t);
     set_filter(&t, d);
     set_wrap(&t, d->wrap);
-    allocate_levels(&t, d->storage);
+    allocate_levels(&t);
     if (!is_allocated(&t)) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_MEMORY,
                   "GL has no memory for a texture of %u x %u x %u texels, format %d", t.width, t.height, t.depth,
