@@ -288,7 +288,8 @@ typedef struct bolan_view {
     bolan_output output;
     /// False (default): the picture is a function of step and view alone, whatever was drawn before.
     /// True: new clouds and new ground are made over several frames, so that a moving eye never waits; until they are
-    /// done the old ones are shown. For windows.
+    /// done the old ones are shown. Exposure and light of the sky are those of an earlier frame, unless the sun has
+    /// turned by more than 1 degree since: no frame waits for the GPU to measure them. For windows.
     bool progressive;
     /// True: bolan_renderer_draw_world() draws all but the water. False (default): the water too.
     bool without_water;

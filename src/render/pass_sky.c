@@ -16,21 +16,15 @@ enum { ENVIRONMENT_SIZE = 512, ENVIRONMENT_LEVELS = 8, LIGHT_PIXELS = 4 };
 enum { COLUMNS = 8, CORNERS = 2 * (COLUMNS + 1), RECTANGLE_INDICES = 6, INDICES = RECTANGLE_INDICES * (COLUMNS + 1) };
 
 // The programs of the background, and what each defines.
-enum {
-    SKY,
-    SKY_BELOW,
-    SKY_PANORAMA,
-    SKY_SUN,
-    SKY_OVER,
-    SKY_ENVIRONMENT,
-    SKY_PREFILTER,
-    SKY_LIGHT,
-    SKY_PROGRAMS
-};
-static const char *const sky_sources[SKY_PROGRAMS][2] = {
-    [SKY] = {"sky", NULL},           [SKY_BELOW] = {"sky", "BELOW 1\n"}, [SKY_PANORAMA] = {"sky_panorama", NULL},
-    [SKY_SUN] = {"sky_sun", NULL},   [SKY_OVER] = {"sky_over", NULL},    [SKY_ENVIRONMENT] = {"sky_environment", NULL},
-    [SKY_PREFILTER] = {"sky_prefilter", NULL}, [SKY_LIGHT] = {"sky_light", NULL}};
+enum { SKY, SKY_BELOW, SKY_PANORAMA, SKY_SUN, SKY_OVER, SKY_ENVIRONMENT, SKY_PREFILTER, SKY_LIGHT, SKY_PROGRAMS };
+static const char *const sky_sources[SKY_PROGRAMS][2] = {[SKY] = {"sky", NULL},
+                                                         [SKY_BELOW] = {"sky", "BELOW 1\n"},
+                                                         [SKY_PANORAMA] = {"sky_panorama", NULL},
+                                                         [SKY_SUN] = {"sky_sun", NULL},
+                                                         [SKY_OVER] = {"sky_over", NULL},
+                                                         [SKY_ENVIRONMENT] = {"sky_environment", NULL},
+                                                         [SKY_PREFILTER] = {"sky_prefilter", NULL},
+                                                         [SKY_LIGHT] = {"sky_light", NULL}};
 
 struct pass_sky {
     atmosphere air;
@@ -42,11 +36,15 @@ struct pass_sky {
     gl_mesh mesh;
     gl_texture panorama; // clear sky and clouds together
     gl_target panorama_target;
-    bolan_vec3 lattice_sun; // direction to the sun that all of this was made for
+    bolan_vec3 lattice_sun;               // direction to the sun that all of this was made for
     gl_texture plain, environment, light; // the environment before and after its levels are blurred
     gl_target plain_target, environment_target[ENVIRONMENT_LEVELS], light_target;
     block_buffers uniforms;           // while tables are drawn
-    float measured[4 * LIGHT_PIXELS]; // the last read-back of sky_light.glsl
+    float measured[4 * LIGHT_PIXELS]; // what sky_light.glsl measured, as far as it was read back
+    gl_readback reading;              // of light_target
+    bool unread;                      // light_target is newer than what was read, and is not being read
+    bool lit;                         // `measured` was read once
+    bolan_vec3 measured_sun;          // direction to the sun when it was last begun to be read
 };
 
 static bolan_result create_targets(pass_sky *p) {
@@ -192,7 +190,7 @@ static void measure_light(pass_sky *p) {
     bolan_gl_target_bind(&p->light_target);
     bolan_gl_program_use(&p->programs[SKY_LIGHT]);
     bolan_gl_draw_fullscreen();
-    bolan_gl_target_read_float(&p->light_target, 0, p->measured);
+    p->unread = true;
 }
 
 // What the host says counts; what it leaves out was measured.
@@ -201,6 +199,41 @@ static void keep_given_light(pass_sky *p, const bolan_environment *e) {
     const bolan_vec3 lights[] = {e->sky_irradiance, sun, sun};
     for (int i = e->sky_irradiance.x < 0.0f ? 1 : 0; i < 3; ++i) memcpy(p->measured + 4 * i, &lights[i], sizeof sun);
     p->measured[12] = 1.0f; // no cloud of Bolan's takes any
+}
+
+#define LIGHT_STEP 0.02 // turn of the sun within which a window keeps the light of its last frames [rad]
+
+// Another light altogether would be seen for some frames.
+static bool is_near(const pass_sky *p, bolan_vec3 sun) {
+    return p->lit && bolan_v3_dot(sun, p->measured_sun) > (float)cos(LIGHT_STEP);
+}
+
+static void wait_for_light(pass_sky *p) {
+    if (p->unread || bolan_gl_readback_is_under_way(&p->reading))
+        bolan_gl_target_read_float(&p->light_target, 0, p->measured);
+    bolan_gl_readback_cancel(&p->reading);
+    p->unread = false;
+}
+
+// One copy at a time: what is measured meanwhile is read after it.
+static void follow_light(pass_sky *p) {
+    (void)bolan_gl_readback_end(&p->reading, p->measured);
+    if (!p->unread || bolan_gl_readback_is_under_way(&p->reading)) return;
+    bolan_gl_readback_begin(&p->reading, &p->light_target);
+    p->unread = false;
+}
+
+// Brings the measured light to the CPU. A window that goes on shows the light of an earlier frame and never waits.
+// other: the light comes from another environment.
+static void read_light(pass_sky *p, const render_view *v, bolan_vec3 sun, bool other) {
+    const bolan_environment *e = &v->frame->lighting.environment;
+    if (v->progressive && !other && bolan_gl_readback_is_possible() && is_near(p, sun))
+        follow_light(p);
+    else
+        wait_for_light(p);
+    p->lit = true;
+    p->measured_sun = sun;
+    if (e->cube != 0) keep_given_light(p, e);
 }
 
 static float luminance(const float *c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
@@ -241,8 +274,8 @@ static void set_light(const pass_sky *p, render_view *v) {
     const float *sky = p->measured, *sun = p->measured + 4;
     v->light.sky = bolan_v3(sky[0], sky[1], sky[2]);
     v->light.sun = bolan_v3(sun[0], sun[1], sun[2]);
-    v->light.exposure = bolan_v3_scale(white_balance(p, v->frame->sun_direction.z),
-                                       exposure(p, v, v->frame->block.radiance_unit));
+    v->light.exposure =
+        bolan_v3_scale(white_balance(p, v->frame->sun_direction.z), exposure(p, v, v->frame->block.radiance_unit));
 }
 
 #define SUN_STEP 0.0005 // between suns that the tables are made for [rad]: 0.3 % of the light of a sun at 5 degrees
@@ -271,7 +304,6 @@ static void draw_maps(pass_sky *p, const bolan_environment *e) {
     bolan_gl_set_state(&(gl_state){.color_write = true});
     draw_environment(p, e);
     measure_light(p);
-    if (e->cube != 0) keep_given_light(p, e);
 }
 
 void bolan_pass_sky_prepare(pass_sky *p, render_view *v) {
@@ -286,10 +318,11 @@ void bolan_pass_sky_prepare(pass_sky *p, render_view *v) {
     if (bolan_atmosphere_update(&p->air, &u)) changed = true;
     bolan_atmosphere_bind(&p->air);
     bolan_gl_texture_bind(bolan_clouds_map(&p->clouds), UNIT_CLOUDS);
-    const bool turned =
-        u.frame.sun_direction.x != p->lattice_sun.x || u.frame.sun_direction.y != p->lattice_sun.y;
-    if (changed || turned || bolan_host_light_is_new(&p->host, e)) draw_maps(p, e);
+    const bool turned = u.frame.sun_direction.x != p->lattice_sun.x || u.frame.sun_direction.y != p->lattice_sun.y;
+    const bool other = bolan_host_light_is_new(&p->host, e);
+    if (changed || turned || other) draw_maps(p, e);
     p->lattice_sun = u.frame.sun_direction;
+    read_light(p, v, u.frame.sun_direction, other);
     bolan_gl_texture_bind(&p->environment, UNIT_ENVIRONMENT);
     set_light(p, v);
 }
@@ -350,6 +383,7 @@ void bolan_pass_sky_destroy(pass_sky **pp) {
     bolan_gl_texture_free(&p->plain);
     bolan_gl_texture_free(&p->environment);
     bolan_gl_texture_free(&p->light);
+    bolan_gl_readback_free(&p->reading);
     bolan_gl_target_free(&p->panorama_target);
     bolan_gl_texture_free(&p->panorama);
     bolan_gl_mesh_free(&p->mesh);

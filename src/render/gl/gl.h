@@ -164,6 +164,21 @@ typedef enum gl_purpose { GL_TO_DRAW, GL_TO_READ, GL_TO_COPY } gl_purpose;
 // NULL: it will do. Else why not, as the end of a sentence about it. Binds it.
 const char *bolan_gl_framebuffer_problem(uint32_t framebuffer, gl_purpose purpose);
 
+// The first color of a target on its way to the CPU, without waiting: see readback.c.
+typedef struct gl_readback {
+    uint32_t id;
+    size_t bytes;
+    void *fence; // NULL: nothing is under way
+} gl_readback;
+bool bolan_gl_readback_is_possible(void);
+// Starts a copy, in the place of one that is under way. Leaves the target bound.
+void bolan_gl_readback_begin(gl_readback *r, const gl_target *t);
+bool bolan_gl_readback_is_under_way(const gl_readback *r);
+// True: the copy has come, as from bolan_gl_target_read_float(). False: not yet, or none is under way.
+bool bolan_gl_readback_end(gl_readback *r, float *rgba);
+void bolan_gl_readback_cancel(gl_readback *r);
+void bolan_gl_readback_free(gl_readback *r);
+
 // Reads depth textures, on ES too. What that takes is made at the first reading and kept while the size stays.
 typedef struct gl_depth_reader {
     gl_program program;

@@ -45,7 +45,7 @@
     X(GetPointervKHR) X(GetQueryObjectui64v) X(GetTexLevelParameteriv) X(GetTextureParameteriv) X(IsEnabledi) \
     X(MapBufferRange) X(MemoryBarrier) X(PauseTransformFeedback) X(PixelTransferf) X(PolygonMode) X(ProvokingVertex) \
     X(QueryCounter) X(ResumeTransformFeedback) X(ScissorIndexedv) X(TexStorage2D) X(TexStorage3D) X(TextureView) \
-    X(TextureViewEXT) X(TextureViewOES) X(ViewportIndexedfv)
+    X(TextureViewEXT) X(TextureViewOES) X(UnmapBuffer) X(ViewportIndexedfv)
 
 // clang-format on
 #define GL_POINTER(name) __typeof__(epoxy_gl##name) name;
@@ -365,6 +365,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glUniform4fv bolan_gl_called(Uniform4fv)
 #undef glUniformBlockBinding
 #define glUniformBlockBinding bolan_gl_called(UniformBlockBinding)
+#undef glUnmapBuffer
+#define glUnmapBuffer bolan_gl_called(UnmapBuffer)
 #undef glUseProgram
 #define glUseProgram bolan_gl_called(UseProgram)
 #undef glVertexAttribPointer
