@@ -151,6 +151,15 @@ foreach(file IN LISTS packaging_tests)
         "BOLAN_SOURCE_DIR=${PROJECT_SOURCE_DIR};BOLAN_BUILD_DIR=${CMAKE_BINARY_DIR};CC=${CMAKE_C_COMPILER}")
 endforeach()
 
+# The path tracer of tests/reference, which is run by hand.
+if(TARGET bolan_io AND TARGET bolan_render AND TARGET bolan)
+    add_executable(reference_trace ${test_folder}/reference/trace.c)
+    target_include_directories(reference_trace PRIVATE src shaders)
+    target_link_libraries(reference_trace PRIVATE bolan_render bolan_io bolan_content m)
+    set_target_properties(reference_trace PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+    add_dependencies(bolan_tests_gl reference_trace)
+endif()
+
 # The longest start first, or one of them runs alone at the end.
 foreach(name packaging/bits_elsewhere packaging/bits packaging/shared images/test_mixes images/test_references
         images/test_backends images/test_same_picture images/test_pictures images/test_light_laws images/test_objects

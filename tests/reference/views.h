@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The views of the shading reference: what the path tracer (trace.c) and the test of the picture both look at.
+#ifndef BOLAN_REFERENCE_VIEWS_H
+#define BOLAN_REFERENCE_VIEWS_H
+
+#include "bolan/scene.h"
+
+enum { REFERENCE_WIDTH = 144, REFERENCE_HEIGHT = 81, REFERENCE_PIXELS = REFERENCE_WIDTH * REFERENCE_HEIGHT };
+enum { REFERENCE_CHANNELS = 4 }; // red, green, blue, and the standard error of green
+
+#define REFERENCE_FOV 40.0 // vertical [deg]
+
+typedef struct reference_view {
+    const char *name;
+    double height, heading, pitch, sun_azimuth, sun_elevation; // [m], [deg]
+} reference_view;
+
+static const reference_view reference_views[] = {
+    {"near", 1.5, 0.0, -22.0, 180.0, 35.0},      {"glitter", 10.0, 180.0, -18.0, 180.0, 20.0},
+    {"low_sun", 10.0, 180.0, -18.0, 180.0, 5.0}, {"far", 100.0, 30.0, -24.0, 90.0, 35.0},
+    {"high", 300.0, 30.0, -28.0, 90.0, 35.0},
+};
+enum { REFERENCE_VIEWS = sizeof reference_views / sizeof reference_views[0] };
+
+static inline bolan_scene reference_scene(const reference_view *v) {
+    bolan_scene scene = bolan_scene_default();
+    bolan_scene_set_wind(&scene, 8.0, 270.0);
+    scene.sea.seed = 5;
+    scene.time = 20.0;
+    scene.water = (bolan_seawater){.type = BOLAN_JERLOV_IB, .foam = 0.0};
+    scene.sky.visibility = 300000.0;
+    scene.sky.cloud_cover = 0.0;
+    scene.sky.sun_azimuth_deg = v->sun_azimuth;
+    scene.sky.sun_elevation_deg = v->sun_elevation;
+    scene.camera = (bolan_camera){.position = {0, 0, v->height},
+                                  .heading_deg = v->heading,
+                                  .pitch_deg = v->pitch,
+                                  .fov_deg = REFERENCE_FOV};
+    return scene;
+}
+
+#endif

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// The facets of the reference path tracer (tests/reference/facets.h) against figures that it does not use: sums over
+// facets made elsewhere, the closed form of the mean tilt, and the energy of the sun's image.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "reference/facets.h"
+
+#include <stdio.h>
+
+enum { FACETS = 100000 };
+
+// Covariance of slopes, and an eye `down` degrees over the horizon: the mean of what those facets reflect.
+static double mean_reflectance(covariance c, vec to_eye, double *tilt) {
+    uint64_t random = 1;
+    double sum = 0.0, level = hypot(to_eye.x, to_eye.y);
+    *tilt = 0.0;
+    for (int i = 0; i < FACETS; ++i) {
+        const vec n = visible_facet(&random, to_eye, 0.0, 0.0, c);
+        sum += fresnel(fmin(dot3(n, to_eye), 1.0), WATER_INDEX) / FACETS;
+        *tilt += (n.x * to_eye.x + n.y * to_eye.y) / (n.z * level * FACETS);
+    }
+    return sum;
+}
+
+// tests/data/light/mean_fresnel.csv has sums over facets, made by another program. 1 %: three standard errors of 100000
+// facets are 0.7 %.
+static void mean_reflectance_is_that_of_another_programs_facets(void **state) {
+    (void)state;
+    FILE *file = fopen(BOLAN_SOURCE_DIR "/tests/data/light/mean_fresnel.csv", "r");
+    assert_non_null(file);
+    char line[256];
+    int rows = 0;
+    while (fgets(line, sizeof line, file) != NULL) {
+        double along_wind, across, azimuth, down, want, tilt;
+        if (sscanf(line, "%lf,%lf,%lf,%lf,%lf", &along_wind, &across, &azimuth, &down, &want) != 5) continue;
+        const double a = azimuth * 0.017453292519943295, e = down * 0.017453292519943295;
+        const vec to_eye = {cos(e) * cos(a), cos(e) * sin(a), sin(e)};
+        const double got = mean_reflectance((covariance){along_wind, 0.0, across}, to_eye, &tilt);
+        if (!(fabs(got / want - 1.0) < 0.01)) fail_msg("%g %g: %g, not %g", azimuth, down, got, want);
+        ++rows;
+    }
+    fclose(file);
+    assert_true(rows > 10);
+}
+
+static void facets_lean_towards_the_eye_as_the_closed_form_says(void **state) {
+    (void)state;
+    for (int down = 2; down <= 60; down *= 2) {
+        double tilt;
+        const double e = down * 0.017453292519943295, sigma = 0.15;
+        mean_reflectance((covariance){sigma * sigma, 0.0, sigma * sigma}, (vec){cos(e), 0.0, sin(e)}, &tilt);
+        assert_true(fabs(tilt - sigma * facing_exact(tan(e) / sigma).tilt) < 0.002); // three standard errors
+    }
+}
+
+// Without waves there is one facet, which is level.
+static void flat_water_is_a_mirror(void **state) {
+    (void)state;
+    uint64_t random = 1;
+    const vec to_eye = unit((vec){0.6, 0.3, 0.4}), n = visible_facet(&random, to_eye, 0.0, 0.0, (covariance){0, 0, 0});
+    assert_true(n.z > 1.0 - 1e-9);
+    const vec d = mirrored(to_eye, n);
+    assert_true(fabs(d.x + to_eye.x) + fabs(d.y + to_eye.y) + fabs(d.z - to_eye.z) < 1e-4);
+}
+
+// The sun overhead and an eye that looks straight down: all facets turned by half an angle send the light there. The
+// image over all directions of the eye, weighted by what the plan shows, has the energy that the facets reflect:
+// R(0) of it for smooth enough water, where R hardly depends on the angle. 1 %: R rises by that over these slopes.
+static void the_image_of_the_sun_has_its_energy(void **state) {
+    (void)state;
+    const covariance c = {0.004, 0.0, 0.004};
+    double sum = 0.0;
+    const double step = 0.005;
+    for (double theta = 0.5 * step; theta < 1.0; theta += step)
+        sum += sun_by_facets((vec){sin(theta), 0.0, cos(theta)}, (vec){0.0, 0.0, 1.0}, 0.0, 0.0, c) * 6.283185307 *
+               sin(theta) * cos(theta) * step;
+    assert_true(fabs(sum / fresnel_normal(WATER_INDEX) - 1.0) < 0.01);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(mean_reflectance_is_that_of_another_programs_facets),
+                                       cmocka_unit_test(facets_lean_towards_the_eye_as_the_closed_form_says),
+                                       cmocka_unit_test(flat_water_is_a_mirror),
+                                       cmocka_unit_test(the_image_of_the_sun_has_its_energy)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
