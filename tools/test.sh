@@ -50,11 +50,11 @@ export BOLAN_TEST_SHORT=1
 build asan bolan_tests_core bolan_tests_gl
 # Without the statistics of seas: they call the functions that the other tests call, more often.
 run build-asan -L '^(unit|physics|determinism|kernels|fuzz)$' \
-    -E 'physics/test_(sea_(statistics|correlation|energy|surface|bands|motion)|record_sea|far_away)$'
+    -E 'physics/test_(sea_(statistics|correlation|energy|surface|bands|buoys|motion)|record_sea|far_away)$'
 # Those that draw: without the search for leaks, which the driver's threads upset at the end of a program; the tests count
 # the memory of the renderer themselves.
 export ASAN_OPTIONS=detect_leaks=0:strict_string_checks=1:allocator_may_return_null=1
 # Without those that measure light, or compare the waves of test_sea_compute in pictures: their code is the others'.
 run build-asan -L '^(shaders|twins|images)$' \
-    -E 'test_(references|light_bands|light_laws|views|view_tiles|clouds_above|same_picture|land_mirror|tonemap|backends)$'
+    -E 'test_(references|light_bands|light_laws|traced_light|scene_colors|views|view_tiles|clouds_above|same_picture|land_mirror|tonemap|backends)$'
 finish

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A path tracer of Bolan's sea, for the shading of physical optics to be compared with: see README.md.
 //
-// Rays march over the heights of bolan_query_heights(), which all cascades and no pixel's filter make. Fine waves and
-// the capillaries beyond them are slopes of the place that is hit. Rays are marched together, a row of pixels at a time.
+// Rays march over the heights of bolan_query_heights(): all cascades, no filter by pixel. Fine waves and the capillaries
+// beyond them are slopes of the place that is hit. Rays of a row of pixels are marched together.
 //
 //   eye -> place on the sea -> a visible facet -> sky, or a second place -> a facet -> sky
 //                           -> sun, unless a wave stands before it
@@ -32,6 +32,7 @@ typedef struct ray {
 typedef struct place {
     vec at;
     double sx, sy;
+    double shown; // area that the facets show to the ray, over that of the marched surface
 } place;
 
 typedef struct tracer {
@@ -113,8 +114,12 @@ static void places_of(tracer *t, const ray *rays, uint32_t count, place *out) {
     for (uint32_t i = 0; i < count; ++i) {
         const bolan_vec3 n = t->points[i].normal;
         const double up = fmax((double)n.z, 0.1);
-        out[i] = (place){{t->xy[i].x, t->xy[i].y, (double)t->points[i].height}, -(double)n.x / up, -(double)n.y / up};
+        out[i] =
+            (place){{t->xy[i].x, t->xy[i].y, (double)t->points[i].height}, -(double)n.x / up, -(double)n.y / up, 1.0};
+        const vec d = rays[i].dir;
+        const double whole = fmax(out[i].sx * d.x + out[i].sy * d.y - d.z, 0.02);
         fine_slope(t, t->xy[i], &out[i].sx, &out[i].sy);
+        out[i].shown = fmax(out[i].sx * d.x + out[i].sy * d.y - d.z, 0.0) / whole;
     }
 }
 
@@ -152,8 +157,8 @@ static ray ray_from(const place *p, vec dir, uint32_t pixel) {
 }
 
 // Light of `count` places that rays have hit, added to `sum` (per pixel and channel). second, suns: room for as many.
-static void shade(tracer *t, const ray *hits, const place *places, uint32_t count, ray *second, ray *suns,
-                  place *again, double *out) {
+static void shade(tracer *t, const ray *hits, const place *places, uint32_t count, ray *second, ray *suns, place *again,
+                  double *out) {
     double *f = malloc(sizeof(double) * count);
     for (uint32_t i = 0; i < count; ++i) {
         const vec to_eye = {-hits[i].dir.x, -hits[i].dir.y, -hits[i].dir.z};
@@ -210,7 +215,7 @@ static void trace_row(tracer *t, const camera *c, uint32_t y, uint32_t samples, 
     const uint32_t count = REFERENCE_WIDTH * samples;
     ray *rays = malloc(sizeof(ray) * count), *second = malloc(sizeof(ray) * count), *suns = malloc(sizeof(ray) * count);
     place *places = malloc(sizeof(place) * count), *again = malloc(sizeof(place) * count);
-    double *light = malloc(sizeof(double) * 3 * count), sums[REFERENCE_WIDTH][4] = {{0}};
+    double *light = malloc(sizeof(double) * 3 * count), sums[REFERENCE_WIDTH][7] = {{0}};
     for (uint32_t i = 0; i < count; ++i) rays[i] = eye_ray(t, c, i / samples, y);
     march(t, rays, count);
     uint32_t hits = 0;
@@ -220,13 +225,14 @@ static void trace_row(tracer *t, const camera *c, uint32_t y, uint32_t samples, 
     shade(t, rays, places, hits, second, suns, again, light);
     for (uint32_t i = 0; i < hits; ++i) {
         double *s = sums[rays[i].pixel];
-        const double *l = &light[3 * i];
-        s[0] += l[0], s[1] += l[1], s[2] += l[2], s[3] += l[1] * l[1];
+        const double *l = &light[3 * i], w = places[i].shown;
+        s[0] += w * l[0], s[1] += w * l[1], s[2] += w * l[2], s[3] += w;
+        s[4] += w * w, s[5] += w * w * l[1], s[6] += w * w * l[1] * l[1];
     }
     for (uint32_t x = 0; x < REFERENCE_WIDTH; ++x, out += REFERENCE_CHANNELS) {
-        const double n = samples, mean = sums[x][1] / n;
-        for (int k = 0; k < 3; ++k) out[k] = (float)(sums[x][k] / n);
-        out[3] = (float)sqrt(fmax(sums[x][3] / n - mean * mean, 0.0) / (n - 1.0));
+        const double *s = sums[x], n = fmax(s[3], 1e-3), mean = s[1] / n;
+        for (int k = 0; k < 3; ++k) out[k] = (float)(s[k] / n);
+        out[3] = (float)(sqrt(fmax(s[6] - 2.0 * mean * s[5] + mean * mean * s[4], 0.0)) / n); // of a ratio of sums
     }
     free(rays), free(second), free(suns), free(places), free(again), free(light);
 }
@@ -264,10 +270,11 @@ static bool open_tracer(tracer *t, const bolan_world *world, const bolan_scene *
     t->sky = malloc(sizeof(float) * 3 * SKY_WIDTH * SKY_HEIGHT);
     if (bolan_renderer_create(&desc, &renderer) != BOLAN_OK) return false;
     bolan_renderer_prepare(renderer, t->water, &lighting);
-    const bool good = bolan_renderer_read_sky(renderer, bolan_dv3(0, 0, 5), SKY_WIDTH, SKY_HEIGHT, t->sky,
-                                              &t->light) == BOLAN_OK;
+    const bool good =
+        bolan_renderer_read_sky(renderer, bolan_dv3(0, 0, 5), SKY_WIDTH, SKY_HEIGHT, t->sky, &t->light) == BOLAN_OK;
     bolan_renderer_destroy(&renderer);
-    t->sun = (vec){(double)t->light.sun_direction.x, (double)t->light.sun_direction.y, (double)t->light.sun_direction.z};
+    t->sun =
+        (vec){(double)t->light.sun_direction.x, (double)t->light.sun_direction.y, (double)t->light.sun_direction.z};
     bolan_water_bounds(t->water, &t->highest, &horizontal);
     t->fine = bolan_sea_fine(t->water->sea);
     bolan_sea_unresolved_slopes(t->water->sea, 0.0, 0.0, 0.0, hidden);

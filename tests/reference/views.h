@@ -32,10 +32,8 @@ static inline bolan_scene reference_scene(const reference_view *v) {
     scene.sky.cloud_cover = 0.0;
     scene.sky.sun_azimuth_deg = v->sun_azimuth;
     scene.sky.sun_elevation_deg = v->sun_elevation;
-    scene.camera = (bolan_camera){.position = {0, 0, v->height},
-                                  .heading_deg = v->heading,
-                                  .pitch_deg = v->pitch,
-                                  .fov_deg = REFERENCE_FOV};
+    scene.camera = (bolan_camera){
+        .position = {0, 0, v->height}, .heading_deg = v->heading, .pitch_deg = v->pitch, .fov_deg = REFERENCE_FOV};
     return scene;
 }
 
