@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A path tracer of Bolan's sea, for the shading of physical optics to be compared with: see README.md.
 //
-// Rays march over the heights of bolan_query_heights(): all cascades, no filter by pixel. Fine waves and the capillaries
+// Rays march over the heights of bolan_query_heights(): all cascades, no filter by pixel. Fine waves and capillaries
 // beyond them are slopes of the place that is hit. Rays of a row of pixels are marched together.
 //
 //   eye -> place on the sea -> a visible facet -> sky, or a second place -> a facet -> sky
