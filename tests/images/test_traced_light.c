@@ -90,9 +90,9 @@ static int first_row(const reference_view *v) {
 // The goal is 10 % in mean radiance and colour, 15 % where it is glitter, and 15 % in contrast. Not reached:
 //
 //   near       red of the first band, 1 to 5 degrees under the horizon, is 1.14
-//   low_sun    0.74 to 1.05: bands behind crests, which a mean factor for the shadows of waves does not tell apart;
-//              the noise of the reference is some 5 % there
-//   contrast   0.25 to 0.8 of the reference in most bands: less detail in the picture
+//   low_sun    0.74 to 1.05. Open which of both is off: the picture has one mean factor for the shadows of waves, and
+//              in the reference fine waves and capillaries cast none, which makes it too bright
+//   contrast   0.25 to 0.8 of the reference in most bands; the cause is not known
 //
 // Contrast is bounded from below alone, at today's state: that of single bands of the reference with the sun in them
 // has noise of some 30 %.
