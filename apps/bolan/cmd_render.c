@@ -22,8 +22,11 @@ typedef struct job {
     bolan_quality quality;
     bolan_backend backend;
     bolan_pixels pixels;
+    bool taa;
     bool quiet;
 } job;
+
+enum { STILL_TAA = 16 }; // images of one moment that a single one is the mean of
 
 typedef struct stage {
     bolan_context *context;
@@ -41,7 +44,7 @@ static double otherwise(double value, double fallback) { return isnan(value) ? f
 
 static int make_job(const options *o, job *j) {
     if (!o->output) return usage_error("render needs -o FILE: .png, .exr, a numbered sequence (%%04d), .mp4 or .webm");
-    *j = (job){.path = o->output, .name = output_parse(o->output), .quiet = o->quiet};
+    *j = (job){.path = o->output, .name = output_parse(o->output), .taa = o->taa, .quiet = o->quiet};
     if (j->name.kind == OUTPUT_UNKNOWN)
         return usage_error("-o %s: expected a name that ends in .png, .exr, .mp4 or .webm", o->output);
     if (j->name.wrong_pattern)
@@ -67,7 +70,9 @@ static int make_job(const options *o, job *j) {
     j->backend = o->backend >= 0 ? (bolan_backend)o->backend : BOLAN_BACKEND_AUTO;
     j->pixels = o->pixels >= 0 ? (bolan_pixels)o->pixels : BOLAN_PIXELS_AUTO;
     static const uint32_t still_samples[] = {1, 1, 4, 16};
-    j->samples = (uint32_t)otherwise(o->samples, moving ? 1 : still_samples[j->quality]);
+    j->samples = (uint32_t)otherwise(o->samples, moving || j->taa ? 1 : still_samples[j->quality]);
+    if (j->taa && j->name.kind == OUTPUT_EXR)
+        return usage_error("--taa blends display values; expected a name that ends in .png, .mp4 or .webm");
     return EXIT_OK;
 }
 
@@ -90,6 +95,10 @@ static bool open_stage(const job *j, stage *s) {
     if (bolan_context_create(BOLAN_GL_CORE, &s->context) || bolan_renderer_create(&desc, &s->renderer) ||
         !tiles_open(&s->tiles, s->renderer, j->width, j->height, j->tile, j->name.kind == OUTPUT_EXR))
         return false;
+    if (j->taa && (s->tiles.columns < j->width || s->tiles.rows < j->height)) {
+        failure("--taa draws no tiles, and %ux%u takes several", (unsigned)j->width, (unsigned)j->height);
+        return false;
+    }
     s->rgb = bolan_allocate(s->rgb_bytes);
     s->linear = bolan_allocate(s->linear_bytes);
     if (!s->rgb || (s->linear_bytes && !s->linear)) {
@@ -138,9 +147,11 @@ static bool render_frame(const job *j, bolan_world *w, stage *s, uint32_t number
     } else {
         bolan_world_step(w, time);
     }
-    const bolan_view view = shot_view(w, time, j->width, j->height, j->samples);
+    bolan_view view = shot_view(w, time, j->width, j->height, j->samples);
+    view.temporal = j->taa;
     float *distance = s->linear != NULL ? s->linear + 3 * (size_t)j->width * j->height : NULL;
-    tiles_draw(&s->tiles, w, &view, s->rgb, s->linear, distance, NULL);
+    for (int i = j->taa && j->frames == 1 ? STILL_TAA : 1; i > 0; i--)
+        tiles_draw(&s->tiles, w, &view, s->rgb, s->linear, distance, NULL);
     return write_frame(j, s, number);
 }
 

@@ -76,6 +76,9 @@ const option_info option_table[] = {
            .low = 1, .high = 256,
            .help = "images with shifted pixels that are averaged; "
                    "one image takes 1, 1, 4, 16 by quality, moving ones 1"),
+    OPTION("taa", FLAG, taa, ON_RENDER, NULL,
+           .help = "temporal antialiasing: each image is blended with those before it; of one image, 16 of the same "
+                   "moment"),
     OPTION("tile", WHOLE, tile, FILE_COMMANDS, "N",
            .low = 448, .high = 16384,
            .help = "largest side drawn at once, in pixels, above which tiles are drawn; by default what OpenGL can"),
@@ -159,7 +162,7 @@ const option_info option_table[] = {
     {.name = NULL},
 };
 // clang-format on
-_Static_assert(sizeof option_table / sizeof *option_table - 1 <= 64, "options.given has a bit for each option");
+_Static_assert(sizeof option_table / sizeof *option_table - 1 <= MOST_OPTIONS, "options.given has a place for each");
 
 // ---- parameters -----------------------------------------------------------------------------------------------------
 
@@ -190,7 +193,7 @@ bolan_param option_param(const option_info *info) {
 
 bool option_given(const options *o, const char *name) {
     for (int i = 0; option_table[i].name; i++)
-        if (strcmp(option_table[i].name, name) == 0) return (o->given >> i & 1) != 0;
+        if (strcmp(option_table[i].name, name) == 0) return o->given[i];
     BOLAN_ASSERT(false && "no such option");
     return false;
 }
@@ -198,7 +201,7 @@ bool option_given(const options *o, const char *name) {
 void options_edit(const options *o, bolan_scene *scene) {
     for (int i = 0; option_table[i].name; i++) {
         bolan_param row;
-        if (!(o->given >> i & 1) || !find_row(bolan_scene_groups, option_table[i].name, &row)) continue;
+        if (!o->given[i] || !find_row(bolan_scene_groups, option_table[i].name, &row)) continue;
         memcpy((char *)scene + row.offset, (const char *)&o->edits + row.offset, row.size);
     }
 }
@@ -350,7 +353,7 @@ static int parse_option(unsigned command, const char *command_name, int count, c
         value = arguments[++*index];
     }
     if (!set_value(info, value, o)) return bad_value(info, value);
-    o->given |= 1ULL << (info - option_table);
+    o->given[info - option_table] = true;
     return EXIT_OK;
 }
 

@@ -26,10 +26,11 @@ enum {
     ON_FARM = 1024,
 };
 
+enum { MOST_OPTIONS = 96 }; // of all commands
 // The parsed options. Of options that are no parameter, a number that was not given is NAN, a name -1, a text NULL.
 typedef struct options {
     const char *scene;
-    uint64_t given;    // bit i: option i of the table
+    bool given[MOST_OPTIONS]; // those of the table
     bolan_scene edits; // the fields whose options were given
     // Keys of scene files that are no field of a scene.
     int technique;
@@ -43,7 +44,7 @@ typedef struct options {
     double least_wavelength, buoy[2], duration, rate;
     int quality, backend, pixels, stretching, completion;
     const char *spectrum, *terrain, *points, *columns, *output, *screenshot, *outputs, *slurm, *part, *times;
-    bool record_time, json, parameters, schema, man, quiet, help;
+    bool record_time, taa, json, parameters, schema, man, quiet, help;
     double rect[4], spacing, origin[3]; // of an export
     const char *with;
     bool half;

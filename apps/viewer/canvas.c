@@ -52,6 +52,7 @@ static void draw(canvas *c, const bolan_world *w, uint32_t framebuffer, uint32_t
     bolan_view view = bolan_view_from_camera(&bolan_world_scene(w)->camera, width, height);
     view.eye = bolan_world_clear_eye(w, view.eye);
     view.progressive = samples == 1; // a saved image is complete
+    view.temporal = samples == 1 && c->temporal;
     view.framebuffer = framebuffer;
     view.samples = samples;
     if (bolan_renderer_needs_baking(c->renderer))

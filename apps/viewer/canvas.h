@@ -12,6 +12,7 @@ typedef struct canvas {
     bolan_target *target; // of a picture below the window's resolution
     uint32_t target_width, target_height;
     uint32_t width, height; // of the last picture
+    bool temporal;          // antialiasing over frames
 } canvas;
 
 // Needs the window's context.

@@ -17,6 +17,7 @@ typedef enum command {
     COMMAND_SCREENSHOT = 1 << 7,
     COMMAND_HOME = 1 << 8,      // back to the scene's camera
     COMMAND_TECHNIQUE = 1 << 9, // the next technique
+    COMMAND_TEMPORAL = 1 << 10, // temporal antialiasing on or off
 } command;
 
 typedef struct input {

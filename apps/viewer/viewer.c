@@ -175,6 +175,10 @@ static void obey_commands(viewer *v, unsigned commands) {
     if (commands & COMMAND_RELOAD) reload_shaders(v);
     if (commands & COMMAND_HOME) v->scene.camera = v->home;
     if (commands & COMMAND_TECHNIQUE) next_technique(v);
+    if (commands & COMMAND_TEMPORAL) {
+        v->canvas.temporal = !v->canvas.temporal;
+        notice(v, "temporal antialiasing %s", v->canvas.temporal ? "on" : "off");
+    }
 }
 
 // ---- one frame ------------------------------------------------------------------------------------------------------

@@ -271,7 +271,39 @@ typedef struct bolan_view {
     /// Its size [px], 1..16384; default 1280 x 720.
     uint32_t width, height;
     /// Moves the picture right and up by parts of a pixel; default 0, 0.
+    /// Geometry and footprints are those of the view without it, and motion vectors leave it out.
     bolan_vec2 jitter;
+    /// Motion vectors, for temporal antialiasing or an upscaler of yours.
+    struct bolan_view_motion {
+        /// GL name of a framebuffer: red and green of its first colour buffer, of floats, receive the motion of each
+        /// pixel of the view's rectangle; blue and alpha are undefined. 0 (default): none.
+        /// The vector points from where a pixel's surface stands in this image to where it stood in the one before
+        /// [px of this view], x right, y up. Both places are those without jitter: a still world has 0.
+        /// - bolan_renderer_draw_world() writes every pixel, bolan_renderer_draw_water() those that show its water.
+        ///   bolan_host::stencil_mask and the depth of the framebuffer have no effect on it.
+        /// - Water of the wave models FFT and TEXTURES moves with its parcels, waves and current included.
+        ///   Wave layers, sums of cosines, the surface QUAD, and water seen from below have the camera's motion alone.
+        /// - Objects move by their poses of both steps, land and sky by the camera alone.
+        /// - What is reflected or refracted has the motion of the water's surface.
+        ///
+        /// The first view that asks for it compiles programs.
+        uint32_t framebuffer;
+        /// The view of the frame before: its eye, view and projection are read. Borrowed for the call.
+        /// NULL (default): the camera has not moved.
+        const struct bolan_view *before;
+        /// Time of the sea in the frame before [s]; default 0.
+        /// A renderer keeps the last two steps of each sea, from the first view with motion on.
+        /// At a time that is neither of those, water and objects have the camera's motion alone.
+        double time;
+    } motion;
+    /// True: temporal antialiasing. Default false.
+    /// Each view has a jitter of its own, besides `jitter`, and is blended with the views before it that were drawn
+    /// with the same `cache`; motion vectors bring those to their places.
+    /// The image is a function of the sequence of views. Display values are blended, as by `samples`, so that a glint
+    /// does not outshine its pixel. While nothing changes the image tends to that of 64 samples.
+    /// Only bolan_renderer_draw_world() blends. BOLAN_OUTPUT_LINEAR and bolan_renderer_read_linear() have the last view
+    /// alone.
+    bool temporal;
     /// This picture is the rectangle at x, y (from the lower left) of a whole picture of that size [px]; default all
     /// 0: it is the whole.
     /// Sky and water of tiles are those of the whole to one level of 255.

@@ -83,18 +83,20 @@ vec2 cascade_uv(int c, vec2 at) {
 
 // dx, dy, height at full resolution by a cubic spline: of each two samples a linear fetch gives the weighted mean (Sigg
 // & Hadwiger 2005).
-vec3 cascade_spline(int c, vec2 uv) {
-    float n = float(textureSize(displacement_map, 0).x);
+vec3 spline_of(sampler2DArray map, int c, vec2 uv) {
+    float n = float(textureSize(map, 0).x);
     vec2 at = uv * n - 0.5, t = fract(at), r = 1.0 - t;
     vec2 w0 = r * r * r / 6.0, w3 = t * t * t / 6.0, w1 = t * t * (0.5 * t - 1.0) + 2.0 / 3.0, high = 1.0 - w0 - w1;
     vec2 low = w0 + w1, first = (at - t - 0.5 + w1 / low) / n, last = (at - t + 1.5 + w3 / high) / n;
     float layer = float(c);
-    vec3 south = mix(textureLod(displacement_map, vec3(last.x, first.y, layer), 0.0).xyz,
-                     textureLod(displacement_map, vec3(first, layer), 0.0).xyz, low.x);
-    vec3 north = mix(textureLod(displacement_map, vec3(last, layer), 0.0).xyz,
-                     textureLod(displacement_map, vec3(first.x, last.y, layer), 0.0).xyz, low.x);
+    vec3 south = mix(textureLod(map, vec3(last.x, first.y, layer), 0.0).xyz,
+                     textureLod(map, vec3(first, layer), 0.0).xyz, low.x);
+    vec3 north = mix(textureLod(map, vec3(last, layer), 0.0).xyz,
+                     textureLod(map, vec3(first.x, last.y, layer), 0.0).xyz, low.x);
     return mix(north, south, low.y);
 }
+
+vec3 cascade_spline(int c, vec2 uv) { return spline_of(displacement_map, c, uv); }
 
 // Weights of four samples around the fraction t of a cell, and their derivatives by t: src/waves/cascades/spline.h.
 vec4 spline_weights(float t) {

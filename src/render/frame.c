@@ -10,11 +10,10 @@
 
 _Static_assert((int)PART_COUNT + (int)SEA_STAGES <= BOLAN_MAX_PASSES, "statistics have a place for each");
 
-const char *const bolan_frame_part_names[PART_COUNT] = {"sky tables", "sea",    "view",  "terrain", "models",
-                                                        "copy",       "mirror", "water", "sky",     "tone map"};
+const char *const bolan_frame_part_names[PART_COUNT] = {"sky tables", "sea",   "view", "terrain", "models",  "copy",
+                                                        "mirror",     "water", "sky",  "motion",  "tone map"};
 
-// Sub-pixel shifts of a sample: the R2 sequence (Roberts 2018), centred; the first is the pixel's middle.
-static bolan_vec2 sample_shift(uint32_t i) {
+bolan_vec2 bolan_sample_shift(uint32_t i) {
     double x = fmod(0.7548776662466927 * i, 1.0), y = fmod(0.5698402909980532 * i, 1.0);
     return (bolan_vec2){(float)(x < 0.5 ? x : x - 1.0), (float)(y < 0.5 ? y : y - 1.0)};
 }
@@ -58,6 +57,7 @@ static frame step_of(bolan_renderer *r, const bolan_water *water, const bolan_li
                .compute = r->desc.backend == BOLAN_BACKEND_COMPUTE ? &r->compute : NULL,
                .compute_pixels = r->desc.pixels == BOLAN_PIXELS_COMPUTE,
                .timing = timing_of(r),
+               .motion = r->motion,
                .quality = r->desc.quality,
                .water = *water,
                .sea = water->sea,
@@ -188,7 +188,7 @@ static void draw_water(bolan_renderer *r, render_view *v, bolan_view_cache *cach
     const frame *f = v->frame;
     begin_part(r, PART_COPY);
     // Clouds below a high eye are laid over by the depth of the land.
-    if (f->behind && (bolan_pass_water_looks_through(f) || v->light.above_clouds)) copy_behind(r, v);
+    if (f->behind && (bolan_pass_water_looks_through(f) || v->light.above_clouds || f->motion)) copy_behind(r, v);
     end_part(r, PART_COPY);
     draw_behind(r, v, cache);
     begin_part(r, PART_WATER);
@@ -229,16 +229,27 @@ static void keep_statistics(bolan_renderer *r, const render_view *v) {
     }
 }
 
+static void draw_motion(bolan_renderer *r, render_view *v, const bolan_view *to, bolan_view_cache *cache) {
+    begin_part(r, PART_MOTION);
+    bolan_motion_draw_asked(r, v, to, NULL);
+    bolan_temporal_draw_motion(&cache->temporal, r, v, to);
+    end_part(r, PART_MOTION);
+}
+
+// `first`: the shift of the last sample.
 static void draw_sample(bolan_renderer *r, const render_view *whole, const bolan_view *to, bolan_view_cache *cache,
-                        uint32_t sample) {
+                        uint32_t sample, uint32_t first) {
     render_view v = *whole;
-    bolan_view_shift(&v, sample_shift(to->samples - 1 - sample));
+    const bolan_vec2 shift = bolan_sample_shift(first + to->samples - 1 - sample);
+    const float reach = cache->temporal.reach;
+    bolan_view_shift(&v, (bolan_vec2){reach * shift.x, reach * shift.y});
     bolan_view_use(&v);
     draw_opaque(r, &v, cache);
     if (!v.without_water) draw_water(r, &v, cache);
     draw_sky(r, &v, cache);
+    if (sample + 1 == to->samples) draw_motion(r, &v, to, cache);
     begin_part(r, PART_TONEMAP);
-    bolan_pass_tonemap_draw(r->tonemap, &v, to, &r->targets.hdr_color, sample);
+    bolan_pass_tonemap_draw(r->tonemap, &v, to, &r->targets.hdr_color, sample, &cache->temporal);
     end_part(r, PART_TONEMAP);
     keep_statistics(r, &v);
 }
@@ -282,7 +293,8 @@ static void draw_view(bolan_renderer *r, const bolan_view *to) {
     r->near_plane = v.near_distance;
     prepare_view(r, &v, cache);
     // The unshifted sample comes last, so that the depth that remains is that of the pixels' middles.
-    for (uint32_t s = 0; s < to->samples; ++s) draw_sample(r, &v, to, cache, s);
+    const uint32_t first = bolan_temporal_begin(&cache->temporal, &v, to, bolan_pass_objects_places(r->models));
+    for (uint32_t s = 0; s < to->samples; ++s) draw_sample(r, &v, to, cache, s, first);
     note_stale(r, &v);
 }
 
@@ -315,12 +327,16 @@ static void draw_hosted(bolan_renderer *r, const bolan_view *to, const bolan_hos
     bolan_host_resolve(&r->host, &v, to, host, &r->targets.hdr_color);
     bolan_pass_tonemap_forget(r->tonemap);
     end_part(r, PART_WATER);
+    begin_part(r, PART_MOTION);
+    bolan_motion_draw_asked(r, &v, to, host);
+    end_part(r, PART_MOTION);
     keep_statistics(r, &v);
 }
 
 // The step as this host sees it; the next view of it may be another's.
 static void draw_for(bolan_renderer *r, const bolan_view *to, const bolan_host *host) {
     frame *f = &r->frame;
+    r->motion = f->motion = r->motion || to->motion.framebuffer != 0;
     const bool behind = f->behind;
     f->host = host;
     f->hosted = host->color != 0;
@@ -363,6 +379,7 @@ void bolan_renderer_draw_world(bolan_renderer *r, const bolan_world *world, cons
     if (!bolan_step_is_valid(r, water, &lighting)) return;
     bolan_renderer_accept(r, CALL_PREPARE);
     bolan_renderer_enter(r);
+    r->motion = r->motion || view->temporal || view->motion.framebuffer != 0;
     prepare(r, water, &lighting, world);
     draw_view(r, view);
     bolan_renderer_leave(r);

@@ -76,6 +76,7 @@ typedef struct frame {
     bool behind; // something may be seen through the water or mirrored in it: ground, objects, a host's scene
     bool hosted; // it is a host's scene
     const bolan_host *host; // whose frame is drawn; NULL: the world's
+    bool motion;            // views with motion vectors are drawn: fields and poses of the step before are kept
     uint32_t bounds_count;  // corners of the polygon in which the water lies, while a host's frame is drawn; 0: no end
     // What follows from those.
     double time;
@@ -95,8 +96,11 @@ typedef struct frame {
 void bolan_frame_fill(frame *f);
 // frame_block::radiance_unit for a sun whose direction has that z.
 float bolan_radiance_unit(float sun_height);
-// How far the water has moved with its current since time 0 [m]; 0 without a sea.
+// Sub-pixel shifts of a sample: the R2 sequence (Roberts 2018), centred; the first is the pixel's middle.
+bolan_vec2 bolan_sample_shift(uint32_t i);
+// How far the water has moved with its current since time 0 [m], now and at a time [s]; 0 without a sea.
 bolan_dvec2 bolan_frame_drift(const frame *f);
+bolan_dvec2 bolan_frame_drift_at(const frame *f, double time);
 // Place of an eye in the tile of wind streaks, for a wind that blows there. scale: frame_block.streak_scale.
 bolan_vec2 bolan_frame_streaks(bolan_dvec3 eye, double wind_to, bolan_vec2 scale);
 // x modulo period, in [0, period): in double, so that a shader never sees a large coordinate.
@@ -115,6 +119,7 @@ typedef struct pass_ground pass_ground;   // land and sea bed; the shore map
 typedef struct pass_objects pass_objects; // the scene's objects
 typedef struct pass_water pass_water;
 typedef struct pass_tonemap pass_tonemap;
+struct temporal; // of temporal.h
 
 // Shares the programs of `from`, which must live longer; NULL: makes its own.
 bolan_result bolan_pass_sky_create(const gl_caps *caps, const pass_sky *from, pass_sky **out);
@@ -148,6 +153,10 @@ void bolan_pass_objects_draw(
     render_view *v); // one side of the clip plane; reads UNIT_TERRAIN2 (the terrain pass's noise)
 // With the program surfaces.glsl, in the place of its own; object i has the label `first` + i.
 void bolan_pass_objects_draw_surfaces(pass_objects *p, render_view *v, const gl_program *program, uint32_t first);
+// Motion vectors: the same with OBJECT and MOTION, by the poses at that time of the sea.
+void bolan_pass_objects_draw_motion(pass_objects *p, render_view *v, const gl_program *program, double time_before);
+// Changes whenever an object has moved.
+uint64_t bolan_pass_objects_places(const pass_objects *p);
 bolan_result bolan_pass_objects_reload(pass_objects *p);
 void bolan_pass_objects_destroy(pass_objects **p);
 
@@ -172,6 +181,9 @@ void bolan_pass_water_behind(pass_water *p, render_view *v, const world_drawer *
 void bolan_pass_water_draw(pass_water *p, render_view *v);
 // What flies over the water, after the sky.
 void bolan_pass_water_draw_over(pass_water *p, render_view *v);
+// Uses the program of motion.glsl that follows the parcels, with its textures and uniforms of the waves. NULL: they
+// are not followed, for this view or from that time of the sea.
+const gl_program *bolan_pass_water_use_motion(pass_water *p, render_view *v, double time_before);
 // What is seen through water by an eye in it or at the waterline; after the sky.
 void bolan_pass_water_draw_below(pass_water *p, render_view *v);
 // The medium of a view from there, and what follows from it: its near plane.
@@ -185,9 +197,9 @@ bolan_result bolan_pass_water_reload(pass_water *p);
 void bolan_pass_water_destroy(pass_water **p);
 
 bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);
-// Into the rectangle of `to`.
+// Into the rectangle of `to`; blended with the images before it where `history`, NULL for none, is of a temporal view.
 void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_view *to, const gl_texture *hdr_color,
-                             uint32_t sample);
+                             uint32_t sample, struct temporal *history);
 // Of a picture of several samples: the sum of their radiance, width * height * 4 floats, row 0 at the bottom. Returns
 // how many were added up; 0: the picture had one sample, and @p rgba is untouched.
 uint32_t bolan_pass_tonemap_read_sum(const pass_tonemap *p, float *rgba);

@@ -77,17 +77,24 @@ bool bolan_view_is_valid(bolan_renderer *r, const bolan_view *v) {
         return bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_BAD_ARGUMENT,
                                      "draw: the view's cache belongs to another renderer");
     const char *problem = bolan_view_problem(v);
+    if (problem != NULL)
+        return bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_VIEW, "draw: the view cannot be drawn: %s", problem);
+    if (v->motion.framebuffer != 0 && v->motion.before != NULL) problem = bolan_view_problem(v->motion.before);
+    return problem == NULL ||
+           bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_VIEW, "draw: the view before has no motion: %s", problem);
+}
+
+static bool can_draw_into(bolan_renderer *r, uint32_t framebuffer) {
+    const bool trusts = r->desc.restore != BOLAN_RESTORE_FULL;
+    if (trusts && bolan_gl_knows(&r->known, GL_KNOWN_FRAMEBUFFER, framebuffer)) return true;
+    const char *problem = bolan_gl_framebuffer_problem(framebuffer, GL_TO_DRAW);
+    if (problem == NULL && trusts) bolan_gl_know(&r->known, GL_KNOWN_FRAMEBUFFER, framebuffer);
     if (problem == NULL) return true;
-    return bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_VIEW, "draw: the view cannot be drawn: %s", problem);
+    return bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GL_TARGET, "draw: framebuffer %u %s", framebuffer, problem);
 }
 
 bool bolan_view_has_framebuffer(bolan_renderer *r, const bolan_view *v) {
-    const bool trusts = r->desc.restore != BOLAN_RESTORE_FULL;
-    if (trusts && bolan_gl_knows(&r->known, GL_KNOWN_FRAMEBUFFER, v->framebuffer)) return true;
-    const char *problem = bolan_gl_framebuffer_problem(v->framebuffer, GL_TO_DRAW);
-    if (problem == NULL && trusts) bolan_gl_know(&r->known, GL_KNOWN_FRAMEBUFFER, v->framebuffer);
-    if (problem == NULL) return true;
-    return bolan_renderer_refuse(r, CALL_DRAW, BOLAN_LOG_GL_TARGET, "draw: framebuffer %u %s", v->framebuffer, problem);
+    return can_draw_into(r, v->framebuffer) && (v->motion.framebuffer == 0 || can_draw_into(r, v->motion.framebuffer));
 }
 
 static const char *scene_problem(const bolan_host *h, bolan_renderer *r) {

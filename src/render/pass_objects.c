@@ -41,6 +41,14 @@ typedef struct sorted {
     uint32_t counts[CLASSES];
 } sorted;
 
+// Where an object stood in the last two steps.
+typedef struct motion {
+    uint64_t id;              // of its model; 0: none
+    double time, time_before; // of the sea; NAN: none
+    double scale, scale_before;
+    bolan_pose pose, before;
+} motion;
+
 // An object as it stands in this frame.
 typedef struct placed {
     const gpu_model *gpu;
@@ -59,6 +67,8 @@ struct pass_objects {
     gl_program programs[2][KINDS]; // [flat]
     gpu_model models[BOLAN_MAX_OBJECTS];
     sorted sorted[BOLAN_MAX_OBJECTS];  // by the scene's order
+    motion motions[BOLAN_MAX_OBJECTS]; // likewise
+    uint64_t places;                   // a hash of where they stand
     placed objects[BOLAN_MAX_OBJECTS]; // the nearest first: what they hide is not shaded
     uint32_t count;
     float casters[MAX_CASTERS * CASTER_FLOATS];
@@ -242,12 +252,12 @@ static void sort_triangles(sorted *s, placed *o, const bolan_model *model, bool 
 // ---- places ---------------------------------------------------------------------------------------------------------
 
 // The one place where doubles become eye-relative floats.
-static void fill_rows(placed *to, const bolan_pose *p, double scale, bolan_dvec3 eye) {
+static void fill_rows(float to[12], const bolan_pose *p, double scale, bolan_dvec3 eye) {
     const float rows[12] = {(float)(scale * p->x.x),      (float)(scale * p->y.x),      (float)(scale * p->z.x),
                             (float)(p->origin.x - eye.x), (float)(scale * p->x.y),      (float)(scale * p->y.y),
                             (float)(scale * p->z.y),      (float)(p->origin.y - eye.y), (float)(scale * p->x.z),
                             (float)(scale * p->y.z),      (float)(scale * p->z.z),      (float)(p->origin.z - eye.z)};
-    memcpy(to->rows, rows, sizeof rows);
+    memcpy(to, rows, sizeof rows);
 }
 
 static bolan_vec3 transformed(const float rows[12], bolan_vec3 v) {
@@ -312,9 +322,31 @@ static void measure_wet(placed *to, const bolan_object *o, const frame *f, doubl
     to->wet[1] = (o->floats ? to->wet[0] : (float)(WET_FIXED * hs)) + (float)WET_FLOATING;
 }
 
+// A second view of a step leaves the pose of the step before as it is.
+static void note_motion(motion *m, const bolan_model *model, const bolan_pose *pose, double scale, double time) {
+    if (m->id != bolan_model_id(model)) *m = (motion){.id = bolan_model_id(model), .time = NAN, .time_before = NAN};
+    if (m->time != time) {
+        m->time_before = m->time;
+        m->before = m->pose;
+        m->scale_before = m->scale;
+    }
+    m->time = time;
+    m->pose = *pose;
+    m->scale = scale;
+}
+
+// FNV-1a of numbers.
+static void add_places(uint64_t *hash, const double *numbers, size_t count) {
+    const uint8_t *bytes = (const uint8_t *)numbers;
+    for (size_t i = 0; i < count * sizeof *numbers; i++) *hash = (*hash ^ bytes[i]) * 1099511628211u;
+}
+
+uint64_t bolan_pass_objects_places(const pass_objects *p) { return p->places; }
+
 void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
     const bolan_scene *s = v->frame->scene;
     p->count = p->caster_count = 0;
+    p->places = 14695981039346656037u;
     for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) p->models[i].wanted = false;
     const uint32_t count = v->frame->models ? s->object_count : 0;
     const double hs = count > 0 && v->frame->sea ? bolan_sea_get_summary(v->frame->sea)->hs : 0.0;
@@ -330,7 +362,10 @@ void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
         to->index = i;
         bolan_model_bounds(model, &to->low, &to->high);
         const bolan_pose at = bolan_object_pose(&s->objects[i], model, &v->frame->water);
-        fill_rows(to, &at, s->objects[i].scale, v->eye);
+        fill_rows(to->rows, &at, s->objects[i].scale, v->eye);
+        note_motion(&p->motions[i], model, &at, s->objects[i].scale, v->frame->time);
+        add_places(&p->places, &at.origin.x, 3);
+        add_places(&p->places, (const double[]){(double)at.x.x, (double)at.y.y, (double)at.z.z, (double)at.x.y}, 4);
         measure_box(to, v->eye.z - v->frame->level);
         measure_wet(to, &s->objects[i], v->frame, hs);
         add_caster(p, to, to->low, to->high, (float)s->objects[i].scale);
@@ -418,16 +453,33 @@ void bolan_pass_objects_draw(pass_objects *p, render_view *v) {
             draw_kind(p, v, flat, kind);
 }
 
+static void draw_whole(const placed *o, render_view *v) {
+    uint32_t count = 0;
+    for (int c = 0; c < CLASSES; c++) count += o->counts[c];
+    bolan_gl_mesh_draw(o->mesh, 0, count);
+    v->triangles += count / 3;
+}
+
+void bolan_pass_objects_draw_motion(pass_objects *p, render_view *v, const gl_program *program, double time_before) {
+    for (uint32_t i = 0; i < p->count; i++) {
+        const placed *o = &p->objects[i];
+        const motion *m = &p->motions[o->index];
+        if (m->time_before != time_before) continue; // as though it stood still
+        float before[12];
+        fill_rows(before, &m->before, m->scale_before, v->eye);
+        bolan_gl_program_vec4_array(program, "place", o->rows, 3);
+        bolan_gl_program_vec4_array(program, "place_before", before, 3);
+        draw_whole(o, v);
+    }
+}
+
 void bolan_pass_objects_draw_surfaces(pass_objects *p, render_view *v, const gl_program *program, uint32_t first) {
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     if (p->count > 0) bolan_gl_program_use(program);
     for (uint32_t i = 0; i < p->count; i++) {
         const placed *o = &p->objects[i];
-        uint32_t count = 0;
-        for (int c = 0; c < CLASSES; c++) count += o->counts[c];
         bolan_gl_program_vec4_array(program, "place", o->rows, 3);
         bolan_gl_program_float(program, "label", (float)(first + o->index));
-        bolan_gl_mesh_draw(o->mesh, 0, count);
-        v->triangles += count / 3;
+        draw_whole(o, v);
     }
 }

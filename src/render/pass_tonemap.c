@@ -4,6 +4,7 @@
 // last one writes the mean. High quality adds a glow round what is bright. Shaders: tonemap.glsl, tonemap_glow.glsl.
 #include "frame.h"
 #include "memory.h"
+#include "temporal.h"
 
 enum { GLOW_LEVELS = 6, GLOW_PARTS = 4 }; // GLOW_PARTS: the picture's size over the glow's
 static const float glow_share = 0.06f;
@@ -127,18 +128,23 @@ static uint32_t accumulate(pass_tonemap *p, const gl_texture *hdr_color, bool gl
 }
 
 void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_view *to, const gl_texture *hdr_color,
-                             uint32_t sample) {
+                             uint32_t sample, temporal *history) {
     const bool linear = to->output == BOLAN_OUTPUT_LINEAR;
     const float unit = linear ? v->frame->block.radiance_unit : 1.0f;
     bolan_gl_set_state(&(gl_state){.color_write = true});
     const bool glow = !linear && draw_glow(p, v, hdr_color);
     p->summed = 0;
-    if (to->samples <= 1 || !resize(p, v->width, v->height)) {
+    const bool blended = history != NULL && history->drawing, several = to->samples > 1 || blended;
+    if (!several || !resize(p, v->width, v->height)) {
         draw_out(linear ? &p->linear : &p->single[glow], hdr_color, to, 1.0f / unit);
         return;
     }
     const uint32_t pair = accumulate(p, hdr_color, glow, sample);
     if (sample + 1 < to->samples) return;
+    if (blended) {
+        draw_out(&p->resolve, bolan_temporal_blend(history, v, &p->sum[pair], to->samples), to, 1.0f);
+        return;
+    }
     draw_out(linear ? &p->linear : &p->resolve, linear ? &p->radiance_sum[pair] : &p->sum[pair], to,
              1.0f / (unit * (float)to->samples));
 }

@@ -30,6 +30,9 @@ static const water_optics *const optics_table[BOLAN_OPTICS_KINDS] = {
 static const water_shader cover_shader = {.stem = "water_depth", .reads = WATER_FEATURE_ALL};
 static const water_shader edge_shader = {.stem = "wireframe", .reads = WATER_FEATURE_ALL, .defines = {"FILL 1\n"}};
 enum { EDGES_FILL = 1 };
+static const water_shader motion_shader = {
+    .stem = "motion", .reads = WATER_FEATURE_LAND | WATER_FEATURE_BOUND, .defines = {"WATER 1\n"}};
+enum { MOTION_WATER = 1 };
 
 bolan_result bolan_pass_water_create(bolan_quality quality, uint32_t max_vertices, pass_water **out) {
     pass_water *p = allocate_for("the pass of the water", sizeof *p);
@@ -163,6 +166,11 @@ static water_setup setup_of(const frame *f) {
                          .cascades = waves == WATER_CASCADES ? bolan_sea_cascade_count(f->sea) : 1};
 }
 
+// The quad's surface is flat, and the sums of cosines are on no texture.
+static bool moves_with_cascades(water_waves waves, bolan_surface_kind surface) {
+    return waves == WATER_CASCADES && surface != BOLAN_SURFACE_QUAD;
+}
+
 static void list_edges(pass_water *p, const water_setup *s) {
     for (int below = 0; below <= s->below; ++below) {
         bolan_water_programs_add(&p->programs, s, below, &edge_shader, EDGES_FILL);
@@ -175,6 +183,8 @@ static void list_programs(pass_water *p, const frame *f, const water_setup *s) {
     const bolan_optics_kind kind = f->lighting.technique.optics;
     const water_optics *o = optics_of(f);
     if (s->edges) list_edges(p, s);
+    if (f->motion && moves_with_cascades(s->waves, s->surface))
+        bolan_water_programs_add(&p->programs, s, false, &motion_shader, MOTION_WATER);
     if (!p->failed[kind]) o->list(p->state[kind], s, &p->programs);
     if (o->planar_mirrors && s->surface == BOLAN_SURFACE_QUAD)
         bolan_water_programs_add(&p->programs, s, false, &cover_shader, 0);
@@ -329,6 +339,21 @@ void bolan_pass_water_draw_over(pass_water *p, render_view *v) {
     const water_draw d = draw_of(p, v);
     bolan_sea_gpu_bind(&p->fields, d.waves);
     o->draw_over(p->state[o->kind], &d);
+}
+
+const gl_program *bolan_pass_water_use_motion(pass_water *p, render_view *v, double time_before) {
+    const bolan_dvec2 now = bolan_frame_drift(v->frame), before = bolan_frame_drift_at(v->frame, time_before);
+    const gl_texture *displacement = bolan_sea_gpu_before(&p->fields, time_before);
+    const water_draw d = draw_of(p, v);
+    if (!p->ready || v->without_water || v->medium != EYE_IN_AIR || displacement == NULL ||
+        !moves_with_cascades(d.waves, bolan_water_surface(v)))
+        return NULL;
+    const gl_program *program = bolan_water_program(&d, &motion_shader, MOTION_WATER);
+    if (program == NULL) return NULL;
+    bolan_sea_gpu_bind(&p->fields, d.waves);
+    bolan_gl_texture_bind(displacement, UNIT_OWN + 1);
+    bolan_gl_program_vec2(program, "drift", (float)(now.x - before.x), (float)(now.y - before.y));
+    return program;
 }
 
 void bolan_pass_water_draw_below(pass_water *p, render_view *v) {

@@ -191,6 +191,7 @@ void bolan_renderer_destroy(bolan_renderer **renderer) {
     bolan_gl_mesh_free(&r->empty);
     bolan_gl_depth_reader_free(&r->depth_reader);
     bolan_surface_reader_free(&r->surfaces);
+    bolan_motion_free(&r->motion_pass);
     for (int i = 0; i < PART_COUNT; ++i) bolan_gl_timer_free(&r->timers[i]);
     bolan_renderer_free_targets(r);
     bolan_release(r->scratch, r->scratch_bytes);
@@ -205,7 +206,9 @@ static bolan_result reload_passes(bolan_renderer *r) {
                                     bolan_pass_water_reload(r->water),
                                     bolan_sea_compute_reload(&r->compute),
                                     bolan_pass_tonemap_reload(r->tonemap),
-                                    bolan_host_reload(&r->host)};
+                                    bolan_host_reload(&r->host),
+                                    bolan_motion_reload(&r->motion_pass),
+                                    bolan_temporal_reload(&r->own_cache.temporal)};
     for (size_t i = 0; i < sizeof results / sizeof results[0]; ++i)
         if (results[i] != BOLAN_OK) return results[i];
     return BOLAN_OK;

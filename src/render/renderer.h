@@ -8,8 +8,10 @@
 #include "frame.h"
 #include "host.h"
 #include "kept_sizes.h"
+#include "motion.h"
 #include "sea_compute.h"
 #include "surfaces.h"
+#include "temporal.h"
 
 // The timed parts of a frame, in order.
 typedef enum frame_part {
@@ -22,6 +24,7 @@ typedef enum frame_part {
     PART_MIRROR,
     PART_WATER,
     PART_SKY,
+    PART_MOTION, // motion vectors
     PART_TONEMAP,
     PART_COUNT
 } frame_part;
@@ -47,6 +50,7 @@ struct bolan_view_cache {
     bolan_renderer *renderer;
     pass_sky *sky;
     pass_ground *ground;
+    temporal temporal;
     bolan_view_cache *next; // of the renderer's caches
 };
 // Shares the programs of `from`, which must live longer; NULL: makes its own.
@@ -92,6 +96,8 @@ struct bolan_renderer {
     // reading back
     gl_depth_reader depth_reader;
     surface_reader surfaces;
+    motion_pass motion_pass;
+    bool motion; // a view has asked for motion vectors
     void *scratch;
     size_t scratch_bytes;
     // timing

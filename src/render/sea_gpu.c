@@ -35,6 +35,7 @@ bolan_result bolan_sea_gpu_create(sea_gpu *p) {
         .format = GL_FMT_RGBA32F, .width = TABLE_ROW, .height = TABLE_ROWS, .filter = GL_FILTER_NEAREST};
     *p = (sea_gpu){.now = NULL};
     p->now = &p->kept[0];
+    for (int i = 0; i < BOLAN_KEPT_SEAS; ++i) p->kept[i].time = p->kept[i].time_before = NAN;
     return bolan_gl_texture_create(&waves, &p->table);
 }
 
@@ -83,6 +84,8 @@ static water_texel_work *create_work(uint32_t n) {
 
 static void free_textures(sea_fields *f) {
     bolan_gl_texture_free(&f->displacement);
+    bolan_gl_texture_free(&f->displacement_before);
+    f->time = f->time_before = NAN;
     bolan_gl_texture_free(&f->slopes);
     bolan_gl_texture_free(&f->fold);
     for (int c = 0; c < BOLAN_MAX_CASCADES; ++c) bolan_gl_texture_free(&f->packed_slopes[c]);
@@ -131,19 +134,23 @@ static bolan_result create_packed_storage(sea_fields *p, const gl_texture_desc *
     return result;
 }
 
+static gl_texture_desc array_desc(uint32_t n, uint32_t count, bool storage) {
+    return (gl_texture_desc){.format = GL_FMT_RGBA16F,
+                             .width = n,
+                             .height = n,
+                             .depth = count,
+                             .array = true,
+                             .storage = storage,
+                             .filter = GL_FILTER_MIPMAP,
+                             .wrap = GL_WRAP_REPEAT};
+}
+
 // Textures that fit this sea; kept while n, the number of cascades and what they hold stay. False: they cannot be had
 // (logged).
 static bool fit_textures(sea_fields *p, uint32_t n, uint32_t count, bool packed, bool storage) {
     if (p->displacement.width == n && p->displacement.depth == count && p->packed == packed) return true;
     free_textures(p);
-    gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
-                            .width = n,
-                            .height = n,
-                            .depth = count,
-                            .array = true,
-                            .storage = storage,
-                            .filter = GL_FILTER_MIPMAP,
-                            .wrap = GL_WRAP_REPEAT};
+    const gl_texture_desc desc = array_desc(n, count, storage);
     p->packed = packed;
     bolan_result result = bolan_gl_texture_create(&desc, &p->displacement);
     if (result == BOLAN_OK)
@@ -457,10 +464,30 @@ static bool upload_fine(sea_gpu *p, sea_fields *to, const bolan_sea *sea, bool s
     return true;
 }
 
+// The present displacement becomes that of the step before, and what was that is filled anew. Without memory (logged)
+// only the motion of the waves is missing.
+static void keep_displacement(sea_fields *f, bool storage) {
+    const gl_texture now = f->displacement;
+    const gl_texture_desc desc = array_desc(now.width, now.depth, storage);
+    if (now.id == 0) return;
+    if (f->displacement_before.id == 0 && bolan_gl_texture_create(&desc, &f->displacement_before) != BOLAN_OK) return;
+    f->displacement = f->displacement_before;
+    f->displacement_before = now;
+    f->time_before = f->time;
+}
+
+const gl_texture *bolan_sea_gpu_before(const sea_gpu *p, double time) {
+    const sea_fields *f = p->now;
+    return f->displacement_before.id != 0 && f->time_before == time ? &f->displacement_before : NULL;
+}
+
 static bool make_cascades(sea_gpu *p, sea_fields *now, const frame *f, bool packed) {
     if (!packed && !upload_fine(p, now, f->sea, f->caps->software)) return false;
-    return f->compute != NULL ? compute_cascades(now, f, packed)
-                              : upload_cascades(p, now, f->sea, packed, f->caps->software);
+    if (f->motion) keep_displacement(now, f->compute != NULL);
+    const bool made = f->compute != NULL ? compute_cascades(now, f, packed)
+                                         : upload_cascades(p, now, f->sea, packed, f->caps->software);
+    now->time = made ? f->time : NAN;
+    return made;
 }
 
 bool bolan_sea_gpu_prepare(sea_gpu *p, frame *f, water_textures textures) {
@@ -475,6 +502,7 @@ bool bolan_sea_gpu_prepare(sea_gpu *p, frame *f, water_textures textures) {
     now->serial = 0;
     if (now->sea != sea) {
         now->sea = 0;
+        now->time = NAN; // its displacement is another sea's
         if (!upload_slope_table(now, f->sea)) return false;
     }
     now->sea = sea;

@@ -25,10 +25,12 @@ typedef enum water_textures {
 // What the GPU holds of one sea. The optics binds `fine`.
 typedef struct sea_fields {
     gl_texture displacement, slopes, fold;        // cascades: arrays, a layer each
+    gl_texture displacement_before;               // of another step, for motion vectors; id 0: nobody has asked
+    double time, time_before;                     // of both displacements; NAN: they hold none
     gl_texture packed_slopes[BOLAN_MAX_CASCADES]; // instead of slopes and fold; where computed, the layers of slopes
     bool packed;                                  // which of them hold this step's waves
     sea_tables tables;                            // of the compute backend
-    gl_texture fine; // slopes of the fine waves, with WATER_TEXTURES_ALL
+    gl_texture fine;                              // slopes of the fine waves, with WATER_TEXTURES_ALL
     gl_texture slope_table;
     uint64_t sea, serial;    // of the slope table, and of the fields; 0: none
     water_textures textures; // what was uploaded of that serial
@@ -60,6 +62,8 @@ void bolan_sea_gpu_view(sea_gpu *p, const render_view *v, water_waves waves);
 void bolan_sea_gpu_bind(const sea_gpu *p, water_waves waves);
 // Fills what waves.glsl reads of the block Water: the sea's own members, and where the eye stands in its fields.
 void bolan_sea_gpu_fill(water_block *b, const render_view *v, water_waves waves);
+// The displacement of the present sea at the time of the step before; NULL: it is not kept, or that is no step of it.
+const gl_texture *bolan_sea_gpu_before(const sea_gpu *p, double time);
 void bolan_sea_gpu_free(sea_gpu *p);
 // The waves of the warped plane with their phases at an origin, as warp_wave_of of shaders/shared/water_block.glsl;
 // returns how many.

@@ -21,11 +21,13 @@ double bolan_sea_peak_length(const bolan_sea_summary *sea) {
 
 double bolan_sea_surf_height(const bolan_sea_summary *sea) { return fmin(fmax(sea->hs, 0.25), 4.0); }
 
-bolan_dvec2 bolan_frame_drift(const frame *f) {
+bolan_dvec2 bolan_frame_drift_at(const frame *f, double time) {
     if (f->sea == NULL) return (bolan_dvec2){0.0, 0.0};
     const bolan_sea_state *state = &bolan_sea_get_desc(f->sea)->sea_state;
-    return (bolan_dvec2){state->current_x * f->time, state->current_y * f->time};
+    return (bolan_dvec2){state->current_x * time, state->current_y * time};
 }
+
+bolan_dvec2 bolan_frame_drift(const frame *f) { return bolan_frame_drift_at(f, f->time); }
 
 bolan_vec2 bolan_frame_streaks(bolan_dvec3 eye, double wind_to, bolan_vec2 scale) {
     const double c = cos(wind_to), s = sin(wind_to);

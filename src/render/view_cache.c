@@ -17,6 +17,7 @@ void bolan_view_cache_share(bolan_view_cache *cache, const bolan_view_cache *fro
 void bolan_view_cache_close(bolan_view_cache *cache) {
     bolan_pass_sky_destroy(&cache->sky);
     bolan_pass_ground_destroy(&cache->ground);
+    bolan_temporal_free(&cache->temporal);
 }
 
 bolan_result bolan_view_cache_create(bolan_renderer *r, bolan_view_cache **out) {

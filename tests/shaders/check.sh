@@ -51,6 +51,14 @@ for file in *.glsl papers/*.glsl; do
         try "$file" GROUND PICTURE WET
         try "$file" GROUND PICTURE CUT WET
         ;;
+    motion.glsl)
+        try "$file" WATER
+        try "$file" WATER LAND BOUND_WAVES
+        ;;
+    surfaces.glsl)
+        try "$file" OBJECT
+        try "$file" OBJECT MOTION
+        ;;
     wireframe.glsl)
         try "$file" FILL
         try "$file" QUAD TRIM LAND

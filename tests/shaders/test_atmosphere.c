@@ -403,7 +403,7 @@ static void draw_picture(bolan_gl_api api, uint8_t *rgb, uint32_t w, uint32_t h)
     rig_prepare(&r);
     rig_draw(&r);
     bolan_gl_target_bind(&r.display);
-    bolan_pass_tonemap_draw(r.tonemap, &r.f, &r.to, &r.color, 0);
+    bolan_pass_tonemap_draw(r.tonemap, &r.f, &r.to, &r.color, 0, NULL);
     read_bytes(r.display.id, w, h, rgb);
     assert_true(watch_is_clean("picture"));
     rig_destroy(&r);

@@ -11,7 +11,7 @@ enum { WIDTH = 96, HEIGHT = 64, SIZE = WIDTH * HEIGHT * 3 };
 static void draw(sky_rig *r, uint8_t *rgb) {
     rig_draw(r);
     bolan_gl_target_bind(&r->display);
-    bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->to, &r->color, 0);
+    bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->to, &r->color, 0, NULL);
     read_bytes(r->display.id, WIDTH, HEIGHT, rgb);
     assert_true(watch_is_clean("clouds"));
 }

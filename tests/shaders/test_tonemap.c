@@ -23,7 +23,7 @@ static void tone_map_ramp(sky_rig *r, const float color[3], uint32_t samples) {
     for (uint32_t s = 0; s < samples; s++) {
         bolan_gl_target_bind(&r->display);
         r->to.samples = samples;
-        bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->to, &r->color, s);
+        bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->to, &r->color, s, NULL);
     }
     read_bytes(r->display.id, WIDTH, HEIGHT, picture);
     assert_true(watch_is_clean("tone map"));
@@ -152,7 +152,7 @@ static void draw_square(sky_rig *r, const float *rgba, bolan_quality quality, ui
     for (uint32_t s = 0; s < samples; s++) {
         bolan_gl_target_bind(&r->display);
         r->to.samples = samples;
-        bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->to, &r->color, s);
+        bolan_pass_tonemap_draw(r->tonemap, &r->f, &r->to, &r->color, s, NULL);
     }
     read_bytes(r->display.id, GLOW_SIZE, GLOW_SIZE, rgb);
     assert_true(watch_is_clean("glow"));

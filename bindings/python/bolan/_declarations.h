@@ -484,7 +484,7 @@ typedef struct bolan_view_cache bolan_view_cache;
 bolan_result bolan_view_cache_create(bolan_renderer *renderer, bolan_view_cache **out);
 void bolan_view_cache_destroy(bolan_view_cache **cache);
 typedef enum bolan_output { BOLAN_OUTPUT_SRGB, BOLAN_OUTPUT_SRGB_FRAMEBUFFER, BOLAN_OUTPUT_LINEAR, } bolan_output;
-typedef struct bolan_view { bolan_dvec3 eye; bolan_mat4 view; bolan_mat4 projection; bool zero_to_one; uint32_t framebuffer; uint32_t x, y; uint32_t width, height; bolan_vec2 jitter; struct bolan_view_tile { uint32_t x, y, whole_width, whole_height; } tile; uint32_t samples; bolan_output output; bool progressive; bool without_water; bolan_view_cache *cache; } bolan_view;
+typedef struct bolan_view { bolan_dvec3 eye; bolan_mat4 view; bolan_mat4 projection; bool zero_to_one; uint32_t framebuffer; uint32_t x, y; uint32_t width, height; bolan_vec2 jitter; struct bolan_view_motion { uint32_t framebuffer; const struct bolan_view *before; double time; } motion; bool temporal; struct bolan_view_tile { uint32_t x, y, whole_width, whole_height; } tile; uint32_t samples; bolan_output output; bool progressive; bool without_water; bolan_view_cache *cache; } bolan_view;
 bolan_view bolan_view_default(void);
 bolan_view bolan_view_from_camera(const bolan_camera *camera, uint32_t width, uint32_t height);
 void bolan_renderer_draw_world(bolan_renderer *renderer, const bolan_world *world, const bolan_view *view);

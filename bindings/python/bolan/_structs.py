@@ -2124,6 +2124,15 @@ where the last row of the projection is 0 0 1 0.
     width: Its size [px], 1..16384; default 1280 x 720.
     height: Its size [px], 1..16384; default 1280 x 720.
     jitter: Moves the picture right and up by parts of a pixel; default 0, 0.
+        Geometry and footprints are those of the view without it, and motion vectors leave it out.
+    motion: Motion vectors, for temporal antialiasing or an upscaler of yours.
+    temporal: True: temporal antialiasing. Default false.
+        Each view has a jitter of its own, besides `jitter`, and is blended with the views before it that were drawn
+        with the same `cache`; motion vectors bring those to their places.
+        The image is a function of the sequence of views. Display values are blended, as by `samples`, so that a glint
+        does not outshine its pixel. While nothing changes the image tends to that of 64 samples.
+        Only bolan_renderer_draw_world() blends. BOLAN_OUTPUT_LINEAR and bolan_renderer_read_linear() have the last view
+        alone.
     tile: This picture is the rectangle at x, y (from the lower left) of a whole picture of that size [px]; default all
         0: it is the whole.
         Sky and water of tiles are those of the whole to one level of 255.
@@ -2151,6 +2160,8 @@ where the last row of the projection is 0 0 1 0.
     width: int
     height: int
     jitter: Tuple[float, ...]
+    motion: Struct
+    temporal: bool
     tile: Struct
     samples: int
     output: str
