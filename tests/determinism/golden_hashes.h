@@ -24,3 +24,5 @@
 {"model: reeds", 0x0121dd7eabb5eb10u},
 {"model: jetty", 0xc98429356425d7e1u},
 {"model: rock", 0xc96ec6a37067a78du},
+{"model: coral", 0x17331ea7f6342d7cu},
+{"model: staghorn", 0x7244b1b326456504u},
