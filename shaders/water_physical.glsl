@@ -189,6 +189,7 @@ struct water_here {
     water_air air;
     float height;           // over the mean water [m]
     footprint place;
+    float width;            // of the pixel, for textures that are fetched once [m]
     wave_fields waves;
     vec2 slope;             // mean slope of the resolved waves, as the eye sees it
     vec3 normal;            // of that slope
@@ -235,9 +236,7 @@ water_here water_at(ivec2 pixel, vec2 uv, vec4 shape) {
     p.place.major = max(p.place.minor, min(p.place.major, dist * radians_per_pixel / max(p.whole.area, 0.01)));
     p.waves = waves_at(p.rest, sea_place(shape.xy, bend.xyz), p.place, gust, p.depth,
                        vec4(mesh.xy, mesh.z - 4.0, 0.0));
-#ifdef WAVES_CASCADES
-    p.place.minor = max(p.place.minor, p.place.major / float(TAPS)); // the width that the fetches really average over
-#endif
+    p.width = max(p.place.minor, p.place.major / float(TAPS));
     p.hidden = hidden_slopes(p.rest, p.place, p.depth);
     p.roughness = p.hidden * gust * gust;
 #ifdef WAVES_CASCADES
@@ -338,7 +337,7 @@ float streak_film(float jacobian, float share, foam_texels texels, float width) 
 // By the law of shared/foam.glsl. The pixel hides the same share of the slope variance, of the variance of the Jacobian
 // and of the foam memory. shore: share that broken waves at the shore cover.
 foam_here foam_at(water_here p, float shore, foam_texels texels) {
-    float width = p.place.minor, slopes = p.hidden.x + p.hidden.z - slopes_beyond_cascades;
+    float width = p.width, slopes = p.hidden.x + p.hidden.z - slopes_beyond_cascades;
     float hidden = jacobian_variance_of(slopes, choppiness);
     float share = clamp(hidden / max(jacobian_variance, 1e-6), 0.0, 1.0);
     foam_grain grain = patch_grain(texels, FRESH_WEIGHTS, width);
@@ -382,10 +381,10 @@ bool shade(vec2 centre, out vec4 color) {
     vec3 below = transmitted_light(p, uv, sunlight, lit, water_path);
     foam_here foam = foam_here(0.0, 0.0);
     if (effect_is_on(EFFECT_FOAM)) {
-        foam_texels texels = foam_look_up(p.rest, p.place.minor);
+        foam_texels texels = foam_look_up(p.rest, p.width);
         float shore = 0.0;
 #ifdef LAND
-        vec2 noise = smooth_patches(p.rest, p.place.minor);
+        vec2 noise = smooth_patches(p.rest, p.width);
         shore = shore_cover(p.rest, p.depth, over_bed(p, water_path), noise);
 #endif
         foam = foam_at(p, shore, texels);

@@ -10,7 +10,7 @@ uniform sampler2D fine_map; // slope x, slope y
 void add_fine(sea_place place, footprint f, float gust, float depth, inout vec2 slope, inout vec3 roughness) {
     if (f.minor < fine_band.x) {
         float taps = clamp(ceil(f.major * exp2(-fine_band.y)), 1.0, float(TAPS));
-        float lod = derivative_level(log2(max(f.minor, f.major / taps)) - fine_band.y);
+        float lod = derivative_level(fetched_width(f, taps) - fine_band.y);
         vec2 at = fine_tile.xy + vec2(along_tile(place.at.x, place.at.y, fine_tile.z, fine_tile.w),
                                       across_tile(place.at.x, place.at.y, fine_tile.z, fine_tile.w));
         vec2 a = f.axis * (f.major / taps);

@@ -211,6 +211,15 @@ float tap_place(int i, float taps) { return (taps - 1.0) * (float(i) - 0.5 * flo
 float tap_place(int i, float taps) { return float(i) - 0.5 * (taps - 1.0); }
 #endif
 
+// log2 of the width that each of so many fetches along a footprint averages over. Fetches as wide as they lie apart
+// would blur the waves sideways as well: far rows had half of the contrast that a path tracer finds
+// (tests/reference). The share of that blur is what brings their contrast nearest.
+const float SIDEWAYS = 0.25;
+float fetched_width(footprint f, float taps) {
+    float minor = log2(f.minor);
+    return mix(minor, max(log2(f.major / taps), minor), SIDEWAYS);
+}
+
 #if defined(WAVES_CASCADES) && defined(PACKED)
 #ifndef CASCADES
 #define CASCADES 4
@@ -261,7 +270,7 @@ uniform sampler2DArray fold_map; // r: dxy, g: foam memory
 // are shorter than it, at most TAPS times; the level of detail makes up for the rest. displaced: 1: g.value is wanted.
 cascade_gradient cascade_fetched(int c, vec2 at, footprint f, int displaced, out float foam) {
     float texel = cascade_band[c].y, taps = clamp(ceil(f.major / texel), 1.0, float(TAPS));
-    float lod = derivative_level(log2(max(f.minor, f.major / taps)) - cascade_band[c].w), near = 0.0;
+    float lod = derivative_level(fetched_width(f, taps) - cascade_band[c].w), near = 0.0;
     vec2 centre = cascade_uv(c, at), fold = textureLod(fold_map, vec3(centre, float(c)), lod).xy;
     foam = foam_weights[c] * fold.y;
     cascade_gradient g = cascade_gradient(vec3(0.0), vec3(0.0), vec3(0.0));
