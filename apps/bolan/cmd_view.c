@@ -32,6 +32,7 @@ int command_view(int count, char **arguments) {
     if (o.pixels >= 0) v.pixels = (bolan_pixels)o.pixels;
     if (!isnan(o.frames)) v.frames = (uint32_t)o.frames;
     v.screenshot = o.screenshot;
+    if (!isnan(o.samples)) v.samples = (uint32_t)o.samples;
 #ifdef BOLAN_SHADER_DIR
     v.shader_directory = BOLAN_SHADER_DIR;
 #endif

@@ -72,10 +72,10 @@ const option_info option_table[] = {
            .low = 16, .high = 65536,
            .help = "pixels: 1920x1080 for one image, 1280x720 for a sequence, film, window or mesh, "
                    "2048x1024 for a sky"),
-    OPTION("samples", WHOLE, samples, FILE_COMMANDS, "N",
+    OPTION("samples", WHOLE, samples, FILE_COMMANDS | ON_VIEW, "N",
            .low = 1, .high = 256,
            .help = "images with shifted pixels that are averaged; "
-                   "one image takes 1, 1, 4, 16 by quality, moving ones 1"),
+                   "one image takes 1, 1, 4, 16 by quality, moving ones 1. view: begin paused and refine to so many"),
     OPTION("taa", FLAG, taa, ON_RENDER, NULL,
            .help = "temporal antialiasing: each image is blended with those before it; of one image, 16 of the same "
                    "moment"),

@@ -47,29 +47,41 @@ static bool need_target(canvas *c, uint32_t width, uint32_t height) {
     return bolan_target_create(width, height, &c->target) == BOLAN_OK;
 }
 
-static void draw(canvas *c, const bolan_world *w, uint32_t framebuffer, uint32_t width, uint32_t height,
-                 uint32_t samples) {
+static bolan_view view_of(const bolan_world *w, uint32_t framebuffer, uint32_t width, uint32_t height) {
     bolan_view view = bolan_view_from_camera(&bolan_world_scene(w)->camera, width, height);
     view.eye = bolan_world_clear_eye(w, view.eye);
-    view.progressive = samples == 1; // a saved image is complete
-    view.temporal = samples == 1 && c->temporal;
     view.framebuffer = framebuffer;
-    view.samples = samples;
+    return view;
+}
+
+static void draw(canvas *c, const bolan_world *w, const bolan_view *view) {
     if (bolan_renderer_needs_baking(c->renderer))
         bolan_renderer_bake(c->renderer); // after a change of the sun in the panel
-    bolan_renderer_draw_world(c->renderer, w, &view);
+    bolan_renderer_draw_world(c->renderer, w, view);
 }
 
 static uint32_t scaled(uint32_t pixels, double scale) { return (uint32_t)fmax(round(pixels * scale), 1.0); }
 
-void canvas_draw(canvas *c, const bolan_world *w, uint32_t width, uint32_t height, double scale) {
+static void draw_frame(canvas *c, const bolan_world *w, uint32_t framebuffer, refine_step step) {
+    bolan_view view = view_of(w, framebuffer, c->width, c->height);
+    view.progressive = true;
+    view.accumulate = step == REFINE_ADD;
+    view.temporal = c->temporal && step != REFINE_ADD;
+    draw(c, w, &view);
+}
+
+void canvas_draw(canvas *c, const bolan_world *w, uint32_t width, uint32_t height, double scale, refine_step step) {
     c->width = scaled(width, scale);
     c->height = scaled(height, scale);
-    if ((c->width == width && c->height == height) || !need_target(c, c->width, c->height)) {
-        draw(c, w, 0, width, height, 1);
+    const bool whole = c->width == width && c->height == height;
+    // A mean stays in the target, from which a frame without a change is shown.
+    if ((whole && step < REFINE_ADD) || !need_target(c, c->width, c->height)) {
+        c->width = width;
+        c->height = height;
+        draw_frame(c, w, 0, step);
         return;
     }
-    draw(c, w, bolan_target_framebuffer(c->target), c->width, c->height, 1);
+    if (step != REFINE_DONE) draw_frame(c, w, bolan_target_framebuffer(c->target), step);
     bolan_target_show(c->target, 0, width, height);
 }
 
@@ -91,7 +103,9 @@ bolan_result canvas_save_picture(canvas *c, const bolan_world *w, uint32_t width
     bolan_target *target = NULL;
     bolan_result result = bolan_target_create(width, height, &target);
     if (result != BOLAN_OK) return result;
-    draw(c, w, bolan_target_framebuffer(target), width, height, PICTURE_SAMPLES);
+    bolan_view view = view_of(w, bolan_target_framebuffer(target), width, height);
+    view.samples = PICTURE_SAMPLES;
+    draw(c, w, &view);
     result = save(c, bolan_target_framebuffer(target), width, height, path);
     bolan_target_destroy(&target);
     return result;

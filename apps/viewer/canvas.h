@@ -5,6 +5,7 @@
 
 #include "bolan/render.h"
 #include "bolan/world.h"
+#include "refine.h"
 
 typedef struct canvas {
     bolan_renderer *renderer;
@@ -21,8 +22,8 @@ bolan_result canvas_open(canvas *c, bolan_quality quality, bolan_backend backend
 void canvas_close(canvas *c);
 // Makes the renderer again; the old one stays on failure.
 bolan_result canvas_set_quality(canvas *c, bolan_quality quality);
-// Draws the world into the window of width x height pixels, at @p scale (0.25..1) of its resolution.
-void canvas_draw(canvas *c, const bolan_world *w, uint32_t width, uint32_t height, double scale);
+// Draws the world into the window of width x height pixels, at @p scale (0.25..1) of its resolution: enlarged linearly.
+void canvas_draw(canvas *c, const bolan_world *w, uint32_t width, uint32_t height, double scale, refine_step step);
 // Writes what the window shows now, before it is presented, as PNG.
 bolan_result canvas_save_window(canvas *c, uint32_t width, uint32_t height, const char *path);
 // Draws the world once more, fine and without panel, as PNG.

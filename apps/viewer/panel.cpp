@@ -231,6 +231,7 @@ void pass_row(const char *name, double ms, double total) {
 void frame_section(const panel_facts *f, panel_wishes *wishes) {
     ImGui::Text("%.1f frames/s  %.1f ms  %u x %u", f->frame_ms > 0.0 ? 1e3 / f->frame_ms : 0.0, f->frame_ms,
                 f->picture_width, f->picture_height);
+    if (f->refined[0] != '\0') ImGui::TextUnformatted(f->refined);
     if (!ImGui::CollapsingHeader("Time per pass")) return;
     wishes->measuring = true;
     if (ImGui::BeginTable("passes", 3, ImGuiTableFlags_SizingStretchProp)) {

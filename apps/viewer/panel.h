@@ -33,6 +33,7 @@ typedef struct panel_facts {
     double time, camera_height, camera_speed; // [s], [m] above the surface, [m/s]
     bool over_land, gamepad;
     const char *device, *shader_directory;
+    char refined[32];   // one line under the figures of the frame, or empty
     const char *notice; // one line over the picture, or NULL
 } panel_facts;
 

@@ -8,6 +8,7 @@
 #include "messages.h"
 #include "pace.h"
 #include "panel.h"
+#include "refine.h"
 #include "reload.h"
 #include "world.h"
 
@@ -19,6 +20,7 @@
 #define TEST_TICK (1.0 / 30.0) // [s] time of a frame when their number is given
 #define LONGEST_TICK 0.1       // [s] longest advance of the sea in a frame, so that a stall does not jump
 #define NOTICE_TIME 4.0        // [s]
+#define IDLE_TIME 50           // [ms] between frames that change nothing: the notices end by them
 
 typedef struct viewer {
     const viewer_options *options;
@@ -32,6 +34,8 @@ typedef struct viewer {
     sea_knobs knobs;
     canvas canvas;
     pace pace;
+    refine refine;
+    refine_step drawn; // of the last frame
     reload_watch watch;
     bolan_quality quality;
     double time, time_scale, render_scale;
@@ -79,6 +83,7 @@ static void reload_shaders(viewer *v) {
         return;
     }
     messages_clear();
+    refine_restart(&v->refine);
     bool ok = bolan_renderer_reload(v->canvas.renderer) == BOLAN_OK;
     notice(v, ok ? "shaders reloaded" : "shaders not reloaded: see the messages");
 }
@@ -117,8 +122,9 @@ static void next_technique(viewer *v) {
 }
 
 static void set_title(viewer *v) {
-    char title[BOLAN_NAME_MAX + 16];
-    snprintf(title, sizeof title, "%s - Bolan", v->scene.name);
+    char said[32], title[BOLAN_NAME_MAX + 48];
+    refine_say(&v->refine, said, sizeof said);
+    snprintf(title, sizeof title, "%s%s%s - Bolan", v->scene.name, said[0] != '\0' ? " - " : "", said);
     SDL_SetWindowTitle(v->window.handle, title);
 }
 
@@ -131,6 +137,7 @@ static bool open_world(viewer *v, const bolan_scene *scene) {
     v->scene = *scene;
     v->home = scene->camera;
     v->time = scene->time;
+    refine_restart(&v->refine); // the same values may name other files
     v->statistics = bolan_sea_measure(bolan_world_water(fresh)->sea);
     read_knobs(v);
     set_title(v);
@@ -235,6 +242,7 @@ static void draw_panel(viewer *v, panel_facts *facts) {
     facts->time = v->time;
     facts->device = v->device;
     facts->shader_directory = v->options->shader_directory;
+    refine_say(&v->refine, facts->refined, sizeof facts->refined);
     facts->notice = seconds_now() < v->notice_until ? v->notice : NULL;
     panel_wishes wishes = panel_draw(&edits, facts);
     obey_panel(v, &wishes);
@@ -254,6 +262,26 @@ static void finish_test(viewer *v) {
     if (path != NULL && canvas_save_window(&v->canvas, v->width, v->height, path) != BOLAN_OK) v->status = 1;
 }
 
+static void draw_world(viewer *v, double seconds) {
+    static refine_view view; // static: its padding is 0
+    view.scene = v->scene;
+    view.time = v->time;
+    view.scale = v->render_scale;
+    view.width = v->width;
+    view.height = v->height;
+    view.quality = v->quality;
+    const uint32_t before = v->refine.samples;
+    v->drawn = refine_next(&v->refine, &view, seconds);
+    const bool refined = v->drawn != REFINE_MOVING;
+    const double scale = v->render_scale > 0.0 ? v->render_scale : refined ? 1.0 : v->pace.scale;
+    canvas_draw(&v->canvas, v->world, v->width, v->height, scale, v->drawn);
+    const bolan_frame_statistics statistics = bolan_renderer_statistics(v->canvas.renderer);
+    refine_drawn(&v->refine, &statistics);
+    // A window manager need not write each number.
+    const uint32_t now = v->refine.samples;
+    if (now != before && (now & (now - 1)) == 0) set_title(v);
+}
+
 static void one_frame(viewer *v) {
     double now = seconds_now(), elapsed = now - v->last_frame;
     v->last_frame = now;
@@ -268,14 +296,15 @@ static void one_frame(viewer *v) {
         return;
     }
     bool automatic = v->render_scale == 0.0 && v->options->frames == 0;
-    if (v->frame > 0) pace_frame(&v->pace, elapsed * 1e3, automatic);
+    if (v->frame > 0 && v->drawn == REFINE_MOVING) pace_frame(&v->pace, elapsed * 1e3, automatic);
     advance(v, seconds);
     update_world(v);
-    canvas_draw(&v->canvas, v->world, v->width, v->height, v->render_scale > 0.0 ? v->render_scale : v->pace.scale);
+    draw_world(v, seconds);
     draw_panel(v, &facts);
     if (v->frame++ == 0) v->first_frame = seconds_now();
     finish_test(v);
     window_present(&v->window);
+    if (v->drawn == REFINE_DONE && v->options->frames == 0) SDL_WaitEventTimeout(NULL, IDLE_TIME);
     load_pending(v, loading);
 }
 
@@ -291,6 +320,8 @@ static bool start(viewer *v, const bolan_scene *scene) {
     snprintf(v->device, sizeof v->device, "%s, %s%s", info.renderer, v->window.es ? "" : "OpenGL ", info.version);
     v->quality = o->quality;
     v->time_scale = 1.0;
+    v->paused = o->samples > 0;
+    v->refine.most = o->samples > 0 ? o->samples : REFINE_SAMPLES;
     v->render_scale = o->render_scale;
     v->panel_visible = v->running = true;
     pace_start(&v->pace, info.software && o->frames == 0);
@@ -306,6 +337,9 @@ static void report(const viewer *v) {
     double ms = (seconds_now() - v->first_frame) * 1e3 / fmax(v->frame - 1.0, 1.0); // the first compiles shaders
     printf("%u frames of %u x %u on %s, %s, %.1f ms each\n", v->frame, v->width, v->height, SDL_GetCurrentVideoDriver(),
            v->device, ms);
+    char said[32];
+    refine_say(&v->refine, said, sizeof said);
+    if (said[0] != '\0') printf("%s\n", said);
 }
 
 static void stop(viewer *v) {

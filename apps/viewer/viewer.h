@@ -13,6 +13,7 @@ typedef struct viewer_options {
     const char *shader_directory; // NULL: the built-in shaders; else read from there, and again when a file changes
     const char *screenshot;       // NULL, or the PNG that receives the last frame
     uint32_t frames;              // quit after so many frames of 1/30 s; 0: when the user quits
+    uint32_t samples;             // begin paused, and refine to so many a pixel; 0: run, and refine to 64 when paused
     double render_scale;          // internal resolution, 0.25..1 of the window's; 0: chosen to stay interactive
 } viewer_options;
 

@@ -296,7 +296,7 @@ typedef struct bolan_view {
         /// At a time that is neither of those, water and objects have the camera's motion alone.
         double time;
     } motion;
-    /// True: temporal antialiasing. Default false.
+    /// True: temporal antialiasing; not with `accumulate`. Default false.
     /// Each view has a jitter of its own, besides `jitter`, and is blended with the views before it that were drawn
     /// with the same `cache`; motion vectors bring those to their places.
     /// The image is a function of the sequence of views. Display values are blended, as by `samples`, so that a glint
@@ -316,6 +316,13 @@ typedef struct bolan_view {
     } tile;
     /// Supersampling: pictures with shifted pixels that are averaged, 1..256; default 1.
     uint32_t samples;
+    /// True: the samples of this view are added to those of the views before it, and the mean of all is written, for
+    /// an image that gets finer while nothing changes. Default false.
+    /// Shifts go on where the last view left off: 64 views of one sample show what one view of 64 samples shows.
+    /// The first view after one without it, of another size, another output or a host begins anew, and so must you
+    /// after any change: draw one view without it. A renderer holds one such sum, of 64 bytes a pixel.
+    /// Distances and surfaces that are read back are those of the last sample, not of the pixels' middles.
+    bool accumulate;
     /// Default BOLAN_OUTPUT_SRGB.
     bolan_output output;
     /// False (default): the picture is a function of step and view alone, whatever was drawn before.
@@ -529,6 +536,8 @@ typedef struct bolan_frame_statistics {
         double ms;
         uint32_t gl_calls;
     } passes[BOLAN_MAX_PASSES];
+    /// Samples a pixel of which the last view wrote the mean: bolan_view::samples, or with bolan_view::accumulate all.
+    uint32_t samples;
     /// Triangles that were submitted.
     uint32_t triangles;
     /// Triangles of the water.

@@ -293,8 +293,11 @@ static void draw_view(bolan_renderer *r, const bolan_view *to) {
     r->near_plane = v.near_distance;
     prepare_view(r, &v, cache);
     // The unshifted sample comes last, so that the depth that remains is that of the pixels' middles.
-    const uint32_t first = bolan_temporal_begin(&cache->temporal, &v, to, bolan_pass_objects_places(r->models));
+    const uint32_t kept = bolan_pass_tonemap_begin(r->tonemap, to);
+    const uint32_t turn = bolan_temporal_begin(&cache->temporal, &v, to, bolan_pass_objects_places(r->models));
+    const uint32_t first = to->accumulate ? kept : turn;
     for (uint32_t s = 0; s < to->samples; ++s) draw_sample(r, &v, to, cache, s, first);
+    r->statistics.samples = bolan_pass_tonemap_samples(r->tonemap);
     note_stale(r, &v);
 }
 
@@ -326,6 +329,7 @@ static void draw_hosted(bolan_renderer *r, const bolan_view *to, const bolan_hos
     bolan_gl_texture_bind(&r->targets.behind_depth, UNIT_SCENE_DEPTH);
     bolan_host_resolve(&r->host, &v, to, host, &r->targets.hdr_color);
     bolan_pass_tonemap_forget(r->tonemap);
+    r->statistics.samples = 1;
     end_part(r, PART_WATER);
     begin_part(r, PART_MOTION);
     bolan_motion_draw_asked(r, &v, to, host);

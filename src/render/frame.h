@@ -197,12 +197,17 @@ bolan_result bolan_pass_water_reload(pass_water *p);
 void bolan_pass_water_destroy(pass_water **p);
 
 bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);
+// Before the samples of a view. Returns how many samples of earlier views stay in the sums.
+uint32_t bolan_pass_tonemap_begin(pass_tonemap *p, const bolan_view *to);
 // Into the rectangle of `to`; blended with the images before it where `history`, NULL for none, is of a temporal view.
+// `sample` is that of this view.
 void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_view *to, const gl_texture *hdr_color,
                              uint32_t sample, struct temporal *history);
 // Of a picture of several samples: the sum of their radiance, width * height * 4 floats, row 0 at the bottom. Returns
 // how many were added up; 0: the picture had one sample, and @p rgba is untouched.
 uint32_t bolan_pass_tonemap_read_sum(const pass_tonemap *p, float *rgba);
+// Samples a pixel of the last picture.
+uint32_t bolan_pass_tonemap_samples(const pass_tonemap *p);
 // The last picture had no sums: a host's.
 void bolan_pass_tonemap_forget(pass_tonemap *p);
 bolan_result bolan_pass_tonemap_reload(pass_tonemap *p);

@@ -17,7 +17,10 @@ struct pass_tonemap {
     gl_texture sum[2], radiance_sum[2];
     gl_target sum_target[2];
     uint32_t summed,
-        latest; // samples in the sums of the last picture (0: one sample, no sums), the pair that holds them
+        latest;          // samples in the sums of the last picture (0: one sample, no sums), the pair that holds them
+    uint32_t first;      // samples that were in the sums before this view
+    bool accumulating;   // the last view's sums may be added to,
+    bolan_output output; // by a view of this output
     gl_texture glow;
     gl_target glow_target;
 };
@@ -127,6 +130,14 @@ static uint32_t accumulate(pass_tonemap *p, const gl_texture *hdr_color, bool gl
     return pair;
 }
 
+uint32_t bolan_pass_tonemap_begin(pass_tonemap *p, const bolan_view *to) {
+    const bool same = p->sum[1].width == to->width && p->sum[1].height == to->height && p->output == to->output;
+    p->first = to->accumulate && p->accumulating && same ? p->summed : 0;
+    p->accumulating = to->accumulate;
+    p->output = to->output;
+    return p->first;
+}
+
 void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_view *to, const gl_texture *hdr_color,
                              uint32_t sample, temporal *history) {
     const bool linear = to->output == BOLAN_OUTPUT_LINEAR;
@@ -134,22 +145,25 @@ void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_
     bolan_gl_set_state(&(gl_state){.color_write = true});
     const bool glow = !linear && draw_glow(p, v, hdr_color);
     p->summed = 0;
-    const bool blended = history != NULL && history->drawing, several = to->samples > 1 || blended;
+    const bool blended = history != NULL && history->drawing;
+    const bool several = to->samples > 1 || to->accumulate || blended;
     if (!several || !resize(p, v->width, v->height)) {
         draw_out(linear ? &p->linear : &p->single[glow], hdr_color, to, 1.0f / unit);
         return;
     }
-    const uint32_t pair = accumulate(p, hdr_color, glow, sample);
+    const uint32_t pair = accumulate(p, hdr_color, glow, p->first + sample);
     if (sample + 1 < to->samples) return;
     if (blended) {
         draw_out(&p->resolve, bolan_temporal_blend(history, v, &p->sum[pair], to->samples), to, 1.0f);
         return;
     }
     draw_out(linear ? &p->linear : &p->resolve, linear ? &p->radiance_sum[pair] : &p->sum[pair], to,
-             1.0f / (unit * (float)to->samples));
+             1.0f / (unit * (float)p->summed));
 }
 
 void bolan_pass_tonemap_forget(pass_tonemap *p) { p->summed = 0; }
+
+uint32_t bolan_pass_tonemap_samples(const pass_tonemap *p) { return p->summed > 0 ? p->summed : 1; }
 
 uint32_t bolan_pass_tonemap_read_sum(const pass_tonemap *p, float *rgba) {
     if (p->summed > 0) bolan_gl_target_read_float(&p->sum_target[p->latest], 1, rgba);

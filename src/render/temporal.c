@@ -67,7 +67,7 @@ static bolan_vec2 mean_shift(uint32_t first, uint32_t samples, float reach) {
 
 uint32_t bolan_temporal_begin(temporal *t, const render_view *v, const bolan_view *to, uint64_t places) {
     const frame *f = v->frame;
-    t->drawing = to->temporal && to->output != BOLAN_OUTPUT_LINEAR && fit(t, v->width, v->height);
+    t->drawing = to->temporal && !to->accumulate && to->output != BOLAN_OUTPUT_LINEAR && fit(t, v->width, v->height);
     if (!t->drawing) {
         t->images = 0;
         t->reach = 1.0f;

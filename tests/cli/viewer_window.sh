@@ -41,3 +41,16 @@ test "$sky_light" -gt $((sea_light + 60)) || fail 'the sky is not brighter than 
 test "$3" -gt $(($1 + 10)) || fail 'the sky is not blue'
 test "$8" -ge 3 || fail 'the sea is one flat colour: no waves'
 test "$panel_light" -lt $((sky_light * 3 / 4)) || fail 'the panel does not darken the sky behind it'
+
+# Ten frames of a sea that stands are a third of a second; one is of the full size, four add a sample each, the others
+# show what is kept.
+xvfb-run -a -s '-screen 0 1280x1024x24' "$BOLAN" view open-sea --size 512x320 --sun 200,55 --camera 0,0,12,20,-4,50 \
+    --samples 4 --frames 17 --screenshot still.png >still.txt
+cat still.txt
+! grep -q refined report.txt || fail 'a running sea was refined'
+grep -q '^refined: 4 samples$' still.txt || fail 'the standing sea was not refined to 4 samples'
+"$BOLAN" render open-sea --size 512x320 --sun 200,55 --camera 0,0,12,20,-4,50 --quality medium --samples 4 -o fine.png \
+    2>/dev/null
+still=$(./viewer_pixels still.png 0.75 0.65 0.98 0.98)
+fine=$(./viewer_pixels fine.png 0.75 0.65 0.98 0.98)
+test "$still" = "$fine" || fail "the mean of a window is $still, that of render $fine"

@@ -156,6 +156,53 @@ static void radiance_of_several_samples_is_their_mean(void **state) {
     }
 }
 
+// Draws @p samples more into the target's mean. Returns how many are in it.
+static uint32_t add_samples(const bolan_view *from, uint32_t samples, bool accumulate, uint8_t *rgb) {
+    bolan_view view = *from;
+    view.samples = samples;
+    view.accumulate = accumulate;
+    bolan_renderer_draw_world(used.renderer, used.world, &view);
+    bolan_renderer_read_rgb8(used.renderer, view.framebuffer, view.width, view.height, rgb);
+    return bolan_renderer_statistics(used.renderer).samples;
+}
+
+// Sums of floats in another order: a value between two levels of 255 may fall to either.
+static void check_one_level(const uint8_t *a, const uint8_t *b, size_t bytes) {
+    for (size_t i = 0; i < bytes; i++) assert_in_range(abs(a[i] - b[i]), 0, 1);
+}
+
+static void samples_of_several_views_are_those_of_one(void **state) {
+    (void)state;
+    enum { W = 48, H = 32, BYTES = W * H * 3 };
+    static uint8_t one[BYTES], five[BYTES], got[BYTES];
+    bolan_scene home;
+    assert_int_equal(bolan_scene_load("open-sea", &home), BOLAN_OK);
+    home.sea.resolution = 64;
+    use(&home);
+    bolan_target *target = NULL;
+    assert_int_equal(bolan_target_create(W, H, &target), BOLAN_OK);
+    bolan_view view = stage_view(&used, target, W, H);
+    assert_int_equal(add_samples(&view, 1, false, one), 1);
+    assert_int_equal(add_samples(&view, 5, false, five), 5);
+    double differ = 0.0;
+    for (int i = 0; i < BYTES; i++) differ += abs(one[i] - five[i]);
+    assert_true(differ > BYTES);                           // by more than what is allowed below
+    assert_int_equal(add_samples(&view, 1, true, got), 1); // not of the five before it
+    check_one_level(got, one, BYTES);
+    for (uint32_t n = 2; n <= 3; n++) assert_int_equal(add_samples(&view, 1, true, got), n);
+    assert_int_equal(add_samples(&view, 2, true, got), 5);
+    check_one_level(got, five, BYTES);
+    assert_int_equal(add_samples(&view, 1, false, got), 1);
+    assert_memory_equal(got, one, BYTES);
+    assert_int_equal(add_samples(&view, 3, true, got), 3);
+    view.output = BOLAN_OUTPUT_LINEAR; // two outputs have no mean
+    assert_int_equal(add_samples(&view, 1, true, got), 1);
+    view.output = BOLAN_OUTPUT_SRGB;
+    view.width -= 1;
+    assert_int_equal(add_samples(&view, 1, true, got), 1);
+    bolan_target_destroy(&target);
+}
+
 static int open_context(void **state) {
     (void)state;
     return bolan_context_create(BOLAN_GL_CORE, &context) == BOLAN_OK ? 0 : 77;
@@ -168,6 +215,7 @@ int main(void) {
         cmocka_unit_test(the_pond_forgets_what_was_drawn_before),
         cmocka_unit_test(a_step_across_the_lattice_is_invisible),
         cmocka_unit_test(radiance_of_several_samples_is_their_mean),
+        cmocka_unit_test(samples_of_several_views_are_those_of_one),
     };
     if (open_context(NULL) != 0) return 77;
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);

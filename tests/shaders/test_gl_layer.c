@@ -323,6 +323,31 @@ static void a_shader_error_names_the_included_file_and_its_line(void **state) {
     assert_int_equal(system(command), 0);
 }
 
+// Two pixels, black and white, shown in eight: the middle four lie between them, at 1/8, 3/8, 5/8, 7/8.
+static void an_image_is_enlarged_linearly(void **state) {
+    (void)state;
+    static const uint8_t colors[2][4] = {{0, 0, 0, 255}, {255, 255, 255, 255}};
+    static const float expected[8] = {0.0f, 0.0f, 0.125f, 0.375f, 0.625f, 0.875f, 1.0f, 1.0f};
+    float shown[8][4];
+    gl_texture small, large;
+    gl_target from, to;
+    const gl_texture *color[] = {&small, &large};
+    const gl_texture_desc d = {.format = GL_FMT_RGBA8, .width = 2, .height = 1},
+                          e = {.format = GL_FMT_RGBA32F, .width = 8, .height = 1};
+    assert_int_equal(bolan_gl_texture_create(&d, &small), BOLAN_OK);
+    assert_int_equal(bolan_gl_texture_create(&e, &large), BOLAN_OK);
+    bolan_gl_texture_upload(&small, 0, -1, colors, false);
+    assert_int_equal(bolan_gl_target_create(&color[0], 1, NULL, -1, 0, &from), BOLAN_OK);
+    assert_int_equal(bolan_gl_target_create(&color[1], 1, NULL, -1, 0, &to), BOLAN_OK);
+    bolan_gl_target_show(&from, to.id, 8, 1);
+    bolan_gl_target_read_float(&to, 0, shown[0]);
+    for (int i = 0; i < 8; i++) assert_near(shown[i][0], expected[i], 1.0 / 128); // hardware filters with 8 bits
+    bolan_gl_target_free(&from);
+    bolan_gl_target_free(&to);
+    bolan_gl_texture_free(&small);
+    bolan_gl_texture_free(&large);
+}
+
 static void without_a_context_the_information_is_empty(void **state) {
     (void)state;
     const bolan_gl_info info = bolan_gl_get_info();
@@ -344,6 +369,7 @@ int main(void) {
         IN_BOTH_APIS(halfs_are_uploaded_as_they_are),
         IN_BOTH_APIS(layers_of_an_array_are_separate_targets),
         IN_BOTH_APIS(depth_reads_back_exactly),
+        IN_BOTH_APIS(an_image_is_enlarged_linearly),
         IN_BOTH_APIS(the_callers_state_is_left_as_it_was),
         IN_BOTH_APIS(a_shader_error_names_the_included_file_and_its_line),
     };

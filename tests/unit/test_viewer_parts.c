@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The parts of the viewer that are pure functions: the camera, the knobs of the sea, the pace.
+// The parts of the viewer that are pure functions: camera, knobs of the sea, pace, steps of a still image.
 #include "../../apps/viewer/fly.c"
 #include "../../apps/viewer/pace.c"
+#include "../../apps/viewer/refine.c"
 #include "../../apps/viewer/sea_knobs.c"
 #include "support.h"
 
@@ -121,10 +122,98 @@ static void the_pace_has_other_limits(void **state) {
     assert_true(page.scale == 0.75);  // and a page goes one step down, to 28 ms
 }
 
+// ---- a still image
+
+#define TICK 0.05
+
+static refine_view still_view(void) {
+    static refine_view view; // without random padding
+    view.scene = bolan_scene_default();
+    view.width = 640;
+    view.height = 360;
+    return view;
+}
+
+// A renderer that has all of the ground after so many frames of the full size. The samples restart as the views ask.
+static refine_step draw_still(refine *r, const refine_view *view, uint32_t *uploads, uint32_t last_upload) {
+    const refine_step step = refine_next(r, view, TICK);
+    if (step == REFINE_SIZE && *uploads < last_upload) ++*uploads;
+    const bolan_frame_statistics drawn = {.uploads = *uploads, .samples = step == REFINE_ADD ? r->samples + 1 : 1};
+    refine_drawn(r, &drawn);
+    return step;
+}
+
+static void a_still_image_gets_its_size_then_its_samples(void **state) {
+    (void)state;
+    const refine_view view = still_view();
+    refine r = {.most = 16};
+    uint32_t uploads = 0;
+    char said[32];
+    for (int i = 0; i < 6; i++) { // the first shows something new, five wait 0.25 s
+        assert_int_equal(draw_still(&r, &view, &uploads, 3), REFINE_MOVING);
+        refine_say(&r, said, sizeof said);
+        assert_string_equal(said, "");
+    }
+    for (int i = 0; i < 4; i++) { // three bring ground, one more shows that all is there
+        assert_int_equal(draw_still(&r, &view, &uploads, 3), REFINE_SIZE);
+        refine_say(&r, said, sizeof said);
+        assert_string_equal(said, "refined: full size");
+    }
+    for (uint32_t i = 1; i <= 16; i++) {
+        assert_int_equal(draw_still(&r, &view, &uploads, 3), REFINE_ADD);
+        assert_int_equal(r.samples, i);
+    }
+    assert_int_equal(draw_still(&r, &view, &uploads, 3), REFINE_DONE);
+    refine_say(&r, said, sizeof said);
+    assert_string_equal(said, "refined: 16 samples");
+}
+
+// One frame after the change, from each step that it can happen in.
+static void check_drops_back(void (*alter)(refine_view *)) {
+    static const int frames[] = {8, 12, 40};
+    for (int i = 0; i < 3; i++) {
+        refine_view view = still_view();
+        refine r = {.most = 16};
+        uint32_t uploads = 0;
+        for (int k = 0; k < frames[i]; k++) draw_still(&r, &view, &uploads, 3);
+        assert_int_equal(r.step, i == 0 ? REFINE_SIZE : i == 1 ? REFINE_ADD : REFINE_DONE);
+        alter(&view);
+        assert_int_equal(draw_still(&r, &view, &uploads, 3), REFINE_MOVING);
+        assert_int_equal(r.samples, 0);
+        for (int k = 0; k < 5; k++) assert_int_equal(draw_still(&r, &view, &uploads, 3), REFINE_MOVING);
+        assert_int_equal(draw_still(&r, &view, &uploads, 3), REFINE_SIZE);
+    }
+}
+
+static void turn_a_little(refine_view *v) { v->scene.camera.heading_deg += 1e-6; }
+static void let_time_pass(refine_view *v) { v->time += 1e-3; }
+static void resize(refine_view *v) { v->height += 1; }
+static void widen(refine_view *v) { v->width += 1; }
+static void choose_a_size(refine_view *v) { v->scale = 0.5; }
+static void choose_a_quality(refine_view *v) { v->quality = BOLAN_QUALITY_ULTRA; }
+
+static void any_change_drops_back_at_once(void **state) {
+    (void)state;
+    check_drops_back(turn_a_little);
+    check_drops_back(let_time_pass);
+    check_drops_back(resize);
+    check_drops_back(widen);
+    check_drops_back(choose_a_size);
+    check_drops_back(choose_a_quality);
+    refine_view view = still_view();
+    refine r = {.most = 16};
+    uint32_t uploads = 0;
+    for (int k = 0; k < 40; k++) draw_still(&r, &view, &uploads, 3);
+    refine_restart(&r);
+    assert_int_equal(draw_still(&r, &view, &uploads, 3), REFINE_MOVING);
+}
+
 RUN_TESTS(cmocka_unit_test(writing_back_what_was_read_keeps_the_sea),
           cmocka_unit_test(a_new_wind_keeps_the_swell_and_a_new_swell_the_wind_sea),
           cmocka_unit_test(the_wind_of_a_measured_sea_makes_no_waves),
           cmocka_unit_test(forward_is_where_the_camera_looks),
           cmocka_unit_test(the_camera_stays_between_floor_and_ceiling),
           cmocka_unit_test(the_pace_settles_without_fluttering),
-          cmocka_unit_test(the_pace_is_left_alone_unless_automatic), cmocka_unit_test(the_pace_has_other_limits))
+          cmocka_unit_test(the_pace_is_left_alone_unless_automatic), cmocka_unit_test(the_pace_has_other_limits),
+          cmocka_unit_test(a_still_image_gets_its_size_then_its_samples),
+          cmocka_unit_test(any_change_drops_back_at_once))

@@ -484,7 +484,7 @@ typedef struct bolan_view_cache bolan_view_cache;
 bolan_result bolan_view_cache_create(bolan_renderer *renderer, bolan_view_cache **out);
 void bolan_view_cache_destroy(bolan_view_cache **cache);
 typedef enum bolan_output { BOLAN_OUTPUT_SRGB, BOLAN_OUTPUT_SRGB_FRAMEBUFFER, BOLAN_OUTPUT_LINEAR, } bolan_output;
-typedef struct bolan_view { bolan_dvec3 eye; bolan_mat4 view; bolan_mat4 projection; bool zero_to_one; uint32_t framebuffer; uint32_t x, y; uint32_t width, height; bolan_vec2 jitter; struct bolan_view_motion { uint32_t framebuffer; const struct bolan_view *before; double time; } motion; bool temporal; struct bolan_view_tile { uint32_t x, y, whole_width, whole_height; } tile; uint32_t samples; bolan_output output; bool progressive; bool without_water; bolan_view_cache *cache; } bolan_view;
+typedef struct bolan_view { bolan_dvec3 eye; bolan_mat4 view; bolan_mat4 projection; bool zero_to_one; uint32_t framebuffer; uint32_t x, y; uint32_t width, height; bolan_vec2 jitter; struct bolan_view_motion { uint32_t framebuffer; const struct bolan_view *before; double time; } motion; bool temporal; struct bolan_view_tile { uint32_t x, y, whole_width, whole_height; } tile; uint32_t samples; bool accumulate; bolan_output output; bool progressive; bool without_water; bolan_view_cache *cache; } bolan_view;
 bolan_view bolan_view_default(void);
 bolan_view bolan_view_from_camera(const bolan_camera *camera, uint32_t width, uint32_t height);
 void bolan_renderer_draw_world(bolan_renderer *renderer, const bolan_world *world, const bolan_view *view);
@@ -502,7 +502,7 @@ void bolan_renderer_read_rgb8(bolan_renderer *renderer, uint32_t framebuffer, ui
 const char *bolan_fields_glsl(void);
 bolan_result bolan_renderer_link_fields(bolan_renderer *renderer, uint32_t program, uint32_t first_unit, uint32_t slot);
 void bolan_renderer_bind_fields(bolan_renderer *renderer, const bolan_water *water, bolan_dvec3 origin, uint32_t first_unit, uint32_t slot);
-typedef struct bolan_frame_statistics { uint32_t pass_count; struct { const char *name; double ms; uint32_t gl_calls; } passes[16]; uint32_t triangles; uint32_t water_triangles; uint32_t programs; uint32_t uploads; uint64_t upload_bytes; uint32_t gl_calls; uint32_t gl_questions; uint64_t sea_bytes; } bolan_frame_statistics;
+typedef struct bolan_frame_statistics { uint32_t pass_count; struct { const char *name; double ms; uint32_t gl_calls; } passes[16]; uint32_t samples; uint32_t triangles; uint32_t water_triangles; uint32_t programs; uint32_t uploads; uint64_t upload_bytes; uint32_t gl_calls; uint32_t gl_questions; uint64_t sea_bytes; } bolan_frame_statistics;
 void bolan_renderer_measure_passes(bolan_renderer *renderer, bool on);
 bolan_frame_statistics bolan_renderer_statistics(const bolan_renderer *renderer);
 double bolan_renderer_memory_rate(bolan_renderer *renderer, uint32_t repeats);

@@ -322,6 +322,7 @@ class FrameStatistics(Struct):
     pass_count: How many entries of `passes` are filled.
     passes: Name of each pass, and its time [ms] while bolan_renderer_measure_passes() is on; else 0. With several samples,
         of one of them. `gl_calls`: the OpenGL functions that it called.
+    samples: Samples a pixel of which the last view wrote the mean: bolan_view::samples, or with bolan_view::accumulate all.
     triangles: Triangles that were submitted.
     water_triangles: Triangles of the water.
     programs: Shader programs compiled by this renderer since it was created. It rises when a frame of another technique, sea
@@ -338,6 +339,7 @@ class FrameStatistics(Struct):
     _type = "bolan_frame_statistics"
     pass_count: int
     passes: Tuple[Struct, ...]
+    samples: int
     triangles: int
     water_triangles: int
     programs: int
@@ -2126,7 +2128,7 @@ where the last row of the projection is 0 0 1 0.
     jitter: Moves the picture right and up by parts of a pixel; default 0, 0.
         Geometry and footprints are those of the view without it, and motion vectors leave it out.
     motion: Motion vectors, for temporal antialiasing or an upscaler of yours.
-    temporal: True: temporal antialiasing. Default false.
+    temporal: True: temporal antialiasing; not with `accumulate`. Default false.
         Each view has a jitter of its own, besides `jitter`, and is blended with the views before it that were drawn
         with the same `cache`; motion vectors bring those to their places.
         The image is a function of the sequence of views. Display values are blended, as by `samples`, so that a glint
@@ -2141,6 +2143,12 @@ where the last row of the projection is 0 0 1 0.
         Let x and y be multiples of BOLAN_TILE_STEP. A reflection of what stands outside tile and guard is that of the
         sky.
     samples: Supersampling: pictures with shifted pixels that are averaged, 1..256; default 1.
+    accumulate: True: the samples of this view are added to those of the views before it, and the mean of all is written, for
+        an image that gets finer while nothing changes. Default false.
+        Shifts go on where the last view left off: 64 views of one sample show what one view of 64 samples shows.
+        The first view after one without it, of another size, another output or a host begins anew, and so must you
+        after any change: draw one view without it. A renderer holds one such sum, of 64 bytes a pixel.
+        Distances and surfaces that are read back are those of the last sample, not of the pixels' middles.
     output: Default BOLAN_OUTPUT_SRGB.
     progressive: False (default): the picture is a function of step and view alone, whatever was drawn before.
         True: new clouds and new ground are made over several frames, so that a moving eye never waits; until they are
@@ -2164,6 +2172,7 @@ where the last row of the projection is 0 0 1 0.
     temporal: bool
     tile: Struct
     samples: int
+    accumulate: bool
     output: str
     progressive: bool
     without_water: bool
