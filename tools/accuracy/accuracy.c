@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SEEDS = 3, BUOYS = 256, SAMPLES = 1024, SEGMENT = 512, BINS = SEGMENT / 2 - 1, BANDS = 38 };
+enum { SEEDS = 32, BUOYS = 64, SAMPLES = 1024, SEGMENT = 512, BINS = SEGMENT / 2 - 1, BANDS = 38 };
 #define RATE 2.0    // [Hz]
 #define BAND 1.0718 // a tenth of an octave
 #define LOWEST 0.05 // [Hz]
