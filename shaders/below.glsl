@@ -181,19 +181,17 @@ vec3 veil_with_shafts(vec3 sunlight, vec3 dir, float reach) {
 
 // What the ray meets, and its radiance there.
 vec3 seen_thing(ivec2 pixel, vec2 uv, vec3 ray, vec3 dir, out float reach) {
-    vec4 shape = texelFetch(surface_rest, pixel, 0);
+    uvec4 texel = texelFetch(surface_shape, pixel, 0);
     reach = FARTHEST;
-    if (shape.w > 0.0) {
-        vec4 mesh = texelFetch(surface_fields, ivec3(pixel, 0), 0);
-        vec4 bend = texelFetch(surface_fields, ivec3(pixel, 1), 0);
-        vec2 rest = shape_rest_point(shape);
-        vec3 position = ray / shape.w;
+    if (texel.x != 0u) {
+        vec3 position = ray / shape_depth(texel);
+        water_shape s = shape_of(texel, position.xy);
         reach = length(position);
         footprint f = pixel_footprint(vec3(-dir.xy, abs(dir.z)), reach, vec2(0.0));
-        wave_fields w = waves_at(rest, sea_place(shape.xy, bend.xyz), f, eye_gust, mesh.w,
-                                 vec4(mesh.xy, mesh.z - 4.0, 0.0));
-        vec3 hidden = hidden_slopes(rest, f, mesh.w) * eye_gust * eye_gust;
-        return surface_from_below(position, dir, w.slope, hidden, sun_light * bend.w);
+        wave_fields w = waves_at(s.rest, place_of(s.rest), f, eye_gust, s.depth,
+                                 vec4(s.slope, s.spacing, 0.0));
+        vec3 hidden = hidden_slopes(s.rest, f, s.depth) * eye_gust * eye_gust;
+        return surface_from_below(position, dir, w.slope, hidden, sun_light * cloud_shadow(position.xy));
     }
 #ifdef LAND
     vec3 at;

@@ -23,17 +23,17 @@ out vec4 color;
 uniform sampler2D sparse_light; // premultiplied by the share of water
 uniform vec4 places;            // x, y: from a pixel's column to the samples': scale, origin; z: the last of those
 #ifdef KEPT
-#pragma unit shape_rest 16
-uniform highp sampler2D shape_rest; // w: 0 where there is no water
+#include "common/shape.glsl"
+#include "common/shape_maps.glsl"
 
 // Samples of nearer or farther water, across the edge of a wave, count little. `share`: of the samples in those
 // columns.
 const float OTHER_WATER = 0.1, OTHER_SHARE = 0.01; // difference of the distance over it
 vec2 edges_kept(vec2 share, ivec2 from, int next) {
-    vec2 at = min((vec2(from.x, next) + 0.5) / places.x, vec2(textureSize(shape_rest, 0).x) - 0.5);
-    float here = texelFetch(shape_rest, ivec2(gl_FragCoord.xy), 0).w;
-    vec2 there = vec2(texelFetch(shape_rest, ivec2(int(at.x), from.y), 0).w,
-                      texelFetch(shape_rest, ivec2(int(at.y), from.y), 0).w);
+    vec2 at = min((vec2(from.x, next) + 0.5) / places.x, vec2(textureSize(surface_shape, 0).x) - 0.5);
+    float here = shape_depth(texelFetch(surface_shape, ivec2(gl_FragCoord.xy), 0));
+    vec2 there = vec2(shape_depth(texelFetch(surface_shape, ivec2(int(at.x), from.y), 0)),
+                      shape_depth(texelFetch(surface_shape, ivec2(int(at.y), from.y), 0)));
     share *= mix(vec2(1.0), vec2(OTHER_SHARE), greaterThan(abs(there - here), vec2(OTHER_WATER * here)));
     return share / (share.x + share.y);
 }
@@ -41,7 +41,7 @@ vec2 edges_kept(vec2 share, ivec2 from, int next) {
 
 void main() {
 #if defined(KEPT) && defined(OPAQUE)
-    if (texelFetch(shape_rest, ivec2(gl_FragCoord.xy), 0).w == 0.0) discard;
+    if (texelFetch(surface_shape, ivec2(gl_FragCoord.xy), 0).x == 0u) discard;
 #endif
 #ifdef TRIM
     round_earth(water_place.xy);

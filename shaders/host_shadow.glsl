@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shadows of a host's objects on the water: the share of the sun that water_shape.glsl left for a pixel times the share
+// Shadows of a host's objects on the water: the share of the sun that is left for a pixel times the share
 // that the host's shadow map lets through, by blending. Four texels are compared and weighed by their distance.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
@@ -7,9 +7,9 @@ void main() { fullscreen(0.0); }
 #endif
 #ifdef FRAGMENT
 #include "common/frame.glsl"
-#pragma unit surface_rest 16
+#include "common/shape.glsl"
+#include "common/shape_maps.glsl"
 #pragma unit shadow_map 15
-uniform highp sampler2D surface_rest; // of water_shape.glsl; w: window depth
 uniform highp sampler2D shadow_map;
 uniform vec4 shadow_matrix[4]; // columns: eye-relative world -> place in the map, and depth as it holds it
 uniform float shadow_bias;     // in that depth
@@ -32,10 +32,10 @@ float lit_share(vec3 at) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float depth = texelFetch(surface_rest, pixel, 0).w;
+    float depth = shape_depth(texelFetch(surface_shape, pixel, 0));
     if (depth <= 0.0) discard; // no water here
     vec3 p = frame_ray((vec2(pixel) + 0.5) * pixel_size) / depth;
     vec4 at = shadow_matrix[0] * p.x + shadow_matrix[1] * p.y + shadow_matrix[2] * p.z + shadow_matrix[3];
-    color = vec4(1.0, 1.0, 1.0, lit_share(at.xyz / at.w));
+    color = vec4(lit_share(at.xyz / at.w));
 }
 #endif

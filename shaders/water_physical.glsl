@@ -180,6 +180,10 @@ float shore_cover(vec2 rest, float depth, float water_path, vec2 noise) {
 }
 #endif
 
+#pragma unit sun_share 17
+uniform sampler2D sun_share; // that the objects of the host and of the scene leave; a single texel where there are none
+float sun_left(ivec2 pixel) { return texelFetch(sun_share, min(pixel, textureSize(sun_share, 0) - 1), 0).r; }
+
 // A pixel of water before it is shaded.
 struct water_here {
     vec3 position, view;    // eye-relative; towards the eye
@@ -201,9 +205,9 @@ struct water_here {
 // Slope covariance that the mesh lacks: a wave of three spacings fades to half on it, as it does under a pixel 1.4
 // spacings wide.
 const float MESH_WIDTH = 1.4;
-vec3 slopes_beyond_mesh(vec2 rest, footprint f, float depth, float coded) {
+vec3 slopes_beyond_mesh(vec2 rest, footprint f, float depth, float spacing) {
 #ifndef WAVES_MESH // where the vertices carry all waves, the texture fetches resolve no more than the mesh
-    f.major = f.minor = MESH_WIDTH * exp2(coded - 16.0);
+    f.major = f.minor = MESH_WIDTH * exp2(spacing);
 #endif
     return hidden_slopes(rest, f, depth);
 }
@@ -217,33 +221,33 @@ float waves_left(float depth) {
 #endif
 }
 
-water_here water_at(ivec2 pixel, vec2 uv, vec4 shape) {
-    vec4 mesh = texelFetch(surface_fields, ivec3(pixel, 0), 0), bend = texelFetch(surface_fields, ivec3(pixel, 1), 0);
+water_here water_at(ivec2 pixel, vec2 uv, uvec4 texel) {
     water_here p;
-    p.position = frame_ray(uv) / shape.w;
-    p.rest = shape_rest_point(shape);
-    p.depth = mesh.w;
+    p.position = frame_ray(uv) / shape_depth(texel);
+    water_shape shape = shape_of(texel, p.position.xy);
+    p.rest = shape.rest;
+    p.depth = shape.depth;
+    sea_place read = place_of(p.rest);
     p.height = earth_height(p.position.z, eye_height, dot(p.position.xy, p.position.xy), earth_radius);
     float dist = length(p.position), left = waves_left(p.depth);
     p.view = -p.position / dist;
     p.air = air_at(uv, dist, p.view.z);
-    p.shade = bend.w;
+    p.shade = cloud_shadow(p.position.xy) * sun_left(pixel);
     float gust = p.air.gust;
-    p.place = pixel_footprint(p.view, dist, mesh.xy);
-    vec3 beyond = slopes_beyond_mesh(p.rest, p.place, p.depth, mesh.z) * gust * gust;
-    p.whole = facets_seen(p.view, mesh.xy, beyond);
+    p.place = pixel_footprint(p.view, dist, shape.slope);
+    vec3 beyond = slopes_beyond_mesh(p.rest, p.place, p.depth, shape.spacing) * gust * gust;
+    p.whole = facets_seen(p.view, shape.slope, beyond);
     // The visible length of the water under the pixel is that which other waves do not hide.
     p.place.major = max(p.place.minor, min(p.place.major, dist * radians_per_pixel / max(p.whole.area, 0.01)));
-    p.waves = waves_at(p.rest, sea_place(shape.xy, bend.xyz), p.place, gust, p.depth,
-                       vec4(mesh.xy, mesh.z - 4.0, 0.0));
+    p.waves = waves_at(p.rest, read, p.place, gust, p.depth, vec4(shape.slope, shape.spacing, 0.0));
     p.width = max(p.place.minor, p.place.major / float(TAPS));
     p.hidden = hidden_slopes(p.rest, p.place, p.depth);
     p.roughness = p.hidden * gust * gust;
 #ifdef WAVES_CASCADES
-    add_fine(sea_place(shape.xy, bend.xyz), p.place, gust, p.depth, p.waves.slope, p.roughness);
+    add_fine(read, p.place, gust, p.depth, p.waves.slope, p.roughness);
 #endif
     vec3 total = mix(beyond, slope_total, left * left);
-    p.near = surroundings_of(mesh.xy, beyond, total, p.height / (height_deviation * left));
+    p.near = surroundings_of(shape.slope, beyond, total, p.height / (height_deviation * left));
     p.slope = seen_slope(p.view, p.waves.slope, p.near, p.whole, p.roughness);
     p.seen = facets_seen(p.view, p.slope, p.roughness);
     p.normal = normalize(vec3(-p.slope, 1.0));
@@ -371,9 +375,9 @@ const float FILM = 0.12; // depth within which the water's edge fades into wet s
 bool shade(vec2 centre, out vec4 color) {
     ivec2 pixel = sampled_pixel(centre);
     vec2 uv = (vec2(pixel) + 0.5) * pixel_size;
-    vec4 shape = texelFetch(surface_rest, pixel, 0);
+    uvec4 shape = texelFetch(surface_shape, pixel, 0);
     color = vec4(0.0);
-    if (shape.w == 0.0) return false;
+    if (shape.x == 0u) return false;
     water_here p = water_at(pixel, uv, shape);
     vec3 sunlight = sun_light * p.shade;
     float water_path;

@@ -10,24 +10,19 @@ void main() { water_vertex(); }
 
 #ifdef FRAGMENT
 #include "common/shape.glsl"
-layout(location = 0) out vec4 out_mesh; // slope of the mesh; 16 + log2 of its spacing [m], or where it carries the
-                                        // waves 4 + its jacobian; depth of the mean water [m]
-layout(location = 1) out vec4 out_bend; // bend of sea_place; w: share of the sun that passes the clouds
-layout(location = 2) out vec4 out_rest; // common/shape.glsl
+layout(location = 0) out uvec4 out_shape;
 
 const float FLAT_SPACING = 10000.0; // of a mesh without waves [m]: longer than any
 
 void main() {
     water_pixel p = water_here();
-    out_rest = shape_texel(p.rest, p.place, gl_FragCoord.z);
 #ifdef WAVES_MESH
-    float coded = 4.0 + clamp(p.mesh.z, -3.0, 3.0);
+    float spacing = p.mesh.z;
 #elif defined(QUAD)
-    float coded = 16.0 + log2(FLAT_SPACING);
+    float spacing = log2(FLAT_SPACING);
 #else
-    float coded = 16.0 + log2(max(p.spacing, 1e-3));
+    float spacing = log2(max(p.spacing, 1e-3));
 #endif
-    out_mesh = vec4(p.mesh.xy, coded, p.depth);
-    out_bend = vec4(p.place.bend, p.shade);
+    out_shape = shape_texel(water_shape(p.rest, p.mesh.xy, spacing, p.depth), seen_position(p), gl_FragCoord.w);
 }
 #endif

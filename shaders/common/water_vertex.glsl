@@ -245,6 +245,15 @@ water_pixel water_here() {
     return p;
 }
 
+// Eye-relative xy of the drawn surface: a flat one lies before the round earth.
+vec2 seen_position(water_pixel p) {
+#ifdef QUAD
+    return water_place.xy;
+#else
+    return p.position.xy;
+#endif
+}
+
 footprint water_footprint(water_pixel p, vec3 view, float dist) {
     return mesh_footprint(pixel_footprint(view, dist, p.mesh.xy), p.spacing);
 }

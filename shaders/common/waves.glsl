@@ -195,7 +195,7 @@ vec3 wave_offset(vec2 rest, sea_place place, float spacing, float depth, out vec
 
 // ---- pixels ---------------------------------------------------------------------------------------------------------
 
-#ifndef VERTEX
+#if !defined(VERTEX) || defined(FRAGMENT) // compute shaders too; a probe has both
 // Most texture fetches along the long side of the pixel's footprint. The quality sets TAPS; the default serves an
 // offline compiler.
 #ifndef TAPS

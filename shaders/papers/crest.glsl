@@ -39,10 +39,7 @@ void main() { fullscreen(0.0); }
 #endif
 out vec4 color;
 
-#pragma unit shape_rest 16
-#pragma unit shape_fields 17
-uniform highp sampler2D shape_rest; // of crest_shape.glsl
-uniform sampler2D shape_fields;
+#include "common/shape_maps.glsl"
 
 layout(std140) uniform Optics {
 #include "shared/crest_block.glsl"
@@ -75,19 +72,18 @@ struct crest_pixel {
     vec4 mesh;
 };
 
-crest_pixel pixel_here(ivec2 at, vec4 shape) {
+crest_pixel pixel_here(ivec2 at, uvec4 texel) {
     crest_pixel p;
     vec2 uv = (vec2(at) + 0.5) * pixel_size;
-    p.position = frame_ray(uv) / shape.w;
-    p.rest = shape_rest_point(shape);
-    p.place = sea_place(shape.xy, vec3(0.0));
+    p.position = frame_ray(uv) / shape_depth(texel);
+    water_shape shape = shape_of(texel, p.position.xy);
+    p.rest = shape.rest;
+    p.place = place_of(p.rest);
     p.dist = sqrt(dot(p.position, p.position));
     p.view = -p.position / p.dist;
     p.mesh = vec4(0.0, 0.0, 1.0, 0.0);
 #ifdef WAVES_MESH
-    p.mesh = texelFetch(shape_fields, at, 0);
-#elif defined(WAVES_CASCADES)
-    p.place.bend = texelFetch(shape_fields, at, 0).xyz;
+    p.mesh = vec4(shape.slope, shape.spacing, shape.depth);
 #endif
     p.width = max(p.dist * radians_per_pixel, 1e-4);
     p.width = max(p.width * shade_columns, p.width / (float(TAPS) * clamp(p.view.z, 0.02, 1.0)));
@@ -248,7 +244,7 @@ vec3 false_colors(float mask, float foam, float reflectance, vec3 normal) {
     return vec3(mask, foam, rest) * (0.35 + 0.65 * reflectance + 0.3 * normal.x) / max(exposure, vec3(1e-9));
 }
 
-vec3 light_here(ivec2 at, vec4 shape) {
+vec3 light_here(ivec2 at, uvec4 shape) {
     crest_pixel p = pixel_here(at, shape);
     wave_fields w = waves_here(p);
     float flat_length = max(sqrt(dot(p.view.xy, p.view.xy)), 1e-4);
@@ -297,12 +293,12 @@ vec3 light_here(ivec2 at, vec4 shape) {
 
 void main() {
     ivec2 at = sampled_pixel(gl_FragCoord.xy);
-    vec4 shape = texelFetch(shape_rest, at, 0);
+    uvec4 shape = texelFetch(surface_shape, at, 0);
     color = vec4(0.0);
     // a loop: software OpenGL goes past one that no pixel enters, and on to the end of a discard
-    for (int water = 0; water < 1 && shape.w > 0.0; ++water) color = vec4(light_here(at, shape), 1.0);
+    for (int water = 0; water < 1 && shape.x != 0u; ++water) color = vec4(light_here(at, shape), 1.0);
 #ifndef SPARSE // there, what is cleared is no water
-    if (shape.w == 0.0) discard;
+    if (shape.x == 0u) discard;
 #endif
 }
 #endif

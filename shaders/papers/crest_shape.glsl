@@ -10,18 +10,14 @@ void main() { water_vertex(); }
 
 #ifdef FRAGMENT
 #include "common/shape.glsl"
-layout(location = 0) out vec4 out_rest; // common/shape.glsl
-#if defined(WAVES_MESH) || defined(WAVES_CASCADES)
-layout(location = 1) out vec4 out_fields; // WAVES_MESH: slope, jacobian, foam of the mesh; cascades: bend of sea_place
-#endif
+layout(location = 0) out uvec4 out_shape;
 
 void main() {
     water_pixel p = water_here();
-    out_rest = shape_texel(p.rest, p.place, gl_FragCoord.z);
+    vec4 mesh = vec4(0.0);
 #ifdef WAVES_MESH
-    out_fields = p.mesh;
-#elif defined(WAVES_CASCADES)
-    out_fields = vec4(p.place.bend, 0.0);
+    mesh = p.mesh; // foam in the place of the depth
 #endif
+    out_shape = shape_texel(water_shape(p.rest, mesh.xy, mesh.z, mesh.w), seen_position(p), gl_FragCoord.w);
 }
 #endif

@@ -16,13 +16,12 @@
 #include <math.h>
 #include <stddef.h>
 
-enum { FIELDS = 2, FIELD_OF_SUN = 1 }; // outputs that are fields, and that of them which holds the share of the sun
-
-// What has the size of a view: 32 bytes a pixel.
+// What has the size of a view: 16 bytes a pixel, 17 where something casts shadows.
 typedef struct shape {
-    gl_texture fields, rest; // outputs of water_shape.glsl; a layer for each field
-    gl_target target;        // they, and the frame's depth
-    gl_target sun;           // the share of the sun among them
+    gl_texture kept;  // output of water_shape.glsl
+    gl_target target; // it, and the frame's depth
+    gl_texture sun;   // share of the sun that objects leave; made when it is first needed
+    gl_target sun_target;
     water_air air;
     gl_texture land; // land_mirror.glsl, where there is land
     gl_target land_target;
@@ -33,8 +32,10 @@ typedef struct physical {
     bolan_quality quality;
     kept_sizes kept;
     shape shapes[KEPT_SIZES];
-    shape *shape;       // of the present size
-    gl_sampler sampler; // of a host's shadow map
+    shape *shape;          // of the present size
+    gl_sampler sampler;    // of a host's shadow map
+    gl_texture no_shadow;  // a texel: no object takes any of the sun
+    const gl_texture *sun; // share that objects leave in the present view
     below_water below;
     gl_texture foam_noise;
     caustic_maps caustics;
@@ -63,20 +64,29 @@ static uint32_t light_variant(bolan_quality quality, bool streaks) {
     return 1u << quality | (streaks ? LIGHT_STREAKS : 0);
 }
 
+static bolan_result create_no_shadow(physical *p) {
+    static const uint8_t all = 255;
+    const gl_texture_desc desc = {.format = GL_FMT_R8, .width = 1, .height = 1};
+    const bolan_result result = bolan_gl_texture_create(&desc, &p->no_shadow);
+    if (result == BOLAN_OK) bolan_gl_texture_upload(&p->no_shadow, 0, -1, &all, false);
+    return result;
+}
+
 static bolan_result create(void *state, bolan_quality quality) {
     physical *p = state;
     p->quality = quality;
     bolan_gl_sampler_create(&p->sampler, false);
     bolan_result result = bolan_caustics_create(&p->caustics, quality);
     if (result == BOLAN_OK) result = bolan_spray_create(&p->spray);
+    if (result == BOLAN_OK) result = create_no_shadow(p);
     return result == BOLAN_OK ? bolan_foam_noise_create(&p->foam_noise) : result;
 }
 
 static void free_shape(shape *s) {
     bolan_gl_target_free(&s->target);
-    bolan_gl_target_free(&s->sun);
-    bolan_gl_texture_free(&s->fields);
-    bolan_gl_texture_free(&s->rest);
+    bolan_gl_target_free(&s->sun_target);
+    bolan_gl_texture_free(&s->sun);
+    bolan_gl_texture_free(&s->kept);
     bolan_water_air_free(&s->air);
     bolan_gl_target_free(&s->land_target);
     bolan_gl_texture_free(&s->land);
@@ -101,20 +111,14 @@ static bolan_result create_land(shape *s, const render_view *v) {
 }
 
 static bolan_result create_shape(shape *s, const render_view *v) {
-    const gl_texture_desc rest = {.format = GL_FMT_RGBA32F,
+    const gl_texture_desc kept = {.format = GL_FMT_RGBA32UI,
                                   .width = v->width,
                                   .height = v->height,
                                   .filter = GL_FILTER_NEAREST,
                                   .wrap = GL_WRAP_CLAMP};
-    gl_texture_desc fields = rest;
-    fields.format = GL_FMT_RGBA16F;
-    fields.array = true;
-    fields.depth = FIELDS;
-    const gl_texture *colors[FIELDS + 1] = {&s->fields, &s->fields, &s->rest}, *field = &s->fields;
-    bolan_result result = bolan_gl_texture_create(&rest, &s->rest);
-    if (result == BOLAN_OK) result = bolan_gl_texture_create(&fields, &s->fields);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(colors, FIELDS + 1, v->hdr_depth, 0, 0, &s->target);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(&field, 1, NULL, FIELD_OF_SUN, 0, &s->sun);
+    const gl_texture *color = &s->kept;
+    bolan_result result = bolan_gl_texture_create(&kept, &s->kept);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(&color, 1, v->hdr_depth, -1, 0, &s->target);
     if (result == BOLAN_OK) result = bolan_water_air_create(&s->air, v);
     if (result == BOLAN_OK) result = create_land(s, v);
     if (result == BOLAN_OK) s->depth_serial = v->depth_serial;
@@ -143,6 +147,7 @@ static void free_all(void *state) {
     for (int i = 0; i < KEPT_SIZES; ++i) free_shape(&p->shapes[i]);
     bolan_below_free(&p->below);
     bolan_gl_texture_free(&p->foam_noise);
+    bolan_gl_texture_free(&p->no_shadow);
     bolan_caustics_free(&p->caustics);
     bolan_spray_free(&p->spray);
     bolan_gl_sampler_free(&p->sampler);
@@ -187,10 +192,21 @@ static void set_fine(physical_block *b, const render_view *v) {
 static bool draw_shape(physical *p, const water_draw *d) {
     if (!bolan_water_program(d, &shape_shader, 0)) return false;
     bolan_gl_target_bind(&p->shape->target);
-    bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    bolan_gl_target_clear_integers();
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     bolan_water_mesh_draw(d->mesh);
     return true;
+}
+
+static bolan_result create_sun(shape *s, const render_view *v) {
+    const gl_texture_desc desc = {.format = GL_FMT_R8,
+                                  .width = v->width,
+                                  .height = v->height,
+                                  .filter = GL_FILTER_NEAREST,
+                                  .wrap = GL_WRAP_CLAMP};
+    const gl_texture *color = &s->sun;
+    const bolan_result result = bolan_gl_texture_create(&desc, &s->sun);
+    return result == BOLAN_OK ? bolan_gl_target_create(&color, 1, NULL, -1, 0, &s->sun_target) : result;
 }
 
 // Takes the share that a host's objects leave from the sun's.
@@ -200,23 +216,36 @@ static void draw_shadow(const physical *p, const water_draw *d) {
     if (g == NULL) return;
     bolan_gl_program_vec4_array(g, "shadow_matrix", host->shadow_matrix.m, 4);
     bolan_gl_program_float(g, "shadow_bias", host->shadow_bias);
-    bolan_gl_target_bind(&p->shape->sun);
     bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_MULTIPLY});
-    bolan_gl_texture_bind(&p->shape->rest, UNIT_OWN + 1);
     bolan_gl_guest_texture_bind(host->shadow, UNIT_OWN, &p->sampler);
     bolan_gl_draw_fullscreen();
     bolan_gl_guest_texture_bind(0, UNIT_OWN, NULL);
 }
 
 // The same for the scene's objects.
-static void draw_object_shadow(const physical *p, const water_draw *d) {
+static void draw_object_shadow(const water_draw *d) {
     const gl_program *g = bolan_water_program(d, &object_shadow_shader, 0);
     if (g == NULL) return;
     bolan_casters_use(d->view, g);
-    bolan_gl_target_bind(&p->shape->sun);
     bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_MULTIPLY});
-    bolan_gl_texture_bind(&p->shape->rest, UNIT_OWN + 1);
     bolan_gl_draw_fullscreen();
+}
+
+// What casts shadows on the water above which the eye is.
+static bool draw_shadows(physical *p, const water_draw *d) {
+    const bolan_host *host = d->view->frame->host;
+    const bool guests = host != NULL && host->shadow != 0, own = d->view->caster_count > 0;
+    p->sun = &p->no_shadow;
+    if (!guests && !own) return true;
+    shape *s = p->shape;
+    if (s->sun_target.id == 0 && create_sun(s, d->view) != BOLAN_OK) return false;
+    bolan_gl_target_bind(&s->sun_target);
+    bolan_gl_target_clear_color(1.0f, 1.0f, 1.0f, 1.0f);
+    bolan_gl_texture_bind(&s->kept, UNIT_OWN + 1);
+    if (guests) draw_shadow(p, d);
+    if (own) draw_object_shadow(d);
+    p->sun = &s->sun;
+    return true;
 }
 
 static bool draw_land(shape *s, const water_draw *d) {
@@ -226,11 +255,6 @@ static bool draw_land(shape *s, const water_draw *d) {
     bolan_gl_draw_fullscreen();
     bolan_gl_texture_generate_mipmaps(&s->land);
     return true;
-}
-
-static void bind_shape(const shape *s) {
-    bolan_gl_texture_bind(&s->rest, UNIT_OWN + 1);
-    bolan_gl_texture_bind(&s->fields, UNIT_OWN + 2);
 }
 
 static void light(void *state, const water_draw *d, water_rows rows) {
@@ -246,7 +270,8 @@ static void light(void *state, const water_draw *d, water_rows rows) {
         bolan_water_blocks_patch_optics(d->blocks, offsetof(physical_block, old_foam_memory), law, FOAM_LAW_THRESHOLD,
                                         2); // and memory_variance
     bolan_gl_texture_bind(&p->foam_noise, UNIT_FOAM_DETAIL);
-    bind_shape(p->shape);
+    bolan_gl_texture_bind(&p->shape->kept, UNIT_OWN + 1);
+    bolan_gl_texture_bind(p->sun, UNIT_OWN + 2);
     bolan_gl_texture_bind(&p->shape->air.map, UNIT_OWN + 3);
     bolan_gl_texture_bind(&p->shape->land, UNIT_OWN + 4);
     if (d->fields->now->fine.id != 0) bolan_gl_texture_bind(&d->fields->now->fine, UNIT_FINE);
@@ -269,11 +294,9 @@ static void list(const void *state, const water_setup *s, water_programs *all) {
 
 static bool make_shape(void *state, const water_draw *d) {
     physical *p = state;
-    const bolan_host *host = d->view->frame->host;
     if (fit_shape(p, d->view) != BOLAN_OK || !draw_shape(p, d)) return false;
     if (d->view->medium == EYE_IN_WATER) return false; // draw_below() shades it
-    if (host != NULL && host->shadow != 0) draw_shadow(p, d);
-    if (d->view->caster_count > 0) draw_object_shadow(p, d);
+    if (!draw_shadows(p, d)) return false;
     if (d->view->frame->behind && !draw_land(p->shape, d)) return false;
     return bolan_water_air_draw(&p->shape->air, d);
 }
@@ -288,7 +311,7 @@ static void behind(void *state, const water_draw *d, const world_drawer *world) 
 
 static void draw_below(void *state, const water_draw *d) {
     physical *p = state;
-    bind_shape(p->shape);
+    bolan_gl_texture_bind(&p->shape->kept, UNIT_OWN + 1);
     bolan_below_draw(&p->below, d);
 }
 

@@ -52,6 +52,7 @@ typedef enum gl_format {
     GL_FMT_RGBA16F,
     GL_FMT_R32F,
     GL_FMT_RGBA32F,
+    GL_FMT_RGBA32UI, // whole numbers: never filtered, cleared by bolan_gl_target_clear_integers()
     GL_FMT_R11G11B10F,
     GL_FMT_DEPTH32F
 } gl_format;
@@ -150,6 +151,7 @@ void bolan_gl_target_bind_external(uint32_t framebuffer, uint32_t x, uint32_t y,
 // From now on only the lowest rows of a target are drawn and cleared, at their own places; 0: all of it.
 void bolan_gl_clip_rows(uint32_t rows);
 void bolan_gl_target_clear_color(float r, float g, float b, float a);
+void bolan_gl_target_clear_integers(void); // the first colour, to 0
 void bolan_gl_target_clear_depth(float depth);
 void bolan_gl_target_copy_color(const gl_target *from, const gl_target *to);
 void bolan_gl_target_copy_depth(const gl_target *from, const gl_target *to); // same size and format

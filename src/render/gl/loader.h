@@ -18,6 +18,7 @@
     X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) X(BindFramebuffer) \
     X(BindSampler) X(BindTexture) X(BindVertexArray) X(BlendEquation) X(BlendEquationSeparate) X(BlendFunc) \
     X(BlendFuncSeparate) X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) \
+    X(ClearBufferuiv) \
     X(ClearColor) X(ClientWaitSync) X(ColorMask) X(CompileShader) X(CopyBufferSubData) X(CreateProgram) \
     X(CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) \
     X(DeleteSamplers) X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) \
@@ -123,6 +124,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glClampColor bolan_gl_called(ClampColor)
 #undef glClear
 #define glClear bolan_gl_called(Clear)
+#undef glClearBufferuiv
+#define glClearBufferuiv bolan_gl_called(ClearBufferuiv)
 #undef glClearColor
 #define glClearColor bolan_gl_called(ClearColor)
 #undef glClearDepth

@@ -77,6 +77,12 @@ void bolan_gl_target_clear_color(float r, float g, float b, float a) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
+void bolan_gl_target_clear_integers(void) {
+    const GLuint zero[4] = {0};
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearBufferuiv(GL_COLOR, 0, zero);
+}
+
 void bolan_gl_target_clear_depth(float depth) {
     glDepthMask(GL_TRUE);
     glClearDepthf(depth);

@@ -11,6 +11,7 @@ static const format_info formats[] = {
     [GL_FMT_RGBA16F] = {GL_RGBA16F, GL_RGBA, GL_FLOAT, true, false, 4},
     [GL_FMT_R32F] = {GL_R32F, GL_RED, GL_FLOAT, false, true, 1},
     [GL_FMT_RGBA32F] = {GL_RGBA32F, GL_RGBA, GL_FLOAT, false, true, 4},
+    [GL_FMT_RGBA32UI] = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, false, true, 4},
     [GL_FMT_R11G11B10F] = {GL_R11F_G11F_B10F, GL_RGB, GL_FLOAT, false, false, 3},
     [GL_FMT_DEPTH32F] = {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, false, false, 1},
 };

@@ -20,10 +20,10 @@
 // sun.
 enum { TABLE_SLOPES = FOAM_RAMP_ROWS, TABLE_ROWS };
 
-// What has the size of a view: 24 bytes a pixel.
+// What has the size of a view: 16 bytes a pixel.
 typedef struct crest_targets {
-    gl_texture rest, fields;       // outputs of crest_shape.glsl
-    gl_target shape, shape_fields; // the first alone, and both
+    gl_texture kept; // output of crest_shape.glsl
+    gl_target shape; // it, and the frame's depth
     water_air air;
     uint64_t depth_serial; // of the frame's depth that shape draws with
 } crest_targets;
@@ -98,24 +98,18 @@ static bolan_result create(void *state, bolan_quality quality) {
 
 static void free_pictures(crest_targets *p) {
     bolan_gl_target_free(&p->shape);
-    bolan_gl_target_free(&p->shape_fields);
-    bolan_gl_texture_free(&p->rest);
-    bolan_gl_texture_free(&p->fields);
+    bolan_gl_texture_free(&p->kept);
     bolan_water_air_free(&p->air);
     p->depth_serial = 0;
 }
 
 static bolan_result create_pictures(crest_targets *p, const render_view *v) {
-    gl_texture_desc rest = {
-        .format = GL_FMT_RGBA32F, .width = v->width, .height = v->height, .filter = GL_FILTER_NEAREST};
-    gl_texture_desc fields = rest;
-    fields.format = GL_FMT_RGBA16F;
-    const gl_texture *shapes[] = {&p->rest, &p->fields};
-    bolan_result result = bolan_gl_texture_create(&rest, &p->rest);
-    if (result == BOLAN_OK) result = bolan_gl_texture_create(&fields, &p->fields);
+    const gl_texture_desc kept = {
+        .format = GL_FMT_RGBA32UI, .width = v->width, .height = v->height, .filter = GL_FILTER_NEAREST};
+    const gl_texture *color = &p->kept;
+    bolan_result result = bolan_gl_texture_create(&kept, &p->kept);
     if (result == BOLAN_OK) result = bolan_water_air_create(&p->air, v);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 1, v->hdr_depth, -1, 0, &p->shape);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(shapes, 2, v->hdr_depth, -1, 0, &p->shape_fields);
+    if (result == BOLAN_OK) result = bolan_gl_target_create(&color, 1, v->hdr_depth, -1, 0, &p->shape);
     return result;
 }
 
@@ -181,13 +175,10 @@ static void upload_rough(crest *p, const render_view *v) {
 
 static void prepare(void *state, const water_draw *d) { upload_rough(state, d->view); }
 
-// Whether crest_shape.glsl has a second output for these waves.
-static bool has_fields(water_waves waves) { return waves == WATER_MESH || waves == WATER_CASCADES; }
-
 static bool draw_shape(crest *p, const water_draw *d) {
     if (!bolan_water_program(d, &shape_shader, 0)) return false;
-    bolan_gl_target_bind(has_fields(d->waves) ? &p->now->shape_fields : &p->now->shape);
-    bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
+    bolan_gl_target_bind(&p->now->shape);
+    bolan_gl_target_clear_integers();
     bolan_gl_set_state(&(gl_state){.depth_test = true, .depth_write = true, .color_write = true});
     bolan_water_mesh_draw(d->mesh);
     return true;
@@ -231,8 +222,7 @@ static void draw_rows(crest *p, const water_draw *d, water_rows rows, uint32_t c
     if (!bolan_water_program(d, &light_shader, own_defines(p->quality, cascades, sparse))) return;
     bolan_gl_texture_bind(&p->densities, UNIT_OWN + 4);
     bolan_gl_texture_bind(&p->tables, UNIT_OWN);
-    bolan_gl_texture_bind(&p->now->rest, UNIT_OWN + 1);
-    bolan_gl_texture_bind(&p->now->fields, UNIT_OWN + 2);
+    bolan_gl_texture_bind(&p->now->kept, UNIT_OWN + 1);
     bolan_gl_texture_bind(&p->now->air.map, UNIT_OWN + 3);
     bolan_gl_target_bind_part(&d->view->hdr, 0, rows.from, d->view->hdr.width, rows.to - rows.from);
     bolan_gl_set_state(&(gl_state){.color_write = true});
