@@ -213,8 +213,8 @@ float tap_place(int i, float taps) { return float(i) - 0.5 * (taps - 1.0); }
 
 // log2 of the width that each of so many fetches along a footprint averages over. Fetches as wide as they lie apart
 // would blur the waves sideways as well: far rows had half of the contrast that a path tracer finds
-// (tests/reference). The share of that blur is what brings their contrast nearest.
-const float SIDEWAYS = 0.25;
+// (tests/reference). With this share of that blur they show what the table of unresolved slopes leaves them.
+const float SIDEWAYS = 0.4;
 float fetched_width(footprint f, float taps) {
     float minor = log2(f.minor);
     return mix(minor, max(log2(f.major / taps), minor), SIDEWAYS);

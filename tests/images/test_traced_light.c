@@ -92,7 +92,7 @@ static int first_row(const reference_view *v) {
 //   near       red of the first band, 1 to 5 degrees under the horizon, is 1.14
 //   low_sun    0.74 to 1.05. Open which of both is off: the picture has one mean factor for the shadows of waves, and
 //              in the reference fine waves and capillaries cast none, which makes it too bright
-//   contrast   0.4 to 0.8 of the reference in most bands; a part is the filter of the textures, wider than a pixel
+//   contrast   0.35 to 0.9 of the reference in most bands; a part is the filter of the textures, wider than a pixel
 //
 // Contrast is bounded from below alone, at today's state: that of single bands of the reference with the sun in them
 // has noise of some 30 %.
@@ -100,7 +100,7 @@ typedef struct bound {
     double low, high, contrast;
 } bound;
 static const bound bounds[REFERENCE_VIEWS] = {
-    {0.90, 1.16, 0.55}, {0.90, 1.10, 0.60}, {0.70, 1.15, 0.62}, {0.90, 1.10, 0.32}, {0.90, 1.10, 0.32},
+    {0.90, 1.16, 0.50}, {0.90, 1.10, 0.60}, {0.70, 1.15, 0.60}, {0.90, 1.10, 0.30}, {0.90, 1.10, 0.28},
 };
 
 static bool compare(const reference_view *v, const bound *within, const double *light, const double *reference) {

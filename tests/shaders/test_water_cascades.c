@@ -453,7 +453,7 @@ static const char *const energy_probe =
     "}\n";
 static const char *const rest_probe =
     "vec4 probe(vec4 x) { footprint f = footprint(vec2(cos(x.z), sin(x.z)), x.x, x.y);\n"
-    "f.minor = max(f.minor, f.major / x.w); return vec4(unresolved_slopes(f), 0.0); }";
+    "return vec4(unresolved_slopes(f), 0.0); }";
 
 // What a pixel shows of the slopes and what it leaves to the roughness make the same sum from 1 cm to 1 km, in each
 // component of the covariance, to 3 %: the variance of 4096 places is known to sqrt(1 / 4096) = 1.6 %.
