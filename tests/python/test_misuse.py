@@ -208,7 +208,7 @@ def test_another_version_of_the_library_is_an_import_error(monkeypatch):
 
 
 def test_a_long_call_lets_other_threads_run(sea):
-    xy = numpy.random.default_rng(8).uniform(-500, 500, (600000, 2))
+    xy = numpy.random.default_rng(8).uniform(-500, 500, (2400000, 2))
     stamps, done = [], threading.Event()
 
     def stamp():
