@@ -67,14 +67,6 @@ float spray_jacobian(vec2 rest, float spacing, vec4 kept) {
     return (1.0 + squeeze.x) * (1.0 + squeeze.y) - squeeze.z * squeeze.z;
 }
 
-float spray_depth(vec2 rest) {
-#ifdef LAND
-    return -shore_elevation(rest);
-#else
-    return 1000.0;
-#endif
-}
-
 // A ring shows between the distances at which its neighbours fade in and out; the innermost from the eye on.
 float ring_share(float dist, float side) {
     float outer = 2.0 * float(SPRAY_SIDE) * side, inner = side > 1.5 * SPRAY_CELL ? 0.5 * outer : 0.0;
@@ -115,7 +107,7 @@ void main() {
     // A veil flies level from its crest, but over the water.
     float spacing = 0.25 * block.z;
     vec2 drift = wind_direction * (VEIL_DRIFT * wind_speed * age);
-    vec4 kept = cascades_kept(spray_depth(rest));
+    vec4 kept = cascades_kept(water_depth(rest));
     vec3 crest = spray_offset(rest, spacing, kept), here = spray_offset(rest + drift, spacing, kept);
     float above = VEIL_RISE * scale * (0.15 + life * chance.z) - earth_drop(dot(rest, rest), earth_radius);
     vec3 middle = vec3(rest + drift + crest.xy, max(crest.z, here.z) + above - eye_height);

@@ -50,14 +50,6 @@ flat out vec3 quad_extinction2;
 #endif
 invariant gl_Position; // several programs draw the same water over its own depth
 
-float water_depth(vec2 rest) {
-#ifdef LAND
-    return -shore_elevation(rest);
-#else
-    return 1000.0;
-#endif
-}
-
 #ifndef QUAD
 float least_depth(vec2 rest, float depth) {
     float least = depth;
@@ -217,11 +209,7 @@ water_pixel water_here() {
     p.position *= away;
     p.rest *= away;
     p.place = place_of(p.rest);
-#ifdef LAND
-    p.depth = -shore_elevation(p.rest);
-#else
-    p.depth = 1000.0;
-#endif
+    p.depth = water_depth(p.rest);
     p.least = p.depth;
     p.gust = 1.0;
     p.shade = cloud_shadow(p.position.xy);

@@ -27,6 +27,15 @@ struct sea_place {
 sea_place place_of(vec2 rest) { return sea_place(rest, vec3(0.0)); }
 #endif
 
+// Depth of the mean water at a rest point [m]; where there is no ground it is deep.
+float water_depth(vec2 rest) {
+#ifdef LAND
+    return -shore_elevation(rest);
+#else
+    return 1000.0;
+#endif
+}
+
 // What the waves do at a place. slope: dz/dx, dz/dy of the displaced surface.
 struct wave_fields {
     vec2 slope;

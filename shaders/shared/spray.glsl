@@ -16,11 +16,11 @@
 #define SPRAY_LIFE 1.6      // of a veil [s]
 #define SPRAY_LIVES 4096.0  // after so many the veils repeat
 #define SPRAY_HIGH 150.0    // [m] an eye so high sees none
-#define SPRAY_STANDS 12.0   // above this height over the level nothing of a veil is drawn beyond its crest [m]
+#define SPRAY_FLIES 80.0    // from its crest to the farthest edge of a veil [m]: drift in 70 m/s, and half its length
 
 // How much of the spray of a hurricane there is. "Edges of crests begin to break into spindrift" is Beaufort's force 8,
-// "spray may affect visibility" force 9 (WMO): it is seen from 9 on, 20.8 m/s. The mass of spray goes with about the
-// cube of the wind (Andreas 1998).
+// "spray may affect visibility" force 9 (WMO): it begins in force 8 and is seen from 9 on, 20.8 m/s. The mass of spray
+// goes with about the cube of the wind (Andreas 1998).
 #define SPINDRIFT_BEGINS 18.5 // [m/s]
 #define SPINDRIFT_ALL 33.0
 SHARED real spindrift_share(real wind_speed) {

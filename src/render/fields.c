@@ -37,14 +37,7 @@ static bool cascades_fit(const host_fields *p, const bolan_sea *sea) {
 }
 
 static bool create_cascades(host_fields *p, uint32_t n, uint32_t count, bool storage) {
-    gl_texture_desc desc = {.format = GL_FMT_RGBA16F,
-                            .width = n,
-                            .height = n,
-                            .depth = count,
-                            .array = true,
-                            .storage = storage,
-                            .filter = GL_FILTER_MIPMAP,
-                            .wrap = GL_WRAP_REPEAT};
+    gl_texture_desc desc = bolan_sea_array_desc(n, count, storage);
     bolan_result result = bolan_gl_texture_create(&desc, &p->displacement);
     if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, &p->slopes);
     if (!storage) desc.format = GL_FMT_R16F; // ES has no images of one channel

@@ -3,6 +3,7 @@
 // parallel loop before the next level looks at them, so that parents always hold what their children ask of them.
 #include "ground_tree.h"
 #include "memory.h"
+#include "view.h"
 
 #include "bolan/earth.h"
 #include "shared/earth.glsl"
@@ -171,26 +172,6 @@ static box box_of(const tree_view *v, double west, double south, double size, fl
     return b;
 }
 
-static bool outside_plane(const box *b, float x, float y, float z, float w) {
-    float most = w + x * (x > 0.0f ? b->high[0] : b->low[0]) + y * (y > 0.0f ? b->high[1] : b->low[1]) +
-                 z * (z > 0.0f ? b->high[2] : b->low[2]);
-    return most < 0.0f;
-}
-
-static bool outside_frustum(const bolan_mat4 *view_projection, const box *b) {
-    const float *m = view_projection->m;
-    for (int row = 0; row < 2; row++) {
-        for (int sign = -1; sign <= 1; sign += 2) {
-            float s = (float)sign * 0.99f; // the samples of one picture shift it by parts of a pixel
-            if (outside_plane(b, m[3] + s * m[row], m[7] + s * m[4 + row], m[11] + s * m[8 + row],
-                              m[15] + s * m[12 + row])) {
-                return true;
-            }
-        }
-    }
-    return outside_plane(b, m[3], m[7], m[11], m[15]); // behind the eye
-}
-
 static bool hidden(const tree_view *v, double west, double south, double size, float lowest, float highest) {
     if (highest < v->water_level - DEEPEST_BED) {
         return true;
@@ -203,7 +184,8 @@ static bool hidden(const tree_view *v, double west, double south, double size, f
     if (eye > 0.0 && b.distance > reach * 1.05 + 1000.0) {
         return true;
     }
-    return outside_frustum(&v->view_projection, &b) && !(v->mirrors && !outside_frustum(&v->mirrored, &b));
+    return bolan_outside_frustum(&v->view_projection, b.low, b.high) &&
+           !(v->mirrors && !bolan_outside_frustum(&v->mirrored, b.low, b.high));
 }
 
 // What a pixel covers at the nearest point of a chunk [m]. The bed blurs with the depth of the water over it.

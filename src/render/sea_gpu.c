@@ -134,7 +134,7 @@ static bolan_result create_packed_storage(sea_fields *p, const gl_texture_desc *
     return result;
 }
 
-static gl_texture_desc array_desc(uint32_t n, uint32_t count, bool storage) {
+gl_texture_desc bolan_sea_array_desc(uint32_t n, uint32_t count, bool storage) {
     return (gl_texture_desc){.format = GL_FMT_RGBA16F,
                              .width = n,
                              .height = n,
@@ -150,7 +150,7 @@ static gl_texture_desc array_desc(uint32_t n, uint32_t count, bool storage) {
 static bool fit_textures(sea_fields *p, uint32_t n, uint32_t count, bool packed, bool storage) {
     if (p->displacement.width == n && p->displacement.depth == count && p->packed == packed) return true;
     free_textures(p);
-    const gl_texture_desc desc = array_desc(n, count, storage);
+    const gl_texture_desc desc = bolan_sea_array_desc(n, count, storage);
     p->packed = packed;
     bolan_result result = bolan_gl_texture_create(&desc, &p->displacement);
     if (result == BOLAN_OK)
@@ -468,7 +468,7 @@ static bool upload_fine(sea_gpu *p, sea_fields *to, const bolan_sea *sea, bool s
 // only the motion of the waves is missing.
 static void keep_displacement(sea_fields *f, bool storage) {
     const gl_texture now = f->displacement;
-    const gl_texture_desc desc = array_desc(now.width, now.depth, storage);
+    const gl_texture_desc desc = bolan_sea_array_desc(now.width, now.depth, storage);
     if (now.id == 0) return;
     if (f->displacement_before.id == 0 && bolan_gl_texture_create(&desc, &f->displacement_before) != BOLAN_OK) return;
     f->displacement = f->displacement_before;

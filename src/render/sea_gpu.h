@@ -48,6 +48,8 @@ typedef struct sea_gpu {
     size_t cpu_fold_bytes;
 } sea_gpu;
 
+// Of the textures of `count` cascades of n samples a side; `storage`: compute shaders write them.
+gl_texture_desc bolan_sea_array_desc(uint32_t n, uint32_t count, bool storage);
 bolan_result bolan_sea_gpu_create(sea_gpu *p);
 // Takes the fields of this step: those of its serial where they are kept; else uploads or computes them, into those of
 // the same sea or those that were prepared the longest time ago. Sets f->foam_law. False: they cannot be had (logged).

@@ -16,8 +16,7 @@ enum {
 };
 _Static_assert(ALONG *ALONG *SPRAY_RINGS == SPRAY_BLOCKS, "all blocks have a place");
 
-static const water_shader shader = {.stem = "spray",
-                                    .reads = WATER_FEATURE_CASCADES | WATER_FEATURE_LAND | WATER_FEATURE_LAYERS};
+static const water_shader shader = {.stem = "spray", .reads = WATER_FEATURE_LAND};
 
 static void fill_mesh(float (*corners)[4], uint32_t *indices) {
     static const uint32_t order[6] = {0, 1, 2, 2, 1, 3};
@@ -70,33 +69,19 @@ float bolan_spray_time(double seconds) { return bolan_reduced(seconds / SPRAY_LI
 
 // ---- blocks ---------------------------------------------------------------------------------------------------------
 
-// Whether a ball may be seen: it is not wholly beyond one of the picture's four sides, nor behind the eye.
-static bool is_seen(const render_view *v, bolan_vec3 middle, float radius) {
-    const float *m = v->block.view_projection.m; // columns
-    for (int side = 0; side < 5; ++side) {
-        const float sign = side & 1 ? -1.0f : 1.0f;
-        const int row = side >> 1;
-        bolan_vec4 plane = {m[3], m[7], m[11], m[15]};
-        if (side < 4)
-            plane = (bolan_vec4){plane.x + sign * m[row], plane.y + sign * m[4 + row], plane.z + sign * m[8 + row],
-                                 plane.w + sign * m[12 + row]};
-        const float length = sqrtf(plane.x * plane.x + plane.y * plane.y + plane.z * plane.z);
-        const float at = plane.x * middle.x + plane.y * middle.y + plane.z * middle.z + plane.w;
-        if (at < -radius * length) return false;
-    }
-    return true;
-}
-
 // The block at (x, y) blocks from the eye's, of cells of that side. Its cells are counted from a corner of the wrapped
 // plane.
 static bool fill_block(const render_view *v, int x, int y, double side, double vertical, float block[4]) {
     const double width = side * SPRAY_SIDE, px = v->block.water_wrapped.x, py = v->block.water_wrapped.y;
     const double bx = floor(px / width) + x, by = floor(py / width) + y, blocks = WORLD_WRAP / width;
     const double left = bx * width - px, lower = by * width - py, reach = sqrt(0.5) * width;
-    const bolan_vec3 middle = {(float)(left + 0.5 * width), (float)(lower + 0.5 * width), -v->block.eye_height};
-    if (!is_seen(v, middle, (float)(reach + vertical + SPRAY_STANDS))) return false;
+    const float most = (float)(vertical + SPRAY_FLIES), level = -v->block.eye_height;
+    const float low[3] = {(float)left - most, (float)lower - most, level - most};
+    const float high[3] = {(float)(left + width) + most, (float)(lower + width) + most, level + most};
+    if (bolan_outside_frustum(&v->block.view_projection, low, high)) return false;
     // A ring begins where the one inside it fades.
-    if (side > SPRAY_CELL && hypot(middle.x, middle.y) + reach < 0.75 * SPRAY_SIDE * side) return false;
+    if (side > SPRAY_CELL && hypot(left + 0.5 * width, lower + 0.5 * width) + reach < 0.75 * SPRAY_SIDE * side)
+        return false;
     const double column = (bx - blocks * floor(bx / blocks)) * SPRAY_SIDE;
     const double row = (by - blocks * floor(by / blocks)) * SPRAY_SIDE;
     block[0] = (float)left;

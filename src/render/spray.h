@@ -16,7 +16,7 @@ typedef struct spray {
 bolan_result bolan_spray_create(spray *s);
 // Notes the program that bolan_spray_draw() uses, where there can be spray.
 void bolan_spray_list(const water_setup *s, water_programs *all);
-// With the fields of the waves, the noise of foam and the block Optics bound. Nothing below force 9.
+// With the fields of the waves, the noise of foam and the block Optics bound. Nothing below SPINDRIFT_BEGINS.
 void bolan_spray_draw(const spray *s, const water_draw *d);
 // Time in lives of a veil, modulo SPRAY_LIVES.
 float bolan_spray_time(double seconds);

@@ -241,3 +241,23 @@ void bolan_view_use(render_view *v) {
     bolan_view_fill(v);
     bolan_blocks_upload_view(v->uniforms, &v->block);
 }
+
+// ---- boxes ----------------------------------------------------------------------------------------------------------
+
+static bool outside_plane(const float low[3], const float high[3], float x, float y, float z, float w) {
+    const float most =
+        w + x * (x > 0.0f ? high[0] : low[0]) + y * (y > 0.0f ? high[1] : low[1]) + z * (z > 0.0f ? high[2] : low[2]);
+    return most < 0.0f;
+}
+
+bool bolan_outside_frustum(const bolan_mat4 *view_projection, const float low[3], const float high[3]) {
+    const float *m = view_projection->m;
+    for (int row = 0; row < 2; row++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            const float s = (float)sign * 0.99f; // the samples of one picture shift it by parts of a pixel
+            if (outside_plane(low, high, m[3] + s * m[row], m[7] + s * m[4 + row], m[11] + s * m[8 + row],
+                              m[15] + s * m[12 + row]))
+                return true;
+        }
+    return outside_plane(low, high, m[3], m[7], m[11], m[15]); // behind the eye
+}

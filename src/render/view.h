@@ -84,6 +84,8 @@ void bolan_view_set_near(render_view *v, double distance);
 double bolan_view_row(const render_view *v, double t);
 // Moves the picture by parts of a pixel.
 void bolan_view_shift(render_view *v, bolan_vec2 pixels);
+// Whether a box, eye-relative, lies wholly beyond a side of the image or behind the eye.
+bool bolan_outside_frustum(const bolan_mat4 *view_projection, const float low[3], const float high[3]);
 // The one function that writes the block View.
 void bolan_view_fill(render_view *v);
 // Fills the block and uploads it: what is drawn from here on is drawn from this view.

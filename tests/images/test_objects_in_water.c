@@ -42,18 +42,6 @@ static bolan_scene open_water(double wind, const char *model, bolan_dvec3 place)
     return scene;
 }
 
-// Radiance, three floats a pixel, the top row first; the caller frees it.
-static float *draw(const bolan_scene *scene, uint32_t width, uint32_t height) {
-    stage s;
-    assert_true(stage_open(&s, scene, BOLAN_QUALITY_HIGH, false));
-    picture p = stage_draw(&s, width, height, 1);
-    float *rgb = malloc(sizeof(float) * 3 * width * height);
-    bolan_renderer_read_linear(s.renderer, rgb, NULL);
-    picture_free(&p);
-    stage_close(&s);
-    return rgb;
-}
-
 // The light that leaves the water as the sun and the sky enter it, nothing else.
 #define LIGHT_OF_THE_WATER BOLAN_EFFECT_AMBIENT
 
@@ -66,11 +54,11 @@ static void a_shadow_lies_where_the_sun_puts_it(void **state) {
     scene.look.effects = LIGHT_OF_THE_WATER;
     const double middle = above - 1.0 + 0.56 * 2.0; // of the ellipsoid
     scene.camera = (bolan_camera){.position = {-middle, 0.0, eye}, .pitch_deg = -90.0, .fov_deg = 90.0};
-    float *one = draw(&scene, SIZE, SIZE);
+    float *one = stage_radiance(&scene, SIZE, SIZE);
     scene.objects[1] = scene.objects[0], scene.object_count = 2;
-    float *two = draw(&scene, SIZE, SIZE);
+    float *two = stage_radiance(&scene, SIZE, SIZE);
     scene.object_count = 1, scene.objects[0].position.y = 100.0;
-    float *none = draw(&scene, SIZE, SIZE);
+    float *none = stage_radiance(&scene, SIZE, SIZE);
     const float *a = one + 3 * (SIZE / 2), *b = two + 3 * (SIZE / 2), *c = none + 3 * (SIZE / 2); // a column
     // Across the sun's azimuth the shadow has the radius of the box, 1 m; its soft edge is half dark at sqrt(.85).
     const int at = SIZE / 2;
@@ -103,7 +91,7 @@ static void the_part_below_dims_by_its_depth(void **state) {
     for (int i = 0; i < 4; ++i) {
         scene.objects[0].position.z = i < 3 ? -depths[i] - 0.1 : 0.0;
         scene.object_count = i < 3;
-        float *rgb = draw(&scene, 16, 16);
+        float *rgb = stage_radiance(&scene, 16, 16);
         for (int j = 0; j < 256; ++j)
             for (int k = 0; k < 3; ++k) seen[i][k] += (double)rgb[3 * j + k] / 256.0;
         free(rgb);
@@ -139,7 +127,7 @@ static void a_wall_is_wet_where_waves_reach_it(void **state) {
     assert_int_equal(bolan_model_load(&desc, &model), BOLAN_OK);
     const float albedo = bolan_model_get_view(model).colors[0].y;
     bolan_model_destroy(&model);
-    float *rgb = draw(&scene, WIDTH, HEIGHT);
+    float *rgb = stage_radiance(&scene, WIDTH, HEIGHT);
     const double metre = 0.5 * HEIGHT / tan(bolan_radians(5.0)) / 3.8; // pixels a metre of the wall
     const int over = (int)(0.25 * metre);                              // rows from the middle down to the water
     double wet = 0.0, dry = 0.0;
@@ -161,9 +149,9 @@ static void no_surf_breaks_at_a_hull(void **state) {
     scene.objects[0].heading_deg = 70.0;
     scene.objects[0].floats = true;
     scene.camera = (bolan_camera){.position = {0.0, 0.0, 2.0}, .pitch_deg = -12.0, .fov_deg = 40.0};
-    float *with = draw(&scene, WIDTH, HEIGHT);
+    float *with = stage_radiance(&scene, WIDTH, HEIGHT);
     scene.look.effects &= ~(unsigned)BOLAN_EFFECT_FOAM;
-    float *without = draw(&scene, WIDTH, HEIGHT);
+    float *without = stage_radiance(&scene, WIDTH, HEIGHT);
     double most = 0.0;
     for (int i = 0; i < 3 * WIDTH * HEIGHT; ++i)
         most = fmax(most, fabs((double)with[i] - (double)without[i]) / ((double)without[i] + 0.05));

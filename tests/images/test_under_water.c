@@ -28,18 +28,6 @@ static bolan_scene open_water(double wind) {
     return scene;
 }
 
-// Radiance, three floats a pixel, the top row first; the caller frees it.
-static float *draw(const bolan_scene *scene, uint32_t width, uint32_t height) {
-    stage s;
-    assert_true(stage_open(&s, scene, BOLAN_QUALITY_HIGH, false));
-    picture p = stage_draw(&s, width, height, 1);
-    float *rgb = malloc(sizeof(float) * 3 * width * height);
-    bolan_renderer_read_linear(s.renderer, rgb, NULL);
-    picture_free(&p);
-    stage_close(&s);
-    return rgb;
-}
-
 static void mean_of(const float *rgb, uint32_t pixels, double mean[3]) {
     for (int k = 0; k < 3; ++k) {
         mean[k] = 0.0;
@@ -55,7 +43,7 @@ static void snells_window_has_the_right_radius(void **state) {
     scene.look.effects = BOLAN_EFFECTS_ALL & ~(unsigned)(BOLAN_EFFECT_FOG | BOLAN_EFFECT_GLITTER);
     scene.camera.pitch_deg = 90.0;
     scene.camera.fov_deg = fov;
-    float *rgb = draw(&scene, SIZE, SIZE);
+    float *rgb = stage_radiance(&scene, SIZE, SIZE);
     const float *row = rgb + 3 * (size_t)(SIZE / 2 * SIZE);
     const float inside = row[3 * (SIZE / 2) + 1], outside = row[3 * 2 + 1];
     assert_true(inside > 3.0f * outside);
@@ -101,12 +89,12 @@ static void a_plate_at_ten_metres_has_the_light_that_kd_leaves(void **state) {
         bolan_scene scene = over_plate(0.0, 2.0);
         scene.water.type = types[i];
         scene.look.effects = BOLAN_EFFECTS_ALL & ~(unsigned)(BOLAN_EFFECT_FOG | BOLAN_EFFECT_CAUSTICS);
-        float *rgb = draw(&scene, 32, 32);
+        float *rgb = stage_radiance(&scene, 32, 32);
         mean_of(rgb, 32 * 32, shallow);
         free(rgb);
         scene.objects[0].position.z -= 8.0;
         scene.camera.position.z -= 8.0;
-        rgb = draw(&scene, 32, 32);
+        rgb = stage_radiance(&scene, 32, 32);
         mean_of(rgb, 32 * 32, deep);
         free(rgb);
         const bolan_vec3 kd = bolan_water_optics_from_jerlov(types[i]).kd;
@@ -129,9 +117,9 @@ static void caustics_lose_no_light(void **state) {
         scene.camera.position.y = 0.0;
         scene.camera.fov_deg = 90.0;
         scene.look.effects = BOLAN_EFFECTS_ALL & ~(unsigned)BOLAN_EFFECT_FOG;
-        float *rgb = draw(&scene, SIZE, SIZE);
+        float *rgb = stage_radiance(&scene, SIZE, SIZE);
         scene.look.effects &= ~(unsigned)BOLAN_EFFECT_CAUSTICS;
-        float *flat = draw(&scene, SIZE, SIZE);
+        float *flat = stage_radiance(&scene, SIZE, SIZE);
         mean_of(rgb, SIZE * SIZE, with);
         mean_of(flat, SIZE * SIZE, without);
         for (uint32_t j = 0; j < SIZE * SIZE; ++j) {
@@ -194,9 +182,9 @@ static void a_single_wave_gathers_light_at_its_first_focus(void **state) {
     double k, amplitude;
     fit_wave(bolan_world_water(s.world), &k, &amplitude);
     stage_close(&s);
-    float *rgb = draw(&scene, SIZE, SIZE);
+    float *rgb = stage_radiance(&scene, SIZE, SIZE);
     scene.look.effects &= ~(unsigned)BOLAN_EFFECT_CAUSTICS;
-    float *flat = draw(&scene, SIZE, SIZE);
+    float *flat = stage_radiance(&scene, SIZE, SIZE);
     double most = 0.0;
     for (int x = 0; x < SIZE; ++x) {
         double with = 0.0, without = 0.0;
@@ -263,11 +251,11 @@ static void the_deep_has_the_colour_that_is_seen_from_above(void **state) {
     scene.camera.fov_deg = 10.0;
     scene.camera.position.z = 3.0;
     double above[3], below[3];
-    float *rgb = draw(&scene, 32, 32);
+    float *rgb = stage_radiance(&scene, 32, 32);
     mean_of(rgb, 32 * 32, above);
     free(rgb);
     scene.camera.position.z = -0.7;
-    rgb = draw(&scene, 32, 32);
+    rgb = stage_radiance(&scene, 32, 32);
     mean_of(rgb, 32 * 32, below);
     free(rgb);
     const bolan_vec3 kd = bolan_water_optics_from_jerlov(scene.water.type).kd;
