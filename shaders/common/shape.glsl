@@ -18,10 +18,11 @@ float squeezed_value(uint code, float steps) {
     return c / (1.0 - min(abs(c), 0.999999));
 }
 
-// The offset is that from the pixel's position, over its distance along the view axis. Half a step of 20 bits is a
-// millionth of that distance: a thousandth of a pixel of a picture 1000 pixels wide. Water displaced by n times its
-// distance has (1 + n)^2 times that error.
+// The offset is that from the pixel's position, over its distance along the view axis. With OFFSET_SCALE, half a step of
+// 20 bits is .12 millionths of that distance: a ten thousandth of a pixel of a picture 1000 pixels wide. Water displaced
+// by n times its distance has (1 + 8 n)^2 times that error.
 const float REST_STEPS = 524287.0, SLOPE_STEPS = 32767.0, DEPTH_STEPS = 8191.0;
+const float OFFSET_SCALE = 8.0;
 const float DEPTH_SCALE = 4.0; // depths below it are known best: to a quarter of a millimetre by the shore [m]
 #ifdef WAVES_MESH
 const float SPACING_FIRST = -1.5, SPACING_STEPS = 256.0; // a unit of the jacobian; 10 bits: to 2.5
@@ -31,7 +32,7 @@ const float SPACING_FIRST = -12.0, SPACING_STEPS = 32.0; // an octave; 10 bits: 
 
 // position: eye-relative, of the pixel's water; axis: 1 / its distance along the view axis.
 uvec4 shape_texel(water_shape s, vec2 position, float axis) {
-    vec2 offset = (s.rest - position) * axis;
+    vec2 offset = (s.rest - position) * (OFFSET_SCALE * axis);
     float spacing = clamp((s.spacing - SPACING_FIRST) * SPACING_STEPS + 0.5, 0.0, 1023.0);
     uint rough = uint(spacing) << 14 | squeezed_code(s.depth / DEPTH_SCALE, DEPTH_STEPS);
     return uvec4(floatBitsToUint(axis),
@@ -45,7 +46,7 @@ float shape_depth(uvec4 texel) { return near_distance * uintBitsToFloat(texel.x)
 // position: by that depth.
 water_shape shape_of(uvec4 texel, vec2 position) {
     water_shape s;
-    s.rest = position + (1.0 / uintBitsToFloat(texel.x)) *
+    s.rest = position + (1.0 / (OFFSET_SCALE * uintBitsToFloat(texel.x))) *
                             vec2(squeezed_value(texel.y >> 12, REST_STEPS), squeezed_value(texel.z >> 12, REST_STEPS));
     uint rough = (texel.y & 4095u) << 12 | (texel.z & 4095u);
     s.spacing = float(rough >> 14) / SPACING_STEPS + SPACING_FIRST;
