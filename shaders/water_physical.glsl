@@ -329,6 +329,7 @@ const float BUBBLES_REACH = 0.2, BUBBLES_BLUR = 0.5;
 struct foam_here {
     float opacity; // of the film on the water
     float bubbles; // share of their densest cloud below it
+    float relief;  // foam_relief(), of dense foam
 };
 
 // share: of the variance of the Jacobian, that the pixel hides.
@@ -360,13 +361,14 @@ foam_here foam_at(water_here p, float shore, foam_texels texels) {
 #ifdef STREAKS
     clear *= 1.0 - streak_film(p.waves.jacobian, share, texels, width);
 #endif
-    return foam_here(clamp((1.0 - clear) * foam_strength, 0.0, 1.0), max(bubbles, shore) * foam_strength);
+    return foam_here(clamp((1.0 - clear) * foam_strength, 0.0, 1.0), max(bubbles, shore) * foam_strength,
+                     foam_relief(texels, p.rest, width));
 }
 
 // The surface under its foam.
-vec3 covered(vec3 surface, water_here p, vec3 sunlight, float opacity) {
-    vec3 light = foam_radiance(sunlight, dot(sun_direction, p.normal), sky_light) * FOAM_ALBEDO;
-    return mix(surface, light, opacity);
+vec3 covered(vec3 surface, water_here p, vec3 sunlight, foam_here foam) {
+    float facing = dot(sun_direction, p.normal) - foam.opacity * foam.relief;
+    return mix(surface, foam_radiance(sunlight, facing, sky_light) * FOAM_ALBEDO, foam.opacity);
 }
 
 const float FILM = 0.12; // depth within which the water's edge fades into wet sand [m]
@@ -383,7 +385,7 @@ bool shade(vec2 centre, out vec4 color) {
     float water_path;
     vec3 lit = light_below(sunlight);
     vec3 below = transmitted_light(p, uv, sunlight, lit, water_path);
-    foam_here foam = foam_here(0.0, 0.0);
+    foam_here foam = foam_here(0.0, 0.0, 0.0);
     if (effect_is_on(EFFECT_FOAM)) {
         foam_texels texels = foam_look_up(p.rest, p.width);
         float shore = 0.0;
@@ -394,7 +396,7 @@ bool shade(vec2 centre, out vec4 color) {
         foam = foam_at(p, shore, texels);
     }
     below += bubble_reflectance(water_attenuation, foam.bubbles) * lit;
-    vec3 surface = covered(surface_light(p, sunlight, below), p, sunlight, foam.opacity);
+    vec3 surface = covered(surface_light(p, sunlight, below), p, sunlight, foam);
 #ifdef LAND
     surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, smoothstep(0.0, FILM, over_bed(p, water_path)));
 #endif

@@ -27,6 +27,21 @@ foam_texels foam_look_up(vec2 rest, float width) {
                        textureLod(foam_noise, drawn_out, max(detail + log2(streak_scale.x), 0.0)));
 }
 
+// Heights of the walls of small nets and of bubbles, a standard deviation of each [m], by eye.
+const float NETS_HEIGHT = 0.012, BUBBLES_HEIGHT = 0.002;
+
+// Slope of the foam itself towards the sun, times the sine of the sun's angle from the zenith: walls that face the sun
+// are bright, those behind are in their own shadow, at a low sun most. The mean over a place is 0, and a pixel wider
+// than the walls sees none of it.
+float foam_relief(foam_texels here, vec2 rest, float width) {
+    float far = length(sun_direction.xy), nets = max(0.04, width), bubbles = max(0.005, width);
+    vec2 towards = sun_direction.xy / max(far, 1e-3), p = mod(water_wrapped + rest, WORLD_WRAP);
+    float detail = log2(width * FOAM_TEXELS);
+    vec2 rise = vec2(foam_texel((p + nets * towards).yx, 3.0, detail).g - here.middle.g,
+                     foam_texel(p + bubbles * towards, 0.0, detail).b - here.fine.b);
+    return far * FOAM_NOISE_RANGE * dot(rise, vec2(NETS_HEIGHT / nets, BUBBLES_HEIGHT / bubbles));
+}
+
 // Smooth patches of some metres, 0..1: x and y are independent.
 const float SMOOTH_LEVEL = 5.0; // [log2 of texels of 64 m]
 vec2 smooth_patches(vec2 rest, float width) {
@@ -35,9 +50,10 @@ vec2 smooth_patches(vec2 rest, float width) {
 }
 
 // Weights of the noises, by eye; each sum of squares is 1. Fresh and old foam: broad patches, broad nets, small nets,
-// bubbles. Streaks: windrows, drawn-out nets, broad nets, small nets.
+// bubbles. Streaks: windrows, drawn-out nets, broad nets, small nets; and bubbles.
 const vec4 FRESH_WEIGHTS = vec4(0.5, 0.45, 0.55, 0.5), OLD_WEIGHTS = vec4(0.4, 0.52, 0.6, 0.45),
-           STREAK_WEIGHTS = vec4(0.5, 0.55, 0.4, 0.54);
+           STREAK_WEIGHTS = vec4(0.44, 0.5, 0.38, 0.48);
+const float STREAK_BUBBLES = 0.426;
 // Widths of a pixel at which it averages over half of a noise's variance [texels]: patches, nets, bubbles, streaks.
 const float PATCHES_WIDTH = 62.0, NETS_WIDTH = 11.0, BUBBLES_WIDTH = 4.9, STREAKS_WIDTH = 80.0;
 
@@ -59,10 +75,12 @@ foam_grain patch_grain(foam_texels t, vec4 weights, float width) {
 }
 
 foam_grain streak_grain(foam_texels t, float width) {
-    return foam_grain_of(vec4(t.streak.a, t.streak.g, t.broad.g, t.middle.g), STREAK_WEIGHTS,
-                         vec4(vec2(STREAKS_WIDTH, NETS_WIDTH) / streak_scale.x, 64.0 * NETS_WIDTH, 8.0 * NETS_WIDTH) /
-                             FOAM_TEXELS,
-                         width);
+    vec4 widths = vec4(vec2(STREAKS_WIDTH, NETS_WIDTH) / streak_scale.x, 64.0 * NETS_WIDTH, 8.0 * NETS_WIDTH);
+    foam_grain g = foam_grain_of(vec4(t.streak.a, t.streak.g, t.broad.g, t.middle.g), STREAK_WEIGHTS,
+                                 widths / FOAM_TEXELS, width);
+    foam_grain bubbles = foam_grain_of(vec4(t.fine.b), vec4(STREAK_BUBBLES, 0.0, 0.0, 0.0),
+                                       vec4(BUBBLES_WIDTH / FOAM_TEXELS), width);
+    return foam_grain(g.value + bubbles.value, g.hidden + bubbles.hidden - 1.0);
 }
 
 // Opacity of a film of foam: `excess` and `hidden`, mean and variance of the field in the pixel, over its threshold;

@@ -135,8 +135,50 @@ static void noise_covers_the_same_share_at_every_distance(void **state) {
     bolan_gl_texture_free(&r.noise);
 }
 
+// x: sine of the sun's angle from the zenith, width of the pixel [m], azimuth. Mean and mean square of the relief; what
+// the nets rise towards the sun within 8 cm, and its product with the relief.
+static const char *const relief_body =
+    "vec4 probe(vec4 x) {\n"
+    "    vec4 sum = vec4(0.0);\n"
+    "    vec2 towards = vec2(cos(x.z), sin(x.z));\n"
+    "    for (int i = 0; i < 4096; ++i) {\n"
+    "        vec2 at = 2000.0 * fract(float(i) * vec2(0.75487766, 0.56984029));\n"
+    "        float rise = foam_look_up(at + 0.04 * towards, x.y).middle.g - foam_look_up(at - 0.04 * towards, x.y).middle.g;\n"
+    "        float relief = foam_relief(foam_look_up(at, x.y), at, x.y);\n"
+    "        sum += vec4(relief, relief * relief, rise * rise, relief * rise) / 4096.0;\n"
+    "    }\n"
+    "    return sum;\n"
+    "}\n";
+
+static void foam_that_rises_towards_the_sun_faces_away_from_it(void **state) {
+    (void)state;
+    enum { SUNS = 5 };
+    rig r = {.blocks = {.frame = {.streak_scale = {1.0f / 300.0f, 1.0f / 1800.0f}},
+                        .view = {.water_wrapped = {700.0f, 100.0f}}}};
+    assert_int_equal(bolan_foam_noise_create(&r.noise), BOLAN_OK);
+    assert_int_equal(bolan_blocks_create(&r.uniforms), BOLAN_OK);
+    for (int i = 0; i < SUNS; ++i) {
+        const float azimuth = 1.3f * (float)i, low = 0.2f * (float)i;
+        float in[2][4] = {{low, 0.004f, azimuth, 0.0f}, {low, 4.0f, azimuth, 0.0f}}, out[2][4];
+        r.blocks.frame.sun_direction =
+            (bolan_vec3){low * cosf(azimuth), low * sinf(azimuth), sqrtf(1.0f - low * low)};
+        bolan_blocks_upload(&r.uniforms, &r.blocks);
+        probe_run_with("#include \"common/frame.glsl\"\n#include \"common/foam.glsl\"", relief_body, NULL, set_foam, &r,
+                       in, 2, out);
+        const float deviation = sqrtf(out[0][1]);
+        assert_near(out[0][0], 0.0, 0.05f * deviation + 1e-6); // three errors of the mean of 4096
+        // Nets are a part of the relief, whose slope goes over half of these 8 cm. The other part is that of bubbles.
+        if (i > 0) assert_true(out[0][3] > 0.3f * deviation * sqrtf(out[0][2]));
+        assert_near(deviation, 0.3f * low, 0.12f * low); // foam is not steep; a sun in the zenith sees no relief
+        assert_true(out[1][1] < 1e-4f * out[0][1] + 1e-12f); // nor a pixel that is wider than the walls
+    }
+    bolan_blocks_free(&r.uniforms);
+    bolan_gl_texture_free(&r.noise);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(foam_covers_what_was_observed),
+                                       IN_BOTH_APIS(foam_that_rises_towards_the_sun_faces_away_from_it),
                                        IN_BOTH_APIS(noise_covers_the_same_share_at_every_distance)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
