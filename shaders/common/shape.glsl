@@ -18,9 +18,9 @@ float squeezed_value(uint code, float steps) {
     return c / (1.0 - min(abs(c), 0.999999));
 }
 
-// The offset is that from the pixel's position, over its distance along the view axis. With OFFSET_SCALE, half a step of
-// 20 bits is .12 millionths of that distance: a ten thousandth of a pixel of a picture 1000 pixels wide. Water displaced
-// by n times its distance has (1 + 8 n)^2 times that error.
+// The offset is that from the pixel's position, over its distance along the view axis. With OFFSET_SCALE, half a step
+// of 20 bits is .12 millionths of that distance: a ten thousandth of a pixel of a picture 1000 pixels wide. Water
+// displaced by n times its distance has (1 + 8 n)^2 times that error.
 const float REST_STEPS = 524287.0, SLOPE_STEPS = 32767.0, DEPTH_STEPS = 8191.0;
 const float OFFSET_SCALE = 8.0;
 const float DEPTH_SCALE = 4.0; // depths below it are known best: to a quarter of a millimetre by the shore [m]

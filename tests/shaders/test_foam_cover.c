@@ -128,7 +128,7 @@ static void noise_covers_the_same_share_at_every_distance(void **state) {
         const double share = shares[i][0], bound = 0.005 + 0.2 * fmin(share, 1.0 - share);
         for (int j = 0; j < WIDTHS; ++j)
             for (int k = 0; k < 3; ++k) assert_near(out[i * WIDTHS + j][k], share, bound);
-        assert_true(out[i * WIDTHS][3] > 0.95f * out[i * WIDTHS][0]); // near, foam is or is not
+        assert_true(out[i * WIDTHS][3] > 0.95f * out[i * WIDTHS][0]);       // near, foam is or is not
         assert_near(out[i * WIDTHS + WIDTHS - 1][3], share * share, 0.003); // far, the mean is left
     }
     bolan_blocks_free(&r.uniforms);
@@ -143,7 +143,8 @@ static const char *const relief_body =
     "    vec2 towards = vec2(cos(x.z), sin(x.z));\n"
     "    for (int i = 0; i < 4096; ++i) {\n"
     "        vec2 at = 2000.0 * fract(float(i) * vec2(0.75487766, 0.56984029));\n"
-    "        float rise = foam_look_up(at + 0.04 * towards, x.y).middle.g - foam_look_up(at - 0.04 * towards, x.y).middle.g;\n"
+    "        float rise = foam_look_up(at + 0.04 * towards, x.y).middle.g -\n"
+    "                     foam_look_up(at - 0.04 * towards, x.y).middle.g;\n"
     "        float relief = foam_relief(foam_look_up(at, x.y), at, x.y);\n"
     "        sum += vec4(relief, relief * relief, rise * rise, relief * rise) / 4096.0;\n"
     "    }\n"
@@ -160,8 +161,7 @@ static void foam_that_rises_towards_the_sun_faces_away_from_it(void **state) {
     for (int i = 0; i < SUNS; ++i) {
         const float azimuth = 1.3f * (float)i, low = 0.2f * (float)i;
         float in[2][4] = {{low, 0.004f, azimuth, 0.0f}, {low, 4.0f, azimuth, 0.0f}}, out[2][4];
-        r.blocks.frame.sun_direction =
-            (bolan_vec3){low * cosf(azimuth), low * sinf(azimuth), sqrtf(1.0f - low * low)};
+        r.blocks.frame.sun_direction = (bolan_vec3){low * cosf(azimuth), low * sinf(azimuth), sqrtf(1.0f - low * low)};
         bolan_blocks_upload(&r.uniforms, &r.blocks);
         probe_run_with("#include \"common/frame.glsl\"\n#include \"common/foam.glsl\"", relief_body, NULL, set_foam, &r,
                        in, 2, out);
@@ -169,7 +169,7 @@ static void foam_that_rises_towards_the_sun_faces_away_from_it(void **state) {
         assert_near(out[0][0], 0.0, 0.05f * deviation + 1e-6); // three errors of the mean of 4096
         // Nets are a part of the relief, whose slope goes over half of these 8 cm. The other part is that of bubbles.
         if (i > 0) assert_true(out[0][3] > 0.3f * deviation * sqrtf(out[0][2]));
-        assert_near(deviation, 0.3f * low, 0.12f * low); // foam is not steep; a sun in the zenith sees no relief
+        assert_near(deviation, 0.3f * low, 0.12f * low);     // foam is not steep; a sun in the zenith sees no relief
         assert_true(out[1][1] < 1e-4f * out[0][1] + 1e-12f); // nor a pixel that is wider than the walls
     }
     bolan_blocks_free(&r.uniforms);
