@@ -1,23 +1,46 @@
 // SPDX-License-Identifier: MIT
 // Exposure, film curve, display encoding, dither. With GLOW: what a lens and an eye scatter of bright light. With
 // ACCUMULATE: adds the display value to a sum and the radiance to another, and writes both. With RESOLVE: writes out
-// the mean of the first sum. With LINEAR: writes out the source times a factor, neither tone mapped nor dithered.
+// the mean of the first sum. With LINEAR: writes out the source times a factor, neither tone mapped nor dithered. As a
+// compute shader it writes the display value into an image, which RESOLVE writes out.
 #include "common/fullscreen.glsl"
 #ifdef VERTEX
 void main() { fullscreen(0.5); }
 #endif
-#ifdef FRAGMENT
+#ifndef VERTEX
 #include "common/frame.glsl"
 #include "common/tonemap.glsl"
 uniform sampler2D source;
 #pragma unit source 15
 uniform sampler2D glow;
 #pragma unit glow 17
-uniform sampler2D sum;
-#pragma unit sum 18
 // x: share of the glow, y: 1 encode sRGB, z: dither [1/255], w: weight of the source (RESOLVE, LINEAR), of the old sum
 // (ACCUMULATE)
 uniform vec4 settings;
+
+// What is displayed for radiance c at that place of the picture.
+vec3 displayed(vec3 c, vec2 place) {
+    c *= exposure;
+#ifdef GLOW
+    vec3 around = 0.5 * textureLod(glow, place, 1.0).rgb + 0.3 * textureLod(glow, place, 3.0).rgb +
+                  0.2 * textureLod(glow, place, 5.0).rgb;
+    c = mix(c, around, settings.x);
+#endif
+    return tonemap(c);
+}
+#endif
+
+#ifdef COMPUTE
+bool shade(vec2 centre, out vec4 color) {
+    color = vec4(displayed(texelFetch(source, ivec2(centre), 0).rgb, centre * pixel_size), 1.0);
+    return true;
+}
+#include "common/pixels.glsl"
+#endif
+
+#ifdef FRAGMENT
+uniform sampler2D sum;
+#pragma unit sum 18
 uniform vec2 origin; // lower left corner of the picture in its framebuffer [px]
 #ifdef ACCUMULATE
 uniform sampler2D radiance_sum;
@@ -45,13 +68,7 @@ void main() {
 #ifdef RESOLVE
     vec3 display = c * settings.w;
 #else
-    c *= exposure;
-#ifdef GLOW
-    vec3 around = 0.5 * textureLod(glow, uv, 1.0).rgb + 0.3 * textureLod(glow, uv, 3.0).rgb +
-                  0.2 * textureLod(glow, uv, 5.0).rgb;
-    c = mix(c, around, settings.x);
-#endif
-    vec3 display = tonemap(c);
+    vec3 display = displayed(c, uv);
 #endif
 #ifdef ACCUMULATE
     color = vec4(display + (first ? vec3(0.0) : texelFetch(sum, at, 0).rgb), 1.0);

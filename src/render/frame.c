@@ -174,7 +174,7 @@ static void draw_world(void *user, render_view *v, bool sky) {
     if (v->mirrored_under)
         bolan_pass_water_draw_body(w->renderer->water, v->frame);
     else if (sky)
-        bolan_pass_sky_draw(w->cache->sky, v);
+        bolan_pass_sky_draw(w->cache->sky, v, false);
 }
 
 static void draw_behind(bolan_renderer *r, render_view *v, bolan_view_cache *cache) {
@@ -202,7 +202,7 @@ static void draw_sky(bolan_renderer *r, render_view *v, bolan_view_cache *cache)
     if (v->under) {
         bolan_pass_water_draw_body(r->water, v->frame);
     } else if (v->medium != EYE_IN_WATER) {
-        bolan_pass_sky_draw(cache->sky, v);
+        bolan_pass_sky_draw(cache->sky, v, true);
         bolan_pass_sky_draw_over(cache->sky, v);
     }
     if (!v->without_water) bolan_pass_water_draw_over(r->water, v);

@@ -121,15 +121,16 @@ typedef struct pass_water pass_water;
 typedef struct pass_tonemap pass_tonemap;
 struct temporal; // of temporal.h
 
-// Shares the programs of `from`, which must live longer; NULL: makes its own.
-bolan_result bolan_pass_sky_create(const gl_caps *caps, const pass_sky *from, pass_sky **out);
+// Shares the programs of `from`, which must live longer; NULL: makes its own. compute: BOLAN_PIXELS_COMPUTE.
+bolan_result bolan_pass_sky_create(const gl_caps *caps, bool compute, const pass_sky *from, pass_sky **out);
 // Takes the programs of `from` again, which has reloaded them, and makes its tables anew.
 void bolan_pass_sky_share(pass_sky *p, const pass_sky *from);
 void bolan_pass_sky_prepare(pass_sky *p,
                             render_view *v); // tables (when stale), sun_light, sky_light, exposure; binds its units
 // Draws the prepared sky as an equirectangular map and reads it, from the lowest row up.
 bolan_result bolan_pass_sky_map(pass_sky *p, uint32_t width, uint32_t height, float *rgba);
-void bolan_pass_sky_draw(pass_sky *p, const render_view *v); // where depth is 0 (nothing drawn)
+// Where the depth is 0, nothing drawn. own: into v->hdr, with v->hdr_depth.
+void bolan_pass_sky_draw(pass_sky *p, const render_view *v, bool own);
 void bolan_pass_sky_draw_over(pass_sky *p,
                               const render_view *v); // after the water: clouds below a high eye; reads UNIT_SCENE_DEPTH
 bolan_result bolan_pass_sky_reload(pass_sky *p);
@@ -196,7 +197,7 @@ bool bolan_pass_water_needs_baking(const pass_water *p, const frame *f); // and 
 bolan_result bolan_pass_water_reload(pass_water *p);
 void bolan_pass_water_destroy(pass_water **p);
 
-bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out);
+bolan_result bolan_pass_tonemap_create(bool compute, pass_tonemap **out); // compute: BOLAN_PIXELS_COMPUTE
 // Before the samples of a view. Returns how many samples of earlier views stay in the sums.
 uint32_t bolan_pass_tonemap_begin(pass_tonemap *p, const bolan_view *to);
 // Into the rectangle of `to`; blended with the images before it where `history`, NULL for none, is of a temporal view.

@@ -5,6 +5,7 @@
 #include "clouds.h"
 #include "host_light.h"
 #include "memory.h"
+#include "pixels.h"
 #include "sky_lattice.h"
 
 #include <math.h>
@@ -31,7 +32,8 @@ struct pass_sky {
     clouds clouds;
     host_light host;
     gl_program programs[SKY_PROGRAMS];
-    bool borrowed; // the programs are those of another
+    gl_program pixels; // both parts of the background as a compute shader; none where fragment shaders shade pixels
+    bool borrowed;     // the programs are those of another
     gl_buffer corners, indices;
     gl_mesh mesh;
     gl_texture panorama; // clear sky and clouds together
@@ -99,6 +101,7 @@ static bolan_result create_mesh(pass_sky *p) {
 static void share_programs(pass_sky *p, const pass_sky *from) {
     p->borrowed = true;
     memcpy(p->programs, from->programs, sizeof p->programs);
+    p->pixels = from->pixels;
 }
 
 void bolan_pass_sky_share(pass_sky *p, const pass_sky *from) {
@@ -108,7 +111,7 @@ void bolan_pass_sky_share(pass_sky *p, const pass_sky *from) {
     share_programs(p, from);
 }
 
-bolan_result bolan_pass_sky_create(const gl_caps *caps, const pass_sky *from, pass_sky **out) {
+bolan_result bolan_pass_sky_create(const gl_caps *caps, bool compute, const pass_sky *from, pass_sky **out) {
     *out = NULL;
     if (!caps->color_float) {
         bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_UNSUPPORTED,
@@ -123,6 +126,8 @@ bolan_result bolan_pass_sky_create(const gl_caps *caps, const pass_sky *from, pa
     if (from != NULL) share_programs(p, from);
     for (int i = 0; i < SKY_PROGRAMS && from == NULL && result == BOLAN_OK; i++)
         result = bolan_gl_program_create(sky_sources[i][0], sky_sources[i][1], &p->programs[i]);
+    if (compute && from == NULL && result == BOLAN_OK)
+        result = bolan_gl_program_create_compute("sky", NULL, &p->pixels);
     if (result == BOLAN_OK) result = create_targets(p);
     if (result == BOLAN_OK) result = create_mesh(p);
     if (result != BOLAN_OK) {
@@ -138,6 +143,7 @@ bolan_result bolan_pass_sky_reload(pass_sky *p) {
     if (result == BOLAN_OK) result = bolan_clouds_reload(&p->clouds);
     if (result == BOLAN_OK) result = bolan_gl_program_reload(&p->host.program);
     for (int i = 0; i < SKY_PROGRAMS && result == BOLAN_OK; i++) result = bolan_gl_program_reload(&p->programs[i]);
+    if (p->pixels.id && result == BOLAN_OK) result = bolan_gl_program_reload(&p->pixels);
     return result;
 }
 
@@ -350,13 +356,23 @@ bolan_result bolan_pass_sky_map(pass_sky *p, uint32_t width, uint32_t height, fl
     return result;
 }
 
-void bolan_pass_sky_draw(pass_sky *p, const render_view *v) {
+static void draw_parts(const pass_sky *p) {
     bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true});
-    bolan_gl_texture_bind(&p->panorama, UNIT_OWN);
     bolan_gl_program_use(&p->programs[SKY]);
     bolan_gl_mesh_draw(&p->mesh, 0, RECTANGLE_INDICES);
     bolan_gl_program_use(&p->programs[SKY_BELOW]);
     bolan_gl_mesh_draw(&p->mesh, RECTANGLE_INDICES, INDICES - RECTANGLE_INDICES);
+}
+
+void bolan_pass_sky_draw(pass_sky *p, const render_view *v, bool own) {
+    bolan_gl_texture_bind(&p->panorama, UNIT_OWN);
+    if (own && p->pixels.id) {
+        bolan_gl_texture_bind(v->hdr_depth, UNIT_OWN + 1);
+        bolan_gl_program_use(&p->pixels);
+        bolan_pixels_draw(&p->pixels, &v->hdr, 0, v->height);
+    } else {
+        draw_parts(p);
+    }
     if (v->frame->block.sun_direction.z < -0.1f) return; // below any horizon to 20 km
     bolan_gl_set_state(&(gl_state){.depth_test = true, .color_write = true, .blend = GL_BLEND_ADD});
     bolan_gl_program_use(&p->programs[SKY_SUN]);
@@ -390,6 +406,7 @@ void bolan_pass_sky_destroy(pass_sky **pp) {
     bolan_gl_buffer_free(&p->corners);
     bolan_gl_buffer_free(&p->indices);
     for (int i = 0; i < SKY_PROGRAMS && !p->borrowed; i++) bolan_gl_program_free(&p->programs[i]);
+    if (!p->borrowed) bolan_gl_program_free(&p->pixels);
     bolan_blocks_free(&p->uniforms);
     bolan_release(p, sizeof *p);
     *pp = NULL;

@@ -2,8 +2,11 @@
 // The last pass: linear radiance -> the caller's framebuffer. One sample is written straight out; of several each is
 // tone mapped and added up (the mean of what is seen, not of radiance: a glint must not outshine its pixel), and the
 // last one writes the mean. High quality adds a glow round what is bright. Shaders: tonemap.glsl, tonemap_glow.glsl.
+// Only fragments reach a framebuffer of the caller's. Where compute shaders shade pixels, one does the arithmetic and
+// writes what is displayed into a texture, which a few fragment instructions copy.
 #include "frame.h"
 #include "memory.h"
+#include "pixels.h"
 #include "temporal.h"
 
 enum { GLOW_LEVELS = 6, GLOW_PARTS = 4 }; // GLOW_PARTS: the picture's size over the glow's
@@ -23,10 +26,12 @@ struct pass_tonemap {
     bolan_output output; // by a view of this output
     gl_texture glow;
     gl_target glow_target;
+    gl_program pixels[2]; // without and with glow; none where fragment shaders shade pixels
+    gl_texture display;   // what they write
+    gl_target display_target;
 };
 
-bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) {
-    (void)caps;
+bolan_result bolan_pass_tonemap_create(bool compute, pass_tonemap **out) {
     *out = NULL;
     pass_tonemap *p = allocate_for("the tone map", sizeof *p);
     if (!p) return BOLAN_ERROR_MEMORY;
@@ -37,6 +42,8 @@ bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) 
     if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap", "RESOLVE 1\n", &p->resolve);
     if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap", "LINEAR 1\n", &p->linear);
     if (result == BOLAN_OK) result = bolan_gl_program_create("tonemap_glow", NULL, &p->shrink);
+    if (result == BOLAN_OK && compute) result = bolan_gl_program_create_compute("tonemap", NULL, &p->pixels[0]);
+    if (result == BOLAN_OK && compute) result = bolan_gl_program_create_compute("tonemap", "GLOW 1\n", &p->pixels[1]);
     if (result != BOLAN_OK) {
         bolan_pass_tonemap_destroy(&p);
         return result;
@@ -46,9 +53,10 @@ bolan_result bolan_pass_tonemap_create(const gl_caps *caps, pass_tonemap **out) 
 }
 
 bolan_result bolan_pass_tonemap_reload(pass_tonemap *p) {
-    gl_program *const programs[] = {&p->single[0], &p->single[1], &p->accumulate[0], &p->accumulate[1],
-                                    &p->resolve,   &p->linear,    &p->shrink};
+    gl_program *const programs[] = {&p->single[0], &p->single[1], &p->accumulate[0], &p->accumulate[1], &p->resolve,
+                                    &p->linear,    &p->shrink,    &p->pixels[0],     &p->pixels[1]};
     for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
+        if (programs[i]->id == 0) continue;
         const bolan_result result = bolan_gl_program_reload(programs[i]);
         if (result != BOLAN_OK) return result;
     }
@@ -87,6 +95,16 @@ static bool resize_glow(pass_tonemap *p, uint32_t width, uint32_t height) {
            bolan_gl_target_create(&color, 1, NULL, -1, 0, &p->glow_target) == BOLAN_OK;
 }
 
+static bool resize_display(pass_tonemap *p, uint32_t width, uint32_t height) {
+    if (p->display_target.id && p->display.width == width && p->display.height == height) return true;
+    bolan_gl_target_free(&p->display_target);
+    bolan_gl_texture_free(&p->display);
+    const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = width, .height = height, .storage = true};
+    const gl_texture *color = &p->display;
+    return bolan_gl_texture_create(&d, &p->display) == BOLAN_OK &&
+           bolan_gl_target_create(&color, 1, NULL, -1, 0, &p->display_target) == BOLAN_OK;
+}
+
 // Fills the glow and its mip chain. A picture too small for the levels goes without.
 static bool draw_glow(pass_tonemap *p, const render_view *v, const gl_texture *hdr_color) {
     const uint32_t smallest = GLOW_PARTS << GLOW_LEVELS;
@@ -116,6 +134,20 @@ static void draw_out(const gl_program *program, const gl_texture *source, const 
     bolan_gl_set_framebuffer_srgb(to->output == BOLAN_OUTPUT_SRGB_FRAMEBUFFER);
     draw(program, source, to, encode, encode ? 0.5f : 0.1f, weight);
     bolan_gl_set_framebuffer_srgb(false);
+}
+
+// One sample, tone mapped.
+static void draw_single(pass_tonemap *p, const render_view *v, const bolan_view *to, const gl_texture *hdr_color,
+                        bool glow) {
+    const gl_program *pixels = &p->pixels[glow];
+    if (!pixels->id || !resize_display(p, v->width, v->height)) {
+        draw_out(&p->single[glow], hdr_color, to, 1.0f);
+        return;
+    }
+    bolan_gl_texture_bind(hdr_color, UNIT_OWN);
+    bolan_gl_program_vec4(pixels, "settings", (bolan_vec4){glow_share, 0.0f, 0.0f, 0.0f});
+    bolan_pixels_draw(pixels, &p->display_target, 0, v->height);
+    draw_out(&p->resolve, &p->display, to, 1.0f);
 }
 
 // Adds a sample to the sums. Returns the index of the pair that holds them now.
@@ -148,7 +180,10 @@ void bolan_pass_tonemap_draw(pass_tonemap *p, const render_view *v, const bolan_
     const bool blended = history != NULL && history->drawing;
     const bool several = to->samples > 1 || to->accumulate || blended;
     if (!several || !resize(p, v->width, v->height)) {
-        draw_out(linear ? &p->linear : &p->single[glow], hdr_color, to, 1.0f / unit);
+        if (linear)
+            draw_out(&p->linear, hdr_color, to, 1.0f / unit);
+        else
+            draw_single(p, v, to, hdr_color, glow);
         return;
     }
     const uint32_t pair = accumulate(p, hdr_color, glow, p->first + sample);
@@ -176,7 +211,10 @@ void bolan_pass_tonemap_destroy(pass_tonemap **pp) {
     free_sums(p);
     bolan_gl_target_free(&p->glow_target);
     bolan_gl_texture_free(&p->glow);
+    bolan_gl_target_free(&p->display_target);
+    bolan_gl_texture_free(&p->display);
     for (int i = 0; i < 2; i++) {
+        bolan_gl_program_free(&p->pixels[i]);
         bolan_gl_program_free(&p->single[i]);
         bolan_gl_program_free(&p->accumulate[i]);
     }

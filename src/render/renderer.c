@@ -17,10 +17,11 @@ static bool is_size(uint32_t pixels) { return pixels >= 1 && pixels <= MOST_PIXE
 bolan_renderer_desc bolan_renderer_desc_default(void) { return (bolan_renderer_desc){.quality = BOLAN_QUALITY_MEDIUM}; }
 
 static bolan_result create_passes(bolan_renderer *r) {
-    bolan_result result = bolan_view_cache_open(&r->caps, NULL, &r->own_cache);
+    const bool compute = r->desc.pixels == BOLAN_PIXELS_COMPUTE;
+    bolan_result result = bolan_view_cache_open(&r->caps, compute, NULL, &r->own_cache);
     if (result == BOLAN_OK) result = bolan_pass_objects_create(&r->caps, &r->models);
     if (result == BOLAN_OK) result = bolan_pass_water_create(r->desc.quality, r->desc.max_vertices, &r->water);
-    if (result == BOLAN_OK) result = bolan_pass_tonemap_create(&r->caps, &r->tonemap);
+    if (result == BOLAN_OK) result = bolan_pass_tonemap_create(compute, &r->tonemap);
     if (result == BOLAN_OK) result = bolan_host_create(&r->caps, &r->host);
     if (result == BOLAN_OK) result = bolan_blocks_create(&r->uniforms);
     return result;

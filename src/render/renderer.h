@@ -54,7 +54,9 @@ struct bolan_view_cache {
     bolan_view_cache *next; // of the renderer's caches
 };
 // Shares the programs of `from`, which must live longer; NULL: makes its own.
-bolan_result bolan_view_cache_open(const gl_caps *caps, const bolan_view_cache *from, bolan_view_cache *cache);
+// compute: BOLAN_PIXELS_COMPUTE.
+bolan_result bolan_view_cache_open(const gl_caps *caps, bool compute, const bolan_view_cache *from,
+                                   bolan_view_cache *cache);
 // Takes the programs of `from` again, which has reloaded them.
 void bolan_view_cache_share(bolan_view_cache *cache, const bolan_view_cache *from);
 void bolan_view_cache_close(bolan_view_cache *cache);

@@ -3,8 +3,9 @@
 #include "memory.h"
 #include "renderer.h"
 
-bolan_result bolan_view_cache_open(const gl_caps *caps, const bolan_view_cache *from, bolan_view_cache *cache) {
-    const bolan_result result = bolan_pass_sky_create(caps, from != NULL ? from->sky : NULL, &cache->sky);
+bolan_result bolan_view_cache_open(const gl_caps *caps, bool compute, const bolan_view_cache *from,
+                                   bolan_view_cache *cache) {
+    const bolan_result result = bolan_pass_sky_create(caps, compute, from != NULL ? from->sky : NULL, &cache->sky);
     if (result != BOLAN_OK) return result;
     return bolan_pass_ground_create(caps, from != NULL ? from->ground : NULL, &cache->ground);
 }
@@ -30,7 +31,7 @@ bolan_result bolan_view_cache_create(bolan_renderer *r, bolan_view_cache **out) 
     if (cache == NULL) return BOLAN_ERROR_MEMORY;
     cache->renderer = r;
     bolan_renderer_enter(r);
-    result = bolan_view_cache_open(&r->caps, &r->own_cache, cache);
+    result = bolan_view_cache_open(&r->caps, r->desc.pixels == BOLAN_PIXELS_COMPUTE, &r->own_cache, cache);
     bolan_renderer_leave(r);
     if (result != BOLAN_OK) {
         bolan_view_cache_close(cache);

@@ -26,8 +26,8 @@ typedef struct sky_rig {
 static inline void rig_create(sky_rig *r, uint32_t width, uint32_t height) {
     memset(r, 0, sizeof *r);
     r->caps = bolan_gl_get_caps();
-    assert_int_equal(bolan_pass_sky_create(&r->caps, NULL, &r->sky), BOLAN_OK);
-    assert_int_equal(bolan_pass_tonemap_create(&r->caps, &r->tonemap), BOLAN_OK);
+    assert_int_equal(bolan_pass_sky_create(&r->caps, false, NULL, &r->sky), BOLAN_OK);
+    assert_int_equal(bolan_pass_tonemap_create(false, &r->tonemap), BOLAN_OK);
     const gl_texture_desc hdr = {.format = GL_FMT_RGBA16F, .width = width, .height = height};
     const gl_texture_desc depth = {.format = GL_FMT_DEPTH32F, .width = width, .height = height};
     const gl_texture_desc out = {.format = GL_FMT_RGBA8, .width = width, .height = height};
@@ -87,7 +87,7 @@ static inline void rig_draw(sky_rig *r) {
     bolan_gl_target_bind(&r->hdr);
     bolan_gl_target_clear_color(0, 0, 0, 0);
     bolan_gl_target_clear_depth(0);
-    bolan_pass_sky_draw(r->sky, &r->f);
+    bolan_pass_sky_draw(r->sky, &r->f, false);
 }
 
 static inline void rig_destroy(sky_rig *r) {
