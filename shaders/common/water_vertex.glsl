@@ -13,6 +13,9 @@
 #ifdef STATIC_GRID
 #include "common/grid.glsl"
 #endif
+#ifdef NESTED_GRID
+#include "common/nested.glsl"
+#endif
 
 // The footprint of the unresolved waves. Where the vertices carry the waves, their spacing limits the resolution: a
 // wave of three spacings fades to half (bolan_sea_sample_grid), as under a pixel 1.4 spacings wide.
@@ -25,8 +28,12 @@ footprint mesh_footprint(footprint f, float spacing) {
 }
 
 #ifdef VERTEX
-#ifdef STATIC_GRID
+#if defined(STATIC_GRID) || defined(NESTED_GRID)
 layout(location = 0) in vec2 grid_corner; // of a cell in the block: the same in every frame
+#ifdef NESTED_GRID
+layout(location = 1) in vec4 nested_block; // its first cell, its cells
+layout(location = 2) in float nested_index; // of its level
+#endif
 #else
 layout(location = 0) in vec4 vertex; // eye-relative mean water; w: spacing [m]
 layout(location = 1) in vec2 stitch; // to the neighbours whose mean this vertex is; (0, 0): none
@@ -63,6 +70,11 @@ float least_depth(vec2 rest, float depth) {
 }
 
 void water_vertex() {
+#ifdef NESTED_GRID
+    nested_vertex made = nested_vertex_of(nested_block.xy + min(grid_corner, nested_block.zw), int(nested_index));
+    vec4 vertex = made.at;
+    vec2 stitch = made.stitch;
+#endif
 #ifdef STATIC_GRID
     vec4 vertex = grid_point(grid_place(grid_corner, gl_InstanceID, grid_cells), grid_reach, grid_azimuth, grid_cells);
 #endif

@@ -15,6 +15,9 @@ vec4 ripple_size[2];      // likewise 1 / its side [1/m], its slope variance, lo
 vec4 layer_wave[8];       // wave layers: kx, ky [rad/m], amplitude [m], phase at the eye [rad]; see common/layers.glsl
 vec4 layer_area[8];       // xy: centre of the area, eye-relative [m]; zw: unit vector of travel
 vec4 layer_extent[8];     // 1 / half length, 1 / half width [1/m], share of the edge, height that the coast sees [m]
+vec4 nested_level[16];    // of the nested levels: first vertex, spacing [m], cells along a side: common/nested.glsl
+vec4 nested_centre;       // xy: what the levels lie round [m], z: cells from there where spacings rise, w: their rise
+vec4 nested_eye;          // xy: [m], z: height over the water [m], w: the least spacing of a vertex [m]
 vec4 foam_weights;        // of the cascades' foam memories: bolan_foam_weights()
 vec4 grid_reach;          // of the static grid, see common/grid.glsl
 vec4 grid_azimuth;

@@ -140,6 +140,11 @@ static uint32_t columns_of(const frame *f) {
     return o->shade_columns != NULL ? o->shade_columns(&f->lighting.look, f->quality) : 1;
 }
 
+static const mesh_rules *rules_of(const frame *f) {
+    const water_optics *o = optics_of(f);
+    return o->mesh != NULL ? o->mesh(&f->lighting.look) : NULL;
+}
+
 static water_setup setup_of(const frame *f) {
     const bolan_technique *t = &f->lighting.technique;
     const water_optics *o = optics_of(f);
@@ -152,7 +157,8 @@ static water_setup setup_of(const frame *f) {
                          .surface = t->surface,
                          .below = o->draw_body != NULL,
                          .land = f->behind,
-                         .static_grid = !edges && t->surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH,
+                         .static_grid =
+                             bolan_water_mesh_is_fixed(t->surface, waves, (mesh_wishes){.on_cpu = edges}, rules_of(f)),
                          .packed = o->packed,
                          .bounds = f->bounds_count > 0,
                          .layers = f->water.layer_count > 0,
@@ -234,9 +240,8 @@ void bolan_pass_water_view(pass_water *p, render_view *v) {
     water_draw d = draw_of(p, v);
     bolan_sea_gpu_view(&p->fields, v, d.waves);
     const bool edges = v->frame->lighting.look.show == BOLAN_SHOW_MESH; // these are made of the mesh that the CPU has
-    const mesh_rules *rules = o->mesh != NULL ? o->mesh(&v->frame->lighting.look) : NULL;
     const mesh_wishes wishes = {.coarse = o->coarse_grid, .on_cpu = edges};
-    bolan_water_mesh_build(&p->mesh, v, bolan_water_surface(v), d.waves, wishes, rules);
+    bolan_water_mesh_build(&p->mesh, v, bolan_water_surface(v), d.waves, wishes, rules_of(v->frame));
     if (o->prepare != NULL && !p->failed[t->optics]) o->prepare(p->state[t->optics], &d);
     prepare_programs(p, v->frame);
     water_block block;

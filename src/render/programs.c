@@ -7,8 +7,8 @@
 #include <string.h>
 
 static const char *const feature_defines[WATER_FEATURE_COUNT] = {
-    "WAVES_EXP 1\n",   "WAVES_SUM 1\n", "WAVES_MESH 1\n", "QUAD 1\n",   "TRIM 1\n",       "LAND 1\n",
-    "STATIC_GRID 1\n", "PACKED 1\n",    "BOUNDS 1\n",     "LAYERS 1\n", "BOUND_WAVES 1\n"};
+    "WAVES_EXP 1\n",   "WAVES_SUM 1\n", "WAVES_MESH 1\n", "QUAD 1\n",   "TRIM 1\n",        "LAND 1\n",
+    "STATIC_GRID 1\n", "PACKED 1\n",    "BOUNDS 1\n",     "LAYERS 1\n", "BOUND_WAVES 1\n", "NESTED_GRID 1\n"};
 
 enum { FIRST_PROGRAMS = 32 };
 
@@ -60,11 +60,15 @@ static bool add(water_programs *all, const water_variant *v) {
     return true;
 }
 
+uint32_t bolan_water_grid_feature(bolan_surface_kind surface) {
+    return surface == BOLAN_SURFACE_NESTED ? WATER_FEATURE_NESTED : WATER_FEATURE_GRID;
+}
+
 bool bolan_water_programs_add(water_programs *all, const water_setup *s, bool below, const water_shader *shader,
                               uint32_t own) {
     const bool quad = below || s->surface == BOLAN_SURFACE_QUAD;
     const uint32_t features = (quad ? WATER_FEATURE_QUAD : 0) | (s->land ? WATER_FEATURE_LAND : 0) |
-                              (s->static_grid && !quad ? WATER_FEATURE_GRID : 0) |
+                              (s->static_grid && !quad ? bolan_water_grid_feature(s->surface) : 0) |
                               (s->packed ? WATER_FEATURE_PACKED : 0) | (s->bounds ? WATER_FEATURE_BOUNDS : 0) |
                               (s->layers ? WATER_FEATURE_LAYERS : 0) | (s->bound_waves ? WATER_FEATURE_BOUND : 0);
     const water_waves waves = below ? s->waves_below : s->waves;

@@ -13,18 +13,19 @@
 // What all shaders of the water share: one define each, in this order, see shaders/common/waves.glsl and
 // water_vertex.glsl.
 enum {
-    WATER_FEATURE_EXP = 1 << 0,    // WAVES_EXP
-    WATER_FEATURE_SUM = 1 << 1,    // WAVES_SUM
-    WATER_FEATURE_MESH = 1 << 2,   // WAVES_MESH
-    WATER_FEATURE_QUAD = 1 << 3,   // QUAD
-    WATER_FEATURE_TRIM = 1 << 4,   // TRIM: the corners of the quad can be seen
-    WATER_FEATURE_LAND = 1 << 5,   // LAND
-    WATER_FEATURE_GRID = 1 << 6,   // STATIC_GRID
-    WATER_FEATURE_PACKED = 1 << 7, // PACKED
-    WATER_FEATURE_BOUNDS = 1 << 8, // BOUNDS: the water lies in a polygon
-    WATER_FEATURE_LAYERS = 1 << 9, // LAYERS: the water has wave layers
-    WATER_FEATURE_BOUND = 1 << 10, // BOUND_WAVES: of cascades of order 2
-    WATER_FEATURE_COUNT = 11,
+    WATER_FEATURE_EXP = 1 << 0,     // WAVES_EXP
+    WATER_FEATURE_SUM = 1 << 1,     // WAVES_SUM
+    WATER_FEATURE_MESH = 1 << 2,    // WAVES_MESH
+    WATER_FEATURE_QUAD = 1 << 3,    // QUAD
+    WATER_FEATURE_TRIM = 1 << 4,    // TRIM: the corners of the quad can be seen
+    WATER_FEATURE_LAND = 1 << 5,    // LAND
+    WATER_FEATURE_GRID = 1 << 6,    // STATIC_GRID
+    WATER_FEATURE_PACKED = 1 << 7,  // PACKED
+    WATER_FEATURE_BOUNDS = 1 << 8,  // BOUNDS: the water lies in a polygon
+    WATER_FEATURE_LAYERS = 1 << 9,  // LAYERS: the water has wave layers
+    WATER_FEATURE_BOUND = 1 << 10,  // BOUND_WAVES: of cascades of order 2
+    WATER_FEATURE_NESTED = 1 << 11, // NESTED_GRID
+    WATER_FEATURE_COUNT = 12,
     WATER_FEATURE_CASCADES = WATER_FEATURE_PACKED | WATER_FEATURE_BOUND,
     WATER_FEATURE_WAVES =
         WATER_FEATURE_EXP | WATER_FEATURE_SUM | WATER_FEATURE_MESH | WATER_FEATURE_CASCADES | WATER_FEATURE_LAYERS,
@@ -82,6 +83,8 @@ typedef struct water_setup {
 // quad from above both variants are noted, with and without TRIM. Returns false when there is no memory (logged).
 bool bolan_water_programs_add(water_programs *all, const water_setup *s, bool below, const water_shader *shader,
                               uint32_t own);
+// The feature of a surface whose vertices the vertex shader makes.
+uint32_t bolan_water_grid_feature(bolan_surface_kind surface);
 // How many of the noted variants are still to be compiled.
 uint32_t bolan_water_programs_missing(const water_programs *all);
 // Compiles them. `progress` may be NULL. What does not compile is logged once, and draws nothing.

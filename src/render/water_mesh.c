@@ -98,6 +98,7 @@ bolan_result bolan_water_mesh_create(water_mesh *m, bolan_quality quality, uint3
         r = bolan_gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STREAM, m->index_capacity * sizeof(uint32_t), NULL,
                                    &m->indices);
     if (r == BOLAN_OK) r = create_mesh(m, &m->indices, &m->mesh);
+    if (r == BOLAN_OK) r = bolan_nested_grid_create(&m->levels, m->nested.cells);
     m->coarse = coarse_within(quality_table[quality].coarse, m->projected.max_vertices);
     return r == BOLAN_OK ? create_block(m) : r;
 }
@@ -113,6 +114,7 @@ void bolan_water_mesh_free(water_mesh *m) {
     bolan_gl_mesh_free(&m->block);
     bolan_gl_buffer_free(&m->block_vertices);
     bolan_gl_buffer_free(&m->block_indices);
+    bolan_nested_grid_free(&m->levels);
     bolan_release(m->cpu_vertices, n * sizeof *m->cpu_vertices);
     bolan_release(m->cpu_waves, n * sizeof *m->cpu_waves);
     bolan_release(m->cpu_rest, n * sizeof *m->cpu_rest);
@@ -260,12 +262,31 @@ static void build_fixed(water_mesh *m, const bolan_surface_view *view, bool coar
     m->grid = (bolan_surface_size){0, 0}; // the other buffers' indices count no longer
 }
 
+// The index buffer holds nothing of it.
+static void build_levels(water_mesh *m, const render_view *v, const bolan_surface_view *view) {
+    const bolan_nested placed = bolan_surface_nested_place(&m->nested, view);
+    bolan_nested_grid_place(&m->levels, &placed, view, &v->block.view_projection);
+    m->index_count = 3 * m->levels.triangles;
+    m->seam_count = 0;
+    m->placed.levels = 0;
+    m->grid = (bolan_surface_size){0, 0};
+}
+
+bool bolan_water_mesh_is_fixed(bolan_surface_kind kind, water_waves waves, mesh_wishes wishes,
+                               const mesh_rules *rules) {
+    const bool made = kind == BOLAN_SURFACE_PROJECTED || (kind == BOLAN_SURFACE_NESTED && rules == NULL);
+    return made && waves != WATER_MESH && !wishes.on_cpu;
+}
+
 void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_kind kind, water_waves waves,
                             mesh_wishes wishes, const mesh_rules *rules) {
     bolan_surface_view view = bolan_water_mesh_view(v);
-    m->fixed = kind == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH && !wishes.on_cpu;
+    m->fixed = bolan_water_mesh_is_fixed(kind, waves, wishes, rules);
     if (m->fixed) {
-        build_fixed(m, &view, wishes.coarse);
+        if (kind == BOLAN_SURFACE_NESTED)
+            build_levels(m, v, &view);
+        else
+            build_fixed(m, &view, wishes.coarse);
         m->kind = kind;
         return;
     }
@@ -291,6 +312,10 @@ void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_k
 void bolan_water_mesh_fill(const water_mesh *m, water_block *b) {
     float grid[8];
     if (!m->fixed) return;
+    if (m->kind == BOLAN_SURFACE_NESTED) {
+        bolan_nested_grid_fill(&m->levels, b);
+        return;
+    }
     bolan_surface_projector_uniforms(&m->projector, m->fixed_size, grid);
     b->grid_reach = (vec4){grid[0], grid[1], grid[2], grid[3]};
     b->grid_azimuth = (vec4){grid[4], grid[5], grid[6], grid[7]};
@@ -298,7 +323,9 @@ void bolan_water_mesh_fill(const water_mesh *m, water_block *b) {
 }
 
 void bolan_water_mesh_draw(const water_mesh *m) {
-    if (m->fixed)
+    if (m->fixed && m->kind == BOLAN_SURFACE_NESTED)
+        bolan_nested_grid_draw(&m->levels);
+    else if (m->fixed)
         bolan_gl_mesh_draw_instances(&m->block, BLOCK_INDICES, m->index_count / BLOCK_INDICES);
     else
         bolan_gl_mesh_draw(&m->mesh, 0, m->index_count + m->seam_count);

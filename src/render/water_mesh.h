@@ -4,6 +4,7 @@
 #define BOLAN_RENDER_WATER_MESH_H
 
 #include "frame.h"
+#include "nested_grid.h"
 #include "sea_gpu.h"
 
 typedef struct water_mesh {
@@ -32,7 +33,8 @@ typedef struct water_mesh {
     gl_mesh block;
     bolan_surface_size coarse, fixed_size; // of a grid for optics that need few vertices, and of this view
     bolan_surface_projector projector;
-    bool fixed; // it is what this view draws
+    nested_grid levels; // the nested surface, made likewise
+    bool fixed;         // one of the two is what this view draws
 } water_mesh;
 
 // How an optics changes the nested levels; each function is given.
@@ -53,11 +55,13 @@ typedef struct mesh_wishes {
     bool on_cpu; // its vertices are wanted here, to be looked at
 } mesh_wishes;
 
-// Makes the mesh of this view; WATER_MESH: with waves on its vertices. The projected surface is the static grid, but
-// with waves that are made on the CPU, and where its vertices are wanted here. `rules` may be NULL.
+// Whether the vertex shader makes the vertices: of projected and nested surfaces, but with waves that are made on the
+// CPU, with rules of an optics, and where the vertices are wanted here.
+bool bolan_water_mesh_is_fixed(bolan_surface_kind kind, water_waves waves, mesh_wishes wishes, const mesh_rules *rules);
+// Makes the mesh of this view; WATER_MESH: with waves on its vertices. `rules` may be NULL.
 void bolan_water_mesh_build(water_mesh *m, const render_view *v, bolan_surface_kind kind, water_waves waves,
                             mesh_wishes wishes, const mesh_rules *rules);
-// Fills the members of the static grid, where it is drawn.
+// Fills the members of the grid that the vertex shader makes, where one is drawn.
 void bolan_water_mesh_fill(const water_mesh *m, water_block *b);
 void bolan_water_mesh_draw(const water_mesh *m);
 // Makes the edges of the triangles, for bolan_water_mesh_draw_edges(). False: there is no memory for them (logged).

@@ -19,8 +19,9 @@ static bool is_trimmed(const render_view *v) {
 static uint32_t features_of(const water_draw *d) {
     const bool quad = bolan_water_surface(d->view) == BOLAN_SURFACE_QUAD;
     return (quad ? WATER_FEATURE_QUAD : 0) | (quad && is_trimmed(d->view) ? WATER_FEATURE_TRIM : 0) |
-           (d->view->frame->behind ? WATER_FEATURE_LAND : 0) | (d->mesh->fixed ? WATER_FEATURE_GRID : 0) |
-           (d->packed ? WATER_FEATURE_PACKED : 0) | (d->view->frame->bounds_count > 0 ? WATER_FEATURE_BOUNDS : 0) |
+           (d->view->frame->behind ? WATER_FEATURE_LAND : 0) |
+           (d->mesh->fixed ? bolan_water_grid_feature(d->mesh->kind) : 0) | (d->packed ? WATER_FEATURE_PACKED : 0) |
+           (d->view->frame->bounds_count > 0 ? WATER_FEATURE_BOUNDS : 0) |
            (d->view->frame->water.layer_count > 0 ? WATER_FEATURE_LAYERS : 0) |
            (bolan_sea_get_desc(d->view->frame->sea)->order > 1 ? WATER_FEATURE_BOUND : 0);
 }

@@ -73,7 +73,8 @@ static void list_setups(const water_optics *o, bolan_quality quality, bolan_surf
     const bolan_look look = {.paper = choice & 2};
     for (int i = 0; i < 3; ++i) {
         const water_waves waves = bolan_water_waves_of(forms[i], surface);
-        const bool grid = surface == BOLAN_SURFACE_PROJECTED && waves != WATER_MESH;
+        const mesh_rules *rules = o->mesh != NULL ? o->mesh(&look) : NULL;
+        const bool grid = bolan_water_mesh_is_fixed(surface, waves, (mesh_wishes){.coarse = false}, rules);
         const water_setup s = {.quality = quality,
                                .waves = waves,
                                .waves_below = bolan_water_waves_of(forms[i], BOLAN_SURFACE_QUAD),

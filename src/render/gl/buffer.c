@@ -104,6 +104,14 @@ void bolan_gl_mesh_attach(gl_mesh *m, const gl_buffer *vertices, uint32_t first,
     glBindVertexArray(0);
 }
 
+void bolan_gl_mesh_attach_instances(gl_mesh *m, const gl_buffer *instances, uint32_t first, const uint8_t *components,
+                                    uint32_t attributes, uint32_t stride) {
+    glBindVertexArray(m->vao);
+    point_attributes(instances, first, components, attributes, stride);
+    for (uint32_t i = 0; i < attributes; i++) glVertexAttribDivisor(first + i, 1);
+    glBindVertexArray(0);
+}
+
 void bolan_gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count) {
     glBindVertexArray(m->vao);
     const size_t offset = first_index * sizeof(uint32_t);

@@ -243,6 +243,9 @@ bolan_result bolan_gl_mesh_create(const gl_buffer *vertices, const gl_buffer *in
 // Adds the interleaved floats of another buffer, from location `first` on.
 void bolan_gl_mesh_attach(gl_mesh *m, const gl_buffer *vertices, uint32_t first, const uint8_t *components,
                           uint32_t attributes, uint32_t stride);
+// Likewise of floats that each instance has once.
+void bolan_gl_mesh_attach_instances(gl_mesh *m, const gl_buffer *instances, uint32_t first, const uint8_t *components,
+                                    uint32_t attributes, uint32_t stride);
 void bolan_gl_mesh_draw(const gl_mesh *m, uint32_t first_index, uint32_t index_count);
 void bolan_gl_mesh_draw_instances(const gl_mesh *m, uint32_t index_count, uint32_t instances);
 void bolan_gl_mesh_draw_lines(const gl_mesh *m, uint32_t index_count); // two indices a line, one pixel wide

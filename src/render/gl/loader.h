@@ -33,8 +33,8 @@
     X(LineWidth) X(LinkProgram) X(DrawElementsInstanced) X(PixelStorei) X(ReadBuffer) X(ReadPixels) \
     X(SamplerParameteri) X(Scissor) X(ShaderSource) X(StencilFuncSeparate) X(StencilOpSeparate) X(TexImage2D) \
     X(TexImage3D) X(TexParameterf) X(TexParameteri) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i) \
-    X(Uniform2f) X(Uniform4f) X(Uniform4fv) X(UniformBlockBinding) X(UseProgram) X(VertexAttribPointer) \
-    X(Viewport)
+    X(Uniform2f) X(Uniform4f) X(Uniform4fv) X(UniformBlockBinding) X(UseProgram) \
+    X(VertexAttribDivisor) X(VertexAttribPointer) X(Viewport)
 
 // In some versions only; gl_caps tells which may be called.
 #define GL_OPTIONAL(X) \
@@ -372,6 +372,8 @@ bool bolan_gl_has_extension(const char *name);
 #define glUnmapBuffer bolan_gl_called(UnmapBuffer)
 #undef glUseProgram
 #define glUseProgram bolan_gl_called(UseProgram)
+#undef glVertexAttribDivisor
+#define glVertexAttribDivisor bolan_gl_called(VertexAttribDivisor)
 #undef glVertexAttribPointer
 #define glVertexAttribPointer bolan_gl_called(VertexAttribPointer)
 #undef glViewport
