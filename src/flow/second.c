@@ -4,7 +4,6 @@
 #include "spectrum/portable.h"
 #include "waves/sea.h"
 
-#include <stdatomic.h>
 #include <string.h>
 
 // Bands whose waves have less than this share of the sea's velocity at the surface have no potential of their own.
@@ -123,31 +122,15 @@ bool bolan_flow_create_second(bolan_flow *flow, const bolan_sea *sea) {
 typedef struct step {
     bolan_flow *flow;
     flow_second *second;
-    atomic_uint next;
-    uint32_t items;
-    void (*work)(const struct step *s, uint32_t item, float *scratch);
 } step;
 
 // A complex plane: [strip of y][x][FFT_ROW].
 static size_t plane_floats(const step *s) { return 2 * (size_t)s->second->frame.n * s->second->frame.n; }
 static float *plane_of(const step *s, uint32_t index) { return s->flow->second_planes + index * plane_floats(s); }
 
-// Task: slots [begin, end), of which each owns a plane.
-static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
-    (void)end, (void)worker;
-    step *s = context;
-    for (;;) {
-        const uint32_t item = atomic_fetch_add_explicit(&s->next, 1, memory_order_relaxed);
-        if (item >= s->items) return;
-        s->work(s, item, plane_of(s, SECOND_PLANES + begin));
-    }
-}
-
-static void run(step *s, uint32_t items, void (*work)(const step *s, uint32_t item, float *scratch)) {
-    atomic_store_explicit(&s->next, 0, memory_order_relaxed);
-    s->items = items;
-    s->work = work;
-    bolan_parallel(s->flow->slots, 1, run_slots, s);
+// Each thread owns a plane.
+static void run(step *s, uint32_t items, flow_work *work) {
+    bolan_flow_share(s->flow, items, plane_of(s, SECOND_PLANES), plane_floats(s), work, s);
 }
 
 // Place of the complex value (i, j) of a plane, whose imaginary part is FFT_LANES farther.
@@ -223,7 +206,8 @@ static float factor_of(const second_wave *w, kind what) {
     }
 }
 
-static void make_field(const step *s, uint32_t index, float *scratch) {
+static void make_field(void *context, uint32_t index, float *scratch) {
+    const step *s = context;
     float *plane = plane_of(s, index);
     int32_t reach = 0;
     memset(plane, 0, plane_floats(s) * sizeof *plane);
@@ -253,7 +237,8 @@ static float product(const step *s, size_t p, int a, int b, float sign) {
 }
 
 // Q of differences and of sums, dQ/dt likewise: horizontal part, and as the imaginary part the vertical one.
-static void multiply(const step *s, uint32_t strip, float *scratch) {
+static void multiply(void *context, uint32_t strip, float *scratch) {
+    const step *s = context;
     (void)scratch;
     const size_t rows = (size_t)s->second->frame.n * FFT_ROW, first = strip * rows;
     for (int sums = 0; sums < 2; sums++) {
@@ -272,7 +257,8 @@ static void multiply(const step *s, uint32_t strip, float *scratch) {
     }
 }
 
-static void transform_products(const step *s, uint32_t item, float *scratch) {
+static void transform_products(void *context, uint32_t item, float *scratch) {
+    const step *s = context;
     transform(s, plane_of(s, SECOND_FIELDS + item), scratch, (int32_t)s->second->frame.n, s->second->reach);
 }
 
@@ -297,7 +283,8 @@ static void potential(const step *s, uint32_t rate, int32_t i, int32_t j, const 
 }
 
 // Fields 2 item and 2 item + 1 of the texels: two levels of phi2 or of dphi2/dt.
-static void make_levels(const step *s, uint32_t item, float *scratch) {
+static void make_levels(void *context, uint32_t item, float *scratch) {
+    const step *s = context;
     float *plane = plane_of(s, item); // the fields are done with
     const uint32_t n = s->second->frame.n, rate = 2 * item / SECOND_LEVELS, level = 2 * item % SECOND_LEVELS;
     const int32_t reach = s->second->reach;

@@ -248,4 +248,10 @@ typedef struct flow_water {
 void bolan_flow_ride(const bolan_flow *flow, double x, double y, double below, bool rides, double smoothing,
                      const float *keep, const float *share, flow_water *out);
 
+// An item of a step's work; scratch: memory that no other item uses meanwhile.
+typedef void flow_work(void *context, uint32_t item, float *scratch);
+// Does all items on the threads of flow->slots, of which each has so many floats of @p scratch.
+void bolan_flow_share(const bolan_flow *flow, uint32_t items, float *scratch, size_t floats, flow_work *work,
+                      void *context);
+
 #endif

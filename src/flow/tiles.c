@@ -10,7 +10,6 @@
 #include "spectrum/portable.h"
 #include "waves/cascades/cascades.h"
 
-#include <stdatomic.h>
 #include <string.h>
 
 #define WIDE 8.2 // ratio of a band's ends beyond which four levels are not enough
@@ -234,31 +233,15 @@ typedef struct step {
     flow_tile *tile;
     double time;
     int pair;
-    atomic_uint next;
-    uint32_t items;
-    void (*work)(struct step *s, uint32_t item, float *scratch);
 } step;
 
-// Task: slots [begin, end), of which each owns scratch memory.
-static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t worker) {
-    (void)end, (void)worker;
-    step *s = context;
-    for (;;) {
-        const uint32_t item = atomic_fetch_add_explicit(&s->next, 1, memory_order_relaxed);
-        if (item >= s->items) return;
-        s->work(s, item, s->flow->scratch + begin * s->flow->scratch_floats);
-    }
-}
-
-static void run(step *s, uint32_t items, void (*work)(step *s, uint32_t item, float *scratch)) {
-    atomic_store_explicit(&s->next, 0, memory_order_relaxed);
-    s->items = items;
-    s->work = work;
-    bolan_parallel(s->flow->slots, 1, run_slots, s);
+static void run(step *s, uint32_t items, flow_work *work) {
+    bolan_flow_share(s->flow, items, s->flow->scratch, s->flow->scratch_floats, work, s);
 }
 
 // h = h0(k) e^{-iwt} + conj(h0(-k)) e^{iwt} and its derivatives, of the waves of a strip, summed mode by mode.
-static void evolve(step *s, uint32_t strip, float *scratch) {
+static void evolve(void *context, uint32_t strip, float *scratch) {
+    const step *s = context;
     (void)scratch;
     const flow_tile *t = s->tile;
     for (uint32_t i = t->first[strip]; i < t->first[strip + 1]; i++) {
@@ -324,7 +307,8 @@ static void field_of(const flow_tile *t, const flow_mode *m, const float *h, uin
     out[1] = k * re;
 }
 
-static void do_rows(step *s, uint32_t strip, float *scratch) {
+static void do_rows(void *context, uint32_t strip, float *scratch) {
+    const step *s = context;
     const flow_tile *t = s->tile;
     float *plus = scratch, *minus = scratch + (size_t)t->frame.n * FFT_ROW;
     memset(scratch, 0, 2 * (size_t)t->frame.n * FFT_ROW * sizeof(float));
@@ -343,7 +327,8 @@ static void do_rows(step *s, uint32_t strip, float *scratch) {
     transpose_out(s, minus, strip * FFT_LANES, true);
 }
 
-static void do_columns(step *s, uint32_t strip, float *scratch) {
+static void do_columns(void *context, uint32_t strip, float *scratch) {
+    const step *s = context;
     const flow_tile *t = s->tile;
     const size_t floats = (size_t)t->frame.n * FFT_ROW;
     memcpy(scratch, s->flow->middle + strip * floats, floats * sizeof(float));
