@@ -85,8 +85,7 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
         float d = span.x + (float(i) + 0.5) * step_length, h = air_height(h0, dir.z, d);
         vec2 position = dir.xy * d;
         float footprint = d * texel_angle, extinction = cloud_extinction(position, h, footprint);
-        // a loop: software OpenGL goes past a loop that no pixel enters, but through a branch
-        for (int inside = 0; inside < 1 && extinction > 0.0; ++inside) {
+        if (extinction > 0.0) {
             float depth = depth_towards_sun(position, h, footprint);
             float level = clamp((h - cloud_base) / cloud_origin.z, 0.0, 1.0);
             // light scattered many times falls off as by diffusion; thin edges scatter once

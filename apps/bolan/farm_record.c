@@ -117,8 +117,9 @@ static void add_record(text *t, const farm_job *job, uint32_t frame, const bolan
         "\n  },\n  \"parameters\": {\n    \"width\": %u,\n    \"height\": %u,\n    \"samples\": %u,\n    \"tile\": "
         "%u,\n",
         (unsigned)job->width, (unsigned)job->height, (unsigned)job->samples, (unsigned)job->tile);
-    add(t, "    \"outputs\": %u,\n    \"quality\": \"%s\",\n    \"backend\": \"%s\"", job->outputs,
-        bolan_quality_names[job->quality], bolan_backend_names[job->backend]);
+    add(t, "    \"outputs\": %u,\n    \"quality\": \"%s\",\n    \"backend\": \"%s\",\n    \"pixels\": \"%s\"",
+        job->outputs, bolan_quality_names[job->quality], bolan_backend_names[job->backend],
+        bolan_pixels_names[job->pixels]);
     add_scene(t, scene);
     add(t, "\n  }\n}\n");
 }

@@ -15,8 +15,7 @@ void add_ripples(vec2 rest, footprint f, float gust, float depth, inout vec2 slo
 #ifndef WAVES_CASCADES
     float width = 0.5 * log2(f.minor * f.major) + 10.0, seen = 0.0; // in texels of a tile of 1 m
     vec2 sum = vec2(0.0);
-    // the second layer is gone where a pixel is half as wide as its longest waves, and software OpenGL leaves a loop
-    // where it does a branch not
+    // the second layer is gone where a pixel is half as wide as its longest waves
     for (int i = 0; i < RIPPLES && (i == 0 || width - ripple_size[i].z < 4.5); ++i) {
         vec2 u = ripple_tile[i].zw;
         vec2 at = ripple_tile[i].xy + vec2(dot(rest, u), dot(rest, vec2(-u.y, u.x))) * ripple_size[i].x;

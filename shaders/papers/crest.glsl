@@ -168,7 +168,7 @@ vec2 foam_opacity(vec2 rest, float width_log2, float intensity, float zone) {
     vec2 at = mod(water_wrapped + rest, WORLD_WRAP);
     float level = width_log2 + 9.0; // a tile has 512 texels
     vec4 tile = textureLod(foam_densities, at * (1.0 / 16.0), max(level - 4.0, 0.0));
-    for (int finer = 0; finer < 1 && width_log2 < -4.0; ++finer) { // a loop: software OpenGL takes both ways of an if
+    if (width_log2 < -4.0) {
         vec4 close = textureLod(foam_densities, at.yx * (1.0 / 4.0), max(level - 2.0, 0.0));
         tile = mix(tile, sqrt(tile * close), clamp(-4.0 - width_log2, 0.0, 1.0) * 0.6);
     }
@@ -276,8 +276,7 @@ vec3 light_here(ivec2 at, uvec4 shape) {
     if (effect_is_on(EFFECT_GLITTER)) surface += sun_glitter(p, w.slope, seen.area, sunlight);
     if (effect_is_on(EFFECT_FOAM) && foam > 0.0) {
         vec2 lather = vec2(foam, 0.87); // from afar, the mean
-        for (int near = 0; near < 1 && foam > 0.02 && p.fine < 2.0; ++near)
-            lather = foam_opacity(p.rest, p.fine, foam, zone);
+        if (foam > 0.02 && p.fine < 2.0) lather = foam_opacity(p.rest, p.fine, foam, zone);
         vec3 light = foam_radiance(sunlight, dot(sun_direction, normal), sky_light);
         light *= lather.y * FOAM_ALBEDO * FOAM_DENSEST;
         surface = mix(surface, light, lather.x * min(foam_strength, 1.0));
@@ -295,8 +294,7 @@ void main() {
     ivec2 at = sampled_pixel(gl_FragCoord.xy);
     uvec4 shape = texelFetch(surface_shape, at, 0);
     color = vec4(0.0);
-    // a loop: software OpenGL goes past one that no pixel enters, and on to the end of a discard
-    for (int water = 0; water < 1 && shape.x != 0u; ++water) color = vec4(light_here(at, shape), 1.0);
+    if (shape.x != 0u) color = vec4(light_here(at, shape), 1.0);
 #ifndef SPARSE // there, what is cleared is no water
     if (shape.x == 0u) discard;
 #endif

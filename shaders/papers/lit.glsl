@@ -53,7 +53,7 @@ float foam_here(water_pixel p, float width, wave_fields w, vec3 covariance) {
     cover = max(cover, shallows(p.least / clamp(significant_height, 0.3, 3.0), 0.0, SHORE_REACH) * SHORE_COVER);
 #endif
     float alpha = 0.0;
-    for (int i = 0; i < 1 && cover > 0.02; ++i) { // a loop: some drivers sample textures in both branches of an if
+    if (cover > 0.02) {
         vec2 at = mod(water_wrapped + p.rest, WORLD_WRAP);
         float detail = log2(width * 64.0); // texels of a tile of 8 m
         float blurred = clamp(detail * 0.2, 0.0, 1.0), far = clamp(detail * 0.2 - 0.6, 0.0, 1.0);
@@ -132,9 +132,7 @@ vec3 light_of(water_pixel p, vec3 view, footprint f, wave_fields w) {
 void main() {
     water_pixel p = water_here();
 #if !defined(QUAD) && !defined(PAPER)
-    // between vertices so far apart lies more than one cloud; a loop: some drivers sample textures in both branches of
-    // an if
-    for (int i = 0; i < 1 && p.spacing > 100.0; ++i) p.shade = cloud_shadow(p.position.xy);
+    if (p.spacing > 100.0) p.shade = cloud_shadow(p.position.xy); // between these vertices lies more than one cloud
 #endif
     float dist = length(p.position);
     vec3 view = -p.position / dist;

@@ -91,8 +91,7 @@ phong_surface surface_here() {
     float high = smoothstep(30.0, 200.0, eye_height);
     wide.minor *= 3.0 + 7.0 * high;
     wide.major = max(f.major, wide.minor);
-    for (int i = 0; i < 1 && eye_height > 30.0; ++i) // a loop: software OpenGL takes both ways of an if
-        at += wander_of(at) * high;
+    if (eye_height > 30.0) at += wander_of(at) * high;
 #endif
     s.slope = waves_of_footprint(at, wide, s.here.gust, s.here.depth, s.covariance).slope;
 #else

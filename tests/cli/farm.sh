@@ -37,7 +37,7 @@ refuse 2 '--frames does not go with a table' farm t.csv -o out --frames 2
 rm t.csv
 need_gl
 
-tiny='--technique exp-cosine --size 160x90 --quality low --samples 1'
+tiny='--technique exp-cosine --size 160x90 --quality low --samples 1 --pixels fragment'
 # A machine that is slow is told of the progress, on stderr.
 film="open-sea $tiny --fps 10 --frames 5 --quiet"
 
@@ -157,5 +157,7 @@ END
 }
 grep -q '"frame": 2, "time": 20, "line": 6, ' s-manifest.json || fail 'the manifest does not name the line of a row'
 grep -q '"camera.heading_deg": 200,' s-00.json || fail 'the record lacks the camera'
+grep -q '"backend": "auto",' s-00.json || fail 'the record lacks what makes the waves'
+grep -q '"pixels": "fragment",' s-00.json || fail 'the record lacks what shades the pixels'
 grep -q '"sea.seed": 7,' s-02.json || fail 'the record lacks the seed'
 has_no_part
