@@ -6,8 +6,9 @@
 // depth).
 //
 // LAND: there is terrain: depth attenuates the waves, the bed is visible through the water, land is reflected, the
-// shore foams. TAPS: most texture fetches along the long side of the pixel's footprint. RAYS: reflected rays that
-// search for land. STREAKS: the wind blows foam into streaks.
+// shore foams. BEHIND: of these, the bed is visible and land is reflected. TAPS: most texture fetches along the long
+// side of the pixel's footprint. RAYS: reflected rays that search for land. BARE: the sea never foams. STREAKS: the wind
+// blows foam into streaks.
 #include "common/frame.glsl"
 #include "common/fullscreen.glsl"
 
@@ -19,6 +20,9 @@ void main() { fullscreen(0.0); }
 #ifndef RAYS // set by quality; this serves an offline compiler
 #define RAYS 3
 #define LAND_STEPS 32
+#endif
+#if defined(LAND) && !defined(BEHIND)
+#define BEHIND
 #endif
 #include "common/waves.glsl"
 #include "common/atmosphere.glsl"
@@ -40,14 +44,14 @@ layout(std140) uniform Optics {
 
 #include "common/fine.glsl"
 
-#ifdef LAND
+#ifdef BEHIND
 #include "common/behind.glsl"
 #endif
 
 // The ray that a facet of that slope reflects towards the observer.
 vec3 reflected_ray(vec3 view, vec2 slope) { return reflect(-view, normalize(vec3(-slope, 1.0))); }
 
-#ifdef LAND
+#ifdef BEHIND
 #pragma unit land_mirror 19
 uniform sampler2D land_mirror; // land_mirror.glsl
 
@@ -152,6 +156,9 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, flo
     return radiance_of_bed(seen.rgb, deep, exp(-water_attenuation * bed_path(water_path, down)));
 }
 
+#endif
+
+#ifdef LAND
 // The look of the shore in this optics, chosen by eye.
 const surf_look SURF_LOOK = surf_look(0.35, 1.6, 0.1, 0.02, 0.35, 0.75, 0.0);
 const float ROCKS_DRY = 1.5, ROCKS_DEEP = 0.8;    // heights that the surge covers: this much dry [m], this much drowned
@@ -272,7 +279,7 @@ vec3 reflected_light(water_here p, rough_reflection mirror) {
     vec3 low_sky = environment_radiance(vec3(low.xy, abs(low.z)), blur);
     vec3 high_sky = environment_radiance(vec3(high.xy, abs(high.z)), blur);
     vec3 light = mirror.clear * 0.5 * (low_sky + high_sky);
-#ifdef LAND
+#ifdef BEHIND
     light = with_land(light, p.position, p.view, p.slope, p.seen.toward, mirror);
 #endif
     float again = level_reflectance(slope_variance(normalize(level_part(p.view)), slope_total));
@@ -299,7 +306,7 @@ vec3 light_through_crest(water_here p, vec3 sunlight) {
 vec3 transmitted_light(water_here p, vec2 uv, vec3 sunlight, vec3 lit, out float water_path) {
     vec3 below = effect_is_on(EFFECT_AMBIENT) ? water_reflectance * lit : vec3(0.0);
     water_path = 1e4;
-#ifdef LAND
+#ifdef BEHIND
     vec3 over_bed = bed_radiance(uv, below, p.position, p.view, p.normal, p.depth + p.height, water_path);
     if (effect_is_on(EFFECT_REFRACTION)) below = over_bed;
 #endif
@@ -349,7 +356,7 @@ foam_here foam_at(water_here p, float shore, foam_texels texels) {
     float fresh = foam_film(breaking_jacobian - p.waves.jacobian, hidden, sqrt(fresh_edge), grain, FRESH_DENSITY);
     fresh = breaking_jacobian <= 1.0 - FOAM_NEVER ? 0.0 : fresh;
 #ifdef LAND
-    fresh = max(fresh, foam_film(foam_quantile(shore), 0.0, 1.0, grain, SHORE_DENSITY));
+    if (shore > 0.0) fresh = max(fresh, foam_film(foam_quantile(shore), 0.0, 1.0, grain, SHORE_DENSITY));
 #endif
     float excess = (p.waves.foam - old_foam_memory) * inversesqrt(memory_variance);
     float old = foam_film(excess, share, sqrt(old_edge), patch_grain(texels, OLD_WEIGHTS, width), OLD_DENSITY);
@@ -385,6 +392,7 @@ bool shade(vec2 centre, out vec4 color) {
     float water_path;
     vec3 lit = light_below(sunlight);
     vec3 below = transmitted_light(p, uv, sunlight, lit, water_path);
+#ifndef BARE
     foam_here foam = foam_here(0.0, 0.0, 0.0);
     if (effect_is_on(EFFECT_FOAM)) {
         foam_texels texels = foam_look_up(p.rest, p.width);
@@ -396,7 +404,11 @@ bool shade(vec2 centre, out vec4 color) {
         foam = foam_at(p, shore, texels);
     }
     below += bubble_reflectance(water_attenuation, foam.bubbles) * lit;
-    vec3 surface = covered(surface_light(p, sunlight, below), p, sunlight, foam);
+#endif
+    vec3 surface = surface_light(p, sunlight, below);
+#ifndef BARE
+    surface = covered(surface, p, sunlight, foam);
+#endif
 #ifdef LAND
     surface = mix(texelFetch(scene_color, pixel, 0).rgb, surface, smoothstep(0.0, FILM, over_bed(p, water_path)));
 #endif

@@ -102,6 +102,10 @@ static double breaking_offset(const bolan_sea *sea, double edge) {
     return -sqrt(offset * offset + edge * deviations * deviations);
 }
 
+bool bolan_foam_can_form(const bolan_sea *sea) {
+    return bolan_sea_breaker_threshold(sea) - 1.0 > -FOAM_NEVER || old_share_of(sea) > 0.0;
+}
+
 double bolan_foam_streak_share(const bolan_sea *sea) {
     const bool breaks = bolan_sea_breaker_threshold(sea) > -FOAM_NEVER;
     return breaks ? streak_share(bolan_sea_get_desc(sea)->sea_state.wind_speed) : 0.0;

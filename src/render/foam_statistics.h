@@ -16,6 +16,9 @@ bolan_vec4 bolan_foam_weights(const bolan_sea *sea);
 // Standard deviation of the noise of fresh foam, in Jacobian.
 double bolan_foam_breaking_edge(const bolan_sea *sea);
 
+// Whether foam can form at some time, by the wind and by how steep the waves are.
+bool bolan_foam_can_form(const bolan_sea *sea);
+
 // Share of the sea under streaks of foam. Where nothing breaks, nothing is blown into streaks.
 double bolan_foam_streak_share(const bolan_sea *sea);
 

@@ -165,6 +165,7 @@ static water_setup setup_of(const frame *f) {
                          .bound_waves = bolan_sea_get_desc(f->sea)->order > 1,
                          .compute = f->compute_pixels,
                          .look = &f->lighting.look,
+                         .foams = bolan_foam_can_form(f->sea),
                          .streaks = bolan_foam_streak_share(f->sea) > 0.0,
                          .shares_samples = columns_of(f) > 1,
                          .edges = edges,

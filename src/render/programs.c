@@ -35,7 +35,7 @@ water_variant bolan_water_variant_of(const water_shader *shader, uint32_t own, w
                            .features = features,
                            .own = own,
                            .waves = features & WATER_FEATURE_EXP ? wave_count : 0,
-                           .compute = compute && shader->pixels};
+                           .compute = shader->dispatched || (compute && shader->pixels)};
 }
 
 static bool grow(water_programs *all) {

@@ -39,6 +39,7 @@ typedef struct water_shader {
     const char *stem;
     uint32_t reads;                            // features that the file depends on
     bool pixels;                               // the file has both entry points of shaders/common/pixels.glsl
+    bool dispatched;                           // the file is a compute shader
     const char *defines[WATER_SHADER_DEFINES]; // bit i of a variant's `own` adds line i, "NAME VALUE\n"
 } water_shader;
 
@@ -72,6 +73,7 @@ typedef struct water_setup {
     bool land, static_grid, packed, bounds, layers, bound_waves; // as the features of these names
     bool compute;                                                // BOLAN_PIXELS_COMPUTE
     const bolan_look *look;
+    bool foams;          // the sea does: bolan_foam_can_form()
     bool streaks;        // the wind blows foam into streaks
     bool shares_samples; // half-rate shading: see half_rate.h
     bool edges;          // BOLAN_SHOW_MESH

@@ -6,6 +6,7 @@
 #include "foam_statistics.h"
 #include "foam_texture.h"
 #include "kept_sizes.h"
+#include "pixel_tiles.h"
 #include "pixels.h"
 #include "shared/constants.glsl"
 #include "shared/foam.glsl"
@@ -26,6 +27,7 @@ typedef struct shape {
     gl_texture land; // land_mirror.glsl, where there is land
     gl_target land_target;
     uint64_t depth_serial; // of that depth
+    pixel_tiles tiles;     // where compute shaders shade
 } shape;
 
 typedef struct physical {
@@ -47,21 +49,37 @@ static const water_shader land_shader = {.stem = "land_mirror"};
 static const water_shader shadow_shader = {.stem = "host_shadow"};
 static const water_shader object_shadow_shader = {.stem = "object_shadow"};
 // By quality: texture fetches along a footprint, reflected rays that look for land, slopes by cubic splines. Then, what
-// a sea with streaks of foam adds.
-enum { LIGHT_STREAKS = 1 << BOLAN_QUALITIES };
-static const water_shader light_shader = {.stem = "water_physical",
-                                          .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND,
-                                          .pixels = true,
-                                          .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\nLAND_STEPS 12\n",
-                                                      [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\nLAND_STEPS 12\n",
-                                                      [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\nLAND_STEPS 32\n"
-                                                                             "SPLINES 1\n",
-                                                      [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\nLAND_STEPS 48\n"
-                                                                              "SPLINES 1\n",
-                                                      [BOLAN_QUALITIES] = "STREAKS 1\n"}};
+// a sea with streaks of foam adds, and what one that never foams leaves out; and for tiles of pixels.
+enum { STREAKS = BOLAN_QUALITIES, BARE, TILES, BEHIND };
+#define LIGHT                                                                         \
+    .stem = "water_physical", .pixels = true,                                         \
+    .defines = {[BOLAN_QUALITY_LOW] = "TAPS 1\nRAYS 1\nLAND_STEPS 12\n",              \
+                [BOLAN_QUALITY_MEDIUM] = "TAPS 2\nRAYS 1\nLAND_STEPS 12\n",           \
+                [BOLAN_QUALITY_HIGH] = "TAPS 4\nRAYS 3\nLAND_STEPS 32\nSPLINES 1\n",  \
+                [BOLAN_QUALITY_ULTRA] = "TAPS 8\nRAYS 3\nLAND_STEPS 48\nSPLINES 1\n", \
+                [STREAKS] = "STREAKS 1\n",                                            \
+                [BARE] = "BARE 1\n",                                                  \
+                [TILES] = "TILES 1\n",                                                \
+                [BEHIND] = "BEHIND 1\n"}
+static const water_shader light_shader = {LIGHT, .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND};
+static const water_shader far_shader = {LIGHT, .reads = WATER_FEATURE_WAVES}; // far from land
+static const water_shader tile_shader = {.stem = "compute/water_tiles", .dispatched = true, .defines = {"BEGIN 1\n"}};
 
-static uint32_t light_variant(bolan_quality quality, bool streaks) {
-    return 1u << quality | (streaks ? LIGHT_STREAKS : 0);
+typedef struct light_variant {
+    const water_shader *shader;
+    uint32_t own;
+} light_variant;
+
+// A shore foams on every sea.
+static uint32_t light_own(bolan_quality quality, bool land, bool foams, bool streaks) {
+    return 1u << quality | (!foams && !land ? 1u << BARE : 0) | (streaks ? 1u << STREAKS : 0);
+}
+
+static light_variant light_of_tiles(pixel_tile_class class, bolan_quality quality, bool foams, bool streaks) {
+    const bool near = class == TILES_NEAR;
+    const uint32_t own = light_own(quality, near, foams, streaks) | 1u << TILES;
+    return (light_variant){.shader = near ? &light_shader : &far_shader,
+                           .own = class == TILES_DEEP ? own | 1u << BEHIND : own};
 }
 
 static bolan_result create_no_shadow(physical *p) {
@@ -90,6 +108,7 @@ static void free_shape(shape *s) {
     bolan_water_air_free(&s->air);
     bolan_gl_target_free(&s->land_target);
     bolan_gl_texture_free(&s->land);
+    bolan_pixel_tiles_free(&s->tiles);
     s->depth_serial = 0;
 }
 
@@ -121,6 +140,8 @@ static bolan_result create_shape(shape *s, const render_view *v) {
     if (result == BOLAN_OK) result = bolan_gl_target_create(&color, 1, v->hdr_depth, -1, 0, &s->target);
     if (result == BOLAN_OK) result = bolan_water_air_create(&s->air, v);
     if (result == BOLAN_OK) result = create_land(s, v);
+    if (result == BOLAN_OK && v->frame->compute_pixels)
+        result = bolan_pixel_tiles_create(v->width, v->height, &s->tiles);
     if (result == BOLAN_OK) s->depth_serial = v->depth_serial;
     return result;
 }
@@ -257,11 +278,37 @@ static bool draw_land(shape *s, const water_draw *d) {
     return true;
 }
 
+// Where land or objects are in the scene, by compute shaders.
+static void light_tiles(const physical *p, const water_draw *d, water_rows rows, bool foams, bool streaks) {
+    const gl_program *sort = bolan_water_program(d, &tile_shader, 0), *begin = bolan_water_program(d, &tile_shader, 1);
+    const gl_program *programs[TILE_CLASSES];
+    bool all = sort != NULL && begin != NULL;
+    for (int i = 0; i < TILE_CLASSES; ++i) {
+        const light_variant v = light_of_tiles((pixel_tile_class)i, p->quality, foams, streaks);
+        programs[i] = bolan_water_program(d, v.shader, v.own);
+        all = all && programs[i] != NULL;
+    }
+    if (!all) return;
+    gl_compute_saved saved;
+    bolan_gl_compute_begin(&saved);
+    bolan_pixel_tiles_sort(&p->shape->tiles, begin, sort, &d->view->hdr, rows.from, rows.to);
+    bolan_pixel_tiles_draw(&p->shape->tiles, programs, &d->view->hdr, rows.from, rows.to);
+    bolan_gl_compute_end(&saved);
+}
+
+static void light_rows(const physical *p, const water_draw *d, water_rows rows) {
+    const frame *f = d->view->frame;
+    const bool foams = bolan_foam_can_form(f->sea), streaks = bolan_foam_streak_share(f->sea) > 0.0;
+    if (f->compute_pixels && f->behind) {
+        light_tiles(p, d, rows, foams, streaks);
+        return;
+    }
+    const gl_program *program = bolan_water_program(d, &light_shader, light_own(p->quality, f->behind, foams, streaks));
+    if (program != NULL) bolan_pixels_draw(program, &d->view->hdr, rows.from, rows.to);
+}
+
 static void light(void *state, const water_draw *d, water_rows rows) {
     physical *p = state;
-    const bool streaks = bolan_foam_streak_share(d->view->frame->sea) > 0.0;
-    const gl_program *program = bolan_water_program(d, &light_shader, light_variant(p->quality, streaks));
-    if (program == NULL) return;
     physical_block block = foam_of(d->view);
     set_fine(&block, d->view);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
@@ -275,15 +322,27 @@ static void light(void *state, const water_draw *d, water_rows rows) {
     bolan_gl_texture_bind(&p->shape->air.map, UNIT_OWN + 3);
     bolan_gl_texture_bind(&p->shape->land, UNIT_OWN + 4);
     if (d->fields->now->fine.id != 0) bolan_gl_texture_bind(&d->fields->now->fine, UNIT_FINE);
-    bolan_pixels_draw(program, &d->view->hdr, rows.from, rows.to);
+    light_rows(p, d, rows);
     bolan_gl_target_bind(&d->view->hdr);
+}
+
+static void list_light(const water_setup *s, water_programs *all) {
+    if (!s->compute || !s->land) {
+        bolan_water_programs_add(all, s, false, &light_shader, light_own(s->quality, s->land, s->foams, s->streaks));
+        return;
+    }
+    for (int i = 0; i < TILE_CLASSES; ++i) {
+        const light_variant v = light_of_tiles((pixel_tile_class)i, s->quality, s->foams, s->streaks);
+        bolan_water_programs_add(all, s, false, v.shader, v.own);
+    }
+    for (uint32_t own = 0; own < 2; ++own) bolan_water_programs_add(all, s, false, &tile_shader, own);
 }
 
 static void list(const void *state, const water_setup *s, water_programs *all) {
     (void)state;
     bolan_water_programs_add(all, s, false, &shape_shader, 0);
     bolan_water_air_list(s, all);
-    bolan_water_programs_add(all, s, false, &light_shader, light_variant(s->quality, s->streaks));
+    list_light(s, all);
     bolan_water_programs_add(all, s, false, &land_shader, 0);
     bolan_water_programs_add(all, s, false, &shadow_shader, 0); // a host may bring shadows to any view
     if (s->land) bolan_water_programs_add(all, s, false, &object_shadow_shader, 0);

@@ -24,7 +24,7 @@ static void name_file(const char *folder, const char *stem, const char *defines,
 
 static bool write_variant(const char *folder, const water_shader *shader, const char *defines) {
     static const char *const stages[][2] = {{"VERTEX", "vert"}, {"FRAGMENT", "frag"}, {"COMPUTE", "comp"}};
-    for (int i = 0; i < (shader->pixels ? 6 : 4); ++i) {
+    for (int i = shader->dispatched ? 4 : 0; i < (shader->dispatched || shader->pixels ? 6 : 4); ++i) {
         const char *const *stage = stages[i / 2];
         const bool es = i & 1;
         char path[512];
@@ -64,12 +64,12 @@ static void list(const water_optics *o, const water_setup *s, water_programs *al
     if (s->shares_samples) bolan_half_rate_prepare(&sparse, s, o->shape != NULL, all);
 }
 
-// Bits of `choice`: land, paper, bounds with bound waves, layers with streaks of foam; what else stands in the picture
-// goes with the land.
+// Bits of `choice`: land, paper, bounds with bound waves, layers with streaks of foam, compute shaders without foam;
+// what else stands in the picture goes with the land.
 static void list_setups(const water_optics *o, bolan_quality quality, bolan_surface_kind surface, int choice,
                         water_programs *all) {
     static const bolan_wave_form forms[] = {BOLAN_FORM_CASCADES, BOLAN_FORM_COSINES, BOLAN_FORM_EXP_COSINES};
-    const bool land = choice & 1, bounds = choice & 4, layers = choice & 8;
+    const bool land = choice & 1, bounds = choice & 4, layers = choice & 8, compute = choice & 16;
     const bolan_look look = {.paper = choice & 2};
     for (int i = 0; i < 3; ++i) {
         const water_waves waves = bolan_water_waves_of(forms[i], surface);
@@ -86,6 +86,8 @@ static void list_setups(const water_optics *o, bolan_quality quality, bolan_surf
                                .bounds = bounds,
                                .layers = layers,
                                .bound_waves = bounds,
+                               .compute = compute,
+                               .foams = !compute,
                                .streaks = layers,
                                .look = &look,
                                .shares_samples = o->shade_columns(&look, quality) > 1,
@@ -100,13 +102,13 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: print_variants SHADER-FOLDER OUT-FOLDER\n");
         return 2;
     }
-    static const int choices[] = {0, 1, 2, 3, 4, 5, 8, 9};
+    static const int choices[] = {0, 1, 2, 3, 4, 5, 8, 9, 16, 17};
     water_programs all = {0};
     for (int o = 0; o < OPTICS; ++o)
         for (int quality = BOLAN_QUALITY_LOW; quality <= BOLAN_QUALITY_ULTRA; ++quality)
             for (int surface = BOLAN_SURFACE_PROJECTED; surface <= BOLAN_SURFACE_QUAD; ++surface)
                 // paper, bounds and layers meet no line that depends on the quality
-                for (int i = 0; i < (quality == BOLAN_QUALITY_HIGH ? 8 : 2); ++i)
+                for (int i = 0; i < (quality == BOLAN_QUALITY_HIGH ? 10 : 2); ++i)
                     list_setups(optics[o], (bolan_quality)quality, (bolan_surface_kind)surface, choices[i], &all);
     bolan_gl_program_set_directory(argv[1]);
     bool written = all.count > 0 && !all.refused;

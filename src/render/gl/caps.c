@@ -58,7 +58,9 @@ static bool has_texture_view(void) {
 
 static bool has_compute(void) {
     const gl_functions *f = &bolan_gl_functions;
-    if (!f->DispatchCompute || !f->BindImageTexture || !f->MemoryBarrier || !f->TexStorage3D) return false;
+    if (!f->DispatchCompute || !f->DispatchComputeIndirect || !f->BindImageTexture || !f->MemoryBarrier ||
+        !f->TexStorage3D)
+        return false;
     return bolan_gl_is_es() ? bolan_gl_version() >= 31 && has_texture_view()
                             : bolan_gl_version() >= 43 && f->TextureView;
 }

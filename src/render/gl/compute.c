@@ -14,6 +14,7 @@ static void save_image(gl_compute_saved *s, GLuint i) {
 void bolan_gl_compute_begin(gl_compute_saved *s) {
     if (!bolan_gl_may_ask()) return;
     glGetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &s->buffer);
+    glGetIntegerv(GL_DISPATCH_INDIRECT_BUFFER_BINDING, &s->arguments);
     for (GLuint i = 0; i < GL_STORAGE_SLOTS; i++) {
         glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, i, &s->slot[i]);
         glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, i, &s->offset[i]);
@@ -33,6 +34,7 @@ void bolan_gl_compute_end(const gl_compute_saved *s) {
         }
     }
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, (GLuint)s->buffer);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, (GLuint)s->arguments);
     for (GLuint i = 0; i < GL_IMAGES; i++)
         glBindImageTexture(i, (GLuint)s->image[i].name, s->image[i].level, s->image[i].layered != 0, s->image[i].layer,
                            (GLenum)s->image[i].access, (GLenum)s->image[i].format);
@@ -51,8 +53,16 @@ void bolan_gl_image_bind(const gl_texture *t, uint32_t level, uint32_t slot) {
 
 void bolan_gl_dispatch(uint32_t x, uint32_t y, uint32_t z) { glDispatchCompute(x, y, z); }
 
+void bolan_gl_arguments_bind(const gl_buffer *b) {
+    BOLAN_ASSERT(b->id);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, b->id);
+}
+
+void bolan_gl_dispatch_indirect(size_t offset) { glDispatchComputeIndirect((GLintptr)offset); }
+
 void bolan_gl_wait_for(gl_barrier what) {
     static const GLbitfield bits[] = {[GL_BARRIER_STORAGE] = GL_SHADER_STORAGE_BARRIER_BIT,
+                                      [GL_BARRIER_ARGUMENTS] = GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT,
                                       [GL_BARRIER_TEXTURES] = GL_TEXTURE_FETCH_BARRIER_BIT,
                                       [GL_BARRIER_ALL] = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                                                          GL_BUFFER_UPDATE_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT |

@@ -256,7 +256,7 @@ void bolan_gl_draw_fullscreen(void); // 3 vertices from gl_VertexID, no buffers:
 enum { GL_STORAGE_SLOTS = 4, GL_IMAGES = 4 }; // that every context with compute shaders has
 // The caller's bindings of storage buffers and images, which bolan_gl_save() leaves alone.
 typedef struct gl_compute_saved {
-    int32_t buffer, slot[GL_STORAGE_SLOTS];
+    int32_t buffer, arguments, slot[GL_STORAGE_SLOTS];
     int64_t offset[GL_STORAGE_SLOTS], size[GL_STORAGE_SLOTS];
     struct {
         int32_t name, level, layered, layer, access, format;
@@ -268,8 +268,12 @@ void bolan_gl_storage_bind(const gl_buffer *b, uint32_t slot);
 // Binds all layers of a level, to be written.
 void bolan_gl_image_bind(const gl_texture *t, uint32_t level, uint32_t slot);
 void bolan_gl_dispatch(uint32_t x, uint32_t y, uint32_t z);
-// What is written before can be read after: storage buffers by shaders; textures by shaders; all by everything.
-typedef enum gl_barrier { GL_BARRIER_STORAGE, GL_BARRIER_TEXTURES, GL_BARRIER_ALL } gl_barrier;
+// The numbers of groups stand in the buffer that is bound, three whole numbers from `offset` on, a multiple of 4.
+void bolan_gl_arguments_bind(const gl_buffer *b);
+void bolan_gl_dispatch_indirect(size_t offset);
+// What is written before can be read after: storage buffers by shaders; they, also as arguments of a dispatch; textures
+// by shaders; all by everything.
+typedef enum gl_barrier { GL_BARRIER_STORAGE, GL_BARRIER_ARGUMENTS, GL_BARRIER_TEXTURES, GL_BARRIER_ALL } gl_barrier;
 void bolan_gl_wait_for(gl_barrier what);
 
 // ---- state ----
