@@ -7,8 +7,8 @@
 //
 // LAND: there is terrain: depth attenuates the waves, the bed is visible through the water, land is reflected, the
 // shore foams. BEHIND: of these, the bed is visible and land is reflected. TAPS: most texture fetches along the long
-// side of the pixel's footprint. RAYS: reflected rays that search for land. BARE: the sea never foams. STREAKS: the wind
-// blows foam into streaks.
+// side of the pixel's footprint. RAYS: reflected rays that search for land. BARE: the sea never foams. STREAKS: the
+// wind blows foam into streaks.
 #include "common/frame.glsl"
 #include "common/fullscreen.glsl"
 

@@ -7,8 +7,8 @@
 /// bolan_renderer_desc::restore says otherwise:
 /// - framebuffer bindings, program, vertex array;
 /// - buffers bound for vertices, uniforms, pixels and queries, uniform slots 0 to 4;
-/// - with BOLAN_BACKEND_COMPUTE or BOLAN_PIXELS_COMPUTE the storage buffer binding, storage buffer slots 0 to 3 and
-///   image units 0 to 3;
+/// - with BOLAN_BACKEND_COMPUTE or BOLAN_PIXELS_COMPUTE the bindings of a storage buffer and of a buffer for indirect
+///   dispatches, storage buffer slots 0 to 3 and image units 0 to 3;
 /// - the active texture unit, and textures (2D, 3D, 2D array) and samplers of units 0 to 28;
 /// - viewports, scissors and depth ranges of all viewports (arrays of them on desktop OpenGL);
 /// - blend switch, function and equation, and colour mask, of each draw buffer; logic op, dither, sRGB switch;
@@ -68,7 +68,7 @@ typedef struct bolan_renderer_desc {
     /// DECLARED and NONE ask none. In exchange:
     /// - textures of units 0 to 28 and uniform slots 0 to 4 stay as the call leaves them, and sampler objects of these
     ///   units are unbound; with BOLAN_BACKEND_COMPUTE or BOLAN_PIXELS_COMPUTE also storage buffers and images of slots
-    ///   0 to 3 stay;
+    ///   0 to 3 and the buffer for indirect dispatches stay;
     /// - no transform feedback is active in a call;
     /// - the names of your framebuffers and textures are checked when they first come, and not again: change
     ///   bolan_renderer_desc::restore to FULL while you look for a wrong name;

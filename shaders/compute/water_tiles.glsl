@@ -41,8 +41,8 @@ void main() {
 #include "common/behind.glsl"
 uniform vec4 region; // of the target: left, bottom, right, top [px]
 
-// Of significant heights, from where on coast_attenuation() is 1 and surf_cover() is 0; and depth without surge at rocks
-// [m]: see least_depth() of water_physical.glsl.
+// Of significant heights, from where on coast_attenuation() is 1 and surf_cover() is 0; and depth without surge at
+// rocks [m]: see least_depth() of water_physical.glsl.
 const float ATTENUATED = 9.0, SURF = 3.0, ROCKS = 16.0;
 
 // Depth below which the bed leaves waves and foam alone [m].

@@ -18,7 +18,8 @@ bolan_result bolan_pixel_tiles_create(uint32_t width, uint32_t height, pixel_til
 // Fills the lists for rows from..to - 1 of the target: by one group of the program `begin`, then by `sort`.
 void bolan_pixel_tiles_sort(const pixel_tiles *t, const gl_program *begin, const gl_program *sort,
                             const gl_target *target, uint32_t from, uint32_t to);
-// Shades each list by its program, after bolan_pixel_tiles_sort(). Both stand between bolan_gl_compute_begin() and bolan_gl_compute_end().
+// Shades each list by its program, after bolan_pixel_tiles_sort(). Both are called between bolan_gl_compute_begin() and
+// bolan_gl_compute_end().
 void bolan_pixel_tiles_draw(const pixel_tiles *t, const gl_program *const programs[TILE_CLASSES],
                             const gl_target *target, uint32_t from, uint32_t to);
 void bolan_pixel_tiles_free(pixel_tiles *t);

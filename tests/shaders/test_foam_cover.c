@@ -13,6 +13,7 @@
 
 typedef struct covers {
     double breaking, all;
+    bool can; // foam can form
 } covers;
 
 static uint32_t random_state;
@@ -34,7 +35,7 @@ static covers measure(double wind) {
     const foam_law law = bolan_foam_law(sea, bolan_foam_breaking_edge(sea), true);
     const bolan_vec4 weights = bolan_foam_weights(sea);
     const double weight[] = {(double)weights.x, (double)weights.y, (double)weights.z, (double)weights.w};
-    covers sum = {0.0, 0.0};
+    covers sum = {0.0, 0.0, bolan_foam_can_form(sea)};
     enum { PLACES = 200000 };
     random_state = 7;
     for (int i = 0; i < PLACES; ++i) {
@@ -69,6 +70,7 @@ static void foam_covers_what_was_observed(void **state) {
         const covers c = measure(u);
         print_message("%.0f m/s: breaking %.2g (%.2g), all %.2g (%.2g)\n", u, c.breaking, breaking, c.all,
                       callaghan(u));
+        assert_int_equal(c.can, u > 3.7);
         if (u < 3.7) assert_true(c.breaking == 0.0 && c.all == 0.0);
         if (u < 3.7) continue;
         // at 5 m/s a few places in a hundred thousand

@@ -1220,7 +1220,7 @@ class RendererDesc(Struct):
         DECLARED and NONE ask none. In exchange:
         - textures of units 0 to 28 and uniform slots 0 to 4 stay as the call leaves them, and sampler objects of these
           units are unbound; with BOLAN_BACKEND_COMPUTE or BOLAN_PIXELS_COMPUTE also storage buffers and images of slots
-          0 to 3 stay;
+          0 to 3 and the buffer for indirect dispatches stay;
         - no transform feedback is active in a call;
         - the names of your framebuffers and textures are checked when they first come, and not again: change
           bolan_renderer_desc::restore to FULL while you look for a wrong name;

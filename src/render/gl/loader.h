@@ -41,8 +41,8 @@
     X(BindImageTexture) X(BindTextureUnit) X(BlendEquationSeparatei) X(BlendEquationi) X(BlendFuncSeparatei) \
     X(BufferStorage) X(BufferStorageEXT) X(ClampColor) X(ClearDepth) X(ClearDepthf) X(ClipControl) \
     X(ClipControlEXT) X(ColorMaski) X(DebugMessageCallback) X(DebugMessageCallbackKHR) X(DepthRange) \
-    X(DepthRangeIndexed) X(DepthRangef) X(Disablei) X(DispatchCompute) X(DispatchComputeIndirect) X(Enablei) X(GetBooleani_v) \
-    X(GetDoublei_v) X(GetDoublev) X(GetFloati_v) X(GetPointerv) \
+    X(DepthRangeIndexed) X(DepthRangef) X(Disablei) X(DispatchCompute) X(DispatchComputeIndirect) X(Enablei) \
+    X(GetBooleani_v) X(GetDoublei_v) X(GetDoublev) X(GetFloati_v) X(GetPointerv) \
     X(GetPointervKHR) X(GetQueryObjectui64v) X(GetTexLevelParameteriv) X(GetTextureParameteriv) X(IsEnabledi) \
     X(MapBufferRange) X(MemoryBarrier) X(PauseTransformFeedback) X(PixelTransferf) X(PolygonMode) X(ProvokingVertex) \
     X(QueryCounter) X(ResumeTransformFeedback) X(ScissorIndexedv) X(TexStorage2D) X(TexStorage3D) X(TextureView) \
