@@ -337,6 +337,7 @@ struct foam_here {
     float opacity; // of the film on the water
     float bubbles; // share of their densest cloud below it
     float relief;  // foam_relief(), of dense foam
+    float hollows; // foam_hollows(), of dense foam
 };
 
 // share: of the variance of the Jacobian, that the pixel hides.
@@ -369,13 +370,14 @@ foam_here foam_at(water_here p, float shore, foam_texels texels) {
     clear *= 1.0 - streak_film(p.waves.jacobian, share, texels, width);
 #endif
     return foam_here(clamp((1.0 - clear) * foam_strength, 0.0, 1.0), max(bubbles, shore) * foam_strength,
-                     foam_relief(texels, p.rest, width));
+                     foam_relief(texels, p.rest, width), foam_hollows(texels));
 }
 
 // The surface under its foam.
 vec3 covered(vec3 surface, water_here p, vec3 sunlight, foam_here foam) {
     float facing = dot(sun_direction, p.normal) - foam.opacity * foam.relief;
-    return mix(surface, foam_radiance(sunlight, facing, sky_light) * FOAM_ALBEDO, foam.opacity);
+    vec3 from_sky = sky_light * mix(1.0, foam.hollows, foam.opacity);
+    return mix(surface, foam_radiance(sunlight, facing, from_sky) * FOAM_ALBEDO, foam.opacity);
 }
 
 const float FILM = 0.12; // depth within which the water's edge fades into wet sand [m]
@@ -393,7 +395,7 @@ bool shade(vec2 centre, out vec4 color) {
     vec3 lit = light_below(sunlight);
     vec3 below = transmitted_light(p, uv, sunlight, lit, water_path);
 #ifndef BARE
-    foam_here foam = foam_here(0.0, 0.0, 0.0);
+    foam_here foam = foam_here(0.0, 0.0, 0.0, 1.0);
     if (effect_is_on(EFFECT_FOAM)) {
         foam_texels texels = foam_look_up(p.rest, p.width);
         float shore = 0.0;

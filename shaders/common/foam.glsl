@@ -16,14 +16,19 @@ vec4 foam_texel(vec2 p, float log2_tile, float detail) {
     return textureLod(foam_noise, p * exp2(-log2_tile), max(detail - log2_tile, 0.0));
 }
 
+// Where a rest point, eye-relative [m], lies among bubbles and small nets, and among patches and broad nets.
+vec2 foam_place(vec2 rest) { return mod(foam_wrapped + rest, WORLD_WRAP); }
+vec2 eddies_place(vec2 rest) { return mod(eddies_wrapped + rest, WORLD_WRAP); }
+
 // rest: eye-relative [m]; width of the pixel on the water [m].
 foam_texels foam_look_up(vec2 rest, float width) {
-    vec2 p = mod(water_wrapped + rest, WORLD_WRAP);
+    vec2 p = foam_place(rest);
     // Old foam is drawn out along the wind. This tile lies turned, so the CPU finds the eye's place in it.
     vec2 drawn_out = streak_place + streak_scale *
                      vec2(dot(rest, vec2(-wind_direction.y, wind_direction.x)), dot(rest, wind_direction));
     float detail = log2(width * FOAM_TEXELS);
-    return foam_texels(foam_texel(p, 6.0, detail), foam_texel(p.yx, 3.0, detail), foam_texel(p, 0.0, detail),
+    return foam_texels(foam_texel(eddies_place(rest), 6.0, detail), foam_texel(p.yx, 3.0, detail),
+                       foam_texel(p, 0.0, detail),
                        textureLod(foam_noise, drawn_out, max(detail + log2(streak_scale.x), 0.0)));
 }
 
@@ -32,28 +37,36 @@ const float NETS_HEIGHT = 0.012, BUBBLES_HEIGHT = 0.002;
 
 // Slope of the foam itself towards the sun, times the sine of the sun's angle from the zenith: walls that face the sun
 // are bright, those behind are in their own shadow, at a low sun most. The mean over a place is 0, and a pixel wider
-// than the walls sees none of it.
+// than the walls sees none of it: from RELIEF_FADES on it is not fetched.
+const float RELIEF_FADES = 0.15, RELIEF_ENDS = 0.3; // [m]
 float foam_relief(foam_texels here, vec2 rest, float width) {
+    if (width >= RELIEF_ENDS) return 0.0;
     float far = length(sun_direction.xy), nets = max(0.04, width), bubbles = max(0.005, width);
-    vec2 towards = sun_direction.xy / max(far, 1e-3), p = mod(water_wrapped + rest, WORLD_WRAP);
+    vec2 towards = sun_direction.xy / max(far, 1e-3), p = foam_place(rest);
     float detail = log2(width * FOAM_TEXELS);
     vec2 rise = vec2(foam_texel((p + nets * towards).yx, 3.0, detail).g - here.middle.g,
                      foam_texel(p + bubbles * towards, 0.0, detail).b - here.fine.b);
-    return far * FOAM_NOISE_RANGE * dot(rise, vec2(NETS_HEIGHT / nets, BUBBLES_HEIGHT / bubbles));
+    float kept = clamp((RELIEF_ENDS - width) / (RELIEF_ENDS - RELIEF_FADES), 0.0, 1.0);
+    return kept * far * FOAM_NOISE_RANGE * dot(rise, vec2(NETS_HEIGHT / nets, BUBBLES_HEIGHT / bubbles));
+}
+
+// Light of the sky on the foam, over that on a flat film: the hollows of bubbles of 3 to 25 cm see less of the sky than
+// their walls. These cells do not shape the film, so that the mean light of foam is the same at every distance.
+const vec2 HOLLOWS = vec2(0.09, 0.12); // of a standard deviation of the cells of 8 m and of 1 m tiles, by eye
+float foam_hollows(foam_texels here) {
+    return 1.0 + FOAM_NOISE_RANGE * dot(vec2(here.middle.b, here.fine.g) - FOAM_NOISE_MIDDLE / 255.0, HOLLOWS);
 }
 
 // Smooth patches of some metres, 0..1: x and y are independent.
 const float SMOOTH_LEVEL = 5.0; // [log2 of texels of 64 m]
 vec2 smooth_patches(vec2 rest, float width) {
-    vec2 p = mod(water_wrapped + rest, WORLD_WRAP);
-    return textureLod(foam_noise, p / 64.0, max(log2(width * (FOAM_TEXELS / 64.0)), SMOOTH_LEVEL)).ra;
+    return textureLod(foam_noise, eddies_place(rest) / 64.0, max(log2(width * (FOAM_TEXELS / 64.0)), SMOOTH_LEVEL)).ra;
 }
 
 // Weights of the noises, by eye; each sum of squares is 1. Fresh and old foam: broad patches, broad nets, small nets,
-// bubbles. Streaks: windrows, drawn-out nets, broad nets, small nets; and bubbles.
+// bubbles. Streaks: windrows, drawn-out nets, broad nets, small nets; and broad patches, bubbles.
 const vec4 FRESH_WEIGHTS = vec4(0.5, 0.45, 0.55, 0.5), OLD_WEIGHTS = vec4(0.4, 0.52, 0.6, 0.45),
-           STREAK_WEIGHTS = vec4(0.44, 0.5, 0.38, 0.48);
-const float STREAK_BUBBLES = 0.426;
+           STREAK_WEIGHTS = vec4(0.44, 0.48, 0.33, 0.44), STREAK_PIECES = vec4(0.3, 0.428, 0.0, 0.0);
 // Widths of a pixel at which it averages over half of a noise's variance [texels]: patches, nets, bubbles, streaks.
 const float PATCHES_WIDTH = 62.0, NETS_WIDTH = 11.0, BUBBLES_WIDTH = 4.9, STREAKS_WIDTH = 80.0;
 
@@ -78,9 +91,9 @@ foam_grain streak_grain(foam_texels t, float width) {
     vec4 widths = vec4(vec2(STREAKS_WIDTH, NETS_WIDTH) / streak_scale.x, 64.0 * NETS_WIDTH, 8.0 * NETS_WIDTH);
     foam_grain g = foam_grain_of(vec4(t.streak.a, t.streak.g, t.broad.g, t.middle.g), STREAK_WEIGHTS,
                                  widths / FOAM_TEXELS, width);
-    foam_grain bubbles = foam_grain_of(vec4(t.fine.b), vec4(STREAK_BUBBLES, 0.0, 0.0, 0.0),
-                                       vec4(BUBBLES_WIDTH / FOAM_TEXELS), width);
-    return foam_grain(g.value + bubbles.value, g.hidden + bubbles.hidden - 1.0);
+    foam_grain pieces = foam_grain_of(vec4(t.broad.r, t.fine.b, vec2(FOAM_NOISE_MIDDLE / 255.0)), STREAK_PIECES,
+                                      vec2(64.0 * PATCHES_WIDTH, BUBBLES_WIDTH).xyxy / FOAM_TEXELS, width);
+    return foam_grain(g.value + pieces.value, g.hidden + pieces.hidden - 1.0);
 }
 
 // Opacity of a film of foam: `excess` and `hidden`, mean and variance of the field in the pixel, over its threshold;

@@ -14,6 +14,7 @@
 #define FOAM_DENSEST 0.92
 
 #define FOAM_TEXELS 512.0    // along a side of the noise of src/render/foam_texture.h
+#define FOAM_BROADEST 64.0   // largest tile of it [m]
 #define FOAM_NOISE_MIDDLE 128.0 // of its values, whose mean is 0
 #define FOAM_NOISE_RANGE 6.0 // standard deviations over all its 256 values
 
@@ -55,6 +56,11 @@ SHARED real spray_visibility(real wind_speed) {
 #define WINDROW_TIME 4.8   // [s]
 #define WINDROW_LEAST 8.0  // [m]
 SHARED real windrow_distance(real wind_speed) { return max(WINDROW_TIME * wind_speed, WINDROW_LEAST); }
+// Speed of foam along the wind, over the water below, in wind speeds. Bubbles, small nets and windrows have the drift
+// of the surface by wind and waves (Wu 1983). The eddies that gather foam and tear it, as deep as they are wide, are
+// slower, since the drift falls off with depth; by how much is by eye: a patch of residual foam lasts for 10 to 60 s.
+#define FOAM_DRIFT 0.031
+#define EDDY_DRIFT 0.026
 #define WINDROWS 4.0       // of the broadest kind, across a tile of streaks
 #define WINDROW_STRETCH 6.0
 #define STREAKS_ON_CRESTS 0.6 // deviations of the streaks for one of the Jacobian: crests draw foam together

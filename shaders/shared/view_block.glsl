@@ -29,6 +29,8 @@ vec2 streak_place;            // of the eye in the tile of wind streaks [0,1)
 vec2 caustic_place;           // of the eye in the caustics' tile
 vec2 tile_corner;             // lower left corner of the picture in the whole of which it is a tile [px]
 vec2 tile_share;              // size of the picture over that of the whole; 1 where it is the whole
-vec2 water_wrapped;           // as eye_wrapped, over the water, which drifts with the current; for foam
+vec2 water_wrapped;           // as eye_wrapped, over the water, which drifts with the current
 vec2 caustic_spread;          // of caustics, a metre of depth: their blur [m]; light that leaves them [1/m]
+vec2 foam_wrapped;            // as water_wrapped, over bubbles and small nets of foam, which drift with the wind too
+vec2 eddies_wrapped;          // as foam_wrapped, over patches and broad nets, which drift less
 vec2 view_rest;               // the block ends at a multiple of 16 bytes

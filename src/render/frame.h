@@ -101,6 +101,11 @@ bolan_vec2 bolan_sample_shift(uint32_t i);
 // How far the water has moved with its current since time 0 [m], now and at a time [s]; 0 without a sea.
 bolan_dvec2 bolan_frame_drift(const frame *f);
 bolan_dvec2 bolan_frame_drift_at(const frame *f, double time);
+// How far bubbles and small nets of foam, and eddies of foam, have moved over the water with the wind since time 0 [m],
+// and windrows [tiles of them]. With a loop they move through whole tiles of their noise, so that they close it too.
+bolan_dvec2 bolan_frame_foam_drift(const frame *f);
+bolan_dvec2 bolan_frame_eddy_drift(const frame *f);
+double bolan_frame_windrow_drift(const frame *f);
 // Place of an eye in the tile of wind streaks, for a wind that blows there. scale: frame_block.streak_scale.
 bolan_vec2 bolan_frame_streaks(bolan_dvec3 eye, double wind_to, bolan_vec2 scale);
 // x modulo period, in [0, period): in double, so that a shader never sees a large coordinate.

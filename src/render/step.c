@@ -29,6 +29,27 @@ bolan_dvec2 bolan_frame_drift_at(const frame *f, double time) {
 
 bolan_dvec2 bolan_frame_drift(const frame *f) { return bolan_frame_drift_at(f, f->time); }
 
+// Tiles of a pattern that have passed at so many a second.
+static double tiles_passed(const frame *f, double speed) {
+    const double period = bolan_sea_get_loop(f->sea).period;
+    return f->time * (period > 0.0 ? round(speed * period) / period : speed);
+}
+
+// share: of the wind speed.
+static bolan_dvec2 drift_with_wind(const frame *f, double share) {
+    const double speed = share * (double)f->block.wind_speed / FOAM_BROADEST;
+    return (bolan_dvec2){FOAM_BROADEST * tiles_passed(f, speed * cos(f->wind_to)),
+                         FOAM_BROADEST * tiles_passed(f, speed * sin(f->wind_to))};
+}
+
+bolan_dvec2 bolan_frame_foam_drift(const frame *f) { return drift_with_wind(f, FOAM_DRIFT); }
+
+bolan_dvec2 bolan_frame_eddy_drift(const frame *f) { return drift_with_wind(f, EDDY_DRIFT); }
+
+double bolan_frame_windrow_drift(const frame *f) {
+    return tiles_passed(f, FOAM_DRIFT * (double)f->block.wind_speed * (double)f->block.streak_scale.y);
+}
+
 bolan_vec2 bolan_frame_streaks(bolan_dvec3 eye, double wind_to, bolan_vec2 scale) {
     const double c = cos(wind_to), s = sin(wind_to);
     return (bolan_vec2){bolan_reduced((c * eye.y - s * eye.x) * (double)scale.x, 1.0),

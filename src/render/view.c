@@ -200,6 +200,10 @@ static void fill_camera(render_view *v) {
     b->clip_zero_to_one = v->zero_to_one ? 1.0f : 0.0f;
 }
 
+static bolan_vec2 wrapped(bolan_dvec2 place, bolan_dvec2 drift) {
+    return (bolan_vec2){bolan_reduced(place.x - drift.x, WORLD_WRAP), bolan_reduced(place.y - drift.y, WORLD_WRAP)};
+}
+
 static void fill_eye(render_view *v) {
     view_block *b = &v->block;
     const frame *f = v->frame;
@@ -209,7 +213,11 @@ static void fill_eye(render_view *v) {
     b->eye_wrapped = (bolan_vec2){bolan_reduced(x, WORLD_WRAP), bolan_reduced(y, WORLD_WRAP)};
     b->eye_wrapped_wide = (bolan_vec2){bolan_reduced(x, WORLD_WRAP_WIDE), bolan_reduced(y, WORLD_WRAP_WIDE)};
     b->eye_height = (float)(v->eye.z - v->frame->level);
+    const bolan_dvec2 foam = bolan_frame_foam_drift(f), eddies = bolan_frame_eddy_drift(f);
+    b->foam_wrapped = wrapped(water, foam);
+    b->eddies_wrapped = wrapped(water, eddies);
     b->streak_place = bolan_frame_streaks((bolan_dvec3){water.x, water.y, v->eye.z}, f->wind_to, f->block.streak_scale);
+    b->streak_place.y = bolan_reduced((double)b->streak_place.y - bolan_frame_windrow_drift(f), 1.0);
     b->surf_phase = bolan_reduced(f->surf_periods - f->surf_wave.x * x - f->surf_wave.y * y, 1.0);
     b->caustic_place = v->caustic_place;
     b->caustic_spread = v->caustic_spread;

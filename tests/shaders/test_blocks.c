@@ -79,6 +79,8 @@ static const member view_members[] = {VIEW(view_projection),
                                       VIEW(tile_share),
                                       VIEW(water_wrapped),
                                       VIEW(caustic_spread),
+                                      VIEW(foam_wrapped),
+                                      VIEW(eddies_wrapped),
                                       VIEW(view_rest)};
 static const member water_members[] = {
     WATER_ARRAY(cascade_bound), WATER_ARRAY(cascade_tile),   WATER_ARRAY(cascade_band), WATER_ARRAY(cascade_lift),

@@ -115,7 +115,7 @@ static void noise_covers_the_same_share_at_every_distance(void **state) {
     static const float widths[] = {0.0002f, 0.02f, 0.1f, 0.5f, 2.0f, 10.0f, 100.0f, 2000.0f};
     enum { SHARES = sizeof shares / sizeof *shares, WIDTHS = sizeof widths / sizeof *widths };
     rig r = {.blocks = {.frame = {.wind_direction = {0.8f, 0.6f}, .streak_scale = {1.0f / 300.0f, 1.0f / 1800.0f}},
-                        .view = {.water_wrapped = {700.0f, 100.0f}}}};
+                        .view = {.foam_wrapped = {700.0f, 100.0f}}}};
     float in[SHARES * WIDTHS][4], out[SHARES * WIDTHS][4];
     for (int i = 0; i < SHARES; ++i)
         for (int j = 0; j < WIDTHS; ++j) {
@@ -159,12 +159,12 @@ static void foam_that_rises_towards_the_sun_faces_away_from_it(void **state) {
     (void)state;
     enum { SUNS = 5 };
     rig r = {.blocks = {.frame = {.streak_scale = {1.0f / 300.0f, 1.0f / 1800.0f}},
-                        .view = {.water_wrapped = {700.0f, 100.0f}}}};
+                        .view = {.foam_wrapped = {700.0f, 100.0f}}}};
     assert_int_equal(bolan_foam_noise_create(&r.noise), BOLAN_OK);
     assert_int_equal(bolan_blocks_create(&r.uniforms), BOLAN_OK);
     for (int i = 0; i < SUNS; ++i) {
         const float azimuth = 1.3f * (float)i, low = 0.2f * (float)i;
-        float in[2][4] = {{low, 0.004f, azimuth, 0.0f}, {low, 4.0f, azimuth, 0.0f}}, out[2][4];
+        float in[2][4] = {{low, 0.004f, azimuth, 0.0f}, {low, 0.29f, azimuth, 0.0f}}, out[2][4];
         r.blocks.frame.sun_direction = (bolan_vec3){low * cosf(azimuth), low * sinf(azimuth), sqrtf(1.0f - low * low)};
         bolan_blocks_upload(&r.uniforms, &r.blocks);
         probe_run_with("#include \"common/frame.glsl\"\n#include \"common/foam.glsl\"", relief_body, NULL, set_foam, &r,
@@ -174,8 +174,44 @@ static void foam_that_rises_towards_the_sun_faces_away_from_it(void **state) {
         // Nets are a part of the relief, whose slope goes over half of these 8 cm. The other part is that of bubbles.
         if (i > 0) assert_true(out[0][3] > 0.3f * deviation * sqrtf(out[0][2]));
         assert_near(deviation, 0.3f * low, 0.12f * low);     // foam is not steep; a sun in the zenith sees no relief
-        assert_true(out[1][1] < 1e-4f * out[0][1] + 1e-12f); // nor a pixel that is wider than the walls
+        assert_true(out[1][1] < 1e-4f * out[0][1] + 1e-12f); // nor one of 0.29 m: no seam where it ends
     }
+    bolan_blocks_free(&r.uniforms);
+    bolan_gl_texture_free(&r.noise);
+}
+
+// x: quantile of the share, width of the pixel [m]. Mean and variance of the light of the sky on foam; mean opacity,
+// and mean light of the foam of that opacity, over that of a flat film.
+static const char *const hollows_body =
+    "vec4 probe(vec4 x) {\n"
+    "    vec4 sum = vec4(0.0);\n"
+    "    for (int i = 0; i < 4096; ++i) {\n"
+    "        foam_texels t = foam_look_up(2000.0 * fract(float(i) * vec2(0.75487766, 0.56984029)), x.y);\n"
+    "        float light = foam_hollows(t), film = foam_film(x.x, 0.0, 1.0, patch_grain(t, OLD_WEIGHTS, x.y), 4.0);\n"
+    "        sum += vec4(light, (light - 1.0) * (light - 1.0), film, film * mix(1.0, light, film)) / 4096.0;\n"
+    "    }\n"
+    "    return sum;\n"
+    "}\n";
+
+static void hollows_of_foam_keep_its_light_at_every_distance(void **state) {
+    (void)state;
+    static const float widths[] = {0.002f, 0.02f, 0.1f, 1.0f, 100.0f};
+    enum { WIDTHS = sizeof widths / sizeof *widths };
+    rig r = {.blocks = {.frame = {.wind_direction = {0.8f, 0.6f}, .streak_scale = {1.0f / 300.0f, 1.0f / 1800.0f}},
+                        .view = {.foam_wrapped = {700.0f, 100.0f}, .eddies_wrapped = {300.0f, 200.0f}}}};
+    float in[2 * WIDTHS][4] = {{0}}, out[2 * WIDTHS][4];
+    for (int i = 0; i < 2 * WIDTHS; ++i) in[i][0] = i < WIDTHS ? -1.28155f : 0.0f, in[i][1] = widths[i % WIDTHS];
+    assert_int_equal(bolan_foam_noise_create(&r.noise), BOLAN_OK);
+    assert_int_equal(bolan_blocks_create(&r.uniforms), BOLAN_OK);
+    bolan_blocks_upload(&r.uniforms, &r.blocks);
+    probe_run_with("#include \"common/frame.glsl\"\n#include \"common/foam.glsl\"", hollows_body, NULL, set_foam, &r,
+                   in, 2 * WIDTHS, out);
+    for (int i = 0; i < 2 * WIDTHS; ++i) {
+        assert_near(out[i][0], 1.0, 0.01);             // three errors of the mean of 4096
+        assert_near(out[i][3] / out[i][2], 1.0, 0.02); // likewise of those that foam covers
+    }
+    assert_near(sqrtf(out[0][1]), 0.15, 0.02);       // near: both cells of HOLLOWS
+    assert_true(sqrtf(out[WIDTHS - 1][1]) < 0.005f); // far: none
     bolan_blocks_free(&r.uniforms);
     bolan_gl_texture_free(&r.noise);
 }
@@ -183,6 +219,7 @@ static void foam_that_rises_towards_the_sun_faces_away_from_it(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(foam_covers_what_was_observed),
                                        IN_BOTH_APIS(foam_that_rises_towards_the_sun_faces_away_from_it),
+                                       IN_BOTH_APIS(hollows_of_foam_keep_its_light_at_every_distance),
                                        IN_BOTH_APIS(noise_covers_the_same_share_at_every_distance)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Old foam is drawn out along the wind (shaders/common/foam.glsl): streaks 2.5 times as long as they are wide,
-// whichever way it blows.
+// whichever way it blows. Foam drifts with the wind over the water, and its pattern lasts.
 #include "probe.h"
 
 #include "render/foam_texture.h"
@@ -43,7 +43,7 @@ static void old_foam_is_drawn_out_along_the_wind(void **state) {
         rig r = {.blocks = {
                      .frame = {.wind_direction = {(float)cos(winds[k]), (float)sin(winds[k])},
                                .streak_scale = {1.0f / 16.0f, 0.4f / 16.0f}},
-                     .view = {.eye_wrapped = {700.0f, 100.0f}, .water_wrapped = {700.0f, 100.0f}, .eye_height = 3.0f}}};
+                     .view = {.eye_wrapped = {700.0f, 100.0f}, .foam_wrapped = {700.0f, 100.0f}, .eye_height = 3.0f}}};
         r.blocks.view.streak_place =
             bolan_frame_streaks(bolan_dv3(700.0, 100.0, 3.0), winds[k], r.blocks.frame.streak_scale);
         float in[2][4] = {{0.1f}, {0.25f}}, out[2][4];
@@ -62,7 +62,130 @@ static void old_foam_is_drawn_out_along_the_wind(void **state) {
     }
 }
 
+// ---- drift ----------------------------------------------------------------------------------------------------------
+
+// Blocks of that time, for an eye at (10, 20, 5).
+static void fill(bolan_sea *sea, double time, block_values *out) {
+    bolan_sea_step(sea, time);
+    frame f = {.sea = sea};
+    const bolan_camera camera = {.position = {10.0, 20.0, 5.0}, .fov_deg = 50.0};
+    const bolan_view from = bolan_view_from_camera(&camera, 64, 64);
+    render_view v = {0};
+    bolan_frame_fill(&f);
+    bolan_view_open(&v, &f, &from, false);
+    bolan_view_fill(&v);
+    out->frame = f.block;
+    out->view = v.block;
+}
+
+static bolan_sea *sea_of(double wind, bolan_vec2 current, double loop_period) {
+    bolan_sea_desc d = bolan_sea_desc_default();
+    d.sea_state = bolan_sea_state_from_wind(wind, 250.0, 50e3);
+    d.sea_state.current_x = (double)current.x, d.sea_state.current_y = (double)current.y;
+    d.resolution = 64;
+    d.loop_period = loop_period;
+    bolan_sea *sea = NULL;
+    assert_int_equal(bolan_sea_create(&d, &sea), BOLAN_OK);
+    return sea;
+}
+
+// Wind from the west by south (250 degrees), 20 m/s, for 100 s: bubbles go 3.1 % of 2 km (Wu 1983) over the water,
+// 58.26 m east and 21.21 m north, eddies 52 m. The current has moved the water by 50 m and -20 m.
+static void foam_drifts_with_the_wind_over_the_water(void **state) {
+    (void)state;
+    block_values b;
+    bolan_sea *sea = sea_of(20.0, (bolan_vec2){0.5f, -0.2f}, 0.0);
+    fill(sea, 100.0, &b);
+    assert_near(b.view.foam_wrapped.x, 4096.0 + 10.0 - 50.0 - 58.26, 0.01);
+    assert_near(b.view.foam_wrapped.y, 20.0 + 20.0 - 21.21, 0.01);
+    assert_near(b.view.eddies_wrapped.x, 4096.0 + 10.0 - 50.0 - 48.86, 0.01);
+    assert_near(b.view.eddies_wrapped.y, 20.0 + 20.0 - 17.78, 0.01);
+    const double along = (0.93969 * (10.0 - 50.0) + 0.34202 * (20.0 + 20.0) - 62.0) * (double)b.frame.streak_scale.y;
+    assert_near(b.view.streak_place.y, along - floor(along), 1e-4);
+    bolan_sea_destroy(&sea);
+}
+
+static void drift_closes_a_loop(void **state) {
+    (void)state;
+    block_values b[2];
+    bolan_sea *sea = sea_of(20.0, (bolan_vec2){0.0f, 0.0f}, 300.0);
+    for (int i = 0; i < 2; ++i) fill(sea, 10.0 + 300.0 * i, &b[i]);
+    const float tile = 64.0f; // of the noise
+    assert_near(remainderf(b[1].view.foam_wrapped.x - b[0].view.foam_wrapped.x, tile), 0.0, 1e-3);
+    assert_near(remainderf(b[1].view.foam_wrapped.y - b[0].view.foam_wrapped.y, tile), 0.0, 1e-3);
+    assert_near(remainderf(b[1].view.streak_place.y - b[0].view.streak_place.y, 1.0f), 0.0, 1e-5);
+    fill(sea, 20.0, &b[1]);
+    assert_near(remainderf(b[0].view.foam_wrapped.x - b[1].view.foam_wrapped.x, 4096.0f), 10.0 * 3.0 * 64.0 / 300.0,
+                1e-2); // near .58 m/s
+    bolan_sea_destroy(&sea);
+}
+
+// Opacity of streaks at four places.
+static const char *const pattern_body =
+    "float opacity(vec2 at) {\n"
+    "    return foam_film(0.0, 0.0, 1.0, streak_grain(foam_look_up(at, 0.2), 0.2), 0.8);\n"
+    "}\n"
+    "vec4 probe(vec4 x) {\n"
+    "    return vec4(opacity(x.xy), opacity(x.xy + vec2(700.0, 310.0)), opacity(x.xy + vec2(-510.0, 630.0)),\n"
+    "                opacity(x.xy + vec2(-870.0, -450.0)));\n"
+    "}\n";
+
+enum { PLACES = 256 };
+
+// At places that drift with bubbles and small nets.
+static void look(rig *r, bolan_sea *sea, double wind, double time, float out[PLACES][4]) {
+    float in[PLACES][4] = {{0}};
+    fill(sea, time, &r->blocks);
+    const float gone = (float)(0.031 * wind * time);
+    for (int i = 0; i < PLACES; ++i) {
+        in[i][0] = 7.31f * (float)(i % 16) + 1.7f * (float)(i / 16) + gone * r->blocks.frame.wind_direction.x;
+        in[i][1] = 6.07f * (float)(i / 16) - 1.3f * (float)(i % 16) + gone * r->blocks.frame.wind_direction.y;
+    }
+    bolan_blocks_upload(&r->uniforms, &r->blocks);
+    probe_run_with("#include \"common/frame.glsl\"\n#include \"common/foam.glsl\"", pattern_body, NULL, set_foam, r, in,
+                   PLACES, out);
+}
+
+static double correlation(float (*a)[4], float (*b)[4]) {
+    double sum_a = 0.0, sum_b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
+    const double n = 4.0 * PLACES;
+    for (int i = 0; i < PLACES; ++i)
+        for (int j = 0; j < 4; ++j) {
+            const double x = (double)a[i][j], y = (double)b[i][j];
+            sum_a += x, sum_b += y, aa += x * x, bb += y * y, ab += x * y;
+        }
+    return (ab - sum_a * sum_b / n) / sqrt((aa - sum_a * sum_a / n) * (bb - sum_b * sum_b / n));
+}
+
+// What drifts with the foam sees its patches change by 1 / e within 10 to 60 s. Windrows last: Langmuir's cells do.
+static void patches_of_foam_last_for_tens_of_seconds(void **state) {
+    (void)state;
+    static const double winds[] = {16.0, 32.0}, times[] = {0.0, 10.0, 60.0, 400.0};
+    rig r = {0};
+    assert_int_equal(bolan_foam_noise_create(&r.detail), BOLAN_OK);
+    assert_int_equal(bolan_blocks_create(&r.uniforms), BOLAN_OK);
+    for (int k = 0; k < 2; ++k) {
+        static float seen[4][PLACES][4];
+        double like[4];
+        bolan_sea *sea = sea_of(winds[k], (bolan_vec2){0.0f, 0.0f}, 0.0);
+        for (int t = 0; t < 4; ++t) {
+            look(&r, sea, winds[k], times[t], seen[t]);
+            like[t] = correlation(seen[0], seen[t]);
+        }
+        print_message("%.0f m/s: correlation %.2f after 10 s, %.2f after 60 s, %.2f at last\n", winds[k], like[1],
+                      like[2], like[3]);
+        const double at_10 = (like[1] - like[3]) / (1.0 - like[3]), at_60 = (like[2] - like[3]) / (1.0 - like[3]);
+        assert_true(at_10 > 0.37 && at_60 < 0.37);
+        assert_true(like[3] > 0.4 && like[3] < 0.85);
+        bolan_sea_destroy(&sea);
+    }
+    bolan_blocks_free(&r.uniforms);
+    bolan_gl_texture_free(&r.detail);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {IN_BOTH_APIS(old_foam_is_drawn_out_along_the_wind)};
+    const struct CMUnitTest tests[] = {
+        IN_BOTH_APIS(old_foam_is_drawn_out_along_the_wind), cmocka_unit_test(foam_drifts_with_the_wind_over_the_water),
+        cmocka_unit_test(drift_closes_a_loop), IN_BOTH_APIS(patches_of_foam_last_for_tens_of_seconds)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
