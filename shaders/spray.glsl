@@ -35,6 +35,7 @@ const float VEIL_DEPTH = 8.0;   // optical depth in a hurricane
 const vec2 VEIL_NEAR = vec2(8.0, 25.0); // an eye in a veil does not see it [m]
 const float VEIL_TWICE = 0.4;   // share of the light that is scattered more than once, all around
 const float VEIL_SKY = 0.7;     // of the sky that it scatters, over a white wall
+const float VEIL_CLOUD = 2.2;   // width along the wind, over that across it
 // Metres of a turn of the noise, along and across.
 const vec2 VEIL_BROAD = vec2(16.0, 3.0), VEIL_FINE = vec2(8.0, 1.0);
 // Crests that the wind tears: standard deviations by which the water is squeezed, in a gale and in a hurricane, and the
@@ -83,13 +84,15 @@ float torn(float squeeze, float height) {
            smoothstep(CREST_LOW, CREST_HIGH, height / height_deviation);
 }
 
-// Half of its length and width, as the eye sees it in the direction `to`, and its axes. Along the wind it is round.
-vec2 veil_axes(vec3 to, float scale, float life, out vec3 along, out vec3 across) {
+// Half of its length and width, as the eye sees it in the direction `to`, and its axes. seen: how much of its length:
+// 0 along the wind, where it is a round cloud, wider and thinner, since veils of many crests stand behind each other.
+vec2 veil_axes(vec3 to, float scale, float life, out vec3 along, out vec3 across, out float seen) {
     float grown = sqrt(life), broad = scale * mix(VEIL_WIDTH.x, VEIL_WIDTH.y, grown);
     along = vec3(wind_direction, 0.0) - to * dot(wind_direction, to.xy);
-    float seen = length(along);
+    seen = length(along);
     along = seen > 1e-3 ? along / seen : normalize(vec3(to.y, -to.x, 0.0) + vec3(1e-6, 0.0, 0.0));
     across = cross(to, along);
+    broad *= mix(VEIL_CLOUD, 1.0, seen);
     return vec2(mix(broad, scale * mix(VEIL_LENGTH.x, VEIL_LENGTH.y, grown), seen), broad);
 }
 
@@ -112,15 +115,17 @@ void main() {
     float above = VEIL_RISE * scale * (0.15 + life * chance.z) - earth_drop(dot(rest, rest), earth_radius);
     vec3 middle = vec3(rest + drift + crest.xy, max(crest.z, here.z) + above - eye_height);
 
-    float dist = max(length(middle), 1e-3);
+    float dist = max(length(middle), 1e-3), seen;
     vec3 to = middle / dist, along, across;
-    vec2 size = veil_axes(to, scale, life, along, across), metres = sprite.xy * size;
+    vec2 size = veil_axes(to, scale, life, along, across, seen), metres = sprite.xy * size;
     float fades = min(8.0 * life, 1.0) * (1.0 - life) * (1.0 - life) * ring_share(length(rest), block.z);
     fades *= smoothstep(VEIL_NEAR.x, VEIL_NEAR.y, dist) * (1.0 - smoothstep(0.5 * SPRAY_HIGH, SPRAY_HIGH, eye_height));
     veil_depth = pow(wider, VEIL_THINS) * foam_strength * fades *
                  torn(1.0 - spray_jacobian(rest, spacing, kept), crest.z);
     veil_corner = sprite.xy;
-    veil_noise = vec4(metres / VEIL_BROAD + chance.xy, metres / VEIL_FINE + chance.yz) - vec2(0.1, 0.0).xyxy * life;
+    veil_depth *= mix(1.0 / (VEIL_CLOUD * VEIL_CLOUD), 1.0, seen);
+    vec2 broad = mix(VEIL_BROAD.yy, VEIL_BROAD, seen), fine = mix(VEIL_FINE.yy, VEIL_FINE, seen);
+    veil_noise = vec4(metres / broad + chance.xy, metres / fine + chance.yz) - vec2(0.1, 0.0).xyxy * life;
     vec3 transmittance;
     aerial_perspective(middle, transmittance, veil_air);
     float phase = mix(mie_phase(dot(sun_direction, to)), 0.25 / PI, VEIL_TWICE);

@@ -111,10 +111,35 @@ static void spray_goes_with_the_wind(void **state) {
     assert_true(best <= MOST - 3);
 }
 
+// Down the wind veils are seen along their length: a mist, without the edges of single veils.
+static void spray_is_a_mist_along_the_wind(void **state) {
+    (void)state;
+    static int added[PIXELS];
+    bolan_scene scene = across(36.0);
+    scene.camera.heading_deg = HEADING + 90.0;
+    scene.sky.sun_azimuth_deg = HEADING + 270.0; // white before a blue sky
+    scene.camera.fov_deg = 13.0;
+    stage s;
+    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_LOW, false));
+    int most = 0;
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        spray_of(&s, 20.0 + 3.0 * k, added);
+        sum += sum_of(added);
+        for (size_t i = 0; i < PIXELS; ++i) most = abs(added[i]) > most ? abs(added[i]) : most;
+    }
+    stage_close(&s);
+    const double mean = sum / (3.0 * PIXELS);
+    print_message("down the wind: %.2f levels, at most %d\n", mean, most);
+    assert_true(mean > 0.1);
+    assert_true(most < 120.0 * mean); // 145 where each veil is as narrow as it is across the wind
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(force_9_and_above_has_spray),
         cmocka_unit_test(spray_goes_with_the_wind),
+        cmocka_unit_test(spray_is_a_mist_along_the_wind),
     };
     if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) return 77;
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
