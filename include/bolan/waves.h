@@ -6,7 +6,7 @@
 /// the same bits, on any number of threads and with any instruction set. The one exception is the foam memory, which
 /// remembers the last seconds. After a jump in time (backwards, or more than 1 s forward) it starts again from the
 /// present; bolan_sea_settle() fills it. From there on steps of at most 1 s keep it a function of time, too: it is
-/// made of the pinch at ticks 0.25 s apart, the same whatever the steps, and ends after 6 foam_decay.
+/// made of the pinch at ticks 0.25 s apart, the same whatever the steps, and ends after 5 foam_decay.
 ///
 /// **Layout.** The wave-number plane is cut into disjoint rings without gaps, one per *cascade*: a periodic square tile
 /// of side `length` with `n` x `n` samples. Each tile is rotated by `angle` about the world origin, away from the mean
@@ -179,7 +179,7 @@ typedef struct bolan_sea_desc {
     double length;
 
     /// e-folding time of the foam memory [s], of FFT and TEXTURES.
-    /// 0.1..60; default 3.5.
+    /// 0.1..60; default 9: whitecaps last for 1 to 3 s on the water that they began on.
     /// Raised: longer streaks behind crests.
     double foam_decay;
 
@@ -282,12 +282,12 @@ BOLAN_API void bolan_sea_destroy(bolan_sea **sea);
 BOLAN_API void bolan_sea_step(bolan_sea *sea, double time);
 
 /// Like bolan_sea_step(), with a full foam memory, so that a single image has the foam of a sea that has run.
-/// Its fields are made by the ticks of 6 foam_decay before @p time. A tick costs about a quarter of a synthesis: 6 of
+/// Its fields are made by the ticks of 5 foam_decay before @p time. A tick costs about a quarter of a synthesis: 5 of
 /// them for each second of foam_decay.
 BOLAN_API void bolan_sea_settle(bolan_sea *sea, double time);
 
 /// Makes the fields of the present time, unless they are made already. Every function that reads a field calls it.
-/// It catches up with the ticks of the foam memory since the fields were made the last time, at most those of 6
+/// It catches up with the ticks of the foam memory since the fields were made the last time, at most those of 5
 /// foam_decay.
 /// Call it after a step to choose the moment of the work, and before jobs of your own task system read the sea: a job
 /// that waits for the fields must not run on a thread that is making them.

@@ -5,7 +5,7 @@
 //     foam_tick  present pinch of each tick, fading   F(k) = max(keep F(k-1) - lose, pinch(k)), pinch <= SEA_MOST_FOAM
 //     foam                                    | t     F(k) faded by t - k, or the pinch at t where it is more
 //
-// `lose` is so large that nothing is left of SEA_MOST_FOAM after W ticks, about 6 foam_decay. All of this is monotone,
+// `lose` is so large that nothing is left of SEA_MOST_FOAM after W ticks, about 5 foam_decay. All of this is monotone,
 // so F(k) is the largest of what the last W + 1 ticks have left, bit for bit, and it does not matter where a run began:
 // foam is a function of time, as the waves are. With a loop the ticks divide its period.
 //
@@ -17,7 +17,7 @@
 #include <sched.h>
 
 #define TICK 0.25           // [s] about; with a loop the nearest part of it
-#define MEMORY 6.0          // [foam_decay]
+#define MEMORY 5.0          // [foam_decay]
 #define TIME_GRID 0x1p-20   // [s] of the time in a loop, so that a time and the same one a loop later have equal bits
 #define LARGEST_TIME 0x1p36 // [s]: 2000 years; beyond, phases would lose their meaning in double
 enum { MOST_TICKS = 5 };    // in a step, that the foam memory survives: 1 s

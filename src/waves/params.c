@@ -26,7 +26,7 @@ static const bolan_param sea_rows[] = {
            .otherwise = "none", .help = "everything repeats after this time, with any model but `textures`"),
     NAME(cpu, .option = "cpu", .names = bolan_cpu_names, .high = BOLAN_CPU_AVX512,
          .help = "instruction set of the wide kernels; no bit of a result depends on it"),
-    NUMBER(foam_decay, .key = "foam_decay", .low = 0.1, .high = 60, .fallback = 3.5, .unit = "s", .label = "foam lasts",
+    NUMBER(foam_decay, .key = "foam_decay", .low = 0.1, .high = 60, .fallback = 9, .unit = "s", .label = "foam lasts",
            .usual_low = 0.5, .usual_high = 20, .digits = 1, .rules = BOLAN_PARAM_LOGARITHMIC,
            .help = "e-folding time of foam; larger: longer streaks behind crests"),
     WHOLE(cosines.frequencies, .key = "frequencies", .low = 1, .high = BOLAN_MAX_FREQUENCIES, .fallback = 16,

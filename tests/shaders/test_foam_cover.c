@@ -25,35 +25,57 @@ static double unit(void) {
 
 static double share_over(double excess, double variance) { return 0.5 * erfc(-excess / sqrt(2.0 * variance)); }
 
-// Shares that are beyond the thresholds, each tile at places of its own: tiles are independent.
-static covers measure(double wind) {
+typedef struct measured_sea {
+    bolan_sea *sea;
+    foam_law law;
+    double weight[4];
+} measured_sea;
+
+static measured_sea sea_of(double wind, uint32_t resolution, double edge) {
     bolan_sea_desc desc = bolan_sea_desc_default();
     desc.sea_state = bolan_sea_state_from_wind(wind, 240.0, 3e5);
-    bolan_sea *sea = NULL;
-    assert_int_equal(bolan_sea_create(&desc, &sea), BOLAN_OK);
-    bolan_sea_settle(sea, 20.0);
-    const foam_law law = bolan_foam_law(sea, bolan_foam_breaking_edge(sea), true);
-    const bolan_vec4 weights = bolan_foam_weights(sea);
+    if (resolution) desc.resolution = resolution;
+    measured_sea m = {0};
+    assert_int_equal(bolan_sea_create(&desc, &m.sea), BOLAN_OK);
+    bolan_sea_settle(m.sea, 20.0);
+    m.law = bolan_foam_law(m.sea, edge * bolan_foam_breaking_edge(m.sea), true);
+    const bolan_vec4 weights = bolan_foam_weights(m.sea);
     const double weight[] = {(double)weights.x, (double)weights.y, (double)weights.z, (double)weights.w};
-    covers sum = {0.0, 0.0, bolan_foam_can_form(sea)};
+    memcpy(m.weight, weight, sizeof weight);
+    return m;
+}
+
+// Jacobian less 1 and foam memory at the next random places, one of each tile: tiles are independent.
+static void at_random(const measured_sea *m, double *jacobian, double *memory) {
+    const double choppiness = bolan_sea_get_desc(m->sea)->choppiness;
+    double xx = 1.0, yy = 1.0, xy = 0.0;
+    *memory = 0.0;
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(m->sea); ++c) {
+        const bolan_cascade_view v = bolan_sea_cascade(m->sea, c);
+        const double x = v.n * unit(), y = v.n * unit();
+        const twin_place p = {v.n, (uint32_t)x % v.n, (uint32_t)y % v.n, x - floor(x), y - floor(y)};
+        xx += choppiness * twin_linear(TWIN_PLANE(&v, dxx), &p);
+        yy += choppiness * twin_linear(TWIN_PLANE(&v, dyy), &p);
+        xy += choppiness * twin_linear(TWIN_TEXELS(&v, dxy), &p);
+        *memory += m->weight[c] * twin_linear(TWIN_PLANE(&v, foam), &p);
+    }
+    *jacobian = xx * yy - xy * xy - 1.0;
+}
+
+// Shares that are beyond the thresholds.
+static covers measure(double wind) {
+    measured_sea m = sea_of(wind, 0, 1.0);
+    covers sum = {0.0, 0.0, bolan_foam_can_form(m.sea)};
     enum { PLACES = 200000 };
     random_state = 7;
     for (int i = 0; i < PLACES; ++i) {
-        double xx = 1.0, yy = 1.0, xy = 0.0, memory = 0.0;
-        for (uint32_t c = 0; c < bolan_sea_cascade_count(sea); ++c) {
-            const bolan_cascade_view v = bolan_sea_cascade(sea, c);
-            const double x = v.n * unit(), y = v.n * unit();
-            const twin_place p = {v.n, (uint32_t)x % v.n, (uint32_t)y % v.n, x - floor(x), y - floor(y)};
-            xx += desc.choppiness * twin_linear(TWIN_PLANE(&v, dxx), &p);
-            yy += desc.choppiness * twin_linear(TWIN_PLANE(&v, dyy), &p);
-            xy += desc.choppiness * twin_linear(TWIN_TEXELS(&v, dxy), &p);
-            memory += weight[c] * twin_linear(TWIN_PLANE(&v, foam), &p);
-        }
-        const double fresh = share_over(law.breaking - (xx * yy - xy * xy - 1.0), law.edge);
-        const double old = share_over(memory - law.memory, OLD_FOAM_EDGE * law.memory_variance);
+        double jacobian, memory;
+        at_random(&m, &jacobian, &memory);
+        const double fresh = share_over(m.law.breaking - jacobian, m.law.edge);
+        const double old = share_over(memory - m.law.memory, OLD_FOAM_EDGE * m.law.memory_variance);
         sum.breaking += fresh / PLACES, sum.all += (1.0 - (1.0 - fresh) * (1.0 - old)) / PLACES;
     }
-    bolan_sea_destroy(&sea);
+    bolan_sea_destroy(&m.sea);
     return sum;
 }
 
@@ -76,6 +98,42 @@ static void foam_covers_what_was_observed(void **state) {
         // at 5 m/s a few places in a hundred thousand
         assert_near(log(c.breaking / breaking), 0.0, log(u > 6.0 ? 1.67 : 5.0));
         assert_near(log(c.all / callaghan(u)), 0.0, log(u > 6.0 ? 1.33 : 5.0));
+    }
+}
+
+// How long foam lasts on the water that it began on: mean over the foam that is seen at one moment [s].
+static double life(double wind) {
+    enum { PLACES = 3000, STEPS = 160 };
+    static uint32_t lasted[PLACES];
+    const double step = 0.125;
+    measured_sea m = sea_of(wind, 128, 0.0);
+    double all = 0.0, squares = 0.0;
+    memset(lasted, 0, sizeof lasted);
+    for (int t = 0; t < STEPS; ++t) {
+        bolan_sea_step(m.sea, 20.0 + step * t);
+        random_state = 7; // the same places
+        for (int i = 0; i < PLACES; ++i) {
+            double jacobian, memory;
+            at_random(&m, &jacobian, &memory);
+            if (jacobian < m.law.breaking || memory > m.law.memory) {
+                lasted[i]++;
+            } else {
+                all += lasted[i], squares += (double)lasted[i] * lasted[i];
+                lasted[i] = 0;
+            }
+        }
+    }
+    bolan_sea_destroy(&m.sea);
+    return step * squares / all;
+}
+
+static void dense_foam_lasts_for_seconds(void **state) {
+    (void)state;
+    static const double winds[] = {10.0, 15.0, 24.0};
+    for (int k = 0; k < 3; ++k) {
+        const double seconds = life(winds[k]);
+        print_message("%.0f m/s: foam of whitecaps lasts for %.2f s\n", winds[k], seconds);
+        assert_true(seconds > 1.0 && seconds < 3.0);
     }
 }
 
@@ -218,6 +276,7 @@ static void hollows_of_foam_keep_its_light_at_every_distance(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(foam_covers_what_was_observed),
+                                       cmocka_unit_test(dense_foam_lasts_for_seconds),
                                        IN_BOTH_APIS(foam_that_rises_towards_the_sun_faces_away_from_it),
                                        IN_BOTH_APIS(hollows_of_foam_keep_its_light_at_every_distance),
                                        IN_BOTH_APIS(noise_covers_the_same_share_at_every_distance)};

@@ -118,7 +118,7 @@ static bolan_sea_desc windy(uint32_t n) {
     bolan_sea_desc desc = bolan_sea_desc_default();
     desc.sea_state = bolan_sea_state_from_wind(13.0, 250.0, 200e3);
     desc.resolution = n;
-    desc.foam_decay = 0.6; // 15 ticks
+    desc.foam_decay = 0.75; // 15 ticks
     desc.fft.cascade_count = 2;
     return desc;
 }

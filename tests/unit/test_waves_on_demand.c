@@ -12,7 +12,7 @@ static bolan_sea_desc small(bolan_wave_model waves) {
     bolan_sea_desc desc = bolan_sea_desc_default();
     desc.waves = waves;
     desc.resolution = 64;
-    desc.foam_decay = 0.7; // a memory of 17 ticks
+    desc.foam_decay = 0.85; // a memory of 17 ticks
     return desc;
 }
 

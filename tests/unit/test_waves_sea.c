@@ -300,7 +300,7 @@ static void defaults_are_those_of_the_headers(void **state) {
     const bolan_sea_desc d = bolan_sea_desc_default();
     assert_int_equal(d.waves, BOLAN_WAVES_FFT);
     assert_true(d.seed == 1 && d.resolution == 256 && d.fft.cascade_count == 4);
-    assert_true(d.length == 0.0 && d.choppiness == 1.0 && d.loop_period == 0.0 && d.foam_decay == 3.5);
+    assert_true(d.length == 0.0 && d.choppiness == 1.0 && d.loop_period == 0.0 && d.foam_decay == 9.0);
     assert_int_equal(d.cpu, BOLAN_CPU_AUTO);
     assert_true(d.sea_state.current_x == 0.0 && d.sea_state.current_y == 0.0);
     assert_true(d.cosines.frequencies == 16 && d.cosines.directions == 8 && d.exp_cosine.wave_count == 8);

@@ -615,7 +615,7 @@ Errors: ARGUMENT, with the field named in the log, and MEMORY. Then *out is NULL
     "bolan_sea_destroy": """Destroys a sea. NULL-safe; sets the pointer to NULL.
 The tables that forks share are released with the last of them.""",
     "bolan_sea_fields": """Makes the fields of the present time, unless they are made already. Every function that reads a field calls it.
-It catches up with the ticks of the foam memory since the fields were made the last time, at most those of 6
+It catches up with the ticks of the foam memory since the fields were made the last time, at most those of 5
 foam_decay.
 Call it after a step to choose the moment of the work, and before jobs of your own task system read the sea: a job
 that waits for the fields must not run on a thread that is making them.
@@ -681,7 +681,7 @@ Sums of waves use the task hook.""",
     "bolan_sea_serial": """Returns the number of the present fields: never 0 and unique in this process, so that equal serials mean equal
 fields. Every step and settle changes it, except a step to the time of the last step.""",
     "bolan_sea_settle": """Like bolan_sea_step(), with a full foam memory, so that a single image has the foam of a sea that has run.
-Its fields are made by the ticks of 6 foam_decay before time. A tick costs about a quarter of a synthesis: 6 of
+Its fields are made by the ticks of 5 foam_decay before time. A tick costs about a quarter of a synthesis: 5 of
 them for each second of foam_decay.""",
     "bolan_sea_size": """Returns the memory that a sea of this desc will hold, without creating it: exact with as many workers as now, since
 fields include scratch memory for each. The creation borrows up to 1 MB more.

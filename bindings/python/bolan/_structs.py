@@ -1404,7 +1404,7 @@ but every field must be in its range whatever the model.
         quarters of an octave; of TEXTURES 7 and 5.
         Raised: more waves at the peak, which return to a point later; the shortest wave is longer.
     foam_decay: e-folding time of the foam memory [s], of FFT and TEXTURES.
-        0.1..60; default 3.5.
+        0.1..60; default 9: whitecaps last for 1 to 3 s on the water that they began on.
         Raised: longer streaks behind crests.
     fft: BOLAN_WAVES_FFT.
     textures: BOLAN_WAVES_TEXTURES: one tile, and a loop of still frames.
