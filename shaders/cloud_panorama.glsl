@@ -14,7 +14,11 @@ uniform vec2 strip; // of the map that is drawn now: its first u, its width
 uniform float texel_angle; // of the panorama [rad]
 out vec4 color;
 
-const int STEPS = 64, LIGHT_STEPS = 5;
+// Steps grow with the distance, up to a share of the layer. With equal shares alone, the samples of all rays of an eye
+// at the base of the clouds would lie at the same heights, and cut the clouds into slices.
+const int STEPS = 64, MOST_STEPS = 192, LIGHT_STEPS = 5;
+const float LEAST_STEP = 30.0, STEP_GROWS = 0.035; // [m], share of the distance
+const float STEEP_STEP = 45.0;                     // least share of the layer [m]
 const float FARTHEST = 120000.0;
 
 vec3 panorama_direction() { // inverse of cloud_uv()
@@ -77,14 +81,14 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
     entering = mix(entering, vec3(dot(entering, vec3(0.2126, 0.7152, 0.0722))), 0.85 * cloud_cover * cloud_cover);
     float forward = 0.6 * henyey_greenstein(c, 0.85) + 0.4 * henyey_greenstein(c, 0.1);
     vec3 light = vec3(0.0);
-    float steps = clamp((span.y - span.x) / 45.0, 16.0, float(STEPS)), step_length = (span.y - span.x) / steps;
-    float left = 1.0, weight = 0.0;
+    float across = span.y - span.x, longest = across / clamp(across / STEEP_STEP, 16.0, float(STEPS));
+    float left = 1.0, weight = 0.0, d = floor(span.x / LEAST_STEP) * LEAST_STEP;
     mean_distance = 0.0;
-    for (int i = 0; i < STEPS; ++i) {
-        if (float(i) >= steps) break;
-        float d = span.x + (float(i) + 0.5) * step_length, h = air_height(h0, dir.z, d);
-        vec2 position = dir.xy * d;
-        float footprint = d * texel_angle, extinction = cloud_extinction(position, h, footprint);
+    for (int i = 0; i < MOST_STEPS; ++i) {
+        float step_length = min(max(STEP_GROWS * d, LEAST_STEP), longest);
+        float at = d + 0.5 * step_length, h = air_height(h0, dir.z, at);
+        vec2 position = dir.xy * at;
+        float footprint = at * texel_angle, extinction = cloud_extinction(position, h, footprint);
         if (extinction > 0.0) {
             float depth = depth_towards_sun(position, h, footprint);
             float level = clamp((h - cloud_base) / cloud_origin.z, 0.0, 1.0);
@@ -94,15 +98,24 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
                           ambient * mix(0.25, 0.60, level);
             float through = exp(-extinction * step_length), gained = left * (1.0 - through);
             light += gained * source;
-            mean_distance += gained * d;
+            mean_distance += gained * at;
             weight += gained;
             left *= through;
         }
-        if (left < 0.01) break;
+        d += step_length;
+        if (left < 0.01 || d >= span.y) break;
     }
     mean_distance = weight > 0.0 ? mean_distance / weight : span.x;
     return vec4(light, 1.0 - left);
 }
+
+// The texture takes the nearest level, and the sheet would have a line where that changes.
+vec4 between_levels(vec3 p, float level) {
+    float coarse = floor(level) + 1.0;
+    return mix(textureLod(cloud_noise, p, coarse), textureLod(cloud_noise, p, coarse - 1.0), coarse - level);
+}
+
+const float CIRRUS_BENT = 3.0; // how much closer together the bends of the streaks bring them
 
 // A thin sheet of ice at 9 km, in streaks.
 vec4 cirrus(vec3 dir, out float d) {
@@ -112,10 +125,10 @@ vec4 cirrus(vec3 dir, out float d) {
     if (d < 0.0 || distance_to_sea(h, dir.z) >= 0.0) return vec4(0.0);
     vec2 p = dir.xy * d + cloud_origin.xy, along = normalize(wind_direction + vec2(1e-4, 0.3));
     vec2 q = vec2(dot(p, along), dot(p, vec2(-along.y, along.x)));
-    float width = d * texel_angle / max(abs(dir.z), 0.05);
+    float width = CIRRUS_BENT * d * texel_angle / max(abs(dir.z), 0.05);
     q += (textureLod(cloud_noise, vec3(q / 90000.0, 0.2), 0.0).ba - 0.5) * 26000.0;
-    float streak = textureLod(cloud_noise, vec3(q / vec2(88000.0, 15000.0), 0.5), cloud_level(width, 15000.0)).b;
-    float fibre = textureLod(cloud_noise, vec3(q / vec2(26000.0, 4000.0), 0.1), cloud_level(width, 4000.0)).a;
+    float streak = between_levels(vec3(q / vec2(88000.0, 15000.0), 0.5), cloud_level(width, 15000.0)).b;
+    float fibre = between_levels(vec3(q / vec2(26000.0, 4000.0), 0.1), cloud_level(width, 4000.0)).a;
     float patches = textureLod(cloud_noise, vec3(p / 160000.0, 0.85), 0.0).b;
     float amount = clamp((streak + 0.5 * (patches - 0.5) - 0.52) * 3.2, 0.0, 1.0) * (0.35 + 0.65 * fibre);
     amount *= smoothstep(0.0, 0.15, cloud_cover) * 0.42;

@@ -21,15 +21,20 @@ float gust_noise(vec2 p, int period) {
 // (Kahma & Donelan 1988) and the wind of a gust differs from the mean by as much. [m/s]
 const float LIGHT_WIND = 4.0, LIGHTEST_WIND = 1.5;
 
+// Shares of large, middle and small patches in the variance of their sum.
+const vec3 PAWS_VARIANCE = vec3(0.199, 0.448, 0.353);
+
 // Factor on the rms slope of short waves at p [m] modulo 131072, about 1 in the mean, of its square in light winds;
 // `width`: size of the patches that are left out [m]. The patches go with the wind.
 float gustiness(vec2 p, float width) {
     p -= gust_travel;
     p += 700.0 * (vec2(gust_noise(p / 2048.0, 64), gust_noise(p.yx / 2048.0 + 17.0, 64)) - 0.5);
-    float large = gust_noise(p / 4096.0, 32) - 0.5;
-    float middle = (gust_noise(p / 1024.0, 128) - 0.5) * clamp(2.0 - width / 500.0, 0.0, 1.0);
-    float small = (gust_noise(p / 256.0, 512) - 0.5) * clamp(2.0 - width / 120.0, 0.0, 1.0);
+    vec3 kept = clamp(2.0 - width / vec3(2000.0, 500.0, 120.0), 0.0, 1.0);
+    float large = (gust_noise(p / 4096.0, 32) - 0.5) * kept.x;
+    float middle = (gust_noise(p / 1024.0, 128) - 0.5) * kept.y;
+    float small = (gust_noise(p / 256.0, 512) - 0.5) * kept.z;
     float paws = 0.15 + 1.35 * smoothstep(-0.15, 0.15, 0.3 * large + 0.45 * middle + 0.4 * small);
+    paws = mix(1.0, paws, dot(kept * kept, PAWS_VARIANCE));
     return mix(1.0 + 0.26 * large + 0.24 * middle + 0.16 * small, paws,
                clamp((LIGHT_WIND - wind_speed) / (LIGHT_WIND - LIGHTEST_WIND), 0.0, 1.0));
 }

@@ -16,16 +16,19 @@ static void bind(const gl_program *program, const void *uniforms) {
     bolan_blocks_bind(uniforms);
 }
 
-// The factor at 32768 places of the whole period, with footprints of a metre, each moved by `shift`.
-static gusts look(block_buffers *u, float wind, bolan_vec2 travel, bolan_vec2 shift) {
+static const bolan_vec3 here = {0.0f, 0.0f, 1.0f};
+
+// The factor at 32768 places of the whole period, each moved by shift.x and .y, with footprints of shift.z [m].
+static gusts look(block_buffers *u, float wind, bolan_vec2 travel, bolan_vec3 shift) {
     static float in[PROBE_WIDTH][4], out[PROBE_WIDTH][4];
     bolan_blocks_upload_frame(u, &(frame_block){.wind_speed = wind, .gust_travel = travel});
-    for (int i = 0; i < PROBE_WIDTH; i++) in[i][0] = 512.0f * (float)i + shift.x, in[i][1] = shift.y;
+    for (int i = 0; i < PROBE_WIDTH; i++)
+        in[i][0] = 512.0f * (float)i + shift.x, in[i][1] = shift.y, in[i][2] = shift.z;
     probe_run_with("#include \"common/frame.glsl\"\n#include \"common/gusts.glsl\"",
                    "vec4 probe(vec4 x) {\n"
                    "    vec4 sum = vec4(0.0, 0.0, 1e9, 0.0);\n"
                    "    for (int i = 0; i < 128; ++i) {\n"
-                   "        float g = gustiness(x.xy + vec2(31.0, 1024.0) * float(i), 1.0);\n"
+                   "        float g = gustiness(x.xy + vec2(31.0, 1024.0) * float(i), x.z);\n"
                    "        sum = vec4(sum.xy + vec2(g, g * g) / 128.0, min(sum.z, g), max(sum.w, g));\n"
                    "    }\n"
                    "    return sum;\n"
@@ -43,15 +46,29 @@ static void gusts_leave_the_mean(void **state) {
     (void)state;
     block_buffers uniforms = {0};
     assert_int_equal(bolan_blocks_create(&uniforms), BOLAN_OK);
-    const gusts breeze = look(&uniforms, 8.0f, (bolan_vec2){0}, (bolan_vec2){0});
-    const gusts light = look(&uniforms, 1.0f, (bolan_vec2){0}, (bolan_vec2){0});
+    const gusts breeze = look(&uniforms, 8.0f, (bolan_vec2){0}, here);
+    const gusts light = look(&uniforms, 1.0f, (bolan_vec2){0}, here);
     print_message("8 m/s: mean %.4f, of squares %.4f, %.2f to %.2f; 1 m/s: %.4f, %.4f, %.2f to %.2f\n", breeze.mean,
                   breeze.square, breeze.least, breeze.most, light.mean, light.square, light.least, light.most);
     // the largest patches are 4 km wide, a thousand in the period: 1 % of chance
     assert_near(breeze.mean, 1.0, 0.02);
     assert_true(breeze.least > 0.6 && breeze.most < 1.4);
-    assert_near(light.square, 1.0, 0.08); // the slope variance is that of Cox & Munk in the mean
+    assert_near(light.square, 1.0, 0.08);                 // the slope variance is that of Cox & Munk in the mean
     assert_true(light.least < 0.16 && light.most > 1.45); // glass, and paws
+    bolan_blocks_free(&uniforms);
+}
+
+// A footprint wider than all patches has the slope variance of the mean, everywhere; before the horizon of a calm sea
+// single patches would lie as strips.
+static void wide_footprints_see_no_patches(void **state) {
+    (void)state;
+    block_buffers uniforms = {0};
+    assert_int_equal(bolan_blocks_create(&uniforms), BOLAN_OK);
+    for (int i = 0; i < 2; i++) {
+        const gusts wide = look(&uniforms, i ? 8.0f : 1.0f, (bolan_vec2){0}, (bolan_vec3){0.0f, 0.0f, 4100.0f});
+        assert_near(wide.least, 1.0, 1e-6);
+        assert_near(wide.most, 1.0, 1e-6);
+    }
     bolan_blocks_free(&uniforms);
 }
 
@@ -61,8 +78,9 @@ static void gusts_go_with_the_wind(void **state) {
     block_buffers uniforms = {0};
     assert_int_equal(bolan_blocks_create(&uniforms), BOLAN_OK);
     const bolan_vec2 far = {4096.0f, 1536.0f};
-    const gusts now = look(&uniforms, 1.0f, (bolan_vec2){0}, (bolan_vec2){0});
-    const gusts with = look(&uniforms, 1.0f, far, far), without = look(&uniforms, 1.0f, far, (bolan_vec2){0});
+    const bolan_vec3 gone = {far.x, far.y, 1.0f};
+    const gusts now = look(&uniforms, 1.0f, (bolan_vec2){0}, here);
+    const gusts with = look(&uniforms, 1.0f, far, gone), without = look(&uniforms, 1.0f, far, here);
     assert_near(with.first, now.first, 1e-4);
     assert_true(fabs(without.first - now.first) > 0.01);
     bolan_blocks_free(&uniforms);
@@ -85,7 +103,8 @@ static void the_frame_carries_the_gusts_downwind(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {IN_BOTH_APIS(gusts_leave_the_mean), IN_BOTH_APIS(gusts_go_with_the_wind),
+    const struct CMUnitTest tests[] = {IN_BOTH_APIS(gusts_leave_the_mean), IN_BOTH_APIS(wide_footprints_see_no_patches),
+                                       IN_BOTH_APIS(gusts_go_with_the_wind),
                                        cmocka_unit_test(the_frame_carries_the_gusts_downwind)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
