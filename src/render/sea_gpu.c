@@ -400,6 +400,9 @@ static void set_sum(water_block *b, const render_view *v) {
     set_sum_slopes(b, v, 1.0, 0.5);
 }
 
+// Waves on the vertices of a mesh cast caustics as the sum that they are: see caustics.c.
+static bool has_table(water_waves waves) { return waves == WATER_SUM || waves == WATER_MESH; }
+
 static void upload_table(sea_gpu *p, const render_view *v) {
     static const float empty[4] = {0};
     float waves[TABLE_ROW * TABLE_ROWS][4];
@@ -513,7 +516,7 @@ bool bolan_sea_gpu_prepare(sea_gpu *p, frame *f, water_textures textures) {
 }
 
 void bolan_sea_gpu_view(sea_gpu *p, const render_view *v, water_waves waves) {
-    if (waves == WATER_SUM) upload_table(p, v);
+    if (has_table(waves)) upload_table(p, v);
     bolan_sea_gpu_bind(p, waves);
 }
 
@@ -529,7 +532,7 @@ static void bind_cascades(const sea_fields *f) {
 }
 
 void bolan_sea_gpu_bind(const sea_gpu *p, water_waves waves) {
-    if (waves == WATER_SUM) bolan_gl_texture_bind(&p->table, UNIT_WAVE_TABLE);
+    if (has_table(waves)) bolan_gl_texture_bind(&p->table, UNIT_WAVE_TABLE);
     if (waves == WATER_CASCADES) bind_cascades(p->now);
     bolan_gl_texture_bind(&p->now->slope_table, UNIT_SLOPE_TABLE);
 }
@@ -554,6 +557,6 @@ void bolan_sea_gpu_fill(water_block *b, const render_view *v, water_waves waves)
     if (v->shore->present) bolan_shore_map_fill(v->shore, b);
     if (waves == WATER_CASCADES) set_cascades(b, v);
     if (waves == WATER_EXP) set_exp_waves(b, v);
-    if (waves == WATER_SUM) set_sum(b, v);
+    if (has_table(waves)) set_sum(b, v);
     if (waves == WATER_MESH) b->mesh_lift = (float)bolan_sea_lift(v->frame->sea, 0, 0.0);
 }

@@ -43,7 +43,7 @@ typedef struct sea_gpu {
     uint64_t preparations;                             // since creation
     struct water_texel_work *work[BOLAN_MAX_CASCADES]; // levels made on the CPU
     uint32_t work_n;
-    gl_texture table; // WATER_SUM: a texel a wave
+    gl_texture table; // WATER_SUM, WATER_MESH: a texel a wave
     uint16_t *cpu_fold;
     size_t cpu_fold_bytes;
 } sea_gpu;
