@@ -38,12 +38,6 @@ out vec3 bottom;    // level place relative to the eye, depth under the water [m
 
 const float NOISE_SIZE = 256.0; // texels
 
-// Where the sunlight that reaches a point under the water came in.
-vec3 sunlit_place(vec3 position, float height) {
-    float depth = max(-height, 0.0), down = max(refracted_cosine(sun_direction.z, water_index), 0.1);
-    return position + depth * vec3(sun_direction.xy / (water_index * down), 1.0);
-}
-
 void main() {
     vec4 v = vec4(vertex, 1.0);
     vec3 position = vec3(dot(place[0], v), dot(place[1], v), dot(place[2], v));
@@ -61,7 +55,7 @@ void main() {
 #else
     float lit = mix(max(facing, 0.0), max((facing + 0.4) / 1.4, 0.0) * smoothstep(0.05, 0.75, open), leafy);
 #endif
-    lit *= object_shadow(sunlit_place(position, height), own_caster) * cloud_shadow(position.xy);
+    lit *= object_shadow_below(position, height, own_caster) * cloud_shadow(position.xy);
     float up = 0.5 + 0.5 * n.z;
     vec3 around = (sun_light * max(sun_direction.z, 0.0) * 0.6 + sky_light) * vec3(0.13, 0.14, 0.08);
     vec3 ambient = open * (sky_light * up + around * (1.0 - up + 0.25 * (1.0 - open)));

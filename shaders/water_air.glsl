@@ -32,8 +32,8 @@ vec3 mean_water(vec3 direction, float least_slope) {
 const float ROW = 4.0;       // pixels to a row of this picture, as in src/render/water_air.c
 const float AVERAGED = 0.15; // of the length that a row covers: over n patches along it, a mean varies by 1 / sqrt(n)
 
-// The gusts that a row sees. The last row before the horizon is taken at its middle: the water beyond it fills a pixel or
-// two, and would show as a strip as high as the row.
+// The gusts that a row sees. The last row before the horizon is taken at its middle: the water beyond it fills one
+// pixel or two, and would show as a strip as high as the row.
 float gusts_seen(vec3 direction, float width) {
     float h = max(eye_height, 0.3), angle = 0.5 * ROW * radians_per_pixel;
     vec3 place = mean_water(direction, earth_dip(h, earth_radius) + angle);

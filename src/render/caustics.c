@@ -7,17 +7,19 @@
 #include "memory.h"
 #include "shared/refraction.glsl"
 
-#define SIDE 24.0          // of the patch [m]
-#define AHEAD 7.0          // of the eye lies its middle [m]
-#define LOWEST_SUN 0.06    // sine of its height; below, hardly any sunlight enters
-#define HIGHEST_EYE 15.0   // over the water [m]: from higher up the patch is a few pixels
-#define DEEPEST_BED 20.0   // that an eye above the water sees lit [m]
-#define SUN_RADIUS 0.00465 // [rad]
+#define SIDE 24.0             // of the patch [m]
+#define AHEAD 7.0             // of the eye lies its middle [m]
+#define LOWEST_SUN 0.06       // sine of its height; below, hardly any sunlight enters
+#define HIGHEST_EYE 15.0      // over the water [m]: from higher up the patch is a few pixels
+#define DEEPEST_BED 20.0      // that an eye above the water sees lit [m]
+#define SUN_RADIUS 0.00465    // [rad]
 enum { TEXELS_A_CELL = 2, LAYERS = 4 };
 
 static const float depths[LAYERS] = {1.5f, 4.0f, 10.0f, -1.0f}; // [m]: CAUSTIC_DEPTHS of gathered.glsl, and the bed
-static const uint32_t cells_of[] = {
-    [BOLAN_QUALITY_LOW] = 80, [BOLAN_QUALITY_MEDIUM] = 112, [BOLAN_QUALITY_HIGH] = 160, [BOLAN_QUALITY_ULTRA] = 240};
+static const uint32_t cells_of[] = {[BOLAN_QUALITY_LOW] = 80,
+                                    [BOLAN_QUALITY_MEDIUM] = 112,
+                                    [BOLAN_QUALITY_HIGH] = 160,
+                                    [BOLAN_QUALITY_ULTRA] = 240};
 static const water_shader source_shader = {.stem = "caustic_source", .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND};
 
 // ---- life -----------------------------------------------------------------------------------------------------------
@@ -51,8 +53,11 @@ bolan_result bolan_caustics_create(caustic_maps *c, bolan_quality quality) {
     *c = (caustic_maps){.cells = cells_of[quality]};
     const uint32_t nodes = c->cells + 1, texels = c->cells * TEXELS_A_CELL;
     const gl_texture_desc ray = {.format = GL_FMT_RGBA32F, .width = nodes, .height = nodes, .wrap = GL_WRAP_CLAMP};
-    const gl_texture_desc map = {
-        .format = GL_FMT_RGBA16F, .width = texels, .height = texels, .filter = GL_FILTER_MIPMAP, .wrap = GL_WRAP_CLAMP};
+    const gl_texture_desc map = {.format = GL_FMT_RGBA16F,
+                                 .width = texels,
+                                 .height = texels,
+                                 .filter = GL_FILTER_MIPMAP,
+                                 .wrap = GL_WRAP_CLAMP};
     const gl_texture *sources[] = {&c->rays, &c->lights}, *maps[] = {&c->map};
     bolan_result r = bolan_gl_texture_create(&ray, &c->rays);
     if (r == BOLAN_OK) r = bolan_gl_texture_create(&ray, &c->lights);
@@ -144,7 +149,8 @@ static void draw_source(const caustic_maps *c, const patch *p, const water_draw 
     source.waves = source_waves(d->waves);
     const gl_program *g = bolan_water_program(&source, &source_shader, 0);
     if (g == NULL) return;
-    bolan_gl_program_vec4(g, "patch_place", (bolan_vec4){(float)p->corner_x, (float)p->corner_y, (float)p->cell, 0.0f});
+    bolan_gl_program_vec4(g, "patch_place",
+                          (bolan_vec4){(float)p->corner_x, (float)p->corner_y, (float)p->cell, 0.0f});
     bolan_gl_target_bind(&c->source);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();

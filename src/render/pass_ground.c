@@ -271,9 +271,22 @@ static void place_chunk(const ground_chunk *c, const gl_program *program, const 
         (bolan_vec4){(float)(c->west - v->eye.x), (float)(c->south - v->eye.y), (float)-v->eye.z, (float)c->size});
 }
 
+// Objects throw shadows on the chunk that its texels can show. The ball holds the chunk, and where the light of what lies
+// under the water enters: under a low sun in water, a metre of depth aside.
+static void use_casters(const ground_chunk *c, const gl_program *program, const render_view *v) {
+    const double level = v->frame->level, half = 0.5 * c->size;
+    const double low = fmax((double)c->lowest, level), high = fmax((double)c->highest, level);
+    const double wide = half + 1.15 * fmax(level - (double)c->lowest, 0.0);
+    const bolan_vec3 middle = {(float)(c->west + half - v->eye.x), (float)(c->south + half - v->eye.y),
+                               (float)(0.5 * (low + high) - v->eye.z)};
+    const double radius = sqrt(2.0 * wide * wide + 0.25 * (high - low) * (high - low));
+    bolan_casters_use_near(v, program, middle, (float)radius, (float)(c->size / CHUNK_TEXELS));
+}
+
 static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program *program, const render_view *v) {
     const ground_chunk *c = &s->chunk;
     place_chunk(c, program, v);
+    use_casters(c, program, v);
     // A shadow's edge is as soft as the map's own grain.
     float slope = bolan_chunk_sun_from(v->frame->sun_direction).slope, texel = (float)(c->size / CHUNK_TEXELS);
     bolan_gl_program_float(program, "shadow_softness", 0.15f + 1.2f * texel * fminf(slope, 4.0f));

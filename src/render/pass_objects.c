@@ -12,6 +12,7 @@
 
 #define VERTEX_FLOATS 10                          // position, normal, colour and openness
 enum { CASTER_FLOATS = 3 * 4, MAX_CASTERS = 32 }; // twins of caster[] in common/object_shadow.glsl
+#define CASTER_EDGE 1.12f                         // of its soft edge, in radii: the root of CASTER_NONE there
 #define WIDEST_CASTER 30.0f                       // [m]: what is larger is a landscape
 #define OVERLAP 0.25f // [m], as in planar_views.c: what stands clear of the water by more is cut by no picture's plane
 
@@ -380,6 +381,37 @@ void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
 void bolan_casters_use(const render_view *v, const gl_program *program) {
     bolan_gl_program_int(program, "caster_count", (int)v->caster_count);
     if (v->caster_count > 0) bolan_gl_program_vec4_array(program, "caster", v->casters, 3 * v->caster_count);
+}
+
+// The ball round a caster's ellipsoid, whose axes are across each other.
+static float ball_of(const float row[CASTER_FLOATS], bolan_vec3 *middle) {
+    float widest = 0.0f;
+    *middle = (bolan_vec3){0};
+    for (int i = 0; i < 3; i++, row += 4) {
+        const bolan_vec3 axis = {row[0], row[1], row[2]};
+        const float square = bolan_v3_dot(axis, axis);
+        *middle = bolan_v3_add(*middle, bolan_v3_scale(axis, -row[3] / square));
+        widest = fmaxf(widest, 1.0f / sqrtf(square));
+    }
+    return CASTER_EDGE * widest;
+}
+
+void bolan_casters_use_near(const render_view *v, const gl_program *program, bolan_vec3 middle, float radius,
+                            float least) {
+    float near[MAX_CASTERS * CASTER_FLOATS];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < v->caster_count; i++) {
+        const float *row = v->casters + CASTER_FLOATS * i;
+        bolan_vec3 from;
+        const float ball = ball_of(row, &from), reach = ball + radius;
+        const bolan_vec3 way = bolan_v3_sub(middle, from), sun = v->frame->sun_direction;
+        const float along = bolan_v3_dot(way, sun);
+        if (ball < least || along > reach) continue;
+        if (bolan_v3_length(bolan_v3_sub(way, bolan_v3_scale(sun, along))) > reach) continue;
+        memcpy(near + CASTER_FLOATS * count++, row, sizeof(float[CASTER_FLOATS]));
+    }
+    bolan_gl_program_int(program, "caster_count", (int)count);
+    if (count > 0) bolan_gl_program_vec4_array(program, "caster", near, 3 * count);
 }
 
 // ---- drawing --------------------------------------------------------------------------------------------------------

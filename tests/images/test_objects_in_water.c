@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Objects on open water: their shadow, the part below the surface, the wet line, and no surf at a hull.
+#include "bolan/ground.h"
 #include "bolan/model.h"
 #include "picture.h"
 #include "shared/wet.glsl"
@@ -160,12 +161,99 @@ static void no_surf_breaks_at_a_hull(void **state) {
     free(with), free(without);
 }
 
+// A level bed at that elevation [m].
+static bolan_ground *level_bed(float elevation) {
+    static float heights[16];
+    for (int i = 0; i < 16; ++i) heights[i] = elevation;
+    bolan_ground_desc d = bolan_ground_desc_default();
+    d.field = (bolan_heightfield){4, 4, -150.0, -150.0, 100.0, 100.0, heights};
+    d.detail = 0.0;
+    d.edge_elevation = (double)elevation;
+    bolan_ground *ground = NULL;
+    assert_int_equal(bolan_ground_create(&d, &ground), BOLAN_OK);
+    return ground;
+}
+
+enum { BED_SIZE = 160 };
+
+// The view from straight above over a level bed and, or not, the box at the scene's first object.
+static float *bed_radiance(const bolan_scene *scene, float bed, bool box) {
+    bolan_scene copy = *scene;
+    bolan_world_assets assets = {.ground = level_bed(bed)};
+    const bolan_model_desc desc = {.path = "box.obj"};
+    copy.object_count = box;
+    if (box) {
+        assert_int_equal(bolan_model_load(&desc, &assets.models[0]), BOLAN_OK);
+        assets.model_count = 1;
+        assets.object_models[0] = assets.models[0];
+    }
+    bolan_scene bare = copy;
+    bare.object_count = 0;
+    stage s;
+    assert_true(stage_open(&s, &bare, BOLAN_QUALITY_MEDIUM, false));
+    bolan_world_destroy(&s.world);
+    s.scene = copy;
+    assert_int_equal(bolan_world_create(&(bolan_world_desc){&copy, &assets}, &s.world), BOLAN_OK);
+    stage_settle(&s, copy.time);
+    picture p = stage_draw(&s, BED_SIZE, BED_SIZE, 1);
+    float *rgb = malloc(sizeof(float) * 3 * BED_SIZE * BED_SIZE);
+    bolan_renderer_read_linear(s.renderer, rgb, NULL);
+    picture_free(&p);
+    stage_close(&s);
+    return rgb;
+}
+
+// Where the light that a box at that height takes is missing on the bed: the mean place to the west of the picture's
+// middle [m], and the greatest loss.
+static double shadow_west(const bolan_scene *scene, float bed, double metres, double *most) {
+    float *with = bed_radiance(scene, bed, true), *without = bed_radiance(scene, bed, false);
+    double sum = 0.0, moment = 0.0;
+    *most = 0.0;
+    for (int i = 0; i < BED_SIZE * BED_SIZE; ++i) {
+        const double loss = 1.0 - (double)with[3 * i + 1] / (double)without[3 * i + 1];
+        if (loss < 0.05) continue;
+        *most = fmax(*most, loss);
+        sum += loss, moment += loss * (0.5 * BED_SIZE - (i % BED_SIZE + 0.5)) * metres;
+    }
+    free(with), free(without);
+    return moment / sum;
+}
+
+// The shadow lies where the bent ray past the box meets the bed: h tan 45 degrees in the air to the west, and by
+// Snell's law d tan(asin(sin 45 / 1.34)) in the water. The eye sees depths at d / 1.34.
+static void a_shadow_falls_through_the_water_on_the_bed(void **state) {
+    (void)state;
+    const double depth = 3.0, eye = 30.0, middle_over = 0.12; // of the ellipsoid over the box
+    const double bent = tan(asin(sin(bolan_radians(45.0)) / 1.34));
+    write_box("box.obj", 1.0, 1.0, 1.0);
+    bolan_scene scene = open_water(0.0, "box.obj", bolan_dv3(0.0, 0.0, 6.0));
+    scene.look.effects = BOLAN_EFFECT_REFRACTION;
+    scene.camera = (bolan_camera){.position = {-8.5, 0.0, eye}, .pitch_deg = -90.0, .fov_deg = 14.0};
+    const double metres = (eye + depth / 1.34) * 2.0 * tan(bolan_radians(7.0)) / BED_SIZE;
+    double most;
+    const double air = -8.5 - shadow_west(&scene, (float)-depth, metres, &most);
+    const double expected = -(6.0 + middle_over) - depth * bent;
+    print_message("over the water: shadow at %.3f m, expected %.3f, %.2f of the light gone\n", air, expected, most);
+    assert_near(air, expected, 0.1); // a texel of the ground's noise
+    assert_true(most > 0.3);
+    // A box in the water throws one too, along the bent ray alone.
+    scene.objects[0].position.z = -2.0;
+    scene.camera.position.x = -3.2, scene.camera.fov_deg = 8.0; // the box is out of sight
+    write_box("box.obj", 0.25, 0.25, 0.25);
+    const double deep = 6.0, metres_deep = (eye + deep / 1.34) * 2.0 * tan(bolan_radians(4.0)) / BED_SIZE;
+    const double wet = -3.2 - shadow_west(&scene, (float)-deep, metres_deep, &most);
+    const double wet_expected = -(deep - 2.0 + 0.25 * middle_over) * bent;
+    print_message("in the water: %.3f, expected %.3f\n", wet, wet_expected);
+    assert_near(wet, wet_expected, 0.1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_shadow_lies_where_the_sun_puts_it),
         cmocka_unit_test(the_part_below_dims_by_its_depth),
         cmocka_unit_test(a_wall_is_wet_where_waves_reach_it),
         cmocka_unit_test(no_surf_breaks_at_a_hull),
+        cmocka_unit_test(a_shadow_falls_through_the_water_on_the_bed),
     };
     return cmocka_run_group_tests(tests, open_context, close_context);
 }

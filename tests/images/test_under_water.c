@@ -117,8 +117,8 @@ static void add_radiance(stage *s, unsigned effects, float *sum) {
     picture_free(&p);
 }
 
-// Mean light of a plate under these waves over that of flat light, and the rms contrast, at so many times; the eye is at
-// `eye` over the mean water.
+// Mean light of a plate under these waves over that of flat light, and the rms contrast, at so many times; `eye`: its
+// height over the mean water.
 static void check_caustics(const bolan_technique *technique, double under, double eye, int times) {
     const unsigned effects = BOLAN_EFFECTS_ALL & ~(unsigned)(BOLAN_EFFECT_FOG | BOLAN_EFFECT_REFLECTION |
                                                              BOLAN_EFFECT_GLITTER | BOLAN_EFFECT_FOAM);
