@@ -13,15 +13,15 @@
 
 #define WIDTH 131 // no multiple of a group's width, so that groups reach over the edge
 #define HEIGHT 75
-// One source: only a compiler's order of operations and the rounding to half floats may differ [dB]. Software OpenGL
-// gives the same bits.
+// One source. Compute shaders round what is displayed to half floats, a twentieth of a level, so that the dither tips
+// one level in some pixels; a compiler's order of operations may differ too [dB].
 #define ENOUGH 60.0
 
 typedef struct images {
     picture eye, away, under; // from the scene's camera; with the eye turned round; from an eye in the water
 } images;
 
-enum { AWAY = 1, UNDER = 2 };
+enum { AWAY = 1, UNDER = 2, LARGE = 4 }; // LARGE: the eye's image has a glow
 
 static images draw(const bolan_scene *scene, bolan_pixels pixels, bolan_quality quality, unsigned more) {
     stage s;
@@ -33,7 +33,8 @@ static images draw(const bolan_scene *scene, bolan_pixels pixels, bolan_quality 
     stage_pixels = pixels;
     assert_true(stage_open(&s, scene, quality, false));
     assert_int_equal(bolan_renderer_pixels(s.renderer), pixels);
-    out.eye = stage_draw(&s, WIDTH, HEIGHT, 1);
+    const uint32_t scale = more & LARGE ? 4 : 1;
+    out.eye = stage_draw(&s, scale * WIDTH, scale * HEIGHT, 1);
     s.scene.camera.heading_deg += 180.0;
     if (more & AWAY) out.away = stage_draw(&s, WIDTH, HEIGHT, 1);
     s.scene.camera.heading_deg -= 180.0;
@@ -79,6 +80,11 @@ static void a_storm_is_one_image(void **state) {
 static void land_is_one_image(void **state) {
     (void)state;
     check("island", BOLAN_QUALITY_MEDIUM, AWAY); // tiles of three classes
+}
+
+static void a_glow_is_one_image(void **state) {
+    (void)state;
+    check("calm", BOLAN_QUALITY_HIGH, LARGE);
 }
 
 // Draws it and reads how many tiles were in each list: the renderer leaves their buffer bound.
@@ -164,6 +170,7 @@ int main(void) {
     };
     const struct CMUnitTest es[] = {
         cmocka_unit_test(a_storm_is_one_image),
+        cmocka_unit_test(a_glow_is_one_image),
         cmocka_unit_test(each_tile_takes_the_shader_of_its_class),
     };
     const int failed = cmocka_run_group_tests_name("core", core, open_core, close_context);
