@@ -271,8 +271,8 @@ static void place_chunk(const ground_chunk *c, const gl_program *program, const 
         (bolan_vec4){(float)(c->west - v->eye.x), (float)(c->south - v->eye.y), (float)-v->eye.z, (float)c->size});
 }
 
-// Objects throw shadows on the chunk that its texels can show. The ball holds the chunk, and where the light of what lies
-// under the water enters: under a low sun in water, a metre of depth aside.
+// Objects throw shadows on the chunk that its texels can show. The ball holds the chunk, and where the light of what
+// lies under the water enters: under a low sun in water, a metre of depth aside.
 static void use_casters(const ground_chunk *c, const gl_program *program, const render_view *v) {
     const double level = v->frame->level, half = 0.5 * c->size;
     const double low = fmax((double)c->lowest, level), high = fmax((double)c->highest, level);
