@@ -62,6 +62,10 @@ vec4 bolan_fine_tile(const render_view *v);
 void bolan_sea_gpu_view(sea_gpu *p, const render_view *v, water_waves waves);
 // Binds the textures again, for a pass that follows one which used their units.
 void bolan_sea_gpu_bind(const sea_gpu *p, water_waves waves);
+// Waves of a sum stand in a table: those of the vertices of a mesh too, for they cast caustics (caustics.c).
+bool bolan_water_waves_have_table(water_waves waves);
+// A wave of a sum as the shaders have it: kx, ky [turns/m], amplitude [m], phase at the eye now [turns].
+void bolan_sea_wave_at(const render_view *v, uint32_t index, double amplitude_factor, float out[4]);
 // Fills what waves.glsl reads of the block Water: the sea's own members, and where the eye stands in its fields.
 void bolan_sea_gpu_fill(water_block *b, const render_view *v, water_waves waves);
 // The displacement of the present sea at the time of the step before; NULL: it is not kept, or that is no step of it.
