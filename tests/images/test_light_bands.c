@@ -10,15 +10,15 @@
 
 #include <cmocka.h>
 
-#include "../reference/views.h"
 #include "traced_light.h"
 
 enum { WIDTH = 320, HEIGHT = 180, BANDS = 10, PARTS = 3, PIXELS = WIDTH * HEIGHT };
 enum { SKY, GLITTER, BELOW };
 
 typedef reference_view view;
-static const view views[] = {
-    {"a", 2.0, 0.0, -10.0, 180.0, 35.0}, {"c", 100.0, 0.0, -20.0, 90.0, 35.0}, {"e", 10.0, 180.0, -15.0, 180.0, 5.0}};
+static const view views[] = {{"a", 2.0, 0.0, -10.0, 180.0, 35.0, 0},
+                             {"c", 100.0, 0.0, -20.0, 90.0, 35.0, 0},
+                             {"e", 10.0, 180.0, -15.0, 180.0, 5.0, 0}};
 
 static const uint32_t effects_of[PARTS] = {BOLAN_EFFECT_REFLECTION, BOLAN_EFFECT_GLITTER, BOLAN_EFFECT_AMBIENT};
 
@@ -50,55 +50,10 @@ static void read_reference(char name, band out[BANDS]) {
 
 // ---- pictures ------------------------------------------------------------------------------------------------------
 
-static bool open_stage(stage *s, const bolan_scene *scene, const char *shaders) {
-    *s = (stage){.world = NULL};
-    bolan_renderer_desc desc = bolan_renderer_desc_default();
-    desc.quality = BOLAN_QUALITY_HIGH;
-    desc.shader_directory = shaders;
-    if (!stage_load(s, scene)) return false;
-    stage_settle(s, scene->time);
-    return bolan_renderer_create(&desc, &s->renderer) == BOLAN_OK;
-}
-
-// Adds what the part of the light brings over what there is without any, at the sea: air taken off.
-static void add_part(stage *s, const bolan_target *target, uint32_t effects, double sign, double weight, float *rgb,
-                     float *distance, double *sum) {
-    s->scene.look.effects = effects;
-    const bolan_view v = stage_view(s, target, WIDTH, HEIGHT);
-    bolan_renderer_draw_world(s->renderer, s->world, &v);
-    bolan_renderer_read_linear(s->renderer, rgb, distance);
-    const double half = tan(bolan_radians(20.0));
-    for (int i = 0; i < PIXELS; ++i) {
-        if (!isfinite(distance[i])) continue;
-        const double x = (2.0 * (i % WIDTH + 0.5) / HEIGHT - (double)WIDTH / HEIGHT) * half;
-        const double y = (1.0 - 2.0 * (i / WIDTH + 0.5) / HEIGHT) * half,
-                     d = (double)distance[i] * sqrt(1 + x * x + y * y);
-        for (int c = 0; c < 3; ++c) sum[3 * i + c] += sign * weight * (double)rgb[3 * i + c] / through_air(c, d);
-    }
-}
-
-typedef struct studio {
-    stage s;
-    bolan_target *target;
-    float *rgb, *distance;
-} studio;
-
-static void open_studio(studio *t, const view *v, const char *shaders) {
-    const bolan_scene scene = reference_scene(v);
-    assert_true(open_stage(&t->s, &scene, shaders));
-    assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &t->target), BOLAN_OK);
-    // The reference's surface had its mean below the level by what now lifts it: so its eye stood higher over the
-    // waves.
-    for (uint32_t c = 0; c < bolan_sea_cascade_count(stage_sea(&t->s)); ++c)
-        t->s.scene.water.level -= bolan_sea_lift(stage_sea(&t->s), c, 0.0);
-    t->rgb = malloc(sizeof(float) * 3 * PIXELS), t->distance = malloc(sizeof(float) * PIXELS);
-}
-
-static void close_studio(studio *t) {
-    free(t->rgb);
-    free(t->distance);
-    bolan_target_destroy(&t->target);
-    stage_close(&t->s);
+// The reference's surface had its mean below the level by what now lifts it: so its eye stood higher over the waves.
+static void lower_water(stage *s) {
+    for (uint32_t c = 0; c < bolan_sea_cascade_count(stage_sea(s)); ++c)
+        s->scene.water.level -= bolan_sea_lift(stage_sea(s), c, 0.0);
 }
 
 // Radiance of each part at the sea from one place, PIXELS x 3, the picture turned by parts of a pixel.
@@ -108,11 +63,7 @@ static void draw_parts(studio *t, const view *v, int place, double *light[PARTS]
     camera->position.x = 1711.0 * place, camera->position.y = -933.0 * place;
     camera->heading_deg = v->heading + pixel * (fmod(0.5 + 0.7548776662466927 * place, 1.0) - 0.5); // R2
     camera->pitch_deg = v->pitch + pixel * (fmod(0.5 + 0.5698402909980532 * place, 1.0) - 0.5);
-    for (int part = 0; part < PARTS; ++part) {
-        memset(light[part], 0, sizeof(double) * 3 * PIXELS);
-        add_part(&t->s, t->target, effects_of[part], 1.0, 1.0, t->rgb, t->distance, light[part]);
-        add_part(&t->s, t->target, 0, -1.0, 1.0, t->rgb, t->distance, light[part]);
-    }
+    for (int part = 0; part < PARTS; ++part) draw_light(t, effects_of[part], light[part]);
 }
 
 static double band_mean(const double *light, const band *b, int channel) {
@@ -139,15 +90,16 @@ typedef struct sums {
     double far_outlines, near_outlines;
 } sums;
 
-// The goal is 10 % for the mirrored sky, and the reference's smallest facets do not hide one another. Glitter at 5
-// degrees of sun: within a sixth, where a mean factor for the shadows leaves 0.46 to 2.24. Light from below: within 2 %
-// at noon; at 5 degrees of sun what enters is approximated, and the reference's sky was an earlier one, whose
+// Mirrored sky: the reference's smallest facets do not hide one another, which makes it too bright by up to 40 % at one
+// degree under the horizon (tests/reference, where they do): it is an upper bound, to 10 %. Glitter at 5 degrees of
+// sun: within a fifth, where a mean factor for the shadows leaves 0.46 to 2.24. Light from below: within 2 % at noon;
+// at 5 degrees of sun what enters is approximated, and the reference's sky was an earlier one, whose
 // irradiance was higher: 0.88 to 0.97.
 //
 // The rest is the sea's: a band close to a low eye shows one or two waves, and the reference is one picture of one sea.
 // So such bands are taken together, the mean over places is compared, and the reference may lie as far away as one such
 // picture does.
-static const double tolerance[PARTS] = {0.13, 0.17, 0.13};
+static const double least[PARTS] = {0.68, 0.80, 0.87}, most[PARTS] = {1.10, 1.17, 1.13};
 static const char *const part_names[PARTS] = {"mirrored sky", "glitter", "from below"};
 #define ONE_PICTURE 2.5 // standard deviations of the pictures of single places
 #define LEAST_GLITTER 1e-3
@@ -192,10 +144,10 @@ static void check_view(const view *v, const band *reference, int count, const su
                 if (getenv("BOLAN_SHOW_BANDS") != NULL)
                     print_message("%s %2d %s %d: %.3f of the reference, a single place +- %.3f\n", v->name, i + 1,
                                   part_names[part], c, mean / want, sd / want);
-                if (!(fabs(mean - want) <= tolerance[part] * want + ONE_PICTURE * sd))
-                    fail_msg("view %s, band %d, %s, channel %d: %.3f of the reference, not 1 +- %.2f; a place has "
+                if (!(mean >= least[part] * want - ONE_PICTURE * sd && mean <= most[part] * want + ONE_PICTURE * sd))
+                    fail_msg("view %s, band %d, %s, channel %d: %.3f of the reference, not %.2f to %.2f; a place has "
                              "+- %.3f",
-                             v->name, i + 1, part_names[part], c, mean / want, tolerance[part], sd / want);
+                             v->name, i + 1, part_names[part], c, mean / want, least[part], most[part], sd / want);
             }
         }
     if (v->name[0] != 'a') return;
@@ -212,7 +164,8 @@ static void test_view(const view *v, const char *shaders, double *light[PARTS]) 
     memset(&s, 0, sizeof s);
     read_reference(v->name[0], reference);
     const int count = pool_near_bands(v, reference);
-    open_studio(&t, v, shaders);
+    open_studio(&t, v, WIDTH, HEIGHT, shaders);
+    lower_water(&t.s);
     for (int place = 0; place < PLACES; ++place) {
         draw_parts(&t, v, place, light);
         add_bands(v, reference, count, light, &s);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What tests against a path tracer need: a copy of the shaders without gusts, and the share of light that the air lets
-// through.
+// What tests against a path tracer need: a copy of the shaders without gusts, the share of light that the air lets
+// through, and a studio that draws a view of the reference as radiance at the sea.
 #ifndef BOLAN_TESTS_TRACED_LIGHT_H
 #define BOLAN_TESTS_TRACED_LIGHT_H
 
 #include "picture.h"
+
+#include "../reference/views.h"
 
 #include <dirent.h>
 
@@ -70,6 +72,60 @@ static inline void remove_shaders(const char *folder) {
 static inline double through_air(int channel, double distance) {
     const double rayleigh[3] = {0.049184 / 8000, 0.097070 / 8000, 0.221110 / 8000}, haze[3] = {1.78e-6, 2e-6, 2.3e-6};
     return exp(-(rayleigh[channel] + haze[channel]) * distance);
+}
+
+// ---- studio --------------------------------------------------------------------------------------------------------
+
+typedef struct studio {
+    stage s;
+    bolan_target *target;
+    uint32_t width, height;
+    float *rgb, *distance;
+} studio;
+
+static inline void open_studio(studio *t, const reference_view *v, uint32_t width, uint32_t height,
+                               const char *shaders) {
+    const bolan_scene scene = reference_scene(v);
+    const size_t pixels = (size_t)width * height;
+    bolan_renderer_desc desc = bolan_renderer_desc_default();
+    desc.quality = BOLAN_QUALITY_HIGH;
+    desc.shader_directory = shaders;
+    *t = (studio){.width = width, .height = height};
+    t->rgb = malloc(sizeof(float) * 3 * pixels), t->distance = malloc(sizeof(float) * pixels);
+    assert_true(stage_load(&t->s, &scene));
+    stage_settle(&t->s, scene.time);
+    assert_int_equal(bolan_renderer_create(&desc, &t->s.renderer), BOLAN_OK);
+    assert_int_equal(bolan_target_create(width, height, &t->target), BOLAN_OK);
+}
+
+static inline void close_studio(studio *t) {
+    free(t->rgb), free(t->distance);
+    bolan_target_destroy(&t->target);
+    stage_close(&t->s);
+}
+
+static inline void add_picture(studio *t, uint32_t effects, double weight, double *sum) {
+    const double half = tan(bolan_radians(0.5 * REFERENCE_FOV)), width = t->width, height = t->height;
+    t->s.scene.look.effects = effects;
+    const bolan_view v = stage_view(&t->s, t->target, t->width, t->height);
+    bolan_renderer_draw_world(t->s.renderer, t->s.world, &v);
+    bolan_renderer_read_linear(t->s.renderer, t->rgb, t->distance);
+    for (uint32_t i = 0; i < t->width * t->height; ++i) {
+        if (!isfinite(t->distance[i])) continue;
+        const double x = (2.0 * (i % t->width + 0.5) - width) / height * half;
+        const double y = (1.0 - 2.0 * (i / t->width + 0.5) / height) * half;
+        const double d = (double)t->distance[i] * sqrt(1.0 + x * x + y * y);
+        for (int c = 0; c < 3; ++c)
+            sum[3 * i + (uint32_t)c] += weight * (double)t->rgb[3 * i + (uint32_t)c] / through_air(c, d);
+    }
+}
+
+// Radiance of these effects at the sea: the picture less the one without any light of the sea, which is the air's.
+// light: width * height * 3.
+static inline void draw_light(studio *t, uint32_t effects, double *light) {
+    memset(light, 0, sizeof(double) * 3 * t->width * t->height);
+    add_picture(t, effects, 1.0, light);
+    add_picture(t, 0, -1.0, light);
 }
 
 #endif

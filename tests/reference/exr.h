@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Half-float images in OpenEXR's simplest form: one part of scan lines without compression, so that no library is
-// needed to read them. Channels are B, G, R and "sigma", the standard error of G. Little-endian machines.
+// needed to read them. Channels: B, G, R, "sunless" (G without the sun's reflection) and "sigma" (the standard error of
+// that). Little-endian machines.
 // Source: "OpenEXR File Layout", openexr.com.
 #ifndef BOLAN_REFERENCE_EXR_H
 #define BOLAN_REFERENCE_EXR_H
@@ -13,7 +14,7 @@
 #include <string.h>
 
 enum { EXR_HEADER_MAX = 512, EXR_LINE = 8 + REFERENCE_CHANNELS * REFERENCE_WIDTH * 2 };
-static const int exr_order[REFERENCE_CHANNELS] = {2, 1, 0, 3}; // of the file: names in alphabetical order
+static const int exr_order[REFERENCE_CHANNELS] = {2, 1, 0, 3, 4}; // of the file: names in alphabetical order
 
 static inline void exr_put(uint8_t *out, size_t *at, const void *bytes, size_t count) {
     memcpy(out + *at, bytes, count);
@@ -30,7 +31,7 @@ static inline void exr_attribute(uint8_t *out, size_t *at, const char *name, con
 
 // Everything before the scan lines; the same bytes for each image. Returns their number.
 static inline size_t exr_header(uint8_t out[EXR_HEADER_MAX]) {
-    static const char *const names[REFERENCE_CHANNELS] = {"B", "G", "R", "sigma"};
+    static const char *const names[REFERENCE_CHANNELS] = {"B", "G", "R", "sigma", "sunless"};
     const uint32_t magic[2] = {20000630, 2};
     const int32_t half_channel[4] = {1, 0, 1, 1}, box[4] = {0, 0, REFERENCE_WIDTH - 1, REFERENCE_HEIGHT - 1};
     const float one = 1.0f, middle[2] = {0.0f, 0.0f};

@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 #define WATER_INDEX 1.34
-#define SUN_DISC_SLOPES 1.35e-6 // variance of the slopes that reflect the sun's disc, radius 0.00465 rad, to one point
+#define DISC_SLOPES 1.35e-6 // variance of the slopes that reflect the sun's disc, radius 0.00465 rad, to one point
 
 typedef struct vec {
     double x, y, z;
@@ -63,19 +63,36 @@ static inline vec visible_facet(uint64_t *random, vec to_eye, double mx, double 
     return n;
 }
 
+// Smith's ratio of the hidden to the visible share of the facets of covariance c over a place of that slope, seen from
+// afar in a direction; many where the place itself is in the way. Walter et al. 2007.
+static inline double facets_hidden(vec to, double mx, double my, covariance c) {
+    const double level = fmax(hypot(to.x, to.y), 1e-6), hx = to.x / level, hy = to.y / level;
+    const double deviation = sqrt(fmax(c.xx * hx * hx + 2.0 * c.xy * hx * hy + c.yy * hy * hy, 1e-9));
+    const double elevation = to.z / level - mx * hx - my * hy;
+    return elevation <= 0.0 ? 1e6 : smith_ratio(elevation / deviation);
+}
+
+// Share of the facets in sight of the eye which a light reaches too: heights of both sights correlate (Ross, Dion &
+// Potvin 2005, eq. 19).
+static inline double facets_lit(vec to_eye, vec to_light, double mx, double my, covariance c) {
+    const double eye = fmin(facets_hidden(to_eye, mx, my, c), 1e3);
+    return (1.0 + eye) / (1.0 + eye + facets_hidden(to_light, mx, my, c));
+}
+
 // Radiance of the reflected sun, for an irradiance of 1 across its rays, by the facets of covariance c over a place of
-// that slope, unless something else stands between.
+// that slope, unless another place stands between.
 static inline double sun_by_facets(vec to_eye, vec to_sun, double mx, double my, covariance c) {
     const vec h = unit(along(to_eye, 1.0, to_sun));
     const double cosine = dot3(to_eye, h), level = fmax(hypot(to_eye.x, to_eye.y), 1e-4);
     if (h.z < 0.05 || cosine <= 0.0) return 0.0;
-    c.xx += SUN_DISC_SLOPES, c.yy += SUN_DISC_SLOPES;
+    c.xx += DISC_SLOPES, c.yy += DISC_SLOPES;
     const double ex = to_eye.x / level, ey = to_eye.y / level;
     const double deviation = level * sqrt(c.xx * ex * ex + 2.0 * c.xy * ex * ey + c.yy * ey * ey);
     const double facing = to_eye.z - mx * to_eye.x - my * to_eye.y;
     const double area = fmax(deviation * facing_exact(facing / deviation).area, 1e-3);
     const double density = slope_density(-h.x / h.z - mx, -h.y / h.z - my, c.xx, c.xy, c.yy);
-    return density * fresnel(fmin(cosine, 1.0), WATER_INDEX) / (4.0 * h.z * h.z * h.z * h.z * area);
+    return density * fresnel(fmin(cosine, 1.0), WATER_INDEX) * facets_lit(to_eye, to_sun, mx, my, c) /
+           (4.0 * h.z * h.z * h.z * h.z * area);
 }
 
 #endif

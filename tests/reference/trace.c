@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 // A path tracer of Bolan's sea, for the shading of physical optics to be compared with: see README.md.
 //
-// Rays march over the heights of bolan_query_heights(): all cascades, no filter by pixel. Fine waves and capillaries
-// beyond them are slopes of the place that is hit. Rays of a row of pixels are marched together.
+// Rays march over the heights of bolan_query_heights() and of the fine waves (fine.h): no filter by pixel. Capillaries
+// beyond them are facets of the place that is hit, and hide one another by Smith's function. Rays of a row of pixels
+// are marched together.
 //
 //   eye -> place on the sea -> a visible facet -> sky, or a second place -> a facet -> sky
 //                           -> sun, unless a wave stands before it
 //                           -> light that leaves the water
 #include "exr.h"
 #include "facets.h"
+#include "fine.h"
 #include "shared/bed.glsl"
+#include "shared/constants.glsl"
 
 #include "bolan/io.h"
 #include "bolan/query.h"
@@ -18,9 +21,12 @@
 
 #include <stdlib.h>
 
-enum { SKY_WIDTH = 2048, SKY_HEIGHT = 1024, STEPS = 600 };
-#define STEEPEST 0.7     // slope that steps allow for; a steeper wave is passed and found again by bisection
-#define FARTHEST 30000.0 // [m]
+enum { SKY_WIDTH = 2048, SKY_HEIGHT = 1024, STEPS = 4000 };
+#define STEEPEST 0.7         // slope that steps allow for; a steeper wave is passed and found again by bisection
+enum { SUNLESS = 3, LIGHT }; // of a ray: red, green, blue, green without the sun's reflection
+#define FARTHEST 30000.0     // [m]
+#define SHORTEST_STEP 0.008  // [m]; the shortest fine wave has 0.01 m
+#define ON_SURFACE 2e-5      // [m]; a fine wave is a millimetre high
 
 typedef struct ray {
     vec from, dir;
@@ -32,12 +38,18 @@ typedef struct ray {
 typedef struct place {
     vec at;
     double sx, sy;
-    double shown; // area that the facets show to the ray, over that of the marched surface
 } place;
+
+// For the rays of one row.
+typedef struct room {
+    ray *second, *suns;
+    place *again;
+    double *sun, *reflectance;
+} room;
 
 typedef struct tracer {
     const bolan_water *water;
-    bolan_sea_fine_view fine;
+    fine_waves fine;
     covariance beyond; // slopes of no wave
     double highest;    // of the surface [m]
     float *sky;
@@ -54,24 +66,23 @@ typedef struct tracer {
 // ---- rays over the sea ----------------------------------------------------------------------------------------------
 
 // Halves the stretch between `before`, over the surface, and `after`, under it.
-static void halve(ray *r, double gap, double fine) {
+static void halve(ray *r, double gap) {
     if (gap >= 0.0)
         r->before = r->t;
     else
         r->after = r->t;
-    r->hit = r->done = fabs(gap) < fine || r->after - r->before < 1e-5 * (1.0 + r->t);
-    r->t = 0.5 * (r->before + r->after);
+    r->hit = r->done = fabs(gap) < ON_SURFACE || r->after - r->before < ON_SURFACE;
+    r->t = r->done ? r->before : 0.5 * (r->before + r->after);
 }
 
 static void step_ray(const tracer *t, ray *r, double height) {
     const double gap = r->from.z + r->t * r->dir.z - height, level = hypot(r->dir.x, r->dir.y);
-    const double fine = 2e-4 + 2e-5 * r->t;
     if (r->after > 0.0 || gap < 0.0) {
-        halve(r, gap, fine);
+        halve(r, gap);
         return;
     }
     r->before = r->t;
-    r->t += fmax(gap / fmax(STEEPEST * level - r->dir.z, 1e-3), 0.01 + 2e-4 * r->t);
+    r->t += fmax(gap / fmax(STEEPEST * level - r->dir.z, 1e-3), SHORTEST_STEP);
     r->done = r->t > FARTHEST || (r->dir.z >= 0.0 && r->from.z + r->t * r->dir.z > t->highest);
 }
 
@@ -85,24 +96,10 @@ static void march(tracer *t, ray *rays, uint32_t count) {
         }
         if (n == 0) return;
         bolan_query_heights(t->water, t->xy, n, t->heights);
-        for (uint32_t i = 0; i < n; ++i) step_ray(t, &rays[t->active[i]], (double)t->heights[i]);
+        for (uint32_t i = 0; i < n; ++i)
+            step_ray(t, &rays[t->active[i]], (double)t->heights[i] + fine_at(&t->fine, t->xy[i]).height);
     }
     for (uint32_t i = 0; i < count; ++i) rays[i].hit |= !rays[i].done && rays[i].dir.z < 0.0;
-}
-
-static void fine_slope(const tracer *t, bolan_dvec2 at, double *sx, double *sy) {
-    const bolan_sea_fine_view *f = &t->fine;
-    if (f->n == 0) return;
-    const double c = cos(f->angle), s = sin(f->angle), n = f->n;
-    double u = (at.x * c + at.y * s) / f->length, v = (at.y * c - at.x * s) / f->length;
-    u = (u - floor(u)) * n, v = (v - floor(v)) * n;
-    const uint32_t i = (uint32_t)u % f->n, j = (uint32_t)v % f->n, i1 = (i + 1) % f->n, j1 = (j + 1) % f->n;
-    const double a = u - floor(u), b = v - floor(v);
-    const double w[4] = {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b};
-    const uint32_t at4[4] = {j * f->n + i, j * f->n + i1, j1 * f->n + i, j1 * f->n + i1};
-    double gx = 0.0, gy = 0.0; // in the axes of the tile
-    for (int k = 0; k < 4; ++k) gx += w[k] * (double)f->slope_x[at4[k]], gy += w[k] * (double)f->slope_y[at4[k]];
-    *sx += gx, *sy += gy;
 }
 
 static void places_of(tracer *t, const ray *rays, uint32_t count, place *out) {
@@ -114,12 +111,10 @@ static void places_of(tracer *t, const ray *rays, uint32_t count, place *out) {
     for (uint32_t i = 0; i < count; ++i) {
         const bolan_vec3 n = t->points[i].normal;
         const double up = fmax((double)n.z, 0.1);
-        out[i] =
-            (place){{t->xy[i].x, t->xy[i].y, (double)t->points[i].height}, -(double)n.x / up, -(double)n.y / up, 1.0};
-        const vec d = rays[i].dir;
-        const double whole = fmax(out[i].sx * d.x + out[i].sy * d.y - d.z, 0.02);
-        fine_slope(t, t->xy[i], &out[i].sx, &out[i].sy);
-        out[i].shown = fmax(out[i].sx * d.x + out[i].sy * d.y - d.z, 0.0) / whole;
+        const fine_point fine = fine_at(&t->fine, t->xy[i]);
+        out[i] = (place){{t->xy[i].x, t->xy[i].y, (double)t->points[i].height + fine.height},
+                         fine.sx - (double)n.x / up,
+                         fine.sy - (double)n.y / up};
     }
 }
 
@@ -127,6 +122,7 @@ static void places_of(tracer *t, const ray *rays, uint32_t count, place *out) {
 
 static double sky_in(const tracer *t, vec d, int channel) {
     if (t->furnace) return 1.0;
+    channel = channel == SUNLESS ? 1 : channel;
     double x = (atan2(d.x, d.y) / 6.283185307179586 + 0.5) * SKY_WIDTH - 0.5;
     double y = (0.5 - asin(fmin(fmax(d.z, 0.0), 1.0)) / 3.141592653589793) * SKY_HEIGHT - 0.5;
     y = fmin(fmax(y, 0.0), SKY_HEIGHT / 2 - 1);
@@ -137,53 +133,69 @@ static double sky_in(const tracer *t, vec d, int channel) {
            b * ((1 - a) * (double)s[3 * (j1 * SKY_WIDTH + i)] + a * (double)s[3 * (j1 * SKY_WIDTH + i1)]);
 }
 
+static vec lifted(const place *p) { return along(p->at, 1e-4, (vec){0, 0, 1}); }
 static double channel_of(bolan_vec3 v, int c) { return (double)(&v.x)[c]; }
-static double below_in(const tracer *t, int c) { return t->furnace ? 1.0 : (&t->below.x)[c]; }
+static double below_in(const tracer *t, int c) { return t->furnace ? 1.0 : (&t->below.x)[c == SUNLESS ? 1 : c]; }
+static double sun_in(const tracer *t, int c) { return c == SUNLESS ? 0.0 : channel_of(t->light.sun_irradiance, c); }
 
-// Of the second place on a path: its mirrored ray ends in the sky.
-static void second_light(tracer *t, const place *p, vec to_eye, double out[3]) {
-    const vec n = visible_facet(&t->random, to_eye, p->sx, p->sy, t->beyond);
-    const double f = fresnel(fmin(fmax(dot3(n, to_eye), 0.0), 1.0), WATER_INDEX);
-    vec d = mirrored(to_eye, n);
-    d.z = fabs(d.z);
-    const double sun = t->furnace ? 0.0 : sun_by_facets(to_eye, t->sun, p->sx, p->sy, t->beyond);
-    for (int c = 0; c < 3; ++c)
-        out[c] = f * sky_in(t, d, c) + (1.0 - f) * below_in(t, c) + sun * channel_of(t->light.sun_irradiance, c);
+// What a place reflects of the sun, if no wave stands between; the ray that finds out is marched by the caller.
+static ray sun_ray(const tracer *t, const place *p, vec to_eye, double *sun) {
+    ray r = {.from = lifted(p), .dir = t->sun};
+    *sun = t->furnace ? 0.0 : sun_by_facets(to_eye, t->sun, p->sx, p->sy, t->beyond);
+    r.done = *sun < 1e-6;
+    return r;
 }
 
-static ray ray_from(const place *p, vec dir, uint32_t pixel) {
-    const vec lifted = along(p->at, 2e-3, (vec){0, 0, 1});
-    return (ray){.from = lifted, .dir = dir, .pixel = pixel};
-}
-
-// Light of `count` places that rays have hit, added to `sum` (per pixel and channel). second, suns: room for as many.
-static void shade(tracer *t, const ray *hits, const place *places, uint32_t count, ray *second, ray *suns, place *again,
-                  double *out) {
-    double *f = malloc(sizeof(double) * count);
-    for (uint32_t i = 0; i < count; ++i) {
-        const vec to_eye = {-hits[i].dir.x, -hits[i].dir.y, -hits[i].dir.z};
-        const vec n = visible_facet(&t->random, to_eye, places[i].sx, places[i].sy, t->beyond);
-        f[i] = fresnel(fmin(fmax(dot3(n, to_eye), 0.0), 1.0), WATER_INDEX);
-        second[i] = ray_from(&places[i], mirrored(to_eye, n), i);
-        suns[i] = ray_from(&places[i], t->sun, i);
-        const double sun = t->furnace ? 0.0 : sun_by_facets(to_eye, t->sun, places[i].sx, places[i].sy, t->beyond);
-        suns[i].done = sun < 1e-6;
-        for (int c = 0; c < 3; ++c) out[3 * i + (uint32_t)c] = sun * channel_of(t->light.sun_irradiance, c);
-    }
+// Marches the sun's rays and drops the sun where a wave stops them.
+static void shadow(tracer *t, ray *suns, uint32_t count, double *sun) {
     march(t, suns, count);
-    march(t, second, count);
-    places_of(t, second, count, again);
+    for (uint32_t i = 0; i < count; ++i)
+        if (suns[i].hit) sun[i] = 0.0;
+}
+
+// Of one facet of a place: the ray it reflects, and its reflectance.
+static ray facet_ray(tracer *t, const place *p, vec to_eye, double *reflectance) {
+    const vec n = visible_facet(&t->random, to_eye, p->sx, p->sy, t->beyond);
+    *reflectance = fresnel(fmin(fmax(dot3(n, to_eye), 0.0), 1.0), WATER_INDEX);
+    return (ray){.from = lifted(p), .dir = mirrored(to_eye, n)};
+}
+
+static vec back(vec d) { return (vec){-d.x, -d.y, -d.z}; }
+
+// Light of the second place on a path, whose own mirrored ray ends in the sky.
+static void second_light(tracer *t, const place *p, vec to_eye, double sun, double out[LIGHT]) {
+    double f;
+    vec d = facet_ray(t, p, to_eye, &f).dir;
+    d.z = fabs(d.z);
+    for (int c = 0; c < LIGHT; ++c) out[c] = f * sky_in(t, d, c) + (1.0 - f) * below_in(t, c) + sun * sun_in(t, c);
+}
+
+// Light of `count` places that rays have hit, LIGHT numbers each.
+static void shade(tracer *t, const ray *hits, const place *places, uint32_t count, const room *r, double *out) {
     for (uint32_t i = 0; i < count; ++i) {
-        double mirrored_light[3];
-        const vec d = second[i].dir;
-        if (second[i].hit) second_light(t, &again[i], (vec){-d.x, -d.y, -d.z}, mirrored_light);
-        for (int c = 0; c < 3; ++c) {
-            double *o = &out[3 * i + (uint32_t)c];
-            if (suns[i].hit) *o = 0.0;
-            *o += f[i] * (second[i].hit ? mirrored_light[c] : sky_in(t, d, c)) + (1.0 - f[i]) * below_in(t, c);
-        }
+        const vec to_eye = back(hits[i].dir);
+        r->second[i] = facet_ray(t, &places[i], to_eye, &r->reflectance[i]);
+        r->suns[i] = sun_ray(t, &places[i], to_eye, &r->sun[i]);
+        const double order = facets_lit(to_eye, r->second[i].dir, places[i].sx, places[i].sy, t->beyond);
+        r->second[i].hit = r->second[i].done = uniform(&t->random) > order; // by a facet of the same place
     }
-    free(f);
+    shadow(t, r->suns, count, r->sun);
+    march(t, r->second, count);
+    places_of(t, r->second, count, r->again);
+    for (uint32_t i = 0; i < count; ++i) {
+        for (int c = 0; c < LIGHT; ++c)
+            out[LIGHT * i + (uint32_t)c] = r->sun[i] * sun_in(t, c) + (1.0 - r->reflectance[i]) * below_in(t, c);
+        r->suns[i] = sun_ray(t, &r->again[i], back(r->second[i].dir), &r->sun[i]);
+        r->suns[i].done |= !r->second[i].hit;
+    }
+    shadow(t, r->suns, count, r->sun);
+    for (uint32_t i = 0; i < count; ++i) {
+        double light[LIGHT];
+        const vec d = r->second[i].dir;
+        if (r->second[i].hit) second_light(t, &r->again[i], back(d), r->sun[i], light);
+        for (int c = 0; c < LIGHT; ++c)
+            out[LIGHT * i + (uint32_t)c] += r->reflectance[i] * (r->second[i].hit ? light[c] : sky_in(t, d, c));
+    }
 }
 
 // ---- the picture ----------------------------------------------------------------------------------------------------
@@ -202,9 +214,13 @@ static camera camera_of(const reference_view *v) {
                     .half = tan(bolan_radians(0.5 * REFERENCE_FOV))};
 }
 
+// The pixel's filter is that of the picture, a Gaussian; a box keeps 1.3 to 1.5 times the contrast of neighbours.
 static ray eye_ray(tracer *t, const camera *c, uint32_t x, uint32_t y) {
-    const double u = (2.0 * (x + uniform(&t->random)) - REFERENCE_WIDTH) / REFERENCE_HEIGHT * c->half;
-    const double v = (1.0 - 2.0 * (y + uniform(&t->random)) / REFERENCE_HEIGHT) * c->half;
+    const double variance = FOOTPRINT_DEVIATION * FOOTPRINT_DEVIATION;
+    double dx, dy;
+    gaussian_slope(&t->random, (covariance){variance, 0.0, variance}, &dx, &dy);
+    const double u = (2.0 * (x + 0.5 + dx) - REFERENCE_WIDTH) / REFERENCE_HEIGHT * c->half;
+    const double v = (1.0 - 2.0 * (y + 0.5 + dy) / REFERENCE_HEIGHT) * c->half;
     ray r = {.from = c->eye, .dir = unit(along(along(c->ahead, u, c->right), v, c->up)), .pixel = x};
     r.t = r.dir.z < 0.0 ? fmax((t->highest - c->eye.z) / r.dir.z, 0.0) : 0.0;
     r.done = r.dir.z > -5e-4;
@@ -213,28 +229,32 @@ static ray eye_ray(tracer *t, const camera *c, uint32_t x, uint32_t y) {
 
 static void trace_row(tracer *t, const camera *c, uint32_t y, uint32_t samples, float *out) {
     const uint32_t count = REFERENCE_WIDTH * samples;
-    ray *rays = malloc(sizeof(ray) * count), *second = malloc(sizeof(ray) * count), *suns = malloc(sizeof(ray) * count);
-    place *places = malloc(sizeof(place) * count), *again = malloc(sizeof(place) * count);
-    double *light = malloc(sizeof(double) * 3 * count), sums[REFERENCE_WIDTH][7] = {{0}};
+    ray *rays = malloc(sizeof(ray) * count);
+    place *places = malloc(sizeof(place) * count);
+    const room r = {malloc(sizeof(ray) * count), malloc(sizeof(ray) * count), malloc(sizeof(place) * count),
+                    malloc(sizeof(double) * count), malloc(sizeof(double) * count)};
+    double *light = malloc(sizeof(double) * LIGHT * count), sums[REFERENCE_WIDTH][LIGHT + 2] = {{0}};
     for (uint32_t i = 0; i < count; ++i) rays[i] = eye_ray(t, c, i / samples, y);
     march(t, rays, count);
     uint32_t hits = 0;
     for (uint32_t i = 0; i < count; ++i)
         if (rays[i].hit) rays[hits++] = rays[i];
     places_of(t, rays, hits, places);
-    shade(t, rays, places, hits, second, suns, again, light);
+    shade(t, rays, places, hits, &r, light);
     for (uint32_t i = 0; i < hits; ++i) {
         double *s = sums[rays[i].pixel];
-        const double *l = &light[3 * i], w = places[i].shown;
-        s[0] += w * l[0], s[1] += w * l[1], s[2] += w * l[2], s[3] += w;
-        s[4] += w * w, s[5] += w * w * l[1], s[6] += w * w * l[1] * l[1];
+        const double *l = &light[LIGHT * i];
+        for (int c = 0; c < LIGHT; ++c) s[c] += l[c];
+        s[LIGHT] += l[SUNLESS] * l[SUNLESS], s[LIGHT + 1] += 1.0;
     }
     for (uint32_t x = 0; x < REFERENCE_WIDTH; ++x, out += REFERENCE_CHANNELS) {
-        const double *s = sums[x], n = fmax(s[3], 1e-3), mean = s[1] / n;
-        for (int k = 0; k < 3; ++k) out[k] = (float)(s[k] / n);
-        out[3] = (float)(sqrt(fmax(s[6] - 2.0 * mean * s[5] + mean * mean * s[4], 0.0)) / n); // of a ratio of sums
+        const double *s = sums[x], n = fmax(s[LIGHT + 1], 1e-3), mean = s[SUNLESS] / n;
+        for (int c = 0; c < 3; ++c) out[c] = (float)(s[c] / n);
+        out[REFERENCE_SIGMA] = (float)sqrt(fmax(s[LIGHT] / n - mean * mean, 0.0) / n);
+        out[REFERENCE_SUNLESS] = (float)mean;
     }
-    free(rays), free(second), free(suns), free(places), free(again), free(light);
+    free(rays), free(places), free(light);
+    free(r.second), free(r.suns), free(r.again), free(r.sun), free(r.reflectance);
 }
 
 // Irradiance under the surface, and the radiance that the water sends up, as light_below() of water_physical.glsl has
@@ -276,17 +296,21 @@ static bool open_tracer(tracer *t, const bolan_world *world, const bolan_scene *
     t->sun =
         (vec){(double)t->light.sun_direction.x, (double)t->light.sun_direction.y, (double)t->light.sun_direction.z};
     bolan_water_bounds(t->water, &t->highest, &horizontal);
-    t->fine = bolan_sea_fine(t->water->sea);
+    const bolan_sea_fine_view fine = bolan_sea_fine(t->water->sea);
+    t->fine = fine_open(&fine);
     bolan_sea_unresolved_slopes(t->water->sea, 0.0, 0.0, 0.0, hidden);
-    t->beyond = (covariance){fmax((double)hidden[0] - t->fine.slopes[0], 1e-6), (double)hidden[1] - t->fine.slopes[1],
-                             fmax((double)hidden[2] - t->fine.slopes[2], 1e-6)};
+    t->beyond = (covariance){fmax((double)hidden[0] - fine.slopes[0], 1e-6), (double)hidden[1] - fine.slopes[1],
+                             fmax((double)hidden[2] - fine.slopes[2], 1e-6)};
     light_the_water(t);
     return good;
 }
 
-static void close_tracer(tracer *t) { free(t->xy), free(t->heights), free(t->active), free(t->points), free(t->sky); }
+static void close_tracer(tracer *t) {
+    free(t->xy), free(t->heights), free(t->active), free(t->points), free(t->sky), free(t->fine.samples);
+}
 
-static bool trace_view(const reference_view *v, const char *folder, uint32_t samples, bool furnace) {
+static bool trace_view(const reference_view *v, const char *folder, bool furnace) {
+    const uint32_t samples = furnace ? 64 : v->samples;
     const bolan_scene scene = reference_scene(v);
     bolan_world *world = NULL;
     tracer t = {.furnace = furnace};
@@ -300,8 +324,7 @@ static bool trace_view(const reference_view *v, const char *folder, uint32_t sam
         trace_row(&t, &c, y, samples, pixels + (size_t)y * REFERENCE_WIDTH * REFERENCE_CHANNELS);
     snprintf(path, sizeof path, "%s/%s.exr", folder, v->name);
     good = good && reference_write(path, pixels);
-    printf("%s: slopes of no wave %.5f %.5f, of fine waves %.5f %.5f\n", path, t.beyond.xx, t.beyond.yy,
-           t.fine.slopes[0], t.fine.slopes[2]);
+    printf("%s: slopes of no wave %.5f %.5f\n", path, t.beyond.xx, t.beyond.yy);
     close_tracer(&t);
     free(pixels);
     bolan_world_destroy(&world);
@@ -309,16 +332,16 @@ static bool trace_view(const reference_view *v, const char *folder, uint32_t sam
 }
 
 int main(int argc, char **argv) {
-    if (argc < 3) {
-        fprintf(stderr, "usage: %s FOLDER SAMPLES [furnace | VIEW]\n", argv[0]);
+    if (argc < 2) {
+        fprintf(stderr, "usage: %s FOLDER [furnace | VIEW]\n", argv[0]);
         return 2;
     }
     bolan_context *context = NULL;
     bool good = bolan_context_create(BOLAN_GL_CORE, &context) == BOLAN_OK;
-    const bool furnace = argc > 3 && strcmp(argv[3], "furnace") == 0;
+    const bool furnace = argc > 2 && strcmp(argv[2], "furnace") == 0;
     for (int i = 0; i < REFERENCE_VIEWS && good; ++i)
-        if (argc < 4 || furnace || strcmp(argv[3], reference_views[i].name) == 0)
-            good = trace_view(&reference_views[i], argv[1], (uint32_t)atoi(argv[2]), furnace);
+        if (argc < 3 || furnace || strcmp(argv[2], reference_views[i].name) == 0)
+            good = trace_view(&reference_views[i], argv[1], furnace);
     bolan_context_destroy(&context);
     return good ? 0 : 1;
 }

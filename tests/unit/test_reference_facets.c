@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The facets of the reference path tracer (tests/reference/facets.h) against figures that it does not use: sums over
-// facets made elsewhere, the closed form of the mean tilt, and the energy of the sun's image.
+// The facets and the fine waves of the reference path tracer (tests/reference/facets.h, fine.h) against figures that it
+// does not use: sums over facets made elsewhere, closed forms of the mean tilt, of the visible share and of a single
+// wave, and the energy of the sun's image.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,6 +9,7 @@
 #include <cmocka.h>
 
 #include "reference/facets.h"
+#include "reference/fine.h"
 
 #include <stdio.h>
 
@@ -81,10 +83,56 @@ static void the_image_of_the_sun_has_its_energy(void **state) {
     assert_true(fabs(sum / fresnel_normal(WATER_INDEX) - 1.0) < 0.01);
 }
 
+// Smith: the facets in sight show the area of the plane. So 1 + hidden over visible is the area that all facets turned
+// to the eye show, over the plane's. 1 %: the rational form of the ratio.
+static void facets_hide_by_the_area_that_they_show(void **state) {
+    (void)state;
+    const double sigma = 0.15, lean = 0.1;
+    for (int down = 2; down <= 40; down += 2) {
+        const double e = down * 0.017453292519943295;
+        const vec to_eye = {cos(e), 0.0, sin(e)};
+        const covariance c = {sigma * sigma, 0.0, sigma * sigma};
+        const double u = (tan(e) + lean) / sigma, hidden = facets_hidden(to_eye, -lean, 0.0, c);
+        assert_true(fabs((1.0 + hidden) / (facing_exact(u).area / u) - 1.0) < 0.01);
+        assert_true(fabs(facets_lit(to_eye, to_eye, -lean, 0.0, c) - (1.0 + hidden) / (1.0 + 2.0 * hidden)) < 1e-9);
+    }
+    assert_true(facets_lit((vec){0.0, 0.0, 1.0}, (vec){1.0, 0.0, 0.0}, 0.1, 0.0, (covariance){0.01, 0.0, 0.01}) < 1e-5);
+}
+
+// One wave of amplitude 1 mm on a turned tile, whose slopes are raised as those of bolan_sea_fine() are: height and
+// slope between the samples. 2 %: read linearly at 4 x 32 samples, of which a wave along the diagonal has some 20.
+static void fine_waves_have_the_height_of_their_slopes(void **state) {
+    (void)state;
+    enum { N = 32, P = 4, Q = -5 };
+    const double length = 0.9, angle = 0.7, amplitude = 1e-3, unit_k = 6.283185307179586 / length;
+    const double kx = unit_k * (P * cos(angle) - Q * sin(angle)), ky = unit_k * (P * sin(angle) + Q * cos(angle));
+    static float sx[N * N], sy[N * N];
+    for (int j = 0; j < N; ++j)
+        for (int i = 0; i < N; ++i) {
+            const double s =
+                -amplitude * sin(6.283185307179586 * (P * i + Q * j) / N) / fine_kept(P, N) / fine_kept(Q, N);
+            sx[j * N + i] = (float)(kx * s), sy[j * N + i] = (float)(ky * s);
+        }
+    const bolan_sea_fine_view view = {.n = N, .length = length, .angle = angle, .slope_x = sx, .slope_y = sy};
+    fine_waves f = fine_open(&view);
+    uint64_t random = 1;
+    for (int i = 0; i < 1000; ++i) {
+        const bolan_dvec2 at = {10.0 * uniform(&random), 10.0 * uniform(&random)};
+        const fine_point p = fine_at(&f, at);
+        const double phase = kx * at.x + ky * at.y;
+        assert_true(fabs((double)p.height - amplitude * cos(phase)) < 0.02 * amplitude);
+        assert_true(fabs((double)p.sx + kx * amplitude * sin(phase)) < 0.02 * amplitude * fabs(kx));
+        assert_true(fabs((double)p.sy + ky * amplitude * sin(phase)) < 0.02 * amplitude * fabs(ky));
+    }
+    free(f.samples);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(mean_reflectance_is_that_of_another_programs_facets),
                                        cmocka_unit_test(facets_lean_towards_the_eye_as_the_closed_form_says),
                                        cmocka_unit_test(flat_water_is_a_mirror),
-                                       cmocka_unit_test(the_image_of_the_sun_has_its_energy)};
+                                       cmocka_unit_test(the_image_of_the_sun_has_its_energy),
+                                       cmocka_unit_test(facets_hide_by_the_area_that_they_show),
+                                       cmocka_unit_test(fine_waves_have_the_height_of_their_slopes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
