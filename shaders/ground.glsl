@@ -220,7 +220,7 @@ void main() {
     vec3 view = -normalize(position);
 
     float lit = (1.0 - smoothstep(0.0, shadow_softness, g.clearance)) * cloud_shadow(position.xy);
-    lit *= object_shadow_below(vec3(position.xy, g.elevation - eye_height), g.elevation, -1);
+    lit *= object_shadow_below(vec3(position.xy, g.elevation - eye_height), g.elevation);
     vec3 sunlight = sun_light * lit * oren_nayar(n, sun_direction, view, m.rough);
 #ifdef PICTURE
     sunlight *= gathered_light(position.xy, -g.elevation);

@@ -17,6 +17,6 @@ void main() {
     float depth = shape_depth(texelFetch(surface_shape, pixel, 0));
     if (depth <= 0.0) discard; // no water here
     vec3 position = frame_ray((vec2(pixel) + 0.5) * pixel_size) / depth;
-    color = vec4(object_shadow(position, -1));
+    color = vec4(object_shadow(position));
 }
 #endif

@@ -18,7 +18,6 @@
 uniform vec4 place[3];     // rows of the matrix from model to eye-relative world
 uniform float grain_scale; // 1 / period of the grain [1/m]
 uniform float pixel;       // of this picture [rad]
-uniform int own_caster;    // an object does not shadow itself
 uniform vec2 wet_band;     // where it is wet: from the water at it to the wet line, over the water level [m]
 
 #ifdef VERTEX
@@ -55,7 +54,7 @@ void main() {
 #else
     float lit = mix(max(facing, 0.0), max((facing + 0.4) / 1.4, 0.0) * smoothstep(0.05, 0.75, open), leafy);
 #endif
-    lit *= object_shadow_below(position, height, own_caster) * cloud_shadow(position.xy);
+    lit *= object_shadow_below(position, height) * cloud_shadow(position.xy);
     float up = 0.5 + 0.5 * n.z;
     vec3 around = (sun_light * max(sun_direction.z, 0.0) * 0.6 + sky_light) * vec3(0.13, 0.14, 0.08);
     vec3 ambient = open * (sky_light * up + around * (1.0 - up + 0.25 * (1.0 - open)));

@@ -19,22 +19,20 @@ float caster_cover(int i, vec3 position, vec3 direction, float reach) {
 
 const float TO_THE_SUN = 1e6; // [m]
 
-// Share of the sun that reaches a place past all objects but the caster `own`.
-float object_shadow(vec3 position, int own) {
+// Share of the sun that reaches a place past the casters.
+float object_shadow(vec3 position) {
     float lit = 1.0;
-    for (int i = 0; i < caster_count; ++i)
-        if (i != own) lit *= 1.0 - caster_cover(i, position, sun_direction, TO_THE_SUN);
+    for (int i = 0; i < caster_count; ++i) lit *= 1.0 - caster_cover(i, position, sun_direction, TO_THE_SUN);
     return lit;
 }
 
 // The same for a place at that height over the water, whose light came through level water where it lies under it. An
 // object across the surface takes its share once.
-float object_shadow_below(vec3 position, float height, int own) {
-    if (height >= 0.0) return object_shadow(position, own);
+float object_shadow_below(vec3 position, float height) {
+    if (height >= 0.0) return object_shadow(position);
     float down = max(refracted_cosine(sun_direction.z, water_index), 0.1), lit = 1.0;
     vec3 bent = vec3(sun_direction.xy / water_index, down), entered = position - bent * (height / down);
     for (int i = 0; i < caster_count; ++i) {
-        if (i == own) continue;
         float above = caster_cover(i, entered, sun_direction, TO_THE_SUN);
         lit *= 1.0 - max(above, caster_cover(i, position, bent, -height / down));
     }

@@ -154,9 +154,10 @@ bolan_result bolan_pass_objects_create(const gl_caps *caps, pass_objects **out);
 void bolan_pass_objects_prepare(pass_objects *p, render_view *v); // places of this frame; uploads what is new
 // Sets the casters of shadows in a program that includes common/object_shadow.glsl.
 void bolan_casters_use(const render_view *v, const gl_program *program);
-// Those alone whose shadow may meet a ball round an eye-relative place; none that are narrower than `least` [m].
+// Those alone whose shadow may meet a ball round an eye-relative place, but for one (-1: none). None that are narrower
+// than `least` [m].
 void bolan_casters_use_near(const render_view *v, const gl_program *program, bolan_vec3 middle, float radius,
-                            float least);
+                            float least, int but);
 void bolan_pass_objects_draw(
     pass_objects *p,
     render_view *v); // one side of the clip plane; reads UNIT_TERRAIN2 (the terrain pass's noise)

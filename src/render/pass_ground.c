@@ -280,7 +280,7 @@ static void use_casters(const ground_chunk *c, const gl_program *program, const 
     const bolan_vec3 middle = {(float)(c->west + half - v->eye.x), (float)(c->south + half - v->eye.y),
                                (float)(0.5 * (low + high) - v->eye.z)};
     const double radius = sqrt(2.0 * wide * wide + 0.25 * (high - low) * (high - low));
-    bolan_casters_use_near(v, program, middle, (float)radius, (float)(c->size / CHUNK_TEXELS));
+    bolan_casters_use_near(v, program, middle, (float)radius, (float)(c->size / CHUNK_TEXELS), -1);
 }
 
 static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program *program, const render_view *v) {

@@ -397,7 +397,7 @@ static float ball_of(const float row[CASTER_FLOATS], bolan_vec3 *middle) {
 }
 
 void bolan_casters_use_near(const render_view *v, const gl_program *program, bolan_vec3 middle, float radius,
-                            float least) {
+                            float least, int but) {
     float near[MAX_CASTERS * CASTER_FLOATS];
     uint32_t count = 0;
     for (uint32_t i = 0; i < v->caster_count; i++) {
@@ -406,7 +406,7 @@ void bolan_casters_use_near(const render_view *v, const gl_program *program, bol
         const float ball = ball_of(row, &from), reach = ball + radius;
         const bolan_vec3 way = bolan_v3_sub(middle, from), sun = v->frame->sun_direction;
         const float along = bolan_v3_dot(way, sun);
-        if (ball < least || along > reach) continue;
+        if ((int)i == but || ball < least || along > reach) continue;
         if (bolan_v3_length(bolan_v3_sub(way, bolan_v3_scale(sun, along))) > reach) continue;
         memcpy(near + CASTER_FLOATS * count++, row, sizeof(float[CASTER_FLOATS]));
     }
@@ -445,14 +445,22 @@ static const gl_program *use(pass_objects *p, int flat, int kind, const render_v
     const gl_program *program = &p->programs[flat][kind];
     bolan_gl_program_use(program);
     bolan_gl_program_float(program, "pixel", v->block.radians_per_pixel * v->pixel_scale);
-    bolan_casters_use(v, program);
     return program;
+}
+
+// An object does not shadow itself. The ball holds it, and the places where the light of its drowned parts enters the
+// water: at most 1.15 m aside for each metre of depth, and as high up.
+static void use_casters(const gl_program *program, const placed *o, const render_view *v) {
+    const bolan_vec3 middle = bolan_v3_scale(bolan_v3_add(corner_of(o, 0), corner_of(o, 7)), 0.5f);
+    const float half = 0.5f * bolan_v3_length(bolan_v3_sub(corner_of(o, 0), corner_of(o, 7)));
+    const float deep = fmaxf((float)-o->lowest, 0.0f);
+    bolan_casters_use_near(v, program, middle, half + 1.6f * deep, 0.0f, o->caster);
 }
 
 static void draw_part(const gl_program *program, const placed *o, uint32_t first, uint32_t count, render_view *v) {
     bolan_gl_program_vec4_array(program, "place", o->rows, 3);
     bolan_gl_program_float(program, "grain_scale", 1.0f / o->gpu->period);
-    bolan_gl_program_int(program, "own_caster", o->caster);
+    use_casters(program, o, v);
     bolan_gl_program_vec2(program, "wet_band", o->wet[0], o->wet[1]);
     bolan_gl_mesh_draw(o->mesh, first, count);
     v->triangles += count / 3;
