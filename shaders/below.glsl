@@ -61,25 +61,29 @@ const int BED_STEPS = 8;
 
 // Radiance along a ray that goes down from a place on the surface, within the water.
 vec3 reflected_scene(vec3 from, vec3 dir, vec3 sunlight) {
-    float down = max(-dir.z, 0.02), height = eye_height + from.z, near = 0.0;
-    bool met = false;
-    for (int i = 0; i < BED_STEPS && !met; ++i) {
-        float to_bed = height - near * down - shore_elevation((from + dir * near).xy);
-        near += max(0.7 * to_bed, 0.05) / down;
-        met = to_bed < 0.1;
+    float down = max(-dir.z, 0.02), height = eye_height + from.z, near = FARTHEST;
+    vec3 bed = vec3(0.0);
+    // a loop: software OpenGL goes past a loop that no pixel enters; an object alone has no bed under it
+    for (int once = 0; once < shore_present; ++once) {
+        bool met = false;
+        near = 0.0;
+        for (int i = 0; i < BED_STEPS && !met; ++i) {
+            float to_bed = height - near * down - shore_elevation((from + dir * near).xy);
+            near += max(0.7 * to_bed, 0.05) / down;
+            met = to_bed < 0.1;
+        }
+        vec3 at = from + dir * near, seen_at;
+        vec4 c = view_projection * vec4(at, 1.0);
+        vec2 uv = c.xy / max(c.w, 1e-4) * 0.5 + 0.5;
+        vec2 inside = min(uv, 1.0 - uv);
+        vec3 dry = BED_ALBEDO / PI * light_entering(sunlight);
+        vec4 seen = behind(clamp(uv, 0.001, 0.999), seen_at);
+        bool same =
+            c.w > 0.0 && seen.w > 0.0 && seen_at.z + eye_height < 0.0 && distance(seen_at, at) < 0.3 * length(at);
+        bed = mix(dry, seen.rgb, same ? smoothstep(0.0, 0.08, min(inside.x, inside.y)) : 0.0);
+        bed = lit_below(bed, -(eye_height + at.z)) * exp(-beam_attenuation * near);
     }
-    vec3 at = from + dir * near;
-    vec4 c = view_projection * vec4(at, 1.0);
-    vec2 uv = c.xy / max(c.w, 1e-4) * 0.5 + 0.5;
-    vec2 inside = min(uv, 1.0 - uv);
-    float depth = -(eye_height + at.z);
-    vec3 dry = BED_ALBEDO / PI * light_entering(sunlight);
-    vec3 seen_at;
-    vec4 seen = behind(clamp(uv, 0.001, 0.999), seen_at);
-    bool same = c.w > 0.0 && seen.w > 0.0 && seen_at.z + eye_height < 0.0 && distance(seen_at, at) < 0.3 * length(at);
-    vec3 bed = mix(dry, seen.rgb, same ? smoothstep(0.0, 0.08, min(inside.x, inside.y)) : 0.0);
-    vec3 left = exp(-beam_attenuation * near);
-    return lit_below(bed, depth) * left + veil(sunlight, -height, dir, near);
+    return bed + veil(sunlight, -height, dir, near);
 }
 #else
 vec3 reflected_scene(vec3 from, vec3 dir, vec3 sunlight) {
