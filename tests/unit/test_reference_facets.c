@@ -99,6 +99,17 @@ static void facets_hide_by_the_area_that_they_show(void **state) {
     assert_true(facets_lit((vec){0.0, 0.0, 1.0}, (vec){1.0, 0.0, 0.0}, 0.1, 0.0, (covariance){0.01, 0.0, 0.01}) < 1e-5);
 }
 
+// Rms of a wave read linearly between samples, over that of the wave: the mean over all places between two samples.
+static double kept_by_linear_reading(int wave, int n) {
+    const double phase = 6.283185307179586 * wave / n;
+    double power = 0.0;
+    for (int i = 0; i < 100; ++i) {
+        const double a = (i + 0.5) / 100;
+        power += ((1 - a) * (1 - a) + a * a + 2 * a * (1 - a) * cos(phase)) / 100;
+    }
+    return sqrt(power);
+}
+
 // One wave of amplitude 1 mm on a turned tile, whose slopes are raised as those of bolan_sea_fine() are: height and
 // slope between the samples. 2 %: read linearly at 4 x 32 samples, of which a wave along the diagonal has some 20.
 static void fine_waves_have_the_height_of_their_slopes(void **state) {
@@ -109,8 +120,8 @@ static void fine_waves_have_the_height_of_their_slopes(void **state) {
     static float sx[N * N], sy[N * N];
     for (int j = 0; j < N; ++j)
         for (int i = 0; i < N; ++i) {
-            const double s =
-                -amplitude * sin(6.283185307179586 * (P * i + Q * j) / N) / fine_kept(P, N) / fine_kept(Q, N);
+            const double s = -amplitude * sin(6.283185307179586 * (P * i + Q * j) / N) / kept_by_linear_reading(P, N) /
+                             kept_by_linear_reading(Q, N);
             sx[j * N + i] = (float)(kx * s), sy[j * N + i] = (float)(ky * s);
         }
     const bolan_sea_fine_view view = {.n = N, .length = length, .angle = angle, .slope_x = sx, .slope_y = sy};
