@@ -148,7 +148,7 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, flo
     vec4 seen = behind(uv, bed);
     float drop = clamp(position.z - bed.z, 0.0, 60.0);
     vec4 target = view_projection * vec4(position + refracted * (drop / down), 1.0);
-    vec2 bent = clamp(target.xy / target.w * 0.5 + 0.5, 0.001, 0.999);
+    vec2 bent = within_image(target.xy / target.w * 0.5 + 0.5);
     vec4 s = behind(bent, bent_bed);
     if (seen.w > 0.0 && s.w > 0.0 && bent_bed.z < position.z) { seen = s; bed = bent_bed; }
     float error = BED_ERROR * radians_per_pixel * length(position), measured = position.z - bed.z;

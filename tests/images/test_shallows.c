@@ -69,7 +69,41 @@ static void shallows_brighten_towards_the_beach(void **state) {
     bolan_context_destroy(&context);
 }
 
+// Mean difference of neighbours down the image over that of neighbours along it, of rows from..to - 1 from the top.
+static double upright_contrast(const picture *p, uint32_t from, uint32_t to) {
+    double down = 0.0, along = 0.0;
+    for (uint32_t y = from; y + 1 < to; ++y)
+        for (uint32_t x = 0; x + 1 < p->width; ++x) {
+            const int here = p->rgb[3 * (y * p->width + x) + 1];
+            down += abs(p->rgb[3 * ((y + 1) * p->width + x) + 1] - here);
+            along += abs(p->rgb[3 * (y * p->width + x + 1) + 1] - here);
+        }
+    return down / along;
+}
+
+// Under the lower edge of the image lies bed that it lacks, and that its lowest rows show through the water.
+static void the_bed_goes_on_beyond_the_image(void **state) {
+    (void)state;
+    bolan_context *context = NULL;
+    if (bolan_context_create(BOLAN_GL_CORE, &context) != BOLAN_OK) skip_without_gl();
+    bolan_scene scene;
+    assert_int_equal(bolan_scene_load("pond", &scene), BOLAN_OK);
+    scene.technique.optics = BOLAN_OPTICS_PHYSICAL;
+    stage s;
+    assert_true(stage_open(&s, &scene, BOLAN_QUALITY_MEDIUM, false));
+    stage_settle(&s, scene.time);
+    picture p = stage_draw(&s, 240, 160, 1);
+    const double low = upright_contrast(&p, 152, 160), higher = upright_contrast(&p, 120, 145);
+    print_message("contrast down over along: %.2f at the lower edge, %.2f over it\n", low, higher);
+    // Waves have some of it. With one row of the bed drawn out over the lowest the quotient is 0.57, as it is now 0.90.
+    assert_true(low > 0.75 * higher);
+    picture_free(&p);
+    stage_close(&s);
+    bolan_context_destroy(&context);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(shallows_brighten_towards_the_beach)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(shallows_brighten_towards_the_beach),
+                                       cmocka_unit_test(the_bed_goes_on_beyond_the_image)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
