@@ -31,7 +31,7 @@ bolan_dvec2 bolan_frame_drift(const frame *f) { return bolan_frame_drift_at(f, f
 
 // Tiles of a pattern that have passed at so many a second.
 static double tiles_passed(const frame *f, double speed) {
-    const double period = bolan_sea_get_loop(f->sea).period;
+    const double period = f->sea != NULL ? bolan_sea_get_loop(f->sea).period : 0.0;
     return f->time * (period > 0.0 ? round(speed * period) / period : speed);
 }
 

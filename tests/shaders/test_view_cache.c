@@ -144,7 +144,7 @@ static void a_reload_reaches_the_caches(void **state) {
     // Each change shows: the sky's radiance stands in a table that was made before, the background is drawn each time.
     static const char *const changes[][2] = {
         {"sky_view.glsl", "s/color = vec4(light +/color = vec4(vec3(4.0, 1.0, 1.0) * light +/"},
-        {"sky.glsl", "s/color = textureLod(panorama/color = vec4(0.3, 3.0, 1.0, 1.0) * textureLod(panorama/"}};
+        {"sky.glsl", "s/return textureLod(panorama/return vec4(0.3, 3.0, 1.0, 1.0) * textureLod(panorama/"}};
     for (int i = 0; i < 2; ++i) {
         change_shader(changes[i][0], changes[i][1]);
         assert_int_equal(bolan_renderer_reload(r.renderer), BOLAN_OK);
