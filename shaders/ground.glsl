@@ -32,7 +32,9 @@ void main() {
 #endif
 
 #ifdef FRAGMENT
+#ifdef CASTERS
 #include "common/object_shadow.glsl"
+#endif
 in vec3 position;
 in vec3 place;
 in vec3 transmittance;
@@ -220,7 +222,9 @@ void main() {
     vec3 view = -normalize(position);
 
     float lit = (1.0 - smoothstep(0.0, shadow_softness, g.clearance)) * cloud_shadow(position.xy);
+#ifdef CASTERS
     lit *= object_shadow_below(vec3(position.xy, g.elevation - eye_height), g.elevation);
+#endif
     vec3 sunlight = sun_light * lit * oren_nayar(n, sun_direction, view, m.rough);
 #ifdef PICTURE
     sunlight *= gathered_light(position.xy, -g.elevation);

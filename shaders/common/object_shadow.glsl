@@ -27,14 +27,13 @@ float object_shadow(vec3 position) {
 }
 
 // The same for a place at that height over the water, whose light came through level water where it lies under it. An
-// object across the surface takes its share once.
+// object across the surface takes its share once. One loop for wet and dry: software OpenGL runs both ways of a branch.
 float object_shadow_below(vec3 position, float height) {
-    if (height >= 0.0) return object_shadow(position);
-    float down = max(refracted_cosine(sun_direction.z, water_index), 0.1), lit = 1.0;
-    vec3 bent = vec3(sun_direction.xy / water_index, down), entered = position - bent * (height / down);
+    float down = max(refracted_cosine(sun_direction.z, water_index), 0.1), reach = max(-height, 0.0) / down, lit = 1.0;
+    vec3 bent = vec3(sun_direction.xy / water_index, down), entered = position + bent * reach;
     for (int i = 0; i < caster_count; ++i) {
         float above = caster_cover(i, entered, sun_direction, TO_THE_SUN);
-        lit *= 1.0 - max(above, caster_cover(i, position, bent, -height / down));
+        lit *= 1.0 - max(above, caster_cover(i, position, bent, reach));
     }
     return lit;
 }

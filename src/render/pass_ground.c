@@ -9,6 +9,7 @@
 #include "shore_map.h"
 #include "sky_lattice.h"
 
+#include <stdio.h>
 #include <string.h>
 
 // Chunks with smaller texels [m] show the grain of 16 m period.
@@ -23,9 +24,12 @@ typedef struct gpu_chunk {
     gl_texture map;
 } gpu_chunk;
 
+enum { NEAR = 1, PICTURE = 2, CASTERS = 4, PROGRAMS = 8 };
+
 struct pass_ground {
-    gl_program programs[2][2]; // [picture][near]: near for chunks whose texels resolve the finest grain
-    bool borrowed;             // the programs are those of another
+    gl_program programs[PROGRAMS]; // by bits of the number: near, whose texels resolve the finest grain; the water is a
+                                   // picture; objects throw shadows
+    bool borrowed;                 // the programs are those of another
     gl_buffer indices;
     gl_texture noise;
     shore_builder shore;
@@ -91,11 +95,13 @@ bolan_result bolan_pass_ground_create(const gl_caps *caps, const pass_ground *fr
     if (!p) {
         return BOLAN_ERROR_MEMORY;
     }
-    static const char *const defines[] = {NULL, "NEAR 1\n", "PICTURE 1\n", "NEAR 1\nPICTURE 1\n"};
     bolan_result r = BOLAN_OK;
     if (from != NULL) bolan_pass_ground_share(p, from);
-    for (int i = 0; i < 4 && from == NULL && r == BOLAN_OK; i++) {
-        r = bolan_gl_program_create("ground", defines[i], &p->programs[i / 2][i % 2]);
+    for (int i = 0; i < PROGRAMS && from == NULL && r == BOLAN_OK; i++) {
+        char defines[64];
+        snprintf(defines, sizeof defines, "%s%s%s", i & NEAR ? "NEAR 1\n" : "", i & PICTURE ? "PICTURE 1\n" : "",
+                 i & CASTERS ? "CASTERS 1\n" : "");
+        r = bolan_gl_program_create("ground", defines, &p->programs[i]);
     }
     r = r == BOLAN_OK ? create_indices(p) : r;
     r = r == BOLAN_OK ? create_noise(p) : r;
@@ -132,8 +138,8 @@ void bolan_pass_ground_destroy(pass_ground **pass) {
     bolan_shore_builder_free(&p->shore);
     bolan_gl_texture_free(&p->noise);
     bolan_gl_buffer_free(&p->indices);
-    for (int i = 0; i < 4 && !p->borrowed; i++) {
-        bolan_gl_program_free(&p->programs[i / 2][i % 2]);
+    for (int i = 0; i < PROGRAMS && !p->borrowed; i++) {
+        bolan_gl_program_free(&p->programs[i]);
     }
     bolan_release(p->vertices, CHUNK_VERTICES * 3 * sizeof(float));
     bolan_release(p, sizeof *p);
@@ -142,8 +148,8 @@ void bolan_pass_ground_destroy(pass_ground **pass) {
 
 bolan_result bolan_pass_ground_reload(pass_ground *p) {
     bolan_result r = BOLAN_OK;
-    for (int i = 0; i < 4 && r == BOLAN_OK; i++) {
-        r = bolan_gl_program_reload(&p->programs[i / 2][i % 2]);
+    for (int i = 0; i < PROGRAMS && r == BOLAN_OK; i++) {
+        r = bolan_gl_program_reload(&p->programs[i]);
     }
     return r;
 }
@@ -286,7 +292,7 @@ static void use_casters(const ground_chunk *c, const gl_program *program, const 
 static void draw_chunk(const gpu_chunk *g, const chunk_slot *s, const gl_program *program, const render_view *v) {
     const ground_chunk *c = &s->chunk;
     place_chunk(c, program, v);
-    use_casters(c, program, v);
+    if (v->caster_count > 0) use_casters(c, program, v);
     // A shadow's edge is as soft as the map's own grain.
     float slope = bolan_chunk_sun_from(v->frame->sun_direction).slope, texel = (float)(c->size / CHUNK_TEXELS);
     bolan_gl_program_float(program, "shadow_softness", 0.15f + 1.2f * texel * fminf(slope, 4.0f));
@@ -304,7 +310,8 @@ void bolan_pass_ground_draw(pass_ground *p, render_view *v) {
     for (uint32_t n = 0; n < count; n++) {
         const chunk_slot *s = bolan_ground_tree_slot(p->tree, list[n]);
         bool near_ground = s->chunk.size / CHUNK_TEXELS < FINEST_GRAIN;
-        draw_chunk(&p->gpu[list[n]], s, &p->programs[v->picture][near_ground], v);
+        const int program = (near_ground ? NEAR : 0) | (v->picture ? PICTURE : 0) | (v->caster_count > 0 ? CASTERS : 0);
+        draw_chunk(&p->gpu[list[n]], s, &p->programs[program], v);
         v->triangles += bolan_chunk_index_count(s->mesh) / 3;
     }
 }
