@@ -15,6 +15,7 @@ vec4 behind(vec2 uv, out vec3 where) {
 // Whether that point stands above the water, on the round earth.
 bool is_dry(vec3 where) { return where.z + eye_height + dot(where.xy, where.xy) / (2.0 * earth_radius) > -0.3; }
 
-// A place of the image for one that may lie outside: beyond its edges the image goes on mirrored, for more of the same
-// bed lies there.
-vec2 within_image(vec2 uv) { return 1.0 - abs(1.0 - mod(uv, 2.0)); }
+// A place of the image for one that may lie outside: a little beyond its edges the image goes on mirrored, for more of
+// the same bed lies there. Farther out, under deep water, that would be other land.
+const float MIRRORED = 0.25; // of its size
+vec2 within_image(vec2 uv) { return 1.0 - abs(1.0 - abs(clamp(uv, -MIRRORED, 1.0 + MIRRORED))); }
