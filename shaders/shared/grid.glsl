@@ -34,4 +34,9 @@ SHARED real grid_half_angle(real half_angle, real guard, real r) {
     return half_angle + (PI - half_angle) * share * sqrt(share);
 }
 
+// Cells from the centre of a nested level between which the spacing of its vertices rises to twice that of its cells:
+// from where its hole has ended for certain to where no border can be nearer (src/surface/nested_vertices.c).
+SHARED real nested_rise_from(real cells) { return max(0.25 * cells + 0.5, 0.3 * cells); }
+SHARED real nested_rise_to(real cells) { return 0.5 * cells - 1.0; }
+
 #endif

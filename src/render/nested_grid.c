@@ -6,6 +6,7 @@
 
 #include "bolan/earth.h"
 #include "shared/earth.glsl"
+#include "shared/grid.glsl"
 
 #include <math.h>
 
@@ -135,7 +136,7 @@ void bolan_nested_grid_place(nested_grid *g, const bolan_nested *nested, const b
 // Spacings rise between the hole, where it has ended for certain, and one cell before the border: see spacing_at() in
 // surface/nested_vertices.c.
 static vec4 centre_of(const bolan_nested *p, bolan_dvec2 anchor) {
-    const double n = p->cells, from = fmax(0.25 * n + 0.5, 0.3 * n), to = 0.5 * n - 1.0;
+    const double n = p->cells, from = nested_rise_from(n), to = nested_rise_to(n);
     return (vec4){(float)(p->centre.x - anchor.x), (float)(p->centre.y - anchor.y), (float)from,
                   to > from ? (float)(1.0 / (to - from)) : 0.0f};
 }

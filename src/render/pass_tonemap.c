@@ -84,25 +84,25 @@ static bool resize(pass_tonemap *p, uint32_t width, uint32_t height) {
     return true;
 }
 
+// A texture and its target, made anew where the size is another.
+static bool fit(const gl_texture_desc *d, gl_texture *color, gl_target *target) {
+    if (target->id && color->width == d->width && color->height == d->height) return true;
+    bolan_gl_target_free(target);
+    bolan_gl_texture_free(color);
+    const gl_texture *colors[] = {color};
+    return bolan_gl_texture_create(d, color) == BOLAN_OK &&
+           bolan_gl_target_create(colors, 1, NULL, -1, 0, target) == BOLAN_OK;
+}
+
 static bool resize_glow(pass_tonemap *p, uint32_t width, uint32_t height) {
     const uint32_t w = (width + GLOW_PARTS - 1) / GLOW_PARTS, h = (height + GLOW_PARTS - 1) / GLOW_PARTS;
-    if (p->glow_target.id && p->glow.width == w && p->glow.height == h) return true;
-    bolan_gl_target_free(&p->glow_target);
-    bolan_gl_texture_free(&p->glow);
     const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = w, .height = h, .filter = GL_FILTER_MIPMAP_NEAREST};
-    const gl_texture *color = &p->glow;
-    return bolan_gl_texture_create(&d, &p->glow) == BOLAN_OK &&
-           bolan_gl_target_create(&color, 1, NULL, -1, 0, &p->glow_target) == BOLAN_OK;
+    return fit(&d, &p->glow, &p->glow_target);
 }
 
 static bool resize_display(pass_tonemap *p, uint32_t width, uint32_t height) {
-    if (p->display_target.id && p->display.width == width && p->display.height == height) return true;
-    bolan_gl_target_free(&p->display_target);
-    bolan_gl_texture_free(&p->display);
     const gl_texture_desc d = {.format = GL_FMT_RGBA16F, .width = width, .height = height, .storage = true};
-    const gl_texture *color = &p->display;
-    return bolan_gl_texture_create(&d, &p->display) == BOLAN_OK &&
-           bolan_gl_target_create(&color, 1, NULL, -1, 0, &p->display_target) == BOLAN_OK;
+    return fit(&d, &p->display, &p->display_target);
 }
 
 // Fills the glow and its mip chain. A picture too small for the levels goes without.

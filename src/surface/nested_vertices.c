@@ -14,6 +14,7 @@
 #include "surface/view_cone.h"
 
 #include "shared/earth.glsl"
+#include "shared/grid.glsl"
 
 // The part of plan that the picture covers.
 typedef struct sight {
@@ -135,7 +136,7 @@ static bool visible_at(const place *p, const sight *s, bolan_dvec2 at, double ce
 }
 
 static void enter_level(place *p, uint32_t index) {
-    double n = p->nested->cells, from = fmax(0.25 * n + 0.5, 0.3 * n), to = 0.5 * n - 1.0;
+    double n = p->nested->cells, from = nested_rise_from(n), to = nested_rise_to(n);
     p->index = index;
     p->level = &p->nested->level[index];
     p->rise_from = from * p->level->spacing;

@@ -107,16 +107,21 @@ static inline picture stage_draw(stage *s, uint32_t width, uint32_t height, uint
     return p;
 }
 
+// Draws once more, closes the stage and returns the radiance, as stage_radiance() does.
+static inline float *stage_last_radiance(stage *s, uint32_t width, uint32_t height) {
+    picture p = stage_draw(s, width, height, 1);
+    float *rgb = malloc(sizeof(float) * 3 * width * height);
+    bolan_renderer_read_linear(s->renderer, rgb, NULL);
+    picture_free(&p);
+    stage_close(s);
+    return rgb;
+}
+
 // Radiance of a scene at high quality, three floats a pixel, the top row first; the caller frees it.
 static inline float *stage_radiance(const bolan_scene *scene, uint32_t width, uint32_t height) {
     stage s;
     assert_true(stage_open(&s, scene, BOLAN_QUALITY_HIGH, false));
-    picture p = stage_draw(&s, width, height, 1);
-    float *rgb = malloc(sizeof(float) * 3 * width * height);
-    bolan_renderer_read_linear(s.renderer, rgb, NULL);
-    picture_free(&p);
-    stage_close(&s);
-    return rgb;
+    return stage_last_radiance(&s, width, height);
 }
 
 // Peak signal-to-noise ratio of two pictures after a 2 x 2 average [dB]: one pixel of antialiasing does not count,

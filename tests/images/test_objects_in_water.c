@@ -195,12 +195,7 @@ static float *bed_radiance(const bolan_scene *scene, float bed, bool box) {
     s.scene = copy;
     assert_int_equal(bolan_world_create(&(bolan_world_desc){&copy, &assets}, &s.world), BOLAN_OK);
     stage_settle(&s, copy.time);
-    picture p = stage_draw(&s, BED_SIZE, BED_SIZE, 1);
-    float *rgb = malloc(sizeof(float) * 3 * BED_SIZE * BED_SIZE);
-    bolan_renderer_read_linear(s.renderer, rgb, NULL);
-    picture_free(&p);
-    stage_close(&s);
-    return rgb;
+    return stage_last_radiance(&s, BED_SIZE, BED_SIZE);
 }
 
 // Where the light that a box at that height takes is missing on the bed: the mean place to the west of the picture's
