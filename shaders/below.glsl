@@ -165,7 +165,7 @@ float gathered_along(vec3 dir, float reach) {
     for (int i = 0; i < SHAFT_STEPS; ++i) {
         float s = reach * (float(i) + first) / float(SHAFT_STEPS), weight = exp(-fading * s);
         vec3 at = dir * s;
-        sum += weight * gathered_at(at.xy, max(-(eye_height + at.z), 0.0));
+        sum += weight * gathered_in_water(at.xy, max(-(eye_height + at.z), 0.0));
         weights += weight;
     }
     return sum / weights;

@@ -8,14 +8,14 @@
 #ifdef VERTEX
 layout(location = 0) in vec2 node;
 out vec2 from;  // place on the surface [texels]
-out float light;
+out vec2 light; // over flat water's; the same times the depth
 
 #pragma unit rays 15
 #pragma unit lights 16
 uniform highp sampler2D rays; // caustic_source.glsl's outputs
 uniform highp sampler2D lights;
 uniform vec4 patch_place; // eye-relative corner, cell [m], texel [m]
-uniform vec4 layer;       // depth [m], < 0: that of the bed; 1 / side [1/m]
+uniform vec4 layer;       // depth [m], < 0: that of the bed; 1 / side [1/m]; 1: the third channel has the depth
 
 void main() {
     vec4 ray = texelFetch(rays, ivec2(node), 0), at = texelFetch(lights, ivec2(node), 0);
@@ -23,14 +23,14 @@ void main() {
     vec2 place = node * patch_place.z + ray.xy; // from the corner
     vec2 lands = place + ray.zw * max(depth + at.x, 0.0) + caustic_travel * at.x;
     from = place / patch_place.w;
-    light = at.y;
+    light = at.y * vec2(1.0, depth * layer.z);
     gl_Position = vec4(lands * layer.y * 2.0 - 1.0, 0.0, 1.0);
 }
 #endif
 
 #ifdef FRAGMENT
 in vec2 from;
-in float light;
+in vec2 light;
 out vec4 color;
 
 uniform vec4 channel; // 1 in the one that is drawn
@@ -39,6 +39,7 @@ const float BRIGHTEST = 60.0; // a half float adds up thousands; a texel that is
 
 void main() {
     vec2 x = dFdx(from), y = dFdy(from);
-    color = channel * min(light * abs(x.x * y.y - x.y * y.x), BRIGHTEST);
+    float gain = abs(x.x * y.y - x.y * y.x);
+    color = min((channel * light.x + vec4(0.0, 0.0, light.y, 0.0)) * gain, BRIGHTEST);
 }
 #endif

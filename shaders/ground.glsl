@@ -126,7 +126,7 @@ material forest(ground g) {
 material sea_bed(ground g) {
     float depth = -g.elevation;
     vec3 sand = mix(vec3(0.62, 0.56, 0.42), vec3(0.72, 0.67, 0.54), g.mid.a);
-    material m = material(sand * (0.94 + 0.12 * g.near.a), 0.12, 0.3);
+    material m = material(sand * (0.94 + 0.12 * g.near.a) * (0.70 + 0.60 * g.fine.r), 0.12, 0.3);
     material reef = material(mix(vec3(0.075, 0.070, 0.040), vec3(0.25, 0.20, 0.12), g.mid.r), -0.5, 0.5);
     material weed = material(mix(vec3(0.045, 0.065, 0.026), vec3(0.10, 0.115, 0.05), g.near.r), 0.4, 0.6);
     float patches = g.wide.a * 0.65 + g.mid.a * 0.35;
@@ -192,13 +192,21 @@ ground look(vec2 p, float level) {
     return g;
 }
 
-// Ripples of the sand, only where the pixel resolves them.
-vec2 ripples(ground g, vec2 p) {
+// Ripples of the sand, only where the pixel resolves them: those of the wind on a beach, and the longer ones that the
+// waves leave on the bed. Fine dark grains gather in their troughs.
+const vec2 RIPPLE_WAY = vec2(0.8, 0.6);
+vec2 ripples(ground g, vec2 p, inout material m) {
 #ifdef NEAR
-    float seen = (1.0 - smoothstep(0.02, 0.06, g.footprint)) * smoothstep(0.4, 0.9, g.elevation) *
-                 smoothstep(0.35, 0.6, g.mid.r);
-    float phase = 2.0 * PI * (dot(p, vec2(0.8, 0.6)) * 7.0 + 2.2 * g.near.a + 3.0 * g.mid.a);
-    return vec2(0.8, 0.6) * cos(phase) * 0.10 * seen * (1.0 - smoothstep(0.1, 0.2, g.steep));
+    float gentle = 1.0 - smoothstep(0.1, 0.2, g.steep), depth = -g.elevation;
+    float wander = dot(p, RIPPLE_WAY) * 7.0 + 2.2 * g.near.a + 3.0 * g.mid.a;
+    float dry = (1.0 - smoothstep(0.02, 0.06, g.footprint)) * smoothstep(0.4, 0.9, g.elevation) *
+                smoothstep(0.35, 0.6, g.mid.r);
+    float wet = (1.0 - smoothstep(0.03, 0.10, g.footprint)) * smoothstep(0.6, 1.6, depth) *
+                (1.0 - smoothstep(10.0, 18.0, depth)) * smoothstep(0.3, 0.5, g.mid.r + 0.4 * (g.near.a - 0.5));
+    float phase = 2.0 * PI * wander, slow = 0.8 * phase + 4.0 * (g.near.r - 0.5) + 5.0 * (g.fine.a - 0.5);
+    wet *= gentle * step(0.05, m.albedo.r - 0.25); // not on coral and weed
+    m.albedo *= 1.0 + wet * (0.15 * sin(slow) + 0.05 * sin(2.0 * slow));
+    return RIPPLE_WAY * (0.10 * gentle * dry * cos(phase) + wet * (0.45 * cos(slow) + 0.20 * cos(2.0 * slow)));
 #else
     return vec2(0.0);
 #endif
@@ -218,7 +226,7 @@ void main() {
 
     // The gradients of the billows as bumps; the mip levels of the noise fade them with distance.
     vec2 grain = (g.mid.gb - 0.5).yx * 2.2 + (g.near.gb - 0.5) * 1.8 + (g.fine.gb - 0.5).yx * 1.4;
-    vec3 n = normalize(vec3(g.normal.xy - m.bump * grain - ripples(g, p), g.normal.z));
+    vec3 n = normalize(vec3(g.normal.xy - m.bump * grain - ripples(g, p, m), g.normal.z));
     vec3 view = -normalize(position);
 
     float lit = (1.0 - smoothstep(0.0, shadow_softness, g.clearance)) * cloud_shadow(position.xy);

@@ -1,41 +1,81 @@
 // SPDX-License-Identifier: MIT
 // Sunlight at a place in the water as a share of what flat water lets through, from the images of caustics.glsl: one
-// depth a channel, the bed's in the last. Deep images are as blurred as the sun's disc and the waves that the patch
-// lacks make them. Needs common/frame.glsl.
+// depth a channel, the bed's in the last. Layer 0 is the wide patch; layer 1 the finer one near the eye, which shows the
+// bed alone and, in its third channel, that light times the depth of the bed. Deep images are as blurred as the sun's
+// disc and the waves that a patch lacks make them. Needs common/frame.glsl.
+#include "shared/caustic_patches.glsl"
 #pragma unit caustic_map 24
-uniform sampler2D caustic_map;
+uniform highp sampler2DArray caustic_map;
 
 #define CAUSTIC_DEPTHS vec3(1.5, 4.0, 10.0) // of the first three channels [m]
 
-// Places beyond the patch have a share of 0.
+float caustic_texels() { return caustic_turn.x * float(textureSize(caustic_map, 0).x); } // of the wide patch [1/m]
+
+// Share of the patch at a place in it; beyond it 0.
 float caustic_share(vec2 uv) {
     vec2 from_middle = abs(uv - 0.5);
     return caustic_spread.x > 0.0 ? 1.0 - smoothstep(0.36, 0.46, max(from_middle.x, from_middle.y)) : 0.0;
 }
 
-vec4 caustic_images(vec2 position, float depth, out float share) {
-    vec2 uv = caustic_place + (position - caustic_travel * depth) * caustic_turn.x;
-    share = caustic_share(uv) * caustic_strength * exp(-caustic_spread.y * depth);
-    float texels = caustic_spread.x * depth * caustic_turn.x * float(textureSize(caustic_map, 0).x);
-    return textureLod(caustic_map, uv, log2(max(texels, 1.0)));
+vec2 caustic_entry(vec2 position, float depth) { return (position - caustic_travel * depth) * caustic_turn.x; }
+float caustic_left(float depth) { return caustic_strength * exp(-caustic_spread.y * depth); }
+
+vec4 caustic_wide(vec2 uv, float depth) {
+    return textureLod(caustic_map, vec3(uv, 0.0), log2(max(caustic_spread.x * depth * caustic_texels(), 1.0)));
+}
+
+vec4 caustic_texel(vec2 uv, float level) { return textureLod(caustic_map, vec3(uv, 1.0), level); }
+
+// As blurred as light is at that depth. A bilinear look-up at level L has a standard deviation of 2^L / 2 texels, and
+// shows the squares of its texels; four look-ups half a level below, whose places make up for that, do not.
+vec4 caustic_near(vec2 uv, float depth) {
+    float texels = caustic_near_blur * depth * CAUSTIC_FINER * caustic_texels();
+    float level = max(log2(max(texels, 1.0)) - 0.5, 0.0), finer = exp2(level);
+    float apart = sqrt(0.5 * max(texels * texels - finer * finer, 0.0)) / float(textureSize(caustic_map, 0).x);
+    vec2 a = vec2(0.92, 0.39) * apart, b = vec2(-a.y, a.x); // along no axis of the texels
+    return 0.25 * (caustic_texel(uv + a, level) + caustic_texel(uv - a, level) + caustic_texel(uv + b, level) +
+                   caustic_texel(uv - b, level));
+}
+
+// Of the images at CAUSTIC_DEPTHS, at that depth.
+float caustic_between(vec3 image, float depth) {
+    vec3 at = CAUSTIC_DEPTHS;
+    float near = mix(1.0, image.r, min(depth / at.x, 1.0));
+    return depth < at.x ? near
+           : depth < at.y ? mix(image.r, image.g, (depth - at.x) / (at.y - at.x))
+                          : mix(image.g, image.b, min((depth - at.y) / (at.z - at.y), 1.0));
+}
+
+struct caustics_at {
+    vec2 wide, near;        // places in the patches
+    float left, near_share; // share of the sunlight that is in the pattern; of that, in the near patch
+};
+caustics_at caustic_places(vec2 position, float depth) {
+    vec2 entry = caustic_entry(position, depth), near = caustic_near_place + entry * CAUSTIC_FINER;
+    return caustics_at(caustic_place + entry, near, caustic_share(caustic_place + entry) * caustic_left(depth),
+                       caustic_near_blur > 0.0 ? caustic_share(near) : 0.0);
 }
 
 // On the bed, depth [m] below eye-relative xy.
 float gathered_on_bed(vec2 position, float depth) {
     if (depth <= 0.0 || caustic_spread.x <= 0.0) return 1.0;
-    float share;
-    vec4 image = caustic_images(position, depth, share);
-    return mix(1.0, image.a, share * smoothstep(0.0, 0.3, depth));
+    caustics_at c = caustic_places(position, depth);
+    float light = mix(caustic_wide(c.wide, depth).a, caustic_near(c.near, depth).a, c.near_share);
+    return mix(1.0, light, c.left * smoothstep(0.0, 0.3, depth));
 }
 
-// At any depth [m].
+// On a thing at any depth [m]: near the bed by the bed's image.
 float gathered_at(vec2 position, float depth) {
     if (depth <= 0.0 || caustic_spread.x <= 0.0) return 1.0;
-    float share;
-    vec3 image = caustic_images(position, depth, share).rgb, at = CAUSTIC_DEPTHS;
-    float near = mix(1.0, image.r, min(depth / at.x, 1.0));
-    float light = depth < at.x ? near
-                  : depth < at.y ? mix(image.r, image.g, (depth - at.x) / (at.y - at.x))
-                                 : mix(image.g, image.b, min((depth - at.y) / (at.z - at.y), 1.0));
-    return mix(1.0, light, share);
+    caustics_at c = caustic_places(position, depth);
+    vec4 bed = caustic_near(c.near, depth);
+    c.near_share *= smoothstep(0.4, 0.7, depth * bed.a / max(bed.b, 1e-3));
+    return mix(1.0, mix(caustic_between(caustic_wide(c.wide, depth).rgb, depth), bed.a, c.near_share), c.left);
+}
+
+// In the water itself, where a view adds up many places: from the wide patch alone.
+float gathered_in_water(vec2 position, float depth) {
+    if (depth <= 0.0 || caustic_spread.x <= 0.0) return 1.0;
+    vec2 uv = caustic_place + caustic_entry(position, depth);
+    return mix(1.0, caustic_between(caustic_wide(uv, depth).rgb, depth), caustic_share(uv) * caustic_left(depth));
 }

@@ -23,14 +23,14 @@ float eye_above_clouds;       // 1: the eye is above the base of the clouds
 vec3 sky_light;               // irradiance of the sky on a horizontal surface
 float surf_phase;             // of the bores at the eye [cycles]
 vec3 exposure;                // factor before the tone map: exposure and white balance
-float view_padding;           // vec2 begin at a multiple of 8 bytes
+float caustic_near_blur;      // of the near patch, a metre of depth [m]
 vec2 cloud_offset;            // of the eye from the middle of the clouds' maps [m]
 vec2 streak_place;            // of the eye in the tile of wind streaks [0,1)
-vec2 caustic_place;           // of the eye in the caustics' tile
+vec2 caustic_place;           // of the eye in the caustics' tile, or in the wide patch of the drawn waves
 vec2 tile_corner;             // lower left corner of the picture in the whole of which it is a tile [px]
 vec2 tile_share;              // size of the picture over that of the whole; 1 where it is the whole
 vec2 water_wrapped;           // as eye_wrapped, over the water, which drifts with the current
 vec2 caustic_spread;          // of caustics, a metre of depth: their blur [m]; light that leaves them [1/m]
 vec2 foam_wrapped;            // as water_wrapped, over bubbles and small nets of foam, which drift with the wind too
 vec2 eddies_wrapped;          // as foam_wrapped, over patches and broad nets, which drift less
-vec2 view_rest;               // the block ends at a multiple of 16 bytes
+vec2 caustic_near_place;      // of the eye in the near patch

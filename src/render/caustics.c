@@ -5,21 +5,21 @@
 #include <math.h>
 
 #include "memory.h"
+#include "shared/caustic_patches.glsl"
 #include "shared/refraction.glsl"
 
-#define SIDE 24.0             // of the patch [m]
-#define AHEAD 7.0             // of the eye lies its middle [m]
-#define LOWEST_SUN 0.06       // sine of its height; below, hardly any sunlight enters
-#define HIGHEST_EYE 15.0      // over the water [m]: from higher up the patch is a few pixels
-#define DEEPEST_BED 20.0      // that an eye above the water sees lit [m]
-#define SUN_RADIUS 0.00465    // [rad]
-enum { TEXELS_A_CELL = 2, LAYERS = 4 };
+#define LOWEST_SUN 0.06     // sine of its height; below, hardly any sunlight enters
+#define HIGHEST_EYE 15.0    // over the water [m]: from higher up the patch is a few pixels
+#define DEEPEST_BED 20.0    // that an eye above the water sees lit [m]
+#define SUN_RADIUS 0.00465  // [rad]
+#define DEEPEST_MIDDLE 10.0 // depth at which the middle of the near patch is lit, at most [m]
+enum { TEXELS_A_CELL = 2, DEPTHS = 3, WIDE = 0, NEAR = 1 };
 
-static const float depths[LAYERS] = {1.5f, 4.0f, 10.0f, -1.0f}; // [m]: CAUSTIC_DEPTHS of gathered.glsl, and the bed
-static const uint32_t cells_of[] = {[BOLAN_QUALITY_LOW] = 80,
-                                    [BOLAN_QUALITY_MEDIUM] = 112,
-                                    [BOLAN_QUALITY_HIGH] = 160,
-                                    [BOLAN_QUALITY_ULTRA] = 240};
+// Of the wide patch and of the near one: side, and how far ahead of the eye the middle lies [m].
+static const double sides[CAUSTIC_PATCHES] = {24.0, 24.0 / CAUSTIC_FINER}, ahead[CAUSTIC_PATCHES] = {7.0, 3.0};
+static const float depths[DEPTHS] = {1.5f, 4.0f, 10.0f}; // [m]: CAUSTIC_DEPTHS of gathered.glsl
+static const uint32_t cells_of[] = {
+    [BOLAN_QUALITY_LOW] = 64, [BOLAN_QUALITY_MEDIUM] = 96, [BOLAN_QUALITY_HIGH] = 160, [BOLAN_QUALITY_ULTRA] = 240};
 static const water_shader source_shader = {.stem = "caustic_source", .reads = WATER_FEATURE_WAVES | WATER_FEATURE_LAND};
 
 // ---- life -----------------------------------------------------------------------------------------------------------
@@ -56,14 +56,17 @@ bolan_result bolan_caustics_create(caustic_maps *c, bolan_quality quality) {
     const gl_texture_desc map = {.format = GL_FMT_RGBA16F,
                                  .width = texels,
                                  .height = texels,
+                                 .depth = CAUSTIC_PATCHES,
+                                 .array = true,
                                  .filter = GL_FILTER_MIPMAP,
                                  .wrap = GL_WRAP_CLAMP};
-    const gl_texture *sources[] = {&c->rays, &c->lights}, *maps[] = {&c->map};
+    const gl_texture *sources[] = {&c->rays, &c->lights}, *map_layer[] = {&c->map};
     bolan_result r = bolan_gl_texture_create(&ray, &c->rays);
     if (r == BOLAN_OK) r = bolan_gl_texture_create(&ray, &c->lights);
     if (r == BOLAN_OK) r = bolan_gl_texture_create(&map, &c->map);
     if (r == BOLAN_OK) r = bolan_gl_target_create(sources, 2, NULL, -1, 0, &c->source);
-    if (r == BOLAN_OK) r = bolan_gl_target_create(maps, 1, NULL, -1, 0, &c->target);
+    for (int i = 0; r == BOLAN_OK && i < CAUSTIC_PATCHES; ++i)
+        r = bolan_gl_target_create(map_layer, 1, NULL, i, 0, &c->targets[i]);
     if (r == BOLAN_OK) r = create_mesh(c);
     return r == BOLAN_OK ? bolan_gl_program_create("caustics", NULL, &c->program) : r;
 }
@@ -72,7 +75,7 @@ bolan_result bolan_caustics_reload(caustic_maps *c) { return bolan_gl_program_re
 
 void bolan_caustics_free(caustic_maps *c) {
     bolan_gl_target_free(&c->source);
-    bolan_gl_target_free(&c->target);
+    for (int i = 0; i < CAUSTIC_PATCHES; ++i) bolan_gl_target_free(&c->targets[i]);
     bolan_gl_texture_free(&c->rays);
     bolan_gl_texture_free(&c->lights);
     bolan_gl_texture_free(&c->map);
@@ -101,20 +104,34 @@ static bool shows(const render_view *v) {
     if (v->medium != EYE_IN_AIR) return true;
     if (!f->behind || v->eye.z - f->level > HIGHEST_EYE) return false;
     return f->ground == NULL ||
-           (double)bolan_ground_elevation(f->ground, v->eye.x, v->eye.y, SIDE) - f->level > -DEEPEST_BED;
+           (double)bolan_ground_elevation(f->ground, v->eye.x, v->eye.y, sides[WIDE]) - f->level > -DEEPEST_BED;
 }
 
 typedef struct patch {
+    double side;               // [m]
     double corner_x, corner_y; // eye-relative [m]
     double cell, texel;        // [m]
 } patch;
 
-// Ahead of the eye. Its corner is a whole number of cells of the world, so that nothing swims.
-static patch patch_of(const caustic_maps *c, const render_view *v) {
-    patch p = {.cell = SIDE / c->cells, .texel = SIDE / c->cells / TEXELS_A_CELL};
+// Level travel of the sunlight that lights the things about the eye: those of a bed in sight, or those as deep as it.
+static bolan_dvec2 travel_to_sight(const render_view *v, bolan_vec2 travel) {
+    const frame *f = v->frame;
+    double depth = f->level - v->eye.z;
+    if (f->ground != NULL)
+        depth = f->level - (double)bolan_ground_elevation(f->ground, v->eye.x, v->eye.y, sides[WIDE]);
+    depth = fmin(fmax(depth, 0.0), DEEPEST_MIDDLE);
+    return (bolan_dvec2){depth * (double)travel.x, depth * (double)travel.y};
+}
+
+// Ahead of the eye, where the light enters that falls there. Its corner is a whole number of cells of the world, so
+// that nothing swims.
+static patch patch_of(const caustic_maps *c, const render_view *v, int i, bolan_vec2 travel) {
+    patch p = {.side = sides[i], .cell = sides[i] / c->cells, .texel = sides[i] / c->cells / TEXELS_A_CELL};
     const double heading = bolan_radians(v->lens.heading_deg);
-    const double level = AHEAD * cos(bolan_radians(v->lens.pitch_deg));
-    const double x = v->eye.x + level * sin(heading) - 0.5 * SIDE, y = v->eye.y + level * cos(heading) - 0.5 * SIDE;
+    const double level = ahead[i] * cos(bolan_radians(v->lens.pitch_deg));
+    const bolan_dvec2 shift = travel_to_sight(v, travel);
+    const double x = v->eye.x + level * sin(heading) - shift.x - 0.5 * p.side;
+    const double y = v->eye.y + level * cos(heading) - shift.y - 0.5 * p.side;
     p.corner_x = floor(x / p.cell) * p.cell - v->eye.x;
     p.corner_y = floor(y / p.cell) * p.cell - v->eye.y;
     return p;
@@ -130,18 +147,29 @@ static double blur_of(const frame *f, double cell) {
     return sqrt(turn * turn * slope + 0.25 * disc * disc);
 }
 
-static void set_block(const patch *p, render_view *v) {
-    frame *f = v->frame;
-    const bolan_water_optics *o = &f->water.optics;
-    const double down = refracted_cosine((double)f->sun_direction.z, (double)f->block.water_index);
+static bolan_vec2 travel_of(const frame *f) {
     const double index = (double)f->block.water_index;
+    const double down = refracted_cosine((double)f->sun_direction.z, index);
+    return (bolan_vec2){(float)(-(double)f->sun_direction.x / index / down),
+                        (float)(-(double)f->sun_direction.y / index / down)};
+}
+
+static bolan_vec2 place_of_eye(const patch *p) {
+    return (bolan_vec2){(float)(-p->corner_x / p->side), (float)(-p->corner_y / p->side)};
+}
+
+static void set_block(const patch p[CAUSTIC_PATCHES], bolan_vec2 travel, render_view *v) {
+    frame *f = v->frame;
+    const double down = refracted_cosine((double)f->sun_direction.z, (double)f->block.water_index);
     f->caustics.strength = 1.0f;
-    f->caustics.turn = (bolan_vec2){(float)(1.0 / SIDE), 0.0f};
-    f->caustics.travel = (bolan_vec2){(float)(-(double)f->sun_direction.x / index / down),
-                                      (float)(-(double)f->sun_direction.y / index / down)};
-    v->caustic_place = (bolan_vec2){(float)(-p->corner_x / SIDE), (float)(-p->corner_y / SIDE)};
+    f->caustics.turn = (bolan_vec2){(float)(1.0 / sides[WIDE]), 0.0f};
+    f->caustics.travel = travel;
+    v->caustic_place = place_of_eye(&p[WIDE]);
+    v->caustic_near_place = place_of_eye(&p[NEAR]);
+    v->caustic_near_blur = f->ground != NULL ? (float)(2.0 * blur_of(f, p[NEAR].cell)) : 0.0f;
     // what is scattered at all leaves the pattern
-    v->caustic_spread = (bolan_vec2){(float)(2.0 * blur_of(f, p->cell)), (float)(0.5 * (double)o->scattering.y / down)};
+    v->caustic_spread = (bolan_vec2){(float)(2.0 * blur_of(f, p[WIDE].cell)),
+                                     (float)(0.5 * (double)f->water.optics.scattering.y / down)};
 }
 
 static void draw_source(const caustic_maps *c, const patch *p, const water_draw *d) {
@@ -149,42 +177,53 @@ static void draw_source(const caustic_maps *c, const patch *p, const water_draw 
     source.waves = source_waves(d->waves);
     const gl_program *g = bolan_water_program(&source, &source_shader, 0);
     if (g == NULL) return;
-    bolan_gl_program_vec4(g, "patch_place",
-                          (bolan_vec4){(float)p->corner_x, (float)p->corner_y, (float)p->cell, 0.0f});
+    bolan_gl_program_vec4(g, "patch_place", (bolan_vec4){(float)p->corner_x, (float)p->corner_y, (float)p->cell, 0.0f});
     bolan_gl_target_bind(&c->source);
     bolan_gl_set_state(&(gl_state){.color_write = true});
     bolan_gl_draw_fullscreen();
 }
 
-static void draw_layers(const caustic_maps *c, const patch *p) {
+// depth: of the image [m], < 0: the bed's; channel: 1 in those that get its light; weighed: 1 in the third as well,
+// which gets the light times the depth.
+static void draw_image(const caustic_maps *c, const patch *p, float depth, bolan_vec4 channel, float weighed) {
+    bolan_gl_program_vec4(&c->program, "layer", (bolan_vec4){depth, (float)(1.0 / p->side), weighed, 0.0f});
+    bolan_gl_program_vec4(&c->program, "channel", channel);
+    bolan_gl_mesh_draw(&c->mesh, 0, c->cells * c->cells * 6);
+}
+
+// The wide patch has the images of all depths, and that of the bed where there is one. The near one has that alone.
+static void draw_images(const caustic_maps *c, const patch *p, int which, bool bed) {
     const gl_program *g = &c->program;
     bolan_gl_program_use(g);
     bolan_gl_texture_bind(&c->rays, UNIT_OWN);
     bolan_gl_texture_bind(&c->lights, UNIT_OWN + 1);
     bolan_gl_program_vec4(g, "patch_place",
                           (bolan_vec4){(float)p->corner_x, (float)p->corner_y, (float)p->cell, (float)p->texel});
-    bolan_gl_target_bind(&c->target);
+    bolan_gl_target_bind(&c->targets[which]);
     bolan_gl_set_state(&(gl_state){.color_write = true, .blend = GL_BLEND_ADD});
     bolan_gl_target_clear_color(0.0f, 0.0f, 0.0f, 0.0f);
-    for (int i = 0; i < LAYERS; ++i) {
-        bolan_gl_program_vec4(g, "layer", (bolan_vec4){depths[i], (float)(1.0 / SIDE), 0.0f, 0.0f});
-        bolan_gl_program_vec4(g, "channel", (bolan_vec4){i == 0, i == 1, i == 2, i == 3});
-        bolan_gl_mesh_draw(&c->mesh, 0, c->cells * c->cells * 6);
-    }
+    for (int i = 0; which == WIDE && i < DEPTHS; ++i)
+        draw_image(c, p, depths[i], (bolan_vec4){i == 0, i == 1, i == 2, 0.0f}, 0.0f);
+    if (bed) draw_image(c, p, -1.0f, (bolan_vec4){0.0f, 0.0f, 0.0f, 1.0f}, which == NEAR);
 }
 
 void bolan_caustics_draw(caustic_maps *c, const water_draw *d) {
     render_view *v = d->view;
     v->caustic_spread = (bolan_vec2){0.0f, 0.0f};
+    v->caustic_near_blur = 0.0f;
     v->frame->caustics.strength = 0.0f;
     if (shows(v)) {
-        const patch p = patch_of(c, v);
-        set_block(&p, v);
+        const bolan_vec2 travel = travel_of(v->frame);
+        const bool bed = v->frame->ground != NULL;
+        const patch patches[CAUSTIC_PATCHES] = {patch_of(c, v, WIDE, travel), patch_of(c, v, NEAR, travel)};
+        set_block(patches, travel, v);
         bolan_frame_fill(v->frame);
         bolan_blocks_upload_frame(v->uniforms, &v->frame->block);
         bolan_view_use(v);
-        draw_source(c, &p, d);
-        draw_layers(c, &p);
+        for (int i = 0; i < (bed ? CAUSTIC_PATCHES : 1); ++i) {
+            draw_source(c, &patches[i], d);
+            draw_images(c, &patches[i], i, bed);
+        }
         bolan_gl_texture_generate_mipmaps(&c->map);
     }
     bolan_gl_texture_bind(&c->map, UNIT_CAUSTICS);

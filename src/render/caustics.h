@@ -5,10 +5,12 @@
 
 #include "water_optics.h"
 
+enum { CAUSTIC_PATCHES = 2 }; // a wide one, and a finer one near the eye
+
 typedef struct caustic_maps {
-    uint32_t cells; // of the patch's side
+    uint32_t cells; // of each patch's side
     gl_texture rays, lights, map;
-    gl_target source, target;
+    gl_target source, targets[CAUSTIC_PATCHES]; // a layer of the map each
     gl_buffer nodes, indices;
     gl_mesh mesh;
     gl_program program;

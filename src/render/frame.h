@@ -51,7 +51,7 @@ enum {
     UNIT_RIPPLES = 18,       // 2D  slopes of ripples, or of a tile
     UNIT_TILE = 19,          // 2D RGBA8  the water's own texture, light on the bottom
     UNIT_GLINT = 25,         // 2D R8  the sun on a slide
-    UNIT_CAUSTICS = 24,      // 2D RGBA16F  caustics of the drawn waves: caustics.h
+    UNIT_CAUSTICS = 24,      // array RGBA16F  caustics of the drawn waves: caustics.h
     UNIT_WINDOW = 25,        // 2D  what stands above an eye in the water: below.h
     UNIT_RIPPLE_SLOPES = 26, // 2D  slopes of the finer tile
     UNIT_FINE = 26,          // 2D  slopes of the fine waves

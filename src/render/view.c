@@ -221,6 +221,8 @@ static void fill_eye(render_view *v) {
     b->surf_phase = bolan_reduced(f->surf_periods - f->surf_wave.x * x - f->surf_wave.y * y, 1.0);
     b->caustic_place = v->caustic_place;
     b->caustic_spread = v->caustic_spread;
+    b->caustic_near_place = v->caustic_near_place;
+    b->caustic_near_blur = v->caustic_near_blur;
     b->cloud_offset = v->light.cloud_offset;
     b->eye_above_clouds = v->light.above_clouds ? 1.0f : 0.0f;
     b->sun_light = v->light.sun;

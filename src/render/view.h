@@ -57,7 +57,8 @@ typedef struct render_view {
     float pixel_scale; // size of its pixels over radians_per_pixel
     view_clip clip;
     view_light light;
-    bolan_vec2 caustic_place, caustic_spread;
+    bolan_vec2 caustic_place, caustic_spread, caustic_near_place;
+    float caustic_near_blur;
     view_block block;
     block_buffers *uniforms; // where the block is uploaded
     // Targets.

@@ -80,6 +80,29 @@ static inline void stage_close(stage *s) {
     assert_true(watch_is_clean("at the end of a stage"));
 }
 
+// The scene over a level bed at that elevation [m], with its object, a file, if it has one.
+static inline void stage_over_bed(stage *s, const bolan_scene *scene, float elevation) {
+    static float heights[16];
+    for (int i = 0; i < 16; ++i) heights[i] = elevation;
+    bolan_ground_desc d = bolan_ground_desc_default();
+    d.field = (bolan_heightfield){4, 4, -150.0, -150.0, 100.0, 100.0, heights};
+    d.detail = 0.0;
+    d.edge_elevation = (double)elevation;
+    bolan_ground *ground = NULL;
+    assert_int_equal(bolan_ground_create(&d, &ground), BOLAN_OK);
+    bolan_world_assets assets = {.ground = ground, .model_count = scene->object_count};
+    assert_true(scene->object_count <= 1);
+    if (scene->object_count == 1) {
+        const bolan_model_desc model = {.path = scene->objects[0].model};
+        assert_int_equal(bolan_model_load(&model, &assets.models[0]), BOLAN_OK);
+        assets.object_models[0] = assets.models[0];
+    }
+    bolan_world_destroy(&s->world);
+    s->scene = *scene;
+    assert_int_equal(bolan_world_create(&(bolan_world_desc){scene, &assets}, &s->world), BOLAN_OK);
+    stage_settle(s, scene->time);
+}
+
 // Gives the world the scene as the test has changed it.
 static inline void stage_update(stage *s) { assert_int_equal(bolan_world_set_scene(s->world, &s->scene), BOLAN_OK); }
 

@@ -161,40 +161,16 @@ static void no_surf_breaks_at_a_hull(void **state) {
     free(with), free(without);
 }
 
-// A level bed at that elevation [m].
-static bolan_ground *level_bed(float elevation) {
-    static float heights[16];
-    for (int i = 0; i < 16; ++i) heights[i] = elevation;
-    bolan_ground_desc d = bolan_ground_desc_default();
-    d.field = (bolan_heightfield){4, 4, -150.0, -150.0, 100.0, 100.0, heights};
-    d.detail = 0.0;
-    d.edge_elevation = (double)elevation;
-    bolan_ground *ground = NULL;
-    assert_int_equal(bolan_ground_create(&d, &ground), BOLAN_OK);
-    return ground;
-}
-
 enum { BED_SIZE = 160 };
 
 // The view from straight above over a level bed and, or not, the box at the scene's first object.
 static float *bed_radiance(const bolan_scene *scene, float bed, bool box) {
-    bolan_scene copy = *scene;
-    bolan_world_assets assets = {.ground = level_bed(bed)};
-    const bolan_model_desc desc = {.path = "box.obj"};
+    bolan_scene copy = *scene, bare = *scene;
     copy.object_count = box;
-    if (box) {
-        assert_int_equal(bolan_model_load(&desc, &assets.models[0]), BOLAN_OK);
-        assets.model_count = 1;
-        assets.object_models[0] = assets.models[0];
-    }
-    bolan_scene bare = copy;
     bare.object_count = 0;
     stage s;
     assert_true(stage_open(&s, &bare, BOLAN_QUALITY_MEDIUM, false));
-    bolan_world_destroy(&s.world);
-    s.scene = copy;
-    assert_int_equal(bolan_world_create(&(bolan_world_desc){&copy, &assets}, &s.world), BOLAN_OK);
-    stage_settle(&s, copy.time);
+    stage_over_bed(&s, &copy, bed);
     return stage_last_radiance(&s, BED_SIZE, BED_SIZE);
 }
 

@@ -71,7 +71,7 @@ static const member view_members[] = {VIEW(view_projection),
                                       VIEW(sky_light),
                                       VIEW(surf_phase),
                                       VIEW(exposure),
-                                      VIEW(view_padding),
+                                      VIEW(caustic_near_blur),
                                       VIEW(cloud_offset),
                                       VIEW(streak_place),
                                       VIEW(caustic_place),
@@ -81,7 +81,7 @@ static const member view_members[] = {VIEW(view_projection),
                                       VIEW(caustic_spread),
                                       VIEW(foam_wrapped),
                                       VIEW(eddies_wrapped),
-                                      VIEW(view_rest)};
+                                      VIEW(caustic_near_place)};
 static const member water_members[] = {
     WATER_ARRAY(cascade_bound), WATER_ARRAY(cascade_tile),   WATER_ARRAY(cascade_band), WATER_ARRAY(cascade_lift),
     WATER_ARRAY(warp_wave_of),  WATER_ARRAY(wave_component), WATER_ARRAY(exp_slope),    WATER_ARRAY(shore_level),
