@@ -153,7 +153,8 @@ endforeach()
 
 # The path tracer of tests/reference, which is run by hand.
 if(TARGET bolan_io AND TARGET bolan_render AND TARGET bolan)
-    add_executable(reference_trace ${test_folder}/reference/trace.c)
+    file(GLOB reference_sources CONFIGURE_DEPENDS ${test_folder}/reference/*.c)
+    add_executable(reference_trace ${reference_sources})
     target_include_directories(reference_trace PRIVATE src shaders)
     target_link_libraries(reference_trace PRIVATE bolan_render bolan_io bolan_content m)
     set_target_properties(reference_trace PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)

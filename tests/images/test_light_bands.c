@@ -16,9 +16,9 @@ enum { WIDTH = 320, HEIGHT = 180, BANDS = 10, PARTS = 3, PIXELS = WIDTH * HEIGHT
 enum { SKY, GLITTER, BELOW };
 
 typedef reference_view view;
-static const view views[] = {{"a", 2.0, 0.0, -10.0, 180.0, 35.0, 0},
-                             {"c", 100.0, 0.0, -20.0, 90.0, 35.0, 0},
-                             {"e", 10.0, 180.0, -15.0, 180.0, 5.0, 0}};
+static const view views[] = {{"a", 2.0, 0.0, -10.0, 180.0, 35.0, 0, 8.0, 0.0},
+                             {"c", 100.0, 0.0, -20.0, 90.0, 35.0, 0, 8.0, 0.0},
+                             {"e", 10.0, 180.0, -15.0, 180.0, 5.0, 0, 8.0, 0.0}};
 
 static const uint32_t effects_of[PARTS] = {BOLAN_EFFECT_REFLECTION, BOLAN_EFFECT_GLITTER, BOLAN_EFFECT_AMBIENT};
 

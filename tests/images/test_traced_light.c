@@ -14,6 +14,7 @@
 
 enum { WIDTH = REFERENCE_WIDTH, HEIGHT = REFERENCE_HEIGHT, PIXELS = REFERENCE_PIXELS, BANDS = 8 };
 static const uint32_t sunless = BOLAN_EFFECT_REFLECTION | BOLAN_EFFECT_AMBIENT;
+static const uint32_t in_the_water = BOLAN_EFFECT_REFRACTION | BOLAN_EFFECT_CAUSTICS | BOLAN_EFFECT_FOG;
 
 #define HIGHEST_ROW_DEG 1.0 // below the horizon: nearer, the reference's sea is flat where Bolan's follows the earth
 
@@ -48,6 +49,7 @@ static band band_of(const double *light, int first, int last) {
 }
 
 static int first_row(const reference_view *v) {
+    if (v->height < 0.0) return 0;
     const double down = tan(bolan_radians(v->pitch + HIGHEST_ROW_DEG)) / tan(bolan_radians(0.5 * REFERENCE_FOV));
     return (int)fmax(ceil(0.5 * HEIGHT * (1.0 + down)), 0.0);
 }
@@ -65,7 +67,8 @@ typedef struct bound {
 } bound;
 static const bound bounds[REFERENCE_VIEWS] = {
     {0.90, 1.10, 1.10, 0.82, 0.60}, {0.85, 1.15, 1.15, 0.82, 0.50}, {0.85, 1.15, 1.80, 0.80, 0.50},
-    {0.85, 1.10, 1.10, 0.72, 0.60}, {0.85, 1.10, 1.10, 0.75, 0.42},
+    {0.85, 1.10, 1.10, 0.72, 0.60}, {0.85, 1.10, 1.10, 0.75, 0.42}, {0.90, 1.10, 1.10, 0.75, 0.75},
+    {0.85, 1.15, 1.15, 0.75, 0.75}, {0.90, 1.10, 1.10, 0.75, 0.75},
 };
 
 static bool is_within(double ratio, double low, double high) { return ratio > low && ratio < high; }
@@ -88,15 +91,22 @@ static bool compare(const reference_view *v, const bound *within, const double *
     return good;
 }
 
+static void draw_effects(studio *t, const reference_view *v, uint32_t effects, double *light) {
+    if (v->height < 0.0)
+        draw_under_water(t, effects | in_the_water, light);
+    else
+        draw_light(t, v->bed > 0.0 ? effects | BOLAN_EFFECT_REFRACTION | BOLAN_EFFECT_CAUSTICS : effects, light);
+}
+
 // The picture as the reference has it.
-static void draw(studio *t, double *out) {
+static void draw(studio *t, const reference_view *v, double *out) {
     double *light = malloc(sizeof(double) * 3 * PIXELS);
-    draw_light(t, sunless | BOLAN_EFFECT_GLITTER, light);
+    draw_effects(t, v, sunless | BOLAN_EFFECT_GLITTER, light);
     for (int i = 0; i < PIXELS; ++i) {
         for (int c = 0; c < 3; ++c) out[REFERENCE_CHANNELS * i + c] = light[3 * i + c];
         out[REFERENCE_CHANNELS * i + REFERENCE_SIGMA] = 0.0;
     }
-    draw_light(t, sunless, light);
+    draw_effects(t, v, sunless, light);
     for (int i = 0; i < PIXELS; ++i) out[REFERENCE_CHANNELS * i + REFERENCE_SUNLESS] = light[3 * i + 1];
     free(light);
 }
@@ -111,7 +121,7 @@ static bool check(const reference_view *v, const bound *within, const char *shad
     for (int i = 0; i < REFERENCE_CHANNELS * PIXELS; ++i) reference[i] = (double)stored[i];
     studio t;
     open_studio(&t, v, WIDTH, HEIGHT, shaders);
-    draw(&t, light);
+    draw(&t, v, light);
     close_studio(&t);
     const bool good = compare(v, within, light, reference);
     free(stored), free(reference), free(light);

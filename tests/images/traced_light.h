@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What tests against a path tracer need: a copy of the shaders without gusts, the share of light that the air lets
-// through, and a studio that draws a view of the reference as radiance at the sea.
+// What tests against a path tracer need: a copy of the shaders without gusts and with a plain sea bed, the share of
+// light that the air lets through, and a studio that draws a view of the reference as radiance at the sea.
 #ifndef BOLAN_TESTS_TRACED_LIGHT_H
 #define BOLAN_TESTS_TRACED_LIGHT_H
 
@@ -10,7 +10,7 @@
 
 #include <dirent.h>
 
-// ---- shaders without gusts -----------------------------------------------------------------------------------------
+// ---- shaders without gusts, whose bed is plain ---------------------------------------------------------------------
 
 static inline void link_folder(const char *from, const char *to, const char *but) {
     DIR *folder = opendir(from);
@@ -37,12 +37,31 @@ static inline void empty_folder(const char *path) {
     rmdir(path);
 }
 
+// Writes ground.glsl with a bed of one albedo, which is as bright from all sides.
+static inline void make_bed(const char *folder) {
+    static const char before[] = "    // The gradients of the billows as bumps";
+    static char text[1 << 16];
+    char path[512];
+    FILE *from = fopen(BOLAN_SOURCE_DIR "/shaders/ground.glsl", "r");
+    assert_non_null(from);
+    text[fread(text, 1, sizeof text - 1, from)] = '\0';
+    fclose(from);
+    char *rest = strstr(text, before);
+    assert_non_null(rest);
+    snprintf(path, sizeof path, "%s/ground.glsl", folder);
+    FILE *to = fopen(path, "w");
+    assert_non_null(to);
+    fprintf(to, "%.*s    m = material(vec3(%g), 0.0, 0.0);\n%s", (int)(rest - text), text, REFERENCE_ALBEDO, rest);
+    fclose(to);
+}
+
 static inline void make_shaders(char *folder) {
     char common[512];
     assert_non_null(mkdtemp(folder));
+    make_bed(folder);
     snprintf(common, sizeof common, "%s/common", folder);
     assert_int_equal(mkdir(common, 0777), 0);
-    link_folder(BOLAN_SOURCE_DIR "/shaders", folder, "");
+    link_folder(BOLAN_SOURCE_DIR "/shaders", folder, "ground.glsl");
     static const char *const whole[] = {"shared", "papers", "include"};
     for (size_t i = 0; i < sizeof whole / sizeof *whole; ++i) {
         char target[512], path[512];
@@ -85,15 +104,14 @@ typedef struct studio {
 
 static inline void open_studio(studio *t, const reference_view *v, uint32_t width, uint32_t height,
                                const char *shaders) {
-    const bolan_scene scene = reference_scene(v);
     const size_t pixels = (size_t)width * height;
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = BOLAN_QUALITY_HIGH;
     desc.shader_directory = shaders;
     *t = (studio){.width = width, .height = height};
     t->rgb = malloc(sizeof(float) * 3 * pixels), t->distance = malloc(sizeof(float) * pixels);
-    assert_true(stage_load(&t->s, &scene));
-    stage_settle(&t->s, scene.time);
+    t->s.scene = reference_scene(v);
+    assert_true(reference_world(v, &t->s.world));
     assert_int_equal(bolan_renderer_create(&desc, &t->s.renderer), BOLAN_OK);
     assert_int_equal(bolan_target_create(width, height, &t->target), BOLAN_OK);
 }
@@ -118,6 +136,15 @@ static inline void add_picture(studio *t, uint32_t effects, double weight, doubl
         for (int c = 0; c < 3; ++c)
             sum[3 * i + (uint32_t)c] += weight * (double)t->rgb[3 * i + (uint32_t)c] / through_air(c, d);
     }
+}
+
+// Radiance of these effects as an eye in the water has it. light: width * height * 3.
+static inline void draw_under_water(studio *t, uint32_t effects, double *light) {
+    t->s.scene.look.effects = effects;
+    const bolan_view v = stage_view(&t->s, t->target, t->width, t->height);
+    bolan_renderer_draw_world(t->s.renderer, t->s.world, &v);
+    bolan_renderer_read_linear(t->s.renderer, t->rgb, t->distance);
+    for (uint32_t i = 0; i < 3 * t->width * t->height; ++i) light[i] = (double)t->rgb[i];
 }
 
 // Radiance of these effects at the sea: the picture less the one without any light of the sea, which is the air's.

@@ -30,6 +30,12 @@ static inline vec normal_of(double sx, double sy) { return unit((vec){-sx, -sy, 
 static inline vec mirrored(vec to_eye, vec normal) {
     return along((vec){-to_eye.x, -to_eye.y, -to_eye.z}, 2.0 * dot3(to_eye, normal), normal);
 }
+// The ray that goes on from a facet, which meets it from the side of to_eye. eta: index beyond the facet over the index
+// before it. Not for total reflection.
+static inline vec refracted(vec to_eye, vec normal, double eta) {
+    const double c = dot3(to_eye, normal), r = 1.0 / eta, k = 1.0 - r * r * (1.0 - c * c);
+    return unit(along((vec){-r * to_eye.x, -r * to_eye.y, -r * to_eye.z}, r * c - sqrt(fmax(k, 0.0)), normal));
+}
 
 // PCG32, O'Neill 2014.
 static inline double uniform(uint64_t *state) {
@@ -93,6 +99,35 @@ static inline double sun_by_facets(vec to_eye, vec to_sun, double mx, double my,
     const double density = slope_density(-h.x / h.z - mx, -h.y / h.z - my, c.xx, c.xy, c.yy);
     return density * fresnel(fmin(cosine, 1.0), WATER_INDEX) * facets_lit(to_eye, to_sun, mx, my, c) /
            (4.0 * h.z * h.z * h.z * h.z * area);
+}
+
+// Slope of the facet that turns a ray of the sun to a direction `to_sun` in the water.
+static inline void slope_through(vec view, vec to_sun, double *sx, double *sy) {
+    const vec h = along((vec){-to_sun.x, -to_sun.y, -to_sun.z}, WATER_INDEX, view);
+    *sx = -h.x / h.z, *sy = -h.y / h.z;
+}
+
+// Radiance of the sun in the water along `view`, the way an eye in it looks, for an irradiance of 1 across its rays in
+// the air, by the facets of covariance c over a place of that slope. The slopes that serve a solid angle of the eye are
+// found by differences.
+static inline double sun_through_facets(vec view, vec to_sun, double mx, double my, covariance c) {
+    const double step = 1e-5, level = fmax(hypot(view.x, view.y), 1e-6);
+    const vec across = {-view.y / level, view.x / level, 0.0};
+    const vec up = {-view.x * view.z / level, -view.y * view.z / level, level};
+    double sx, sy, ax, ay, ux, uy;
+    slope_through(view, to_sun, &sx, &sy);
+    const vec n = normal_of(sx, sy);
+    const double cosine = dot3(n, to_sun), out = dot3(n, view);
+    if (WATER_INDEX * view.z - to_sun.z < 0.02 || cosine <= 0.0 || out <= 0.0 || WATER_INDEX * out < cosine) return 0.0;
+    slope_through(unit(along(view, step, across)), to_sun, &ax, &ay);
+    slope_through(unit(along(view, step, up)), to_sun, &ux, &uy);
+    const double solid = fabs((ax - sx) * (uy - sy) - (ay - sy) * (ux - sx)) / (step * step);
+    const double ex = -view.x / level, ey = -view.y / level; // the facets shown from below lean the other way
+    const double deviation = level * sqrt(fmax(c.xx * ex * ex + 2.0 * c.xy * ex * ey + c.yy * ey * ey, 1e-9));
+    const double facing = view.z - mx * view.x - my * view.y;
+    const double area = fmax(deviation * facing_exact(facing / deviation).area, 1e-3);
+    return slope_density(sx - mx, sy - my, c.xx, c.xy, c.yy) * solid * (1.0 - fresnel(fmin(cosine, 1.0), WATER_INDEX)) *
+           cosine / (n.z * area);
 }
 
 #endif
