@@ -51,8 +51,12 @@ const float FARTHEST = 1e4; // of a ray that meets nothing [m]
 
 // ---- light from things in the water ---------------------------------------------------------------------------------
 
+vec3 light_over(vec3 sunlight) { return sunlight * max(sun_direction.z, 0.0) + sky_light; }
+
 // Radiance of a thing at a depth, which was shaded as if dry.
-vec3 lit_below(vec3 dry, float depth) { return dry * SKY_ENTERS * light_left(depth); }
+vec3 lit_below(vec3 dry, float depth) {
+    return dry * light_entering(sun_light) / max(light_over(sun_light), vec3(1e-9)) * light_left(depth);
+}
 
 #ifdef LAND
 // The bed that a reflected ray meets where the image does not show it: a bright mean of sand and reef.
@@ -76,7 +80,7 @@ vec3 reflected_scene(vec3 from, vec3 dir, vec3 sunlight) {
         vec4 c = view_projection * vec4(at, 1.0);
         vec2 uv = c.xy / max(c.w, 1e-4) * 0.5 + 0.5;
         vec2 inside = min(uv, 1.0 - uv);
-        vec3 dry = BED_ALBEDO / PI * light_entering(sunlight);
+        vec3 dry = BED_ALBEDO / PI * light_over(sunlight);
         vec4 seen = behind(clamp(uv, 0.001, 0.999), seen_at);
         bool same =
             c.w > 0.0 && seen.w > 0.0 && seen_at.z + eye_height < 0.0 && distance(seen_at, at) < 0.3 * length(at);

@@ -237,12 +237,19 @@ void main() {
 #ifdef PICTURE
     sunlight *= gathered_light(position.xy, -g.elevation);
 #else
-    sunlight *= gathered_on_bed(position.xy, -g.elevation);
+    sunlight *= gathered_on_bed(position.xy, -g.elevation, g.footprint);
 #endif
     float up = 0.5 + 0.5 * n.z;
     vec3 around = (sun_light * max(sun_direction.z, 0.0) * 0.6 + sky_light) * vec3(0.13, 0.14, 0.08);
     vec3 ambient = g.open * (sky_light * up + around * (1.0 - up + 0.25 * (1.0 - g.open)));
     vec3 radiance = m.albedo / PI * (sunlight + ambient);
+#ifndef PICTURE
+    if (g.elevation < 0.0) { // what the surface reflects down again is even
+        vec3 left = exp(water_attenuation * g.elevation);
+        vec3 again = vec3(bed_again(m.albedo.r, left.r), bed_again(m.albedo.g, left.g), bed_again(m.albedo.b, left.b));
+        radiance += m.albedo / PI * again * (lit * max(sun_direction.z, 0.0) * sun_light + ambient);
+    }
+#endif
     if (g.elevation > 0.0) radiance = radiance * transmittance + inscatter;
 #ifdef PICTURE
     vec3 through, veil;

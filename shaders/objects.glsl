@@ -138,7 +138,7 @@ void main() {
 #ifdef WET
     radiance *= mix(1.0, gathered_light(bottom.xy, bottom.z), SUN_SHARE);
 #else
-    radiance *= mix(1.0, gathered_at(bottom.xy, bottom.z), SUN_SHARE);
+    radiance *= mix(1.0, gathered_at(bottom.xy, bottom.z, 0.0), SUN_SHARE);
 #endif
 #endif
     color = vec4(radiance + inscatter, 1.0);

@@ -139,9 +139,10 @@ vec3 with_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, roug
 // the water.
 const float BED_ERROR = 4.0; // [px]
 
-// The bed's share of the radiance that leaves the water, and the depth of water over it [m]. mapped: that depth by the
-// shore map.
-vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, float mapped, out float water_path) {
+// The bed's share of the radiance that leaves the water, and the depth of water over it [m]. entered: share of the light
+// on the water that enters it; mapped: that depth by the shore map.
+vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, vec3 entered, float mapped,
+                  out float water_path) {
     vec3 refracted = refract(-view, normal, 1.0 / water_index);
     float down = max(-refracted.z, 0.3);
     vec3 bed, bent_bed;
@@ -153,7 +154,7 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, flo
     if (seen.w > 0.0 && s.w > 0.0 && bent_bed.z < position.z) { seen = s; bed = bent_bed; }
     float error = BED_ERROR * radians_per_pixel * length(position), measured = position.z - bed.z;
     water_path = seen.w > 0.0 ? max(clamp(mapped, measured - error, measured + error), 0.0) : 1e4;
-    return radiance_of_bed(seen.rgb, deep, exp(-water_attenuation * bed_path(water_path, down)));
+    return radiance_of_bed(seen.rgb * entered / BED_ENTERS, deep, exp(-water_attenuation * bed_path(water_path, down)));
 }
 
 #endif
@@ -307,7 +308,8 @@ vec3 transmitted_light(water_here p, vec2 uv, vec3 sunlight, vec3 lit, out float
     vec3 below = effect_is_on(EFFECT_AMBIENT) ? water_reflectance * lit : vec3(0.0);
     water_path = 1e4;
 #ifdef BEHIND
-    vec3 over_bed = bed_radiance(uv, below, p.position, p.view, p.normal, p.depth + p.height, water_path);
+    vec3 entered = lit / max(sunlight * max(sun_direction.z, 0.0) + sky_light, vec3(1e-9));
+    vec3 over_bed = bed_radiance(uv, below, p.position, p.view, p.normal, entered, p.depth + p.height, water_path);
     if (effect_is_on(EFFECT_REFRACTION)) below = over_bed;
 #endif
     if (effect_is_on(EFFECT_SCATTERING)) {

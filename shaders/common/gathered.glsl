@@ -4,6 +4,7 @@
 // bed alone and, in its third channel, that light times the depth of the bed. Deep images are as blurred as the sun's
 // disc and the waves that a patch lacks make them. Needs common/frame.glsl.
 #include "shared/caustic_patches.glsl"
+#include "shared/constants.glsl"
 #pragma unit caustic_map 24
 uniform highp sampler2DArray caustic_map;
 
@@ -20,16 +21,22 @@ float caustic_share(vec2 uv) {
 vec2 caustic_entry(vec2 position, float depth) { return (position - caustic_travel * depth) * caustic_turn.x; }
 float caustic_left(float depth) { return caustic_strength * exp(-caustic_spread.y * depth); }
 
-vec4 caustic_wide(vec2 uv, float depth) {
-    return textureLod(caustic_map, vec3(uv, 0.0), log2(max(caustic_spread.x * depth * caustic_texels(), 1.0)));
+// Twice the standard deviation of an image [m]: of the light at that depth, and of a pixel of that width. blur: of a
+// metre of depth.
+float caustic_blur(float blur, float depth, float width) {
+    return length(vec2(blur * depth, 2.0 * FOOTPRINT_DEVIATION * width));
+}
+
+vec4 caustic_wide(vec2 uv, float blur) {
+    return textureLod(caustic_map, vec3(uv, 0.0), log2(max(blur * caustic_texels(), 1.0)));
 }
 
 vec4 caustic_texel(vec2 uv, float level) { return textureLod(caustic_map, vec3(uv, 1.0), level); }
 
 // As blurred as light is at that depth. A bilinear look-up at level L has a standard deviation of 2^L / 2 texels, and
 // shows the squares of its texels; four look-ups half a level below, whose places make up for that, do not.
-vec4 caustic_near(vec2 uv, float depth) {
-    float texels = caustic_near_blur * depth * CAUSTIC_FINER * caustic_texels();
+vec4 caustic_near(vec2 uv, float blur) {
+    float texels = blur * CAUSTIC_FINER * caustic_texels();
     float level = max(log2(max(texels, 1.0)) - 0.5, 0.0), finer = exp2(level);
     float apart = sqrt(0.5 * max(texels * texels - finer * finer, 0.0)) / float(textureSize(caustic_map, 0).x);
     vec2 a = vec2(0.92, 0.39) * apart, b = vec2(-a.y, a.x); // along no axis of the texels
@@ -48,34 +55,38 @@ float caustic_between(vec3 image, float depth) {
 
 struct caustics_at {
     vec2 wide, near;        // places in the patches
+    float blur, near_blur;  // of the look-ups there: see caustic_blur()
     float left, near_share; // share of the sunlight that is in the pattern; of that, in the near patch
 };
-caustics_at caustic_places(vec2 position, float depth) {
+caustics_at caustic_places(vec2 position, float depth, float width) {
     vec2 entry = caustic_entry(position, depth), near = caustic_near_place + entry * CAUSTIC_FINER;
-    return caustics_at(caustic_place + entry, near, caustic_share(caustic_place + entry) * caustic_left(depth),
+    return caustics_at(caustic_place + entry, near, caustic_blur(caustic_spread.x, depth, width),
+                       caustic_blur(caustic_near_blur, depth, width),
+                       caustic_share(caustic_place + entry) * caustic_left(depth),
                        caustic_near_blur > 0.0 ? caustic_share(near) : 0.0);
 }
 
-// On the bed, depth [m] below eye-relative xy.
-float gathered_on_bed(vec2 position, float depth) {
+// On the bed, depth [m] below eye-relative xy, under a pixel of that width [m].
+float gathered_on_bed(vec2 position, float depth, float width) {
     if (depth <= 0.0 || caustic_spread.x <= 0.0) return 1.0;
-    caustics_at c = caustic_places(position, depth);
-    float light = mix(caustic_wide(c.wide, depth).a, caustic_near(c.near, depth).a, c.near_share);
+    caustics_at c = caustic_places(position, depth, width);
+    float light = mix(caustic_wide(c.wide, c.blur).a, caustic_near(c.near, c.near_blur).a, c.near_share);
     return mix(1.0, light, c.left * smoothstep(0.0, 0.3, depth));
 }
 
 // On a thing at any depth [m]: near the bed by the bed's image.
-float gathered_at(vec2 position, float depth) {
+float gathered_at(vec2 position, float depth, float width) {
     if (depth <= 0.0 || caustic_spread.x <= 0.0) return 1.0;
-    caustics_at c = caustic_places(position, depth);
-    vec4 bed = caustic_near(c.near, depth);
+    caustics_at c = caustic_places(position, depth, width);
+    vec4 bed = caustic_near(c.near, c.near_blur);
     c.near_share *= smoothstep(0.4, 0.7, depth * bed.a / max(bed.b, 1e-3));
-    return mix(1.0, mix(caustic_between(caustic_wide(c.wide, depth).rgb, depth), bed.a, c.near_share), c.left);
+    return mix(1.0, mix(caustic_between(caustic_wide(c.wide, c.blur).rgb, depth), bed.a, c.near_share), c.left);
 }
 
 // In the water itself, where a view adds up many places: from the wide patch alone.
 float gathered_in_water(vec2 position, float depth) {
     if (depth <= 0.0 || caustic_spread.x <= 0.0) return 1.0;
     vec2 uv = caustic_place + caustic_entry(position, depth);
-    return mix(1.0, caustic_between(caustic_wide(uv, depth).rgb, depth), caustic_share(uv) * caustic_left(depth));
+    vec3 image = caustic_wide(uv, caustic_blur(caustic_spread.x, depth, 0.0)).rgb;
+    return mix(1.0, caustic_between(image, depth), caustic_share(uv) * caustic_left(depth));
 }

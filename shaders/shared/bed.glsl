@@ -9,9 +9,20 @@
 #define SKY_ENTERS 0.93
 // The same of sunlight, at all heights of the sun alike: from 25 degrees on it is 0.94 to 0.98.
 #define SUN_ENTERS 0.95
-// Radiance over the water for that under it: through the surface, (1 - F) / n^2 = 0.545 at index 1.34 straight up;
-// light that is reflected down again and comes back makes up for the larger reflectance of slanting rays.
+// Radiance over the water for that of the bed as if dry: of the light on the water enters the share BED_ENTERS, and
+// radiance falls by 1 / n^2 = 0.557 on its way out. The surface takes its reflectance of the view apart.
 #define BED_LEAVES 0.54
+#define BED_ENTERS 0.97
+// Share of the light from the bed, the same in all directions, that the surface reflects down again: 1 - (1 - 0.068) /
+// n^2 at index 1.34, most of it totally. Waves leave it as it is (tests/reference).
+#define BED_AGAIN 0.48
+
+// What light that goes up and down between surface and bed adds to the radiance of the bed, over what it has without.
+// left: share of the light that is left of an even light after the way down.
+SHARED real bed_again(real albedo, real left) {
+    real once = albedo * BED_AGAIN * left * left;
+    return once / (1.0 - once);
+}
 
 // Path that attenuates light from the bed [m], water `depth` deep: straight down once, and up along the view. down:
 // cosine of the refracted view.

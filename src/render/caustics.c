@@ -6,6 +6,7 @@
 
 #include "memory.h"
 #include "shared/caustic_patches.glsl"
+#include "shared/constants.glsl"
 #include "shared/refraction.glsl"
 
 #define LOWEST_SUN 0.06     // sine of its height; below, hardly any sunlight enters
@@ -137,14 +138,22 @@ static patch patch_of(const caustic_maps *c, const render_view *v, int i, bolan_
     return p;
 }
 
-// Blur a metre of depth: of the sun's disc, and of the slopes that the patch cannot show, each of which turns a ray by
-// 1 - 1 / n of itself.
+// Blur a metre of depth: of the sun's disc, and of the slopes that a patch of such cells cannot show. Where flat water
+// turns the sun to an angle w, a slope turns the place where a ray lands by g = (n cos w - cos i) / (n cos w) of itself
+// across the sun's way, and by g / cos^2 w along it. The images have one blur for both.
 static double blur_of(const frame *f, double cell) {
     float hidden[3];
-    bolan_sea_unresolved_slopes(f->sea, cell, cell, 0.0, hidden);
-    const double index = (double)f->block.water_index, turn = 1.0 - 1.0 / index;
-    const double slope = 0.5 * fmax((double)(hidden[0] + hidden[2]), 0.0), disc = SUN_RADIUS / index;
-    return sqrt(turn * turn * slope + 0.25 * disc * disc);
+    const double width = FOOTPRINT_DEVIATION * cell, index = (double)f->block.water_index;
+    const double x = (double)f->sun_direction.x, y = (double)f->sun_direction.y, up = (double)f->sun_direction.z;
+    const double down = refracted_cosine(up, index), turn = 1.0 - up / (index * down), level = hypot(x, y);
+    const double east = level > 1e-4 ? x / level : 1.0, north = level > 1e-4 ? y / level : 0.0;
+    bolan_sea_unresolved_slopes(f->sea, width, width, 0.0, hidden);
+    const double all = (double)(hidden[0] + hidden[2]);
+    const double along =
+        east * east * (double)hidden[0] + 2.0 * east * north * (double)hidden[1] + north * north * (double)hidden[2];
+    const double longer = 1.0 / (down * down * down * down), disc = 0.5 * SUN_RADIUS / (index * down);
+    const double slopes = fmax(all - along, 0.0) + longer * fmax(along, 0.0);
+    return sqrt(0.5 * (turn * turn * slopes + disc * disc * (1.0 + longer * up * up)));
 }
 
 static bolan_vec2 travel_of(const frame *f) {
