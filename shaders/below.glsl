@@ -123,7 +123,8 @@ float sun_through(vec3 dir, vec2 slope, vec3 c) {
     float up2 = h.z * h.z, bend = water_index * to_eye - to_sun;
     float lit = slope_density(off.x, off.y, c.x, c.y, c.z) / (up2 * up2);
     float passes = 1.0 - fresnel(to_sun, water_index);
-    return water_index * water_index * passes * lit * to_sun * to_eye / (max(dir.z, 0.05) * bend * bend);
+    float shown = max(dir.z - dot(slope, dir.xy), 0.05); // of the place, over its plan
+    return water_index * water_index * passes * lit * to_sun * to_eye / (shown * bend * bend);
 }
 
 // Slopes by which a facet that leans so turns a ray through the sun's disc: half the radius of the disc over 1 - 1 / n.

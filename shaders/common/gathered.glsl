@@ -27,14 +27,16 @@ float caustic_blur(float blur, float depth, float width) {
     return length(vec2(blur * depth, 2.0 * FOOTPRINT_DEVIATION * width));
 }
 
+// A bilinear look-up at level L has a standard deviation of 2^L / 2 texels, but keeps 0.44 / 4^L of the variance of a
+// pattern finer than that, where a Gaussian of that deviation keeps 1 / pi. The wider one of the same contrast is read.
+const float AS_GAUSSIAN = 1.18;
 vec4 caustic_wide(vec2 uv, float blur) {
-    return textureLod(caustic_map, vec3(uv, 0.0), log2(max(blur * caustic_texels(), 1.0)));
+    return textureLod(caustic_map, vec3(uv, 0.0), log2(max(AS_GAUSSIAN * blur * caustic_texels(), 1.0)));
 }
 
 vec4 caustic_texel(vec2 uv, float level) { return textureLod(caustic_map, vec3(uv, 1.0), level); }
 
-// As blurred as light is at that depth. A bilinear look-up at level L has a standard deviation of 2^L / 2 texels, and
-// shows the squares of its texels; four look-ups half a level below, whose places make up for that, do not.
+// Four look-ups half a level below, whose places make up for that, are nearer to a Gaussian, and show no squares.
 vec4 caustic_near(vec2 uv, float blur) {
     float texels = blur * CAUSTIC_FINER * caustic_texels();
     float level = max(log2(max(texels, 1.0)) - 0.5, 0.0), finer = exp2(level);

@@ -138,22 +138,38 @@ static patch patch_of(const caustic_maps *c, const render_view *v, int i, bolan_
     return p;
 }
 
-// Blur a metre of depth: of the sun's disc, and of the slopes that a patch of such cells cannot show. Where flat water
-// turns the sun to an angle w, a slope turns the place where a ray lands by g = (n cos w - cos i) / (n cos w) of itself
-// across the sun's way, and by g / cos^2 w along it. The images have one blur for both.
-static double blur_of(const frame *f, double cell) {
+// Blur a metre of depth of rays through slopes that a footprint of that width hides. Where flat water turns a ray from
+// the direction `air` to an angle w, a slope moves the place where it lands by g = (n cos w - cos i) / (n cos w) of
+// itself across its way, and by g / cos^2 w along it. The images have one blur for both.
+static double blur_of(const frame *f, bolan_vec3 air, double width) {
     float hidden[3];
-    const double width = FOOTPRINT_DEVIATION * cell, index = (double)f->block.water_index;
-    const double x = (double)f->sun_direction.x, y = (double)f->sun_direction.y, up = (double)f->sun_direction.z;
-    const double down = refracted_cosine(up, index), turn = 1.0 - up / (index * down), level = hypot(x, y);
-    const double east = level > 1e-4 ? x / level : 1.0, north = level > 1e-4 ? y / level : 0.0;
-    bolan_sea_unresolved_slopes(f->sea, width, width, 0.0, hidden);
-    const double all = (double)(hidden[0] + hidden[2]);
-    const double along =
-        east * east * (double)hidden[0] + 2.0 * east * north * (double)hidden[1] + north * north * (double)hidden[2];
-    const double longer = 1.0 / (down * down * down * down), disc = 0.5 * SUN_RADIUS / (index * down);
-    const double slopes = fmax(all - along, 0.0) + longer * fmax(along, 0.0);
-    return sqrt(0.5 * (turn * turn * slopes + disc * disc * (1.0 + longer * up * up)));
+    const double deviation = FOOTPRINT_DEVIATION * width, index = (double)f->block.water_index;
+    const double x = (double)air.x, y = (double)air.y, up = (double)air.z, level = fmax(hypot(x, y), 1e-6);
+    const double down = refracted_cosine(up, index), turn = 1.0 - up / (index * down);
+    bolan_sea_unresolved_slopes(f->sea, deviation, deviation, 0.0, hidden);
+    const double xx = (double)hidden[0], xy = (double)hidden[1], yy = (double)hidden[2];
+    const double along = fmax((x * x * xx + 2.0 * x * y * xy + y * y * yy) / (level * level), 0.0);
+    const double longer = 1.0 / (down * down * down * down);
+    return turn * sqrt(0.5 * (fmax(xx + yy - along, 0.0) + longer * along));
+}
+
+// The same of the sun's disc.
+static double disc_blur(const frame *f) {
+    const double up = (double)f->sun_direction.z, index = (double)f->block.water_index;
+    const double down = refracted_cosine(up, index), across = 0.5 * SUN_RADIUS / (index * down);
+    return across * sqrt(0.5 * (1.0 + up * up / (down * down * down * down)));
+}
+
+#define LOWEST_VIEW 0.17 // sine of its depression
+// The same of the view through the surface, 0 for an eye in the water: what waves below a pixel do to the sight of the
+// pattern.
+static double view_blur(const render_view *v) {
+    if (v->medium != EYE_IN_AIR) return 0.0;
+    const double heading = bolan_radians(v->lens.heading_deg), pitch = bolan_radians(v->lens.pitch_deg);
+    const double down = fmax(-sin(pitch), LOWEST_VIEW), level = sqrt(1.0 - down * down);
+    const double away = fmax(v->eye.z - v->frame->level, 0.0) / down;
+    const bolan_vec3 to_eye = {(float)(-level * sin(heading)), (float)(-level * cos(heading)), (float)down};
+    return blur_of(v->frame, to_eye, away * (double)v->block.radians_per_pixel);
 }
 
 static bolan_vec2 travel_of(const frame *f) {
@@ -175,9 +191,10 @@ static void set_block(const patch p[CAUSTIC_PATCHES], bolan_vec2 travel, render_
     f->caustics.travel = travel;
     v->caustic_place = place_of_eye(&p[WIDE]);
     v->caustic_near_place = place_of_eye(&p[NEAR]);
-    v->caustic_near_blur = f->ground != NULL ? (float)(2.0 * blur_of(f, p[NEAR].cell)) : 0.0f;
+    const double seen = hypot(disc_blur(f), view_blur(v)), near = blur_of(f, f->sun_direction, p[NEAR].cell);
+    v->caustic_near_blur = f->ground != NULL ? (float)(2.0 * hypot(near, seen)) : 0.0f;
     // what is scattered at all leaves the pattern
-    v->caustic_spread = (bolan_vec2){(float)(2.0 * blur_of(f, p[WIDE].cell)),
+    v->caustic_spread = (bolan_vec2){(float)(2.0 * hypot(blur_of(f, f->sun_direction, p[WIDE].cell), seen)),
                                      (float)(0.5 * (double)f->water.optics.scattering.y / down)};
 }
 
