@@ -115,7 +115,8 @@ vec3 light_above(vec3 dir, float blur) {
 }
 
 // Radiance of the sun through facets of mean slope `slope` and covariance `c`, for an irradiance of 1 across its rays.
-float sun_through(vec3 dir, vec2 slope, vec3 c) {
+// area: plan area that a unit of plan area shows the eye.
+float sun_through(vec3 dir, vec2 slope, vec3 c, float area) {
     vec3 h = normalize(water_index * dir - sun_direction);
     float to_sun = dot(sun_direction, h), to_eye = dot(dir, h);
     if (h.z < 0.05 || to_sun <= 0.0 || to_eye <= 0.0 || sun_direction.z <= 0.0) return 0.0;
@@ -123,38 +124,86 @@ float sun_through(vec3 dir, vec2 slope, vec3 c) {
     float up2 = h.z * h.z, bend = water_index * to_eye - to_sun;
     float lit = slope_density(off.x, off.y, c.x, c.y, c.z) / (up2 * up2);
     float passes = 1.0 - fresnel(to_sun, water_index);
-    float shown = max(dir.z - dot(slope, dir.xy), 0.05); // of the place, over its plan
-    return water_index * water_index * passes * lit * to_sun * to_eye / (shown * bend * bend);
+    return water_index * water_index * passes * lit * to_sun * to_eye / (max(area, 0.05) * bend * bend);
 }
 
-// Slopes by which a facet that leans so turns a ray through the sun's disc: half the radius of the disc over 1 - 1 / n.
-const float SUN_DISC_THROUGH = 7.5e-5;
+// Variance of the slopes that turn the sun's disc to one ray: half its radius over n - 1.
+const float SUN_DISC_THROUGH = 4.7e-5;
+
+// The facets in sight of a ray from below: their slope along its way over the mean, which is Gaussian about `middle`
+// with deviation `spread`, and the share that lets light through. Facets that lean along the ray by more than some edge
+// reflect all of it.
+struct facets_below {
+    vec2 along;           // horizontal direction of the ray
+    float area;           // plan area that a unit of plan area shows
+    float middle, spread;
+    float open;           // share on the open side of the edge
+    vec2 inside, outside; // mean and deviation on both sides of it, in deviations about the middle
+};
+
+facets_below facets_from_below(vec3 dir, vec2 slope, vec3 hidden) {
+    facets_below f;
+    float level = max(length(dir.xy), 1e-4);
+    f.along = dot(dir.xy, dir.xy) > 1e-8 ? dir.xy / level : vec2(1.0, 0.0);
+    vec2 h = f.along;
+    float sigma = sqrt(max(hidden.x * h.x * h.x + 2.0 * hidden.y * h.x * h.y + hidden.z * h.y * h.y, 1e-8));
+    facing_facets seen = facing_exact((dir.z - dot(slope, h) * level) / (level * sigma));
+    f.area = level * sigma * seen.area;
+    f.middle = -sigma * seen.tilt;
+    f.spread = length(vec2(sigma * seen.kept, FOOTPRINT_DEVIATION * radians_per_pixel)); // a pixel is no point
+    float critical = sqrt(water_index * water_index - 1.0); // tangent of the least elevation that a level facet lets out
+    float edge = (dir.z - critical * level) / (level + critical * dir.z) - dot(slope, h);
+    float u = clamp((edge - f.middle) / f.spread, -3.0, 3.0), pdf = normal_pdf(u);
+    f.open = normal_below(u, pdf);
+    float below = pdf / max(f.open, 1e-3), above = pdf / max(1.0 - f.open, 1e-3);
+    f.inside = vec2(-below, sqrt(max(1.0 - u * below - below * below, 0.02)));
+    f.outside = vec2(above, sqrt(max(1.0 + u * above - above * above, 0.02)));
+    return f;
+}
+
+vec3 facet_normal(facets_below f, vec2 slope, float deviations) {
+    return normalize(vec3(-slope - f.along * (f.middle + f.spread * deviations), 1.0));
+}
+
+// Radiance of what the facets reflect, `reflectance` of them on the inside.
+vec3 reflected_below(facets_below f, vec3 position, vec3 dir, vec2 slope, float reflectance, vec3 sunlight) {
+    float far = 1.0 - f.open, near = f.open * reflectance, all = max(far + near, 1e-4);
+    float mean = (far * f.outside.x + near * f.inside.x) / all, square = far * dot(f.outside, f.outside);
+    float deviation = sqrt(max((square + near * dot(f.inside, f.inside)) / all - mean * mean, 0.0));
+    vec3 light = vec3(0.0);
+#ifdef LAND
+    const int RAYS = 2;
+#else
+    const int RAYS = 1;
+    deviation = 0.0;
+#endif
+    for (int i = 0; i < RAYS; ++i) {
+        vec3 down = reflect(dir, facet_normal(f, slope, mean + (i == 0 ? deviation : -deviation)));
+        down.z = -abs(down.z);
+        light += reflected_scene(position, down, sunlight) / float(RAYS);
+    }
+    return light;
+}
 
 // Radiance that the surface sends down along the ray -dir.
 vec3 surface_from_below(vec3 position, vec3 dir, vec2 slope, vec3 hidden, vec3 sunlight) {
-    vec2 h = length(dir.xy) > 1e-4 ? normalize(dir.xy) : vec2(1.0, 0.0);
-    float sigma = sqrt(max(hidden.x * h.x * h.x + 2.0 * hidden.y * h.x * h.y + hidden.z * h.y * h.y, 1e-8));
-    vec3 through = vec3(0.0), mirrored = vec3(0.0);
-    float reflectance = 0.0, weights = 0.0;
-    for (int i = -1; i <= 1; ++i) { // Gauss's quadrature for a Gaussian
-        vec3 up = normalize(vec3(-slope - h * (1.7320508 * sigma * float(i)), 1.0));
-        float cosine = dot(dir, up), weight = (i == 0 ? 2.0 / 3.0 : 1.0 / 6.0) * max(cosine, 0.0);
-        if (cosine <= 0.0) continue;
-        float r = fresnel(cosine, 1.0 / water_index);
-        if (r < 1.0) through += weight * (1.0 - r) * light_above(refract(dir, -up, water_index), 0.5 * sigma);
-        reflectance += weight * r;
-        weights += weight;
+    facets_below f = facets_from_below(dir, slope, hidden);
+    vec3 through = vec3(0.0);
+    float reflected = 0.0; // by the facets on the open side
+    for (int i = 0; i < 2; ++i) {
+        vec3 up = facet_normal(f, slope, f.inside.x + (i == 0 ? f.inside.y : -f.inside.y));
+        float cosine = clamp(dot(dir, up), 0.0, 1.0), r = fresnel(cosine, 1.0 / water_index);
+        if (r < 1.0) through += (1.0 - r) * light_above(refract(dir, -up, water_index), 0.5 * f.spread);
+        reflected += 0.5 * r;
     }
-    weights = max(weights, 1e-4);
-    through *= water_index * water_index / weights;
-    reflectance /= weights;
-    vec3 up = normalize(vec3(-slope, 1.0)), down = reflect(dir, up);
-    down.z = -abs(down.z);
-    if (effect_is_on(EFFECT_REFLECTION)) mirrored = reflected_scene(position, normalize(down), sunlight);
-    vec3 light = effect_is_on(EFFECT_REFRACTION) ? through : vec3(0.0);
+    vec3 light = effect_is_on(EFFECT_REFRACTION) ? 0.5 * f.open * water_index * water_index * through : vec3(0.0);
     if (effect_is_on(EFFECT_GLITTER))
-        light += sunlight * sun_through(dir, slope, hidden + vec3(SUN_DISC_THROUGH, 0.0, SUN_DISC_THROUGH));
-    return light + reflectance * mirrored;
+        light += sunlight *
+                 sun_through(dir, slope, hidden + vec3(SUN_DISC_THROUGH, 0.0, SUN_DISC_THROUGH), f.area);
+    if (effect_is_on(EFFECT_REFLECTION))
+        light += (1.0 - f.open * (1.0 - reflected)) *
+                 reflected_below(f, position, dir, slope, reflected, sunlight);
+    return light;
 }
 
 // ---- shafts of light ------------------------------------------------------------------------------------------------
