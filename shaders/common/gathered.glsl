@@ -85,10 +85,11 @@ float gathered_at(vec2 position, float depth, float width) {
     return mix(1.0, mix(caustic_between(caustic_wide(c.wide, c.blur).rgb, depth), bed.a, c.near_share), c.left);
 }
 
-// In the water itself, where a view adds up many places: from the wide patch alone.
-float gathered_in_water(vec2 position, float depth) {
+// In the water itself, where a view adds up many places, whose light entered `apart` metres from one another: from the
+// wide patch alone.
+float gathered_in_water(vec2 position, float depth, float apart) {
     if (depth <= 0.0 || caustic_spread.x <= 0.0) return 1.0;
     vec2 uv = caustic_place + caustic_entry(position, depth);
-    vec3 image = caustic_wide(uv, caustic_blur(caustic_spread.x, depth, 0.0)).rgb;
+    vec3 image = caustic_wide(uv, length(vec2(caustic_spread.x * depth, apart))).rgb;
     return mix(1.0, caustic_between(image, depth), caustic_share(uv) * caustic_left(depth));
 }
