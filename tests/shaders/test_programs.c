@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // No program is compiled inside a frame: for each technique the eye flies from 10 km to under the waves, turns and
 // comes to a coast, and after the first frame the renderer's count of programs stays. Every program that this made
-// keeps to 12 texture units a fragment shader: the 16 of WebGL 2, with four to spare.
+// fetches from at most 16 textures in a fragment shader, the kept shape included.
 #include "gl_support.h"
 
 #include "bolan/io.h"
@@ -61,8 +61,9 @@ static int samplers_of(GLuint program) {
         GLenum type;
         char name[64];
         glGetActiveUniform(program, (GLuint)i, sizeof name, NULL, &size, &type, name);
-        if (type != GL_SAMPLER_2D && type != GL_SAMPLER_3D && type != GL_SAMPLER_2D_ARRAY && type != GL_SAMPLER_CUBE)
-            continue;
+        const bool fetched = type == GL_SAMPLER_2D || type == GL_SAMPLER_3D || type == GL_SAMPLER_2D_ARRAY ||
+                             type == GL_SAMPLER_CUBE || type == GL_UNSIGNED_INT_SAMPLER_2D;
+        if (!fetched) continue;
         GLint used = 1;
         const GLenum property = GL_REFERENCED_BY_FRAGMENT_SHADER;
         if (tells) glGetProgramResourceiv(program, GL_UNIFORM, (GLuint)i, 1, &property, 1, NULL, &used);
