@@ -34,7 +34,6 @@ void main() { fullscreen(0.0); }
 #include "common/rough.glsl"
 #include "common/water_light.glsl"
 #include "common/foam.glsl"
-#include "common/surf.glsl"
 #include "common/look.glsl"
 
 #include "common/shape_maps.glsl"
@@ -46,6 +45,9 @@ layout(std140) uniform Optics {
 
 #ifdef BEHIND
 #include "common/behind.glsl"
+#endif
+#ifdef LAND
+#include "common/shore_foam.glsl"
 #endif
 
 // The ray that a facet of that slope reflects towards the observer.
@@ -157,35 +159,6 @@ vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, vec
     return radiance_of_bed(seen.rgb * entered / BED_ENTERS, deep, exp(-water_attenuation * bed_path(water_path, down)));
 }
 
-#endif
-
-#ifdef LAND
-// The look of the shore in this optics, chosen by eye.
-const surf_look SURF_LOOK = surf_look(0.35, 1.6, 0.1, 0.02, 0.35, 0.75, 0.0);
-const float ROCKS_DRY = 1.5, ROCKS_DEEP = 0.8;    // heights that the surge covers: this much dry [m], this much drowned
-const float ROCKS_MEAN = 0.55, ROCKS_PULSE = 0.45; // cover by surge
-
-// The least depth of the mean water within a few metres [m]; `depth` where no rocks can be so near.
-const float ROCKS_NEAR = 5.0, ROCKS_STEEP = 3.0; // [m]; rise of the bed over its run
-float least_depth(vec2 rest, float depth) {
-    float least = depth;
-    for (int i = 0; i < 4 && depth < ROCKS_DEEP + ROCKS_STEEP * ROCKS_NEAR; ++i) {
-        vec2 d = ROCKS_NEAR * vec2(i < 2 ? 1.0 : -1.0, (i & 1) == 0 ? 1.0 : -1.0);
-        least = min(least, -shore_elevation(rest + d));
-    }
-    return least;
-}
-
-// Bores, swash at the edge, and surge at rocks. water_path: depth under the pixel [m]. Noise bends the fronts and lets
-// the surge come at different times.
-float shore_cover(vec2 rest, float depth, float water_path, vec2 noise) {
-    float wobble = 2.0 * (noise.x - 0.5); // as wide as a uniform distribution
-    float bore = bore_foam(behind_front(rest, depth, 0.9 * wobble + noise.y));
-    float broken = surf_cover(depth / shore_height + wobble, bore, SURF_LOOK);
-    float rocks = shallows(least_depth(rest, depth), -ROCKS_DRY, ROCKS_DEEP);
-    rocks *= surge(ROCKS_MEAN, ROCKS_PULSE, surf_time + 2.0 * wobble);
-    return clamp(max(max(broken, rocks), swash_cover(water_path, surf_time, SURF_LOOK)), 0.0, 1.0);
-}
 #endif
 
 #pragma unit sun_share 17

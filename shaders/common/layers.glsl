@@ -59,15 +59,12 @@ float layer_kept(int i, footprint f) {
 }
 
 #ifdef LAND
-const float LAYER_STEP = 0.05; // of depth to either side [m]
-
-// Slope that the coast adds where its share of a layer changes: by its height in water of other depths. Water deeper
-// than eight of its heights leaves all.
+// Slope that the coast adds where its share of a layer changes: by its height in water of other depths.
 vec2 layer_lean(int i, vec2 rest, float depth) {
     vec2 lean = vec2(0.0);
-    if (shore_present == 1 && abs(depth) < 8.2 * layer_extent[i].w)
-        lean = shore_fall(rest) * ((layer_at(i, rest, depth + LAYER_STEP).height -
-                                    layer_at(i, rest, depth - LAYER_STEP).height) / (2.0 * LAYER_STEP));
+    if (shore_present == 1 && feels_bed(depth, layer_extent[i].w))
+        lean = shore_fall(rest) * ((layer_at(i, rest, depth + LEAN_STEP).height -
+                                    layer_at(i, rest, depth - LEAN_STEP).height) / (2.0 * LEAN_STEP));
     return lean;
 }
 #else

@@ -61,10 +61,8 @@ vec2 unwarped(sea_place p, vec2 gradient) {
 struct cascades_lean {
     vec4 x, y;
 };
-const float LEAN_STEP = 0.05; // of depth to either side [m]
 
-// Deeper water leaves all of every wave.
-bool is_leaning(float depth) { return shore_present == 1 && abs(depth) < 8.2 * significant_height; }
+bool is_leaning(float depth) { return shore_present == 1 && feels_bed(depth, significant_height); }
 
 // Where the depth changes, so do the amplitudes, and that leans the water. Twin of add_lean() in
 // src/query/block.kernel.c.

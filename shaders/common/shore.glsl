@@ -42,6 +42,11 @@ vec2 shore_fall(vec2 position) {
            (2.0 * step.x);
 }
 
+const float LEAN_STEP = 0.05; // of depth to either side, for the difference that the lean of a shelving bed is [m]
+
+// False: waves of that significant height are those of deep water, and do not lean.
+bool feels_bed(float depth, float hs) { return abs(depth) < COAST_DEEP * hs + LEAN_STEP; }
+
 // coast_attenuation() of four bands that make one sea, 0 for a band that is not there; together they keep what one sea
 // of their height does. Twin of bolan_coast_attenuations() in src/coast/attenuation.c.
 vec4 coast_attenuations(float depth, vec4 hs) {

@@ -37,20 +37,10 @@ void main() {
 #include "common/frame.glsl"
 #include "common/water_block.glsl"
 #include "common/shape.glsl"
+#include "common/shore_foam.glsl"
 #include "common/shape_maps.glsl"
 #include "common/behind.glsl"
 uniform vec4 region; // of the target: left, bottom, right, top [px]
-
-// Of significant heights, from where on coast_attenuation() is 1 and surf_cover() is 0; and depth without surge at
-// rocks [m]: see least_depth() of water_physical.glsl.
-const float ATTENUATED = 9.0, SURF = 3.0, ROCKS = 16.0;
-
-// Depth below which the bed leaves waves and foam alone [m].
-float deep() {
-    float height = significant_height;
-    for (int i = 0; i < layer_count; ++i) height = max(height, layer_extent[i].w);
-    return max(max(ATTENUATED * height, SURF * shore_height), ROCKS);
-}
 
 // What a tile has.
 const uint WATER = 1u, SHALLOW = 2u, BED = 4u;
@@ -59,7 +49,7 @@ uint here(vec2 centre) {
     uvec4 texel = texelFetch(surface_shape, pixel, 0);
     vec3 where;
     uint bed = behind((vec2(pixel) + 0.5) * pixel_size, where).w > 0.0 ? BED : 0u;
-    uint shallow = shape_of(texel, vec2(0.0)).depth > deep() ? 0u : SHALLOW;
+    uint shallow = is_shallow(shape_of(texel, vec2(0.0)).depth) ? SHALLOW : 0u;
     return texel.x == 0u ? 0u : WATER | shallow | bed;
 }
 

@@ -5,22 +5,26 @@
 #define BOLAN_SHARED_ATTENUATION
 #include "shared/language.glsl"
 
+#define TANH_WHOLE 4.9f     // from where rational_tanh() is 1
+#define BREAKING_LIMIT 0.6f // significant height over depth
+#define COAST_DEEP (TANH_WHOLE / BREAKING_LIMIT) // depth in significant heights from where waves keep all
+
 // tanh for x >= 0 by Lambert's continued fraction to seven terms: error below 4e-6 up to 3.4 and below 1.3e-4 up to
-// 4.9, where it passes 1 and is cut. tanh() itself overflows on some drivers.
+// TANH_WHOLE, where it is cut to 1. tanh() itself overflows on some drivers.
 SHARED float rational_tanh(float x) {
     float x2 = x * x;
     float p = x * (135135.0f + x2 * (17325.0f + x2 * (378.0f + x2)));
     float q = 135135.0f + x2 * (62370.0f + x2 * (3150.0f + x2 * 28.0f));
     float t = p / q;
-    return x > 4.9f || t > 1.0f ? 1.0f : t;
+    return x > TANH_WHOLE || t > 1.0f ? 1.0f : t;
 }
 
 // Share of its deep-water amplitude that a sea of significant height hs [m] keeps in depth [m] of water: the breaking
-// limit Hs <= 0.6 depth, in the smooth form tanh(0.6 depth / hs).
+// limit Hs <= BREAKING_LIMIT depth, in the smooth form tanh(BREAKING_LIMIT depth / hs).
 SHARED float coast_attenuation(float depth, float hs) {
     if (!(depth > 0.0f)) return 0.0f;
     if (!(hs > 0.0f)) return 1.0f;
-    float x = 0.6f * depth / hs;
+    float x = BREAKING_LIMIT * depth / hs;
     return rational_tanh(x < 10.0f ? x : 10.0f);
 }
 
