@@ -104,7 +104,7 @@ targets() {
         case $name in
         cli/*) echo bolan_cli ;;
         examples/*) echo "example_${name#*/}" ;;
-        sources/shaders) echo print_shader ;;
+        sources/shaders) echo print_shader print_variants ;;
         sources/*) ;;
         *) echo "${name#*/}" ;;
         esac

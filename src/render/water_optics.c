@@ -26,13 +26,16 @@ static uint32_t features_of(const water_draw *d) {
            (bolan_sea_get_desc(d->view->frame->sea)->order > 1 ? WATER_FEATURE_BOUND : 0);
 }
 
-const gl_program *bolan_water_program(const water_draw *d, const water_shader *shader, uint32_t own) {
+const gl_program *bolan_water_find_program(const water_draw *d, const water_shader *shader, uint32_t own) {
     const uint32_t wave_count = bolan_sea_component_count(d->view->frame->sea);
     const water_variant v =
         bolan_water_variant_of(shader, own, d->waves, wave_count, features_of(d), d->view->frame->compute_pixels);
-    const gl_program *program = bolan_water_programs_find(d->programs, &v);
-    if (program == NULL) return NULL;
-    bolan_gl_program_use(program);
+    return bolan_water_programs_find(d->programs, &v);
+}
+
+const gl_program *bolan_water_program(const water_draw *d, const water_shader *shader, uint32_t own) {
+    const gl_program *program = bolan_water_find_program(d, shader, own);
+    if (program != NULL) bolan_gl_program_use(program);
     return program;
 }
 

@@ -21,9 +21,10 @@ typedef struct water_draw {
     double vertical; // bound of the displacement [m]
 } water_draw;
 
-// The program of this shader for these waves, this surface, with or without land, and its own defines `own`; used.
+// The program of this shader for these waves, this surface, with or without land, and its own defines `own`.
 // NULL: it does not compile (logged when it was prepared).
-const gl_program *bolan_water_program(const water_draw *d, const water_shader *shader, uint32_t own);
+const gl_program *bolan_water_find_program(const water_draw *d, const water_shader *shader, uint32_t own);
+const gl_program *bolan_water_program(const water_draw *d, const water_shader *shader, uint32_t own); // and uses it
 // The one function that writes the block Water.
 void bolan_water_fill(water_block *b, const water_draw *d);
 // Draws the mesh with its depth into the frame's picture: what most optics do with a program that is set up.

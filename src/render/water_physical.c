@@ -280,12 +280,13 @@ static bool draw_land(shape *s, const water_draw *d) {
 
 // Where land or objects are in the scene, by compute shaders.
 static void light_tiles(const physical *p, const water_draw *d, water_rows rows, bool foams, bool streaks) {
-    const gl_program *sort = bolan_water_program(d, &tile_shader, 0), *begin = bolan_water_program(d, &tile_shader, 1);
+    const gl_program *sort = bolan_water_find_program(d, &tile_shader, 0);
+    const gl_program *begin = bolan_water_find_program(d, &tile_shader, 1);
     const gl_program *programs[TILE_CLASSES];
     bool all = sort != NULL && begin != NULL;
     for (int i = 0; i < TILE_CLASSES; ++i) {
         const light_variant v = light_of_tiles((pixel_tile_class)i, p->quality, foams, streaks);
-        programs[i] = bolan_water_program(d, v.shader, v.own);
+        programs[i] = bolan_water_find_program(d, v.shader, v.own);
         all = all && programs[i] != NULL;
     }
     if (!all) return;

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "picture.h"
+#include "render/gl/gl.h"
 
 #define WIDTH 96
 #define HEIGHT 64
@@ -283,6 +284,26 @@ static void uncounted(void *user, void *memory, size_t size) {
     free(memory);
 }
 
+static void check_allocations(stage *s, const char *name, const bolan_technique *technique) {
+    bolan_scene scene = load(name);
+    scene.sea.resolution = 128;
+    bolan_scene_set_technique(&scene, technique);
+    stage_settle_scene(s, &scene);
+    bolan_target *target = NULL;
+    assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
+    for (int k = 0; k < 5; ++k) {
+        if (k == 2) allocations = 0;
+        s->scene.camera.position.x += 0.3;
+        stage_update(s);
+        stage_step(s, scene.time + 0.1 * k);
+        const bolan_view view = stage_view(s, target, WIDTH, HEIGHT);
+        bolan_renderer_draw_world(s->renderer, s->world, &view);
+    }
+    assert_int_equal(errors, 0);
+    if (allocations) fail_msg("%s: %d allocations", technique->name, allocations);
+    bolan_target_destroy(&target);
+}
+
 static void later_frames_allocate_nothing(void **state) {
     (void)state;
     bolan_set_hooks(&(bolan_hooks){.allocate = counted, .release = uncounted, .log = count_errors});
@@ -293,26 +314,16 @@ static void later_frames_allocate_nothing(void **state) {
     const bolan_technique *all = bolan_techniques(&count);
     stage s;
     open_empty(&s);
-    for (uint32_t i = 0; i < count; i++) {
-        bolan_scene scene = load("pond");
-        scene.sea.resolution = 128;
-        bolan_scene_set_technique(&scene, &all[i]);
-        stage_settle_scene(&s, &scene);
-        bolan_target *target = NULL;
-        assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &target), BOLAN_OK);
-        for (int k = 0; k < 5; ++k) {
-            if (k == 2) allocations = 0;
-            s.scene.camera.position.x += 0.3;
-            stage_update(&s);
-            stage_step(&s, scene.time + 0.1 * k);
-            const bolan_view view = stage_view(&s, target, WIDTH, HEIGHT);
-            bolan_renderer_draw_world(s.renderer, s.world, &view);
-        }
-        assert_int_equal(errors, 0);
-        if (allocations) fail_msg("%s: %d allocations", all[i].name, allocations);
-        bolan_target_destroy(&target);
-    }
+    for (uint32_t i = 0; i < count; i++) check_allocations(&s, "pond", &all[i]);
+    bolan_technique nested = bolan_technique_ocean;
+    nested.name = "ocean on nested levels", nested.surface = BOLAN_SURFACE_NESTED;
+    check_allocations(&s, "open-sea", &nested);
     stage_close(&s);
+    stage_pixels = bolan_gl_get_caps().compute ? BOLAN_PIXELS_COMPUTE : BOLAN_PIXELS_FRAGMENT;
+    open_empty(&s);
+    check_allocations(&s, "island", &nested); // tiles of each class
+    stage_close(&s);
+    stage_pixels = BOLAN_PIXELS_AUTO;
     bolan_context_destroy(&context);
     bolan_set_hooks(NULL);
 }

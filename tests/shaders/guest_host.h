@@ -19,9 +19,9 @@ typedef struct rig {
     bolan_view view;
 } rig;
 
-static inline void open_rig(rig *r, const bolan_renderer_desc *desc) {
+static inline void open_rig_of(rig *r, const bolan_renderer_desc *desc, const char *scene) {
     memset(r, 0, sizeof *r);
-    assert_int_equal(bolan_scene_load("open-sea", &r->scene), BOLAN_OK);
+    assert_int_equal(bolan_scene_load(scene, &r->scene), BOLAN_OK);
     r->scene.sea.resolution = 64;
     r->scene.sea.fft.cascade_count = 2;
     assert_int_equal(bolan_world_load_scene(&r->scene, &r->world), BOLAN_OK);
@@ -31,6 +31,8 @@ static inline void open_rig(rig *r, const bolan_renderer_desc *desc) {
     r->view = bolan_view_from_camera(&r->scene.camera, WIDTH, HEIGHT);
     r->view.framebuffer = bolan_target_framebuffer(r->target);
 }
+
+static inline void open_rig(rig *r, const bolan_renderer_desc *desc) { open_rig_of(r, desc, "open-sea"); }
 
 static inline bolan_renderer_desc low_quality(void) {
     bolan_renderer_desc desc = bolan_renderer_desc_default();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // No program is compiled inside a frame: for each technique the eye flies from 10 km to under the waves, turns and
 // comes to a coast, and after the first frame the renderer's count of programs stays. Every program that this made
-// fetches from at most 16 textures in a fragment shader, the kept shape included.
+// fetches from at most 16 textures, the kept shape included.
 #include "gl_support.h"
 
 #include "bolan/io.h"
@@ -11,7 +11,7 @@
 #include <string.h>
 
 enum { WIDTH = 96, HEIGHT = 64, MOST_NAMES = 4000 };
-enum { MOST_SAMPLERS = 16 }; // OpenGL 3.3 and ES 3.0 promise so many to a fragment shader
+enum { MOST_SAMPLERS = 16 }; // OpenGL 3.3 and ES 3.0 promise so many to a stage
 
 typedef struct flight {
     bolan_scene scene;
@@ -19,6 +19,8 @@ typedef struct flight {
     bolan_renderer *renderer;
     bolan_target *target;
 } flight;
+
+static bolan_pixels pixels; // what shades them; auto
 
 static void open_flight(flight *f, const char *name, const bolan_technique *technique, bolan_quality quality) {
     *f = (flight){.world = NULL};
@@ -30,6 +32,7 @@ static void open_flight(flight *f, const char *name, const bolan_technique *tech
     bolan_world_step(f->world, 1.0);
     bolan_renderer_desc desc = bolan_renderer_desc_default();
     desc.quality = quality;
+    desc.pixels = pixels;
     assert_int_equal(bolan_renderer_create(&desc, &f->renderer), BOLAN_OK);
     assert_int_equal(bolan_target_create(WIDTH, HEIGHT, &f->target), BOLAN_OK);
 }
@@ -51,7 +54,7 @@ static uint32_t programs_after(flight *f) {
     return bolan_renderer_statistics(f->renderer).programs;
 }
 
-// Fragment samplers where the driver tells (OpenGL 4.3), else those of both stages.
+// Samplers of fragment and compute shaders where the driver tells (OpenGL 4.3), else those of all stages.
 static int samplers_of(GLuint program) {
     GLint count = 0, samplers = 0;
     glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
@@ -64,10 +67,10 @@ static int samplers_of(GLuint program) {
         const bool fetched = type == GL_SAMPLER_2D || type == GL_SAMPLER_3D || type == GL_SAMPLER_2D_ARRAY ||
                              type == GL_SAMPLER_CUBE || type == GL_UNSIGNED_INT_SAMPLER_2D;
         if (!fetched) continue;
-        GLint used = 1;
-        const GLenum property = GL_REFERENCED_BY_FRAGMENT_SHADER;
-        if (tells) glGetProgramResourceiv(program, GL_UNIFORM, (GLuint)i, 1, &property, 1, NULL, &used);
-        samplers += used ? size : 0;
+        GLint used[2] = {1, 1};
+        const GLenum by[2] = {GL_REFERENCED_BY_FRAGMENT_SHADER, GL_REFERENCED_BY_COMPUTE_SHADER};
+        if (tells) glGetProgramResourceiv(program, GL_UNIFORM, (GLuint)i, 2, by, 2, NULL, used);
+        samplers += used[0] || used[1] ? size : 0;
     }
     return samplers;
 }
@@ -105,16 +108,18 @@ static void fly(flight *f, const char *name) {
     check_samplers(name);
 }
 
+static void fly_one(const char *scene, bolan_quality quality, const bolan_technique *technique) {
+    flight f;
+    open_flight(&f, scene, technique, quality);
+    fly(&f, technique->name);
+    close_flight(&f);
+}
+
 static void fly_all(const char *scene, bolan_quality quality) {
     uint32_t count;
     const bolan_technique *all = bolan_techniques(&count);
     assert_int_equal(count, 5);
-    for (uint32_t i = 0; i < count; ++i) {
-        flight f;
-        open_flight(&f, scene, &all[i], quality);
-        fly(&f, all[i].name);
-        close_flight(&f);
-    }
+    for (uint32_t i = 0; i < count; ++i) fly_one(scene, quality, &all[i]);
 }
 
 static void a_flight_over_the_open_sea_compiles_nothing(void **state) {
@@ -125,6 +130,17 @@ static void a_flight_over_the_open_sea_compiles_nothing(void **state) {
 static void a_flight_over_a_coast_compiles_nothing(void **state) {
     (void)state;
     fly_all("island", BOLAN_QUALITY_MEDIUM);
+}
+
+// The levels are drawn by instancing, of whatever blocks are in sight; of the tiles, more classes come into sight.
+static void a_flight_over_nested_levels_and_tiles_compiles_nothing(void **state) {
+    (void)state;
+    bolan_technique nested = bolan_technique_ocean;
+    nested.name = "ocean on nested levels", nested.surface = BOLAN_SURFACE_NESTED;
+    fly_one("open-sea", BOLAN_QUALITY_MEDIUM, &nested);
+    pixels = bolan_gl_get_caps().compute ? BOLAN_PIXELS_COMPUTE : BOLAN_PIXELS_FRAGMENT;
+    fly_one("island", BOLAN_QUALITY_LOW, &nested);
+    pixels = BOLAN_PIXELS_AUTO;
 }
 
 // ---- the sun turns --------------------------------------------------------------------------------------------------
@@ -176,6 +192,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_flight_over_the_open_sea_compiles_nothing, gl_setup_core, gl_teardown),
         cmocka_unit_test_setup_teardown(a_flight_over_a_coast_compiles_nothing, gl_setup_core, gl_teardown),
+        cmocka_unit_test_setup_teardown(a_flight_over_nested_levels_and_tiles_compiles_nothing, gl_setup_core,
+                                        gl_teardown),
         cmocka_unit_test_setup_teardown(a_window_bakes_for_a_new_sun_only_when_asked, gl_setup_core, gl_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What a renderer does with the host's state: `full` is test_guest.c; here `declared` puts back what was declared,
 // `none` draws the same image whatever the host has set, and neither asks OpenGL for anything. The calls of OpenGL are
-// counted: at most 60 for the water of a view.
+// counted: at most 60 for the water of a view, whatever makes its surface; 20 more where its tiles are sorted and each
+// class is shaded.
 #include "guest_host.h"
 
 #include <epoxy/gl.h>
 
-enum { MOST_WATER_CALLS = 60, WARM_UP = 3, FRAMES = 40 };
+enum { MOST_WATER_CALLS = 60, MOST_TILE_CALLS = 20, WARM_UP = 3, FRAMES = 40 };
 
 static bolan_renderer_desc desc_of(bolan_restore restore) {
     bolan_renderer_desc desc = low_quality();
@@ -138,10 +139,12 @@ static void only_full_asks(void **state) {
     }
 }
 
-static void count_technique(const bolan_technique *technique, const char *scene) {
-    const bolan_renderer_desc desc = desc_of(BOLAN_RESTORE_NONE);
+static void count_technique(const bolan_technique *technique, const char *scene, bolan_pixels pixels) {
+    bolan_renderer_desc desc = desc_of(BOLAN_RESTORE_NONE);
     rig r;
-    open_rig(&r, &desc);
+    desc.pixels = pixels;
+    open_rig_of(&r, &desc, scene);
+    assert_int_equal(bolan_renderer_pixels(r.renderer), pixels);
     bolan_scene_set_technique(&r.scene, technique);
     assert_int_equal(bolan_world_set_scene(r.world, &r.scene), BOLAN_OK);
     for (int i = 0; i < WARM_UP; i++) step_and_draw(&r, i);
@@ -150,10 +153,11 @@ static void count_technique(const bolan_technique *technique, const char *scene)
         const bolan_frame_statistics s = bolan_renderer_statistics(r.renderer);
         const uint32_t view = calls_of(&s, "view"), water = calls_of(&s, "water");
         if (i == WARM_UP)
-            print_message("%s, %s: %u calls of OpenGL prepare the view, %u draw the water, %u in all\n", scene,
-                          technique->name, view, water, s.gl_calls);
+            print_message("%s, %s, %s: %u calls of OpenGL prepare the view, %u draw the water, %u in all\n", scene,
+                          technique->name, bolan_pixels_names[pixels], view, water, s.gl_calls);
         assert_true(water > 0 && view > 0);
-        assert_true(view + water <= MOST_WATER_CALLS);
+        const bool tiles = pixels == BOLAN_PIXELS_COMPUTE && bolan_world_water(r.world)->ground != NULL;
+        assert_true(view + water <= (tiles ? MOST_WATER_CALLS + MOST_TILE_CALLS : MOST_WATER_CALLS));
         assert_true(s.gl_calls >= view + water);
     }
     close_rig(&r);
@@ -163,7 +167,20 @@ static void water_takes_few_calls(void **state) {
     (void)state;
     uint32_t count = 0;
     const bolan_technique *list = bolan_techniques(&count);
-    for (uint32_t i = 0; i < count; i++) count_technique(&list[i], "open-sea");
+    for (uint32_t i = 0; i < count; i++) count_technique(&list[i], "open-sea", BOLAN_PIXELS_FRAGMENT);
+}
+
+static void nested_levels_and_tiles_take_few_calls(void **state) {
+    (void)state;
+    const char *const scenes[] = {"open-sea", "island"};
+    bolan_technique nested = bolan_technique_ocean;
+    nested.name = "ocean on nested levels", nested.surface = BOLAN_SURFACE_NESTED;
+    for (int i = 0; i < 2; ++i) {
+        count_technique(&nested, scenes[i], BOLAN_PIXELS_FRAGMENT);
+        if (!bolan_gl_get_caps().compute) continue;
+        count_technique(&nested, scenes[i], BOLAN_PIXELS_COMPUTE);
+        count_technique(&bolan_technique_ocean, scenes[i], BOLAN_PIXELS_COMPUTE);
+    }
 }
 
 // ---- refused --------------------------------------------------------------------------------------------------------
@@ -217,6 +234,7 @@ int main(void) {
         IN_BOTH_APIS(what_is_declared_is_put_back),
         IN_BOTH_APIS(only_full_asks),
         cmocka_unit_test_setup_teardown(water_takes_few_calls, gl_setup_core, gl_teardown),
+        cmocka_unit_test_setup_teardown(nested_levels_and_tiles_take_few_calls, gl_setup_core, gl_teardown),
         cmocka_unit_test_setup_teardown(nonsense_is_refused_without_full_too, gl_setup_core, gl_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
