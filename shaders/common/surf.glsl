@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where the bores of shared/surf.glsl are. Up a slope the fronts follow the depth; over flats they travel the way the
-// sea goes. Phases of the eye's place and of the time come reduced from the CPU (fill_surf() in src/render/frame.c): a
+// sea goes. Phases of the eye's place and of the time come reduced from the CPU (fill_surf() in src/render/step.c): a
 // phase of wrapped coordinates would tear where they wrap. Needs common/frame.glsl and common/water_block.glsl.
 #include "shared/surf.glsl"
 

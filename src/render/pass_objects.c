@@ -1,80 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The scene's objects: keeps their meshes on the GPU, sets them on the waves, draws them. Shader: shaders/objects.glsl.
-#include "frame.h"
+// The scene's objects: sets them on the waves and draws them. Shader: shaders/objects.glsl.
+#include "pass_objects.h"
 
 #include "bolan/query.h"
-#include "bolan/world.h"
 #include "memory.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define VERTEX_FLOATS 10                          // position, normal, colour and openness
-enum { CASTER_FLOATS = 3 * 4, MAX_CASTERS = 32 }; // twins of caster[] in common/object_shadow.glsl
-#define CASTER_EDGE 1.12f                         // of its soft edge, in radii: the root of CASTER_NONE there
-#define WIDEST_CASTER 30.0f                       // [m]: what is larger is a landscape
-#define OVERLAP 0.25f // [m], as in planar_views.c: what stands clear of the water by more is cut by no picture's plane
-
-enum { ABOVE, ACROSS, BELOW, CLASSES }; // the paper's three classes (section 2.2), of triangles
-
-// What a program is for: models that lie flat or things; the main view, a picture's whole triangles, cut ones, and both
-// where they may lie under the water.
-enum { MAIN, WHOLE, CUT, WET_WHOLE, WET_CUT, KINDS };
-
-// A model on the GPU.
-typedef struct gpu_model {
-    uint64_t id; // 0: empty
-    gl_buffer vertices, indices;
-    gl_mesh mesh;
-    uint32_t index_count;
-    float period; // of its grain [m]
-    bool flat;    // lies like ground
-    bool wanted;  // by this frame
-} gpu_model;
-
-// The indices of a still object that stands in the water, its triangles sorted by class.
-typedef struct sorted {
-    uint64_t id; // of the model; 0: empty
-    float place[4];
-    gl_buffer indices;
-    gl_mesh mesh;
-    uint32_t counts[CLASSES];
-} sorted;
-
-// Where an object stood in the last two steps.
-typedef struct motion {
-    uint64_t id;              // of its model; 0: none
-    double time, time_before; // of the sea; NAN: none
-    double scale, scale_before;
-    bolan_pose pose, before;
-} motion;
-
-// An object as it stands in this frame.
-typedef struct placed {
-    const gpu_model *gpu;
-    const gl_mesh *mesh;
-    uint32_t counts[CLASSES]; // indices
-    float rows[12];           // model to eye-relative world
-    bolan_vec3 low, high;     // of its box in the model
-    double lowest, highest;   // of its box, above the water level [m]
-    float nearest;            // about as near as it comes to the eye [m]
-    int caster;               // its own, or -1
-    float wet[2];             // heights over the water level between which it is wet [m]
-    uint32_t index;           // in the scene
-} placed;
-
-struct pass_objects {
-    gl_program programs[2][KINDS]; // [flat]
-    gpu_model models[BOLAN_MAX_OBJECTS];
-    sorted sorted[BOLAN_MAX_OBJECTS];  // by the scene's order
-    motion motions[BOLAN_MAX_OBJECTS]; // likewise
-    uint64_t places;                   // a hash of where they stand
-    placed objects[BOLAN_MAX_OBJECTS]; // the nearest first: what they hide is not shaded
-    uint32_t count;
-    float casters[MAX_CASTERS * CASTER_FLOATS];
-    uint32_t caster_count;
-};
+#define WIDEST_CASTER 30.0f // [m]: what is larger is a landscape
 
 bolan_result bolan_pass_objects_create(const gl_caps *caps, pass_objects **out) {
     (void)caps;
@@ -107,147 +42,13 @@ bolan_result bolan_pass_objects_reload(pass_objects *p) {
     return r;
 }
 
-static void free_model(gpu_model *g) {
-    bolan_gl_mesh_free(&g->mesh);
-    bolan_gl_buffer_free(&g->vertices);
-    bolan_gl_buffer_free(&g->indices);
-    *g = (gpu_model){0};
-}
-
-static void free_sorted(sorted *s) {
-    bolan_gl_mesh_free(&s->mesh);
-    bolan_gl_buffer_free(&s->indices);
-    *s = (sorted){0};
-}
-
 void bolan_pass_objects_destroy(pass_objects **pass) {
     if (!pass || !*pass) return;
     pass_objects *p = *pass;
-    for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) free_model(&p->models[i]);
-    for (int i = 0; i < BOLAN_MAX_OBJECTS; i++) free_sorted(&p->sorted[i]);
+    bolan_object_meshes_free(p);
     for (int i = 0; i < 2 * KINDS; i++) bolan_gl_program_free(&p->programs[i / KINDS][i % KINDS]);
     bolan_release(p, sizeof *p);
     *pass = NULL;
-}
-
-// ---- meshes ---------------------------------------------------------------------------------------------------------
-
-static bool lies_flat(const bolan_model_view *v) {
-    for (uint32_t i = 0; i < v->vertex_count; i++)
-        if (v->normals[i].z < 0.2f) return false;
-    return true;
-}
-
-static bolan_result upload(const bolan_model *model, gpu_model *g) {
-    static const uint8_t components[] = {3, 3, 4};
-    const bolan_model_view v = bolan_model_get_view(model);
-    const size_t stride = VERTEX_FLOATS * sizeof(float), bytes = v.vertex_count * stride;
-    float *staging = allocate_for("the vertices of an object", bytes);
-    if (!staging) return BOLAN_ERROR_MEMORY;
-    for (uint32_t i = 0; i < v.vertex_count; i++) {
-        memcpy(staging + i * VERTEX_FLOATS, &v.positions[i], 3 * sizeof(float));
-        memcpy(staging + i * VERTEX_FLOATS + 3, &v.normals[i], 3 * sizeof(float));
-        memcpy(staging + i * VERTEX_FLOATS + 6, &v.colors[i], 4 * sizeof(float));
-    }
-    bolan_result r = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, bytes, staging, &g->vertices);
-    if (r == BOLAN_OK)
-        r = bolan_gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, v.index_count * sizeof *v.indices, v.indices,
-                                   &g->indices);
-    if (r == BOLAN_OK) r = bolan_gl_mesh_create(&g->vertices, &g->indices, components, 3, (uint32_t)stride, &g->mesh);
-    bolan_release(staging, bytes);
-    g->id = bolan_model_id(model);
-    g->index_count = v.index_count;
-    bolan_vec3 low, high;
-    bolan_model_bounds(model, &low, &high);
-    // Large things are looked at from afar.
-    g->period = fminf(fmaxf(0.16f * fmaxf(high.x - low.x, high.z - low.z), 0.8f), 6.0f);
-    g->flat = lies_flat(&v);
-    if (r != BOLAN_OK) free_model(g);
-    return r;
-}
-
-static gpu_model *find(pass_objects *p, uint64_t id) {
-    for (int i = 0; i < BOLAN_MAX_OBJECTS; i++)
-        if (p->models[i].id == id && p->models[i].mesh.vao) return &p->models[i];
-    return NULL;
-}
-
-// The model on the GPU; a place that this frame does not want is given to a new one. NULL when there is no memory.
-static gpu_model *keep(pass_objects *p, const bolan_model *model) {
-    gpu_model *g = find(p, bolan_model_id(model));
-    for (int i = 0; i < BOLAN_MAX_OBJECTS && !g; i++)
-        if (!p->models[i].wanted) g = &p->models[i];
-    if (!g) return NULL;
-    if (!g->mesh.vao || g->id != bolan_model_id(model)) {
-        free_model(g);
-        if (upload(model, g) != BOLAN_OK) return NULL;
-    }
-    g->wanted = true;
-    return g;
-}
-
-// ---- classes --------------------------------------------------------------------------------------------------------
-
-static int class_of(double lowest, double highest) {
-    return lowest > (double)OVERLAP ? ABOVE : highest < (double)-OVERLAP ? BELOW : ACROSS;
-}
-
-// place: the row of the matrix that makes heights over the water.
-static int class_of_triangle(const bolan_model_view *v, const uint32_t *triangle, const float place[4]) {
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (int k = 0; k < 3; k++) {
-        const bolan_vec3 at = v->positions[triangle[k]];
-        const double z = (double)(place[0] * at.x + place[1] * at.y + place[2] * at.z + place[3]);
-        low = fmin(low, z), high = fmax(high, z);
-    }
-    return class_of(low, high);
-}
-
-static bolan_result upload_sorted(const bolan_model_view *v, const gpu_model *g, sorted *s) {
-    static const uint8_t components[] = {3, 3, 4};
-    const size_t bytes = v->index_count * sizeof *v->indices;
-    uint32_t *staging = allocate_for("the triangles of an object", bytes);
-    if (!staging) return BOLAN_ERROR_MEMORY;
-    uint32_t n = 0;
-    for (int c = 0; c < CLASSES; c++) {
-        const uint32_t start = n;
-        for (uint32_t i = 0; i + 2 < v->index_count; i += 3) {
-            if (class_of_triangle(v, v->indices + i, s->place) != c) continue;
-            memcpy(staging + n, v->indices + i, 3 * sizeof *staging);
-            n += 3;
-        }
-        s->counts[c] = n - start;
-    }
-    bolan_result r = bolan_gl_buffer_create(GL_BUFFER_INDEX, GL_USAGE_STATIC, bytes, staging, &s->indices);
-    if (r == BOLAN_OK)
-        r = bolan_gl_mesh_create(&g->vertices, &s->indices, components, 3, VERTEX_FLOATS * sizeof(float), &s->mesh);
-    bolan_release(staging, bytes);
-    return r;
-}
-
-// Which of the object's indices are of which class: by triangles where it stands still in the water, else as a whole.
-static void sort_triangles(sorted *s, placed *o, const bolan_model *model, bool floats, float eye_over_water) {
-    const int whole = class_of(o->lowest, o->highest);
-    o->mesh = &o->gpu->mesh;
-    memset(o->counts, 0, sizeof o->counts);
-    o->counts[whole] = o->gpu->index_count;
-    if (whole != ACROSS || floats) return;
-    float place[4];
-    memcpy(place, o->rows + 8, sizeof place);
-    place[3] += eye_over_water;
-    const bool same = s->mesh.vao && s->id == o->gpu->id && memcmp(place, s->place, sizeof(float[3])) == 0;
-    if (!same || fabsf(place[3] - s->place[3]) > 1e-3f) { // the eye's height is added to a rounded difference
-        free_sorted(s);
-        memcpy(s->place, place, sizeof place);
-        const bolan_model_view v = bolan_model_get_view(model);
-        s->id = o->gpu->id;
-        if (upload_sorted(&v, o->gpu, s) != BOLAN_OK) {
-            free_sorted(s);
-            return;
-        }
-    }
-    o->mesh = &s->mesh;
-    memcpy(o->counts, s->counts, sizeof o->counts);
 }
 
 // ---- places ---------------------------------------------------------------------------------------------------------
@@ -353,13 +154,13 @@ void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
     const double hs = count > 0 && v->frame->sea ? bolan_sea_get_summary(v->frame->sea)->hs : 0.0;
     // First what is there already, so that nothing that is wanted makes way.
     for (uint32_t i = 0; i < count; i++) {
-        gpu_model *g = v->frame->models[i] ? find(p, bolan_model_id(v->frame->models[i])) : NULL;
+        gpu_model *g = v->frame->models[i] ? bolan_object_mesh_find(p, bolan_model_id(v->frame->models[i])) : NULL;
         if (g) g->wanted = true;
     }
     for (uint32_t i = 0; i < count; i++) {
         const bolan_model *model = v->frame->models[i];
         placed *to = &p->objects[p->count];
-        if (!model || !(to->gpu = keep(p, model))) continue;
+        if (!model || !(to->gpu = bolan_object_mesh_keep(p, model))) continue;
         to->index = i;
         bolan_model_bounds(model, &to->low, &to->high);
         const bolan_pose at = bolan_object_pose(&s->objects[i], model, &v->frame->water);
@@ -370,48 +171,12 @@ void bolan_pass_objects_prepare(pass_objects *p, render_view *v) {
         measure_box(to, v->eye.z - v->frame->level);
         measure_wet(to, &s->objects[i], v->frame, hs);
         add_caster(p, to, to->low, to->high, (float)s->objects[i].scale);
-        sort_triangles(&p->sorted[i], to, model, s->objects[i].floats, v->block.eye_height);
+        bolan_object_mesh_sort(&p->sorted[i], to, model, s->objects[i].floats, v->block.eye_height);
         p->count++;
     }
     qsort(p->objects, p->count, sizeof *p->objects, by_distance);
     v->casters = p->casters;
     v->caster_count = p->caster_count;
-}
-
-void bolan_casters_use(const render_view *v, const gl_program *program) {
-    bolan_gl_program_int(program, "caster_count", (int)v->caster_count);
-    if (v->caster_count > 0) bolan_gl_program_vec4_array(program, "caster", v->casters, 3 * v->caster_count);
-}
-
-// The ball round a caster's ellipsoid, whose axes are across each other.
-static float ball_of(const float row[CASTER_FLOATS], bolan_vec3 *middle) {
-    float widest = 0.0f;
-    *middle = (bolan_vec3){0};
-    for (int i = 0; i < 3; i++, row += 4) {
-        const bolan_vec3 axis = {row[0], row[1], row[2]};
-        const float square = bolan_v3_dot(axis, axis);
-        *middle = bolan_v3_add(*middle, bolan_v3_scale(axis, -row[3] / square));
-        widest = fmaxf(widest, 1.0f / sqrtf(square));
-    }
-    return CASTER_EDGE * widest;
-}
-
-void bolan_casters_use_near(const render_view *v, const gl_program *program, bolan_vec3 middle, float radius,
-                            float least, int but) {
-    float near[MAX_CASTERS * CASTER_FLOATS];
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < v->caster_count; i++) {
-        const float *row = v->casters + CASTER_FLOATS * i;
-        bolan_vec3 from;
-        const float ball = ball_of(row, &from), reach = ball + radius;
-        const bolan_vec3 way = bolan_v3_sub(middle, from), sun = v->frame->sun_direction;
-        const float along = bolan_v3_dot(way, sun);
-        if ((int)i == but || ball < least || along > reach) continue;
-        if (bolan_v3_length(bolan_v3_sub(way, bolan_v3_scale(sun, along))) > reach) continue;
-        memcpy(near + CASTER_FLOATS * count++, row, sizeof(float[CASTER_FLOATS]));
-    }
-    bolan_gl_program_int(program, "caster_count", (int)count);
-    if (count > 0) bolan_gl_program_vec4_array(program, "caster", near, 3 * count);
 }
 
 // ---- drawing --------------------------------------------------------------------------------------------------------

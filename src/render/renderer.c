@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Life of the renderer, its targets, read-back, and the yardstick of the benchmarks.
+// Life of the renderer, and reading its pictures back.
 #include "renderer.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
 #include "memory.h"
 
 enum { LEAST_VERTICES = 1024, MOST_VERTICES = 1000000 }; // of bolan_renderer_desc::max_vertices
-
-static bool is_size(uint32_t pixels) { return pixels >= 1 && pixels <= MOST_PIXELS; }
 
 bolan_renderer_desc bolan_renderer_desc_default(void) { return (bolan_renderer_desc){.quality = BOLAN_QUALITY_MEDIUM}; }
 
@@ -60,7 +57,7 @@ bool bolan_renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id i
 
 void bolan_renderer_accept(bolan_renderer *r, renderer_call call) { r->refusal[call][0] = '\0'; }
 
-static bool has_context(bolan_renderer *r, renderer_call call, const char *name) {
+bool bolan_renderer_has_context(bolan_renderer *r, renderer_call call, const char *name) {
     return bolan_gl_has_context() || bolan_renderer_refuse(r, call, BOLAN_LOG_GL_CONTEXT,
                                                            "%s: no OpenGL context is current on this thread", name);
 }
@@ -280,7 +277,7 @@ static void read_distance(bolan_renderer *r, float *scratch, float *distance) {
 
 void bolan_renderer_read_linear(bolan_renderer *r, float *rgb, float *distance) {
     BOLAN_ASSERT(r != NULL);
-    if (r == NULL || !has_context(r, CALL_READ_LINEAR, "read_linear")) return;
+    if (r == NULL || !bolan_renderer_has_context(r, CALL_READ_LINEAR, "read_linear")) return;
     if (r->width == 0) {
         bolan_renderer_refuse(r, CALL_READ_LINEAR, BOLAN_LOG_BAD_ARGUMENT,
                               "read_linear: this renderer has drawn no picture yet");
@@ -297,8 +294,8 @@ void bolan_renderer_read_linear(bolan_renderer *r, float *rgb, float *distance) 
 
 void bolan_renderer_read_rgb8(bolan_renderer *r, uint32_t framebuffer, uint32_t width, uint32_t height, uint8_t *rgb) {
     BOLAN_ASSERT(r != NULL && rgb != NULL);
-    if (r == NULL || rgb == NULL || !has_context(r, CALL_READ_RGB8, "read_rgb8")) return;
-    if (!is_size(width) || !is_size(height)) {
+    if (r == NULL || rgb == NULL || !bolan_renderer_has_context(r, CALL_READ_RGB8, "read_rgb8")) return;
+    if (!bolan_is_picture_size(width) || !bolan_is_picture_size(height)) {
         bolan_renderer_refuse(r, CALL_READ_RGB8, BOLAN_LOG_OUT_OF_RANGE,
                               "read_rgb8: %u x %u pixels; expected 1 to %d each way", width, height, MOST_PIXELS);
         return;
@@ -315,168 +312,4 @@ void bolan_renderer_read_rgb8(bolan_renderer *r, uint32_t framebuffer, uint32_t 
                               problem);
     }
     bolan_renderer_leave(r);
-}
-
-// ---- measuring ------------------------------------------------------------------------------------------------------
-
-void bolan_renderer_measure_passes(bolan_renderer *r, bool on) { r->measure = on; }
-
-bolan_frame_statistics bolan_renderer_statistics(const bolan_renderer *r) { return r->statistics; }
-
-static double now_ms(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
-
-enum { COPIED_BYTES = 64 << 20 };
-
-static double time_copies(gl_buffer *from, gl_buffer *to, uint32_t repeats) {
-    bolan_gl_buffer_copy(from, 0, to, 0, COPIED_BYTES); // the first may pay for the memory
-    bolan_gl_finish();
-    const double start = now_ms();
-    for (uint32_t i = 0; i < repeats; ++i) bolan_gl_buffer_copy(from, 0, to, 0, COPIED_BYTES);
-    bolan_gl_finish();
-    return (now_ms() - start) / (repeats > 0 ? repeats : 1);
-}
-
-double bolan_renderer_memory_rate(bolan_renderer *r, uint32_t repeats) {
-    BOLAN_ASSERT(r != NULL);
-    if (r == NULL || !has_context(r, CALL_MEMORY_RATE, "memory_rate")) return 0.0;
-    bolan_renderer_accept(r, CALL_MEMORY_RATE);
-    bolan_renderer_enter(r);
-    gl_buffer from = {0}, to = {0};
-    double ms = 0.0;
-    bolan_result result = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, COPIED_BYTES, NULL, &from);
-    if (result == BOLAN_OK) result = bolan_gl_buffer_create(GL_BUFFER_VERTEX, GL_USAGE_STATIC, COPIED_BYTES, NULL, &to);
-    if (result == BOLAN_OK) ms = time_copies(&from, &to, repeats);
-    bolan_gl_buffer_free(&from);
-    bolan_gl_buffer_free(&to);
-    bolan_renderer_leave(r);
-    return ms > 0.0 ? 2.0 * COPIED_BYTES / (ms * 1e-3) : 0.0;
-}
-
-static double run_yardstick(bolan_renderer *r, const gl_texture *image, uint32_t repeats) {
-    bolan_gl_target_bind(&r->targets.hdr);
-    bolan_gl_set_state(&(gl_state){.color_write = true});
-    bolan_gl_texture_bind(image, UNIT_OWN);
-    bolan_gl_program_use(&r->yardstick);
-    bolan_gl_program_int(&r->yardstick, "image", UNIT_OWN);
-    bolan_gl_draw_fullscreen(); // the first pays for compilation
-    bolan_gl_finish();
-    const double start = now_ms();
-    for (uint32_t i = 0; i < repeats; ++i) {
-        bolan_gl_draw_fullscreen();
-        bolan_gl_finish();
-    }
-    return (now_ms() - start) / (repeats > 0 ? repeats : 1);
-}
-
-double bolan_renderer_yardstick(bolan_renderer *r, uint32_t width, uint32_t height, uint32_t repeats) {
-    BOLAN_ASSERT(r != NULL);
-    if (r == NULL || !has_context(r, CALL_YARDSTICK, "yardstick")) return 0.0;
-    if (!is_size(width) || !is_size(height)) {
-        bolan_renderer_refuse(r, CALL_YARDSTICK, BOLAN_LOG_OUT_OF_RANGE,
-                              "yardstick: %u x %u pixels; expected 1 to %d each way", width, height, MOST_PIXELS);
-        return 0.0;
-    }
-    bolan_renderer_accept(r, CALL_YARDSTICK);
-    bolan_renderer_enter(r);
-    double elapsed = 0.0;
-    gl_texture image = {0};
-    gl_texture_desc desc = {
-        .format = GL_FMT_RGBA16F, .width = 256, .height = 256, .filter = GL_FILTER_LINEAR, .wrap = GL_WRAP_REPEAT};
-    bolan_result result = r->yardstick.id != 0 ? BOLAN_OK : bolan_gl_program_create("yardstick", NULL, &r->yardstick);
-    if (result == BOLAN_OK) result = bolan_renderer_resize(r, width, height);
-    if (result == BOLAN_OK) result = bolan_gl_texture_create(&desc, &image);
-    if (result == BOLAN_OK) elapsed = run_yardstick(r, &image, repeats);
-    bolan_gl_texture_free(&image);
-    bolan_renderer_leave(r);
-    return elapsed;
-}
-
-// ---- a target for callers without one ----
-
-struct bolan_target {
-    gl_caps caps;
-    gl_texture color;
-    gl_target target;
-    const char *refusal; // of bolan_target_show(), said once
-};
-
-static bolan_result make_target(bolan_target *t, uint32_t width, uint32_t height) {
-    const gl_texture_desc desc = {
-        .format = GL_FMT_RGBA8, .width = width, .height = height, .filter = GL_FILTER_NEAREST, .wrap = GL_WRAP_CLAMP};
-    const gl_texture *colors[] = {&t->color};
-    gl_saved saved;
-    t->caps = bolan_gl_get_caps();
-    bolan_gl_save(&saved, &t->caps, false);
-    bolan_result result = bolan_gl_texture_create(&desc, &t->color);
-    if (result == BOLAN_OK) result = bolan_gl_target_create(colors, 1, NULL, -1, 0, &t->target);
-    bolan_gl_restore(&saved);
-    return result;
-}
-
-bolan_result bolan_target_create(uint32_t width, uint32_t height, bolan_target **out) {
-    BOLAN_ASSERT(out != NULL);
-    if (out == NULL) return BOLAN_ERROR_ARGUMENT;
-    *out = NULL;
-    if (!is_size(width) || !is_size(height)) {
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_OUT_OF_RANGE, "target: %u x %u pixels; expected 1 to %d each way", width,
-                  height, MOST_PIXELS);
-        return BOLAN_ERROR_ARGUMENT;
-    }
-    bolan_result result = bolan_gl_check_context("target");
-    if (result != BOLAN_OK) return result;
-    bolan_target *t = allocate_for("a target", sizeof *t);
-    if (t == NULL) return BOLAN_ERROR_MEMORY;
-    result = make_target(t, width, height);
-    if (result != BOLAN_OK) {
-        bolan_target_destroy(&t);
-        return result;
-    }
-    *out = t;
-    return BOLAN_OK;
-}
-
-uint32_t bolan_target_framebuffer(const bolan_target *target) { return target->target.id; }
-
-// Why the target cannot be shown there, as the end of a sentence; NULL: it was.
-static const char *show(bolan_target *t, uint32_t framebuffer, uint32_t width, uint32_t height) {
-    gl_saved saved;
-    if (framebuffer == t->target.id) return "is the target itself";
-    bolan_gl_save(&saved, &t->caps, false);
-    const char *problem = bolan_gl_framebuffer_problem(framebuffer, GL_TO_COPY);
-    if (problem == NULL) bolan_gl_target_show(&t->target, framebuffer, width, height);
-    bolan_gl_restore(&saved);
-    return problem;
-}
-
-void bolan_target_show(bolan_target *t, uint32_t framebuffer, uint32_t width, uint32_t height) {
-    BOLAN_ASSERT(t != NULL);
-    if (t == NULL) return;
-    const char *problem = NULL;
-    if (!bolan_gl_has_context())
-        problem = "cannot be reached: no OpenGL context is current on this thread";
-    else if (!is_size(width) || !is_size(height))
-        problem = "has a size that is not 1 to 16384 pixels each way";
-    else
-        problem = show(t, framebuffer, width, height);
-    if (problem != NULL && problem != t->refusal)
-        bolan_log(BOLAN_LOG_ERROR, BOLAN_LOG_GL_TARGET, "target: framebuffer %u to show it in %s", framebuffer,
-                  problem);
-    t->refusal = problem;
-}
-
-void bolan_target_destroy(bolan_target **target) {
-    if (target == NULL || *target == NULL) return;
-    if (!bolan_gl_has_context())
-        bolan_log(
-            BOLAN_LOG_ERROR, BOLAN_LOG_GL_CONTEXT,
-            "target: destroyed while no OpenGL context is current; what it has on the GPU stays until its context "
-            "is gone");
-    bolan_gl_target_free(&(*target)->target);
-    bolan_gl_texture_free(&(*target)->color);
-    bolan_release(*target, sizeof **target);
-    *target = NULL;
 }

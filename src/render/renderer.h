@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The renderer's insides, shared by renderer.c (life and read-back), targets.c (textures) and frame.c (one picture).
+// The renderer's insides, shared by renderer.c (life and read-back), targets.c (textures), frame.c (one picture),
+// prepare.c (the step), read_view.c (surfaces and sky) and yardstick.c.
 #ifndef BOLAN_RENDERER_H
 #define BOLAN_RENDERER_H
 
@@ -45,6 +46,7 @@ typedef enum renderer_call {
 
 enum { DIRECTORY_BYTES = 1024, REFUSAL_BYTES = 256 };
 enum { MOST_PIXELS = 16384, MOST_SAMPLES = 256 }; // of a picture each way; of a pixel
+static inline bool bolan_is_picture_size(uint32_t pixels) { return pixels >= 1 && pixels <= MOST_PIXELS; }
 
 struct bolan_view_cache {
     bolan_renderer *renderer;
@@ -125,6 +127,9 @@ void bolan_renderer_free_targets(bolan_renderer *r);
 void bolan_renderer_enter(bolan_renderer *r);
 void bolan_renderer_leave(bolan_renderer *r);
 
+// Refuses the call where no context is current on this thread.
+bool bolan_renderer_has_context(bolan_renderer *r, renderer_call call, const char *name);
+
 // Logs why the call is refused, unless the same call was refused for the same reason the last time. Returns false.
 #if defined(__GNUC__)
 __attribute__((format(printf, 4, 5)))
@@ -132,6 +137,20 @@ __attribute__((format(printf, 4, 5)))
 bool bolan_renderer_refuse(bolan_renderer *r, renderer_call call, bolan_log_id id, const char *format, ...);
 // The next refusal of this call is a new one.
 void bolan_renderer_accept(bolan_renderer *r, renderer_call call);
+
+// Parts of frame.c for its neighbours.
+gl_timing bolan_frame_timing(const bolan_renderer *r);
+void bolan_frame_begin_part(bolan_renderer *r, frame_part part);
+void bolan_frame_end_part(bolan_renderer *r, frame_part part);
+// Makes the targets fit and fills the view. False: they cannot be had (logged).
+bool bolan_frame_open_view(bolan_renderer *r, render_view *v, const bolan_view *from);
+void bolan_frame_use(bolan_renderer *r); // uploads the block Frame
+// Everything that does not depend on the sub-pixel shift.
+void bolan_frame_prepare_view(bolan_renderer *r, render_view *v, bolan_view_cache *cache);
+
+// prepare.c: uploads the step of the water. `world`: objects and tiles are drawn too; NULL: the water alone.
+void bolan_frame_prepare(bolan_renderer *r, const bolan_water *water, const bolan_lighting *lighting,
+                         const bolan_world *world);
 
 // Whether this step can be prepared, and this view drawn; if not, the log says why. The last asks about the
 // framebuffer, and binds it: between bolan_renderer_enter() and bolan_renderer_leave() only.
