@@ -8,6 +8,7 @@ void main() { fullscreen(0.5); }
 #ifdef FRAGMENT
 #include "common/atmosphere.glsl"
 #include "common/clouds.glsl"
+#include "common/cirrus.glsl"
 uniform sampler2D sea_view_table;
 #pragma unit sea_view_table 15
 uniform vec2 strip; // of the map that is drawn now: its first u, its width
@@ -109,33 +110,23 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
     return vec4(light, 1.0 - left);
 }
 
-// The texture takes the nearest level, and the sheet would have a line where that changes.
-vec4 between_levels(vec3 p, float level) {
-    float coarse = floor(level) + 1.0;
-    return mix(textureLod(cloud_noise, p, coarse), textureLod(cloud_noise, p, coarse - 1.0), coarse - level);
-}
-
-const float CIRRUS_BENT = 3.0; // how much closer together the bends of the streaks bring them
-
-// A thin sheet of ice at 9 km, in streaks.
+// The sheet of cirrus.
 vec4 cirrus(vec3 dir, out float d) {
     float h = max(eye_height, 0.0);
-    vec2 roots = shell(h, dir.z, 9000.0);
-    d = h < 9000.0 ? roots.y : -1.0;
+    vec2 roots = shell(h, dir.z, CIRRUS_HEIGHT);
+    d = h < CIRRUS_HEIGHT ? roots.y : -1.0;
     if (d < 0.0 || distance_to_sea(h, dir.z) >= 0.0) return vec4(0.0);
-    vec2 p = dir.xy * d + cloud_origin.xy, along = normalize(wind_direction + vec2(1e-4, 0.3));
-    vec2 q = vec2(dot(p, along), dot(p, vec2(-along.y, along.x)));
-    float width = CIRRUS_BENT * d * texel_angle / max(abs(dir.z), 0.05);
-    q += (textureLod(cloud_noise, vec3(q / 90000.0, 0.2), 0.0).ba - 0.5) * 26000.0;
-    float streak = between_levels(vec3(q / vec2(88000.0, 15000.0), 0.5), cloud_level(width, 15000.0)).b;
-    float fibre = between_levels(vec3(q / vec2(26000.0, 4000.0), 0.1), cloud_level(width, 4000.0)).a;
-    float patches = textureLod(cloud_noise, vec3(p / 160000.0, 0.85), 0.0).b;
-    float amount = clamp((streak + 0.5 * (patches - 0.5) - 0.52) * 3.2, 0.0, 1.0) * (0.35 + 0.65 * fibre);
-    amount *= smoothstep(0.0, 0.15, cloud_cover) * 0.42;
-    float slant = min(1.0 / max(dir.z, 0.08), 5.0), cover = 1.0 - exp(-amount * slant);
+    vec2 along = normalize(wind_direction + vec2(1e-4, 0.3)), away = normalize(dir.xy + vec2(1e-9, 0.0));
+    float width = 1.4 * d * texel_angle, slant = 1.0 / max(dir.z, 0.08);
+    // Texels of the panorama are widest in height overhead, and the sheet lies aslant.
+    vec2 texel = width * vec2(max(length(dir.xy), 0.1), 2.0 * uv.y * slant);
+    vec2 turned = vec2(away.x * along.y - away.y * along.x, dot(away, along));
+    vec2 footprint = vec2(length(texel * turned.yx), length(texel * turned));
+    float amount = cirrus_depth(dir.xy * d + cloud_origin.xy, along, footprint) * smoothstep(0.0, 0.15, cloud_cover);
+    float cover = 1.0 - exp(-amount * min(slant, 5.0));
     float cosine = dot(dir, sun_direction);
     float phase = 0.7 * henyey_greenstein(cosine, 0.7) + 0.5 * henyey_greenstein(cosine, 0.0);
-    vec3 light = solar_irradiance() * sun_transmittance(9000.0) * phase + ambient_radiance() * 0.5;
+    vec3 light = solar_irradiance() * sun_transmittance(CIRRUS_HEIGHT) * phase + ambient_radiance() * 0.5;
     return vec4(light * cover, cover);
 }
 

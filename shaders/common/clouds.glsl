@@ -4,6 +4,8 @@
 
 uniform sampler3D cloud_noise;
 #pragma unit cloud_noise 16
+uniform sampler2D cloud_weather; // r: where clouds gather, g: how high they grow; 0..1
+#pragma unit cloud_weather 17
 uniform vec4 cloud_origin; // xy: eye in the clouds' pattern, z: thickness of the layer [m], w: threshold of billows
 
 const float CLOUD_EXTINCTION = 0.035;   // in their middle [1/m]
@@ -20,11 +22,11 @@ float cloud_extinction(vec2 position, float h, float footprint) {
     float level = (h - cloud_base) / cloud_origin.z;
     if (level <= 0.0 || level >= 1.0) return 0.0;
     vec2 p = position + cloud_origin.xy;
-    vec4 weather = textureLod(cloud_noise, vec3(p / WEATHER_TILE, 0.37), 0.0); // where clouds gather, over the country
-    vec3 q = vec3(p + (weather.b - 0.5) * vec2(6500.0, -4500.0), h * 1.6); // shifted, so that the tiles do not show
+    vec2 weather = textureLod(cloud_weather, p / WEATHER_TILE, 0.0).rg;
+    vec3 q = vec3(p + (weather.r - 0.5) * vec2(6500.0, -4500.0), h * 1.6); // shifted, so that the tiles do not show
     float billows = textureLod(cloud_noise, q / BILLOW_TILE, cloud_level(footprint, BILLOW_TILE)).r;
     // flat below, heaped above: the threshold rises with height, less where clouds gather
-    float shape = billows + 0.55 * (weather.b - 0.5) - cloud_origin.w - 0.26 * level * level * level - 0.10 * level;
+    float shape = billows + 0.55 * (weather.r - 0.5) - cloud_origin.w - 0.26 * level * level * level - 0.10 * level;
     float contrast = mix(6.0, 2.5, cloud_cover * cloud_cover); // a deck varies more softly
     shape = clamp(shape * contrast, 0.0, 1.0) * smoothstep(0.0, 0.07, level);
     // a loop: with a branch in its place, software OpenGL takes a third longer to draw the clouds' panorama

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { NOISE_SIZE = 64 };
+enum { NOISE_SIZE = 64, WEATHER_SIZE = 128 };
 static const double PATTERN =
     57600.0 * 16.0; // every tile of common/clouds.glsl divides it [m] but for cirrus, which is far
 static const float SHADOW_SIZE = 100000.0f; // CLOUD_SHADOW_SIZE of common/atmosphere.glsl [m]
@@ -51,12 +51,14 @@ void bolan_clouds_share(clouds *c, const clouds *from) {
     c->borrowed = true;
     c->filled = c->noise_filled = false;
     c->noise_program = from->noise_program;
+    c->weather_program = from->weather_program;
     c->panorama_program = from->panorama_program;
     c->shadow_program = from->shadow_program;
 }
 
 static bolan_result create_programs(clouds *c) {
     bolan_result result = bolan_gl_program_create("cloud_noise", NULL, &c->noise_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_create("cloud_weather", NULL, &c->weather_program);
     if (result == BOLAN_OK) result = bolan_gl_program_create("cloud_panorama", NULL, &c->panorama_program);
     return result == BOLAN_OK ? bolan_gl_program_create("cloud_shadow", NULL, &c->shadow_program) : result;
 }
@@ -69,9 +71,16 @@ bolan_result bolan_clouds_create(clouds *c, const clouds *from) {
                                    .depth = NOISE_SIZE,
                                    .filter = GL_FILTER_MIPMAP_NEAREST,
                                    .wrap = GL_WRAP_REPEAT};
+    // Half floats: a texture of bytes is interpolated in steps of 1/255, at which clouds would be cut into squares.
+    const gl_texture_desc weather = {.format = GL_FMT_RG16F,
+                                     .width = WEATHER_SIZE,
+                                     .height = WEATHER_SIZE,
+                                     .filter = GL_FILTER_LINEAR,
+                                     .wrap = GL_WRAP_REPEAT};
     if (from != NULL) bolan_clouds_share(c, from);
     bolan_result result = from != NULL ? BOLAN_OK : create_programs(c);
     if (result == BOLAN_OK) result = bolan_gl_texture_create(&noise, &c->noise);
+    if (result == BOLAN_OK) result = bolan_gl_texture_create(&weather, &c->weather);
     for (int i = 0; i < 2 && result == BOLAN_OK; i++) result = create_maps(&c->maps[i], BOLAN_QUALITY_LOW);
     if (result != BOLAN_OK) bolan_clouds_free(c);
     return result;
@@ -80,6 +89,7 @@ bolan_result bolan_clouds_create(clouds *c, const clouds *from) {
 bolan_result bolan_clouds_reload(clouds *c) {
     c->filled = c->noise_filled = false;
     bolan_result result = bolan_gl_program_reload(&c->noise_program);
+    if (result == BOLAN_OK) result = bolan_gl_program_reload(&c->weather_program);
     if (result == BOLAN_OK) result = bolan_gl_program_reload(&c->panorama_program);
     if (result == BOLAN_OK) result = bolan_gl_program_reload(&c->shadow_program);
     return result;
@@ -192,6 +202,16 @@ cloud_work bolan_clouds_plan(clouds *c, const render_view *v) {
 
 // ---- how ----------------------------------------------------------------------------------------------------------
 
+static void fill_weather(clouds *c) {
+    const gl_texture *color = &c->weather;
+    gl_target whole = {0};
+    if (bolan_gl_target_create(&color, 1, NULL, -1, 0, &whole) != BOLAN_OK) return;
+    bolan_gl_target_bind(&whole);
+    bolan_gl_program_use(&c->weather_program);
+    bolan_gl_draw_fullscreen();
+    bolan_gl_target_free(&whole);
+}
+
 static void fill_noise(clouds *c) {
     const gl_texture *color = &c->noise;
     for (int i = 0; i < NOISE_SIZE; i++) {
@@ -203,6 +223,7 @@ static void fill_noise(clouds *c) {
         bolan_gl_target_free(&slice);
     }
     bolan_gl_texture_generate_mipmaps(&c->noise);
+    fill_weather(c);
     c->noise_filled = true;
 }
 
@@ -234,6 +255,7 @@ static void draw_strip(const gl_target *target, const gl_program *program, uint3
 
 static void draw_maps(const clouds *c, const cloud_maps *m, uint32_t index, uint32_t count) {
     bolan_gl_texture_bind(&c->noise, UNIT_OWN + 1);
+    bolan_gl_texture_bind(&c->weather, UNIT_OWN + 2);
     set_origin(m, &c->panorama_program);
     bolan_gl_program_float(&c->panorama_program, "texel_angle", (float)(2.0 * BOLAN_PI / (double)m->map.width));
     draw_strip(&m->panorama, &c->panorama_program, index, count);
@@ -269,8 +291,10 @@ void bolan_clouds_free(clouds *c) {
     free_maps(&c->maps[0]);
     free_maps(&c->maps[1]);
     bolan_gl_texture_free(&c->noise);
+    bolan_gl_texture_free(&c->weather);
     if (c->borrowed) return;
     bolan_gl_program_free(&c->noise_program);
+    bolan_gl_program_free(&c->weather_program);
     bolan_gl_program_free(&c->panorama_program);
     bolan_gl_program_free(&c->shadow_program);
 }

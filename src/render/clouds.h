@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Clouds: marched once into a panorama round the eye and a map of their shadow on the sea, and again when the eye or
-// the sun has moved to another place of the lattice (sky_lattice.h). Shaders: cloud_noise, cloud_panorama,
-// cloud_shadow.
+// the sun has moved to another place of the lattice (sky_lattice.h). Shaders: cloud_noise, cloud_weather,
+// cloud_panorama, cloud_shadow.
 #ifndef BOLAN_RENDER_CLOUDS_H
 #define BOLAN_RENDER_CLOUDS_H
 
@@ -20,8 +20,8 @@ typedef struct cloud_maps {
 } cloud_maps;
 
 typedef struct clouds {
-    gl_program noise_program, panorama_program, shadow_program;
-    gl_texture noise;
+    gl_program noise_program, weather_program, panorama_program, shadow_program;
+    gl_texture noise, weather;
     cloud_maps maps[2]; // what is seen, and what is in the making
     int shown;
     bool filled, noise_filled;
