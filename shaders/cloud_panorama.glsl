@@ -17,9 +17,10 @@ out vec4 color;
 
 // Steps grow with the distance, up to a share of the layer. With equal shares alone, the samples of all rays of an eye
 // at the base of the clouds would lie at the same heights, and cut the clouds into slices.
-const int STEPS = 64, MOST_STEPS = 192, LIGHT_STEPS = 5;
-const float LEAST_STEP = 30.0, STEP_GROWS = 0.035; // [m], share of the distance
-const float STEEP_STEP = 45.0;                     // least share of the layer [m]
+const int STEPS = 48, MOST_STEPS = 192, LIGHT_STEPS = 4;
+const float LEAST_STEP = 50.0, STEP_GROWS = 0.035; // [m], share of the distance
+const float INSIDE = 0.4; // of a step outside clouds, at whose ends light changes too much for the coarse step
+const float STEEP_STEP = 70.0;                     // least share of the layer [m]
 const float FARTHEST = 120000.0;
 
 vec3 panorama_direction() { // inverse of cloud_uv()
@@ -57,7 +58,7 @@ float depth_towards_sun(vec2 position, float h, float footprint) {
         float at = d + 0.5 * step_length;
         sum += cloud_extinction(position + sun_direction.xy * at, h + up * at, i < 2 ? footprint : 0.0) * step_length;
         d += step_length;
-        step_length *= 1.8;
+        step_length *= 2.2;
     }
     return sum;
 }
@@ -84,12 +85,19 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
     vec3 light = vec3(0.0);
     float across = span.y - span.x, longest = across / clamp(across / STEEP_STEP, 16.0, float(STEPS));
     float left = 1.0, weight = 0.0, d = floor(span.x / LEAST_STEP) * LEAST_STEP;
+    float fine_until = 0.0;
     mean_distance = 0.0;
     for (int i = 0; i < MOST_STEPS; ++i) {
         float step_length = min(max(STEP_GROWS * d, LEAST_STEP), longest);
+        bool fine = d < fine_until;
+        if (fine) step_length *= INSIDE;
         float at = d + 0.5 * step_length, h = air_height(h0, dir.z, at);
         vec2 position = dir.xy * at;
         float footprint = at * texel_angle, extinction = cloud_extinction(position, h, footprint);
+        if (extinction > 0.0 && !fine) { // the same stretch again
+            fine_until = d + step_length;
+            continue;
+        }
         if (extinction > 0.0) {
             float depth = depth_towards_sun(position, h, footprint);
             float level = clamp((h - cloud_base) / cloud_origin.z, 0.0, 1.0);
@@ -102,6 +110,7 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
             mean_distance += gained * at;
             weight += gained;
             left *= through;
+            fine_until = max(fine_until, d + 2.0 * step_length);
         }
         d += step_length;
         if (left < 0.01 || d >= span.y) break;

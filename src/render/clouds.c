@@ -102,13 +102,13 @@ double bolan_clouds_rise(const clouds *c, const render_view *v) { return v->eye.
 // ---- when ---------------------------------------------------------------------------------------------------------
 
 // A deck of stratocumulus is thinner than heaped cumulus.
-static float layer_thickness(float cover) { return 850.0f - 200.0f * cover * cover; }
+static float layer_thickness(float cover) { return 1350.0f - 700.0f * cover * cover; }
 
 // Value that the billows exceed over the share `cover` of the sky: their distribution, measured, is near normal.
 static float billow_threshold(float cover) {
     const double p = fmin(fmax(1.0 - (double)cover, 0.001), 0.999);
     const double quantile = log(p / (1.0 - p)) / 1.702; // of the normal distribution, within 0.1
-    return (float)(0.462 + (quantile > 0.0 ? 0.118 : 0.125) * quantile);
+    return (float)(0.445 + (quantile > 0.0 ? 0.118 : 0.125) * quantile);
 }
 
 // How far from the eye a panorama may be made before it is wrong by more than one sees: a part of the distance to the
