@@ -20,7 +20,7 @@ vec3 tonemap(vec3 c) {
     c = clamp(c, 0.0, 60000.0);
     // A print has more color than the light has, where the light has little. What is far brighter than the display, the
     // sun's disc and its glitter, burns out to white instead.
-    float y = dot(c, vec3(0.2126, 0.7152, 0.0722)), far = y + 40.0, dim = 1.0 + 0.3 * y;
+    float y = dot(c, vec3(0.2126, 0.7152, 0.0722)), far = y + 40.0, dim = 1.0 + 0.12 * y;
     float peak = max(max(c.r, c.g), max(c.b, 1e-6)), least = min(min(c.r, c.g), c.b);
     float inverse = 1.0 / (far * dim * peak); // above 1e-14
     c = mix(vec3(y), c, (dim * peak + 0.4 * least) * (far - 0.7 * y) * inverse);

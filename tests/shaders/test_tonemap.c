@@ -92,7 +92,7 @@ static double exact_srgb(double c) { return c < 0.0031308 ? 12.92 * c : 1.055 * 
 static void exact_tonemap(const float in[4], double out[3]) {
     double c[3], y = 0.2126 * in[0] + 0.7152 * in[1] + 0.0722 * in[2];
     const double most = fmax(fmax(in[0], in[1]), fmax(in[2], 1e-6)), least = fmin(fmin(in[0], in[1]), in[2]);
-    const double dim = 1.0 / (1.0 + 0.3 * y), share = 0.4 * dim;
+    const double dim = 1.0 / (1.0 + 0.12 * y), share = 0.4 * dim;
     const double colored = (1.0 + 0.4 * dim * least / most) * (1.0 - 0.7 * y / (y + 40.0));
     for (int k = 0; k < 3; k++) c[k] = y + (in[k] - y) * colored;
     const double peak = fmax(fmax(c[0], c[1]), fmax(c[2], 1e-6));
