@@ -245,9 +245,8 @@ float over_bed(water_here p, float water_path) { return max(water_path, p.depth 
 // view and narrows across it by the sine of the grazing angle. Rays that another wave stops are reflected again there,
 // and come from the low sky.
 vec3 reflected_light(water_here p, rough_reflection mirror) {
-    float spread = mirror.spread, across = p.seen.across * clamp(dot(p.view, p.normal), 0.0, 1.0);
-    float blur = clamp(across, 0.5 * spread, spread);
-    float apart = sqrt(max(spread * spread - blur * blur, 0.0));
+    vec2 pair = fetches_of(mirror.spread, p.seen.across * clamp(dot(p.view, p.normal), 0.0, 1.0));
+    float blur = pair.x, apart = pair.y;
     vec3 low = reflected_ray(p.view, p.slope + p.seen.toward * (mirror.tilt - apart));
     vec3 high = reflected_ray(p.view, p.slope + p.seen.toward * (mirror.tilt + apart));
     vec3 low_sky = environment_radiance(vec3(low.xy, abs(low.z)), blur);

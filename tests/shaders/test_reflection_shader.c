@@ -320,10 +320,29 @@ static void heights_are_over_the_round_earths_water(void **state) {
     assert_near(out[1][0], -1.0, 1e-3);
 }
 
+static void two_fetches_keep_the_lobes_width_and_make_one_image(void **state) {
+    (void)state;
+    float in[5][4] = {{0.1f, 0.0f}, {0.1f, 0.05f}, {0.1f, 0.08f}, {0.1f, 0.2f}, {0.02f, 0.01f}}, out[5][4];
+    probe_run(INCLUDES, "vec4 probe(vec4 x) { return vec4(fetches_of(x.x, x.y), 0.0, 0.0); }", in, 5, out);
+    for (int i = 0; i < 5; ++i) {
+        const double blur = out[i][0], apart = out[i][1], along = in[i][0];
+        assert_near(blur * blur + apart * apart, along * along, 1e-5 * along * along);
+        double most = 0.0, middle = 0.0;
+        for (int k = 0; k <= 100; ++k) {
+            const double x = 0.02 * k * along, less = (x - apart) / blur, more = (x + apart) / blur;
+            const double density = exp(-0.5 * less * less) + exp(-0.5 * more * more);
+            most = fmax(most, density);
+            if (k == 0) middle = density;
+        }
+        assert_true(middle > 0.95 * most); // a dip of a tenth shows as two edges of a cloud
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         IN_BOTH_APIS(the_mean_reflectance_is_the_sum_over_visible_facets),
         IN_BOTH_APIS(still_water_is_a_mirror),
+        IN_BOTH_APIS(two_fetches_keep_the_lobes_width_and_make_one_image),
         IN_BOTH_APIS(tilted_and_turned_facets_match_quadrature),
         IN_BOTH_APIS(three_places_have_the_moments_of_the_visible_facets),
         IN_BOTH_APIS(the_glitter_has_the_energy_of_the_facets),
