@@ -125,13 +125,13 @@ vec4 cirrus(vec3 dir, out float d) {
     vec2 roots = shell(h, dir.z, CIRRUS_HEIGHT);
     d = h < CIRRUS_HEIGHT ? roots.y : -1.0;
     if (d < 0.0 || distance_to_sea(h, dir.z) >= 0.0) return vec4(0.0);
-    vec2 along = normalize(wind_direction + vec2(1e-4, 0.3)), away = normalize(dir.xy + vec2(1e-9, 0.0));
+    vec2 wind = normalize(wind_direction + vec2(1e-4, 0.3)), away = normalize(dir.xy + vec2(1e-9, 0.0));
     float width = 1.4 * d * texel_angle, slant = 1.0 / max(dir.z, 0.08);
     // Texels of the panorama are widest in height overhead, and the sheet lies aslant.
     vec2 texel = width * vec2(max(length(dir.xy), 0.1), 2.0 * uv.y * slant);
-    vec2 turned = vec2(away.x * along.y - away.y * along.x, dot(away, along));
-    vec2 footprint = vec2(length(texel * turned.yx), length(texel * turned));
-    float amount = cirrus_depth(dir.xy * d + cloud_origin.xy, along, footprint) * smoothstep(0.0, 0.15, cloud_cover);
+    vec2 turned = vec2(away.x * wind.y - away.y * wind.x, dot(away, wind));
+    vec2 sample_width = vec2(length(texel * turned.yx), length(texel * turned));
+    float amount = cirrus_depth(dir.xy * d + cloud_origin.xy, wind, sample_width) * smoothstep(0.0, 0.15, cloud_cover);
     float cover = 1.0 - exp(-amount * min(slant, 5.0));
     float cosine = dot(dir, sun_direction);
     float phase = 0.7 * henyey_greenstein(cosine, 0.7) + 0.5 * henyey_greenstein(cosine, 0.0);
