@@ -303,9 +303,10 @@ vec3 surface_light(water_here p, vec3 sunlight, vec3 below) {
 
 // Densities, by eye: of fresh foam per unit of Jacobian, of old foam and of bubbles per deviation of the foam memory,
 // of foam at the shore and of streaks per deviation of their noise.
-const float FRESH_DENSITY = 30.0, OLD_DENSITY = 4.0, SHORE_DENSITY = 2.0, STREAK_DENSITY = 0.8, BUBBLES_DENSITY = 0.6;
+const float FRESH_DENSITY = 30.0, OLD_DENSITY = 4.0, SHORE_DENSITY = 2.0, STREAK_DENSITY = 1.4, BUBBLES_DENSITY = 0.6;
 // How far bubbles reach beyond old foam, and the variance that softens their cloud, by deviations of the foam memory.
 const float BUBBLES_REACH = 0.2, BUBBLES_BLUR = 0.5;
+const float STREAK_BUBBLES = 0.6; // that the converging water of a windrow draws down with an opaque streak
 
 struct foam_here {
     float opacity; // of the film on the water
@@ -315,10 +316,11 @@ struct foam_here {
 };
 
 // share: of the variance of the Jacobian, that the pixel hides.
-float streak_film(float jacobian, float share, foam_texels texels, float width) {
-    float pinch = STREAKS_ON_CRESTS * (1.0 - jacobian) * inversesqrt(jacobian_variance);
+float streak_film(water_here p, float share, foam_texels texels) {
+    float pinch = STREAKS_ON_CRESTS * (1.0 - p.waves.jacobian) * inversesqrt(jacobian_variance);
+    float across = windrow_width(p.place.axis, p.place.minor, p.width);
     return foam_film(streak_excess + pinch, STREAKS_ON_CRESTS * STREAKS_ON_CRESTS * share, 1.0,
-                     streak_grain(texels, width), STREAK_DENSITY);
+                     streak_grain(texels, p.width, windrow_texels(p.rest, across), across), STREAK_DENSITY);
 }
 
 // By the law of shared/foam.glsl. The pixel hides the same share of the slope variance, of the variance of the Jacobian
@@ -341,7 +343,9 @@ foam_here foam_at(water_here p, float shore, foam_texels texels) {
     bubbles = none ? 0.0 : bubbles;
     float clear = (1.0 - fresh) * (1.0 - old);
 #ifdef STREAKS
-    clear *= 1.0 - streak_film(p.waves.jacobian, share, texels, width);
+    float streaks = streak_film(p, share, texels);
+    clear *= 1.0 - streaks;
+    bubbles = max(bubbles, STREAK_BUBBLES * streaks);
 #endif
     return foam_here(clamp((1.0 - clear) * foam_strength, 0.0, 1.0), max(bubbles, shore) * foam_strength,
                      foam_relief(texels, p.rest, width), foam_hollows(texels));

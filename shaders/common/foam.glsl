@@ -8,8 +8,8 @@
 #pragma unit foam_noise 7
 uniform sampler2D foam_noise;
 
-// Texture fetches of the noise: tiles of 64 m, 8 m and 1 m, and one that is drawn out along the wind. 0..1.
-struct foam_texels { vec4 broad, middle, fine, streak; };
+// Texture fetches of the noise: tiles of 64 m, 8 m and 1 m. 0..1.
+struct foam_texels { vec4 broad, middle, fine; };
 
 // `detail`: log2 of the texels of a 1 m tile under the pixel.
 vec4 foam_texel(vec2 p, float log2_tile, float detail) {
@@ -23,13 +23,25 @@ vec2 eddies_place(vec2 rest) { return mod(eddies_wrapped + rest, WORLD_WRAP); }
 // rest: eye-relative [m]; width of the pixel on the water [m].
 foam_texels foam_look_up(vec2 rest, float width) {
     vec2 p = foam_place(rest);
-    // Old foam is drawn out along the wind. This tile lies turned, so the CPU finds the eye's place in it.
-    vec2 drawn_out = streak_place + streak_scale *
-                     vec2(dot(rest, vec2(-wind_direction.y, wind_direction.x)), dot(rest, wind_direction));
     float detail = log2(width * FOAM_TEXELS);
     return foam_texels(foam_texel(eddies_place(rest), 6.0, detail), foam_texel(p.yx, 3.0, detail),
-                       foam_texel(p, 0.0, detail),
-                       textureLod(foam_noise, drawn_out, max(detail + log2(streak_scale.x), 0.0)));
+                       foam_texel(p, 0.0, detail));
+}
+
+// Width across the wind of a pixel that lies along `axis` [m]; what it spans along the wind, windrows are drawn out by.
+float windrow_width(vec2 axis, float minor, float major) {
+    float cosine = dot(axis, wind_direction), sine = dot(axis, vec2(-wind_direction.y, wind_direction.x));
+    vec2 along = vec2(major * cosine, minor * sine), across = vec2(minor * cosine, major * sine);
+    return sqrt(max(dot(across, across), dot(along, along) / (WINDROW_STRETCH * WINDROW_STRETCH)));
+}
+
+// Windrows of a tile, and of WINDROWS_FINER tiles in its place. They lie turned, so the CPU finds the eye's place.
+vec2 windrow_texels(vec2 rest, float width) {
+    vec2 at = streak_place + streak_scale *
+              vec2(dot(rest, vec2(-wind_direction.y, wind_direction.x)), dot(rest, wind_direction));
+    float detail = log2(width * streak_scale.x * FOAM_TEXELS);
+    return vec2(textureLod(foam_noise, at, max(detail, 0.0)).a,
+                textureLod(foam_noise, at * WINDROWS_FINER, max(detail + log2(WINDROWS_FINER), 0.0)).a);
 }
 
 // Heights of the walls of small nets and of bubbles, a standard deviation of each [m], by eye.
@@ -60,39 +72,41 @@ float foam_hollows(foam_texels here) {
 // Smooth patches of some metres, 0..1: x and y are independent.
 const float SMOOTH_LEVEL = 5.0; // [log2 of texels of 64 m]
 vec2 smooth_patches(vec2 rest, float width) {
-    return textureLod(foam_noise, eddies_place(rest) / 64.0, max(log2(width * (FOAM_TEXELS / 64.0)), SMOOTH_LEVEL)).ra;
+    vec2 at = eddies_place(rest) / 64.0;
+    float level = max(log2(width * (FOAM_TEXELS / 64.0)), SMOOTH_LEVEL);
+    return vec2(textureLod(foam_noise, at, level).r, textureLod(foam_noise, at.yx + 0.5, level).r);
 }
 
 // Weights of the noises, by eye; each sum of squares is 1. Fresh and old foam: broad patches, broad nets, small nets,
-// bubbles. Streaks: windrows, drawn-out nets, broad nets, small nets; and broad patches, bubbles.
+// bubbles. Streaks: windrows, fine windrows, broad nets, small nets; and broad patches, bubbles.
 const vec4 FRESH_WEIGHTS = vec4(0.5, 0.45, 0.55, 0.5), OLD_WEIGHTS = vec4(0.4, 0.52, 0.6, 0.45),
-           STREAK_WEIGHTS = vec4(0.44, 0.48, 0.33, 0.44), STREAK_PIECES = vec4(0.3, 0.428, 0.0, 0.0);
-// Widths of a pixel at which it averages over half of a noise's variance [texels]: patches, nets, bubbles, streaks.
-const float PATCHES_WIDTH = 62.0, NETS_WIDTH = 11.0, BUBBLES_WIDTH = 4.9, STREAKS_WIDTH = 80.0;
+           STREAK_WEIGHTS = vec4(0.64, 0.38, 0.3, 0.36), STREAK_PIECES = vec4(0.3, 0.368, 0.0, 0.0);
+// Widths of a pixel at which it averages over half of a noise's variance [texels]: patches, nets, bubbles, windrows.
+const float PATCHES_WIDTH = 62.0, NETS_WIDTH = 11.0, BUBBLES_WIDTH = 4.9, WINDROWS_WIDTH = 5.5;
 
 // A noise of foam in standard deviations, the part that the pixel resolves, and the variance that it hides.
 struct foam_grain { float value, hidden; };
 
-foam_grain foam_grain_of(vec4 texels, vec4 weights, vec4 widths, float width) {
-    vec4 share = width / widths; // of the variance, hidden over resolved
-    vec4 resolved = 1.0 / (1.0 + share * share);
+// widths: those of the pixel over those that hide half.
+foam_grain foam_grain_of(vec4 texels, vec4 weights, vec4 widths) {
     float value = dot(texels - FOAM_NOISE_MIDDLE / 255.0, weights) * FOAM_NOISE_RANGE;
-    return foam_grain(value, 1.0 - dot(weights * weights, resolved));
+    return foam_grain(value, 1.0 - dot(weights * weights, 1.0 / (1.0 + widths * widths)));
 }
 
 // Of foam that lies as the waves left it, with FRESH_WEIGHTS or OLD_WEIGHTS.
 foam_grain patch_grain(foam_texels t, vec4 weights, float width) {
-    return foam_grain_of(vec4(t.broad.r, t.broad.g, t.middle.g, t.fine.b), weights,
-                         vec4(64.0 * PATCHES_WIDTH, 64.0 * NETS_WIDTH, 8.0 * NETS_WIDTH, BUBBLES_WIDTH) / FOAM_TEXELS,
-                         width);
+    const vec4 HALF = vec4(64.0 * PATCHES_WIDTH, 64.0 * NETS_WIDTH, 8.0 * NETS_WIDTH, BUBBLES_WIDTH) / FOAM_TEXELS;
+    return foam_grain_of(vec4(t.broad.r, t.broad.g, t.middle.g, t.fine.b), weights, width / HALF);
 }
 
-foam_grain streak_grain(foam_texels t, float width) {
-    vec4 widths = vec4(vec2(STREAKS_WIDTH, NETS_WIDTH) / streak_scale.x, 64.0 * NETS_WIDTH, 8.0 * NETS_WIDTH);
-    foam_grain g = foam_grain_of(vec4(t.streak.a, t.streak.g, t.broad.g, t.middle.g), STREAK_WEIGHTS,
-                                 widths / FOAM_TEXELS, width);
+// windrows: windrow_texels() of a pixel of that windrow_width().
+foam_grain streak_grain(foam_texels t, float width, vec2 windrows, float across) {
+    float tiles = across * streak_scale.x;
+    vec4 widths = vec4(vec2(tiles, tiles * WINDROWS_FINER) / WINDROWS_WIDTH,
+                       width / (vec2(64.0, 8.0) * NETS_WIDTH)) * FOAM_TEXELS;
+    foam_grain g = foam_grain_of(vec4(windrows, t.broad.g, t.middle.g), STREAK_WEIGHTS, widths);
     foam_grain pieces = foam_grain_of(vec4(t.broad.r, t.fine.b, vec2(FOAM_NOISE_MIDDLE / 255.0)), STREAK_PIECES,
-                                      vec2(64.0 * PATCHES_WIDTH, BUBBLES_WIDTH).xyxy / FOAM_TEXELS, width);
+                                      width * FOAM_TEXELS / vec2(64.0 * PATCHES_WIDTH, BUBBLES_WIDTH).xyxy);
     return foam_grain(g.value + pieces.value, g.hidden + pieces.hidden - 1.0);
 }
 

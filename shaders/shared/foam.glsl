@@ -38,7 +38,7 @@ SHARED real old_foam_share(real breaking, real all) { return max(all - breaking,
 #define STREAKS_MOST 0.9
 SHARED real streak_share(real wind_speed) {
     real t = clamp((wind_speed - STREAKS_NONE) / (STREAKS_ALL - STREAKS_NONE), 0.0, 1.0);
-    return STREAKS_MOST * t * t;
+    return STREAKS_MOST * t * sqrt(t);
 }
 
 // Visibility through the spray of a storm [m]: "affected" from force 11 on, "very seriously affected" in 12 (WMO).
@@ -51,17 +51,19 @@ SHARED real spray_visibility(real wind_speed) {
     return SPRAY_CLEAR * exp(t * log(SPRAY_THICK / SPRAY_CLEAR));
 }
 
-// Distance of the windrows that foam gathers in, between Langmuir's cells [m]: 4.8 s times the wind speed (Faller &
-// Woodcock 1964).
+// Distance of the broadest windrows that foam gathers in, between Langmuir's cells [m]: 4.8 s times the wind speed
+// (Faller & Woodcock 1964), until the cells reach the bottom of the mixed layer.
 #define WINDROW_TIME 4.8   // [s]
 #define WINDROW_LEAST 8.0  // [m]
-SHARED real windrow_distance(real wind_speed) { return max(WINDROW_TIME * wind_speed, WINDROW_LEAST); }
+#define WINDROW_MOST 100.0
+SHARED real windrow_distance(real wind_speed) { return clamp(WINDROW_TIME * wind_speed, WINDROW_LEAST, WINDROW_MOST); }
 // Speed of foam along the wind, over the water below, in wind speeds. Bubbles, small nets and windrows have the drift
 // of the surface by wind and waves (Wu 1983). The eddies that gather foam and tear it, as deep as they are wide, are
 // slower, since the drift falls off with depth; by how much is by eye: a patch of residual foam lasts for 10 to 60 s.
 #define FOAM_DRIFT 0.031
 #define EDDY_DRIFT 0.026
-#define WINDROWS 4.0       // of the broadest kind, across a tile of streaks
+#define WINDROWS 16        // of the broadest kind, across a tile of streaks
+#define WINDROWS_FINER 9.0 // tiles of the fine streaks across a tile of streaks: a whole number
 #define WINDROW_STRETCH 6.0
 #define STREAKS_ON_CRESTS 0.6 // deviations of the streaks for one of the Jacobian: crests draw foam together
 

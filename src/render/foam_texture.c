@@ -4,8 +4,10 @@
 // displaced by smooth noise. The histogram is then flattened by rank.
 #include "foam_texture.h"
 #include "foam_statistics.h"
+#include "hash.h"
 #include "memory.h"
 #include "shared/foam.glsl"
+#include "windrows.h"
 
 #include <math.h>
 #include <string.h>
@@ -13,15 +15,8 @@
 #define SIZE FOAM_TEXTURE_SIZE
 #define PIXELS ((size_t)SIZE * SIZE)
 #define BINS 4096
-
-static uint32_t hash(uint32_t x, uint32_t y, uint32_t salt) {
-    uint32_t h = x * 0x9E3779B1u ^ y * 0x85EBCA77u ^ salt * 0xC2B2AE3Du;
-    h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
-    h = (h ^ (h >> 12)) * 0x297A2D39u;
-    return h ^ (h >> 15);
-}
-
-static float unit(uint32_t h) { return (float)(h >> 8) * (1.0f / 16777216.0f); }
+_Static_assert(SIZE == WINDROWS_SIZE, "a sample of the windrows is a texel");
+enum { WINDROWS_CHANNEL = 3 };
 
 // Smooth value noise, periodic after `cells`.
 static float value_noise(float x, float y, int cells, uint32_t salt) {
@@ -32,7 +27,8 @@ static float value_noise(float x, float y, int cells, uint32_t salt) {
     float v[4];
     for (int i = 0; i < 4; ++i) {
         int cx = (ix + (i & 1)) % cells, cy = (iy + (i >> 1)) % cells;
-        v[i] = unit(hash((uint32_t)(cx + cells) % (uint32_t)cells, (uint32_t)(cy + cells) % (uint32_t)cells, salt));
+        v[i] = hash_unit(
+            cell_hash((uint32_t)(cx + cells) % (uint32_t)cells, (uint32_t)(cy + cells) % (uint32_t)cells, salt));
     }
     float low = v[0] + (v[1] - v[0]) * fx, high = v[2] + (v[3] - v[2]) * fx;
     return low + (high - low) * fy;
@@ -46,8 +42,8 @@ static float cell_walls(float x, float y, int cells, uint32_t salt) {
         for (int i = -1; i <= 1; ++i) {
             uint32_t cx = (uint32_t)(ix + i + cells) % (uint32_t)cells,
                      cy = (uint32_t)(iy + j + cells) % (uint32_t)cells;
-            uint32_t h = hash(cx, cy, salt);
-            float dx = (float)(ix + i) + unit(h) - x, dy = (float)(iy + j) + unit(hash(h, cx, salt)) - y;
+            uint32_t h = cell_hash(cx, cy, salt);
+            float dx = (float)(ix + i) + hash_unit(h) - x, dy = (float)(iy + j) + hash_unit(cell_hash(h, cx, salt)) - y;
             float d = sqrtf(dx * dx + dy * dy);
             if (d < nearest)
                 second = nearest, nearest = d;
@@ -72,7 +68,7 @@ static void foam_at(float u, float v, float out[4]) {
     out[3] = 0.6f * value_noise(u * 3, v * 3, 3, 51) + 0.4f * value_noise(u * 7, v * 7, 7, 52);
 }
 
-// The four channels of the noise of foam: patches, nets of walls, bubbles, and patches for streaks.
+// The channels of the noise of foam but for the windrows: patches, nets of walls, bubbles.
 static void noise_at(float u, float v, float out[4]) {
     float wx = value_noise(u * 8, v * 8, 8, 61) + 0.5f * value_noise(u * 19, v * 19, 19, 62);
     float wy = value_noise(u * 8, v * 8, 8, 71) + 0.5f * value_noise(u * 19, v * 19, 19, 72);
@@ -82,8 +78,7 @@ static void noise_at(float u, float v, float out[4]) {
     out[1] = 0.50f * cell_walls(x * 13, y * 13, 13, 6) + 0.32f * cell_walls(x * 29, y * 29, 29, 7) +
              0.18f * cell_walls(x * 64, y * 64, 64, 8);
     out[2] = 0.55f * cell_walls(x * 31, y * 31, 31, 9) + 0.45f * cell_walls(x * 73, y * 73, 73, 10);
-    out[3] = 0.40f * value_noise(x * 4, y * 4, 4, 91) + 0.30f * value_noise(x * 11, y * 11, 11, 92) +
-             0.20f * value_noise(x * 27, y * 27, 27, 93) + 0.10f * value_noise(x * 63, y * 63, 63, 94);
+    out[WINDROWS_CHANNEL] = 0.0f;
 }
 
 typedef struct filling {
@@ -123,19 +118,21 @@ static void flatten(const float *values, int channel, double (*byte_of)(double s
     for (size_t i = 0; i < PIXELS; ++i) out[4 * i + channel] = mapped[bin_of(values[4 * i + channel])];
 }
 
-static bolan_result fill(void (*at)(float u, float v, float out[4]), double (*byte_of)(double share), uint8_t *out) {
+static bolan_result fill(void (*at)(float u, float v, float out[4]), bool windrows, double (*byte_of)(double share),
+                         uint8_t *out) {
     size_t bytes = sizeof(float) * 4 * PIXELS;
     filling f = {at, allocate_for("the texture of foam", bytes)};
     if (f.out == NULL) return BOLAN_ERROR_MEMORY;
     bolan_parallel(SIZE, 16, fill_rows, &f);
+    const bolan_result result = windrows ? bolan_windrows_fill(f.out + WINDROWS_CHANNEL, 4) : BOLAN_OK;
     for (int channel = 0; channel < 4; ++channel) flatten(f.out, channel, byte_of, out);
     bolan_release(f.out, bytes);
-    return BOLAN_OK;
+    return result;
 }
 
-bolan_result bolan_foam_texture_fill(uint8_t *out) { return fill(foam_at, uniform_byte, out); }
+bolan_result bolan_foam_texture_fill(uint8_t *out) { return fill(foam_at, false, uniform_byte, out); }
 
-bolan_result bolan_foam_noise_fill(uint8_t *out) { return fill(noise_at, normal_byte, out); }
+bolan_result bolan_foam_noise_fill(uint8_t *out) { return fill(noise_at, true, normal_byte, out); }
 
 // Sums of 2 x 2 texels: from `size` to half of it, in place.
 static void halve(uint32_t *sums, uint32_t size) {

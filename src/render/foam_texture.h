@@ -15,7 +15,7 @@ bolan_result bolan_foam_texture_fill(uint8_t *out);
 bolan_result bolan_foam_texture_create(gl_texture *out);
 
 // Noise of the physical optics: 4 channels whose values have the standard normal distribution, times
-// 255 / FOAM_NOISE_RANGE about FOAM_NOISE_MIDDLE: patches, nets of walls, bubbles, patches for streaks.
+// 255 / FOAM_NOISE_RANGE about FOAM_NOISE_MIDDLE: patches, nets of walls, bubbles, windrows (windrows.h).
 // Errors as above.
 bolan_result bolan_foam_noise_fill(uint8_t *out);
 bolan_result bolan_foam_noise_create(gl_texture *out);

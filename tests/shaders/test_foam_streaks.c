@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Old foam is drawn out along the wind (shaders/common/foam.glsl): streaks 2.5 times as long as they are wide,
-// whichever way it blows. Foam drifts with the wind over the water, and its pattern lasts.
+// Windrows (src/render/windrows.c, shaders/common/foam.glsl): lines along the wind, whichever way it blows, of many
+// distances. Foam drifts with the wind over the water, and its pattern lasts.
 #include "probe.h"
 
 #include "render/foam_texture.h"
 #include "render/frame.h"
+#include "render/windrows.h"
+#include "shared/foam.glsl"
+
+#include <stdlib.h>
 
 typedef struct rig {
     gl_texture detail;
@@ -19,47 +23,136 @@ static void set_foam(const gl_program *program, const void *context) {
     bolan_gl_texture_bind(&r->detail, UNIT_FOAM_DETAIL);
 }
 
-// Mean squared difference of the streaks at places `apart` from each other: xy along, zw across the wind.
+// ---- pattern --------------------------------------------------------------------------------------------------------
+
+// Mean squared difference of windrows at places x.x apart: along and across the wind; and likewise of fresh foam.
 static const char *const probe_body =
     "vec4 probe(vec4 x) {\n"
     "    vec4 sum = vec4(0.0);\n"
+    "    vec2 along = x.x * wind_direction, across = x.x * vec2(-wind_direction.y, wind_direction.x);\n"
     "    for (int i = 0; i < 2048; ++i) {\n"
-    "        vec2 at = 300.0 * fract(float(i) * vec2(0.75487766, 0.56984029));\n"
-    "        float here = foam_look_up(at, 0.02).streak.r;\n"
-    "        float along = foam_look_up(at + x.x * wind_direction, 0.02).streak.r - here;\n"
-    "        float across = foam_look_up(at + x.x * vec2(-wind_direction.y, wind_direction.x), 0.02).streak.r - here;\n"
-    "        float broad = foam_look_up(at, 0.02).broad.r;\n"
-    "        float east = foam_look_up(at + vec2(x.x, 0.0), 0.02).broad.r - broad;\n"
-    "        float north = foam_look_up(at + vec2(0.0, x.x), 0.02).broad.r - broad;\n"
-    "        sum += vec4(along * along, across * across, east * east, north * north) / 2048.0;\n"
+    "        vec2 at = 9000.0 * fract(float(i) * vec2(0.75487766, 0.56984029));\n"
+    "        float here = windrow_texels(at, 0.02).x, broad = foam_look_up(at, 0.02).broad.r;\n"
+    "        vec4 rise = vec4(windrow_texels(at + along, 0.02).x, windrow_texels(at + across, 0.02).x,\n"
+    "                         foam_look_up(at + along, 0.02).broad.r, foam_look_up(at + across, 0.02).broad.r);\n"
+    "        rise -= vec4(here, here, broad, broad);\n"
+    "        sum += rise * rise / 2048.0;\n"
     "    }\n"
     "    return sum;\n"
     "}\n";
 
-static void old_foam_is_drawn_out_along_the_wind(void **state) {
+static void windrows_lie_along_the_wind(void **state) {
     (void)state;
     const double winds[] = {0.3, 1.9, -2.6};
     for (int k = 0; k < 3; ++k) {
         rig r = {.blocks = {
                      .frame = {.wind_direction = {(float)cos(winds[k]), (float)sin(winds[k])},
-                               .streak_scale = {1.0f / 16.0f, 0.4f / 16.0f}},
+                               .streak_scale = {1.0f / 1600.0f, 1.0f / 9600.0f}},
                      .view = {.eye_wrapped = {700.0f, 100.0f}, .foam_wrapped = {700.0f, 100.0f}, .eye_height = 3.0f}}};
         r.blocks.view.streak_place =
             bolan_frame_streaks(bolan_dv3(700.0, 100.0, 3.0), winds[k], r.blocks.frame.streak_scale);
-        float in[2][4] = {{0.1f}, {0.25f}}, out[2][4];
+        float in[2][4] = {{10.0f}, {0.5f}}, out[2][4];
         assert_int_equal(bolan_foam_noise_create(&r.detail), BOLAN_OK);
         assert_int_equal(bolan_blocks_create(&r.uniforms), BOLAN_OK);
         bolan_blocks_upload(&r.uniforms, &r.blocks);
         probe_run_with("#include \"common/frame.glsl\"\n#include \"common/slopes.glsl\"\n#include \"common/foam.glsl\"",
                        probe_body, NULL, set_foam, &r, in, 2, out);
-        // 0.25 m along the wind is what 0.1 m is across it; 2048 places, and a texture that is nearly the same along
-        // its two axes
-        assert_near(out[1][0] / out[0][1], 1.0, 0.15);
-        assert_true(out[0][0] < 0.6f * out[0][1]);
-        assert_near(out[0][2] / out[0][3], 1.0, 0.15); // fresh foam is not
+        assert_true(out[0][0] < 0.1f * out[0][1]);     // at a windrow's own width they are drawn out
+        assert_near(out[1][2] / out[1][3], 1.0, 0.15); // fresh foam is not: 2048 places
         bolan_blocks_free(&r.uniforms);
         bolan_gl_texture_free(&r.detail);
     }
+}
+
+// x: angle from the wind of a pixel of 12 m by 1 m. Its width for windrows.
+static const char *const width_body =
+    "vec4 probe(vec4 x) {\n"
+    "    vec2 axis = cos(x.x) * wind_direction + sin(x.x) * vec2(-wind_direction.y, wind_direction.x);\n"
+    "    return vec4(windrow_width(axis, 1.0, 12.0));\n"
+    "}\n";
+
+static void pixels_along_the_wind_resolve_windrows(void **state) {
+    (void)state;
+    rig r = {.blocks = {.frame = {.wind_direction = {0.6f, -0.8f}}}};
+    float in[3][4] = {{0.0f}, {1.5707963f}, {0.7853982f}}, out[3][4];
+    assert_int_equal(bolan_foam_noise_create(&r.detail), BOLAN_OK);
+    assert_int_equal(bolan_blocks_create(&r.uniforms), BOLAN_OK);
+    bolan_blocks_upload(&r.uniforms, &r.blocks);
+    probe_run_with("#include \"common/frame.glsl\"\n#include \"common/foam.glsl\"", width_body, NULL, set_foam, &r, in,
+                   3, out);
+    assert_near(out[0][0], 12.0 / 6.0, 1e-5); // by its length, over the stretch of windrows
+    assert_near(out[1][0], 12.0, 1e-5);
+    assert_near(out[2][0], sqrt(0.5 * (1.0 + 144.0)), 1e-5);
+    bolan_blocks_free(&r.uniforms);
+    bolan_gl_texture_free(&r.detail);
+}
+
+static float windrows[WINDROWS_SIZE][WINDROWS_SIZE];
+
+static int by_size(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+// Distances between windrows across the wind, where the field rises over a standard deviation [texels], sorted.
+static uint32_t distances(double *out, uint32_t most) {
+    uint32_t count = 0;
+    for (uint32_t v = 0; v < WINDROWS_SIZE; v += 4) {
+        double last = -1.0;
+        for (uint32_t u = 1; u < WINDROWS_SIZE; ++u) {
+            const double before = (double)windrows[v][u - 1] - 0.6, here = (double)windrows[v][u] - 0.6;
+            if (!(before < 0.0 && here >= 0.0)) continue;
+            const double at = u - here / (here - before);
+            if (last >= 0.0 && count < most) out[count++] = at - last;
+            last = at;
+        }
+    }
+    qsort(out, count, sizeof *out, by_size);
+    return count;
+}
+
+// Standard deviation of the direction of lines against the wind [degrees], by the structure tensor over 32 x 8 texels.
+static double wander(void) {
+    enum { ACROSS = 32, ALONG = 8, N = WINDROWS_SIZE / ACROSS, COUNT = N * WINDROWS_SIZE / ALONG };
+    double squares = 0.0;
+    for (uint32_t i = 0; i < COUNT; ++i) {
+        double uu = 0.0, vv = 0.0, uv = 0.0;
+        for (uint32_t k = 0; k < ACROSS * ALONG; ++k) {
+            const uint32_t u = i % N * ACROSS + k % ACROSS, v = i / N * ALONG + k / ACROSS;
+            const double here = (double)windrows[v][u];
+            const double du = (double)windrows[v][(u + 1) % WINDROWS_SIZE] - here;
+            const double dv = ((double)windrows[(v + 1) % WINDROWS_SIZE][u] - here) / WINDROW_STRETCH;
+            uu += du * du, vv += dv * dv, uv += du * dv;
+        }
+        const double turned = 0.5 * atan2(2.0 * uv, uu - vv) * 180.0 / BOLAN_PI;
+        squares += turned * turned / COUNT;
+    }
+    return sqrt(squares);
+}
+
+// Thorpe (2004): foam windrows are 2 to 300 m apart, several sizes at a time. The tile has the broad half of them, in
+// 20 m/s 1536 m wide; in its place lie WINDROWS_FINER tiles of the fine half.
+static void windrows_have_many_distances_and_wander(void **state) {
+    (void)state;
+    enum { MOST = 40000 };
+    static double apart[MOST];
+    assert_int_equal(bolan_windrows_fill(windrows[0], 1), BOLAN_OK);
+    const uint32_t count = distances(apart, MOST);
+    const double texel = WINDROWS * windrow_distance(20.0) / WINDROWS_SIZE;
+    double mean = 0.0, logs = 0.0, square = 0.0, log_square = 0.0, cube = 0.0, log_cube = 0.0;
+    for (uint32_t i = 0; i < count; ++i) mean += apart[i] / count, logs += log(apart[i]) / count;
+    for (uint32_t i = 0; i < count; ++i) {
+        const double d = apart[i] - mean, e = log(apart[i]) - logs;
+        square += d * d / count, cube += d * d * d / count, log_square += e * e / count, log_cube += e * e * e / count;
+    }
+    const double skewness = cube / pow(square, 1.5), log_skewness = log_cube / pow(log_square, 1.5);
+    const double low = texel * apart[count / 20], high = texel * apart[count - 1 - count / 20], turned = wander();
+    print_message("%u distances: %.0f, %.0f, %.0f m (5, 50, 95 %%), deviation of the logarithm %.2f, skewness %.2f and "
+                  "of the logarithm %.2f; lines turn by %.1f degrees\n",
+                  count, low, texel * apart[count / 2], high, sqrt(log_square), skewness, log_skewness, turned);
+    assert_true(low / WINDROWS_FINER < 3.0 && high > 100.0 && high < 300.0);
+    assert_true(sqrt(log_square) > 0.6 && fabs(log_skewness) < 0.5 && skewness > 1.0); // a comb has 0, 0 and 0
+    assert_true(turned > 5.0 && turned < 12.0); // twice as much, 10 to 20 degrees, is rare
 }
 
 // ---- drift ----------------------------------------------------------------------------------------------------------
@@ -123,7 +216,8 @@ static void drift_closes_a_loop(void **state) {
 // Opacity of streaks at four places.
 static const char *const pattern_body =
     "float opacity(vec2 at) {\n"
-    "    return foam_film(0.0, 0.0, 1.0, streak_grain(foam_look_up(at, 0.2), 0.2), 0.8);\n"
+    "    vec2 windrows = windrow_texels(at, 0.2);\n"
+    "    return foam_film(0.0, 0.0, 1.0, streak_grain(foam_look_up(at, 0.2), 0.2, windrows, 0.2), 0.8);\n"
     "}\n"
     "vec4 probe(vec4 x) {\n"
     "    return vec4(opacity(x.xy), opacity(x.xy + vec2(700.0, 310.0)), opacity(x.xy + vec2(-510.0, 630.0)),\n"
@@ -184,8 +278,11 @@ static void patches_of_foam_last_for_tens_of_seconds(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        IN_BOTH_APIS(old_foam_is_drawn_out_along_the_wind), cmocka_unit_test(foam_drifts_with_the_wind_over_the_water),
-        cmocka_unit_test(drift_closes_a_loop), IN_BOTH_APIS(patches_of_foam_last_for_tens_of_seconds)};
+    const struct CMUnitTest tests[] = {IN_BOTH_APIS(windrows_lie_along_the_wind),
+                                       IN_BOTH_APIS(pixels_along_the_wind_resolve_windrows),
+                                       cmocka_unit_test(windrows_have_many_distances_and_wander),
+                                       cmocka_unit_test(foam_drifts_with_the_wind_over_the_water),
+                                       cmocka_unit_test(drift_closes_a_loop),
+                                       IN_BOTH_APIS(patches_of_foam_last_for_tens_of_seconds)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -127,6 +127,7 @@ static void streaks_come_with_the_gale(void **state) {
     assert_near(spray_visibility(60.0), 1000.0, 1e-6);
     assert_near(windrow_distance(15.0), 72.0, 1e-12);
     assert_near(windrow_distance(0.0), 8.0, 1e-12);
+    assert_near(windrow_distance(40.0), 100.0, 1e-12);
 }
 
 static void a_bore_is_steep_in_front_and_thins_out_behind(void **state) {
