@@ -10,8 +10,7 @@ void main() { fullscreen(0.0); }
 
 #ifdef FRAGMENT
 #include "common/atmosphere.glsl"
-#include "common/gusts.glsl"
-#include "shared/earth.glsl"
+#include "common/mean_water.glsl"
 #ifdef LAND
 #include "common/shore.glsl"
 #endif
@@ -19,28 +18,6 @@ layout(location = 0) out vec4 out_transmittance; // of the air to the eye; w: gu
 layout(location = 1) out vec4 out_inscatter;     // of the air to the eye; w: share of the sun that passes the clouds
 layout(location = 2) out vec4 out_bed;           // depth of the mean water, distance to shore by the bed's slope [m]
 uniform vec4 air_size;                           // of this picture: 1 / width, 1 / height
-
-// Where a ray meets the mean water of the round earth, or passes nearest to it; a ray that sinks by less than
-// `least_slope` for each metre is taken as one that does.
-vec3 mean_water(vec3 direction, float least_slope) {
-    float h = max(eye_height, 0.3), flat_length = max(length(direction.xy), 1e-5);
-    float r = earth_meets(max(-direction.z / flat_length, least_slope), h, earth_radius);
-    if (r < 0.0) r = earth_horizon(h, earth_radius);
-    return vec3(direction.xy * (r / flat_length), -h - earth_drop(r * r, earth_radius));
-}
-
-const float ROW = 4.0;       // pixels to a row of this picture, as in src/render/water_air.c
-const float AVERAGED = 0.15; // of the length that a row covers: over n patches along it, a mean varies by 1 / sqrt(n)
-
-// The gusts that a row sees. The last row before the horizon is taken at its middle: the water beyond it fills one
-// pixel or two, and would show as a strip as high as the row.
-float gusts_seen(vec3 direction, float width) {
-    float h = max(eye_height, 0.3), angle = 0.5 * ROW * radians_per_pixel;
-    vec3 place = mean_water(direction, earth_dip(h, earth_radius) + angle);
-    float dist = length(place), over = h - earth_drop(dot(place.xy, place.xy), earth_radius);
-    float row = 2.0 * angle * dist * dist / max(over, 1e-3 * dist);
-    return gustiness(eye_wrapped_wide + place.xy, max(width, AVERAGED * row));
-}
 
 void main() {
     vec3 direction = frame_ray(gl_FragCoord.xy * air_size.xy), position = mean_water(direction, 0.0);

@@ -86,6 +86,34 @@ static void gusts_go_with_the_wind(void **state) {
     bolan_blocks_free(&uniforms);
 }
 
+// x: tangent of the angle of a ray below the level. Gusts that a row sees there, and those at y metres with footprints
+// of z metres.
+static const char *const row_body =
+    "vec4 probe(vec4 x) {\n"
+    "    vec3 ray = normalize(vec3(0.6, 0.8, -x.x));\n"
+    "    return vec4(gusts_seen(ray, 0.0), gustiness(eye_wrapped_wide + x.y * vec2(0.6, 0.8), x.z), 0.0, 0.0);\n"
+    "}\n";
+
+// An eye at 10 m, on a flat earth, rows of 4 mrad: the last one that meets water has its middle 2 mrad below the
+// horizon, at 5 km, where a row covers 4 mrad (5 km)^2 / 10 m = 10 km. Gusts average over 0.15 of that.
+static void the_last_row_sees_the_gusts_at_its_middle(void **state) {
+    (void)state;
+    static const float below[] = {0.0005f, 0.0f, -0.003f};
+    block_buffers uniforms = {0};
+    block_values blocks = {
+        .frame = {.wind_speed = 8.0f, .earth_radius = 1e15f},
+        .view = {.eye_height = 10.0f, .radians_per_pixel = 0.001f, .eye_wrapped_wide = {300.0f, 70.0f}}};
+    assert_int_equal(bolan_blocks_create(&uniforms), BOLAN_OK);
+    bolan_blocks_upload(&uniforms, &blocks);
+    float in[4][4] = {{0.004f, 2500.0f, 0.15f * 2500.0f}}, out[4][4];
+    for (int i = 0; i < 3; ++i) in[i + 1][0] = below[i], in[i + 1][1] = 5000.0f, in[i + 1][2] = 0.15f * 10000.0f;
+    probe_run_with("#include \"common/frame.glsl\"\n#include \"common/mean_water.glsl\"", row_body, NULL, bind,
+                   &uniforms, in, 4, out);
+    assert_true(fabs((double)out[1][1] - 1.0) > 0.01); // there are gusts
+    for (int i = 0; i < 4; ++i) assert_near(out[i][0], out[i][1], 1e-3);
+    bolan_blocks_free(&uniforms);
+}
+
 // Wind from the west by south (250 degrees), 6 m/s: in 100 s the gusts go 600 m, 563.8 m east and 205.2 m north.
 static void the_frame_carries_the_gusts_downwind(void **state) {
     (void)state;
@@ -105,6 +133,7 @@ static void the_frame_carries_the_gusts_downwind(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {IN_BOTH_APIS(gusts_leave_the_mean), IN_BOTH_APIS(wide_footprints_see_no_patches),
                                        IN_BOTH_APIS(gusts_go_with_the_wind),
+                                       IN_BOTH_APIS(the_last_row_sees_the_gusts_at_its_middle),
                                        cmocka_unit_test(the_frame_carries_the_gusts_downwind)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
