@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sunlight at a place in the water as a share of what flat water lets through, from the images of caustics.glsl: one
-// depth a channel, the bed's in the last. Layer 0 is the wide patch; layer 1 the finer one near the eye, which shows the
-// bed alone and, in its third channel, that light times the depth of the bed. Deep images are as blurred as the sun's
-// disc and the waves that a patch lacks make them. Needs common/frame.glsl.
+// depth a channel, the bed's in the last. Layer 0 is the wide patch. Layer 1, finer and near the eye, shows the bed
+// alone; its third channel has that light times the depth of the bed. Deep images are as blurred as the sun's disc and
+// the waves that a patch lacks make them. Needs common/frame.glsl.
 #include "shared/caustic_patches.glsl"
 #include "shared/constants.glsl"
 #pragma unit caustic_map 24
