@@ -61,37 +61,28 @@ vec3 lit_below(vec3 dry, float depth) {
 #ifdef LAND
 // The bed that a reflected ray meets where the image does not show it: a bright mean of sand and reef.
 const vec3 BED_ALBEDO = vec3(0.35, 0.31, 0.22);
-const int BED_STEPS = 8;
+const int BED_STEPS = 5; // a level bed is met to 0.3^5 of its depth
 
-// Radiance along a ray that goes down from a place on the surface, within the water.
-vec3 reflected_scene(vec3 from, vec3 dir, vec3 sunlight) {
-    float down = max(-dir.z, 0.02), height = eye_height + from.z, near = FARTHEST;
-    vec3 bed = vec3(0.0);
-    // a loop: software OpenGL goes past a loop that no pixel enters; an object alone has no bed under it
-    for (int once = 0; once < shore_present; ++once) {
-        bool met = false;
-        near = 0.0;
-        for (int i = 0; i < BED_STEPS && !met; ++i) {
-            float to_bed = height - near * down - shore_elevation((from + dir * near).xy);
-            near += max(0.7 * to_bed, 0.05) / down;
-            met = to_bed < 0.1;
-        }
-        vec3 at = from + dir * near, seen_at;
-        vec4 c = view_projection * vec4(at, 1.0);
-        vec2 uv = c.xy / max(c.w, 1e-4) * 0.5 + 0.5;
-        vec2 inside = min(uv, 1.0 - uv);
-        vec3 dry = BED_ALBEDO / PI * light_over(sunlight);
-        vec4 seen = behind(clamp(uv, 0.001, 0.999), seen_at);
-        bool same =
-            c.w > 0.0 && seen.w > 0.0 && seen_at.z + eye_height < 0.0 && distance(seen_at, at) < 0.3 * length(at);
-        bed = mix(dry, seen.rgb, same ? smoothstep(0.0, 0.08, min(inside.x, inside.y)) : 0.0);
-        bed = lit_below(bed, -(eye_height + at.z)) * exp(-beam_attenuation * near);
+// Of the bed that a ray meets which goes down from a place on the surface, within the water: its radiance at the
+// surface.
+vec3 bed_along(vec3 from, vec3 dir, vec3 sunlight, out float near) {
+    float down = max(-dir.z, 0.02), height = eye_height + from.z;
+    bool met = false;
+    near = 0.0;
+    for (int i = 0; i < BED_STEPS && !met; ++i) {
+        float to_bed = height - near * down - shore_elevation((from + dir * near).xy);
+        near += max(0.7 * to_bed, 0.05) / down;
+        met = to_bed < 0.1;
     }
-    return bed + veil(sunlight, -height, dir, near);
-}
-#else
-vec3 reflected_scene(vec3 from, vec3 dir, vec3 sunlight) {
-    return veil(sunlight, -(eye_height + from.z), dir, FARTHEST);
+    vec3 at = from + dir * near, seen_at;
+    vec4 c = view_projection * vec4(at, 1.0);
+    vec2 uv = c.xy / max(c.w, 1e-4) * 0.5 + 0.5;
+    vec2 inside = min(uv, 1.0 - uv);
+    vec3 dry = BED_ALBEDO / PI * light_over(sunlight);
+    vec4 seen = behind(clamp(uv, 0.001, 0.999), seen_at);
+    bool same = c.w > 0.0 && seen.w > 0.0 && seen_at.z + eye_height < 0.0 && distance(seen_at, at) < 0.3 * length(at);
+    vec3 bed = mix(dry, seen.rgb, same ? smoothstep(0.0, 0.08, min(inside.x, inside.y)) : 0.0);
+    return lit_below(bed, -(eye_height + at.z)) * exp(-beam_attenuation * near);
 }
 #endif
 
@@ -165,24 +156,29 @@ vec3 facet_normal(facets_below f, vec2 slope, float deviations) {
     return normalize(vec3(-slope - f.along * (f.middle + f.spread * deviations), 1.0));
 }
 
-// Radiance of what the facets reflect, `reflectance` of them on the inside.
+// A ray that facets of that slope reflect down into the water.
+vec3 reflected_down(facets_below f, vec3 dir, vec2 slope, float deviations) {
+    vec3 down = reflect(dir, facet_normal(f, slope, deviations));
+    return vec3(down.xy, -abs(down.z));
+}
+
+// Radiance of what the facets reflect, `reflectance` of them on the inside: water, and the bed by two rays a deviation
+// off the mean.
 vec3 reflected_below(facets_below f, vec3 position, vec3 dir, vec2 slope, float reflectance, vec3 sunlight) {
-    float far = 1.0 - f.open, near = f.open * reflectance, all = max(far + near, 1e-4);
-    float mean = (far * f.outside.x + near * f.inside.x) / all, square = far * dot(f.outside, f.outside);
-    float deviation = sqrt(max((square + near * dot(f.inside, f.inside)) / all - mean * mean, 0.0));
-    vec3 light = vec3(0.0);
+    float far = 1.0 - f.open, near = f.open * reflectance, all = max(far + near, 1e-4), reach = FARTHEST;
+    float mean = (far * f.outside.x + near * f.inside.x) / all;
+    vec3 bed = vec3(0.0);
 #ifdef LAND
-    const int RAYS = 2;
-#else
-    const int RAYS = 1;
-    deviation = 0.0;
-#endif
-    for (int i = 0; i < RAYS; ++i) {
-        vec3 down = reflect(dir, facet_normal(f, slope, mean + (i == 0 ? deviation : -deviation)));
-        down.z = -abs(down.z);
-        light += reflected_scene(position, down, sunlight) / float(RAYS);
+    // a loop: software OpenGL goes past a loop that no pixel enters; an object alone has no bed under it
+    for (int once = 0; once < shore_present; ++once) {
+        float square = far * dot(f.outside, f.outside) + near * dot(f.inside, f.inside), a, b;
+        float deviation = sqrt(max(square / all - mean * mean, 0.0));
+        bed = 0.5 * bed_along(position, reflected_down(f, dir, slope, mean - deviation), sunlight, a);
+        bed += 0.5 * bed_along(position, reflected_down(f, dir, slope, mean + deviation), sunlight, b);
+        reach = 0.5 * (a + b);
     }
-    return light;
+#endif
+    return bed + veil(sunlight, -(eye_height + position.z), reflected_down(f, dir, slope, mean), reach);
 }
 
 // Radiance that the surface sends down along the ray -dir.

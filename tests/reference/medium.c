@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The water: coefficients and sources of common/below_medium.glsl, which are not checked here; and a level bed, whose
-// sunlight is that of photons that waves have turned.
+// sunlight is that of the photons (photons.c).
 #include "shared/bed.glsl"
 #include "shared/fournier_forand.glsl"
 #include "shared/refraction.glsl"
@@ -44,86 +44,60 @@ void medium_open(tracer *t) {
 // Integral of exp(-k x) from 0 to `reach`.
 static double path_of(double k, double reach) { return fabs(k * reach) < 1e-9 ? reach : -expm1(-k * reach) / k; }
 
+static double phase_of(const medium *m, vec dir, int k) {
+    const double cosine = fmin(dot3(dir, m->sun), m->blur_cosine), e = m->exponent[k], n = fournier_forand_index(e);
+    return fmax(fournier_forand(cosine, n, e) - fournier_forand(-1.0, n, e), 0.0);
+}
+
+static double field_veil(const medium *m, double depth, vec dir, double reach, int k) {
+    return m->field[k] * m->entering[k] * exp(-m->kd[k] * depth) * path_of(m->beam[k] - m->kd[k] * dir.z, reach);
+}
+
 double water_veil(const tracer *t, double depth, vec dir, double reach, int c) {
     const medium *m = &t->medium;
     const int k = color_of(c);
     const double beam = m->beam[k], down = beam / m->sun.z, d = fmax(depth, 0.0);
-    const double cosine = fmin(dot3(dir, m->sun), m->blur_cosine), e = m->exponent[k], n = fournier_forand_index(e);
-    const double phase = fmax(fournier_forand(cosine, n, e) - fournier_forand(-1.0, n, e), 0.0);
-    return m->field[k] * m->entering[k] * exp(-m->kd[k] * d) * path_of(beam - m->kd[k] * dir.z, reach) +
-           m->wide[k] * m->sunny[k] * phase * exp(-down * d) * path_of(beam - down * dir.z, reach);
+    return field_veil(m, d, dir, reach, k) +
+           m->wide[k] * m->sunny[k] * phase_of(m, dir, k) * exp(-down * d) * path_of(beam - down * dir.z, reach);
+}
+
+// Sunlight at a place as a share of flat water's: what is scattered leaves the pattern.
+static double pattern_at(const tracer *t, vec at) {
+    return 1.0 + (gathered_at(&t->photons, at) - 1.0) * exp(-t->medium.pattern * fmax(-at.z, 0.0));
+}
+
+#define SHAFTS 20.0 // as far as they are added up [m]
+enum { SHAFT_STEPS = 80 };
+
+void shaft_veil(tracer *t, vec from, vec dir, double reach, double out[LIGHT]) {
+    const medium *m = &t->medium;
+    const double step = fmin(reach, SHAFTS) / SHAFT_STEPS;
+    double more[SHAFT_STEPS], depth[SHAFT_STEPS], far[SHAFT_STEPS];
+    for (int i = 0; i < SHAFT_STEPS; ++i) {
+        far[i] = step * (i + uniform(&t->random));
+        const vec at = along(from, far[i], dir);
+        more[i] = pattern_at(t, at) - 1.0, depth[i] = fmax(-at.z, 0.0);
+    }
+    for (int k = 0; k < 3; ++k) {
+        const double beam = m->beam[k], down = beam / m->sun.z;
+        double sum = 0.0;
+        for (int i = 0; i < SHAFT_STEPS; ++i) sum += step * more[i] * exp(-beam * far[i] - down * depth[i]);
+        out[k] = water_veil(t, -from.z, dir, reach, k) + m->wide[k] * m->sunny[k] * phase_of(m, dir, k) * sum;
+    }
+    out[SUNLESS] = out[1];
 }
 
 // ---- the bed --------------------------------------------------------------------------------------------------------
 
-enum { CELLS = 800, PHOTONS_A_CELL = 64 };
-#define SIDE 32.0  // of the cells' square, whose middle is AHEAD of the eye [m]
-#define AHEAD 8.0  // [m]
-#define MARGIN 2.0 // by which waves turn photons aside [m]
+#define SIDE 30.0 // of the square of bed that the sky is measured from [m]
 
 double bed_radiance(const tracer *t, double x, double y, int c) {
     const sea_bed *b = &t->bed;
-    const double u = (x - b->west) / SIDE * CELLS - 0.5, v = (y - b->south) / SIDE * CELLS - 0.5;
-    const int k = color_of(c), i = (int)floor(u), j = (int)floor(v);
-    double gathered = 1.0;
-    if (i >= 0 && j >= 0 && i + 1 < CELLS && j + 1 < CELLS) {
-        const double a = u - i, f = v - j;
-        const float *g = &b->gathered[j * CELLS + i];
-        gathered = (1 - f) * ((1 - a) * (double)g[0] + a * (double)g[1]) +
-                   f * ((1 - a) * (double)g[CELLS] + a * (double)g[CELLS + 1]);
-    }
+    const int k = color_of(c);
     const double left = exp(-t->medium.kd[k] * b->depth), sun = channel_of(t->light.sun_irradiance, k) * b->sun;
-    const double pattern = 1.0 + (gathered - 1.0) * exp(-t->medium.pattern * b->depth);
     const double again = REFERENCE_ALBEDO * b->again * left * left * b->irradiance[k];
-    return REFERENCE_ALBEDO / 3.141592653589793 * (left * (b->sky[k] + sun * pattern) + again);
-}
-
-// Where a photon that enters at a place lands, and the light that it carries.
-static double send_photon(tracer *t, const place *p, vec *lands) {
-    const double r = 0.00465 * sqrt(uniform(&t->random)), a = 6.283185307179586 * uniform(&t->random);
-    double sx, sy;
-    gaussian_slope(&t->random, t->beyond, &sx, &sy);
-    const vec n = normal_of(p->sx + sx, p->sy + sy);
-    const vec to_sun = unit(along(t->sun, r, (vec){cos(a), sin(a), 0.0})); // a disc on a level plane, near enough
-    const double cosine = dot3(n, to_sun);
-    if (cosine <= 0.0) return 0.0;
-    const vec d = refracted(to_sun, n, WATER_INDEX);
-    *lands = along(p->at, (p->at.z + t->bed.depth) / -d.z, d);
-    return cosine / n.z * (1.0 - fresnel(fmin(cosine, 1.0), WATER_INDEX));
-}
-
-// Adds the photons that enter at `n` places.
-static void send_photons(tracer *t, uint32_t n, double share) {
-    sea_bed *b = &t->bed;
-    bolan_query_surface(t->water, t->xy, n, t->points);
-    for (uint32_t i = 0; i < n; ++i) {
-        const place p = place_at(t, &t->points[i], t->xy[i]);
-        vec lands = p.at;
-        const double light = send_photon(t, &p, &lands);
-        const int x = (int)floor((lands.x - b->west) / SIDE * CELLS),
-                  y = (int)floor((lands.y - b->south) / SIDE * CELLS);
-        if (x >= 0 && y >= 0 && x < CELLS && y < CELLS) b->gathered[y * CELLS + x] += (float)(light * share);
-    }
-}
-
-// Photons enter the surface at even distances, each at a random place of its square.
-static void gather(tracer *t, uint32_t most) {
-    sea_bed *b = &t->bed;
-    const double step = SIDE / CELLS / sqrt(PHOTONS_A_CELL), share = 1.0 / PHOTONS_A_CELL / b->sun;
-    const double travel = b->depth / t->medium.sun.z;
-    const double west = b->west + travel * t->medium.sun.x - MARGIN,
-                 south = b->south + travel * t->medium.sun.y - MARGIN;
-    const uint32_t side = (uint32_t)ceil((SIDE + 2.0 * MARGIN) / step);
-    for (uint64_t first = 0; first < (uint64_t)side * side; first += most) {
-        const uint64_t left = (uint64_t)side * side - first;
-        const uint32_t n = left < most ? (uint32_t)left : most;
-        for (uint32_t i = 0; i < n; ++i) {
-            const uint64_t k = first + i;
-            t->xy[i].x = west + step * ((double)(k % side) + uniform(&t->random));
-            t->xy[i].y = south + step * ((double)(k / side) + uniform(&t->random));
-        }
-        send_photons(t, n, share);
-    }
+    const double first = left * (b->sky[k] + sun * pattern_at(t, (vec){x, y, -b->depth}));
+    return REFERENCE_ALBEDO / 3.141592653589793 * (first + again);
 }
 
 // Rays from the bed, evenly over what a level plane receives.
@@ -133,7 +107,7 @@ static void see_sky(tracer *t, uint32_t count) {
     place *places = malloc(sizeof(place) * count);
     for (uint32_t i = 0; i < count; ++i) {
         const double r = sqrt(uniform(&t->random)), a = 6.283185307179586 * uniform(&t->random);
-        const double x = b->west + SIDE * uniform(&t->random), y = b->south + SIDE * uniform(&t->random);
+        const double x = SIDE * (uniform(&t->random) - 0.5), y = SIDE * (uniform(&t->random) - 0.5);
         rays[i] = (ray){.from = {x, y, -b->depth}, .dir = {r * cos(a), r * sin(a), sqrt(fmax(1.0 - r * r, 1e-4))}};
     }
     march(t, rays, count, -1);
@@ -148,18 +122,13 @@ static void see_sky(tracer *t, uint32_t count) {
     free(rays), free(places);
 }
 
-void bed_open(tracer *t, double depth, double heading, uint32_t most) {
+void bed_open(tracer *t, double depth, uint32_t most) {
     sea_bed *b = &t->bed;
     if (depth == 0.0) return;
     b->depth = depth;
-    b->gathered = calloc(CELLS * CELLS, sizeof *b->gathered);
-    b->west = AHEAD * sin(bolan_radians(heading)) - 0.5 * SIDE;
-    b->south = AHEAD * cos(bolan_radians(heading)) - 0.5 * SIDE;
     b->sun = t->sun.z * (1.0 - fresnel(t->sun.z, WATER_INDEX));
-    gather(t, most);
     see_sky(t, most);
-    double mean = 0.0;
-    for (int i = 0; i < CELLS * CELLS; ++i) mean += (double)b->gathered[i] / (CELLS * CELLS);
+    const double mean = gathered_mean(&t->photons);
     for (int c = 0; c < 3; ++c) {
         const double left = exp(-t->medium.kd[c] * depth), sun = channel_of(t->light.sun_irradiance, c) * b->sun * mean;
         b->irradiance[c] = left * (b->sky[c] + sun) / (1.0 - REFERENCE_ALBEDO * b->again * left * left);

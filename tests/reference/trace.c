@@ -11,6 +11,7 @@
 
 #define FARTHEST 30000.0       // [m]
 #define FARTHEST_UNDER 10000.0 // in the water [m]
+#define DEEPEST 12.0           // of the photons of deep water [m]
 
 // ---- the picture ----------------------------------------------------------------------------------------------------
 
@@ -102,13 +103,14 @@ static bool open_tracer(tracer *t, const bolan_world *world, const reference_vie
     t->farthest = v->height > 0.0 ? FARTHEST : FARTHEST_UNDER;
     light_the_water(t);
     medium_open(t);
-    bed_open(t, v->bed, v->heading, most);
+    if (v->bed > 0.0 || v->height < 0.0) photons_open(t, v->bed > 0.0 ? v->bed : DEEPEST, v->heading, most);
+    bed_open(t, v->bed, most);
     return good;
 }
 
 static void close_tracer(tracer *t) {
     free(t->xy), free(t->heights), free(t->active), free(t->points), free(t->sky);
-    free(t->fine.samples), free(t->bed.gathered);
+    free(t->fine.samples), free(t->photons.light);
 }
 
 static bool trace_view(const reference_view *v, const char *folder, bool furnace) {

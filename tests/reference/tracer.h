@@ -6,6 +6,7 @@
 //   over.c    light of a place on the surface for an eye in the air
 //   under.c   light along a ray for an eye in the water
 //   medium.c  the water and its bed
+//   photons.c sunlight in the water
 #ifndef BOLAN_REFERENCE_TRACER_H
 #define BOLAN_REFERENCE_TRACER_H
 
@@ -38,11 +39,15 @@ typedef struct room {
     double *sun, *reflectance;
 } room;
 
-// The sea bed: sunlight on it over that of flat water, by the photons that fell on its cells.
+// Sunlight in the water over that of flat water, by cells of levels.
+typedef struct photons {
+    double west, south, depth; // corner of the cells, the deepest level [m]
+    double travel_x, travel_y; // level way of flat water's light, a metre of depth
+    float *light;
+} photons;
+
 typedef struct sea_bed {
     double depth;         // of the mean water [m]; 0: there is none
-    double west, south;   // corner of the cells [m]
-    float *gathered;      // by cell
     double sun;           // irradiance under a flat surface, of one of 1 across the sun's rays
     double sky[3];        // irradiance of the sky under the surface
     double again;         // share of the light leaving the bed that the surface reflects down
@@ -68,6 +73,7 @@ typedef struct tracer {
     vec sun, below; // below: radiance under the surface over index squared, by channel
     bool furnace;   // everything around shines with radiance 1
     uint64_t random;
+    photons photons;
     sea_bed bed;
     medium medium;
     bolan_dvec2 *xy;
@@ -118,11 +124,20 @@ void shade_under(tracer *t, const ray *rays, const place *places, uint32_t count
 // ---- medium.c -------------------------------------------------------------------------------------------------------
 
 void medium_open(tracer *t);
-// Sends photons to the bed ahead of the eye, and measures how much of the sky's light reaches it. most: rays at once.
-void bed_open(tracer *t, double depth, double heading, uint32_t most);
+// Measures how much of the sky's light reaches the bed; most: rays at once.
+void bed_open(tracer *t, double depth, uint32_t most);
 // Radiance of the bed at a place, in the water just over it.
 double bed_radiance(const tracer *t, double x, double y, int c);
 // Radiance that the water puts before what lies `reach` metres away, along a ray that begins at a depth.
 double water_veil(const tracer *t, double depth, vec dir, double reach, int c);
+// The same with the shafts of sunlight that waves gather.
+void shaft_veil(tracer *t, vec from, vec dir, double reach, double out[LIGHT]);
+
+// ---- photons.c ------------------------------------------------------------------------------------------------------
+
+// Down to a depth, ahead of the eye; most: photons at once.
+void photons_open(tracer *t, double depth, double heading, uint32_t most);
+double gathered_at(const photons *p, vec at);
+double gathered_mean(const photons *p); // of the deepest level
 
 #endif

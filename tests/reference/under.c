@@ -9,14 +9,23 @@
 
 #define DISC 0.00465 // radius of the sun [rad]
 
-// Radiance along a ray in the water that does not meet the surface.
+// How far a ray in the water goes that does not meet the surface.
+static double reach_of(const tracer *t, vec from, vec dir) {
+    return t->bed.depth == 0.0 || dir.z > -1e-3 ? t->farthest : (from.z + t->bed.depth) / -dir.z;
+}
+
+// Of the bed where such a ray meets it, 0 in deep water: its radiance at the ray's beginning.
+static double bed_along(const tracer *t, vec from, vec dir, double reach, int c) {
+    const vec lands = along(from, reach, dir);
+    if (reach == t->farthest) return 0.0;
+    return bed_radiance(t, lands.x, lands.y, c) * exp(-t->medium.beam[color_of(c)] * reach);
+}
+
+// Radiance along it.
 static double in_water(const tracer *t, vec from, vec dir, int c) {
     if (t->furnace) return WATER_INDEX * WATER_INDEX;
-    if (t->bed.depth == 0.0 || dir.z > -1e-3) return water_veil(t, -from.z, dir, t->farthest, c);
-    const double reach = (from.z + t->bed.depth) / -dir.z;
-    const vec lands = along(from, reach, dir);
-    return bed_radiance(t, lands.x, lands.y, c) * exp(-t->medium.beam[color_of(c)] * reach) +
-           water_veil(t, -from.z, dir, reach, c);
+    const double reach = reach_of(t, from, dir);
+    return bed_along(t, from, dir, reach, c) + water_veil(t, -from.z, dir, reach, c);
 }
 
 static vec turned(vec v) { return (vec){v.x, v.y, -v.z}; }
@@ -94,13 +103,15 @@ void shade_under(tracer *t, const ray *rays, const place *places, uint32_t count
     surface_light(t, rays, places, count, r, out);
     for (uint32_t i = 0; i < count; ++i) {
         const vec from = rays[i].from, dir = rays[i].dir;
+        const double reach = rays[i].hit ? rays[i].t : reach_of(t, from, dir);
+        double veil[LIGHT] = {0}, *light = &out[LIGHT * i];
+        if (!t->furnace) shaft_veil(t, from, dir, reach, veil);
         for (int c = 0; c < LIGHT; ++c) {
-            double *light = &out[LIGHT * i + (uint32_t)c];
-            if (!rays[i].hit)
-                *light = in_water(t, from, dir, c);
-            else if (!t->furnace)
-                *light =
-                    *light * exp(-t->medium.beam[color_of(c)] * rays[i].t) + water_veil(t, -from.z, dir, rays[i].t, c);
+            const double left = t->furnace ? 1.0 : exp(-t->medium.beam[color_of(c)] * reach);
+            if (rays[i].hit)
+                light[c] = light[c] * left + veil[c];
+            else
+                light[c] = t->furnace ? WATER_INDEX * WATER_INDEX : bed_along(t, from, dir, reach, c) + veil[c];
         }
     }
 }

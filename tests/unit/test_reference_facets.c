@@ -83,6 +83,34 @@ static void the_image_of_the_sun_has_its_energy(void **state) {
     assert_true(fabs(sum / fresnel_normal(WATER_INDEX) - 1.0) < 0.01);
 }
 
+// All directions of an eye in the water together, weighted by what the plan shows: what Fresnel lets through of the sun
+// on a level, for smooth water. 1 %: what the slopes change.
+static void the_suns_image_from_below_has_what_the_surface_lets_through(void **state) {
+    (void)state;
+    const covariance c = {0.002, 0.0, 0.002};
+    for (int height = 40; height <= 90; height += 25) {
+        const double e = height * 0.017453292519943295, turn = 6.283185307179586 / 1000, step = 0.002;
+        const vec to_sun = {cos(e), 0.0, sin(e)};
+        double sum = 0.0;
+        for (double theta = 0.5 * step; theta < 1.0; theta += step)
+            for (double a = 0.5 * turn; a < 6.283; a += turn) {
+                const vec view = {sin(theta) * cos(a), sin(theta) * sin(a), cos(theta)};
+                sum += sun_through_facets(view, to_sun, 0.0, 0.0, c) * view.z * sin(theta) * step * turn;
+            }
+        assert_true(fabs(sum / (sin(e) * (1.0 - fresnel(sin(e), WATER_INDEX))) - 1.0) < 0.01);
+    }
+}
+
+static void a_ray_is_refracted_by_snells_law(void **state) {
+    (void)state;
+    const vec n = normal_of(0.1, -0.2), to_eye = unit((vec){0.5, 0.3, 0.6}), down = {-n.x, -n.y, -n.z};
+    const vec in = refracted(to_eye, n, WATER_INDEX),
+              again = refracted((vec){in.x, in.y, in.z}, down, 1.0 / WATER_INDEX);
+    const double before = sqrt(1.0 - pow(dot3(to_eye, n), 2.0)), after = sqrt(1.0 - pow(dot3(in, n), 2.0));
+    assert_true(fabs(before / after - WATER_INDEX) < 1e-9);
+    assert_true(fabs(again.x - to_eye.x) + fabs(again.y - to_eye.y) + fabs(again.z - to_eye.z) < 1e-9);
+}
+
 // Smith: the facets in sight show the area of the plane. So 1 + hidden over visible is the area that all facets turned
 // to the eye show, over the plane's. 1 %: the rational form of the ratio.
 static void facets_hide_by_the_area_that_they_show(void **state) {
@@ -143,6 +171,8 @@ int main(void) {
                                        cmocka_unit_test(facets_lean_towards_the_eye_as_the_closed_form_says),
                                        cmocka_unit_test(flat_water_is_a_mirror),
                                        cmocka_unit_test(the_image_of_the_sun_has_its_energy),
+                                       cmocka_unit_test(the_suns_image_from_below_has_what_the_surface_lets_through),
+                                       cmocka_unit_test(a_ray_is_refracted_by_snells_law),
                                        cmocka_unit_test(facets_hide_by_the_area_that_they_show),
                                        cmocka_unit_test(fine_waves_have_the_height_of_their_slopes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
