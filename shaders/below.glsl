@@ -212,7 +212,7 @@ const int SHAFT_STEPS = 12;
 float gathered_along(vec3 dir, float reach) {
     float first = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
     float sum = 0.0, weights = 1e-6, fading = beam_attenuation.g * (1.0 - dir.z / sun_below_z);
-    float apart = length(dir.xy + caustic_travel * dir.z) * reach / float(SHAFT_STEPS);
+    float apart = 0.5 * length(dir.xy + caustic_travel * dir.z) * reach / float(SHAFT_STEPS); // sharper, with some noise
     for (int i = 0; i < SHAFT_STEPS; ++i) {
         float s = reach * (float(i) + first) / float(SHAFT_STEPS), weight = exp(-fading * s);
         vec3 at = dir * s;
