@@ -142,7 +142,7 @@ facets_below facets_from_below(vec3 dir, vec2 slope, vec3 hidden) {
     f.area = level * sigma * seen.area;
     f.middle = -sigma * seen.tilt;
     f.spread = length(vec2(sigma * seen.kept, FOOTPRINT_DEVIATION * radians_per_pixel)); // a pixel is no point
-    float critical = sqrt(water_index * water_index - 1.0); // tangent of the least elevation that a level facet lets out
+    float critical = sqrt(water_index * water_index - 1.0); // tangent of the least elevation that level water lets out
     float edge = (dir.z - critical * level) / (level + critical * dir.z) - dot(slope, h);
     float u = clamp((edge - f.middle) / f.spread, -3.0, 3.0), pdf = normal_pdf(u);
     f.open = normal_below(u, pdf);
@@ -207,12 +207,13 @@ vec3 surface_from_below(vec3 position, vec3 dir, vec2 slope, vec3 hidden, vec3 s
 const float SHAFTS_REACH = 14.0; // to the edge of the caustics' patch [m]
 const int SHAFT_STEPS = 12;
 
-// Mean of the gathered light along a ray, weighted by what reaches the eye of it. Each step stands for the pattern along
-// its length; the start of the steps differs from pixel to pixel, so that no bands show.
+// Mean of the gathered light along a ray, weighted by what reaches the eye of it. Each step stands for the pattern
+// along its length; the start of the steps differs from pixel to pixel, so that no bands show.
 float gathered_along(vec3 dir, float reach) {
     float first = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
     float sum = 0.0, weights = 1e-6, fading = beam_attenuation.g * (1.0 - dir.z / sun_below_z);
-    float apart = 0.5 * length(dir.xy + caustic_travel * dir.z) * reach / float(SHAFT_STEPS); // sharper, with some noise
+    // half of what would leave no noise: shafts stay sharp
+    float apart = 0.5 * length(dir.xy + caustic_travel * dir.z) * reach / float(SHAFT_STEPS);
     for (int i = 0; i < SHAFT_STEPS; ++i) {
         float s = reach * (float(i) + first) / float(SHAFT_STEPS), weight = exp(-fading * s);
         vec3 at = dir * s;

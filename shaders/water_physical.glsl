@@ -141,8 +141,8 @@ vec3 with_land(vec3 sky, vec3 position, vec3 view, vec2 slope, vec2 toward, roug
 // the water.
 const float BED_ERROR = 4.0; // [px]
 
-// The bed's share of the radiance that leaves the water, and the depth of water over it [m]. entered: share of the light
-// on the water that enters it; mapped: that depth by the shore map.
+// The bed's share of the radiance that leaves the water, and the depth of water over it [m]. entered: share of the
+// light on the water that enters it; mapped: that depth by the shore map.
 vec3 bed_radiance(vec2 uv, vec3 deep, vec3 position, vec3 view, vec3 normal, vec3 entered, float mapped,
                   out float water_path) {
     vec3 refracted = refract(-view, normal, 1.0 / water_index);
