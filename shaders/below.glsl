@@ -206,16 +206,18 @@ vec3 surface_from_below(vec3 position, vec3 dir, vec2 slope, vec3 hidden, vec3 s
 
 const float SHAFTS_REACH = 14.0; // to the edge of the caustics' patch [m]
 const int SHAFT_STEPS = 12;
+const float STEP_BLUR = 0.3; // of the pattern, over the length of a step: less than leaves no noise, for sharp shafts
 
-// Mean of the gathered light along a ray, weighted by what reaches the eye of it. Each step stands for the pattern
-// along its length; the start of the steps differs from pixel to pixel, so that no bands show.
+// Mean of the gathered light along a ray, weighted by what reaches the eye of it. Steps are short near the eye, where
+// shafts are wide, and each stands for the pattern along its length; their start differs from pixel to pixel, so that
+// no bands show.
 float gathered_along(vec3 dir, float reach) {
     float first = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
     float sum = 0.0, weights = 1e-6, fading = beam_attenuation.g * (1.0 - dir.z / sun_below_z);
-    // half of what would leave no noise: shafts stay sharp
-    float apart = 0.5 * length(dir.xy + caustic_travel * dir.z) * reach / float(SHAFT_STEPS);
+    float across = length(dir.xy + caustic_travel * dir.z); // how fast the ray crosses the pattern
     for (int i = 0; i < SHAFT_STEPS; ++i) {
-        float s = reach * (float(i) + first) / float(SHAFT_STEPS), weight = exp(-fading * s);
+        float t = (float(i) + first) / float(SHAFT_STEPS), s = reach * t * t, weight = t * exp(-fading * s);
+        float apart = STEP_BLUR * across * 2.0 * t * reach / float(SHAFT_STEPS);
         vec3 at = dir * s;
         sum += weight * gathered_in_water(at.xy, max(-(eye_height + at.z), 0.0), apart);
         weights += weight;
