@@ -18,7 +18,7 @@ out vec4 color;
 // Steps grow with the distance, up to a share of the layer. With equal shares alone, the samples of all rays of an eye
 // at the base of the clouds would lie at the same heights, and cut the clouds into slices.
 const int STEPS = 48, MOST_STEPS = 192, LIGHT_STEPS = 4;
-const float LEAST_STEP = 50.0, STEP_GROWS = 0.035; // [m], share of the distance
+const float LEAST_STEP = 25.0, STEP_GROWS = 0.035; // [m], share of the distance
 const float INSIDE = 0.4; // of a step outside clouds, at whose ends light changes too much for the coarse step
 const float STEEP_STEP = 70.0;                     // least share of the layer [m]
 const float FARTHEST = 120000.0;
@@ -119,16 +119,19 @@ vec4 march(vec3 dir, vec2 span, out float mean_distance) {
     return vec4(light, 1.0 - left);
 }
 
-// The sheet of cirrus.
-vec4 cirrus(vec3 dir, out float d) {
+const float CIRRUS_BLUR = 1.5; // texels of the panorama: fibres that are finer show its rows
+
+// The sheet of cirrus. row_height: of the panorama [v].
+vec4 cirrus(vec3 dir, float row_height, out float d) {
     float h = max(eye_height, 0.0);
     vec2 roots = shell(h, dir.z, CIRRUS_HEIGHT);
     d = h < CIRRUS_HEIGHT ? roots.y : -1.0;
     if (d < 0.0 || distance_to_sea(h, dir.z) >= 0.0) return vec4(0.0);
     vec2 wind = normalize(wind_direction + vec2(1e-4, 0.3)), away = normalize(dir.xy + vec2(1e-9, 0.0));
-    float width = 1.4 * d * texel_angle, slant = 1.0 / max(dir.z, 0.08);
-    // Texels of the panorama are widest in height overhead, and the sheet lies aslant.
-    vec2 texel = width * vec2(max(length(dir.xy), 0.1), 2.0 * uv.y * slant);
+    // Rows of the panorama are widest overhead, and the sheet lies aslant.
+    float slant = 1.0 / max(dir.z, 0.08), horizon = eye_above_clouds > 0.5 ? CLOUD_HORIZON : 0.0;
+    float row = PI * row_height * max(uv.y - horizon, 0.0) / ((1.0 - horizon) * (1.0 - horizon));
+    vec2 texel = CIRRUS_BLUR * d * vec2(texel_angle * max(length(dir.xy), 0.1), row * slant);
     vec2 turned = vec2(away.x * wind.y - away.y * wind.x, dot(away, wind));
     vec2 sample_width = vec2(length(texel * turned.yx), length(texel * turned));
     float amount = cirrus_depth(dir.xy * d + cloud_origin.xy, wind, sample_width) * smoothstep(0.0, 0.15, cloud_cover);
@@ -150,7 +153,7 @@ void main() {
     vec3 dir = panorama_direction();
     color = vec4(0.0);
     float d;
-    vec4 high = cirrus(dir, d);
+    vec4 high = cirrus(dir, abs(dFdy(uv.y)), d);
     if (high.a > 0.0) color = vec4(high.rgb * air_transmittance(max(eye_height, 0.0), dir.z, d), high.a);
     if (high.a > 0.0) { // the air before it, not the sky's whole
         vec3 transmittance, inscatter;
