@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # A thin front for CMake. Everything lands in build*/ and out/, which git ignores.
 .POSIX:
-.PHONY: help build run web test bench install deb docs figures views format mutate setup
+.PHONY: help build run web test bench install deb docs figures views films format mutate setup
 
 PREFIX = /usr/local
 
@@ -16,6 +16,7 @@ help:
 	@echo 'make docs     the manual, the reference and the gallery as a site: build/docs/html/index.html'
 	@echo 'make figures  the figures of the four papers again: docs/images/techniques/'
 	@echo 'make views    24 views of open water in every weather, to be looked at: out/views/index.html'
+	@echo 'make films    short films above, at and under the surface, to be looked at: out/films'
 	@echo 'make mutate   try whether the tests can fail: hours (tools/mutate.sh --only REGEX for some)'
 	@echo 'make format   clang-format every C, C++ and header file'
 	@echo 'Each installs missing Debian or Ubuntu packages first (tools/setup.sh).'
@@ -56,6 +57,9 @@ figures: build
 
 views: build
 	@tools/views.sh
+
+films: build
+	@tools/films.sh
 
 mutate: setup
 	@tools/mutate.sh
