@@ -483,11 +483,15 @@ BOLAN_API void bolan_sea_modes(const bolan_sea *sea, uint32_t cascade, uint32_t 
 /// The foam memory has a tick every 0.25 s about. With pinch = min(max(-(dxx + dyy) choppiness, 0), 3), it is
 /// F(k) = max(tick_keep F(k - 1) - tick_lose, pinch at tick k), and the foam is
 /// max(keep F(tick) - lose, pinch at the present time).
+/// Foam drifts with the wind over the water: sample x of F(k) is the foam that stands at x + bolan_sea_foam_drift(k),
+/// and F(tick) is read at x - bolan_sea_foam_drift(now), bilinearly between its samples.
 typedef struct bolan_sea_clock {
     /// Time of the waves [s]: that of the last step, reduced by the loop.
     double shown;
     /// Number of the last tick.
     double tick;
+    /// Number of the present time: `tick`, and the part of a tick since.
+    double now;
     /// F(first_tick) is 0.
     double first_tick;
     /// Number that changes when the memory is lost, by a jump in time or by bolan_sea_settle().
@@ -501,6 +505,11 @@ typedef struct bolan_sea_clock {
 BOLAN_API bolan_sea_clock bolan_sea_get_clock(const bolan_sea *sea);
 /// Returns the time of the waves at a tick of the foam memory [s]. Thread-safe, also during a step.
 BOLAN_API double bolan_sea_tick_time(const bolan_sea *sea, double tick);
+/// Returns how far foam has drifted over the water by a tick, along the axes of the tile of a cascade.
+/// The unit is 2^-32 of the length of the tile, modulo that length, so that products with whole numbers are exact. The
+/// speed is 3.1 % of the wind speed (Wu 1983). With a loop it is rounded to whole tiles in a loop, which it so closes.
+/// @p tick is a number of a tick, or between two. Thread-safe, also during a step.
+BOLAN_API void bolan_sea_foam_drift(const bolan_sea *sea, uint32_t cascade, double tick, uint32_t out[2]);
 
 #define BOLAN_WARP_WAVES 6 ///< most waves of a bolan_sea_warp
 /// The warped plane over which the tiles of a sea are read. A sea that is seen from afar would show its tiles, because

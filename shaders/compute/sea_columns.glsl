@@ -51,11 +51,20 @@ void store_displacement(vec4 e[8], int t, int x, int c) {
     for (int n = 0; n < 8; ++n) imageStore(displacement_image, ivec3(x, t + n * STEP, c), halfs(e[n]));
 }
 
+// Of the last tick, where it lies now.
+float memory_at(int x, int y, int c) {
+    ivec2 high = (ivec2(x, y) - ivec2(drifted[c].xy)) & (SIZE - 1), low = (high - 1) & (SIZE - 1);
+    vec4 m = vec4(foam_memory[texel_of(low.x, low.y, c)], foam_memory[texel_of(high.x, low.y, c)],
+                  foam_memory[texel_of(low.x, high.y, c)], foam_memory[texel_of(high.x, high.y, c)]);
+    vec2 part = drifted[c].zw, along = m.xy * part.y + m.zw * (1.0 - part.y);
+    return along.x * part.x + along.y * (1.0 - part.x);
+}
+
 // fold: dxy of the column, where it is wanted.
 void store_slopes(vec4 e[8], float fold[8], int t, int x, int c) {
     for (int n = 0; n < 8; ++n) {
         int y = t + n * STEP;
-        float memory = foam.z > 0.0 ? foam_memory[texel_of(x, y, c)] : 0.0;
+        float memory = foam.z > 0.0 ? memory_at(x, y, c) : 0.0;
         float divergence = e[n].z + e[n].w, now = foam_of(memory, divergence);
 #ifdef PACKED
         imageStore(slope_image, ivec3(x, y, c), halfs(vec4(e[n].xy, divergence, now)));

@@ -53,14 +53,22 @@ vec2 height_of(mode m, int others, vec4 moment) {
 }
 
 #ifdef TICKS
-vec4 fields_of(mode m, int others, vec2 k, float conjugate, vec2 divisor, int set) {
+// e^{i k drift} of a mode: the phase is modulo a turn, so that nothing is lost.
+vec2 drift_of(ivec2 at, vec4 drift) {
+    uvec2 axes = uvec2(drift.xz) | uvec2(drift.yw) << 16u, turns = uvec2(at) * axes;
+    return turn_of(float(int(turns.x + turns.y)) * 2.3283064365386963e-10);
+}
+
+vec4 fields_of(mode m, int others, ivec2 at, int c, vec2 k, float conjugate, vec2 divisor, int set) {
     float scale = -dot(k, k) * m.inverse_k * divisor.y;
     vec2 tick[4];
-    for (int i = 0; i < 4; ++i) tick[i] = height_of(m, others, moments[i]) * vec2(scale, scale * conjugate);
+    for (int i = 0; i < 4; ++i)
+        tick[i] = product(height_of(m, others, moments[i]) * vec2(scale, scale * conjugate),
+                          drift_of(at, tick_drifts[4 * i + c]));
     return vec4(tick[0].x - tick[1].y, tick[0].y + tick[1].x, tick[2].x - tick[3].y, tick[2].y + tick[3].x);
 }
 #else
-vec4 fields_of(mode m, int others, vec2 k, float conjugate, vec2 divisor, int set) {
+vec4 fields_of(mode m, int others, ivec2 at, int c, vec2 k, float conjugate, vec2 divisor, int set) {
     vec2 h = height_of(m, others, moments[0]) * vec2(1.0, conjugate), u = h * m.inverse_k, gradient = vec2(-k.y, k.x);
     if (set == 0) return vec4(product(u, gradient) * divisor.x,
                               h * divisor.x + vec2(u.y, -u.x) * (k.x * k.y * divisor.y));
@@ -87,7 +95,7 @@ void main() {
         mode m = modes[from + abs(j) * SIZE + (j < 0 ? (SIZE - x) & (SIZE - 1) : x)];
         vec2 tile = vec2(i, j) * axes.z, k = vec2(tile.x * axes.x - tile.y * axes.y, tile.x * axes.y + tile.y * axes.x);
         vec2 divisor = divisors[abs(i)] * divisors[abs(j)];
-        if (m.turns > 0.0) e[n] = fields_of(m, others_of(i, j, c), k, j < 0 ? -1.0 : 1.0, divisor, set);
+        if (m.turns > 0.0) e[n] = fields_of(m, others_of(i, j, c), ivec2(i, j), c, k, j < 0 ? -1.0 : 1.0, divisor, set);
     }
     transform(e, t, f);
     int to = int(cascade_parts[c].y) + (set * count + row) * SIZE + t;

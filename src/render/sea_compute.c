@@ -123,6 +123,23 @@ static void split_time(double time, float out[4]) {
     out[3] = (float)(time - quarters * QUARTER);
 }
 
+// The drift of the foam at a tick, as tick_drifts of sea_block.glsl, and as drifted.
+static void split_drift(const bolan_sea *sea, uint32_t cascade, double tick, float out[4]) {
+    uint32_t drift[2];
+    bolan_sea_foam_drift(sea, cascade, tick, drift);
+    for (int e = 0; e < 2; ++e) out[2 * e] = (float)(drift[e] & 0xffff), out[2 * e + 1] = (float)(drift[e] >> 16);
+}
+
+static void drift_samples(const bolan_sea *sea, uint32_t cascade, double tick, float out[4]) {
+    const uint32_t n = bolan_sea_cascade_layout(sea, cascade).n;
+    uint32_t drift[2];
+    bolan_sea_foam_drift(sea, cascade, tick, drift);
+    for (int e = 0; e < 2; ++e) {
+        const uint64_t samples = (uint64_t)drift[e] * n;
+        out[e] = (float)(samples >> 32), out[2 + e] = (float)(uint32_t)samples * 0x1p-32f;
+    }
+}
+
 static void place_cascades(sea_tables *t, const bolan_sea *sea) {
     double modes = 0.0, rows = 0.0;
     t->count = bolan_sea_cascade_count(sea);
@@ -264,13 +281,17 @@ static void run_ticks(const sea_programs *s, sea_tables *t, const bolan_sea *sea
     }
     t->from = clock->foam_from;
     while (t->tick < clock->tick) {
-        float moments[TICKS][4] = {{0}};
+        float moments[TICKS][4] = {{0}}, drifts[TICKS * BOLAN_MAX_CASCADES][4] = {{0}};
         uint32_t count = 0;
         for (; count < TICKS && t->tick < clock->tick; ++count) {
             t->tick += 1.0;
             split_time(bolan_sea_tick_time(sea, t->tick), moments[count]);
+            for (uint32_t c = 0; c < t->count; ++c)
+                split_drift(sea, c, t->tick, drifts[BOLAN_MAX_CASCADES * count + c]);
         }
         const bolan_vec4 foam = {clock->tick_keep, clock->tick_lose, t->remembers ? 1.0f : 0.0f, (float)count};
+        bolan_gl_program_use(&s->tick_rows);
+        bolan_gl_program_vec4_array(&s->tick_rows, "tick_drifts", drifts[0], TICKS * BOLAN_MAX_CASCADES);
         run_rows(&s->tick_rows, t, sea, moments[0], TICKS, 1);
         run_columns(&s->tick_columns, t, sea, foam, 1);
         t->remembers = true;
@@ -320,6 +341,10 @@ static void run_fields(sea_compute *p, const sea_programs *s, sea_tables *t, con
     bolan_gl_image_bind(images->slopes, 0, 1);
     if (!packed) bolan_gl_image_bind(images->third, 0, 2);
     const bolan_vec4 foam = {clock->keep, clock->lose, t->remembers ? 1.0f : 0.0f, 0.0f};
+    float drifts[BOLAN_MAX_CASCADES][4] = {{0}};
+    for (uint32_t c = 0; c < t->count; ++c) drift_samples(sea, c, clock->now, drifts[c]);
+    bolan_gl_program_use(&s->columns[images->layout]);
+    bolan_gl_program_vec4_array(&s->columns[images->layout], "drifted", drifts[0], BOLAN_MAX_CASCADES);
     run_columns(&s->columns[images->layout], t, sea, foam, packed ? 2 : 1);
     bolan_gl_timer_end(&p->timers[SEA_STAGE_COLUMNS], timing);
     bolan_gl_timer_begin(&p->timers[SEA_STAGE_LEVELS], timing);

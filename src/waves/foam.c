@@ -9,8 +9,13 @@
 // so F(k) is the largest of what the last W + 1 ticks have left, bit for bit, and it does not matter where a run began:
 // foam is a function of time, as the waves are. With a loop the ticks divide its period.
 //
+// Foam drifts with the wind over the water. Its memory is kept over places that drift with it: sample x of F(k) is
+// pinched by the water at x + drift(k), by a turn of the modes, which is exact. So nothing is resampled from tick to
+// tick, and a long memory is as sharp as a short one. Readers find it resampled once, where it lies at present.
+//
 // A jump in time forgets, so the foam is a function of the tick of the last jump too: `foam_from`. A settled sea has
 // one so long ago that it no longer matters. The fields are made from these two ticks when they are read (sea.h).
+#include "shared/foam.glsl"
 #include "spectrum/portable.h"
 #include "waves/model.h"
 
@@ -62,14 +67,35 @@ static double time_of(const sea_shared *shared, double tick) {
     return (in < 0.0 ? in + shared->loop_ticks : in) * shared->tick;
 }
 
-// `since`: of the foam memory that it goes on with [s].
-static sea_instant instant_of(const bolan_sea *sea, double shown, double since, bool tick) {
+// Tiles of that length that a speed passes in a second; with a loop, whole ones in the loop.
+static double tiles_in_second(const sea_shared *shared, double speed, double length) {
+    const double period = shared->period;
+    return period > 0.0 ? floor(speed * period / length + 0.5) / period : speed / length;
+}
+
+void bolan_sea_foam_drift(const bolan_sea *sea, uint32_t cascade, double tick, uint32_t out[2]) {
+    BOLAN_ASSERT(sea && cascade < sea->shared->cascades && isfinite(tick));
+    const sea_shared *shared = sea->shared;
+    const bolan_cascade_view v = shared->model->cascade(sea, cascade);
+    const bolan_sea_state *state = &shared->desc.sea_state;
+    double along[2]; // cosine and sine of the wind's angle in the axes of the tile
+    bolan_sincos(bolan_compass_from_to_math(state->wind_from_deg) - v.angle, &along[1], &along[0]);
+    for (int e = 0; e < 2; e++) {
+        const double speed = FOAM_DRIFT * state->wind_speed * along[e];
+        const double tiles = time_of(shared, tick) * tiles_in_second(shared, speed, v.length);
+        out[e] = (uint32_t)(uint64_t)((tiles - floor(tiles)) * 0x1p32);
+    }
+}
+
+// `at`: number of the tick, or between two; `since`: of the foam memory that it goes on with [s].
+static sea_instant instant_of(const bolan_sea *sea, double shown, double at, double since, bool tick) {
     const sea_shared *shared = sea->shared;
     const double keep = portable_exp(-since / shared->desc.foam_decay);
     return (sea_instant){.shown = shown,
                          .tick = tick,
                          .keep = sea->made->empty ? 0.0f : (float)keep,
-                         .lose = (float)(shared->tick_loss * (since / shared->tick))};
+                         .lose = (float)(shared->tick_loss * (since / shared->tick)),
+                         .at = at};
 }
 
 double bolan_sea_tick_time(const bolan_sea *sea, double tick) {
@@ -79,10 +105,13 @@ double bolan_sea_tick_time(const bolan_sea *sea, double tick) {
 
 static void do_tick(const bolan_sea *sea) {
     sea->made->tick += 1.0;
-    const sea_instant instant = instant_of(sea, bolan_sea_tick_time(sea, sea->made->tick), sea->shared->tick, true);
+    const double tick = sea->made->tick;
+    const sea_instant instant = instant_of(sea, bolan_sea_tick_time(sea, tick), tick, sea->shared->tick, true);
     sea->shared->model->step(sea, &instant);
     sea->made->empty = false;
 }
+
+static double now_of(const bolan_sea *sea) { return sea->tick + sea->since / sea->shared->tick; }
 
 // The earliest tick after which something of the foam at `time` may come from.
 static double first_tick(const bolan_sea *sea) {
@@ -138,7 +167,7 @@ void bolan_sea_fields(const bolan_sea *sea) {
     sea_made *m = sea->made;
     if (!begin_making(&m->state)) return;
     if (sea->shared->model->remembers) remember(sea);
-    const sea_instant instant = instant_of(sea, sea->shown, sea->since, false);
+    const sea_instant instant = instant_of(sea, sea->shown, now_of(sea), sea->since, false);
     sea->shared->model->step(sea, &instant);
     atomic_store_explicit(&m->state, SEA_FRESH, memory_order_release);
 }
@@ -175,6 +204,7 @@ bolan_sea_clock bolan_sea_get_clock(const bolan_sea *sea) {
     const sea_shared *shared = sea->shared;
     return (bolan_sea_clock){.shown = sea->shown,
                              .tick = sea->tick,
+                             .now = now_of(sea),
                              .first_tick = first_tick(sea),
                              .foam_from = sea->foam_from,
                              .keep = (float)portable_exp(-sea->since / shared->desc.foam_decay),

@@ -144,6 +144,7 @@ typedef struct sea_instant {
     double shown;     // whose fields [s], as sea_model.shown_time() has it
     bool tick;        // nothing but the foam memory of a tick
     float keep, lose; // factor on the foam memory of the last tick, and what it loses besides
+    double at;        // number of the tick, or between two, to which foam has drifted
 } sea_instant;
 // Sets the ticks; `period` is known.
 void bolan_sea_foam_prepare(sea_shared *shared);

@@ -624,6 +624,10 @@ Uses the task hook. Thread-safe between steps.""",
 The pointers are valid while the sea lives; what they point to is of the present time until the next step.
 Thread-safe between steps. Source: Phillips 1958 (k^-4), Cox & Munk 1954 (variance), Lamb 1932 (dispersion).""",
     "bolan_sea_fine_layout": """Like bolan_sea_fine(), without the planes: the pointers are NULL, and nothing is made.""",
+    "bolan_sea_foam_drift": """Returns how far foam has drifted over the water by a tick, along the axes of the tile of a cascade.
+The unit is 2^-32 of the length of the tile, modulo that length, so that products with whole numbers are exact. The
+speed is 3.1 % of the wind speed (Wu 1983). With a loop it is rounded to whole tiles in a loop, which it so closes.
+tick is a number of a tick, or between two. Thread-safe, also during a step.""",
     "bolan_sea_foam_threshold": """Returns the Jacobian below which there is foam.
 It is the quantile of the Jacobian that covers bolan_monahan_cover() of the surface for the wind; above 1 where more
 than about half is covered.

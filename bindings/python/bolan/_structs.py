@@ -1317,10 +1317,13 @@ class SeaClock(Struct):
 The foam memory has a tick every 0.25 s about. With pinch = min(max(-(dxx + dyy) choppiness, 0), 3), it is
 F(k) = max(tick_keep F(k - 1) - tick_lose, pinch at tick k), and the foam is
 max(keep F(tick) - lose, pinch at the present time).
+Foam drifts with the wind over the water: sample x of F(k) is the foam that stands at x + bolan_sea_foam_drift(k),
+and F(tick) is read at x - bolan_sea_foam_drift(now), bilinearly between its samples.
 
     Fields:
     shown: Time of the waves [s]: that of the last step, reduced by the loop.
     tick: Number of the last tick.
+    now: Number of the present time: `tick`, and the part of a tick since.
     first_tick: F(first_tick) is 0.
     foam_from: Number that changes when the memory is lost, by a jump in time or by bolan_sea_settle().
     keep: Of the last tick, what is left now.
@@ -1331,6 +1334,7 @@ max(keep F(tick) - lose, pinch at the present time).
     _type = "bolan_sea_clock"
     shown: float
     tick: float
+    now: float
     first_tick: float
     foam_from: float
     keep: float

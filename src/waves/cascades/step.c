@@ -21,7 +21,7 @@ typedef struct step {
     const cascade_tables *tables;
     const cascade_fields *fields;
     uint32_t cascades;
-    sea_moment moment;
+    sea_moment moment[BOLAN_MAX_CASCADES];
     phase columns[BOLAN_MAX_CASCADES][SEA_HALVES], rows[BOLAN_MAX_CASCADES][SEA_HALVES];
 } step;
 
@@ -39,17 +39,18 @@ static void work_on(step *s, uint32_t index, float *scratch) {
     const cascade_tables *t = s->tables;
     const sea_cascade *c = &t->cascade[index];
     const sea_planes *planes = &s->fields->planes[index];
+    const sea_moment *moment = &s->moment[index];
     const uint32_t blocks = c->n / SEA_ROWS;
     uint32_t item;
-    for (sea_half half = s->moment.at.tick ? SEA_SLOPES : SEA_DISPLACEMENT; half < SEA_HALVES; half++) {
+    for (sea_half half = moment->at.tick ? SEA_SLOPES : SEA_DISPLACEMENT; half < SEA_HALVES; half++) {
         phase *columns = &s->columns[index][half], *rows = &s->rows[index][half];
         while (take(columns, c->strips, &item)) {
-            t->kernels->columns(&t->columns, c, planes, &s->moment, half, item, scratch);
+            t->kernels->columns(&t->columns, c, planes, moment, half, item, scratch);
             finish(columns);
         }
         wait_for(columns, c->strips);
         while (take(rows, blocks, &item)) {
-            t->kernels->rows(t, c, planes, &s->moment, half, item, scratch);
+            t->kernels->rows(t, c, planes, moment, half, item, scratch);
             finish(rows);
         }
         if (half == SEA_DISPLACEMENT) wait_for(rows, blocks);
@@ -67,9 +68,13 @@ static void run_slots(void *context, uint32_t begin, uint32_t end, uint32_t work
 }
 
 void bolan_cascades_step(const bolan_sea *sea, const sea_instant *instant) {
-    step s = {cascade_tables_of(sea->shared), cascade_fields_of(sea), sea->shared->cascades, .moment.at = *instant};
-    s.moment.choppiness = (float)sea->shared->desc.choppiness;
+    step s = {cascade_tables_of(sea->shared), cascade_fields_of(sea), sea->shared->cascades,
+              .moment = {{.alone = false}}};
     const double bytes = SAMPLE_BYTES * s.cascades * s.tables->columns.n * s.tables->columns.n;
-    s.moment.stream = bytes > LARGE_OUTPUT;
+    for (uint32_t i = 0; i < s.cascades; i++) {
+        s.moment[i] = (sea_moment){
+            .at = *instant, .choppiness = (float)sea->shared->desc.choppiness, .stream = bytes > LARGE_OUTPUT};
+        bolan_sea_foam_drift(sea, i, instant->at, s.moment[i].drift);
+    }
     bolan_parallel(s.fields->slots, 1, run_slots, &s);
 }

@@ -9,6 +9,7 @@
 typedef struct sea_moment {
     sea_instant at;
     float choppiness;
+    uint32_t drift[2]; // of foam, in the cascade: bolan_sea_foam_drift()
     bool stream; // the outputs bypass the cache: each line would be read before it is written, and put out unread
     bool alone;  // the slopes are asked for without the displacement, which would have made the modes at the time
 } sea_moment;

@@ -97,6 +97,25 @@ static void evolve(const sea_cascade *cascade, uint32_t strip, double time, floa
             evolve_row(&cascade->parts, sea_part_row(part, j), time, true, h + (size_t)(j & (n - 1)) * FFT_ROW);
 }
 
+// A tick sees the water that lies under the foam of a sample: h times e^{i k drift}.
+static void drift_rows(const sea_cascade *cascade, uint32_t strip, const uint32_t drift[2], float *h) {
+    const uint32_t n = cascade->n;
+    float phase[FFT_LANES] __attribute__((aligned(64)));
+    for (uint32_t j = 0; j < n; j++) {
+        if (!has_modes(n, cascade->reach[strip], j)) continue;
+        const uint32_t row = (j < n / 2 ? j : j - n) * drift[1]; // modulo a turn, so that nothing is lost
+        for (uint32_t l = 0; l < FFT_LANES; l++)
+            phase[l] = (float)(int32_t)(row + (strip * FFT_LANES + l) * drift[0]) * 0x1p-32f;
+        for (int l = 0; l < FFT_LANES; l += WIDE) {
+            float *at = h + (size_t)j * FFT_ROW + l;
+            const pair before = pair_load(at);
+            wide s, c;
+            sincos_turns(wide_load(phase + l), &s, &c);
+            pair_store(at, (pair){before.re * c - before.im * s, before.re * s + before.im * c});
+        }
+    }
+}
+
 // ---- fields ---------------------------------------------------------------------------------------------------------
 
 static inline pair pair_times(pair a, wide f) { return (pair){a.re * f, a.im * f}; }
@@ -195,6 +214,7 @@ void KERNEL(bolan_sea_columns)(const fft_plan *plan, const sea_cascade *cascade,
     float *h = planes->modes + (size_t)strip * plan->n * FFT_ROW, *work = scratch;
     const size_t block = (size_t)cascade->strips * SEA_CELL;
     if (moment->at.tick || moment->alone || half == SEA_DISPLACEMENT) evolve(cascade, strip, moment->at.shown, h);
+    if (moment->at.tick) drift_rows(cascade, strip, moment->drift, h);
     for (uint32_t f = moment->at.tick ? SEA_DIVERGENCE : 0; f < SEA_HALF; f++) {
         for (uint32_t lane = 0; lane < FFT_LANES; lane += WIDE) {
             const column_strip s = strip_of(cascade, strip, h, lane);

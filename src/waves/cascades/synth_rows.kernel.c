@@ -243,17 +243,50 @@ static void stream_row(void *to, const void *from, size_t bytes) {
 
 // What is left of the foam of the last tick, or the present pinch where it is more. Both are bounded, so that a memory
 // ends (sea.h).
-static inline wide foam_of(const float *tick, const sea_moment *moment, wide dxx, wide dyy) {
+static inline wide foam_of(wide tick, const sea_moment *moment, wide dxx, wide dyy) {
     const wide present = (dxx + dyy) * -moment->choppiness, none = present - present;
-    const wide past = wide_load(tick) * moment->at.keep - moment->at.lose;
+    const wide past = tick * moment->at.keep - moment->at.lose;
     return wide_max(wide_max(past, wide_min(present, none + SEA_MOST_FOAM)), none);
 }
 
-static void store_foam(const sea_planes *planes, const sea_moment *moment, uint32_t n, uint32_t y, const float *dxx,
-                       const float *dyy) {
-    const size_t row = (size_t)y * n;
+static inline wide load_unaligned(const float *p) {
+    wide v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+
+// How far the foam memory has drifted along an axis: samples, and the part of one.
+typedef struct drifted {
+    uint32_t samples;
+    float part;
+} drifted;
+
+static drifted drifted_of(uint32_t drift, uint32_t n) {
+    const uint64_t samples = (uint64_t)drift * n;
+    return (drifted){(uint32_t)(samples >> 32), (float)(uint32_t)samples * 0x1p-32f};
+}
+
+// The foam of the last tick that now lies along row y, in two copies side by side, along which it still has to drift.
+static void drift_row(const float *tick, drifted by, uint32_t n, uint32_t y, float *out) {
+    const float *low = tick + (size_t)((y - by.samples - 1) & (n - 1)) * n;
+    const float *high = tick + (size_t)((y - by.samples) & (n - 1)) * n;
     for (uint32_t x = 0; x < n; x += WIDE) {
-        const wide foam = foam_of(planes->foam_tick + row + x, moment, wide_load(dxx + x), wide_load(dyy + x));
+        const wide mixed = wide_load(low + x) * by.part + wide_load(high + x) * (1.0f - by.part);
+        wide_store(out + x, mixed);
+        wide_store(out + n + x, mixed);
+    }
+}
+
+// scratch: two rows.
+static void store_foam(const sea_planes *planes, const sea_moment *moment, uint32_t n, uint32_t y, const float *dxx,
+                       const float *dyy, float *scratch) {
+    const size_t row = (size_t)y * n;
+    const drifted along = drifted_of(moment->drift[0], n);
+    drift_row(planes->foam_tick, drifted_of(moment->drift[1], n), n, y, scratch);
+    const float *high = scratch + n - along.samples;
+    for (uint32_t x = 0; x < n; x += WIDE) {
+        const wide tick = load_unaligned(high + x - 1) * along.part + load_unaligned(high + x) * (1.0f - along.part);
+        const wide foam = foam_of(tick, moment, wide_load(dxx + x), wide_load(dyy + x));
         wide_store(planes->foam + row + x, foam);
         wide_half_store(planes->foam_half + row + x, foam);
     }
@@ -287,7 +320,7 @@ static void slopes_row(const sea_planes *planes, const sea_moment *moment, uint3
         for (uint32_t f = 0; f < SEA_HALF; f++) out.plane[f] = planes->slope[f] + at;
     }
     transform_lanes(r->turned, m, ROW_SLOPES, &out);
-    store_foam(planes, moment, n, y, out.plane[SEA_DIVERGENCE], out.plane[SEA_DIVERGENCE + 1]);
+    store_foam(planes, moment, n, y, out.plane[SEA_DIVERGENCE], out.plane[SEA_DIVERGENCE + 1], r->spectrum);
     if (!moment->stream) return;
     for (uint32_t f = 0; f < SEA_HALF; f++) stream_row(planes->slope[f] + at, out.plane[f], n * sizeof(float));
     stream_row(planes->slope_half + 4 * at, out.half, 4 * (size_t)n * sizeof(uint16_t));
@@ -302,7 +335,7 @@ static void tick_rows(const sea_planes *planes, const sea_moment *moment, uint32
         for (uint32_t x = 0; x < n; x += WIDE) {
             float *tick = planes->foam_tick + (size_t)(y + row) * n + x;
             const wide dxx = wide_load(out.plane[2 * row] + x), dyy = wide_load(out.plane[2 * row + 1] + x);
-            wide_store(tick, foam_of(tick, moment, dxx, dyy));
+            wide_store(tick, foam_of(wide_load(tick), moment, dxx, dyy));
         }
 }
 
