@@ -3,21 +3,16 @@
 // visibility of the reflected ray past other waves, and of its direction. Needs common/slopes.glsl.
 //
 // Waves hide one another on two scales. The waves of the mesh stand in a ray's way by their height: Smith's function
-// for a point of known height, P(lower)^L (Bourlier, Berginc & Saillard 2002). The waves that the mesh lacks hide by
-// Smith's function over the plane of the mesh, and part of their slope belongs to waves so long that a facet shares it
-// with its neighbourhood: a facet that leans towards the observer, and is therefore visible, leans away from a low sun
-// and a low sky on the far side.
+// for a point of known height, P(lower)^L (Bourlier, Berginc & Saillard 2002). The waves that the mesh lacks have all
+// lengths, and a facet shares the slope of the longer ones with its neighbourhood: motion_hidden(). A facet that leans
+// towards the observer, and is therefore visible, leans away from a low sun and a low sky on the far side.
 #include "shared/fresnel.glsl"
 #include "shared/microfacets.glsl"
 
-// Share of the slope variance that the mesh lacks which a facet has in common with its neighbourhood. 0.3 to 0.5 give
-// the glitter of a path tracer at 3 to 10 degrees below the horizon (tests/reference); without it, 1.9 times as much at
-// 1 degree as with it.
-const float SHARED_SLOPE = 0.4;
-
-// Smith's ratio of the hidden to the visible facets, times this, is that of waves of all lengths down to 1 cm: Smith's
-// waves have slopes without any correlation. 2 to 3 give the reflected sky of the path tracer within a tenth.
-const float HIDING = 2.5;
+// Step of motion_hidden() in the rms slope of the sea: that of five or six independent scales, each of which hides as
+// Smith's function says. The same value gives the low sun's glitter and the reflected sky of the path tracer
+// (tests/reference). One scale (a large step) gives 4 times the glitter at 2 degrees below the horizon, two 2 times.
+const float LENGTH_STEP = 0.1;
 
 // The sea round a place.
 struct surroundings {
@@ -25,14 +20,15 @@ struct surroundings {
     vec3 covariance; // of the slopes that the mesh lacks: xx, xy, yy
     vec3 mesh;       // of the slopes of the mesh
     float log_lower; // log2 of the share of the mesh that is lower than this place
-    float joint;    // SHARED_SLOPE, or 0 for facets without neighbourhood
+    float step;      // of motion_hidden(), as a slope
 };
 
 // `height`: over the mean water, in standard deviations of the sea's; `total`: slope covariance of all waves.
 surroundings surroundings_of(vec2 plane, vec3 covariance, vec3 total, float height) {
     vec3 mesh = max(total - covariance, vec3(0.0, -1.0, 0.0));
     mesh.y = clamp(mesh.y, -sqrt(mesh.x * mesh.z), sqrt(mesh.x * mesh.z));
-    return surroundings(plane, covariance, mesh, log2(max(normal_cdf(height), 1e-4)), SHARED_SLOPE);
+    return surroundings(plane, covariance, mesh, log2(max(normal_cdf(height), 1e-4)),
+                        LENGTH_STEP * sqrt(0.5 * (total.x + total.z)));
 }
 
 // 1 over a standard deviation, finite for none.
@@ -44,8 +40,8 @@ float clear_of_mesh(surroundings s, float elevation, float per_slope) {
     return exp2(s.log_lower * smith_ratio(elevation * per_slope));
 }
 
-float not_hidden(float u) { return 1.0 / (1.0 + smith_ratio(u)); }
-float facet_not_hidden(float u) { return 1.0 / (1.0 + HIDING * smith_ratio(u)); }
+// Elevation of an observer who sees the plane, though it may turn away from him.
+float elevation_in_sight(float u, float step) { return max(u, 0.05 - step); }
 
 // Slope of a place whose texture fetches resolve more than the mesh: these find any slope alike, but an observer sees
 // those that lean towards him more often. The part beyond the mesh's plane is moved and narrowed as the visible part of
@@ -71,9 +67,10 @@ float facet_fresnel(float facing, float s, float across2, float index) {
 }
 
 // Places between the tilt whose ray is the lowest that can be clear and the tilt beyond which there are no facets;
-// closer at the low end, where the clear share rises as a square root does. Twenty change the result by less than 2 %.
-const int CLEAR_STEPS = 5;
-const float LAST_TILT = 2.8, TILT_RANGE = 5.4; // [rms of the visible tilts]
+// closer at the low end, where the clear share rises as a square root does. Twenty change the result by less than 3 %.
+const int CLEAR_STEPS = 4;
+const float LAST_TILT = 2.3, TILT_RANGE = 4.6;             // [rms of the visible tilts]
+const float CLEAR_WEIGHT = 2.034 / float(CLEAR_STEPS); // the weights of a whole Gaussian have the sum 1
 
 // v: towards the observer. slope, seen: mean slope and facets of the pixel. One-dimensional, along the view.
 rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surroundings near, float index) {
@@ -82,14 +79,15 @@ rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surround
     vec2 h = level / flat_length, aside = vec2(h.y, -h.x);
     float along = dot(slope, h), across = dot(slope, aside), across2 = across * across + seen.across * seen.across;
     float plane = dot(near.plane, h), observer = v.z / flat_length - plane; // elevations over the mesh's plane
-    float per_local = per_deviation(slope_variance(h, near.covariance));
+    float per_local = per_deviation(slope_variance(h, near.covariance)), step = near.step * per_local;
+    float above = elevation_in_sight(observer * per_local, step);
     float per_mesh = per_deviation(slope_variance(h, near.mesh));
     vec3 offset, weight;
     facet_nodes(seen, offset, weight);
     vec3 tilts = along - seen.shift - offset * seen.sigma;
-    weight *= vec3(facet_not_hidden((observer + near.joint * (plane - tilts.x)) * per_local),
-                   facet_not_hidden((observer + near.joint * (plane - tilts.y)) * per_local),
-                   facet_not_hidden((observer + near.joint * (plane - tilts.z)) * per_local));
+    vec3 leans = (plane - tilts) * per_local; // towards the observer, over the mesh's plane
+    weight *= 1.0 - vec3(motion_hidden(above, leans.x, step), motion_hidden(above, leans.y, step),
+                         motion_hidden(above, leans.z, step));
     float visible = weight.x + weight.y + weight.z;
     float reflectance = dot(weight, vec3(facet_fresnel(v.z - flat_length * tilts.x, tilts.x, across2, index),
                                          facet_fresnel(v.z - flat_length * tilts.y, tilts.y, across2, index),
@@ -103,17 +101,18 @@ rough_reflection reflection_of(vec3 v, vec2 slope, visible_facets seen, surround
         float x = (float(i) + 0.5) / float(CLEAR_STEPS), tilt = last - range * (1.0 - x * x), s = along - tilt;
         float up2 = 1.0 / (1.0 + s * s + across2), facing = max(v.z - flat_length * s, 0.0);
         float z = clamp(2.0 * facing * up2 - v.z, -0.999, 0.999), ray = z * inversesqrt(1.0 - z * z);
-        float joint = near.joint * (plane - s);
+        float lean = (plane - s) * per_local, w = (ray + plane) * per_local;
+        float both = motion_between_fast(above, w, lean, step, motion_hidden(above, lean, step),
+                                    motion_hidden(w, -lean, step));
         float clear = x * normal_pdf(tilt * per_facet) * facing * facet_fresnel(facing, s, across2, index) *
-                      facet_not_hidden((observer + joint) * per_local) *
-                      facet_not_hidden((ray + plane - joint) * per_local) * clear_of_mesh(near, ray, per_mesh);
+                      both * motion_lit_fast(w, step) * clear_of_mesh(near, ray, per_mesh);
         sum += clear;
         first += clear * tilt;
         second += clear * tilt * tilt;
     }
     float mean = first / sum, variance = max(second / sum - mean * mean, 0.02 * seen.sigma * seen.sigma);
     reflectance /= max(visible, 1e-6);
-    float clear = sum * 2.0 * range / float(CLEAR_STEPS) * per_facet / (seen.area * max(visible, 1e-6));
+    float clear = sum * CLEAR_WEIGHT * range * per_facet / (seen.area * max(visible, 1e-6));
     return rough_reflection(reflectance, min(clear, reflectance), mean, sqrt(variance));
 }
 
@@ -130,38 +129,30 @@ vec2 fetches_of(float along, float across) {
 float level_reflectance(float variance) { return 1.0 / (1.0 + 11.5 * sqrt(max(variance, 0.0))); }
 
 // Share of the facets of slope `facet` in sight of the observer that also see a distant light at `to`; above 1 where
-// the facets of that slope are seen more often than others. The neighbourhood's slope has a Gaussian distribution about
-// its share of the facet's. `whole`: facets over the mesh's plane.
-const int LEAN_STEPS = 5;
+// the facets of that slope are seen more often than others. `whole`: facets over the mesh's plane. Sights to opposite
+// sides bound the motion from both; sights across one another are independent; the lower of two to one side counts.
 float lit_share(vec3 v, vec3 to, vec2 facet, surroundings near, visible_facets whole) {
-    vec2 hv = level_part(v), hto = level_part(to);
+    vec2 hv = level_part(v), hto = level_part(to), off = facet - near.plane;
     float flat_v = length(hv), flat_to = length(hto);
     hv /= flat_v, hto /= flat_to;
-    float variance_v = max(slope_variance(hv, near.covariance), 1e-8);
-    float variance_to = max(slope_variance(hto, near.covariance), 1e-8);
-    float observer = v.z / flat_v - dot(near.plane, hv), light = to.z / flat_to - dot(near.plane, hto);
-    float per_v = inversesqrt(variance_v * (1.0 - near.joint)), per_to = inversesqrt(variance_to * (1.0 - near.joint));
-    // the neighbourhood's slope: mean + x spread, where both sides can be seen from it
-    vec2 mean = near.joint * (facet - near.plane);
-    vec2 spread = slope_along(hv, near.covariance) * sqrt(near.joint * (1.0 - near.joint) / variance_v);
-    observer -= dot(mean, hv), light -= dot(mean, hto);
-    float by_v = max(dot(spread, hv), 1e-6), by_to = dot(spread, hto);
-    by_to = abs(by_to) < 1e-6 ? 1e-6 : by_to;
-    float end = light / by_to;
-    float first = max(by_to < 0.0 ? end : -3.0, -3.0), last = min(observer / by_v, by_to > 0.0 ? end : 3.0);
-    float range = max(min(last, 3.0) - first, 0.0) / float(LEAN_STEPS), sum = 0.0;
-    for (int i = 0; i < LEAN_STEPS; ++i) {
-        float x = first + range * (float(i) + 0.5);
-        sum += normal_pdf(x) * not_hidden((observer - by_v * x) * per_v) * not_hidden((light - by_to * x) * per_to);
-    }
-    sum *= range;
-    observer += dot(mean, hv), light += dot(mean, hto);
-    // by the waves that a neighbourhood has in common, towards either side
-    float shared_v = sqrt(max(near.joint, 1e-4) * variance_v), shared_to = sqrt(max(near.joint, 1e-4) * variance_to);
-    float area = flat_v * shared_v * facing_exact(observer / shared_v).area;
+    vec2 along_v = slope_along(hv, near.covariance);
+    float variance_v = max(dot(along_v, hv), 1e-8), per_v = inversesqrt(variance_v);
+    float per_to = per_deviation(slope_variance(hto, near.covariance)), turn = dot(along_v, hto) * per_v * per_to;
+    float step = near.step * per_v;
+    float observer = elevation_in_sight((v.z / flat_v - dot(near.plane, hv)) * per_v, step);
+    float light = (to.z / flat_to - dot(near.plane, hto)) * per_to;
+    float tilt_v = -dot(off, hv) * per_v, tilt_to = -dot(off, hto) * per_to;
+    float hidden_v = motion_hidden(observer, tilt_v, step), hidden_to = motion_hidden(light, tilt_to, step);
+    float apart = (1.0 - hidden_v) * (1.0 - hidden_to);
+    float opposite = motion_between_exact(observer, light, 0.5 * (tilt_v - tilt_to), step, hidden_v, hidden_to);
+    float area = facing_exact(light).area, seen = whole.area * per_v / flat_v; // in deviations
+    float both = mix(apart, turn < 0.0 ? opposite : 1.0 - max(hidden_v, hidden_to), turn * turn);
     float per_mesh = per_deviation(slope_variance(hto, near.mesh));
-    return sum * whole.area / area * not_hidden(light / shared_to) * clear_of_mesh(near, to.z / flat_to, per_mesh);
+    return both * seen / motion_area_exact(observer, seen, step) * max(light, 0.0) /
+           motion_area_exact(light, area, step) * clear_of_mesh(near, to.z / flat_to, per_mesh);
 }
+
+const float LEAST_DENSITY = 1e-6; // of facets, whose light is no longer seen
 
 // Radiance of the reflected sun for an irradiance of 1. `seen`: facets of the pixel, of mean slope `slope` and
 // covariance `unresolved`.
@@ -170,6 +161,7 @@ float sun_glint(vec3 v, vec3 to_sun, vec2 slope, vec3 unresolved, visible_facets
     vec3 middle = normalize(v + to_sun);
     vec2 facet = -middle.xy / max(middle.z, 1e-3), off = facet - slope;
     float density = slope_density(off.x, off.y, unresolved.x, unresolved.y, unresolved.z);
+    if (density < LEAST_DENSITY) return 0.0;
     return glint_radiance(density, fresnel(clamp(dot(v, middle), 0.0, 1.0), index), middle.z, seen.area,
                           lit_share(v, to_sun, facet, near, whole));
 }

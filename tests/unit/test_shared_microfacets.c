@@ -68,6 +68,49 @@ static void visible_facets_are_those_of_the_integral(void **state) {
     assert_true(facing_fast(-50.0).tilt >= 50.0);   // a facet that leans at least as far as hides it
 }
 
+// Of a Brownian motion from 0 to -tilt in unit time, the share that stays under u and over -w: its sines between the
+// barriers, over the density without them (Borodin & Salminen 2002).
+static double between_by_sines(double u, double w, double tilt) {
+    const double l = u + w;
+    double sum = 0.0;
+    for (int k = 1; k < 60; ++k)
+        sum += sin(k * PI * w / l) * sin(k * PI * (w - tilt) / l) * exp(-0.5 * k * k * PI * PI / (l * l));
+    return 2.0 / l * sum * sqrt(2.0 * PI) * exp(0.5 * tilt * tilt);
+}
+
+static void waves_of_all_lengths_hide_as_barriers_of_a_brownian_motion_do(void **state) {
+    (void)state;
+    for (double u = 0.2; u < 3.0; u += 0.2)
+        for (double tilt = -u + 0.1; tilt < 2.0; tilt += 0.3) {
+            const double far = between_by_sines(u, 12.0, tilt), hidden = motion_hidden(u, tilt, 0.0);
+            assert_near(1.0 - hidden, far, 1e-6);
+            for (double w = fmax(fmax(0.8 - u, tilt + 0.05), 0.1); w < 3.0; w += 0.4) {
+                const double opposite = motion_hidden(w, -tilt, 0.0), want = between_by_sines(u, w, tilt);
+                assert_near(motion_between_exact(u, w, tilt, 0.0, hidden, opposite), want, 0.01);
+                if (u + w >= 1.4) assert_near(motion_between_fast(u, w, tilt, 0.0, hidden, opposite), want, 0.02);
+            }
+        }
+    assert_near(motion_hidden(0.5, 0.3, 0.1), motion_hidden(0.6, 0.3, 0.0), 1e-12); // a step moves the barrier
+}
+
+// What a ray sees of the facets is what it would see of the plane, and with one scale what Smith's function leaves.
+static void hidden_facets_leave_the_area_of_the_plane(void **state) {
+    (void)state;
+    for (double u = 0.1; u < 4.0; u += 0.3) {
+        double area = 0.0, stepped = 0.0;
+        for (double t = -u + 5e-4; t < 8.0; t += 1e-3) {
+            const double weight = 1e-3 * (u + t) * normal_pdf(t);
+            area += weight * (1.0 - motion_hidden(u, t, 0.0));
+            stepped += weight * (1.0 - motion_hidden(u, t, 0.2));
+        }
+        assert_near(area, u, 1e-4);
+        assert_near(motion_area_exact(u, facing_exact(u).area, 0.0), u, 2.1e-3); // facing_exact(-2.5)
+        assert_near(motion_area_exact(u, facing_exact(u).area, 0.2), stepped, 2.1e-3);
+        assert_near(motion_lit_fast(u, 0.2), u / stepped, 0.1 * u / stepped);
+        assert_near(motion_area_exact(u, facing_exact(u).area, 1e3), facing_exact(u).area, 2.1e-3);
+    }
+}
+
 // Over the facets that the eye sees, by their areas.
 static double mean_reflectance(double elevation, double sigma) {
     const double flat = cos(elevation), up = sin(elevation), step = sigma / 8.0;
@@ -165,6 +208,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(normal_distributions_are_as_exact_as_stated),
         cmocka_unit_test(visible_facets_are_those_of_the_integral),
+        cmocka_unit_test(waves_of_all_lengths_hide_as_barriers_of_a_brownian_motion_do),
+        cmocka_unit_test(hidden_facets_leave_the_area_of_the_plane),
         cmocka_unit_test(the_mean_reflectance_of_visible_facets_is_as_good_as_stated),
         cmocka_unit_test(a_low_sun_lights_its_share_of_the_facets),
         cmocka_unit_test(smiths_ratio_is_the_integral_it_stands_for),
