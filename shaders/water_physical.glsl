@@ -218,8 +218,10 @@ water_here water_at(ivec2 pixel, vec2 uv, uvec4 texel) {
     p.place = pixel_footprint(p.view, dist, shape.slope);
     vec3 beyond = slopes_beyond_mesh(p.rest, p.place, p.depth, shape.spacing) * gust * gust;
     p.whole = facets_seen(p.view, shape.slope, beyond);
-    // The visible length of the water under the pixel is that which other waves do not hide.
-    p.place.major = max(p.place.minor, min(p.place.major, dist * radians_per_pixel / max(p.whole.area, 0.01)));
+    // Visible facets lean towards the eye, so that it sees less length of them than of their mean plane. A mean over
+    // them varies as a mean over that length does.
+    float facing = p.view.z - dot(shape.slope, p.view.xy) + p.whole.shift * length(p.view.xy);
+    p.place.major = max(p.place.minor, min(p.place.major, dist * radians_per_pixel / max(facing, 0.01)));
     p.waves = waves_at(p.rest, read, p.place, gust, p.depth, vec4(shape.slope, shape.spacing, 0.0));
     p.width = max(p.place.minor, p.place.major / float(TAPS));
     p.hidden = hidden_slopes(p.rest, p.place, p.depth);

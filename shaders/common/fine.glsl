@@ -13,7 +13,7 @@ void add_fine(sea_place place, footprint f, float gust, float depth, inout vec2 
         float lod = derivative_level(fetched_width(f, taps) - fine_band.y);
         vec2 at = fine_tile.xy + vec2(along_tile(place.at.x, place.at.y, fine_tile.z, fine_tile.w),
                                       across_tile(place.at.x, place.at.y, fine_tile.z, fine_tile.w));
-        vec2 a = f.axis * (f.major / taps);
+        vec2 a = f.axis * (fetched_length(f) / taps);
         vec2 along = vec2(along_tile(a.x, a.y, fine_tile.z, fine_tile.w),
                           across_tile(a.x, a.y, fine_tile.z, fine_tile.w));
         vec2 sum = vec2(0.0);

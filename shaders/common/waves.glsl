@@ -221,12 +221,18 @@ float tap_place(int i, float taps) { return float(i) - 0.5 * (taps - 1.0); }
 #endif
 
 // log2 of the width that each of so many fetches along a footprint averages over. Fetches as wide as they lie apart
-// would blur the waves sideways as well: far rows had half of the contrast that a path tracer finds
-// (tests/reference). With this share of that blur they show what the table of unresolved slopes leaves them.
+// would blur the waves sideways as well: far rows would lose up to a tenth of their contrast (tests/reference). With
+// this share of that blur they show what the table of unresolved slopes leaves them.
 const float SIDEWAYS = 0.4;
 float fetched_width(footprint f, float taps) {
     float minor = log2(f.minor);
     return mix(minor, max(log2(f.major / taps), minor), SIDEWAYS);
+}
+
+// Length over which these fetches lie: with their widths they average as a Gaussian of FOOTPRINT_DEVIATION of the
+// footprint does.
+float fetched_length(footprint f) {
+    return FOOTPRINT_DEVIATION * sqrt(12.0 * max(f.major * f.major - f.minor * f.minor, 0.0));
 }
 
 #if defined(WAVES_CASCADES) && defined(PACKED)
@@ -289,7 +295,7 @@ cascade_gradient cascade_fetched(int c, vec2 at, footprint f, int displaced, out
     if (near < 1.0)
 #endif
     {
-        vec2 along = (cascade_uv(c, at + f.axis * f.major) - centre) / taps;
+        vec2 along = (cascade_uv(c, at + f.axis * fetched_length(f)) - centre) / taps;
         vec4 slopes = vec4(0.0);
         for (int i = 0; i < TAP_COUNT(taps); ++i)
             slopes += textureLod(slope_map, vec3(centre + along * tap_place(i, taps), float(c)), lod);
