@@ -2,6 +2,7 @@
 // The sky for the other passes: radiance towards a direction, the sky for reflections, haze between the eye and a
 // point, sunlight and cloud shadow. Reads the tables of the sky pass, in the unit of common/air.glsl.
 #include "common/environment.glsl"
+#include "common/level.glsl"
 #include "common/sky_table.glsl"
 
 uniform sampler2D sky_view_table;
@@ -21,7 +22,7 @@ vec3 sky_radiance(vec3 dir) { return textureLod(sky_view_table, sky_view_uv(dir,
 // Sky and clouds towards a reflected direction, blurred as by facets of that rms slope: the ray turns by twice the
 // slope. Below the horizon, the radiance of the horizon.
 vec3 environment_radiance(vec3 dir, float roughness) {
-    return textureLod(environment_map, environment_uv(dir), environment_level(2.0 * roughness)).rgb;
+    return textureLod(environment_map, environment_uv(dir), fetched_level(environment_level(2.0 * roughness))).rgb;
 }
 
 // ---- the sun

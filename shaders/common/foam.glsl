@@ -3,6 +3,7 @@
 // foam memory over its threshold, plus a Gaussian noise of patches, nets and bubbles; foam is where it is above 0. A
 // pixel resolves a part of this field and hides the rest. Both parts are Gaussian, so the mean opacity, foam_opacity(),
 // is the same at every distance (Dupuy & Bruneton 2012). src/render/foam_texture.c makes the noise.
+#include "common/level.glsl"
 #include "shared/constants.glsl"
 #include "shared/foam.glsl"
 #pragma unit foam_noise 7
@@ -13,7 +14,7 @@ struct foam_texels { vec4 broad, middle, fine; };
 
 // `detail`: log2 of the texels of a 1 m tile under the pixel.
 vec4 foam_texel(vec2 p, float log2_tile, float detail) {
-    return textureLod(foam_noise, p * exp2(-log2_tile), max(detail - log2_tile, 0.0));
+    return textureLod(foam_noise, p * exp2(-log2_tile), fetched_level(max(detail - log2_tile, 0.0)));
 }
 
 // Where a rest point, eye-relative [m], lies among bubbles and small nets, and among patches and broad nets.
