@@ -305,7 +305,7 @@ vec3 surface_light(water_here p, vec3 sunlight, vec3 below) {
 
 // Densities, by eye: of fresh foam per unit of Jacobian, of old foam and of bubbles per deviation of the foam memory,
 // of foam at the shore and of streaks per deviation of their noise.
-const float FRESH_DENSITY = 30.0, OLD_DENSITY = 4.0, SHORE_DENSITY = 2.0, STREAK_DENSITY = 1.4, BUBBLES_DENSITY = 0.6;
+const float FRESH_DENSITY = 60.0, OLD_DENSITY = 8.0, SHORE_DENSITY = 2.0, STREAK_DENSITY = 1.4, BUBBLES_DENSITY = 0.6;
 // How far bubbles reach beyond old foam, and the variance that softens their cloud, by deviations of the foam memory.
 const float BUBBLES_REACH = 0.2, BUBBLES_BLUR = 0.5;
 const float STREAK_BUBBLES = 0.6; // that the converging water of a windrow draws down with an opaque streak
