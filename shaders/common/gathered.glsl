@@ -3,6 +3,7 @@
 // depth a channel, the bed's in the last. Layer 0 is the wide patch. Layer 1, finer and near the eye, shows the bed
 // alone; its third channel has that light times the depth of the bed. Deep images are as blurred as the sun's disc and
 // the waves that a patch lacks make them. Needs common/frame.glsl.
+#include "common/level.glsl"
 #include "shared/caustic_patches.glsl"
 #include "shared/constants.glsl"
 #pragma unit caustic_map 24
@@ -31,7 +32,8 @@ float caustic_blur(float blur, float depth, float width) {
 // pattern finer than that, where a Gaussian of that deviation keeps 1 / pi. The wider one of the same contrast is read.
 const float AS_GAUSSIAN = 1.18;
 vec4 caustic_wide(vec2 uv, float blur) {
-    return textureLod(caustic_map, vec3(uv, 0.0), log2(max(AS_GAUSSIAN * blur * caustic_texels(), 1.0)));
+    float level = log2(max(AS_GAUSSIAN * blur * caustic_texels(), 1.0));
+    return textureLod(caustic_map, vec3(uv, 0.0), fetched_level(level));
 }
 
 vec4 caustic_texel(vec2 uv, float level) { return textureLod(caustic_map, vec3(uv, 1.0), level); }
