@@ -39,6 +39,7 @@ layout(std140) uniform Optics {
 #include "shared/below_block.glsl"
 };
 #include "common/below_medium.glsl"
+#include "common/fine.glsl"
 #include "common/gathered.glsl"
 
 #ifdef LAND
@@ -246,9 +247,12 @@ vec3 seen_thing(ivec2 pixel, vec2 uv, vec3 ray, vec3 dir, out float reach) {
         water_shape s = shape_of(texel, position.xy);
         reach = length(position);
         footprint f = pixel_footprint(vec3(-dir.xy, abs(dir.z)), reach, vec2(0.0));
-        wave_fields w = waves_at(s.rest, place_of(s.rest), f, eye_gust, s.depth,
-                                 vec4(s.slope, s.spacing, 0.0));
+        sea_place read = place_of(s.rest);
+        wave_fields w = waves_at(s.rest, read, f, eye_gust, s.depth, vec4(s.slope, s.spacing, 0.0));
         vec3 hidden = hidden_slopes(s.rest, f, s.depth) * eye_gust * eye_gust;
+#ifdef WAVES_CASCADES
+        add_fine(read, f, eye_gust, s.depth, w.slope, hidden);
+#endif
         return surface_from_below(position, dir, w.slope, hidden, sun_light * cloud_shadow(position.xy));
     }
 #ifdef LAND

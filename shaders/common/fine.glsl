@@ -6,11 +6,11 @@
 uniform sampler2D fine_map; // slope x, slope y
 
 // Adds the fine waves to the slope of a pixel, and takes what it shows of their variance from its roughness. The block
-// of the optics has fine_tile, fine_slopes and fine_band.
+// of the optics has fine_tile, fine_slopes, fine_widest and fine_texel.
 void add_fine(sea_place place, footprint f, float gust, float depth, inout vec2 slope, inout vec3 roughness) {
-    if (f.minor < fine_band.x) {
-        float taps = clamp(ceil(f.major * exp2(-fine_band.y)), 1.0, float(TAPS));
-        float lod = derivative_level(fetched_width(f, taps) - fine_band.y);
+    if (f.minor < fine_widest) {
+        float taps = clamp(ceil(f.major * exp2(-fine_texel)), 1.0, float(TAPS));
+        float lod = derivative_level(fetched_width(f, taps) - fine_texel);
         vec2 at = fine_tile.xy + vec2(along_tile(place.at.x, place.at.y, fine_tile.z, fine_tile.w),
                                       across_tile(place.at.x, place.at.y, fine_tile.z, fine_tile.w));
         vec2 a = f.axis * (fetched_length(f) / taps);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Members of the uniform block Optics of below.glsl. See frame_block.glsl for who reads this and how. All of it is
 // written by src/render/below.c.
+vec4 fine_tile;          // of the fine waves: see physical_block.glsl
+vec3 fine_slopes;
+float fine_texel;
 vec3 beam_attenuation;   // of an image: absorption and scattering by more than the blur of an image [1/m]
 float sun_below_z;       // cosine of the refracted sun's angle from the vertical
 vec3 wide_scattering;    // scattering by more than that blur [1/m]
@@ -8,4 +11,4 @@ float blur_cosine;       // of that blur
 vec3 diffuse_source;     // source of the veil per irradiance on the surface: radiance per metre [1/(m sr)]
 float window_present;    // 1: there is an image of what stands above the water
 vec3 particle_exponent;  // of the phase function's particles, at 650, 550 and 450 nm
-float below_padding;     // the block's size is a multiple of 16 bytes
+float fine_widest;

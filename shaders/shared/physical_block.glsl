@@ -5,7 +5,8 @@ vec3 fine_slopes;             // their slope covariance xx, xy, yy
 float streak_excess;          // quantile of the share under streaks (below -999: there are none)
 vec3 water_scattering;        // [1/m]
 float jacobian_variance;      // of all scales
-vec2 fine_band;               // pixels wider than that show none of them [m], 0: there are none; log2 of a texel [m]
+float fine_widest;            // pixels wider than that show none of them [m], 0: there are none
+float fine_texel;             // log2 of a texel [m]
 float breaking_jacobian;      // Jacobian below which crests break (below -999: nothing foams)
 float slopes_beyond_cascades; // slope variance of the waves that no cascade has
 float fresh_edge;             // variance that softens the edge of fresh foam; the threshold allows for it

@@ -58,12 +58,19 @@ static double exponent_of(double back) {
     return 0.5 * (low + high);
 }
 
-static below_block block_of(const render_view *v, const gl_texture *window) {
+// waves: that are drawn; those of cascades have fine ones.
+static below_block block_of(const render_view *v, water_waves waves, const gl_texture *window) {
+    const fine_values fine = waves == WATER_CASCADES ? bolan_fine_values(v) : (fine_values){.widest = 0.0f};
     const bolan_water_optics *o = &v->frame->water.optics;
     const float *a = &o->absorption.x, *b = &o->scattering.x, *back = &o->backscatter.x, *kd = &o->kd.x;
     const float *deep = &o->deep.x;
     const double blur = cos(bolan_radians(IMAGE_BLUR));
-    below_block out = {.blur_cosine = (float)blur, .window_present = window != NULL ? 1.0f : 0.0f};
+    below_block out = {.blur_cosine = (float)blur,
+                       .window_present = window != NULL ? 1.0f : 0.0f,
+                       .fine_tile = fine.tile,
+                       .fine_slopes = fine.slopes,
+                       .fine_widest = fine.widest,
+                       .fine_texel = fine.texel};
     for (int i = 0; i < 3; ++i) {
         const double m = exponent_of(fmin((double)back[i] / fmax((double)b[i], 1e-9), 0.5));
         const double wide = (double)b[i] * (1.0 - fournier_forand_within(blur, fournier_forand_index(m), m));
@@ -162,9 +169,10 @@ void bolan_below_draw(below_water *b, const water_draw *d) {
     const render_view *v = d->view;
     const bool line = v->medium == EYE_AT_WATERLINE;
     if (bolan_water_program(d, &shader, 1u << v->frame->quality | (line ? WATERLINE : 0u)) == NULL) return;
-    const below_block block = block_of(v, b->window);
+    const below_block block = block_of(v, d->waves, b->window);
     bolan_water_blocks_upload_optics(d->blocks, &block, sizeof block);
     if (b->window != NULL) bolan_gl_texture_bind(b->window, UNIT_WINDOW);
+    if (d->fields->now->fine.id != 0) bolan_gl_texture_bind(&d->fields->now->fine, UNIT_FINE);
     bolan_gl_target_bind(&v->hdr);
     bolan_gl_set_state(&(gl_state){.color_write = true, .blend = line ? GL_BLEND_ALPHA : GL_BLEND_NONE});
     bolan_gl_draw_fullscreen();

@@ -45,11 +45,17 @@ static vec4 place_in_tile(bolan_dvec2 at, double angle, double length, uint32_t 
                   (float)(s / length)};
 }
 
-vec4 bolan_fine_tile(const render_view *v) {
+#define FINE_WIDTH 0.6 // of the longest fine wave: a pixel that wide shows none
+
+fine_values bolan_fine_values(const render_view *v) {
     const bolan_sea_fine_view fine = bolan_sea_fine_layout(v->frame->sea);
+    if (fine.n == 0) return (fine_values){.widest = 0.0f};
     double unused[4];
     const bolan_dvec2 eye = bolan_sea_place_read(v->frame->sea, v->eye.x, v->eye.y, unused);
-    return fine.n > 0 ? place_in_tile(eye, fine.angle, fine.length, fine.n) : (vec4){0};
+    return (fine_values){.tile = place_in_tile(eye, fine.angle, fine.length, fine.n),
+                         .slopes = {(float)fine.slopes[0], (float)fine.slopes[1], (float)fine.slopes[2]},
+                         .widest = (float)(FINE_WIDTH * 2.0 * BOLAN_PI / fine.k_min),
+                         .texel = (float)log2(fine.length / fine.n)};
 }
 
 static void set_cascades(water_block *b, const render_view *view) {

@@ -56,8 +56,13 @@ bolan_result bolan_sea_gpu_create(sea_gpu *p);
 bool bolan_sea_gpu_prepare(sea_gpu *p, frame *f, water_textures textures);
 // Compiles the compute shaders of a sea of cascades. False: one does not compile (logged).
 bool bolan_sea_gpu_compile(const frame *f, bool packed);
-// Where the eye stands in the tile of the fine waves, as fine_tile of shared/physical_block.glsl has it.
-vec4 bolan_fine_tile(const render_view *v);
+// The fine waves, as shared/physical_block.glsl has them; all 0 where there are none.
+typedef struct fine_values {
+    vec4 tile;
+    bolan_vec3 slopes;
+    float widest, texel;
+} fine_values;
+fine_values bolan_fine_values(const render_view *v);
 // Uploads what belongs to a view's eye, and binds all.
 void bolan_sea_gpu_view(sea_gpu *p, const render_view *v, water_waves waves);
 // Binds the textures again, for a pass that follows one which used their units.

@@ -200,14 +200,12 @@ static physical_block foam_of(const render_view *v) {
                             .water_scattering = v->frame->water.optics.scattering};
 }
 
-#define FINE_WIDTH 0.6 // of the longest fine wave: a pixel that wide shows none
-
 static void set_fine(physical_block *b, const render_view *v) {
-    const bolan_sea_fine_view fine = bolan_sea_fine_layout(v->frame->sea);
-    if (fine.n == 0) return;
-    b->fine_tile = bolan_fine_tile(v);
-    b->fine_slopes = (bolan_vec3){(float)fine.slopes[0], (float)fine.slopes[1], (float)fine.slopes[2]};
-    b->fine_band = (bolan_vec2){(float)(FINE_WIDTH * 2.0 * BOLAN_PI / fine.k_min), (float)log2(fine.length / fine.n)};
+    const fine_values fine = bolan_fine_values(v);
+    b->fine_tile = fine.tile;
+    b->fine_slopes = fine.slopes;
+    b->fine_widest = fine.widest;
+    b->fine_texel = fine.texel;
 }
 
 static bool draw_shape(physical *p, const water_draw *d) {
