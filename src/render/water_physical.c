@@ -384,25 +384,10 @@ static uint32_t shade_columns(const bolan_look *look, bolan_quality quality) {
     return quality <= BOLAN_QUALITY_MEDIUM ? 2 : 1;
 }
 
-// At medium quality columns share samples where a texel of the shortest waves is at least so many pixels wide: there
-// the samples lose hardly a wave. What is seen through the water has no such limit.
-#define SHARED_TEXEL 1.5
-
-static uint32_t shared_rows(const water_draw *d, uint32_t rows) {
-    const render_view *v = d->view;
-    if (v->frame->quality < BOLAN_QUALITY_MEDIUM) return rows;
-    if (d->waves != WATER_CASCADES || v->frame->behind) return 0;
-    const bolan_cascade_view last = bolan_sea_cascade_layout(v->frame->sea, bolan_sea_cascade_count(v->frame->sea) - 1);
-    const bolan_sea_fine_view fine = bolan_sea_fine_layout(v->frame->sea);
-    const double width = (fine.n > 0 ? fine.length / fine.n : last.length / last.n) / SHARED_TEXEL;
-    return bolan_water_rows_steeper(v, v->block.eye_height * v->block.radians_per_pixel / width, rows);
-}
-
 const water_optics bolan_optics_physical = {.kind = BOLAN_OPTICS_PHYSICAL,
                                             .size = sizeof(physical),
                                             .looks_through = true,
                                             .shade_columns = shade_columns,
-                                            .shared_rows = shared_rows,
                                             .create = create,
                                             .reload = reload,
                                             .gather = gather,

@@ -76,7 +76,7 @@ static const bound bounds[REFERENCE_VIEWS] = {
     {0.90, 1.10, 0.86, 0.80, 0.85, MOST, MOST}, {0.85, 1.15, 0.88, 0.71, 0.85, MOST, MOST},
     {0.85, 1.15, 0.90, 0.67, 0.85, MOST, MOST}, {0.87, 1.10, 0.78, 0.71, 0.85, MOST, MOST},
     {0.87, 1.10, 0.76, 0.54, 0.85, MOST, MOST}, {0.90, 1.10, 0.80, 1.00, 0.85, 1.55, 1.75},
-    {0.85, 1.15, 0.68, 0.82, 0.85, MOST, 1.30}, {0.90, 1.10, 0.10, 0.85, 0.80, 1.18, 1.50},
+    {0.85, 1.15, 0.68, 0.82, 0.85, MOST, 1.45}, {0.90, 1.10, 0.10, 0.85, 0.80, 1.18, 1.50},
 };
 
 static bool is_within(double ratio, double low, double high) { return ratio > low && ratio < high; }
