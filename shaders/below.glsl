@@ -310,8 +310,8 @@ float over_water(vec3 point) {
 #endif
 
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec2 uv = gl_FragCoord.xy * pixel_size;
+    ivec2 pixel = sampled_pixel(gl_FragCoord.xy);
+    vec2 uv = (vec2(pixel) + 0.5) * pixel_size;
     vec3 ray = frame_ray(uv), dir = normalize(ray);
     float cover = 1.0, shade = 1.0;
 #ifdef WATERLINE

@@ -14,17 +14,19 @@ static const water_shader mesh_resolve = {.stem = "half_rate_resolve", .reads = 
 enum { OPAQUE = 1, KEPT = 2 };
 
 bool bolan_half_rate_prepare(half_rate *s, const water_setup *setup, bool keeps_shape, water_programs *all) {
-    const bool listed =
-        keeps_shape ? bolan_water_programs_add(all, setup, false, &shape_resolve, setup->land ? KEPT | OPAQUE : KEPT)
-                    : bolan_water_programs_add(all, setup, false, &mesh_resolve, 0);
+    bool listed = keeps_shape ? bolan_water_programs_add(all, setup, false, &shape_resolve, KEPT)
+                              : bolan_water_programs_add(all, setup, false, &mesh_resolve, 0);
+    if (keeps_shape && setup->land)
+        listed = bolan_water_programs_add(all, setup, false, &shape_resolve, KEPT | OPAQUE) && listed;
     if (keeps_shape || !setup->land || s->farthest.stem[0] != '\0') return listed; // made, or tried once
     return bolan_gl_program_create("half_rate_depth", NULL, &s->farthest) == BOLAN_OK && listed;
 }
 
 uint32_t bolan_half_rate_columns(const render_view *v, uint32_t most) {
     const bolan_look *look = &v->frame->lighting.look;
-    const bool plain = look->show == BOLAN_SHOW_PICTURE && v->block.eye_under_water < 0.5f;
-    if (!plain || v->lens.pitch_deg < -STEEPEST_DEG || v->width < SMALLEST) return 1;
+    if (look->show != BOLAN_SHOW_PICTURE || v->width < SMALLEST) return 1;
+    if (v->medium == EYE_IN_WATER) return most; // which sees nothing sharply
+    if (v->block.eye_under_water > 0.5f || v->lens.pitch_deg < -STEEPEST_DEG) return 1;
     // Where the camera rolls, a row runs partly along the view, and there every pixel shows other water.
     const double along = fabs(sin(bolan_radians(v->lens.roll_deg)));
     uint32_t columns = most > 1 ? most : 1;

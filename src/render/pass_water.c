@@ -364,9 +364,17 @@ const gl_program *bolan_pass_water_use_motion(pass_water *p, render_view *v, dou
 
 void bolan_pass_water_draw_below(pass_water *p, render_view *v) {
     if (v->medium == EYE_IN_AIR || !can_draw(p, v->frame) || !p->ready) return;
-    const water_draw d = draw_of(p, v);
+    const water_optics *o = optics_of(v->frame);
+    const uint32_t columns = bolan_half_rate_columns(v, v->medium == EYE_IN_WATER ? columns_of(v->frame) : 1);
+    render_view sparse = bolan_half_rate_begin(&p->sparse, v, columns, true, false);
+    water_draw d = draw_of(p, &sparse);
     bolan_sea_gpu_bind(&p->fields, d.waves);
-    optics_of(v->frame)->draw_below(p->state[v->frame->lighting.technique.optics], &d);
+    if (sparse.shade_columns > 1.0f) bolan_view_use(&sparse);
+    o->draw_below(p->state[o->kind], &d);
+    if (sparse.shade_columns <= 1.0f) return;
+    bolan_view_use(v);
+    d = draw_of(p, v);
+    bolan_half_rate_lay_shape(&p->sparse, &d, false, v->hdr.height);
 }
 
 void bolan_pass_water_draw_body(pass_water *p, const frame *f) {
