@@ -206,8 +206,12 @@ vec3 surface_from_below(vec3 position, vec3 dir, vec2 slope, vec3 hidden, vec3 s
 // ---- shafts of light ------------------------------------------------------------------------------------------------
 
 const float SHAFTS_REACH = 14.0; // to the edge of the caustics' patch [m]
+#if TAPS > 2
+const int SHAFT_STEPS = 32;
+#else
 const int SHAFT_STEPS = 12;
-const float STEP_BLUR = 0.3; // of the pattern, over the length of a step: less than leaves no noise, for sharp shafts
+#endif
+const float STEP_BLUR = 0.2; // of the pattern, over the length of a step: less than leaves no noise, for sharp shafts
 
 // Mean of the gathered light along a ray, weighted by what reaches the eye of it. Steps are short near the eye, where
 // shafts are wide, and each stands for the pattern along its length; their start differs from pixel to pixel, so that

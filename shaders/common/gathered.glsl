@@ -31,10 +31,10 @@ float caustic_blur(float blur, float depth, float width) {
 // A bilinear look-up at level L has a standard deviation of 2^L / 2 texels, but keeps 0.44 / 4^L of the variance of a
 // pattern finer than that, where a Gaussian of that deviation keeps 1 / pi. The wider one of the same contrast is read.
 const float AS_GAUSSIAN = 1.18;
-vec4 caustic_wide(vec2 uv, float blur) {
-    float level = log2(max(AS_GAUSSIAN * blur * caustic_texels(), 1.0));
-    return textureLod(caustic_map, vec3(uv, 0.0), fetched_level(level));
+vec4 caustic_texel_wide(vec2 uv, float blur) {
+    return textureLod(caustic_map, vec3(uv, 0.0), fetched_level(log2(max(blur * caustic_texels(), 1.0))));
 }
+vec4 caustic_wide(vec2 uv, float blur) { return caustic_texel_wide(uv, AS_GAUSSIAN * blur); }
 
 vec4 caustic_texel(vec2 uv, float level) { return textureLod(caustic_map, vec3(uv, 1.0), level); }
 
@@ -92,6 +92,6 @@ float gathered_at(vec2 position, float depth, float width) {
 float gathered_in_water(vec2 position, float depth, float apart) {
     if (depth <= 0.0 || caustic_spread.x <= 0.0) return 1.0;
     vec2 uv = caustic_place + caustic_entry(position, depth);
-    vec3 image = caustic_wide(uv, length(vec2(caustic_spread.x * depth, apart))).rgb;
+    vec3 image = caustic_texel_wide(uv, length(vec2(caustic_spread.x * depth, apart))).rgb;
     return mix(1.0, caustic_between(image, depth), caustic_share(uv) * caustic_left(depth));
 }
