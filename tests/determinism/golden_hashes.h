@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Written by test_golden.c, which says how.
-{"sea: default", 0x6f8eda986ad359b2u},
-{"sea: storm and swell", 0x053b0b968b0a1c3au},
+{"sea: default", 0xf28d34f9230fb160u},
+{"sea: storm and swell", 0xe1919440ecc97a31u},
 {"sea: shallow, looping", 0xf18f2870205818bau},
-{"sea: Phillips", 0x452f0b9c710da409u},
-{"sea: order 2", 0x1497d12d9aea6825u},
+{"sea: Phillips", 0x85e83ca7487ebeaau},
+{"sea: order 2", 0x7ff3e4d4f06368ccu},
 {"sea: cosines in a current", 0xdba28d810cbcb581u},
 {"sea: cosines", 0x4cf8383722f182adu},
 {"sea: exp-cosine", 0x7499f010165a9997u},
@@ -24,5 +24,5 @@
 {"model: reeds", 0x0121dd7eabb5eb10u},
 {"model: jetty", 0xc98429356425d7e1u},
 {"model: rock", 0xc96ec6a37067a78du},
-{"model: coral", 0x17331ea7f6342d7cu},
+{"model: coral", 0x667b63cde2b59460u},
 {"model: staghorn", 0x7244b1b326456504u},
