@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Windrows as a Gaussian field: a sum of plane waves of random phases. Its lines end, and join in Y junctions at the
-// dislocations of the phase, as windrows do (Farmer & Li 1995). Distances of windrows are spread over two decades about
+// dislocations of the phase, as windrows do (Farmer & Li 1995). Distances of windrows are spread over about two decades
 // in a log-normal distribution (Thorpe 2004). A smooth displacement across the wind lets the lines wander.
 #include "windrows.h"
 #include "hash.h"
