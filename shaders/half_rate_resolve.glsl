@@ -21,7 +21,8 @@ void main() { water_vertex(); }
 out vec4 color;
 #pragma unit sparse_light 23
 uniform sampler2D sparse_light; // premultiplied by the share of water
-uniform vec4 places;            // x, y: from a pixel's column to the samples': scale, origin; z: the last of those
+// x, y: from a pixel's column to the samples': scale, origin; z: the last of those; w: pixels that they lie to the left
+uniform vec4 places;
 #ifdef KEPT
 #include "common/shape.glsl"
 #include "common/shape_maps.glsl"
@@ -30,7 +31,8 @@ uniform vec4 places;            // x, y: from a pixel's column to the samples': 
 // columns.
 const float OTHER_WATER = 0.1, OTHER_SHARE = 0.01; // difference of the distance over it
 vec2 edges_kept(vec2 share, ivec2 from, int next) {
-    vec2 at = min((vec2(from.x, next) + 0.5) / places.x, vec2(textureSize(surface_shape, 0).x) - 0.5);
+    vec2 at = (vec2(from.x, next) + 0.5) / places.x - places.w;
+    at = clamp(at, vec2(0.0), vec2(textureSize(surface_shape, 0).x) - 0.5);
     float here = shape_depth(texelFetch(surface_shape, ivec2(gl_FragCoord.xy), 0));
     vec2 there = vec2(shape_depth(texelFetch(surface_shape, ivec2(int(at.x), from.y), 0)),
                       shape_depth(texelFetch(surface_shape, ivec2(int(at.y), from.y), 0)));
@@ -55,9 +57,18 @@ void main() {
     share = edges_kept(share, from, next.x);
 #endif
     vec4 light = share.x * texelFetch(sparse_light, from, 0) + share.y * texelFetch(sparse_light, next, 0);
+#ifdef KEPT // a wave's tip between two samples stands over water in the row below
+    from.y = next.y = max(from.y - 1, 0);
+    vec4 lower = share.x * texelFetch(sparse_light, from, 0) + share.y * texelFetch(sparse_light, next, 0);
+    light = light.a < 0.05 ? lower : light;
+#endif
     // no sample covers this pixel: a wave's tip between two samples, water between objects, or the rim of the quad
 #if defined(KEPT) || defined(QUAD) // the pixel's depth keeps the sky pass out: fall back to skylight
-    if (light.a < 0.05) light = vec4(sky_light * 0.31830989, 1.0);
+    float water = 1.0;
+#ifdef KEPT
+    water = texelFetch(surface_shape, ivec2(gl_FragCoord.xy), 0).x == 0u ? 0.0 : 1.0;
+#endif
+    if (light.a < 0.05) light = vec4(water * sky_light * 0.31830989, 1.0);
 #else
     if (light.a < 0.05) discard;
 #endif

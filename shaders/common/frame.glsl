@@ -9,7 +9,10 @@ layout(std140) uniform View {
 };
 
 // The pixel of the image whose kept shape is shaded for the pixel of the target with that centre.
-ivec2 sampled_pixel(vec2 centre) { return ivec2(min(centre * vec2(shade_columns, 1.0), viewport_size - 0.5)); }
+ivec2 sampled_pixel(vec2 centre) {
+    vec2 pixel = centre * vec2(shade_columns, 1.0) - vec2(mod(tile_corner.x, shade_columns), 0.0);
+    return ivec2(clamp(pixel, vec2(0.0), viewport_size - 0.5));
+}
 
 // Eye-relative direction through a point of the picture, uv in [0,1], not normalised. Depth 1 is the near plane.
 vec3 frame_ray(vec2 uv) {

@@ -170,4 +170,4 @@ void add_bound_slope(int c, vec3 d, vec3 by_x, vec3 by_y, inout bound_slopes b) 
 // of half a texel, a pixel with FOOTPRINT_DEVIATION of its width: log2 of twice that is -0.32, of which so much is used
 // as keeps the slope variance within 3 %. Linear fetches of the finest level lose nothing; a pixel of one texel should
 // lose a little.
-float derivative_level(float width) { return fetched_level(max(width - 0.15, 0.25 * width + 0.21)); }
+float derivative_level(float width) { return max(width - 0.15, 0.25 * width + 0.21); }

@@ -9,7 +9,6 @@
 // layers (common/layers.glsl). Twins of bolan_sea_sample_rest() and bolan_sea_sample_grid() in src/waves.
 #include "shared/constants.glsl"
 #include "shared/exp_cosine.glsl"
-#include "common/level.glsl"
 #include "common/water_block.glsl"
 #ifdef LAND
 #include "common/shore.glsl"

@@ -98,11 +98,14 @@ render_view bolan_half_rate_begin(half_rate *s, const render_view *v, uint32_t c
     return sparse;
 }
 
-// A shape is lit at the pixels' middles, half a pixel off the samples' own.
+// A shape is lit at the pixels' middles, half a pixel off the samples' own, in the same columns of a picture whether it
+// is drawn whole or in tiles.
 static bolan_vec4 places(const half_rate *s, const render_view *v, bool keeps_shape) {
     const uint32_t width = v->width, columns = (width + s->now.target.width - 1) / s->now.target.width;
     const float scale = keeps_shape ? 1.0f / (float)columns : (float)s->now.target.width / (float)width;
-    return (bolan_vec4){scale, keeps_shape ? -0.5f * scale - 0.5f : -0.5f, (float)(s->now.target.width - 1), 0.0f};
+    const float shift = keeps_shape ? fmodf(v->tile_corner.x, (float)columns) : 0.0f;
+    const float origin = keeps_shape ? (shift - 0.5f) * scale - 0.5f : -0.5f;
+    return (bolan_vec4){scale, origin, (float)(s->now.target.width - 1), shift};
 }
 
 static bool begin_laying(const half_rate *s, const water_draw *d, bool keeps_shape, const water_shader *shader,

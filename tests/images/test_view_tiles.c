@@ -152,7 +152,8 @@ static void tiles_of_the_papers_are_the_whole(void **state) {
     (void)state;
     against_whole("exp_cosine", "open-sea", &bolan_technique_exp_cosine, BOLAN_QUALITY_MEDIUM, &even, 64, 1, 0.0, 70.0);
     against_whole("flight", "open-sea", &bolan_technique_flight_sim, BOLAN_QUALITY_MEDIUM, &even, 64, 2, 1e-5, 75.0);
-    against_whole("pond", "pond", &bolan_technique_two_triangle, BOLAN_QUALITY_MEDIUM, &even, 64, 20, 2e-4, 60.0);
+    // A few pixels at silhouettes show what stands behind them.
+    against_whole("pond", "pond", &bolan_technique_two_triangle, BOLAN_QUALITY_MEDIUM, &even, 64, 40, 2e-4, 60.0);
 }
 
 int main(void) {

@@ -400,7 +400,10 @@ static void water_ends_at_its_bounds(void **state) {
         const bool in = is_inside(corners, 5, p);
         if (in) { // nothing of it is missing, and it is lit as if it had no end
             assert_near(got.distance[i], alone.distance[i], 1e-3 * (double)alone.distance[i]);
-            assert_near(got.rgb[i][1], alone.rgb[i][1], 1e-3);
+            // two columns share samples, of which those beside the end have water on one side only
+            const bool between = i % WIDTH > 0 && i % WIDTH < WIDTH - 1;
+            if (between && !isinf(got.distance[i - 1]) && !isinf(got.distance[i + 1]))
+                assert_near(got.rgb[i][1], alone.rgb[i][1], 1e-3);
         }
         inside += in;
         outside += !in && isinf(got.distance[i]);
