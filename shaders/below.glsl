@@ -211,7 +211,7 @@ const int SHAFT_STEPS = 32;
 #else
 const int SHAFT_STEPS = 12;
 #endif
-const float STEP_BLUR = 0.2; // of the pattern, over the length of a step: less than leaves no noise, for sharp shafts
+const float STEP_BLUR = 0.2; // of the pattern, over the length of a step; more blurs the shafts, less leaves noise
 
 // Mean of the gathered light along a ray, weighted by what reaches the eye of it. Steps are short near the eye, where
 // shafts are wide, and each stands for the pattern along its length; their start differs from pixel to pixel, so that

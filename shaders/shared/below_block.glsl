@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Members of the uniform block Optics of below.glsl. See frame_block.glsl for who reads this and how. All of it is
 // written by src/render/below.c.
-vec4 fine_tile;          // of the fine waves: see physical_block.glsl
+vec4 fine_tile;          // this and the other fine_ members: as physical_block.glsl has them
 vec3 fine_slopes;
 float fine_texel;
 vec3 beam_attenuation;   // of an image: absorption and scattering by more than the blur of an image [1/m]

@@ -30,8 +30,7 @@ bool bolan_half_rate_prepare(half_rate *s, const water_setup *setup, bool keeps_
 // How many columns of this view one sample serves, at most `most`; 1: each pixel has its own.
 uint32_t bolan_half_rate_columns(const render_view *f, uint32_t most);
 // The frame to light the water in: cleared, and with the depth of what stands before the water where
-// something is `opaque`. Its sampling.x is 1 and
-// it is `f` itself where it cannot be had (logged).
+// something is `opaque`. Where it cannot be had (logged), it is `f` itself, and its shade_columns is 1.
 render_view bolan_half_rate_begin(half_rate *s, const render_view *f, uint32_t columns, bool keeps_shape, bool opaque);
 // Into the frame's picture, by the mesh; d->view is the frame that bolan_half_rate_begin() had.
 void bolan_half_rate_lay_mesh(const half_rate *s, const water_draw *d);
